@@ -1,0 +1,1 @@
+"""Procedural scenes: deterministic, from thousands to tens of millions of triangles."""

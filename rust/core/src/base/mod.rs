@@ -1,0 +1,11 @@
+//! What every stage stands on: errors, threads, progress, random numbers, shared arrays.
+
+pub mod buffer;
+pub mod error;
+pub mod pool;
+pub mod progress;
+pub mod random;
+
+pub use buffer::Buffer;
+pub use error::{Error, Result};
+pub use progress::Progress;

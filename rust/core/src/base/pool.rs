@@ -1,0 +1,92 @@
+//! Our own thread pool: sized by `NEARFAR_NUM_THREADS`, made on first use, made anew in a forked child.
+
+use std::process;
+use std::ptr;
+use std::sync::atomic::{AtomicPtr, Ordering};
+
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use super::{Error, Result};
+
+const VARIABLE: &str = "NEARFAR_NUM_THREADS";
+
+struct Entry {
+    process: u32,
+    pool: ThreadPool,
+}
+
+/// The pool of this process. A pointer instead of a lock, because a lock that another thread held during a fork
+/// would stay locked in the child for ever.
+static CURRENT: AtomicPtr<Entry> = AtomicPtr::new(ptr::null_mut());
+
+/// Runs `work` on the pool, so that every rayon call inside uses it.
+pub fn install<R: Send>(work: impl FnOnce() -> R + Send) -> Result<R> {
+    Ok(current()?.install(work))
+}
+
+/// Number of threads of the pool.
+pub fn thread_count() -> Result<usize> {
+    Ok(current()?.current_num_threads())
+}
+
+fn current() -> Result<&'static ThreadPool> {
+    let seen = CURRENT.load(Ordering::Acquire);
+    // SAFETY: CURRENT is null or points to an Entry that was leaked and is never freed.
+    if let Some(entry) = unsafe { seen.as_ref() }
+        && entry.process == process::id()
+    {
+        return Ok(&entry.pool);
+    }
+    let fresh = Box::into_raw(Box::new(Entry { process: process::id(), pool: build()? }));
+    match CURRENT.compare_exchange(seen, fresh, Ordering::AcqRel, Ordering::Acquire) {
+        // SAFETY: just leaked, never freed. A parent's entry stays leaked in a child: its threads are gone there,
+        // and joining them would hang.
+        Ok(_) => Ok(&unsafe { &*fresh }.pool),
+        Err(winner) => {
+            // SAFETY: ours was never published, and the winner's was leaked by another thread of this process.
+            let (_ours, theirs) = unsafe { (Box::from_raw(fresh), &*winner) };
+            Ok(&theirs.pool)
+        }
+    }
+}
+
+fn build() -> Result<ThreadPool> {
+    ThreadPoolBuilder::new()
+        .num_threads(requested(std::env::var(VARIABLE).ok().as_deref())?)
+        .thread_name(|index| format!("nearfar-{index}"))
+        .build()
+        .map_err(|error| Error::value(VARIABLE, "a number of threads that the system grants", error))
+}
+
+/// Zero leaves the choice to rayon: as many as there are cores for this process.
+fn requested(value: Option<&str>) -> Result<usize> {
+    match value.map(str::trim) {
+        None | Some("") => Ok(0),
+        Some(text) => match text.parse() {
+            Ok(count @ 1..=1024) => Ok(count),
+            _ => Err(Error::value(VARIABLE, "a whole number from 1 to 1024", format!("'{text}'"))),
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_variable_is_read_strictly() {
+        assert_eq!(requested(None), Ok(0));
+        assert_eq!(requested(Some(" 3 ")), Ok(3));
+        for wrong in ["0", "-1", "two", "1.5", "99999"] {
+            assert!(requested(Some(wrong)).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn every_call_meets_the_same_pool() {
+        let first: *const ThreadPool = current().unwrap();
+        let second: *const ThreadPool = current().unwrap();
+        assert_eq!(first, second);
+        assert_eq!(install(rayon::current_num_threads), thread_count());
+    }
+}

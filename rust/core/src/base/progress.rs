@@ -1,0 +1,61 @@
+//! How far a long kernel is, and whether it should stop.
+
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+
+use super::{Error, Result};
+
+/// Shared between the kernel's threads, which report, and the caller, who looks every 50 ms and may cancel.
+#[derive(Debug, Default)]
+pub struct Progress {
+    done: AtomicU64,
+    total: AtomicU64,
+    cancelled: AtomicBool,
+}
+
+impl Progress {
+    /// Nothing done, nothing known of the total.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds units of work to come.
+    pub fn expect(&self, units: u64) {
+        self.total.fetch_add(units, Ordering::Relaxed);
+    }
+
+    /// Counts finished units, and fails once the caller has cancelled.
+    pub fn report(&self, units: u64) -> Result<()> {
+        self.done.fetch_add(units, Ordering::Relaxed);
+        self.check()
+    }
+
+    /// Fails once the caller has cancelled.
+    pub fn check(&self) -> Result<()> {
+        if self.cancelled.load(Ordering::Relaxed) { Err(Error::Cancelled) } else { Ok(()) }
+    }
+
+    /// Asks the kernel to stop at its next report.
+    pub fn cancel(&self) {
+        self.cancelled.store(true, Ordering::Relaxed);
+    }
+
+    /// Finished and expected units.
+    pub fn state(&self) -> (u64, u64) {
+        (self.done.load(Ordering::Relaxed), self.total.load(Ordering::Relaxed))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reports_add_up_until_cancelled() {
+        let progress = Progress::new();
+        progress.expect(3);
+        assert_eq!(progress.report(2), Ok(()));
+        progress.cancel();
+        assert_eq!(progress.report(1), Err(Error::Cancelled));
+        assert_eq!(progress.state(), (3, 3));
+    }
+}

@@ -1,0 +1,17 @@
+//! Kernels of nearfar, in the order of the data flow. No Python, no files, no clock.
+//!
+//! # Glossary
+//! - **near**, **far**: inside and outside the vertical cylinder of radius r₂ about the centre O.
+//! - **standing**, **moving**: instances that never move, and dynamic ones that are posed anew.
+//! - **object**: a name over faces or instances. **Mesh**: triangles in their own frame. **Instance**: a placed mesh.
+//! - **range**: distance from the eye in metres. **depth**: distance along the viewing axis.
+//! - **ρ**: distance from the vertical axis through O.
+//!
+//! Conventions: metres, radians; right-handed, y up, cameras look along −z; row 0 on top.
+
+pub mod base;
+pub mod scene;
+pub mod camera;
+pub mod bvh;
+pub mod trace;
+pub mod cubemap;

@@ -1,0 +1,74 @@
+//! Axis-aligned boxes in float32, the precision of the geometry that they enclose.
+
+use glam::{DAffine3, DVec3, Vec3};
+
+/// An axis-aligned box; empty while `min > max`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aabb {
+    /// Least corner.
+    pub min: Vec3,
+    /// Greatest corner.
+    pub max: Vec3,
+}
+
+impl Aabb {
+    /// The box of nothing.
+    pub const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
+
+    /// True for the box of nothing.
+    pub fn is_empty(&self) -> bool {
+        self.min.x > self.max.x
+    }
+
+    /// Grows to hold a point.
+    pub fn extend(&mut self, point: Vec3) {
+        self.min = self.min.min(point);
+        self.max = self.max.max(point);
+    }
+
+    /// The least box that holds both.
+    pub fn union(&self, other: &Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// The least float32 box around this one's image; tight only where the map keeps axes.
+    pub fn transformed(&self, map: &DAffine3) -> Self {
+        if self.is_empty() {
+            return Self::EMPTY;
+        }
+        let (low, high) = (self.min.as_dvec3(), self.max.as_dvec3());
+        let center = map.transform_point3((low + high) * 0.5);
+        let half = (high - low) * 0.5;
+        let m = &map.matrix3;
+        let extent = m.x_axis.abs() * half.x + m.y_axis.abs() * half.y + m.z_axis.abs() * half.z;
+        Self { min: round_down(center - extent), max: round_up(center + extent) }
+    }
+}
+
+fn round_down(v: DVec3) -> Vec3 {
+    let near = v.as_vec3();
+    Vec3::from_array(std::array::from_fn(|i| if f64::from(near[i]) > v[i] { near[i].next_down() } else { near[i] }))
+}
+
+fn round_up(v: DVec3) -> Vec3 {
+    -round_down(-v)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_turned_box_holds_its_turned_corners() {
+        let unit = Aabb { min: Vec3::splat(-1.0), max: Vec3::ONE };
+        let map = DAffine3::from_rotation_y(0.7) * DAffine3::from_translation(DVec3::new(1e4, 0.1, -3.3));
+        let image = unit.transformed(&map);
+        for corner in 0..8 {
+            let sign = |bit: u32| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
+            let p = map.transform_point3(DVec3::new(sign(0), sign(1), sign(2)));
+            // One rounding of float64 at 10⁴ is 2e-12, far below the float32 step that the box was widened by.
+            assert!((p - image.min.as_dvec3()).min_element() >= -2e-12);
+            assert!((image.max.as_dvec3() - p).min_element() >= -2e-12);
+        }
+    }
+}

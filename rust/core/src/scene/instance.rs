@@ -1,0 +1,125 @@
+//! Meshes placed in the world.
+
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use glam::{DAffine3, Vec3};
+
+use super::{Aabb, Mesh};
+use crate::base::{Error, Progress, Result};
+use crate::bvh::Tlas;
+
+/// A mesh and where it stands. Positions are relative to the scene's origin.
+#[derive(Clone, Debug)]
+pub struct Instance {
+    /// What is placed.
+    pub mesh: Arc<Mesh>,
+    /// Object→scene.
+    pub to_scene: DAffine3,
+    /// Scene→object.
+    pub to_object: DAffine3,
+    /// Object that all faces belong to; none leaves it to the mesh.
+    pub object: Option<i32>,
+    /// Stands where its mesh's coordinates say: vertices are used bit for bit.
+    pub in_place: bool,
+    /// Box of the placed mesh, tight where the transform keeps axes.
+    pub bounds: Aabb,
+}
+
+impl Instance {
+    /// Places a mesh; the transform must be invertible and finite.
+    pub fn new(mesh: Arc<Mesh>, to_scene: DAffine3, object: Option<i32>) -> Result<Self> {
+        let to_object = to_scene.inverse();
+        if !to_scene.is_finite() || !to_object.is_finite() {
+            return Err(Error::value("transform", "a finite, invertible 4x4 matrix", to_scene));
+        }
+        let bounds = mesh.bounds().transformed(&to_scene);
+        if !bounds.is_empty() && !(bounds.min.is_finite() && bounds.max.is_finite()) {
+            return Err(Error::value("transform", "a placement within float32's range", to_scene));
+        }
+        Ok(Self { in_place: to_scene == DAffine3::IDENTITY, mesh, to_scene, to_object, object, bounds })
+    }
+
+    /// Corners of a face where they stand, rounded once to float32.
+    #[inline]
+    pub fn corners(&self, face: u32) -> [Vec3; 3] {
+        let corners = self.mesh.corners(face);
+        if self.in_place {
+            return corners;
+        }
+        corners.map(|corner| self.to_scene.transform_point3(corner.as_dvec3()).as_vec3())
+    }
+
+    /// Object of a face.
+    #[inline]
+    pub fn object_of(&self, face: u32) -> i32 {
+        self.object.unwrap_or_else(|| self.mesh.objects.get(face))
+    }
+}
+
+/// Instances below one top-level tree. A scene has two: what stands, shared between poses, and what moves.
+#[derive(Debug, Default)]
+pub struct InstanceSet {
+    instances: Vec<Instance>,
+    /// Triangles before each instance, and their total.
+    offsets: Vec<i64>,
+    tlas: OnceLock<Tlas>,
+    building: Mutex<()>,
+}
+
+impl InstanceSet {
+    /// Numbers the triangles of the instances in their order.
+    pub fn new(instances: Vec<Instance>) -> Self {
+        let mut offsets = vec![0];
+        let mut total = 0;
+        for instance in &instances {
+            total += instance.mesh.faces.len() as i64;
+            offsets.push(total);
+        }
+        Self { instances, offsets, ..Self::default() }
+    }
+
+    /// The instances, in order.
+    pub fn instances(&self) -> &[Instance] {
+        &self.instances
+    }
+
+    /// Triangles before an instance; with the instance count, their total.
+    pub fn offset(&self, instance: usize) -> i64 {
+        self.offsets.get(instance).copied().unwrap_or(0)
+    }
+
+    /// Triangles of all instances.
+    pub fn triangle_count(&self) -> i64 {
+        self.offset(self.instances.len())
+    }
+
+    /// The instance that a triangle number belongs to, and its face there.
+    pub fn locate(&self, triangle: i64) -> Option<(usize, u32)> {
+        if !(0..self.triangle_count()).contains(&triangle) {
+            return None;
+        }
+        let instance = self.offsets.partition_point(|&offset| offset <= triangle) - 1;
+        Some((instance, (triangle - self.offsets[instance]) as u32))
+    }
+
+    /// The top-level tree, where it has been built.
+    #[inline]
+    pub fn tlas(&self) -> Option<&Tlas> {
+        self.tlas.get()
+    }
+
+    /// Builds the trees of all meshes and the one over them, each on first use.
+    pub fn build(&self, progress: &Progress) -> Result<()> {
+        let _one_builder = self.building.lock().unwrap_or_else(PoisonError::into_inner);
+        if self.tlas.get().is_some() {
+            return Ok(());
+        }
+        for instance in &self.instances {
+            instance.mesh.build_bvh(progress)?;
+        }
+        let boxes: Vec<Aabb> = self.instances.iter().map(|instance| instance.bounds).collect();
+        let tlas = Tlas::build(&boxes);
+        self.tlas.get_or_init(|| tlas);
+        Ok(())
+    }
+}

@@ -1,0 +1,31 @@
+//! Base colours: all of a surface that the shading formula uses.
+
+/// What happens where the base colour's alpha is below 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Alpha {
+    /// Alpha is ignored. Blended materials are drawn so too.
+    Opaque,
+    /// Surfaces are cut out where alpha is below the cutoff.
+    Mask {
+        /// Least alpha that is drawn.
+        cutoff: f32,
+    },
+}
+
+/// Base colour of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// Linear RGB and alpha, multiplied with texture and vertex colour.
+    pub base_color: [f32; 4],
+    /// Number of a texture.
+    pub texture: Option<u32>,
+    /// Cut-out or not.
+    pub alpha: Alpha,
+}
+
+impl Default for Material {
+    /// The light grey of scenes that say nothing.
+    fn default() -> Self {
+        Self { base_color: [0.8, 0.8, 0.8, 1.0], texture: None, alpha: Alpha::Opaque }
+    }
+}

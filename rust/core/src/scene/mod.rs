@@ -1,0 +1,157 @@
+//! What is looked at: meshes shared between instances, objects as names over faces or instances, base colours.
+
+mod bounds;
+mod face_map;
+mod instance;
+mod material;
+mod mesh;
+mod texture;
+
+use std::sync::Arc;
+
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+
+pub use bounds::Aabb;
+pub use face_map::FaceMap;
+pub use instance::{Instance, InstanceSet};
+pub use material::{Alpha, Material};
+pub use mesh::Mesh;
+pub use texture::Texture;
+
+use crate::base::{Error, Progress, Result};
+
+/// An immutable scene. Copies share meshes, textures and trees; only instance lists differ.
+///
+/// Instances are numbered with the standing ones first, then the moving ones, and triangles in that order.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// World position of the float32 geometry's zero.
+    pub origin: DVec3,
+    /// Instances that never move.
+    pub standing: Arc<InstanceSet>,
+    /// Instances that may be posed anew.
+    pub moving: Arc<InstanceSet>,
+    /// Base colours, numbered by the meshes' material maps.
+    pub materials: Arc<Vec<Material>>,
+    /// Textures, numbered by the materials.
+    pub textures: Arc<Vec<Texture>>,
+}
+
+impl Scene {
+    /// Puts a scene together and checks its numbers.
+    pub fn new(
+        origin: DVec3,
+        standing: Vec<Instance>,
+        moving: Vec<Instance>,
+        materials: Arc<Vec<Material>>,
+        textures: Arc<Vec<Texture>>,
+    ) -> Result<Self> {
+        if !origin.is_finite() {
+            return Err(Error::value("origin", "three finite numbers", origin));
+        }
+        let texture_count = textures.len();
+        if let Some(wrong) = materials.iter().filter_map(|m| m.texture).find(|&t| t as usize >= texture_count) {
+            return Err(Error::value("materials", format!("texture numbers below {texture_count}"), wrong));
+        }
+        if standing.len() + moving.len() > u32::MAX as usize - 1 {
+            return Err(Error::value("instances", "fewer than 2^32 - 1", standing.len() + moving.len()));
+        }
+        let (standing, moving) = (Arc::new(InstanceSet::new(standing)), Arc::new(InstanceSet::new(moving)));
+        Ok(Self { origin, standing, moving, materials, textures })
+    }
+
+    /// The same scene with its moving instances in other places.
+    pub fn posed(&self, moving: Vec<Instance>) -> Self {
+        Self { moving: Arc::new(InstanceSet::new(moving)), ..self.clone() }
+    }
+
+    /// Both sets: standing, moving.
+    pub fn sets(&self) -> [&InstanceSet; 2] {
+        [&self.standing, &self.moving]
+    }
+
+    /// All instances in number order.
+    pub fn instances(&self) -> impl Iterator<Item = &Instance> {
+        self.standing.instances().iter().chain(self.moving.instances())
+    }
+
+    /// An instance by its number.
+    #[inline]
+    pub fn instance(&self, number: u32) -> &Instance {
+        let standing = self.standing.instances();
+        match standing.get(number as usize) {
+            Some(instance) => instance,
+            None => &self.moving.instances()[number as usize - standing.len()],
+        }
+    }
+
+    /// Number of instances, standing and moving.
+    pub fn instance_count(&self) -> usize {
+        self.standing.instances().len() + self.moving.instances().len()
+    }
+
+    /// Triangles before an instance.
+    pub fn triangle_offset(&self, number: u32) -> i64 {
+        let standing = self.standing.instances().len();
+        match (number as usize).checked_sub(standing) {
+            None => self.standing.offset(number as usize),
+            Some(moving) => self.standing.triangle_count() + self.moving.offset(moving),
+        }
+    }
+
+    /// Triangles of all instances.
+    pub fn triangle_count(&self) -> i64 {
+        self.standing.triangle_count() + self.moving.triangle_count()
+    }
+
+    /// The instance and face of a triangle number.
+    pub fn locate(&self, triangle: i64) -> Option<(u32, u32)> {
+        let standing = self.standing.triangle_count();
+        if triangle < standing {
+            return self.standing.locate(triangle).map(|(instance, face)| (instance as u32, face));
+        }
+        let (instance, face) = self.moving.locate(triangle - standing)?;
+        Some(((instance + self.standing.instances().len()) as u32, face))
+    }
+
+    /// Builds all trees that rays need; each is built once and shared by every copy of the scene.
+    pub fn build(&self, progress: &Progress) -> Result<()> {
+        self.sets().into_iter().try_for_each(|set| set.build(progress))
+    }
+
+    /// Corners of all triangles in number order, nine floats each, relative to the origin. For exchange, not for kernels.
+    pub fn triangles(&self) -> Vec<f32> {
+        let mut flat = vec![0.0; self.triangle_count() as usize * 9];
+        let mut rest = &mut flat[..];
+        for instance in self.instances() {
+            let (mine, others) = rest.split_at_mut(instance.mesh.faces.len() * 9);
+            mine.par_chunks_mut(9).enumerate().for_each(|(face, corners)| {
+                for (slot, corner) in corners.chunks_exact_mut(3).zip(instance.corners(face as u32)) {
+                    slot.copy_from_slice(&corner.to_array());
+                }
+            });
+            rest = others;
+        }
+        flat
+    }
+
+    /// Tight box of all placed vertices, relative to the origin.
+    pub fn bounds(&self) -> Aabb {
+        let mut tight = Aabb::EMPTY;
+        for instance in self.instances() {
+            // A loose box that is inside already cannot hold a vertex that is outside.
+            if tight.union(&instance.bounds) == tight {
+                continue;
+            }
+            if instance.in_place {
+                tight = tight.union(&instance.bounds);
+                continue;
+            }
+            for &p in instance.mesh.positions.iter() {
+                tight.extend(instance.to_scene.transform_point3(Vec3::from_array(p).as_dvec3()).as_vec3());
+            }
+        }
+        tight
+    }
+}

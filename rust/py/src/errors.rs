@@ -1,0 +1,46 @@
+//! The one place where kernel errors become Python exceptions. `nearfar._errors` re-exports them.
+
+use std::any::Any;
+
+use nearfar_core::base::Error;
+use pyo3::create_exception;
+use pyo3::exceptions::{PyException, PyKeyboardInterrupt, PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+
+create_exception!(nearfar, NearfarError, PyException, "Base of nearfar's own exceptions.");
+create_exception!(nearfar, SceneError, NearfarError, "A user's scene or file that cannot be used; says which and why.");
+create_exception!(
+    nearfar,
+    FormatError,
+    NearfarError,
+    "One of nearfar's own files that is damaged or too new; says which."
+);
+create_exception!(nearfar, DeviceError, NearfarError, "A graphics adapter that is missing or was lost; says which.");
+
+/// Maps each kind of kernel error to its exception.
+pub fn to_python(error: Error) -> PyErr {
+    match error {
+        Error::Value { .. } => PyValueError::new_err(error.to_string()),
+        Error::Scene(message) => SceneError::new_err(message),
+        Error::Format(message) => FormatError::new_err(message),
+        Error::Cancelled => PyKeyboardInterrupt::new_err(()),
+    }
+}
+
+/// A panic is a bug of ours; it reaches Python as an ordinary exception that says so.
+pub fn from_panic(payload: &(dyn Any + Send)) -> PyErr {
+    let text = payload
+        .downcast_ref::<&str>()
+        .map(ToString::to_string)
+        .or_else(|| payload.downcast_ref::<String>().cloned())
+        .unwrap_or_else(|| "no message".to_string());
+    PyRuntimeError::new_err(format!("internal error in nearfar, please report it: {text}"))
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    let py = module.py();
+    module.add("Error", py.get_type::<NearfarError>())?;
+    module.add("SceneError", py.get_type::<SceneError>())?;
+    module.add("FormatError", py.get_type::<FormatError>())?;
+    module.add("DeviceError", py.get_type::<DeviceError>())
+}

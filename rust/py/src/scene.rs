@@ -1,0 +1,206 @@
+//! Bindings of `scene`.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3};
+use nearfar_core::base::{Buffer, Error, Result};
+use nearfar_core::scene::{self, Alpha, FaceMap, Instance, Material, Texture};
+use numpy::{
+    PyArray1, PyArray2, PyArray3, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3,
+};
+use pyo3::prelude::*;
+
+use crate::arrays::{buffer, flat_buffer};
+use crate::errors::to_python;
+use crate::run;
+
+/// Triangles with their attributes, sharing the arrays' memory.
+#[pyclass(frozen, module = "nearfar._core")]
+pub struct Mesh(Arc<scene::Mesh>);
+
+#[derive(FromPyObject)]
+enum FaceMapArgument<'py> {
+    Uniform(i32),
+    PerFace(Bound<'py, PyArrayDyn<i32>>),
+    Ranges((Bound<'py, PyArrayDyn<u32>>, Bound<'py, PyArrayDyn<i32>>)),
+}
+
+impl FaceMapArgument<'_> {
+    fn convert(&self) -> PyResult<FaceMap> {
+        Ok(match self {
+            Self::Uniform(value) => FaceMap::Uniform(*value),
+            Self::PerFace(values) => FaceMap::PerFace(flat_buffer(values)?),
+            Self::Ranges((starts, values)) => {
+                FaceMap::Ranges { starts: flat_buffer(starts)?, values: flat_buffer(values)? }
+            }
+        })
+    }
+}
+
+#[pymethods]
+impl Mesh {
+    #[new]
+    #[pyo3(signature = (positions, faces, *, uvs=None, colors=None, objects, materials))]
+    fn new<'py>(
+        py: Python<'py>,
+        positions: &Bound<'py, PyArrayDyn<f32>>,
+        faces: &Bound<'py, PyArrayDyn<u32>>,
+        uvs: Option<&Bound<'py, PyArrayDyn<f32>>>,
+        colors: Option<&Bound<'py, PyArrayDyn<u8>>>,
+        objects: FaceMapArgument<'py>,
+        materials: FaceMapArgument<'py>,
+    ) -> PyResult<Self> {
+        let (positions, faces) = (buffer(positions)?, buffer(faces)?);
+        let (uvs, colors) = (uvs.map(buffer).transpose()?, colors.map(buffer).transpose()?);
+        let (objects, materials) = (objects.convert()?, materials.convert()?);
+        run::short(py, || scene::Mesh::new(positions, faces, uvs, colors, objects, materials))
+            .map(|mesh| Self(Arc::new(mesh)))
+    }
+
+    #[getter]
+    fn vertex_count(&self) -> usize {
+        self.0.positions.len()
+    }
+
+    #[getter]
+    fn face_count(&self) -> usize {
+        self.0.faces.len()
+    }
+}
+
+/// Meshes placed in the world.
+#[pyclass(frozen, module = "nearfar._core")]
+pub struct Scene(pub scene::Scene);
+
+#[pymethods]
+impl Scene {
+    /// `placements` are (I, 3, 4) object→scene, relative to the origin, standing instances first; `objects` −1 leaves
+    /// the object to the mesh; a material's texture is −1 for none, its cutoff NaN for opaque.
+    #[new]
+    #[pyo3(signature = (*, origin, meshes, placements, objects, standing_count, material_colors, material_textures,
+                        material_cutoffs, textures))]
+    #[expect(clippy::too_many_arguments, reason = "a scene's parts, by keyword only")]
+    fn new<'py>(
+        py: Python<'py>,
+        origin: [f64; 3],
+        meshes: Vec<PyRef<'py, Mesh>>,
+        placements: PyReadonlyArray3<'py, f64>,
+        objects: PyReadonlyArray1<'py, i32>,
+        standing_count: usize,
+        material_colors: PyReadonlyArray2<'py, f32>,
+        material_textures: PyReadonlyArray1<'py, i32>,
+        material_cutoffs: PyReadonlyArray1<'py, f32>,
+        textures: Vec<Bound<'py, PyArrayDyn<u8>>>,
+    ) -> PyResult<Self> {
+        let meshes: Vec<Arc<scene::Mesh>> = meshes.iter().map(|mesh| Arc::clone(&mesh.0)).collect();
+        let (placements, objects) = (affines(&placements), objects.as_array());
+        let (colors, links) = (material_colors.as_array(), material_textures.as_array());
+        let cutoffs = material_cutoffs.as_array();
+        let materials = colors
+            .outer_iter()
+            .zip(links)
+            .zip(cutoffs)
+            .map(|((color, &texture), &cutoff)| Material {
+                base_color: std::array::from_fn(|i| color[i]),
+                texture: u32::try_from(texture).ok(),
+                alpha: if cutoff.is_nan() { Alpha::Opaque } else { Alpha::Mask { cutoff } },
+            })
+            .collect();
+        let textures = textures.iter().map(texture).collect::<PyResult<_>>()?;
+        run::short(py, || {
+            if meshes.len() != placements.len() || objects.len() != placements.len() {
+                return Err(Error::value("placements", "one for each mesh and object", placements.len()));
+            }
+            let mut standing = meshes
+                .into_iter()
+                .zip(placements)
+                .zip(&objects)
+                .map(|((mesh, to_scene), &object)| Instance::new(mesh, to_scene, (object >= 0).then_some(object)))
+                .collect::<Result<Vec<_>>>()?;
+            if standing_count > standing.len() {
+                return Err(Error::value("standing_count", "at most the number of instances", standing_count));
+            }
+            let moving = standing.split_off(standing_count);
+            scene::Scene::new(DVec3::from_array(origin), standing, moving, Arc::new(materials), Arc::new(textures))
+        })
+        .map(Self)
+    }
+
+    /// The same scene with the moving instances placed anew, in their order.
+    fn posed<'py>(&self, py: Python<'py>, placements: PyReadonlyArray3<'py, f64>) -> PyResult<Self> {
+        let placements = affines(&placements);
+        run::short(py, || {
+            let moving = self.0.moving.instances();
+            if placements.len() != moving.len() {
+                return Err(Error::value("placements", format!("{} matrices", moving.len()), placements.len()));
+            }
+            let place =
+                |(old, to_scene): (&Instance, DAffine3)| Instance::new(Arc::clone(&old.mesh), to_scene, old.object);
+            moving.iter().zip(placements).map(place).collect::<Result<Vec<_>>>().map(|moving| self.0.posed(moving))
+        })
+        .map(Self)
+    }
+
+    /// Builds all trees now instead of at the first ray.
+    #[pyo3(signature = (report=None))]
+    fn build(&self, py: Python<'_>, report: Option<Py<PyAny>>) -> PyResult<()> {
+        run::long(py, report, |progress| self.0.build(progress))
+    }
+
+    #[getter]
+    fn triangle_count(&self) -> i64 {
+        self.0.triangle_count()
+    }
+
+    #[getter]
+    fn standing_triangle_count(&self) -> i64 {
+        self.0.standing.triangle_count()
+    }
+
+    #[getter]
+    fn instance_count(&self) -> usize {
+        self.0.instance_count()
+    }
+
+    /// Triangles before each instance, and their total last.
+    fn triangle_offsets<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        let count = self.0.instance_count() as u32;
+        PyArray1::from_iter(py, (0..=count).map(|number| self.0.triangle_offset(number)))
+    }
+
+    /// World box (2, 3), inverted infinities for an empty scene.
+    fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let bounds = run::short(py, || Ok(self.0.bounds()))?;
+        let world = |corner: glam::Vec3| (corner.as_dvec3() + self.0.origin).to_array().to_vec();
+        Ok(PyArray2::from_vec2(py, &[world(bounds.min), world(bounds.max)])?)
+    }
+
+    /// Corners of all triangles (T, 3, 3), relative to the origin.
+    fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
+        let flat = run::short(py, || Ok(self.0.triangles()))?;
+        PyArray1::from_vec(py, flat).reshape([self.0.triangle_count() as usize, 3, 3])
+    }
+}
+
+fn affines(placements: &PyReadonlyArray3<'_, f64>) -> Vec<DAffine3> {
+    placements
+        .as_array()
+        .outer_iter()
+        .map(|m| {
+            let column = |j: usize| DVec3::new(m[[0, j]], m[[1, j]], m[[2, j]]);
+            DAffine3 { matrix3: DMat3::from_cols(column(0), column(1), column(2)), translation: column(3) }
+        })
+        .collect()
+}
+
+fn texture(array: &Bound<'_, PyArrayDyn<u8>>) -> PyResult<Texture> {
+    let (height, width, _): (u32, u32, u32) = array.getattr("shape")?.extract()?;
+    let rows = array.call_method1("reshape", (-1, 4))?;
+    let texels: Buffer<[u8; 4]> = buffer(rows.cast::<PyArrayDyn<u8>>()?)?;
+    Texture::new(width, height, texels).map_err(to_python)
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<Mesh>()?;
+    module.add_class::<Scene>()
+}

@@ -1,0 +1,7 @@
+#!/usr/bin/env bash
+# Rebuilds the extension in place with the quick profile: seconds instead of half a minute after an edit.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+cargo build --profile quick -p nearfar-py
+cp "${CARGO_TARGET_DIR:-target}/quick/lib_core.so" python/nearfar/_core.abi3.so.new
+mv python/nearfar/_core.abi3.so.new python/nearfar/_core.abi3.so
