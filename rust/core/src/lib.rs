@@ -15,3 +15,4 @@ pub mod camera;
 pub mod bvh;
 pub mod trace;
 pub mod cubemap;
+pub mod render;

@@ -1,0 +1,44 @@
+"""Times a function against its peers in one run: best of several, wall and CPU seconds, ratios in a table."""
+
+from __future__ import annotations
+
+import os
+import platform
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Timing:
+    """Best of several runs."""
+
+    wall: float
+    """Seconds on the clock."""
+    cpu: float
+    """Seconds of all threads of this process."""
+
+
+def best(job: Callable[[], object], *, repeat: int = 5) -> Timing:
+    """Run `job` once to warm up and then `repeat` times; the least wall and CPU seconds."""
+    job()
+    walls, cpus = [], []
+    for _ in range(repeat):
+        wall, cpu = time.perf_counter(), time.process_time()
+        job()
+        walls.append(time.perf_counter() - wall)
+        cpus.append(time.process_time() - cpu)
+    return Timing(min(walls), min(cpus))
+
+
+def machine() -> str:
+    """One line that says what the figures were measured on."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    return f"{platform.machine()}, {cores} cores, {platform.system()}, Python {platform.python_version()}"
+
+
+def table(title: str, header: list[str], rows: list[list[str]]) -> str:
+    """A Markdown table under a title."""
+    lines = [f"### {title}", "", "| " + " | ".join(header) + " |", "|" + " --- |" * len(header)]
+    lines += ["| " + " | ".join(row) + " |" for row in rows]
+    return "\n".join([*lines, ""])
