@@ -1,7 +1,6 @@
 """Makes scenes too heavy for a thin VR device light enough to run on it, and says what that costs in image quality."""
 
 from nearfar._errors import DeviceError, Error, FormatError, SceneError
+from nearfar._version import __version__
 
-__version__ = "0.1.0"
-
-__all__ = ["DeviceError", "Error", "FormatError", "SceneError"]
+__all__ = ["DeviceError", "Error", "FormatError", "SceneError", "__version__"]

@@ -1,6 +1,9 @@
-//! Bindings of `base`: random numbers and the thread count.
+//! Bindings of `base`: random numbers, the thread count, and a kernel by which the policies are tested.
 
-use nearfar_core::base::{pool, random};
+use std::thread;
+use std::time::Duration;
+
+use nearfar_core::base::{Error, Progress, Result, pool, random};
 use numpy::{PyArray1, PyReadonlyArray1, ToPyArray};
 use pyo3::prelude::*;
 
@@ -26,7 +29,27 @@ fn thread_count() -> PyResult<usize> {
     pool::thread_count().map_err(to_python)
 }
 
+/// A kernel that does nothing but behave in a given way, so that cancelling, forking and panics can be tested:
+/// "wait" runs until it is cancelled, "panic" panics on a thread of the pool, "value" fails as a kernel fails.
+#[pyfunction]
+#[pyo3(signature = (behaviour, report=None))]
+fn probe(py: Python<'_>, behaviour: &str, report: Option<Py<PyAny>>) -> PyResult<()> {
+    run::long(py, report, |progress| behave(behaviour, progress))
+}
+
+fn behave(behaviour: &str, progress: &Progress) -> Result<()> {
+    match behaviour {
+        "wait" => loop {
+            progress.report(1)?;
+            thread::sleep(Duration::from_millis(1));
+        },
+        "panic" => std::panic::panic_any("asked to panic"),
+        other => Err(Error::value("behaviour", "'wait' or 'panic'", format!("'{other}'"))),
+    }
+}
+
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(uniform, module)?)?;
-    module.add_function(wrap_pyfunction!(thread_count, module)?)
+    module.add_function(wrap_pyfunction!(thread_count, module)?)?;
+    module.add_function(wrap_pyfunction!(probe, module)?)
 }

@@ -1,0 +1,140 @@
+"""A bounded folder of results that are slow to make: keys are hashes of content, settings and algorithm version."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import struct
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nearfar._files import atomic_file
+
+
+def folder() -> Path:
+    """Where results are kept: `NEARFAR_CACHE`, else nearfar's place in the platform's cache folder."""
+    chosen = os.environ.get("NEARFAR_CACHE", "").strip()
+    if chosen:
+        return Path(chosen).expanduser()
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local") / "nearfar" / "cache"
+    if sys.platform == "darwin":
+        return Path.home() / "Library" / "Caches" / "nearfar"
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "nearfar"
+
+
+def key(*parts: Any) -> str:
+    """Hash of everything that a result depends on, as 40 hexadecimal digits.
+
+    Parameters
+    ----------
+    *parts
+        Strings, bytes, numbers, booleans, None, arrays, and tuples, lists and dicts of these. Include the name and the
+        version of the algorithm.
+
+    Raises
+    ------
+    TypeError
+        For other types: their text may hold an address that differs from run to run.
+    """
+    digest = hashlib.blake2b(digest_size=20)
+    for piece in _pieces(parts):
+        digest.update(piece)
+    return digest.hexdigest()
+
+
+def get_or_make(key: str, suffix: str, make: Callable[[Path], None]) -> Path:
+    """Return the kept file for a key, and make it first if there is none.
+
+    Parameters
+    ----------
+    key
+        From `key`.
+    suffix
+        The file's suffix with its dot, such as ".npy".
+    make
+        Writes the file at the path that it is given. If it raises, nothing is kept.
+
+    Returns
+    -------
+    Path
+        The file, marked as just used. The least recently used others go while the folder holds more than
+        `NEARFAR_CACHE_MAX_GB` (default 4) gigabytes of 10⁹ bytes.
+
+    Raises
+    ------
+    OSError
+        Where the folder cannot be written; names it. `NEARFAR_CACHE` chooses another.
+    """
+    limit = _limit()
+    path = folder() / key[:2] / f"{key}{suffix}"
+    try:
+        os.utime(path)
+    except (FileNotFoundError, NotADirectoryError):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with atomic_file(path) as aside:
+            make(aside)
+        _trim(limit, path)
+    return path
+
+
+def _limit() -> int:
+    text = os.environ.get("NEARFAR_CACHE_MAX_GB", "").strip() or "4"
+    try:
+        limit = float(text)
+    except ValueError:
+        limit = -1.0
+    if not 0.0 <= limit < float("inf"):
+        raise ValueError(f"NEARFAR_CACHE_MAX_GB: expected a number of gigabytes of at least 0, got {text!r}")
+    return int(limit * 1e9)
+
+
+def _trim(limit: int, just_made: Path) -> None:
+    """Remove the files used longest ago. The one just made stays even if it alone is above the limit: it is wanted."""
+    files = []
+    for path in folder().glob("??/*"):
+        try:
+            status = path.stat()
+        except FileNotFoundError:
+            continue
+        files.append((status.st_mtime_ns, status.st_size, path))
+    held = sum(size for _, size, _ in files)
+    for _, size, path in sorted(files):
+        if held <= limit:
+            return
+        if path != just_made:
+            path.unlink(missing_ok=True)
+            held -= size
+
+
+def _pieces(value: Any) -> Iterator[bytes]:
+    """Bytes that differ whenever values differ: each piece begins with its type and length."""
+    if value is None or isinstance(value, bool | np.bool_):
+        yield b"c" + str(value).encode() + b";"
+    elif isinstance(value, int | np.integer):
+        yield b"i" + str(int(value)).encode() + b";"
+    elif isinstance(value, float | np.floating):
+        yield b"f" + struct.pack("<d", float(value))
+    elif isinstance(value, str):
+        text = value.encode()
+        yield b"s%d:" % len(text) + text
+    elif isinstance(value, bytes):
+        yield b"b%d:" % len(value) + value
+    elif isinstance(value, np.ndarray) and value.dtype.kind in "biufc":
+        little = value.astype(value.dtype.newbyteorder("<"), copy=False)
+        yield f"a{little.dtype.str}{little.shape};".encode()
+        yield np.ascontiguousarray(little).tobytes()
+    elif isinstance(value, tuple | list):
+        yield b"t%d:" % len(value)
+        for item in value:
+            yield from _pieces(item)
+    elif isinstance(value, dict):
+        yield b"d%d:" % len(value)
+        for item in sorted(value.items()):
+            yield from _pieces(item)
+    else:
+        raise TypeError(f"parts: expected strings, numbers, arrays or containers of them, got {type(value).__name__}")

@@ -1,0 +1,39 @@
+"""Where scenes for tests and demonstrations lie: `NEARFAR_DATA`, else the nearest `shared/data` above the checkout."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+
+def root() -> Path | None:
+    """Return the data folder; None where there is none.
+
+    It is `NEARFAR_DATA` if set, else the nearest `shared/data` above this file, else above the working folder.
+    """
+    chosen = os.environ.get("NEARFAR_DATA", "").strip()
+    if chosen:
+        return Path(chosen).expanduser()
+    for start in (Path(__file__).resolve().parent, Path.cwd()):
+        for above in (start, *start.parents):
+            if (above / "shared" / "data").is_dir():
+                return above / "shared" / "data"
+    return None
+
+
+def find(relative: str) -> Path | None:
+    """Path of a file or folder below the data folder, such as "city/tokyo_core_lod1.glb"; None where it is missing."""
+    folder = root()
+    if folder is None or not (folder / relative).exists():
+        return None
+    return folder / relative
+
+
+def require(relative: str) -> Path:
+    """Like `find`; FileNotFoundError that says where was looked."""
+    found = find(relative)
+    if found is None:
+        folder = root()
+        looked = f"not in {folder}" if folder else "there is no folder shared/data above the checkout"
+        raise FileNotFoundError(f"{relative}: expected a data file, but {looked}; NEARFAR_DATA names another folder")
+    return found

@@ -1,0 +1,95 @@
+"""What every file that we write says about itself: format, version, generator, units, origin and colour space."""
+
+from __future__ import annotations
+
+import json
+import os
+from importlib import resources
+from typing import Any
+
+from nearfar._errors import FormatError
+from nearfar._version import __version__
+
+CONVENTIONS: dict[str, Any] = {
+    "units": {"length": "metre", "angle": "radian", "time": "second", "size": "byte"},
+    "axes": "right-handed, y up, cameras look along -z",
+    "origin": [0.0, 0.0, 0.0],
+    "color_space": "none",
+}
+"""Written where a format says nothing else. `color_space` is "linear", "sRGB" or "none" for files without colour."""
+
+
+def header(name: str, version: int, **conventions: Any) -> dict[str, Any]:
+    """Return the fields with which every document of ours begins.
+
+    Parameters
+    ----------
+    name
+        The format's name without "nearfar.", such as "report".
+    version
+        Version of the format; readers refuse newer ones.
+    **conventions
+        What differs from `CONVENTIONS`, such as `origin=(x, y, z)` in metres or `color_space="linear"`, and further
+        statements about the whole file.
+    """
+    own = {"format": f"nearfar.{name}", "version": version, "generator": f"nearfar {__version__}"}
+    return own | CONVENTIONS | conventions
+
+
+def check(document: Any, name: str, version: int, path: str | os.PathLike[str]) -> dict[str, Any]:
+    """Return a document if its header says that we can read it.
+
+    Parameters
+    ----------
+    document
+        What was read, of any type.
+    name, version
+        The format expected and the newest version understood.
+    path
+        The file, for the message.
+
+    Raises
+    ------
+    FormatError
+        For another format, a missing or wrong version, and a version newer than `version`.
+    """
+    where, wanted = os.fspath(path), f"nearfar.{name}"
+    if not isinstance(document, dict):
+        raise FormatError(f"{where}: expected a {wanted} document, got {type(document).__name__}")
+    if document.get("format") != wanted:
+        raise FormatError(f"{where}: expected format {wanted!r}, got {document.get('format')!r}")
+    found = document.get("version")
+    if not isinstance(found, int) or isinstance(found, bool) or found < 1:
+        raise FormatError(f"{where}: expected a version of at least 1, got {found!r}")
+    if found > version:
+        raise FormatError(
+            f"{where}: {wanted} version {found} was written by {document.get('generator', 'a newer nearfar')}; "
+            f"this is nearfar {__version__}, which reads up to version {version}"
+        )
+    return document
+
+
+def read_json(path: str | os.PathLike[str], name: str, version: int) -> dict[str, Any]:
+    """Read a document of ours; FormatError where it is damaged or too new, OSError where it is missing."""
+    with open(path, encoding="utf-8") as file:
+        try:
+            document = json.load(file)
+        except (ValueError, RecursionError) as error:
+            raise FormatError(f"{os.fspath(path)}: expected JSON, got something else ({error})") from None
+    return check(document, name, version, path)
+
+
+def to_json(document: dict[str, Any]) -> str:
+    """Text of a document: indented, strict JSON (no NaN or infinity), ends with a line break."""
+    return json.dumps(document, indent=2, allow_nan=False, ensure_ascii=False) + "\n"
+
+
+def load_schema(name: str) -> dict[str, Any]:
+    """JSON Schema of a format of ours, such as "report"; ValueError for names that have none."""
+    folder = resources.files("nearfar") / "schemas"
+    file = folder / f"{name}.schema.json"
+    if not file.is_file():
+        known = sorted(item.name.removesuffix(".schema.json") for item in folder.iterdir())
+        raise ValueError(f"name: expected one of {', '.join(known)}, got {name!r}")
+    schema: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+    return schema

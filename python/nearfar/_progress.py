@@ -1,0 +1,90 @@
+"""Progress bars: on a terminal or in a notebook, and only for work that lasts."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.progress import Progress, TaskID
+
+DELAY = 0.5
+"""Seconds of silence: shorter work shows nothing."""
+
+# One bar at a time: an inner one inside a shown outer one stays silent.
+_shown: _Bar | None = None
+
+
+@contextmanager
+def bar(label: str) -> Iterator[Callable[[int, int], None]]:
+    """Show how far a kernel is.
+
+    Parameters
+    ----------
+    label
+        What is being done, in a word or two.
+
+    Yields
+    ------
+    Callable
+        Takes (done, total) in any unit; pass it to a kernel as `report=`. `NEARFAR_PROGRESS=0` silences it.
+    """
+    shown = _Bar(label)
+    try:
+        yield shown.report
+    finally:
+        shown.close()
+
+
+class _Bar:
+    def __init__(self, label: str) -> None:
+        self._label = label
+        self._started = time.monotonic()
+        self._silent = os.environ.get("NEARFAR_PROGRESS", "").strip() == "0"
+        self._progress: Progress | None = None
+        self._task: TaskID | None = None
+
+    def report(self, done: int, total: int) -> None:
+        if self._silent:
+            return
+        if self._progress is None and not self._open(done, total):
+            return
+        if self._progress is not None and self._task is not None:
+            self._progress.update(self._task, completed=done, total=total or None)
+
+    def _open(self, done: int, total: int) -> bool:
+        global _shown
+        if _shown is not None or time.monotonic() - self._started < DELAY or 0 < total <= done:
+            return False
+        if not _visible():
+            self._silent = True
+            return False
+        from rich.console import Console
+        from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
+
+        columns = (TextColumn("{task.description}"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn())
+        self._progress = Progress(*columns, console=Console(stderr=True), transient=True)
+        self._progress.start()
+        self._task = self._progress.add_task(self._label)
+        _shown = self
+        return True
+
+    def close(self) -> None:
+        global _shown
+        if self._progress is not None:
+            self._progress.stop()
+            self._progress = None
+        if _shown is self:
+            _shown = None
+
+
+def _visible() -> bool:
+    if "ipykernel" in sys.modules:
+        # rich draws in notebooks through ipywidgets and warns without them.
+        return importlib.util.find_spec("ipywidgets") is not None
+    return sys.stderr is not None and sys.stderr.isatty()

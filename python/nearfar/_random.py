@@ -1,0 +1,78 @@
+"""Random numbers as a pure function of (seed, cell, index): the same in Rust and Python, on every platform.
+
+NumPy's generators are not used anywhere: their streams depend on the order of draws and may change between versions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _check, _core
+
+_WORD = 2**64 - 1
+
+
+def uniform(seed: int, cell: int, index: ArrayLike) -> NDArray[np.float64]:
+    """Draw a float64 in [0, 1) for each index.
+
+    Parameters
+    ----------
+    seed
+        The scene's or experiment's number, 0 to 2⁶⁴ − 1.
+    cell
+        What is drawn, so that two uses of one seed are independent, 0 to 2⁶⁴ − 1.
+    index
+        Which draw: whole numbers of any shape.
+
+    Returns
+    -------
+    NDArray[np.float64]
+        In the shape of `index`.
+    """
+    indices = _check.array("index", index, columns=None, dtype=np.uint64)
+    seed, cell = _check.integer("seed", seed, 0, _WORD), _check.integer("cell", cell, 0, _WORD)
+    return _core.uniform(seed, cell, indices.reshape(-1)).reshape(indices.shape)
+
+
+def integers(seed: int, cell: int, index: ArrayLike, low: int, high: int) -> NDArray[np.int64]:
+    """Draw a whole number in [low, high) for each index; see `uniform` for the first three.
+
+    The bias of the multiplication is below 2⁻²¹ of one draw, which is why high − low is at most 2³².
+    """
+    low = _check.integer("low", low, -(2**62), 2**62)
+    high = _check.integer("high", high, low + 1, low + 2**32)
+    return low + np.floor(uniform(seed, cell, index) * (high - low)).astype(np.int64)
+
+
+def choice(
+    seed: int, cell: int, index: ArrayLike, options: Sequence[Any] | NDArray[Any], *, weights: ArrayLike | None = None
+) -> NDArray[Any]:
+    """Draw one of `options` for each index; see `uniform` for the first three.
+
+    Parameters
+    ----------
+    options
+        What to choose from, along the first axis.
+    weights
+        One number of at least 0 for each option; None gives all the same.
+
+    Returns
+    -------
+    NDArray
+        Shape of `index`, then that of one option.
+    """
+    listed = np.asarray(options)
+    if listed.ndim == 0 or len(listed) == 0:
+        raise ValueError(f"options: expected at least one, got shape {listed.shape}")
+    if weights is None:
+        return np.asarray(listed[integers(seed, cell, index, 0, len(listed))])
+    share = _check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
+    if share.shape != (len(listed),) or share.min() < 0.0 or share.sum() <= 0.0:
+        raise ValueError(f"weights: expected {len(listed)} numbers of at least 0 and not all 0, got {share.tolist()}")
+    edges = np.cumsum(share)
+    drawn = np.searchsorted(edges, uniform(seed, cell, index) * edges[-1], side="right")
+    return np.asarray(listed[np.minimum(drawn, np.flatnonzero(share)[-1])])

@@ -1,0 +1,85 @@
+"""What every test may use: the one way to skip, and data files."""
+
+from __future__ import annotations
+
+import functools
+import importlib.util
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from nearfar import _data
+
+
+def _module(name: str) -> Callable[[], str]:
+    return lambda: "" if importlib.util.find_spec(name) else f"the Python package {name} is not installed"
+
+
+def _data_folder() -> str:
+    return "" if _data.root() else "there is no data folder (NEARFAR_DATA, or shared/data above the checkout)"
+
+
+def _tokyo() -> str:
+    """The whole of Tokyo: its tool lies beside the data, and reading takes 3 GB."""
+    root = _data.root()
+    return "" if root and (root.parent / "tools" / "tokyo.py").is_file() else "shared/tools/tokyo.py is not there"
+
+
+def _pyrender() -> str:
+    """Imports by itself only tell half: an off-screen context needs EGL or OSMesa from the system."""
+    if not importlib.util.find_spec("pyrender"):
+        return "the Python package pyrender is not installed"
+    platforms = [os.environ["PYOPENGL_PLATFORM"]] if "PYOPENGL_PLATFORM" in os.environ else ["egl", "osmesa"]
+    code = "import pyrender; pyrender.OffscreenRenderer(8, 8).delete()"
+    for platform in platforms:
+        environment = os.environ | {"PYOPENGL_PLATFORM": platform}
+        done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, timeout=120)
+        if done.returncode == 0:
+            os.environ["PYOPENGL_PLATFORM"] = platform
+            return ""
+    return f"pyrender finds no off-screen OpenGL ({', '.join(platforms)}); see scripts/system-packages.sh"
+
+
+PARTS: dict[str, Callable[[], str]] = {
+    "cv2": _module("cv2"),
+    "data": _data_folder,
+    "embreex": _module("embreex"),
+    "fork": lambda: "" if hasattr(os, "fork") else "this system cannot fork",
+    "matplotlib": _module("matplotlib"),
+    "pyrender": _pyrender,
+    "scipy": _module("scipy"),
+    "skimage": _module("skimage"),
+    "tokyo": _tokyo,
+}
+"""Parts that a system may lack. Each returns why it is missing, or nothing where it is there."""
+
+
+@functools.cache
+def missing(part: str) -> str:
+    """Why a part is missing; empty where it is there. Each part is looked for once a session."""
+    return PARTS[part]()
+
+
+def required() -> set[str]:
+    """Parts that must be there: the comma-separated names in `NEARFAR_REQUIRE`."""
+    names = {name.strip() for name in os.environ.get("NEARFAR_REQUIRE", "").split(",")}
+    return names - {""}
+
+
+def need(part: str) -> None:
+    """Skip the test, module or fixture where a part is missing, and fail it if `NEARFAR_REQUIRE` names the part."""
+    reason = missing(part)
+    if reason and part in required():
+        pytest.fail(f"NEARFAR_REQUIRE names {part}, but {reason}", pytrace=False)
+    if reason:
+        pytest.skip(f"{part}: {reason}", allow_module_level=True)
+
+
+def data(relative: str) -> Path:
+    """A file below the data folder; skips or fails as `need("data")` does."""
+    need("data")
+    return _data.require(relative)

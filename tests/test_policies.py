@@ -1,0 +1,519 @@
+"""Errors, threads, progress, random numbers, cache, files, formats and data lookup behave as ARCHITECTURE.md says."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import nearfar as nf
+from nearfar import _cache, _check, _core, _data, _files, _formats, _progress, _random
+from support import need
+
+WORD = st.integers(0, 2**64 - 1)
+
+
+# arguments -----------------------------------------------------------------------------------------------------------
+def test_array_keeps_float_types_and_copies_nothing_that_fits() -> None:
+    for dtype in (np.float32, np.float64):
+        points = np.zeros((4, 3), dtype)
+        assert _check.array("points", points) is points
+    assert _check.array("points", [[1, 2, 3]]).dtype == np.float64
+    assert _check.array("points", np.zeros((2, 3), ">f4")).dtype == np.dtype("=f4")
+    assert _check.array("points", np.zeros((2, 3), np.float16)).dtype == np.float64
+
+
+def test_array_straightens_strides_and_alignment() -> None:
+    columns = np.asfortranarray(np.arange(12.0).reshape(4, 3))
+    straight = _check.array("points", columns)
+    assert straight.flags.c_contiguous
+    np.testing.assert_array_equal(straight, columns)
+    crooked = np.zeros(4 * 3 * 4 + 1, np.uint8)[1:].view(np.float32).reshape(4, 3)
+    assert _check.array("points", crooked).flags.aligned
+
+
+@pytest.mark.parametrize(
+    ("error", "words", "call"),
+    [
+        (TypeError, "points: expected real numbers, got list of type <U1", lambda: _check.array("points", ["a"])),
+        (TypeError, "points: expected real numbers", lambda: _check.array("points", [[1j, 0, 0]])),
+        (TypeError, "points: expected real numbers, got NoneType", lambda: _check.array("points", None)),  # type: ignore[arg-type]
+        (ValueError, r"points: expected shape \(N, 3\), got \(3,\)", lambda: _check.array("points", [1, 2, 3])),
+        (ValueError, "points: expected rows of equal length", lambda: _check.array("points", [[1, 2], [3]])),
+        (
+            ValueError,
+            r"got 2 that are not, the first at \(0, 1\)",
+            lambda: _check.array("points", [[0, np.nan, np.inf]], finite=True),
+        ),
+        (TypeError, "faces: expected whole numbers", lambda: _check.array("faces", [[0.5, 1, 2]], dtype=np.uint32)),
+        (
+            ValueError,
+            "faces: expected whole numbers from 0 to 4294967295, got -1 to 2",
+            lambda: _check.array("faces", [[-1, 1, 2]], dtype=np.uint32),
+        ),
+        (ValueError, "center: expected 3 finite numbers", lambda: _check.vector("center", (0, np.nan, 0))),
+        (ValueError, r"center: expected 3 numbers, got shape \(2,\)", lambda: _check.vector("center", (0, 1))),
+        (TypeError, "center: expected real numbers", lambda: _check.vector("center", "abc")),
+        (ValueError, "size: expected a number above 0, got 0.0", lambda: _check.positive("size", 0)),
+        (TypeError, "size: expected a number, got str 'a'", lambda: _check.positive("size", "a")),  # type: ignore[arg-type]
+        (ValueError, "samples: expected a whole number from 1 to 9, got 0", lambda: _check.integer("samples", 0, 1, 9)),
+        (TypeError, "samples: expected a whole number", lambda: _check.integer("samples", 1.5, 1, 9)),  # type: ignore[arg-type]
+        (ValueError, "kind: expected one of 'a', 'b', got 'c'", lambda: _check.choice("kind", "c", ("a", "b"))),
+        (TypeError, "kind: expected a string", lambda: _check.choice("kind", 3, ("a", "b"))),  # type: ignore[arg-type]
+        (ValueError, "r1: expected less than r2 = 3.0, got 3.0", lambda: _check.radii(3, 3)),
+        (ValueError, "r1: expected a radius of at least 0, got -1.0", lambda: _check.radii(-1, 3)),
+        (ValueError, "r2: expected a finite number, got inf", lambda: _check.radii(1, np.inf)),
+    ],
+)
+def test_wrong_arguments_are_named(error: type[Exception], words: str, call: Callable[[], Any]) -> None:
+    with pytest.raises(error, match=words):
+        call()
+
+
+def test_right_arguments_pass() -> None:
+    assert _check.vector("center", np.array([1, 2, 3])) == (1.0, 2.0, 3.0)
+    assert _check.radii(0, np.float32(0.5)) == (0.0, 0.5)
+    assert _check.integer("samples", np.int64(3), 1, 9) == 3
+    assert _check.array("faces", np.array([[0, 1, 2]]), dtype=np.uint32).dtype == np.uint32
+    assert _check.array("faces", [], columns=None, dtype=np.uint32).shape == (0,)
+
+
+# errors --------------------------------------------------------------------------------------------------------------
+def test_own_errors_are_one_family() -> None:
+    for kind in (nf.SceneError, nf.FormatError, nf.DeviceError):
+        assert issubclass(kind, nf.Error)
+        assert not issubclass(kind, ValueError | OSError)
+
+
+def test_a_panic_is_an_ordinary_exception_and_the_pool_lives_on() -> None:
+    with pytest.raises(RuntimeError, match="internal error in nearfar, please report it: asked to panic"):
+        _core.probe("panic")
+    assert _core.uniform(1, 2, np.arange(3, dtype=np.uint64)).shape == (3,)
+
+
+def test_a_kernels_refusal_is_a_value_error() -> None:
+    with pytest.raises(ValueError, match="behaviour: expected 'wait' or 'panic', got 'nonsense'"):
+        _core.probe("nonsense")
+
+
+# threads, progress, interruption -------------------------------------------------------------------------------------
+def run(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-c", code], env=os.environ | environment, capture_output=True, text=True, timeout=60
+    )
+
+
+@pytest.mark.parametrize("count", ["1", "3"])
+def test_thread_count_follows_the_variable(count: str) -> None:
+    done = run("from nearfar import _core; print(_core.thread_count())", NEARFAR_NUM_THREADS=count)
+    assert done.stdout.strip() == count, done.stderr
+
+
+@pytest.mark.parametrize("wrong", ["0", "-2", "two", "1.5"])
+def test_a_wrong_thread_count_is_a_value_error(wrong: str) -> None:
+    done = run("from nearfar import _core; _core.thread_count()", NEARFAR_NUM_THREADS=wrong)
+    words = f"ValueError: NEARFAR_NUM_THREADS: expected a whole number from 1 to 1024, got '{wrong}'"
+    assert words in done.stderr
+
+
+def test_ctrl_c_stops_a_long_kernel_within_a_second() -> None:
+    code = "from nearfar import _core; print('ready', flush=True); _core.probe('wait')"
+    with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline().strip() == b"ready"
+        # Long enough for the kernel to have begun; the interruption counts either way.
+        time.sleep(0.2)
+        sent = time.monotonic()
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=30)
+        took = time.monotonic() - sent
+    assert b"KeyboardInterrupt" in errors
+    # Signals are polled every 50 ms; the rest is the interpreter's end on a busy machine.
+    assert took < 1.0
+
+
+def test_other_threads_run_while_a_kernel_works() -> None:
+    done = threading.Event()
+
+    def stop(_done: int, _total: int) -> None:
+        if done.is_set():
+            raise InterruptedError
+
+    worker = threading.Thread(target=done.set)
+    timer = threading.Timer(0.05, worker.start)
+    timer.start()
+    with pytest.raises(InterruptedError):
+        _core.probe("wait", stop)
+    worker.join()
+
+
+def test_an_exception_from_report_stops_the_kernel_and_comes_out() -> None:
+    def report(_done: int, _total: int) -> None:
+        raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        _core.probe("wait", report)
+
+
+# Python warns of forking beside threads, which is just what this is about.
+@pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
+def test_a_forked_child_computes() -> None:
+    need("fork")
+    index = np.arange(1000, dtype=np.uint64)
+    parent = _core.uniform(1, 2, index)
+    child = os.fork()
+    if child == 0:
+        same = np.array_equal(_core.uniform(1, 2, index), parent)
+        os._exit(0 if same else 1)
+    for _ in range(200):
+        ended, status = os.waitpid(child, os.WNOHANG)
+        if ended:
+            break
+        time.sleep(0.05)
+    else:
+        os.kill(child, signal.SIGKILL)
+        os.waitpid(child, 0)
+        pytest.fail("the child hung for 10 s")
+    assert os.waitstatus_to_exitcode(status) == 0
+
+
+def test_bars_are_silent_off_a_terminal(capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("NEARFAR_PROGRESS", raising=False)
+    monkeypatch.setattr(_progress, "DELAY", 0.0)
+    with _progress.bar("work") as report:
+        report(1, 2)
+    assert capfd.readouterr() == ("", "")
+
+
+class Terminal:
+    """A standard error that calls itself a terminal and keeps what it is told."""
+
+    encoding = "utf-8"
+
+    def __init__(self) -> None:
+        self.text = ""
+
+    def isatty(self) -> bool:
+        return True
+
+    def write(self, text: str) -> int:
+        self.text += text
+        return len(text)
+
+    def flush(self) -> None:
+        pass
+
+
+@pytest.mark.parametrize(("delay", "switch", "shown"), [(0.0, "", True), (60.0, "", False), (0.0, "0", False)])
+def test_bars_appear_on_a_terminal_only_after_a_while(
+    delay: float, switch: str, shown: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    terminal = Terminal()
+    monkeypatch.setattr(sys, "stderr", terminal)
+    monkeypatch.setattr(_progress, "DELAY", delay)
+    monkeypatch.setenv("NEARFAR_PROGRESS", switch)
+    monkeypatch.setenv("TERM", "xterm")
+    with _progress.bar("baking") as outer:
+        outer(1, 4)
+        with _progress.bar("inner") as inner:
+            inner(1, 2)
+        outer(4, 4)
+    assert ("baking" in terminal.text) == shown
+    assert "inner" not in terminal.text
+
+
+# random numbers ------------------------------------------------------------------------------------------------------
+def mix(z: int) -> int:
+    """SplitMix64's finaliser in Python's unbounded integers: the oracle."""
+    mask = 2**64 - 1
+    z = ((z ^ (z >> 30)) * 0xBF58476D1CE4E5B9) & mask
+    z = ((z ^ (z >> 27)) * 0x94D049BB133111EB) & mask
+    return z ^ (z >> 31)
+
+
+def oracle(seed: int, cell: int, index: int) -> float:
+    golden, mask = 0x9E3779B97F4A7C15, 2**64 - 1
+    state = mix((seed + golden) & mask)
+    for word in (cell, index):
+        state = mix(((state ^ word) + golden) & mask)
+    return (state >> 11) / 2**53
+
+
+@given(seed=WORD, cell=WORD, index=st.lists(WORD, max_size=5))
+def test_uniform_equals_the_oracle_exactly(seed: int, cell: int, index: list[int]) -> None:
+    drawn = _random.uniform(seed, cell, np.array(index, np.uint64))
+    assert drawn.tolist() == [oracle(seed, cell, i) for i in index]
+
+
+def test_draws_keep_their_values_for_ever() -> None:
+    # Scenes and studies are named by their seeds: a changed mixer would change them all silently.
+    assert _random.integers(0, 0, np.arange(6), 0, 1000).tolist() == [int(oracle(0, 0, i) * 1000) for i in range(6)]
+    assert _random.uniform(0, 0, [[0, 1], [2, 3]]).shape == (2, 2)
+
+
+def test_integers_and_choice_cover_their_range_evenly() -> None:
+    count = np.bincount(_random.integers(3, 1, np.arange(60_000), -2, 4) + 2)
+    # Six classes of 10,000: five standard deviations, √(60,000 · 1/6 · 5/6) = 91.
+    assert count.shape == (6,)
+    assert np.abs(count - 10_000).max() < 5 * 92
+    drawn = _random.choice(3, 2, np.arange(40_000), ["a", "b", "c"], weights=[3, 0, 1])
+    assert "b" not in drawn
+    # A quarter of 40,000: five standard deviations, √(40,000 · 1/4 · 3/4) = 87.
+    assert abs(int((drawn == "c").sum()) - 10_000) < 5 * 87
+
+
+@pytest.mark.parametrize(
+    ("words", "call"),
+    [
+        ("seed: expected a whole number from 0", lambda: _random.uniform(-1, 0, [0])),
+        ("index: expected whole numbers from 0", lambda: _random.uniform(0, 0, [-1])),
+        ("high: expected a whole number from 6", lambda: _random.integers(0, 0, [0], 5, 5)),
+        ("options: expected at least one", lambda: _random.choice(0, 0, [0], [])),
+        ("weights: expected 2 numbers", lambda: _random.choice(0, 0, [0], ["a", "b"], weights=[0, 0])),
+    ],
+)
+def test_wrong_draws_are_refused(words: str, call: Callable[[], Any]) -> None:
+    with pytest.raises(ValueError, match=words):
+        call()
+
+
+# files ---------------------------------------------------------------------------------------------------------------
+def test_a_file_appears_whole(tmp_path: Path) -> None:
+    target = tmp_path / "picture.png"
+    for content in (b"first", b"second"):
+        with _files.atomic_file(target) as aside:
+            assert aside.suffix == ".png"
+            aside.write_bytes(content)
+            assert target.exists() == (content == b"second")
+        assert target.read_bytes() == content
+    assert list(tmp_path.iterdir()) == [target]
+
+
+@pytest.mark.parametrize("error", [RuntimeError, KeyboardInterrupt, SystemExit])
+def test_an_interrupted_write_leaves_the_old_file_and_nothing_else(tmp_path: Path, error: type[BaseException]) -> None:
+    target = tmp_path / "data.bin"
+    target.write_bytes(b"old")
+    with pytest.raises(error), _files.atomic_file(target) as aside:
+        aside.write_bytes(b"half")
+        raise error
+    assert target.read_bytes() == b"old"
+    assert list(tmp_path.iterdir()) == [target]
+
+
+def test_a_killed_writer_leaves_no_half_file(tmp_path: Path) -> None:
+    target = tmp_path / "data.bin"
+    code = (
+        "import os, sys; from nearfar import _files\n"
+        "with _files.atomic_file(sys.argv[1]) as aside:\n"
+        "    aside.write_bytes(b'half'); os._exit(9)"
+    )
+    done = subprocess.run([sys.executable, "-c", code, str(target)], timeout=60, check=False)
+    assert done.returncode == 9
+    assert not target.exists()
+
+
+def test_new_files_have_ordinary_permissions(tmp_path: Path) -> None:
+    (tmp_path / "plain").write_bytes(b"")
+    with _files.atomic_file(tmp_path / "ours"):
+        pass
+    assert (tmp_path / "ours").stat().st_mode == (tmp_path / "plain").stat().st_mode
+
+
+def test_unwritable_places_are_named_before_the_work(tmp_path: Path) -> None:
+    (tmp_path / "file").write_bytes(b"")
+    worked = False
+    for place in (tmp_path / "missing" / "a.png", tmp_path / "file" / "a.png", tmp_path):
+        with pytest.raises(OSError, match=r"cannot be written|is a folder") as caught, _files.atomic_file(place):
+            worked = True
+        assert caught.value.filename == str(place)
+        assert not worked
+
+
+def test_a_folder_appears_whole_and_replaces_only_our_own(tmp_path: Path) -> None:
+    target = tmp_path / "scene"
+    for content in ("first", "second"):
+        with _files.atomic_folder(target) as aside:
+            (aside / "sub").mkdir()
+            (aside / "sub" / "data.txt").write_text(content)
+            (aside / "manifest.json").write_text("{}")
+        assert (target / "sub" / "data.txt").read_text() == content
+    with pytest.raises(RuntimeError), _files.atomic_folder(target) as aside:
+        (aside / "manifest.json").write_text("half")
+        raise RuntimeError
+    assert (target / "manifest.json").read_text() == "{}"
+    assert list(tmp_path.iterdir()) == [target]
+
+
+def test_a_folder_with_other_peoples_files_is_refused(tmp_path: Path) -> None:
+    home = tmp_path / "home"
+    home.mkdir()
+    with _files.atomic_folder(home) as aside:
+        (aside / "letter.txt").write_text("dear")
+    with pytest.raises(FileExistsError, match="holds other files"), _files.atomic_folder(home):
+        pass
+    assert (home / "letter.txt").read_text() == "dear"
+    with pytest.raises(NotADirectoryError), _files.atomic_folder(home / "letter.txt"):
+        pass
+
+
+# formats -------------------------------------------------------------------------------------------------------------
+def test_a_header_is_read_back_and_fits_its_schema() -> None:
+    header = _formats.header("report", 2, color_space="sRGB", origin=[1.0, 0.0, 2.0])
+    jsonschema.validate(header, _formats.load_schema("header"))
+    assert header["generator"] == f"nearfar {nf.__version__}"
+    assert _formats.check(header, "report", 2, "a.json") is header
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"version": 3}, "a.json: nearfar.report version 3 was written by nearfar .* reads up to version 2"),
+        ({"version": "2"}, "a.json: expected a version of at least 1, got '2'"),
+        ({"version": True}, "expected a version"),
+        ({"version": 0}, "expected a version"),
+        ({"format": "nearfar.bundle"}, "a.json: expected format 'nearfar.report', got 'nearfar.bundle'"),
+        ({"format": None}, "expected format"),
+    ],
+)
+def test_foreign_and_newer_documents_are_refused(change: dict[str, Any], words: str) -> None:
+    document = _formats.header("report", 2) | change
+    with pytest.raises(nf.FormatError, match=words):
+        _formats.check(document, "report", 2, "a.json")
+
+
+@pytest.mark.parametrize("content", [b"", b"[1]", b"{", b"\xff\xfe", b"[" * 100_000])
+def test_damaged_documents_are_refused_by_name(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "report.json"
+    path.write_bytes(content)
+    with pytest.raises(nf.FormatError, match=r"report\.json: expected"):
+        _formats.read_json(path, "report", 1)
+
+
+def test_documents_hold_no_nan() -> None:
+    with pytest.raises(ValueError, match="JSON"):
+        _formats.to_json({"value": float("nan")})
+
+
+def test_every_schema_is_a_schema() -> None:
+    for path in (Path(_formats.__file__).parent / "schemas").iterdir():
+        schema = _formats.load_schema(path.name.removesuffix(".schema.json"))
+        jsonschema.Draft202012Validator.check_schema(schema)
+    with pytest.raises(ValueError, match="name: expected one of"):
+        _formats.load_schema("nonsense")
+
+
+# cache ---------------------------------------------------------------------------------------------------------------
+def test_keys_tell_values_apart() -> None:
+    parts: list[Any] = [1, 1.0, "1", b"1", True, None, (1,), ((1,),), (1, 1), [], {}, {"a": 1}, {"a": 2}]
+    parts += [np.array([1], dtype) for dtype in (np.int32, np.int64, np.float32)] + [np.array([[1]], np.int32)]
+    # Lists and tuples are the same value; everything else differs.
+    assert len({_cache.key(part) for part in parts}) == len(parts)
+    assert _cache.key("ab", "c") != _cache.key("a", "bc")
+    assert _cache.key({"a": 1, "b": 2}) == _cache.key({"b": 2, "a": 1})
+    assert _cache.key(np.arange(6).reshape(2, 3).T) == _cache.key(np.ascontiguousarray(np.arange(6).reshape(2, 3).T))
+    with pytest.raises(TypeError, match="parts: expected"):
+        _cache.key(object())
+
+
+def write(size: int) -> Callable[[Path], None]:
+    def make(path: Path) -> None:
+        path.write_bytes(bytes(size))
+
+    return make
+
+
+def test_a_result_is_made_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path))
+    made = []
+
+    def make(path: Path) -> None:
+        made.append(path)
+        path.write_bytes(b"result")
+
+    key = _cache.key("algorithm", 1, 0.5)
+    for _ in range(2):
+        assert _cache.get_or_make(key, ".bin", make).read_bytes() == b"result"
+    assert len(made) == 1
+
+
+def test_the_least_recently_used_goes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path))
+    monkeypatch.setenv("NEARFAR_CACHE_MAX_GB", "3e-6")
+    keys = [_cache.key(i) for i in range(4)]
+    paths = []
+    for age, key in enumerate(keys[:3]):
+        path = _cache.get_or_make(key, ".bin", write(1000))
+        os.utime(path, (age, age))
+        paths.append(path)
+    _cache.get_or_make(keys[0], ".bin", write(1000))
+    newest = _cache.get_or_make(keys[3], ".bin", write(1000))
+    assert [path.exists() for path in (*paths, newest)] == [True, False, True, True]
+    assert _cache.get_or_make(_cache.key("large"), ".bin", write(9000)).exists()
+    assert [path.exists() for path in (*paths, newest)] == [False] * 4
+
+
+def test_a_failed_result_is_not_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path))
+
+    def fail(path: Path) -> None:
+        path.write_bytes(b"half")
+        raise RuntimeError
+
+    with pytest.raises(RuntimeError):
+        _cache.get_or_make(_cache.key("fails"), ".bin", fail)
+    assert [path for path in tmp_path.rglob("*") if path.is_file()] == []
+
+
+@pytest.mark.parametrize("wrong", ["-1", "many", "nan", "inf"])
+def test_a_wrong_bound_is_a_value_error(wrong: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NEARFAR_CACHE_MAX_GB", wrong)
+    with pytest.raises(ValueError, match=f"NEARFAR_CACHE_MAX_GB: expected .* got '{wrong}'"):
+        _cache.get_or_make(_cache.key(0), ".bin", write(1))
+
+
+def test_an_unwritable_cache_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "file").write_bytes(b"")
+    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "file"))
+    with pytest.raises(OSError, match=str(tmp_path / "file")):
+        _cache.get_or_make(_cache.key(0), ".bin", write(1))
+
+
+def test_the_platforms_folder_is_the_default(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.delenv("NEARFAR_CACHE")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(sys, "platform", "linux")
+    assert _cache.folder() == tmp_path / "nearfar"
+
+
+# data ----------------------------------------------------------------------------------------------------------------
+def test_the_variable_comes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "city").mkdir()
+    (tmp_path / "city" / "a.glb").write_bytes(b"")
+    monkeypatch.setenv("NEARFAR_DATA", str(tmp_path))
+    assert _data.find("city/a.glb") == tmp_path / "city" / "a.glb"
+    assert _data.find("city/b.glb") is None
+    with pytest.raises(FileNotFoundError, match=r"city/b\.glb: expected a data file, but not in"):
+        _data.require("city/b.glb")
+
+
+def test_the_nearest_shared_folder_comes_next(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("NEARFAR_DATA", raising=False)
+    monkeypatch.setattr(_data, "__file__", str(tmp_path / "a" / "b" / "package" / "_data.py"))
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a" / "b").mkdir(parents=True)
+    (tmp_path / "shared" / "data").mkdir(parents=True)
+    assert _data.root() == tmp_path / "shared" / "data"
+    (tmp_path / "a" / "shared" / "data").mkdir(parents=True)
+    assert _data.root() == tmp_path / "a" / "shared" / "data"
