@@ -1,5 +1,7 @@
 //! Rays against a scene: nearest hits through both levels of trees.
 
+#[cfg(test)]
+mod tests;
 mod triangle;
 
 use glam::Vec3;
@@ -112,11 +114,22 @@ fn walk_set(set: &InstanceSet, first: u32, ray: &Ray, filter: &impl Filter, best
     });
 }
 
+/// Deeper trees than this do not fit the stack on the stack and go to the heap.
+const STACK: usize = 256;
+
 fn walk(tree: &Bvh2, ray: &Ray, best: &mut Hit, visit: &mut impl FnMut(u32, &mut Hit)) {
+    if 2 * tree.max_depth + 2 <= STACK {
+        walk_with(tree, ray, best, visit, &mut [(0, 0.0); STACK]);
+    } else {
+        walk_with(tree, ray, best, visit, &mut vec![(0, 0.0); tree.nodes.len()]);
+    }
+}
+
+fn walk_with(tree: &Bvh2, ray: &Ray, best: &mut Hit, visit: &mut impl FnMut(u32, &mut Hit), stack: &mut [(u32, f32)]) {
     let inverse = ray.direction.recip();
-    let mut stack = vec![0usize];
-    while let Some(index) = stack.pop() {
-        let node = &tree.nodes[index];
+    // Distance at which a node's box is entered; none where it is missed.
+    let enter = |index: u32, best: &Hit| {
+        let node = &tree.nodes[index as usize];
         let (low, high) = (
             (Vec3::from(node.aabb().min) - ray.origin) * inverse,
             (Vec3::from(node.aabb().max) - ray.origin) * inverse,
@@ -125,15 +138,35 @@ fn walk(tree: &Bvh2, ray: &Ray, best: &mut Hit, visit: &mut impl FnMut(u32, &mut
         let near = low.min(high).max_element().max(ray.t_min);
         // Ize: Robust BVH ray traversal, 2013: two ulps on the far side make the box test conservative.
         let far = (low.max(high).min_element() * 1.000_000_4).min(ray.t_max.min(best.t));
-        if near > far {
+        (near <= far).then_some(near)
+    };
+    let Some(near) = enter(0, best) else { return };
+    stack[0] = (0, near);
+    let mut size = 1;
+    while size > 0 {
+        size -= 1;
+        let (index, near) = stack[size];
+        if near > best.t {
             continue;
         }
+        let node = &tree.nodes[index as usize];
         if node.is_leaf() {
             for slot in node.first_index..node.first_index + node.prim_count {
                 visit(tree.primitive_indices[slot as usize], best);
             }
-        } else {
-            stack.extend([node.first_index as usize, node.first_index as usize + 1]);
+            continue;
+        }
+        let children = [node.first_index, node.first_index + 1];
+        let mut found = children.map(|child| (child, enter(child, best)));
+        // The nearer one is visited first.
+        if found[0].1 < found[1].1 {
+            found.swap(0, 1);
+        }
+        for (child, near) in found {
+            if let Some(near) = near {
+                stack[size] = (child, near);
+                size += 1;
+            }
         }
     }
 }
