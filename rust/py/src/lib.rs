@@ -2,6 +2,7 @@
 
 mod arrays;
 mod base;
+mod cubemap;
 mod errors;
 mod run;
 mod scene;
@@ -12,5 +13,6 @@ use pyo3::prelude::*;
 fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     errors::register(module)?;
     base::register(module)?;
-    scene::register(module)
+    scene::register(module)?;
+    cubemap::register(module)
 }

@@ -1,0 +1,116 @@
+//! Cube maps: six square faces +x −x +y −y +z −z in the Vulkan/WebGPU orientation.
+//!
+//! | face | right (u) | down (v) |
+//! | --- | --- | --- |
+//! | +x | −z | −y |
+//! | −x | +z | −y |
+//! | +y | +x | +z |
+//! | −y | +x | −z |
+//! | +z | +x | −y |
+//! | −z | −x | −y |
+//!
+//! Texels are numbered face by face, row by row: `(face * size + row) * size + column`.
+
+mod lookup;
+mod taps;
+
+use glam::DVec3;
+
+pub use lookup::{Faces, Filter, Real, directions, lookup, texels};
+pub use taps::Taps;
+
+/// Greatest edge of a face in texels: 6 × 16384² texels still have numbers below 2³².
+pub const MAX_SIZE: u32 = 1 << 14;
+
+/// Direction (not normalised; its longest component is ±1) of a point on a face; u to the right, v down, each −1..1.
+#[inline]
+pub fn direction_from_face(face: u8, u: f64, v: f64) -> DVec3 {
+    match face {
+        0 => DVec3::new(1.0, -v, -u),
+        1 => DVec3::new(-1.0, -v, u),
+        2 => DVec3::new(u, 1.0, v),
+        3 => DVec3::new(u, -1.0, -v),
+        4 => DVec3::new(u, -v, 1.0),
+        _ => DVec3::new(-u, -v, -1.0),
+    }
+}
+
+/// Face, u and v of a direction of any length: the inverse of `direction_from_face`. Edges belong to the axis that
+/// comes first in the alphabet.
+#[inline]
+pub fn face_from_direction(d: DVec3) -> (u8, f64, f64) {
+    let size = d.abs();
+    if size.x >= size.y && size.x >= size.z {
+        let (face, sign) = if d.x > 0.0 { (0, -1.0) } else { (1, 1.0) };
+        (face, sign * d.z / size.x, -d.y / size.x)
+    } else if size.y >= size.z {
+        let (face, sign) = if d.y > 0.0 { (2, 1.0) } else { (3, -1.0) };
+        (face, d.x / size.y, sign * d.z / size.y)
+    } else {
+        let (face, sign) = if d.z > 0.0 { (4, 1.0) } else { (5, -1.0) };
+        (face, sign * d.x / size.z, -d.y / size.z)
+    }
+}
+
+/// Position −1..1 of the centre of a row or column.
+#[inline]
+pub fn center_of(index: u32, size: u32) -> f64 {
+    (f64::from(index) + 0.5) * 2.0 / f64::from(size) - 1.0
+}
+
+/// Direction (longest component ±1) of a texel's centre.
+#[inline]
+pub fn direction_from_texel(texel: u32, size: u32) -> DVec3 {
+    let (row, column) = (texel / size, texel % size);
+    direction_from_face((row / size) as u8, center_of(column, size), center_of(row % size, size))
+}
+
+/// Number of the texel that a direction passes through.
+#[inline]
+pub fn texel_from_direction(d: DVec3, size: u32) -> u32 {
+    let (face, u, v) = face_from_direction(d);
+    // Casts of floats saturate: u = 1 is the only value that needs the upper bound.
+    let index = |x: f64| (((x + 1.0) * 0.5 * f64::from(size)) as u32).min(size - 1);
+    (u32::from(face) * size + index(v)) * size + index(u)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn texels_and_directions_are_inverses() {
+        for size in [1, 2, 3, 7, 64] {
+            for texel in 0..6 * size * size {
+                let d = direction_from_texel(texel, size);
+                assert_eq!(d.abs().max_element(), 1.0);
+                assert_eq!(texel_from_direction(d, size), texel);
+                assert_eq!(texel_from_direction(d * 1e-300, size), texel);
+            }
+        }
+    }
+
+    #[test]
+    fn axes_are_the_centres_of_their_faces() {
+        let axes = [DVec3::X, -DVec3::X, DVec3::Y, -DVec3::Y, DVec3::Z, -DVec3::Z];
+        for (face, axis) in axes.into_iter().enumerate() {
+            assert_eq!(direction_from_face(face as u8, 0.0, 0.0), axis);
+            let (found, u, v) = face_from_direction(axis * 7.0);
+            assert_eq!((found, u.abs(), v.abs()), (face as u8, 0.0, 0.0));
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn a_direction_survives_its_face(x in -1.0..1.0f64, y in -1.0..1.0f64, z in -1.0..1.0f64) {
+            let d = DVec3::new(x, y, z);
+            prop_assume!(d.abs().max_element() > 1e-9);
+            let (face, u, v) = face_from_direction(d);
+            prop_assert!(u.abs() <= 1.0 && v.abs() <= 1.0);
+            let back = direction_from_face(face, u, v) * d.abs().max_element();
+            // One division and one multiplication: two roundings of values up to 1.
+            prop_assert!((back - d).abs().max_element() <= 2.0 * f64::EPSILON);
+        }
+    }
+}
