@@ -1,6 +1,7 @@
 """The compiled kernels. Private: Python modules of nearfar check and convert, then call these."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,3 +62,8 @@ class Scene:
     def triangle_offsets(self) -> NDArray[np.int64]: ...
     def bounds(self) -> NDArray[np.float64]: ...
     def triangles(self) -> NDArray[np.float32]: ...
+
+# cubemap ------------------------------------------------------------------------------------------------------------
+def cube_lookup(faces: NDArray[Any], directions: NDArray[Any], filter: str) -> NDArray[Any]: ...  # noqa: A002
+def cube_texels(size: int, directions: NDArray[np.float64]) -> NDArray[np.uint32]: ...
+def cube_directions(size: int) -> NDArray[np.float64]: ...
