@@ -2,38 +2,268 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
+from nearfar._assembly import Assembled, Assembly
+from nearfar._geometry import object_count_of, transforms_of
+from nearfar._names import Names
+from nearfar._report import Report
 
 
 class Scene:
-    """An immutable scene; see `Scene.from_arrays`."""
+    """An immutable scene: objects over shared meshes, some of which may move.
 
-    def __init__(self, core: _core.Scene, object_names: tuple[str, ...]) -> None:
+    An object is a name over faces or instances. What is used once stands in one merged mesh; what is used twice or
+    moves is an instance of a mesh of its own. Scenes made from a scene (`at`, `with_dynamic`, `subset`) share its
+    meshes, textures and search trees. Metres, right-handed, y up.
+
+    Make one with `load`, `from_trimesh`, `from_arrays` or `nearfar.datasets`.
+    """
+
+    def __init__(
+        self,
+        core: _core.Scene,
+        names: Names,
+        *,
+        frames: NDArray[np.float64] | None = None,
+        rest: NDArray[np.float64] | None = None,
+        dropped: int = 0,
+        notes: tuple[str, ...] = (),
+    ) -> None:
         self._core = core
-        self._object_names = object_names
+        self._names = names
+        self._frames = frames
+        self._rest = core.moving_placements() if rest is None else rest
+        self._dropped = dropped
+        self._notes = notes
 
     @classmethod
-    def from_arrays(cls, vertices: ArrayLike, faces: ArrayLike, face_object: ArrayLike | None = None) -> Scene:
-        """Make a scene of one mesh."""
-        positions: NDArray[Any] = np.ascontiguousarray(vertices, np.float32)
-        indices: NDArray[Any] = np.ascontiguousarray(faces, np.uint32)
-        objects = 0 if face_object is None else np.ascontiguousarray(face_object, np.int32)
-        count = 1 if face_object is None else int(np.max(objects, initial=-1)) + 1
-        mesh = _core.Mesh(positions, indices, objects=objects, materials=0)
-        core = _core.Scene(
-            origin=(0.0, 0.0, 0.0),
-            meshes=[mesh],
-            placements=np.eye(4)[None, :3],
-            objects=np.full(1, -1, np.int32),
-            standing_count=1,
-            material_colors=np.array([[0.8, 0.8, 0.8, 1.0]], np.float32),
-            material_textures=np.array([-1], np.int32),
-            material_cutoffs=np.array([np.nan], np.float32),
-            textures=[],
+    def _from_assembled(cls, parts: Assembled, *, dropped: int = 0, notes: tuple[str, ...] = ()) -> Scene:
+        return cls(parts.core, Names(parts.names), frames=parts.frames, dropped=dropped, notes=notes)
+
+    @classmethod
+    def from_arrays(
+        cls,
+        vertices: ArrayLike,
+        faces: ArrayLike,
+        face_object: ArrayLike | None = None,
+        *,
+        object_names: Sequence[str] | None = None,
+        copy: bool = False,
+    ) -> Scene:
+        """Make a scene of one mesh.
+
+        C-contiguous float32 vertices, uint32 faces and int32 objects are not copied: the scene reads the caller's
+        memory, and the arrays become read-only so that it cannot change. Do not write through other views of it.
+        `copy` leaves the arrays alone. Other number types are converted.
+
+        Parameters
+        ----------
+        vertices
+            (V, 3) metres, world. Float64 beyond 32,768 m keeps its digits (see `origin`).
+        faces
+            (F, 3) vertex numbers, counter-clockwise from outside.
+        face_object
+            (F,) object number of each face, -1 for none; by default all belong to object 0.
+        object_names
+            Name of each object number; by default ``object_0``, ``object_1``, …
+        copy
+            Copy even what could be borrowed.
+
+        Raises
+        ------
+        ValueError
+            Vertices that are not finite, numbers out of range, shapes that do not fit.
+        """
+        builder = SceneBuilder()
+        names = None if object_names is None else [str(name) for name in object_names]
+        if face_object is None:
+            builder.objects(names or ["object_0"])
+            mesh = builder.mesh(vertices, faces, copy=copy)
+            builder.instance(mesh, name=names[0] if names else "object_0")
+        else:
+            builder.objects(object_count_of("face_object", face_object) if names is None else names)
+            builder.instance(builder.mesh(vertices, faces, face_object=face_object, copy=copy))
+        return builder.build()
+
+    @property
+    def triangle_count(self) -> int:
+        """Triangles of all instances."""
+        return self._core.triangle_count
+
+    @property
+    def object_names(self) -> tuple[str, ...]:
+        """Names of the objects, in the order of the numbers in `Frame.object_id`; subsets keep all of them."""
+        return self._names.all
+
+    @cached_property
+    def bounds(self) -> NDArray[np.float64]:
+        """World box (2, 3) of all triangles, least and greatest corner; infinite and inverted for an empty scene."""
+        return self._core.bounds()
+
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """World position (3,) that kernels' float32 coordinates are relative to.
+
+        Zero while all coordinates are within 32,768 m, else the centre of the bounds in whole metres.
+        """
+        return np.array(self._core.origin)
+
+    @cached_property
+    def report(self) -> Report:
+        """What the scene holds, and what of its source was dropped or is not drawn."""
+        core = self._core
+        ids = core.mesh_ids()
+        return Report(
+            triangles=core.triangle_count,
+            meshes=len(np.unique(ids)),
+            instances=core.instance_count,
+            objects=len(self._names),
+            dynamic=len(self._rest),
+            materials=core.material_count,
+            textures=core.texture_count,
+            degenerate_faces=core.degenerate_count(),
+            dropped_faces=self._dropped,
+            notes=self._notes,
         )
-        return cls(core, tuple(f"object_{i}" for i in range(count)))
+
+    def triangles(self) -> NDArray[np.float32]:
+        """Corners of all triangles (T, 3, 3), relative to `origin`; for exchange with other tools."""
+        return self._core.triangles()
+
+    def with_dynamic(self, names: Iterable[str]) -> Scene:
+        """Return the same scene in which also the named objects can be posed with `at`.
+
+        Faces of a merged mesh that belong to a named object become a mesh of their own.
+
+        Raises
+        ------
+        ValueError
+            A name that the scene does not have.
+        """
+        core = self._core.with_moving(self._names.flags("names", names))
+        rest = np.concatenate([self._rest, core.moving_placements()[len(self._rest) :]])
+        return self._derived(core, rest)
+
+    def transform(self, name: str) -> NDArray[np.float64]:
+        """Object→world (4, 4) that an object was loaded with: what `at` replaces."""
+        return self._frame(self._names.number("name", name)).copy()
+
+    def at(self, poses: Mapping[str, ArrayLike]) -> Scene:
+        """Return the same scene with dynamic objects in other places.
+
+        Parameters
+        ----------
+        poses
+            Object→world (4, 4) for column vectors, by name. It replaces the transform that the object was loaded
+            with (see `transform`); objects that are not named stay where they are.
+
+        Raises
+        ------
+        ValueError
+            Unknown objects, objects that are not dynamic, matrices that are not finite, affine and invertible.
+        """
+        placements = self._core.moving_placements()
+        owner = self._core.moving_objects()
+        for name, pose in poses.items():
+            number = self._names.number("poses", name)
+            rows = np.flatnonzero(owner == number)
+            if not len(rows):
+                raise ValueError(f"poses: expected dynamic objects, but '{name}' is not; make it so by with_dynamic")
+            placements[rows] = self._posed(f"poses['{name}']", pose, number, self._rest[rows])
+        return self._derived(self._core.posed(placements), self._rest)
+
+    def _posed(self, argument: str, pose: ArrayLike, number: int, rest: NDArray[np.float64]) -> NDArray[np.float64]:
+        matrix = transforms_of(argument, pose)
+        if matrix.shape != (4, 4):
+            raise ValueError(f"{argument}: expected one 4x4 matrix object→world, got shape {matrix.shape}")
+        if np.linalg.matrix_rank(matrix[:3, :3]) < 3:
+            raise ValueError(f"{argument}: expected an invertible matrix, got determinant {np.linalg.det(matrix):g}")
+        frame = self._frame(number)
+        if np.array_equal(matrix, frame):
+            return rest
+        world = rest.copy()
+        world[:, :, 3] += self.origin
+        # mesh→world becomes pose · load⁻¹ · (mesh→world when loaded); solved first, so that equal factors cancel.
+        local = np.linalg.solve(frame, np.concatenate([world, np.tile([[[0.0, 0, 0, 1]]], (len(world), 1, 1))], axis=1))
+        placed: NDArray[np.float64] = (matrix @ local)[:, :3]
+        placed[:, :, 3] -= self.origin
+        return placed
+
+    def _frame(self, number: int) -> NDArray[np.float64]:
+        if self._frames is None or number >= len(self._frames):
+            return np.eye(4)
+        frame: NDArray[np.float64] = self._frames[number]
+        return frame
+
+    def subset(self, *, objects: Iterable[str] | None = None, triangles: ArrayLike | None = None) -> Scene:
+        """Return a scene of only some objects or some triangles.
+
+        Parameters
+        ----------
+        objects
+            Names of the objects that remain. Object numbers and names stay what they are.
+        triangles
+            Triangle numbers, or a mask (T,) of bool.
+
+        Raises
+        ------
+        ValueError
+            Unknown names, triangle numbers out of range, both arguments or none.
+        """
+        if (objects is None) == (triangles is None):
+            raise ValueError(
+                "subset: expected either objects or triangles, got " + ("none" if objects is None else "both")
+            )
+        owner = self._core.moving_objects()
+        if objects is not None:
+            flags = self._names.flags("objects", objects)
+            return self._derived(self._core.subset_of_objects(flags), self._rest[flags[owner]])
+        mask = self._triangle_mask(np.asarray(triangles))
+        before = np.concatenate([[0], np.cumsum(mask)])[self._core.triangle_offsets()]
+        remains = np.diff(before)[self._core.instance_count - len(owner) :] > 0
+        return self._derived(self._core.subset_of_triangles(mask), self._rest[remains])
+
+    def _triangle_mask(self, triangles: NDArray[Any]) -> NDArray[np.bool_]:
+        count = self.triangle_count
+        if triangles.dtype == bool:
+            if triangles.shape != (count,):
+                raise ValueError(f"triangles: expected a mask of shape ({count},), got {triangles.shape}")
+            return np.ascontiguousarray(triangles)
+        if triangles.size and (triangles.dtype.kind not in "iu" or triangles.ndim != 1):
+            raise TypeError(f"triangles: expected a list of numbers or a mask, got {triangles.dtype} {triangles.shape}")
+        if triangles.size and (int(triangles.min()) < 0 or int(triangles.max()) >= count):
+            raise ValueError(
+                f"triangles: expected numbers from 0 to {count - 1}, got {triangles.min()} to {triangles.max()}"
+            )
+        mask = np.zeros(count, bool)
+        mask[triangles.astype(np.int64)] = True
+        return mask
+
+    def _derived(self, core: _core.Scene, rest: NDArray[np.float64]) -> Scene:
+        return Scene(core, self._names, frames=self._frames, rest=rest, dropped=self._dropped, notes=self._notes)
+
+    def __repr__(self) -> str:
+        return f"<nearfar.Scene: {self.triangle_count:,} triangles, {len(self._names):,} objects>"
+
+
+class SceneBuilder(Assembly):
+    """Puts a scene together from materials, meshes and their placements; loading and the datasets go through it."""
+
+    def build(self, dynamic: Iterable[str] = (), *, dropped: int = 0, notes: tuple[str, ...] = ()) -> Scene:
+        """Make the scene.
+
+        Parameters
+        ----------
+        dynamic
+            Names of objects that `Scene.at` can pose; they keep meshes of their own.
+        dropped, notes
+            For the report: faces left out, and what is ignored of the source.
+        """
+        return Scene._from_assembled(self.assemble(dynamic), dropped=dropped, notes=notes)

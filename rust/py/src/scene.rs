@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 use nearfar_core::base::{Buffer, Error, Result};
-use nearfar_core::scene::{self, Alpha, FaceMap, Instance, Material, Texture};
+use nearfar_core::scene::{self, Alpha, FaceMap, Instance, Material, Part, Texture};
 use numpy::{
     PyArray1, PyArray2, PyArray3, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3,
 };
@@ -29,7 +29,11 @@ impl FaceMapArgument<'_> {
     fn convert(&self) -> PyResult<FaceMap> {
         Ok(match self {
             Self::Uniform(value) => FaceMap::Uniform(*value),
-            Self::PerFace(values) => FaceMap::PerFace(flat_buffer(values)?),
+            Self::PerFace(values) => {
+                let values = flat_buffer(values)?;
+                let count = values.len();
+                FaceMap::PerFace(values).compacted(count)
+            }
             Self::Ranges((starts, values)) => {
                 FaceMap::Ranges { starts: flat_buffer(starts)?, values: flat_buffer(values)? }
             }
@@ -55,6 +59,32 @@ impl Mesh {
         let (objects, materials) = (objects.convert()?, materials.convert()?);
         run::short(py, || scene::Mesh::new(positions, faces, uvs, colors, objects, materials))
             .map(|mesh| Self(Arc::new(mesh)))
+    }
+
+    /// One mesh of many, standing where the `placements` (I, 3, 4) say; `objects` −1 leaves the object to the mesh.
+    #[staticmethod]
+    fn merged<'py>(
+        py: Python<'py>,
+        meshes: Vec<PyRef<'py, Self>>,
+        placements: PyReadonlyArray3<'py, f64>,
+        objects: PyReadonlyArray1<'py, i32>,
+    ) -> PyResult<Self> {
+        let meshes: Vec<Arc<scene::Mesh>> = meshes.iter().map(|mesh| Arc::clone(&mesh.0)).collect();
+        let (placements, objects) = (affines(&placements), objects.as_array());
+        run::short(py, || {
+            same_length(meshes.len(), &placements, objects.len())?;
+            let part = |((mesh, to_scene), &object): ((_, _), &i32)| Part { mesh, to_scene, object: named(object) };
+            let parts: Vec<Part> = meshes.into_iter().zip(placements).zip(&objects).map(part).collect();
+            scene::merge(&parts)
+        })
+        .map(|mesh| Self(Arc::new(mesh)))
+    }
+
+    /// Box of all faces (2, 3) in the mesh's own frame, inverted infinities without faces.
+    fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let bounds = self.0.bounds();
+        let rows = [bounds.min, bounds.max].map(|corner| corner.as_dvec3().to_array().to_vec());
+        Ok(PyArray2::from_vec2(py, &rows)?)
     }
 
     #[getter]
@@ -108,14 +138,12 @@ impl Scene {
             .collect();
         let textures = textures.iter().map(texture).collect::<PyResult<_>>()?;
         run::short(py, || {
-            if meshes.len() != placements.len() || objects.len() != placements.len() {
-                return Err(Error::value("placements", "one for each mesh and object", placements.len()));
-            }
+            same_length(meshes.len(), &placements, objects.len())?;
             let mut standing = meshes
                 .into_iter()
                 .zip(placements)
                 .zip(&objects)
-                .map(|((mesh, to_scene), &object)| Instance::new(mesh, to_scene, (object >= 0).then_some(object)))
+                .map(|((mesh, to_scene), &object)| Instance::new(mesh, to_scene, named(object)))
                 .collect::<Result<Vec<_>>>()?;
             if standing_count > standing.len() {
                 return Err(Error::value("standing_count", "at most the number of instances", standing_count));
@@ -134,11 +162,70 @@ impl Scene {
             if placements.len() != moving.len() {
                 return Err(Error::value("placements", format!("{} matrices", moving.len()), placements.len()));
             }
-            let place =
-                |(old, to_scene): (&Instance, DAffine3)| Instance::new(Arc::clone(&old.mesh), to_scene, old.object);
+            let place = |(old, to_scene): (&Instance, DAffine3)| old.placed(to_scene);
             moving.iter().zip(placements).map(place).collect::<Result<Vec<_>>>().map(|moving| self.0.posed(moving))
         })
         .map(Self)
+    }
+
+    /// The same scene in which also the chosen objects, a flag for each, move.
+    fn with_moving<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
+        let chosen = chosen.as_slice()?;
+        run::short(py, || self.0.with_moving(chosen)).map(Self)
+    }
+
+    /// Only the chosen objects, a flag for each.
+    fn subset_of_objects<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
+        let chosen = chosen.as_slice()?;
+        run::short(py, || Ok(self.0.subset_of_objects(chosen))).map(Self)
+    }
+
+    /// Only the chosen triangles, a flag for each.
+    fn subset_of_triangles<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
+        let chosen = chosen.as_slice()?;
+        run::short(py, || self.0.subset_of_triangles(chosen)).map(Self)
+    }
+
+    /// Where the moving instances are (M, 3, 4), relative to the origin.
+    fn moving_placements<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        let moving = self.0.moving.instances();
+        let rows = moving.iter().flat_map(|instance| {
+            let (m, t) = (instance.to_scene.matrix3.transpose(), instance.to_scene.translation);
+            [(m.x_axis, t.x), (m.y_axis, t.y), (m.z_axis, t.z)]
+        });
+        let flat: Vec<f64> = rows.flat_map(|(row, t)| [row.x, row.y, row.z, t]).collect();
+        PyArray1::from_vec(py, flat).reshape([moving.len(), 3, 4])
+    }
+
+    /// Objects of the moving instances.
+    fn moving_objects<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i32>> {
+        PyArray1::from_iter(py, self.0.moving.instances().iter().map(|instance| instance.object.unwrap_or(-1)))
+    }
+
+    #[getter]
+    fn origin(&self) -> [f64; 3] {
+        self.0.origin.to_array()
+    }
+
+    #[getter]
+    fn material_count(&self) -> usize {
+        self.0.materials.len()
+    }
+
+    #[getter]
+    fn texture_count(&self) -> usize {
+        self.0.textures.len()
+    }
+
+    /// Faces of the distinct meshes without an area.
+    fn degenerate_count(&self, py: Python<'_>) -> PyResult<usize> {
+        run::short(py, || Ok(self.0.degenerate_count()))
+    }
+
+    /// Identities of the instances' meshes, in order: equal numbers are one mesh in memory.
+    fn mesh_ids<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u64>> {
+        let ids: Vec<u64> = self.0.instances().map(|instance| Arc::as_ptr(&instance.mesh).addr() as u64).collect();
+        PyArray1::from_vec(py, ids)
     }
 
     /// Builds all trees now instead of at the first ray.
@@ -180,6 +267,17 @@ impl Scene {
         let flat = run::short(py, || Ok(self.0.triangles()))?;
         PyArray1::from_vec(py, flat).reshape([self.0.triangle_count() as usize, 3, 3])
     }
+}
+
+fn same_length(meshes: usize, placements: &[DAffine3], objects: usize) -> Result<()> {
+    if meshes != placements.len() || objects != placements.len() {
+        return Err(Error::value("placements", "one for each mesh and object", placements.len()));
+    }
+    Ok(())
+}
+
+fn named(object: i32) -> Option<i32> {
+    (object >= 0).then_some(object)
 }
 
 fn affines(placements: &PyReadonlyArray3<'_, f64>) -> Vec<DAffine3> {

@@ -33,7 +33,8 @@ impl Instance {
             return Err(Error::value("transform", "a finite, invertible 4x4 matrix", to_scene));
         }
         let bounds = mesh.bounds().transformed(&to_scene);
-        if !bounds.is_empty() && !(bounds.min.is_finite() && bounds.max.is_finite()) {
+        let fits = bounds.is_empty() || (bounds.min.is_finite() && bounds.max.is_finite());
+        if !fits {
             return Err(Error::value("transform", "a placement within float32's range", to_scene));
         }
         Ok(Self { in_place: to_scene == DAffine3::IDENTITY, mesh, to_scene, to_object, object, bounds })

@@ -10,7 +10,7 @@ use crate::base::{Buffer, Error, Progress, Result};
 use crate::bvh::Bvh;
 
 /// Faces or vertices handled by one task: fixed, so that reductions do not depend on the number of threads.
-const TILE: usize = 1 << 16;
+pub(super) const TILE: usize = 1 << 16;
 
 /// An immutable triangle mesh in its own frame.
 #[derive(Debug)]
@@ -64,6 +64,8 @@ impl Mesh {
                 greatest.unwrap_or_default(),
             ));
         }
+        objects.validate("objects", faces.len(), i32::MAX)?;
+        materials.validate("materials", faces.len(), i32::MAX)?;
         let wrong = count_non_finite(&positions);
         if wrong > 0 {
             return Err(Error::value(
@@ -72,12 +74,57 @@ impl Mesh {
                 format!("{wrong} vertices with NaN or infinity"),
             ));
         }
-        let bounds = bounds_of(&positions);
-        let bvh = OnceLock::new();
-        Ok(Self { positions, faces, uvs, colors, objects, materials, bounds, bvh, building: Mutex::new(()) })
+        Ok(Self::unchecked(positions, faces, uvs, colors, objects, materials))
     }
 
-    /// Box of all vertices.
+    fn unchecked(
+        positions: Buffer<[f32; 3]>,
+        faces: Buffer<[u32; 3]>,
+        uvs: Option<Buffer<[f32; 2]>>,
+        colors: Option<Buffer<[u8; 4]>>,
+        objects: FaceMap,
+        materials: FaceMap,
+    ) -> Self {
+        let bounds = bounds_of(&positions, &faces);
+        let bvh = OnceLock::new();
+        Self { positions, faces, uvs, colors, objects, materials, bounds, bvh, building: Mutex::new(()) }
+    }
+
+    /// A mesh of chosen faces, in their order. It shares the vertices' arrays, unless most of them would be left over.
+    pub fn selected(&self, chosen: &[u32]) -> Self {
+        let faces: Vec<[u32; 3]> = chosen.par_iter().map(|&face| self.faces[face as usize]).collect();
+        let (objects, materials) = (self.objects.selected(chosen), self.materials.selected(chosen));
+        if faces.len() * 3 >= self.positions.len() {
+            let (positions, uvs, colors) = (self.positions.clone(), self.uvs.clone(), self.colors.clone());
+            return Self::unchecked(positions, faces.into(), uvs, colors, objects, materials);
+        }
+        let mut used: Vec<u32> = faces.as_flattened().to_vec();
+        used.sort_unstable();
+        used.dedup();
+        // Every vertex of the faces is in `used`, so the search finds it.
+        let renumber = |vertex: u32| used.partition_point(|&other| other < vertex) as u32;
+        let faces: Vec<[u32; 3]> = faces.par_iter().map(|face| face.map(renumber)).collect();
+        Self::unchecked(
+            gathered(&self.positions, &used),
+            faces.into(),
+            self.uvs.as_ref().map(|values| gathered(values, &used)),
+            self.colors.as_ref().map(|values| gathered(values, &used)),
+            objects,
+            materials,
+        )
+    }
+
+    /// Number of faces without an area: two corners at one place, or all three on a line, in exact arithmetic of the
+    /// float32 edges.
+    pub fn degenerate_count(&self) -> usize {
+        let is_degenerate = |face: &&[u32; 3]| {
+            let [a, b, c] = face.map(|vertex| Vec3::from_array(self.positions[vertex as usize]).as_dvec3());
+            (b - a).cross(c - a).length_squared() == 0.0
+        };
+        self.faces.par_chunks(TILE).map(|tile| tile.iter().filter(is_degenerate).count()).sum()
+    }
+
+    /// Box of all faces; vertices that no face uses are left out.
     pub fn bounds(&self) -> Aabb {
         self.bounds
     }
@@ -110,11 +157,15 @@ fn count_non_finite(positions: &[[f32; 3]]) -> usize {
     positions.par_chunks(TILE).map(|tile| tile.iter().filter(is_wrong).count()).sum()
 }
 
-fn bounds_of(positions: &[[f32; 3]]) -> Aabb {
-    let tile_bounds = |tile: &[[f32; 3]]| {
+fn bounds_of(positions: &[[f32; 3]], faces: &[[u32; 3]]) -> Aabb {
+    let tile_bounds = |tile: &[[u32; 3]]| {
         let mut bounds = Aabb::EMPTY;
-        tile.iter().for_each(|&p| bounds.extend(Vec3::from_array(p)));
+        tile.as_flattened().iter().for_each(|&vertex| bounds.extend(Vec3::from_array(positions[vertex as usize])));
         bounds
     };
-    positions.par_chunks(TILE).map(tile_bounds).reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
+    faces.par_chunks(TILE).map(tile_bounds).reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
+}
+
+fn gathered<T: Copy + Send + Sync + 'static>(values: &[T], rows: &[u32]) -> Buffer<T> {
+    rows.iter().map(|&row| values[row as usize]).collect()
 }

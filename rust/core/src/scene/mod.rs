@@ -1,21 +1,25 @@
 //! What is looked at: meshes shared between instances, objects as names over faces or instances, base colours.
 
 mod bounds;
+mod edit;
 mod face_map;
 mod instance;
 mod material;
+mod merge;
 mod mesh;
 mod texture;
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use rayon::prelude::*;
 
 pub use bounds::Aabb;
 pub use face_map::FaceMap;
 pub use instance::{Instance, InstanceSet};
 pub use material::{Alpha, Material};
+pub use merge::{Part, merge};
 pub use mesh::Mesh;
 pub use texture::Texture;
 
@@ -53,6 +57,9 @@ impl Scene {
         let texture_count = textures.len();
         if let Some(wrong) = materials.iter().filter_map(|m| m.texture).find(|&t| t as usize >= texture_count) {
             return Err(Error::value("materials", format!("texture numbers below {texture_count}"), wrong));
+        }
+        for mesh in distinct_meshes(standing.iter().chain(&moving)) {
+            mesh.materials.validate("materials", mesh.faces.len(), materials.len() as i32)?;
         }
         if standing.len() + moving.len() > u32::MAX as usize - 1 {
             return Err(Error::value("instances", "fewer than 2^32 - 1", standing.len() + moving.len()));
@@ -136,7 +143,12 @@ impl Scene {
         flat
     }
 
-    /// Tight box of all placed vertices, relative to the origin.
+    /// Faces without an area, each mesh counted once.
+    pub fn degenerate_count(&self) -> usize {
+        distinct_meshes(self.instances()).map(Mesh::degenerate_count).sum()
+    }
+
+    /// Tight box of all placed triangles, relative to the origin.
     pub fn bounds(&self) -> Aabb {
         let mut tight = Aabb::EMPTY;
         for instance in self.instances() {
@@ -148,10 +160,21 @@ impl Scene {
                 tight = tight.union(&instance.bounds);
                 continue;
             }
-            for &p in instance.mesh.positions.iter() {
-                tight.extend(instance.to_scene.transform_point3(Vec3::from_array(p).as_dvec3()).as_vec3());
-            }
+            let faces = instance.mesh.faces.par_chunks(mesh::TILE).enumerate();
+            let tile_bounds = |(tile, faces): (usize, &[[u32; 3]])| {
+                let mut bounds = Aabb::EMPTY;
+                let first = tile * mesh::TILE;
+                let corners = (first..first + faces.len()).flat_map(|face| instance.corners(face as u32));
+                corners.for_each(|corner| bounds.extend(corner));
+                bounds
+            };
+            tight = tight.union(&faces.map(tile_bounds).reduce(|| Aabb::EMPTY, |a, b| a.union(&b)));
         }
         tight
     }
+}
+
+fn distinct_meshes<'a>(instances: impl Iterator<Item = &'a Instance>) -> impl Iterator<Item = &'a Mesh> {
+    let mut seen = HashSet::new();
+    instances.map(|instance| &*instance.mesh).filter(move |&mesh| seen.insert(std::ptr::from_ref(mesh)))
 }

@@ -1,0 +1,302 @@
+"""Collects materials, meshes and their placements, and decides what is merged and what stays an instance."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _core
+from nearfar._geometry import (
+    ORIGIN_LIMIT,
+    colors_of,
+    faces_of,
+    numbers_of,
+    positions_of,
+    texture_of,
+    transforms_of,
+    uvs_of,
+)
+
+_OWN_OBJECTS = -1
+"""Stands for an object number where the mesh says the object of each face."""
+
+_MOST_VERTICES = 2**32 - 2**16
+"""Vertices of one merged mesh, whose indices are 32 bits wide."""
+
+
+@dataclass(frozen=True)
+class Assembled:
+    """A scene's parts; `nearfar.Scene` says what they mean."""
+
+    core: _core.Scene
+    names: Sequence[str] | int
+    frames: NDArray[np.float64] | None
+    """Load transforms of the objects (N, 4, 4), object→world; None where all are identities."""
+
+
+@dataclass(frozen=True)
+class _Mesh:
+    core: _core.Mesh
+    base: NDArray[np.float64]
+    """What was subtracted from the vertices."""
+    has_objects: bool
+
+
+@dataclass(frozen=True)
+class _Placements:
+    """Of every instance: the mesh, mesh→world with the mesh's base in it, and the object."""
+
+    mesh: NDArray[np.int64]
+    transform: NDArray[np.float64]
+    object: NDArray[np.int32]
+
+
+class Assembly:
+    """Everything of `nearfar._scene.SceneBuilder` but the step to a `Scene`."""
+
+    def __init__(self) -> None:
+        self._materials: dict[tuple[tuple[float, ...], int, float | None], int] = {}
+        self._textures: dict[int, tuple[NDArray[np.uint8], int]] = {}
+        self._meshes: list[_Mesh] = []
+        self._placed: list[tuple[int, NDArray[np.float64], NDArray[np.int32]]] = []
+        self._names: dict[str, int] = {}
+        self._nameless: int | None = None
+
+    def material(
+        self,
+        base_color: Sequence[float] = (0.8, 0.8, 0.8, 1.0),
+        texture: NDArray[np.uint8] | None = None,
+        cutoff: float | None = None,
+    ) -> int:
+        """Add a base colour and return its number; equal ones share a number.
+
+        Parameters
+        ----------
+        base_color
+            Linear RGB and alpha, 0..1, multiplied with the texture and the vertex colours.
+        texture
+            (H, W, 4) uint8, sRGB with linear alpha, row 0 on top. Passing the same array again shares the texture.
+        cutoff
+            Least alpha that is drawn; None draws everything opaque.
+        """
+        color = np.asarray(base_color, np.float32)
+        if color.shape != (4,) or not ((color >= 0) & (color <= 1)).all():
+            raise ValueError(f"base_color: expected linear RGBA, four numbers in 0..1, got {base_color}")
+        if cutoff is not None and not np.isfinite(cutoff):
+            raise ValueError(f"cutoff: expected a finite number or None, got {cutoff}")
+        link = -1
+        if texture is not None:
+            # The array is kept: its identity is unique only as long as it lives.
+            texture, link = self._textures.setdefault(id(texture), (texture, len(self._textures)))
+            texture_of("texture", texture)
+        return self._materials.setdefault((tuple(color.tolist()), link, cutoff), len(self._materials))
+
+    def mesh(
+        self,
+        positions: ArrayLike,
+        faces: ArrayLike,
+        *,
+        material: int | ArrayLike = 0,
+        uvs: ArrayLike | None = None,
+        colors: ArrayLike | None = None,
+        face_object: ArrayLike | None = None,
+        copy: bool = False,
+    ) -> int:
+        """Add a mesh and return its handle.
+
+        Parameters
+        ----------
+        positions
+            (V, 3) metres in the mesh's own frame. C-contiguous float32 is borrowed and made read-only unless `copy`.
+        faces
+            (F, 3) vertex numbers, counter-clockwise from outside. C-contiguous uint32 is borrowed likewise.
+        material
+            Number of a material, or one for each face.
+        uvs
+            (V, 2) texture coordinates, v upwards.
+        colors
+            (V, 3) or (V, 4) uint8, sRGB with linear alpha.
+        face_object
+            Object number of each face (see `objects`), for meshes that hold many objects.
+        """
+        if not self._materials:
+            self.material()
+        local, base = positions_of("positions", positions, copy=copy)
+        triangles = faces_of("faces", faces, copy=copy)
+        count = len(triangles)
+        objects: int | NDArray[np.int32] = _OWN_OBJECTS
+        if face_object is not None:
+            objects = numbers_of("face_object", face_object, count, self.object_count, copy=copy)
+        core = _core.Mesh(
+            local,
+            triangles,
+            uvs=None if uvs is None else uvs_of("uvs", uvs),
+            colors=None if colors is None else colors_of("colors", colors, len(local)),
+            objects=objects,
+            materials=self._face_materials(material, count),
+        )
+        self._meshes.append(_Mesh(core, base, face_object is not None))
+        return len(self._meshes) - 1
+
+    def _face_materials(self, material: int | ArrayLike, count: int) -> int | NDArray[np.int32]:
+        limit = len(self._materials)
+        if not isinstance(material, int | np.integer):
+            return numbers_of("material", material, count, limit, copy=True)
+        if not 0 <= material < limit:
+            raise ValueError(f"material: expected numbers of materials below {limit}, got {material}")
+        return int(material)
+
+    @property
+    def object_count(self) -> int:
+        """Objects that have been named or announced."""
+        return len(self._names) if self._nameless is None else self._nameless
+
+    def objects(self, names: Sequence[str] | int) -> None:
+        """Announce the objects of `face_object`, by names or just how many; before anything else is named."""
+        if self._names or self._nameless is not None:
+            raise ValueError("objects: expected to come before any other object, got it after some")
+        if isinstance(names, int):
+            self._nameless = names
+            return
+        self._names = {name: number for number, name in enumerate(names)}
+        if len(self._names) != len(names):
+            raise ValueError(f"objects: expected distinct names, got {len(names) - len(self._names)} repetitions")
+
+    def object(self, name: str) -> int:
+        """Return the number of the object of that name, a new one if it is the first of its name."""
+        if self._nameless is not None:
+            raise ValueError(f"name: expected none after nameless objects, got {name!r}")
+        return self._names.setdefault(name, len(self._names))
+
+    def instance(self, mesh: int, transform: ArrayLike | None = None, *, name: str | None = None) -> None:
+        """Place a mesh.
+
+        Parameters
+        ----------
+        mesh
+            Handle from `mesh`.
+        transform
+            (4, 4) object→world for column vectors; None stands for the identity.
+        name
+            Object that it belongs to: several meshes of one name are one object, and the transform of its first is
+            the object's load transform. None only for meshes with a `face_object`.
+        """
+        matrix = np.eye(4) if transform is None else transforms_of("transform", transform)
+        if matrix.ndim != 2:
+            raise ValueError(f"transform: expected one 4x4 matrix, got shape {matrix.shape}")
+        if self._checked(mesh).has_objects != (name is None):
+            raise ValueError("name: expected one exactly for meshes without face_object")
+        number = _OWN_OBJECTS if name is None else self.object(name)
+        self._placed.append((mesh, matrix[None], np.array([number], np.int32)))
+
+    def place_many(self, mesh: int, transforms: ArrayLike, names: Sequence[str] | str) -> None:
+        """Place a mesh many times.
+
+        Parameters
+        ----------
+        mesh
+            Handle from `mesh`.
+        transforms
+            (K, 4, 4) object→world for column vectors.
+        names
+            Object of each instance, or a prefix: the objects are then called ``prefix_0``, ``prefix_1``, …
+        """
+        matrices = transforms_of("transforms", transforms)
+        if matrices.ndim != 3:
+            raise ValueError(f"transforms: expected shape (K, 4, 4), got {matrices.shape}")
+        if self._checked(mesh).has_objects:
+            raise ValueError("mesh: expected one without face_object")
+        if isinstance(names, str):
+            names = [f"{names}_{index}" for index in range(len(matrices))]
+        if len(names) != len(matrices):
+            raise ValueError(f"names: expected {len(matrices)}, one for each transform, got {len(names)}")
+        numbers = np.fromiter((self.object(name) for name in names), np.int32, len(names))
+        self._placed.append((mesh, matrices, numbers))
+
+    def _checked(self, mesh: int) -> _Mesh:
+        if not 0 <= mesh < len(self._meshes):
+            raise ValueError(f"mesh: expected a handle of this builder, got {mesh}")
+        return self._meshes[mesh]
+
+    def assemble(self, dynamic: Iterable[str] = ()) -> Assembled:
+        """Merge what is used once, keep the rest as instances, and choose the origin."""
+        placed = self._placements()
+        movers = np.zeros(self.object_count + 1, bool)  # the last stands for meshes with objects of their own
+        movers[[self._known(name) for name in ((dynamic,) if isinstance(dynamic, str) else dynamic)]] = True
+        merges = self._is_merged(placed, movers[placed.object])
+        core = self._scene_at(placed, merges, np.zeros(3))
+        bounds = core.bounds()
+        if core.triangle_count and np.abs(bounds).max() >= ORIGIN_LIMIT:
+            core = self._scene_at(placed, merges, np.rint(bounds.mean(axis=0)))
+        names = tuple(self._names) if self._nameless is None else self._nameless
+        return Assembled(core.with_moving(movers[:-1]), names, self._frames())
+
+    def _known(self, name: str) -> int:
+        if name not in self._names:
+            raise ValueError(f"dynamic: expected names of objects, got {name!r}")
+        return self._names[name]
+
+    def _placements(self) -> _Placements:
+        if not self._placed:
+            return _Placements(np.zeros(0, np.int64), np.zeros((0, 4, 4)), np.zeros(0, np.int32))
+        counts = [len(objects) for _, _, objects in self._placed]
+        mesh = np.repeat([handle for handle, _, _ in self._placed], counts)
+        transform = np.concatenate([matrices for _, matrices, _ in self._placed])
+        bases = np.array([mesh.base for mesh in self._meshes])
+        if bases.any():
+            transform[:, :3, 3] += np.einsum("kij,kj->ki", transform[:, :3, :3], bases[mesh])
+        return _Placements(mesh, transform, np.concatenate([objects for _, _, objects in self._placed]))
+
+    def _is_merged(self, placed: _Placements, moves: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Standing meshes used once; and flat ones, which rays could not be taken into the frame of."""
+        once = np.bincount(placed.mesh, minlength=len(self._meshes))[placed.mesh] == 1
+        scale = np.abs(placed.transform[:, :3, :3]).sum(axis=(1, 2)) ** 3
+        # Below 1e-30 of its size cubed a volume is rounding: float64 keeps 16 digits of each of three axes.
+        flat = np.abs(np.linalg.det(placed.transform[:, :3, :3])) <= 1e-30 * scale
+        if (flat & moves).any():
+            name = tuple(self._names)[placed.object[np.argmax(flat & moves)]]
+            raise ValueError(f"dynamic: expected objects with invertible transforms, got a flat one for {name!r}")
+        merged: NDArray[np.bool_] = (once & ~moves) | flat
+        return merged
+
+    def _scene_at(self, placed: _Placements, merges: NDArray[np.bool_], origin: NDArray[np.float64]) -> _core.Scene:
+        placements = placed.transform[:, :3].copy()
+        placements[:, :, 3] -= origin
+        merged = [self._merged(rows, placed, placements) for rows in self._merge_groups(np.flatnonzero(merges), placed)]
+        rest = np.flatnonzero(~merges)
+        identities = np.broadcast_to(np.eye(4)[:3], (len(merged), 3, 4))
+        own = np.full(len(merged), _OWN_OBJECTS, np.int32)
+        colors = [color for color, _, _ in self._materials]
+        return _core.Scene(
+            origin=(float(origin[0]), float(origin[1]), float(origin[2])),
+            meshes=merged + [self._meshes[handle].core for handle in placed.mesh[rest]],
+            placements=np.concatenate([identities, placements[rest]]),
+            objects=np.concatenate([own, placed.object[rest]]),
+            standing_count=len(merged) + len(rest),
+            material_colors=np.array(colors, np.float32).reshape(-1, 4),
+            material_textures=np.array([link for _, link, _ in self._materials], np.int32),
+            material_cutoffs=np.array([np.nan if c is None else c for _, _, c in self._materials], np.float32),
+            textures=[texture_of("texture", texture) for texture, _ in self._textures.values()],
+        )
+
+    def _merge_groups(self, rows: NDArray[np.int64], placed: _Placements) -> list[NDArray[np.int64]]:
+        if not len(rows):
+            return []
+        vertices = np.cumsum([self._meshes[handle].core.vertex_count for handle in placed.mesh[rows]])
+        group = vertices // _MOST_VERTICES
+        return np.split(rows, np.flatnonzero(np.diff(group)) + 1)
+
+    def _merged(self, rows: NDArray[np.int64], placed: _Placements, placements: NDArray[np.float64]) -> _core.Mesh:
+        meshes = [self._meshes[handle].core for handle in placed.mesh[rows]]
+        return _core.Mesh.merged(meshes, placements[rows], placed.object[rows])
+
+    def _frames(self) -> NDArray[np.float64] | None:
+        """Take the transform of each object's first instance."""
+        frames = np.tile(np.eye(4), (len(self._names), 1, 1))
+        for _, matrices, objects in reversed(self._placed):
+            if objects[0:1] != _OWN_OBJECTS:
+                frames[objects[::-1]] = matrices[::-1]
+        return frames if len(frames) and (frames != np.eye(4)).any() else None

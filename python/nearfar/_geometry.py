@@ -1,0 +1,98 @@
+"""Arrays as meshes want them: borrowed where they already are, converted and checked where not."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _check
+
+ORIGIN_LIMIT = 32_768.0
+"""Metres from which on float32 steps exceed 2 mm, so that coordinates are stored relative to an origin."""
+
+
+def positions_of(name: str, value: ArrayLike, *, copy: bool = False) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
+    """Vertices as C-contiguous float32 relative to a base in whole metres, and that base.
+
+    Float32 keeps its bits and has base 0; a C-contiguous array of it is borrowed unless `copy`. Float64 beyond
+    32,768 m is stored relative to the centre of its box, so that no digits are lost.
+    """
+    array = _check.array(name, value)
+    base = np.zeros(3)
+    if array.dtype == np.float32:
+        return _own(array, value, copy), base
+    if len(array):
+        low, high = array.min(axis=0), array.max(axis=0)
+        if np.isfinite(low).all() and np.isfinite(high).all() and max(-low.min(), high.max()) >= ORIGIN_LIMIT:
+            base = np.rint(low / 2 + high / 2)
+    local = np.empty(array.shape, np.float32)
+    # What float32 cannot hold becomes infinite and is counted with the other unusable vertices.
+    with np.errstate(over="ignore", invalid="ignore"):
+        np.subtract(array, base, out=local, casting="same_kind", dtype=np.float64)
+    return local, base
+
+
+def faces_of(name: str, value: ArrayLike, *, copy: bool = False) -> NDArray[np.uint32]:
+    """Triangles as C-contiguous uint32, borrowed where they are that already and not `copy`."""
+    return _own(_check.array(name, value, dtype=np.uint32), value, copy)
+
+
+def numbers_of(name: str, value: ArrayLike, count: int, limit: int, *, copy: bool = False) -> NDArray[np.int32]:
+    """One number below `limit` for each of `count` faces, or -1 for none, as C-contiguous int32."""
+    array = _check.array(name, value, columns=None, dtype=np.int32)
+    if array.shape != (count,):
+        raise ValueError(f"{name}: expected one number for each of {count} faces, got shape {array.shape}")
+    if array.size:
+        low, high = int(array.min()), int(array.max())
+        if low < -1 or high >= limit:
+            raise ValueError(f"{name}: expected numbers from -1 to {limit - 1}, got {low} to {high}")
+    return _own(array, value, copy)
+
+
+def object_count_of(name: str, value: ArrayLike) -> int:
+    """Objects that the numbers of faces speak of: the greatest number and one."""
+    array = _check.array(name, value, columns=None, dtype=np.int32)
+    return int(array.max()) + 1 if array.size else 0
+
+
+def uvs_of(name: str, value: ArrayLike) -> NDArray[np.float32]:
+    """Texture coordinates as C-contiguous float32."""
+    array: NDArray[np.float32] = _check.array(name, value, columns=2, dtype=np.float32)
+    return array
+
+
+def colors_of(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.uint8]:
+    """Take sRGB colours with linear alpha as C-contiguous uint8; three channels become opaque."""
+    array = np.asarray(value)
+    if array.dtype != np.uint8:
+        raise TypeError(f"{name}: expected uint8 sRGB colours, got {array.dtype}")
+    if array.shape not in {(vertex_count, 3), (vertex_count, 4)}:
+        raise ValueError(f"{name}: expected shape ({vertex_count}, 3) or ({vertex_count}, 4), got {array.shape}")
+    if array.shape[1] == 3:
+        array = np.concatenate([array, np.full((vertex_count, 1), 255, np.uint8)], axis=1)
+    return np.require(array, np.uint8, ["C_CONTIGUOUS", "ALIGNED"])
+
+
+def texture_of(name: str, value: ArrayLike) -> NDArray[np.uint8]:
+    """Take an sRGB image with linear alpha (H, W, 4), rows from the top, as C-contiguous uint8."""
+    array = np.asarray(value)
+    if array.dtype != np.uint8 or array.ndim != 3 or array.shape[2] != 4 or 0 in array.shape:
+        raise ValueError(f"{name}: expected a uint8 image (H, W, 4), got {array.dtype} {array.shape}")
+    return np.require(array, np.uint8, ["C_CONTIGUOUS", "ALIGNED"])
+
+
+def transforms_of(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """Matrices object→world (K, 4, 4) or one (4, 4) as float64; finite, the last row 0 0 0 1."""
+    array: NDArray[np.float64] = _check.array(name, value, columns=None, dtype=np.float64, finite=True)
+    if array.ndim not in (2, 3) or array.shape[-2:] != (4, 4):
+        raise ValueError(f"{name}: expected a 4x4 matrix object→world, got shape {array.shape}")
+    if not (array[..., 3, :] == (0, 0, 0, 1)).all():
+        raise ValueError(f"{name}: expected an affine matrix with last row 0 0 0 1 (column vectors), got another row")
+    return array
+
+
+def _own(array: NDArray[Any], given: ArrayLike, copy: bool) -> NDArray[Any]:
+    """Copy what is still the caller's memory, if wanted."""
+    return array.copy() if copy and isinstance(given, np.ndarray) and np.may_share_memory(array, given) else array

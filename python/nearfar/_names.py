@@ -1,0 +1,63 @@
+"""Names of a scene's objects, and the numbers behind them."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Sequence
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+_MOST_COMPARED = 20_000
+"""Names that a misspelt one is compared with: more would take seconds."""
+
+
+class Names:
+    """Object names in the order of their numbers.
+
+    A city of 1.8 million nameless buildings needs names only when somebody asks, so they are made on first use.
+    """
+
+    def __init__(self, names: Sequence[str] | int) -> None:
+        self._given = names
+
+    def __len__(self) -> int:
+        return self._given if isinstance(self._given, int) else len(self._given)
+
+    @cached_property
+    def all(self) -> tuple[str, ...]:
+        """Every name; nameless objects are called ``object_0``, ``object_1`` and so on."""
+        if isinstance(self._given, int):
+            return tuple(f"object_{number}" for number in range(self._given))
+        return tuple(self._given)
+
+    @cached_property
+    def _numbers(self) -> dict[str, int]:
+        return {name: number for number, name in enumerate(self.all)}
+
+    def number(self, argument: str, name: str) -> int:
+        """Return the number of an object; ValueError with similar names if there is none."""
+        if not isinstance(name, str):
+            raise TypeError(f"{argument}: expected names of objects, got {name!r}")
+        number = self._numbers.get(name)
+        if number is None:
+            raise ValueError(f"{argument}: the scene has no object '{name}'{self._similar(name)}")
+        return number
+
+    def flags(self, argument: str, names: Iterable[str]) -> NDArray[np.bool_]:
+        """Flag each object that is named."""
+        if isinstance(names, str):
+            names = (names,)
+        flags = np.zeros(len(self), bool)
+        flags[[self.number(argument, name) for name in names]] = True
+        return flags
+
+    def _similar(self, name: str) -> str:
+        candidates = self.all
+        if len(candidates) > _MOST_COMPARED:
+            candidates = tuple(other for other in candidates if other[:2] == name[:2])[:_MOST_COMPARED]
+        close = difflib.get_close_matches(name, candidates)
+        if close:
+            return f"; did you mean {' or '.join(repr(other) for other in close)}?"
+        return f"; it has {len(self)} objects" + (f", such as {candidates[0]!r}" if candidates else "")

@@ -1,0 +1,48 @@
+"""What a scene holds, and what of its source was dropped or is not drawn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Report:
+    """Contents of a scene; `str` makes it readable."""
+
+    triangles: int
+    """Triangles of all instances."""
+    meshes: int
+    """Distinct meshes; everything that is used once counts as one merged mesh."""
+    instances: int
+    """Placed meshes, standing and dynamic."""
+    objects: int
+    """Names that faces or instances can belong to."""
+    dynamic: int
+    """Instances that `Scene.at` can pose."""
+    materials: int
+    """Distinct base colours."""
+    textures: int
+    """Distinct images."""
+    degenerate_faces: int
+    """Faces of the meshes without an area: kept, never seen."""
+    dropped_faces: int
+    """Faces left out because of non-finite or missing vertices (``on_invalid="drop"``)."""
+    notes: tuple[str, ...] = ()
+    """What of the source is ignored or drawn otherwise, a sentence each."""
+
+    def __str__(self) -> str:
+        counts = [
+            f"{self.triangles:,} triangles in {_count(self.instances, 'instance')} of {_count(self.meshes, 'mesh')}",
+            f"{_count(self.objects, 'object')}, {_count(self.dynamic, 'dynamic instance')}",
+            f"{_count(self.materials, 'material')}, {_count(self.textures, 'texture')}",
+        ]
+        if self.degenerate_faces:
+            counts.append(f"{_count(self.degenerate_faces, 'face')} without an area")
+        if self.dropped_faces:
+            counts.append(f"{_count(self.dropped_faces, 'unusable face')} dropped")
+        return "\n".join([*counts, *self.notes])
+
+
+def _count(number: int, noun: str) -> str:
+    plural = noun if number == 1 else noun + ("es" if noun.endswith("sh") else "s")
+    return f"{number:,} {plural}"

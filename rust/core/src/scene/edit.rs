@@ -1,0 +1,223 @@
+//! Scenes made from scenes: other objects move, or only some triangles remain. Untouched meshes, their trees and the
+//! textures are shared.
+
+use std::sync::Arc;
+
+use glam::DAffine3;
+use rayon::prelude::*;
+
+use super::{Instance, InstanceSet, Mesh, Scene};
+use crate::base::{Error, Result};
+
+impl Scene {
+    /// The same scene in which also the objects of `chosen` (a flag for each object) move. Faces of merged meshes become
+    /// meshes of their own, one for each object, appended to the moving instances in the order of instances and objects.
+    pub fn with_moving(&self, chosen: &[bool]) -> Result<Self> {
+        let is_chosen = |object: i32| usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true));
+        let (mut standing, mut moving) = (Vec::new(), self.moving.instances().to_vec());
+        for instance in self.standing.instances() {
+            match instance.object {
+                Some(object) if is_chosen(object) => moving.push(instance.clone()),
+                Some(_) => standing.push(instance.clone()),
+                None => {
+                    let (rest, own) = split(&instance.mesh, is_chosen);
+                    let Some(rest) = rest else {
+                        standing.push(instance.clone());
+                        continue;
+                    };
+                    if !rest.faces.is_empty() {
+                        standing.push(instance.with_mesh(Arc::new(rest), None));
+                    }
+                    moving
+                        .extend(own.into_iter().map(|(object, mesh)| instance.with_mesh(Arc::new(mesh), Some(object))));
+                }
+            }
+        }
+        if moving.len() == self.moving.instances().len() {
+            return Ok(self.clone());
+        }
+        Ok(Self {
+            standing: Arc::new(InstanceSet::new(standing)),
+            moving: Arc::new(InstanceSet::new(moving)),
+            ..self.clone()
+        })
+    }
+
+    /// Only the objects of `chosen`, a flag for each object.
+    pub fn subset_of_objects(&self, chosen: &[bool]) -> Self {
+        let is_chosen = |object: i32| usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true));
+        self.subset(|_, instance| match instance.object {
+            Some(object) if is_chosen(object) => Kept::All,
+            Some(_) => Kept::Faces(Vec::new()),
+            None => Kept::of(&instance.mesh, |face| is_chosen(instance.mesh.objects.get(face))),
+        })
+    }
+
+    /// Only the triangles of `chosen`, a flag for each triangle number.
+    pub fn subset_of_triangles(&self, chosen: &[bool]) -> Result<Self> {
+        if chosen.len() as i64 != self.triangle_count() {
+            let expected = format!("a flag for each of {} triangles", self.triangle_count());
+            return Err(Error::value("triangles", expected, chosen.len()));
+        }
+        Ok(self.subset(|first, instance| {
+            let mine = &chosen[first as usize..][..instance.mesh.faces.len()];
+            Kept::of(&instance.mesh, |face| mine[face as usize])
+        }))
+    }
+
+    fn subset(&self, keep: impl Fn(i64, &Instance) -> Kept) -> Self {
+        let mut first = 0;
+        let [standing, moving] = self.sets().map(|set| {
+            let mut untouched = true;
+            let mut instances = Vec::new();
+            for instance in set.instances() {
+                let kept = keep(first, instance);
+                first += instance.mesh.faces.len() as i64;
+                match kept {
+                    Kept::All => instances.push(instance.clone()),
+                    Kept::Faces(faces) => {
+                        untouched = false;
+                        if !faces.is_empty() {
+                            let mesh = Arc::new(instance.mesh.selected(&faces));
+                            instances.push(instance.with_mesh(mesh, instance.object));
+                        }
+                    }
+                }
+            }
+            (!untouched).then(|| Arc::new(InstanceSet::new(instances)))
+        });
+        Self {
+            standing: standing.unwrap_or_else(|| Arc::clone(&self.standing)),
+            moving: moving.unwrap_or_else(|| Arc::clone(&self.moving)),
+            ..self.clone()
+        }
+    }
+}
+
+impl Instance {
+    /// Another mesh in the same place.
+    fn with_mesh(&self, mesh: Arc<Mesh>, object: Option<i32>) -> Self {
+        let bounds = mesh.bounds().transformed(&self.to_scene);
+        Self { mesh, object, bounds, ..self.clone() }
+    }
+
+    /// The same mesh somewhere else.
+    pub fn placed(&self, to_scene: DAffine3) -> Result<Self> {
+        Self::new(Arc::clone(&self.mesh), to_scene, self.object)
+    }
+}
+
+/// What remains of an instance.
+enum Kept {
+    All,
+    Faces(Vec<u32>),
+}
+
+impl Kept {
+    fn of(mesh: &Mesh, keeps: impl Fn(u32) -> bool + Sync) -> Self {
+        let count = mesh.faces.len() as u32;
+        let faces: Vec<u32> = (0..count).into_par_iter().filter(|&face| keeps(face)).collect();
+        if faces.len() == count as usize && count > 0 { Self::All } else { Self::Faces(faces) }
+    }
+}
+
+/// The faces that belong to no chosen object, and each chosen object's own; the first is none where no face is chosen.
+fn split(mesh: &Mesh, is_chosen: impl Fn(i32) -> bool + Sync) -> (Option<Mesh>, Vec<(i32, Mesh)>) {
+    let object = |face: &u32| mesh.objects.get(*face);
+    let all = 0..mesh.faces.len() as u32;
+    let (mut chosen, rest): (Vec<u32>, Vec<u32>) = all.into_par_iter().partition(|face| is_chosen(object(face)));
+    if chosen.is_empty() {
+        return (None, Vec::new());
+    }
+    // Stable, so that each object keeps the order of its faces.
+    chosen.par_sort_by_key(object);
+    let own = chosen.chunk_by(|a, b| object(a) == object(b));
+    let own = own.map(|faces| (object(&faces[0]), mesh.selected(faces))).collect();
+    (Some(mesh.selected(&rest)), own)
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{DVec3, Vec3};
+    use proptest::collection::vec;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::scene::{FaceMap, Material};
+
+    /// A row of triangles along x, one for each entry of `objects`, and an instance of the first further up.
+    fn row(objects: &[i32]) -> Scene {
+        let corners = |i: usize| [[i as f32, 0.0, 0.0], [i as f32 + 0.5, 0.0, 0.0], [i as f32, 0.5, 0.0]];
+        let positions: Vec<[f32; 3]> = (0..objects.len()).flat_map(corners).collect();
+        let faces: Vec<[u32; 3]> = (0..objects.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let objects = FaceMap::PerFace(objects.to_vec().into());
+        let mesh = |positions, faces, objects| {
+            Arc::new(Mesh::new(positions, faces, None, None, objects, FaceMap::Uniform(0)).unwrap())
+        };
+        let lone = mesh(corners(0).to_vec().into(), vec![[0, 1, 2]].into(), FaceMap::Uniform(-1));
+        let standing = vec![
+            Instance::new(mesh(positions.into(), faces.into(), objects), DAffine3::IDENTITY, None).unwrap(),
+            Instance::new(lone, DAffine3::from_translation(DVec3::Y * 9.0), Some(3)).unwrap(),
+        ];
+        let materials = Arc::new(vec![Material::default()]);
+        Scene::new(DVec3::ZERO, standing, Vec::new(), materials, Arc::default()).unwrap()
+    }
+
+    /// Object and corners of every triangle, sorted: what a scene shows, in whatever order.
+    fn contents(scene: &Scene) -> Vec<(i32, [Vec3; 3])> {
+        let of = |instance: &Instance| {
+            (0..instance.mesh.faces.len() as u32)
+                .map(|face| (instance.object_of(face), instance.corners(face)))
+                .collect::<Vec<_>>()
+        };
+        let mut all: Vec<_> = scene.instances().flat_map(of).collect();
+        all.sort_by_key(|(object, corners)| (*object, corners.map(|p| p.to_array().map(f32::to_bits))));
+        all
+    }
+
+    proptest! {
+        #[test]
+        fn moving_objects_changes_nothing_that_is_seen(objects in vec(0i32..4, 1..30), chosen in vec(any::<bool>(), 4)) {
+            let scene = row(&objects);
+            let moved = scene.with_moving(&chosen).unwrap();
+            prop_assert_eq!(contents(&moved), contents(&scene));
+            for instance in moved.moving.instances() {
+                prop_assert!(chosen[instance.object.unwrap() as usize]);
+            }
+            for instance in moved.standing.instances() {
+                prop_assert!((0..instance.mesh.faces.len() as u32).all(|face| !chosen[instance.object_of(face) as usize]));
+            }
+        }
+
+        #[test]
+        fn subsets_hold_what_was_chosen(objects in vec(0i32..4, 1..30), chosen in vec(any::<bool>(), 4)) {
+            let scene = row(&objects);
+            let expected: Vec<_> =
+                contents(&scene).into_iter().filter(|(object, _)| chosen[*object as usize]).collect();
+            prop_assert_eq!(contents(&scene.subset_of_objects(&chosen)), expected.clone());
+            let flags: Vec<bool> = (0..scene.triangle_count())
+                .map(|triangle| {
+                    let (instance, face) = scene.locate(triangle).unwrap();
+                    chosen[scene.instance(instance).object_of(face) as usize]
+                })
+                .collect();
+            prop_assert_eq!(contents(&scene.subset_of_triangles(&flags).unwrap()), expected);
+        }
+    }
+
+    #[test]
+    fn untouched_parts_are_shared() {
+        let scene = row(&[0, 1, 1]);
+        let upper = |scene: &Scene| Arc::as_ptr(&scene.standing.instances().last().unwrap().mesh);
+        assert_eq!(upper(&scene.with_moving(&[true]).unwrap()), upper(&scene));
+        assert_eq!(upper(&scene.subset_of_objects(&[false, true, false, true])), upper(&scene));
+        let whole = scene.subset_of_objects(&[true; 4]);
+        assert!(Arc::ptr_eq(&whole.standing, &scene.standing));
+        assert!(Arc::ptr_eq(&scene.with_moving(&[false; 4]).unwrap().standing, &scene.standing));
+    }
+
+    #[test]
+    fn another_number_of_flags_is_refused() {
+        assert!(row(&[0]).subset_of_triangles(&[true]).is_err());
+    }
+}

@@ -1,0 +1,200 @@
+//! One mesh from many that are used once: a single tree is faster than one for each of thousands of small meshes.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, Vec3};
+use rayon::prelude::*;
+
+use super::mesh::TILE;
+use super::{FaceMap, Mesh};
+use crate::base::{Error, Result};
+
+/// A mesh on its way into a merged one.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// What is merged.
+    pub mesh: Arc<Mesh>,
+    /// Object→scene; need not be invertible.
+    pub to_scene: DAffine3,
+    /// Object that all faces belong to; none leaves it to the mesh.
+    pub object: Option<i32>,
+}
+
+impl Part {
+    fn stands_in_place(&self) -> bool {
+        self.to_scene == DAffine3::IDENTITY
+    }
+
+    /// A mirror turns faces inside out, unless their corners are taken in the other order.
+    fn is_mirrored(&self) -> bool {
+        self.to_scene.matrix3.determinant() < 0.0
+    }
+}
+
+/// Merges meshes into one whose vertices stand where the parts are placed. A lone part keeps the arrays that its
+/// placement does not change.
+pub fn merge(parts: &[Part]) -> Result<Mesh> {
+    if parts.iter().any(|part| !part.to_scene.is_finite()) {
+        return Err(Error::value("transform", "finite numbers", "NaN or infinity"));
+    }
+    let face_counts: Vec<usize> = parts.iter().map(|part| part.mesh.faces.len()).collect();
+    let (uvs, colors, faces) = match parts {
+        [only] => (only.mesh.uvs.clone(), only.mesh.colors.clone(), lone_faces(only)),
+        _ => (
+            joined(parts, |mesh| mesh.uvs.as_deref(), [0.0; 2]).map(Into::into),
+            joined(parts, |mesh| mesh.colors.as_deref(), [255; 4]).map(Into::into),
+            joined_faces(parts, &face_counts)?.into(),
+        ),
+    };
+    let positions = match parts {
+        [only] if only.stands_in_place() => only.mesh.positions.clone(),
+        _ => placed_positions(parts).into(),
+    };
+    let uniform: Vec<_> = parts.iter().map(|part| part.object.map(FaceMap::Uniform)).collect();
+    let objects = parts.iter().zip(&uniform).map(|(part, one)| one.as_ref().unwrap_or(&part.mesh.objects));
+    let objects = FaceMap::joined(objects.zip(face_counts.iter().copied()));
+    let materials = FaceMap::joined(parts.iter().map(|part| &part.mesh.materials).zip(face_counts.iter().copied()));
+    Mesh::new(positions, faces, uvs, colors, objects, materials)
+}
+
+/// Cuts an array into consecutive pieces of the given lengths.
+fn pieces<T>(mut rest: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&mut [T]> {
+    lengths
+        .map(|length| {
+            let (piece, others) = std::mem::take(&mut rest).split_at_mut(length);
+            rest = others;
+            piece
+        })
+        .collect()
+}
+
+fn placed_positions(parts: &[Part]) -> Vec<[f32; 3]> {
+    let lengths = || parts.iter().map(|part| part.mesh.positions.len());
+    let mut positions = vec![[0.0; 3]; lengths().sum()];
+    parts.par_iter().zip(pieces(&mut positions, lengths())).for_each(|(part, slots)| {
+        if part.stands_in_place() {
+            slots.copy_from_slice(&part.mesh.positions);
+            return;
+        }
+        let place = |p: &[f32; 3]| part.to_scene.transform_point3(Vec3::from_array(*p).as_dvec3()).as_vec3().to_array();
+        slots.par_chunks_mut(TILE).zip(part.mesh.positions.par_chunks(TILE)).for_each(|(slots, positions)| {
+            slots.iter_mut().zip(positions).for_each(|(slot, position)| *slot = place(position));
+        });
+    });
+    positions
+}
+
+fn lone_faces(part: &Part) -> crate::base::Buffer<[u32; 3]> {
+    if part.is_mirrored() {
+        part.mesh.faces.par_iter().map(turned).collect::<Vec<_>>().into()
+    } else {
+        part.mesh.faces.clone()
+    }
+}
+
+fn turned(face: &[u32; 3]) -> [u32; 3] {
+    [face[0], face[2], face[1]]
+}
+
+fn joined_faces(parts: &[Part], counts: &[usize]) -> Result<Vec<[u32; 3]>> {
+    let vertex_count: usize = parts.iter().map(|part| part.mesh.positions.len()).sum();
+    if vertex_count > u32::MAX as usize {
+        return Err(Error::value("meshes", "fewer than 2^32 vertices in one merged mesh", vertex_count));
+    }
+    let mut faces = vec![[0; 3]; counts.iter().sum()];
+    let mut first = 0;
+    let firsts = parts.iter().map(|part| {
+        let mine = first;
+        first += part.mesh.positions.len() as u32;
+        mine
+    });
+    let firsts: Vec<u32> = firsts.collect();
+    let slots = pieces(&mut faces, counts.iter().copied());
+    parts.par_iter().zip(firsts).zip(slots).for_each(|((part, first), slots)| {
+        let mirrored = part.is_mirrored();
+        slots.par_chunks_mut(TILE).zip(part.mesh.faces.par_chunks(TILE)).for_each(|(slots, faces)| {
+            for (slot, face) in slots.iter_mut().zip(faces) {
+                *slot = if mirrored { turned(face) } else { *face }.map(|vertex| vertex + first);
+            }
+        });
+    });
+    Ok(faces)
+}
+
+/// An attribute of all parts, with a neutral value for those without; none where no part has it.
+fn joined<T: Copy + Send + Sync>(
+    parts: &[Part],
+    attribute: impl Fn(&Mesh) -> Option<&[T]>,
+    neutral: T,
+) -> Option<Vec<T>> {
+    if parts.iter().all(|part| attribute(&part.mesh).is_none()) {
+        return None;
+    }
+    let mut all = Vec::with_capacity(parts.iter().map(|part| part.mesh.positions.len()).sum());
+    for part in parts {
+        match attribute(&part.mesh) {
+            Some(values) => all.extend_from_slice(values),
+            None => all.resize(all.len() + part.mesh.positions.len(), neutral),
+        }
+    }
+    Some(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+
+    fn triangle(objects: FaceMap, colored: bool) -> Arc<Mesh> {
+        let positions = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let colors = colored.then(|| vec![[1, 2, 3, 4]; 3].into());
+        let materials = FaceMap::Uniform(0);
+        Arc::new(Mesh::new(positions.into(), vec![[0, 1, 2]].into(), None, colors, objects, materials).unwrap())
+    }
+
+    fn normal(mesh: &Mesh, face: u32) -> Vec3 {
+        let [a, b, c] = mesh.corners(face);
+        (b - a).cross(c - a).normalize()
+    }
+
+    #[test]
+    fn parts_stand_where_they_are_placed_and_keep_objects_and_colors() {
+        let part = |mesh, to_scene, object| Part { mesh, to_scene, object };
+        let merged = merge(&[
+            part(triangle(FaceMap::Uniform(5), false), DAffine3::IDENTITY, None),
+            part(triangle(FaceMap::Uniform(5), true), DAffine3::from_translation(DVec3::X), Some(7)),
+        ])
+        .unwrap();
+        assert_eq!(merged.corners(1), merged.corners(0).map(|p| p + Vec3::X));
+        assert_eq!((merged.objects.get(0), merged.objects.get(1)), (5, 7));
+        let colors = merged.colors.as_deref().unwrap();
+        assert_eq!((colors[0], colors[3]), ([255; 4], [1, 2, 3, 4]));
+        assert!(merged.uvs.is_none());
+    }
+
+    #[test]
+    fn mirrors_keep_the_outside_outside() {
+        let mirror = DAffine3::from_scale(DVec3::new(1.0, 1.0, -1.0));
+        for count in [1, 2] {
+            let part = Part { mesh: triangle(FaceMap::Uniform(0), false), to_scene: mirror, object: None };
+            let merged = merge(&vec![part; count]).unwrap();
+            // The front of the triangle looks along +z, that of its mirror image along −z.
+            assert_eq!(normal(&merged, 0), -Vec3::Z);
+        }
+    }
+
+    #[test]
+    fn a_lone_part_in_place_shares_its_arrays() {
+        let mesh = triangle(FaceMap::Uniform(3), true);
+        let part = Part { mesh: Arc::clone(&mesh), to_scene: DAffine3::IDENTITY, object: None };
+        let merged = merge(&[part]).unwrap();
+        assert_eq!(merged.positions.as_ptr(), mesh.positions.as_ptr());
+        assert_eq!(merged.faces.as_ptr(), mesh.faces.as_ptr());
+    }
+
+    #[test]
+    fn nothing_merges_to_nothing() {
+        assert_eq!(merge(&[]).unwrap().faces.len(), 0);
+    }
+}
