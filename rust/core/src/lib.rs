@@ -16,3 +16,4 @@ pub mod bvh;
 pub mod trace;
 pub mod cubemap;
 pub mod render;
+pub mod exr;

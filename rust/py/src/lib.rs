@@ -2,8 +2,11 @@
 
 mod arrays;
 mod base;
+mod camera;
 mod cubemap;
 mod errors;
+mod exr;
+mod render;
 mod run;
 mod scene;
 
@@ -14,5 +17,8 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     errors::register(module)?;
     base::register(module)?;
     scene::register(module)?;
-    cubemap::register(module)
+    camera::register(module)?;
+    cubemap::register(module)?;
+    render::register(module)?;
+    exr::register(module)
 }

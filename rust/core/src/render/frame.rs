@@ -24,6 +24,27 @@ impl Channels {
     }
 }
 
+/// What one ray through a pixel's centre tells; the default is a miss.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Metres.
+    pub range: f32,
+    /// Object number.
+    pub object_id: i32,
+    /// Triangle number.
+    pub face_id: i64,
+    /// Unmorphed point.
+    pub position: [f32; 3],
+    /// Unit normal.
+    pub normal: [f32; 3],
+}
+
+impl Default for Sample {
+    fn default() -> Self {
+        Self { range: f32::INFINITY, object_id: -1, face_id: -1, position: [f32::NAN; 3], normal: [f32::NAN; 3] }
+    }
+}
+
 /// Images in row-major order; those that were not asked for are empty.
 #[derive(Debug, Default)]
 pub struct Frame {
@@ -41,17 +62,80 @@ pub struct Frame {
     pub normal: Vec<[f32; 3]>,
 }
 
+/// Consecutive rows of a frame, written by one task.
+#[derive(Debug)]
+pub(super) struct Band<'a> {
+    color: &'a mut [[f32; 3]],
+    range: &'a mut [f32],
+    object_id: &'a mut [i32],
+    face_id: &'a mut [i64],
+    position: &'a mut [[f32; 3]],
+    normal: &'a mut [[f32; 3]],
+}
+
 impl Frame {
     /// Allocates the wanted images for a number of pixels, as if nothing was hit and all is black.
     pub fn new(channels: Channels, pixels: usize) -> Self {
         let size = |wanted: bool| if wanted { pixels } else { 0 };
+        let miss = Sample::default();
         Self {
             color: vec![[0.0; 3]; size(channels.color)],
-            range: vec![f32::INFINITY; size(channels.range)],
-            object_id: vec![-1; size(channels.object_id)],
-            face_id: vec![-1; size(channels.face_id)],
-            position: vec![[f32::NAN; 3]; size(channels.position)],
-            normal: vec![[f32::NAN; 3]; size(channels.normal)],
+            range: vec![miss.range; size(channels.range)],
+            object_id: vec![miss.object_id; size(channels.object_id)],
+            face_id: vec![miss.face_id; size(channels.face_id)],
+            position: vec![miss.position; size(channels.position)],
+            normal: vec![miss.normal; size(channels.normal)],
         }
+    }
+
+    /// The frame in bands of so many pixels; the last may be shorter.
+    pub(super) fn bands(&mut self, pixels: usize) -> Vec<Band<'_>> {
+        let lengths = [
+            self.color.len(),
+            self.range.len(),
+            self.object_id.len(),
+            self.face_id.len(),
+            self.position.len(),
+            self.normal.len(),
+        ];
+        let count = lengths.into_iter().max().unwrap_or(0).div_ceil(pixels);
+        let mut color = self.color.chunks_mut(pixels);
+        let mut range = self.range.chunks_mut(pixels);
+        let mut object_id = self.object_id.chunks_mut(pixels);
+        let mut face_id = self.face_id.chunks_mut(pixels);
+        let mut position = self.position.chunks_mut(pixels);
+        let mut normal = self.normal.chunks_mut(pixels);
+        let next = |_| Band {
+            color: color.next().unwrap_or_default(),
+            range: range.next().unwrap_or_default(),
+            object_id: object_id.next().unwrap_or_default(),
+            face_id: face_id.next().unwrap_or_default(),
+            position: position.next().unwrap_or_default(),
+            normal: normal.next().unwrap_or_default(),
+        };
+        (0..count).map(next).collect()
+    }
+}
+
+impl Band<'_> {
+    /// Stores a pixel's colour, where colour is wanted.
+    pub fn set_color(&mut self, pixel: usize, color: [f32; 3]) {
+        set(self.color, pixel, color);
+    }
+
+    /// Stores a pixel's other channels, those that are wanted.
+    pub fn set_sample(&mut self, pixel: usize, sample: &Sample) {
+        set(self.range, pixel, sample.range);
+        set(self.object_id, pixel, sample.object_id);
+        set(self.face_id, pixel, sample.face_id);
+        set(self.position, pixel, sample.position);
+        set(self.normal, pixel, sample.normal);
+    }
+}
+
+#[inline]
+fn set<T>(channel: &mut [T], pixel: usize, value: T) {
+    if let Some(slot) = channel.get_mut(pixel) {
+        *slot = value;
     }
 }

@@ -2,5 +2,10 @@
 
 pub mod frame;
 pub mod shade;
+pub mod surface;
+pub mod tiles;
+pub mod truth;
 
-pub use frame::{Channels, Frame};
+pub use frame::{Channels, Frame, Sample};
+pub use surface::Surface;
+pub use tiles::{Picture, View, draw};

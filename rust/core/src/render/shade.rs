@@ -1,42 +1,70 @@
 //! The one shading formula: linear albedo × (sky(n) + sun · max(0, n·l)), two-sided, at most 1 for white.
+//!
+//! Sky and sun are colours: a bluish sky that is brighter above than below and leans a little to one side, so that
+//! walls in the shade differ, and a warm sun that strikes all three axes at different angles, so that lit walls differ.
 
 use glam::Vec3;
 
-use crate::scene::Scene;
-
-/// Direction towards the sun.
-pub const SUN_DIRECTION: Vec3 = Vec3::new(0.408_248_3, 0.816_496_6, 0.408_248_3);
-/// Strength of the sun.
-pub const SUN: f32 = 0.6;
-/// Strength of the sky from straight below and from straight above.
-pub const SKY: [f32; 2] = [0.15, 0.4];
+/// Direction towards the sun (unit).
+pub const SUN_DIRECTION: Vec3 = Vec3::new(0.526_315_8, 0.789_473_7, 0.315_789_5);
+/// Linear RGB of the sun.
+pub const SUN: [f32; 3] = [0.60, 0.56, 0.50];
+/// Direction of the brightest sky (unit).
+pub const SKY_DIRECTION: Vec3 = Vec3::new(-0.206_284_3, 0.928_279_1, 0.309_426_4);
+/// Linear RGB of the sky for surfaces that face away from its brightest point, and towards it.
+pub const SKY: [[f32; 3]; 2] = [[0.130, 0.135, 0.150], [0.380, 0.420, 0.480]];
+/// Linear RGB of the background at the horizon and below, and straight above.
+pub const BACKGROUND: [[f32; 3]; 2] = [[0.62, 0.72, 0.82], [0.16, 0.34, 0.66]];
 
 /// What arrives from where nothing was hit, by direction (unit).
+#[inline]
 pub fn background(direction: Vec3) -> [f32; 3] {
     let up = direction.y.max(0.0).sqrt();
-    [0.72 - 0.42 * up, 0.80 - 0.32 * up, 0.88 - 0.16 * up]
+    let [horizon, zenith] = BACKGROUND;
+    std::array::from_fn(|i| horizon[i] + (zenith[i] - horizon[i]) * up)
 }
 
-/// Light that a surface with unit normal `n` (towards the viewer) reflects for albedo 1.
+/// Linear RGB that a white surface with unit normal `n` (towards the viewer) reflects.
 #[inline]
-pub fn irradiance(n: Vec3) -> f32 {
-    SKY[0] + (SKY[1] - SKY[0]) * (0.5 + 0.5 * n.y) + SUN * n.dot(SUN_DIRECTION).max(0.0)
+pub fn irradiance(n: Vec3) -> [f32; 3] {
+    let sky = 0.5 + 0.5 * n.dot(SKY_DIRECTION);
+    let sun = n.dot(SUN_DIRECTION).max(0.0);
+    std::array::from_fn(|i| SKY[0][i] + (SKY[1][i] - SKY[0][i]) * sky + SUN[i] * sun)
 }
 
-/// Linear RGB of a surface point: face of an instance, weights (u, v) of its second and third corner, unit normal
-/// towards the viewer, and the width in metres of the ray's footprint across the surface (texture level).
-pub fn surface_color(
-    scene: &Scene,
-    instance: u32,
-    face: u32,
-    (u, v): (f32, f32),
-    normal: Vec3,
-    footprint: f32,
-) -> [f32; 3] {
-    let _ = (u, v, footprint);
-    let placed = scene.instance(instance);
-    let material = usize::try_from(placed.mesh.materials.get(face)).ok().and_then(|m| scene.materials.get(m));
-    let albedo = material.copied().unwrap_or_default().base_color;
-    let light = irradiance(normal);
-    [albedo[0] * light, albedo[1] * light, albedo[2] * light]
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Directions spread evenly: a Fibonacci lattice.
+    fn sphere(count: u32) -> impl Iterator<Item = Vec3> {
+        (0..count).map(move |i| {
+            let (y, turn) = (1.0 - 2.0 * (i as f32 + 0.5) / count as f32, i as f32 * 2.399_963_2);
+            let radius = (1.0 - y * y).sqrt();
+            Vec3::new(radius * turn.cos(), y, radius * turn.sin())
+        })
+    }
+
+    #[test]
+    fn white_is_at_most_one_and_black_is_nowhere() {
+        for n in sphere(100_000).chain([SUN_DIRECTION, SKY_DIRECTION]) {
+            let light = irradiance(n);
+            assert!(light.iter().all(|&x| (0.1..=1.0).contains(&x)), "{n} {light:?}");
+            assert!(background(n).iter().all(|&x| (0.1..=1.0).contains(&x)));
+        }
+    }
+
+    #[test]
+    fn directions_are_unit() {
+        assert!(SUN_DIRECTION.is_normalized() && SKY_DIRECTION.is_normalized());
+    }
+
+    #[test]
+    fn the_six_sides_of_a_box_differ() {
+        let sides = [Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z].map(|n| irradiance(n)[1]);
+        for (i, a) in sides.iter().enumerate() {
+            // A twentieth in linear light is about 6 of sRGB's 255 steps at middle grey: an edge that is seen.
+            assert!(sides[..i].iter().all(|b| (a - b).abs() > 0.02), "{sides:?}");
+        }
+    }
 }

@@ -7,6 +7,7 @@ mod instance;
 mod material;
 mod merge;
 mod mesh;
+pub mod srgb;
 mod texture;
 
 use std::collections::HashSet;
@@ -18,7 +19,7 @@ use rayon::prelude::*;
 pub use bounds::Aabb;
 pub use face_map::FaceMap;
 pub use instance::{Instance, InstanceSet};
-pub use material::{Alpha, Material};
+pub use material::{Alpha, Material, texel_density, texture_level};
 pub use merge::{Part, merge};
 pub use mesh::Mesh;
 pub use texture::Texture;

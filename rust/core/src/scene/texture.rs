@@ -1,5 +1,11 @@
-//! Base colour images.
+//! Base colour images, filtered in linear light.
+//!
+//! Williams: Pyramidal parametrics, 1983 (trilinear filtering). Level 0 stays as it came, in sRGB; coarser levels are
+//! means of linear light and are made on first use.
 
+use std::sync::OnceLock;
+
+use super::srgb::linear_from_srgb;
 use crate::base::{Buffer, Error, Result};
 
 /// An sRGB image with linear alpha; row 0 on top, repeated in both directions.
@@ -11,6 +17,23 @@ pub struct Texture {
     pub height: u32,
     /// `width * height` texels, rows from the top.
     pub texels: Buffer<[u8; 4]>,
+    /// Level 1 and coarser.
+    mips: OnceLock<Vec<Level>>,
+}
+
+/// A coarser image: linear RGB in steps of 1/65535, a twentieth of sRGB's finest step.
+#[derive(Debug)]
+struct Level {
+    width: u32,
+    height: u32,
+    texels: Vec<[u16; 3]>,
+}
+
+/// Four texels around a point and the weights of the right and the lower ones.
+struct Taps {
+    columns: [u32; 2],
+    rows: [u32; 2],
+    weights: [f32; 2],
 }
 
 impl Texture {
@@ -19,6 +42,217 @@ impl Texture {
         if width == 0 || height == 0 || texels.len() as u64 != u64::from(width) * u64::from(height) {
             return Err(Error::value("texture", format!("{width} x {height} texels"), texels.len()));
         }
-        Ok(Self { width, height, texels })
+        Ok(Self { width, height, texels, mips: OnceLock::new() })
+    }
+
+    /// Linear RGB at (u, v), v upwards: bilinear within a level, linear between levels. Level 0 and below is the image
+    /// itself, each further level halves both sides, and beyond the last one everything is the image's mean.
+    pub fn color(&self, uv: [f32; 2], level: f32) -> [f32; 3] {
+        // NaN counts as level 0: `max` returns the other operand.
+        let level = level.max(0.0);
+        if level == 0.0 {
+            return self.finest(uv);
+        }
+        let mips = self.mips.get_or_init(|| self.build());
+        let level = level.min(mips.len() as f32);
+        let (below, between) = (level.floor() as usize, level.fract());
+        let fine = if below == 0 { self.finest(uv) } else { mips[below - 1].color(uv) };
+        if between == 0.0 {
+            return fine;
+        }
+        let coarse = mips[below].color(uv);
+        std::array::from_fn(|i| fine[i] + (coarse[i] - fine[i]) * between)
+    }
+
+    /// Alpha at (u, v) in 0..1, bilinear in the image itself: what cut-out materials compare with their cutoff.
+    pub fn alpha(&self, uv: [f32; 2]) -> f32 {
+        let taps = Taps::new(uv, self.width, self.height);
+        taps.blend(|column, row| [f32::from(self.texel(column, row)[3])])[0] / 255.0
+    }
+
+    fn finest(&self, uv: [f32; 2]) -> [f32; 3] {
+        let linear = linear_from_srgb();
+        let taps = Taps::new(uv, self.width, self.height);
+        taps.blend(|column, row| {
+            let [r, g, b, _] = self.texel(column, row);
+            [r, g, b].map(|code| linear[usize::from(code)])
+        })
+    }
+
+    #[inline]
+    fn texel(&self, column: u32, row: u32) -> [u8; 4] {
+        self.texels[row as usize * self.width as usize + column as usize]
+    }
+
+    /// All levels down to one texel. Runs on the calling thread: a pool's thread that waited for others in here could
+    /// be handed a task that waits for this very texture.
+    fn build(&self) -> Vec<Level> {
+        let linear = linear_from_srgb();
+        let mut image: Vec<[f32; 3]> =
+            self.texels.iter().map(|&[r, g, b, _]| [r, g, b].map(|code| linear[usize::from(code)])).collect();
+        let (mut width, mut height) = (self.width, self.height);
+        let mut levels = Vec::new();
+        while width > 1 || height > 1 {
+            let (half_width, half_height) = ((width / 2).max(1), (height / 2).max(1));
+            image = shrink(&image, width, half_width);
+            image = shrink(&transpose(&image, half_width), height, half_height);
+            image = transpose(&image, half_height);
+            (width, height) = (half_width, half_height);
+            let texels = image.iter().map(|texel| texel.map(|x| (x * 65535.0 + 0.5) as u16)).collect();
+            levels.push(Level { width, height, texels });
+        }
+        levels
+    }
+}
+
+impl Level {
+    fn color(&self, uv: [f32; 2]) -> [f32; 3] {
+        let taps = Taps::new(uv, self.width, self.height);
+        let sum =
+            taps.blend(|column, row| self.texels[row as usize * self.width as usize + column as usize].map(f32::from));
+        sum.map(|x| x * (1.0 / 65535.0))
+    }
+}
+
+impl Taps {
+    #[inline]
+    fn new([u, v]: [f32; 2], width: u32, height: u32) -> Self {
+        let (left, right, x) = neighbours(u, width);
+        let (upper, lower, y) = neighbours(1.0 - v, height);
+        Self { columns: [left, right], rows: [upper, lower], weights: [x, y] }
+    }
+
+    #[inline]
+    fn blend<const N: usize>(&self, texel: impl Fn(u32, u32) -> [f32; N]) -> [f32; N] {
+        let [x, y] = self.weights;
+        let row = |row: u32| {
+            let (left, right) = (texel(self.columns[0], row), texel(self.columns[1], row));
+            std::array::from_fn::<f32, N, _>(|i| left[i] + (right[i] - left[i]) * x)
+        };
+        let (upper, lower) = (row(self.rows[0]), row(self.rows[1]));
+        std::array::from_fn(|i| upper[i] + (lower[i] - upper[i]) * y)
+    }
+}
+
+/// The two texels whose centres enclose a coordinate, of `count` in a period of 1, and the second one's weight.
+#[inline]
+fn neighbours(coordinate: f32, count: u32) -> (u32, u32, f32) {
+    let within = if coordinate.is_finite() { coordinate - coordinate.floor() } else { 0.0 };
+    let x = within * count as f32 - 0.5;
+    let floor = x.floor();
+    // −1 at the seam's one side, where the left neighbour is the last texel; a period that rounded up to 1 ends there too.
+    let first = if floor < 0.0 { count - 1 } else { (floor as u32).min(count - 1) };
+    (first, if first + 1 == count { 0 } else { first + 1 }, x - floor)
+}
+
+/// Shrinks rows from `from` to `to` texels; each new texel is the mean over its share of the old ones, so that the
+/// mean of the image stays for any size.
+fn shrink(image: &[[f32; 3]], from: u32, to: u32) -> Vec<[f32; 3]> {
+    if from == to {
+        return image.to_vec();
+    }
+    let share = f64::from(from) / f64::from(to);
+    let shares: Vec<(usize, Vec<f32>)> = (0..to)
+        .map(|texel| {
+            let (start, end) = (f64::from(texel) * share, f64::from(texel + 1) * share);
+            let (first, last) = (start.floor() as u32, (end.ceil() as u32).min(from));
+            let part = |old: u32| (end.min(f64::from(old + 1)) - start.max(f64::from(old))).max(0.0) / share;
+            (first as usize, (first..last).map(|old| part(old) as f32).collect())
+        })
+        .collect();
+    let mut shrunk = Vec::with_capacity(image.len() / from as usize * to as usize);
+    for row in image.chunks_exact(from as usize) {
+        shrunk.extend(shares.iter().map(|(first, parts)| {
+            let mut sum = [0.0; 3];
+            for (texel, part) in row[*first..].iter().zip(parts) {
+                (0..3).for_each(|i| sum[i] += texel[i] * part);
+            }
+            sum
+        }));
+    }
+    shrunk
+}
+
+fn transpose(image: &[[f32; 3]], width: u32) -> Vec<[f32; 3]> {
+    let (width, height) = (width as usize, image.len() / width as usize);
+    let mut turned = Vec::with_capacity(image.len());
+    for column in 0..width {
+        turned.extend((0..height).map(|row| image[row * width + column]));
+    }
+    turned
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn noise(width: u32, height: u32) -> Texture {
+        let byte = |i: u32, channel: u64| crate::base::random::bits(1, u64::from(i), channel) as u8;
+        let texels: Vec<_> = (0..width * height).map(|i| std::array::from_fn(|c| byte(i, c as u64))).collect();
+        Texture::new(width, height, texels.into()).unwrap()
+    }
+
+    fn mean(texture: &Texture) -> [f64; 3] {
+        let linear = linear_from_srgb();
+        std::array::from_fn(|c| {
+            let sum: f64 = texture.texels.iter().map(|t| f64::from(linear[usize::from(t[c])])).sum();
+            sum / texture.texels.len() as f64
+        })
+    }
+
+    #[test]
+    fn every_level_keeps_the_mean() {
+        for (width, height) in [(8, 8), (7, 5), (1, 9), (13, 1), (1, 1), (64, 3)] {
+            let texture = noise(width, height);
+            let expected = mean(&texture);
+            for level in texture.build() {
+                for c in 0..3 {
+                    let sum: f64 = level.texels.iter().map(|t| f64::from(t[c]) / 65535.0).sum();
+                    // Half a step of 1/65535 for each texel at most, and float32 sums (2e-7 each) below it.
+                    assert!((sum / level.texels.len() as f64 - expected[c]).abs() < 0.6 / 65535.0);
+                }
+            }
+            let last = texture.color([0.3, 0.8], 99.0);
+            (0..3).for_each(|c| assert!((f64::from(last[c]) - expected[c]).abs() < 0.6 / 65535.0));
+        }
+    }
+
+    #[test]
+    fn texel_centres_are_exact_and_v_points_up() {
+        let texture = noise(3, 2);
+        let linear = linear_from_srgb();
+        for row in 0..2u32 {
+            for column in 0..3u32 {
+                let uv = [(column as f32 + 0.5) / 3.0 - 2.0, 1.0 - (row as f32 + 0.5) / 2.0 + 7.0];
+                let texel = texture.texel(column, row);
+                for c in 0..3 {
+                    // The weights of the neighbours are roundings of u at 7 periods: 7 · 2⁻²³ · 3 texels.
+                    assert!((texture.color(uv, -1.0)[c] - linear[usize::from(texel[c])]).abs() < 3e-6);
+                }
+                assert!((texture.alpha(uv) - f32::from(texel[3]) / 255.0).abs() < 3e-6);
+            }
+        }
+    }
+
+    #[test]
+    fn neighbours_repeat() {
+        assert_eq!(neighbours(0.0, 4), (3, 0, 0.5));
+        assert_eq!(neighbours(0.125, 4), (0, 1, 0.0));
+        assert_eq!(neighbours(-0.125, 4), (3, 0, 0.0));
+        assert_eq!(neighbours(1e9, 1), (0, 0, 0.5));
+        for wild in [f32::NAN, f32::INFINITY, -f32::MIN_POSITIVE, -1e-9, 1e30] {
+            let (first, second, weight) = neighbours(wild, 5);
+            assert!(first < 5 && second < 5 && (0.0..=1.0).contains(&weight), "{wild}");
+        }
+    }
+
+    #[test]
+    fn levels_blend() {
+        let texture = noise(16, 16);
+        let uv = [0.37, 0.61];
+        let (one, two, between) = (texture.color(uv, 1.0), texture.color(uv, 2.0), texture.color(uv, 1.25));
+        (0..3).for_each(|c| assert!((between[c] - (0.75 * one[c] + 0.25 * two[c])).abs() < 1e-6));
+        assert_eq!(texture.color(uv, f32::NAN), texture.color(uv, 0.0));
+        assert_eq!(texture.color(uv, f32::INFINITY), texture.color(uv, 4.0));
     }
 }

@@ -1,5 +1,6 @@
 //! Rays against a scene: nearest hits through both levels of trees.
 
+mod alpha;
 #[cfg(test)]
 mod tests;
 mod triangle;
@@ -9,6 +10,7 @@ use obvhs::bvh2::Bvh2;
 
 use crate::scene::{InstanceSet, Scene};
 
+pub use alpha::AlphaFilter;
 pub use triangle::Shear;
 
 /// A segment of a ray in scene space. The direction needs no particular length; `t` is in units of it.

@@ -1,0 +1,176 @@
+//! OpenEXR images with any number of parts and channels, to and from byte buffers.
+//!
+//! ZIP over 16 rows: half, float and unsigned channels come back bit for bit, infinities included.
+
+use std::io::Cursor;
+
+use ::exr::prelude::*;
+use half::f16;
+
+use crate::base;
+
+/// Values of one channel, row 0 on top.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// 16-bit floats.
+    Half(Vec<f16>),
+    /// 32-bit floats.
+    Float(Vec<f32>),
+    /// 32-bit unsigned numbers.
+    Unsigned(Vec<u32>),
+}
+
+/// One image of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// Unique in the file.
+    pub name: String,
+    /// Pixels across.
+    pub width: usize,
+    /// Pixels down.
+    pub height: usize,
+    /// Names and values; they come back sorted by name, as the format wants them.
+    pub channels: Vec<(String, Values)>,
+    /// Texts of the header by name; they come back sorted by name.
+    pub attributes: Vec<(String, String)>,
+}
+
+/// The bytes of a file with these parts, in this order.
+pub fn encode(parts: &[Part]) -> base::Result<Vec<u8>> {
+    let layers: SmallVec<[Layer<AnyChannels<FlatSamples>>; 2]> =
+        parts.iter().map(layer).collect::<base::Result<_>>()?;
+    let (width, height) = parts.iter().fold((1, 1), |(w, h), part| (part.width.max(w), part.height.max(h)));
+    let image = Image::from_layers(ImageAttributes::new(IntegerBounds::from_dimensions((width, height))), layers);
+    let mut bytes = Vec::new();
+    image
+        .write()
+        .non_parallel()
+        .to_buffered(Cursor::new(&mut bytes))
+        .map_err(|error| base::Error::value("parts", "images that OpenEXR can hold", error))?;
+    Ok(bytes)
+}
+
+/// The parts of a file. Attributes that are not texts are left out.
+pub fn decode(bytes: &[u8]) -> base::Result<Vec<Part>> {
+    let image = read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .all_channels()
+        .all_layers()
+        .all_attributes()
+        .non_parallel()
+        .from_buffered(Cursor::new(bytes))
+        .map_err(|error| base::Error::Format(format!("no readable OpenEXR image: {error}")))?;
+    Ok(image.layer_data.into_iter().map(part).collect())
+}
+
+fn layer(part: &Part) -> base::Result<Layer<AnyChannels<FlatSamples>>> {
+    let pixels = part.width * part.height;
+    let channels = part.channels.iter().map(|(name, values)| {
+        if values.len() != pixels {
+            return Err(base::Error::value(
+                "channels",
+                format!("{} x {} values for '{name}'", part.width, part.height),
+                values.len(),
+            ));
+        }
+        Ok(AnyChannel::new(text("channels", name)?, values.to_samples()))
+    });
+    let channels = AnyChannels::sort(channels.collect::<base::Result<_>>()?);
+    let mut attributes = LayerAttributes::named(text("name", &part.name)?);
+    for (name, value) in &part.attributes {
+        attributes.other.insert(text("attributes", name)?, AttributeValue::Text(text("attributes", value)?));
+    }
+    let encoding = Encoding { compression: Compression::ZIP16, ..Encoding::SMALL_LOSSLESS };
+    Ok(Layer::new((part.width, part.height), attributes, encoding, channels))
+}
+
+fn part(layer: Layer<AnyChannels<FlatSamples>>) -> Part {
+    let texts = layer.attributes.other.iter().filter_map(|(name, value)| match value {
+        AttributeValue::Text(value) => Some((name.to_string(), value.to_string())),
+        _ => None,
+    });
+    let mut attributes: Vec<_> = texts.collect();
+    attributes.sort();
+    let channels = layer.channel_data.list.into_iter();
+    Part {
+        name: layer.attributes.layer_name.map(|name| name.to_string()).unwrap_or_default(),
+        width: layer.size.width(),
+        height: layer.size.height(),
+        channels: channels.map(|channel| (channel.name.to_string(), Values::from(channel.sample_data))).collect(),
+        attributes,
+    }
+}
+
+fn text(argument: &'static str, value: &str) -> base::Result<Text> {
+    Text::new_or_none(value).ok_or_else(|| base::Error::value(argument, "ASCII text", format!("'{value}'")))
+}
+
+impl Values {
+    fn len(&self) -> usize {
+        match self {
+            Self::Half(values) => values.len(),
+            Self::Float(values) => values.len(),
+            Self::Unsigned(values) => values.len(),
+        }
+    }
+
+    fn to_samples(&self) -> FlatSamples {
+        match self {
+            Self::Half(values) => FlatSamples::F16(values.clone()),
+            Self::Float(values) => FlatSamples::F32(values.clone()),
+            Self::Unsigned(values) => FlatSamples::U32(values.clone()),
+        }
+    }
+}
+
+impl From<FlatSamples> for Values {
+    fn from(samples: FlatSamples) -> Self {
+        match samples {
+            FlatSamples::F16(values) => Self::Half(values),
+            FlatSamples::F32(values) => Self::Float(values),
+            FlatSamples::U32(values) => Self::Unsigned(values),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn example(name: &str, width: usize, height: usize) -> Part {
+        let wild = [f32::INFINITY, -0.0, f32::MIN_POSITIVE, 1e-45, f32::MAX, 1.0 / 3.0];
+        let pixels = width * height;
+        Part {
+            name: name.into(),
+            width,
+            height,
+            channels: vec![
+                ("B".into(), Values::Half((0..pixels).map(|i| f16::from_f32(i as f32 / 7.0)).collect())),
+                ("object_id".into(), Values::Unsigned((0..pixels).map(|i| (i as u32).wrapping_sub(1)).collect())),
+                ("range".into(), Values::Float((0..pixels).map(|i| wild[i % 6]).collect())),
+            ],
+            attributes: vec![("center".into(), "1 2 3".into()), ("format".into(), "a test".into())],
+        }
+    }
+
+    #[test]
+    fn parts_come_back_bit_for_bit() {
+        let parts = [example("px", 5, 3), example("nx", 33, 40), example("one", 1, 1)];
+        assert_eq!(decode(&encode(&parts).unwrap()).unwrap(), parts);
+        let single = [example("frame", 17, 9)];
+        assert_eq!(decode(&encode(&single).unwrap()).unwrap(), single);
+    }
+
+    #[test]
+    fn what_is_no_image_is_refused() {
+        let good = encode(&[example("a", 8, 8)]).unwrap();
+        for cut in [0, 3, 40, good.len() / 2, good.len() - 1] {
+            assert!(matches!(decode(&good[..cut]), Err(base::Error::Format(_))), "{cut}");
+        }
+        let mut short = example("a", 8, 8);
+        short.height = 9;
+        assert!(encode(&[short]).is_err());
+        assert!(encode(&[example("twice", 2, 2), example("twice", 2, 2)]).is_err());
+    }
+}

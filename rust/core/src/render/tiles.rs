@@ -1,0 +1,204 @@
+//! The loop over a view's pixels, the same for ground truth, environment maps and the thin client's pictures.
+//!
+//! Bands of eight rows go to threads, tiles of 8×8 pixels within them to the tracer. Every pixel is computed alone and
+//! in a fixed order, so that the bytes do not depend on the number of threads.
+
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+
+use super::frame::{Band, Channels, Frame, Sample};
+use crate::base::{Error, Progress, Result};
+use crate::camera::{Camera, Footprint, Rays};
+use crate::trace::{Hit, Ray};
+
+/// Pixels on a tile's side: 64 neighbouring rays.
+const TILE: usize = 8;
+const PIXELS: usize = TILE * TILE;
+
+/// Most colour samples of a pixel.
+pub const MAX_SAMPLES: u32 = 1024;
+
+/// What is seen along rays.
+pub trait Picture: Sync {
+    /// Traces coherent rays; it may shorten them first (`t_min`, `t_max`). Directions are unit.
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit]);
+
+    /// Linear RGB seen along a traced ray, hit or miss.
+    fn color(&self, ray: &Ray, hit: &Hit, footprint: Footprint) -> [f32; 3];
+
+    /// The other channels along a traced ray, hit or miss; those that are not wanted may be left at their defaults.
+    fn sample(&self, ray: &Ray, hit: &Hit, wanted: Channels) -> Sample;
+}
+
+/// A view to be drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct View<'a> {
+    /// Where from and which way.
+    pub camera: &'a Camera,
+    /// World position of the scene's origin.
+    pub origin: DVec3,
+    /// Which images.
+    pub channels: Channels,
+    /// Colour samples of each pixel, 1 to `MAX_SAMPLES`; the other channels always take the pixel's centre.
+    pub samples: u32,
+}
+
+/// Draws a picture pixel by pixel.
+pub fn draw(view: &View<'_>, picture: &impl Picture, progress: &Progress) -> Result<Frame> {
+    if !(1..=MAX_SAMPLES).contains(&view.samples) {
+        return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), view.samples));
+    }
+    let (width, height) = (view.camera.width as usize, view.camera.height as usize);
+    progress.expect((width * height) as u64);
+    let mut frame = Frame::new(view.channels, width * height);
+    let painter = Painter {
+        picture,
+        rays: view.camera.rays(),
+        eye: view.camera.position - view.origin,
+        channels: view.channels,
+        offsets: sample_offsets(view.samples),
+        scale: 1.0 / f64::from(view.samples).sqrt(),
+    };
+    frame.bands(width * TILE).into_par_iter().enumerate().try_for_each(|(index, mut band)| {
+        let first_row = index * TILE;
+        let rows = TILE.min(height - first_row);
+        for first_column in (0..width).step_by(TILE) {
+            let tile = Tile { first_row, first_column, rows, columns: TILE.min(width - first_column), width };
+            painter.paint(&tile, &mut band);
+            progress.check()?;
+        }
+        progress.report((rows * width) as u64)
+    })?;
+    Ok(frame)
+}
+
+/// Positions of colour samples within a pixel: a Hammersley set (Hammersley, Monte Carlo methods, 1960), its second
+/// coordinate replaced by its rank, so that any number of samples fills every row and column once and its mean is the
+/// pixel's centre. One sample is the centre itself.
+pub fn sample_offsets(samples: u32) -> Vec<[f64; 2]> {
+    let mut order: Vec<u32> = (0..samples).collect();
+    order.sort_by_key(|i| i.reverse_bits());
+    let center = |stratum: u32| (f64::from(stratum) + 0.5) / f64::from(samples);
+    let mut offsets = vec![[0.0; 2]; samples as usize];
+    for (rank, &i) in order.iter().enumerate() {
+        offsets[i as usize] = [center(i), center(rank as u32)];
+    }
+    offsets
+}
+
+struct Tile {
+    first_row: usize,
+    first_column: usize,
+    rows: usize,
+    columns: usize,
+    /// Of the image.
+    width: usize,
+}
+
+impl Tile {
+    fn len(&self) -> usize {
+        self.rows * self.columns
+    }
+
+    /// Column and row in the image of the tile's nth pixel.
+    #[inline]
+    fn pixel(&self, n: usize) -> (usize, usize) {
+        (self.first_column + n % self.columns, self.first_row + n / self.columns)
+    }
+
+    /// Index in the band of the tile's nth pixel.
+    #[inline]
+    fn slot(&self, n: usize) -> usize {
+        n / self.columns * self.width + self.first_column + n % self.columns
+    }
+}
+
+struct Painter<'a, P> {
+    picture: &'a P,
+    rays: Rays,
+    eye: DVec3,
+    channels: Channels,
+    offsets: Vec<[f64; 2]>,
+    /// Side of a sample's share of the pixel.
+    scale: f64,
+}
+
+impl<P: Picture> Painter<'_, P> {
+    fn paint(&self, tile: &Tile, band: &mut Band<'_>) {
+        let mut rays = [Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 0.0 }; PIXELS];
+        let mut hits = [Hit::MISS; PIXELS];
+        let (rays, hits) = (&mut rays[..tile.len()], &mut hits[..tile.len()]);
+        let centered = !self.channels.color || self.offsets.len() == 1;
+        if self.channels.color {
+            let mut sums = [[0.0f32; 3]; PIXELS];
+            for &offset in &self.offsets {
+                self.trace(tile, offset, rays, hits);
+                for (n, (ray, hit)) in rays.iter().zip(hits.iter()).enumerate() {
+                    let (x, y) = position(tile, n, offset);
+                    let color = self.picture.color(ray, hit, self.rays.footprint(x, y, self.scale));
+                    (0..3).for_each(|i| sums[n][i] += color[i]);
+                }
+            }
+            let share = 1.0 / self.offsets.len() as f32;
+            (0..tile.len()).for_each(|n| band.set_color(tile.slot(n), sums[n].map(|sum| sum * share)));
+        }
+        if self.channels.any_surface() {
+            if !(centered && self.channels.color) {
+                self.trace(tile, [0.5, 0.5], rays, hits);
+            }
+            for (n, (ray, hit)) in rays.iter().zip(hits.iter()).enumerate() {
+                band.set_sample(tile.slot(n), &self.picture.sample(ray, hit, self.channels));
+            }
+        }
+    }
+
+    fn trace(&self, tile: &Tile, offset: [f64; 2], rays: &mut [Ray], hits: &mut [Hit]) {
+        for (n, ray) in rays.iter_mut().enumerate() {
+            let (x, y) = position(tile, n, offset);
+            let (start, direction) = self.rays.at(x, y);
+            *ray = Ray {
+                origin: (self.eye + start).as_vec3(),
+                direction: direction.as_vec3(),
+                t_min: 0.0,
+                t_max: f32::INFINITY,
+            };
+        }
+        self.picture.trace(rays, hits);
+    }
+}
+
+#[inline]
+fn position(tile: &Tile, n: usize, offset: [f64; 2]) -> (f64, f64) {
+    let (column, row) = tile.pixel(n);
+    (column as f64 + offset[0], row as f64 + offset[1])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_lie_in_the_pixel_about_its_centre() {
+        assert_eq!(sample_offsets(1), [[0.5, 0.5]]);
+        for count in 1..=MAX_SAMPLES {
+            let offsets = sample_offsets(count);
+            for axis in 0..2 {
+                assert!(offsets.iter().all(|offset| (0.0..1.0).contains(&offset[axis])), "{count}");
+                let mean = offsets.iter().map(|offset| offset[axis]).sum::<f64>() / f64::from(count);
+                // Sums of a thousand float64 of size 1.
+                assert!((mean - 0.5).abs() < 1e-12, "{count} {mean}");
+            }
+        }
+    }
+
+    #[test]
+    fn samples_fill_every_row_and_column_once() {
+        for count in [2u32, 3, 4, 7, 16, 61, 64] {
+            for axis in 0..2 {
+                let stratum = |offset: &[f64; 2]| 1u64 << (offset[axis] * f64::from(count)) as u64;
+                let strata = sample_offsets(count).iter().fold(0, |seen, offset| seen | stratum(offset));
+                assert_eq!(strata.count_ones(), count);
+            }
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! Ground truth: the scene as it is.
+
+use super::frame::{Channels, Frame, Sample};
+use super::shade::background;
+use super::surface::Surface;
+use super::tiles::{Picture, View, draw};
+use crate::base::{Progress, Result};
+use crate::camera::{Camera, Footprint};
+use crate::scene::Scene;
+use crate::trace::{All, AlphaFilter, Filter, Hit, Ray, closest_hits};
+
+/// Renders a scene. Range is the distance from the camera, for parallel rays from the image plane.
+pub fn render(scene: &Scene, camera: &Camera, channels: Channels, samples: u32, progress: &Progress) -> Result<Frame> {
+    scene.build(progress)?;
+    let view = View { camera, origin: scene.origin, channels, samples };
+    if scene.has_cutouts() {
+        draw(&view, &Truth { scene, filter: AlphaFilter { scene, inner: All } }, progress)
+    } else {
+        draw(&view, &Truth { scene, filter: All }, progress)
+    }
+}
+
+/// A scene seen along straight rays, with the surfaces that a filter leaves; the sky behind them.
+pub struct Truth<'a, F> {
+    /// What is seen. It must have been built.
+    pub scene: &'a Scene,
+    /// Which intersections count.
+    pub filter: F,
+}
+
+impl<F: Filter> Picture for Truth<'_, F> {
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit]) {
+        closest_hits(self.scene, rays, &self.filter, hits);
+    }
+
+    fn color(&self, ray: &Ray, hit: &Hit, footprint: Footprint) -> [f32; 3] {
+        if hit.is_miss() {
+            return background(ray.direction);
+        }
+        Surface::of_hit(self.scene, ray, hit).color(self.scene, footprint.at(hit.t))
+    }
+
+    fn sample(&self, ray: &Ray, hit: &Hit, wanted: Channels) -> Sample {
+        if hit.is_miss() {
+            return Sample::default();
+        }
+        let mut sample = Sample { range: hit.t, ..Sample::default() };
+        if wanted.object_id {
+            sample.object_id = self.scene.instance(hit.instance).object_of(hit.face);
+        }
+        if wanted.face_id {
+            sample.face_id = self.scene.triangle_offset(hit.instance) + i64::from(hit.face);
+        }
+        if wanted.position || wanted.normal {
+            let surface = Surface::of_hit(self.scene, ray, hit);
+            (sample.position, sample.normal) = (surface.point.to_array(), surface.normal.to_array());
+        }
+        sample
+    }
+}

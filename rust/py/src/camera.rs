@@ -1,0 +1,75 @@
+//! Bindings of `camera`.
+
+use glam::{DQuat, DVec3};
+use nearfar_core::base::Error;
+use nearfar_core::camera::{self, Fov, Projection};
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
+use pyo3::prelude::*;
+use rayon::prelude::*;
+
+use crate::errors::to_python;
+use crate::run;
+
+/// A checked view.
+#[pyclass(frozen, module = "nearfar._core")]
+pub struct Camera(pub camera::Camera);
+
+#[derive(FromPyObject)]
+enum ProjectionArgument {
+    Bounds(String, [f64; 4]),
+    CubeFace(String, u8),
+}
+
+#[pymethods]
+impl Camera {
+    /// `projection` is ("perspective" | "orthographic", (left, right, down, up)) or ("cube", face).
+    #[new]
+    fn new(
+        position: [f64; 3],
+        orientation: [f64; 4],
+        projection: ProjectionArgument,
+        size: (u32, u32),
+    ) -> PyResult<Self> {
+        let projection = match projection {
+            ProjectionArgument::Bounds(kind, [left, right, down, up]) => {
+                let fov = Fov { left, right, down, up };
+                match kind.as_str() {
+                    "perspective" => Ok(Projection::Perspective(fov)),
+                    "orthographic" => Ok(Projection::Orthographic(fov)),
+                    _ => Err(Error::value("projection", "perspective, orthographic or cube", kind)),
+                }
+            }
+            ProjectionArgument::CubeFace(_, face) => Ok(Projection::CubeFace(face)),
+        };
+        projection
+            .and_then(|projection| {
+                let (position, orientation) = (DVec3::from_array(position), DQuat::from_array(orientation));
+                camera::Camera::new(position, orientation, projection, size.0, size.1)
+            })
+            .map(Self)
+            .map_err(to_python)
+    }
+
+    /// Pixel x, y and depth of world points (N, 3); rows of NaN behind the camera.
+    fn project<'py>(&self, py: Python<'py>, points: PyReadonlyArray2<'py, f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let rows = points.as_slice()?.as_chunks::<3>().0;
+        let project = |&p: &[f64; 3]| self.0.project(DVec3::from_array(p)).unwrap_or(DVec3::NAN).to_array();
+        let flat = run::short(py, || Ok(rows.par_iter().map(project).collect::<Vec<_>>().into_flattened()))?;
+        PyArray1::from_vec(py, flat).reshape([rows.len(), 3])
+    }
+
+    /// World starts and unit directions of the rays through all pixel centres, (H, W, 3) each.
+    fn rays<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyArray3<f64>>, Bound<'py, PyArray3<f64>>)> {
+        let shape = [self.0.height as usize, self.0.width as usize, 3];
+        let (starts, directions) = run::short(py, || Ok(self.0.pixel_rays()))?;
+        let image = |rows: Vec<DVec3>| {
+            let flat: Vec<f64> = rows.iter().flat_map(|row| row.to_array()).collect();
+            PyArray1::from_vec(py, flat).reshape(shape)
+        };
+        Ok((image(starts)?, image(directions)?))
+    }
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<Camera>()
+}

@@ -1,0 +1,103 @@
+//! Bindings of `exr`: named parts with channels and text attributes.
+
+use nearfar_core::exr::{self, Part, Values};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+
+use crate::run;
+
+#[derive(FromPyObject)]
+enum ChannelArgument<'py> {
+    Half(PyReadonlyArray2<'py, half::f16>),
+    Float(PyReadonlyArray2<'py, f32>),
+    Unsigned(PyReadonlyArray2<'py, u32>),
+}
+
+impl ChannelArgument<'_> {
+    fn values(&self) -> PyResult<Values> {
+        Ok(match self {
+            Self::Half(array) => Values::Half(array.as_slice()?.to_vec()),
+            Self::Float(array) => Values::Float(array.as_slice()?.to_vec()),
+            Self::Unsigned(array) => Values::Unsigned(array.as_slice()?.to_vec()),
+        })
+    }
+
+    fn shape(&self) -> (usize, usize) {
+        let shape = match self {
+            Self::Half(array) => array.shape(),
+            Self::Float(array) => array.shape(),
+            Self::Unsigned(array) => array.shape(),
+        };
+        (shape[0], shape[1])
+    }
+}
+
+/// A file's bytes. A part is (name, channels, attributes): dictionaries of (H, W) float16, float32 or uint32 arrays,
+/// and of texts.
+#[pyfunction]
+fn encode_exr<'py>(
+    py: Python<'py>,
+    parts: Vec<(String, Bound<'py, PyDict>, Bound<'py, PyDict>)>,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let parts = parts.iter().map(|(name, channels, attributes)| part(name, channels, attributes));
+    let parts = parts.collect::<PyResult<Vec<Part>>>()?;
+    let bytes = run::short(py, || exr::encode(&parts))?;
+    Ok(PyBytes::new(py, &bytes))
+}
+
+type DecodedPart<'py> = (String, Bound<'py, PyDict>, Bound<'py, PyDict>);
+
+/// The parts of a file's bytes, as `encode_exr` takes them.
+#[pyfunction]
+fn decode_exr<'py>(py: Python<'py>, bytes: &[u8]) -> PyResult<Vec<DecodedPart<'py>>> {
+    let parts = run::short(py, || exr::decode(bytes))?;
+    parts.into_iter().map(|part| decoded(py, part)).collect()
+}
+
+fn part(name: &str, channels: &Bound<'_, PyDict>, attributes: &Bound<'_, PyDict>) -> PyResult<Part> {
+    let mut shape = None;
+    let mut images = Vec::new();
+    for (key, image) in channels {
+        let image: ChannelArgument = image.extract().map_err(|_| {
+            PyTypeError::new_err(format!("channels: expected (H, W) float16, float32 or uint32 for '{key}'"))
+        })?;
+        if *shape.get_or_insert(image.shape()) != image.shape() {
+            return Err(PyValueError::new_err(format!("channels: '{key}' differs in shape from the others")));
+        }
+        images.push((key.extract()?, image.values()?));
+    }
+    let (height, width) = shape.ok_or_else(|| PyValueError::new_err("channels: expected at least one image"))?;
+    let mut texts = Vec::new();
+    for (key, value) in attributes {
+        texts.push((key.extract()?, value.extract()?));
+    }
+    Ok(Part { name: name.to_string(), width, height, channels: images, attributes: texts })
+}
+
+fn decoded<'py>(py: Python<'py>, part: Part) -> PyResult<DecodedPart<'py>> {
+    let shape = [part.height, part.width];
+    let channels = PyDict::new(py);
+    for (name, values) in part.channels {
+        match values {
+            Values::Half(values) => channels.set_item(name, image(py, values, shape)?)?,
+            Values::Float(values) => channels.set_item(name, image(py, values, shape)?)?,
+            Values::Unsigned(values) => channels.set_item(name, image(py, values, shape)?)?,
+        }
+    }
+    let attributes = PyDict::new(py);
+    for (name, value) in part.attributes {
+        attributes.set_item(name, value)?;
+    }
+    Ok((part.name, channels, attributes))
+}
+
+fn image<T: numpy::Element>(py: Python<'_>, values: Vec<T>, shape: [usize; 2]) -> PyResult<Bound<'_, PyArray2<T>>> {
+    PyArray1::from_vec(py, values).reshape(shape)
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(encode_exr, module)?)?;
+    module.add_function(wrap_pyfunction!(decode_exr, module)?)
+}
