@@ -79,7 +79,39 @@ class Scene:
     def bounds(self) -> NDArray[np.float64]: ...
     def triangles(self) -> NDArray[np.float32]: ...
 
+# camera -------------------------------------------------------------------------------------------------------------
+class Camera:
+    def __new__(
+        cls,
+        position: tuple[float, float, float],
+        orientation: tuple[float, float, float, float],
+        size: tuple[int, int],
+        *,
+        kind: str,
+        bounds: tuple[float, float, float, float] = ...,
+        face: int = 0,
+    ) -> Camera: ...
+    def project(self, points: NDArray[np.float64]) -> NDArray[np.float64]: ...
+    def rays(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+
 # cubemap ------------------------------------------------------------------------------------------------------------
 def cube_lookup(faces: NDArray[Any], directions: NDArray[Any], filter: str) -> NDArray[Any]: ...  # noqa: A002
 def cube_texels(size: int, directions: NDArray[np.float64]) -> NDArray[np.uint32]: ...
 def cube_directions(size: int) -> NDArray[np.float64]: ...
+
+# render -------------------------------------------------------------------------------------------------------------
+def render_truth(
+    scene: Scene,
+    camera: Camera,
+    *,
+    channels: list[str],
+    samples: int,
+    report: _Report | None = None,
+) -> tuple[tuple[float, float, float], dict[str, NDArray[Any]]]: ...
+def encode_srgb(linear: NDArray[np.float32]) -> NDArray[np.uint8]: ...
+
+# exr ----------------------------------------------------------------------------------------------------------------
+_Part = tuple[str, dict[str, NDArray[Any]], dict[str, str]]
+
+def encode_exr(parts: list[_Part]) -> bytes: ...
+def decode_exr(data: bytes) -> list[_Part]: ...

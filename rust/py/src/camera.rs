@@ -14,38 +14,32 @@ use crate::run;
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Camera(pub camera::Camera);
 
-#[derive(FromPyObject)]
-enum ProjectionArgument {
-    Bounds(String, [f64; 4]),
-    CubeFace(String, u8),
-}
+type Image<'py> = Bound<'py, PyArray3<f64>>;
 
 #[pymethods]
 impl Camera {
-    /// `projection` is ("perspective" | "orthographic", (left, right, down, up)) or ("cube", face).
+    /// `kind` is "perspective" or "orthographic" with bounds (left, right, down, up), or "cube" with a face.
     #[new]
+    #[pyo3(signature = (position, orientation, size, *, kind, bounds=[0.0; 4], face=0))]
     fn new(
         position: [f64; 3],
         orientation: [f64; 4],
-        projection: ProjectionArgument,
         size: (u32, u32),
+        kind: &str,
+        bounds: [f64; 4],
+        face: u8,
     ) -> PyResult<Self> {
-        let projection = match projection {
-            ProjectionArgument::Bounds(kind, [left, right, down, up]) => {
-                let fov = Fov { left, right, down, up };
-                match kind.as_str() {
-                    "perspective" => Ok(Projection::Perspective(fov)),
-                    "orthographic" => Ok(Projection::Orthographic(fov)),
-                    _ => Err(Error::value("projection", "perspective, orthographic or cube", kind)),
-                }
-            }
-            ProjectionArgument::CubeFace(_, face) => Ok(Projection::CubeFace(face)),
+        let [left, right, down, up] = bounds;
+        let fov = Fov { left, right, down, up };
+        let projection = match kind {
+            "perspective" => Ok(Projection::Perspective(fov)),
+            "orthographic" => Ok(Projection::Orthographic(fov)),
+            "cube" => Ok(Projection::CubeFace(face)),
+            _ => Err(Error::value("kind", "perspective, orthographic or cube", kind)),
         };
+        let (position, orientation) = (DVec3::from_array(position), DQuat::from_array(orientation));
         projection
-            .and_then(|projection| {
-                let (position, orientation) = (DVec3::from_array(position), DQuat::from_array(orientation));
-                camera::Camera::new(position, orientation, projection, size.0, size.1)
-            })
+            .and_then(|projection| camera::Camera::new(position, orientation, projection, size.0, size.1))
             .map(Self)
             .map_err(to_python)
     }
@@ -59,7 +53,7 @@ impl Camera {
     }
 
     /// World starts and unit directions of the rays through all pixel centres, (H, W, 3) each.
-    fn rays<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyArray3<f64>>, Bound<'py, PyArray3<f64>>)> {
+    fn rays<'py>(&self, py: Python<'py>) -> PyResult<(Image<'py>, Image<'py>)> {
         let shape = [self.0.height as usize, self.0.width as usize, 3];
         let (starts, directions) = run::short(py, || Ok(self.0.pixel_rays()))?;
         let image = |rows: Vec<DVec3>| {

@@ -51,8 +51,8 @@ type DecodedPart<'py> = (String, Bound<'py, PyDict>, Bound<'py, PyDict>);
 
 /// The parts of a file's bytes, as `encode_exr` takes them.
 #[pyfunction]
-fn decode_exr<'py>(py: Python<'py>, bytes: &[u8]) -> PyResult<Vec<DecodedPart<'py>>> {
-    let parts = run::short(py, || exr::decode(bytes))?;
+fn decode_exr<'py>(py: Python<'py>, data: &[u8]) -> PyResult<Vec<DecodedPart<'py>>> {
+    let parts = run::short(py, || exr::decode(data))?;
     parts.into_iter().map(|part| decoded(py, part)).collect()
 }
 

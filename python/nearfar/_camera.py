@@ -1,0 +1,227 @@
+"""Cameras: where from, which way, and how directions fall on pixels."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _check, _core
+
+MAX_SIZE = 1 << 16
+"""Greatest width or height of an image in pixels."""
+
+
+@dataclass(frozen=True)
+class Fov:
+    """Field of view of a perspective camera: tangents of the angles to the four sides.
+
+    Left and down are negative in a symmetric view; headsets have asymmetric ones, which are the general case here.
+    """
+
+    left: float
+    right: float
+    down: float
+    up: float
+
+    def __post_init__(self) -> None:
+        _bounds("fov", self)
+
+    @classmethod
+    def symmetric(cls, horizontal_deg: float, aspect: float = 1.0) -> Fov:
+        """Make a view of a horizontal angle in degrees, below 180; `aspect` is width over height."""
+        angle, aspect = _check.positive("horizontal_deg", horizontal_deg), _check.positive("aspect", aspect)
+        if angle >= 180.0:
+            raise ValueError(f"horizontal_deg: expected less than 180 degrees, got {angle}")
+        x = math.tan(math.radians(angle) / 2)
+        return cls(-x, x, -x / aspect, x / aspect)
+
+    @classmethod
+    def from_angles(cls, left: float, right: float, up: float, down: float) -> Fov:
+        """Make a view of four signed angles in radians, in the order of OpenXR's XrFovf; left and down negative."""
+        angles = {"left": left, "right": right, "up": up, "down": down}
+        for name, angle in angles.items():
+            if abs(_check.number(name, angle)) >= math.pi / 2:
+                raise ValueError(f"{name}: expected an angle between -pi/2 and pi/2 radians, got {angle}")
+        return cls(math.tan(left), math.tan(right), math.tan(down), math.tan(up))
+
+
+@dataclass(frozen=True)
+class Orthographic:
+    """Parallel rays along the viewing direction; bounds of the image in metres to the sides of the position."""
+
+    left: float
+    right: float
+    down: float
+    up: float
+
+    def __post_init__(self) -> None:
+        _bounds("fov", self)
+
+
+@dataclass(frozen=True)
+class CubeFace:
+    """A face of a cube map: 0 to 5 for +x −x +y −y +z −z in world axes. A camera's orientation does not turn it."""
+
+    face: int
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "face", _check.integer("face", self.face, 0, 5))
+
+
+Projection = Fov | Orthographic | CubeFace
+
+
+@dataclass(frozen=True)
+class Camera:
+    """A view of a scene.
+
+    Parameters
+    ----------
+    position
+        World position in metres.
+    orientation
+        Unit quaternion (x, y, z, w) that turns camera axes into world axes; the camera looks along −z with y up.
+    fov
+        `Fov` (perspective), `Orthographic` or `CubeFace`.
+    size
+        Width and height of the image in pixels.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For values that are not finite, a quaternion that is not unit, and an empty image.
+    """
+
+    position: tuple[float, float, float]
+    orientation: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
+    fov: Projection = field(kw_only=True)
+    size: tuple[int, int] = field(kw_only=True)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "position", _check.vector("position", self.position))
+        object.__setattr__(self, "orientation", _quaternion(self.orientation))
+        object.__setattr__(self, "size", _size(self.size))
+        if not isinstance(self.fov, Projection):
+            raise TypeError(f"fov: expected Fov, Orthographic or CubeFace, got {type(self.fov).__name__}")
+        if isinstance(self.fov, CubeFace) and self.size[0] != self.size[1]:
+            raise ValueError(f"size: expected a square image for a cube face, got {self.size}")
+
+    @classmethod
+    def look_at(
+        cls,
+        eye: ArrayLike,
+        target: ArrayLike,
+        *,
+        fov: Projection,
+        size: tuple[int, int],
+        up: ArrayLike = (0.0, 1.0, 0.0),
+    ) -> Camera:
+        """Make a view from `eye` to `target` (world, metres) with `up` pointing up in the image.
+
+        ValueError where eye and target coincide or the line between them runs along `up`.
+        """
+        start, end = np.array(_check.vector("eye", eye)), np.array(_check.vector("target", target))
+        upward = np.array(_check.vector("up", up))
+        distance, height = np.linalg.norm(end - start), np.linalg.norm(upward)
+        if distance == 0.0:
+            raise ValueError(f"target: expected another point than eye, got {tuple(end.tolist())}")
+        if height == 0.0:
+            raise ValueError("up: expected a direction, got (0, 0, 0)")
+        back = (start - end) / distance
+        right = np.cross(upward / height, back)
+        length = np.linalg.norm(right)
+        # Below it the rounding of positions decides which way is up.
+        if length < 1e-9:
+            raise ValueError(f"up: expected a direction away from the line of sight, got {tuple(upward.tolist())}")
+        right /= length
+        axes = np.column_stack([right, np.cross(back, right), back])
+        position = (float(start[0]), float(start[1]), float(start[2]))
+        return cls(position, _quaternion_from_axes(axes), fov=fov, size=size)
+
+    @property
+    def width(self) -> int:
+        """Pixels across."""
+        return self.size[0]
+
+    @property
+    def height(self) -> int:
+        """Pixels down."""
+        return self.size[1]
+
+    def project(self, points: ArrayLike) -> NDArray[np.float64]:
+        """Image positions of world points.
+
+        Parameters
+        ----------
+        points
+            (N, 3) world positions in metres.
+
+        Returns
+        -------
+        NDArray
+            (N, 3) float64: x to the right and y down in pixels, (0.5, 0.5) being the centre of the top left pixel, and
+            the depth along the viewing axis in metres. Rows are NaN for points behind the camera; points outside the
+            image have positions outside it.
+        """
+        return self._core.project(_check.array("points", points, dtype=np.float64))
+
+    def rays(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """World origins in metres and unit directions of the rays through all pixel centres, (H, W, 3) float64 each."""
+        return self._core.rays()
+
+    @cached_property
+    def _core(self) -> _core.Camera:
+        fov = self.fov
+        if isinstance(fov, CubeFace):
+            return _core.Camera(self.position, self.orientation, self.size, kind="cube", face=fov.face)
+        kind = "perspective" if isinstance(fov, Fov) else "orthographic"
+        bounds = (fov.left, fov.right, fov.down, fov.up)
+        return _core.Camera(self.position, self.orientation, self.size, kind=kind, bounds=bounds)
+
+
+def _bounds(name: str, bounds: Fov | Orthographic) -> None:
+    for side in ("left", "right", "down", "up"):
+        object.__setattr__(bounds, side, _check.number(f"{name}.{side}", getattr(bounds, side)))
+    if bounds.left >= bounds.right:
+        raise ValueError(f"{name}: expected left < right, got {bounds.left} and {bounds.right}")
+    if bounds.down >= bounds.up:
+        raise ValueError(f"{name}: expected down < up, got {bounds.down} and {bounds.up}")
+
+
+def _quaternion(value: ArrayLike) -> tuple[float, float, float, float]:
+    given = _check.array("orientation", value, columns=None, dtype=np.float64, finite=True)
+    if given.shape != (4,):
+        raise ValueError(f"orientation: expected a quaternion (x, y, z, w), got shape {given.shape}")
+    x, y, z, w = (float(v) for v in given)
+    length = math.sqrt(x * x + y * y + z * z + w * w)
+    # What a quaternion stored in float32 may be off by, with a margin.
+    if abs(length - 1.0) > 1e-6:
+        raise ValueError(f"orientation: expected a unit quaternion (x, y, z, w), got length {length:g}")
+    return x, y, z, w
+
+
+def _size(value: tuple[int, int]) -> tuple[int, int]:
+    try:
+        width, height = value
+    except (TypeError, ValueError):
+        raise TypeError(f"size: expected (width, height) in pixels, got {value!r}") from None
+    return _check.integer("size[0]", width, 1, MAX_SIZE), _check.integer("size[1]", height, 1, MAX_SIZE)
+
+
+def _quaternion_from_axes(axes: NDArray[np.float64]) -> tuple[float, float, float, float]:
+    """Unit quaternion of a rotation matrix, by the largest component (Shepperd, 1978)."""
+    trace = float(np.trace(axes))
+    squares = np.array([*(1.0 + 2.0 * np.diag(axes) - trace), 1.0 + trace])
+    largest = int(np.argmax(squares))
+    if largest == 3:
+        q = [axes[2, 1] - axes[1, 2], axes[0, 2] - axes[2, 0], axes[1, 0] - axes[0, 1], squares[3]]
+    else:
+        i, j, k = largest, (largest + 1) % 3, (largest + 2) % 3
+        q = [0.0, 0.0, 0.0, axes[k, j] - axes[j, k]]
+        q[i], q[j], q[k] = squares[i], axes[j, i] + axes[i, j], axes[k, i] + axes[i, k]
+    unit = np.array(q) / np.linalg.norm(q)
+    return float(unit[0]), float(unit[1]), float(unit[2]), float(unit[3])

@@ -1,0 +1,74 @@
+"""OpenEXR files of ours: named parts with channels, and one header document of JSON in the attribute `nearfar`."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from numpy.typing import NDArray
+
+from nearfar import _core, _files, _formats
+from nearfar._errors import FormatError
+
+ATTRIBUTE = "nearfar"
+"""Header attribute of the first part. OpenEXR keeps names such as `version` for itself, hence one document."""
+
+Channels = Mapping[str, NDArray[Any]]
+"""Images of a part by name: (H, W) float16, float32 or uint32, C-contiguous, of one shape."""
+
+
+def write(path: str | os.PathLike[str], parts: Mapping[str, Channels], document: Mapping[str, Any]) -> None:
+    """Write a file whole or not at all; compression is lossless.
+
+    Parameters
+    ----------
+    path
+        The file to make or replace.
+    parts
+        Channels of each part by the part's name.
+    document
+        A header made by `_formats.header`, with whatever else describes the file.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For images that OpenEXR cannot hold.
+    OSError
+        Where the file cannot be written.
+    """
+    text = json.dumps(dict(document), allow_nan=False)
+    with _files.atomic_file(path) as aside:
+        attributes = [{ATTRIBUTE: text} if index == 0 else {} for index in range(len(parts))]
+        named = zip(parts.items(), attributes, strict=True)
+        data = _core.encode_exr([(name, dict(channels), attribute) for (name, channels), attribute in named])
+        aside.write_bytes(data)
+
+
+def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[str, Any], dict[str, Channels]]:
+    """Read the document and the parts of a file of ours.
+
+    Parameters
+    ----------
+    path
+        The file.
+    name, version
+        The format expected, without "nearfar.", and the newest version understood.
+
+    Raises
+    ------
+    FormatError
+        For what is no OpenEXR file of this format, or a newer version of it.
+    OSError
+        Where the file cannot be read.
+    """
+    data = Path(path).read_bytes()
+    try:
+        parts = _core.decode_exr(data)
+        document = json.loads(parts[0][2].get(ATTRIBUTE, "null")) if parts else None
+    except (FormatError, ValueError) as error:
+        raise FormatError(f"{os.fspath(path)}: {error}") from None
+    checked = _formats.check(document, name, version, path)
+    return checked, {part: channels for part, channels, _ in parts}

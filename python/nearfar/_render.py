@@ -1,0 +1,78 @@
+"""Ground truth: pictures of a scene as it is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from nearfar import _check, _core, _progress
+from nearfar._camera import Camera
+from nearfar._errors import DeviceError
+from nearfar._frame import CHANNELS, Frame
+from nearfar._scene import Scene
+
+MAX_SAMPLES = 1024
+"""Most colour samples of a pixel."""
+
+
+def render(
+    scene: Scene,
+    camera: Camera,
+    *,
+    samples: int = 1,
+    channels: Iterable[str] = ("color", "range", "object_id"),
+    backend: str = "auto",
+) -> Frame:
+    """Render a scene by ray tracing: nothing is simplified, every pixel is exact.
+
+    Parameters
+    ----------
+    scene
+        What is looked at.
+    camera
+        From where; any projection.
+    samples
+        Colour samples of each pixel, spread evenly over its square, 1 to 1024. All other images are taken at the
+        pixel's centre whatever the number.
+    channels
+        Images to compute, of "color", "range", "object_id", "face_id", "position" and "normal"; see `Frame`.
+    backend
+        "cpu", or "auto" for the fastest there is.
+
+    Returns
+    -------
+    Frame
+        The same bytes for any number of threads. Where nothing was hit, colour is that of the sky.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For arguments out of their domains.
+    DeviceError
+        For "gpu".
+    """
+    if not isinstance(scene, Scene):
+        raise TypeError(f"scene: expected a Scene, got {type(scene).__name__}")
+    if not isinstance(camera, Camera):
+        raise TypeError(f"camera: expected a Camera, got {type(camera).__name__}")
+    samples = _check.integer("samples", samples, 1, MAX_SAMPLES)
+    wanted = channel_names(channels)
+    check_backend(backend)
+    with _progress.bar("rendering") as report:
+        origin, images = _core.render_truth(scene._core, camera._core, channels=wanted, samples=samples, report=report)
+    return Frame(camera, origin, **images)
+
+
+def channel_names(channels: Iterable[str]) -> list[str]:
+    """Return the names of wanted images, each once and in the order of `CHANNELS`; ValueError for unknown ones."""
+    if isinstance(channels, str):
+        raise TypeError(f"channels: expected a sequence of names such as ({channels!r},), got the string {channels!r}")
+    names = {_check.choice("channels", name, CHANNELS) for name in channels}
+    if not names:
+        raise ValueError(f"channels: expected at least one of {', '.join(CHANNELS)}, got none")
+    return [name for name in CHANNELS if name in names]
+
+
+def check_backend(backend: str) -> None:
+    """Refuse unknown back ends with ValueError, and "gpu" with DeviceError."""
+    if _check.choice("backend", backend, ("auto", "cpu", "gpu")) == "gpu":
+        raise DeviceError("backend: no graphics adapter can be used by this version, expected 'auto' or 'cpu'")
