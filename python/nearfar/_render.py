@@ -58,8 +58,8 @@ def render(
     wanted = channel_names(channels)
     check_backend(backend)
     with _progress.bar("rendering") as report:
-        origin, images = _core.render_truth(scene._core, camera._core, channels=wanted, samples=samples, report=report)
-    return Frame(camera, origin, **images)
+        images = _core.render_truth(scene._core, camera._core, channels=wanted, samples=samples, report=report)
+    return Frame(camera, scene._core.origin, **images)
 
 
 def channel_names(channels: Iterable[str]) -> list[str]:

@@ -64,7 +64,7 @@ where
     PyArray1::from_vec(py, values).reshape(shape)
 }
 
-/// Origin of the scene and ground truth of a view.
+/// Ground truth of a view.
 #[pyfunction]
 #[pyo3(signature = (scene, camera, *, channels, samples, report=None))]
 fn render_truth<'py>(
@@ -74,11 +74,11 @@ fn render_truth<'py>(
     channels: Vec<String>,
     samples: u32,
     report: Option<Py<PyAny>>,
-) -> PyResult<([f64; 3], Bound<'py, PyDict>)> {
+) -> PyResult<Bound<'py, PyDict>> {
     let wanted = self::channels(&channels)?;
     let (scene, camera) = (&scene.0, &camera.0);
     let frame = run::long(py, report, |progress| truth::render(scene, camera, wanted, samples, progress))?;
-    Ok((scene.origin.to_array(), images(py, frame, (camera.height as usize, camera.width as usize))?))
+    images(py, frame, (camera.height as usize, camera.width as usize))
 }
 
 /// sRGB codes of linear values, in one dimension.
