@@ -4,6 +4,8 @@ from nearfar._camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._envmap import cube_lookup
 from nearfar._errors import DeviceError, Error, FormatError, SceneError
 from nearfar._frame import Frame
+from nearfar._morph import morph
+from nearfar._partition import Partition, partition, triangle_radii
 from nearfar._render import render
 from nearfar._scene import Scene
 from nearfar._version import __version__
@@ -17,9 +19,13 @@ __all__ = [
     "Fov",
     "Frame",
     "Orthographic",
+    "Partition",
     "Scene",
     "SceneError",
     "__version__",
     "cube_lookup",
+    "morph",
+    "partition",
     "render",
+    "triangle_radii",
 ]

@@ -94,6 +94,50 @@ class Camera:
     def project(self, points: NDArray[np.float64]) -> NDArray[np.float64]: ...
     def rays(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 
+# partition ----------------------------------------------------------------------------------------------------------
+def triangle_radii(
+    vertices: NDArray[np.float32] | NDArray[np.float64],
+    faces: NDArray[np.uint32] | None,
+    center: tuple[float, float, float],
+    report: _Report | None = None,
+) -> NDArray[np.float32] | NDArray[np.float64]: ...
+
+class Partition:
+    def __new__(
+        cls,
+        scene: Scene,
+        *,
+        center: tuple[float, float, float],
+        r1: float,
+        r2: float,
+        report: _Report | None = None,
+    ) -> Partition: ...
+    def triangles(self, part: str) -> NDArray[np.int64]: ...
+    def counts(self) -> dict[str, int]: ...
+    def validate(self, report: _Report | None = None) -> None: ...
+
+class LoadCurve:
+    def __new__(
+        cls, scene: Scene, *, center: tuple[float, float, float], report: _Report | None = None
+    ) -> LoadCurve: ...
+    def count(self, r2: NDArray[np.float64]) -> NDArray[np.int64]: ...
+    def radius(self, budget: NDArray[np.int64]) -> NDArray[np.float64]: ...
+    @property
+    def total(self) -> int: ...
+    @property
+    def moving(self) -> int: ...
+
+# morph --------------------------------------------------------------------------------------------------------------
+def morph(
+    points: NDArray[np.float32] | NDArray[np.float64],
+    *,
+    user: tuple[float, float, float],
+    center: tuple[float, float, float],
+    r1: float,
+    r2: float,
+    kind: str,
+) -> tuple[NDArray[np.float32] | NDArray[np.float64], int]: ...
+
 # cubemap ------------------------------------------------------------------------------------------------------------
 def cube_lookup(faces: NDArray[Any], directions: NDArray[Any], filter: str) -> NDArray[Any]: ...  # noqa: A002
 def cube_texels(size: int, directions: NDArray[np.float64]) -> NDArray[np.uint32]: ...

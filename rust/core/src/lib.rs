@@ -14,6 +14,8 @@ pub mod scene;
 pub mod camera;
 pub mod bvh;
 pub mod trace;
+pub mod partition;
+pub mod morph;
 pub mod cubemap;
 pub mod render;
 pub mod exr;

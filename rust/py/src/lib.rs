@@ -6,6 +6,8 @@ mod camera;
 mod cubemap;
 mod errors;
 mod exr;
+mod morph;
+mod partition;
 mod render;
 mod run;
 mod scene;
@@ -18,6 +20,8 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     base::register(module)?;
     scene::register(module)?;
     camera::register(module)?;
+    partition::register(module)?;
+    morph::register(module)?;
     cubemap::register(module)?;
     render::register(module)?;
     exr::register(module)

@@ -5,6 +5,7 @@ pub mod error;
 pub mod pool;
 pub mod progress;
 pub mod random;
+pub(crate) mod simd;
 
 pub use buffer::Buffer;
 pub use error::{Error, Result};

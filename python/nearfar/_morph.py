@@ -1,0 +1,73 @@
+"""The morph that joins near geometry, seen from the user's eye, to an environment seen from the centre."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _check, _core
+
+KINDS = ("blend", "cylinder")
+
+
+def morph(
+    points: ArrayLike, *, user: ArrayLike, center: ArrayLike, r1: float, r2: float, kind: str = "blend"
+) -> NDArray[Any]:
+    """Show points where a continuous near–far partition shows them.
+
+    With ρ the distance from the vertical axis through the centre, points at ρ ≤ `r1` stay, bit for bit; those
+    beyond `r2` are shown in the direction in which the centre sees them; in between both are blended,
+    so that the picture has no seam at either radius.
+
+    Parameters
+    ----------
+    points
+        (N, 3), metres. float32 and float64 are kept, other numbers become float64. A point with NaN gives NaN.
+    user
+        The user's eye U, metres, in the points' frame.
+    center
+        The centre O, on the axis of both cylinders.
+    r1, r2
+        Radii in metres, 0 ≤ r1 < r2. For "cylinder", r1 is the radius of the near subregion (0.7 of r2 as published)
+        and r2 that of the cylinder; both 0 stand for no near geometry at all.
+    kind
+        "blend": at the blend of the distances from user and centre; beyond r2 points are U + P − O, rounded once.
+        "cylinder": where the blended direction leaves the vertical cylinder on which the point lies, or as "blend"
+        where it doesn't (the user stands outside that cylinder, or looks straight up).
+
+    Returns
+    -------
+    NDArray
+        (N, 3) in the type of `points`. For float32 "blend" a coordinate is off by half a float32 step of the result and
+        2⁻²⁴ (6 + 3 r2/(r2−r1)) |U−O| at most. Where user and centre see a point in opposite directions, which only
+        happens once the user has left the near cylinder, the blend has no direction and the user's is taken.
+
+    Raises
+    ------
+    ValueError
+        For other shapes and kinds, radii out of order, and a user or centre that is not finite.
+    TypeError
+        For values that are not numbers.
+
+    References
+    ----------
+    Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3; CloVR (2024), Alg. 1, with the brackets that its w lacks.
+    """
+    _check.choice("kind", kind, KINDS)
+    near, far = _radii(r1, r2, kind)
+    shown, _opposed = _core.morph(
+        _check.array("points", points),
+        user=_check.vector("user", user),
+        center=_check.vector("center", center),
+        r1=near,
+        r2=far,
+        kind=kind,
+    )
+    return shown
+
+
+def _radii(r1: float, r2: float, kind: str) -> tuple[float, float]:
+    if kind == "cylinder" and _check.number("r1", r1) == 0.0 == _check.number("r2", r2):
+        return 0.0, 0.0
+    return _check.radii(r1, r2)

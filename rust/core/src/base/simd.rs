@@ -1,0 +1,36 @@
+//! One kernel compiled for each width of vectors, chosen when it runs.
+
+/// Wraps an `#[inline(always)]` kernel in a function that runs it with the widest vectors of this machine. Multiplications
+/// and additions are never fused in Rust unless written so: every width gives the same bits.
+macro_rules! widest {
+    ($(#[$attribute:meta])* $visibility:vis fn $name:ident($($argument:ident: $type:ty),* $(,)?) $(-> $result:ty)? = $kernel:path;) => {
+        $(#[$attribute])*
+        $visibility fn $name($($argument: $type),*) $(-> $result)? {
+            #[cfg(target_arch = "x86_64")]
+            {
+                #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
+                fn wide($($argument: $type),*) $(-> $result)? {
+                    $kernel($($argument),*)
+                }
+                #[target_feature(enable = "avx2")]
+                fn medium($($argument: $type),*) $(-> $result)? {
+                    $kernel($($argument),*)
+                }
+                if is_x86_feature_detected!("avx512vl")
+                    && is_x86_feature_detected!("avx512dq")
+                    && is_x86_feature_detected!("avx512bw")
+                {
+                    // SAFETY: the features were just detected; each of them implies avx512f.
+                    return unsafe { wide($($argument),*) };
+                }
+                if is_x86_feature_detected!("avx2") {
+                    // SAFETY: the feature was just detected.
+                    return unsafe { medium($($argument),*) };
+                }
+            }
+            $kernel($($argument),*)
+        }
+    };
+}
+
+pub(crate) use widest;

@@ -1,0 +1,102 @@
+//! Radii of triangles in plain arrays, and the sets of a partition as index arrays.
+
+use rayon::prelude::*;
+
+use super::radii::measure;
+use super::{Class, Coordinate, Part, Partition, Zone};
+use crate::base::{Error, Progress, Result};
+
+/// Triangles of one task.
+const TILE: usize = 1 << 14;
+
+/// Least and greatest ρ of each triangle about an axis at (x, z): exact to float64's rounding of the greatest, then
+/// rounded once to the coordinates' precision. Without faces, every three vertices are a triangle.
+pub fn triangle_radii<T: Coordinate>(
+    vertices: &[[T; 3]],
+    faces: Option<&[[u32; 3]]>,
+    axis: [f64; 2],
+    radii: &mut [[T; 2]],
+    progress: &Progress,
+) -> Result<()> {
+    if !(axis[0].is_finite() && axis[1].is_finite()) {
+        return Err(Error::value("center", "three finite numbers", format!("x {}, z {}", axis[0], axis[1])));
+    }
+    let expected = faces.map_or(vertices.len() / 3, <[_]>::len);
+    if radii.len() != expected || faces.is_none() && !vertices.len().is_multiple_of(3) {
+        return Err(Error::value("vertices", "three corners for each triangle", vertices.len()));
+    }
+    progress.expect(expected as u64);
+    radii.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, radii)| {
+        let first = tile * TILE;
+        match faces {
+            Some(faces) => {
+                let faces = &faces[first..first + radii.len()];
+                check_faces(faces, vertices.len())?;
+                fill(radii, axis, |i| faces[i].map(|vertex| plan(&vertices[vertex as usize])))?;
+            }
+            None => {
+                let (corners, _) = vertices[3 * first..3 * (first + radii.len())].as_chunks::<3>();
+                fill(radii, axis, |i| [plan(&corners[i][0]), plan(&corners[i][1]), plan(&corners[i][2])])?;
+            }
+        }
+        progress.report(radii.len() as u64)
+    })
+}
+
+fn plan<T: Copy>(vertex: &[T; 3]) -> [T; 2] {
+    [vertex[0], vertex[2]]
+}
+
+fn check_faces(faces: &[[u32; 3]], vertex_count: usize) -> Result<()> {
+    let greatest = faces.iter().flatten().fold(0, |greatest, &vertex| greatest.max(vertex));
+    if faces.is_empty() || (greatest as usize) < vertex_count {
+        return Ok(());
+    }
+    Err(Error::value("faces", format!("vertex indices below {vertex_count}"), greatest))
+}
+
+#[inline(always)]
+fn fill<T: Coordinate>(radii: &mut [[T; 2]], axis: [f64; 2], corners: impl Fn(usize) -> [[T; 2]; 3]) -> Result<()> {
+    let mut sum = 0.0;
+    measure(radii.len(), axis, corners, |i, both| {
+        sum += both[1];
+        radii[i] = both.map(T::narrow);
+    });
+    // One NaN or infinity among the corners makes their sum so.
+    if sum.is_finite() {
+        return Ok(());
+    }
+    Err(Error::value("vertices", "finite coordinates", "NaN, infinity or numbers whose squares overflow"))
+}
+
+impl Partition {
+    /// Numbers of the triangles of a set, ascending.
+    pub fn triangles(&self, part: Part) -> Vec<i64> {
+        let mut numbers = Vec::new();
+        for (instance, class) in self.classes().iter().enumerate() {
+            let offset = self.scene().triangle_offset(instance as u32);
+            let count = self.scene().instance(instance as u32).mesh.faces.len() as u32;
+            let holds = |zone| part.holds(zone, self.is_moving(instance));
+            let all = || (0..count).map(|face| offset + i64::from(face));
+            match class {
+                Class::Near if holds(Zone::Near) => numbers.extend(all()),
+                Class::Intermediate if holds(Zone::Intermediate) => numbers.extend(all()),
+                Class::Far if holds(Zone::Far) => numbers.extend(all()),
+                Class::Near | Class::Intermediate | Class::Far => {}
+                Class::Mixed(mixed) => {
+                    let mut listed = mixed.faces.iter().zip(&mixed.zones).peekable();
+                    if holds(Zone::Far) {
+                        let zone_of = |face| listed.next_if(|&(&next, _)| next == face).map_or(Zone::Far, |(_, &z)| z);
+                        let zones = (0..count).map(zone_of);
+                        let chosen = zones.enumerate().filter(|&(_, zone)| holds(zone));
+                        numbers.extend(chosen.map(|(face, _)| offset + face as i64));
+                    } else {
+                        let chosen = listed.filter(|&(_, &zone)| holds(zone));
+                        numbers.extend(chosen.map(|(&face, _)| offset + i64::from(face)));
+                    }
+                }
+            }
+        }
+        numbers
+    }
+}

@@ -1,0 +1,84 @@
+//! How many triangles stay geometry for each r₂, and how large r₂ may be for a budget.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::classify::ground;
+use super::radii::measure;
+use super::{axis_in, check_center};
+use crate::base::{Error, Progress, Result};
+use crate::scene::Scene;
+
+/// Triangles of one task.
+const TILE: usize = 1 << 14;
+
+/// Least ρ of every standing triangle, sorted once: a question costs a binary search.
+#[derive(Clone, Debug)]
+pub struct LoadCurve {
+    /// Float32 bits, which sort as the numbers do, because none is negative.
+    sorted: Vec<u32>,
+    moving: i64,
+}
+
+impl LoadCurve {
+    /// Measures and sorts all standing triangles about a world position.
+    pub fn new(scene: &Scene, center: DVec3, progress: &Progress) -> Result<Self> {
+        check_center(center)?;
+        let axis = axis_in(scene, center);
+        let mut least = vec![0u32; scene.standing.triangle_count() as usize];
+        progress.expect(2 * least.len() as u64);
+        let mut rest = &mut least[..];
+        let mut parts = Vec::with_capacity(scene.standing.instances().len());
+        for instance in scene.standing.instances() {
+            let (mine, others) = rest.split_at_mut(instance.mesh.faces.len());
+            parts.push((instance, mine));
+            rest = others;
+        }
+        parts.into_par_iter().try_for_each(|(instance, least)| {
+            least.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, least)| {
+                let first = tile * TILE;
+                let corners = |i| ground(instance, (first + i) as u32);
+                measure(least.len(), axis, corners, |i, radii| least[i] = (radii[0] as f32).to_bits());
+                progress.report(least.len() as u64)
+            })
+        })?;
+        least.par_sort_unstable();
+        progress.report(least.len() as u64)?;
+        Ok(Self { sorted: least, moving: scene.moving.triangle_count() })
+    }
+
+    /// Triangles that stay geometry whatever r₂ is, because they move.
+    pub fn moving(&self) -> i64 {
+        self.moving
+    }
+
+    /// Triangles of the scene.
+    pub fn total(&self) -> i64 {
+        self.sorted.len() as i64 + self.moving
+    }
+
+    /// Triangles that stay geometry at r₂; exactly those of `Partition`. A radius of NaN is refused, a negative one too.
+    pub fn count(&self, r2: f64) -> Result<i64> {
+        if r2.is_nan() || r2 < 0.0 {
+            return Err(Error::value("r2", "a radius of at least 0", r2));
+        }
+        Ok(self.sorted.partition_point(|&bits| f64::from(f32::from_bits(bits)) <= r2) as i64 + self.moving)
+    }
+
+    /// The greatest r₂ at which at most `budget` triangles stay geometry; infinite where the whole scene fits.
+    pub fn radius(&self, budget: i64) -> Result<f64> {
+        if budget >= self.total() {
+            return Ok(f64::INFINITY);
+        }
+        let first_too_many = usize::try_from(budget - self.moving).ok().map(|index| f32::from_bits(self.sorted[index]));
+        match first_too_many {
+            // Just below the triangle that would be one too many.
+            Some(least) if least > 0.0 => Ok(f64::from(least).next_down()),
+            _ => {
+                let at_axis = self.sorted.partition_point(|&bits| bits == 0) as i64 + self.moving;
+                let expected = format!("at least {at_axis}: the triangles that move or lie on the axis");
+                Err(Error::value("budget", expected, budget))
+            }
+        }
+    }
+}

@@ -1,0 +1,162 @@
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3};
+use proptest::prelude::*;
+
+use super::{LoadCurve, Part, Partition, radii_of};
+use crate::base::{Error, Progress};
+use crate::scene::{FaceMap, Instance, Mesh, Scene};
+
+/// Triangles with corners on a coarse grid, so that touching the axis, collinear and coincident corners are common.
+fn triangles(count: usize) -> impl Strategy<Value = Vec<[[f32; 3]; 3]>> {
+    let coordinate = (-40i32..40).prop_map(|i| i as f32 * 0.5);
+    prop::collection::vec(prop::array::uniform3(prop::array::uniform3(coordinate)), 1..count)
+}
+
+fn mesh(triangles: &[[[f32; 3]; 3]]) -> Arc<Mesh> {
+    let positions: Vec<[f32; 3]> = triangles.iter().flatten().copied().collect();
+    let faces: Vec<[u32; 3]> = (0..triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let none = FaceMap::Uniform(-1);
+    Arc::new(Mesh::new(positions.into(), faces.into(), None, None, none.clone(), none).unwrap())
+}
+
+fn scene(origin: DVec3, standing: Vec<Instance>, moving: Vec<Instance>) -> Scene {
+    Scene::new(origin, standing, moving, Arc::default(), Arc::default()).unwrap()
+}
+
+fn placed(mesh: &Arc<Mesh>, to_scene: DAffine3) -> Instance {
+    Instance::new(Arc::clone(mesh), to_scene, None).unwrap()
+}
+
+/// The least ρ by the definition: the corners' convex hull, sampled on a fine grid of weights.
+fn sampled(triangle: &[[f32; 3]; 3], axis: [f64; 2]) -> f64 {
+    let n = 60;
+    let mut least = f64::INFINITY;
+    for i in 0..=n {
+        for j in 0..=n - i {
+            let weights = [i, j, n - i - j].map(|k| f64::from(k) / f64::from(n));
+            let at = |k: usize| triangle.iter().zip(weights).map(|(c, w)| f64::from(c[k]) * w).sum::<f64>();
+            least = least.min((at(0) - axis[0]).hypot(at(2) - axis[1]));
+        }
+    }
+    least
+}
+
+proptest! {
+    #[test]
+    fn least_radius_is_that_of_the_sampled_triangle(all in triangles(6), x in -20i32..20, z in -20i32..20) {
+        let axis = [f64::from(x) * 0.5, f64::from(z) * 0.5];
+        for triangle in &all {
+            let [least, greatest] = radii_of(triangle.map(|c| [c[0], c[2]]), axis);
+            let grid = sampled(triangle, axis);
+            let longest = (0..3).map(|i| {
+                let (a, b) = (triangle[i], triangle[(i + 1) % 3]);
+                f64::from(a[0] - b[0]).hypot(f64::from(a[2] - b[2]))
+            }).fold(0.0, f64::max);
+            // Samples lie inside: never nearer; and the nearest point has a sample within a grid step, longest / 60.
+            prop_assert!(least <= grid + 1e-12);
+            prop_assert!(grid <= least + longest / 60.0 + 1e-12, "{least} {grid} {triangle:?}");
+            let corners = triangle.map(|c| (f64::from(c[0]) - axis[0]).hypot(f64::from(c[2]) - axis[1]));
+            prop_assert!((greatest - corners.into_iter().fold(0.0, f64::max)).abs() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn instances_divide_as_their_merged_triangles_do(
+        all in triangles(40), places in prop::collection::vec((-30.0..30.0, 0.0..6.0, 0.5..3.0), 1..6), r1 in 0.0..12.0, width in 0.1..15.0,
+    ) {
+        let shared = mesh(&all);
+        let standing: Vec<Instance> = places.iter().map(|&(x, angle, scale): &(f64, f64, f64)| {
+            let turn = DAffine3::from_rotation_y(angle) * DAffine3::from_scale(DVec3::splat(scale));
+            placed(&shared, DAffine3::from_translation(DVec3::new(x, 0.0, -x)) * turn)
+        }).chain([placed(&shared, DAffine3::IDENTITY)]).collect();
+        let (origin, progress) = (DVec3::new(1e6, 0.0, -3e5), Progress::new());
+        let instanced = scene(origin, standing, vec![]);
+        let corners: Vec<[[f32; 3]; 3]> =
+            instanced.triangles().chunks_exact(9).map(|c| [0, 3, 6].map(|i| [c[i], c[i + 1], c[i + 2]])).collect();
+        let merged = scene(origin, vec![placed(&mesh(&corners), DAffine3::IDENTITY)], vec![]);
+        let center = origin + DVec3::new(1.0, 5.0, -2.0);
+        let [a, b] = [&instanced, &merged].map(|s| Partition::new(s, center, r1, r1 + width, &progress).unwrap());
+        for part in [Part::Near, Part::Intermediate, Part::Far, Part::Nsf, Part::Sf] {
+            prop_assert_eq!(a.triangles(part), b.triangles(part));
+        }
+        a.validate(&progress).unwrap();
+        b.validate(&progress).unwrap();
+        let curve = LoadCurve::new(&instanced, center, &progress).unwrap();
+        prop_assert_eq!(curve.count(r1 + width).unwrap(), a.counts().nsf);
+        let listed: Vec<i64> = a.nsf().map(|(i, face)| instanced.triangle_offset(i) + i64::from(face)).collect();
+        prop_assert_eq!(listed, a.triangles(Part::Nsf));
+    }
+}
+
+#[test]
+fn degenerate_triangles_are_what_they_are() {
+    let at = |corners: [[f32; 2]; 3]| radii_of(corners, [0.0, 0.0]);
+    // A large triangle around the axis; one that touches it with a corner and with an edge.
+    assert_eq!(at([[-100.0, -100.0], [100.0, -100.0], [0.0, 100.0]])[0], 0.0);
+    assert_eq!(at([[0.0, 0.0], [10.0, 0.0], [0.0, 10.0]])[0], 0.0);
+    assert_eq!(at([[-5.0, 0.0], [5.0, 0.0], [0.0, 10.0]])[0], 0.0);
+    // Walls: across the axis, beside it, and on a line through it.
+    assert_eq!(at([[-3.0, 4.0], [3.0, 4.0], [3.0, 4.0]]), [4.0, 5.0]);
+    assert_eq!(at([[-3.0, 0.0], [3.0, 0.0], [1.0, 0.0]]), [0.0, 3.0]);
+    assert_eq!(at([[10.0, 10.0], [20.0, 20.0], [15.0, 15.0]])[0], 200f64.sqrt());
+    // A point, and the axis itself.
+    assert_eq!(at([[3.0, 4.0]; 3]), [5.0, 5.0]);
+    assert_eq!(at([[0.0; 2]; 3]), [0.0, 0.0]);
+    // A sliver on a line that nearly passes the axis must not be taken for one around it.
+    let [least, _] = at([[10.0, 1e-7], [20.0, 2.0001e-7], [15.0, 1.5e-7]]);
+    assert!((least - 10.0).abs() < 1e-12);
+    // A millimetre at 100 km: edges are differences of what was given.
+    let corners = [[1e5f64, 0.0], [1e5 + 1e-3, 5e-4], [1e5, 1e-3]];
+    assert!((radii_of(corners, [0.0, 5e-4])[0] - 1e5).abs() < 1e-10);
+    assert!(at([[f32::NAN, 0.0], [1.0, 0.0], [0.0, 1.0]])[1].is_nan());
+}
+
+#[test]
+fn moving_triangles_stay_geometry() {
+    let near = mesh(&[[[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 1.0, 1.0]]]);
+    let far = DAffine3::from_translation(DVec3::X * 500.0);
+    let standing = vec![placed(&near, DAffine3::IDENTITY), placed(&near, far)];
+    let both = scene(DVec3::ZERO, standing, vec![placed(&near, far)]);
+    let progress = Progress::new();
+    let partition = Partition::new(&both, DVec3::ZERO, 30.0, 50.0, &progress).unwrap();
+    partition.validate(&progress).unwrap();
+    assert_eq!(partition.triangles(Part::Nsf), [0, 2]);
+    assert_eq!(partition.triangles(Part::Sf), [1]);
+    assert_eq!(partition.triangles(Part::Far), [1, 2]);
+    // Boxes decided everything: no triangle was looked at.
+    assert_eq!((partition.counts().examined, partition.counts().far_instances), (0, 2));
+    let curve = LoadCurve::new(&both, DVec3::ZERO, &progress).unwrap();
+    assert_eq!((curve.count(50.0), curve.count(1e9)), (Ok(2), Ok(3)));
+    assert_eq!(curve.radius(3), Ok(f64::INFINITY));
+    let radius = curve.radius(2).unwrap();
+    assert_eq!((curve.count(radius), curve.count(radius.next_up())), (Ok(2), Ok(3)));
+    assert!(curve.radius(0).is_err());
+}
+
+#[test]
+fn empty_scenes_have_empty_partitions() {
+    let (nothing, progress) =
+        (scene(DVec3::ZERO, vec![placed(&mesh(&[]), DAffine3::IDENTITY)], vec![]), Progress::new());
+    let partition = Partition::new(&nothing, DVec3::ZERO, 0.0, 1.0, &progress).unwrap();
+    assert!(partition.sf_is_empty() && partition.nsf().next().is_none());
+    partition.validate(&progress).unwrap();
+    let curve = LoadCurve::new(&nothing, DVec3::ZERO, &progress).unwrap();
+    assert_eq!((curve.count(0.0), curve.radius(0)), (Ok(0), Ok(f64::INFINITY)));
+}
+
+#[test]
+fn nonsense_and_cancelling_stop_early() {
+    let one = scene(DVec3::ZERO, vec![placed(&mesh(&[[[1.0; 3]; 3]]), DAffine3::IDENTITY)], vec![]);
+    let progress = Progress::new();
+    for (center, r1, r2) in
+        [(DVec3::NAN, 1.0, 2.0), (DVec3::ZERO, 2.0, 2.0), (DVec3::ZERO, -1.0, 2.0), (DVec3::ZERO, 1.0, f64::NAN)]
+    {
+        assert!(Partition::new(&one, center, r1, r2, &progress).is_err());
+    }
+    assert!(LoadCurve::new(&one, DVec3::INFINITY, &progress).is_err());
+    progress.cancel();
+    let cancelled = Partition::new(&one, DVec3::ZERO, 1.0, 2.0, &progress);
+    assert_eq!(cancelled.err(), Some(Error::Cancelled));
+    assert_eq!(LoadCurve::new(&one, DVec3::ZERO, &progress).err(), Some(Error::Cancelled));
+}

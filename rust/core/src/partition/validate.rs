@@ -1,0 +1,41 @@
+//! A partition's check of itself, from every triangle's own radii.
+
+use rayon::prelude::*;
+
+use super::classify::{Ruler, ground};
+use super::radii::radii_of;
+use super::{Class, Partition, Zone, axis_in};
+use crate::base::{Error, Progress, Result};
+
+impl Partition {
+    /// Measures every triangle anew, without boxes and shortcuts, and compares. An error is a bug of ours.
+    pub fn validate(&self, progress: &Progress) -> Result<()> {
+        let axis = axis_in(self.scene(), self.center());
+        let ruler = Ruler::new(axis, self.r1(), self.r2());
+        progress.expect(self.counts().triangles as u64);
+        (0..self.classes().len() as u32).into_par_iter().try_for_each(|number| {
+            let instance = self.scene().instance(number);
+            if let Class::Mixed(mixed) = &self.classes()[number as usize]
+                && !(mixed.faces.is_sorted_by(|a, b| a < b) && mixed.faces.len() == mixed.zones.len())
+            {
+                return Err(Error::Scene(format!("partition: the faces of instance {number} are out of order")));
+            }
+            for face in 0..instance.mesh.faces.len() as u32 {
+                let expected = ruler.zone(radii_of(ground(instance, face), axis)).unwrap_or(Zone::Far);
+                let zone = self.zone(number, face);
+                if zone != expected {
+                    let text = format!("partition: face {face} of instance {number} is {expected:?}, not {zone:?}");
+                    return Err(Error::Scene(text));
+                }
+            }
+            progress.report(instance.mesh.faces.len() as u64)
+        })?;
+        let counts = self.counts();
+        let (zones, parts) =
+            (counts.near + counts.intermediate + counts.far, counts.nsf + counts.sf - counts.straddling);
+        if zones != counts.triangles || parts != counts.triangles || self.count() != *counts {
+            return Err(Error::Scene(format!("partition: the counts do not add up: {counts:?}")));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,164 @@
+//! Bindings of `partition`.
+
+use glam::DVec3;
+use nearfar_core::base::{Error, Result};
+use nearfar_core::partition::{self, Coordinate, Part};
+use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, ToPyArray};
+use pyo3::IntoPyObjectExt;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::run;
+use crate::scene::Scene;
+
+#[derive(FromPyObject)]
+enum Vertices<'py> {
+    Single(PyReadonlyArray2<'py, f32>),
+    Double(PyReadonlyArray2<'py, f64>),
+}
+
+fn measure<'py, T: Coordinate + Element>(
+    py: Python<'py>,
+    vertices: &PyReadonlyArray2<'py, T>,
+    faces: Option<&PyReadonlyArray2<'py, u32>>,
+    center: [f64; 3],
+    report: Option<Py<PyAny>>,
+) -> PyResult<Py<PyAny>> {
+    let rows = vertices.as_slice()?.as_chunks::<3>().0;
+    let faces = faces.map(|faces| faces.as_slice()).transpose()?.map(|flat| flat.as_chunks::<3>().0);
+    let count = faces.map_or(rows.len() / 3, <[_]>::len);
+    let radii = PyArray2::<T>::zeros(py, [count, 2], false);
+    let mut write = radii.readwrite();
+    let to = write.as_slice_mut()?.as_chunks_mut::<2>().0;
+    let axis = [center[0], center[2]];
+    run::long(py, report, |progress| partition::triangle_radii(rows, faces, axis, to, progress))?;
+    radii.into_py_any(py)
+}
+
+/// Least and greatest distance (F, 2) of triangles from a vertical axis, in the vertices' type.
+#[pyfunction]
+#[pyo3(signature = (vertices, faces, center, report=None))]
+fn triangle_radii<'py>(
+    py: Python<'py>,
+    vertices: Vertices<'py>,
+    faces: Option<PyReadonlyArray2<'py, u32>>,
+    center: [f64; 3],
+    report: Option<Py<PyAny>>,
+) -> PyResult<Py<PyAny>> {
+    match &vertices {
+        Vertices::Single(vertices) => measure(py, vertices, faces.as_ref(), center, report),
+        Vertices::Double(vertices) => measure(py, vertices, faces.as_ref(), center, report),
+    }
+}
+
+/// A scene divided at two radii.
+#[pyclass(frozen, module = "nearfar._core")]
+pub struct Partition(pub partition::Partition);
+
+fn part(name: &str) -> Result<Part> {
+    match name {
+        "near" => Ok(Part::Near),
+        "intermediate" => Ok(Part::Intermediate),
+        "far" => Ok(Part::Far),
+        "nsf" => Ok(Part::Nsf),
+        "sf" => Ok(Part::Sf),
+        _ => Err(Error::value("part", "'near', 'intermediate', 'far', 'nsf' or 'sf'", format!("'{name}'"))),
+    }
+}
+
+#[pymethods]
+impl Partition {
+    #[new]
+    #[pyo3(signature = (scene, *, center, r1, r2, report=None))]
+    fn new(
+        py: Python<'_>,
+        scene: &Scene,
+        center: [f64; 3],
+        r1: f64,
+        r2: f64,
+        report: Option<Py<PyAny>>,
+    ) -> PyResult<Self> {
+        let center = DVec3::from_array(center);
+        run::long(py, report, |progress| partition::Partition::new(&scene.0, center, r1, r2, progress)).map(Self)
+    }
+
+    /// Numbers of the triangles of a set, ascending.
+    fn triangles<'py>(&self, py: Python<'py>, part: &str) -> PyResult<Bound<'py, PyArray1<i64>>> {
+        let numbers = run::short(py, || Ok(self.0.triangles(self::part(part)?)))?;
+        Ok(PyArray1::from_vec(py, numbers))
+    }
+
+    /// Numbers of triangles and instances by name.
+    fn counts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let counts = self.0.counts();
+        let named = PyDict::new(py);
+        for (name, count) in [
+            ("triangles", counts.triangles),
+            ("near", counts.near),
+            ("intermediate", counts.intermediate),
+            ("far", counts.far),
+            ("straddling", counts.straddling),
+            ("nsf", counts.nsf),
+            ("sf", counts.sf),
+            ("near_instances", counts.near_instances),
+            ("intermediate_instances", counts.intermediate_instances),
+            ("far_instances", counts.far_instances),
+            ("mixed_instances", counts.mixed_instances),
+            ("examined", counts.examined),
+            ("measured", counts.measured),
+        ] {
+            named.set_item(name, count)?;
+        }
+        Ok(named)
+    }
+
+    /// Measures every triangle anew and compares.
+    #[pyo3(signature = (report=None))]
+    fn validate(&self, py: Python<'_>, report: Option<Py<PyAny>>) -> PyResult<()> {
+        run::long(py, report, |progress| self.0.validate(progress))
+    }
+}
+
+/// Triangles that stay geometry as a function of r₂.
+#[pyclass(frozen, module = "nearfar._core")]
+pub struct LoadCurve(partition::LoadCurve);
+
+#[pymethods]
+impl LoadCurve {
+    #[new]
+    #[pyo3(signature = (scene, *, center, report=None))]
+    fn new(py: Python<'_>, scene: &Scene, center: [f64; 3], report: Option<Py<PyAny>>) -> PyResult<Self> {
+        let center = DVec3::from_array(center);
+        run::long(py, report, |progress| partition::LoadCurve::new(&scene.0, center, progress)).map(Self)
+    }
+
+    /// Triangles that stay geometry at each radius.
+    fn count<'py>(&self, py: Python<'py>, r2: PyReadonlyArray1<'py, f64>) -> PyResult<Bound<'py, PyArray1<i64>>> {
+        let radii = r2.as_slice()?;
+        let counts: Vec<i64> = run::short(py, || radii.iter().map(|&r2| self.0.count(r2)).collect())?;
+        Ok(counts.to_pyarray(py))
+    }
+
+    /// Greatest radius for each budget.
+    fn radius<'py>(&self, py: Python<'py>, budget: PyReadonlyArray1<'py, i64>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let budgets = budget.as_slice()?;
+        let radii: Vec<f64> = run::short(py, || budgets.iter().map(|&budget| self.0.radius(budget)).collect())?;
+        Ok(radii.to_pyarray(py))
+    }
+
+    #[getter]
+    fn total(&self) -> i64 {
+        self.0.total()
+    }
+
+    #[getter]
+    fn moving(&self) -> i64 {
+        self.0.moving()
+    }
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(triangle_radii, module)?)?;
+    module.add_class::<Partition>()?;
+    module.add_class::<LoadCurve>()
+}
