@@ -50,6 +50,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "embreex": _module("embreex"),
     "fork": lambda: "" if hasattr(os, "fork") else "this system cannot fork",
     "matplotlib": _module("matplotlib"),
+    "notebook": lambda: _module("nbclient")() or _module("ipykernel")(),
     "pyrender": _pyrender,
     "scipy": _module("scipy"),
     "skimage": _module("skimage"),

@@ -1,7 +1,7 @@
 """The compiled kernels. Private: Python modules of nearfar check and convert, then call these."""
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,7 @@ def probe(behaviour: str, report: _Report | None = None) -> None: ...
 # scene --------------------------------------------------------------------------------------------------------------
 _FaceMap = int | NDArray[np.int32] | tuple[NDArray[np.uint32], NDArray[np.int32]]
 
+@final
 class Mesh:
     def __new__(
         cls,
@@ -40,6 +41,7 @@ class Mesh:
     @property
     def face_count(self) -> int: ...
 
+@final
 class Scene:
     def __new__(
         cls,
@@ -80,6 +82,7 @@ class Scene:
     def triangles(self) -> NDArray[np.float32]: ...
 
 # camera -------------------------------------------------------------------------------------------------------------
+@final
 class Camera:
     def __new__(
         cls,
@@ -102,6 +105,7 @@ def triangle_radii(
     report: _Report | None = None,
 ) -> NDArray[np.float32] | NDArray[np.float64]: ...
 
+@final
 class Partition:
     def __new__(
         cls,
@@ -116,6 +120,7 @@ class Partition:
     def counts(self) -> dict[str, int]: ...
     def validate(self, report: _Report | None = None) -> None: ...
 
+@final
 class LoadCurve:
     def __new__(
         cls, scene: Scene, *, center: tuple[float, float, float], report: _Report | None = None

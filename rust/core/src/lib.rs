@@ -11,11 +11,11 @@
 
 pub mod base;
 pub mod scene;
-pub mod camera;
 pub mod bvh;
+pub mod cubemap;
+pub mod camera;
 pub mod trace;
 pub mod partition;
 pub mod morph;
-pub mod cubemap;
 pub mod render;
 pub mod exr;

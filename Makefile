@@ -1,0 +1,80 @@
+# Run `make demo` or `make test` on a fresh machine: each sets up what it needs in .venv and ./target, without root.
+# A second run does no set-up work: stamps in .venv remember what is installed and built.
+
+PYTHON ?= python3
+OUT ?= out
+
+bin := .venv/bin
+rust_sources := $(shell find rust -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
+pip := $(bin)/python -m pip install --quiet --disable-pip-version-check
+# pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
+export PYO3_PYTHON := $(CURDIR)/$(bin)/python
+
+.PHONY: help demo test lint bench notebooks stress setup clean
+.DELETE_ON_ERROR:
+
+# List the targets.
+help:
+	@awk '/^# /{text = substr($$0, 3)} /^[a-z]+:/{sub(":.*", ""); if (text) printf "%-10s %s\n", $$0, text} !/^# /{text = ""}' Makefile
+
+# The main job on the procedural city: pictures, load curve and a report in out/demo.
+demo: .venv/built
+	$(bin)/nearfar demo -o $(OUT)/demo
+
+# Everything that must pass: formatting, lints, types, Rust tests, Python tests.
+test: lint
+	cargo test --release --quiet --workspace
+	$(bin)/python -m pytest
+
+# Formatting, lints and types only.
+lint: .venv/built .venv/test
+	cargo fmt --all --check
+	cargo clippy --release --quiet --workspace --all-targets -- -D warnings
+	$(bin)/ruff format --check --quiet .
+	$(bin)/ruff check --quiet .
+	$(bin)/mypy
+
+# Run time against error for every kernel and its peers, as tables in out/bench.
+bench: .venv/built .venv/test
+	$(bin)/python scripts/bench.py $(OUT)/bench
+
+# Run the notebooks and keep them with their pictures in out/notebooks.
+notebooks: .venv/built .venv/test
+	$(bin)/python scripts/notebooks.py $(OUT)/notebooks
+
+# Large sizes and many random cases: the whole of Tokyo, tens of millions of triangles, thousands of examples.
+stress: .venv/built .venv/test
+	cargo test --release --quiet --workspace -- --include-ignored
+	NEARFAR_HYPOTHESIS=thorough $(bin)/python -m pytest -m "stress or not stress"
+
+# Make .venv and build, without running anything.
+setup: .venv/built .venv/test
+
+# Remove what was built, installed and written.
+clean:
+	rm -rf .venv target $(OUT) python/nearfar/_core.abi3.so
+
+# The environment itself, once cargo is known to be there.
+.venv/made:
+	$(PYTHON) -c 'import sys; sys.exit("nearfar: Python 3.11 or newer is needed, found " + sys.version.split()[0] if sys.version_info < (3, 11) else 0)'
+	$(PYTHON) scripts/nearfar_build.py
+	$(PYTHON) -m venv .venv
+	touch $@
+
+# What the package and its demo need.
+.venv/base: .venv/made pyproject.toml scripts/requirements.py
+	$(bin)/python scripts/requirements.py plot > .venv/base.txt
+	$(pip) -r .venv/base.txt
+	touch $@
+
+# What the tests and notebooks need. pyrender pins a PyOpenGL that cannot be loaded: it comes without its requirements.
+.venv/test: .venv/base
+	$(bin)/python scripts/requirements.py plot notebook test crosscheck > .venv/test.txt
+	$(pip) -r .venv/test.txt
+	$(pip) --no-deps pyrender==0.1.45
+	touch $@
+
+# The extension, built in release and placed in python/nearfar; editing Python needs no new build.
+.venv/built: .venv/base $(rust_sources) scripts/nearfar_build.py
+	$(bin)/python -m pip install --quiet --disable-pip-version-check --no-build-isolation --no-deps --editable .
+	touch $@

@@ -1,0 +1,95 @@
+"""Build backend: maturin, after a check that says in one sentence when cargo is missing or too old.
+
+Run as a script it only checks. Maturin alone would try to download a toolchain, which nobody asked for.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+Settings = dict[str, Any] | None
+
+
+def require_cargo() -> None:
+    """Leave with a sentence unless cargo is there and new enough; Cargo.toml says how new."""
+    manifest = (Path(__file__).resolve().parent.parent / "Cargo.toml").read_text(encoding="utf-8")
+    stated = re.search(r'^rust-version = "([\d.]+)"', manifest, re.MULTILINE)
+    least = stated.group(1) if stated else "1.89"
+    remedy = f"install Rust {least} or newer from https://rustup.rs and try again"
+    if not shutil.which("cargo"):
+        sys.exit(f"nearfar: building from source needs cargo, which is not on the PATH; {remedy}")
+    said = subprocess.run(["cargo", "--version"], capture_output=True, text=True, check=False).stdout
+    found = re.match(r"cargo (\d+)\.(\d+)", said)
+    if not found:
+        sys.exit(f"nearfar: building from source needs cargo, but `cargo --version` says {said.strip()!r}; {remedy}")
+    if (int(found[1]), int(found[2])) < tuple(int(part) for part in least.split(".")[:2]):
+        sys.exit(f"nearfar: building from source needs cargo {least}, but found {found[1]}.{found[2]}; {remedy}")
+
+
+def get_requires_for_build_wheel(config_settings: Settings = None) -> list[str]:
+    """Nothing beyond what pyproject.toml names."""
+    require_cargo()
+    return []
+
+
+def get_requires_for_build_editable(config_settings: Settings = None) -> list[str]:
+    """Nothing beyond what pyproject.toml names."""
+    require_cargo()
+    return []
+
+
+def get_requires_for_build_sdist(config_settings: Settings = None) -> list[str]:
+    """Nothing beyond what pyproject.toml names."""
+    require_cargo()
+    return []
+
+
+def prepare_metadata_for_build_wheel(metadata_directory: str, config_settings: Settings = None) -> str:
+    """Write the metadata; see PEP 517."""
+    require_cargo()
+    return str(_maturin().prepare_metadata_for_build_wheel(metadata_directory, config_settings))
+
+
+def prepare_metadata_for_build_editable(metadata_directory: str, config_settings: Settings = None) -> str:
+    """Write the metadata; see PEP 660."""
+    require_cargo()
+    return str(_maturin().prepare_metadata_for_build_editable(metadata_directory, config_settings))
+
+
+def build_wheel(wheel_directory: str, config_settings: Settings = None, metadata_directory: str | None = None) -> str:
+    """Build a wheel; see PEP 517."""
+    require_cargo()
+    return str(_maturin().build_wheel(wheel_directory, config_settings, metadata_directory))
+
+
+def build_editable(
+    wheel_directory: str, config_settings: Settings = None, metadata_directory: str | None = None
+) -> str:
+    """Build in place; see PEP 660."""
+    require_cargo()
+    return str(_maturin().build_editable(wheel_directory, config_settings, metadata_directory))
+
+
+def build_sdist(sdist_directory: str, config_settings: Settings = None) -> str:
+    """Pack the sources; see PEP 517."""
+    require_cargo()
+    return str(_maturin().build_sdist(sdist_directory, config_settings))
+
+
+def _maturin() -> Any:
+    # Imported late: the check must speak before maturin is there. Its Python part looks for its program on the PATH,
+    # where an environment that is used without being activated does not have it.
+    import maturin
+
+    os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
+    return maturin
+
+
+if __name__ == "__main__":
+    require_cargo()

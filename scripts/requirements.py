@@ -1,0 +1,24 @@
+"""Prints the requirements of the package and of the extras named on the command line, one a line.
+
+The Makefile installs them apart from the build, so that an edit of a Rust file does not ask the package index.
+"""
+
+from __future__ import annotations
+
+import sys
+import tomllib
+from pathlib import Path
+
+
+def main() -> None:
+    """Read pyproject.toml beside this folder."""
+    document = tomllib.loads((Path(__file__).resolve().parent.parent / "pyproject.toml").read_text(encoding="utf-8"))
+    project = document["project"]
+    wanted = [*document["build-system"]["requires"], *project["dependencies"]]
+    for extra in sys.argv[1:]:
+        wanted += project["optional-dependencies"][extra]
+    print("\n".join(wanted))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# System libraries that some tests use. Building and running nearfar needs none of them.
+#   libegl1, libgl1, libosmesa6   off-screen OpenGL for pyrender, an independent renderer that pictures are compared with
+# As root on Debian or Ubuntu it installs what is missing; elsewhere it prints the line and goes on.
+set -euo pipefail
+
+packages=(libegl1 libgl1 libosmesa6)
+
+missing=()
+for package in "${packages[@]}"; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+    exit 0
+fi
+if [ "$(id -u)" -ne 0 ] || ! command -v apt-get >/dev/null; then
+    echo "To run every test, install: sudo apt-get install ${missing[*]}"
+    exit 0
+fi
+export DEBIAN_FRONTEND=noninteractive
+apt-get update -q </dev/null
+apt-get install -q -y --no-install-recommends "${missing[@]}" </dev/null

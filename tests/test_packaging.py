@@ -1,0 +1,183 @@
+"""The wheel is small, complete, installs into an empty environment, and imports without what it may not need."""
+
+from __future__ import annotations
+
+import email
+import importlib.metadata
+import os
+import re
+import stat
+import subprocess
+import sys
+import tarfile
+import tomllib
+import venv
+import zipfile
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+
+import nearfar as nf
+
+CHECKOUT = Path(__file__).resolve().parent.parent
+BACKEND = CHECKOUT / "scripts" / "nearfar_build.py"
+
+IMPORT_BACKEND = f"import sys; sys.path.insert(0, {str(BACKEND.parent)!r}); import nearfar_build as b"
+
+# One wheel with everything inside stays small enough to download without a thought.
+LARGEST_WHEEL = 12_000_000
+
+HEAVY = ("trimesh", "PIL", "typer", "rich", "matplotlib", "scipy", "cv2", "jsonschema", "networkx")
+"""Packages that `import nearfar` must not load: each costs tens of milliseconds that most scripts would not use."""
+
+
+def run(*command: str | Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        command, env=os.environ | environment, cwd=CHECKOUT, capture_output=True, text=True, timeout=900, check=False
+    )
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Built from the tree with the environment's maturin: the release build is there, so this only packs."""
+    folder = tmp_path_factory.mktemp("wheel")
+    done = run(
+        *(sys.executable, "-m", "pip", "wheel", "--no-deps", "--no-build-isolation", "--no-index"),
+        *("--wheel-dir", folder, CHECKOUT),
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    (path,) = folder.glob("*.whl")
+    return path
+
+
+@pytest.fixture(scope="module")
+def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Python of an environment that holds the wheel, what its metadata requires, and nothing else.
+
+    The requirements are linked from this environment, so that no package index is asked.
+    """
+    folder = tmp_path_factory.mktemp("empty")
+    venv.create(folder, with_pip=False, symlinks=os.name != "nt")
+    python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+    where = run(python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))").stdout.strip()
+    done = run(
+        *(sys.executable, "-m", "pip", "--python", python, "install", "--no-deps", "--no-index"),
+        *("--no-warn-script-location", wheel),
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    for top in _requirements(wheel):
+        (Path(where) / top.name).symlink_to(top)
+    return python
+
+
+def _requirements(wheel: Path) -> set[Path]:
+    """Top-level files and folders of everything that the wheel requires without extras, directly or not."""
+    with zipfile.ZipFile(wheel) as archive:
+        (name,) = (name for name in archive.namelist() if name.endswith(".dist-info/METADATA"))
+        metadata = email.message_from_bytes(archive.read(name))
+    waiting: list[str] = metadata.get_all("Requires-Dist") or []
+    seen: set[str] = set()
+    tops: set[Path] = set()
+    while waiting:
+        requirement = Requirement(waiting.pop())
+        if requirement.name in seen or (requirement.marker and not requirement.marker.evaluate({"extra": ""})):
+            continue
+        seen.add(requirement.name)
+        distribution = importlib.metadata.distribution(requirement.name)
+        waiting += distribution.requires or []
+        for file in distribution.files or []:
+            if ".." not in file.parts:
+                tops.add(Path(str(distribution.locate_file(file.parts[0]))))
+    return tops
+
+
+def test_the_wheel_is_small_and_complete(wheel: Path) -> None:
+    assert wheel.stat().st_size <= LARGEST_WHEEL
+    assert re.fullmatch(rf"nearfar-{re.escape(nf.__version__)}-cp311-abi3-\w+\.whl", wheel.name)
+    with zipfile.ZipFile(wheel) as archive:
+        names = set(archive.namelist())
+    tracked = {
+        path.relative_to(CHECKOUT / "python").as_posix()
+        for path in (CHECKOUT / "python" / "nearfar").rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts
+    }
+    assert {name for name in names if name.startswith("nearfar/")} == tracked
+    extensions = [name for name in names if name.endswith((".so", ".pyd", ".dylib"))]
+    assert len(extensions) == 1
+    assert any(name.endswith("licenses/LICENSE-MIT") for name in names)
+    assert any(name.endswith("licenses/LICENSE-APACHE") for name in names)
+
+
+def test_the_wheel_works_in_an_empty_environment(installed: Path, tmp_path: Path) -> None:
+    code = (
+        "import nearfar as nf, numpy as np\n"
+        "assert 'empty' in nf.__file__, nf.__file__\n"
+        "scene = nf.Scene.from_arrays([[0, 0, 0], [1, 0, 0], [0, 0, 1]], [[0, 1, 2]])\n"
+        "print(scene.triangle_count)"
+    )
+    done = subprocess.run([installed, "-I", "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stdout.strip()) == (0, "1"), done.stderr
+    done = subprocess.run(
+        [installed.with_name("nearfar"), "--help"], cwd=tmp_path, capture_output=True, text=True, timeout=60
+    )
+    assert done.returncode == 0, done.stderr
+    assert "render" in done.stdout
+
+
+def test_importing_loads_nothing_heavy(installed: Path, tmp_path: Path) -> None:
+    code = (
+        "import sys, time; import numpy\n"
+        "start = time.perf_counter(); import nearfar; took = time.perf_counter() - start\n"
+        "print(took, *sorted({name.partition('.')[0] for name in sys.modules}))"
+    )
+    done = subprocess.run([installed, "-I", "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    took, *loaded = done.stdout.split()
+    print(f"import nearfar: {float(took):.3f} s beside NumPy's")
+    assert not set(HEAVY) & set(loaded)
+
+
+def test_the_sources_pack(tmp_path: Path) -> None:
+    done = run(sys.executable, "-c", f"{IMPORT_BACKEND}; b.build_sdist({str(tmp_path)!r})")
+    assert done.returncode == 0, done.stdout + done.stderr
+    (path,) = tmp_path.glob("nearfar-*.tar.gz")
+    with tarfile.open(path) as archive:
+        names = {name.partition("/")[2] for name in archive.getnames()}
+    wanted = {"pyproject.toml", "Cargo.toml", "Cargo.lock", "README.md", "LICENSE-MIT", "LICENSE-APACHE"}
+    wanted |= {"scripts/nearfar_build.py", "rust/core/src/lib.rs", "rust/py/src/lib.rs", "python/nearfar/__init__.py"}
+    assert wanted <= names
+    assert not any(name.endswith(".so") for name in names)
+
+
+def test_one_version_everywhere() -> None:
+    cargo = tomllib.loads((CHECKOUT / "Cargo.toml").read_text(encoding="utf-8"))
+    assert cargo["workspace"]["package"]["version"] == nf.__version__
+    changes = (CHECKOUT / "CHANGELOG.md").read_text(encoding="utf-8")
+    assert re.search(rf"^## {re.escape(nf.__version__)}\b", changes, re.MULTILINE)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="the stand-in for cargo is a shell script")
+@pytest.mark.parametrize(
+    ("said", "words"),
+    [
+        (None, "needs cargo, which is not on the PATH; install Rust 1.89 or newer from https://rustup.rs"),
+        ("cargo 1.70.0 (old)", "needs cargo 1.89, but found 1.70; install Rust 1.89 or newer"),
+        ("nonsense", "but `cargo --version` says 'nonsense'; install Rust 1.89 or newer"),
+    ],
+)
+def test_a_build_without_a_good_cargo_says_so_in_one_sentence(said: str | None, words: str, tmp_path: Path) -> None:
+    if said is not None:
+        script = tmp_path / "cargo"
+        script.write_text(f"#!/bin/sh\necho '{said}'\n")
+        script.chmod(script.stat().st_mode | stat.S_IEXEC)
+    path = os.pathsep.join([str(tmp_path), "/nonexistent"])
+    for command in ([sys.executable, BACKEND], [sys.executable, "-c", f"{IMPORT_BACKEND}; b.build_wheel('.')"]):
+        done = run(*command, PATH=path if said is None else os.pathsep.join([str(tmp_path), "/bin"]))
+        assert done.returncode == 1
+        assert done.stderr.count("\n") == 1
+        assert words in done.stderr
+
+
+def test_every_script_a_person_runs_is_executable() -> None:
+    for name in (".ci/run", "scripts/system-packages.sh", "scripts/dev-build.sh"):
+        assert os.access(CHECKOUT / name, os.X_OK), name

@@ -1,0 +1,247 @@
+"""Files, formats, the cache and the data folder behave as ARCHITECTURE.md says."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar import _cache, _data, _files, _formats
+
+
+# files ---------------------------------------------------------------------------------------------------------------
+def test_a_file_appears_whole(tmp_path: Path) -> None:
+    target = tmp_path / "picture.png"
+    for content in (b"first", b"second"):
+        with _files.atomic_file(target) as aside:
+            assert aside.suffix == ".png"
+            aside.write_bytes(content)
+            assert target.exists() == (content == b"second")
+        assert target.read_bytes() == content
+    assert list(tmp_path.iterdir()) == [target]
+
+
+@pytest.mark.parametrize("error", [RuntimeError, KeyboardInterrupt, SystemExit])
+def test_an_interrupted_write_leaves_the_old_file_and_nothing_else(tmp_path: Path, error: type[BaseException]) -> None:
+    target = tmp_path / "data.bin"
+    target.write_bytes(b"old")
+    with pytest.raises(error), _files.atomic_file(target) as aside:
+        aside.write_bytes(b"half")
+        raise error
+    assert target.read_bytes() == b"old"
+    assert list(tmp_path.iterdir()) == [target]
+
+
+def test_a_killed_writer_leaves_no_half_file(tmp_path: Path) -> None:
+    target = tmp_path / "data.bin"
+    code = (
+        "import os, sys; from nearfar import _files\n"
+        "with _files.atomic_file(sys.argv[1]) as aside:\n"
+        "    aside.write_bytes(b'half'); os._exit(9)"
+    )
+    done = subprocess.run([sys.executable, "-c", code, str(target)], timeout=60, check=False)
+    assert done.returncode == 9
+    assert not target.exists()
+
+
+def test_new_files_have_ordinary_permissions(tmp_path: Path) -> None:
+    (tmp_path / "plain").write_bytes(b"")
+    with _files.atomic_file(tmp_path / "ours"):
+        pass
+    assert (tmp_path / "ours").stat().st_mode == (tmp_path / "plain").stat().st_mode
+
+
+def test_unwritable_places_are_named_before_the_work(tmp_path: Path) -> None:
+    (tmp_path / "file").write_bytes(b"")
+    worked = False
+    for place in (tmp_path / "missing" / "a.png", tmp_path / "file" / "a.png", tmp_path):
+        with pytest.raises(OSError, match=r"cannot be written|is a folder") as caught, _files.atomic_file(place):
+            worked = True
+        assert caught.value.filename == str(place)
+        assert not worked
+
+
+def test_a_folder_appears_whole_and_replaces_only_our_own(tmp_path: Path) -> None:
+    target = tmp_path / "scene"
+    for content in ("first", "second"):
+        with _files.atomic_folder(target) as aside:
+            (aside / "sub").mkdir()
+            (aside / "sub" / "data.txt").write_text(content)
+            (aside / "manifest.json").write_text("{}")
+        assert (target / "sub" / "data.txt").read_text() == content
+    with pytest.raises(RuntimeError), _files.atomic_folder(target) as aside:
+        (aside / "manifest.json").write_text("half")
+        raise RuntimeError
+    assert (target / "manifest.json").read_text() == "{}"
+    assert list(tmp_path.iterdir()) == [target]
+
+
+def test_a_folder_with_other_peoples_files_is_refused(tmp_path: Path) -> None:
+    home = tmp_path / "home"
+    home.mkdir()
+    with _files.atomic_folder(home) as aside:
+        (aside / "letter.txt").write_text("dear")
+    with pytest.raises(FileExistsError, match="holds other files"), _files.atomic_folder(home):
+        pass
+    assert (home / "letter.txt").read_text() == "dear"
+    with pytest.raises(NotADirectoryError), _files.atomic_folder(home / "letter.txt"):
+        pass
+
+
+# formats -------------------------------------------------------------------------------------------------------------
+def test_a_header_is_read_back_and_fits_its_schema() -> None:
+    header = _formats.header("report", 2, color_space="sRGB", origin=[1.0, 0.0, 2.0])
+    jsonschema.validate(header, _formats.load_schema("header"))
+    assert header["generator"] == f"nearfar {nf.__version__}"
+    assert _formats.check(header, "report", 2, "a.json") is header
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"version": 3}, "a.json: nearfar.report version 3 was written by nearfar .* reads up to version 2"),
+        ({"version": "2"}, "a.json: expected a version of at least 1, got '2'"),
+        ({"version": True}, "expected a version"),
+        ({"version": 0}, "expected a version"),
+        ({"format": "nearfar.bundle"}, "a.json: expected format 'nearfar.report', got 'nearfar.bundle'"),
+        ({"format": None}, "expected format"),
+    ],
+)
+def test_foreign_and_newer_documents_are_refused(change: dict[str, Any], words: str) -> None:
+    document = _formats.header("report", 2) | change
+    with pytest.raises(nf.FormatError, match=words):
+        _formats.check(document, "report", 2, "a.json")
+
+
+@pytest.mark.parametrize("content", [b"", b"[1]", b"{", b"\xff\xfe", b"[" * 100_000])
+def test_damaged_documents_are_refused_by_name(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "report.json"
+    path.write_bytes(content)
+    with pytest.raises(nf.FormatError, match=r"report\.json: expected"):
+        _formats.read_json(path, "report", 1)
+
+
+def test_documents_hold_no_nan() -> None:
+    with pytest.raises(ValueError, match="JSON"):
+        _formats.to_json({"value": float("nan")})
+
+
+def test_every_schema_is_a_schema() -> None:
+    for path in (Path(_formats.__file__).parent / "schemas").iterdir():
+        schema = _formats.load_schema(path.name.removesuffix(".schema.json"))
+        jsonschema.Draft202012Validator.check_schema(schema)
+    with pytest.raises(ValueError, match="name: expected one of"):
+        _formats.load_schema("nonsense")
+
+
+# cache ---------------------------------------------------------------------------------------------------------------
+def test_keys_tell_values_apart() -> None:
+    parts: list[Any] = [1, 1.0, "1", b"1", True, None, (1,), ((1,),), (1, 1), [], {}, {"a": 1}, {"a": 2}]
+    parts += [np.array([1], dtype) for dtype in (np.int32, np.int64, np.float32)] + [np.array([[1]], np.int32)]
+    # Lists and tuples are the same value; everything else differs.
+    assert len({_cache.key(part) for part in parts}) == len(parts)
+    assert _cache.key("ab", "c") != _cache.key("a", "bc")
+    assert _cache.key({"a": 1, "b": 2}) == _cache.key({"b": 2, "a": 1})
+    assert _cache.key(np.arange(6).reshape(2, 3).T) == _cache.key(np.ascontiguousarray(np.arange(6).reshape(2, 3).T))
+    with pytest.raises(TypeError, match="parts: expected"):
+        _cache.key(object())
+
+
+def write(size: int) -> Callable[[Path], None]:
+    def make(path: Path) -> None:
+        path.write_bytes(bytes(size))
+
+    return make
+
+
+def test_a_result_is_made_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path))
+    made = []
+
+    def make(path: Path) -> None:
+        made.append(path)
+        path.write_bytes(b"result")
+
+    key = _cache.key("algorithm", 1, 0.5)
+    for _ in range(2):
+        assert _cache.get_or_make(key, ".bin", make).read_bytes() == b"result"
+    assert len(made) == 1
+
+
+def test_the_least_recently_used_goes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path))
+    monkeypatch.setenv("NEARFAR_CACHE_MAX_GB", "3e-6")
+    keys = [_cache.key(i) for i in range(4)]
+    paths = []
+    for age, key in enumerate(keys[:3]):
+        path = _cache.get_or_make(key, ".bin", write(1000))
+        os.utime(path, (age, age))
+        paths.append(path)
+    _cache.get_or_make(keys[0], ".bin", write(1000))
+    newest = _cache.get_or_make(keys[3], ".bin", write(1000))
+    assert [path.exists() for path in (*paths, newest)] == [True, False, True, True]
+    assert _cache.get_or_make(_cache.key("large"), ".bin", write(9000)).exists()
+    assert [path.exists() for path in (*paths, newest)] == [False] * 4
+
+
+def test_a_failed_result_is_not_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path))
+
+    def fail(path: Path) -> None:
+        path.write_bytes(b"half")
+        raise RuntimeError
+
+    with pytest.raises(RuntimeError):
+        _cache.get_or_make(_cache.key("fails"), ".bin", fail)
+    assert [path for path in tmp_path.rglob("*") if path.is_file()] == []
+
+
+@pytest.mark.parametrize("wrong", ["-1", "many", "nan", "inf"])
+def test_a_wrong_bound_is_a_value_error(wrong: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NEARFAR_CACHE_MAX_GB", wrong)
+    with pytest.raises(ValueError, match=f"NEARFAR_CACHE_MAX_GB: expected .* got '{wrong}'"):
+        _cache.get_or_make(_cache.key(0), ".bin", write(1))
+
+
+def test_an_unwritable_cache_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "file").write_bytes(b"")
+    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "file"))
+    with pytest.raises(OSError, match=str(tmp_path / "file")):
+        _cache.get_or_make(_cache.key(0), ".bin", write(1))
+
+
+def test_the_platforms_folder_is_the_default(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.delenv("NEARFAR_CACHE")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(sys, "platform", "linux")
+    assert _cache.folder() == tmp_path / "nearfar"
+
+
+# data ----------------------------------------------------------------------------------------------------------------
+def test_the_variable_comes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "city").mkdir()
+    (tmp_path / "city" / "a.glb").write_bytes(b"")
+    monkeypatch.setenv("NEARFAR_DATA", str(tmp_path))
+    assert _data.find("city/a.glb") == tmp_path / "city" / "a.glb"
+    assert _data.find("city/b.glb") is None
+    with pytest.raises(FileNotFoundError, match=r"city/b\.glb: expected a data file, but not in"):
+        _data.require("city/b.glb")
+
+
+def test_the_nearest_shared_folder_comes_next(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("NEARFAR_DATA", raising=False)
+    monkeypatch.setattr(_data, "__file__", str(tmp_path / "a" / "b" / "package" / "_data.py"))
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a" / "b").mkdir(parents=True)
+    (tmp_path / "shared" / "data").mkdir(parents=True)
+    assert _data.root() == tmp_path / "shared" / "data"
+    (tmp_path / "a" / "shared" / "data").mkdir(parents=True)
+    assert _data.root() == tmp_path / "a" / "shared" / "data"

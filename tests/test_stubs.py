@@ -1,0 +1,28 @@
+"""The stub of the compiled module says what the binary has, name by name and argument by argument."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+CHECKOUT = Path(__file__).resolve().parent.parent
+
+
+# pyo3 makes __all__ of all names; nothing imports from the module by asterisk, which ruff sees to.
+NOT_IN_THE_STUB = r"nearfar\._core\.__all__"
+
+
+def test_the_stub_matches_the_binary(tmp_path: Path) -> None:
+    allowed = tmp_path / "allowed.txt"
+    allowed.write_text(NOT_IN_THE_STUB)
+    options = ["--mypy-config-file", "pyproject.toml", "--concise", "--allowlist", str(allowed)]
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy.stubtest", "nearfar._core", *options],
+        cwd=CHECKOUT,
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
