@@ -272,7 +272,7 @@ class Assembly:
         colors = [color for color, _, _ in self._materials]
         return _core.Scene(
             origin=(float(origin[0]), float(origin[1]), float(origin[2])),
-            meshes=merged + [self._meshes[handle].core for handle in placed.mesh[rest]],
+            meshes=merged + self._instanced(rest, placed),
             placements=np.concatenate([identities, placements[rest]]),
             objects=np.concatenate([own, placed.object[rest]]),
             standing_count=len(merged) + len(rest),
@@ -281,6 +281,13 @@ class Assembly:
             material_cutoffs=np.array([np.nan if c is None else c for _, _, c in self._materials], np.float32),
             textures=[texture_of("texture", texture) for texture, _ in self._textures.values()],
         )
+
+    def _instanced(self, rows: NDArray[np.int64], placed: _Placements) -> list[_core.Mesh]:
+        """Meshes of instances; mirrored ones take a twin whose faces keep their outside outside."""
+        mirrored = np.linalg.det(placed.transform[rows, :3, :3]) < 0
+        twins = {handle: self._meshes[handle].core.turned() for handle in set(placed.mesh[rows[mirrored]].tolist())}
+        pairs = zip(placed.mesh[rows].tolist(), mirrored.tolist(), strict=True)
+        return [twins[handle] if is_mirrored else self._meshes[handle].core for handle, is_mirrored in pairs]
 
     def _merge_groups(self, rows: NDArray[np.int64], placed: _Placements) -> list[NDArray[np.int64]]:
         if not len(rows):

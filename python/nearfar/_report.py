@@ -32,17 +32,18 @@ class Report:
 
     def __str__(self) -> str:
         counts = [
-            f"{self.triangles:,} triangles in {_count(self.instances, 'instance')} of {_count(self.meshes, 'mesh')}",
-            f"{_count(self.objects, 'object')}, {_count(self.dynamic, 'dynamic instance')}",
-            f"{_count(self.materials, 'material')}, {_count(self.textures, 'texture')}",
+            f"{count(self.triangles, 'triangle')} in {count(self.instances, 'instance')}"
+            f" of {count(self.meshes, 'mesh', 'meshes')}",
+            f"{count(self.objects, 'object')}, {count(self.dynamic, 'dynamic instance')}",
+            f"{count(self.materials, 'material')}, {count(self.textures, 'texture')}",
         ]
         if self.degenerate_faces:
-            counts.append(f"{_count(self.degenerate_faces, 'face')} without an area")
+            counts.append(f"{count(self.degenerate_faces, 'face')} without an area")
         if self.dropped_faces:
-            counts.append(f"{_count(self.dropped_faces, 'unusable face')} dropped")
+            counts.append(f"{count(self.dropped_faces, 'unusable face')} dropped")
         return "\n".join([*counts, *self.notes])
 
 
-def _count(number: int, noun: str) -> str:
-    plural = noun if number == 1 else noun + ("es" if noun.endswith("sh") else "s")
-    return f"{number:,} {plural}"
+def count(number: int, noun: str, plural: str = "") -> str:
+    """Put a number before its noun, in the plural where it takes one."""
+    return f"{number:,} {noun if number == 1 else plural or noun + 's'}"

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +15,9 @@ from nearfar._assembly import Assembled, Assembly
 from nearfar._geometry import object_count_of, transforms_of
 from nearfar._names import Names
 from nearfar._report import Report
+
+if TYPE_CHECKING:
+    import trimesh
 
 
 class Scene:
@@ -46,6 +50,59 @@ class Scene:
     @classmethod
     def _from_assembled(cls, parts: Assembled, *, dropped: int = 0, notes: tuple[str, ...] = ()) -> Scene:
         return cls(parts.core, Names(parts.names), frames=parts.frames, dropped=dropped, notes=notes)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str], *, up: str = "y", on_invalid: str = "raise") -> Scene:
+        """Load a file: GLB, glTF with its buffers and images, OBJ with MTL, PLY, STL, OFF and what else trimesh reads.
+
+        Nodes become objects; meshes that are placed more than once stay instances; base colour factors, base colour
+        textures and vertex colours are kept. `report` says what is not drawn. A single-file format may be packed
+        (``.ply.gz``).
+
+        Parameters
+        ----------
+        path
+            The file. Units are taken to be metres.
+        up
+            Axis of the file that points up: "x", "y" or "z"; it is turned to y.
+        on_invalid
+            Whether vertices that are not finite and faces without vertices "raise", or the faces "drop" out and
+            `report` says how many.
+
+        Raises
+        ------
+        SceneError
+            A file that cannot be used: says which, and why.
+        OSError
+            A file that cannot be opened.
+        """
+        from nearfar import _load
+
+        return _load.load(path, up=up, on_invalid=on_invalid)
+
+    @classmethod
+    def from_trimesh(
+        cls, loaded: trimesh.Trimesh | trimesh.Scene, *, up: str = "y", on_invalid: str = "raise"
+    ) -> Scene:
+        """Convert one of trimesh's meshes or scenes.
+
+        Parameters
+        ----------
+        loaded
+            Its nodes become objects; a lone mesh is called ``object``.
+        up, on_invalid
+            See `load`.
+
+        Raises
+        ------
+        SceneError
+            No triangles, or vertices and transforms that cannot be used.
+        TypeError
+            Anything else than a mesh or a scene.
+        """
+        from nearfar import _from_trimesh, _source
+
+        return _source.to_scene(_from_trimesh.read("trimesh object", loaded), up=up, on_invalid=on_invalid)
 
     @classmethod
     def from_arrays(

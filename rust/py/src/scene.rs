@@ -80,6 +80,11 @@ impl Mesh {
         .map(|mesh| Self(Arc::new(mesh)))
     }
 
+    /// The mesh with its faces turned inside out, sharing the vertices.
+    fn turned(&self, py: Python<'_>) -> PyResult<Self> {
+        run::short(py, || Ok(self.0.turned())).map(|mesh| Self(Arc::new(mesh)))
+    }
+
     /// Box of all faces (2, 3) in the mesh's own frame, inverted infinities without faces.
     fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let bounds = self.0.bounds();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{DAffine3, Vec3};
 use rayon::prelude::*;
 
-use super::mesh::TILE;
+use super::mesh::{TILE, turned};
 use super::{FaceMap, Mesh};
 use crate::base::{Error, Result};
 
@@ -90,10 +90,6 @@ fn lone_faces(part: &Part) -> crate::base::Buffer<[u32; 3]> {
     } else {
         part.mesh.faces.clone()
     }
-}
-
-fn turned(face: &[u32; 3]) -> [u32; 3] {
-    [face[0], face[2], face[1]]
 }
 
 fn joined_faces(parts: &[Part], counts: &[usize]) -> Result<Vec<[u32; 3]>> {

@@ -114,6 +114,13 @@ impl Mesh {
         )
     }
 
+    /// The mesh with its faces turned inside out, for instances that are mirrored. It shares the vertices' arrays.
+    pub fn turned(&self) -> Self {
+        let faces: Vec<[u32; 3]> = self.faces.par_iter().map(turned).collect();
+        let (positions, uvs, colors) = (self.positions.clone(), self.uvs.clone(), self.colors.clone());
+        Self::unchecked(positions, faces.into(), uvs, colors, self.objects.clone(), self.materials.clone())
+    }
+
     /// Number of faces without an area: two corners at one place, or all three on a line, in exact arithmetic of the
     /// float32 edges.
     pub fn degenerate_count(&self) -> usize {
@@ -150,6 +157,11 @@ impl Mesh {
         let bvh = Bvh::build(&self.positions, &self.faces, progress)?;
         Ok(self.bvh.get_or_init(|| bvh))
     }
+}
+
+/// A face seen from the other side: the same first corner, the others in the other order.
+pub(super) fn turned(face: &[u32; 3]) -> [u32; 3] {
+    [face[0], face[2], face[1]]
 }
 
 fn count_non_finite(positions: &[[f32; 3]]) -> usize {

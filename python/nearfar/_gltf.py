@@ -1,0 +1,163 @@
+"""glTF and GLB through trimesh's reader, without its scene graph, which takes a second for ten thousand nodes."""
+
+from __future__ import annotations
+
+import io
+import json
+import struct
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+
+from nearfar._materials import Materials, colors_of
+from nearfar._report import count
+from nearfar._source import Node, Shape, Source, UnusableError, world_transforms
+
+_TRIANGLES, _STRIP = 4, 5
+_FLOAT = 5126
+_READ_MODES = (0, 1, _TRIANGLES, _STRIP)
+"""Modes of primitives that trimesh makes a geometry of; it skips the others."""
+
+_UNBACKED = 64 << 20
+"""Bytes that accessors without data may claim in a small file: they are filled with zeros."""
+
+_EXPANSION = 200
+"""Times the file's size that they may claim in a large one: more than Draco compresses."""
+
+_UNREAD = ("EXT_meshopt_compression", "KHR_meshopt_compression")
+"""Extensions without which nothing of a mesh is left, and that trimesh does not know."""
+
+_COMPONENT_BYTES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
+_COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
+
+
+def read(label: str, data: bytes, kind: str, resolver: Any) -> Source:
+    """Read a GLB or the JSON of a glTF, whose buffers and images the resolver finds."""
+    from trimesh.exchange import gltf
+
+    header = _header(data, kind)
+    _check_sizes(header, len(data))
+    _check_extensions(header)
+    reader = gltf.load_glb if kind == "glb" else gltf.load_gltf
+    parts = reader(file_obj=io.BytesIO(data), resolver=resolver)
+    primitives = [p for mesh in header.get("meshes", []) for p in mesh["primitives"] if _mode(p) in _READ_MODES]
+    materials = Materials()
+    shapes = {
+        name: _shape(arrays, primitive, header, materials)
+        for (name, arrays), primitive in zip(parts["geometry"].items(), primitives, strict=True)
+        if "faces" in arrays
+    }
+    return Source(label, shapes, _nodes(parts, header, shapes), _notes(header))
+
+
+def _header(data: bytes, kind: str) -> dict[str, Any]:
+    if kind == "glb":
+        if len(data) < 20:
+            raise UnusableError("it ends within its header")
+        magic, version, _, length = struct.unpack("<4sIII", data[:16])
+        if magic != b"glTF" or version != 2:
+            raise UnusableError("it does not begin like a GLB of version 2")
+        data = data[20 : 20 + length]
+    header = json.loads(data)
+    if not isinstance(header, dict):
+        raise UnusableError("its JSON is not an object")
+    return header
+
+
+def _check_sizes(header: dict[str, Any], size: int) -> None:
+    """Refuse accessors without data that claim more than the file could stand for."""
+    claimed = 0
+    for accessor in header.get("accessors", []):
+        if "bufferView" not in accessor:
+            item = _COMPONENT_BYTES[accessor["componentType"]] * _COMPONENTS[accessor["type"]]
+            claimed += int(accessor["count"]) * item
+    if claimed > max(_UNBACKED, _EXPANSION * size):
+        raise UnusableError(f"its accessors claim {claimed:,} bytes without data")
+
+
+def _check_extensions(header: dict[str, Any]) -> None:
+    """Refuse compressed geometry that trimesh would pass on as zeros."""
+    for name in header.get("extensionsRequired", []):
+        if name in _UNREAD:
+            raise UnusableError(f"it needs the extension {name}, which is not read: save it uncompressed")
+        if name == "KHR_draco_mesh_compression" and not find_spec("DracoPy"):
+            raise ModuleNotFoundError(name="DracoPy")
+
+
+def _mode(primitive: dict[str, Any]) -> Any:
+    return primitive.get("mode", _TRIANGLES)
+
+
+def _shape(arrays: dict[str, Any], primitive: dict[str, Any], header: dict[str, Any], materials: Materials) -> Shape:
+    vertices = arrays["vertices"]
+    visual = arrays.get("visual")
+    colors = arrays.get("vertex_colors")
+    shape = Shape(vertices, arrays["faces"])
+    if _accessor(primitive, "POSITION", header).get("normalized"):
+        raise UnusableError("its positions are normalised integers, which are not read: save them as floats")
+    if visual is not None:
+        described = header["materials"][primitive["material"]]
+        textured = "baseColorTexture" in described.get("pbrMetallicRoughness", {})
+        shape.materials = materials.of(visual.material, factor=_factor(described), textured=textured)
+        # Of whole numbers trimesh subtracts v from 1 before they are scaled to 0..1.
+        shape.uvs = visual.uv if _component(primitive, "TEXCOORD_0", header) == _FLOAT else None
+        colors = visual.vertex_attributes.get("color", None)
+    if colors is not None:
+        # COLOR_0 is linear (glTF 2.0, 3.7.2.1).
+        shape.colors = colors_of(np.asarray(colors), len(vertices), linear=True)
+    return shape
+
+
+def _accessor(primitive: dict[str, Any], attribute: str, header: dict[str, Any]) -> dict[str, Any]:
+    number = primitive.get("attributes", {}).get(attribute)
+    accessor: dict[str, Any] = {} if number is None else header["accessors"][number]
+    return accessor
+
+
+def _component(primitive: dict[str, Any], attribute: str, header: dict[str, Any]) -> int:
+    """Type of an attribute's numbers; that of an absent one counts as float, which needs no care."""
+    kind: int = _accessor(primitive, attribute, header).get("componentType", _FLOAT)
+    return kind
+
+
+def _factor(material: dict[str, Any]) -> tuple[float, float, float, float] | None:
+    """Base colour factor in full precision; None leaves it to what trimesh found, in an extension for instance."""
+    given = material.get("pbrMetallicRoughness", {}).get("baseColorFactor")
+    if given is None or material.get("extensions"):
+        return None
+    red, green, blue, alpha = np.clip(np.nan_to_num(np.array(given, np.float64)), 0, 1).tolist()
+    return red, green, blue, alpha
+
+
+def _nodes(parts: dict[str, Any], header: dict[str, Any], shapes: dict[str, Shape]) -> list[Node]:
+    """Placed shapes in the file's order, which trimesh's traversal reverses."""
+    named = {str(node.get("name", index)) for index, node in enumerate(header.get("nodes", []))}
+    edges = [(edge["frame_from"], edge["frame_to"], edge.get("matrix")) for edge in parts["graph"]]
+    world = world_transforms(edges, parts["base_frame"])
+    nodes = []
+    for edge in reversed(parts["graph"]):
+        if edge.get("geometry") in shapes:
+            frame, above = edge["frame_to"], edge["frame_from"]
+            # Primitives of one node get frames of their own, called like the node and a random suffix.
+            is_primitive = frame not in named and frame.startswith(f"{above}_") and len(frame) == len(above) + 7
+            nodes.append(Node(above if is_primitive else frame, world[frame], edge["geometry"]))
+    return nodes
+
+
+def _notes(header: dict[str, Any]) -> list[str]:
+    """What of a glTF is not drawn, or drawn otherwise."""
+    primitives = [primitive for mesh in header.get("meshes", []) for primitive in mesh["primitives"]]
+    ignored = {name: len(header.get(f"{name}s", [])) for name in ("animation", "skin", "camera")}
+    ignored["non-triangle primitive"] = sum(_mode(p) not in (_TRIANGLES, _STRIP) for p in primitives)
+    ignored["morphed primitive"] = sum("targets" in p for p in primitives)
+    materials = json.dumps(header.get("materials", []))
+    ignored["texture transform"] = materials.count('"KHR_texture_transform"')
+    ignored["second texture coordinate"] = materials.count('"texCoord": 1')
+    ignored["quantised set of texture coordinates"] = sum(
+        _component(p, "TEXCOORD_0", header) != _FLOAT for p in primitives
+    )
+    notes = [f"{count(number, what)} ignored" for what, number in ignored.items() if number]
+    if normals := sum("NORMAL" in p.get("attributes", {}) for p in primitives):
+        notes.append(f"normals of {count(normals, 'primitive')} unused: shading takes the faces'")
+    return notes

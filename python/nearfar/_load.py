@@ -1,0 +1,164 @@
+"""Scenes from files: opens, lets trimesh read, and says in one sentence what was wrong with a file that it cannot."""
+
+from __future__ import annotations
+
+import codecs
+import gzip
+import io
+import logging
+import os
+import warnings
+import zlib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nearfar import _check, _from_trimesh, _gltf
+from nearfar._errors import SceneError
+from nearfar._scene import Scene
+from nearfar._source import Source, UnusableError, to_scene
+
+_MOST_UNPACKED = 4 << 30
+"""Bytes that a .gz may unpack to."""
+
+
+def load(path: str | os.PathLike[str], *, up: str, on_invalid: str) -> Scene:
+    """Load a file; `nearfar.Scene.load` says how."""
+    _check.choice("up", up, ("x", "y", "z"))
+    _check.choice("on_invalid", on_invalid, ("raise", "drop"))
+    path = Path(path)
+    data = path.read_bytes()  # a missing file, a directory and missing rights are the system's own errors
+    label = os.fspath(path)
+    with _quiet() as messages, _explained(label):
+        source = _read(label, path, data)
+        source.notes += [message for message in dict.fromkeys(messages) if message not in source.notes]
+        return to_scene(source, up=up, on_invalid=on_invalid)
+
+
+def _read(label: str, path: Path, data: bytes) -> Source:
+    import trimesh
+
+    kind = path.suffix.lower().lstrip(".")
+    name = path.stem
+    if kind == "gz":
+        kind, name = Path(name).suffix.lower().lstrip("."), Path(name).stem
+        data = _unpacked(data)
+    if kind in _ARCHIVES:
+        raise UnusableError("it is an archive, which may hold several models: unpack it and load one of them")
+    if kind not in trimesh.available_formats() or kind in _NOT_SCENES:
+        raise UnusableError(f"the kind of file '{''.join(path.suffixes[-2:]) or path.name}' is not known")
+    if not data:
+        raise UnusableError("it is empty")
+    resolver = trimesh.resolvers.FilePathResolver(os.path.abspath(path))
+    if kind in ("glb", "gltf"):
+        return _gltf.read(label, data, kind, resolver)
+    source = _from_trimesh.read(label, _wavefront(data, resolver) if kind == "obj" else _loaded(data, kind, resolver))
+    if len(source.nodes) == 1 and source.nodes[0].object in (path.name, "geometry_0", "geometry"):
+        node = source.nodes[0]
+        source.nodes = [type(node)(name, node.transform, node.shape)]
+    return source
+
+
+def _loaded(data: bytes, kind: str, resolver: Any, **options: bool) -> Any:
+    import trimesh
+
+    return trimesh.load_scene(io.BytesIO(data), file_type=kind, resolver=resolver, process=False, **options)
+
+
+def _wavefront(data: bytes, resolver: Any) -> Any:
+    """Read OBJ in whatever encoding; objects stay apart, vertices and faces in their order."""
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        data = data.decode("utf-16").encode()
+    else:
+        try:
+            data.decode()
+        except UnicodeDecodeError:
+            data = data.decode("latin-1").encode()  # knows every byte, and numbers are the same in all of them
+    try:
+        return _loaded(data, "obj", resolver, split_objects=True, maintain_order=True)
+    except IndexError:
+        # Keeping the order does not work with negative indices.
+        return _loaded(data, "obj", resolver, split_objects=True)
+
+
+_ARCHIVES = {"zip", "tar", "tgz", "bz2", "7z", "rar"}
+
+_NOT_SCENES = {"dxf", "svg", "json", "dict", "dict64", "binvox"}
+"""What trimesh reads, too: drawings, voxels and its own dumps."""
+
+
+def _unpacked(data: bytes) -> bytes:
+    with gzip.open(io.BytesIO(data)) as stream:
+        unpacked = stream.read(_MOST_UNPACKED + 1)
+    if len(unpacked) > _MOST_UNPACKED:
+        raise UnusableError(f"it unpacks to more than {_MOST_UNPACKED:,} bytes")
+    return unpacked
+
+
+@contextmanager
+def _quiet() -> Iterator[list[str]]:
+    """Keep readers' warnings from the caller; what trimesh logs as a warning is collected for the report."""
+    messages: list[str] = []
+
+    class Collect(logging.Handler):
+        def emit(self, record: logging.LogRecord) -> None:
+            messages.append(record.getMessage().splitlines()[0])
+
+    logger = logging.getLogger("trimesh")
+    handler, propagates = Collect(logging.WARNING), logger.propagate
+    logger.addHandler(handler)
+    logger.propagate = False
+    try:
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore")
+            yield messages
+    finally:
+        logger.removeHandler(handler)
+        logger.propagate = propagates
+
+
+@contextmanager
+def _explained(label: str) -> Iterator[None]:
+    """Turn whatever a reader raises over a damaged file into a SceneError with the file and one sentence."""
+    try:
+        yield
+    except SceneError:
+        raise
+    except Exception as error:
+        raise SceneError(f"{label}: {_sentence(error)}") from error
+
+
+def _sentence(error: Exception) -> str:
+    match error:
+        case UnusableError():
+            return str(error)
+        case ModuleNotFoundError():
+            return f"reading it needs the Python package '{error.name}', which is not installed"
+        case gzip.BadGzipFile() | EOFError() | zlib.error():
+            return f"its compressed data is damaged ({error})"
+        case OSError():
+            missing = error.filename or error
+            return f"a file that it refers to cannot be read: {missing}"
+        case UnicodeDecodeError():
+            return f"its text is not in a known encoding ({error.reason} at byte {error.start})"
+        case MemoryError():
+            return "it claims more data than fits into memory"
+        case RecursionError():
+            return "its parts are nested too deeply"
+        case KeyError():
+            return f"it lacks an entry that it needs: {error.args[0] if error.args else 'unknown'}"
+        case AssertionError():
+            return "lengths or offsets in it contradict each other" + (f" ({error})" if str(error) else "")
+        case IndexError():
+            return f"it refers to something that it does not hold ({error})"
+        case ValueError() | NotImplementedError():
+            return f"it cannot be read: {_first_line(error) or 'no reason given'}"
+        case _:
+            return f"it is not well-formed ({type(error).__name__}: {_first_line(error)})"
+
+
+def _first_line(error: Exception) -> str:
+    return next(iter(str(error).splitlines()), "")

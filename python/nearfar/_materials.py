@@ -1,0 +1,177 @@
+"""Base colours: the only part of a source's materials that the shading formula uses."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+_MOST_TEXELS = 1 << 27
+"""Texels of one texture (half a gigabyte): a damaged header can claim billions."""
+
+_TRIMESH_DEFAULT = (102, 102, 102, 255)
+"""What trimesh fills in where a material says nothing."""
+
+
+@dataclass(frozen=True, eq=False)
+class BaseColor:
+    """Base colour of a surface."""
+
+    factor: tuple[float, float, float, float] = (1.0, 1.0, 1.0, 1.0)
+    """Linear RGB and alpha."""
+    texture: NDArray[np.uint8] | None = None
+    """(H, W, 4), sRGB with linear alpha, row 0 on top."""
+    cutoff: float | None = None
+    """Least alpha that is drawn; none draws everything opaque."""
+    notes: tuple[str, ...] = ()
+    """What is drawn otherwise than the source says, to follow "2 materials"."""
+
+
+PLAIN = BaseColor(factor=(0.8, 0.8, 0.8, 1.0))
+"""The light grey of sources that say nothing."""
+
+UNCOLORED = BaseColor()
+"""White, for meshes with vertex colours."""
+
+
+def to_linear(srgb: NDArray[Any]) -> NDArray[np.float64]:
+    """Decode sRGB in 0..1 (IEC 61966-2-1)."""
+    low = srgb / 12.92
+    high = ((np.maximum(srgb, 0.04045) + 0.055) / 1.055) ** 2.4
+    linear: NDArray[np.float64] = np.where(srgb <= 0.04045, low, high)
+    return linear
+
+
+def to_srgb(linear: NDArray[Any]) -> NDArray[np.float64]:
+    """Encode linear light in 0..1 as sRGB (IEC 61966-2-1)."""
+    low = linear * 12.92
+    high = 1.055 * np.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055
+    srgb: NDArray[np.float64] = np.where(linear <= 0.0031308, low, high)
+    return srgb
+
+
+def colors_of(values: NDArray[Any], count: int, *, linear: bool) -> NDArray[np.uint8] | None:
+    """Vertex colours (V, 3 or 4), float in 0..1 or whole numbers up to their type's greatest, as sRGB uint8 RGBA.
+
+    None where the array is not one colour for each of `count` vertices.
+    """
+    if values.ndim != 2 or len(values) != count or values.shape[1] not in (3, 4):
+        return None
+    full = 1.0 if values.dtype.kind == "f" else float(np.iinfo(values.dtype).max)
+    rgba = np.full((count, 4), 255, np.uint8)
+    if values.dtype == np.uint8 and linear:
+        table = _to_bytes(to_srgb(np.arange(256) / 255))
+        rgba[:, :3] = table[values[:, :3]]
+    elif values.dtype == np.uint8:
+        rgba[:, :3] = values[:, :3]
+    else:
+        light = values[:, :3] / full
+        rgba[:, :3] = _to_bytes(to_srgb(np.clip(light, 0, 1)) if linear else light)
+    if values.shape[1] == 4:
+        rgba[:, 3] = values[:, 3] if values.dtype == np.uint8 else _to_bytes(values[:, 3] / full)
+    return rgba
+
+
+def _to_bytes(values: NDArray[Any]) -> NDArray[np.uint8]:
+    # NaN is no colour: black.
+    levels: NDArray[np.uint8] = np.rint(np.clip(np.nan_to_num(values), 0, 1) * 255).astype(np.uint8)
+    return levels
+
+
+_UNREADABLE = "with an unreadable texture drawn without it"
+
+
+def _is_placeholder(image: Any) -> bool:
+    """Whether it is the tiny grey image that trimesh puts where UVs come without a material."""
+    from trimesh.visual.material import color_image
+
+    grey = color_image()
+    if image is None or (image.size, image.mode) != (grey.size, grey.mode):
+        return False
+    return bool(image.tobytes() == grey.tobytes())
+
+
+class Materials:
+    """Turns trimesh's materials into base colours, each image decoded once however many materials use it."""
+
+    def __init__(self) -> None:
+        self._colors: dict[int, tuple[Any, BaseColor]] = {}
+        self._textures: dict[tuple[int, int, int], NDArray[np.uint8]] = {}
+        self._images: dict[int, tuple[Any, NDArray[np.uint8] | None]] = {}
+
+    def of(
+        self, material: Any, *, factor: tuple[float, float, float, float] | None = None, textured: bool = False
+    ) -> list[BaseColor]:
+        """Base colours of a material: several for a MultiMaterial.
+
+        Parameters
+        ----------
+        material
+            One of trimesh's, or None.
+        factor
+            Base colour factor in full precision; None takes the material's, which has 8 bits.
+        textured
+            Whether the source speaks of a texture, so that its absence is a loss.
+        """
+        if material is None:
+            return []
+        if hasattr(material, "materials"):
+            return [color for part in material.materials for color in self.of(part) or [PLAIN]]
+        if id(material) not in self._colors:
+            is_physical = hasattr(material, "baseColorFactor")
+            made = self._physical(material, factor, textured) if is_physical else self._simple(material)
+            # The material is kept: its identity is unique only as long as it lives.
+            self._colors[id(material)] = (material, made)
+        return [self._colors[id(material)][1]]
+
+    def _physical(self, material: Any, factor: tuple[float, float, float, float] | None, textured: bool) -> BaseColor:
+        if factor is None:
+            given = material.baseColorFactor
+            stored = (1.0, 1.0, 1.0, 1.0) if given is None else tuple(float(c) / 255 for c in given)
+            factor = (stored[0], stored[1], stored[2], stored[3])
+        texture, notes = self._texture(material.baseColorTexture)
+        if textured and material.baseColorTexture is None:
+            notes = (_UNREADABLE,)
+        mode = str(material.alphaMode or "OPAQUE").upper()
+        if mode == "BLEND":
+            notes += ("with blending drawn opaque",)
+        cutoff = None
+        if mode == "MASK":
+            given = material.alphaCutoff
+            cutoff = 0.5 if given is None or not np.isfinite(given) else float(given)
+        return BaseColor(factor, texture, cutoff, notes)
+
+    def _simple(self, material: Any) -> BaseColor:
+        """Wavefront's materials: diffuse colours as sRGB, as three.js reads them."""
+        diffuse = tuple(int(c) for c in material.diffuse)
+        image = getattr(material, "image", None)
+        if _is_placeholder(image):
+            image = None
+        texture, notes = self._texture(image)
+        if diffuse == _TRIMESH_DEFAULT:
+            return BaseColor(UNCOLORED.factor if texture is not None else PLAIN.factor, texture, None, notes)
+        if diffuse[3] < 255:
+            notes += ("with transparency drawn opaque",)
+        red, green, blue = (float(c) for c in to_linear(np.array(diffuse[:3]) / 255))
+        return BaseColor((red, green, blue, diffuse[3] / 255), texture, None, notes)
+
+    def _texture(self, image: Any) -> tuple[NDArray[np.uint8] | None, tuple[str, ...]]:
+        if image is None:
+            return None, ()
+        if id(image) not in self._images:
+            self._images[id(image)] = (image, self._decoded(image))
+        texels = self._images[id(image)][1]
+        return texels, () if texels is not None else (_UNREADABLE,)
+
+    def _decoded(self, image: Any) -> NDArray[np.uint8] | None:
+        if image.size[0] * image.size[1] > _MOST_TEXELS:
+            return None
+        try:
+            # Pillow raises whatever its decoders meet: OSError, SyntaxError, ValueError, struct.error, zlib.error, …
+            texels: NDArray[np.uint8] = np.asarray(image.convert("RGBA"))
+        except Exception:
+            return None
+        key = (*image.size, hash(texels.tobytes()))
+        return self._textures.setdefault(key, texels)

@@ -1,0 +1,167 @@
+"""What a file or a trimesh object holds, in plain arrays, and the step from there to a scene."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _check
+from nearfar._errors import SceneError
+from nearfar._materials import PLAIN, UNCOLORED, BaseColor
+from nearfar._report import count
+from nearfar._scene import Scene, SceneBuilder
+
+_UP = {
+    "x": np.array([[0.0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
+    "y": np.eye(4),
+    "z": np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]]),
+}
+"""Rotations that take the named axis to y."""
+
+_MOST_NAMED = 3
+"""Meshes that an error names before it only counts."""
+
+
+class UnusableError(ValueError):
+    """A finding of ours about a source, as a sentence without the source's name."""
+
+
+@dataclass
+class Shape:
+    """A mesh of the source; `faces` may be of any whole-number type and out of range."""
+
+    vertices: NDArray[Any]
+    faces: NDArray[Any]
+    uvs: NDArray[Any] | None = None
+    colors: NDArray[np.uint8] | None = None
+    """sRGB with linear alpha, one for each vertex."""
+    materials: list[BaseColor] = field(default_factory=list)
+    """Nothing stands for the plain material."""
+    face_material: NDArray[Any] | None = None
+    """Index into `materials` for each face; none where there is one material."""
+
+
+@dataclass(frozen=True)
+class Node:
+    """A shape in its place."""
+
+    object: str
+    transform: NDArray[np.float64]
+    shape: str
+
+
+@dataclass
+class Source:
+    """Everything of a source that becomes part of a scene."""
+
+    label: str
+    """What errors call it: a path, as a rule."""
+    shapes: dict[str, Shape]
+    nodes: list[Node]
+    notes: list[str] = field(default_factory=list)
+
+
+def world_transforms(
+    edges: Iterable[tuple[Any, Any, NDArray[np.float64] | None]], base: Any
+) -> dict[Any, NDArray[np.float64]]:
+    """Multiply transforms along a tree whose edges (parent, child, child→parent) come parents first."""
+    world: dict[Any, NDArray[np.float64]] = {base: np.eye(4)}
+    for parent, child, matrix in edges:
+        above = world.get(parent, world[base])
+        world[child] = above if matrix is None else above @ matrix
+    return world
+
+
+def to_scene(source: Source, *, up: str, on_invalid: str) -> Scene:
+    """Make a scene of a source: one pass over its meshes."""
+    _check.choice("up", up, _UP)
+    _check.choice("on_invalid", on_invalid, ("raise", "drop"))
+    nodes, flaws = _usable_nodes(source)
+    used = {node.shape for node in nodes}
+    shapes = {name: shape for name, shape in source.shapes.items() if name in used}
+    dropped = 0
+    for name, shape in shapes.items():
+        flaw, lost = _repair(shape)
+        dropped += lost
+        if flaw:
+            flaws.append(f"{flaw} in mesh '{name}'")
+    if flaws and on_invalid == "raise":
+        more = f" and {len(flaws) - _MOST_NAMED} more" if len(flaws) > _MOST_NAMED else ""
+        raise SceneError(
+            f"{source.label}: {', '.join(flaws[:_MOST_NAMED])}{more}; on_invalid='drop' leaves the faces out"
+        )
+    if not any(len(shape.faces) for shape in shapes.values()):
+        raise SceneError(f"{source.label}: no triangles" + "".join(f"; {note}" for note in source.notes))
+    builder = SceneBuilder()
+    handles = {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
+    turn = _UP[up]
+    for node in nodes:
+        if node.shape in handles:
+            transform = node.transform if up == "y" else turn @ node.transform
+            builder.instance(handles[node.shape], transform, name=node.object)
+    try:
+        return builder.build(dropped=dropped, notes=tuple(source.notes + _material_notes(shapes.values())))
+    except ValueError as error:
+        raise SceneError(f"{source.label}: {error}") from error
+
+
+def _usable_nodes(source: Source) -> tuple[list[Node], list[str]]:
+    """Leave out nodes whose transforms place nothing, with a line about each."""
+    matrices = np.array([node.transform for node in source.nodes]).reshape(-1, 4, 4)
+    affine = np.isfinite(matrices).all(axis=(1, 2)) & (matrices[:, 3] == (0, 0, 0, 1)).all(axis=1)
+    flaws = [
+        f"a transform that is not finite and affine at node '{node.object}'"
+        for node, good in zip(source.nodes, affine, strict=True)
+        if not good
+    ]
+    return [node for node, good in zip(source.nodes, affine, strict=True) if good], flaws
+
+
+def _repair(shape: Shape) -> tuple[str, int]:
+    """Leave out faces with unusable vertices; says what was wrong, and how many faces went."""
+    vertices, faces = shape.vertices, shape.faces
+    flaws = []
+    # Beyond float32's range a coordinate is as good as infinite; NaN fails the comparison too.
+    bad: NDArray[np.bool_] = ~(np.abs(vertices) <= np.finfo(np.float32).max).all(axis=1)
+    if bad.any():
+        flaws.append(f"{count(int(bad.sum()), 'vertex', 'vertices')} with coordinates that are not finite")
+    if faces.size and (int(faces.min()) < 0 or int(faces.max()) >= len(vertices)):
+        outside = ((faces < 0) | (faces >= len(vertices))).any(axis=1)
+        flaws.append(f"{count(int(outside.sum()), 'face')} with vertices that do not exist")
+    if not flaws:
+        return "", 0
+    keep = np.asarray(((faces >= 0) & (faces < len(vertices))).all(axis=1))
+    if bad.any():
+        keep[keep] = ~bad[faces[keep]].any(axis=1)
+        shape.vertices = np.where(bad[:, None], 0, vertices)
+    shape.faces = faces[keep]
+    if shape.face_material is not None:
+        shape.face_material = shape.face_material[keep]
+    return " and ".join(flaws), int((~keep).sum())
+
+
+def _add(builder: SceneBuilder, shape: Shape) -> int:
+    materials = shape.materials or [PLAIN if shape.colors is None else UNCOLORED]
+    textured = shape.uvs is not None and any(m.texture is not None for m in materials)
+    numbers = [builder.material(m.factor, m.texture if textured else None, m.cutoff) for m in materials]
+    per_face = len(numbers) > 1 and shape.face_material is not None
+    return builder.mesh(
+        shape.vertices,
+        shape.faces,
+        material=np.array(numbers, np.int32)[shape.face_material] if per_face else numbers[0],
+        uvs=shape.uvs if textured else None,
+        colors=shape.colors,
+    )
+
+
+def _material_notes(shapes: Iterable[Shape]) -> list[str]:
+    materials = {id(material): material for shape in shapes for material in shape.materials}
+    counts: dict[str, int] = {}
+    for material in materials.values():
+        for note in material.notes:
+            counts[note] = counts.get(note, 0) + 1
+    return [f"{count(number, 'material')} {note}" for note, number in counts.items()]
