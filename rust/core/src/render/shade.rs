@@ -13,15 +13,16 @@ pub const SUN: [f32; 3] = [0.60, 0.56, 0.50];
 pub const SKY_DIRECTION: Vec3 = Vec3::new(-0.206_284_3, 0.928_279_1, 0.309_426_4);
 /// Linear RGB of the sky for surfaces that face away from its brightest point, and towards it.
 pub const SKY: [[f32; 3]; 2] = [[0.130, 0.135, 0.150], [0.380, 0.420, 0.480]];
-/// Linear RGB of the background at the horizon and below, and straight above.
-pub const BACKGROUND: [[f32; 3]; 2] = [[0.62, 0.72, 0.82], [0.16, 0.34, 0.66]];
+/// Linear RGB of the background straight below, at the horizon, and straight above.
+pub const BACKGROUND: [[f32; 3]; 3] = [[0.24, 0.25, 0.26], [0.66, 0.74, 0.82], [0.16, 0.34, 0.66]];
 
 /// What arrives from where nothing was hit, by direction (unit).
 #[inline]
 pub fn background(direction: Vec3) -> [f32; 3] {
-    let up = direction.y.max(0.0).sqrt();
-    let [horizon, zenith] = BACKGROUND;
-    std::array::from_fn(|i| horizon[i] + (zenith[i] - horizon[i]) * up)
+    let [nadir, horizon, zenith] = BACKGROUND;
+    let away = direction.y.abs().sqrt();
+    let end = if direction.y < 0.0 { nadir } else { zenith };
+    std::array::from_fn(|i| horizon[i] + (end[i] - horizon[i]) * away)
 }
 
 /// Linear RGB that a white surface with unit normal `n` (towards the viewer) reflects.

@@ -1,0 +1,171 @@
+"""Slow, obvious ray casting in float64: every ray against every triangle, the shading formula written out again."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+SUN_DIRECTION = np.array([0.5, 0.75, 0.3]) / 0.95
+SUN = np.array([0.60, 0.56, 0.50])
+SKY_DIRECTION = np.array([-0.2, 0.9, 0.3]) / np.sqrt(0.94)
+SKY_LOW, SKY_HIGH = np.array([0.130, 0.135, 0.150]), np.array([0.380, 0.420, 0.480])
+NADIR, HORIZON, ZENITH = np.array([0.24, 0.25, 0.26]), np.array([0.66, 0.74, 0.82]), np.array([0.16, 0.34, 0.66])
+
+
+@dataclass
+class Surface:
+    """A mesh with one base colour."""
+
+    vertices: Array
+    faces: NDArray[np.int64]
+    base_color: tuple[float, float, float, float] = (0.8, 0.8, 0.8, 1.0)
+    cutoff: float | None = None
+    uvs: Array | None = None
+    texture: NDArray[np.uint8] | None = None
+    colors: NDArray[np.uint8] | None = None
+    levels: list[Array] = field(default_factory=list)
+
+
+@dataclass
+class Pixels:
+    """What rays met; arrays of the rays' count."""
+
+    color: Array
+    range: Array
+    object_id: NDArray[np.int64]
+    face_id: NDArray[np.int64]
+    position: Array
+    normal: Array
+
+
+def irradiance(normals: Array) -> Array:
+    """Linear RGB of white surfaces (N, 3)."""
+    sky = 0.5 + 0.5 * normals @ SKY_DIRECTION
+    sun = np.maximum(normals @ SUN_DIRECTION, 0.0)
+    return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky[:, None] + SUN * sun[:, None]
+
+
+def background(directions: Array) -> Array:
+    """Linear RGB where nothing is hit, by unit directions (N, 3)."""
+    y = directions[:, 1:]
+    end = np.where(y < 0.0, NADIR, ZENITH)
+    return HORIZON + (end - HORIZON) * np.sqrt(np.abs(y))
+
+
+def linear_from_srgb(codes: NDArray[np.uint8]) -> Array:
+    s = codes / 255.0
+    return np.where(s <= 0.04045, s / 12.92, ((s + 0.055) / 1.055) ** 2.4)
+
+
+def levels_of(texture: NDArray[np.uint8]) -> list[Array]:
+    """Linear RGB of all levels: each texel is the integral over its share of the finer level."""
+    levels = [linear_from_srgb(texture[..., :3])]
+    while max(levels[-1].shape[:2]) > 1:
+        image = levels[-1]
+        for axis in (0, 1):
+            count = image.shape[axis]
+            integral = np.concatenate([np.zeros_like(image.take([0], axis)), np.cumsum(image, axis)], axis)
+            edges = np.linspace(0.0, count, max(count // 2, 1) + 1)
+            at = np.apply_along_axis(lambda column, e=edges, n=count: np.interp(e, np.arange(n + 1), column), axis, integral)
+            image = np.diff(at, axis=axis) * ((len(edges) - 1) / count)
+        levels.append(image)
+    return levels
+
+
+def bilinear(image: Array, uv: Array) -> Array:
+    """Values (N, C) of a repeating image at (N, 2) coordinates, v upwards."""
+    height, width = image.shape[:2]
+    x, y = uv[:, 0] * width - 0.5, (1.0 - uv[:, 1]) * height - 0.5
+    column, row = np.floor(x).astype(int), np.floor(y).astype(int)
+    fx, fy = (x - column)[:, None], (y - row)[:, None]
+    left, right, upper, lower = column % width, (column + 1) % width, row % height, (row + 1) % height
+    above = image[upper, left] * (1 - fx) + image[upper, right] * fx
+    below = image[lower, left] * (1 - fx) + image[lower, right] * fx
+    return above * (1 - fy) + below * fy
+
+
+def trilinear(levels: list[Array], uv: Array, level: Array) -> Array:
+    level = np.clip(level, 0.0, len(levels) - 1.0)
+    fine = np.minimum(np.floor(level).astype(int), len(levels) - 1)
+    values = np.stack([bilinear(image, uv) for image in levels])
+    coarse = np.minimum(fine + 1, len(levels) - 1)
+    ray = np.arange(len(uv))
+    part = (level - fine)[:, None]
+    return values[fine, ray] * (1 - part) + values[coarse, ray] * part
+
+
+def cast(surfaces: list[Surface], origins: Array, directions: Array, widths: Array, spreads: Array) -> Pixels:
+    """What rays with unit directions meet; a ray is `widths + spreads * distance` metres wide."""
+    count = len(directions)
+    best = np.full(count, np.inf)
+    color, normal = background(directions), np.full((count, 3), np.nan)
+    object_id, face_id = np.full(count, -1), np.full(count, -1)
+    first = 0
+    for number, surface in enumerate(surfaces):
+        for index, face in enumerate(surface.faces):
+            t, u, v = _meet(surface.vertices[face], origins, directions)
+            hit = t < best
+            hit[hit] &= _solid(surface, face, u[hit], v[hit])
+            if hit.any():
+                best[hit] = t[hit]
+                object_id[hit], face_id[hit] = number, first + index
+                wide = (widths + spreads * t)[hit]
+                color[hit], normal[hit] = _shade(surface, face, u[hit], v[hit], directions[hit], wide)
+        first += len(surface.faces)
+    position = np.where(np.isfinite(best)[:, None], origins + np.where(np.isfinite(best), best, 0.0)[:, None] * directions, np.nan)
+    return Pixels(color, best, object_id, face_id, position, normal)
+
+
+def _meet(corners: Array, origins: Array, directions: Array) -> tuple[Array, Array, Array]:
+    """Distance, infinite for a miss, and the weights of the second and third corner (Möller, Trumbore 1997)."""
+    a, ab, ac = corners[0], corners[1] - corners[0], corners[2] - corners[0]
+    p = np.cross(directions, ac)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        inverse = 1.0 / (p @ ab)
+        s = origins - a
+        u = np.einsum("ij,ij->i", s, p) * inverse
+        q = np.cross(s, ab)
+        v = np.einsum("ij,ij->i", directions, q) * inverse
+        t = (q @ ac) * inverse
+        inside = (u >= 0) & (v >= 0) & (u + v <= 1) & (t >= 0)
+    return np.where(inside, t, np.inf), u, v
+
+
+def _blend(corners: Array, u: Array, v: Array) -> Array:
+    return corners[0] * (1 - u - v)[:, None] + corners[1] * u[:, None] + corners[2] * v[:, None]
+
+
+def _solid(surface: Surface, face: NDArray[np.int64], u: Array, v: Array) -> NDArray[np.bool_]:
+    if surface.cutoff is None:
+        return np.ones(len(u), bool)
+    alpha = np.full(len(u), surface.base_color[3])
+    if surface.colors is not None:
+        alpha *= _blend(surface.colors[face, 3:] / 255.0, u, v)[:, 0]
+    if surface.texture is not None and surface.uvs is not None:
+        alpha *= bilinear(surface.texture[..., 3:] / 255.0, _blend(surface.uvs[face], u, v))[:, 0]
+    return np.asarray(alpha >= surface.cutoff)
+
+
+def _shade(
+    surface: Surface, face: NDArray[np.int64], u: Array, v: Array, directions: Array, widths: Array
+) -> tuple[Array, Array]:
+    a, b, c = surface.vertices[face]
+    cross = np.cross(b - a, c - a)
+    outside = cross / np.linalg.norm(cross)
+    cosine = directions @ outside
+    normals = np.where(cosine[:, None] > 0, -outside, outside)
+    albedo = np.tile(np.array(surface.base_color[:3]), (len(u), 1))
+    if surface.colors is not None:
+        albedo = albedo * _blend(linear_from_srgb(surface.colors[face, :3]), u, v)
+    if surface.texture is not None and surface.uvs is not None:
+        surface.levels = surface.levels or levels_of(surface.texture)
+        ua, ub, uc = surface.uvs[face] * (surface.texture.shape[1], surface.texture.shape[0])
+        (bx, by), (cx, cy) = ub - ua, uc - ua
+        density = np.sqrt(abs(bx * cy - by * cx) / np.linalg.norm(cross))
+        level = np.log2(widths / np.sqrt(np.abs(cosine)) * density)
+        albedo = albedo * trilinear(surface.levels, _blend(surface.uvs[face], u, v), level)
+    return albedo * irradiance(normals), normals
