@@ -7,7 +7,19 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+import nearfar as nf
+
 Array = NDArray[np.float64]
+
+# OpenGL's and Vulkan's table of cube faces: sc, tc and ma as (axis, sign).
+CUBE_TABLE = [
+    ((2, -1), (1, -1), (0, 1)),
+    ((2, 1), (1, -1), (0, -1)),
+    ((0, 1), (2, 1), (1, 1)),
+    ((0, 1), (2, -1), (1, -1)),
+    ((0, 1), (1, -1), (2, 1)),
+    ((0, -1), (1, -1), (2, -1)),
+]
 
 SUN_DIRECTION = np.array([0.5, 0.75, 0.3]) / 0.95
 SUN = np.array([0.60, 0.56, 0.50])
@@ -42,6 +54,53 @@ class Pixels:
     normal: Array
 
 
+@dataclass
+class View:
+    """Rays with unit directions; a ray is `widths + spreads * distance` metres wide."""
+
+    origins: Array
+    directions: Array
+    widths: Array
+    spreads: Array
+
+
+def rotate(quaternion: tuple[float, ...], vectors: Array) -> Array:
+    """Rows turned by a unit quaternion (x, y, z, w); textbook matrix."""
+    x, y, z, w = quaternion
+    matrix = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+    return np.asarray(vectors @ matrix.T)
+
+
+def view(camera: nf.Camera, offset: tuple[float, float] = (0.5, 0.5), samples: int = 1) -> View:
+    """Rays through one position in every pixel, in row-major order; each stands for a share of its pixel."""
+    (width, height), fov = camera.size, camera.fov
+    axes = rotate(camera.orientation, np.eye(3))
+    bounds = (-1.0, 1.0, -1.0, 1.0)
+    if isinstance(fov, nf.CubeFace):
+        axes = np.zeros((3, 3))
+        for row, (axis, sign), turn in zip(axes, CUBE_TABLE[fov.face], (1, -1, -1), strict=True):
+            row[axis] = sign * turn
+    else:
+        bounds = (fov.left, fov.right, fov.down, fov.up)
+    left, right, down, up = bounds
+    s, t = np.meshgrid((np.arange(width) + offset[0]) / width, (np.arange(height) + offset[1]) / height)
+    plane = np.stack([left + (right - left) * s, up + (down - up) * t], -1).reshape(-1, 2)
+    size = np.sqrt((right - left) / width * (up - down) / height / samples)
+    eye = np.array(camera.position)
+    if isinstance(fov, nf.Orthographic):
+        directions = np.tile(-axes[2], (len(plane), 1))
+        return View(eye + plane @ axes[:2], directions, np.full(len(plane), size), np.zeros(len(plane)))
+    directions = plane @ axes[:2] - axes[2]
+    secant = np.linalg.norm(directions, axis=1)
+    return View(np.tile(eye, (len(plane), 1)), directions / secant[:, None], np.zeros(len(plane)), size * secant**-1.5)
+
+
 def irradiance(normals: Array) -> Array:
     """Linear RGB of white surfaces (N, 3)."""
     sky = 0.5 + 0.5 * normals @ SKY_DIRECTION
@@ -51,7 +110,7 @@ def irradiance(normals: Array) -> Array:
 
 def background(directions: Array) -> Array:
     """Linear RGB where nothing is hit, by unit directions (N, 3)."""
-    y = directions[:, 1:]
+    y = directions[:, 1:2]
     end = np.where(y < 0.0, NADIR, ZENITH)
     return HORIZON + (end - HORIZON) * np.sqrt(np.abs(y))
 
@@ -70,7 +129,9 @@ def levels_of(texture: NDArray[np.uint8]) -> list[Array]:
             count = image.shape[axis]
             integral = np.concatenate([np.zeros_like(image.take([0], axis)), np.cumsum(image, axis)], axis)
             edges = np.linspace(0.0, count, max(count // 2, 1) + 1)
-            at = np.apply_along_axis(lambda column, e=edges, n=count: np.interp(e, np.arange(n + 1), column), axis, integral)
+            below = np.minimum(edges.astype(int), count - 1)
+            part = (edges - below)[:, None] if axis else (edges - below)[:, None, None]
+            at = integral.take(below, axis) * (1 - part) + integral.take(below + 1, axis) * part
             image = np.diff(at, axis=axis) * ((len(edges) - 1) / count)
         levels.append(image)
     return levels
@@ -98,9 +159,9 @@ def trilinear(levels: list[Array], uv: Array, level: Array) -> Array:
     return values[fine, ray] * (1 - part) + values[coarse, ray] * part
 
 
-def cast(surfaces: list[Surface], origins: Array, directions: Array, widths: Array, spreads: Array) -> Pixels:
-    """What rays with unit directions meet; a ray is `widths + spreads * distance` metres wide."""
-    count = len(directions)
+def cast(surfaces: list[Surface], rays: View) -> Pixels:
+    """What rays meet: the nearest of all triangles."""
+    origins, directions, count = rays.origins, rays.directions, len(rays.directions)
     best = np.full(count, np.inf)
     color, normal = background(directions), np.full((count, 3), np.nan)
     object_id, face_id = np.full(count, -1), np.full(count, -1)
@@ -113,10 +174,11 @@ def cast(surfaces: list[Surface], origins: Array, directions: Array, widths: Arr
             if hit.any():
                 best[hit] = t[hit]
                 object_id[hit], face_id[hit] = number, first + index
-                wide = (widths + spreads * t)[hit]
+                wide = rays.widths[hit] + rays.spreads[hit] * t[hit]
                 color[hit], normal[hit] = _shade(surface, face, u[hit], v[hit], directions[hit], wide)
         first += len(surface.faces)
-    position = np.where(np.isfinite(best)[:, None], origins + np.where(np.isfinite(best), best, 0.0)[:, None] * directions, np.nan)
+    finite = np.isfinite(best)[:, None]
+    position = np.where(finite, origins + np.where(finite, best[:, None], 0.0) * directions, np.nan)
     return Pixels(color, best, object_id, face_id, position, normal)
 
 
@@ -142,7 +204,7 @@ def _blend(corners: Array, u: Array, v: Array) -> Array:
 def _solid(surface: Surface, face: NDArray[np.int64], u: Array, v: Array) -> NDArray[np.bool_]:
     if surface.cutoff is None:
         return np.ones(len(u), bool)
-    alpha = np.full(len(u), surface.base_color[3])
+    alpha = np.full(len(u), float(surface.base_color[3]))
     if surface.colors is not None:
         alpha *= _blend(surface.colors[face, 3:] / 255.0, u, v)[:, 0]
     if surface.texture is not None and surface.uvs is not None:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from render_oracle import CUBE_TABLE, rotate
 
 import nearfar as nf
 from nearfar._camera import Projection
@@ -16,29 +17,6 @@ ASYMMETRIC = nf.Fov(-1.1, 0.7, -0.4, 0.9)
 WINDOW = nf.Orthographic(-3.0, 5.0, -2.0, 1.0)
 PROJECTIONS: list[Projection] = [ASYMMETRIC, WINDOW, *(nf.CubeFace(face) for face in range(6))]
 TURNED = (0.18257418583505536, 0.3651483716701107, -0.5477225575051661, 0.7302967433402214)
-
-# OpenGL's and Vulkan's table of cube faces: sc, tc and ma as (axis, sign).
-CUBE_TABLE = [
-    ((2, -1), (1, -1), (0, 1)),
-    ((2, 1), (1, -1), (0, -1)),
-    ((0, 1), (2, 1), (1, 1)),
-    ((0, 1), (2, -1), (1, -1)),
-    ((0, 1), (1, -1), (2, 1)),
-    ((0, -1), (1, -1), (2, -1)),
-]
-
-
-def rotate(quaternion: tuple[float, ...], vectors: np.ndarray) -> np.ndarray:
-    """Rotation matrix of a unit quaternion, textbook form, applied to rows."""
-    x, y, z, w = quaternion
-    matrix = np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-        ]
-    )
-    return vectors @ matrix.T
 
 
 def grid(width: int, height: int) -> tuple[np.ndarray, np.ndarray]:
@@ -64,7 +42,9 @@ def test_orthographic_rays_start_on_the_image_plane() -> None:
     local = np.stack([-3 + 8 * s, 1 - 3 * t, np.zeros_like(s)], -1)
     origins, directions = camera.rays()
     np.testing.assert_allclose(origins, np.array([1, 2, 3]) + rotate(TURNED, local), atol=1e-14)
-    np.testing.assert_allclose(directions, np.broadcast_to(rotate(TURNED, np.array([0.0, 0, -1])), (6, 8, 3)), atol=1e-15)
+    np.testing.assert_allclose(
+        directions, np.broadcast_to(rotate(TURNED, np.array([0.0, 0, -1])), (6, 8, 3)), atol=1e-15
+    )
 
 
 @pytest.mark.parametrize("face", range(6))
@@ -84,7 +64,7 @@ def test_six_faces_see_every_direction_once() -> None:
     rng = np.linspace(0, 1, 4001)[1:-1]
     y, turn = 1 - 2 * rng, np.arange(len(rng)) * 2.399963229728653
     radius = np.sqrt(1 - y * y)
-    points = np.column_stack([radius * np.cos(turn), y, radius * np.sin(turn)]) + (5, 6, 7)
+    points = np.column_stack([radius * np.cos(turn), y, radius * np.sin(turn)]) + np.array([5, 6, 7])
     seen = np.zeros(len(points), int)
     for face in range(6):
         pixels = nf.Camera((5, 6, 7), fov=nf.CubeFace(face), size=(64, 64)).project(points)
@@ -128,12 +108,16 @@ def test_look_at_centres_the_target_and_keeps_up_upright(eye: tuple[float, ...],
     camera = nf.Camera.look_at(eye, target, fov=nf.Fov.symmetric(90), size=(10, 10))
     x, y, depth = camera.project([target])[0]
     # Positions of 100 are rounded by 10⁻¹⁴, at 10⁻³ metres that is 10⁻¹¹ radians.
-    assert abs(x - 5) < 1e-9 and abs(y - 5) < 1e-9 and depth == pytest.approx(np.linalg.norm(away), rel=1e-9)
+    assert (x, y) == pytest.approx((5, 5), abs=1e-9)
+    assert depth == pytest.approx(np.linalg.norm(away), rel=1e-9)
     above = camera.project([np.add(target, (0, 1e-2 * np.linalg.norm(away), 0))])[0]
-    assert abs(above[0] - 5) < 1e-6 and above[1] < 5
+    assert above[0] == pytest.approx(5, abs=1e-6)
+    assert above[1] < 5
 
 
-@pytest.mark.parametrize("target", [(0, 0, -1), (0, 0, 1), (1, 0, 0), (-1, 0, 0), (1, -1, 0.5), (-3, 2, 9), (0, 0.99, -0.01)])
+@pytest.mark.parametrize(
+    "target", [(0, 0, -1), (0, 0, 1), (1, 0, 0), (-1, 0, 0), (1, -1, 0.5), (-3, 2, 9), (0, 0.99, -0.01)]
+)
 def test_look_at_gives_a_rotation(target: tuple[float, float, float]) -> None:
     camera = nf.Camera.look_at((0, 0, 0), target, fov=ASYMMETRIC, size=(4, 4))
     forward = np.array(target) / np.linalg.norm(target)
@@ -154,7 +138,8 @@ def test_fields_of_view() -> None:
 
 def test_cameras_are_values() -> None:
     one, two = (nf.Camera(np.array([1, 2, 3]), fov=ASYMMETRIC, size=(4, 4)) for _ in range(2))
-    assert one == two and hash(one) == hash(two)
+    assert one == two
+    assert hash(one) == hash(two)
     assert one.rays()[0].shape == (4, 4, 3)
     assert (one.width, one.height) == (4, 4)
     with pytest.raises(AttributeError):

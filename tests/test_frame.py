@@ -43,7 +43,8 @@ def test_the_image_is_the_srgb_code_nearest_to_each_value() -> None:
     x = np.clip(linear.astype(np.float64), 0, 1)
     code = 255 * np.where(x <= 0.0031308, 12.92 * x, 1.055 * x ** (1 / 2.4) - 0.055)
     image = frame.to_image()
-    assert image.dtype == np.uint8 and image.shape == (CAMERA.height, CAMERA.width, 3)
+    assert image.dtype == np.uint8
+    assert image.shape == (CAMERA.height, CAMERA.width, 3)
     # Nearest, but for float32's rounding of the code: 255 · 2⁻²³.
     assert np.abs(image.ravel() - code).max() <= 0.5 + 4e-5
 
@@ -137,7 +138,7 @@ def test_parts_of_all_types_come_back_in_order(tmp_path: Path) -> None:
         "float": np.array([[np.inf, -0.0, 1e-45, np.finfo(np.float32).max]] * 3, np.float32),
         "unsigned": np.array([[0, 1, 2**31, 2**32 - 1]] * 3, np.uint32),
     }
-    parts = {name: images for name in ("pz", "nx", "only")}
+    parts = dict.fromkeys(("pz", "nx", "only"), images)
     _exr.write(tmp_path / "a.exr", parts, {"format": "nearfar.test", "version": 1, "center": [1, 2, 3]})
     document, back = _exr.read(tmp_path / "a.exr", "test", 1)
     assert document["center"] == [1, 2, 3]

@@ -1,0 +1,293 @@
+"""Ground truth against brute force in float64, and against what physics says without any code."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import subprocess
+import sys
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+import render_oracle as oracle
+from render_oracle import Surface
+
+import nearfar as nf
+from nearfar._camera import Projection
+from nearfar._frame import CHANNELS
+from nearfar._scene import SceneBuilder
+
+WIDE = nf.Fov(-1.2, 0.8, -0.5, 0.9)
+PROJECTIONS: list[Projection] = [
+    WIDE,
+    nf.Orthographic(-4.0, 3.0, -2.0, 2.5),
+    *(nf.CubeFace(face) for face in range(6)),
+]
+QUAD = np.array([[0, 1, 2], [0, 2, 3]])
+
+
+def noise(*shape: int, seed: int = 0) -> np.ndarray:
+    """Bytes that look random: a hash of their index."""
+    index = np.arange(int(np.prod(shape)), dtype=np.uint64) + np.uint64(seed << 32)
+    mixed = (index * np.uint64(0x9E3779B97F4A7C15)) ^ (index >> np.uint64(7))
+    return (mixed * np.uint64(0xBF58476D1CE4E5B9) >> np.uint64(56)).astype(np.uint8).reshape(shape)
+
+
+def quad(center: Sequence[float], right: Sequence[float], up: Sequence[float]) -> np.ndarray:
+    c, r, u = (np.array(v, float) for v in (center, right, up))
+    return np.array([c - r - u, c + r - u, c + r + u, c - r + u])
+
+
+def build(surfaces: list[Surface]) -> nf.Scene:
+    builder = SceneBuilder()
+    for number, surface in enumerate(surfaces):
+        material = builder.material(surface.base_color, surface.texture, surface.cutoff)
+        mesh = builder.mesh(
+            surface.vertices.astype(np.float32),
+            surface.faces,
+            material=material,
+            uvs=surface.uvs,
+            colors=surface.colors,
+        )
+        builder.instance(mesh, name=f"surface {number}")
+    return builder.build()
+
+
+def room() -> list[Surface]:
+    """A box around the origin and things in it: plain, textured, coloured at the corners, cut out."""
+    corners = np.array([[x, y, z] for x in (-8, 8) for y in (-3, 5) for z in (-7, 9)], np.float32).astype(float)
+    sides = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    box = np.array([[s[0], s[a], s[a + 1]] for s in sides for a in (1, 2)])
+    uvs = np.array([[-1.0, -0.5], [1.5, -0.5], [1.5, 2.0], [-1.0, 2.0]])
+    return [
+        Surface(corners, box, (0.9, 0.6, 0.3, 1.0)),
+        Surface(quad((3, 0, -4), (1.5, 0, 0.5), (0, 1.5, 0.3)), QUAD, (1, 1, 1, 1), None, uvs, noise(13, 7, 4)),
+        Surface(quad((-3.017, -1.009, -4), (1, 0, 1), (0, 1, 0)), QUAD, colors=noise(4, 4, seed=1)),
+        Surface(quad((0.013, 0.007, -3), (1, 0, 0), (0, 1, 0)), QUAD, (1, 0.5, 1, 1), 0.5, uvs, noise(8, 8, 4, seed=2)),
+        Surface(quad((0, -2, 0), (7, 0, 0), (0, 0, 6)), QUAD, (1, 1, 1, 1), None, 4 * uvs, noise(64, 32, 4, seed=3)),
+    ]
+
+
+CAMERAS = [
+    nf.Camera((0.3, 0.1, 0.4), (0.05, -0.12, 0.02, np.sqrt(1 - 0.0173)), fov=fov, size=(41, 41)) for fov in PROJECTIONS
+]
+
+
+@pytest.mark.parametrize("camera", CAMERAS, ids=lambda camera: str(camera.fov))
+def test_every_channel_agrees_with_brute_force(camera: nf.Camera) -> None:
+    surfaces = room()
+    frame = nf.render(build(surfaces), camera, channels=CHANNELS)
+    expected = oracle.cast(surfaces, oracle.view(camera))
+    flat = {name: frame.require(name).reshape(41 * 41, *frame.require(name).shape[2:]) for name in CHANNELS}
+    np.testing.assert_array_equal(flat["object_id"], expected.object_id)
+    np.testing.assert_array_equal(flat["face_id"], expected.face_id)
+    # Coordinates of 10 m and distances along them are rounded by 5e-7; slanted surfaces magnify it a little.
+    np.testing.assert_allclose(flat["range"], expected.range, rtol=2e-6)
+    np.testing.assert_allclose(flat["position"], expected.position, atol=1e-5)
+    np.testing.assert_allclose(flat["normal"], expected.normal, atol=2e-7)
+    # Texture coordinates of 8 are rounded by 5e-7, times 64 texels, times a contrast of 1: 3e-5; levels by log2 of
+    # float32 and by steps of 1/65535 add less.
+    np.testing.assert_allclose(flat["color"], expected.color, atol=1e-4)
+
+
+def test_colour_is_the_mean_of_its_samples_and_the_rest_stays() -> None:
+    surfaces, camera = room(), nf.Camera((0, 0, 2), fov=WIDE, size=(30, 20))
+    scene = build(surfaces)
+    one, many = (nf.render(scene, camera, samples=samples, channels=CHANNELS) for samples in (1, 8))
+    for name in CHANNELS[1:]:
+        np.testing.assert_array_equal(one.require(name), many.require(name))
+    # Hammersley: the second coordinate of each column is its index with the bits reversed.
+    offsets = [((i + 0.5) / 8, (int(f"{i:03b}"[::-1], 2) + 0.5) / 8) for i in range(8)]
+    colors = [oracle.cast(surfaces, oracle.view(camera, offset, 8)).color for offset in offsets]
+    np.testing.assert_allclose(many.require("color").reshape(-1, 3), np.mean(colors, axis=0), atol=1e-4)
+    only = nf.render(scene, camera, samples=8, channels=["color"])
+    assert only.channels == ("color",)
+    np.testing.assert_array_equal(only.require("color"), many.require("color"))
+
+
+@pytest.mark.parametrize("channel", CHANNELS)
+def test_each_channel_is_the_same_alone(channel: str) -> None:
+    scene, camera = build(room()), nf.Camera((0, 0, 2), fov=WIDE, size=(33, 17))
+    together, alone = nf.render(scene, camera, channels=CHANNELS), nf.render(scene, camera, channels=[channel])
+    assert alone.channels == (channel,)
+    np.testing.assert_array_equal(alone.require(channel), together.require(channel))
+
+
+@pytest.mark.parametrize("normal", [(0, 1, 0), (1, 0, 0), (0, 0, -1), (0.6, 0.0, 0.8), (-0.48, 0.6, 0.64)])
+def test_a_white_plane_shows_the_light_that_falls_on_it(normal: tuple[float, float, float]) -> None:
+    n = np.array(normal)
+    side = np.cross(n, (0.2, 0.3, 0.9))
+    side /= np.linalg.norm(side)
+    plane = Surface(quad((0, 0, 0), 100 * side, 100 * np.cross(n, side)), QUAD, (1, 1, 1, 1))
+    scene = build([plane])
+    for side_of_viewer in (1.0, -1.0):
+        camera = nf.Camera.look_at(3 * side_of_viewer * n, (0, 0, 0), up=side, fov=nf.Fov.symmetric(60), size=(9, 9))
+        frame = nf.render(scene, camera, samples=4)
+        light = oracle.irradiance(side_of_viewer * n[None])[0]
+        assert (light < 1).all()
+        # One normalisation, a product and a sum of four in float32.
+        np.testing.assert_allclose(frame.require("color"), np.broadcast_to(light, (9, 9, 3)), atol=5e-7)
+        # Corners 100 m away are rounded by 4e-6 along each axis.
+        assert frame.require("range")[4, 4] == pytest.approx(3.0, abs=2e-5)
+
+
+def test_a_checkerboard_far_away_is_the_mean_of_its_light() -> None:
+    # Black and white squares: half of the light, not half of the code (which would be 0.21 of it).
+    board = np.kron([[0, 255], [255, 0]], np.ones((4, 4))).astype(np.uint8)
+    texture = np.dstack([board, board, board, np.full((8, 8), 255, np.uint8)])
+    uvs = 1000.0 * np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
+    plane = Surface(quad((0, 0, -50), (50, 0, 0), (0, 50, 0)), QUAD, (1, 1, 1, 1), None, uvs, texture)
+    camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(60), size=(16, 16))
+    color = nf.render(build([plane]), camera).require("color")
+    light = oracle.irradiance(np.array([[0.0, 0.0, 1.0]]))[0]
+    # The coarsest level holds the mean in steps of 1/65535.
+    np.testing.assert_allclose(color, np.broadcast_to(0.5 * light, (16, 16, 3)), atol=1 / 65535)
+
+
+def test_textures_are_the_right_way_up() -> None:
+    texture = np.zeros((2, 2, 4), np.uint8)
+    texture[0, 0] = (255, 0, 0, 255)
+    texture[1, 1] = (0, 0, 255, 255)
+    uvs = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])
+    picture = Surface(quad((0, 0, -1), (1, 0, 0), (0, 1, 0)), QUAD, (1, 1, 1, 1), None, uvs, texture)
+    # Four pixels, each on the centre of a texel.
+    camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90), size=(2, 2))
+    color = nf.render(build([picture]), camera).require("color")
+    light = oracle.irradiance(np.array([[0.0, 0.0, 1.0]]))[0]
+    expected = np.array([[light * (1, 0, 0), np.zeros(3)], [np.zeros(3), light * (0, 0, 1)]])
+    # Neighbours shine through by the rounding of the texture coordinate.
+    np.testing.assert_allclose(color, expected, atol=1e-6)
+
+
+def test_holes_of_cut_out_materials_show_what_is_behind() -> None:
+    texture = np.full((4, 4, 4), 255, np.uint8)
+    texture[:2, :, 3] = 0
+    uvs = np.array([[0.0, 0], [1, 0], [1, 1], [0, 1]])
+    behind = Surface(quad((0, 0, -2), (9, 0, 0), (0, 9, 0)), QUAD)
+    camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90), size=(16, 16))
+    for cutoff, rows in ((0.5, 8), (None, 16)):
+        leaf = Surface(quad((0, 0, -1), (1, 0, 0), (0, 1, 0)), QUAD, (1, 1, 1, 1), cutoff, uvs, texture)
+        ids = nf.render(build([leaf, behind]), camera, channels=["object_id"]).require("object_id")
+        assert (ids[16 - rows :] == 0).all()
+        assert (ids[: 16 - rows] == 1).all()
+    faint = Surface(quad((0, 0, -1), (1, 0, 0), (0, 1, 0)), QUAD, (1, 1, 1, 0.3), 0.5)
+    assert (nf.render(build([faint, behind]), camera).require("object_id") == 1).all()
+
+
+def test_six_faces_make_one_picture() -> None:
+    surfaces = room()
+    scene, center = build(surfaces), (0.5, 0.25, -0.125)
+    for face in range(6):
+        camera = nf.Camera(center, fov=nf.CubeFace(face), size=(12, 12))
+        frame = nf.render(scene, camera, channels=("range", "position"))
+        reached = np.array(center) + frame.require("range")[..., None] * camera.rays()[1]
+        # Distances of 10 m in float32.
+        np.testing.assert_allclose(frame.require("position"), reached, atol=1e-5)
+
+
+def test_misses_show_the_sky() -> None:
+    scene = build([Surface(quad((0, 0, 5), (1, 0, 0), (0, 1, 0)), QUAD)])
+    camera = nf.Camera((0, 0, 0), fov=WIDE, size=(9, 7))
+    frame = nf.render(scene, camera, channels=CHANNELS)
+    expected = oracle.background(camera.rays()[1].reshape(-1, 3)).reshape(7, 9, 3)
+    np.testing.assert_allclose(frame.require("color"), expected, atol=3e-7)
+    assert np.isposinf(frame.require("range")).all()
+    for name in ("object_id", "face_id"):
+        assert (frame.require(name) == -1).all()
+    for name in ("position", "normal"):
+        assert np.isnan(frame.require(name)).all()
+
+
+def test_an_empty_scene_is_all_sky() -> None:
+    scene = nf.Scene.from_arrays(np.empty((0, 3)), np.empty((0, 3), int))
+    frame = nf.render(scene, nf.Camera((0, 0, 0), fov=WIDE, size=(3, 2)), samples=3, channels=CHANNELS)
+    assert np.isposinf(frame.require("range")).all()
+    assert np.isfinite(frame.require("color")).all()
+
+
+def test_far_from_zero_nothing_is_lost() -> None:
+    surfaces = room()
+    near = nf.render(build(surfaces), nf.Camera((0, 0, 2), fov=WIDE, size=(24, 16)), channels=("range", "position"))
+    offset = np.array([1e7, -2e6, 3e7])
+    vertices = np.concatenate([surface.vertices for surface in surfaces]) + offset
+    counts = np.cumsum([0, *(len(surface.vertices) for surface in surfaces)])
+    faces = np.concatenate([surface.faces + first for surface, first in zip(surfaces, counts, strict=False)])
+    owners = np.repeat(np.arange(len(surfaces)), [len(surface.faces) for surface in surfaces])
+    scene = nf.Scene.from_arrays(vertices, faces, owners)
+    eye = offset + np.array([0, 0, 2])
+    frame = nf.render(
+        scene, nf.Camera(tuple(eye), fov=WIDE, size=(24, 16)), channels=("range", "position", "object_id")
+    )
+    solid = frame.require("object_id") != 3  # the cut-out one is whole here
+    same = solid & (nf.render(build(surfaces), nf.Camera((0, 0, 2), fov=WIDE, size=(24, 16))).require("object_id") != 3)
+    # The origin is in whole metres, so that local coordinates of 10 m lose a float32 rounding and no more.
+    np.testing.assert_allclose(frame.require("range")[same], near.require("range")[same], rtol=3e-6)
+    world = np.array(frame.origin) + frame.require("position")
+    np.testing.assert_allclose(world[same] - offset, near.require("position")[same], atol=2e-5)
+
+
+def test_a_camera_in_a_wall_or_outside_everything_works() -> None:
+    scene = build(room())
+    in_wall = nf.Camera((8.0, 0, 0), fov=WIDE, size=(32, 24))
+    outside = nf.Camera.look_at((500, 400, 300), (0, 0, 0), fov=nf.Fov.symmetric(5), size=(32, 24))
+    for camera in (in_wall, outside):
+        frame = nf.render(scene, camera, samples=2, channels=CHANNELS)
+        assert np.isfinite(frame.require("color")).all()
+        assert (frame.require("color") <= 1).all()
+    assert nf.render(scene, outside).require("range").min() == pytest.approx(707 - 10, abs=10)
+
+
+def test_degenerate_triangles_are_not_seen() -> None:
+    vertices = np.array([[0, 0, -1], [1, 0, -1], [2, 0, -1], [0, 0, -1], [0, 0, -1]], np.float32)
+    scene = nf.Scene.from_arrays(vertices, np.array([[0, 1, 2], [0, 3, 4]]))
+    frame = nf.render(scene, nf.Camera((0, 0, 0), fov=WIDE, size=(9, 9)), channels=CHANNELS)
+    assert np.isfinite(frame.require("color")).all()
+    seen = frame.require("object_id") >= 0
+    assert np.isfinite(frame.require("normal")[seen]).all()
+
+
+def test_odd_sizes_are_complete() -> None:
+    scene = build(room())
+    whole = nf.render(scene, nf.Camera((0, 0, 2), fov=nf.Fov(-1, 1, -1, 1), size=(40, 40)), channels=["range"])
+    for width, height in ((1, 1), (8, 1), (7, 40), (40, 9), (17, 23)):
+        # The same pixels, cut from the top left corner.
+        fov = nf.Fov(-1, -1 + width / 20, 1 - height / 20, 1)
+        part = nf.render(scene, nf.Camera((0, 0, 2), fov=fov, size=(width, height)), channels=["range"])
+        # Bounds in float64 are rounded once.
+        np.testing.assert_allclose(part.require("range"), whole.require("range")[:height, :width], rtol=1e-5)
+
+
+def digest() -> str:
+    """Hash of all images of the first camera."""
+    frame = nf.render(build(room()), CAMERAS[0], samples=3, channels=CHANNELS)
+    return hashlib.sha256(b"".join(frame.require(name).tobytes() for name in CHANNELS)).hexdigest()
+
+
+def test_bytes_do_not_depend_on_the_number_of_threads() -> None:
+    here, code = digest(), "import test_render; print(test_render.digest())"
+    for threads in ("1", "3"):
+        path = os.pathsep.join([os.path.dirname(__file__), *sys.path])
+        environment = os.environ | {"NEARFAR_NUM_THREADS": threads, "PYTHONPATH": path}
+        done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
+        assert done.stdout.strip() == here, threads
+
+
+def test_arguments_are_checked() -> None:
+    scene, camera = build(room()), nf.Camera((0, 0, 0), fov=WIDE, size=(2, 2))
+    with pytest.raises(ValueError, match="samples: expected a whole number from 1 to 1024, got 0"):
+        nf.render(scene, camera, samples=0)
+    with pytest.raises(ValueError, match=r"channels: expected one of .* got 'colour'"):
+        nf.render(scene, camera, channels=["colour"])
+    with pytest.raises(TypeError, match="got the string 'range'"):
+        nf.render(scene, camera, channels="range")
+    with pytest.raises(ValueError, match="at least one"):
+        nf.render(scene, camera, channels=[])
+    with pytest.raises(ValueError, match="backend"):
+        nf.render(scene, camera, backend="cuda")
+    with pytest.raises(nf.DeviceError, match="no graphics adapter"):
+        nf.render(scene, camera, backend="gpu")
+    with pytest.raises(TypeError, match="scene: expected a Scene"):
+        nf.render(None, camera)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="camera: expected a Camera"):
+        nf.render(scene, None)  # type: ignore[arg-type]
