@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
 
-Array = NDArray[np.float64]
+Array = NDArray[Any]
 
 # OpenGL's and Vulkan's table of cube faces: sc, tc and ma as (axis, sign).
 CUBE_TABLE = [
@@ -105,14 +106,14 @@ def irradiance(normals: Array) -> Array:
     """Linear RGB of white surfaces (N, 3)."""
     sky = 0.5 + 0.5 * normals @ SKY_DIRECTION
     sun = np.maximum(normals @ SUN_DIRECTION, 0.0)
-    return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky[:, None] + SUN * sun[:, None]
+    return np.asarray(SKY_LOW + (SKY_HIGH - SKY_LOW) * sky[:, None] + SUN * sun[:, None])
 
 
 def background(directions: Array) -> Array:
     """Linear RGB where nothing is hit, by unit directions (N, 3)."""
     y = directions[:, 1:2]
     end = np.where(y < 0.0, NADIR, ZENITH)
-    return HORIZON + (end - HORIZON) * np.sqrt(np.abs(y))
+    return np.asarray(HORIZON + (end - HORIZON) * np.sqrt(np.abs(y)))
 
 
 def linear_from_srgb(codes: NDArray[np.uint8]) -> Array:
@@ -146,7 +147,7 @@ def bilinear(image: Array, uv: Array) -> Array:
     left, right, upper, lower = column % width, (column + 1) % width, row % height, (row + 1) % height
     above = image[upper, left] * (1 - fx) + image[upper, right] * fx
     below = image[lower, left] * (1 - fx) + image[lower, right] * fx
-    return above * (1 - fy) + below * fy
+    return np.asarray(above * (1 - fy) + below * fy)
 
 
 def trilinear(levels: list[Array], uv: Array, level: Array) -> Array:
@@ -156,7 +157,7 @@ def trilinear(levels: list[Array], uv: Array, level: Array) -> Array:
     coarse = np.minimum(fine + 1, len(levels) - 1)
     ray = np.arange(len(uv))
     part = (level - fine)[:, None]
-    return values[fine, ray] * (1 - part) + values[coarse, ray] * part
+    return np.asarray(values[fine, ray] * (1 - part) + values[coarse, ray] * part)
 
 
 def cast(surfaces: list[Surface], rays: View) -> Pixels:
@@ -198,7 +199,7 @@ def _meet(corners: Array, origins: Array, directions: Array) -> tuple[Array, Arr
 
 
 def _blend(corners: Array, u: Array, v: Array) -> Array:
-    return corners[0] * (1 - u - v)[:, None] + corners[1] * u[:, None] + corners[2] * v[:, None]
+    return np.asarray(corners[0] * (1 - u - v)[:, None] + corners[1] * u[:, None] + corners[2] * v[:, None])
 
 
 def _solid(surface: Surface, face: NDArray[np.int64], u: Array, v: Array) -> NDArray[np.bool_]:

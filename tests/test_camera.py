@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from render_oracle import CUBE_TABLE, rotate
 
 import nearfar as nf
 from nearfar._camera import Projection
+from render_oracle import CUBE_TABLE, rotate
 
 ASYMMETRIC = nf.Fov(-1.1, 0.7, -0.4, 0.9)
 WINDOW = nf.Orthographic(-3.0, 5.0, -2.0, 1.0)
@@ -110,7 +111,7 @@ def test_look_at_centres_the_target_and_keeps_up_upright(eye: tuple[float, ...],
     # Positions of 100 are rounded by 10⁻¹⁴, at 10⁻³ metres that is 10⁻¹¹ radians.
     assert (x, y) == pytest.approx((5, 5), abs=1e-9)
     assert depth == pytest.approx(np.linalg.norm(away), rel=1e-9)
-    above = camera.project([np.add(target, (0, 1e-2 * np.linalg.norm(away), 0))])[0]
+    above = camera.project(np.array([target]) + np.linalg.norm(away) * np.array([0, 1e-2, 0]))[0]
     assert above[0] == pytest.approx(5, abs=1e-6)
     assert above[1] < 5
 
@@ -137,7 +138,7 @@ def test_fields_of_view() -> None:
 
 
 def test_cameras_are_values() -> None:
-    one, two = (nf.Camera(np.array([1, 2, 3]), fov=ASYMMETRIC, size=(4, 4)) for _ in range(2))
+    one, two = (nf.Camera((1, 2, 3), fov=ASYMMETRIC, size=(4, 4)) for _ in range(2))
     assert one == two
     assert hash(one) == hash(two)
     assert one.rays()[0].shape == (4, 4, 3)
@@ -146,7 +147,7 @@ def test_cameras_are_values() -> None:
         one.position = (0.0, 0.0, 0.0)  # type: ignore[misc]
 
 
-NOT_VIEWS = {
+NOT_VIEWS: dict[str, tuple[type[Exception], dict[str, Any]]] = {
     "position": (ValueError, {"position": (0, math.nan, 0)}),
     "position: expected 3": (ValueError, {"position": (0, 0)}),
     "unit quaternion": (ValueError, {"orientation": (0, 0, 0, 2)}),
@@ -164,9 +165,14 @@ NOT_VIEWS = {
 @pytest.mark.parametrize("message", NOT_VIEWS)
 def test_what_is_no_view_is_refused(message: str) -> None:
     kind, wrong = NOT_VIEWS[message]
-    arguments = {"position": (0, 0, 0), "orientation": (0, 0, 0, 1), "fov": ASYMMETRIC, "size": (4, 4)} | wrong
+    arguments: dict[str, Any] = {
+        "position": (0, 0, 0),
+        "orientation": (0, 0, 0, 1),
+        "fov": ASYMMETRIC,
+        "size": (4, 4),
+    } | wrong
     with pytest.raises(kind, match=message):
-        nf.Camera(**arguments)  # type: ignore[arg-type]
+        nf.Camera(**arguments)
 
 
 def test_what_is_no_direction_or_field_of_view_is_refused() -> None:

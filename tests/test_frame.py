@@ -74,7 +74,7 @@ def test_exr_comes_back_bit_for_bit(tmp_path: Path, projection: Projection) -> N
 @pytest.mark.parametrize("name", CHANNELS)
 def test_each_channel_travels_alone(tmp_path: Path, name: str) -> None:
     image = full().require(name)
-    nf.Frame(CAMERA, **{name: image}).save(tmp_path / "a.exr")
+    nf.Frame(CAMERA, (0.0, 0.0, 0.0), **{name: image}).save(tmp_path / "a.exr")
     back = nf.Frame.load(tmp_path / "a.exr")
     assert back.channels == (name,)
     np.testing.assert_array_equal(back.require(name), image)
@@ -133,7 +133,7 @@ def test_files_that_are_no_frames_are_refused(tmp_path: Path) -> None:
 
 
 def test_parts_of_all_types_come_back_in_order(tmp_path: Path) -> None:
-    images = {
+    images: dict[str, np.ndarray] = {
         "half": np.linspace(0, 7, 12, dtype=np.float16).reshape(3, 4),
         "float": np.array([[np.inf, -0.0, 1e-45, np.finfo(np.float32).max]] * 3, np.float32),
         "unsigned": np.array([[0, 1, 2**31, 2**32 - 1]] * 3, np.uint32),

@@ -6,17 +6,17 @@ import hashlib
 import os
 import subprocess
 import sys
-from collections.abc import Sequence
 
 import numpy as np
 import pytest
-import render_oracle as oracle
-from render_oracle import Surface
+from numpy.typing import ArrayLike
 
 import nearfar as nf
+import render_oracle as oracle
 from nearfar._camera import Projection
 from nearfar._frame import CHANNELS
 from nearfar._scene import SceneBuilder
+from render_oracle import Surface
 
 WIDE = nf.Fov(-1.2, 0.8, -0.5, 0.9)
 PROJECTIONS: list[Projection] = [
@@ -34,7 +34,7 @@ def noise(*shape: int, seed: int = 0) -> np.ndarray:
     return (mixed * np.uint64(0xBF58476D1CE4E5B9) >> np.uint64(56)).astype(np.uint8).reshape(shape)
 
 
-def quad(center: Sequence[float], right: Sequence[float], up: Sequence[float]) -> np.ndarray:
+def quad(center: ArrayLike, right: ArrayLike, up: ArrayLike) -> np.ndarray:
     c, r, u = (np.array(v, float) for v in (center, right, up))
     return np.array([c - r - u, c + r - u, c + r + u, c - r + u])
 
