@@ -1,0 +1,165 @@
+"""Buildings: tiers of four façades and a roof, as prototypes that a city places many times."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from nearfar.datasets import _roofs as roofs
+from nearfar.datasets._draw import Draw, Floats
+from nearfar.datasets._palette import material, materials
+from nearfar.datasets._shapes import Soup, boxes, join
+from nearfar.datasets._styles import HIGH_STYLES, ROW_STYLES, TOWER_STYLES, Style
+from nearfar.datasets._walls import Paint, Plan, wall
+
+# How far walls reach below the ground, so that they never end on it.
+_FOOT = 0.4
+_DECKS = materials("roof_gravel", "roof_felt", "concrete", "roof_gravel")
+_TILES = materials("roof_tile", "roof_tile_dark", "roof_slate", "roof_tile")
+
+
+@dataclass(frozen=True, order=True)
+class Kind:
+    """What a prototype is asked for; equal kinds are the same building.
+
+    Width and depth in decimetres; `form` 0 low, 1 middle, 2 high, 3 tower; `place` 0 between neighbours, 1 with a
+    street on its right, 2 on its left, 3 free on all sides; `variant` numbers buildings of the same kind.
+    """
+
+    width: int
+    depth: int
+    form: int
+    place: int
+    variant: int
+
+
+_FACES = {
+    0: ("street", "party", "yard", "party"),
+    1: ("street", "street", "yard", "party"),
+    2: ("street", "party", "yard", "street"),
+    3: ("street", "street", "street", "street"),
+}
+_PARTY = {0: "+x -x", 1: "-x", 2: "+x", 3: ""}
+_STOREYS = ((2, 4), (5, 7), (8, 13), (17, 38))
+
+
+@dataclass(frozen=True)
+class Design:
+    """All that is decided once for a building."""
+
+    kind: Kind
+    style: Style
+    paint: Paint
+    shops: bool
+    storeys: int
+    detail: int
+
+
+@dataclass(frozen=True)
+class Tier:
+    """A part of a building between two heights; set back from the one below it."""
+
+    width: float
+    depth: float
+    rows: Floats
+    """Edges of its storeys, the last the top of a blank band."""
+    faces: tuple[str, ...]
+    first: bool
+    last: bool
+
+
+def building(kind: Kind, seed: int, detail: int) -> Soup:
+    """A building on the ground y = 0 around the y axis, its front towards +z."""
+    draw = Draw(seed, 1, kind.width, kind.depth, kind.form, kind.place, kind.variant)
+    styles = TOWER_STYLES if kind.form == 3 else HIGH_STYLES if kind.form == 2 else ROW_STYLES
+    style = draw.pick(styles)
+    low, high = _STOREYS[kind.form]
+    storeys = low + int(draw.integers(1, high - low + 1)[0])
+    shops = kind.form >= 1 or draw.chance(0.3)
+    design = Design(kind, style, Paint.chosen(style, draw), shops, storeys, detail)
+    soups: list[Soup] = []
+    for tier in _tiers(design, draw):
+        soups += _walls(tier, design, draw) + _roof(tier, design, draw)
+    return join(soups)
+
+
+def _tiers(design: Design, draw: Draw) -> list[Tier]:
+    sizes = _sizes(0.1 * design.kind.width, 0.1 * design.kind.depth, design.storeys, design.kind.form, draw)
+    tiers: list[Tier] = []
+    floor = 0.0
+    for number, (width, depth, count) in enumerate(sizes):
+        first = number == 0
+        ground = design.style.storey + (1.0 if first else 0.0)
+        heights = floor + ground + design.style.storey * np.arange(count)
+        # Walls start inside what is below them, so that they never end on it.
+        rows = np.concatenate([[-_FOOT if first else floor - 0.3], heights, [heights[-1] + 0.6]])
+        faces = _FACES[design.kind.place if first else 3]
+        tiers.append(Tier(width, depth, rows, faces, first, number == len(sizes) - 1))
+        floor = float(rows[-1]) - 0.15
+    return tiers
+
+
+def _sizes(width: float, depth: float, storeys: int, form: int, draw: Draw) -> list[tuple[float, float, int]]:
+    """Width, depth and storeys of each tier, from below."""
+    if form < 2 or storeys < 8 or (form == 2 and draw.chance(0.6)):
+        return [(width, depth, storeys)]
+    if form == 2:
+        return [(width, depth, storeys - 2), (width - 4.4, depth - 4.4, 2)]
+    base = int(draw.integers(1, 4)[0]) + 2
+    shrink = draw.number(3.0, 6.0)
+    middle = (width - shrink, depth - shrink)
+    if draw.chance(0.45):
+        return [(width, depth, base), (*middle, storeys - base)]
+    upper = int((storeys - base) * draw.number(0.25, 0.45))
+    return [(width, depth, base), (*middle, storeys - base - upper), (middle[0] - 5.0, middle[1] - 5.0, upper)]
+
+
+def _walls(tier: Tier, design: Design, draw: Draw) -> list[Soup]:
+    x, z = 0.5 * tier.width, 0.5 * tier.depth
+    if design.detail == 0:
+        return [boxes([-x, tier.rows[0], -z], [x, tier.rows[-1], z], design.paint.wall, without="-y +y")]
+    soups = []
+    for quarter, face in enumerate(tier.faces):
+        across, away = (2.0 * x, z) if quarter % 2 == 0 else (2.0 * z, x)
+        plan = Plan(across, tier.rows, face, design.shops, tier.first)
+        side = wall(plan, design.style, design.paint, draw, design.detail)
+        soups.append(side.moved([0.0, 0.0, away]).rotated(0.25 * quarter))
+    return soups
+
+
+def _roof(tier: Tier, design: Design, draw: Draw) -> list[Soup]:
+    top = float(tier.rows[-1])
+    if tier.last and design.style.pitched and design.storeys <= 5:
+        return _pitched(tier, top, design, draw)
+    if design.detail == 0:
+        return [roofs.deck(tier.width + 0.2, tier.depth + 0.2, top, draw.pick(_DECKS))]
+    paint, cornice = design.paint, design.style.cornice
+    edge = paint.trim if cornice == "moulded" else paint.wall
+    party = _PARTY[design.kind.place] if tier.first else ""
+    soups = [
+        roofs.parapet(tier.width, tier.depth, top, cornice, edge, party),
+        roofs.deck(tier.width, tier.depth, top - 0.05, draw.pick(_DECKS)),
+    ]
+    if not tier.last:
+        return soups
+    tower = design.kind.form == 3
+    if tower:
+        x, z = 0.25 * tier.width, 0.25 * tier.depth
+        soups.append(boxes([-x, top - 0.2, -z], [x, top + 3.6, z], material("metal"), without="-y"))
+    plant = roofs.furnish(tier.width, tier.depth, paint.wall, draw, tower=tower, detail=design.detail)
+    return [*soups, plant.moved([0.0, top - 0.05, 0.0])]
+
+
+def _pitched(tier: Tier, top: float, design: Design, draw: Draw) -> list[Soup]:
+    """A roof of tiles with a chimney; between neighbours it has gables."""
+    tiles, pitch, paint = draw.pick(_TILES), draw.number(0.55, 0.85), design.paint
+    x = draw.number(-0.3, 0.3) * tier.width
+    if design.kind.place == 3:
+        soups = [roofs.hipped(tier.width, tier.depth, top, pitch, tiles, paint.trim)]
+    else:
+        soups = [roofs.gabled(tier.width, tier.depth, top, pitch, tiles, paint.trim, paint.wall)]
+    if design.detail >= 1:
+        ridge = 0.5 * (tier.depth + 0.9) * pitch
+        soups.append(roofs.chimney(x, -0.18 * tier.depth, top, top + ridge + 0.5))
+    return soups

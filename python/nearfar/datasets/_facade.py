@@ -1,0 +1,186 @@
+"""Façades: rectangles of wall with openings, seen as a plane with u to the right, v upwards and n outwards."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar.datasets._draw import Floats
+from nearfar.datasets._shapes import Soup, boxes, join, quads
+
+Rectangles = Floats  # (K, 4): least u, greatest u, least v, greatest v
+
+
+@dataclass(frozen=True)
+class Window:
+    """How the openings of a storey are made."""
+
+    width: float
+    """Share of the bay that the opening takes."""
+    sill: float
+    """Height of the opening's lower edge above the floor, metres."""
+    head: float
+    """Share of the storey's height at which the opening ends."""
+    reveal: float
+    """Depth of the pane behind the wall, metres."""
+    bars: str = "+"
+    """Bars before the pane: "+" a post and a rail, "|" a post, "" none."""
+
+
+def rectangles(u: ArrayLike, v: ArrayLike) -> Rectangles:
+    """All cells of a grid, row by row from below."""
+    across, upwards = np.asarray(u, np.float64), np.asarray(v, np.float64)
+    cells = np.empty((len(upwards) - 1, len(across) - 1, 4))
+    cells[..., 0], cells[..., 1] = across[:-1], across[1:]
+    cells[..., 2], cells[..., 3] = upwards[:-1, None], upwards[1:, None]
+    return cells.reshape(-1, 4)
+
+
+def plain(cells: Rectangles, materials: ArrayLike) -> Soup:
+    """Cells without an opening."""
+    return quads(_corners(cells, 0.0), materials)
+
+
+def _corners(cells: Rectangles, n: ArrayLike) -> Floats:
+    """Corners (K, 4, 3) of rectangles at depth n, counter-clockwise."""
+    corners = np.empty((len(cells), 4, 3))
+    corners[..., 0] = cells[:, [0, 1, 1, 0]]
+    corners[..., 1] = cells[:, [2, 2, 3, 3]]
+    corners[..., 2] = np.broadcast_to(np.asarray(n, np.float64), len(cells))[:, None]
+    return corners
+
+
+def openings(
+    cells: Rectangles,
+    holes: Rectangles,
+    reveal: ArrayLike,
+    wall: ArrayLike,
+    lining: ArrayLike,
+    panes: ArrayLike,
+    *,
+    recessed: bool = True,
+) -> Soup:
+    """Cells with a hole each: wall around it, the reveal, and a pane at its back.
+
+    Without `recessed` the pane is flush with the wall: two triangles for the pane, eight around it.
+    """
+    count = len(cells)
+    depth = np.broadcast_to(np.asarray(reveal, np.float64), count) * (1.0 if recessed else 0.0)
+    outer, inner, back = _corners(cells, 0.0), _corners(holes, 0.0), _corners(holes, -depth)
+    soups = [_band(outer, inner, wall), quads(back, np.broadcast_to(panes, count))]
+    if recessed:
+        soups.append(_band(inner, back, lining))
+    return join(soups)
+
+
+def _band(outer: Floats, inner: Floats, materials: ArrayLike) -> Soup:
+    """The four quadrilaterals between two rectangles."""
+    after = [1, 2, 3, 0]
+    corners = np.stack([outer, outer[:, after], inner[:, after], inner], 2)
+    return quads(corners.reshape(-1, 4, 3), np.repeat(np.broadcast_to(np.asarray(materials), len(outer)), 4))
+
+
+def holes_in(cells: Rectangles, window: Window) -> Rectangles:
+    """The openings that a window style cuts into cells."""
+    middle, half = 0.5 * (cells[:, 0] + cells[:, 1]), 0.5 * window.width * (cells[:, 1] - cells[:, 0])
+    height = cells[:, 3] - cells[:, 2]
+    return np.stack([middle - half, middle + half, cells[:, 2] + window.sill, cells[:, 2] + window.head * height], 1)
+
+
+def bars(holes: Rectangles, reveal: float, kind: str, material: int, *, frame: bool = False) -> Soup:
+    """Glazing bars before the panes, their ends inside the wall."""
+    if not kind and not frame:
+        return join([])
+    a0, a1, b0, b1 = holes.T
+    middle, across = 0.5 * (a0 + a1), b0 + 0.68 * (b1 - b0)
+    slim, back, front = 0.03, np.full_like(a0, -reveal - 0.02), np.full_like(a0, 0.05 - reveal)
+    uprights, rails = [middle] if kind else [], [across] if kind == "+" else []
+    if frame:
+        # Half of a frame's bar stands inside the lining.
+        uprights += [a0, a1]
+        rails += [b0, b1]
+    # Rails stand back a little, so that no two faces share a plane where bars cross.
+    parts = [_boxes(u - slim, u + slim, b0 - 0.04, b1 + 0.04, back, front, material, "-z -y +y") for u in uprights]
+    parts += [
+        _boxes(a0 - 0.04, a1 + 0.04, v - slim, v + slim, back, front - 0.008, material, "-z -x +x") for v in rails
+    ]
+    return join(parts)
+
+
+def _boxes(
+    u0: ArrayLike, u1: ArrayLike, v0: ArrayLike, v1: ArrayLike, n0: ArrayLike, n1: ArrayLike,
+    materials: ArrayLike, without: str = "",
+) -> Soup:  # fmt: skip
+    low = np.stack(np.broadcast_arrays(u0, v0, n0), -1)
+    high = np.stack(np.broadcast_arrays(u1, v1, n1), -1)
+    return boxes(low, high, materials, without=without)
+
+
+def sills(holes: Rectangles, material: int, *, depth: float = 0.14, overhang: float = 0.1) -> Soup:
+    """Slabs under the openings, their backs inside the wall."""
+    a0, a1, b0, _ = holes.T
+    return _boxes(a0 - overhang, a1 + overhang, b0 - 0.1, b0 + 0.02, -0.06, depth, material, "-z")
+
+
+def lintels(holes: Rectangles, material: int) -> Soup:
+    """Slabs over the openings."""
+    a0, a1, _, b1 = holes.T
+    return _boxes(a0 - 0.14, a1 + 0.14, b1 - 0.015, b1 + 0.2, -0.06, 0.06, material, "-z")
+
+
+def shutters(holes: Rectangles, material: int) -> Soup:
+    """Open shutters on both sides of the openings."""
+    a0, a1, b0, b1 = holes.T
+    wide = 0.46 * (a1 - a0)
+    left = _boxes(a0 - wide, a0 - 0.02, b0, b1, -0.03, 0.05, material, "-z")
+    return join([left, _boxes(a1 + 0.02, a1 + wide, b0, b1, -0.03, 0.05, material, "-z")])
+
+
+def courses(u0: float, u1: float, heights: ArrayLike, material: int, *, high: float = 0.18, out: float = 0.07) -> Soup:
+    """Bands along the façade at some heights."""
+    v = np.asarray(heights, np.float64)
+    return _boxes(u0, u1, v - 0.5 * high, v + 0.5 * high, -0.05, out, material, "-z")
+
+
+def pilasters(at: ArrayLike, v0: float, v1: float, material: int, *, wide: float = 0.5, out: float = 0.12) -> Soup:
+    """Upright bands along the façade."""
+    u = np.asarray(at, np.float64)
+    return _boxes(u - 0.5 * wide, u + 0.5 * wide, v0, v1, -0.05, out, material, "-z -y")
+
+
+def balconies(cells: Rectangles, slab: int, rail: int, *, detail: int, solid: bool, out: float = 1.15) -> Soup:
+    """Slabs with a parapet or a railing before cells."""
+    u0, u1, v0 = cells[:, 0] + 0.12, cells[:, 1] - 0.12, cells[:, 2]
+    parts = [_boxes(u0, u1, v0 - 0.16, v0 + 0.02, -0.05, out, slab, "-z")]
+    if solid:
+        top = v0 + 0.95
+        parts.append(_boxes(u0 + 0.01, u1 - 0.01, v0 - 0.1, top, out - 0.12, out + 0.03, rail))
+        for a, b in ((u0 - 0.02, u0 + 0.08), (u1 - 0.08, u1 + 0.02)):
+            parts.append(_boxes(a, b, v0 - 0.1, top - 0.01, -0.05, out - 0.06, rail, "-z"))
+        return join(parts)
+    parts.append(_boxes(u0, u1, v0 + 0.96, v0 + 1.01, out - 0.07, out - 0.01, rail))
+    for a, b in ((u0 + 0.01, u0 + 0.06), (u1 - 0.06, u1 - 0.01)):
+        parts.append(_boxes(a, b, v0 + 0.955, v0 + 1.005, -0.05, out - 0.03, rail, "-z"))
+    step = 0.13 if detail >= 3 else 0.42
+    for cell in np.stack([u0, u1, v0], 1):
+        spaced = np.linspace(cell[0] + 0.03, cell[1] - 0.03, max(2, round((cell[1] - cell[0]) / step)))
+        parts.append(
+            _boxes(spaced - 0.012, spaced + 0.012, cell[2], cell[2] + 0.97, out - 0.055, out - 0.03, rail, "-y +y")
+        )
+        deep = np.linspace(0.05, out - 0.12, max(2, round(out / step)))
+        for u in (cell[0] + 0.022, cell[1] - 0.048):
+            parts.append(_boxes(u, u + 0.026, cell[2], cell[2] + 0.97, deep - 0.012, deep + 0.012, rail, "-y +y"))
+    return join(parts)
+
+
+def awning(cell: NDArray[np.float64], material: int, *, out: float = 1.3) -> Soup:
+    """A sloping awning over one shop window."""
+    u0, u1, v1 = cell[0] + 0.1, cell[1] - 0.1, cell[3] - 0.35
+    profile = np.array([[v1 - 0.06, -0.05], [v1 - 0.6, out], [v1 - 0.54, out], [v1, -0.05]])
+    ends = np.empty((2, 4, 3))
+    ends[0, :, 0], ends[1, :, 0] = u0, u1
+    ends[:, :, 1:] = profile
+    sides = np.stack([ends[0], np.roll(ends[0], -1, 0), np.roll(ends[1], -1, 0), ends[1]], 1)
+    return quads(np.concatenate([sides[:, ::-1], ends[:1], ends[1:, ::-1]]), material)

@@ -1,0 +1,145 @@
+"""The plan of the city: streets, blocks and building plots, seen from above."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from nearfar.datasets._buildings import Kind
+from nearfar.datasets._draw import Draw, Floats
+
+PITCH = (84.0, 64.0)
+"""Distance between the middles of neighbouring streets along x and z, metres."""
+STREET, AVENUE = 6.0, 8.0
+"""Half the width of a carriageway."""
+PAVEMENT = 4.0
+KERB = 0.15
+"""Height of pavements above the carriageway."""
+YARD = 10.0
+"""Depth of the courtyard between the rows of a block."""
+
+
+@dataclass(frozen=True)
+class Plot:
+    """A building's place: middle of its footprint, and the quarter turns that make its front face the street."""
+
+    name: str
+    kind: Kind
+    x: float
+    z: float
+    quarter: int
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Streets along both axes; the avenues cross at the origin."""
+
+    blocks: int
+    x: Floats
+    """Middles of the streets that run along z."""
+    z: Floats
+    """Middles of the streets that run along x."""
+    avenue: int
+    """Which of both is the avenue."""
+
+    @classmethod
+    def of(cls, blocks: int) -> Grid:
+        """The grid for `blocks` × `blocks` blocks."""
+        avenue = blocks // 2
+        steps = np.arange(blocks + 1.0) - avenue
+        widened = np.sign(steps) * (AVENUE - STREET)
+        return cls(blocks, steps * PITCH[0] + widened, steps * PITCH[1] + widened, avenue)
+
+    def half(self, street: int) -> float:
+        """Half the width of a street's carriageway."""
+        return AVENUE if street == self.avenue else STREET
+
+    def block(self, i: int, j: int) -> tuple[float, float, float, float]:
+        """Kerb lines of a block: least and greatest x, least and greatest z."""
+        return (
+            float(self.x[i] + self.half(i)), float(self.x[i + 1] - self.half(i + 1)),
+            float(self.z[j] + self.half(j)), float(self.z[j + 1] - self.half(j + 1)),
+        )  # fmt: skip
+
+    def use(self, i: int, j: int, seed: int) -> str:
+        """What a block is for: "park", "towers" or "rows"."""
+        a, b = i - self.avenue, j - self.avenue
+        if (a, b) == (-1, -1) or (self.blocks > 8 and (a, b) in ((3, 2), (-4, 3), (2, -6))):
+            return "park"
+        away = self.downtown(i, j)
+        if away < 1.0 or (away < 1.6 and Draw(seed, 10, i, j).chance(0.2)):
+            return "towers"
+        return "rows"
+
+    def downtown(self, i: int, j: int) -> float:
+        """Distance of a block from the middle of down-town, 1 at its border."""
+        reach = max(0.8, 0.15 * self.blocks)
+        a = (i - self.avenue - 0.4) / reach
+        b = (j - self.avenue + 0.5 + 0.34 * self.blocks) / reach
+        return float(np.sqrt(a * a + 0.7 * b * b))
+
+
+# Widths of the plots in a row, metres; each adds up to a block's 64 m.
+_ROWS = ((16, 16, 16, 16), (20, 24, 20), (24, 16, 24), (16, 24, 24), (24, 24, 16), (20, 20, 24), (24, 20, 20))
+_TOWERS = ((24, 24), (26, 20), (28, 26), (22, 30))
+_VARIANTS = (3, 2, 2)
+
+
+def plots(grid: Grid, seed: int) -> list[Plot]:
+    """All buildings of the city, block by block."""
+    found: list[Plot] = []
+    for j in range(grid.blocks):
+        for i in range(grid.blocks):
+            use = grid.use(i, j, seed)
+            draw = Draw(seed, 11, i, j)
+            name = f"building_{j * grid.blocks + i}"
+            if use == "rows":
+                found += _rows(grid, i, j, name, draw)
+            elif use == "towers":
+                found += _towers(grid, i, j, name, draw)
+    return found
+
+
+def _rows(grid: Grid, i: int, j: int, name: str, draw: Draw) -> list[Plot]:
+    x0, x1, z0, z1 = grid.block(i, j)
+    away = grid.downtown(i, j)
+    found: list[Plot] = []
+    for quarter, front, towards in ((0, z1 - PAVEMENT, -1.0), (2, z0 + PAVEMENT, 1.0)):
+        widths = draw.pick(_ROWS)
+        # Local +x of a row that faces −z points to −x, so its plots are listed from the other end.
+        at, step = (x0 + PAVEMENT, 1.0) if quarter == 0 else (x1 - PAVEMENT, -1.0)
+        for number, width in enumerate(widths):
+            place = 2 if number == 0 else 1 if number == len(widths) - 1 else 0
+            form = _form(away, draw)
+            if draw.chance(0.04) and place == 0:
+                at += step * width
+                continue
+            depth = 150 + 10 * ((width // 4 + form) % 3)
+            variant = int(draw.integers(1, _VARIANTS[place])[0])
+            # A decimetre between neighbours: their walls never share a plane.
+            kind = Kind(width * 10 - 1, depth, form, place, variant)
+            plot = Plot(f"{name}_{len(found)}", kind, at + step * 0.5 * width, front + towards * 0.05 * depth, quarter)
+            found.append(plot)
+            at += step * width
+    return found
+
+
+def _form(away: float, draw: Draw) -> int:
+    """Low, middle or high, by the distance from down-town."""
+    level = 2.3 - 0.55 * away + draw.number(-0.75, 0.75)
+    return int(np.clip(np.floor(level), 0, 2))
+
+
+def _towers(grid: Grid, i: int, j: int, name: str, draw: Draw) -> list[Plot]:
+    x0, x1, z0, z1 = grid.block(i, j)
+    middle = 0.5 * (z0 + z1)
+    found = []
+    for number in range(2):
+        width, depth = draw.pick(_TOWERS)
+        variant = int(draw.integers(1, 3)[0])
+        x = x0 + PAVEMENT + (x1 - x0 - 2.0 * PAVEMENT) * (0.25 + 0.5 * number)
+        z = middle + draw.number(-1.0, 1.0) * 0.45 * (z1 - z0 - 2.0 * PAVEMENT - depth)
+        kind = Kind(width * 10, depth * 10, 3, 3, variant)
+        found.append(Plot(f"{name}_{number}", kind, float(x), float(z), int(draw.integers(1, 2)[0]) * 2))
+    return found

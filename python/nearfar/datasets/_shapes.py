@@ -1,0 +1,236 @@
+"""Triangle soups and the solids that everything is made of; corners are joined once, at the end."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar.datasets._draw import Floats, turn
+
+# Corners of a box's sides, as bits (x, y, z) of its eight vertices, counter-clockwise from outside.
+_SIDES = {
+    "-x": (0, 1, 3, 2),
+    "+x": (4, 6, 7, 5),
+    "-y": (0, 4, 5, 1),
+    "+y": (2, 3, 7, 6),
+    "-z": (0, 2, 6, 4),
+    "+z": (1, 5, 7, 3),
+}
+
+
+@dataclass(frozen=True)
+class Soup:
+    """Triangles, each with its own corners.
+
+    corners (T, 3, 3) metres; materials (T,) int32; tints (T, 3) float64, the brightness that multiplies the material
+    at each corner (1 where nothing is said); uvs (T, 3, 2) texture coordinates (0 where nothing is said).
+    """
+
+    corners: Floats
+    materials: NDArray[np.int32]
+    tints: Floats | None = None
+    uvs: Floats | None = None
+
+    def __len__(self) -> int:
+        return len(self.corners)
+
+    def moved(self, offset: ArrayLike) -> Soup:
+        """The soup shifted by an offset."""
+        return self.mapped(self.corners + np.asarray(offset, np.float64))
+
+    def mapped(self, corners: Floats) -> Soup:
+        """The same triangles with other corners."""
+        return Soup(corners, self.materials, self.tints, self.uvs)
+
+    def scaled(self, factors: ArrayLike) -> Soup:
+        """The soup stretched along its axes by positive factors."""
+        return self.mapped(self.corners * np.asarray(factors, np.float64))
+
+    def rotated(self, fraction: float) -> Soup:
+        """The soup turned about the vertical axis by a fraction of a full turn; quarters are exact."""
+        cosine, sine = turn(fraction)
+        x, y, z = self.corners[..., 0], self.corners[..., 1], self.corners[..., 2]
+        return self.mapped(np.stack([cosine * x + sine * z, y, cosine * z - sine * x], -1))
+
+    def tinted(self, tints: Floats) -> Soup:
+        """The soup with a brightness for each corner."""
+        return Soup(self.corners, self.materials, np.broadcast_to(tints, self.corners.shape[:2]), self.uvs)
+
+
+@dataclass(frozen=True)
+class Indexed:
+    """Triangles that share vertices: what a mesh takes."""
+
+    positions: NDArray[np.float32]
+    faces: NDArray[np.uint32]
+    materials: NDArray[np.int32]
+    colors: NDArray[np.uint8] | None
+    uvs: NDArray[np.float32] | None
+
+
+def join(soups: Iterable[Soup]) -> Soup:
+    """All triangles of several soups, in order."""
+    parts = [soup for soup in soups if len(soup)]
+    if not parts:
+        return Soup(np.zeros((0, 3, 3)), np.zeros(0, np.int32))
+    tints = [part.tints if part.tints is not None else np.ones(part.corners.shape[:2]) for part in parts]
+    uvs = [part.uvs if part.uvs is not None else np.zeros((len(part), 3, 2)) for part in parts]
+    return Soup(
+        np.concatenate([part.corners for part in parts]),
+        np.concatenate([part.materials for part in parts]),
+        np.concatenate(tints) if any(part.tints is not None for part in parts) else None,
+        np.concatenate(uvs) if any(part.uvs is not None for part in parts) else None,
+    )
+
+
+def quads(corners: ArrayLike, materials: ArrayLike) -> Soup:
+    """Two triangles for each quadrilateral (K, 4, 3), counter-clockwise from outside; one material each or for all."""
+    points = np.asarray(corners, np.float64).reshape(-1, 4, 3)
+    both = points[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 3)
+    return Soup(both, np.repeat(np.broadcast_to(np.asarray(materials, np.int32), len(points)), 2))
+
+
+def triangles(corners: ArrayLike, materials: ArrayLike) -> Soup:
+    """Triangles (K, 3, 3), counter-clockwise from outside; one material each or for all."""
+    points = np.asarray(corners, np.float64).reshape(-1, 3, 3)
+    return Soup(points, np.array(np.broadcast_to(np.asarray(materials, np.int32), len(points))))
+
+
+def boxes(low: ArrayLike, high: ArrayLike, materials: ArrayLike, *, without: str = "") -> Soup:
+    """Boxes between two corners (K, 3); `without` names sides to leave out, such as "-y +y" (hidden ones)."""
+    lows, highs = np.broadcast_arrays(np.atleast_2d(np.asarray(low, float)), np.atleast_2d(np.asarray(high, float)))
+    ends = np.stack([lows, highs])
+    bits = np.arange(8)
+    vertices = np.stack([ends[(bits >> (2 - axis)) & 1, :, axis] for axis in range(3)], -1)
+    sides = [list(side) for name, side in _SIDES.items() if name not in without]
+    corners = vertices[sides].transpose(2, 0, 1, 3)
+    kinds = np.repeat(np.broadcast_to(np.asarray(materials, np.int32), len(lows)), len(sides))
+    return quads(corners.reshape(-1, 4, 3), kinds)
+
+
+def ring(count: int, radius: float = 1.0, phase: float = 0.0) -> Floats:
+    """Points (count, 2) of a circle, from +x towards −z, so that a loft upwards faces outwards."""
+    cosine, sine = turn((np.arange(count) + phase) / count)
+    return np.stack([cosine, -sine], -1) * radius
+
+
+def loft(sections: ArrayLike, materials: ArrayLike, *, bottom: bool = True, top: bool = True) -> Soup:
+    """A solid through closed sections (S, N, 3), each listed as `ring` lists them; a section may shrink to a point.
+
+    `materials` is one for all, or one for each of the S−1 bands; caps take the first and the last.
+    """
+    rows = np.asarray(sections, np.float64)
+    bands = np.broadcast_to(np.asarray(materials, np.int32), len(rows) - 1)
+    after = np.roll(rows, -1, axis=1)
+    sides = np.stack([rows[:-1], after[:-1], after[1:], rows[1:]], 2)
+    soups = [quads(sides.reshape(-1, 4, 3), np.repeat(bands, rows.shape[1]))]
+    # Convex caps as fans around their middle: no slivers on many-sided rings.
+    for wanted, row, order, band in ((bottom, 0, -1, 0), (top, -1, 1, -1)):
+        if wanted:
+            edge = rows[row][::order]
+            # A plain loop: NumPy's sums may be ordered differently on another processor.
+            middle = sum(edge[1:], edge[0]) / len(edge)
+            fan = np.stack([np.broadcast_to(middle, edge.shape), edge, np.roll(edge, -1, axis=0)], 1)
+            soups.append(triangles(fan, bands[band]))
+    return _without_slivers(join(soups))
+
+
+def _without_slivers(soup: Soup) -> Soup:
+    """Drops triangles whose corners coincide (where a section is a point)."""
+    a, b, c = soup.corners[:, 0], soup.corners[:, 1], soup.corners[:, 2]
+    keep = ~((a == b).all(1) | (b == c).all(1) | (c == a).all(1))
+    return soup if keep.all() else Soup(soup.corners[keep], soup.materials[keep])
+
+
+def lathe(profile: ArrayLike, count: int, materials: ArrayLike, *, phase: float = 0.5, **caps: bool) -> Soup:
+    """A solid of revolution about the y axis through (radius, height) points, from bottom to top."""
+    points = np.asarray(profile, np.float64)
+    circle = ring(count, phase=phase)
+    sections = np.empty((len(points), count, 3))
+    sections[..., 0] = points[:, None, 0] * circle[None, :, 0]
+    sections[..., 1] = points[:, None, 1]
+    sections[..., 2] = points[:, None, 0] * circle[None, :, 1]
+    return loft(sections, materials, **caps)
+
+
+def tube(path: ArrayLike, radii: ArrayLike, count: int, materials: ArrayLike, **caps: bool) -> Soup:
+    """A round bar along points (P, 3), one radius each."""
+    points = np.asarray(path, np.float64)
+    widths = np.broadcast_to(np.asarray(radii, np.float64), len(points))
+    along = np.gradient(points, axis=0)
+    along = along / np.sqrt(along[:, :1] ** 2 + along[:, 1:2] ** 2 + along[:, 2:] ** 2)
+    helper = np.where(np.abs(along[:, 1:2]) < 0.9, [[0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0]])
+    # One helper for the whole bar, or it would twist where the choice changes.
+    side = _cross(np.broadcast_to(helper[:1], along.shape), along)
+    side = side / np.sqrt(side[:, :1] ** 2 + side[:, 1:2] ** 2 + side[:, 2:] ** 2)
+    other = _cross(along, side)
+    circle = ring(count)
+    sections = points[:, None] + widths[:, None, None] * (
+        side[:, None] * circle[None, :, :1] - other[:, None] * circle[None, :, 1:]
+    )
+    return loft(sections, materials, **caps)
+
+
+def _cross(a: Floats, b: Floats) -> Floats:
+    x = a[:, 1] * b[:, 2] - a[:, 2] * b[:, 1]
+    y = a[:, 2] * b[:, 0] - a[:, 0] * b[:, 2]
+    return np.stack([x, y, a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]], -1)
+
+
+def sphere(subdivisions: int) -> Floats:
+    """Corners (T, 3, 3) of a unit sphere of 20 · 4ˢ triangles."""
+    golden = 1.618033988749895
+    base = np.array([[-1, golden, 0], [1, golden, 0], [-1, -golden, 0], [1, -golden, 0]])
+    points = np.concatenate([base, base[:, [2, 0, 1]], base[:, [1, 2, 0]]])
+    order = "0b5 051 017 07a 0ab 159 5b4 ba2 a76 718 394 342 326 368 389 495 24b 62a 867 981"
+    corners = points[[[int(digit, 16) for digit in face] for face in order.split()]]
+    for level in range(subdivisions + 1):
+        if level:
+            middles = 0.5 * (corners + np.roll(corners, -1, axis=1))
+            cut = [np.stack([corners[:, i], middles[:, i], middles[:, i - 1]], 1) for i in range(3)]
+            corners = np.concatenate([*cut, middles])
+        length = np.sqrt(corners[..., 0] ** 2 + corners[..., 1] ** 2 + corners[..., 2] ** 2)
+        corners = corners / length[..., None]
+    return corners
+
+
+def weld(soup: Soup) -> Indexed:
+    """Joins corners that agree in position, tint and texture coordinate."""
+    columns = [soup.corners.reshape(-1, 3)]
+    if soup.tints is not None:
+        columns.append(soup.tints.reshape(-1, 1))
+    if soup.uvs is not None:
+        columns.append(soup.uvs.reshape(-1, 2))
+    rows = np.concatenate(columns, 1).astype(np.float32) + np.float32(0)
+    # One 64-bit word for each row sorts fast; equal rows have equal words, and a collision is found below.
+    words = rows.view(np.uint32).astype(np.uint64)
+    key = np.zeros(len(rows), np.uint64)
+    for column in words.T:
+        key = (key ^ column) * np.uint64(0x9E3779B97F4A7C15)
+        key ^= key >> np.uint64(29)
+    _, first, inverse = np.unique(key, return_index=True, return_inverse=True)
+    if not np.array_equal(rows[first][inverse], rows):
+        _, first, inverse = np.unique(rows, axis=0, return_index=True, return_inverse=True)
+    # Vertices in order of first use: neighbours in the mesh are neighbours in memory.
+    order = np.argsort(first, kind="stable")
+    rank = np.empty(len(order), np.uint32)
+    rank[order] = np.arange(len(order), dtype=np.uint32)
+    vertices = rows[first[order]]
+    colors = uvs = None
+    if soup.tints is not None:
+        level = np.clip(_encoded(vertices[:, 3].astype(np.float64)) * 255.0 + 0.5, 0, 255).astype(np.uint8)
+        colors = np.stack([level, level, level, np.full_like(level, 255)], -1)
+    if soup.uvs is not None:
+        uvs = np.ascontiguousarray(vertices[:, -2:])
+    faces = rank[inverse.reshape(-1)].reshape(-1, 3)
+    return Indexed(np.ascontiguousarray(vertices[:, :3]), faces, soup.materials, colors, uvs)
+
+
+def _encoded(linear: Floats) -> Floats:
+    """About the sRGB value of a linear one, from square roots only, which every platform rounds alike."""
+    root = np.sqrt(np.clip(linear, 0.0, 1.0))
+    fourth = np.sqrt(root)
+    return 0.585122381 * root + 0.783140355 * fourth - 0.368262736 * np.sqrt(fourth)

@@ -1,0 +1,76 @@
+"""Puts soups into a scene: prototypes are joined once and placed many times."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._scene import Scene, SceneBuilder
+from nearfar.datasets import _palette
+from nearfar.datasets._draw import Floats, turn
+from nearfar.datasets._shapes import Indexed, Soup, weld
+
+# Smaller prototypes cost less as copies in the one merged tree than as trees of their own under a second level.
+_MERGED_BELOW = 100
+
+
+class Stage:
+    """A scene in the making."""
+
+    def __init__(self) -> None:
+        self._builder = SceneBuilder()
+        self._numbers = np.array([self._builder.material(color) for color in _palette.linear_colors()], np.int32)
+
+    def material(
+        self, base_color: tuple[float, float, float, float], texture: NDArray[np.uint8], cutoff: float | None = None
+    ) -> int:
+        """A textured material; its number goes into `Soup.materials`."""
+        number = self._builder.material(base_color, texture=texture, cutoff=cutoff)
+        self._numbers = np.append(self._numbers, np.int32(number))
+        return len(self._numbers) - 1
+
+    def once(self, soup: Soup, name: str) -> None:
+        """A soup that stands in the world as it is."""
+        if len(soup):
+            self._builder.instance(self._mesh(weld(soup)), name=name)
+
+    def many(self, soup: Soup, transforms: Floats, names: Sequence[str] | str, *, moves: bool = False) -> None:
+        """A prototype placed by transforms (K, 4, 4); `names` as `SceneBuilder.place_many` takes them."""
+        if not len(soup) or not len(transforms):
+            return
+        joined = weld(soup)
+        if moves or len(soup) >= _MERGED_BELOW:
+            self._builder.place_many(self._mesh(joined), transforms, names)
+            return
+        listed = [f"{names}_{i}" for i in range(len(transforms))] if isinstance(names, str) else names
+        for transform, name in zip(transforms, listed, strict=True):
+            self._builder.instance(self._mesh(joined), transform, name=name)
+
+    def _mesh(self, joined: Indexed) -> int:
+        return self._builder.mesh(
+            joined.positions,
+            joined.faces,
+            material=self._numbers[joined.materials],
+            uvs=joined.uvs,
+            colors=joined.colors,
+        )
+
+    def build(self, dynamic: Iterable[str] = ()) -> Scene:
+        """The finished scene."""
+        return self._builder.build(dynamic=dynamic)
+
+
+def placements(x: ArrayLike, y: ArrayLike, z: ArrayLike, fraction: ArrayLike = 0.0, scale: ArrayLike = 1.0) -> Floats:
+    """Transforms (K, 4, 4): scaled, turned about the vertical by fractions of a full turn, and moved."""
+    xs, ys, zs, turns, sizes = np.broadcast_arrays(
+        *(np.atleast_1d(np.asarray(v, float)) for v in (x, y, z, fraction, scale))
+    )
+    cosine, sine = turn(turns)
+    matrices = np.zeros((len(xs), 4, 4))
+    matrices[:, 0, 0] = matrices[:, 2, 2] = cosine * sizes
+    matrices[:, 0, 2], matrices[:, 2, 0] = sine * sizes, 0.0 - sine * sizes
+    matrices[:, 1, 1], matrices[:, 3, 3] = sizes, 1.0
+    matrices[:, 0, 3], matrices[:, 1, 3], matrices[:, 2, 3] = xs, ys, zs
+    return matrices

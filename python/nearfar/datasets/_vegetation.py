@@ -1,0 +1,226 @@
+"""Trees, shrubs, grass and rocks, as prototypes."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nearfar.datasets._draw import Draw, Floats, turn
+from nearfar.datasets._palette import material, materials
+from nearfar.datasets._shapes import Soup, join, lathe, loft, quads, ring, sphere, triangles, tube
+
+_LEAVES = materials("leaf", "leaf_deep", "leaf_light", "leaf_olive", "leaf", "leaf_deep", "leaf_autumn")
+_BARKS = materials("bark", "bark_dark", "bark")
+
+
+def blob(draw: Draw, subdivisions: int, roughness: float) -> Floats:
+    """Corners of a lumpy unit sphere: each lump pushes out what faces it."""
+    corners = sphere(subdivisions)
+    lumps = _directions(draw, 14)
+    swell = np.zeros(corners.shape[:2])
+    for lump in lumps:
+        facing = corners[..., 0] * lump[0] + corners[..., 1] * lump[1] + corners[..., 2] * lump[2]
+        swell = np.maximum(swell, np.clip((facing - 0.72) / 0.28, 0.0, 1.0))
+    return corners * (1.0 - roughness + roughness * swell * (2.0 - swell))[..., None]
+
+
+def _directions(draw: Draw, count: int) -> Floats:
+    """Unit vectors, evenly spread over the sphere and then shaken."""
+    height = 1.0 - 2.0 * (np.arange(count) + draw.uniform(count)) / count
+    cosine, sine = turn(np.arange(count) * 0.6180339887498949 + draw.uniform(count, 0.0, 0.25))
+    flat = np.sqrt(np.clip(1.0 - height * height, 0.0, 1.0))
+    return np.stack([flat * cosine, height, flat * sine], -1)
+
+
+def _shaded(soup: Soup, low: float, high: float, *, darkest: float = 0.5) -> Soup:
+    """Darker towards the ground, as foliage is."""
+    share = np.clip((soup.corners[..., 1] - low) / (high - low), 0.0, 1.0)
+    return soup.tinted(darkest + (1.0 - darkest) * share)
+
+
+def broadleaf(seed: int, variant: int, detail: int) -> Soup:
+    """A street tree about 8 m high, around the y axis, its foot a little below y = 0."""
+    draw = Draw(seed, 2, variant)
+    high, crown = draw.number(6.5, 9.5), draw.number(1.9, 2.6)
+    leaf, bark = _LEAVES[variant % len(_LEAVES)], draw.pick(_BARKS)
+    fork = 0.36 * high
+    lean = draw.uniform(2, -0.15, 0.15)
+    sides = 5 if detail <= 1 else 8
+    trunk = [(0.0, -0.3, 0.0), (lean[0], 0.5 * fork, lean[1]), (0.0, fork, 0.0), (0.0, 0.8 * high, 0.0)]
+    parts = [tube(trunk, [0.24, 0.17, 0.14, 0.05], sides, bark)]
+    count = 1 if detail <= 1 else int(draw.integers(1, 2)[0]) + (3 if detail == 2 else 6)
+    clumps = _clumps(draw, count, high, crown)
+    for center, radius in clumps:
+        if detail >= 2:
+            start = np.array([0.0, fork * 0.92, 0.0])
+            bend = 0.5 * (start + center) - [0.0, 0.25, 0.0]
+            parts.append(tube([start, bend, center], [0.09, 0.06, 0.03], 5, bark, bottom=False))
+        parts.append(_foliage(draw, center, radius, leaf, high, crown, detail))
+    return join(parts)
+
+
+def _clumps(draw: Draw, count: int, high: float, crown: float) -> list[tuple[Floats, Floats]]:
+    """Centres and half axes of the crown's clumps, one on top and the others around."""
+    middle = high - 0.95 * crown
+    if count == 1:
+        return [(np.array([0.0, middle, 0.0]), np.array([crown, 1.15 * crown, crown]))]
+    clumps = [(np.array([0.0, middle + 0.55 * crown, 0.0]), np.full(3, 0.72 * crown))]
+    cosine, sine = turn((np.arange(count - 1) + draw.uniform(count - 1, 0.0, 0.5)) / (count - 1))
+    for c, s in zip(cosine, sine, strict=True):
+        away, rise = draw.number(0.5, 0.72) * crown, draw.number(-0.55, 0.3) * crown
+        size = draw.number(0.5, 0.68) * crown
+        clumps.append((np.array([c * away, middle + rise, s * away]), np.array([size, 0.85 * size, size])))
+    return clumps
+
+
+def _foliage(draw: Draw, center: Floats, radius: Floats, leaf: int, high: float, crown: float, detail: int) -> Soup:
+    """One clump: a lumpy ball, or at the highest detail a cloud of leaves around a core."""
+    level = 1 if detail <= 1 else 2
+    core = triangles(blob(draw, level, 0.28), leaf)
+    low, top = high - 2.4 * crown, high
+    if detail < 3:
+        return _shaded(core.scaled(radius).moved(center), low, top)
+    inside = _shaded(core.scaled(0.78 * radius).moved(center), low, top, darkest=0.35)
+    cloud = _leaf_cloud(draw, 620, radius, center, leaf)
+    return join([inside, _shaded(cloud, low, top)])
+
+
+def _leaf_cloud(draw: Draw, count: int, radius: Floats, center: Floats, leaf: int) -> Soup:
+    """Sprays of leaves over an ellipsoid's shell: rhombi of two triangles."""
+    normals = _directions(draw, count)
+    at = normals * draw.uniform(count, 0.72, 1.08)[:, None] * radius + center
+    tilt = _directions(draw, count)
+    across = tilt[draw.integers(count, count)]
+    along = across - normals * (0.6 * _dot(across, normals))[:, None]
+    along = along / np.sqrt(_dot(along, along))[:, None]
+    side = np.stack(
+        [
+            along[:, 1] * normals[:, 2] - along[:, 2] * normals[:, 1],
+            along[:, 2] * normals[:, 0] - along[:, 0] * normals[:, 2],
+            along[:, 0] * normals[:, 1] - along[:, 1] * normals[:, 0],
+        ],
+        -1,
+    )
+    length = draw.uniform(count, 0.12, 0.24)[:, None]
+    corners = np.stack(
+        [at - along * length, at + side * (0.5 * length), at + along * length, at - side * (0.5 * length)], 1
+    )
+    return quads(corners, leaf)
+
+
+def _dot(a: Floats, b: Floats) -> Floats:
+    return a[:, 0] * b[:, 0] + a[:, 1] * b[:, 1] + a[:, 2] * b[:, 2]
+
+
+def conifer(seed: int, variant: int, detail: int) -> Soup:
+    """A spruce about 12 m high, around the y axis."""
+    draw = Draw(seed, 3, variant)
+    high = draw.number(9.0, 15.0)
+    wide = draw.number(0.17, 0.23) * high
+    needle = material("needle" if variant % 2 == 0 else "needle_blue")
+    tiers = 3 if detail <= 1 else 8 if detail == 2 else 14
+    sides = 7 if detail <= 1 else 18 if detail == 2 else 40
+    parts = [
+        tube(
+            [(0, -0.4, 0), (0, 0.45 * high, 0), (0, 0.93 * high, 0)],
+            [0.24, 0.15, 0.03],
+            5 if detail <= 1 else 9,
+            material("bark_dark"),
+        )
+    ]
+    for tier in range(tiers):
+        share = tier / tiers
+        low = high * (0.12 + 0.83 * share)
+        top = min(high, low + high * (1.5 + 0.7 * (1.0 - share)) / (tiers + 1.0))
+        radius = wide * (1.0 - share) * draw.number(0.9, 1.08) + 0.12
+        parts.append(_skirt(draw, low, top, radius, sides, needle))
+    return _shaded(join(parts), 0.0, high, darkest=0.55)
+
+
+def _skirt(draw: Draw, low: float, top: float, radius: float, sides: int, needle: int) -> Soup:
+    """A cone of branches: every other rib reaches out and droops."""
+    ribs = np.where(np.arange(sides) % 2 == 0, 1.0, 0.66) * draw.uniform(sides, 0.85, 1.1)
+    circle = ring(sides, phase=draw.number())
+    sections = np.zeros((4, sides, 3))
+    for row, (share, drop) in enumerate(((0.25, 0.12), (1.0, 0.0), (0.55, 0.42), (0.0, 1.0))):
+        out = radius * share * (ribs if row in (1, 2) else 1.0)
+        sections[row, :, 0], sections[row, :, 2] = circle[:, 0] * out, circle[:, 1] * out
+        sections[row, :, 1] = low + (top - low) * drop
+        if row == 1:
+            sections[row, :, 1] -= 0.16 * radius * ribs
+    return loft(sections, needle, top=False)
+
+
+def birch(seed: int, variant: int, detail: int) -> Soup:
+    """A slender white-barked tree whose leaves are cut out of textured cards (material set by the caller's map)."""
+    draw = Draw(seed, 4, variant)
+    high = draw.number(8.0, 11.0)
+    sway = draw.uniform(4, -0.3, 0.3)
+    path = [(0, -0.3, 0), (sway[0], 0.35 * high, sway[1]), (sway[2], 0.7 * high, sway[3]), (0, high, 0)]
+    parts = [tube(path, [0.16, 0.12, 0.07, 0.02], 7, material("bark_birch"))]
+    count = 10 if detail <= 1 else 60 if detail == 2 else 240
+    normals = _directions(draw, count)
+    rise = high * (0.66 + 0.3 * normals[:, 1])
+    reach = high * 0.2 * np.sqrt(draw.uniform(count, 0.15, 1.0))
+    at = np.stack([normals[:, 0] * reach, rise, normals[:, 2] * reach], -1)
+    cosine, sine = turn(draw.uniform(count))
+    size = draw.uniform(count, 0.5, 0.9) * (1.5 if detail <= 1 else 1.0 if detail == 2 else 0.62)
+    right = np.stack([cosine, draw.uniform(count, -0.25, 0.25), sine], -1) * size[:, None]
+    up = np.stack([draw.uniform(count, -0.4, 0.4), np.ones(count), draw.uniform(count, -0.4, 0.4)], -1) * size[:, None]
+    cards = quads(np.stack([at - right - up, at + right - up, at + right + up, at - right + up], 1), CARD)
+    square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    uvs = np.broadcast_to(square[[[0, 1, 2], [0, 2, 3]]], (count, 2, 3, 2)).reshape(-1, 3, 2)
+    return join([*parts, Soup(cards.corners, cards.materials, None, uvs)])
+
+
+# The birch's leaf cards: a material of its own after the table's.
+CARD = 10_000
+
+
+def shrub(seed: int, variant: int, detail: int) -> Soup:
+    """A low bush of two or three clumps."""
+    draw = Draw(seed, 5, variant)
+    parts = []
+    for _ in range(1 if detail <= 1 else 3):
+        size = draw.number(0.45, 0.75)
+        at = [draw.number(-0.5, 0.5), 0.5 * size, draw.number(-0.5, 0.5)]
+        soup = triangles(blob(draw, 1 if detail <= 2 else 2, 0.3), material("leaf_deep"))
+        parts.append(soup.scaled([size, 0.8 * size, size]).moved(at))
+    return _shaded(join(parts), -0.3, 1.2, darkest=0.45)
+
+
+def tuft(seed: int, variant: int, detail: int) -> Soup:
+    """A tuft of grass: blades of one triangle, or two at the highest detail."""
+    draw = Draw(seed, 6, variant)
+    count = 12 if detail <= 1 else 26 if detail == 2 else 60
+    cosine, sine = turn(draw.uniform(count))
+    away = draw.uniform(count, 0.0, 0.22)
+    foot = np.stack([cosine * away, np.full(count, -0.04), sine * away], -1)
+    high, lean = draw.uniform(count, 0.18, 0.45), draw.uniform(count, 0.3, 0.9)
+    side = np.stack([-sine, np.zeros(count), cosine], -1) * 0.016
+    tip = foot + np.stack([cosine * high * lean, high, sine * high * lean], -1)
+    soup = triangles(np.stack([foot - side, tip, foot + side], 1), material("grass" if variant % 2 else "fern"))
+    return _shaded(soup, -0.05, 0.3, darkest=0.5)
+
+
+def rock(seed: int, variant: int, detail: int) -> Soup:
+    """A boulder about a metre across, half in the ground."""
+    draw = Draw(seed, 7, variant)
+    corners = sphere(1 if detail <= 1 else 2 if detail == 2 else 3)
+    # Cut by random planes: faces like those of broken stone.
+    for normal, reach in zip(_directions(draw, 16), draw.uniform(16, 0.6, 0.9), strict=True):
+        beyond = corners[..., 0] * normal[0] + corners[..., 1] * normal[1] + corners[..., 2] * normal[2] - reach
+        corners = corners - np.clip(beyond, 0.0, None)[..., None] * normal * 0.92
+    kind = material("rock_moss" if variant % 3 == 2 else "rock")
+    size = draw.uniform(3, 0.5, 0.9) * [1.0, 0.7, 1.0]
+    return _shaded(triangles(corners, kind).scaled(size).moved([0.0, 0.12, 0.0]), -0.5, 0.6, darkest=0.6)
+
+
+def planter(detail: int) -> Soup:
+    """A round tub with a bush."""
+    tub = lathe(
+        [(0.5, 0.0), (0.62, 0.55), (0.54, 0.55), (0.5, 0.42)],
+        10 if detail < 2 else 18,
+        material("terracotta"),
+        bottom=False,
+    )
+    return join([tub, shrub(11, 0, detail).scaled([0.8, 0.9, 0.8]).moved([0.0, 0.35, 0.0])])

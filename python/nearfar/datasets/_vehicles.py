@@ -1,0 +1,178 @@
+"""Cars, vans and buses, as prototypes: front towards +z, wheels on y = 0."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from nearfar.datasets._draw import Floats
+from nearfar.datasets._palette import material, materials
+from nearfar.datasets._shapes import Soup, boxes, join, lathe, loft
+
+PAINTS = materials(
+    "car_white", "car_silver", "car_black", "car_red", "car_blue", "car_green", "car_yellow", "car_beige"
+)
+
+
+@dataclass(frozen=True)
+class Body:
+    """Side view of a vehicle: stations along its length, metres from the middle, with heights."""
+
+    half_width: float
+    stations: tuple[tuple[float, float], ...]
+    """(z, height of the body's shoulder), from the tail to the nose."""
+    cabin: tuple[tuple[float, float], ...]
+    """Foot and roof of the glass house: rear foot, rear roof, front roof, front foot, as (z, height)."""
+    wheels: tuple[float, ...]
+    wheel_radius: float = 0.32
+    clearance: float = 0.22
+
+
+SALOON = Body(
+    0.88,
+    ((-2.2, 0.72), (-2.1, 0.92), (-1.4, 0.98), (0.9, 0.95), (1.9, 0.84), (2.15, 0.7), (2.25, 0.55)),
+    ((-1.75, 0.95), (-1.0, 1.42), (0.25, 1.44), (1.05, 0.93)),
+    (-1.32, 1.36),
+)
+HATCH = Body(
+    0.85,
+    ((-1.9, 0.7), (-1.86, 0.98), (-1.2, 1.0), (0.8, 0.97), (1.7, 0.86), (1.9, 0.7), (1.98, 0.52)),
+    ((-1.8, 0.97), (-1.45, 1.46), (0.15, 1.5), (0.95, 0.95)),
+    (-1.2, 1.22),
+)
+ESTATE = Body(
+    0.92,
+    ((-2.25, 0.8), (-2.2, 1.08), (-1.4, 1.1), (0.85, 1.06), (1.85, 0.98), (2.12, 0.8), (2.2, 0.6)),
+    ((-2.12, 1.06), (-1.85, 1.66), (0.2, 1.7), (1.0, 1.04)),
+    (-1.35, 1.35),
+    wheel_radius=0.36,
+    clearance=0.28,
+)
+VAN = Body(
+    0.98,
+    ((-2.6, 1.0), (-2.58, 1.14), (-1.4, 1.16), (1.2, 1.14), (2.2, 1.1), (2.5, 0.95), (2.58, 0.6)),
+    ((-2.56, 1.12), (-2.5, 2.15), (1.2, 2.2), (2.15, 1.08)),
+    (-1.55, 1.65),
+    wheel_radius=0.36,
+)
+BODIES = (SALOON, HATCH, ESTATE, HATCH, SALOON, VAN)
+
+
+def car(body: Body, paint: int, detail: int) -> Soup:
+    """A vehicle of one colour; without detail, two boxes on four wheels' worth of shadow."""
+    if detail == 0:
+        tail, nose, half = body.stations[0][0], body.stations[-1][0], body.half_width
+        (z0, _), (_, top), _, (z3, _) = body.cabin
+        low, high = [[-half, 0.2, tail], [0.1 - half, 0.9, z0]], [[half, 0.95, nose], [half - 0.1, top, 0.7 * z3]]
+        return boxes(low, high, [paint, material("glass_dark")])
+    van = body is VAN
+    parts = [_shell(body, paint), _glass_house(body, paint, opaque=van)]
+    sides = 8 if detail <= 1 else 12 if detail == 2 else 32
+    for z in body.wheels:
+        for side in (-1.0, 1.0):
+            parts.append(
+                _wheel(body, sides)
+                .rotated(0.0 if side > 0 else 0.5)
+                .moved([side * (body.half_width - 0.12), body.wheel_radius, z])
+            )
+    if detail >= 2:
+        parts += _trimmings(body)
+    return join(parts)
+
+
+def _section(half: float, low: float, high: float, z: float) -> Floats:
+    """An outline with rounded edges across the car, counter-clockwise as seen from its nose."""
+    r = 0.09
+    return np.array(
+        [
+            [half - r, low, z], [half, low + r, z], [half + 0.015, 0.5 * (low + high), z],
+            [half - 0.5 * r, high - 0.5 * r, z],
+            [half - 2.0 * r, high, z], [-half + 2.0 * r, high, z], [-half + 0.5 * r, high - 0.5 * r, z],
+            [-half - 0.015, 0.5 * (low + high), z], [-half, low + r, z], [-half + r, low, z],
+        ]
+    )  # fmt: skip
+
+
+def _shell(body: Body, paint: int) -> Soup:
+    first, last = body.stations[0][0], body.stations[-1][0]
+    sections = []
+    for z, high in body.stations:
+        # The plan tapers a little towards both ends.
+        share = abs(2.0 * (z - first) / (last - first) - 1.0)
+        low = body.clearance + (0.1 if share > 0.97 else 0.0)
+        sections.append(_section(body.half_width * (1.0 - 0.12 * share * share * share * share), low, high, z))
+    return loft(sections, paint)
+
+
+def _glass_house(body: Body, paint: int, *, opaque: bool) -> Soup:
+    """Windows all around under a painted roof; a van has glass in front only."""
+    (z0, y0), (z1, y1), (z2, y2), (z3, y3) = body.cabin
+    half, top = body.half_width - 0.07, body.half_width - 0.2
+    glass = material("glass_dark")
+    foot = np.array([[half, y3 - 0.05, z3], [half, y0 - 0.05, z0], [-half, y0 - 0.05, z0], [-half, y3 - 0.05, z3]])
+    roof = np.array([[top, y2, z2], [top, y1, z1], [-top, y1, z1], [-top, y2, z2]])
+    lifted = roof * [0.94, 1.0, 1.0]
+    lifted[:, 1] += 0.045
+    sections = [foot, roof, lifted]
+    house = loft(sections, [glass, paint])
+    if not opaque:
+        return join([house, _pillars(foot, roof, paint)])
+    panels = boxes([-half - 0.01, y0 - 0.06, z0 - 0.012], [half + 0.01, y1 - 0.12, z2 - 0.35], paint)
+    return join([house, panels, _pillars(foot, roof, paint)])
+
+
+def _pillars(foot: Floats, roof: Floats, paint: int) -> Soup:
+    """Posts at the four corners and between the doors, standing out of the glass."""
+    parts = []
+    pairs = [(foot[i], roof[i]) for i in range(4)]
+    pairs += [
+        (0.5 * (foot[0] + foot[1]), 0.5 * (roof[0] + roof[1])),
+        (0.5 * (foot[2] + foot[3]), 0.5 * (roof[2] + roof[3])),
+    ]
+    for low, high in pairs:
+        side = 1.0 if low[0] > 0 else -1.0
+        cross = np.array([[0.012, 0.0, 0.04], [0.012, 0.0, -0.04], [-0.03, 0.0, -0.04], [-0.03, 0.0, 0.04]])
+        if side < 0:
+            cross = cross[::-1] * [-1.0, 1.0, 1.0]
+        parts.append(loft(np.stack([low + cross, high + cross + [0.0, 0.01, 0.0]]), paint))
+    return join(parts)
+
+
+def _wheel(body: Body, sides: int) -> Soup:
+    """A tyre with its rim, axle along x, the outside towards +x."""
+    r = body.wheel_radius
+    tyre = lathe([(r, -0.1), (r, 0.08), (0.9 * r, 0.11)], sides, material("tyre"))
+    rim = lathe([(0.6 * r, 0.05), (0.58 * r, 0.118), (0.2 * r, 0.135)], sides, material("metal_light"), bottom=False)
+    return _upright(join([tyre, rim]))
+
+
+def _upright(lying: Soup) -> Soup:
+    """A solid about the y axis laid down along x."""
+    x, y, z = lying.corners[..., 0], lying.corners[..., 1], lying.corners[..., 2]
+    return lying.mapped(np.stack([y, z, x], -1))
+
+
+def _trimmings(body: Body) -> list[Soup]:
+    """Lights, bumpers, plates, mirrors, wheel wells."""
+    tail, nose, half = body.stations[0][0], body.stations[-1][0], body.half_width
+    lamp, red, dark = material("paint_white"), material("tail_light"), material("metal_dark")
+    head = body.stations[-2][1] - 0.12
+    parts = [boxes([-0.55 * half, 0.32, nose - 0.2], [0.55 * half, 0.47, nose + 0.02], dark)]
+    parts.append(boxes([-0.26, 0.5, tail - 0.02], [0.26, 0.6, tail + 0.1], lamp))
+    for side in (-1.0, 1.0):
+        x0, x1 = sorted((side * 0.5 * half, side * 0.82 * half))
+        z = body.stations[-2][0]
+        parts.append(boxes([x0, head - 0.13, z - 0.2], [x1, head, z + 0.045], lamp))
+        parts.append(
+            boxes([x0, body.stations[0][1] - 0.16, tail - 0.025], [x1, body.stations[0][1] - 0.02, tail + 0.1], red)
+        )
+        m0, m1 = sorted((side * (half - 0.05), side * (half + 0.17)))
+        mirror = body.cabin[3][1] + 0.02
+        parts.append(boxes([m0, mirror, body.cabin[3][0] - 0.42], [m1, mirror + 0.14, body.cabin[3][0] - 0.3], dark))
+        for wheel in body.wheels:
+            well = _upright(lathe([(body.wheel_radius + 0.05, 0.0), (body.wheel_radius + 0.05, 0.16)], 14, dark))
+            parts.append(
+                well.rotated(0.0 if side > 0 else 0.5).moved([side * (half - 0.14), body.wheel_radius + 0.02, wheel])
+            )
+    return parts
