@@ -1,5 +1,6 @@
 """Makes scenes too heavy for a thin VR device light enough to run on it, and says what that costs in image quality."""
 
+from nearfar import datasets
 from nearfar._camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._envmap import cube_lookup
 from nearfar._errors import DeviceError, Error, FormatError, SceneError
@@ -24,6 +25,7 @@ __all__ = [
     "SceneError",
     "__version__",
     "cube_lookup",
+    "datasets",
     "morph",
     "partition",
     "render",
