@@ -5,6 +5,7 @@ from nearfar._camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._envmap import cube_lookup
 from nearfar._errors import DeviceError, Error, FormatError, SceneError
 from nearfar._frame import Frame
+from nearfar._load_curve import LoadCurve, load_curve
 from nearfar._morph import morph
 from nearfar._partition import Partition, partition, triangle_radii
 from nearfar._render import render
@@ -19,6 +20,7 @@ __all__ = [
     "FormatError",
     "Fov",
     "Frame",
+    "LoadCurve",
     "Orthographic",
     "Partition",
     "Scene",
@@ -26,6 +28,7 @@ __all__ = [
     "__version__",
     "cube_lookup",
     "datasets",
+    "load_curve",
     "morph",
     "partition",
     "render",

@@ -183,55 +183,71 @@ macro_rules! streamed {
 streamed!(f32, block_f32);
 streamed!(f64, block_f64);
 
+/// Coordinates of a block by axis.
+type Lanes<T> = [[T; BLOCK]; 3];
+
 /// Morphs a block; one bit for each point whose answer is in doubt.
 #[inline(always)]
 fn block<T: Real>(c: &Constants<T>, points: &[[T; 3]; BLOCK], shown: &mut [[T; 3]; BLOCK]) -> u64 {
-    let mut p = [[T::ZERO; BLOCK]; 3];
+    let mut given: Lanes<T> = [[T::ZERO; BLOCK]; 3];
+    for (i, point) in points.iter().enumerate() {
+        given[0][i] = point[0];
+        given[1][i] = point[1];
+        given[2][i] = point[2];
+    }
+    let mut from_center: Lanes<T> = [[T::ZERO; BLOCK]; 3];
+    for axis in 0..3 {
+        for i in 0..BLOCK {
+            from_center[axis][i] = given[axis][i] - c.center[0][axis] - c.center[1][axis];
+        }
+    }
     let mut rho_squared = [T::ZERO; BLOCK];
     let (mut inside, mut outside) = (0u32, 0u32);
     for i in 0..BLOCK {
-        for axis in 0..3 {
-            p[axis][i] = points[i][axis] - c.center[0][axis] - c.center[1][axis];
-        }
-        rho_squared[i] = p[0][i] * p[0][i] + p[2][i] * p[2][i];
-    }
-    for rho_squared in &rho_squared {
-        inside += u32::from(*rho_squared <= c.inner[0]);
-        outside += u32::from(*rho_squared >= c.outer[1]);
+        let (x, z) = (from_center[0][i], from_center[2][i]);
+        let square = x * x + z * z;
+        inside += u32::from(square <= c.inner[0]);
+        outside += u32::from(square >= c.outer[1]);
+        rho_squared[i] = square;
     }
     if inside as usize == BLOCK {
         *shown = *points;
         return 0;
     }
-    if outside as usize == BLOCK {
-        for (shown, point) in shown.iter_mut().zip(points) {
-            for axis in 0..3 {
-                shown[axis] = T::narrow(point[axis].wide() + c.offset_wide[axis]);
-            }
+    let mut moved: Lanes<T> = [[T::ZERO; BLOCK]; 3];
+    for axis in 0..3 {
+        for i in 0..BLOCK {
+            moved[axis][i] = T::narrow(given[axis][i].wide() + c.offset_wide[axis]);
         }
-        return 0;
     }
-    blend_block(c, points, &p, &rho_squared, shown)
+    let mut doubts = 0;
+    if (outside as usize) < BLOCK {
+        doubts = blend(c, &given, &from_center, &rho_squared, &mut moved);
+    }
+    for (i, shown) in shown.iter_mut().enumerate() {
+        *shown = [moved[0][i], moved[1][i], moved[2][i]];
+    }
+    doubts
 }
 
+/// Replaces the shifted points of a block by the given or the blended ones where these hold.
 #[inline(always)]
-fn blend_block<T: Real>(
+fn blend<T: Real>(
     c: &Constants<T>,
-    points: &[[T; 3]; BLOCK],
-    p: &[[T; BLOCK]; 3],
+    given: &Lanes<T>,
+    from_center: &Lanes<T>,
     rho_squared: &[T; BLOCK],
-    shown: &mut [[T; 3]; BLOCK],
+    moved: &mut Lanes<T>,
 ) -> u64 {
-    let (mut alpha, mut beta) = ([T::ZERO; BLOCK], [T::ZERO; BLOCK]);
-    let mut certain = [false; BLOCK];
+    let (mut alpha, mut beta, mut certain) = ([T::ZERO; BLOCK], [T::ZERO; BLOCK], [T::ZERO; BLOCK]);
     for i in 0..BLOCK {
-        let (x, y, z) = (p[0][i], p[1][i], p[2][i]);
+        let (x, y, z) = (from_center[0][i], from_center[1][i], from_center[2][i]);
         let (ax, ay, az) = (x - c.offset[0], y - c.offset[1], z - c.offset[2]);
         let a_squared = ax * ax + ay * ay + az * az;
         let b_squared = x * x + y * y + z * z;
         let (a, b) = (a_squared.root(), b_squared.root());
         let (sum, product) = (a + b, a * b);
-        // One division gives both 1/(A+B) and 1/(AB).
+        // One division gives both 1/(A+B) and 1/(AB); a height whose square overflows leaves 0.
         let both = T::ONE / (sum * product);
         let along = x * c.offset[0] + y * c.offset[1] + z * c.offset[2];
         let difference = (c.offset_squared - along - along) * (product * both);
@@ -245,21 +261,27 @@ fn blend_block<T: Real>(
         let inverse = T::ONE / (n * (T::ONE + n));
         alpha[i] = h * (e * (T::ONE + n) + turn) * inverse;
         beta[i] = T::ONE - w * (w + (T::ONE - w) * b_squared * inverse_product) * (T::ONE + n) * inverse;
-        let between = (rho_squared[i] > c.inner[1]) & (rho_squared[i] < c.outer[0]);
-        // A height whose square overflows leaves `both` 0.
-        certain[i] = between & (c.offset_squared <= product) & (both > T::ZERO);
+        let is_clear = (c.offset_squared <= product) & (both > T::ZERO);
+        certain[i] = if is_clear { T::ONE } else { T::ZERO };
     }
-    for i in 0..BLOCK {
-        let stays = rho_squared[i] <= c.inner[0];
-        let shifts = rho_squared[i] >= c.outer[1];
-        for axis in 0..3 {
-            let point = points[i][axis];
-            let blended = point + (alpha[i] * p[axis][i] + beta[i] * c.offset[axis]);
-            let shifted = T::narrow(point.wide() + c.offset_wide[axis]);
-            let moved = if shifts { shifted } else { blended };
-            shown[i][axis] = if stays { point } else { moved };
+    for axis in 0..3 {
+        for i in 0..BLOCK {
+            let point = given[axis][i];
+            let blended = point + (alpha[i] * from_center[axis][i] + beta[i] * c.offset[axis]);
+            let moving = if rho_squared[i] >= c.outer[1] { moved[axis][i] } else { blended };
+            moved[axis][i] = if rho_squared[i] <= c.inner[0] { point } else { moving };
         }
-        certain[i] |= stays | shifts;
     }
-    certain.iter().enumerate().fold(0, |doubts, (i, &certain)| doubts | u64::from(!certain) << i)
+    let mut doubtful = [false; BLOCK];
+    let mut count = 0u32;
+    for i in 0..BLOCK {
+        let square = rho_squared[i];
+        let is_between = (square > c.inner[1]) & (square < c.outer[0]) & (certain[i] > T::ZERO);
+        doubtful[i] = !((square <= c.inner[0]) | (square >= c.outer[1]) | is_between);
+        count += u32::from(doubtful[i]);
+    }
+    if count == 0 {
+        return 0;
+    }
+    doubtful.iter().enumerate().fold(0, |doubts, (i, &doubtful)| doubts | u64::from(doubtful) << i)
 }

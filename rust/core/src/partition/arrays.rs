@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::radii::measure;
+use super::radii::{Indexed, Soup, Triangles, measure};
 use super::{Class, Coordinate, Part, Partition, Zone};
 use crate::base::{Error, Progress, Result};
 
@@ -27,28 +27,20 @@ pub fn triangle_radii<T: Coordinate>(
     }
     progress.expect(expected as u64);
     radii.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, radii)| {
-        let first = tile * TILE;
+        let range = tile * TILE..tile * TILE + radii.len();
         match faces {
             Some(faces) => {
-                let faces = &faces[first..first + radii.len()];
-                check_faces(faces, vertices.len())?;
-                fill(radii, axis, |i| faces[i].map(|vertex| plan(&vertices[vertex as usize])))?;
+                check_faces(&faces[range.clone()], vertices.len())?;
+                fill(&Indexed { vertices, faces: &faces[range] }, axis, radii)?;
             }
-            None => {
-                let (corners, _) = vertices[3 * first..3 * (first + radii.len())].as_chunks::<3>();
-                fill(radii, axis, |i| [plan(&corners[i][0]), plan(&corners[i][1]), plan(&corners[i][2])])?;
-            }
+            None => fill(&Soup(&vertices.as_chunks::<3>().0[range]), axis, radii)?,
         }
         progress.report(radii.len() as u64)
     })
 }
 
-fn plan<T: Copy>(vertex: &[T; 3]) -> [T; 2] {
-    [vertex[0], vertex[2]]
-}
-
 fn check_faces(faces: &[[u32; 3]], vertex_count: usize) -> Result<()> {
-    let greatest = faces.iter().flatten().fold(0, |greatest, &vertex| greatest.max(vertex));
+    let greatest = faces.as_flattened().iter().fold(0, |greatest, &vertex| greatest.max(vertex));
     if faces.is_empty() || (greatest as usize) < vertex_count {
         return Ok(());
     }
@@ -56,14 +48,16 @@ fn check_faces(faces: &[[u32; 3]], vertex_count: usize) -> Result<()> {
 }
 
 #[inline(always)]
-fn fill<T: Coordinate>(radii: &mut [[T; 2]], axis: [f64; 2], corners: impl Fn(usize) -> [[T; 2]; 3]) -> Result<()> {
-    let mut sum = 0.0;
-    measure(radii.len(), axis, corners, |i, both| {
-        sum += both[1];
-        radii[i] = both.map(T::narrow);
-    });
-    // One NaN or infinity among the corners makes their sum so.
-    if sum.is_finite() {
+fn fill<T: Coordinate>(triangles: &impl Triangles<T>, axis: [f64; 2], radii: &mut [[T; 2]]) -> Result<()> {
+    measure(
+        triangles,
+        radii.len(),
+        axis,
+        |i| i,
+        |first, block| radii[first..first + block.len()].copy_from_slice(block),
+    );
+    // One NaN or infinity among the corners makes their radii so.
+    if radii.as_flattened().iter().all(|&radius| radius.into().is_finite()) {
         return Ok(());
     }
     Err(Error::value("vertices", "finite coordinates", "NaN, infinity or numbers whose squares overflow"))

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::radii::measure;
+use super::radii::{Indexed, Soup, Triangles, measure, placed};
 use super::{Class, Mixed, Zone};
 use crate::base::{Progress, Result};
 use crate::scene::{Aabb, Instance};
@@ -59,13 +59,27 @@ impl Ruler {
     }
 
     fn mixed(&self, instance: &Instance, progress: &Progress) -> Result<Mixed> {
-        let tiles = instance
-            .mesh
+        let mesh = &instance.mesh;
+        let codes = if instance.in_place { self.outcodes(&mesh.positions) } else { Vec::new() };
+        let tiles = mesh
             .faces
             .par_chunks(TILE)
             .enumerate()
             .map(|(tile, faces)| {
-                let mixed = self.tile(instance, (tile * TILE) as u32, faces);
+                let first = (tile * TILE) as u32;
+                let mixed = if instance.in_place {
+                    let candidates = candidates(&codes, faces);
+                    let triangles = Indexed { vertices: &mesh.positions, faces };
+                    self.zones(first, &triangles, &candidates)
+                } else {
+                    let corners = placed(instance, first..first + faces.len() as u32);
+                    let candidates: Vec<u32> = (0..)
+                        .zip(&corners)
+                        .filter(|(_, corners)| !self.is_far(corners))
+                        .map(|(face, _)| face)
+                        .collect();
+                    self.zones(first, &Soup(&corners), &candidates)
+                };
                 progress.report(faces.len() as u64).map(|()| mixed)
             })
             .collect::<Result<Vec<_>>>()?;
@@ -78,45 +92,48 @@ impl Ruler {
         Ok(all)
     }
 
-    fn tile(&self, instance: &Instance, first: u32, faces: &[[u32; 3]]) -> Mixed {
-        let candidates = if instance.in_place {
-            let positions = &instance.mesh.positions[..];
-            self.candidates(first, faces, |_, face| face.map(|vertex| positions[vertex as usize]))
-        } else {
-            self.candidates(first, faces, |number, _| instance.corners(number).map(|corner| corner.to_array()))
-        };
+    /// Zones of a tile's candidates; the tile starts at face `first`.
+    fn zones(&self, first: u32, triangles: &impl Triangles<f32>, candidates: &[u32]) -> Mixed {
         let mut mixed = Mixed { measured: candidates.len() as u32, ..Mixed::default() };
-        let take = |i: usize, radii: [f64; 2]| {
-            if let Some(zone) = self.zone(radii) {
-                mixed.faces.push(candidates[i]);
-                mixed.zones.push(zone);
+        let take = |start: usize, radii: &[[f32; 2]]| {
+            for (&candidate, &radii) in candidates[start..].iter().zip(radii) {
+                if let Some(zone) = self.zone(radii) {
+                    mixed.faces.push(first + candidate);
+                    mixed.zones.push(zone);
+                }
             }
         };
-        measure(candidates.len(), self.axis, |i| ground(instance, candidates[i]), take);
+        measure(triangles, candidates.len(), self.axis, |i| candidates[i] as usize, take);
         mixed
     }
 
-    /// Faces of a tile that their coordinates alone do not show to be far.
-    #[inline(always)]
-    fn candidates(&self, first: u32, faces: &[[u32; 3]], corners: impl Fn(u32, [u32; 3]) -> [[f32; 3]; 3]) -> Vec<u32> {
-        let mut candidates = vec![0; faces.len()];
-        let mut count = 0;
-        for (number, &face) in (first..).zip(faces) {
-            candidates[count] = number;
-            let [a, b, c] = corners(number, face);
-            let is_far = [0, 2].iter().zip(self.low.iter().zip(&self.high)).any(|(&k, (&low, &high))| {
-                (a[k] < low) & (b[k] < low) & (c[k] < low) | (a[k] > high) & (b[k] > high) & (c[k] > high)
-            });
-            count += usize::from(!is_far);
-        }
-        candidates.truncate(count);
-        candidates
+    /// A byte for each vertex, so that faces need not fetch coordinates.
+    fn outcodes(&self, positions: &[[f32; 3]]) -> Vec<u8> {
+        let mut codes = vec![0; positions.len()];
+        codes.par_chunks_mut(TILE).zip(positions.par_chunks(TILE)).for_each(|(codes, positions)| {
+            for (code, position) in codes.iter_mut().zip(positions) {
+                *code = self.outcode(position);
+            }
+        });
+        codes
     }
 
-    /// Zone by radii that `radii_of` gave; none for far.
-    pub fn zone(&self, radii: [f64; 2]) -> Option<Zone> {
-        // Rounded once to the precision of the geometry, as everywhere.
-        let [least, greatest] = radii.map(|radius| f64::from(radius as f32));
+    /// One bit for each side of the square around the cylinder r₂ on which a point lies outside (Cohen and Sutherland).
+    #[inline(always)]
+    fn outcode(&self, [x, _, z]: &[f32; 3]) -> u8 {
+        u8::from(*x < self.low[0])
+            | u8::from(*x > self.high[0]) << 1
+            | u8::from(*z < self.low[1]) << 2
+            | u8::from(*z > self.high[1]) << 3
+    }
+
+    fn is_far(&self, [a, b, c]: &[[f32; 3]; 3]) -> bool {
+        self.outcode(a) & self.outcode(b) & self.outcode(c) != 0
+    }
+
+    /// Zone by radii in the precision of the geometry; none for far.
+    pub fn zone(&self, radii: [f32; 2]) -> Option<Zone> {
+        let (least, greatest) = (f64::from(radii[0]), f64::from(radii[1]));
         match (least <= self.r1, least <= self.r2, greatest > self.r2) {
             (true, _, false) => Some(Zone::Near),
             (true, _, true) => Some(Zone::NearStraddling),
@@ -127,10 +144,16 @@ impl Ruler {
     }
 }
 
-/// (x, z) of a face's corners where they stand.
-#[inline(always)]
-pub(super) fn ground(instance: &Instance, face: u32) -> [[f32; 2]; 3] {
-    instance.corners(face).map(|corner| [corner.x, corner.z])
+/// Faces of a tile that their vertices' codes do not show to be far.
+fn candidates(codes: &[u8], faces: &[[u32; 3]]) -> Vec<u32> {
+    let mut candidates = vec![0; faces.len()];
+    let mut count = 0;
+    for (number, &[a, b, c]) in (0..).zip(faces) {
+        candidates[count] = number;
+        count += usize::from(codes[a as usize] & codes[b as usize] & codes[c as usize] == 0);
+    }
+    candidates.truncate(count);
+    candidates
 }
 
 /// Least and greatest ρ of a box.

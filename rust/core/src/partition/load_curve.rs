@@ -3,11 +3,10 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::classify::ground;
-use super::radii::measure;
+use super::radii::{Indexed, Soup, measure, placed};
 use super::{axis_in, check_center};
 use crate::base::{Error, Progress, Result};
-use crate::scene::Scene;
+use crate::scene::{Instance, Scene};
 
 /// Triangles of one task.
 const TILE: usize = 1 << 14;
@@ -36,9 +35,7 @@ impl LoadCurve {
         }
         parts.into_par_iter().try_for_each(|(instance, least)| {
             least.par_chunks_mut(TILE).enumerate().try_for_each(|(tile, least)| {
-                let first = tile * TILE;
-                let corners = |i| ground(instance, (first + i) as u32);
-                measure(least.len(), axis, corners, |i, radii| least[i] = (radii[0] as f32).to_bits());
+                measure_faces(instance, tile * TILE, axis, least);
                 progress.report(least.len() as u64)
             })
         })?;
@@ -80,5 +77,22 @@ impl LoadCurve {
                 Err(Error::value("budget", expected, budget))
             }
         }
+    }
+}
+
+/// Bits of the least ρ of consecutive faces of an instance.
+fn measure_faces(instance: &Instance, first: usize, axis: [f64; 2], least: &mut [u32]) {
+    let count = least.len();
+    let take = |start: usize, radii: &[[f32; 2]]| {
+        for (least, radii) in least[start..].iter_mut().zip(radii) {
+            *least = radii[0].to_bits();
+        }
+    };
+    if instance.in_place {
+        let faces = &instance.mesh.faces[first..first + count];
+        measure(&Indexed { vertices: &instance.mesh.positions, faces }, count, axis, |i| i, take);
+    } else {
+        let corners = placed(instance, first as u32..(first + count) as u32);
+        measure(&Soup(&corners), count, axis, |i| i, take);
     }
 }

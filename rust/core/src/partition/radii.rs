@@ -5,36 +5,38 @@
 //! are exact where these are float32, so that short edges far from the axis lose nothing.
 
 use crate::base::simd::widest;
+use crate::scene::Instance;
 
 /// Triangles that are evaluated together; their temporaries stay in the first-level cache.
 pub(super) const BLOCK: usize = 64;
 /// A side test is certain where its determinant exceeds this share of its terms: each has three roundings of 2⁻⁵³.
 const CERTAIN: f64 = 1.0 / (1u64 << 50) as f64;
 
+/// Ground coordinates of the corners of a block of triangles: `corners[2 k][i]` is x and `corners[2 k + 1][i]` is z of corner k of
+/// triangle i.
+pub type Corners<T> = [[T; BLOCK]; 6];
+
 /// Float32 or float64 coordinates.
 pub trait Coordinate: Copy + Send + Sync + Default + Into<f64> {
     /// Rounds to the nearest.
     fn narrow(value: f64) -> Self;
-    /// The block kernel for these coordinates.
+    /// Least and greatest ρ of a block, in float64 and rounded once.
     #[doc(hidden)]
-    fn evaluate(block: &Corners<Self>, axis: [f64; 2], radii: &mut [[f64; BLOCK]; 2]);
+    fn evaluate(corners: &Corners<Self>, axis: [f64; 2], radii: &mut [[Self; 2]; BLOCK]);
 }
-
-/// Ground coordinates (x, z) of the corners of a block of triangles: `corners[k][0][i]` is x of corner k of triangle i.
-pub type Corners<T> = [[[T; BLOCK]; 2]; 3];
 
 macro_rules! coordinate {
     ($float:ty, $name:ident) => {
         widest! {
-            fn $name(block: &Corners<$float>, axis: [f64; 2], radii: &mut [[f64; BLOCK]; 2]) = evaluate::<$float>;
+            fn $name(corners: &Corners<$float>, axis: [f64; 2], radii: &mut [[$float; 2]; BLOCK]) = evaluate::<$float>;
         }
         impl Coordinate for $float {
             #[inline(always)]
             fn narrow(value: f64) -> Self {
                 value as Self
             }
-            fn evaluate(block: &Corners<Self>, axis: [f64; 2], radii: &mut [[f64; BLOCK]; 2]) {
-                $name(block, axis, radii);
+            fn evaluate(corners: &Corners<Self>, axis: [f64; 2], radii: &mut [[Self; 2]; BLOCK]) {
+                $name(corners, axis, radii);
             }
         }
     };
@@ -44,47 +46,69 @@ coordinate!(f32, evaluate_f32);
 coordinate!(f64, evaluate_f64);
 
 #[inline(always)]
-fn evaluate<T: Coordinate>(block: &Corners<T>, axis: [f64; 2], radii: &mut [[f64; BLOCK]; 2]) {
+fn evaluate<T: Coordinate>(corners: &Corners<T>, axis: [f64; 2], radii: &mut [[T; 2]; BLOCK]) {
     for i in 0..BLOCK {
-        let corners = [0, 1, 2].map(|k| [block[k][0][i], block[k][1][i]]);
-        let [least, greatest] = radii_of(corners, axis);
-        radii[0][i] = least;
-        radii[1][i] = greatest;
+        let a = [corners[0][i].into(), corners[1][i].into()];
+        let b = [corners[2][i].into(), corners[3][i].into()];
+        let c = [corners[4][i].into(), corners[5][i].into()];
+        let [least, greatest] = radii_of(a, b, c, axis);
+        radii[i] = [T::narrow(least), T::narrow(greatest)];
     }
 }
 
-/// Least and greatest ρ of one triangle, given (x, z) of its corners and of the axis. Degenerate ones (vertical walls are segments in
-/// the ground plane) are measured as what they are. NaN where a coordinate is not finite.
+/// Least and greatest ρ of one triangle, given (x, z) of its corners and of the axis. Degenerate ones (vertical walls
+/// are segments in the ground plane) are measured as what they are. NaN where a coordinate is not finite.
 #[inline(always)]
-pub fn radii_of<T: Into<f64>>(corners: [[T; 2]; 3], axis: [f64; 2]) -> [f64; 2] {
-    let raw = corners.map(|corner| corner.map(Into::into));
-    let from_axis: [[f64; 2]; 3] = raw.map(|[x, z]| [x - axis[0], z - axis[1]]);
-    let squares = from_axis.map(|[x, z]| x * x + z * z);
-    let mut least = less(less(squares[0], squares[1]), squares[2]);
-    let greatest = more(more(squares[0], squares[1]), squares[2]);
-    let (mut left, mut right) = (true, true);
-    for (start, end) in [(0, 1), (1, 2), (2, 0)] {
-        let edge = [raw[end][0] - raw[start][0], raw[end][1] - raw[start][1]];
-        let [x, z] = from_axis[start];
-        let (first, second) = (x * edge[1], z * edge[0]);
-        let determinant = first - second;
-        let doubt = (first.abs() + second.abs()) * CERTAIN;
-        left &= determinant > doubt;
-        right &= determinant < -doubt;
-        // The foot of the perpendicular lies on the edge: its distance is |corner × edge| / |edge|.
-        let length_squared = edge[0] * edge[0] + edge[1] * edge[1];
-        let foot = -(x * edge[0] + z * edge[1]);
-        let distance_squared = determinant * (determinant / length_squared);
-        let on_edge = (foot > 0.0) & (foot < length_squared);
-        least = if on_edge & (distance_squared < least) { distance_squared } else { least };
-    }
+pub fn radii_of(a: [f64; 2], b: [f64; 2], c: [f64; 2], axis: [f64; 2]) -> [f64; 2] {
+    let (from_a, from_b, from_c) = (minus(a, axis), minus(b, axis), minus(c, axis));
+    let (square_a, square_b, square_c) = (dot(from_a, from_a), dot(from_b, from_b), dot(from_c, from_c));
+    let (ab, bc, ca) = (Edge::new(from_a, minus(b, a)), Edge::new(from_b, minus(c, b)), Edge::new(from_c, minus(a, c)));
+    let corner = less(less(square_a, square_b), square_c);
+    let outside = less(less(ab.distance_squared, bc.distance_squared), less(ca.distance_squared, corner));
     // On the same side of all edges: the axis pierces the triangle. In doubt it is within rounding of an edge, and the
     // distance to that edge stands.
-    least = if left | right { 0.0 } else { least };
+    let is_pierced = (ab.left & bc.left & ca.left) | (ab.right & bc.right & ca.right);
+    let least = if is_pierced { 0.0 } else { outside };
+    let greatest = more(more(square_a, square_b), square_c);
     // A sum with every coordinate in it is NaN or infinite where one of them is.
-    let all = squares[0] + squares[1] + squares[2];
-    let poison = 0.0 * all;
+    let poison = 0.0 * (square_a + square_b + square_c);
     [least.sqrt() + poison, greatest.sqrt() + poison]
+}
+
+/// What an edge says about the axis.
+struct Edge {
+    /// Squared distance of the axis, where the foot of its perpendicular lies on the edge; else infinite.
+    distance_squared: f64,
+    /// The axis lies to the left, for certain.
+    left: bool,
+    /// The axis lies to the right, for certain.
+    right: bool,
+}
+
+impl Edge {
+    /// From the axis to the edge's start, and along the edge.
+    #[inline(always)]
+    fn new(start: [f64; 2], along: [f64; 2]) -> Self {
+        let (first, second) = (start[0] * along[1], start[1] * along[0]);
+        let determinant = first - second;
+        let doubt = (first.abs() + second.abs()) * CERTAIN;
+        let (length_squared, foot) = (dot(along, along), -dot(start, along));
+        // |start × along| / |along|; a quotient of a degenerate edge is not used.
+        let distance_squared = determinant * (determinant / length_squared);
+        let on_edge = (foot > 0.0) & (foot < length_squared);
+        let distance_squared = if on_edge { distance_squared } else { f64::INFINITY };
+        Self { distance_squared, left: determinant > doubt, right: determinant < -doubt }
+    }
+}
+
+#[inline(always)]
+fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+#[inline(always)]
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
 }
 
 #[inline(always)]
@@ -97,27 +121,67 @@ fn more(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// Evaluates triangles in blocks: `corners(i)` gives (x, z) of triangle i of `count`, `take` receives its number and radii.
+/// Where the corners of numbered triangles come from.
+pub(super) trait Triangles<T>: Sync {
+    /// Corners of a triangle.
+    fn corners(&self, number: usize) -> [&[T; 3]; 3];
+}
+
+/// Vertices with faces.
+pub(super) struct Indexed<'a, T> {
+    pub vertices: &'a [[T; 3]],
+    pub faces: &'a [[u32; 3]],
+}
+
+impl<T: Sync> Triangles<T> for Indexed<'_, T> {
+    #[inline(always)]
+    fn corners(&self, number: usize) -> [&[T; 3]; 3] {
+        let [a, b, c] = self.faces[number];
+        [&self.vertices[a as usize], &self.vertices[b as usize], &self.vertices[c as usize]]
+    }
+}
+
+/// Three vertices for each triangle.
+pub(super) struct Soup<'a, T>(pub &'a [[[T; 3]; 3]]);
+
+impl<T: Sync> Triangles<T> for Soup<'_, T> {
+    #[inline(always)]
+    fn corners(&self, number: usize) -> [&[T; 3]; 3] {
+        let [a, b, c] = &self.0[number];
+        [a, b, c]
+    }
+}
+
+/// Evaluates triangles in blocks: `number(i)` is the i-th of `count`, and `take` receives i with its radii.
 #[inline(always)]
 pub(super) fn measure<T: Coordinate>(
+    triangles: &impl Triangles<T>,
     count: usize,
     axis: [f64; 2],
-    corners: impl Fn(usize) -> [[T; 2]; 3],
-    mut take: impl FnMut(usize, [f64; 2]),
+    number: impl Fn(usize) -> usize,
+    mut take: impl FnMut(usize, &[[T; 2]]),
 ) {
-    let mut block = [[[T::default(); BLOCK]; 2]; 3];
-    let mut radii = [[0.0; BLOCK]; 2];
+    let mut corners = [[T::default(); BLOCK]; 6];
+    let mut radii = [[T::default(); 2]; BLOCK];
     for first in (0..count).step_by(BLOCK) {
         let filled = BLOCK.min(count - first);
-        for i in 0..filled {
-            for (lanes, corner) in block.iter_mut().zip(corners(first + i)) {
-                lanes[0][i] = corner[0];
-                lanes[1][i] = corner[1];
-            }
-        }
-        T::evaluate(&block, axis, &mut radii);
-        for (i, (&least, &greatest)) in radii[0].iter().zip(&radii[1]).enumerate().take(filled) {
-            take(first + i, [least, greatest]);
-        }
+        (0..filled).for_each(|i| scatter(&mut corners, i, triangles.corners(number(first + i))));
+        T::evaluate(&corners, axis, &mut radii);
+        take(first, &radii[..filled]);
     }
+}
+
+#[inline(always)]
+fn scatter<T: Copy>(corners: &mut Corners<T>, lane: usize, [a, b, c]: [&[T; 3]; 3]) {
+    corners[0][lane] = a[0];
+    corners[1][lane] = a[2];
+    corners[2][lane] = b[0];
+    corners[3][lane] = b[2];
+    corners[4][lane] = c[0];
+    corners[5][lane] = c[2];
+}
+
+/// Places faces of an instance where they stand, as consecutive triangles.
+pub(super) fn placed(instance: &Instance, faces: impl Iterator<Item = u32>) -> Vec<[[f32; 3]; 3]> {
+    faces.map(|face| instance.corners(face).map(|corner| corner.to_array())).collect()
 }

@@ -3,7 +3,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 use proptest::prelude::*;
 
-use super::{LoadCurve, Part, Partition, radii_of};
+use super::{LoadCurve, Part, Partition};
 use crate::base::{Error, Progress};
 use crate::scene::{FaceMap, Instance, Mesh, Scene};
 
@@ -26,6 +26,11 @@ fn scene(origin: DVec3, standing: Vec<Instance>, moving: Vec<Instance>) -> Scene
 
 fn placed(mesh: &Arc<Mesh>, to_scene: DAffine3) -> Instance {
     Instance::new(Arc::clone(mesh), to_scene, None).unwrap()
+}
+
+fn radii_of<T: Into<f64>>(corners: [[T; 2]; 3], axis: [f64; 2]) -> [f64; 2] {
+    let [a, b, c] = corners.map(|corner| corner.map(Into::into));
+    super::radii_of(a, b, c, axis)
 }
 
 /// The least ρ by the definition: the corners' convex hull, sampled on a fine grid of weights.

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::classify::{Ruler, ground};
+use super::classify::Ruler;
 use super::radii::radii_of;
 use super::{Class, Partition, Zone, axis_in};
 use crate::base::{Error, Progress, Result};
@@ -21,7 +21,9 @@ impl Partition {
                 return Err(Error::Scene(format!("partition: the faces of instance {number} are out of order")));
             }
             for face in 0..instance.mesh.faces.len() as u32 {
-                let expected = ruler.zone(radii_of(ground(instance, face), axis)).unwrap_or(Zone::Far);
+                let [a, b, c] = instance.corners(face).map(|corner| [f64::from(corner.x), f64::from(corner.z)]);
+                let radii = radii_of(a, b, c, axis).map(|radius| radius as f32);
+                let expected = ruler.zone(radii).unwrap_or(Zone::Far);
                 let zone = self.zone(number, face);
                 if zone != expected {
                     let text = format!("partition: face {face} of instance {number} is {expected:?}, not {zone:?}");

@@ -1,0 +1,153 @@
+"""The load curve: how many triangles stay geometry for each radius, and the radius for a budget."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, SupportsFloat, SupportsIndex, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _check, _core, _progress
+from nearfar._partition import _core_of
+from nearfar._scene import Scene
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+class LoadCurve:
+    """Triangles that stay geometry as a function of r2, and its inverse; each question costs a binary search."""
+
+    def __init__(self, core: _core.LoadCurve, center: tuple[float, float, float]) -> None:
+        self._core = core
+        self._center = center
+
+    @property
+    def center(self) -> tuple[float, float, float]:
+        """World position of the centre, metres."""
+        return self._center
+
+    @property
+    def triangle_count(self) -> int:
+        """Triangles of the scene."""
+        return self._core.total
+
+    @property
+    def moving_count(self) -> int:
+        """Triangles that move: they stay geometry at any radius."""
+        return self._core.moving
+
+    @overload
+    def count(self, r2: SupportsFloat) -> int: ...
+    @overload
+    def count(self, r2: ArrayLike) -> int | NDArray[np.int64]: ...
+    def count(self, r2: Any) -> int | NDArray[np.int64]:
+        """Count the triangles that stay geometry.
+
+        Parameters
+        ----------
+        r2
+            Radius or radii in metres, at least 0; infinity is allowed.
+
+        Returns
+        -------
+        int or NDArray
+            `partition(scene, center=..., r1=..., r2=r2).summary()["nsf"]`, in the shape of `r2`.
+
+        Raises
+        ------
+        ValueError
+            For negative radii and NaN.
+        TypeError
+            For values that are not numbers.
+        """
+        radii = _check.array("r2", r2, columns=None, dtype=np.float64)
+        counts = self._core.count(radii.reshape(-1)).reshape(radii.shape)
+        return counts if counts.ndim else int(counts)
+
+    @overload
+    def radius(self, budget: SupportsIndex) -> float: ...
+    @overload
+    def radius(self, budget: ArrayLike) -> float | NDArray[np.float64]: ...
+    def radius(self, budget: Any) -> float | NDArray[np.float64]:
+        """Find the greatest r2 at which no more than a budget of triangles stays geometry.
+
+        Parameters
+        ----------
+        budget
+            Triangle count or counts.
+
+        Returns
+        -------
+        float or NDArray
+            Radius in metres, in the shape of `budget`: the float64 just below the distance of the first triangle that
+            would be too many. Infinite where the whole scene fits.
+
+        Raises
+        ------
+        ValueError
+            Where not even r2 = 0 meets a budget, because more triangles than that move or lie on the axis.
+        TypeError
+            For values that are not whole numbers.
+        """
+        budgets = _check.array("budget", budget, columns=None, dtype=np.int64)
+        radii = self._core.radius(budgets.reshape(-1)).reshape(budgets.shape)
+        return radii if radii.ndim else float(radii)
+
+    def plot(self, ax: Axes | None = None, *, published: bool = True) -> Axes:
+        """Draw triangles left against r2, both logarithmic.
+
+        Parameters
+        ----------
+        ax
+            Axes of matplotlib to draw on; new ones by default.
+        published
+            Whether to mark the figures of Popescu et al. (2022) for a Manhattan of 3.7 million triangles: 371 triangles
+            within 30 m, and fewer than 1,000 within 50 m.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The axes with the curve.
+
+        Raises
+        ------
+        ImportError
+            Where matplotlib is not installed.
+        ValueError
+            Where no triangle stands: there is no curve.
+        """
+        from nearfar import _plot
+
+        return _plot.load_curve(self, ax, published=published)
+
+    def __repr__(self) -> str:
+        return f"LoadCurve({self.triangle_count:,} triangles, {self.moving_count:,} of them moving)"
+
+
+def load_curve(scene: Scene, *, center: ArrayLike) -> LoadCurve:
+    """Measure and sort the least distance of every standing triangle from the vertical axis through a centre.
+
+    Parameters
+    ----------
+    scene
+        The scene.
+    center
+        World position of the centre, metres; its height does not matter.
+
+    Returns
+    -------
+    LoadCurve
+        Answers count and radius in O(log n).
+
+    Raises
+    ------
+    ValueError
+        For a centre that is not finite.
+    TypeError
+        For arguments of another type.
+    """
+    middle = _check.vector("center", center)
+    core = _core_of(scene)
+    with _progress.bar("load curve") as report:
+        return LoadCurve(_core.LoadCurve(core, center=middle, report=report), middle)
