@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from nearfar._load_curve import LoadCurve
 
 PUBLISHED = ((30.0, 371), (50.0, 1000))
-"""Popescu et al. (2022), a Manhattan of 3.7 million triangles: (r2 in metres, triangles); the second is an upper bound."""
+"""Popescu et al. (2022), a Manhattan of 3.7 million triangles: (r2 in metres, triangles); the second is a bound."""
 
 SAMPLES = 512
 

@@ -143,7 +143,19 @@ fn stream_tile<T: Streamed>(morph: &Morph, constants: &Constants<T>, points: &[[
         let doubts = T::stream_block(constants, block, shown);
         opposed += resolve(morph, doubts, block, shown);
     }
-    opposed + apply_each(morph, rest, shown_rest)
+    opposed + stream_rest(morph, constants, rest, shown_rest)
+}
+
+/// The last points, padded to a block: a point's answer does not depend on its place.
+fn stream_rest<T: Streamed>(morph: &Morph, constants: &Constants<T>, points: &[[T; 3]], shown: &mut [[T; 3]]) -> u64 {
+    let Some(&first) = points.first() else { return 0 };
+    let mut block = [first; BLOCK];
+    let mut shown_block = block;
+    block[..points.len()].copy_from_slice(points);
+    let doubts = T::stream_block(constants, &block, &mut shown_block) & ((1 << points.len()) - 1);
+    let opposed = resolve(morph, doubts, &block, &mut shown_block);
+    shown.copy_from_slice(&shown_block[..points.len()]);
+    opposed
 }
 
 /// Morphs the points of a block that are in doubt one by one.
