@@ -62,6 +62,8 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_render": {"_camera", "_frame", "_scene"},
     "_morph": set(),
     "_partition": {"_scene"},
+    "_plot": set(),
+    "_load_curve": {"_partition", "_plot", "_scene"},
     "_envmap": {"_exr"},
     "datasets": {"_scene"},
 }

@@ -7,12 +7,15 @@ from typing import TYPE_CHECKING, Any, SupportsFloat, SupportsIndex, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core, _progress
+from nearfar import _check, _core, _plot, _progress
 from nearfar._partition import _core_of
 from nearfar._scene import Scene
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
+SAMPLES = 512
+"""Radii of a drawn curve."""
 
 
 class LoadCurve:
@@ -117,9 +120,17 @@ class LoadCurve:
         ValueError
             Where no triangle stands: there is no curve.
         """
-        from nearfar import _plot
+        if self.triangle_count == self.moving_count:
+            raise ValueError("load curve: expected a scene with standing triangles, got none")
+        farthest = self._farthest()
+        radii = np.geomspace(min(1.0, farthest / 2.0), 1.1 * farthest, SAMPLES)
+        return _plot.load_curve(ax, radii, np.asarray(self.count(radii)), self.triangle_count, published=published)
 
-        return _plot.load_curve(self, ax, published=published)
+    def _farthest(self) -> float:
+        """Distance of the farthest triangle; 1 m where all of them lie on the axis."""
+        if self.count(0.0) == self.triangle_count:
+            return 1.0
+        return float(self.radius(self.triangle_count - 1))
 
     def __repr__(self) -> str:
         return f"LoadCurve({self.triangle_count:,} triangles, {self.moving_count:,} of them moving)"
