@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,19 @@ import pytest
 from numpy.typing import NDArray
 
 from nearfar import datasets
-from nearfar.datasets import _facade, _furniture, _ground, _roofs, _shapes, _vegetation, _vehicles
+from nearfar.datasets import (
+    _facade,
+    _forest,
+    _furnishings,
+    _furniture,
+    _ground,
+    _palette,
+    _roofs,
+    _shapes,
+    _textures,
+    _vegetation,
+    _vehicles,
+)
 from nearfar.datasets._buildings import Kind, building
 from nearfar.datasets._draw import Draw, turn
 from nearfar.datasets._layout import Grid, plots
@@ -172,10 +185,14 @@ def test_city_is_the_same_on_every_run() -> None:
 
 # Fixed so that a change of platform, of NumPy or of the drawing order is noticed; replace them on purpose only.
 GOLDEN = {
-    "building": "79ef920af56fe152",
-    "tree": "36eb300b42c4d353",
-    "car": "ec6797aa704c13a7",
-    "ground": "ca0f4a1efbcc37c2",
+    "building": "717a5aca0f764a20",
+    "tree": "cf41023a7039f2d2",
+    "car": "859bbbcfa5538287",
+    "ground": "25111d14d93a2cbe",
+    "spruce": "e665b96101035ef1",
+    "books": "1c5aac6b87a15825",
+    "planks": "10c01c334f06930a",
+    "leaves": "fa9ac870295b077b",
 }
 
 
@@ -185,12 +202,17 @@ def golden_digests() -> dict[str, str]:
         "tree": _vegetation.broadleaf(7, 3, 3),
         "car": _vehicles.car(_vehicles.ESTATE, 1, 2),
         "ground": _ground.ground(Grid.of(4), 7, 2),
+        "spruce": _vegetation.conifer(7, 1, 2),
+        "books": _furnishings.shelf(7, 2),
     }
     found = {}
     for name, soup in made.items():
         joined = weld(soup)
         extra = [] if joined.colors is None else [joined.colors]
-        found[name] = digest(joined.positions, joined.faces, joined.materials, *extra)
+        colors = np.array(_palette.linear_colors(), np.float32)[joined.materials]
+        found[name] = digest(joined.positions, joined.faces, colors, *extra)
+    found["planks"] = digest(_textures.planks(7))
+    found["leaves"] = digest(_vegetation.leaf_texture())
     return found
 
 
@@ -236,3 +258,101 @@ def test_moving_cars_are_dynamic() -> None:
 def test_bad_arguments_are_named(arguments: dict[str, int], name: str) -> None:
     with pytest.raises(ValueError, match=f"^{name}"):
         datasets.city(**arguments)
+
+
+FURNISHINGS: dict[str, Callable[[int], Soup]] = {
+    "sofa": _furnishings.sofa,
+    "table": _furnishings.table,
+    "chair": _furnishings.chair,
+    "lamp": _furnishings.floor_lamp,
+    "pendant": _furnishings.pendant,
+    "curtain": lambda detail: _furnishings.curtain(0.5, 2.4, detail),
+    "cushion": lambda detail: _furnishings.cushion([0, 0, 0], [1, 1, 1], 0.2, 0, detail),
+    "books": lambda detail: _furnishings.shelf(0, detail),
+    "crockery": lambda detail: _furnishings.crockery(0, detail),
+}
+
+
+@pytest.mark.parametrize("detail", range(4))
+@pytest.mark.parametrize("name", FURNISHINGS)
+def test_furnishings_are_closed(name: str, detail: int) -> None:
+    soup = FURNISHINGS[name](detail)
+    assert len(lone_edges(soup)) == 0
+    assert volume(soup) > 0
+    assert areas(soup.corners).min() > 0
+
+
+# Triangles by detail, as the documentation says.
+ROOM_RANGES = {0: (3_000, 20_000), 1: (10_000, 50_000), 2: (50_000, 200_000), 3: (200_000, 1_000_000)}
+
+
+@pytest.mark.parametrize("detail", ROOM_RANGES)
+def test_room_grows_with_detail(detail: int) -> None:
+    scene = datasets.room(detail=detail)
+    low, high = ROOM_RANGES[detail]
+    assert low < scene.triangle_count < high
+    assert {"walls", "floor", "table", "sofa", "shelf", "plant", "chair_0", "curtain_3", "tree_13"} <= set(
+        scene.object_names
+    )
+    assert scene.at({"chair_0": np.eye(4)}).triangle_count == scene.triangle_count
+
+
+def test_room_view_is_free() -> None:
+    eye, _ = datasets.room_view()
+    corners = datasets.room().triangles()
+    low, high = corners.min(axis=1), corners.max(axis=1)
+    gap = np.clip(eye, low, high) - np.array(eye)
+    # The walls of the corner that the eye stands in are the nearest.
+    assert np.linalg.norm(gap, axis=1).min() > 0.25
+
+
+FOREST_RANGES = {0: (150_000, 900_000), 1: (600_000, 2_000_000), 2: (4e6, 12e6), 3: (20e6, 80e6)}
+
+
+@pytest.mark.parametrize("detail", FOREST_RANGES)
+def test_forest_grows_with_detail(detail: int) -> None:
+    scene = datasets.forest(detail=detail)
+    low, high = FOREST_RANGES[detail]
+    assert low < scene.triangle_count < high
+    kinds = {name.split("_")[0] for name in scene.object_names}
+    assert kinds >= {"land", "spruce", "oak", "birch"}
+    assert ("grass" in kinds) == (detail >= 2)
+
+
+@pytest.mark.parametrize("trees", [1, 7, 500])
+def test_forest_has_the_trees_asked_for(trees: int) -> None:
+    names = datasets.forest(trees, detail=0).object_names
+    assert sum(name.startswith(("spruce_", "oak_", "birch_")) for name in names) == trees
+
+
+def test_trees_stand_on_the_land() -> None:
+    land = _forest.Land.of(400, 3)
+    assert float(land.height(0.0, 0.0)) == 0.0
+    corners = datasets.forest(400, seed=3, detail=0).triangles().reshape(-1, 3)
+    near = corners[np.abs(corners[:, [0, 2]]).max(axis=1) < 0.5 * land.side]
+    # Nothing is deeper in the ground than a trunk's foot, enlarged, on the sheet's own chords.
+    assert (near[:, 1] - land.height(near[:, 0].astype(float), near[:, 2].astype(float))).min() > -1.5
+
+
+def test_textures_repeat_and_are_cut_out() -> None:
+    planks = _textures.planks(0)[..., :3].astype(int)
+    # The seam is no rougher than the picture itself (joints between boards included).
+    assert np.abs(planks[:, 0] - planks[:, -1]).mean() < 2.0 * np.abs(np.diff(planks, axis=1)).mean()
+    alpha = _vegetation.leaf_texture()[..., 3]
+    assert set(np.unique(alpha)) == {0, 255}
+    assert 0.1 < (alpha == 255).mean() < 0.7
+
+
+@pytest.mark.parametrize(
+    ("make", "arguments", "name"),
+    [
+        (datasets.forest, {"trees": 0}, "trees"),
+        (datasets.forest, {"detail": 4}, "detail"),
+        (datasets.forest, {"seed": 2**63}, "seed"),
+        (datasets.room, {"detail": -1}, "detail"),
+        (datasets.room, {"seed": -5}, "seed"),
+    ],
+)
+def test_bad_arguments_of_rooms_and_forests_are_named(make: Any, arguments: dict[str, int], name: str) -> None:
+    with pytest.raises(ValueError, match=f"^{name}"):
+        make(**arguments)

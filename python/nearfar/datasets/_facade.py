@@ -75,6 +75,15 @@ def openings(
     return join(soups)
 
 
+def pierced(cells: Rectangles, holes: Rectangles, thickness: float, inside: int, lining: int, outside: int) -> Soup:
+    """A wall of some thickness with a hole through each cell; n = 0 is its face with the material `inside`."""
+    front, hole = _corners(cells, 0.0), _corners(holes, 0.0)
+    shift = np.array([0.0, 0.0, thickness])
+    back = _band(front - shift, hole - shift, outside)
+    away = back.mapped(back.corners[:, ::-1])
+    return join([_band(front, hole, inside), _band(hole, hole - shift, lining), away])
+
+
 def _band(outer: Floats, inner: Floats, materials: ArrayLike) -> Soup:
     """The four quadrilaterals between two rectangles."""
     after = [1, 2, 3, 0]
@@ -89,8 +98,10 @@ def holes_in(cells: Rectangles, window: Window) -> Rectangles:
     return np.stack([middle - half, middle + half, cells[:, 2] + window.sill, cells[:, 2] + window.head * height], 1)
 
 
-def bars(holes: Rectangles, reveal: float, kind: str, material: int, *, frame: bool = False) -> Soup:
-    """Glazing bars before the panes, their ends inside the wall."""
+def bars(
+    holes: Rectangles, reveal: float, kind: str, material: int, *, frame: bool = False, hidden: str = "-z"
+) -> Soup:
+    """Glazing bars before the panes, their ends inside the wall; `hidden` are sides that nobody sees."""
     if not kind and not frame:
         return join([])
     a0, a1, b0, b1 = holes.T
@@ -102,9 +113,12 @@ def bars(holes: Rectangles, reveal: float, kind: str, material: int, *, frame: b
         uprights += [a0, a1]
         rails += [b0, b1]
     # Rails stand back a little, so that no two faces share a plane where bars cross.
-    parts = [_boxes(u - slim, u + slim, b0 - 0.04, b1 + 0.04, back, front, material, "-z -y +y") for u in uprights]
+    parts = [
+        _boxes(u - slim, u + slim, b0 - 0.04, b1 + 0.04, back, front, material, f"{hidden} -y +y") for u in uprights
+    ]
     parts += [
-        _boxes(a0 - 0.04, a1 + 0.04, v - slim, v + slim, back, front - 0.008, material, "-z -x +x") for v in rails
+        _boxes(a0 - 0.04, a1 + 0.04, v - slim, v + slim, back, front - 0.008, material, f"{hidden} -x +x")
+        for v in rails
     ]
     return join(parts)
 

@@ -99,6 +99,9 @@ _COLORS = {
     "grass": 0x7F9E48,
     "fern": 0x5E8C3E,
     "flower": 0xD9667A,
+    "moss": 0x76854F,
+    "moss_dark": 0x6B7A4C,
+    "litter": 0x7F7C52,
     "rock": 0x8E8C86,
     "rock_moss": 0x757F63,
     # vehicles

@@ -93,6 +93,16 @@ def quads(corners: ArrayLike, materials: ArrayLike) -> Soup:
     return Soup(both, np.repeat(np.broadcast_to(np.asarray(materials, np.int32), len(points)), 2))
 
 
+_SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+
+
+def textured(corners: ArrayLike, materials: ArrayLike, uvs: ArrayLike = _SQUARE) -> Soup:
+    """Quadrilaterals (K, 4, 3) with texture coordinates (4, 2) or (K, 4, 2), by default the whole texture on each."""
+    soup = quads(corners, materials)
+    points = np.broadcast_to(np.asarray(uvs, np.float64), (len(soup) // 2, 4, 2))
+    return Soup(soup.corners, soup.materials, None, points[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 2))
+
+
 def triangles(corners: ArrayLike, materials: ArrayLike) -> Soup:
     """Triangles (K, 3, 3), counter-clockwise from outside; one material each or for all."""
     points = np.asarray(corners, np.float64).reshape(-1, 3, 3)

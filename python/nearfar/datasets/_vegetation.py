@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nearfar.datasets._draw import Draw, Floats, turn
 from nearfar.datasets._palette import material, materials
-from nearfar.datasets._shapes import Soup, join, lathe, loft, quads, ring, sphere, triangles, tube
+from nearfar.datasets._shapes import Soup, join, lathe, loft, quads, ring, sphere, textured, triangles, tube
 
 _LEAVES = materials("leaf", "leaf_deep", "leaf_light", "leaf_olive", "leaf", "leaf_deep", "leaf_autumn")
 _BARKS = materials("bark", "bark_dark", "bark")
@@ -44,7 +45,7 @@ def broadleaf(seed: int, variant: int, detail: int) -> Soup:
     leaf, bark = _LEAVES[variant % len(_LEAVES)], draw.pick(_BARKS)
     fork = 0.36 * high
     lean = draw.uniform(2, -0.15, 0.15)
-    sides = 5 if detail <= 1 else 8
+    sides = (4, 5, 8, 8)[detail]
     trunk = [(0.0, -0.3, 0.0), (lean[0], 0.5 * fork, lean[1]), (0.0, fork, 0.0), (0.0, 0.8 * high, 0.0)]
     parts = [tube(trunk, [0.24, 0.17, 0.14, 0.05], sides, bark)]
     count = 1 if detail <= 1 else int(draw.integers(1, 2)[0]) + (3 if detail == 2 else 6)
@@ -74,7 +75,7 @@ def _clumps(draw: Draw, count: int, high: float, crown: float) -> list[tuple[Flo
 
 def _foliage(draw: Draw, center: Floats, radius: Floats, leaf: int, high: float, crown: float, detail: int) -> Soup:
     """One clump: a lumpy ball, or at the highest detail a cloud of leaves around a core."""
-    level = 1 if detail <= 1 else 2
+    level = (0, 1, 2, 2)[detail]
     core = triangles(blob(draw, level, 0.28), leaf)
     low, top = high - 2.4 * crown, high
     if detail < 3:
@@ -117,13 +118,12 @@ def conifer(seed: int, variant: int, detail: int) -> Soup:
     high = draw.number(9.0, 15.0)
     wide = draw.number(0.17, 0.23) * high
     needle = material("needle" if variant % 2 == 0 else "needle_blue")
-    tiers = 3 if detail <= 1 else 8 if detail == 2 else 14
-    sides = 7 if detail <= 1 else 18 if detail == 2 else 40
+    tiers, sides = ((1, 6), (3, 8), (9, 16), (16, 36))[detail]
     parts = [
         tube(
             [(0, -0.4, 0), (0, 0.45 * high, 0), (0, 0.93 * high, 0)],
             [0.24, 0.15, 0.03],
-            5 if detail <= 1 else 9,
+            (4, 5, 9, 12)[detail],
             material("bark_dark"),
         )
     ]
@@ -150,30 +150,50 @@ def _skirt(draw: Draw, low: float, top: float, radius: float, sides: int, needle
     return loft(sections, needle, top=False)
 
 
-def birch(seed: int, variant: int, detail: int) -> Soup:
-    """A slender white-barked tree whose leaves are cut out of textured cards (material set by the caller's map)."""
+def birch(seed: int, variant: int, detail: int, card: int) -> Soup:
+    """A slender white-barked tree; `card` is the material of its cut-out sprays of leaves."""
     draw = Draw(seed, 4, variant)
     high = draw.number(8.0, 11.0)
     sway = draw.uniform(4, -0.3, 0.3)
     path = [(0, -0.3, 0), (sway[0], 0.35 * high, sway[1]), (sway[2], 0.7 * high, sway[3]), (0, high, 0)]
-    parts = [tube(path, [0.16, 0.12, 0.07, 0.02], 7, material("bark_birch"))]
-    count = 10 if detail <= 1 else 60 if detail == 2 else 240
+    parts = [tube(path, [0.16, 0.12, 0.07, 0.02], 4 if detail == 0 else 7, material("bark_birch"))]
+    count = (6, 14, 90, 300)[detail]
     normals = _directions(draw, count)
-    rise = high * (0.66 + 0.3 * normals[:, 1])
-    reach = high * 0.2 * np.sqrt(draw.uniform(count, 0.15, 1.0))
+    rise = high * (0.66 + 0.31 * normals[:, 1])
+    reach = high * 0.17 * np.sqrt(draw.uniform(count, 0.1, 1.0))
     at = np.stack([normals[:, 0] * reach, rise, normals[:, 2] * reach], -1)
     cosine, sine = turn(draw.uniform(count))
-    size = draw.uniform(count, 0.5, 0.9) * (1.5 if detail <= 1 else 1.0 if detail == 2 else 0.62)
-    right = np.stack([cosine, draw.uniform(count, -0.25, 0.25), sine], -1) * size[:, None]
-    up = np.stack([draw.uniform(count, -0.4, 0.4), np.ones(count), draw.uniform(count, -0.4, 0.4)], -1) * size[:, None]
-    cards = quads(np.stack([at - right - up, at + right - up, at + right + up, at - right + up], 1), CARD)
-    square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
-    uvs = np.broadcast_to(square[[[0, 1, 2], [0, 2, 3]]], (count, 2, 3, 2)).reshape(-1, 3, 2)
-    return join([*parts, Soup(cards.corners, cards.materials, None, uvs)])
+    size = draw.uniform(count, 0.5, 0.9) * (2.2, 1.6, 0.9, 0.6)[detail]
+    tip, roll = draw.uniform(2 * count, -0.4, 0.4).reshape(2, count), draw.uniform(count, -0.25, 0.25)
+    right = np.stack([cosine, roll, sine], -1) * size[:, None]
+    up = np.stack([tip[0], np.ones(count), tip[1]], -1) * size[:, None]
+    square = np.stack([at - right - up, at + right - up, at + right + up, at - right + up], 1)
+    return join([*parts, textured(square, card)])
 
 
-# The birch's leaf cards: a material of its own after the table's.
-CARD = 10_000
+def leaf_texture(size: int = 128) -> NDArray[np.uint8]:
+    """A spray of leaves (size, size, 4): sRGB, transparent between the leaves."""
+    draw = Draw(0, 8)
+    y, x = np.meshgrid(np.arange(size) + 0.5, np.arange(size) + 0.5, indexing="ij")
+    image = np.zeros((size, size, 4))
+    image[..., :3] = (96.0, 128.0, 58.0)
+    stem = np.abs(x / size - 0.5 - 0.08 * (y / size - 0.5)) < 0.012
+    image[stem & (y > 0.12 * size)] = (110.0, 92.0, 64.0, 255.0)
+    cosine, sine = turn(draw.uniform(34))
+    for c, s, u, v, length, light in zip(
+        cosine, sine, draw.uniform(34, 0.14, 0.86), draw.uniform(34, 0.14, 0.86), draw.uniform(34, 0.07, 0.12),
+        draw.uniform(34, 0.75, 1.15), strict=True,
+    ):  # fmt: skip
+        a = (c * (x / size - u) + s * (y / size - v)) / length
+        b = (c * (y / size - v) - s * (x / size - u)) / length
+        # Two parabolas meet in the leaf's tips; its rib is lighter.
+        inside = np.abs(b) < 0.5 * (1.0 - a * a)
+        rib = np.abs(b) < 0.06
+        shade = light * np.where(rib, 1.15, 1.0)
+        for channel, value in enumerate((104.0, 140.0, 62.0)):
+            image[..., channel] = np.where(inside, np.minimum(255.0, value * shade), image[..., channel])
+        image[..., 3] = np.where(inside, 255.0, image[..., 3])
+    return np.floor(image).astype(np.uint8)
 
 
 def shrub(seed: int, variant: int, detail: int) -> Soup:

@@ -1,0 +1,204 @@
+"""The forest: rolling land with a trail, under spruces, oaks and birches."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _check
+from nearfar._scene import Scene
+from nearfar.datasets import _vegetation as vegetation
+from nearfar.datasets._draw import Draw, Floats, turn
+from nearfar.datasets._palette import material, materials
+from nearfar.datasets._shapes import Soup, join, quads
+from nearfar.datasets._stage import Stage, placements
+
+_MOST_TREES = 2_000_000
+_AREA = 34.0
+"""Land for each tree, square metres."""
+_HORIZON = 3000.0
+
+
+@dataclass(frozen=True)
+class Land:
+    """The lie of the land; 0 high at the origin."""
+
+    side: float
+    """Length of the wooded square's sides, metres."""
+    phases: Floats
+
+    @classmethod
+    def of(cls, trees: int, seed: int) -> Land:
+        """Land for so many trees."""
+        return cls(float(np.sqrt(max(trees, 60) * _AREA)), Draw(seed, 50).uniform(12))
+
+    def height(self, x: Floats | float, z: Floats | float) -> Floats:
+        """Height at places, metres."""
+        return self._raw(np.asarray(x, float), np.asarray(z, float)) - self._raw(np.zeros(()), np.zeros(()))
+
+    def _raw(self, x: Floats, z: Floats) -> Floats:
+        rise = np.zeros(np.broadcast(x, z).shape)
+        for k, (length, high) in enumerate(((260.0, 9.0), (140.0, 4.5), (61.0, 1.5), (23.0, 0.35), (11.0, 0.12))):
+            along = turn((x + 0.35 * z) / length + self.phases[2 * k])[1]
+            across = turn((z - 0.3 * x) / (1.17 * length) + self.phases[2 * k + 1])[1]
+            rise = rise + 0.5 * high * (along + across)
+        away = np.sqrt(x * x + z * z)
+        share = np.clip((away - 0.5 * self.side) / _HORIZON, 0.0, 1.0)
+        return rise + 160.0 * share * share
+
+    def trail(self, z: Floats | float) -> Floats:
+        """Where the trail crosses a line of constant z: its x, 0 at the origin."""
+        places = np.asarray(z, float)
+        return 5.0 * (turn(places / 90.0 + self.phases[10])[1] - turn(self.phases[10])[1])
+
+    def off_trail(self, x: Floats, z: Floats) -> Floats:
+        """Distance from the trail, metres."""
+        return np.asarray(np.abs(x - self.trail(z)))
+
+
+def forest(trees: int = 6000, seed: int = 0, detail: int = 2) -> Scene:
+    """Make a forest on rolling land, with a trail through it, rocks, bushes and grass.
+
+    The origin lies on the trail, and the ground there is at y = 0; the trail runs along z. The same arguments give the
+    same bytes on every run and every platform.
+
+    Parameters
+    ----------
+    trees
+        Number of trees, 1 to 2,000,000; the wooded land grows with it.
+    seed
+        0 to 2⁶³ − 1.
+    detail
+        0: trees of some twenty triangles. 1: a hundred. 2: about a thousand, with grass along the trail. 3: several
+        thousand: with the default number of trees, tens of millions of triangles, nearly all of them in instances.
+
+    Returns
+    -------
+    Scene
+        Objects are called "land", "spruce_17", "oak_4", "birch_9", "rock_2", "bush_5" and "grass_31"; trees are
+        numbered through all kinds. The birches' leaves are cut out of cards by their texture's alpha.
+
+    Raises
+    ------
+    ValueError
+        For numbers out of range.
+    """
+    trees = _check.integer("trees", trees, 1, _MOST_TREES)
+    seed = _check.integer("seed", seed, 0, 2**63 - 1)
+    detail = _check.integer("detail", detail, 0, 3)
+    stage, land = Stage(), Land.of(trees, seed)
+    stage.once(_surface(land, detail), "land")
+    _plant(stage, land, trees, seed, detail)
+    _undergrowth(stage, land, trees, seed, detail)
+    return stage.build()
+
+
+def _lines(land: Land, detail: int) -> Floats:
+    """Break lines of the land's grid along one axis: even among the trees, ever wider apart to the horizon."""
+    spacing = max((14.0, 6.0, 3.0, 1.5)[detail], land.side / 700.0)
+    half = 0.5 * land.side
+    inner = np.linspace(-half, half, 2 * int(np.ceil(half / spacing)) + 1)
+    steps = np.arange(1.0, 25.0) / 24.0
+    outer = half + spacing * 24.0 * steps + (_HORIZON - 24.0 * spacing) * steps * steps * steps
+    return np.concatenate([-outer[::-1], inner, outer])
+
+
+def _surface(land: Land, detail: int) -> Soup:
+    """The land as one sheet, its columns bent along the trail."""
+    lines = _lines(land, detail)
+    across, z = np.meshgrid(np.sort(np.concatenate([lines[np.abs(lines) > 2.2], [-1.4, -0.4, 0.4, 1.4]])), lines)
+    half = 0.5 * land.side
+    x = across + land.trail(z) * np.clip(1.0 - np.abs(across) / half, 0.0, 1.0) * np.clip(
+        2.0 - np.abs(z) / half, 0.0, 1.0
+    )
+    sheet = np.stack([x, land.height(x, z), z], -1)
+    shade = 0.86 + 0.07 * (turn(x / 17.0 + 0.3 * turn(z / 11.0)[1])[1] + turn(z / 14.0 + 0.2 * turn(x / 31.0)[1])[0])
+    cells = np.stack([sheet[1:, :-1], sheet[1:, 1:], sheet[:-1, 1:], sheet[:-1, :-1]], 2).reshape(-1, 4, 3)
+    tints = np.stack([shade[1:, :-1], shade[1:, 1:], shade[:-1, 1:], shade[:-1, :-1]], 2).reshape(-1, 4)
+    middle = 0.25 * (cells[:, 0] + cells[:, 1] + cells[:, 2] + cells[:, 3])
+    patch = turn(middle[:, 0] / 47.0 + 0.2 * turn(middle[:, 2] / 29.0)[1])[1] + turn(middle[:, 2] / 53.0)[0]
+    floor = np.array(materials("moss_dark", "moss", "moss", "litter"), np.int32)
+    kinds = floor[np.clip((patch + 2.0).astype(np.int64), 0, 3)]
+    wood = np.maximum(np.abs(middle[:, 0]), np.abs(middle[:, 2])) < half
+    kinds = np.where(wood, kinds, material("meadow"))
+    edges = 0.5 * (across[:-1, 1:] + across[:-1, :-1]).reshape(-1)
+    kinds[(np.abs(edges) < 1.4) & wood] = material("gravel")
+    return quads(cells, kinds).tinted(tints[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3))
+
+
+def _scattered(land: Land, count: int, clear: float, draw: Draw, reach: float = 1.0e9) -> tuple[Floats, Floats]:
+    """`count` places among the trees, one in each cell of a grid, `clear` metres off the trail, at most `reach`."""
+    half = 0.5 * land.side
+    across = 2.0 * min(half, reach)
+    extra = 1.25
+    while True:
+        rows = max(2, int(np.ceil(np.sqrt(count * extra * land.side / across))))
+        columns = max(2, int(np.ceil(count * extra / rows)))
+        number = np.arange(rows * columns)
+        z = land.side * ((number // columns + draw.uniform(len(number), 0.05, 0.95)) / rows - 0.5)
+        x = across * ((number % columns + draw.uniform(len(number), 0.05, 0.95)) / columns - 0.5)
+        x = x + (land.trail(z) if across < land.side else 0.0)
+        good = (land.off_trail(x, z) > clear) & (x * x + z * z > 9.0) & (np.abs(x) < half)
+        chosen = np.flatnonzero(good)
+        if len(chosen) >= count:
+            order = np.argsort(draw.uniform(len(chosen)), kind="stable")[:count]
+            kept = np.sort(chosen[order])
+            return x[kept], z[kept]
+        extra *= 1.5
+
+
+def _plant(stage: Stage, land: Land, trees: int, seed: int, detail: int) -> None:
+    draw = Draw(seed, 52)
+    x, z = _scattered(land, trees, 2.6, draw)
+    y, turns, sizes = land.height(x, z), draw.uniform(trees), draw.uniform(trees, 0.7, 1.25)
+    # Kinds stand in groups: slow waves with some salt.
+    wet = turn(x / 170.0 + land.phases[3])[1] + turn(z / 130.0 + land.phases[4])[1] + draw.uniform(trees, -1.1, 1.1)
+    kinds: NDArray[np.int64] = np.where(wet < 0.45, 0, np.where(wet < 1.2, 1, 2))
+    card = stage.material((1.0, 1.0, 1.0, 1.0), vegetation.leaf_texture(), cutoff=0.5)
+    for kind, (name, variants) in enumerate((("spruce", 6), ("oak", 4), ("birch", 3))):
+        variant = draw.integers(trees, variants)
+        for number in range(variants):
+            mine = np.flatnonzero((kinds == kind) & (variant == number))
+            if kind == 0:
+                soup = vegetation.conifer(seed, number, detail)
+            elif kind == 1:
+                soup = vegetation.broadleaf(seed, number, detail)
+            else:
+                soup = vegetation.birch(seed, number, detail, card)
+            where = placements(x[mine], y[mine], z[mine], turns[mine], sizes[mine])
+            stage.many(soup, where, [f"{name}_{k}" for k in mine])
+
+
+def _undergrowth(stage: Stage, land: Land, trees: int, seed: int, detail: int) -> None:
+    """Rocks and bushes everywhere, grass along the trail."""
+    shares = (
+        ("rock", 4, 0.06, 1.9, 1.0e9),
+        ("bush", 3, 0.12, 2.2, 1.0e9),
+        ("grass", 4, (0.0, 0.0, 1.0, 3.0)[detail], 1.55, 14.0),
+    )
+    for kind, (name, variants, share, clear, reach) in enumerate(shares):
+        count = round(trees * share)
+        if detail == 0 or not count:
+            continue
+        draw = Draw(seed, 53, kind)
+        x, z = _scattered(land, count, clear, draw, reach)
+        y, turns = land.height(x, z), draw.uniform(count)
+        sizes = draw.uniform(count, 0.3, 1.6) if kind == 0 else draw.uniform(count, 0.7, 1.5)
+        variant = draw.integers(count, variants)
+        make = (vegetation.rock, vegetation.shrub, _sward)[kind]
+        for number in range(variants):
+            mine = np.flatnonzero(variant == number)
+            where = placements(x[mine], y[mine], z[mine], turns[mine], sizes[mine])
+            stage.many(make(seed, number, detail), where, [f"{name}_{k}" for k in mine])
+
+
+def _sward(seed: int, variant: int, detail: int) -> Soup:
+    """A few tufts together."""
+    draw = Draw(seed, 54, variant)
+    tufts = []
+    for k in range(5):
+        at = [draw.number(-0.7, 0.7), 0.0, draw.number(-0.7, 0.7)]
+        tufts.append(vegetation.tuft(seed, 7 * variant + k, detail).moved(at))
+    return join(tufts)
