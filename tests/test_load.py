@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gzip
+import time
 from pathlib import Path
 
 import numpy as np
@@ -83,3 +85,132 @@ def test_primitives_of_one_node_are_one_object(tmp_path: Path) -> None:
     scene = nf.Scene.load(_data.require("interior/garage/garage.gltf"))
     assert scene.object_names == ("mesh308615427",)
     assert (scene.triangle_count, scene.report.materials) == (11_358, 17)
+
+
+DATA = {
+    "city/manhattan_deckgl/manhattan_core.glb": (34_321, 999),
+    "interior/garage/garage.gltf": (11_358, 1),
+    "objects/gltf/FlightHelmet/FlightHelmet.gltf": (94_722, 6),
+    "objects/gltf/Duck.glb": (4_212, 1),
+    "objects/armadillo.obj": (86_482, 1),
+    "objects/bun_zipper.ply": (69_451, 1),
+}
+"""Files with their triangles and objects."""
+
+
+@pytest.mark.parametrize("name", DATA)
+def test_real_files_agree_with_trimesh(name: str) -> None:
+    need("data")
+    path = _data.require(name)
+    scene = nf.Scene.load(path)
+    assert (scene.triangle_count, len(scene.object_names)) == DATA[name]
+    expected = reference_triangles(path)
+    # Half a float32 step at 3 km, 1.2e-4 m, twice: trimesh rounds once more.
+    reach = float(np.abs(expected).max())
+    np.testing.assert_allclose(scene.bounds, [expected.min((0, 1)), expected.max((0, 1))], rtol=0, atol=reach * 1.2e-7)
+    areas = [
+        np.linalg.norm(np.cross(t[:, 1] - t[:, 0], t[:, 2] - t[:, 0]), axis=1).sum() / 2
+        for t in (scene.triangles().astype(np.float64), expected.astype(np.float64))
+    ]
+    # Rounding of corners by 1e-7 of the reach averages out over thousands of triangles.
+    assert areas[0] == pytest.approx(areas[1], rel=1e-5)
+
+
+def test_ten_thousand_nodes_load_in_seconds() -> None:
+    need("data")
+    path = _data.require("city/tokyo23/tokyo_core_lod1.glb")
+    start = time.perf_counter()
+    scene = nf.Scene.load(path)
+    # 1.2 s on an idle machine; the limit leaves room for a busy one.
+    assert time.perf_counter() - start < 8
+    assert (scene.triangle_count, len(scene.object_names), scene.report.instances) == (232_986, 12_408, 1)
+    assert scene.object_names[0] == "13103-bldg-23581"
+
+
+def test_many_nodes_are_many_objects(tmp_path: Path) -> None:
+    scene = trimesh.Scene()
+    box = trimesh.creation.box()
+    for k in range(50):
+        scene.add_geometry(box.copy(), node_name=f"house {k}", geom_name=f"g{k}", transform=shift(3 * k))
+    scene.export(tmp_path / "many.glb")
+    loaded = nf.Scene.load(tmp_path / "many.glb")
+    assert loaded.object_names == tuple(f"house {k}" for k in range(50))
+    assert loaded.report.instances == 1
+    np.testing.assert_array_equal(loaded.subset(objects=["house 7"]).bounds[:, 0], [20.5, 21.5])
+
+
+@pytest.mark.parametrize(("up", "expected"), [("y", (1, 2, 3)), ("z", (1, 3, -2)), ("x", (-2, 1, 3))])
+def test_the_upward_axis_becomes_y(tmp_path: Path, up: str, expected: tuple[float, ...]) -> None:
+    mesh = trimesh.Trimesh([[1, 2, 3], [0, 0, 0], [0, 1, 1]], [[0, 1, 2]], process=False)
+    mesh.export(tmp_path / "a.ply")
+    for scene in (nf.Scene.load(tmp_path / "a.ply", up=up), nf.Scene.from_trimesh(mesh, up=up)):
+        np.testing.assert_array_equal(scene.triangles()[0, 0], expected)
+
+
+def test_axes_and_flaws_are_chosen_by_name() -> None:
+    with pytest.raises(ValueError, match="up: expected one of 'x', 'y', 'z', got '-z'"):
+        nf.Scene.load("nowhere.glb", up="-z")
+    with pytest.raises(ValueError, match="on_invalid: expected one of 'raise', 'drop'"):
+        nf.Scene.from_trimesh(trimesh.creation.box(), on_invalid="ignore")
+
+
+def test_a_packed_file_is_unpacked(tmp_path: Path) -> None:
+    packed = tmp_path / "ball.ply.gz"
+    packed.write_bytes(gzip.compress(trimesh.creation.icosphere(2).export(file_type="ply")))
+    scene = nf.Scene.load(packed)
+    assert (scene.triangle_count, scene.object_names) == (320, ("ball",))
+
+
+def test_the_dragon_comes_packed() -> None:
+    need("data")
+    assert nf.Scene.load(_data.require("objects/dragon/dragon_vrip_res3.ply.gz")).triangle_count == 47_794
+
+
+def test_other_things_than_trimesh_objects_are_refused() -> None:
+    with pytest.raises(TypeError, match=r"expected a trimesh.Trimesh or trimesh.Scene, got str"):
+        nf.Scene.from_trimesh("mesh")
+    with pytest.raises(nf.SceneError, match="trimesh object: no triangles"):
+        nf.Scene.from_trimesh(trimesh.Trimesh())
+
+
+def test_a_lone_mesh_keeps_its_vertices() -> None:
+    ball = trimesh.creation.icosphere(2)
+    scene = nf.Scene.from_trimesh(ball)
+    assert scene.object_names == ("object",)
+    np.testing.assert_array_equal(scene.triangles(), ball.vertices[ball.faces].astype(np.float32))
+
+
+@pytest.mark.parametrize("on_invalid", ["raise", "drop"])
+def test_unusable_vertices_are_counted(tmp_path: Path, on_invalid: str) -> None:
+    lines = ["v 0 0 0", "v 1 0 0", "v 0 1 0", "v nan 0 0", "v 0 inf 0", "v 1e300 0 0"]
+    faces = ["f 1 2 3", "f 2 3 4", "f 1 2 5", "f 6 1 2"]
+    (tmp_path / "bad.obj").write_text("\n".join(["o wall", *lines, *faces]))
+    if on_invalid == "raise":
+        words = "bad.obj: 3 vertices with coordinates that are not finite in mesh 'wall'; on_invalid='drop'"
+        with pytest.raises(nf.SceneError, match=words):
+            nf.Scene.load(tmp_path / "bad.obj")
+    else:
+        scene = nf.Scene.load(tmp_path / "bad.obj", on_invalid="drop")
+        assert (scene.triangle_count, scene.report.dropped_faces) == (1, 3)
+        assert "3 unusable faces dropped" in str(scene.report)
+        np.testing.assert_array_equal(scene.bounds, [[0, 0, 0], [1, 1, 0]])
+
+
+def test_flat_instances_are_kept_as_geometry(tmp_path: Path) -> None:
+    scene = trimesh.Scene()
+    box = trimesh.creation.box()
+    scene.add_geometry(box, node_name="solid", geom_name="box")
+    scene.graph.update(frame_to="shadow", frame_from="world", matrix=np.diag([1.0, 0, 1, 1]), geometry="box")
+    scene.export(tmp_path / "flat.glb")
+    loaded = nf.Scene.load(tmp_path / "flat.glb")
+    assert loaded.triangle_count == 24
+    np.testing.assert_array_equal(loaded.subset(objects=["shadow"]).bounds[:, 1], [0, 0])
+    with pytest.raises(ValueError, match="did you mean"):
+        loaded.with_dynamic(["shadows"])
+
+
+def test_the_same_file_gives_the_same_bytes(tmp_path: Path, town: trimesh.Scene) -> None:
+    town.export(tmp_path / "town.glb")
+    first, second = (nf.Scene.load(tmp_path / "town.glb") for _ in range(2))
+    assert first.triangles().tobytes() == second.triangles().tobytes()
+    assert first.object_names == second.object_names

@@ -2,17 +2,32 @@
 
 from __future__ import annotations
 
-import numpy as np
+import time
+from collections.abc import Callable
 
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+import nearfar as nf
 from nearfar._scene import SceneBuilder
 
 TRIANGLE = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32)
 FACE = np.array([[0, 1, 2]], np.uint32)
 
 
-def shift(x: float = 0.0, y: float = 0.0, z: float = 0.0) -> np.ndarray:
+def shift(x: float = 0.0, y: float = 0.0, z: float = 0.0) -> NDArray[np.float64]:
     matrix = np.eye(4)
     matrix[:3, 3] = x, y, z
+    return matrix
+
+
+def turn(angle: float) -> NDArray[np.float64]:
+    matrix = np.eye(4)
+    matrix[0, 0] = matrix[2, 2] = np.cos(angle)
+    matrix[0, 2], matrix[2, 0] = np.sin(angle), -np.sin(angle)
     return matrix
 
 
@@ -33,3 +48,116 @@ def test_what_is_used_once_is_merged_and_the_rest_are_instances() -> None:
     assert (scene.report.instances, scene.report.meshes, scene.triangle_count) == (4, 2, 6)
     assert street()[0].build(["car"]).report.instances == 5
     np.testing.assert_array_equal(scene.bounds, [[0, 0, 0], [6, 3, 2]])
+
+
+def test_what_moves_is_split_out_and_posed_in_the_world() -> None:
+    scene = street()[0].build()
+    moving = scene.with_dynamic(["car", "tree_1"])
+    assert scene.report.dynamic == 0  # scenes are immutable
+    assert (moving.report.dynamic, moving.triangle_count) == (2, scene.triangle_count)
+    pose = shift(x=100) @ turn(0.3)
+    posed = moving.at({"car": pose})
+    car = posed.subset(objects=["car"]).triangles()[0]
+    # The pose replaces the load transform: corners are the mesh's own, moved. One rounding to float32 at 100 m: 4e-6.
+    np.testing.assert_allclose(car, TRIANGLE @ pose[:3, :3].T + pose[:3, 3], atol=4e-6)
+    rest = ["wall", "house", "tree_0", "tree_1", "tree_2"]
+    np.testing.assert_array_equal(posed.subset(objects=rest).triangles(), moving.subset(objects=rest).triangles())
+
+
+@pytest.mark.parametrize("early", [False, True])
+def test_objects_move_alike_whether_they_were_merged_or_not(early: bool) -> None:
+    builder, _ = street()
+    scene = builder.build(["house"]) if early else builder.build().with_dynamic(["house"])
+    posed = scene.at({"house": shift(z=3)})
+    np.testing.assert_allclose(
+        posed.subset(objects=["house"]).triangles()[0], TRIANGLE + np.array([0, 0, 3]), atol=1e-6
+    )
+
+
+def test_the_load_transform_puts_things_back_bit_for_bit() -> None:
+    scene = street()[0].build(["car", "house", "tree_2"])
+    away = scene.at({name: shift(1, 2, 3) for name in ("car", "house", "tree_2")})
+    back = away.at({name: scene.transform(name) for name in ("car", "house", "tree_2")})
+    assert not np.array_equal(away.triangles(), scene.triangles())
+    np.testing.assert_array_equal(back.triangles(), scene.triangles())
+
+
+def test_poses_are_kept_until_replaced_and_survive_subsets() -> None:
+    scene = street()[0].build(["car", "house"])
+    posed = scene.at({"car": shift(y=50)}).at({"house": shift(y=60)}).with_dynamic(["wall"])
+    tops = {name: posed.subset(objects=[name]).bounds[1, 1] for name in ("car", "house", "wall")}
+    assert tops == {"car": 51, "house": 61, "wall": 1}
+    assert posed.subset(objects=["house", "wall"]).at({"house": shift(y=5)}).bounds[1, 1] == 6
+    kept = np.arange(posed.triangle_count) >= posed.triangle_count - 2
+    assert posed.subset(triangles=kept).at({"wall": shift(y=7)}).bounds[1, 1] == 51  # the car
+
+
+def test_a_rigid_object_of_several_meshes_moves_as_one() -> None:
+    builder = SceneBuilder()
+    body, wheel = builder.mesh(TRIANGLE, FACE), builder.mesh(TRIANGLE, FACE)
+    builder.instance(body, shift(10), name="cart")
+    builder.instance(wheel, shift(11), name="cart")
+    scene = builder.build(["cart"]).at({"cart": shift(y=1)})
+    np.testing.assert_array_equal(scene.triangles()[:, 0], [[0, 1, 0], [1, 1, 0]])
+
+
+def test_scenes_made_from_a_scene_share_meshes_and_trees() -> None:
+    count = 200_000
+    vertices = np.random.default_rng(0).uniform(0, 100, (count * 3, 3)).astype(np.float32)
+    faces = np.arange(count * 3, dtype=np.uint32).reshape(-1, 3)
+    owner = np.repeat(np.arange(100, dtype=np.int32), count // 100)
+    scene = nf.Scene.from_arrays(vertices, faces, owner).with_dynamic(["object_7"])
+    start = time.perf_counter()
+    scene._core.build()
+    built = time.perf_counter() - start
+    others = [scene.at({"object_7": shift(5)}), scene.subset(objects=scene.object_names), scene.with_dynamic([])]
+    for other in others:
+        np.testing.assert_array_equal(other._core.mesh_ids(), scene._core.mesh_ids())
+        start = time.perf_counter()
+        other._core.build()
+        # Trees over 200,000 triangles take a tenth of a second; to find that they exist, microseconds.
+        assert time.perf_counter() - start < built / 3
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda s: s.with_dynamic(["cat"]), "names: the scene has no object 'cat'; did you mean 'car'"),
+        (lambda s: s.with_dynamic(["zzz"]), "no object 'zzz'; it has 6 objects, such as 'wall'"),
+        (lambda s: s.at({"wall": np.eye(4)}), "poses: expected dynamic objects, but 'wall' is not"),
+        (lambda s: s.at({"lorry": np.eye(4)}), "no object 'lorry'"),
+        (lambda s: s.at({"car": np.eye(3)}), "expected a 4x4 matrix object→world"),
+        (lambda s: s.at({"car": np.stack([np.eye(4)] * 2)}), "expected one 4x4 matrix"),
+        (lambda s: s.at({"car": np.diag([1.0, 0, 1, 1])}), "expected an invertible matrix"),
+        (lambda s: s.at({"car": np.full((4, 4), np.nan)}), "expected finite numbers"),
+        (lambda s: s.at({"car": shift(5).T}), "expected an affine matrix with last row 0 0 0 1"),
+        (lambda s: s.at({"car": shift(1e300)}), "expected a placement within float32's range"),
+        (lambda s: s.subset(), "expected either objects or triangles, got none"),
+        (lambda s: s.subset(objects=["car"], triangles=[0]), "got both"),
+        (lambda s: s.subset(objects=["tre_1"]), "did you mean 'tree_1'"),
+        (lambda s: s.subset(triangles=[6]), "expected numbers from 0 to 5"),
+        (lambda s: s.subset(triangles=[-1]), "expected numbers from 0 to 5"),
+        (lambda s: s.subset(triangles=np.ones(5, bool)), r"expected a mask of shape \(6,\)"),
+    ],
+)
+def test_mistakes_are_said(call: Callable[[nf.Scene], object], words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        call(street()[0].build(["car"]))
+
+
+def test_names_are_strings() -> None:
+    with pytest.raises(TypeError, match="expected names of objects, got 3"):
+        street()[0].build().with_dynamic([3])  # type: ignore[list-item]
+    with pytest.raises(TypeError, match="expected a list of numbers or a mask"):
+        street()[0].build().subset(triangles=[0.5])
+
+
+@given(st.data())
+def test_subsets_are_what_numpy_selects(data: st.DataObject) -> None:
+    scene = street()[0].build(["car"]).at({"car": shift(9)})
+    numbers = data.draw(st.lists(st.integers(0, 5), unique=True))
+    part = scene.subset(triangles=np.array(numbers, np.int64))
+    np.testing.assert_array_equal(part.triangles(), scene.triangles()[sorted(numbers)])
+    mask = np.isin(np.arange(6), numbers)
+    np.testing.assert_array_equal(scene.subset(triangles=mask).triangles(), scene.triangles()[mask])
+    assert part.object_names == scene.object_names

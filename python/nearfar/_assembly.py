@@ -124,7 +124,7 @@ class Assembly:
         """
         if not self._materials:
             self.material()
-        local, base = positions_of("positions", positions, copy=copy)
+        local, base = positions_of("vertices", positions, copy=copy)
         triangles = faces_of("faces", faces, copy=copy)
         count = len(triangles)
         objects: int | NDArray[np.int32] = _OWN_OBJECTS
@@ -265,7 +265,10 @@ class Assembly:
     def _scene_at(self, placed: _Placements, merges: NDArray[np.bool_], origin: NDArray[np.float64]) -> _core.Scene:
         placements = placed.transform[:, :3].copy()
         placements[:, :, 3] -= origin
-        merged = [self._merged(rows, placed, placements) for rows in self._merge_groups(np.flatnonzero(merges), placed)]
+        groups = self._merge_groups(np.flatnonzero(merges), placed)
+        if len(groups) == 1 and len(groups[0]) == 1 and np.array_equal(placements[groups[0][0]], np.eye(4)[:3]):
+            merges, groups = np.zeros_like(merges), []  # one mesh that stands where it should: not copied
+        merged = [self._merged(rows, placed, placements) for rows in groups]
         rest = np.flatnonzero(~merges)
         identities = np.broadcast_to(np.eye(4)[:3], (len(merged), 3, 4))
         own = np.full(len(merged), _OWN_OBJECTS, np.int32)

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
 
 _MOST_TEXELS = 1 << 27
 """Texels of one texture (half a gigabyte): a damaged header can claim billions."""
@@ -169,6 +170,8 @@ class Materials:
         if image.size[0] * image.size[1] > _MOST_TEXELS:
             return None
         try:
+            if image.mode.startswith("I;16"):  # which Pillow would clip instead of scaling
+                image = Image.fromarray((np.asarray(image) >> 8).astype(np.uint8))
             # Pillow raises whatever its decoders meet: OSError, SyntaxError, ValueError, struct.error, zlib.error, …
             texels: NDArray[np.uint8] = np.asarray(image.convert("RGBA"))
         except Exception:

@@ -1,0 +1,263 @@
+"""Files that are damaged, empty, missing or something else: a scene with a report, or a sentence, and soon."""
+
+from __future__ import annotations
+
+import json
+import random
+import re
+import struct
+import time
+import tracemalloc
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+from PIL import Image
+
+import nearfar as nf
+from nearfar import _data
+from support import need
+
+LONGEST = 2.0
+"""Seconds that any bad file may take."""
+
+
+@pytest.fixture(autouse=True)
+def nothing_leaks(capfd: pytest.CaptureFixture[str]) -> Iterator[None]:
+    """Warnings are errors in all tests; here nothing may be printed either."""
+    yield
+    captured = capfd.readouterr()
+    assert captured.out + captured.err == ""
+
+
+def outcome(path: Path, on_invalid: str = "raise") -> nf.Scene | nf.SceneError:
+    """Load a file as a user would; only a scene that works or a SceneError that names the file will do."""
+    start = time.perf_counter()
+    result: nf.Scene | nf.SceneError
+    try:
+        result = nf.Scene.load(path, on_invalid=on_invalid)
+        assert result.triangle_count > 0
+        assert str(result.report)
+        assert np.isfinite(result.bounds).all()
+    except nf.SceneError as error:
+        result = error
+    assert time.perf_counter() - start < LONGEST
+    if isinstance(result, nf.SceneError):
+        sentence = str(result)
+        assert sentence.startswith(f"{path}: ")
+        assert 5 < len(sentence) - len(str(path)) < 600
+        assert "\n" not in sentence
+    return result
+
+
+def test_every_malformed_file_gives_a_scene_or_a_sentence() -> None:
+    need("data")
+    files = [path for path in sorted(_data.require("malformed").rglob("*")) if path.is_file()]
+    outcome(files[0])  # imports the reader
+    tracemalloc.start()
+    results = {path.name: (outcome(path), outcome(path, "drop")) for path in files}
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert len(results) > 40
+    # The largest of the files is 200 kB.
+    assert peak < 50e6
+    scenes = {name for name, (strict, _) in results.items() if isinstance(strict, nf.Scene)}
+    assert {"box_UTF16BE.obj", "negative_indices.obj", "busted.STL", "no_indices_3storybuilding.glb"} <= scenes
+    assert not scenes & {"empty.obj", "empty.stl", "point_cloud.obj", "Cube.gltf", "BoxTextured.gltf", "NoScene.gltf"}
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("assimp/glTF2/MissingBin/BoxTextured.gltf", "a file that it refers to cannot be read: BoxTextured0.bin"),
+        ("assimp/glTF2/IndexOutOfRange/IndexOutOfRange.gltf", "1 face with vertices that do not exist in mesh 'Mesh'"),
+        ("assimp/glTF2/IncorrectVertexArrays/Cube.gltf", "lengths or offsets in it contradict each other"),
+        ("trimesh/points_emptyface.ply", "no triangles; 1 geometry without triangles ignored"),
+        ("trimesh/empty.stl", "no triangles"),
+    ],
+)
+def test_sentences_say_what_is_wrong(name: str, words: str) -> None:
+    need("data")
+    result = outcome(_data.require(f"malformed/{name}"))
+    assert isinstance(result, nf.SceneError)
+    assert words in str(result)
+
+
+def test_skins_and_animations_are_reported() -> None:
+    need("data")
+    result = outcome(_data.require("malformed/assimp/glTF2/simple_skin/simple_skin.gltf"))
+    assert isinstance(result, nf.Scene)
+    assert {"1 animation ignored", "1 skin ignored"} <= set(result.report.notes)
+
+
+def test_the_system_s_own_errors_pass_through(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError, match=r"nowhere\.glb"):
+        nf.Scene.load(tmp_path / "nowhere.glb")
+    with pytest.raises(IsADirectoryError):
+        nf.Scene.load(tmp_path)
+
+
+@pytest.mark.parametrize("suffix", ["glb", "gltf", "obj", "ply", "stl", "off", "3mf", "ply.gz"])
+@pytest.mark.parametrize("content", [b"", b"\0" * 100, b"\xff\xfe\xfd" * 50, b"solid\nfacet", b"{}", b"[1]", b"null"])
+def test_nonsense_of_every_kind_is_refused(tmp_path: Path, suffix: str, content: bytes) -> None:
+    path = tmp_path / f"file.{suffix}"
+    path.write_bytes(content)
+    assert isinstance(outcome(path), nf.SceneError)
+
+
+@pytest.mark.parametrize("name", ["a.txt", "a", "a.bin", "a.dxf", "a.json", ".glb.exe", "a.xyz.gz"])
+def test_unknown_kinds_are_refused(tmp_path: Path, name: str) -> None:
+    (tmp_path / name).write_bytes(b"0 0 0\n")
+    assert re.search("the kind of file|damaged|no triangles", str(outcome(tmp_path / name)))
+
+
+def test_archives_are_to_be_unpacked(tmp_path: Path) -> None:
+    for name in ("a.zip", "a.tar.gz", "a.tar"):
+        (tmp_path / name).write_bytes(b"PK")
+        assert re.search("is an archive|damaged", str(outcome(tmp_path / name)))
+
+
+def sample(folder: Path) -> dict[str, bytes]:
+    """Small files of every kind, one with a texture, colours and two placements of a mesh."""
+    box = trimesh.creation.box()
+    noise = np.random.default_rng(0)
+    image = Image.fromarray(noise.integers(0, 255, (16, 16, 3), np.uint8))
+    material = trimesh.visual.material.PBRMaterial(baseColorTexture=image, alphaMode="MASK")
+    uv = noise.uniform(0, 1, (8, 2))
+    textured = trimesh.Trimesh(
+        box.vertices, box.faces, visual=trimesh.visual.TextureVisuals(uv=uv, material=material), process=False
+    )
+    colored = box.copy()
+    colored.visual.vertex_colors = noise.integers(0, 255, (8, 4), np.uint8)
+    scene = trimesh.Scene()
+    scene.add_geometry(textured, node_name="a", geom_name="box")
+    scene.graph.update(frame_to="b", frame_from="world", matrix=np.diag([2.0, 2, 2, 1]), geometry="box")
+    scene.add_geometry(colored, node_name="c", geom_name="colored")
+    for name, data in scene.export(file_type="gltf").items():
+        (folder / name).write_bytes(data)
+    return {
+        "a.glb": scene.export(file_type="glb"),
+        "a.gltf": (folder / "model.gltf").read_bytes(),
+        "a.ply": colored.export(file_type="ply"),
+        "b.ply": colored.export(file_type="ply", encoding="ascii"),
+        "a.stl": box.export(file_type="stl"),
+        "b.stl": box.export(file_type="stl_ascii").encode(),
+        "a.off": box.export(file_type="off").encode(),
+        "a.obj": box.export(file_type="obj").encode(),
+    }
+
+
+def damaged(data: bytes, dice: random.Random) -> bytes:
+    """Cut a file off, flip some of its bytes, or repeat a piece."""
+    if dice.random() < 0.25:
+        return data[: dice.randrange(len(data))]
+    content = bytearray(data)
+    text = all(byte < 128 for byte in data)
+    for _ in range(dice.choice([1, 1, 2, 5, 20])):
+        place = dice.randrange(len(content))
+        flips = [content[place] ^ (1 << dice.randrange(7)), ord(dice.choice('0123456789-.e,[]{}" \n'))]
+        content[place] = dice.choice(flips if text else [*flips, dice.randrange(256), 255])
+    if dice.random() < 0.2:
+        place = dice.randrange(len(content))
+        content[place:place] = content[place : place + dice.randrange(60)]
+    return bytes(content)
+
+
+def test_damaged_files_never_do_more_than_raise(tmp_path: Path) -> None:
+    kinds = {nf.Scene: 0, nf.SceneError: 0}
+    files = sample(tmp_path)
+    for name, data in files.items():
+        (tmp_path / name).write_bytes(data)
+        assert isinstance(outcome(tmp_path / name), nf.Scene)
+    tracemalloc.start()
+    for name, data in files.items():
+        for seed in range(60):
+            dice = random.Random(f"{name} {seed}")
+            (tmp_path / name).write_bytes(damaged(data, dice))
+            kinds[type(outcome(tmp_path / name, dice.choice(["raise", "drop"])))] += 1
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    # Each file has a few kilobytes; readers may claim a little more than it, not what a flipped count says.
+    assert peak < 300e6
+    assert min(kinds.values()) > 40  # the damage is neither always fatal nor always harmless
+
+
+def glb(header: object, binary: bytes = b"") -> bytes:
+    text = json.dumps(header).encode()
+    text += b" " * (-len(text) % 4)
+    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text + struct.pack("<II", len(binary), 0x004E4942) + binary
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
+def triangle(**changes: object) -> bytes:
+    """A GLB of one triangle, with some of its header's entries replaced."""
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32).tobytes()
+    header: dict[str, object] = {
+        "asset": {"version": "2.0"},
+        "buffers": [{"byteLength": len(corners)}],
+        "bufferViews": [{"buffer": 0, "byteLength": len(corners)}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "nodes": [{"mesh": 0, "name": "thing"}],
+        "scenes": [{"nodes": [0]}],
+    }
+    return glb(header | changes, corners)
+
+
+def accessor(**changes: object) -> list[dict[str, object]]:
+    return [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"} | changes]
+
+
+@pytest.mark.parametrize(
+    ("data", "words"),
+    [
+        (triangle(accessors=accessor(count=10**12)), "cannot be read|contradict"),
+        (triangle(accessors=[{"componentType": 5126, "count": 10**12, "type": "VEC3"}]), "accessors claim"),
+        (triangle(accessors=accessor(count=-3)), "no triangles"),
+        (triangle(accessors=accessor(normalized=True)), "normalised integers"),
+        (triangle(extensionsRequired=["EXT_meshopt_compression"]), "needs the extension EXT_meshopt_compression"),
+        (triangle(nodes=[{"mesh": 0, "name": "thing", "scale": [1e300, 1, 1]}]), "expected finite coordinates"),
+        (triangle(nodes=[{"mesh": 0, "name": "thing", "translation": [float("nan"), 0, 0]}]), "at node 'thing'"),
+        (triangle(nodes=[{"mesh": 0, "name": "thing", "matrix": [1.0] * 16}]), "at node 'thing'"),
+        (triangle(nodes=[{"mesh": 7}]), "no triangles|not hold|entry"),
+        (triangle(scenes=[{"nodes": [9]}]), "not hold|entry"),
+        (triangle(meshes=[{"primitives": [{"attributes": {"POSITION": 0}, "mode": 6}]}]), "no triangles"),
+        (triangle(buffers=[{"byteLength": 36, "uri": "gone.bin"}]), "refers to cannot be read"),
+        (triangle()[:-4], "cannot be read"),
+        (glb([]), "its JSON is not an object"),
+        (b"glTF" + struct.pack("<II", 1, 99) + bytes(40), "does not begin like a GLB of version 2"),
+    ],
+)
+def test_broken_gltf_is_explained(tmp_path: Path, data: bytes, words: str) -> None:
+    (tmp_path / "a.glb").write_bytes(data)
+    result = outcome(tmp_path / "a.glb")
+    assert isinstance(result, nf.SceneError)
+    assert re.search(words, str(result)), str(result)
+
+
+@pytest.mark.parametrize("children", [[0], [1, 1]], ids=["circle", "self"])
+def test_nodes_in_circles_end(tmp_path: Path, children: list[int]) -> None:
+    nodes = [{"name": "root", "children": [1]}, {"name": "thing", "mesh": 0, "children": children}]
+    (tmp_path / "a.glb").write_bytes(triangle(nodes=nodes))
+    outcome(tmp_path / "a.glb")
+
+
+def test_a_deep_chain_of_nodes_is_fine(tmp_path: Path) -> None:
+    nodes: list[dict[str, object]] = [
+        {"name": str(k), "children": [k + 1], "translation": [1, 0, 0]} for k in range(5000)
+    ]
+    (tmp_path / "a.glb").write_bytes(triangle(nodes=[*nodes, {"name": "leaf", "mesh": 0}]))
+    result = outcome(tmp_path / "a.glb")
+    assert isinstance(result, nf.Scene)
+    assert result.bounds[0, 0] == 5000
+
+
+def test_good_triangles_beside_bad_placements_can_be_kept(tmp_path: Path) -> None:
+    nodes = [{"mesh": 0, "name": "good"}, {"mesh": 0, "name": "bad", "translation": [float("inf"), 0, 0]}]
+    (tmp_path / "a.glb").write_bytes(triangle(nodes=nodes, scenes=[{"nodes": [0, 1]}]))
+    assert "at node 'bad'" in str(outcome(tmp_path / "a.glb"))
+    kept = outcome(tmp_path / "a.glb", "drop")
+    assert isinstance(kept, nf.Scene)
+    assert kept.object_names == ("good",)

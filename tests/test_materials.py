@@ -1,0 +1,220 @@
+"""Base colours of loaded scenes: factors, textures, vertex and face colours, alpha."""
+
+from __future__ import annotations
+
+import io
+import json
+import struct
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+from numpy.typing import NDArray
+from PIL import Image
+
+import nearfar as nf
+from nearfar import _data, _load
+from nearfar._materials import BaseColor, colors_of, to_linear, to_srgb
+from nearfar._scene import SceneBuilder
+from nearfar._source import Shape, Source
+from support import need
+
+PBR = trimesh.visual.material.PBRMaterial
+
+
+def source_of(path: Path) -> Source:
+    return _load._read(str(path), path, path.read_bytes())
+
+
+def shape_of(path: Path) -> Shape:
+    return next(iter(source_of(path).shapes.values()))
+
+
+def picture(seed: int = 0, size: tuple[int, int] = (5, 7), channels: int = 4) -> Image.Image:
+    return Image.fromarray(np.random.default_rng(seed).integers(0, 256, (*size, channels), np.uint8))
+
+
+def textured_box(material: trimesh.visual.material.Material) -> trimesh.Trimesh:
+    box = trimesh.creation.box()
+    uv = np.random.default_rng(1).uniform(0, 1, (len(box.vertices), 2)).astype(np.float32)
+    visual = trimesh.visual.TextureVisuals(uv=uv, material=material)
+    return trimesh.Trimesh(box.vertices, box.faces, visual=visual, process=False)
+
+
+def test_srgb_is_inverted_and_meets_its_fixed_points() -> None:
+    light = np.linspace(0, 1, 1001)
+    # IEC 61966-2-1's constants are rounded: both branches meet within 3e-8 only.
+    np.testing.assert_allclose(to_linear(to_srgb(light)), light, atol=1e-7)
+    assert to_srgb(np.array(0.5)) == pytest.approx(0.7353569830524495, rel=1e-12)
+    np.testing.assert_allclose(to_srgb(np.array([0.0, 1.0])), [0, 1], atol=1e-15)
+
+
+@pytest.mark.parametrize("kind", [np.uint8, np.uint16, np.float32])
+@pytest.mark.parametrize("channels", [3, 4])
+def test_linear_colours_are_encoded_and_srgb_ones_kept(kind: type, channels: int) -> None:
+    levels = np.random.default_rng(0).integers(0, 256, (50, channels)).astype(np.uint8)
+    light = levels / 255
+    values = levels if kind is np.uint8 else light.astype(kind) if kind is np.float32 else levels * np.uint16(257)
+    kept, encoded = (colors_of(values, 50, linear=linear) for linear in (False, True))
+    assert kept is not None
+    assert encoded is not None
+    np.testing.assert_array_equal(kept[:, :channels], levels)
+    np.testing.assert_array_equal(encoded[:, :3], np.rint(to_srgb(light[:, :3]) * 255))
+    np.testing.assert_array_equal(kept[:, 3], encoded[:, 3])
+    assert (encoded[:, 3] == (levels[:, 3] if channels == 4 else 255)).all()
+
+
+def test_colours_that_fit_no_mesh_are_left_out() -> None:
+    assert colors_of(np.zeros((3, 4), np.uint8), 4, linear=False) is None
+    assert colors_of(np.zeros((4, 2), np.uint8), 4, linear=False) is None
+    np.testing.assert_array_equal(colors_of(np.full((1, 3), np.nan), 1, linear=True), [[0, 0, 0, 255]])
+
+
+def test_gltf_keeps_factor_texture_and_cutoff(tmp_path: Path) -> None:
+    image = picture()
+    factor = [0.001, 0.25, 1.0, 0.5]  # the first is below half a step of 8 bits
+    box = textured_box(PBR(baseColorTexture=image, alphaMode="MASK", alphaCutoff=0.3))
+    data = box.export(file_type="glb")
+    (tmp_path / "box.glb").write_bytes(with_factor(data, factor))
+    shape = shape_of(tmp_path / "box.glb")
+    (material,) = shape.materials
+    assert material.factor == pytest.approx(factor, rel=1e-12)
+    assert material.cutoff == pytest.approx(0.3)
+    assert material.texture is not None
+    np.testing.assert_array_equal(material.texture, np.asarray(image))
+    assert shape.uvs is not None
+    # The file turns v over, 1 - v in float32: once out, once in.
+    np.testing.assert_allclose(shape.uvs, box.visual.uv, atol=1.2e-7)
+    report = nf.Scene.load(tmp_path / "box.glb").report
+    assert (report.materials, report.textures) == (1, 1)
+
+
+def with_factor(data: bytes, factor: list[float]) -> bytes:
+    """Write a base colour factor into a GLB's JSON, which trimesh stores in 8 bits."""
+    (length,) = struct.unpack("<I", data[12:16])
+    header = json.loads(data[20 : 20 + length])
+    header["materials"][0].setdefault("pbrMetallicRoughness", {})["baseColorFactor"] = factor
+    text = json.dumps(header).encode()
+    text += b" " * (-len(text) % 4)
+    rest = data[20 + length :]
+    return data[:8] + struct.pack("<III", 20 + len(text) + len(rest), len(text), 0x4E4F534A) + text + rest
+
+
+def test_blending_is_drawn_opaque_and_reported(tmp_path: Path) -> None:
+    textured_box(PBR(baseColorTexture=picture(), alphaMode="BLEND")).export(tmp_path / "glass.glb")
+    assert shape_of(tmp_path / "glass.glb").materials[0].cutoff is None
+    assert "1 material with blending drawn opaque" in nf.Scene.load(tmp_path / "glass.glb").report.notes
+
+
+def test_vertex_colours_of_gltf_are_linear_and_those_of_ply_srgb(tmp_path: Path) -> None:
+    box = trimesh.creation.box()
+    colors = np.random.default_rng(2).integers(0, 256, (8, 4), np.uint8)
+    box.visual.vertex_colors = colors
+    for suffix in ("glb", "ply"):
+        box.export(tmp_path / f"box.{suffix}")
+    np.testing.assert_array_equal(shape_of(tmp_path / "box.ply").colors, colors)
+    encoded = np.rint(to_srgb(colors[:, :3] / 255) * 255)
+    shape = shape_of(tmp_path / "box.glb")
+    assert shape.colors is not None
+    np.testing.assert_array_equal(shape.colors[:, :3], encoded)
+    loaded = nf.Scene.from_trimesh(trimesh.load_scene(tmp_path / "box.glb", process=False))
+    assert loaded.report.materials == 1
+
+
+def test_colours_of_faces_become_materials() -> None:
+    box = trimesh.creation.box()
+    box.visual.face_colors = np.repeat([[255, 0, 0, 255], [0, 128, 0, 255]], 6, axis=0).astype(np.uint8)
+    scene = nf.Scene.from_trimesh(box)
+    assert scene.report.materials == 2
+    assert scene.triangle_count == 12
+
+
+def test_wavefront_materials_are_srgb_with_texture(tmp_path: Path) -> None:
+    picture(channels=3).save(tmp_path / "wood.png")
+    (tmp_path / "a.mtl").write_text("newmtl wood\nKd 1 1 1\nmap_Kd wood.png\nnewmtl paint\nKd 0.5 0.25 0\n")
+    corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+    text = f"mtllib a.mtl\n{corners}usemtl wood\nf 1/1 2/2 3/3\nusemtl paint\nf 3/3 2/2 1/1\n"
+    (tmp_path / "a.obj").write_text(text)
+    materials = {
+        m.texture is not None: m for shape in source_of(tmp_path / "a.obj").shapes.values() for m in shape.materials
+    }
+    texture = materials[True].texture
+    assert texture is not None
+    np.testing.assert_array_equal(texture[..., :3], np.asarray(picture(channels=3)))
+    # Trimesh keeps 8 bits of Kd: 128/255 and 64/255.
+    np.testing.assert_allclose(materials[False].factor[:3], to_linear(np.array([128, 64, 0]) / 255), atol=1e-12)
+    assert nf.Scene.load(tmp_path / "a.obj").report.textures == 1
+
+
+@pytest.mark.parametrize("mode", ["1", "L", "LA", "P", "RGB", "CMYK", "I;16"])
+def test_images_of_every_mode_become_rgba(tmp_path: Path, mode: str) -> None:
+    size = (4, 3)
+    image = Image.new("I;16", size, 40_000) if mode == "I;16" else picture(channels=3).resize(size).convert(mode)
+    suffix = "jpg" if mode == "CMYK" else "png"
+    image.save(tmp_path / f"t.{suffix}")
+    (tmp_path / "a.mtl").write_text(f"newmtl m\nmap_Kd t.{suffix}\n")
+    (tmp_path / "a.obj").write_text(
+        "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 1\nusemtl m\nf 1/1 2/2 3/1\n"
+    )
+    texture = shape_of(tmp_path / "a.obj").materials[0].texture
+    assert texture is not None
+    assert texture.shape == (3, 4, 4)
+    if mode == "I;16":
+        assert (texture == (40_000 >> 8, 40_000 >> 8, 40_000 >> 8, 255)).all()
+
+
+def test_one_image_of_many_materials_is_one_texture(tmp_path: Path) -> None:
+    scene = trimesh.Scene()
+    for k in range(3):
+        material = PBR(baseColorTexture=picture(), baseColorFactor=[80 * k, 0, 0, 255], name=f"m{k}")
+        scene.add_geometry(textured_box(material), geom_name=f"g{k}", node_name=f"n{k}")
+    scene.export(tmp_path / "a.glb")
+    report = nf.Scene.load(tmp_path / "a.glb").report
+    assert (report.materials, report.textures) == (3, 1)
+
+
+def test_a_damaged_image_is_reported(tmp_path: Path) -> None:
+    buffer = io.BytesIO()
+    picture(size=(64, 64)).save(buffer, "png")
+    box = textured_box(PBR(baseColorTexture=picture(size=(64, 64))))
+    data = box.export(file_type="glb")
+    start = data.index(b"IDAT") + 40
+    (tmp_path / "a.glb").write_bytes(data[:start] + bytes(200) + data[start + 200 :])
+    report = nf.Scene.load(tmp_path / "a.glb").report
+    assert report.textures == 0
+    assert report.notes == ("1 material with an unreadable texture drawn without it",)
+
+
+def test_the_helmet_has_its_textures() -> None:
+    need("data")
+    report = nf.Scene.load(_data.require("objects/gltf/FlightHelmet/FlightHelmet.gltf")).report
+    assert (report.textures, report.materials) == (5, 5)
+    assert "1 material with blending drawn opaque" in report.notes
+
+
+def test_sources_that_say_nothing_are_light_grey(tmp_path: Path) -> None:
+    trimesh.creation.box().export(tmp_path / "a.stl")
+    assert shape_of(tmp_path / "a.stl").materials == []
+    assert BaseColor().factor == (1, 1, 1, 1)
+
+
+def test_wrong_materials_are_refused() -> None:
+    builder = SceneBuilder()
+    corners, face = np.eye(3, dtype=np.float32), np.array([[0, 1, 2]])
+    wrong: NDArray[np.uint8] = np.zeros((2, 2, 3), np.uint8)
+    wrong_calls: dict[str, Callable[[], object]] = {
+        "base_color: expected linear RGBA": lambda: builder.material((2, 0, 0, 1)),
+        "texture: expected a uint8 image": lambda: builder.material(texture=wrong),
+        "cutoff: expected a finite number": lambda: builder.material(cutoff=float("nan")),
+        "material: expected numbers of materials below 1, got 1": lambda: builder.mesh(corners, face, material=1),
+        "material: expected one number for each of 1 faces": lambda: builder.mesh(corners, face, material=[0, 0]),
+        "uvs: expected one row for each of 3 vertices": lambda: builder.mesh(corners, face, uvs=np.zeros((2, 2))),
+        "colors: expected shape": lambda: builder.mesh(corners, face, colors=np.zeros((2, 4), np.uint8)),
+    }
+    for words, call in wrong_calls.items():
+        with pytest.raises(ValueError, match=words):
+            call()
+    with pytest.raises(TypeError, match="colors: expected uint8 sRGB colours, got float64"):
+        builder.mesh(corners, face, colors=np.zeros((3, 4)))
