@@ -35,6 +35,10 @@ class Assembled:
     names: Sequence[str] | int
     frames: NDArray[np.float64] | None
     """Load transforms of the objects (N, 4, 4), object→world; None where all are identities."""
+    dropped: int = 0
+    """Faces of the source that were left out."""
+    notes: tuple[str, ...] = ()
+    """What of the source is ignored or drawn otherwise."""
 
 
 @dataclass(frozen=True)

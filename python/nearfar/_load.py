@@ -17,15 +17,15 @@ from typing import Any
 import numpy as np
 
 from nearfar import _check, _from_trimesh, _gltf
+from nearfar._assembly import Assembled
 from nearfar._errors import SceneError
-from nearfar._scene import Scene
-from nearfar._source import Source, UnusableError, to_scene
+from nearfar._source import Source, UnusableError, assemble
 
 _MOST_UNPACKED = 4 << 30
 """Bytes that a .gz may unpack to."""
 
 
-def load(path: str | os.PathLike[str], *, up: str, on_invalid: str) -> Scene:
+def load(path: str | os.PathLike[str], *, up: str, on_invalid: str) -> Assembled:
     """Load a file; `nearfar.Scene.load` says how."""
     _check.choice("up", up, ("x", "y", "z"))
     _check.choice("on_invalid", on_invalid, ("raise", "drop"))
@@ -35,7 +35,7 @@ def load(path: str | os.PathLike[str], *, up: str, on_invalid: str) -> Scene:
     with _quiet() as messages, _explained(label):
         source = _read(label, path, data)
         source.notes += [message for message in dict.fromkeys(messages) if message not in source.notes]
-        return to_scene(source, up=up, on_invalid=on_invalid)
+        return assemble(source, up=up, on_invalid=on_invalid)
 
 
 def _read(label: str, path: Path, data: bytes) -> Source:
@@ -154,7 +154,7 @@ def _sentence(error: Exception) -> str:
             return "lengths or offsets in it contradict each other" + (f" ({error})" if str(error) else "")
         case IndexError():
             return f"it refers to something that it does not hold ({error})"
-        case ValueError() | NotImplementedError():
+        case ValueError() | RuntimeError():  # trimesh says so of versions and formats that it does not know
             return f"it cannot be read: {_first_line(error) or 'no reason given'}"
         case _:
             return f"it is not well-formed ({type(error).__name__}: {_first_line(error)})"

@@ -48,8 +48,8 @@ class Scene:
         self._notes = notes
 
     @classmethod
-    def _from_assembled(cls, parts: Assembled, *, dropped: int = 0, notes: tuple[str, ...] = ()) -> Scene:
-        return cls(parts.core, Names(parts.names), frames=parts.frames, dropped=dropped, notes=notes)
+    def _from_assembled(cls, parts: Assembled) -> Scene:
+        return cls(parts.core, Names(parts.names), frames=parts.frames, dropped=parts.dropped, notes=parts.notes)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], *, up: str = "y", on_invalid: str = "raise") -> Scene:
@@ -78,7 +78,7 @@ class Scene:
         """
         from nearfar import _load
 
-        return _load.load(path, up=up, on_invalid=on_invalid)
+        return cls._from_assembled(_load.load(path, up=up, on_invalid=on_invalid))
 
     @classmethod
     def from_trimesh(
@@ -102,7 +102,8 @@ class Scene:
         """
         from nearfar import _from_trimesh, _source
 
-        return _source.to_scene(_from_trimesh.read("trimesh object", loaded), up=up, on_invalid=on_invalid)
+        source = _from_trimesh.read("trimesh object", loaded)
+        return cls._from_assembled(_source.assemble(source, up=up, on_invalid=on_invalid))
 
     @classmethod
     def from_arrays(
@@ -313,14 +314,12 @@ class Scene:
 class SceneBuilder(Assembly):
     """Puts a scene together from materials, meshes and their placements; loading and the datasets go through it."""
 
-    def build(self, dynamic: Iterable[str] = (), *, dropped: int = 0, notes: tuple[str, ...] = ()) -> Scene:
+    def build(self, dynamic: Iterable[str] = ()) -> Scene:
         """Make the scene.
 
         Parameters
         ----------
         dynamic
             Names of objects that `Scene.at` can pose; they keep meshes of their own.
-        dropped, notes
-            For the report: faces left out, and what is ignored of the source.
         """
-        return Scene._from_assembled(self.assemble(dynamic), dropped=dropped, notes=notes)
+        return Scene._from_assembled(self.assemble(dynamic))

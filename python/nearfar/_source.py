@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _check
+from nearfar._assembly import Assembled, Assembly
 from nearfar._errors import SceneError
 from nearfar._materials import PLAIN, UNCOLORED, BaseColor
 from nearfar._report import count
-from nearfar._scene import Scene, SceneBuilder
 
 _UP = {
     "x": np.array([[0.0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
@@ -76,8 +76,8 @@ def world_transforms(
     return world
 
 
-def to_scene(source: Source, *, up: str, on_invalid: str) -> Scene:
-    """Make a scene of a source: one pass over its meshes."""
+def assemble(source: Source, *, up: str, on_invalid: str) -> Assembled:
+    """Put a scene's parts together: one pass over the source's meshes."""
     _check.choice("up", up, _UP)
     _check.choice("on_invalid", on_invalid, ("raise", "drop"))
     nodes, flaws = _usable_nodes(source)
@@ -96,7 +96,7 @@ def to_scene(source: Source, *, up: str, on_invalid: str) -> Scene:
         )
     if not any(len(shape.faces) for shape in shapes.values()):
         raise SceneError(f"{source.label}: no triangles" + "".join(f"; {note}" for note in source.notes))
-    builder = SceneBuilder()
+    builder = Assembly()
     handles = {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
     turn = _UP[up]
     for node in nodes:
@@ -104,9 +104,10 @@ def to_scene(source: Source, *, up: str, on_invalid: str) -> Scene:
             transform = node.transform if up == "y" else turn @ node.transform
             builder.instance(handles[node.shape], transform, name=node.object)
     try:
-        return builder.build(dropped=dropped, notes=tuple(source.notes + _material_notes(shapes.values())))
+        parts = builder.assemble()
     except ValueError as error:
         raise SceneError(f"{source.label}: {error}") from error
+    return replace(parts, dropped=dropped, notes=tuple(source.notes + _material_notes(shapes.values())))
 
 
 def _usable_nodes(source: Source) -> tuple[list[Node], list[str]]:
@@ -144,7 +145,7 @@ def _repair(shape: Shape) -> tuple[str, int]:
     return " and ".join(flaws), int((~keep).sum())
 
 
-def _add(builder: SceneBuilder, shape: Shape) -> int:
+def _add(builder: Assembly, shape: Shape) -> int:
     materials = shape.materials or [PLAIN if shape.colors is None else UNCOLORED]
     textured = shape.uvs is not None and any(m.texture is not None for m in materials)
     numbers = [builder.material(m.factor, m.texture if textured else None, m.cutoff) for m in materials]
