@@ -11,6 +11,7 @@ mod partition;
 mod render;
 mod run;
 mod scene;
+mod trace;
 
 use pyo3::prelude::*;
 
@@ -19,6 +20,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     errors::register(module)?;
     base::register(module)?;
     scene::register(module)?;
+    trace::register(module)?;
     camera::register(module)?;
     partition::register(module)?;
     morph::register(module)?;

@@ -119,7 +119,7 @@ impl InstanceSet {
             instance.mesh.build_bvh(progress)?;
         }
         let boxes: Vec<Aabb> = self.instances.iter().map(|instance| instance.bounds).collect();
-        let tlas = Tlas::build(&boxes);
+        let tlas = Tlas::build(&boxes, progress)?;
         self.tlas.get_or_init(|| tlas);
         Ok(())
     }

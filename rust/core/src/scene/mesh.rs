@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::{Aabb, FaceMap};
 use crate::base::{Buffer, Error, Progress, Result};
-use crate::bvh::Bvh;
+use crate::bvh::{Bvh, Faces};
 
 /// Faces or vertices handled by one task: fixed, so that reductions do not depend on the number of threads.
 pub(super) const TILE: usize = 1 << 16;
@@ -154,7 +154,14 @@ impl Mesh {
         if let Some(bvh) = self.bvh.get() {
             return Ok(bvh);
         }
-        let bvh = Bvh::build(&self.positions, &self.faces, progress)?;
+        let faces = Faces {
+            positions: &self.positions,
+            faces: &self.faces,
+            uvs: self.uvs.as_deref(),
+            colors: self.colors.as_deref(),
+            materials: &self.materials,
+        };
+        let bvh = Bvh::build(faces, progress)?;
         Ok(self.bvh.get_or_init(|| bvh))
     }
 }

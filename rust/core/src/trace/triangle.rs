@@ -5,17 +5,26 @@
 
 use glam::Vec3;
 
+use super::lanes::{Isa, Lanes};
+
+/// Determinants outside of this come from products that overflow or vanish in float32: float64 decides.
+const LEAST_DETERMINANT: f32 = 1e-30;
+const GREATEST_DETERMINANT: f32 = 1e30;
+/// Most lanes of any width.
+const MOST: usize = 16;
+
 /// A ray direction's shear: which axis becomes z, and by how much the others lean.
-#[derive(Clone, Copy, Debug)]
-pub struct Shear {
-    axes: [usize; 3],
-    scale: Vec3,
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Shear {
+    pub(crate) axes: [usize; 3],
+    pub(crate) scale: [f32; 3],
 }
 
 impl Shear {
     /// The longest component becomes z.
-    #[inline]
-    pub fn new(direction: Vec3) -> Self {
+    #[inline(always)]
+    pub(crate) fn new(direction: Vec3) -> Self {
+        let d = direction.to_array();
         let size = direction.abs();
         let z = if size.x > size.y && size.x > size.z {
             0
@@ -24,39 +33,96 @@ impl Shear {
         } else {
             2
         };
-        let (mut x, mut y) = ((z + 1) % 3, (z + 2) % 3);
-        if direction[z] < 0.0 {
-            std::mem::swap(&mut x, &mut y);
-        }
-        let scale = Vec3::new(direction[x] / direction[z], direction[y] / direction[z], 1.0 / direction[z]);
-        Self { axes: [x, y, z], scale }
+        // Exchanging x and y where the ray runs backwards keeps the orientation.
+        let (x, y) = if d[z] < 0.0 { ((z + 2) % 3, (z + 1) % 3) } else { ((z + 1) % 3, (z + 2) % 3) };
+        Self { axes: [x, y, z], scale: [d[x] / d[z], d[y] / d[z], 1.0 / d[z]] }
     }
+}
 
-    /// Parameter along the ray and the weights of b and c; none for a miss.
-    #[inline]
-    pub fn intersect(&self, origin: Vec3, a: Vec3, b: Vec3, c: Vec3) -> Option<(f32, f32, f32)> {
-        let [a, b, c] = [a - origin, b - origin, c - origin].map(|p| {
-            let z = p[self.axes[2]];
-            Vec3::new(p[self.axes[0]] - self.scale.x * z, p[self.axes[1]] - self.scale.y * z, self.scale.z * z)
-        });
-        let mut u = c.x * b.y - c.y * b.x;
-        let mut v = a.x * c.y - a.y * c.x;
-        let mut w = b.x * a.y - b.y * a.x;
-        if u == 0.0 || v == 0.0 || w == 0.0 {
-            // In float64 the products of float32 are exact, so a zero that remains is a true one.
-            let exact = |px: f32, py: f32, qx: f32, qy: f32| {
-                (f64::from(px) * f64::from(qy) - f64::from(py) * f64::from(qx)) as f32
-            };
-            (u, v, w) = (exact(c.x, c.y, b.x, b.y), exact(a.x, a.y, c.x, c.y), exact(b.x, b.y, a.x, a.y));
-        }
-        if (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0) {
-            return None;
-        }
-        let determinant = u + v + w;
-        if determinant == 0.0 {
-            return None;
-        }
-        let t = (u * a.z + v * b.z + w * c.z) / determinant;
-        Some((t, v / determinant, w / determinant))
+/// Parameters and weights of the lanes in `mask`; the others hold nothing.
+#[derive(Clone, Copy)]
+pub(crate) struct Crossing<L> {
+    pub(crate) mask: u32,
+    pub(crate) t: L,
+    pub(crate) u: L,
+    pub(crate) v: L,
+}
+
+/// Lanes of rays and triangles. Corners are relative to the origin, their axes already in the shear's order.
+#[inline(always)]
+pub(crate) fn intersect<I: Isa, L: Lanes<I>>(
+    isa: I,
+    corners: [[L; 3]; 3],
+    scale: [L; 3],
+    active: u32,
+) -> Option<Crossing<L>> {
+    let [a, b, c] = corners;
+    let [(ax, ay), (bx, by), (cx, cy)] = [flatten(a, scale), flatten(b, scale), flatten(c, scale)];
+    let u = cx.mul(by).sub(cy.mul(bx));
+    let v = ax.mul(cy).sub(ay.mul(cx));
+    let w = bx.mul(ay).sub(by.mul(ax));
+    let zero = L::splat(isa, 0.0);
+    let mixed = u.min(v).min(w).lt(zero) & zero.lt(u.max(v).max(w));
+    let mut mask = active & !mixed;
+    if mask == 0 {
+        return None;
     }
+    let determinant = u.add(v).add(w);
+    let (az, bz, cz) = (scale[2].mul(a[2]), scale[2].mul(b[2]), scale[2].mul(c[2]));
+    let t = u.mul(az).add(v.mul(bz)).add(w.mul(cz)).div(determinant);
+    let mut crossing = Crossing { mask, t, u: v.div(determinant), v: w.div(determinant) };
+    let size = determinant.abs();
+    let fine = L::splat(isa, LEAST_DETERMINANT).lt(size) & size.lt(L::splat(isa, GREATEST_DETERMINANT));
+    let special = mask & (u.eq(zero) | v.eq(zero) | w.eq(zero) | !fine);
+    if special != 0 {
+        let (mut sheared, mut values) = ([[[0.0; MOST]; 3]; 3], [[0.0; MOST]; 3]);
+        let corners = [[ax, ay, az], [bx, by, bz], [cx, cy, cz]];
+        for corner in 0..3 {
+            for axis in 0..3 {
+                corners[corner][axis].store(&mut sheared[corner][axis]);
+            }
+        }
+        crossing.t.store(&mut values[0]);
+        crossing.u.store(&mut values[1]);
+        crossing.v.store(&mut values[2]);
+        mask = (mask & !special) | repair(&sheared, special, &mut values);
+        let (t, u, v) = (L::load(isa, &values[0]), L::load(isa, &values[1]), L::load(isa, &values[2]));
+        crossing = Crossing { mask, t, u, v };
+    }
+    (mask != 0).then_some(crossing)
+}
+
+/// The shear: where a corner falls on the plane across the ray.
+#[inline(always)]
+fn flatten<I, L: Lanes<I>>(p: [L; 3], scale: [L; 3]) -> (L, L) {
+    (p[0].sub(scale[0].mul(p[2])), p[1].sub(scale[1].mul(p[2])))
+}
+
+/// Decides the lanes of `special` in float64, where the products of float32 are exact: a zero that remains is a true
+/// one, and nothing overflows. Writes the values of those that hit and returns their mask.
+#[cold]
+#[inline(never)]
+fn repair(sheared: &[[[f32; MOST]; 3]; 3], special: u32, values: &mut [[f32; MOST]; 3]) -> u32 {
+    let mut mask = 0;
+    for lane in (0..MOST).filter(|lane| special >> lane & 1 == 1) {
+        let [a, b, c] = [0, 1, 2].map(|corner: usize| sheared[corner].map(|axis| f64::from(axis[lane])));
+        if let Some(found) = exact(a, b, c) {
+            (0..3).for_each(|i| values[i][lane] = found[i] as f32);
+            mask |= 1 << lane;
+        }
+    }
+    mask
+}
+
+/// Parameter and weights of b and c from sheared corners.
+fn exact(a: [f64; 3], b: [f64; 3], c: [f64; 3]) -> Option<[f64; 3]> {
+    let edge = |p: [f64; 3], q: [f64; 3]| p[0] * q[1] - p[1] * q[0];
+    let (u, v, w) = (edge(c, b), edge(a, c), edge(b, a));
+    if (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0) {
+        return None;
+    }
+    let determinant = u + v + w;
+    let values = [(u * a[2] + v * b[2] + w * c[2]) / determinant, v / determinant, w / determinant];
+    // Edge-on and degenerate triangles have no inside.
+    (determinant != 0.0 && values.iter().all(|x| x.is_finite())).then_some(values)
 }

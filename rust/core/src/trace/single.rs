@@ -1,0 +1,280 @@
+//! One ray through both levels of trees.
+
+use std::mem::MaybeUninit;
+
+use glam::Vec3;
+
+use super::lanes::{Isa, Lanes};
+use super::slab::Slabs;
+use super::triangle::{self, Shear};
+use super::{Filter, Hit, Ray};
+use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide, leaf_blocks};
+use crate::scene::{Aabb, Instance, InstanceSet};
+
+/// A ray made ready for one space: the scene's, or an instance's own.
+#[derive(Clone, Copy)]
+pub(crate) struct Local {
+    pub(crate) origin: Vec3,
+    pub(crate) shear: Shear,
+    pub(crate) slabs: Slabs,
+    pub(crate) t_min: f32,
+    pub(crate) t_max: f32,
+    /// Where the ray enters the instance's box in scene space: no hit comes before it, so that culling by the box
+    /// agrees with every hit below it.
+    pub(crate) floor: f32,
+}
+
+impl Local {
+    /// For trees inside `bounds`.
+    #[inline(always)]
+    pub(crate) fn new(ray: &Ray, bounds: &Aabb) -> Self {
+        Self {
+            origin: ray.origin,
+            shear: Shear::new(ray.direction),
+            slabs: Slabs::new(ray.origin, ray.direction, bounds),
+            t_min: ray.t_min,
+            // An infinite parameter is a miss.
+            t_max: ray.t_max.min(f32::MAX),
+            floor: f32::NEG_INFINITY,
+        }
+    }
+
+    /// The same ray in the frame of a placed instance whose box it enters at `floor`.
+    #[inline(always)]
+    pub(crate) fn placed(ray: &Ray, instance: &Instance, bounds: &Aabb, floor: f32) -> Self {
+        Self { floor, ..Self::new(&ray.in_object(instance), bounds) }
+    }
+}
+
+impl Ray {
+    /// The ray in an instance's own frame; its parameter stays the same.
+    #[inline(always)]
+    pub(crate) fn in_object(&self, instance: &Instance) -> Self {
+        let origin = instance.to_object.transform_point3(self.origin.as_dvec3()).as_vec3();
+        let direction = instance.to_object.transform_vector3(self.direction.as_dvec3()).as_vec3();
+        Self { origin, direction, ..*self }
+    }
+}
+
+/// What a ray is looking for and what it has found.
+pub(crate) struct Search<'a, F> {
+    /// In scene space.
+    pub(crate) ray: &'a Ray,
+    pub(crate) filter: &'a F,
+    pub(crate) best: Hit,
+    /// Any hit ends the search.
+    pub(crate) any: bool,
+}
+
+impl<F: Filter> Search<'_, F> {
+    #[inline(always)]
+    pub(crate) fn is_done(&self) -> bool {
+        self.any && !self.best.is_miss()
+    }
+}
+
+/// Walks one set of instances; `first` is its first instance's number.
+#[inline(always)]
+pub(crate) fn walk_set<I: Isa, F: Filter>(isa: I, set: &InstanceSet, first: u32, search: &mut Search<'_, F>) {
+    let Some(tlas) = set.tlas() else { return };
+    let instances = set.instances();
+    let local = Local::new(search.ray, &tlas.bounds);
+    if let [instance] = instances
+        && instance.in_place
+    {
+        if let Some(bvh) = instance.mesh.bvh() {
+            walk_mesh(isa, bvh, &local, first, search);
+        }
+        return;
+    }
+    walk(isa, &tlas.wide, &local, search, &Instances { tlas, instances, first });
+}
+
+/// What to do at a leaf. A trait and no closure, because only what is surely inlined gets the caller's instructions.
+trait Leaves<I, F> {
+    fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_, F>);
+}
+
+struct Instances<'a> {
+    tlas: &'a Tlas,
+    instances: &'a [Instance],
+    first: u32,
+}
+
+impl<I: Isa, F: Filter> Leaves<I, F> for Instances<'_> {
+    #[inline(always)]
+    fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_, F>) {
+        let slot = self.tlas.instance(leaf);
+        let instance = &self.instances[slot as usize];
+        let Some(bvh) = instance.mesh.bvh() else { return };
+        if instance.in_place {
+            walk_mesh(isa, bvh, local, self.first + slot, search);
+        } else if let Some(floor) = enter(local, &instance.bounds) {
+            let placed = Local::placed(search.ray, instance, &bvh.bounds, floor);
+            walk_mesh(isa, bvh, &placed, self.first + slot, search);
+        }
+    }
+}
+
+struct Triangles<'a> {
+    bvh: &'a Bvh,
+    instance: u32,
+}
+
+impl<I: Isa, F: Filter> Leaves<I, F> for Triangles<'_> {
+    #[inline(always)]
+    fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_, F>) {
+        for block in &self.bvh.blocks[leaf_blocks(leaf)] {
+            test_block(isa, block, local, self.instance, search);
+        }
+    }
+}
+
+/// Where a ray enters a box, if it does within its segment.
+#[inline(always)]
+pub(crate) fn enter(local: &Local, bounds: &Aabb) -> Option<f32> {
+    let (near, far) = local.slabs.enter_leave(bounds);
+    (near <= far && near <= local.t_max && local.t_min <= far).then_some(near)
+}
+
+/// Walks one mesh.
+#[inline(always)]
+pub(crate) fn walk_mesh<I: Isa, F: Filter>(
+    isa: I,
+    bvh: &Bvh,
+    local: &Local,
+    instance: u32,
+    search: &mut Search<'_, F>,
+) {
+    walk(isa, &bvh.wide, local, search, &Triangles { bvh, instance });
+}
+
+/// Stacks up to this size need no allocation.
+const LOCAL_STACK: usize = 256;
+
+/// Visits leaves whose boxes the ray meets within its segment and no later than the best hit, the nearest first.
+#[inline(always)]
+fn walk<I: Isa, F: Filter>(isa: I, tree: &Wide, local: &Local, search: &mut Search<'_, F>, leaves: &impl Leaves<I, F>) {
+    if tree.nodes.is_empty() {
+        return;
+    }
+    let mut array = [const { MaybeUninit::<(f32, u32)>::uninit() }; LOCAL_STACK];
+    let mut heap;
+    let stack = if tree.stack <= LOCAL_STACK {
+        &mut array[..]
+    } else {
+        heap = Box::new_uninit_slice(tree.stack);
+        &mut heap[..]
+    };
+    stack[0].write((f32::NEG_INFINITY, 0));
+    let mut size = 1;
+    while size > 0 {
+        size -= 1;
+        // SAFETY: all entries below the former `size` have been written.
+        let (near, mut reference) = unsafe { stack[size].assume_init() };
+        if near > search.best.t {
+            continue;
+        }
+        while reference & LEAF == 0 {
+            let node = &tree.nodes[reference as usize];
+            let (near, far) = local.slabs.intersect_node(isa, node);
+            let near = near.max(I::Eight::splat(isa, local.t_min));
+            let limit = if search.best.t < local.t_max { search.best.t } else { local.t_max };
+            let mut mask = near.le(far.min(I::Eight::splat(isa, limit)));
+            if mask == 0 {
+                break;
+            }
+            let slot = mask.trailing_zeros() as usize;
+            mask &= mask - 1;
+            if mask == 0 {
+                reference = node.children[slot];
+                continue;
+            }
+            let mut distances = [0.0; WIDTH];
+            near.store(&mut distances);
+            // The nearest goes on; the others are kept in order, the nearer ones on top.
+            let mut nearest = (distances[slot], node.children[slot]);
+            let base = size;
+            while mask != 0 {
+                let slot = mask.trailing_zeros() as usize;
+                mask &= mask - 1;
+                let mut entry = (distances[slot], node.children[slot]);
+                if entry.0 < nearest.0 {
+                    std::mem::swap(&mut entry, &mut nearest);
+                }
+                let mut at = size;
+                while at > base {
+                    // SAFETY: written by this loop: `base <= at - 1 < size`.
+                    let below = unsafe { stack[at - 1].assume_init() };
+                    if below.0 >= entry.0 {
+                        break;
+                    }
+                    stack[at].write(below);
+                    at -= 1;
+                }
+                stack[at].write(entry);
+                size += 1;
+            }
+            reference = nearest.1;
+        }
+        if reference & LEAF != 0 {
+            leaves.visit(isa, reference, local, search);
+            if search.is_done() {
+                return;
+            }
+        }
+    }
+}
+
+/// One ray against the triangles of a block.
+#[inline(always)]
+fn test_block<I: Isa, F: Filter>(isa: I, block: &Block, local: &Local, instance: u32, search: &mut Search<'_, F>) {
+    type Four<I> = <I as Isa>::Four;
+    let corners = [gather(isa, block, local, 0), gather(isa, block, local, 1), gather(isa, block, local, 2)];
+    let [sx, sy, sz] = local.shear.scale;
+    let scale = [Four::<I>::splat(isa, sx), Four::<I>::splat(isa, sy), Four::<I>::splat(isa, sz)];
+    let Some(found) = triangle::intersect(isa, corners, scale, 0b1111) else { return };
+    let (mut first, mut last) = (scale, scale);
+    for axis in 0..3 {
+        let a = Four::<I>::load(isa, &block.corners[0][axis]);
+        let b = Four::<I>::load(isa, &block.corners[1][axis]);
+        let c = Four::<I>::load(isa, &block.corners[2][axis]);
+        (first[axis], last[axis]) = (a.min(b).min(c), a.max(b).max(c));
+        if local.slabs.first[axis] & 1 == 1 {
+            (first[axis], last[axis]) = (last[axis], first[axis]);
+        }
+    }
+    let (near, far) = local.slabs.intersect(isa, first, last);
+    let (t_min, t_max) = (Four::<I>::splat(isa, local.t_min), Four::<I>::splat(isa, local.t_max));
+    let t = found.t.max(near).max(Four::<I>::splat(isa, local.floor));
+    let limit = Four::<I>::splat(isa, search.best.t);
+    let inside = near.le(far) & t_min.le(far) & t_min.le(t) & t.le(t_max) & t.le(limit);
+    let mut mask = found.mask & inside;
+    if mask == 0 {
+        return;
+    }
+    let mut lanes = [[0.0; 4]; 3];
+    t.store(&mut lanes[0]);
+    found.u.store(&mut lanes[1]);
+    found.v.store(&mut lanes[2]);
+    while mask != 0 {
+        let lane = mask.trailing_zeros() as usize;
+        mask &= mask - 1;
+        let [t, u, v] = lanes.map(|row| row[lane]);
+        let candidate = Hit { t, u, v, instance, face: block.faces[lane] };
+        if candidate.is_before(&search.best) && search.filter.accepts(search.ray, &candidate) {
+            search.best = candidate;
+        }
+    }
+}
+
+/// A corner of the triangles of a block relative to the origin, its axes in the shear's order.
+#[inline(always)]
+fn gather<I: Isa>(isa: I, block: &Block, local: &Local, corner: usize) -> [I::Four; 3] {
+    let rows = &block.corners[corner];
+    let [x, y, z] = local.shear.axes;
+    let x = I::Four::load(isa, &rows[x]).sub(I::Four::splat(isa, local.origin[x]));
+    let y = I::Four::load(isa, &rows[y]).sub(I::Four::splat(isa, local.origin[y]));
+    let z = I::Four::load(isa, &rows[z]).sub(I::Four::splat(isa, local.origin[z]));
+    [x, y, z]
+}

@@ -1,0 +1,57 @@
+//! Bindings of `trace`.
+
+use nearfar_core::trace::{Points, cast};
+use numpy::{IntoPyArray, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::run;
+use crate::scene::Scene;
+
+/// C-contiguous (N, 3) in either precision.
+#[derive(FromPyObject)]
+enum PointsArgument<'py> {
+    Single(PyReadonlyArray2<'py, f32>),
+    Double(PyReadonlyArray2<'py, f64>),
+}
+
+impl PointsArgument<'_> {
+    fn rows(&self) -> PyResult<Points<'_>> {
+        fn rows<'a, T: numpy::Element>(array: &'a PyReadonlyArray2<'_, T>) -> PyResult<&'a [[T; 3]]> {
+            if !array.is_c_contiguous() || array.shape()[1] != 3 {
+                return Err(PyValueError::new_err("expected a C-contiguous array of rows of 3"));
+            }
+            Ok(array.as_slice()?.as_chunks().0)
+        }
+        match self {
+            Self::Single(array) => rows(array).map(Points::Single),
+            Self::Double(array) => rows(array).map(Points::Double),
+        }
+    }
+}
+
+type Hits<'py> =
+    (Bound<'py, PyArray1<f32>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<i32>>, Bound<'py, PyArray2<f32>>);
+
+/// Distance, triangle, object and weights of the nearest hits.
+#[pyfunction]
+#[pyo3(signature = (scene, origins, directions, t_max, report=None))]
+fn cast_rays<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    origins: PointsArgument<'py>,
+    directions: PointsArgument<'py>,
+    t_max: f32,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Hits<'py>> {
+    let (origins, directions) = (origins.rows()?, directions.rows()?);
+    let hits = run::long(py, report, |progress| cast(&scene.0, origins, directions, t_max, progress))?;
+    let rows = hits.barycentric.len();
+    let weights = hits.barycentric.into_flattened().into_pyarray(py).reshape([rows, 2])?;
+    Ok((hits.t_hit.into_pyarray(py), hits.triangle_index.into_pyarray(py), hits.object_id.into_pyarray(py), weights))
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(cast_rays, module)?)
+}
