@@ -10,6 +10,7 @@ from nearfar._morph import morph
 from nearfar._partition import Partition, partition, triangle_radii
 from nearfar._render import render
 from nearfar._scene import Scene
+from nearfar._trace import Hits, cast_rays
 from nearfar._version import __version__
 
 __all__ = [
@@ -20,12 +21,14 @@ __all__ = [
     "FormatError",
     "Fov",
     "Frame",
+    "Hits",
     "LoadCurve",
     "Orthographic",
     "Partition",
     "Scene",
     "SceneError",
     "__version__",
+    "cast_rays",
     "cube_lookup",
     "datasets",
     "load_curve",

@@ -98,6 +98,17 @@ class Camera:
     def project(self, points: NDArray[np.float64]) -> NDArray[np.float64]: ...
     def rays(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
 
+# trace --------------------------------------------------------------------------------------------------------------
+def cast_rays(
+    scene: Scene,
+    origins: NDArray[np.float32 | np.float64],
+    directions: NDArray[np.float32 | np.float64],
+    t_max: float,
+    report: _Report | None = None,
+) -> tuple[NDArray[np.float32], NDArray[np.int64], NDArray[np.int32], NDArray[np.float32]]: ...
+def instruction_sets() -> list[str]: ...
+def use_instruction_set(name: str) -> None: ...
+
 # partition ----------------------------------------------------------------------------------------------------------
 def triangle_radii(
     vertices: NDArray[np.float32] | NDArray[np.float64],

@@ -1,11 +1,11 @@
 //! Bindings of `trace`.
 
-use nearfar_core::trace::{Points, cast};
-use numpy::{IntoPyArray, PyUntypedArrayMethods};
-use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
+use nearfar_core::trace::{self, Points, cast};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+use crate::errors::to_python;
 use crate::run;
 use crate::scene::Scene;
 
@@ -52,6 +52,20 @@ fn cast_rays<'py>(
     Ok((hits.t_hit.into_pyarray(py), hits.triangle_index.into_pyarray(py), hits.object_id.into_pyarray(py), weights))
 }
 
+/// Names of the instruction sets that tracing can use here, the best last.
+#[pyfunction]
+fn instruction_sets() -> Vec<&'static str> {
+    trace::instruction_sets()
+}
+
+/// Chooses one for this process; for tests and timing.
+#[pyfunction]
+fn use_instruction_set(name: &str) -> PyResult<()> {
+    trace::use_instruction_set(name).map_err(to_python)
+}
+
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(cast_rays, module)?)
+    module.add_function(wrap_pyfunction!(cast_rays, module)?)?;
+    module.add_function(wrap_pyfunction!(instruction_sets, module)?)?;
+    module.add_function(wrap_pyfunction!(use_instruction_set, module)?)
 }

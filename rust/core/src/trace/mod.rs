@@ -19,6 +19,7 @@ use lanes::Level;
 
 pub use alpha::AlphaFilter;
 pub use cast::{Hits, Points, cast};
+pub use lanes::{instruction_sets, use_instruction_set};
 
 /// A segment of a ray in scene space. The direction needs no particular length; `t` is in units of it.
 #[derive(Clone, Copy, Debug)]

@@ -8,15 +8,13 @@ mod array;
 mod x86;
 
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::base::{Error, Result};
 
 pub(crate) use array::Portable;
 #[cfg(target_arch = "x86_64")]
 pub(crate) use x86::{Avx2, Avx512};
-
-/// Environment variable that chooses an instruction set.
-const VARIABLE: &str = "NEARFAR_SIMD";
 
 /// An instruction set. A value of this type proves that the processor has it.
 pub(crate) trait Isa: Copy {
@@ -88,7 +86,7 @@ impl Level {
         levels
     }
 
-    /// Its name in the environment variable.
+    /// Its public name.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Portable => "portable",
@@ -99,37 +97,32 @@ impl Level {
         }
     }
 
-    /// The best one, or the one that the environment names; looked up once. A wrong name is reported by `check`.
+    /// The best one, or the one that was chosen.
     #[inline]
     pub(crate) fn current() -> Self {
-        match Self::chosen() {
-            Ok(level) => *level,
-            Err(_) => Self::Portable,
-        }
+        let levels = LEVELS.get_or_init(Self::available);
+        let chosen = levels.get(CHOSEN.load(Ordering::Relaxed)).or(levels.last());
+        chosen.copied().unwrap_or(Self::Portable)
     }
+}
 
-    /// Fails where the environment names an instruction set that there is not.
-    pub(crate) fn check() -> Result<()> {
-        Self::chosen().as_ref().map(drop).map_err(Error::clone)
-    }
+static LEVELS: OnceLock<Vec<Level>> = OnceLock::new();
+/// Position in `LEVELS`; beyond the end stands for the best.
+static CHOSEN: AtomicUsize = AtomicUsize::new(usize::MAX);
 
-    fn chosen() -> &'static Result<Self> {
-        static CHOSEN: OnceLock<Result<Level>> = OnceLock::new();
-        CHOSEN.get_or_init(|| Self::requested(std::env::var(VARIABLE).ok().as_deref()))
-    }
+/// Names of the instruction sets that this processor has kernels for, the best last.
+pub fn instruction_sets() -> Vec<&'static str> {
+    LEVELS.get_or_init(Level::available).iter().map(|level| level.name()).collect()
+}
 
-    fn requested(name: Option<&str>) -> Result<Self> {
-        let levels = Self::available();
-        let names = || levels.iter().map(|level| level.name()).collect::<Vec<_>>().join(", ");
-        match name.map(str::trim) {
-            None | Some("") => Ok(levels.last().copied().unwrap_or(Self::Portable)),
-            Some(name) => levels
-                .iter()
-                .copied()
-                .find(|level| level.name() == name)
-                .ok_or_else(|| Error::value(VARIABLE, format!("one of {}", names()), format!("'{name}'"))),
-        }
-    }
+/// Makes all tracing of this process use one of them. The answers are the same bits; this is for tests and timing.
+pub fn use_instruction_set(name: &str) -> Result<()> {
+    let names = instruction_sets();
+    let Some(found) = names.iter().position(|&known| known == name) else {
+        return Err(Error::value("name", format!("one of {}", names.join(", ")), format!("'{name}'")));
+    };
+    CHOSEN.store(found, Ordering::Relaxed);
+    Ok(())
 }
 
 #[cfg(test)]

@@ -1,0 +1,97 @@
+"""Rays of the user's own."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _check, _core, _progress
+from nearfar._scene import Scene
+
+
+@dataclass(frozen=True, eq=False)
+class Hits:
+    """Where N rays meet a scene."""
+
+    t_hit: NDArray[np.float32]
+    """(N,) distance from the ray's origin, metres; +inf for a miss."""
+    triangle_index: NDArray[np.int64]
+    """(N,) triangle, as `Scene.triangles` numbers them; −1 for a miss."""
+    object_id: NDArray[np.int32]
+    """(N,) object, a place in `Scene.object_names`; −1 for a miss."""
+    barycentric: NDArray[np.float32]
+    """(N, 2) weights of the triangle's second and third corner; NaN for a miss."""
+    _origins: NDArray[np.float32 | np.float64] = field(repr=False)
+    _directions: NDArray[np.float32 | np.float64] = field(repr=False)
+
+    def __len__(self) -> int:
+        """Return the number of rays."""
+        return len(self.t_hit)
+
+    @property
+    def hit(self) -> NDArray[np.bool_]:
+        """(N,) whether anything was hit."""
+        return self.triangle_index >= 0
+
+    @property
+    def position(self) -> NDArray[np.float64]:
+        """(N, 3) world positions of the hits, metres; NaN for a miss. Computed anew at each access."""
+        directions = self._directions.astype(np.float64)
+        # Scaled by the largest component first: squares of very long or short directions leave float64's range.
+        with np.errstate(invalid="ignore"):
+            directions /= np.abs(directions).max(axis=1, keepdims=True)
+            directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+            t = np.where(self.hit, self.t_hit, np.float32(np.nan)).astype(np.float64)
+            return np.asarray(self._origins + t[:, None] * directions, np.float64)
+
+
+def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max: float = np.inf) -> Hits:
+    """Find the nearest triangle along each ray.
+
+    No ray slips through an edge or vertex that triangles of one mesh share, both sides of a triangle are hit, and
+    where several are hit at the same distance the lowest triangle number is reported. Parts that a cut-out material's
+    alpha leaves open let rays pass. Neighbouring rays that point the same way are traced together: give them in an
+    order in which neighbours are close, such as pixels row by row or tile by tile.
+
+    Parameters
+    ----------
+    scene
+        What is hit. Its search tree is built by the first call and kept.
+    origins
+        (3,) for all rays or (N, 3), world positions, metres. They are taken relative to `scene.origin` in float64
+        and rounded to float32 then.
+    directions
+        (N, 3) of any length above 0; t is in metres whatever the length.
+    t_max
+        Hits beyond this are ignored, metres.
+
+    Returns
+    -------
+    Hits
+        The same bytes for any number of threads and on any processor.
+
+    Raises
+    ------
+    ValueError
+        For other shapes, coordinates that are not finite, and directions of length 0: says how many and the first.
+    TypeError
+        For values that are not numbers.
+
+    References
+    ----------
+    Woop, Benthin, Wald (2013): Watertight ray/triangle intersection. JCGT 2(1).
+    Meister, Bittner (2018): Parallel locally-ordered clustering for bounding volume hierarchy construction.
+    """
+    if not isinstance(scene, Scene):
+        raise TypeError(f"scene: expected a Scene, got {type(scene).__name__}")
+    rays = _check.array("directions", directions)
+    starts = np.asarray(origins)
+    starts = _check.array("origins", starts[None] if starts.shape == (3,) else starts)
+    if len(starts) != len(rays) and np.ndim(origins) != 1:
+        raise ValueError(f"origins: expected shape (3,) or {rays.shape} as directions has, got {starts.shape}")
+    limit = float(np.inf) if t_max == np.inf else _check.positive("t_max", t_max)
+    with _progress.bar("casting rays") as report:
+        t_hit, triangle_index, object_id, barycentric = _core.cast_rays(scene._core, starts, rays, limit, report)
+    return Hits(t_hit, triangle_index, object_id, barycentric, starts, rays)
