@@ -44,6 +44,12 @@ def _pyrender() -> str:
     return f"pyrender finds no off-screen OpenGL ({', '.join(platforms)}); see scripts/system-packages.sh"
 
 
+def _release() -> str:
+    """A wheel of a tree without a release build would compile everything within a test."""
+    folder = Path(os.environ.get("CARGO_TARGET_DIR", Path(__file__).resolve().parent.parent / "target")) / "release"
+    return "" if any(folder.glob("*_core.*")) else "there is no release build; `make setup` makes one"
+
+
 PARTS: dict[str, Callable[[], str]] = {
     "cv2": _module("cv2"),
     "data": _data_folder,
@@ -52,6 +58,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "matplotlib": _module("matplotlib"),
     "notebook": lambda: _module("nbclient")() or _module("ipykernel")(),
     "pyrender": _pyrender,
+    "release": _release,
     "scipy": _module("scipy"),
     "skimage": _module("skimage"),
     "tokyo": _tokyo,

@@ -19,6 +19,7 @@ import pytest
 from packaging.requirements import Requirement
 
 import nearfar as nf
+from support import need
 
 CHECKOUT = Path(__file__).resolve().parent.parent
 BACKEND = CHECKOUT / "scripts" / "nearfar_build.py"
@@ -41,6 +42,7 @@ def run(*command: str | Path, **environment: str) -> subprocess.CompletedProcess
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Built from the tree with the environment's maturin: the release build is there, so this only packs."""
+    need("release")
     folder = tmp_path_factory.mktemp("wheel")
     done = run(
         *(sys.executable, "-m", "pip", "wheel", "--no-deps", "--no-build-isolation", "--no-index"),

@@ -1,0 +1,29 @@
+"""Runs the notebooks and keeps them with their pictures: `python scripts/notebooks.py [FOLDER] [NAME ...]`."""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+
+import nbformat
+from nbclient import NotebookClient
+
+CHECKOUT = Path(__file__).resolve().parent.parent
+
+
+def main() -> None:
+    """Run notebooks/*.ipynb, or those named, in their order; the first that fails ends it with its error."""
+    folder = Path(sys.argv[1] if len(sys.argv) > 1 else "out/notebooks")
+    folder.mkdir(parents=True, exist_ok=True)
+    every = sorted((CHECKOUT / "notebooks").glob("*.ipynb"))
+    for path in [path for path in every if path.stem in sys.argv[2:]] or every:
+        started = time.perf_counter()
+        notebook = nbformat.read(path, as_version=4)
+        NotebookClient(notebook, timeout=600, kernel_name="python3").execute()
+        nbformat.write(notebook, folder / path.name)
+        print(f"{folder / path.name}: {time.perf_counter() - started:.0f} s", flush=True)
+
+
+if __name__ == "__main__":
+    main()
