@@ -52,6 +52,7 @@ pub fn encode(parts: &[Part]) -> base::Result<Vec<u8>> {
 
 /// The parts of a file. Attributes that are not texts are left out.
 pub fn decode(bytes: &[u8]) -> base::Result<Vec<Part>> {
+    check_size(bytes)?;
     let image = read()
         .no_deep_data()
         .largest_resolution_level()
@@ -60,8 +61,34 @@ pub fn decode(bytes: &[u8]) -> base::Result<Vec<Part>> {
         .all_attributes()
         .non_parallel()
         .from_buffered(Cursor::new(bytes))
-        .map_err(|error| base::Error::Format(format!("no readable OpenEXR image: {error}")))?;
+        .map_err(unreadable)?;
     Ok(image.layer_data.into_iter().map(part).collect())
+}
+
+/// Refuses headers that promise more than their file can hold, before memory is asked for.
+fn check_size(bytes: &[u8]) -> base::Result<()> {
+    /// Deflate's best is 1032 : 1, and half a file may be headers.
+    const MOST_EXPANSION: u128 = 1100;
+    let meta = MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(unreadable)?;
+    let promised: u128 = meta
+        .headers
+        .iter()
+        .map(|header| {
+            let pixels = header.layer_size.width() as u128 * header.layer_size.height() as u128;
+            pixels * header.channels.bytes_per_pixel as u128
+        })
+        .sum();
+    if promised > bytes.len() as u128 * MOST_EXPANSION {
+        return Err(base::Error::Format(format!(
+            "no readable OpenEXR image: {} bytes cannot hold the {promised} bytes that its header promises",
+            bytes.len()
+        )));
+    }
+    Ok(())
+}
+
+fn unreadable(error: impl std::fmt::Display) -> base::Error {
+    base::Error::Format(format!("no readable OpenEXR image: {error}"))
 }
 
 fn layer(part: &Part) -> base::Result<Layer<AnyChannels<FlatSamples>>> {
@@ -172,5 +199,22 @@ mod tests {
         short.height = 9;
         assert!(encode(&[short]).is_err());
         assert!(encode(&[example("twice", 2, 2), example("twice", 2, 2)]).is_err());
+    }
+
+    #[test]
+    fn damaged_files_neither_panic_nor_ask_for_much_memory() {
+        let good = encode(&[example("a", 16, 20)]).unwrap();
+        for round in 0..2000 {
+            let mut bytes = good.clone();
+            for flip in 0..3 {
+                let draw = crate::base::random::bits(1, round, flip);
+                // Every other round hits the header, where sizes are.
+                let reach = if round % 2 == 0 { 400.min(bytes.len()) } else { bytes.len() };
+                bytes[draw as usize % reach] = (draw >> 40) as u8;
+            }
+            if let Ok(parts) = decode(&bytes) {
+                assert!(parts.iter().map(|part| part.width * part.height).sum::<usize>() < 1 << 22);
+            }
+        }
     }
 }
