@@ -3,6 +3,8 @@
 //! Popescu, Lee, Choi, Fahmy: the continuous near–far partitioning of 2022, Eq. 1–3 (`Kind::Blend`); and the same
 //! group's CloVR of 2024, Alg. 1 (`Kind::Cylinder`), whose printed w lacks the brackets.
 
+mod blend;
+mod cylinder;
 mod stream;
 #[cfg(test)]
 mod tests;

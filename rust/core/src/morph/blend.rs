@@ -1,0 +1,149 @@
+//! The block kernel of `Kind::Blend`: a form of Eq. 1–3 in the points' own precision that adds a small shift to each.
+//!
+//! With A = |P−U|, B = |P−O|, v = U−O, e = (A−B)², h = w(1−w)/(AB) and n² = 1 − h(|v|²−e) (the squared length of the
+//! blend of both directions), Q = P + α (P−O) + β v, where α = h(e + (|v|²−e)/(1+n))/n and
+//! β = 1 − w(w + (1−w)B/A)/n.
+//!
+//! Both terms are of the size of |v|, so that rounding is relative to the user's offset, not to the distance. Points
+//! near a radius, near the user or near opposition leave n or the choice of zone in doubt.
+
+use super::Morph;
+use super::stream::{BLOCK, Lanes, Real, gather, scatter};
+
+/// A float32 weight w loses a factor r₂/(r₂−r₁) of its digits: beyond this everything is done in float64.
+const STEEPEST: f64 = 16.0;
+
+/// True where the kernel may be used: lengths neither overflow nor lose digits.
+pub(super) fn applies<T: Real>(morph: &Morph) -> bool {
+    let [least, greatest] = T::LENGTHS;
+    let in_range = morph.r2 > least && morph.r2 < greatest && morph.offset.length() < greatest;
+    // Two float32 numbers hold O to 2⁻⁴⁸ of its size, which must stay far below the doubt about the inner radius.
+    let in_range = in_range && morph.center.length() < 1e6 * if morph.r1 > 0.0 { morph.r1 } else { morph.r2 };
+    in_range && morph.r2 < STEEPEST * (morph.r2 - morph.r1)
+}
+
+/// What a block needs, in the precision of the points.
+pub(super) struct Constants<T> {
+    /// O as the sum of two numbers: float32 alone would be off by metres at 10⁷ m.
+    center: [[T; 3]; 2],
+    offset: [T; 3],
+    offset_squared: T,
+    offset_wide: [f64; 3],
+    r2: T,
+    /// 1 / (r₂−r₁).
+    slope: T,
+    /// Squared radii, each lowered and raised by what the points' own rounding leaves in doubt.
+    inner: [T; 2],
+    outer: [T; 2],
+}
+
+impl<T: Real> Constants<T> {
+    pub(super) fn new(morph: &Morph) -> Self {
+        let high: [T; 3] = morph.center.to_array().map(T::narrow);
+        let low = std::array::from_fn(|i| T::narrow(morph.center[i] - high[i].wide()));
+        let around = |r: f64| [T::narrow(r * r * (1.0 - T::DOUBT)), T::narrow(r * r * (1.0 + T::DOUBT))];
+        Self {
+            center: [high, low],
+            offset: morph.offset.to_array().map(T::narrow),
+            offset_squared: T::narrow(morph.offset.length_squared()),
+            offset_wide: morph.offset.to_array(),
+            r2: T::narrow(morph.r2),
+            slope: T::narrow(1.0 / (morph.r2 - morph.r1)),
+            inner: around(morph.r1),
+            outer: around(morph.r2),
+        }
+    }
+}
+
+/// Morphs a block; one bit for each point whose answer is in doubt.
+#[inline(always)]
+pub(super) fn block<T: Real>(c: &Constants<T>, points: &[[T; 3]; BLOCK], shown: &mut [[T; 3]; BLOCK]) -> u64 {
+    let given = gather(points);
+    let mut from_center: Lanes<T> = [[T::ZERO; BLOCK]; 3];
+    for axis in 0..3 {
+        for i in 0..BLOCK {
+            from_center[axis][i] = given[axis][i] - c.center[0][axis] - c.center[1][axis];
+        }
+    }
+    let mut rho_squared = [T::ZERO; BLOCK];
+    let (mut inside, mut outside) = (0u32, 0u32);
+    for i in 0..BLOCK {
+        let (x, z) = (from_center[0][i], from_center[2][i]);
+        let square = x * x + z * z;
+        inside += u32::from(square <= c.inner[0]);
+        outside += u32::from(square >= c.outer[1]);
+        rho_squared[i] = square;
+    }
+    if inside as usize == BLOCK {
+        *shown = *points;
+        return 0;
+    }
+    let mut moved: Lanes<T> = [[T::ZERO; BLOCK]; 3];
+    for axis in 0..3 {
+        for i in 0..BLOCK {
+            moved[axis][i] = T::narrow(given[axis][i].wide() + c.offset_wide[axis]);
+        }
+    }
+    let mut doubts = 0;
+    if (outside as usize) < BLOCK {
+        doubts = blend(c, &given, &from_center, &rho_squared, &mut moved);
+    }
+    scatter(&moved, shown);
+    doubts
+}
+
+/// Replaces the shifted points of a block by the given or the blended ones where these hold.
+#[inline(always)]
+fn blend<T: Real>(
+    c: &Constants<T>,
+    given: &Lanes<T>,
+    from_center: &Lanes<T>,
+    rho_squared: &[T; BLOCK],
+    moved: &mut Lanes<T>,
+) -> u64 {
+    let (mut alpha, mut beta, mut certain) = ([T::ZERO; BLOCK], [T::ZERO; BLOCK], [T::ZERO; BLOCK]);
+    for i in 0..BLOCK {
+        let (x, y, z) = (from_center[0][i], from_center[1][i], from_center[2][i]);
+        let (ax, ay, az) = (x - c.offset[0], y - c.offset[1], z - c.offset[2]);
+        let a_squared = ax * ax + ay * ay + az * az;
+        let b_squared = x * x + y * y + z * z;
+        let (a, b) = (a_squared.root(), b_squared.root());
+        let (sum, product) = (a + b, a * b);
+        // One division gives both 1/(A+B) and 1/(AB); a height whose square overflows leaves 0.
+        let both = T::ONE / (sum * product);
+        let along = x * c.offset[0] + y * c.offset[1] + z * c.offset[2];
+        let difference = (c.offset_squared - along - along) * (product * both);
+        let inverse_product = sum * both;
+        let e = difference * difference;
+        let turn = c.offset_squared - e;
+        let w = (c.r2 - rho_squared[i].root()) * c.slope;
+        let h = w * (T::ONE - w) * inverse_product;
+        let n = (T::ONE - h * turn).root();
+        // One division gives both 1/n and 1/(n(1+n)).
+        let inverse = T::ONE / (n * (T::ONE + n));
+        alpha[i] = h * (e * (T::ONE + n) + turn) * inverse;
+        beta[i] = T::ONE - w * (w + (T::ONE - w) * b_squared * inverse_product) * (T::ONE + n) * inverse;
+        let is_clear = (c.offset_squared <= product) & (both > T::ZERO);
+        certain[i] = if is_clear { T::ONE } else { T::ZERO };
+    }
+    for axis in 0..3 {
+        for i in 0..BLOCK {
+            let point = given[axis][i];
+            let blended = point + (alpha[i] * from_center[axis][i] + beta[i] * c.offset[axis]);
+            let moving = if rho_squared[i] >= c.outer[1] { moved[axis][i] } else { blended };
+            moved[axis][i] = if rho_squared[i] <= c.inner[0] { point } else { moving };
+        }
+    }
+    let mut doubtful = [false; BLOCK];
+    let mut count = 0u32;
+    for i in 0..BLOCK {
+        let square = rho_squared[i];
+        let is_between = (square > c.inner[1]) & (square < c.outer[0]) & (certain[i] > T::ZERO);
+        doubtful[i] = !((square <= c.inner[0]) | (square >= c.outer[1]) | is_between);
+        count += u32::from(doubtful[i]);
+    }
+    if count == 0 {
+        return 0;
+    }
+    doubtful.iter().enumerate().fold(0, |doubts, (i, &doubtful)| doubts | u64::from(doubtful) << i)
+}
