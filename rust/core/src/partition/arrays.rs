@@ -66,7 +66,15 @@ fn fill<T: Coordinate>(triangles: &impl Triangles<T>, axis: [f64; 2], radii: &mu
 impl Partition {
     /// Numbers of the triangles of a set, ascending.
     pub fn triangles(&self, part: Part) -> Vec<i64> {
-        let mut numbers = Vec::new();
+        let counts = self.counts();
+        let count = match part {
+            Part::Near => counts.near,
+            Part::Intermediate => counts.intermediate,
+            Part::Far => counts.far,
+            Part::Nsf => counts.nsf,
+            Part::Sf => counts.sf,
+        };
+        let mut numbers = Vec::with_capacity(count as usize);
         for (instance, class) in self.classes().iter().enumerate() {
             let offset = self.scene().triangle_offset(instance as u32);
             let count = self.scene().instance(instance as u32).mesh.faces.len() as u32;

@@ -1,0 +1,33 @@
+"""The whole of Tokyo as arrays, made once by the tool beside the data and kept in nearfar's cache."""
+
+from __future__ import annotations
+
+import importlib.util
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _cache, _data
+
+
+def whole() -> tuple[NDArray[np.float32], NDArray[np.uint32]] | None:
+    """Vertices and faces of 29.8 million triangles, or None without the tool. The first time takes a minute."""
+    root = _data.root()
+    tool = None if root is None else root.parent / "tools" / "tokyo.py"
+    if tool is None or not tool.is_file():
+        return None
+    stored = np.load(_cache.get_or_make(_cache.key("benchmark tokyo", 1), ".npz", lambda path: _make(tool, path)))
+    return stored["vertices"], stored["faces"]
+
+
+def _make(tool: Path, path: Path) -> None:
+    spec = importlib.util.spec_from_file_location("tokyo", tool)
+    if spec is None or spec.loader is None:
+        raise ImportError(f"{tool}: expected a Python module")
+    module: Any = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    vertices, faces, _building = module.mesh()
+    with path.open("wb") as file:
+        np.savez(file, vertices=vertices, faces=faces)
