@@ -9,7 +9,8 @@ use crate::scene::{Aabb, Instance};
 
 /// Faces of one task.
 const TILE: usize = 1 << 15;
-/// Twice the relative error of a radius rounded to float32: what a box decides with this margin, every triangle in it agrees with.
+/// Twice the relative error of a radius rounded to float32: what a box decides with this margin, all its triangles
+/// agree with.
 const MARGIN: f64 = 1.0 / (1u64 << 23) as f64;
 
 /// Both radii about an axis, with the thresholds that spare most of the work.
@@ -33,7 +34,7 @@ impl Ruler {
 
     /// The class of an instance: by its box where that suffices, else by its triangles.
     pub fn classify(&self, instance: &Instance, progress: &Progress) -> Result<Class> {
-        let class = match self.class_of_box(&instance.bounds) {
+        let class = match self.class_of_box(&secure_bounds(instance)) {
             Some(class) => class,
             None => return self.mixed(instance, progress).map(Class::Mixed),
         };
@@ -142,6 +143,15 @@ impl Ruler {
             (false, false, _) => None,
         }
     }
+}
+
+/// The box of an instance, one float32 step wider where its corners are computed: box and corners may round apart.
+fn secure_bounds(instance: &Instance) -> Aabb {
+    let Aabb { min, max } = instance.bounds;
+    if instance.in_place || instance.bounds.is_empty() {
+        return instance.bounds;
+    }
+    Aabb { min: min.map(f32::next_down), max: max.map(f32::next_up) }
 }
 
 /// Faces of a tile that their vertices' codes do not show to be far.
