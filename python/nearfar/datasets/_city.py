@@ -9,12 +9,13 @@ from nearfar._scene import Scene
 from nearfar.datasets import _ground as streets
 from nearfar.datasets import _layout as layout
 from nearfar.datasets._buildings import Kind, building
-from nearfar.datasets._dressing import dress, moving_cars
+from nearfar.datasets._dressing import dress
 from nearfar.datasets._furniture import fountain
 from nearfar.datasets._layout import AVENUE, KERB, STREET, Grid, Plot
 from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import boxes
 from nearfar.datasets._stage import Stage, placements
+from nearfar.datasets._traffic import moving_cars
 
 _MOST_BLOCKS = 64
 _SEEDS = 2**63
@@ -54,12 +55,13 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2) -> Scene:
     detail = _check.integer("detail", detail, 0, 3)
     stage, grid = Stage(), Grid.of(blocks)
     stage.once(streets.ground(grid, seed, detail), "ground")
-    _buildings(stage, layout.plots(grid, seed), seed, detail)
+    built = layout.plots(grid, seed)
+    _buildings(stage, built, seed, detail)
     _parks(stage, grid, seed, detail)
     if detail >= 1:
         _paint(stage, grid)
-        dress(stage, grid, seed, detail)
-    return stage.build(dynamic=moving_cars(stage, grid, detail))
+        dress(stage, grid, built, seed, detail)
+    return stage.build(dynamic=moving_cars(stage, detail))
 
 
 def street_view() -> tuple[tuple[float, float, float], tuple[float, float, float]]:
@@ -98,7 +100,7 @@ def _parks(stage: Stage, grid: Grid, seed: int, detail: int) -> None:
                 middles.append((0.5 * (x0 + x1), 0.5 * (z0 + z1)))
             elif use == "rows" and detail >= 1:
                 z = 0.5 * (z0 + z1)
-                low = [[x, 0.0, z - 8.0] for x in (inner[0] + 0.3, inner[1] - 0.6)]
+                low = [[x, 0.0, z - 8.0] for x in (inner[0] + 0.437, inner[1] - 0.737)]
                 wall = boxes(low, np.add(low, [0.3, KERB + 2.4, 16.0]), material("brick_grey"), without="-y")
                 stage.once(wall, f"garden_wall_{block}")
     if middles:

@@ -1,8 +1,8 @@
-"""What stands along the streets and in the parks: trees, lamps, benches, parked and moving cars."""
+"""What stands along the streets and in the parks: trees, lamps, benches, parked cars."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,10 +13,19 @@ from nearfar.datasets import _vegetation as vegetation
 from nearfar.datasets import _vehicles as vehicles
 from nearfar.datasets._draw import Draw, Floats
 from nearfar.datasets._ground import FLAT
-from nearfar.datasets._layout import AVENUE, KERB, Grid
+from nearfar.datasets._layout import AVENUE, KERB, Grid, Plot
 from nearfar.datasets._shapes import Soup
 from nearfar.datasets._stage import Stage, placements
 
+_FURNITURE: dict[str, Callable[[int], Soup]] = {
+    "lamp_post": furniture.lamp_post,
+    "bench": furniture.bench,
+    "litter_bin": furniture.litter_bin,
+    "traffic_light": furniture.traffic_light,
+    "bollard": furniture.bollard,
+    "bus_stop": furniture.shelter,
+    "planter": vegetation.planter,
+}
 _TREES = 9
 _PARKED = 14
 _CLEAR = 2.2
@@ -87,19 +96,22 @@ def spread(stage: Stage, rows: Floats, prototypes: int, make: Callable[[int], So
             stage.many(make(variant), placements(*rows[mine].T), [f"{name}_{k}" for k in mine])
 
 
-def dress(stage: Stage, grid: Grid, seed: int, detail: int) -> None:
+def dress(stage: Stage, grid: Grid, built: Sequence[Plot], seed: int, detail: int) -> None:
     """Everything but buildings, ground and moving cars."""
-    trees, lamps, benches, bins, parked, lights, bollards = (Places() for _ in range(7))
+    things: dict[str, Places] = {name: Places() for name in (*_FURNITURE, "tree", "parked_car")}
     for side in sides(grid):
         draw = Draw(seed, 30, side.block, side.number)
-        _street_trees(side, trees, draw, detail)
-        _posts(side, lamps, benches, bins, draw)
-        _corner(side, lights, bollards)
-        _parked(side, parked, draw)
+        _street_trees(side, things["tree"], draw, detail)
+        _along(side, things, draw)
+        _parked(side, things["parked_car"], draw)
+    by_block: dict[int, list[Plot]] = {}
+    for plot in built:
+        by_block.setdefault(plot.block, []).append(plot)
     for j in range(grid.blocks):
         for i in range(grid.blocks):
-            _inside(grid, i, j, grid.use(i, j, seed), trees, benches, Draw(seed, 31, i, j), detail)
-    _outskirts(grid, trees, Draw(seed, 32), detail)
+            draw, use = Draw(seed, 31, i, j), grid.use(i, j, seed)
+            _inside(grid, i, j, use, by_block.get(j * grid.blocks + i, []), things, draw, detail)
+    _outskirts(grid, things["tree"], Draw(seed, 32), detail)
 
     def tree(variant: int) -> Soup:
         return vegetation.broadleaf(seed, variant, detail)
@@ -108,18 +120,12 @@ def dress(stage: Stage, grid: Grid, seed: int, detail: int) -> None:
         body = vehicles.BODIES[variant % len(vehicles.BODIES)]
         return vehicles.car(body, vehicles.PAINTS[(variant * 3 + 1) % len(vehicles.PAINTS)], detail)
 
-    spread(stage, trees.rows(clear=_CLEAR + 3.0), _TREES, tree, "tree", Draw(seed, 33))
+    spread(stage, things["tree"].rows(clear=_CLEAR + 3.0), _TREES, tree, "tree", Draw(seed, 33))
     if detail < 2:
         return
-    spread(stage, parked.rows(clear=_CLEAR + 3.0), _PARKED, parked_car, "parked_car", Draw(seed, 34))
-    for places, soup, name in (
-        (lamps, furniture.lamp_post(detail), "lamp_post"),
-        (benches, furniture.bench(detail), "bench"),
-        (bins, furniture.litter_bin(detail), "litter_bin"),
-        (lights, furniture.traffic_light(detail), "traffic_light"),
-        (bollards, furniture.bollard(detail), "bollard"),
-    ):
-        stage.many(soup, placements(*places.rows(clear=_CLEAR).T), name)
+    spread(stage, things["parked_car"].rows(clear=_CLEAR + 3.0), _PARKED, parked_car, "parked_car", Draw(seed, 34))
+    for name, make in _FURNITURE.items():
+        stage.many(make(detail), placements(*things[name].rows(clear=_CLEAR).T), name)
 
 
 def _street_trees(side: Side, trees: Places, draw: Draw, detail: int) -> None:
@@ -132,23 +138,31 @@ def _street_trees(side: Side, trees: Places, draw: Draw, detail: int) -> None:
     trees.add(x, KERB, z, draw.uniform(len(x)), draw.uniform(len(x), 0.72, 1.05))
 
 
-def _posts(side: Side, lamps: Places, benches: Places, bins: Places, draw: Draw) -> None:
-    along = np.arange(9.0, side.length - 6.0, 24.0)
-    x, z = side.at(along, 0.6)
-    lamps.add(x, KERB, z, 0.25 * side.quarter)
-    for places, inward, chance, turn in ((benches, 2.6, 0.35, 0.5), (bins, 0.8, 0.3, 0.0)):
-        spots = np.arange(17.0, side.length - 14.0, 18.0)
-        keep = draw.uniform(len(spots)) < chance
-        x, z = side.at(spots[keep], inward - (1.9 if turn else 0.0))
-        places.add(x, KERB, z, 0.25 * side.quarter + turn)
-
-
-def _corner(side: Side, lights: Places, bollards: Places) -> None:
-    """A signal at one end of each side, bollards around both ends."""
+def _along(side: Side, things: dict[str, Places], draw: Draw) -> None:
+    """Lamps, benches, bins, signals and bollards of a side; stops and planters on avenues."""
+    turn, end = 0.25 * side.quarter, side.length
+    x, z = side.at(np.arange(9.0, end - 6.0, 24.0), 0.6)
+    things["lamp_post"].add(x, KERB, z, turn)
+    # Benches turn their backs to the street.
+    for name, first, inward, chance, fraction in (
+        ("bench", 17.0, 0.75, 0.35, 0.5),
+        ("litter_bin", 23.0, 0.8, 0.5, 0.0),
+    ):
+        spots = np.arange(first, end - 14.0, 18.0)
+        spots = spots[draw.uniform(len(spots)) < chance]
+        x, z = side.at(spots, inward)
+        things[name].add(x, KERB, z, turn + fraction)
     x, z = side.at(0.8, 0.8)
-    lights.add(x, KERB, z, 0.25 * side.quarter - 0.25)
-    x, z = side.at([6.2, side.length - 6.2], 0.45)
-    bollards.add(x, KERB, z, 0.0)
+    things["traffic_light"].add(x, KERB, z, turn - 0.25)
+    x, z = side.at([6.2, end - 6.2], 0.45)
+    things["bollard"].add(x, KERB, z, 0.0)
+    if side.half == AVENUE:
+        if draw.chance(0.3):
+            x, z = side.at(37.6, 2.3)
+            things["bus_stop"].add(x, KERB, z, turn)
+        spots = np.arange(20.0, end - 14.0, 11.0)
+        x, z = side.at(spots[draw.uniform(len(spots)) < 0.4], 3.3)
+        things["planter"].add(x, KERB, z, draw.uniform(len(x)))
 
 
 def _parked(side: Side, parked: Places, draw: Draw) -> None:
@@ -160,31 +174,32 @@ def _parked(side: Side, parked: Places, draw: Draw) -> None:
     parked.add(x, 0.0, z, 0.25 * side.quarter + 0.75)
 
 
-def _inside(grid: Grid, i: int, j: int, use: str, trees: Places, benches: Places, draw: Draw, detail: int) -> None:
-    """Trees and benches of a park, a plaza or a courtyard."""
+def _inside(
+    grid: Grid, i: int, j: int, use: str, built: Sequence[Plot], things: dict[str, Places], draw: Draw, detail: int
+) -> None:
+    """Trees and benches of a park, a plaza or a courtyard, where nothing is built."""
     x0, x1, z0, z1 = grid.block(i, j)
     x, z = 0.5 * (x0 + x1), 0.5 * (z0 + z1)
-    if use == "rows":
-        count = 5 if detail >= 3 else 3
-        trees.add(
-            x + draw.uniform(count, -28.0, 28.0), KERB, z + draw.uniform(count, -2.2, 2.2), draw.uniform(count),
-            draw.uniform(count, 0.45, 0.7),
-        )  # fmt: skip
-        return
-    if use == "towers":
-        spots = np.array([(a, b) for a in (-30.0, -2.5, 2.5, 30.0) for b in (-20.0, 20.0)])
-        trees.add(x + spots[:, 0], KERB, z + spots[:, 1], draw.uniform(len(spots)), draw.uniform(len(spots), 0.6, 0.85))
-        return
-    count = 150 if detail >= 3 else 60
-    at_x, at_z = draw.uniform(count, -30.5, 30.5), draw.uniform(count, -20.5, 20.5)
-    keep = (np.abs(at_x) > 3.2) & (np.abs(at_z) > 3.2) & (at_x * at_x + at_z * at_z > 100.0)
-    trees.add(
-        x + at_x[keep], KERB, z + at_z[keep], draw.uniform(int(keep.sum())), draw.uniform(int(keep.sum()), 0.7, 1.25)
-    )
-    spots = np.arange(-26.0, 27.0, 7.0)
-    spots = spots[np.abs(spots) > 9.0]
-    benches.add(x + spots, KERB, z - 2.1, 0.0)
-    benches.add(x + spots, KERB, z + 2.1, 0.5)
+    if use == "park":
+        count, sizes = (150 if detail >= 3 else 60), (0.7, 1.25)
+        at = np.stack([draw.uniform(count, -30.5, 30.5), draw.uniform(count, -20.5, 20.5)], -1)
+        off_path = (np.abs(at) > 3.2).all(1) & (at[:, 0] * at[:, 0] + at[:, 1] * at[:, 1] > 100.0)
+        at = at[off_path]
+        spots = np.arange(-26.0, 27.0, 7.0)
+        spots = spots[np.abs(spots) > 9.0]
+        things["bench"].add(x + spots, KERB, z - 2.1, 0.0)
+        things["bench"].add(x + spots, KERB, z + 2.1, 0.5)
+    elif use == "towers":
+        sizes = (0.6, 0.85)
+        at = np.array([(a, b) for a in (-30.0, -24.0, -2.5, 2.5, 24.0, 30.0) for b in (-20.0, 20.0)])
+    else:
+        count, sizes = (5 if detail >= 3 else 3), (0.45, 0.7)
+        at = np.stack([draw.uniform(count, -28.0, 28.0), draw.uniform(count, -2.2, 2.2)], -1)
+    at = np.add(at, [x, z])
+    for plot in built if use == "towers" else ():
+        reach = np.array([plot.kind.width, plot.kind.depth]) * 0.05 + 2.4
+        at = at[(np.abs(at - [plot.x, plot.z]) > reach).any(1)]
+    things["tree"].add(at[:, 0], KERB, at[:, 1], draw.uniform(len(at)), draw.uniform(len(at), *sizes))
 
 
 def _outskirts(grid: Grid, trees: Places, draw: Draw, detail: int) -> None:
@@ -201,24 +216,3 @@ def _outskirts(grid: Grid, trees: Places, draw: Draw, detail: int) -> None:
         off_road = (np.abs(x) > AVENUE + 4.0) & (np.abs(z) > AVENUE + 4.0)
         keep: NDArray[np.bool_] = outside & off_road
         trees.add(x[keep], 0.0, z[keep], turns[keep], sizes[keep])
-
-
-# The moving cars: (runs along z, offset from the middle of the avenue, metres along it, body, paint).
-_TRAFFIC = (
-    (True, 1.7, -17.0, 0, 3), (True, 4.5, -41.0, 5, 0), (True, -1.7, -28.0, 1, 6), (False, 1.7, 34.0, 2, 4),
-    (True, -4.5, -64.0, 0, 1), (False, -1.7, -23.0, 3, 2), (True, 1.7, 26.0, 4, 7), (False, 4.5, -52.0, 1, 5),
-)  # fmt: skip
-
-
-def moving_cars(stage: Stage, grid: Grid, detail: int) -> list[str]:
-    """Cars on the two avenues, each an object that can be posed; returns their names."""
-    names = []
-    for number, (along_z, offset, along, body, paint) in enumerate(_TRAFFIC):
-        soup = vehicles.car(vehicles.BODIES[body], vehicles.PAINTS[paint], detail)
-        if along_z:
-            where = placements(offset, 0.0, along, 0.5 if offset > 0 else 0.0)
-        else:
-            where = placements(along, 0.0, offset, 0.25 if offset > 0 else 0.75)
-        names.append(f"car_{number}")
-        stage.many(soup, where, names[-1:], moves=True)
-    return names

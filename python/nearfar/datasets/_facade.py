@@ -112,14 +112,12 @@ def bars(
         # Half of a frame's bar stands inside the lining.
         uprights += [a0, a1]
         rails += [b0, b1]
-    # Rails stand back a little, so that no two faces share a plane where bars cross.
     parts = [
         _boxes(u - slim, u + slim, b0 - 0.04, b1 + 0.04, back, front, material, f"{hidden} -y +y") for u in uprights
     ]
-    parts += [
-        _boxes(a0 - 0.04, a1 + 0.04, v - slim, v + slim, back, front - 0.008, material, f"{hidden} -x +x")
-        for v in rails
-    ]
+    # Rails are a little slimmer, so that no two faces share a plane where bars cross.
+    back, front = back + 0.008, front - 0.008
+    parts += [_boxes(a0 - 0.04, a1 + 0.04, v - slim, v + slim, back, front, material, f"{hidden} -x +x") for v in rails]
     return join(parts)
 
 

@@ -60,7 +60,7 @@ def table(detail: int) -> Soup:
     wood = material("wood")
     legs = np.array([[x, 0.0, z] for x in (-0.84, 0.76) for z in (-0.39, 0.31)])
     rails_low = [[-0.8, 0.62, -0.36], [-0.8, 0.62, 0.33], [-0.81, 0.625, -0.34], [0.78, 0.625, -0.34]]
-    rails_high = [[0.8, 0.73, -0.33], [0.8, 0.73, 0.36], [-0.78, 0.725, 0.34], [0.81, 0.725, 0.34]]
+    rails_high = [[0.8, 0.725, -0.33], [0.8, 0.725, 0.36], [-0.78, 0.7225, 0.34], [0.81, 0.7225, 0.34]]
     top = cushion([-0.9, 0.72, -0.45], [0.9, 0.76, 0.45], 0.015, wood, detail)
     return join([top, boxes(legs, np.add(legs, [0.08, 0.73, 0.08]), wood), boxes(rails_low, rails_high, wood)])
 

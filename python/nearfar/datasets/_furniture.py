@@ -62,7 +62,7 @@ def traffic_light(detail: int) -> Soup:
     """A signal post; its lamps look towards +z."""
     iron = material("metal_dark")
     sides = 6 if detail <= 1 else 12
-    parts = [tube([(0, -0.1, 0), (0, 1.7, 0), (0, 3.3, 0)], [0.07, 0.06, 0.055], sides, iron)]
+    parts = [tube([(0, -0.1, 0), (0, 1.7, 0), (0, 3.28, 0)], [0.07, 0.06, 0.055], sides, iron)]
     parts.append(boxes([-0.16, 2.35, 0.02], [0.16, 3.3, 0.24], iron))
     for height, name in ((3.12, "tail_light"), (2.83, "sign_mustard"), (2.54, "sign_green")):
         lamp = lathe([(0.09, 0.23), (0.09, 0.26), (0.05, 0.275)], sides, material(name), bottom=False)

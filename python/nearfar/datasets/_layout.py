@@ -25,6 +25,7 @@ class Plot:
     """A building's place: middle of its footprint, and the quarter turns that make its front face the street."""
 
     name: str
+    block: int
     kind: Kind
     x: float
     z: float
@@ -93,17 +94,16 @@ def plots(grid: Grid, seed: int) -> list[Plot]:
         for i in range(grid.blocks):
             use = grid.use(i, j, seed)
             draw = Draw(seed, 11, i, j)
-            name = f"building_{j * grid.blocks + i}"
             if use == "rows":
-                found += _rows(grid, i, j, name, draw)
+                found += _rows(grid, i, j, draw)
             elif use == "towers":
-                found += _towers(grid, i, j, name, draw)
+                found += _towers(grid, i, j, draw)
     return found
 
 
-def _rows(grid: Grid, i: int, j: int, name: str, draw: Draw) -> list[Plot]:
+def _rows(grid: Grid, i: int, j: int, draw: Draw) -> list[Plot]:
     x0, x1, z0, z1 = grid.block(i, j)
-    away = grid.downtown(i, j)
+    away, block = grid.downtown(i, j), j * grid.blocks + i
     found: list[Plot] = []
     for quarter, front, towards in ((0, z1 - PAVEMENT, -1.0), (2, z0 + PAVEMENT, 1.0)):
         widths = draw.pick(_ROWS)
@@ -119,8 +119,8 @@ def _rows(grid: Grid, i: int, j: int, name: str, draw: Draw) -> list[Plot]:
             variant = int(draw.integers(1, _VARIANTS[place])[0])
             # A decimetre between neighbours: their walls never share a plane.
             kind = Kind(width * 10 - 1, depth, form, place, variant)
-            plot = Plot(f"{name}_{len(found)}", kind, at + step * 0.5 * width, front + towards * 0.05 * depth, quarter)
-            found.append(plot)
+            x, z = at + step * 0.5 * width, front + towards * 0.05 * depth
+            found.append(Plot(f"building_{block}_{len(found)}", block, kind, x, z, quarter))
             at += step * width
     return found
 
@@ -131,9 +131,9 @@ def _form(away: float, draw: Draw) -> int:
     return int(np.clip(np.floor(level), 0, 2))
 
 
-def _towers(grid: Grid, i: int, j: int, name: str, draw: Draw) -> list[Plot]:
+def _towers(grid: Grid, i: int, j: int, draw: Draw) -> list[Plot]:
     x0, x1, z0, z1 = grid.block(i, j)
-    middle = 0.5 * (z0 + z1)
+    middle, block = 0.5 * (z0 + z1), j * grid.blocks + i
     found = []
     for number in range(2):
         width, depth = draw.pick(_TOWERS)
@@ -141,5 +141,6 @@ def _towers(grid: Grid, i: int, j: int, name: str, draw: Draw) -> list[Plot]:
         x = x0 + PAVEMENT + (x1 - x0 - 2.0 * PAVEMENT) * (0.25 + 0.5 * number)
         z = middle + draw.number(-1.0, 1.0) * 0.45 * (z1 - z0 - 2.0 * PAVEMENT - depth)
         kind = Kind(width * 10, depth * 10, 3, 3, variant)
-        found.append(Plot(f"{name}_{number}", kind, float(x), float(z), int(draw.integers(1, 2)[0]) * 2))
+        quarter = 2 * int(draw.integers(1, 2)[0])
+        found.append(Plot(f"building_{block}_{number}", block, kind, float(x), float(z), quarter))
     return found

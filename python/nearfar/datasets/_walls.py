@@ -94,7 +94,7 @@ def _upper_storeys(
     open_to = np.zeros(len(cells), bool)
     if style.balcony and plan.face == "street":
         open_to = _balcony_cells(column, storey, count, storeys, draw)
-        holes[open_to, 2] = cells[open_to, 2] + 0.08
+        holes[open_to, 2] = cells[open_to, 2] + 0.1
     glass = np.array(_SHINY if paint.shiny else _GLASS, np.int32)
     panes = glass[draw.integers(len(cells), len(glass))]
     soups = [facade.openings(cells, holes, style.window.reveal, paint.wall, paint.wall, panes, recessed=detail >= 2)]
