@@ -14,6 +14,8 @@ from nearfar.datasets._shapes import Indexed, Soup, weld
 
 # Smaller prototypes cost less as copies in the one merged tree than as trees of their own under a second level.
 _MERGED_BELOW = 100
+# Beyond so many triangles in all, copies would take more memory than they save time.
+_MERGED_TOTAL = 200_000
 
 
 class Stage:
@@ -41,7 +43,7 @@ class Stage:
         if not len(soup) or not len(transforms):
             return
         joined = weld(soup)
-        if moves or len(soup) >= _MERGED_BELOW:
+        if moves or len(soup) >= _MERGED_BELOW or len(soup) * len(transforms) > _MERGED_TOTAL:
             self._builder.place_many(self._mesh(joined), transforms, names)
             return
         listed = [f"{names}_{i}" for i in range(len(transforms))] if isinstance(names, str) else names
