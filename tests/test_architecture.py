@@ -65,7 +65,6 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_exr": set(),
     "_frame": {"_camera", "_exr"},
     "_render": {"_camera", "_frame", "_scene"},
-    "_trace": {"_scene"},
     "_morph": set(),
     "_partition": {"_scene"},
     "_plot": set(),
