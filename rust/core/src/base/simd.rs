@@ -1,11 +1,10 @@
 //! One kernel compiled for each width of vectors, chosen when it runs.
 
-/// Wraps an `#[inline(always)]` kernel in a function that runs it with the widest vectors of this machine. Multiplications
-/// and additions are never fused in Rust unless written so: every width gives the same bits.
+/// Wraps an `#[inline(always)]` kernel in a function that runs it with the widest vectors of this machine.
+/// Multiplications and additions are never fused in Rust unless written so: every width gives the same bits.
 macro_rules! widest {
-    ($(#[$attribute:meta])* $visibility:vis fn $name:ident($($argument:ident: $type:ty),* $(,)?) $(-> $result:ty)? = $kernel:path;) => {
-        $(#[$attribute])*
-        $visibility fn $name($($argument: $type),*) $(-> $result)? {
+    (fn $name:ident($($argument:ident: $type:ty),* $(,)?) $(-> $result:ty)? = $kernel:path;) => {
+        fn $name($($argument: $type),*) $(-> $result)? {
             #[cfg(target_arch = "x86_64")]
             {
                 #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]

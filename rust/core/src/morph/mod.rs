@@ -108,7 +108,8 @@ impl Morph {
     }
 
     /// Morphs float32 points: half a float32 step of the answer and 2⁻²⁴ (6 + 3 r₂/(r₂−r₁)) |U−O| from the exact
-    /// answer at most, where the directions are not opposed. Inside r₁ they keep their bits; beyond r₂ they are U + P − O, rounded once.
+    /// answer at most, where the directions are not opposed. Inside r₁ they keep their bits; beyond r₂ they are
+    /// U + P − O, rounded once.
     /// Points with NaN give NaN. Returns the number of opposed points. Both slices have one length.
     pub fn apply_all_f32(&self, points: &[[f32; 3]], shown: &mut [[f32; 3]]) -> u64 {
         stream::apply_all(self, points, shown)
@@ -120,7 +121,7 @@ impl Morph {
     }
 }
 
-/// Eq. 1: the direction of w d_U + (1−w) d_O. A point at the eye itself has no direction from there and takes the centre's.
+/// Eq. 1: the direction of w d_U + (1−w) d_O. A point at the eye itself has none from there and takes the centre's.
 fn blended_direction(from_user: DVec3, from_center: DVec3, weight: f64) -> (DVec3, bool) {
     let (seen_by_user, seen_by_center) = (from_user.normalize_or_zero(), from_center.normalize_or_zero());
     let blend = weight * seen_by_user + (1.0 - weight) * seen_by_center;

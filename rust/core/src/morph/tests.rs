@@ -1,6 +1,8 @@
 use glam::DVec3;
 use proptest::prelude::*;
 
+use super::blend::{Constants, block};
+use super::stream::{BLOCK, Streamed};
 use super::{Kind, Morph};
 
 fn blend(user: DVec3, center: DVec3) -> Morph {
@@ -31,7 +33,9 @@ proptest! {
     }
 
     #[test]
-    fn float32_streams_keep_their_bound(p in prop::collection::vec(point(70.0), 200), u in point(25.0), o in point(1e7)) {
+    fn float32_streams_keep_their_bound(
+        p in prop::collection::vec(point(70.0), 200), u in point(25.0), o in point(1e7),
+    ) {
         let morph = blend(o + u, o);
         let points: Vec<[f32; 3]> = p.iter().map(|&p| (o + p).as_vec3().to_array()).collect();
         let mut shown = vec![[0.0; 3]; points.len()];
@@ -116,6 +120,19 @@ fn points_inside_keep_their_bits_and_points_beyond_shift() {
             assert_eq!(shown, (p + (user - center)).as_vec3().to_array());
         }
     }
+}
+
+#[test]
+fn every_width_of_vectors_gives_the_same_bits() {
+    let morph = blend(DVec3::new(4.0, 1.0, -3.0), DVec3::ZERO);
+    let points: [[f32; 3]; BLOCK] = std::array::from_fn(|i| {
+        let i = i as f32;
+        [i.sin() * (20.0 + i), i.cos() * 9.0, (i * 0.7).cos() * (20.0 + i)]
+    });
+    let (mut narrow, mut widest) = ([[0.0; 3]; BLOCK], [[0.0; 3]; BLOCK]);
+    let constants = Constants::new(&morph);
+    assert_eq!(block(&constants, &points, &mut narrow), f32::blend(&constants, &points, &mut widest));
+    assert_eq!(narrow, widest);
 }
 
 #[test]

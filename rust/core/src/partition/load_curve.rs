@@ -54,7 +54,7 @@ impl LoadCurve {
         self.sorted.len() as i64 + self.moving
     }
 
-    /// Triangles that stay geometry at r₂; exactly those of `Partition`. A radius of NaN is refused, a negative one too.
+    /// Triangles that stay geometry at r₂; exactly those of `Partition`. Negative radii and NaN are refused.
     pub fn count(&self, r2: f64) -> Result<i64> {
         if r2.is_nan() || r2 < 0.0 {
             return Err(Error::value("r2", "a radius of at least 0", r2));

@@ -12,8 +12,8 @@ pub(super) const BLOCK: usize = 64;
 /// A side test is certain where its determinant exceeds this share of its terms: each has three roundings of 2⁻⁵³.
 const CERTAIN: f64 = 1.0 / (1u64 << 50) as f64;
 
-/// Ground coordinates of the corners of a block of triangles: `corners[2 k][i]` is x and `corners[2 k + 1][i]` is z of corner k of
-/// triangle i.
+/// Ground coordinates of the corners of a block of triangles: `corners[2 k][i]` is x and `corners[2 k + 1][i]` is z
+/// of corner k of triangle i.
 pub type Corners<T> = [[T; BLOCK]; 6];
 
 /// Float32 or float64 coordinates.

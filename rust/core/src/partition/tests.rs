@@ -68,7 +68,10 @@ proptest! {
 
     #[test]
     fn instances_divide_as_their_merged_triangles_do(
-        all in triangles(40), places in prop::collection::vec((-30.0..30.0, 0.0..6.0, 0.5..3.0), 1..6), r1 in 0.0..12.0, width in 0.1..15.0,
+        all in triangles(40),
+        places in prop::collection::vec((-30.0..30.0, 0.0..6.0, 0.5..3.0), 1..6),
+        r1 in 0.0..12.0,
+        width in 0.1..15.0,
     ) {
         let shared = mesh(&all);
         let standing: Vec<Instance> = places.iter().map(|&(x, angle, scale): &(f64, f64, f64)| {
