@@ -254,6 +254,24 @@ def test_a_deep_chain_of_nodes_is_fine(tmp_path: Path) -> None:
     assert result.bounds[0, 0] == 5000
 
 
+def test_cameras_and_skipped_meshes_do_not_misplace_their_children(tmp_path: Path) -> None:
+    nodes = [
+        {"name": "eye", "camera": 0, "mesh": 0, "translation": [0, 5, 0], "children": [1]},
+        {"name": "fan", "mesh": 1, "translation": [7, 0, 0], "children": [2]},
+        {"name": "leaf", "mesh": 0},
+    ]
+    cameras = [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}]
+    corners = {"attributes": {"POSITION": 0}}
+    meshes = [{"primitives": [corners]}, {"primitives": [corners | {"mode": 6}]}]
+    (tmp_path / "a.glb").write_bytes(triangle(nodes=nodes, cameras=cameras, meshes=meshes))
+    result = outcome(tmp_path / "a.glb")
+    assert isinstance(result, nf.Scene)
+    assert set(result.object_names) == {"eye", "leaf"}
+    np.testing.assert_array_equal(result.subset(objects=["eye"]).bounds[0], [0, 5, 0])
+    np.testing.assert_array_equal(result.subset(objects=["leaf"]).bounds[0], [7, 5, 0])
+    assert result.report.notes == ("1 camera ignored", "1 non-triangle primitive ignored")
+
+
 def test_good_triangles_beside_bad_placements_can_be_kept(tmp_path: Path) -> None:
     nodes = [{"mesh": 0, "name": "good"}, {"mesh": 0, "name": "bad", "translation": [float("inf"), 0, 0]}]
     (tmp_path / "a.glb").write_bytes(triangle(nodes=nodes, scenes=[{"nodes": [0, 1]}]))

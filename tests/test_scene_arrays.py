@@ -121,6 +121,31 @@ def test_far_coordinates_keep_their_digits(offset: tuple[float, float, float]) -
     np.testing.assert_allclose(scene.bounds, [world.min(axis=0), world.max(axis=0)], rtol=0, atol=4e-6)
 
 
+def test_far_float32_coordinates_lose_nothing_more() -> None:
+    vertices, faces = soup(100)
+    far = vertices + np.float32(1e6)
+    scene = nf.Scene.from_arrays(far, faces)
+    # Differences of neighbouring float32 numbers, and an origin in whole metres, are float32 numbers.
+    np.testing.assert_array_equal(scene.triangles() + scene.origin, far[faces].astype(np.float64))
+
+
+def test_vertices_that_no_face_uses_have_no_part_in_the_bounds() -> None:
+    vertices, faces = soup(4)
+    builder = SceneBuilder()
+    stray = builder.mesh(np.concatenate([vertices, np.full((1, 3), 9e4, np.float32)]), faces)
+    angle = np.deg2rad(45)
+    matrix = np.array(
+        [[np.cos(angle), 0, np.sin(angle), 3], [0, 1, 0, 0], [-np.sin(angle), 0, np.cos(angle), 0], [0, 0, 0, 1.0]]
+    )
+    builder.place_many(stray, np.stack([matrix, np.eye(4)]), "thing")
+    scene = builder.build()
+    np.testing.assert_array_equal(scene.origin, 0)
+    corners = vertices.astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3]
+    # Float32 of at most 200 m: half a step is 8e-6 m. A turned box of the mesh would be 40 % too large.
+    turned = scene.subset(objects=["thing_0"]).bounds
+    np.testing.assert_allclose(turned, [corners.min(axis=0), corners.max(axis=0)], rtol=0, atol=8e-6)
+
+
 def test_far_transforms_keep_the_digits_of_near_meshes() -> None:
     vertices, faces = soup(5)
     builder = SceneBuilder()

@@ -37,6 +37,9 @@ def read(label: str, data: bytes, kind: str, resolver: Any) -> Source:
     from trimesh.exchange import gltf
 
     header = _header(data, kind)
+    notes = _notes(header)
+    if _free_nodes(header):
+        data = _with_header(data, kind, header)
     _check_sizes(header, len(data))
     _check_extensions(header)
     reader = gltf.load_glb if kind == "glb" else gltf.load_gltf
@@ -48,7 +51,7 @@ def read(label: str, data: bytes, kind: str, resolver: Any) -> Source:
         for (name, arrays), primitive in zip(parts["geometry"].items(), primitives, strict=True)
         if "faces" in arrays
     }
-    return Source(label, shapes, _nodes(parts, header, shapes), _notes(header))
+    return Source(label, shapes, _nodes(parts, header, shapes), notes)
 
 
 def _header(data: bytes, kind: str) -> dict[str, Any]:
@@ -63,6 +66,32 @@ def _header(data: bytes, kind: str) -> dict[str, Any]:
     if not isinstance(header, dict):
         raise UnusableError("its JSON is not an object")
     return header
+
+
+def _free_nodes(header: dict[str, Any]) -> bool:
+    """Take from nodes what makes trimesh forget them, and with them the transforms of their children; true if any.
+
+    It leaves out nodes with a camera, and those whose mesh has only primitives that it skips.
+    """
+    changed = False
+    meshes = enumerate(header.get("meshes", []))
+    skipped = {number for number, mesh in meshes if all(_mode(p) not in _READ_MODES for p in mesh["primitives"])}
+    for node in header.get("nodes", []):
+        if "camera" in node or ("mesh" in node and node["mesh"] in skipped):
+            changed = True
+            node.pop("camera", None)
+            if node.get("mesh") in skipped:
+                del node["mesh"]
+    return changed
+
+
+def _with_header(data: bytes, kind: str, header: dict[str, Any]) -> bytes:
+    text = json.dumps(header).encode()
+    if kind == "gltf":
+        return text
+    text += b" " * (-len(text) % 4)
+    rest = data[20 + struct.unpack("<I", data[12:16])[0] :]
+    return data[:8] + struct.pack("<II", 20 + len(text) + len(rest), len(text)) + data[16:20] + text + rest
 
 
 def _check_sizes(header: dict[str, Any], size: int) -> None:

@@ -140,8 +140,7 @@ def _sentence(error: Exception) -> str:
         case gzip.BadGzipFile() | EOFError() | zlib.error():
             return f"its compressed data is damaged ({error})"
         case OSError():
-            missing = error.filename or error
-            return f"a file that it refers to cannot be read: {missing}"
+            return f"a file that it refers to cannot be read: {Path(str(error.filename or error)).name}"
         case UnicodeDecodeError():
             return f"its text is not in a known encoding ({error.reason} at byte {error.start})"
         case MemoryError():

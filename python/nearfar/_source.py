@@ -126,9 +126,11 @@ def _repair(shape: Shape) -> tuple[str, int]:
     """Leave out faces with unusable vertices; says what was wrong, and how many faces went."""
     vertices, faces = shape.vertices, shape.faces
     flaws = []
-    # Beyond float32's range a coordinate is as good as infinite; NaN fails the comparison too.
-    bad: NDArray[np.bool_] = ~(np.abs(vertices) <= np.finfo(np.float32).max).all(axis=1)
-    if bad.any():
+    # Beyond float32's range a coordinate is as good as infinite; NaN fails comparisons and gets through min and max.
+    limit = np.finfo(np.float32).max
+    bad = np.zeros(0, bool)
+    if vertices.size and not (vertices.min() >= -limit and vertices.max() <= limit):
+        bad = np.asarray(~(np.abs(vertices) <= limit).all(axis=1))
         flaws.append(f"{count(int(bad.sum()), 'vertex', 'vertices')} with coordinates that are not finite")
     if faces.size and (int(faces.min()) < 0 or int(faces.max()) >= len(vertices)):
         outside = ((faces < 0) | (faces >= len(vertices))).any(axis=1)

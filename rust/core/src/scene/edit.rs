@@ -13,6 +13,9 @@ impl Scene {
     /// The same scene in which also the objects of `chosen` (a flag for each object) move. Faces of merged meshes become
     /// meshes of their own, one for each object, appended to the moving instances in the order of instances and objects.
     pub fn with_moving(&self, chosen: &[bool]) -> Result<Self> {
+        if !chosen.contains(&true) {
+            return Ok(self.clone());
+        }
         let is_chosen = |object: i32| usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true));
         let (mut standing, mut moving) = (Vec::new(), self.moving.instances().to_vec());
         for instance in self.standing.instances() {
@@ -123,12 +126,12 @@ impl Kept {
 
 /// The faces that belong to no chosen object, and each chosen object's own; the first is none where no face is chosen.
 fn split(mesh: &Mesh, is_chosen: impl Fn(i32) -> bool + Sync) -> (Option<Mesh>, Vec<(i32, Mesh)>) {
+    if !mesh.objects.runs(mesh.faces.len()).any(|(_, object)| is_chosen(object)) {
+        return (None, Vec::new());
+    }
     let object = |face: &u32| mesh.objects.get(*face);
     let all = 0..mesh.faces.len() as u32;
     let (mut chosen, rest): (Vec<u32>, Vec<u32>) = all.into_par_iter().partition(|face| is_chosen(object(face)));
-    if chosen.is_empty() {
-        return (None, Vec::new());
-    }
     // Stable, so that each object keeps the order of its faces.
     chosen.par_sort_by_key(object);
     let own = chosen.chunk_by(|a, b| object(a) == object(b));

@@ -1,5 +1,7 @@
 //! A number for each face of a mesh (its object, its material), stored as tightly as the mesh allows.
 
+use rayon::prelude::*;
+
 use crate::base::{Buffer, Error, Result};
 
 /// Least mean length of a run for which ranges pay: their look-up is a binary search, against one load of 4 bytes a face,
@@ -118,7 +120,7 @@ impl FaceMap {
         if !well_formed {
             return Err(Error::value(argument, format!("one value for each of {face_count} faces"), "another layout"));
         }
-        match values.iter().find(|&&value| value < -1 || value >= limit) {
+        match values.par_iter().with_min_len(1 << 16).find_any(|&&value| value < -1 || value >= limit) {
             Some(value) => Err(Error::value(argument, format!("numbers from -1 to {}", limit - 1), value)),
             None => Ok(()),
         }

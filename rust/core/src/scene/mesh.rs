@@ -12,6 +12,9 @@ use crate::bvh::{Bvh, Faces};
 /// Faces or vertices handled by one task: fixed, so that reductions do not depend on the number of threads.
 pub(super) const TILE: usize = 1 << 16;
 
+/// Faces that fit into the first-level cache.
+const PIECE: usize = 1 << 11;
+
 /// An immutable triangle mesh in its own frame.
 #[derive(Debug)]
 pub struct Mesh {
@@ -56,7 +59,7 @@ impl Mesh {
                 ));
             }
         }
-        let greatest = faces.par_chunks(TILE).map(|tile| tile.iter().flatten().copied().max()).max().flatten();
+        let greatest = faces.par_chunks(TILE).map(|tile| tile.as_flattened().iter().copied().max()).max().flatten();
         if greatest.is_some_and(|index| index as usize >= vertex_count) {
             return Err(Error::value(
                 "faces",
@@ -176,15 +179,60 @@ fn count_non_finite(positions: &[[f32; 3]]) -> usize {
     positions.par_chunks(TILE).map(|tile| tile.iter().filter(is_wrong).count()).sum()
 }
 
+/// Box of all faces. Following faces to their vertices reads memory in disorder, so a large mesh first looks whether the
+/// six vertices that make the box of all vertices are used, which they are unless there are strays.
 fn bounds_of(positions: &[[f32; 3]], faces: &[[u32; 3]]) -> Aabb {
-    let tile_bounds = |tile: &[[u32; 3]]| {
+    if faces.len() > TILE {
+        let all = box_of(positions, |bounds, &point| bounds.extend(point.into()));
+        let extremes = extremes(positions, &all);
+        // One comparison at a time over a piece that stays in the cache: a loop that the compiler turns into vectors.
+        let holds = |piece: &[u32], sought: u32| piece.iter().fold(0, |any, &v| any | u32::from(v == sought)) != 0;
+        let found = |tile: &[[u32; 3]]| extremes.map(|vertex| holds(tile.as_flattened(), vertex));
+        let either = |a: [bool; 6], b: [bool; 6]| std::array::from_fn(|i| a[i] | b[i]);
+        if faces.par_chunks(PIECE).map(found).reduce(|| [false; 6], either) == [true; 6] {
+            return all;
+        }
+    }
+    box_of(faces, |bounds, face| face.iter().for_each(|&v| bounds.extend(positions[v as usize].into())))
+}
+
+/// A vertex on each side of a box that encloses them tightly.
+fn extremes(positions: &[[f32; 3]], bounds: &Aabb) -> [u32; 6] {
+    std::array::from_fn(|side| {
+        let axis = side % 3;
+        let limit = if side < 3 { bounds.min[axis] } else { bounds.max[axis] };
+        let found = positions.par_iter().with_min_len(TILE).position_any(|p| p[axis] == limit);
+        found.map_or(u32::MAX, |vertex| vertex as u32)
+    })
+}
+
+fn box_of<T: Sync>(rows: &[T], extend: impl Fn(&mut Aabb, &T) + Sync) -> Aabb {
+    let tile_bounds = |tile: &[T]| {
         let mut bounds = Aabb::EMPTY;
-        tile.as_flattened().iter().for_each(|&vertex| bounds.extend(Vec3::from_array(positions[vertex as usize])));
+        tile.iter().for_each(|row| extend(&mut bounds, row));
         bounds
     };
-    faces.par_chunks(TILE).map(tile_bounds).reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
+    rows.par_chunks(TILE).map(tile_bounds).reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
 }
 
 fn gathered<T: Copy + Send + Sync + 'static>(values: &[T], rows: &[u32]) -> Buffer<T> {
     rows.iter().map(|&row| values[row as usize]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_large_mesh_has_the_box_of_its_faces_with_and_without_strays() {
+        let count = TILE + 10;
+        let corner = |i: usize| [i as f32, (i % 7) as f32, -(i as f32)];
+        let mut positions: Vec<[f32; 3]> = (0..count + 2).map(corner).collect();
+        let faces: Vec<[u32; 3]> = (0..count as u32).map(|i| [i, i + 1, i + 2]).collect();
+        let expected = box_of(&positions, |bounds, &point| bounds.extend(point.into()));
+        assert_eq!(bounds_of(&positions, &faces), expected);
+        positions.push([-1e6, 0.0, 1e6]);
+        assert_eq!(bounds_of(&positions, &faces), expected);
+        assert_eq!(bounds_of(&positions, &[]), Aabb::EMPTY);
+    }
 }

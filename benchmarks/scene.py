@@ -1,0 +1,107 @@
+"""Loading and making scenes: tokyo_core_lod1 against trimesh, the whole of Tokyo against copying its arrays.
+
+    python benchmarks/scene.py [--whole]
+
+The whole of Tokyo takes a minute to make and 3 GB of memory.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import os
+import sys
+from functools import partial
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import trimesh
+
+import nearfar as nf
+from _measure import best, machine, table
+from nearfar import _data
+
+FILES = ("city/tokyo23/tokyo_core_lod1.glb", "objects/gltf/FlightHelmet/FlightHelmet.gltf", "objects/armadillo.obj")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
+    parser.add_argument("--whole", action="store_true", help="also the whole of Tokyo")
+    arguments = parser.parse_args()
+    print(machine(), "\n")
+    loading()
+    changing()
+    if arguments.whole:
+        whole_city()
+
+
+def loading() -> None:
+    """Seconds from the file to something that can be drawn: trimesh's scene still has 12,408 meshes."""
+    rows = []
+    for name in FILES:
+        path = _data.require(name)
+        ours = best(partial(nf.Scene.load, path), repeat=3)
+        peer = best(partial(trimesh.load_scene, path, process=False), repeat=3)
+        rows.append([name, f"{ours.wall:.3f}", f"{peer.wall:.3f}", f"{ours.wall / peer.wall:.2f}"])
+    print(table("Loading, seconds", ["file", "nearfar", "trimesh.load_scene", "ratio"], rows))
+
+
+def changing() -> None:
+    """Milliseconds to make a scene from a scene."""
+    scene = nf.Scene.load(_data.require("city/tokyo23/tokyo_core_lod1.glb"))
+    names = scene.object_names
+    moving = scene.with_dynamic(names[:10])
+    poses = {name: np.eye(4) for name in names[:10]}
+    mask = np.arange(scene.triangle_count) % 2 == 0
+    jobs = {
+        "with_dynamic, 10 objects": lambda: scene.with_dynamic(names[:10]),
+        "at, 10 objects": lambda: moving.at(poses),
+        "subset, half of the objects": lambda: scene.subset(objects=names[::2]),
+        "subset, half of the triangles": lambda: scene.subset(triangles=mask),
+        "bounds": lambda: scene._core.bounds(),
+        "triangles()": scene.triangles,
+    }
+    rows = [[label, f"{best(job).wall * 1e3:.3f}"] for label, job in jobs.items()]
+    print(table("tokyo_core_lod1, 232,986 triangles: milliseconds", ["step", "ms"], rows))
+
+
+def whole_city() -> None:
+    """Seconds and memory for 29.8 M triangles, against copying them."""
+    arrays = _tokyo().mesh()
+    size = sum(array.nbytes for array in arrays)
+    Path("/proc/self/clear_refs").write_text("5")
+    before = _kilobytes("VmRSS")
+    nf.Scene.from_arrays(*arrays)
+    extra = (_kilobytes("VmHWM") - before) * 1024
+    ours = best(lambda: nf.Scene.from_arrays(*arrays), repeat=3)
+    copying = best(lambda: [array.copy() for array in arrays], repeat=3)
+    wide = (arrays[0].astype(np.float64), arrays[1].astype(np.int64), arrays[2])
+    converted = best(lambda: nf.Scene.from_arrays(*wide), repeat=1)
+    rows = [
+        ["from_arrays", f"{ours.wall:.2f}", f"{ours.wall / copying.wall:.2f}", f"{1 + extra / size:.2f}"],
+        ["from_arrays of float64 and int64", f"{converted.wall:.2f}", f"{converted.wall / copying.wall:.2f}", ""],
+        ["copying the arrays", f"{copying.wall:.2f}", "1", "2"],
+    ]
+    title = f"Whole of Tokyo, {len(arrays[1]):,} triangles, {size / 1e6:.0f} MB"
+    print(table(title, ["step", "seconds", "ratio to copying", "peak memory / arrays"], rows))
+
+
+def _tokyo() -> ModuleType:
+    root = _data.root()
+    path = (root or Path()).parent / "tools" / "tokyo.py"
+    spec = importlib.util.spec_from_file_location("tokyo", path)
+    if spec is None or spec.loader is None or not path.is_file():
+        sys.exit(f"{os.fspath(path)} is not there")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def _kilobytes(key: str) -> int:
+    lines = Path("/proc/self/status").read_text(encoding="ascii").splitlines()
+    return int(next(line for line in lines if line.startswith(key)).split()[1])
+
+
+if __name__ == "__main__":
+    main()
