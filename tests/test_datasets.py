@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from nearfar import datasets
@@ -93,6 +95,16 @@ def test_draws_depend_on_names_and_counters_only() -> None:
     np.testing.assert_array_equal(whole, np.concatenate([split.uniform(3), split.uniform(7)]))
     assert not np.array_equal(whole, Draw(5, 2, 1).uniform(10))
     assert 0 <= Draw(0, 0).integers(1000, 7).min() <= Draw(0, 0).integers(1000, 7).max() == 6
+
+
+@given(st.lists(st.tuples(*[st.integers(-2, 2)] * 9), min_size=1, max_size=30), st.booleans())
+def test_weld_keeps_triangles_and_joins_equal_corners(rows: list[tuple[int, ...]], with_tints: bool) -> None:
+    corners = np.array(rows, float).reshape(-1, 3, 3) * 0.1
+    soup = Soup(corners, np.zeros(len(rows), np.int32), corners[..., 0] if with_tints else None)
+    joined = weld(soup)
+    np.testing.assert_array_equal(joined.positions[joined.faces], corners.astype(np.float32) + np.float32(0))
+    # A tint that is a function of the position splits nothing.
+    assert len(np.unique(joined.positions, axis=0)) == len(joined.positions)
 
 
 SOLIDS = {

@@ -36,8 +36,9 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2) -> Scene:
         0 to 2⁶³ − 1: what is built where. The streets are the same for all seeds.
     detail
         0: boxes. 1: windows painted on, low-poly trees. 2: windows with reveals, bars and sills, balconies, roofs with
-        their plant, street furniture. 3: frames, dense railings and trees of single leaves: with 12 blocks, tens of
-        millions of triangles, nearly all of them in instances.
+        their plant, street furniture. 3: frames, dense railings and trees of single leaves. With 12 blocks these are
+        25 thousand, 1.5, 7 and 50 million triangles, of which 25 thousand, 0.2, 0.7 and 1.2 million are stored: the
+        others are instances.
 
     Returns
     -------

@@ -13,6 +13,8 @@ from nearfar import _core
 Floats = NDArray[np.float64]
 _T = TypeVar("_T")
 _WORD = (1 << 64) - 1
+# Numbers drawn at once: a call costs as much as some thousand numbers.
+_AHEAD = 96
 
 
 class Draw:
@@ -24,13 +26,18 @@ class Draw:
         for word in name:
             cell = (cell * 0x9E3779B97F4A7C15 + word + 1) & _WORD
         self._cell = cell
-        self._next = 0
+        self._next = self._first = 0
+        self._ahead: Floats = np.zeros(0)
 
     def uniform(self, count: int, low: float = 0.0, high: float = 1.0) -> Floats:
         """`count` float64 numbers in [low, high)."""
-        index = np.arange(self._next, self._next + count, dtype=np.uint64)
+        start = self._next - self._first
+        if start + count > len(self._ahead):
+            index = np.arange(self._next, self._next + max(count, _AHEAD), dtype=np.uint64)
+            self._first, start = self._next, 0
+            self._ahead = _core.uniform(self._seed, self._cell, index)
         self._next += count
-        return low + (high - low) * _core.uniform(self._seed, self._cell, index)
+        return low + (high - low) * self._ahead[start : start + count]
 
     def number(self, low: float = 0.0, high: float = 1.0) -> float:
         """One number in [low, high)."""

@@ -77,9 +77,10 @@ class Places:
 
     def add(self, x: ArrayLike, y: ArrayLike, z: ArrayLike, turn: ArrayLike, size: ArrayLike = 1.0) -> None:
         """Places with their turns (fractions) and sizes."""
-        self._rows.append(
-            np.stack(np.broadcast_arrays(*(np.atleast_1d(np.asarray(v, float)) for v in (x, y, z, turn, size))), -1)
-        )
+        rows = np.empty((np.size(x), 5))
+        for column, values in enumerate((x, y, z, turn, size)):
+            rows[:, column] = values
+        self._rows.append(rows)
 
     def rows(self, *, clear: float = 0.0) -> Floats:
         """All of them (K, 5), without those nearer than `clear` to the vertical axis."""
@@ -87,18 +88,20 @@ class Places:
         return rows[rows[:, 0] * rows[:, 0] + rows[:, 2] * rows[:, 2] >= clear * clear]
 
 
-def spread(stage: Stage, rows: Floats, prototypes: int, make: Callable[[int], Soup], name: str, draw: Draw) -> None:
-    """Place things, each one of several prototypes; objects are numbered through all of them."""
+def spread(
+    stage: Stage, rows: Floats, prototypes: int, make: Callable[[int], Soup], name: str, draw: Draw, first: int = 0
+) -> None:
+    """Place things, each one of several prototypes; objects are numbered through all of them, from `first` on."""
     chosen = draw.integers(len(rows), prototypes)
     for variant in range(prototypes):
         mine = np.flatnonzero(chosen == variant)
         if len(mine):
-            stage.many(make(variant), placements(*rows[mine].T), [f"{name}_{k}" for k in mine])
+            stage.many(make(variant), placements(*rows[mine].T), [f"{name}_{first + k}" for k in mine])
 
 
 def dress(stage: Stage, grid: Grid, built: Sequence[Plot], seed: int, detail: int) -> None:
     """Everything but buildings, ground and moving cars."""
-    things: dict[str, Places] = {name: Places() for name in (*_FURNITURE, "tree", "parked_car")}
+    things: dict[str, Places] = {name: Places() for name in (*_FURNITURE, "tree", "far_tree", "parked_car")}
     for side in sides(grid):
         draw = Draw(seed, 30, side.block, side.number)
         _street_trees(side, things["tree"], draw, detail)
@@ -111,16 +114,21 @@ def dress(stage: Stage, grid: Grid, built: Sequence[Plot], seed: int, detail: in
         for i in range(grid.blocks):
             draw, use = Draw(seed, 31, i, j), grid.use(i, j, seed)
             _inside(grid, i, j, use, by_block.get(j * grid.blocks + i, []), things, draw, detail)
-    _outskirts(grid, things["tree"], Draw(seed, 32), detail)
+    _outskirts(grid, things["far_tree"], Draw(seed, 32), detail)
 
     def tree(variant: int) -> Soup:
         return vegetation.broadleaf(seed, variant, detail)
+
+    def far_tree(variant: int) -> Soup:
+        return vegetation.broadleaf(seed, variant, detail if detail >= 3 else 1)
 
     def parked_car(variant: int) -> Soup:
         body = vehicles.BODIES[variant % len(vehicles.BODIES)]
         return vehicles.car(body, vehicles.PAINTS[(variant * 3 + 1) % len(vehicles.PAINTS)], detail)
 
-    spread(stage, things["tree"].rows(clear=_CLEAR + 3.0), _TREES, tree, "tree", Draw(seed, 33))
+    near = things["tree"].rows(clear=_CLEAR + 3.0)
+    spread(stage, near, _TREES, tree, "tree", Draw(seed, 33))
+    spread(stage, things["far_tree"].rows(), _TREES, far_tree, "tree", Draw(seed, 35), len(near))
     if detail < 2:
         return
     spread(stage, things["parked_car"].rows(clear=_CLEAR + 3.0), _PARKED, parked_car, "parked_car", Draw(seed, 34))
@@ -167,7 +175,7 @@ def _along(side: Side, things: dict[str, Places], draw: Draw) -> None:
 
 def _parked(side: Side, parked: Places, draw: Draw) -> None:
     along = np.arange(15.0, side.length - 14.0, 6.0)
-    keep = draw.uniform(len(along)) < 0.42
+    keep = draw.uniform(len(along)) < 0.36
     nudge = draw.uniform(len(along), -0.3, 0.3)
     x, z = side.at((along + nudge)[keep], -1.2)
     # Traffic keeps to the right, so the block is on the driver's right hand.
@@ -199,7 +207,10 @@ def _inside(
     for plot in built if use == "towers" else ():
         reach = np.array([plot.kind.width, plot.kind.depth]) * 0.05 + 2.4
         at = at[(np.abs(at - [plot.x, plot.z]) > reach).any(1)]
-    things["tree"].add(at[:, 0], KERB, at[:, 1], draw.uniform(len(at)), draw.uniform(len(at), *sizes))
+    # Nobody comes near the trees of courtyards.
+    things["far_tree" if use == "rows" else "tree"].add(
+        at[:, 0], KERB, at[:, 1], draw.uniform(len(at)), draw.uniform(len(at), *sizes)
+    )
 
 
 def _outskirts(grid: Grid, trees: Places, draw: Draw, detail: int) -> None:
