@@ -11,11 +11,13 @@
 //!
 //! Texels are numbered face by face, row by row: `(face * size + row) * size + column`.
 
+mod environment;
 mod lookup;
 mod taps;
 
 use glam::DVec3;
 
+pub use environment::EnvironmentMap;
 pub use lookup::{Faces, Filter, Real, directions, lookup, texels};
 pub use taps::Taps;
 

@@ -5,6 +5,8 @@ pub mod shade;
 pub mod surface;
 pub mod tiles;
 pub mod truth;
+pub mod bake;
+pub mod reduced;
 
 pub use frame::{Channels, Frame, Sample};
 pub use surface::Surface;

@@ -1,0 +1,67 @@
+//! What surrounds a point: colour, and range and objects where they were asked for.
+
+use glam::{DVec3, Vec3};
+
+use super::{Faces, Taps, texel_from_direction};
+use crate::base::{Buffer, Error, Result};
+
+/// A cube map of the surroundings of a point. Channels that are not needed are not there.
+#[derive(Clone, Debug)]
+pub struct EnvironmentMap {
+    /// Texels across a face.
+    pub size: u32,
+    /// Linear RGB of each texel.
+    pub color: Buffer<[f32; 3]>,
+    /// Distance from the centre in metres, infinite where nothing is.
+    pub range: Option<Buffer<f32>>,
+    /// Object, −1 where nothing is.
+    pub object_id: Option<Buffer<i32>>,
+}
+
+impl EnvironmentMap {
+    /// Checks that all channels fill six faces.
+    pub fn new(
+        size: u32,
+        color: Buffer<[f32; 3]>,
+        range: Option<Buffer<f32>>,
+        object_id: Option<Buffer<i32>>,
+    ) -> Result<Self> {
+        Faces::new(color.as_flattened(), size, 3)?;
+        if let Some(range) = &range {
+            Faces::new(range, size, 1)?;
+        }
+        let texels = color.len();
+        match &object_id {
+            Some(ids) if ids.len() != texels => {
+                Err(Error::value("object_id", format!("{texels} numbers"), ids.len()))
+            }
+            _ => Ok(Self { size, color, range, object_id }),
+        }
+    }
+
+    /// Linear RGB along a direction.
+    #[inline]
+    pub fn color(&self, direction: Vec3) -> [f32; 3] {
+        let taps = Taps::new(direction.as_dvec3(), self.size);
+        let mut sum = DVec3::ZERO;
+        for (texel, weight) in taps.texel.into_iter().zip(taps.weight) {
+            sum += weight * Vec3::from_array(self.color[texel as usize]).as_dvec3();
+        }
+        sum.as_vec3().to_array()
+    }
+
+    /// Range and object of the texel that a direction passes through; those that the map lacks are a miss.
+    pub fn surface(&self, direction: Vec3) -> (f32, i32) {
+        let texel = texel_from_direction(direction.as_dvec3(), self.size) as usize;
+        let range = self.range.as_ref().map_or(f32::INFINITY, |range| range[texel]);
+        let object = self.object_id.as_ref().map_or(-1, |object| object[texel]);
+        (range, object)
+    }
+
+    /// The greatest range around a direction: what is farther is hidden. Infinite where the map has no range.
+    pub fn farthest(&self, direction: Vec3) -> f32 {
+        let Some(range) = &self.range else { return f32::INFINITY };
+        let taps = Taps::new(direction.as_dvec3(), self.size);
+        taps.texel.iter().fold(0.0, |farthest: f32, &texel| farthest.max(range[texel as usize]))
+    }
+}

@@ -1,0 +1,202 @@
+//! The far part of a scene as an environment map: rays from the centre that start where they leave the near cylinder.
+
+use glam::DVec3;
+
+use super::frame::{Channels, Frame};
+use super::tiles::{View, draw};
+use super::truth::Truth;
+use crate::base::{Error, Progress, Result};
+use crate::camera::{Camera, Projection};
+use crate::cubemap::{EnvironmentMap, MAX_SIZE};
+use crate::scene::Scene;
+use crate::trace::{AlphaFilter, Filter, Hit, Ray};
+
+use glam::DQuat;
+
+/// What is baked, and how finely.
+#[derive(Clone, Copy, Debug)]
+pub struct Bake {
+    /// World position of the centre O.
+    pub center: DVec3,
+    /// Radius of the cylinder about the vertical axis through O, inside which nothing is baked.
+    pub radius: f64,
+    /// Texels across a face.
+    pub size: u32,
+    /// Colour samples of each texel; range and objects always take its centre.
+    pub samples: u32,
+    /// Whether distances from O are wanted.
+    pub range: bool,
+    /// Whether objects are wanted.
+    pub object_id: bool,
+}
+
+/// Bakes what stands; moving objects are never in the map. Geometry is traced where it lies, without copies.
+pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<EnvironmentMap> {
+    let &Bake { center, radius, size, samples, range, object_id } = settings;
+    if !(1..=MAX_SIZE).contains(&size) {
+        return Err(Error::value("face_size", format!("1 to {MAX_SIZE} texels"), size));
+    }
+    if !(radius.is_finite() && radius >= 0.0) {
+        return Err(Error::value("radius", "a finite radius of at least 0", radius));
+    }
+    let standing = Scene { moving: Default::default(), ..scene.clone() };
+    standing.build(progress)?;
+    let beyond = Beyond { scene: &standing, radius, two_texels: 4.0 / f64::from(size) };
+    let channels = Channels { color: true, range, object_id, ..Channels::default() };
+    let mut whole = Frame::default();
+    for face in 0..6 {
+        let camera = Camera::new(center, DQuat::IDENTITY, Projection::CubeFace(face), size, size)?;
+        let view = View { camera: &camera, origin: scene.origin, channels, samples };
+        let part = if standing.has_cutouts() {
+            let filter = AlphaFilter { scene: &standing, inner: &beyond };
+            draw(&view, &Truth { scene: &standing, filter }, progress)?
+        } else {
+            draw(&view, &Truth { scene: &standing, filter: &beyond }, progress)?
+        };
+        whole.color.extend(part.color);
+        whole.range.extend(part.range);
+        whole.object_id.extend(part.object_id);
+    }
+    let (ranges, objects) = (range.then(|| whole.range.into()), object_id.then(|| whole.object_id.into()));
+    EnvironmentMap::new(size, whole.color.into(), ranges, objects)
+}
+
+/// Number of rays that a bake casts.
+pub fn rays(settings: &Bake) -> u64 {
+    let surface = settings.samples > 1 && (settings.range || settings.object_id);
+    6 * u64::from(settings.size).pow(2) * (u64::from(settings.samples) + u64::from(surface))
+}
+
+/// Surfaces beyond the cylinder, and those inside it whose two-texel footprint reaches beyond.
+///
+/// That overlap is needed where the near geometry ends: the last visible bit of a surface inside r₂ borders on a
+/// direction whose lookup mixes this texel. Measured across the ray it would be a few centimetres and would leave a
+/// crack in the ground, which a ray at eye height meets at a few degrees; measured on the surface, walls that face the
+/// centre get none and the ground gets the metres that it needs.
+struct Beyond<'a> {
+    scene: &'a Scene,
+    radius: f64,
+    /// Width at one metre.
+    two_texels: f64,
+}
+
+impl Filter for &Beyond<'_> {
+    #[inline]
+    fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
+        // Rays start at the centre and have unit length.
+        let (direction, t) = (ray.direction.as_dvec3(), f64::from(candidate.t));
+        let horizontal = DVec3::new(direction.x, 0.0, direction.z);
+        let rho = t * horizontal.length();
+        rho >= self.radius || rho + self.reach(candidate, direction, horizontal, t) >= self.radius
+    }
+}
+
+impl Beyond<'_> {
+    /// How much ρ grows along the surface when the direction turns by two texels. Turning it by δ moves the point by
+    /// t (δ − d (n·δ)/(n·d)), and ρ by r·that, with r the horizontal unit vector away from the axis.
+    #[cold]
+    fn reach(&self, hit: &Hit, direction: DVec3, horizontal: DVec3, t: f64) -> f64 {
+        let [a, b, c] = self.scene.instance(hit.instance).corners(hit.face).map(|corner| corner.as_dvec3());
+        let normal = (b - a).cross(c - a);
+        let away = horizontal.normalize_or_zero();
+        let slant = away.dot(direction) / normal.dot(direction);
+        // A surface seen edge-on has no footprint; 0 times infinity is NaN and compares as outside.
+        (away - normal * slant).length() * t * self.two_texels
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{FaceMap, Instance, Mesh};
+    use glam::DAffine3;
+    use std::sync::Arc;
+
+    fn scene(quads: &[[[f32; 3]; 4]]) -> Scene {
+        let positions: Vec<[f32; 3]> = quads.concat();
+        let faces = (0..quads.len() as u32).flat_map(|q| [[4 * q, 4 * q + 1, 4 * q + 2], [4 * q, 4 * q + 2, 4 * q + 3]]);
+        let objects = (0..quads.len() as i32).flat_map(|q| [q, q]).collect::<Vec<_>>();
+        let mesh = Mesh::new(
+            positions.into(),
+            faces.collect(),
+            None,
+            None,
+            FaceMap::PerFace(objects.into()),
+            FaceMap::Uniform(0),
+        );
+        let instance = Instance::new(Arc::new(mesh.unwrap()), DAffine3::IDENTITY, None).unwrap();
+        Scene::new(DVec3::ZERO, vec![instance], vec![], Arc::default(), Arc::default()).unwrap()
+    }
+
+    fn wall(x: f32, half: f32) -> [[f32; 3]; 4] {
+        [[x, -half, -half], [x, -half, half], [x, half, half], [x, half, -half]]
+    }
+
+    fn baked(scene: &Scene, radius: f64, size: u32) -> EnvironmentMap {
+        let bake_ =
+            Bake { center: DVec3::ZERO, radius, size, samples: 1, range: true, object_id: true };
+        bake(scene, &bake_, &Progress::new()).unwrap()
+    }
+
+    #[test]
+    fn walls_inside_the_cylinder_do_not_hide_those_beyond() {
+        let map = baked(&scene(&[wall(5.0, 3.0), wall(20.0, 50.0)]), 10.0, 16);
+        let (range, object) = map.surface(glam::Vec3::X);
+        assert_eq!(object, 1);
+        // The texel next to the axis is off it by 1/16 of the distance each way.
+        let expected = 20.0 * (1.0f32 + 2.0 / 256.0).sqrt();
+        assert!((range - expected).abs() < 1e-5 * expected);
+        assert_eq!(map.surface(glam::Vec3::NEG_X), (f32::INFINITY, -1));
+    }
+
+    #[test]
+    fn vertical_rays_meet_nothing() {
+        let roof = [[-8.0, 9.0, -8.0], [8.0, 9.0, -8.0], [8.0, 9.0, 8.0], [-8.0, 9.0, 8.0]];
+        let map = baked(&scene(&[roof]), 40.0, 8);
+        assert!(map.object_id.unwrap().iter().all(|&object| object == -1));
+    }
+
+    #[test]
+    fn ground_overlaps_by_its_footprint_and_no_more() {
+        // Ground 1.7 m below: at ρ = 10 m a texel of 1/128 is 0.47 m of ground, so that the overlap is about 0.9 m.
+        let far = 1000.0;
+        let ground = [[-far, -1.7, -far], [-far, -1.7, far], [far, -1.7, far], [far, -1.7, -far]];
+        let size = 256;
+        let map = baked(&scene(&[ground]), 10.0, size);
+        let range = map.range.unwrap();
+        let mut least = f64::INFINITY;
+        for texel in 0..6 * size * size {
+            let d = crate::cubemap::direction_from_texel(texel, size).normalize();
+            let expected = -1.7 / d.y;
+            let rho = expected * d.x.hypot(d.z);
+            let found = f64::from(range[texel as usize]);
+            if d.y < 0.0 && rho > 10.0 {
+                assert!((found - expected).abs() < 1e-4 * expected, "{d} {found} {expected}");
+            } else if found.is_finite() {
+                least = least.min(rho);
+            }
+        }
+        assert!((8.5..9.8).contains(&least), "{least}");
+    }
+
+    #[test]
+    fn refuses_impossible_settings() {
+        let scene = scene(&[wall(5.0, 1.0)]);
+        let good = Bake { center: DVec3::ZERO, radius: 1.0, size: 4, samples: 1, range: false, object_id: false };
+        let wrong = [
+            Bake { center: DVec3::NAN, ..good },
+            Bake { radius: f64::NAN, ..good },
+            Bake { radius: -1.0, ..good },
+            Bake { size: 0, ..good },
+            Bake { size: MAX_SIZE + 1, ..good },
+            Bake { samples: 0, ..good },
+        ];
+        assert!(bake(&scene, &good, &Progress::new()).is_ok());
+        for settings in wrong {
+            assert!(bake(&scene, &settings, &Progress::new()).is_err(), "{settings:?}");
+        }
+        let cancelled = Progress::new();
+        cancelled.cancel();
+        assert_eq!(bake(&scene, &good, &cancelled).unwrap_err(), Error::Cancelled);
+    }
+}

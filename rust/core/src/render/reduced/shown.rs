@@ -1,0 +1,161 @@
+//! Near geometry as triangles to be traced: those that never change, and those that are morphed for each frame.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3, Vec3};
+use rayon::prelude::*;
+
+use super::split::{Splitter, Triangle};
+use crate::base::{Progress, Result};
+use crate::morph::Morph;
+use crate::partition::Partition;
+use crate::scene::{FaceMap, Instance, Mesh, Scene};
+
+/// A piece of a scene's face: where its three corners lie on that face.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece {
+    pub instance: u32,
+    pub face: u32,
+    /// Weights of the face's second and third corner at the piece's corners.
+    corners: [[f32; 2]; 3],
+}
+
+/// Corners of a face on itself.
+const WHOLE: [[f32; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+
+impl Piece {
+    /// Weights on the face for weights on the piece. For a whole face they are the same, bit for bit.
+    #[inline]
+    pub fn on_face(&self, u: f32, v: f32) -> (f32, f32) {
+        let [a, b, c] = self.corners;
+        let mix = |i: usize| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i]);
+        (mix(0), mix(1))
+    }
+}
+
+/// Pieces and the mesh that they are traced as, face by face.
+#[derive(Clone, Debug)]
+struct Part {
+    pieces: Arc<Vec<Piece>>,
+    instance: Instance,
+}
+
+/// Near geometry of a reduced scene.
+#[derive(Debug, Default)]
+pub(super) struct NearGeometry {
+    /// Standing triangles with all corners inside r₁: no morph changes them.
+    fixed: Option<Part>,
+    /// The other standing ones: instance and face.
+    bending: Vec<(u32, u32)>,
+}
+
+/// Near geometry as one user sees it.
+pub(super) struct Shown {
+    /// Instance 0 holds the fixed pieces, instance 1 the morphed ones.
+    pub scene: Scene,
+    pieces: [Arc<Vec<Piece>>; 2],
+    /// Vertices that user and centre see in opposite directions.
+    pub opposed: u64,
+}
+
+impl NearGeometry {
+    /// Copies what is inside r₁ and lists the rest.
+    pub fn gather(partition: &Partition, progress: &Progress) -> Result<Self> {
+        let scene = partition.scene();
+        let center = partition.center() - scene.origin;
+        let standing = scene.standing.instances().len() as u32;
+        let r1 = partition.r1();
+        let inside = |&(instance, face): &(u32, u32)| {
+            let rho = |p: Vec3| (f64::from(p.x) - center.x).hypot(f64::from(p.z) - center.z);
+            scene.instance(instance).corners(face).into_iter().all(|corner| rho(corner) <= r1)
+        };
+        let nsf = partition.nsf().take_while(|&(instance, _)| instance < standing);
+        let (fixed, bending): (Vec<_>, Vec<_>) = nsf.partition(inside);
+        let pieces = fixed.into_iter().map(|(instance, face)| Piece { instance, face, corners: WHOLE }).collect();
+        let corners = |piece: &Piece| scene.instance(piece.instance).corners(piece.face);
+        let fixed = Part::new(pieces, corners)?;
+        fixed.instance.mesh.build_bvh(progress)?;
+        Ok(Self { fixed: Some(fixed), bending })
+    }
+
+    /// Bytes of the copies.
+    pub fn bytes(&self) -> usize {
+        let fixed = self.fixed.as_ref().map_or(0, |part| part.pieces.len() * (size_of::<Piece>() + 9 * 4 + 3 * 4));
+        fixed + size_of_val(&self.bending[..])
+    }
+
+    /// What a user sees of it, and of everything that moves.
+    pub fn morphed(
+        &self,
+        scene: &Scene,
+        morph: &Morph,
+        tolerance: Option<f64>,
+        progress: &Progress,
+    ) -> Result<Shown> {
+        let standing = scene.standing.instances().len();
+        let moving = scene.moving.instances().iter().enumerate().flat_map(|(number, instance)| {
+            (0..instance.mesh.faces.len() as u32).map(move |face| ((standing + number) as u32, face))
+        });
+        let sources: Vec<(u32, u32)> = self.bending.iter().copied().chain(moving).collect();
+        progress.check()?;
+        let splitter = Splitter { morph, tolerance };
+        let triangles: Vec<(Piece, [DVec3; 3])> = sources
+            .into_par_iter()
+            .flat_map_iter(|(instance, face)| {
+                let corners = scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
+                let whole = Triangle { corners, weights: WHOLE };
+                let pieces = splitter.split(whole, instance as usize >= standing);
+                pieces.into_iter().map(move |piece| (Piece { instance, face, corners: piece.weights }, piece.corners))
+            })
+            .collect();
+        progress.check()?;
+        let morphed = |corner: DVec3| {
+            let shown = morph.examine(corner);
+            (shown.point.as_vec3(), u64::from(shown.opposed))
+        };
+        let corners: Vec<[(Vec3, u64); 3]> =
+            triangles.par_iter().map(|(_, corners)| corners.map(morphed)).collect();
+        let opposed = corners.iter().flatten().map(|(_, opposed)| opposed).sum();
+        let mut shown = corners.into_iter().map(|corners| corners.map(|(point, _)| point));
+        let pieces = triangles.into_iter().map(|(piece, _)| piece).collect();
+        let bent = Part::new(pieces, |_| shown.next().unwrap_or_default())?;
+        let fixed = match &self.fixed {
+            Some(fixed) => fixed.clone(),
+            None => Part::new(Vec::new(), |_| Default::default())?,
+        };
+        let instances = vec![fixed.instance, bent.instance];
+        let scene = Scene::new(scene.origin, instances, Vec::new(), Arc::default(), Arc::default())?;
+        scene.build(progress)?;
+        Ok(Shown { scene, pieces: [fixed.pieces, bent.pieces], opposed })
+    }
+}
+
+impl Part {
+    fn new(pieces: Vec<Piece>, mut corners: impl FnMut(&Piece) -> [Vec3; 3]) -> Result<Self> {
+        let positions: Vec<[f32; 3]> = pieces.iter().flat_map(|piece| corners(piece).map(|p| p.to_array())).collect();
+        let faces = (0..pieces.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let (objects, materials) = (FaceMap::Uniform(-1), FaceMap::Uniform(-1));
+        let mesh = Mesh::new(positions.into(), faces, None, None, objects, materials)?;
+        let instance = Instance::new(Arc::new(mesh), DAffine3::IDENTITY, None)?;
+        Ok(Self { pieces: Arc::new(pieces), instance })
+    }
+}
+
+impl Shown {
+    /// The piece that a hit on `scene` belongs to.
+    #[inline]
+    pub fn piece(&self, instance: u32, face: u32) -> &Piece {
+        &self.pieces[instance as usize][face as usize]
+    }
+
+    /// True for pieces that no morph changes.
+    #[inline]
+    pub fn is_fixed(instance: u32) -> bool {
+        instance == 0
+    }
+
+    /// Triangles that are traced.
+    pub fn triangle_count(&self) -> u64 {
+        self.pieces.iter().map(|pieces| pieces.len() as u64).sum()
+    }
+}
