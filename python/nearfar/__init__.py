@@ -2,12 +2,13 @@
 
 from nearfar import datasets
 from nearfar._camera import Camera, CubeFace, Fov, Orthographic
-from nearfar._envmap import cube_lookup
+from nearfar._envmap import EnvMap, cube_lookup
 from nearfar._errors import DeviceError, Error, FormatError, SceneError
 from nearfar._frame import Frame
 from nearfar._load_curve import LoadCurve, load_curve
 from nearfar._morph import morph
 from nearfar._partition import Partition, partition, triangle_radii
+from nearfar._reduce import ReducedScene, reduce
 from nearfar._render import render
 from nearfar._scene import Scene
 from nearfar._trace import Hits, cast_rays
@@ -17,6 +18,7 @@ __all__ = [
     "Camera",
     "CubeFace",
     "DeviceError",
+    "EnvMap",
     "Error",
     "FormatError",
     "Fov",
@@ -25,6 +27,7 @@ __all__ = [
     "LoadCurve",
     "Orthographic",
     "Partition",
+    "ReducedScene",
     "Scene",
     "SceneError",
     "__version__",
@@ -34,6 +37,7 @@ __all__ = [
     "load_curve",
     "morph",
     "partition",
+    "reduce",
     "render",
     "triangle_radii",
 ]

@@ -171,6 +171,46 @@ def render_truth(
 ) -> dict[str, NDArray[Any]]: ...
 def encode_srgb(linear: NDArray[np.float32]) -> NDArray[np.uint8]: ...
 
+# reduce -------------------------------------------------------------------------------------------------------------
+def bake(
+    scene: Scene,
+    *,
+    center: tuple[float, float, float],
+    radius: float,
+    size: int,
+    samples: int,
+    range: bool,  # noqa: A002
+    object_id: bool,
+    report: _Report | None = None,
+) -> tuple[dict[str, NDArray[Any]], int]: ...
+
+class Reduced:
+    def __new__(
+        cls,
+        partition: Partition,
+        *,
+        morph: str,
+        boundary: float,
+        size: int = 0,
+        color: NDArray[np.float32] | None = None,
+        range: NDArray[np.float32] | None = None,  # noqa: A002
+        object_id: NDArray[np.int32] | None = None,
+        report: _Report | None = None,
+    ) -> Reduced: ...
+    def render(
+        self,
+        scene: Scene,
+        camera: Camera,
+        *,
+        channels: list[str],
+        samples: int,
+        tolerance_px: float | None,
+        report: _Report | None = None,
+    ) -> dict[str, NDArray[Any]]: ...
+    @property
+    def near_bytes(self) -> int: ...
+    def last_frame(self) -> tuple[int, int]: ...
+
 # exr ----------------------------------------------------------------------------------------------------------------
 _Part = tuple[str, dict[str, NDArray[Any]], dict[str, str]]
 

@@ -2,14 +2,162 @@
 
 from __future__ import annotations
 
+import os
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core
+from nearfar import _check, _core, _exr, _formats
+from nearfar._errors import FormatError
 
 FILTERS = ("nearest", "linear", "min", "max")
+
+FACES = ("px", "nx", "py", "ny", "pz", "nz")
+"""Names of the faces in files."""
+
+CHANNELS = ("color", "range", "object_id")
+"""All that a map may hold."""
+
+VERSION = 1
+"""Of the EXR files that maps are saved as."""
+
+
+@dataclass(frozen=True, eq=False)
+class EnvMap:
+    """What surrounds a point: colour along every direction, and range and objects where they were baked.
+
+    Six faces +x −x +y −y +z −z of S×S texels in the Vulkan/WebGPU orientation. The arrays become read-only.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For arrays of other shapes or types.
+    """
+
+    center: tuple[float, float, float]
+    """World position in metres that the map was seen from."""
+    color: NDArray[np.float32] = field(repr=False)
+    """(6, S, S, 3) float32, linear RGB."""
+    range: NDArray[np.float32] | None = field(default=None, repr=False)
+    """(6, S, S) float32, metres from the centre; +inf where nothing is. None where it was not baked."""
+    object_id: NDArray[np.int32] | None = field(default=None, repr=False)
+    """(6, S, S) int32, index into the scene's `object_names`; −1 where nothing is. None where it was not baked."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "center", _check.vector("center", self.center))
+        size = np.shape(self.color)[1] if np.ndim(self.color) == 4 else 0
+        for name in CHANNELS:
+            values = getattr(self, name)
+            if values is None and name != "color":
+                continue
+            kind = np.int32 if name == "object_id" else np.float32
+            own = _check.array(name, values, columns=None, dtype=kind).view()
+            expected = (6, size, size, 3) if name == "color" else (6, size, size)
+            if size == 0 or own.shape != expected:
+                raise ValueError(f"{name}: expected shape (6, S, S{', 3' * (name == 'color')}), got {own.shape}")
+            own.flags.writeable = False
+            object.__setattr__(self, name, own)
+
+    @property
+    def face_size(self) -> int:
+        """Texels across a face."""
+        return int(self.color.shape[1])
+
+    @property
+    def channels(self) -> tuple[str, ...]:
+        """Names of what the map holds."""
+        return tuple(name for name in CHANNELS if getattr(self, name) is not None)
+
+    @property
+    def nbytes(self) -> int:
+        """Bytes of all channels."""
+        return sum(getattr(self, name).nbytes for name in self.channels)
+
+    def sample(self, directions: ArrayLike, *, channel: str = "color", filter: str | None = None) -> NDArray[Any]:  # noqa: A002
+        """Values along directions; see `cube_lookup`.
+
+        Parameters
+        ----------
+        directions
+            (..., 3) world directions of any length.
+        channel
+            "color", "range" or "object_id".
+        filter
+            As in `cube_lookup`. By default colour is "linear" and the others are "nearest"; ranges are never mixed
+            linearly, because a mean across a silhouette is the range of nothing.
+
+        Returns
+        -------
+        NDArray
+            (..., 3) linear RGB, (...) metres or (...) object numbers.
+
+        Raises
+        ------
+        ValueError
+            For a channel that was not baked, and a filter that does not fit it.
+        """
+        _check.choice("channel", channel, CHANNELS)
+        values = getattr(self, channel)
+        if values is None:
+            raise ValueError(f"channel: expected one of {', '.join(self.channels)}, which were baked, got {channel!r}")
+        chosen = filter or ("linear" if channel == "color" else "nearest")
+        if channel == "range" and chosen == "linear":
+            raise ValueError("filter: expected 'nearest', 'min' or 'max' for range, got 'linear'")
+        return cube_lookup(values, directions, filter=chosen)
+
+    def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
+        """Write the map as an OpenEXR file, whole or not at all.
+
+        Parameters
+        ----------
+        path
+            `.exr`. One part for each face, `px nx py ny pz nz`, with the channels `R G B`, and where the map has
+            them `range` (float32, exact, +inf kept) and `object_id` (unsigned, two's complement). Compression is
+            lossless.
+        half
+            Store colour as 16-bit floats: half the size, and a relative error of 2⁻¹¹ at most, a quarter of a step
+            of 8-bit sRGB. False keeps float32 bit for bit.
+
+        Raises
+        ------
+        ValueError
+            For another suffix.
+        OSError
+            Where the file cannot be written.
+        """
+        if not os.fspath(path).lower().endswith(".exr"):
+            raise ValueError(f"path: expected a name ending in .exr, got {os.fspath(path)!r}")
+        color = self.color.astype(np.float16) if half else self.color
+        parts: dict[str, dict[str, NDArray[Any]]] = {}
+        for face, name in enumerate(FACES):
+            parts[name] = {axis: np.ascontiguousarray(color[face, ..., i]) for i, axis in enumerate("RGB")}
+            if self.range is not None:
+                parts[name]["range"] = self.range[face]
+            if self.object_id is not None:
+                parts[name]["object_id"] = self.object_id[face].view(np.uint32)
+        document = _formats.header(
+            "envmap", VERSION, color_space="linear", center=list(self.center), orientation="Vulkan/WebGPU cube faces"
+        )
+        _exr.write(path, parts, document)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> EnvMap:
+        """Read what `save` wrote; FormatError for other files and for newer versions, OSError where it is missing."""
+        document, parts = _exr.read(path, "envmap", VERSION)
+        try:
+            faces = [parts[name] for name in FACES]
+            color = np.stack([np.stack([face[axis] for axis in "RGB"], axis=-1) for face in faces])
+            channels: dict[str, NDArray[Any]] = {"color": color.astype(np.float32, copy=False)}
+            for name in ("range", "object_id"):
+                if name in faces[0]:
+                    channels[name] = np.stack([face[name] for face in faces])
+            if "object_id" in channels:
+                channels["object_id"] = channels["object_id"].view(np.int32)
+            return cls(document["center"], **channels)
+        except (KeyError, TypeError, ValueError) as error:
+            raise FormatError(f"{os.fspath(path)}: damaged environment map: {error}") from None
 
 
 def cube_lookup(faces: ArrayLike, directions: ArrayLike, *, filter: str = "nearest") -> NDArray[Any]:  # noqa: A002

@@ -8,6 +8,7 @@ mod errors;
 mod exr;
 mod morph;
 mod partition;
+mod reduce;
 mod render;
 mod run;
 mod scene;
@@ -26,5 +27,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     morph::register(module)?;
     cubemap::register(module)?;
     render::register(module)?;
+    reduce::register(module)?;
     exr::register(module)
 }

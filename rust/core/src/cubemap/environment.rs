@@ -32,9 +32,7 @@ impl EnvironmentMap {
         }
         let texels = color.len();
         match &object_id {
-            Some(ids) if ids.len() != texels => {
-                Err(Error::value("object_id", format!("{texels} numbers"), ids.len()))
-            }
+            Some(ids) if ids.len() != texels => Err(Error::value("object_id", format!("{texels} numbers"), ids.len())),
             _ => Ok(Self { size, color, range, object_id }),
         }
     }

@@ -1,17 +1,15 @@
 //! The far part of a scene as an environment map: rays from the centre that start where they leave the near cylinder.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use super::frame::{Channels, Frame};
 use super::tiles::{View, draw};
 use super::truth::Truth;
 use crate::base::{Error, Progress, Result};
 use crate::camera::{Camera, Projection};
-use crate::cubemap::{EnvironmentMap, MAX_SIZE};
+use crate::cubemap::MAX_SIZE;
 use crate::scene::Scene;
 use crate::trace::{AlphaFilter, Filter, Hit, Ray};
-
-use glam::DQuat;
 
 /// What is baked, and how finely.
 #[derive(Clone, Copy, Debug)]
@@ -30,8 +28,8 @@ pub struct Bake {
     pub object_id: bool,
 }
 
-/// Bakes what stands; moving objects are never in the map. Geometry is traced where it lies, without copies.
-pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<EnvironmentMap> {
+/// Six faces, one after the other, of what stands; moving objects are never in the map. Geometry is traced where it lies, without copies.
+pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame> {
     let &Bake { center, radius, size, samples, range, object_id } = settings;
     if !(1..=MAX_SIZE).contains(&size) {
         return Err(Error::value("face_size", format!("1 to {MAX_SIZE} texels"), size));
@@ -57,8 +55,7 @@ pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Envir
         whole.range.extend(part.range);
         whole.object_id.extend(part.object_id);
     }
-    let (ranges, objects) = (range.then(|| whole.range.into()), object_id.then(|| whole.object_id.into()));
-    EnvironmentMap::new(size, whole.color.into(), ranges, objects)
+    Ok(whole)
 }
 
 /// Number of rays that a bake casts.
@@ -108,13 +105,15 @@ impl Beyond<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cubemap::EnvironmentMap;
     use crate::scene::{FaceMap, Instance, Mesh};
     use glam::DAffine3;
     use std::sync::Arc;
 
     fn scene(quads: &[[[f32; 3]; 4]]) -> Scene {
         let positions: Vec<[f32; 3]> = quads.concat();
-        let faces = (0..quads.len() as u32).flat_map(|q| [[4 * q, 4 * q + 1, 4 * q + 2], [4 * q, 4 * q + 2, 4 * q + 3]]);
+        let faces =
+            (0..quads.len() as u32).flat_map(|q| [[4 * q, 4 * q + 1, 4 * q + 2], [4 * q, 4 * q + 2, 4 * q + 3]]);
         let objects = (0..quads.len() as i32).flat_map(|q| [q, q]).collect::<Vec<_>>();
         let mesh = Mesh::new(
             positions.into(),
@@ -133,9 +132,9 @@ mod tests {
     }
 
     fn baked(scene: &Scene, radius: f64, size: u32) -> EnvironmentMap {
-        let bake_ =
-            Bake { center: DVec3::ZERO, radius, size, samples: 1, range: true, object_id: true };
-        bake(scene, &bake_, &Progress::new()).unwrap()
+        let settings = Bake { center: DVec3::ZERO, radius, size, samples: 1, range: true, object_id: true };
+        let frame = bake(scene, &settings, &Progress::new()).unwrap();
+        EnvironmentMap::new(size, frame.color.into(), Some(frame.range.into()), Some(frame.object_id.into())).unwrap()
     }
 
     #[test]

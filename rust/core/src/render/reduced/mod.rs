@@ -42,9 +42,9 @@ pub struct Drawing {
     pub channels: Channels,
     /// Colour samples of each pixel.
     pub samples: u32,
-    /// Largest error, in radians as the user sees it, by which a straight edge may miss the bent one: longer edges are
-    /// split for the frame. None morphs the vertices that there are.
-    pub tolerance: Option<f64>,
+    /// By how many pixels of this view a straight edge may miss the bent one: longer edges are split for the frame.
+    /// None morphs the vertices that there are.
+    pub tolerance_px: Option<f64>,
 }
 
 /// A scene divided at two radii about a centre, with what surrounds it.
@@ -98,15 +98,18 @@ impl Reduced {
             return Err(Error::value("at", "poses of the scene that was reduced", "another scene"));
         }
         self.check_channels(drawing.channels)?;
-        let view =
-            View { camera, origin: scene.origin, channels: drawing.channels, samples: drawing.samples };
+        if drawing.tolerance_px.is_some_and(|pixels| !(pixels > 0.0)) {
+            return Err(Error::value("tolerance_px", "a number above 0", drawing.tolerance_px.unwrap_or_default()));
+        }
+        let view = View { camera, origin: scene.origin, channels: drawing.channels, samples: drawing.samples };
         let center = self.center - scene.origin;
         let backdrop = Backdrop { map: self.map.as_ref(), center };
         match self.join {
             Join::Morph(kind) if camera.position != self.center => {
                 let [r1, r2] = self.radii;
                 let morph = Morph::new(camera.position - scene.origin, center, r1, r2, kind)?;
-                let shown = self.near.morphed(scene, &morph, drawing.tolerance, progress)?;
+                let tolerance = drawing.tolerance_px.map(|pixels| pixels * self.pixel_angle(camera));
+                let shown = self.near.morphed(scene, &morph, tolerance, progress)?;
                 self.remember(shown.triangle_count(), shown.opposed);
                 draw(&view, &bent::Bent { scene, shown, backdrop, center, radius: r2 }, progress)
             }
@@ -118,6 +121,11 @@ impl Reduced {
         }
     }
 
+    /// Radians that a pixel covers: in the middle of the image, for parallel rays as seen from r₂ away.
+    fn pixel_angle(&self, camera: &Camera) -> f64 {
+        camera.pixel_size() / if camera.is_parallel() { self.radii[1] } else { 1.0 }
+    }
+
     fn remember(&self, triangles: u64, opposed: u64) {
         self.last[0].store(triangles, Ordering::Relaxed);
         self.last[1].store(opposed, Ordering::Relaxed);
@@ -126,10 +134,9 @@ impl Reduced {
     /// Far pixels have the channels that were baked.
     fn check_channels(&self, wanted: Channels) -> Result<()> {
         let Some(map) = &self.map else { return Ok(()) };
-        for (name, wanted, baked) in [
-            ("range", wanted.range, map.range.is_some()),
-            ("object_id", wanted.object_id, map.object_id.is_some()),
-        ] {
+        for (name, wanted, baked) in
+            [("range", wanted.range, map.range.is_some()), ("object_id", wanted.object_id, map.object_id.is_some())]
+        {
             if wanted && !baked {
                 let expected = format!("an environment map with {name}: reduce with channels=(\"color\", \"{name}\")");
                 return Err(Error::value("channels", expected, "a map without"));

@@ -85,13 +85,7 @@ impl NearGeometry {
     }
 
     /// What a user sees of it, and of everything that moves.
-    pub fn morphed(
-        &self,
-        scene: &Scene,
-        morph: &Morph,
-        tolerance: Option<f64>,
-        progress: &Progress,
-    ) -> Result<Shown> {
+    pub fn morphed(&self, scene: &Scene, morph: &Morph, tolerance: Option<f64>, progress: &Progress) -> Result<Shown> {
         let standing = scene.standing.instances().len();
         let moving = scene.moving.instances().iter().enumerate().flat_map(|(number, instance)| {
             (0..instance.mesh.faces.len() as u32).map(move |face| ((standing + number) as u32, face))
@@ -113,8 +107,7 @@ impl NearGeometry {
             let shown = morph.examine(corner);
             (shown.point.as_vec3(), u64::from(shown.opposed))
         };
-        let corners: Vec<[(Vec3, u64); 3]> =
-            triangles.par_iter().map(|(_, corners)| corners.map(morphed)).collect();
+        let corners: Vec<[(Vec3, u64); 3]> = triangles.par_iter().map(|(_, corners)| corners.map(morphed)).collect();
         let opposed = corners.iter().flatten().map(|(_, opposed)| opposed).sum();
         let mut shown = corners.into_iter().map(|corners| corners.map(|(point, _)| point));
         let pieces = triangles.into_iter().map(|(piece, _)| piece).collect();

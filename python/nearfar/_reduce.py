@@ -1,0 +1,264 @@
+"""Near–far reduction: the one file that knows the order partition → bake → render. It computes nothing itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from nearfar import _check, _core, _envmap, _progress, _render
+from nearfar._camera import Camera
+from nearfar._envmap import EnvMap
+from nearfar._frame import CHANNELS, Frame
+from nearfar._partition import Partition, partition
+from nearfar._scene import Scene
+
+MORPHS = ("blend", "cylinder", "none")
+
+MAX_SAMPLES = 1024
+
+
+class ReducedScene:
+    """A scene made light: near geometry that follows the user, before a map of what is far.
+
+    Made by `reduce`. The scene's meshes are shared, not copied, except for the near triangles (`stats`).
+    """
+
+    def __init__(
+        self, scene: Scene, zones: Partition, env: EnvMap | None, *, morph: str, boundary: str, rays: int = 0
+    ) -> None:
+        self._scene, self._partition, self._env = scene, zones, env
+        self._morph, self._boundary, self._rays = morph, boundary, rays
+        radius = zones.r1 if boundary == "r1" else zones.r2
+        channels = {} if env is None else {name: _rows(getattr(env, name)) for name in env.channels}
+        size = 0 if env is None else env.face_size
+        with _progress.bar("gathering near geometry") as report:
+            self._core = _core.Reduced(zones._core, morph=morph, boundary=radius, size=size, **channels, report=report)
+
+    @property
+    def scene(self) -> Scene:
+        """The scene that was reduced."""
+        return self._scene
+
+    @property
+    def partition(self) -> Partition:
+        """Which triangles are near and which are far."""
+        return self._partition
+
+    @property
+    def env(self) -> EnvMap | None:
+        """What surrounds the centre; None where nothing lies beyond the near part."""
+        return self._env
+
+    @property
+    def center(self) -> tuple[float, float, float]:
+        """World position of the centre O, metres."""
+        return self._partition.center
+
+    @property
+    def r1(self) -> float:
+        """Radius in metres inside which nothing is morphed."""
+        return self._partition.r1
+
+    @property
+    def r2(self) -> float:
+        """Radius in metres beyond which only the map is seen."""
+        return self._partition.r2
+
+    @property
+    def morph(self) -> str:
+        """How near and far part are joined: "blend", "cylinder" or "none"."""
+        return self._morph
+
+    @property
+    def stats(self) -> dict[str, Any]:
+        """Count what is left and what was needed.
+
+        Returns
+        -------
+        dict
+            `triangles` of the scene, `near`, `intermediate`, `nsf` and `sf` as in `Partition.summary`; `drawn`, the
+            triangles that a client draws, and `reduction` = triangles / drawn; `map_bytes`, `near_bytes` (copies of
+            near geometry); `rays` and `ranges_computed` while baking; of the last frame `frame_triangles` (after
+            splitting; 0 where the scene's own trees were used) and `opposed_directions` (vertices that user and
+            centre see in opposite directions, which happens only outside the near cylinder).
+        """
+        counts = self._partition.summary()
+        triangles, opposed = self._core.last_frame()
+        drawn = counts["nsf"]
+        if self._boundary == "r1":
+            drawn = counts["near"]
+        return {
+            **{name: counts[name] for name in ("triangles", "near", "intermediate", "nsf", "sf")},
+            "drawn": drawn,
+            "reduction": counts["triangles"] / max(drawn, 1),
+            "map_bytes": 0 if self._env is None else self._env.nbytes,
+            "near_bytes": self._core.near_bytes,
+            "rays": self._rays,
+            "ranges_computed": 0 if self._env is None or self._env.range is None else self._env.range.size,
+            "frame_triangles": triangles,
+            "opposed_directions": opposed,
+        }
+
+    def render(
+        self,
+        camera: Camera,
+        *,
+        at: Mapping[str, ArrayLike] | None = None,
+        samples: int = 1,
+        channels: Iterable[str] | None = None,
+        method: str = "vertex",
+        tolerance_px: float | None = 0.5,
+    ) -> Frame:
+        """Render what a thin client shows to a user at the camera's position.
+
+        Parameters
+        ----------
+        camera
+            The user's view.
+        at
+            Poses of moving objects, as in `Scene.at`. They are seen wherever they are, never in the map.
+        samples
+            Colour samples of each pixel; all other images are taken at the pixel's centre.
+        channels
+            Images to compute, as in `render`; by default colour, and range and object_id where far pixels have them.
+            Far pixels have the channels that were baked, the point of the map's range as position, face_id −1 and
+            no normal. `range` is the displayed distance, `position` and `normal` are unmorphed.
+        method
+            "vertex": the morph moves vertices, as a vertex shader would.
+        tolerance_px
+            By how many pixels an edge may miss its morphed curve before it is split for this frame. None morphs the
+            vertices that there are, which bends long triangles wrongly and opens breaks at both radii.
+
+        Returns
+        -------
+        Frame
+            The same bytes for any number of threads.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For arguments out of their domains, and for a range or object_id that was not baked.
+        """
+        if not isinstance(camera, Camera):
+            raise TypeError(f"camera: expected a Camera, got {type(camera).__name__}")
+        _check.choice("method", method, ("vertex",))
+        samples = _check.integer("samples", samples, 1, MAX_SAMPLES)
+        tolerance = None if tolerance_px is None else _check.positive("tolerance_px", tolerance_px)
+        wanted = _render.channel_names(self._default_channels if channels is None else channels)
+        scene = self._scene if at is None else self._scene.at(at)
+        with _progress.bar("rendering") as report:
+            images = self._core.render(
+                scene._core, camera._core, channels=wanted, samples=samples, tolerance_px=tolerance, report=report
+            )
+        return Frame(camera, scene._core.origin, **images)
+
+    @property
+    def _default_channels(self) -> tuple[str, ...]:
+        return _envmap.CHANNELS if self._env is None else self._env.channels
+
+    def __repr__(self) -> str:
+        stats = self.stats
+        return (
+            f"ReducedScene({self._morph!r}, r1={self.r1:g}, r2={self.r2:g}: {stats['drawn']:,} of "
+            f"{stats['triangles']:,} triangles, map of {stats['map_bytes']:,} bytes)"
+        )
+
+
+def reduce(
+    scene: Scene,
+    *,
+    center: ArrayLike,
+    r1: float,
+    r2: float,
+    face_size: int = 1024,
+    morph: str = "blend",
+    boundary: str = "r2",
+    channels: Iterable[str] = ("color",),
+    samples: int = 4,
+    backend: str = "auto",
+) -> ReducedScene:
+    """Make a scene light: keep what is near as geometry, bake what is far, and join the two without a seam.
+
+    Parameters
+    ----------
+    scene
+        The scene.
+    center
+        World position O in metres that the map is baked from: an eye's height above the ground, in the middle of where
+        users will be.
+    r1, r2
+        Radii in metres about the vertical axis through O, 0 ≤ r1 < r2. Inside r1 everything is where it is; beyond r2
+        only the map is seen; in between the picture changes from one to the other.
+    face_size
+        Texels across each of the map's six faces.
+    morph
+        "blend" (Popescu et al. 2022) and "cylinder" (CloVR, 2024: points keep their distance from the axis) are
+        continuous; "none" is the conventional method, whose near part ends with a break.
+    boundary
+        Where the near part of "none" ends and its map begins: "r2", or "r1" as in the paper's figure 1.
+    channels
+        What the map holds: "color" always, "range" and "object_id" if asked for. Scenes with moving objects get
+        range anyway, because it tells what far buildings hide.
+    samples
+        Colour samples of each texel.
+    backend
+        "cpu", or "auto" for the fastest there is.
+
+    Returns
+    -------
+    ReducedScene
+        Without a map where nothing lies beyond the near part.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For arguments out of their domains.
+    DeviceError
+        For "gpu".
+    """
+    if not isinstance(scene, Scene):
+        raise TypeError(f"scene: expected a Scene, got {type(scene).__name__}")
+    _check.choice("morph", morph, MORPHS)
+    if _check.choice("boundary", boundary, ("r1", "r2")) == "r1" and morph != "none":
+        raise ValueError(f"boundary: expected 'r2' with morph={morph!r}, got 'r1', which only morph='none' knows")
+    size = _check.integer("face_size", face_size, 1, 16384)
+    samples = _check.integer("samples", samples, 1, MAX_SAMPLES)
+    wanted = set(_render.channel_names(channels))
+    if unknown := wanted - set(_envmap.CHANNELS):
+        listed = ", ".join(name for name in CHANNELS if name in unknown)
+        raise ValueError(f"channels: expected names of {', '.join(_envmap.CHANNELS)}, got {listed}")
+    _render.check_backend(backend)
+    zones = partition(scene, center=center, r1=r1, r2=r2)
+    env, rays = _bake(scene, zones, boundary, size, samples, wanted)
+    return ReducedScene(scene, zones, env, morph=morph, boundary=boundary, rays=rays)
+
+
+def _bake(
+    scene: Scene, zones: Partition, boundary: str, size: int, samples: int, wanted: set[str]
+) -> tuple[EnvMap | None, int]:
+    """Bake the far part and count the rays; nothing where nothing is far."""
+    counts = zones.summary()
+    if counts["sf"] == 0 and boundary == "r2":
+        return None, 0
+    moving = scene._core.triangle_count > scene._core.standing_triangle_count
+    with _progress.bar("baking") as report:
+        faces, rays = _core.bake(
+            scene._core,
+            center=zones.center,
+            radius=zones.r1 if boundary == "r1" else zones.r2,
+            size=size,
+            samples=samples,
+            range="range" in wanted or moving,
+            object_id="object_id" in wanted,
+            report=report,
+        )
+    shaped = {name: image.reshape(6, size, size, *image.shape[2:]) for name, image in faces.items()}
+    return EnvMap(zones.center, **shaped), rays
+
+
+def _rows(channel: Any) -> Any:
+    """A map's channel as rows of texels."""
+    return np.reshape(channel, (-1, 3) if channel.ndim == 4 else -1)

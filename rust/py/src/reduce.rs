@@ -1,0 +1,120 @@
+//! Bindings of `render::bake` and `render::reduced`.
+
+use glam::DVec3;
+use nearfar_core::base::Error;
+use nearfar_core::cubemap::EnvironmentMap;
+use nearfar_core::morph::Kind;
+use nearfar_core::render::bake::{self, Bake};
+use nearfar_core::render::reduced::{self, Drawing, Join};
+use numpy::PyArrayDyn;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arrays::{buffer, flat_buffer};
+use crate::camera::Camera;
+use crate::errors::to_python;
+use crate::partition::Partition;
+use crate::render::{channels, images};
+use crate::run;
+use crate::scene::Scene;
+
+/// An environment map's channels by name: colour (6, S, S, 3), and range and object_id (6, S, S) where wanted; and the
+/// number of rays.
+#[pyfunction(name = "bake")]
+#[pyo3(signature = (scene, *, center, radius, size, samples, range, object_id, report=None))]
+#[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+fn bake_map<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    center: [f64; 3],
+    radius: f64,
+    size: u32,
+    samples: u32,
+    range: bool,
+    object_id: bool,
+    report: Option<Py<PyAny>>,
+) -> PyResult<(Bound<'py, PyDict>, u64)> {
+    let settings = Bake { center: DVec3::from_array(center), radius, size, samples, range, object_id };
+    let frame = run::long(py, report, |progress| bake::bake(&scene.0, &settings, progress))?;
+    let side = size as usize;
+    Ok((images(py, frame, (6 * side, side))?, bake::rays(&settings)))
+}
+
+type Array<'py, T> = Bound<'py, PyArrayDyn<T>>;
+
+/// A reduced scene, ready to be drawn.
+#[pyclass(frozen, module = "nearfar._core")]
+pub struct Reduced(reduced::Reduced);
+
+#[pymethods]
+impl Reduced {
+    /// `morph` is "blend", "cylinder" or "none"; `boundary` is where the near part of the latter ends. The map's channels
+    /// are rows: (6 S S, 3), (6 S S,), (6 S S,).
+    #[new]
+    #[pyo3(signature = (partition, *, morph, boundary, size=0, color=None, range=None, object_id=None, report=None))]
+    #[expect(clippy::too_many_arguments, reason = "keywords of a Python constructor")]
+    fn new<'py>(
+        py: Python<'py>,
+        partition: &Partition,
+        morph: &str,
+        boundary: f64,
+        size: u32,
+        color: Option<Array<'py, f32>>,
+        range: Option<Array<'py, f32>>,
+        object_id: Option<Array<'py, i32>>,
+        report: Option<Py<PyAny>>,
+    ) -> PyResult<Self> {
+        let join = match morph {
+            "blend" => Join::Morph(Kind::Blend),
+            "cylinder" => Join::Morph(Kind::Cylinder),
+            "none" => Join::Conventional { radius: boundary },
+            _ => return Err(to_python(Error::value("morph", "'blend', 'cylinder' or 'none'", morph))),
+        };
+        let map = match &color {
+            Some(color) => {
+                let color = buffer(color)?;
+                let range = range.as_ref().map(flat_buffer).transpose()?;
+                let object_id = object_id.as_ref().map(flat_buffer).transpose()?;
+                Some(EnvironmentMap::new(size, color, range, object_id).map_err(to_python)?)
+            }
+            None => None,
+        };
+        run::long(py, report, |progress| reduced::Reduced::new(&partition.0, join, map, progress)).map(Self)
+    }
+
+    /// Images of a view by name; `scene` is the one that was reduced, in any pose.
+    #[pyo3(signature = (scene, camera, *, channels, samples, tolerance_px, report=None))]
+    #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+    fn render<'py>(
+        &self,
+        py: Python<'py>,
+        scene: &Scene,
+        camera: &Camera,
+        channels: Vec<String>,
+        samples: u32,
+        tolerance_px: Option<f64>,
+        report: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let drawing = Drawing { channels: self::channels(&channels)?, samples, tolerance_px };
+        let (scene, camera) = (&scene.0, &camera.0);
+        let frame = run::long(py, report, |progress| self.0.render(scene, camera, &drawing, progress))?;
+        images(py, frame, (camera.height as usize, camera.width as usize))
+    }
+
+    /// Bytes of the copies of near geometry.
+    #[getter]
+    fn near_bytes(&self) -> usize {
+        self.0.near_bytes()
+    }
+
+    /// Triangles that were traced for the last frame, and vertices seen in opposite directions.
+    fn last_frame(&self) -> (u64, u64) {
+        let counts = self.0.last_frame();
+        (counts.triangles, counts.opposed)
+    }
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(bake_map, module)?)?;
+    module.add_class::<Reduced>()
+}
