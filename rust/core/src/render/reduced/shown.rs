@@ -92,7 +92,7 @@ impl NearGeometry {
         });
         let sources: Vec<(u32, u32)> = self.bending.iter().copied().chain(moving).collect();
         progress.check()?;
-        let splitter = Splitter { morph, tolerance };
+        let splitter = Splitter::new(morph, tolerance);
         let triangles: Vec<(Piece, [DVec3; 3])> = sources
             .into_par_iter()
             .flat_map_iter(|(instance, face)| {

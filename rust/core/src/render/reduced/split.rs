@@ -22,28 +22,44 @@ struct Cut {
     share: f64,
 }
 
+/// Rules for one user's position.
 pub(super) struct Splitter<'a> {
-    pub morph: &'a Morph,
-    /// Radians as the user sees them; none splits nothing.
-    pub tolerance: Option<f64>,
+    morph: &'a Morph,
+    rules: Option<Rules>,
 }
 
-/// Edges below this share of r₂ are not split any more: it only stops where the morph itself jumps.
-const SHORTEST: f64 = 1e-3;
+/// Lengths in metres. Every part of an edge that the rules leave whole is left whole too: otherwise thin triangles would
+/// be split for ever.
+#[derive(Clone, Copy, Debug)]
+struct Rules {
+    /// Greatest length of an edge between the radii.
+    pitch: f64,
+    /// Least distance from an edge's ends to where it crosses a radius, below which it is not split there.
+    room: f64,
+}
 
-impl Splitter<'_> {
+/// Triangles that are thinner than this share of their length show nothing and are left out.
+const THINNEST: f64 = 1e-9;
+/// Share of a radius by which an end of an edge may miss it and still lie on it.
+const ON_RADIUS: f64 = 1e-9;
+
+impl<'a> Splitter<'a> {
+    /// `tolerance` is in radians as the user sees them; none splits nothing.
+    pub fn new(morph: &'a Morph, tolerance: Option<f64>) -> Self {
+        Self { morph, rules: tolerance.map(|tolerance| Rules::new(morph, tolerance)) }
+    }
+
     /// Pieces that cover a triangle. Those of a standing one that lie beyond r₂ are left out.
     pub fn split(&self, whole: Triangle, moving: bool) -> Vec<Triangle> {
-        let Some(tolerance) = self.tolerance else { return vec![whole] };
+        let Some(rules) = self.rules else { return vec![whole] };
         let mut pieces = Vec::new();
         let mut rest = vec![whole];
         while let Some(piece) = rest.pop() {
-            if !moving && self.is_beyond(&piece.corners) {
+            if piece.is_thin() || (!moving && self.is_beyond(&piece.corners)) {
                 continue;
             }
             let [a, b, c] = piece.corners;
-            let cuts = [(a, b), (b, c), (c, a)].map(|(a, b)| self.cut(a, b, tolerance, moving));
-            match piece.divide(cuts) {
+            match piece.divide([(a, b), (b, c), (c, a)].map(|(a, b)| self.cut(a, b, &rules))) {
                 Some(parts) => rest.extend(parts),
                 None => pieces.push(piece),
             }
@@ -52,53 +68,31 @@ impl Splitter<'_> {
     }
 
     /// Where an edge is split. Both triangles at the edge get the same bits: its ends are put in one order.
-    fn cut(&self, a: DVec3, b: DVec3, tolerance: f64, moving: bool) -> Option<Cut> {
+    fn cut(&self, a: DVec3, b: DVec3, rules: &Rules) -> Option<Cut> {
         if (a.x, a.y, a.z) > (b.x, b.y, b.z) {
-            let share = self.share(b, a, tolerance, moving)?;
+            let share = self.share(b, a, rules)?;
             return Some(Cut { point: b.lerp(a, share), share: 1.0 - share });
         }
-        let share = self.share(a, b, tolerance, moving)?;
+        let share = self.share(a, b, rules)?;
         Some(Cut { point: a.lerp(b, share), share })
     }
 
     /// Share of the way from a to b at which their edge is split.
-    fn share(&self, a: DVec3, b: DVec3, tolerance: f64, moving: bool) -> Option<f64> {
-        let Morph { r1, r2, center, .. } = *self.morph;
-        let rho = |p: DVec3| DVec2::new(p.x - center.x, p.z - center.z).length();
-        let (rho_a, rho_b) = (rho(a), rho(b));
+    fn share(&self, a: DVec3, b: DVec3, rules: &Rules) -> Option<f64> {
+        let Morph { r1, r2, .. } = *self.morph;
+        let rho = |p: DVec3| self.on_ground(p).length();
+        if rho(a).max(rho(b)) <= r1 * (1.0 + ON_RADIUS) {
+            return None;
+        }
         let length = (b - a).length();
-        if rho_a.max(rho_b) <= r1 || length < SHORTEST * r2 {
-            return None;
+        let least = rho(a.lerp(b, self.nearest(a, b)));
+        if least >= r2 * (1.0 - ON_RADIUS) {
+            // Edges that are long for their distance are halved, so that no triangle holds the cylinder between them.
+            return (length > least).then_some(0.5);
         }
-        let nearest = self.nearest(a, b);
-        let least = rho(a.lerp(b, nearest));
-        // Edges that are long for their distance are halved, so that no triangle holds the cylinder between its edges.
-        if length > least.max(r2) {
-            return Some(0.5);
-        }
-        if least >= r2 {
-            return None;
-        }
-        // Between the radii, and where the edge crosses them, the morph is not straight.
-        let crossings = self.crossings(a, b);
-        let samples = [Some(0.25), Some(0.5), Some(0.75)].into_iter().chain(crossings).flatten();
-        let [shown_a, shown_b] = [a, b].map(|p| self.morph.apply(p));
-        let misses = |s: f64| {
-            let p = a.lerp(b, s);
-            // Beyond r₂ nothing that stands is drawn; half a part in a million more holds the crossing itself.
-            if !moving && rho(p) > r2 * (1.0 + 5e-7) {
-                return false;
-            }
-            let exact = self.morph.apply(p);
-            let sight = exact - self.morph.user;
-            sight.cross(shown_a.lerp(shown_b, s) - exact).length() > tolerance * sight.length_squared()
-        };
-        if !samples.into_iter().any(misses) {
-            return None;
-        }
-        let room = SHORTEST * r2 / length;
-        let crossing = crossings.into_iter().flatten().find(|s| (room..=1.0 - room).contains(s));
-        Some(crossing.unwrap_or(0.5))
+        let room = rules.room / length;
+        let crossing = self.crossings(a, b).into_iter().flatten().find(|s| (room..=1.0 - room).contains(s));
+        crossing.or((length > rules.pitch).then_some(0.5))
     }
 
     /// Share of the way from a to b at which the edge comes nearest to the axis.
@@ -141,6 +135,39 @@ impl Splitter<'_> {
     }
 }
 
+impl Rules {
+    /// Measures the morph at some places between the radii: how far the middle of an edge misses its curve grows with
+    /// the square of the edge's length, and how far an edge that bends at a radius misses it grows with the length
+    /// of its shorter end.
+    fn new(morph: &Morph, tolerance: f64) -> Self {
+        let width = morph.r2 - morph.r1;
+        let length = width / 8.0;
+        let (mut bend, mut turn) = (0.0f64, 0.0f64);
+        for place in 0..16 {
+            let (z, x) = (f64::from(place) * std::f64::consts::TAU / 16.0).sin_cos();
+            let (away, along) = (DVec3::new(x, 0.0, z), DVec3::new(-z, 0.0, x));
+            for depth in [0.125, 0.5, 0.875] {
+                let p = morph.center + away * (morph.r1 + width * depth);
+                for edge in [away, along, DVec3::Y].map(|direction| direction * (length / 2.0)) {
+                    let [a, middle, b] = [p - edge, p, p + edge].map(|p| morph.apply(p) - morph.user);
+                    bend = bend.max(angle((a + b) / 2.0, middle));
+                }
+                turn = turn.max(angle(p - morph.user, p - morph.center));
+            }
+        }
+        let pitch = (length * (tolerance / bend).sqrt()).clamp(width / 32.0, morph.r2);
+        // The picture turns by `turn` over the width; on the other side of the radius it does not.
+        let room = (tolerance * width / turn).clamp(width / 1024.0, width / 8.0);
+        Self { pitch, room }
+    }
+}
+
+/// Tangent of the angle between two directions, infinite where one of them is none.
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    let tangent = a.cross(b).length() / a.dot(b).abs();
+    if tangent.is_nan() { f64::INFINITY } else { tangent }
+}
+
 impl Triangle {
     /// Two, three or four parts for splits on the edges ab, bc and ca; none without any.
     fn divide(&self, cuts: [Option<Cut>; 3]) -> Option<Vec<Self>> {
@@ -167,6 +194,12 @@ impl Triangle {
         Some(parts.into_iter().map(Self::from_corners).collect())
     }
 
+    fn is_thin(&self) -> bool {
+        let [a, b, c] = self.corners;
+        let longest = (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
+        (b - a).cross(c - a).length() <= THINNEST * longest
+    }
+
     fn from_corners(corners: [(DVec3, [f32; 2]); 3]) -> Self {
         Self { corners: corners.map(|corner| corner.0), weights: corners.map(|corner| corner.1) }
     }
@@ -180,5 +213,93 @@ impl Triangle {
     fn weights_at(&self, edge: usize, share: f64) -> [f32; 2] {
         let (a, b) = (self.weights[edge], self.weights[(edge + 1) % 3]);
         [0, 1].map(|k| (f64::from(a[k]) + (f64::from(b[k]) - f64::from(a[k])) * share) as f32)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::morph::Kind;
+    use proptest::prelude::*;
+
+    const WHOLE: [[f32; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+
+    fn area(corners: &[DVec3; 3]) -> f64 {
+        (corners[1] - corners[0]).cross(corners[2] - corners[0]).length() / 2.0
+    }
+
+    fn point() -> impl Strategy<Value = DVec3> {
+        (-80.0..80.0f64, -5.0..60.0f64, -80.0..80.0f64).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+        #[test]
+        fn neighbours_get_the_same_vertices_and_nothing_is_lost(
+            a in point(), b in point(), c in point(), d in point(), user in point(), cylinder in any::<bool>(),
+            tolerance in 1e-3..1e-1f64,
+        ) {
+            let kind = if cylinder { Kind::Cylinder } else { Kind::Blend };
+            let morph = Morph::new(user, DVec3::new(1.0, 1.7, -2.0), 20.0, 40.0, kind).unwrap();
+            let splitter = Splitter::new(&morph, Some(tolerance));
+            let on_edge = |third: DVec3, turned: bool| {
+                let corners = if turned { [b, a, third] } else { [a, b, third] };
+                let pieces = splitter.split(Triangle { corners, weights: WHOLE }, true);
+                // Moving triangles are covered whole: 1e-9 of slivers, and roundings of thousands of pieces.
+                let sum: f64 = pieces.iter().map(|piece| area(&piece.corners)).sum();
+                assert!((sum - area(&corners)).abs() <= 1e-6 * (1.0 + area(&corners)));
+                for piece in &pieces {
+                    for (corner, [u, v]) in piece.corners.into_iter().zip(piece.weights) {
+                        let expected = corners[0] + (corners[1] - corners[0]) * f64::from(u)
+                            + (corners[2] - corners[0]) * f64::from(v);
+                        // Weights are float32: 6e-8 of 250 m, a few times over.
+                        assert!((expected - corner).length() < 1e-4);
+                    }
+                }
+                // Vertices on the edge ab, by their bits: the weight of the third corner is exactly 0 there.
+                let mut bits: Vec<[u64; 3]> = pieces
+                    .iter()
+                    .flat_map(|piece| piece.corners.into_iter().zip(piece.weights))
+                    .filter(|(_, weights)| weights[1] == 0.0)
+                    .map(|(corner, _)| corner.to_array().map(f64::to_bits))
+                    .collect();
+                bits.sort_unstable();
+                bits.dedup();
+                bits
+            };
+            prop_assert_eq!(on_edge(c, false), on_edge(d, true));
+        }
+
+        #[test]
+        fn what_lies_within_r2_is_covered(a in point(), b in point(), c in point(), u in 0.0..1.0f64, v in 0.0..1.0f64) {
+            let morph = Morph::new(DVec3::new(5.0, 2.0, 3.0), DVec3::ZERO, 20.0, 40.0, Kind::Blend).unwrap();
+            let splitter = Splitter::new(&morph, Some(0.01));
+            let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
+            // Ten times as large: most of it is beyond r₂, and all its edges may be.
+            let corners = [a, b, c].map(|corner| corner * 10.0);
+            let p = corners[0] + (corners[1] - corners[0]) * u + (corners[2] - corners[0]) * v;
+            let p = p * (30.0 / p.x.hypot(p.z)).min(1.0);
+            let triangle = [corners[0] - corners[1] + p, corners[1] - corners[2] + p, corners[2] - corners[0] + p];
+            prop_assume!(area(&triangle) > 1.0);
+            let center = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
+            let pieces = splitter.split(Triangle { corners: triangle, weights: WHOLE }, false);
+            let inside = |piece: &Triangle| {
+                let [a, b, c] = piece.corners;
+                let parts = [[a, b, center], [b, c, center], [c, a, center]].map(|part| area(&part));
+                parts.iter().sum::<f64>() <= area(&piece.corners) * (1.0 + 1e-9) + 1e-9
+            };
+            prop_assert!(center.x.hypot(center.z) > 40.0 || pieces.iter().any(inside));
+        }
+    }
+
+    #[test]
+    fn ground_around_everything_is_refined_only_between_the_radii() {
+        let corners = [(-4e3, -4e3), (-4e3, 8e3), (8e3, -4e3)].map(|(x, z)| DVec3::new(x, 0.0, z));
+        let morph = Morph::new(DVec3::new(9.0, 1.7, 0.0), DVec3::new(0.0, 1.7, 0.0), 30.0, 50.0, Kind::Blend).unwrap();
+        // Half a pixel of 90 degrees at 1080p.
+        let pieces = Splitter::new(&morph, Some(5e-4)).split(Triangle { corners, weights: WHOLE }, false);
+        assert!((200..20_000).contains(&pieces.len()), "{}", pieces.len());
+        let whole = Splitter::new(&morph, None).split(Triangle { corners, weights: WHOLE }, false);
+        assert_eq!(whole.len(), 1);
     }
 }

@@ -1,0 +1,389 @@
+"""Near–far reduction: where points are shown, what the map holds, and that nothing breaks where they meet."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar._scene import SceneBuilder
+
+CENTER = np.array([3.0, 1.7, -2.0])
+R1, R2 = 30.0, 50.0
+FOV = nf.Fov.symmetric(90, 16 / 9)
+SIZE = (160, 90)
+
+Array = NDArray[np.float64]
+
+
+def box(low: tuple[float, float, float], high: tuple[float, float, float]) -> tuple[Array, NDArray[np.uint32]]:
+    """Vertices and faces of a box, counter-clockwise from outside."""
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    faces = [[f for a, b, c, d in quads for f in ((a, b, c), (a, c, d))]]
+    return np.array(low) + corners * np.subtract(high, low), np.array(faces[0], np.uint32)
+
+
+def street(*, dynamic: bool = False, ground: bool = True) -> nf.Scene:
+    """Return ground of two triangles, a wall across both radii, a near box, a far tower, and maybe a car."""
+    build = SceneBuilder()
+    extent = 2000.0
+    if ground:
+        plane = [[-extent, 0, -extent], [-extent, 0, extent], [extent, 0, extent], [extent, 0, -extent]]
+        grey = build.material((0.3, 0.3, 0.3, 1))
+        build.instance(build.mesh(plane, [[0, 1, 2], [0, 2, 3]], material=grey), name="ground")
+    for name, low, high, color in [
+        ("wall", (5, 0, -25), (120, 15, -20), (0.7, 0.4, 0.3, 1)),
+        ("near", (10, 0, 3), (13, 4, 6), (0.2, 0.6, 0.3, 1)),
+        ("tower", (100, 0, 60), (120, 70, 80), (0.3, 0.4, 0.8, 1)),
+        ("car", (-1, -0.75, -2), (1, 0.75, 2), (0.9, 0.1, 0.1, 1)),
+    ]:
+        if name != "car" or dynamic:
+            build.instance(build.mesh(*box(low, high), material=build.material(color)), name=name)
+    return build.build(dynamic=["car"] if dynamic else [])
+
+
+def place(x: float, y: float, z: float) -> Array:
+    matrix = np.eye(4)
+    matrix[:3, 3] = x, y, z
+    return matrix
+
+
+def camera(user: Array, toward: tuple[float, float, float], size: tuple[int, int] = SIZE) -> nf.Camera:
+    return nf.Camera.look_at(user, user + np.array(toward), fov=FOV, size=size)
+
+
+def rho(position: NDArray[np.float32]) -> Array:
+    return np.hypot(position[..., 0] - CENTER[0], position[..., 2] - CENTER[2])
+
+
+def pixel_centers(size: tuple[int, int]) -> Array:
+    x, y = np.meshgrid(np.arange(size[0]) + 0.5, np.arange(size[1]) + 0.5)
+    return np.stack([x, y], axis=-1)
+
+
+ALL = ("color", "range", "object_id", "face_id", "position", "normal")
+
+
+@pytest.fixture(scope="module")
+def scene() -> nf.Scene:
+    return street()
+
+
+@pytest.fixture(scope="module")
+def blend(scene: nf.Scene) -> nf.ReducedScene:
+    return nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=512, samples=1, channels=("color", "range", "object_id"))
+
+
+@pytest.fixture(scope="module")
+def conventional(scene: nf.Scene) -> nf.ReducedScene:
+    channels = ("color", "range", "object_id")
+    return nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=512, samples=1, morph="none", channels=channels)
+
+
+USERS = [(0, 0, 8), (-6, 0.3, -5), (9, -0.5, 0), (0, 6, 0)]
+
+
+@pytest.mark.parametrize("kind", ["blend", "cylinder"])
+@pytest.mark.parametrize("offset", USERS)
+def test_every_near_pixel_shows_the_point_that_the_morph_puts_there(
+    scene: nf.Scene, kind: str, offset: tuple[float, float, float]
+) -> None:
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=16, samples=1, morph=kind)
+    user = CENTER + np.array(offset)
+    view = camera(user, (1, -0.05, -0.2))
+    frame = reduced.render(view, channels=("position", "face_id"), tolerance_px=0.25)
+    near = frame.require("face_id") >= 0
+    points = frame.require("position")[near]
+    assert near.sum() > 3000
+    # Pixels are split at r₂, whatever their triangles reach; float32 holds 50 m to 4e-6 m.
+    assert rho(points).max() <= R2 + 1e-5
+    shown = view.project(nf.morph(points.astype(np.float64), user=user, center=CENTER, r1=R1, r2=R2, kind=kind))
+    miss = np.abs(shown[:, :2] - pixel_centers(SIZE)[near]).max(axis=1)
+    # Edges are split until they are within a quarter of a pixel in the middle of the image; a pixel at its corner is
+    # 1 + tan² = 2.3 times as fine, and the inside of a triangle adds as much again as its edges.
+    assert miss.max() < 0.25 * 2.3 * 2
+    assert np.median(miss) < 0.05
+
+
+def test_the_vertex_morph_alone_bends_long_triangles_wrongly(blend: nf.ReducedScene) -> None:
+    view = camera(CENTER + np.array([0, 0, 8]), (1, -0.05, -0.2))
+    frame = blend.render(view, channels=("position", "face_id"), tolerance_px=None)
+    near = frame.require("face_id") >= 0
+    points = frame.require("position")[near].astype(np.float64)
+    shown = view.project(nf.morph(points, user=view.position, center=CENTER, r1=R1, r2=R2))
+    assert np.abs(shown[:, :2] - pixel_centers(SIZE)[near]).max() > 5
+
+
+@pytest.mark.parametrize("offset", USERS)
+def test_far_pixels_are_lookups_of_the_map(blend: nf.ReducedScene, offset: tuple[float, float, float]) -> None:
+    view = camera(CENTER + np.array(offset), (1, 0.1, 0.5))
+    frame = blend.render(view, channels=ALL)
+    far = frame.require("face_id") < 0
+    assert far.sum() > 3000
+    directions = view.rays()[1][far]
+    assert blend.env is not None
+    # Rays have float32 directions: 6e-8 of a face of 512 texels, times a contrast of 1.
+    np.testing.assert_allclose(frame.require("color")[far], blend.env.sample(directions), atol=1e-4)
+    ranges = blend.env.sample(directions, channel="range")
+    # For the same reason a ray on the border of two texels may take the other one.
+    same = frame.require("range")[far] == ranges
+    assert same.mean() > 0.999
+    assert (frame.require("object_id")[far] == blend.env.sample(directions, channel="object_id")).mean() > 0.999
+    assert np.isnan(frame.require("normal")[far]).all()
+    hit = same & np.isfinite(ranges)
+    # A point of the map is what the centre sees in that direction; float32 holds 2 km to 1.2e-4 m.
+    np.testing.assert_allclose(frame.require("position")[far][hit], CENTER + directions[hit] * ranges[hit, None], atol=1e-3)
+
+
+def crossing(reduced: nf.ReducedScene, view: nf.Camera, point: Array) -> tuple[float, float]:
+    """Image x at which the near part and the map show a point, from the pixels whose points come nearest to it."""
+    frame = reduced.render(view, channels=("position", "face_id"))
+    row = int(view.project(point[None])[0, 1])
+    found = []
+    for part in (frame.require("face_id")[row] >= 0, frame.require("face_id")[row] < 0):
+        distance = np.linalg.norm(frame.require("position")[row] - point, axis=-1)
+        found.append(float(np.nanargmin(np.where(part, distance, np.inf))) + 0.5)
+    return found[0], found[1]
+
+
+def test_conventional_breaks_by_the_predicted_pixels_and_blend_does_not(
+    blend: nf.ReducedScene, conventional: nf.ReducedScene
+) -> None:
+    # Where the wall's face at z = -20 crosses r₂, at the height of the eye.
+    point = np.array([CENTER[0] + np.sqrt(R2**2 - 18.0**2), 1.7, -20.0])
+    user = CENTER + np.array([0, 0, 8])
+    view = camera(user, (1, 0, -0.45), (640, 360))
+    near, far = view.project(np.stack([point, point + user - CENTER]))[:, 0]
+    # Seen from 8 m aside at 50 m: about 9 degrees.
+    assert abs(near - far) > 40
+    shown_near, shown_far = crossing(conventional, view, point)
+    # A pixel of the image, and a texel of the map, which covers 1.1 pixels here.
+    assert abs(shown_near - near) <= 1.5
+    assert abs(shown_far - far) <= 2.5
+    shown_near, shown_far = crossing(blend, view, point)
+    assert abs(shown_near - far) <= 1.5
+    assert abs(shown_far - far) <= 2.5
+    assert abs(shown_near - shown_far) <= 3.5
+
+
+@pytest.mark.parametrize("kind", ["blend", "cylinder"])
+@pytest.mark.parametrize("face_size", [32, 256])
+def test_no_cracks_in_the_ground_and_no_sky_in_walls(kind: str, face_size: int) -> None:
+    scene = street()
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=face_size, samples=1, morph=kind)
+    for offset in USERS:
+        view = camera(CENTER + np.array(offset), (-1, -0.2, 0.4), (320, 180))
+        color = reduced.render(view, channels=("color",)).require("color")
+        # Towards -x there is nothing but ground: below the horizon by two texels everything is one grey.
+        below = view.rays()[1][..., 1] < -2.0 * 2 / face_size
+        ground = nf.render(scene, view, channels=("color",)).require("color")[below][0]
+        # Linear filtering of equal colours rounds once or twice.
+        np.testing.assert_allclose(color[below], np.broadcast_to(ground, color[below].shape), atol=1e-6)
+
+
+def test_inside_r1_pixels_are_the_truth(scene: nf.Scene, blend: nf.ReducedScene) -> None:
+    view = camera(CENTER + np.array([2, 0.2, -3]), (1, -0.1, 0.6))
+    truth, frame = (nf.render(scene, view, channels=ALL), blend.render(view, channels=ALL))
+    near = truth.require("object_id") == scene.object_names.index("near")
+    assert near.sum() > 300
+    for name in ALL:
+        np.testing.assert_array_equal(frame.require(name)[near], truth.require(name)[near], err_msg=name)
+
+
+@pytest.mark.parametrize("method", ["blend", "conventional"])
+def test_at_the_centre_the_truth_is_reproduced(
+    scene: nf.Scene, blend: nf.ReducedScene, conventional: nf.ReducedScene, method: str
+) -> None:
+    reduced = {"blend": blend, "conventional": conventional}[method]
+    view = camera(CENTER, (1, 0, -0.3))
+    truth, frame = nf.render(scene, view, channels=ALL), reduced.render(view, channels=ALL)
+    near = frame.require("face_id") >= 0
+    assert 3000 < near.sum() < near.size - 3000
+    for name in ALL:
+        np.testing.assert_array_equal(frame.require(name)[near], truth.require(name)[near], err_msg=name)
+    difference = frame.require("color") - truth.require("color")
+    # Far pixels are resampled: they differ at silhouettes only, by the contrast there (0.5) on a few pixels in a
+    # hundred. A map turned by one texel would be as good; a mirrored or turned one differs by 0.2 everywhere.
+    assert np.sqrt(np.mean(difference**2)) < 0.03
+    assert np.median(np.abs(difference[~near])) < 2e-3
+
+
+def test_static_scenes_have_no_range_and_small_ones_no_map(scene: nf.Scene) -> None:
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=8, samples=1)
+    assert reduced.env is not None
+    assert reduced.env.channels == ("color",)
+    assert reduced.stats["ranges_computed"] == 0
+    assert reduced.stats["rays"] == 6 * 8 * 8
+    assert reduced.stats["map_bytes"] == 6 * 8 * 8 * 12
+    whole = nf.reduce(scene, center=CENTER, r1=1e4, r2=2e4)
+    assert whole.env is None
+    assert whole.stats["rays"] == whole.stats["map_bytes"] == 0
+    assert whole.stats["reduction"] == 1.0
+    view = camera(CENTER + np.array([1, 0, 1]), (1, 0, -0.3))
+    truth = nf.render(scene, view, channels=ALL)
+    frame = whole.render(view, channels=ALL)
+    for name in ALL:
+        np.testing.assert_array_equal(frame.require(name), truth.require(name), err_msg=name)
+
+
+def test_nothing_near_leaves_the_map(scene: nf.Scene) -> None:
+    alone = scene.subset(objects=["tower"])
+    reduced = nf.reduce(alone, center=CENTER, r1=R1, r2=R2, face_size=64, samples=1, channels=("color", "object_id"))
+    assert reduced.stats["drawn"] == 0
+    for user in (CENTER, CENTER + 5.0):
+        frame = reduced.render(camera(user, (1, 0.2, 0.7)), channels=("object_id", "face_id"))
+        assert (frame.require("face_id") == -1).all()
+        assert (frame.require("object_id") == scene.object_names.index("tower")).sum() > 50
+
+
+@pytest.mark.parametrize("kind", ["blend", "cylinder", "none"])
+def test_users_outside_the_cylinder_look_in(scene: nf.Scene, kind: str) -> None:
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=64, samples=1, morph=kind)
+    view = camera(CENTER + np.array([-90.0, 5, 0]), (1, -0.1, 0))
+    frame = reduced.render(view, channels=("color", "position", "face_id"))
+    near = frame.require("face_id") >= 0
+    assert near.sum() > 500
+    assert rho(frame.require("position")[near]).max() <= R2 + 1e-4
+    assert np.isfinite(frame.require("color")).all()
+    if kind == "none":
+        truth = nf.render(scene, view, channels=("position",)).require("position")
+        # The interval's ends are float32 distances of up to 140 m.
+        np.testing.assert_allclose(frame.require("position")[near], truth[near], atol=1e-4)
+
+
+def test_conventional_at_r1_keeps_less(scene: nf.Scene) -> None:
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=64, samples=1, morph="none", boundary="r1")
+    frame = reduced.render(camera(CENTER + np.array([0, 0, 5]), (1, -0.1, 0)), channels=("position", "face_id"))
+    near = frame.require("face_id") >= 0
+    assert R1 - 1 < rho(frame.require("position")[near]).max() <= R1 + 1e-5
+    assert reduced.stats["drawn"] == reduced.stats["near"]
+
+
+def test_moving_objects_are_seen_wherever_they_are() -> None:
+    scene = street(dynamic=True).at({"car": place(100, 0.75, 0)})
+    car = scene.object_names.index("car")
+    for kind in ("blend", "none"):
+        reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=256, samples=1, morph=kind)
+        assert reduced.env is not None
+        assert reduced.env.channels == ("color", "range")
+        assert reduced.stats["ranges_computed"] == 6 * 256 * 256
+        user = CENTER + np.array([0, 0, 3])
+        view = camera(user, (1, -0.02, 0))
+        wanted = ("color", "range", "position", "face_id", "normal")
+        first = scene.triangle_count - 12
+        for x, z in [(20.0, 0.0), (40.0, 0.0), (70.0, 0.0), (300.0, 5.0)]:
+            frame = reduced.render(view, at={"car": place(x, 0.75, z)}, channels=wanted)
+            seen = frame.require("face_id") >= first
+            assert seen.any(), (kind, x)
+            points = frame.require("position")[seen].astype(np.float64)
+            if kind == "blend":
+                points = nf.morph(points, user=user, center=CENTER, r1=R1, r2=R2)
+            # The displayed distance: float32 at 300 m.
+            np.testing.assert_allclose(
+                frame.require("range")[seen], np.linalg.norm(points - user, axis=1), rtol=0, atol=5e-3
+            )
+        # Behind the wall, beyond r₂ and within it.
+        for x, z in [(90.0, -60.0), (30.0, -35.0)]:
+            behind = reduced.render(camera(CENTER, (1, 0, -0.6)), at={"car": place(x, 0.75, z)}, channels=("face_id",))
+            assert (behind.require("face_id") < first).all(), (kind, x)
+    truth = nf.render(scene, camera(CENTER, (1, 0, 0)), channels=("object_id",))
+    assert (truth.require("object_id") == car).any()
+
+
+def test_moving_objects_are_not_in_the_map() -> None:
+    scene = street(dynamic=True)
+    maps = [
+        nf.reduce(scene.at({"car": place(x, 0.75, 0)}), center=CENTER, r1=R1, r2=R2, face_size=32, samples=1).env
+        for x in (80.0, -80.0)
+    ]
+    assert maps[0] is not None
+    assert maps[1] is not None
+    np.testing.assert_array_equal(maps[0].color, maps[1].color)
+
+
+def test_placed_instances_and_far_origins_agree_with_merged_geometry() -> None:
+    vertices, faces = box((-5, 0, -5), (5, 12, 5))
+    spots = [(20.0, 0.0), (40.0, 10.0), (0.0, 48.0), (-70.0, 5.0)]
+    shift = np.array([1e6, 0, -2e6])
+    build = SceneBuilder()
+    build.place_many(build.mesh(vertices, faces), [place(*(shift + [x, 0, z])) for x, z in spots], "block")
+    placed = build.build()
+    merged = nf.Scene.from_arrays(
+        np.concatenate([vertices + [x, 0, z] for x, z in spots]),
+        np.concatenate([faces + 8 * i for i in range(len(spots))]),
+    )
+    frames = []
+    for scene, at in ((placed, shift), (merged, np.zeros(3))):
+        reduced = nf.reduce(scene, center=CENTER + at, r1=R1, r2=R2, face_size=64, samples=1)
+        frames.append(reduced.render(camera(CENTER + at + [0, 0, -6], (1, 0.05, 0.6)), channels=("face_id", "color")))
+    # The same numbers in the same order; rounding decides on silhouettes only.
+    assert (frames[0].require("face_id") == frames[1].require("face_id")).mean() > 0.999
+    assert np.abs(frames[0].require("color") - frames[1].require("color")).mean() < 1e-3
+
+
+def test_statistics_add_up(scene: nf.Scene, blend: nf.ReducedScene) -> None:
+    stats = blend.stats
+    zones = nf.partition(scene, center=CENTER, r1=R1, r2=R2).summary()
+    assert {name: stats[name] for name in ("triangles", "near", "intermediate", "nsf", "sf")} == {
+        name: zones[name] for name in ("triangles", "near", "intermediate", "nsf", "sf")
+    }
+    assert stats["drawn"] == zones["nsf"]
+    assert stats["reduction"] == zones["triangles"] / zones["nsf"]
+    blend.render(camera(CENTER, (1, 0, 0)), channels=("color",))
+    assert blend.stats["frame_triangles"] == 0
+    blend.render(camera(CENTER + 1.0, (1, 0, 0)), channels=("color",), tolerance_px=None)
+    assert blend.stats["frame_triangles"] == zones["nsf"]
+    assert blend.stats["opposed_directions"] == 0
+    assert "blend" in repr(blend)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        ({"r1": 50.0}, "r1: expected less than r2"),
+        ({"r1": -1.0}, "r1: expected a radius"),
+        ({"r2": np.nan}, "r2: expected a finite"),
+        ({"center": (0, np.nan, 0)}, "center: expected 3 finite"),
+        ({"face_size": 0}, "face_size: expected"),
+        ({"samples": 0}, "samples: expected"),
+        ({"morph": "bend"}, "morph: expected one of"),
+        ({"boundary": "r3"}, "boundary: expected one of"),
+        ({"boundary": "r1"}, "boundary: expected 'r2' with morph='blend'"),
+        ({"channels": ("color", "normal")}, "channels: expected names of"),
+    ],
+)
+def test_reduce_refuses(scene: nf.Scene, wrong: dict[str, object], words: str) -> None:
+    arguments: dict[str, object] = {"center": CENTER, "r1": R1, "r2": R2, "face_size": 8} | wrong
+    with pytest.raises(ValueError, match=words):
+        nf.reduce(scene, **arguments)  # type: ignore[arg-type]
+
+
+def test_render_refuses(scene: nf.Scene) -> None:
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=8, samples=1)
+    view = camera(CENTER, (1, 0, 0))
+    for name in ("range", "object_id"):
+        with pytest.raises(ValueError, match=rf'{name}: reduce with channels=\("color", "{name}"\)'):
+            reduced.render(view, channels=("color", name))
+    with pytest.raises(ValueError, match="tolerance_px: expected a number above 0"):
+        reduced.render(view, tolerance_px=0.0)
+    with pytest.raises(ValueError, match="method: expected one of"):
+        reduced.render(view, method="pixel")
+    with pytest.raises(ValueError, match="'wall' is not"):
+        reduced.render(view, at={"wall": np.eye(4)})
+    with pytest.raises(TypeError, match="camera: expected a Camera"):
+        reduced.render("here")  # type: ignore[arg-type]
+    with pytest.raises(nf.DeviceError):
+        nf.reduce(scene, center=CENTER, r1=R1, r2=R2, backend="gpu")
+
+
+def test_empty_scenes_reduce_to_the_sky() -> None:
+    scene = nf.Scene.from_arrays(np.zeros((0, 3)), np.zeros((0, 3), np.uint32))
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2)
+    assert reduced.env is None
+    for user in (CENTER, CENTER + 1.0):
+        view = camera(user, (1, 0.3, 0))
+        frame, truth = reduced.render(view), nf.render(scene, view)
+        np.testing.assert_array_equal(frame.require("color"), truth.require("color"))
+        assert np.isinf(frame.require("range")).all()
