@@ -98,7 +98,7 @@ impl Reduced {
             return Err(Error::value("at", "poses of the scene that was reduced", "another scene"));
         }
         self.check_channels(drawing.channels)?;
-        if drawing.tolerance_px.is_some_and(|pixels| !(pixels > 0.0)) {
+        if drawing.tolerance_px.is_some_and(|pixels| pixels.is_nan() || pixels <= 0.0) {
             return Err(Error::value("tolerance_px", "a number above 0", drawing.tolerance_px.unwrap_or_default()));
         }
         let view = View { camera, origin: scene.origin, channels: drawing.channels, samples: drawing.samples };
