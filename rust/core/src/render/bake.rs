@@ -121,7 +121,7 @@ mod tests {
             None,
             None,
             FaceMap::PerFace(objects.into()),
-            FaceMap::Uniform(0),
+            FaceMap::Uniform(-1),
         );
         let instance = Instance::new(Arc::new(mesh.unwrap()), DAffine3::IDENTITY, None).unwrap();
         Scene::new(DVec3::ZERO, vec![instance], vec![], Arc::default(), Arc::default()).unwrap()
