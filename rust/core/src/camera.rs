@@ -193,12 +193,12 @@ impl Rays {
     /// seen at angle θ off the axis, covers the solid angle p² cos³ θ; the footprint is its root.
     #[inline]
     pub fn footprint(&self, x: f64, y: f64, scale: f64) -> Footprint {
-        let size = self.pixel_size * scale;
+        let size = (self.pixel_size * scale) as f32;
         if self.parallel {
-            return Footprint { width: size as f32, spread: 0.0 };
+            return Footprint { width: size, spread: 0.0 };
         }
-        let secant = self.longer(x, y).length();
-        Footprint { width: 0.0, spread: (size / (secant * secant.sqrt())) as f32 }
+        let secant = self.longer(x, y).as_vec3().length();
+        Footprint { width: 0.0, spread: size / (secant * secant.sqrt()) }
     }
 
     #[inline]

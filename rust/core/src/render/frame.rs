@@ -119,11 +119,13 @@ impl Frame {
 
 impl Band<'_> {
     /// Stores a pixel's colour, where colour is wanted.
+    #[inline]
     pub fn set_color(&mut self, pixel: usize, color: [f32; 3]) {
         set(self.color, pixel, color);
     }
 
     /// Stores a pixel's other channels, those that are wanted.
+    #[inline]
     pub fn set_sample(&mut self, pixel: usize, sample: &Sample) {
         set(self.range, pixel, sample.range);
         set(self.object_id, pixel, sample.object_id);

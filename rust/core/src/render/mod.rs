@@ -9,5 +9,5 @@ pub mod bake;
 pub mod reduced;
 
 pub use frame::{Channels, Frame, Sample};
-pub use surface::Surface;
+pub use surface::{Facet, Surface};
 pub use tiles::{Picture, View, draw};

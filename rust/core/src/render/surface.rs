@@ -25,35 +25,68 @@ pub struct Surface {
     pub doubled_area: f32,
 }
 
-impl Surface {
-    /// The surface that a ray hit; not for a miss.
-    #[inline]
-    pub fn of_hit(scene: &Scene, ray: &Ray, hit: &Hit) -> Self {
-        Self::new(scene, hit.instance, hit.face, (hit.u, hit.v), ray.direction)
-    }
+/// A face as it stands: what all its points share. Neighbouring rays mostly hit the same one.
+#[derive(Clone, Copy, Debug)]
+pub struct Facet {
+    instance: u32,
+    face: u32,
+    corner: Vec3,
+    sides: [Vec3; 2],
+    /// Unit normal, counter-clockwise side; zero for a face without an area.
+    outside: Vec3,
+    doubled_area: f32,
+}
 
-    /// The surface at weights (u, v) of an instance's face, seen along a direction of any length.
-    pub fn new(scene: &Scene, instance: u32, face: u32, at: (f32, f32), direction: Vec3) -> Self {
+impl Facet {
+    /// A face of an instance.
+    #[inline]
+    pub fn new(scene: &Scene, instance: u32, face: u32) -> Self {
         let [a, b, c] = scene.instance(instance).corners(face);
         let (ab, ac) = (b - a, c - a);
         // In float64, because the square of a millimetre's area is below what float32 tells from zero.
         let cross = ab.as_dvec3().cross(ac.as_dvec3());
-        let direction = direction.normalize_or(Vec3::NEG_Z);
         let doubled_area = cross.length();
-        let outside = if doubled_area > 0.0 { (cross / doubled_area).as_vec3() } else { -direction };
+        let outside = if doubled_area > 0.0 { (cross / doubled_area).as_vec3() } else { Vec3::ZERO };
+        Self { instance, face, corner: a, sides: [ab, ac], outside, doubled_area: doubled_area as f32 }
+    }
+
+    /// True where a hit lies on this face.
+    #[inline]
+    pub fn holds(&self, hit: &Hit) -> bool {
+        self.face == hit.face && self.instance == hit.instance
+    }
+
+    /// The point at weights (u, v), seen along a unit direction.
+    #[inline]
+    pub fn surface(&self, at: (f32, f32), direction: Vec3) -> Surface {
+        let outside = if self.outside == Vec3::ZERO { -direction } else { self.outside };
         let cosine = outside.dot(direction);
-        Self {
-            instance,
-            face,
+        Surface {
+            instance: self.instance,
+            face: self.face,
             at,
-            point: a + ab * at.0 + ac * at.1,
+            point: self.corner + self.sides[0] * at.0 + self.sides[1] * at.1,
             normal: if cosine > 0.0 { -outside } else { outside },
             cosine: cosine.abs().min(1.0),
-            doubled_area: doubled_area as f32,
+            doubled_area: self.doubled_area,
         }
+    }
+}
+
+impl Surface {
+    /// The surface that a ray with a unit direction hit; not for a miss.
+    #[inline]
+    pub fn of_hit(scene: &Scene, ray: &Ray, hit: &Hit) -> Self {
+        Facet::new(scene, hit.instance, hit.face).surface((hit.u, hit.v), ray.direction)
+    }
+
+    /// The surface at weights (u, v) of an instance's face, seen along a direction of any length.
+    pub fn new(scene: &Scene, instance: u32, face: u32, at: (f32, f32), direction: Vec3) -> Self {
+        Facet::new(scene, instance, face).surface(at, direction.normalize_or(Vec3::NEG_Z))
     }
 
     /// Linear RGB, for a ray that is `width` metres wide where it arrives (`Footprint::at`).
+    #[inline]
     pub fn color(&self, scene: &Scene, width: f32) -> [f32; 3] {
         let mesh = &scene.instance(self.instance).mesh;
         let footprint = width / self.cosine.max(GRAZING).sqrt();

@@ -26,6 +26,13 @@ pub trait Picture: Sync {
     /// Linear RGB seen along a traced ray, hit or miss.
     fn color(&self, ray: &Ray, hit: &Hit, footprint: Footprint) -> [f32; 3];
 
+    /// Adds the colours along a tile's traced rays to their sums. Pictures that share work between neighbours do it here.
+    fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
+        for (n, (ray, hit)) in rays.iter().zip(hits).enumerate() {
+            add(&mut sums[n], self.color(ray, hit, footprint(n)));
+        }
+    }
+
     /// The other channels along a traced ray, hit or miss; those that are not wanted may be left at their defaults.
     fn sample(&self, ray: &Ray, hit: &Hit, wanted: Channels) -> Sample;
 }
@@ -133,11 +140,11 @@ impl<P: Picture> Painter<'_, P> {
             let mut sums = [[0.0f32; 3]; PIXELS];
             for &offset in &self.offsets {
                 self.trace(tile, offset, rays, hits);
-                for (n, (ray, hit)) in rays.iter().zip(hits.iter()).enumerate() {
+                let footprint = |n| {
                     let (x, y) = position(tile, n, offset);
-                    let color = self.picture.color(ray, hit, self.rays.footprint(x, y, self.scale));
-                    (0..3).for_each(|i| sums[n][i] += color[i]);
-                }
+                    self.rays.footprint(x, y, self.scale)
+                };
+                self.picture.add_colors(rays, hits, footprint, &mut sums);
             }
             let share = 1.0 / self.offsets.len() as f32;
             (0..tile.len()).for_each(|n| band.set_color(tile.slot(n), sums[n].map(|sum| sum * share)));
@@ -165,6 +172,12 @@ impl<P: Picture> Painter<'_, P> {
         }
         self.picture.trace(rays, hits);
     }
+}
+
+/// Adds a colour to a sum.
+#[inline]
+pub(super) fn add(sum: &mut [f32; 3], color: [f32; 3]) {
+    (0..3).for_each(|i| sum[i] += color[i]);
 }
 
 #[inline]

@@ -2,8 +2,8 @@
 
 use super::frame::{Channels, Frame, Sample};
 use super::shade::background;
-use super::surface::Surface;
-use super::tiles::{Picture, View, draw};
+use super::surface::{Facet, Surface};
+use super::tiles::{Picture, View, add, draw};
 use crate::base::{Progress, Result};
 use crate::camera::{Camera, Footprint};
 use crate::scene::Scene;
@@ -38,6 +38,22 @@ impl<F: Filter> Picture for Truth<'_, F> {
             return background(ray.direction);
         }
         Surface::of_hit(self.scene, ray, hit).color(self.scene, footprint.at(hit.t))
+    }
+
+    fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
+        let mut last: Option<Facet> = None;
+        for (n, (ray, hit)) in rays.iter().zip(hits).enumerate() {
+            if hit.is_miss() {
+                add(&mut sums[n], background(ray.direction));
+                continue;
+            }
+            let facet = match last {
+                Some(facet) if facet.holds(hit) => facet,
+                _ => *last.insert(Facet::new(self.scene, hit.instance, hit.face)),
+            };
+            let surface = facet.surface((hit.u, hit.v), ray.direction);
+            add(&mut sums[n], surface.color(self.scene, footprint(n).at(hit.t)));
+        }
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, wanted: Channels) -> Sample {
