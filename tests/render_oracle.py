@@ -121,21 +121,26 @@ def linear_from_srgb(codes: NDArray[np.uint8]) -> Array:
     return np.where(s <= 0.04045, s / 12.92, ((s + 0.055) / 1.055) ** 2.4)
 
 
-def levels_of(texture: NDArray[np.uint8]) -> list[Array]:
-    """Linear RGB of all levels: each texel is the integral over its share of the finer level."""
-    levels = [linear_from_srgb(texture[..., :3])]
-    while max(levels[-1].shape[:2]) > 1:
-        image = levels[-1]
-        for axis in (0, 1):
-            count = image.shape[axis]
-            integral = np.concatenate([np.zeros_like(image.take([0], axis)), np.cumsum(image, axis)], axis)
-            edges = np.linspace(0.0, count, max(count // 2, 1) + 1)
-            below = np.minimum(edges.astype(int), count - 1)
-            part = (edges - below)[:, None] if axis else (edges - below)[:, None, None]
-            at = integral.take(below, axis) * (1 - part) + integral.take(below + 1, axis) * part
-            image = np.diff(at, axis=axis) * ((len(edges) - 1) / count)
-        levels.append(image)
+def levels_of(texture: NDArray[np.uint8], cutout: bool) -> list[Array]:
+    """Linear RGB of all levels; those of cut-out materials are weighted by alpha."""
+    color = linear_from_srgb(texture[..., :3])
+    weight = texture[..., 3:] / 255.0 + 1 / 1024 if cutout else np.ones_like(color[..., :1])
+    levels, image = [color], np.concatenate([color * weight, weight], axis=2)
+    while max(image.shape[:2]) > 1:
+        image = halved(halved(image, 0), 1)
+        levels.append(image[..., :3] / image[..., 3:])
     return levels
+
+
+def halved(image: Array, axis: int) -> Array:
+    """Half as many texels along an axis: each is the integral over its share of the old ones."""
+    count = image.shape[axis]
+    integral = np.concatenate([np.zeros_like(image.take([0], axis)), np.cumsum(image, axis)], axis)
+    edges = np.linspace(0.0, count, max(count // 2, 1) + 1)
+    below = np.minimum(edges.astype(int), count - 1)
+    part = (edges - below)[:, None] if axis else (edges - below)[:, None, None]
+    at = integral.take(below, axis) * (1 - part) + integral.take(below + 1, axis) * part
+    return np.asarray(np.diff(at, axis=axis) * ((len(edges) - 1) / count))
 
 
 def bilinear(image: Array, uv: Array) -> Array:
@@ -225,7 +230,7 @@ def _shade(
     if surface.colors is not None:
         albedo = albedo * _blend(linear_from_srgb(surface.colors[face, :3]), u, v)
     if surface.texture is not None and surface.uvs is not None:
-        surface.levels = surface.levels or levels_of(surface.texture)
+        surface.levels = surface.levels or levels_of(surface.texture, surface.cutoff is not None)
         ua, ub, uc = surface.uvs[face] * (surface.texture.shape[1], surface.texture.shape[0])
         (bx, by), (cx, cy) = ub - ua, uc - ua
         density = np.sqrt(abs(bx * cy - by * cx) / np.linalg.norm(cross))

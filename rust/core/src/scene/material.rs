@@ -97,7 +97,7 @@ impl Scene {
         if let (Some(texture), Some(uvs)) = (material.texture, mesh.corner_uvs(face)) {
             let texture = &self.textures[texture as usize];
             let level = texture_level(footprint, texel_density(texture, uvs, doubled_area));
-            let color = texture.color(interpolate(uvs, at), level);
+            let color = texture.color(interpolate(uvs, at), level, material.alpha != Alpha::Opaque);
             (0..3).for_each(|i| albedo[i] *= color[i]);
         }
         albedo

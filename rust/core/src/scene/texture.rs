@@ -1,7 +1,8 @@
 //! Base colour images, filtered in linear light.
 //!
 //! Williams: Pyramidal parametrics, 1983 (trilinear filtering). Level 0 stays as it came, in sRGB; coarser levels are
-//! means of linear light and are made on first use.
+//! means of linear light and are made on first use. Cut-out materials have coarser levels of their own, weighted by
+//! alpha: what is painted in the holes, often black, must not darken leaves at a distance.
 
 use std::sync::OnceLock;
 
@@ -19,7 +20,12 @@ pub struct Texture {
     pub texels: Buffer<[u8; 4]>,
     /// Level 1 and coarser.
     mips: OnceLock<Vec<Level>>,
+    /// The same, weighted by alpha.
+    cutout_mips: OnceLock<Vec<Level>>,
 }
+
+/// Weight of what cannot be seen: enough to give holes a colour where a whole texel lies in one.
+const LEAST_WEIGHT: f32 = 1.0 / 1024.0;
 
 /// A coarser image: linear RGB in steps of 1/65535, a twentieth of sRGB's finest step.
 #[derive(Debug)]
@@ -42,18 +48,19 @@ impl Texture {
         if width == 0 || height == 0 || texels.len() as u64 != u64::from(width) * u64::from(height) {
             return Err(Error::value("texture", format!("{width} x {height} texels"), texels.len()));
         }
-        Ok(Self { width, height, texels, mips: OnceLock::new() })
+        Ok(Self { width, height, texels, mips: OnceLock::new(), cutout_mips: OnceLock::new() })
     }
 
     /// Linear RGB at (u, v), v upwards: bilinear within a level, linear between levels. Level 0 and below is the image
-    /// itself, each further level halves both sides, and beyond the last one everything is the image's mean.
-    pub fn color(&self, uv: [f32; 2], level: f32) -> [f32; 3] {
+    /// itself, each further level halves both sides, and beyond the last one everything is the image's mean. `cutout`
+    /// weights the means by alpha.
+    pub fn color(&self, uv: [f32; 2], level: f32, cutout: bool) -> [f32; 3] {
         // NaN counts as level 0: `max` returns the other operand.
         let level = level.max(0.0);
         if level == 0.0 {
             return self.finest(uv);
         }
-        let mips = self.mips.get_or_init(|| self.build());
+        let mips = if cutout { &self.cutout_mips } else { &self.mips }.get_or_init(|| self.build(cutout));
         let level = level.min(mips.len() as f32);
         let (below, between) = (level.floor() as usize, level.fract());
         let fine = if below == 0 { self.finest(uv) } else { mips[below - 1].color(uv) };
@@ -86,10 +93,14 @@ impl Texture {
 
     /// All levels down to one texel. Runs on the calling thread: a pool's thread that waited for others in here could
     /// be handed a task that waits for this very texture.
-    fn build(&self) -> Vec<Level> {
+    fn build(&self, cutout: bool) -> Vec<Level> {
         let linear = linear_from_srgb();
-        let mut image: Vec<[f32; 3]> =
-            self.texels.iter().map(|&[r, g, b, _]| [r, g, b].map(|code| linear[usize::from(code)])).collect();
+        let weighted = |&[r, g, b, alpha]: &[u8; 4]| {
+            let weight = if cutout { f32::from(alpha) / 255.0 + LEAST_WEIGHT } else { 1.0 };
+            let [r, g, b] = [r, g, b].map(|code| linear[usize::from(code)] * weight);
+            [r, g, b, weight]
+        };
+        let mut image: Vec<[f32; 4]> = self.texels.iter().map(weighted).collect();
         let (mut width, mut height) = (self.width, self.height);
         let mut levels = Vec::new();
         while width > 1 || height > 1 {
@@ -98,8 +109,8 @@ impl Texture {
             image = shrink(&transpose(&image, half_width), height, half_height);
             image = transpose(&image, half_height);
             (width, height) = (half_width, half_height);
-            let texels = image.iter().map(|texel| texel.map(|x| (x * 65535.0 + 0.5) as u16)).collect();
-            levels.push(Level { width, height, texels });
+            let stored = |&[r, g, b, weight]: &[f32; 4]| [r, g, b].map(|x| (x / weight * 65535.0 + 0.5) as u16);
+            levels.push(Level { width, height, texels: image.iter().map(stored).collect() });
         }
         levels
     }
@@ -147,7 +158,7 @@ fn neighbours(coordinate: f32, count: u32) -> (u32, u32, f32) {
 
 /// Shrinks rows from `from` to `to` texels; each new texel is the mean over its share of the old ones, so that the
 /// mean of the image stays for any size.
-fn shrink(image: &[[f32; 3]], from: u32, to: u32) -> Vec<[f32; 3]> {
+fn shrink(image: &[[f32; 4]], from: u32, to: u32) -> Vec<[f32; 4]> {
     if from == to {
         return image.to_vec();
     }
@@ -163,9 +174,9 @@ fn shrink(image: &[[f32; 3]], from: u32, to: u32) -> Vec<[f32; 3]> {
     let mut shrunk = Vec::with_capacity(image.len() / from as usize * to as usize);
     for row in image.chunks_exact(from as usize) {
         shrunk.extend(shares.iter().map(|(first, parts)| {
-            let mut sum = [0.0; 3];
+            let mut sum = [0.0; 4];
             for (texel, part) in row[*first..].iter().zip(parts) {
-                (0..3).for_each(|i| sum[i] += texel[i] * part);
+                (0..4).for_each(|i| sum[i] += texel[i] * part);
             }
             sum
         }));
@@ -173,7 +184,7 @@ fn shrink(image: &[[f32; 3]], from: u32, to: u32) -> Vec<[f32; 3]> {
     shrunk
 }
 
-fn transpose(image: &[[f32; 3]], width: u32) -> Vec<[f32; 3]> {
+fn transpose(image: &[[f32; 4]], width: u32) -> Vec<[f32; 4]> {
     let (width, height) = (width as usize, image.len() / width as usize);
     let mut turned = Vec::with_capacity(image.len());
     for column in 0..width {
@@ -205,14 +216,14 @@ mod tests {
         for (width, height) in [(8, 8), (7, 5), (1, 9), (13, 1), (1, 1), (64, 3)] {
             let texture = noise(width, height);
             let expected = mean(&texture);
-            for level in texture.build() {
+            for level in texture.build(false) {
                 for c in 0..3 {
                     let sum: f64 = level.texels.iter().map(|t| f64::from(t[c]) / 65535.0).sum();
                     // Half a step of 1/65535 for each texel at most, and float32 sums (2e-7 each) below it.
                     assert!((sum / level.texels.len() as f64 - expected[c]).abs() < 0.6 / 65535.0);
                 }
             }
-            let last = texture.color([0.3, 0.8], 99.0);
+            let last = texture.color([0.3, 0.8], 99.0, false);
             (0..3).for_each(|c| assert!((f64::from(last[c]) - expected[c]).abs() < 0.6 / 65535.0));
         }
     }
@@ -227,7 +238,7 @@ mod tests {
                 let texel = texture.texel(column, row);
                 for c in 0..3 {
                     // The weights of the neighbours are roundings of u at 7 periods: 7 · 2⁻²³ · 3 texels.
-                    assert!((texture.color(uv, -1.0)[c] - linear[usize::from(texel[c])]).abs() < 3e-6);
+                    assert!((texture.color(uv, -1.0, false)[c] - linear[usize::from(texel[c])]).abs() < 3e-6);
                 }
                 assert!((texture.alpha(uv) - f32::from(texel[3]) / 255.0).abs() < 3e-6);
             }
@@ -250,9 +261,20 @@ mod tests {
     fn levels_blend() {
         let texture = noise(16, 16);
         let uv = [0.37, 0.61];
-        let (one, two, between) = (texture.color(uv, 1.0), texture.color(uv, 2.0), texture.color(uv, 1.25));
+        let [one, two, between] = [1.0, 2.0, 1.25].map(|level| texture.color(uv, level, false));
         (0..3).for_each(|c| assert!((between[c] - (0.75 * one[c] + 0.25 * two[c])).abs() < 1e-6));
-        assert_eq!(texture.color(uv, f32::NAN), texture.color(uv, 0.0));
-        assert_eq!(texture.color(uv, f32::INFINITY), texture.color(uv, 4.0));
+        assert_eq!(texture.color(uv, f32::NAN, false), texture.color(uv, 0.0, false));
+        assert_eq!(texture.color(uv, f32::INFINITY, false), texture.color(uv, 4.0, false));
+    }
+
+    #[test]
+    fn holes_do_not_darken_leaves() {
+        let texels: Vec<[u8; 4]> = (0..64).map(|i| if i % 3 == 0 { [0, 200, 0, 255] } else { [0, 0, 0, 0] }).collect();
+        let texture = Texture::new(8, 8, texels.into()).unwrap();
+        let leaf = linear_from_srgb()[200];
+        let [plain, cutout] = [false, true].map(|cutout| texture.color([0.5, 0.5], 3.0, cutout)[1]);
+        // A third is leaf; of the weighted mean all but two weights of 1/1024 for each leaf's 1.
+        assert!((plain - leaf * 22.0 / 64.0).abs() < 1e-4);
+        assert!(cutout > 0.997 * leaf && cutout <= leaf);
     }
 }
