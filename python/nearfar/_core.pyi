@@ -184,6 +184,7 @@ def bake(
     report: _Report | None = None,
 ) -> tuple[dict[str, NDArray[Any]], int]: ...
 
+@final
 class Reduced:
     def __new__(
         cls,

@@ -1,0 +1,65 @@
+"""The application: its commands, and the one place where errors become sentences and exit statuses."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from typing import Annotated
+
+import typer
+
+import nearfar as nf
+from nearfar.cli import _bake, _demo, _info, _partition, _render
+
+INTERRUPTED = 130
+"""Status of a command ended by Ctrl-C, as shells give it: 128 and the signal's number."""
+
+app = typer.Typer(
+    name="nearfar",
+    help="Makes scenes too heavy for a thin VR device light enough, and says what that costs in image quality.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+app.command("demo")(_demo.demo)
+app.command("info")(_info.info)
+app.command("partition")(_partition.partition)
+app.command("bake")(_bake.bake)
+app.command("render")(_render.render)
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        typer.echo(f"nearfar {nf.__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _top(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and leave.")
+    ] = False,
+) -> None:
+    pass
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Run a command line and return its exit status; prints errors to standard error."""
+    try:
+        app(list(arguments), prog_name="nearfar")
+    except SystemExit as end:
+        return end.code if isinstance(end.code, int) else int(end.code is not None)
+    except KeyboardInterrupt:
+        return _fail("interrupted", INTERRUPTED)
+    except MemoryError:
+        return _fail("there is not enough memory for this scene", 1)
+    except OSError as error:
+        return _fail(f"{error.filename}: {error.strerror}" if error.filename else str(error), 1)
+    except (nf.Error, ValueError, ImportError) as error:
+        return _fail(str(error), 1)
+    return 0
+
+
+def _fail(sentence: str, status: int) -> int:
+    print(f"nearfar: {' '.join(sentence.split())}", file=sys.stderr)
+    return status

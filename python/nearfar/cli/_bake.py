@@ -1,0 +1,79 @@
+"""`nearfar bake`: the environment map of what is far."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+import nearfar as nf
+from nearfar import _formats
+from nearfar.cli._options import (
+    Center,
+    FaceSize,
+    Inner,
+    Input,
+    Invalid,
+    Json,
+    Outer,
+    Samples,
+    Up,
+    open_scene,
+    read_point,
+)
+from nearfar.cli._output import bytes_text, check_target, count, metres, show
+from nearfar.cli._place import choose
+
+VERSION = 1
+
+
+def bake(
+    scene: Input,
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="FILE", help="The map, as .exr.")],
+    center: Center = None,
+    r1: Inner = 30.0,
+    r2: Outer = 50.0,
+    face_size: FaceSize = 1024,
+    samples: Samples = 1,
+    with_range: Annotated[bool, typer.Option("--range", help="Bake distances too.")] = False,
+    with_ids: Annotated[bool, typer.Option("--object-id", help="Bake object numbers too.")] = False,
+    up: Up = "y",
+    on_invalid: Invalid = "raise",
+    as_json: Json = False,
+) -> None:
+    """Bake what lies beyond r2 into a cube map seen from the centre."""
+    middle = read_point("--center", center)
+    check_target(output, ".exr")
+    loaded = open_scene(scene, up=up, on_invalid=on_invalid)
+    middle = middle or choose(loaded, scene).eye
+    channels = ("color", *(("range",) if with_range else ()), *(("object_id",) if with_ids else ()))
+    started = time.perf_counter()
+    reduced = nf.reduce(
+        loaded, center=middle, r1=r1, r2=r2, face_size=face_size, samples=samples, channels=channels, morph="none"
+    )
+    seconds = time.perf_counter() - started
+    if reduced.env is None:
+        raise ValueError(f"r2: expected less, there is nothing beyond {r2:g} m to bake")
+    reduced.env.save(output)
+    document = _formats.header("bake", VERSION, color_space="linear") | {
+        "source": scene,
+        "file": str(output),
+        "center": list(middle),
+        "r2": r2,
+        "face_size": face_size,
+        "channels": list(reduced.env.channels),
+        "bytes": output.stat().st_size,
+        "triangles_left": int(reduced.stats["drawn"]),
+        "seconds": round(seconds, 3),
+    }
+    rows = [
+        ("centre", metres(middle)),
+        ("beyond", f"{r2:g} m"),
+        ("map", f"6 × {face_size} × {face_size}, {', '.join(reduced.env.channels)}"),
+        ("file", f"{output}, {bytes_text(document['bytes'])}"),
+        ("triangles left", count(document["triangles_left"])),
+        ("baked in", f"{seconds:.2f} s"),
+    ]
+    show(document, rows, title=scene, as_json=as_json)

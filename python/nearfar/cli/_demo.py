@@ -1,0 +1,174 @@
+"""`nearfar demo`: the main job from end to end, into one folder."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+import typer
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar import _files, _formats
+from nearfar.cli import _report
+from nearfar.cli._options import (
+    Center,
+    FaceSize,
+    Inner,
+    Invalid,
+    Json,
+    Outer,
+    Point,
+    Samples,
+    Size,
+    Up,
+    open_scene,
+    read_point,
+    read_size,
+)
+from nearfar.cli._output import bytes_text, count, metres, show
+from nearfar.cli._partition import curve_points
+from nearfar.cli._place import Place, choose, open_direction
+from nearfar.cli._render import camera
+
+VERSION = 1
+
+VISIBLE = 8
+"""Levels of 255 from which a pixel counts as different from the truth."""
+
+
+@dataclass
+class Clock:
+    """Wall time of each step."""
+
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    @contextmanager
+    def step(self, name: str) -> Iterator[None]:
+        """Time a step."""
+        started = time.perf_counter()
+        yield
+        self.seconds[name] = round(time.perf_counter() - started, 3)
+
+
+def demo(
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder to write.")] = Path(
+        "out/demo"
+    ),
+    scene: Annotated[
+        str, typer.Option("-i", "--input", metavar="SCENE", help="Scene file; by default the procedural city.")
+    ] = "city",
+    center: Center = None,
+    r1: Inner = 30.0,
+    r2: Outer = 50.0,
+    face_size: FaceSize = 1024,
+    size: Size = "960x600",
+    samples: Samples = 4,
+    up: Up = "y",
+    on_invalid: Invalid = "raise",
+    as_json: Json = False,
+) -> None:
+    """Make a scene light: pictures of truth, conventional and continuous, the load curve, and a report."""
+    clock, pixels, middle = Clock(), read_size("--size", size), read_point("--center", center)
+    output.parent.mkdir(parents=True, exist_ok=True)
+    with _files.atomic_folder(output, marker="report.json") as folder:
+        with clock.step("scene"):
+            loaded = open_scene(scene, up=up, on_invalid=on_invalid)
+        with clock.step("place"):
+            place = Place(middle, open_direction(loaded, middle)) if middle else choose(loaded, scene)
+            user = walk(loaded, place, 0.4 * (r2 - r1))
+        view = camera(loaded, user, _ahead(user, place.forward), 90.0, pixels)
+        with clock.step("load curve"):
+            curve = nf.load_curve(loaded, center=place.eye)
+        pictures, reduced = render_all(loaded, view, place.eye, r1, r2, face_size, samples, clock)
+        with clock.step("pictures"):
+            _report.save_pictures(folder, pictures)
+            plotted = _report.save_curve(folder, curve, r2)
+        document = describe(loaded, scene, reduced, pictures, clock) | {
+            "center": list(place.eye),
+            "user": list(user),
+            "r1": r1,
+            "r2": r2,
+            "face_size": face_size,
+            "samples": samples,
+            "size": list(pixels),
+            "load_curve": curve_points(curve),
+            "files": [*sorted(path.name for path in folder.iterdir()), "report.json", "report.md"],
+        }
+        _report.save(folder, document)
+    rows = [
+        ("triangles", f"{count(document['triangles'])} → {count(document['triangles_left'])}"),
+        ("centre", metres(place.eye)),
+        ("map", bytes_text(document["map_bytes"])),
+        *((f"{name} differs in", f"{100 * p['share']:.2f} % of pixels") for name, p in document["pictures"].items()),
+        ("took", f"{sum(clock.seconds.values()):.1f} s"),
+        ("written to", str(output)),
+    ]
+    if not plotted:
+        typer.echo("nearfar: left load_curve.png out, because matplotlib is not installed", err=True)
+    show(document, rows, title=scene, as_json=as_json)
+
+
+def walk(scene: nf.Scene, place: Place, distance: float) -> Point:
+    """Where the user stands: up to `distance` metres beside the centre, on the wider side and off its walls.
+
+    Steps to the side show what the methods do to the picture; steps along the view hardly change it.
+    """
+    right = np.array([-place.forward[2], 0.0, place.forward[0]])
+    free = nf.cast_rays(scene, np.tile(place.eye, (2, 1)), np.stack([right, -right])).t_hit
+    side = right if free[0] >= free[1] else -right
+    return _point(np.array(place.eye) + min(distance, 0.6 * float(free.max())) * side)
+
+
+def render_all(
+    scene: nf.Scene, view: nf.Camera, center: Point, r1: float, r2: float, face_size: int, samples: int, clock: Clock
+) -> tuple[dict[str, NDArray[np.uint8]], nf.ReducedScene]:
+    """Pictures of the truth, the conventional and the continuous method from the same eye, and the reduced scene."""
+    with clock.step("truth"):
+        pictures = {"truth": nf.render(scene, view, samples=samples, channels=("color",)).to_image()}
+    with clock.step("reduce"):
+        reduced = nf.reduce(scene, center=center, r1=r1, r2=r2, face_size=face_size, samples=samples)
+    # Both methods show the same map: it is baked once.
+    conventional = nf.ReducedScene(scene, reduced.partition, reduced.env, morph="none", boundary="r2")
+    for name, light in (("conventional", conventional), ("continuous", reduced)):
+        with clock.step(name):
+            pictures[name] = light.render(view, samples=samples, channels=("color",)).to_image()
+    return pictures, reduced
+
+
+def describe(
+    scene: nf.Scene, source: str, reduced: nf.ReducedScene, pictures: dict[str, NDArray[np.uint8]], clock: Clock
+) -> dict[str, Any]:
+    """Document of a demo; schema "report", less the settings."""
+    left = int(reduced.stats["drawn"])
+    return _formats.header("report", VERSION, origin=[float(v) for v in scene.origin], color_space="sRGB") | {
+        "source": source,
+        "triangles": int(scene.triangle_count),
+        "triangles_left": left,
+        "map_bytes": int(reduced.stats["map_bytes"]),
+        "pictures": {name: difference(pictures["truth"], pictures[name]) for name in ("conventional", "continuous")},
+        "seconds": clock.seconds,
+    }
+
+
+def difference(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> dict[str, float | int]:
+    """How far a picture is from the reference, both sRGB of 8 bits."""
+    error = np.abs(reference.astype(np.int16) - test)
+    pixels = int((error.max(axis=-1) >= VISIBLE).sum())
+    rmse = float(np.sqrt(np.mean(error.astype(np.float64) ** 2)) / 255.0)
+    return {"pixels": pixels, "share": round(pixels / error[..., 0].size, 6), "rmse": round(rmse, 6)}
+
+
+def _ahead(eye: Point, forward: Point) -> Point:
+    """A point to look at, a little above the horizon: a level view is half road."""
+    return _point(np.array(eye) + np.array(forward) + np.array([0.0, 0.15, 0.0]))
+
+
+def _point(values: NDArray[np.float64]) -> Point:
+    x, y, z = (float(value) for value in values)
+    return x, y, z

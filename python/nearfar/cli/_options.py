@@ -1,0 +1,92 @@
+"""Options that commands share, and how their texts are read."""
+
+from __future__ import annotations
+
+import difflib
+import inspect
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+import nearfar as nf
+
+Point = tuple[float, float, float]
+
+PROCEDURAL = ("city", "room", "forest")
+
+
+def read_point(option: str, text: str | None) -> Point | None:
+    """Read "x,y,z" in metres; None stays None."""
+    if text is None:
+        return None
+    try:
+        x, y, z = (float(part) for part in text.split(","))
+    except ValueError:
+        raise ValueError(f"{option}: expected x,y,z in metres such as 0,1.7,0, got {text!r}") from None
+    return x, y, z
+
+
+def read_size(option: str, text: str) -> tuple[int, int]:
+    """Read "1280x720" in pixels."""
+    try:
+        width, height = (int(part) for part in text.split("x"))
+    except ValueError:
+        raise ValueError(f"{option}: expected WIDTHxHEIGHT in pixels such as 1280x720, got {text!r}") from None
+    return width, height
+
+
+Input = Annotated[
+    str,
+    typer.Option(
+        "-i",
+        "--input",
+        metavar="SCENE",
+        help="Scene file (GLB, glTF, OBJ, PLY, STL …), or city, room or forest, as in city:blocks=4,seed=1.",
+    ),
+]
+Up = Annotated[str, typer.Option("--up", metavar="AXIS", help="The file's upward axis: x, y or z.")]
+Invalid = Annotated[
+    str, typer.Option("--on-invalid", metavar="raise|drop", help="What to do with vertices that are not finite.")
+]
+Center = Annotated[
+    str | None,
+    typer.Option(
+        "-c",
+        "--center",
+        metavar="X,Y,Z",
+        help="Centre O in metres. By default 1.7 m above open ground near the scene's middle.",
+    ),
+]
+Inner = Annotated[float, typer.Option("--r1", metavar="METRES", help="Radius of the near region.")]
+Outer = Annotated[float, typer.Option("--r2", metavar="METRES", help="Radius beyond which all is in the map.")]
+FaceSize = Annotated[int, typer.Option("--face-size", metavar="TEXELS", help="Edge of a face of the cube map.")]
+Size = Annotated[str, typer.Option("--size", metavar="WxH", help="Size of a picture in pixels.")]
+Samples = Annotated[int, typer.Option("--samples", metavar="N", help="Colour samples for each pixel.")]
+Json = Annotated[bool, typer.Option("--json", help="Print a JSON document instead of text.")]
+
+
+def open_scene(text: str, *, up: str = "y", on_invalid: str = "raise") -> nf.Scene:
+    """Load the file, or make the procedural scene, that `-i` names."""
+    name, _, settings = text.partition(":")
+    if name in PROCEDURAL and not Path(text).exists():
+        return _procedural(name, settings)
+    return nf.Scene.load(text, up=up, on_invalid=on_invalid)
+
+
+def _procedural(name: str, settings: str) -> nf.Scene:
+    maker = getattr(nf.datasets, name)
+    known = {k: p.default for k, p in inspect.signature(maker).parameters.items() if isinstance(p.default, int)}
+    chosen: dict[str, int] = {}
+    for item in filter(None, settings.split(",")):
+        key, _, value = item.partition("=")
+        if key not in known:
+            near = difflib.get_close_matches(key, known, 1)
+            hint = f" (did you mean {near[0]}?)" if near else ""
+            raise ValueError(f"{name}: expected settings from {', '.join(known)}, got {key!r}{hint}")
+        try:
+            chosen[key] = int(value)
+        except ValueError:
+            raise ValueError(f"{name}: expected a whole number for {key}, got {value!r}") from None
+    scene: nf.Scene = maker(**chosen)
+    return scene

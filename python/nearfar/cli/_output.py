@@ -1,0 +1,66 @@
+"""What commands print: JSON documents for programs, tables for people."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import typer
+
+from nearfar import _files, _formats
+
+
+def show(document: dict[str, Any], rows: Iterable[tuple[str, str]], *, title: str, as_json: bool) -> None:
+    """Print a document on standard output: as JSON, or its rows as a table."""
+    if as_json:
+        typer.echo(_formats.to_json(document), nl=False)
+        return
+    from rich import box
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table(title=title, box=box.SIMPLE, show_header=False, title_justify="left")
+    table.add_column(style="dim")
+    table.add_column(justify="left", overflow="fold")
+    for label, value in rows:
+        table.add_row(label, value)
+    Console().print(table)
+
+
+def check_target(path: Path, *suffixes: str) -> None:
+    """Refuse a place that cannot be written, or a name of another kind, before the work starts."""
+    if path.suffix.lower() not in suffixes:
+        raise ValueError(f"{path}: expected a name ending in {' or '.join(suffixes)}")
+    with contextlib.suppress(_Tried), _files.atomic_file(path):
+        raise _Tried
+
+
+class _Tried(Exception):  # noqa: N818
+    """Leaves the place as it was."""
+
+
+def write_json(path: Path, document: dict[str, Any]) -> None:
+    """Write a document whole or not at all."""
+    with _files.atomic_file(path) as aside:
+        aside.write_text(_formats.to_json(document), encoding="utf-8")
+
+
+def count(value: int) -> str:
+    """A count with its thousands apart."""
+    return f"{value:,}"
+
+
+def bytes_text(value: float) -> str:
+    """Bytes in the unit that suits."""
+    for unit in ("bytes", "kB", "MB"):
+        if value < 1000.0:
+            return f"{value:.0f} {unit}" if unit == "bytes" else f"{value:.3g} {unit}"
+        value /= 1000.0
+    return f"{value:.3g} GB"
+
+
+def metres(values: Iterable[float]) -> str:
+    """A position, or extents, in metres."""
+    return ", ".join(f"{value:.6g}" for value in values) + " m"

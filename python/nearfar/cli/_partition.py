@@ -1,0 +1,81 @@
+"""`nearfar partition`: how many triangles are left near."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+import nearfar as nf
+from nearfar import _formats
+from nearfar.cli._options import Center, Inner, Input, Invalid, Json, Outer, Point, Up, open_scene, read_point
+from nearfar.cli._output import check_target, count, metres, show, write_json
+from nearfar.cli._place import choose
+
+VERSION = 1
+
+CURVE_RADII = (20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0)
+"""Metres at which the load curve is stated."""
+
+
+def partition(
+    scene: Input,
+    center: Center = None,
+    r1: Inner = 30.0,
+    r2: Outer = 50.0,
+    up: Up = "y",
+    on_invalid: Invalid = "raise",
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write the JSON document there too.")
+    ] = None,
+    max_triangles: Annotated[
+        int | None,
+        typer.Option("--max-triangles", metavar="N", help="Exit with status 1 if more than N triangles are left near."),
+    ] = None,
+    as_json: Json = False,
+) -> None:
+    """Split a scene near-far and say how light it becomes, at these radii and along the load curve."""
+    if output:
+        check_target(output, ".json")
+    loaded = open_scene(scene, up=up, on_invalid=on_invalid)
+    middle = read_point("--center", center) or choose(loaded, scene).eye
+    document = describe(loaded, scene, middle, r1, r2)
+    if output:
+        write_json(output, document)
+    rows = [
+        ("centre", metres(middle)),
+        ("radii", f"{r1:g} m and {r2:g} m"),
+        *((key.replace("_", " "), _text(value)) for key, value in document["summary"].items()),
+        *((f"within {entry['radius']:g} m", count(entry["triangles"])) for entry in document["load_curve"]),
+    ]
+    show(document, rows, title=scene, as_json=as_json)
+    left = document["summary"]["nsf"]
+    if max_triangles is not None and left > max_triangles:
+        typer.echo(f"nearfar: expected at most {count(max_triangles)} triangles near, got {count(left)}", err=True)
+        raise typer.Exit(1)
+
+
+def describe(scene: nf.Scene, source: str, center: Point, r1: float, r2: float) -> dict[str, Any]:
+    """Document of a partition; schema "partition"."""
+    parts = nf.partition(scene, center=center, r1=r1, r2=r2)
+    curve = nf.load_curve(scene, center=center)
+    return _formats.header("partition", VERSION, origin=[float(value) for value in scene.origin]) | {
+        "source": source,
+        "center": list(center),
+        "r1": r1,
+        "r2": r2,
+        "summary": parts.summary(),
+        "load_curve": curve_points(curve),
+    }
+
+
+def curve_points(curve: nf.LoadCurve) -> list[dict[str, float | int]]:
+    """The load curve at `CURVE_RADII`."""
+    return [{"radius": radius, "triangles": int(curve.count(radius))} for radius in CURVE_RADII]
+
+
+def _text(value: Any) -> str:
+    if isinstance(value, dict):
+        return ", ".join(f"{key} {_text(item)}" for key, item in value.items())
+    return count(value) if isinstance(value, int) else str(value)

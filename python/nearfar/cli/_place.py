@@ -1,0 +1,114 @@
+"""Where to stand when nobody says so: open ground near the middle, looking where there is most to see."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar.cli._options import Point
+
+EYE_HEIGHT = 1.7
+"""Metres above the ground: a standing person's eyes."""
+
+ROOM = 3.0
+"""Metres: in smaller scenes, which are things and not places, an eye's height is a part of the scene's."""
+
+COMPARED = 40
+"""Open places that are compared."""
+
+GRID = 41
+"""Candidates along each side of the middle of the scene."""
+
+DIRECTIONS = 72
+"""Directions looked in from a candidate: one every 5°."""
+
+CLEARANCE = 3.0
+"""Metres that must be free around an eye."""
+
+
+@dataclass(frozen=True)
+class Place:
+    """A place to stand."""
+
+    eye: Point
+    """World position in metres."""
+    forward: Point
+    """Horizontal unit direction with the longest open view."""
+
+
+def choose(scene: nf.Scene, source: str) -> Place:
+    """Find an open place near the middle of the scene; procedural scenes know theirs.
+
+    A place is open if nothing stands within `CLEARANCE` of a person's eyes, half of the directions see at least ten
+    metres far (less in small scenes) and a quarter of them see something. Of the first `COMPARED` such places, those
+    under the sky before those under a roof, the one with the widest view is taken.
+    """
+    views = {"city": nf.datasets.street_view, "room": nf.datasets.room_view}
+    name = source.partition(":")[0]
+    if name in views:
+        known, target = views[name]()
+        ahead = np.array([target[0] - known[0], 0.0, target[2] - known[2]])
+        return Place(known, _point(ahead / np.linalg.norm(ahead)))
+    eyes = _candidates(scene)
+    far = min(10.0, 0.25 * float(np.hypot(*(scene.bounds[1] - scene.bounds[0])[[0, 2]] / 2.0)))
+    open_places = []
+    for eye in eyes:
+        view = np.minimum(_view(scene, eye), 10.0 * far)
+        if view.min() >= min(CLEARANCE, far / 2.0) and np.median(view) >= far and (view < 10.0 * far).mean() >= 0.25:
+            open_places.append((float(view.mean()), _point(eye)))
+        if len(open_places) == COMPARED:
+            break
+    best = max(open_places)[1] if open_places else _point(eyes[0])
+    return Place(best, open_direction(scene, best))
+
+
+def _candidates(scene: nf.Scene) -> NDArray[np.float64]:
+    """Eyes above the ground of a grid, nearest to the middle first: those seen from above, then those from below.
+
+    Where rays meet nothing, the ground is the lowest height of the scene, because cities often come without any.
+    Among places seen from above, roofs are left out.
+    """
+    low, high = scene.bounds
+    middle, half = (low + high) / 2.0, (high - low) / 2.0
+    axis = np.linspace(-1.0, 1.0, GRID)
+    grid = np.stack(np.meshgrid(axis, axis, indexing="ij"), axis=-1).reshape(-1, 2)
+    grid = grid[np.argsort(np.hypot(*grid.T), kind="stable")]
+    x, z = (grid * np.minimum(half * 0.6, 150.0)[[0, 2]] + middle[[0, 2]]).T
+    eye_height = EYE_HEIGHT if 2.0 * half.max() >= ROOM else 1.2 * half[1]
+    eyes = []
+    for start, sign in ((high[1] + 1.0, -1.0), (low[1] - 1.0, 1.0)):
+        origins = np.column_stack([x, np.full(len(x), start), z])
+        way = nf.cast_rays(scene, origins, np.tile([0.0, sign, 0.0], (len(x), 1))).t_hit.astype(np.float64)
+        ground = np.where(np.isfinite(way), start + sign * np.where(np.isfinite(way), way, 0.0), low[1])
+        level = ground <= np.percentile(ground, 10.0) + 2.0
+        eyes.append(np.column_stack([x, ground + eye_height, z])[level])
+    return np.concatenate(eyes)
+
+
+def open_direction(scene: nf.Scene, eye: Point) -> Point:
+    """Horizontal direction in which a field of view of a quarter turn sees farthest on the whole."""
+    view = np.minimum(_view(scene, np.asarray(eye)), 500.0)
+    quarter = DIRECTIONS // 4
+    kernel = np.ones(quarter + 1)
+    around = np.concatenate([view[-(quarter // 2) :], view, view[: quarter // 2]])
+    seen = np.convolve(np.sqrt(around), kernel, mode="valid")
+    # Among equals the first, −z, where cameras look by themselves.
+    return _point(_ring()[int(np.argmax(seen))])
+
+
+def _ring() -> NDArray[np.float64]:
+    angle = np.arange(DIRECTIONS) * (2.0 * np.pi / DIRECTIONS)
+    return np.column_stack([np.sin(angle), np.zeros(DIRECTIONS), -np.cos(angle)])
+
+
+def _view(scene: nf.Scene, eye: NDArray[np.float64]) -> NDArray[np.float64]:
+    distance = nf.cast_rays(scene, np.tile(eye, (DIRECTIONS, 1)), _ring()).t_hit
+    return np.asarray(distance, np.float64)
+
+
+def _point(values: NDArray[np.float64]) -> Point:
+    x, y, z = (float(value) for value in values)
+    return x, y, z

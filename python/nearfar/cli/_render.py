@@ -1,0 +1,114 @@
+"""`nearfar render`: a picture of a scene, as it is or as a thin client shows it."""
+
+from __future__ import annotations
+
+import math
+import time
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+import nearfar as nf
+from nearfar import _formats
+from nearfar.cli._options import (
+    Center,
+    FaceSize,
+    Inner,
+    Input,
+    Invalid,
+    Json,
+    Outer,
+    Point,
+    Samples,
+    Size,
+    Up,
+    open_scene,
+    read_point,
+    read_size,
+)
+from nearfar.cli._output import bytes_text, check_target, metres, show
+from nearfar.cli._place import choose, open_direction
+
+VERSION = 1
+
+MORPHS = {"continuous": "blend", "conventional": "none"}
+
+
+def render(
+    scene: Input,
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="FILE", help="The picture, as .png or .exr.")],
+    eye: Annotated[
+        str | None,
+        typer.Option("--eye", metavar="X,Y,Z", help="Eye U in metres. By default open ground in the middle."),
+    ] = None,
+    target: Annotated[
+        str | None,
+        typer.Option("--target", metavar="X,Y,Z", help="Point looked at. By default the longest open view."),
+    ] = None,
+    fov: Annotated[float, typer.Option("--fov", metavar="DEGREES", help="Horizontal field of view.")] = 90.0,
+    size: Size = "1280x720",
+    samples: Samples = 4,
+    method: Annotated[
+        str,
+        typer.Option(
+            "--method", metavar="truth|continuous|conventional", help="The scene as it is, or reduced near-far."
+        ),
+    ] = "truth",
+    center: Center = None,
+    r1: Inner = 30.0,
+    r2: Outer = 50.0,
+    face_size: FaceSize = 1024,
+    up: Up = "y",
+    on_invalid: Invalid = "raise",
+    as_json: Json = False,
+) -> None:
+    """Render a scene from one eye to a PNG or EXR file."""
+    if method != "truth" and method not in MORPHS:
+        raise ValueError(f"--method: expected truth, continuous or conventional, got {method!r}")
+    pixels, aim = read_size("--size", size), read_point("--target", target)
+    user, middle = read_point("--eye", eye), read_point("--center", center)
+    check_target(output, ".png", ".exr")
+    loaded = open_scene(scene, up=up, on_invalid=on_invalid)
+    place = choose(loaded, scene) if user is None or (middle is None and method != "truth") else None
+    user = user or (place.eye if place else (0.0, 0.0, 0.0))
+    view = camera(loaded, user, aim, fov, pixels)
+    started = time.perf_counter()
+    if method == "truth":
+        channels = ("color", "range", "object_id") if output.suffix.lower() == ".exr" else ("color",)
+        frame = nf.render(loaded, view, samples=samples, channels=channels)
+    else:
+        middle = middle or (place.eye if place else user)
+        reduced = nf.reduce(loaded, center=middle, r1=r1, r2=r2, face_size=face_size, morph=MORPHS[method])
+        frame = reduced.render(view, samples=samples, channels=("color",))
+    seconds = time.perf_counter() - started
+    frame.save(output)
+    document = _formats.header("render", VERSION, color_space="sRGB" if output.suffix == ".png" else "linear") | {
+        "source": scene,
+        "file": str(output),
+        "bytes": output.stat().st_size,
+        "method": method,
+        "eye": list(user),
+        "size": list(pixels),
+        "samples": samples,
+        "seconds": round(seconds, 3),
+    }
+    rows = [
+        ("eye", metres(user)),
+        ("picture", f"{pixels[0]} × {pixels[1]}, {method}"),
+        ("file", f"{output}, {bytes_text(document['bytes'])}"),
+        ("rendered in", f"{seconds:.2f} s"),
+    ]
+    show(document, rows, title=scene, as_json=as_json)
+
+
+def camera(scene: nf.Scene, eye: Point, target: Point | None, fov: float, size: tuple[int, int]) -> nf.Camera:
+    """A level view along the longest open sight line, or towards `target`; `fov` in degrees across the width."""
+    if target is None:
+        forward = open_direction(scene, eye)
+        target = (eye[0] + forward[0], eye[1] + forward[1], eye[2] + forward[2])
+    if not 0.0 < fov < 180.0 or not math.isfinite(fov):
+        raise ValueError(f"--fov: expected degrees between 0 and 180, got {fov:g}")
+    width, height = size
+    aspect = width / height if height > 0 else 1.0
+    return nf.Camera.look_at(eye, target, fov=nf.Fov.symmetric(fov, max(aspect, 1e-9)), size=size)

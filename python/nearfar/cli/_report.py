@@ -1,0 +1,108 @@
+"""The files of `nearfar demo`: pictures side by side, the load curve, and the report in two forms."""
+
+from __future__ import annotations
+
+import importlib.util
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar.cli._output import bytes_text, count, metres, write_json
+
+CAPTION = 0.07
+"""Height of a picture's caption as a share of the picture's."""
+
+TITLES = {
+    "truth": "truth: the whole scene",
+    "conventional": "conventional: near geometry and map, not joined",
+    "continuous": "continuous: near-far morph",
+}
+
+
+def save_pictures(folder: Path, pictures: dict[str, NDArray[np.uint8]]) -> None:
+    """Save each picture, and all of them side by side under captions."""
+    from PIL import Image
+
+    for name, picture in pictures.items():
+        Image.fromarray(picture).save(folder / f"{name}.png")
+    captioned = [caption(picture, TITLES[name]) for name, picture in pictures.items()]
+    gap = np.full((captioned[0].shape[0], 6, 3), 255, np.uint8)
+    row = [part for picture in captioned for part in (picture, gap)][:-1]
+    Image.fromarray(np.concatenate(row, axis=1)).save(folder / "side_by_side.png", optimize=True)
+
+
+def caption(picture: NDArray[np.uint8], text: str) -> NDArray[np.uint8]:
+    """A picture under a bar with a text."""
+    from PIL import Image, ImageDraw, ImageFont
+
+    height, width = picture.shape[:2]
+    bar = max(14, round(CAPTION * height))
+    canvas = Image.new("RGB", (width, height + bar), "white")
+    canvas.paste(Image.fromarray(picture), (0, bar))
+    draw, size = ImageDraw.Draw(canvas), 0.62 * bar
+    font = ImageFont.load_default(size)
+    while draw.textlength(text, font=font) > 0.98 * width and size > 6.0:
+        size *= 0.9
+        font = ImageFont.load_default(size)
+    draw.text((width / 2, bar / 2), text, fill="black", font=font, anchor="mm")
+    return np.asarray(canvas)
+
+
+def save_curve(folder: Path, curve: nf.LoadCurve, r2: float) -> bool:
+    """Plot the load curve with r2 marked; False where matplotlib is not installed."""
+    if not importlib.util.find_spec("matplotlib"):
+        return False
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(7.0, 4.5), layout="constrained")
+    axes = figure.subplots()
+    curve.plot(axes)
+    axes.axvline(r2, color="0.5", linestyle=":", label=f"$r_2$ = {r2:g} m")
+    axes.legend()
+    figure.savefig(folder / "load_curve.png", dpi=130)
+    return True
+
+
+def save(folder: Path, document: dict[str, Any]) -> None:
+    """Write report.json and report.md."""
+    write_json(folder / "report.json", document)
+    (folder / "report.md").write_text(markdown(document), encoding="utf-8")
+
+
+def markdown(document: dict[str, Any]) -> str:
+    """The report for people."""
+    share = 100.0 * document["triangles_left"] / max(document["triangles"], 1)
+    lines = [
+        f"# Near-far reduction of {document['source']}",
+        "",
+        f"{count(document['triangles'])} triangles become {count(document['triangles_left'])} ({share:.3g} %) "
+        f"and a cube map of 6 × {document['face_size']}² texels ({bytes_text(document['map_bytes'])}).",
+        "",
+        f"Centre O at {metres(document['center'])}, user U at {metres(document['user'])}; r₁ = {document['r1']:g} m, "
+        f"r₂ = {document['r2']:g} m.",
+        "",
+        "![truth, conventional and continuous](side_by_side.png)",
+        "",
+        "| picture | pixels that differ from the truth | share | RMSE |",
+        "| --- | ---: | ---: | ---: |",
+    ]
+    for name, value in document["pictures"].items():
+        lines.append(f"| {name} | {count(value['pixels'])} | {100 * value['share']:.2f} % | {value['rmse']:.4f} |")
+    lines += [
+        "",
+        "A pixel differs where a channel is off by 8 of 255 levels or more. Both methods show the far part as it looks "
+        "from O, so both differ from the truth; what the continuous one avoids is the break at the boundary.",
+        "",
+        "| within | triangles |",
+        "| ---: | ---: |",
+        *(f"| {entry['radius']:g} m | {count(entry['triangles'])} |" for entry in document["load_curve"]),
+        "",
+    ]
+    if "load_curve.png" in document["files"]:
+        lines += ["![load curve](load_curve.png)", ""]
+    lines += ["| step | seconds |", "| --- | ---: |"]
+    lines += [f"| {name} | {seconds:.2f} |" for name, seconds in document["seconds"].items()]
+    return "\n".join([*lines, "", f"Written by {document['generator']}.", ""])

@@ -1,0 +1,210 @@
+"""The command line does the main job, prints what its schemas say, and answers mistakes with one sentence."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import numpy as np
+import pytest
+import trimesh
+from numpy.typing import NDArray
+from PIL import Image
+
+from nearfar import _formats
+from nearfar.cli import _place
+from nearfar.cli._app import run
+from support import need
+
+SMALL = "city:blocks=3,detail=0"
+
+
+@pytest.fixture(scope="module")
+def city(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A file of a few boxes about a square, so that no command needs a large scene."""
+    path = tmp_path_factory.mktemp("scene") / "boxes.glb"
+    boxes = [trimesh.creation.box((200, 1, 200), trimesh.transformations.translation_matrix((0, -0.5, 0)))]
+    for x in range(-90, 91, 20):
+        for z in range(-90, 91, 20):
+            height = 8 + (x * 7 + z * 3) % 17
+            boxes.append(
+                trimesh.creation.box((8, height, 8), trimesh.transformations.translation_matrix((x, height / 2, z)))
+            )
+    trimesh.Scene(boxes).export(path)
+    return path
+
+
+def command(capsys: pytest.CaptureFixture[str], *arguments: str | Path) -> tuple[int, str, str]:
+    status = run([str(argument) for argument in arguments])
+    printed = capsys.readouterr()
+    return status, printed.out, printed.err
+
+
+def document(text: str, schema: str) -> dict[str, Any]:
+    loaded: dict[str, Any] = json.loads(text)
+    for name in ("header", schema):
+        jsonschema.validate(loaded, _formats.load_schema(name))
+    assert loaded["format"] == f"nearfar.{schema}"
+    return loaded
+
+
+def pixels(path: Path) -> NDArray[np.uint8]:
+    with Image.open(path) as picture:
+        return np.asarray(picture.convert("RGB"))
+
+
+def test_info_says_what_a_scene_holds(city: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, _ = command(capsys, "info", "-i", city, "--json")
+    assert status == 0
+    said = document(out, "info")
+    assert said["triangles"] == 12 * 101
+    np.testing.assert_allclose(said["bounds"][0], [-100, -1, -100], atol=1e-4)
+    status, out, _ = command(capsys, "info", "-i", city)
+    assert status == 0
+    assert "1,212" in out
+
+
+def test_partition_counts_and_refuses_above_a_limit(
+    city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    arguments = ("partition", "-i", city, "--center", "0,1.7,0", "--r1", "10", "--r2", "20")
+    status, out, _ = command(capsys, *arguments, "--json", "-o", tmp_path / "partition.json")
+    assert status == 0
+    said = document(out, "partition")
+    assert said == json.loads((tmp_path / "partition.json").read_text())
+    assert 0 < said["summary"]["nsf"] < 12 * 101
+    counts = [entry["triangles"] for entry in said["load_curve"]]
+    assert counts == sorted(counts)
+    assert said["load_curve"][0] == {"radius": 20.0, "triangles": said["summary"]["nsf"]}
+    status, _, err = command(capsys, *arguments, "--max-triangles", "3")
+    assert status == 1
+    assert re.fullmatch(r"nearfar: expected at most 3 triangles near, got \d+\n", err)
+
+
+def test_bake_writes_a_map(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "map.exr"
+    status, out, err = command(
+        capsys, "bake", "-i", city, "-o", path, "--center", "0,1.7,0", "--face-size", "32", "--json"
+    )
+    assert status == 0, err
+    assert document(out, "bake")["bytes"] == path.stat().st_size
+    status, _, err = command(capsys, "bake", "-i", city, "-o", path, "--center", "0,1.7,0", "--r2", "5000")
+    assert status == 1
+    assert "there is nothing beyond 5000 m to bake" in err
+
+
+@pytest.mark.parametrize("method", ["truth", "continuous", "conventional"])
+def test_render_writes_a_picture(method: str, city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "picture.png"
+    settings = ("--size", "64x48", "--samples", "1", "--face-size", "64", "--method", method, "--json")
+    status, out, err = command(capsys, "render", "-i", city, "-o", path, "--eye", "3,1.7,0", *settings)
+    assert status == 0, err
+    assert document(out, "render")["method"] == method
+    picture = pixels(path)
+    assert picture.shape == (48, 64, 3)
+    assert picture.std() > 5.0
+
+
+def test_demo_does_the_whole_job(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = tmp_path / "deep" / "demo"
+    settings = ("--size", "96x64", "--samples", "1", "--face-size", "64", "--json")
+    # Twice: the second replaces the first.
+    for _ in range(2):
+        status, out, err = command(capsys, "demo", "-i", city, "-o", folder, *settings)
+        assert status == 0, err
+    said = document(out, "report")
+    assert said == json.loads((folder / "report.json").read_text(encoding="utf-8"))
+    assert sorted(path.name for path in folder.iterdir()) == sorted(said["files"])
+    assert {"truth.png", "conventional.png", "continuous.png", "side_by_side.png", "report.md"} <= set(said["files"])
+    assert said["triangles_left"] < said["triangles"]
+    assert pixels(folder / "side_by_side.png").shape[1] == 3 * 96 + 2 * 6
+    text = (folder / "report.md").read_text(encoding="utf-8")
+    assert f"{said['triangles']:,} triangles become {said['triangles_left']:,}" in text
+
+
+def test_demo_plots_the_load_curve(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    need("matplotlib")
+    settings = ("--size", "48x32", "--samples", "1", "--face-size", "16")
+    status, _, err = command(capsys, "demo", "-i", city, "-o", tmp_path / "demo", *settings)
+    assert (status, err) == (0, "")
+    assert pixels(tmp_path / "demo" / "load_curve.png").std() > 5.0
+
+
+def test_procedural_scenes_need_no_file(capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, _ = command(capsys, "info", "-i", SMALL, "--json")
+    assert status == 0
+    assert document(out, "info")["triangles"] > 100
+
+
+@pytest.mark.parametrize(
+    ("arguments", "status", "words"),
+    [
+        (["info", "-i", "missing.glb"], 1, "missing.glb"),
+        (["info", "-i", "city:block=3"], 1, "expected settings from blocks, .*'block' .did you mean blocks"),
+        (["info", "-i", "city:blocks=many"], 1, "expected a whole number for blocks, got 'many'"),
+        (["info"], 2, "--input"),
+        (["nonsense"], 2, "nonsense"),
+        (["partition", "-i", "CITY", "--r1", "50", "--r2", "30"], 1, "r1: expected less than r2"),
+        (["partition", "-i", "CITY", "--center", "0,1"], 1, "x,y,z"),
+        (["partition", "-i", "CITY", "--center", "0,nan,0"], 1, "center: expected"),
+        (["render", "-i", "CITY", "-o", "a.png", "--size", "64"], 1, "WIDTHxHEIGHT"),
+        (["render", "-i", "CITY", "-o", "a.png", "--size", "0x0"], 1, "size.*: expected"),
+        (["render", "-i", "CITY", "-o", "a.jpg", "--size", "8x8"], 1, r"\.png or \.exr"),
+        (["render", "-i", "CITY", "-o", "a.png", "--method", "magic"], 1, "expected truth, continuous or conventional"),
+        (["render", "-i", "CITY", "-o", "a.png", "--fov", "180"], 1, "--fov: expected degrees"),
+        (["render", "-i", "CITY", "-o", "missing/a.png", "--size", "8x8"], 1, "missing/a.png: cannot be written"),
+        (["bake", "-i", "CITY", "-o", "a.exr", "--face-size", "0"], 1, "face_size: expected"),
+        (["demo", "-i", "CITY", "-o", "."], 1, "holds other files"),
+    ],
+)
+def test_mistakes_are_one_sentence(
+    arguments: list[str],
+    status: int,
+    words: str,
+    city: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    (tmp_path / "somebodys.txt").write_text("")
+    monkeypatch.chdir(tmp_path)
+    got, out, err = command(capsys, *(str(city) if a == "CITY" else a for a in arguments))
+    assert got == status, err
+    assert re.search(words, err), err
+    assert "Traceback" not in err
+    assert out == ""
+    if status == 1:
+        assert re.fullmatch(r"nearfar: [^\n]+\n", err)
+    assert [path.name for path in tmp_path.iterdir()] == ["somebodys.txt"]
+
+
+def test_the_program_itself_leaves_with_the_status() -> None:
+    for arguments, status in ((["--version"], 0), (["info", "-i", "missing.glb"], 1), (["info"], 2)):
+        done = subprocess.run(
+            [sys.executable, "-m", "nearfar.cli", *arguments], capture_output=True, text=True, timeout=60, check=False
+        )
+        assert done.returncode == status, done.stderr
+
+
+def test_the_command_line_loads_late() -> None:
+    code = "import sys, nearfar.cli; print(any(m.partition('.')[0] in ('typer', 'rich') for m in sys.modules))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True)
+    assert done.stdout.strip() == "False"
+
+
+def test_the_chosen_place_is_open_ground(city: Path) -> None:
+    import nearfar as nf
+
+    scene = nf.Scene.load(city)
+    place = _place.choose(scene, str(city))
+    assert place.eye[1] == pytest.approx(_place.EYE_HEIGHT, abs=0.01)
+    around = _place._view(scene, np.array(place.eye))
+    assert around.min() >= _place.CLEARANCE
+    # The view is a quarter turn about the direction, and sees farther than the other three on the whole.
+    turned = np.roll(np.minimum(around, 500.0), 9 - int(np.argmax(_place._ring() @ place.forward)))
+    assert turned[:19].mean() >= turned[19:].mean()

@@ -1,0 +1,69 @@
+"""Notebooks are kept without outputs, hold no algorithms, and run."""
+
+from __future__ import annotations
+
+import ast
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from support import need
+
+CHECKOUT = Path(__file__).resolve().parent.parent
+NOTEBOOKS = sorted((CHECKOUT / "notebooks").glob("*.ipynb"))
+
+# What a reader waits for a notebook. It is measured with a wide margin, because other work may share the machine.
+SECONDS = 60.0
+
+
+def cells(path: Path) -> list[dict[str, Any]]:
+    document = json.loads(path.read_text(encoding="utf-8"))
+    found: list[dict[str, Any]] = document["cells"]
+    return found
+
+
+def test_there_are_notebooks_in_the_order_of_the_stages() -> None:
+    assert [path.stem for path in NOTEBOOKS] == ["01_scene", "02_near_far"]
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_notebooks_are_stripped(path: Path) -> None:
+    for cell in cells(path):
+        if cell["cell_type"] == "code":
+            assert cell["outputs"] == []
+            assert cell["execution_count"] is None
+        assert cell["metadata"] == {}
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_notebooks_hold_no_algorithms(path: Path) -> None:
+    """A cell worth keeping moves into the package with a test: here are calls, and loops over what is shown."""
+    for cell in cells(path):
+        if cell["cell_type"] == "code":
+            tree = ast.parse("".join(cell["source"]))
+            kinds = (ast.FunctionDef, ast.ClassDef, ast.While, ast.Lambda)
+            assert not any(isinstance(node, kinds) for node in ast.walk(tree)), cell["source"]
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_notebooks_run(path: Path, tmp_path: Path) -> None:
+    need("notebook")
+    need("matplotlib")
+    started = time.monotonic()
+    done = subprocess.run(
+        [sys.executable, CHECKOUT / "scripts" / "notebooks.py", tmp_path, path.stem],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        timeout=5 * SECONDS,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr[-4000:]
+    print(f"{path.stem}: {time.monotonic() - started:.0f} s of {SECONDS:.0f}")
+    shown = [output for cell in cells(tmp_path / path.name) for output in cell.get("outputs", [])]
+    assert any("image/png" in output.get("data", {}) for output in shown)
