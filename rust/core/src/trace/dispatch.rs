@@ -1,11 +1,13 @@
 //! Chooses the kernels for the instruction set.
 
+use super::beam::{self, Quest, Room};
 #[cfg(target_arch = "x86_64")]
 use super::lanes::{Avx2, Avx512};
 use super::lanes::{Isa, Level};
+use super::packet::{Packet, RAYS};
 use super::single::{Search, walk_set};
 use super::{Filter, Hit, Ray};
-use crate::scene::Scene;
+use crate::scene::{InstanceSet, Scene};
 
 /// One function for each instruction set around a kernel that is generic over it: what is inlined into them is
 /// compiled with their instructions.
@@ -41,6 +43,45 @@ kernels!(any_hits, any, bool);
 
 #[inline(always)]
 fn closest<I: Isa, F: Filter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, hits: &mut [Hit]) {
+    if rays.len() < LEAST_PACKET {
+        return one_by_one(isa, scene, rays, filter, hits);
+    }
+    let (mut packet, mut room) = (Packet::new(), Room::new());
+    for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
+        let quest = Quest { rays, filter };
+        packet.clear();
+        let mut done = false;
+        for (set, first) in numbered(scene) {
+            let Some(tlas) = set.tlas() else { continue };
+            // Both sets have the same rays, so either all make a beam or none does.
+            done = packet.fill(isa, rays, &tlas.bounds);
+            if !done {
+                break;
+            }
+            packet.shorten(isa);
+            beam::walk_set(isa, set, first, &quest, &mut packet, &mut room);
+        }
+        if done {
+            hits.iter_mut().enumerate().for_each(|(i, hit)| *hit = packet.hit(i));
+        } else {
+            one_by_one(isa, scene, rays, filter, hits);
+        }
+    }
+}
+
+/// Fewer rays than this are not worth a packet.
+const LEAST_PACKET: usize = 8;
+
+/// Sets of instances with their first instance's number; empty ones are left out.
+#[inline(always)]
+fn numbered(scene: &Scene) -> impl Iterator<Item = (&InstanceSet, u32)> {
+    let moving = scene.standing.instances().len() as u32;
+    let sets = [(&*scene.standing, 0), (&*scene.moving, moving)];
+    sets.into_iter().filter(|(set, _)| !set.instances().is_empty())
+}
+
+#[inline(always)]
+fn one_by_one<I: Isa, F: Filter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, hits: &mut [Hit]) {
     for (ray, hit) in rays.iter().zip(hits) {
         *hit = trace(isa, scene, Search { ray, filter, best: Hit::MISS, any: false });
     }
@@ -55,10 +96,11 @@ fn any<I: Isa, F: Filter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, hits:
 
 #[inline(always)]
 fn trace<I: Isa, F: Filter>(isa: I, scene: &Scene, mut search: Search<'_, F>) -> Hit {
-    let standing = scene.standing.instances().len();
-    walk_set(isa, &scene.standing, 0, &mut search);
-    if !scene.moving.instances().is_empty() && !search.is_done() {
-        walk_set(isa, &scene.moving, standing as u32, &mut search);
+    for (set, first) in numbered(scene) {
+        walk_set(isa, set, first, &mut search);
+        if search.is_done() {
+            break;
+        }
     }
     search.best
 }

@@ -1,9 +1,11 @@
 //! Rays against a scene: nearest hits through both levels of trees.
 
 mod alpha;
+mod beam;
 mod cast;
 mod dispatch;
 mod lanes;
+mod packet;
 mod single;
 mod slab;
 #[cfg(test)]
@@ -66,6 +68,9 @@ impl Hit {
 
 /// Decides which intersections count: cut-out materials, pixels split at a radius.
 pub trait Filter: Sync {
+    /// True where every intersection counts, so that nobody needs to ask.
+    const ACCEPTS_ALL: bool = false;
+
     /// True where the candidate is a hit.
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool;
 }
@@ -74,6 +79,8 @@ pub trait Filter: Sync {
 pub struct All;
 
 impl Filter for All {
+    const ACCEPTS_ALL: bool = true;
+
     #[inline(always)]
     fn accepts(&self, _ray: &Ray, _candidate: &Hit) -> bool {
         true

@@ -38,12 +38,6 @@ impl Local {
             floor: f32::NEG_INFINITY,
         }
     }
-
-    /// The same ray in the frame of a placed instance whose box it enters at `floor`.
-    #[inline(always)]
-    pub(crate) fn placed(ray: &Ray, instance: &Instance, bounds: &Aabb, floor: f32) -> Self {
-        Self { floor, ..Self::new(&ray.in_object(instance), bounds) }
-    }
 }
 
 impl Ray {
@@ -110,7 +104,8 @@ impl<I: Isa, F: Filter> Leaves<I, F> for Instances<'_> {
         if instance.in_place {
             walk_mesh(isa, bvh, local, self.first + slot, search);
         } else if let Some(floor) = enter(local, &instance.bounds) {
-            let placed = Local::placed(search.ray, instance, &bvh.bounds, floor);
+            let ray = search.ray.in_object(instance);
+            let placed = Local { floor, ..Local::new(&ray, &bvh.bounds) };
             walk_mesh(isa, bvh, &placed, self.first + slot, search);
         }
     }

@@ -14,11 +14,15 @@ use super::lanes::{Isa, Lanes};
 use crate::bvh::{Node, WIDTH};
 use crate::scene::Aabb;
 
-/// Five roundings of half an ulp, as in the paper.
-const ROUNDINGS: f32 = 5.0 / (1 << 24) as f32;
+/// How far the sheared corners may lie off, relative to the reach: five roundings of half an ulp, as in the paper, of
+/// two coordinates.
+pub(super) const ERROR: f32 = 2.0 * 5.0 / (1 << 24) as f32;
+/// Factors that cover the roundings of a reciprocal and a product, towards zero and away from it.
+pub(super) const SHORTER: f32 = 1.0 - 4.0 * f32::EPSILON;
+pub(super) const LONGER: f32 = 1.0 + 4.0 * f32::EPSILON;
 /// Slopes below this are taken for it: no product with a plane's distance becomes NaN, and over the whole of a box
 /// the ray leaves its true course by far less than a rounding.
-const LEAST_SLOPE: f32 = 1e-12;
+pub(super) const LEAST_SLOPE: f32 = 1e-12;
 
 /// A ray made ready for boxes below one root.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +44,7 @@ impl Slabs {
     #[inline(always)]
     pub(crate) fn new(origin: Vec3, direction: Vec3, bounds: &Aabb) -> Self {
         let reach = (bounds.min - origin).abs().max((bounds.max - origin).abs()).max_element();
-        let error = reach * (2.0 * ROUNDINGS) + f32::MIN_POSITIVE;
+        let error = reach * ERROR + f32::MIN_POSITIVE;
         let least = direction.abs().max_element() * LEAST_SLOPE;
         let mut slabs = Self {
             first: [0; 3],
@@ -58,8 +62,8 @@ impl Slabs {
             slabs.first[axis] = 2 * axis + usize::from(negative);
             slabs.near_origin[axis] = origin[axis] + sign * error;
             slabs.far_origin[axis] = origin[axis] - sign * error;
-            slabs.near_scale[axis] = sign * scale * (1.0 - 4.0 * f32::EPSILON);
-            slabs.far_scale[axis] = sign * scale * (1.0 + 4.0 * f32::EPSILON);
+            slabs.near_scale[axis] = sign * scale * SHORTER;
+            slabs.far_scale[axis] = sign * scale * LONGER;
         }
         slabs
     }

@@ -27,7 +27,6 @@ pub(crate) trait Isa: Copy {
 }
 
 /// `N` float32. Masks are bits, the lowest for the first lane.
-#[allow(dead_code)]
 pub(crate) trait Lanes<I>: Copy {
     /// Number of lanes.
     const N: usize;

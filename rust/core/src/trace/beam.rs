@@ -1,0 +1,341 @@
+//! Packets of rays through both levels of trees.
+
+use std::mem::MaybeUninit;
+
+use super::lanes::{Isa, Lanes};
+use super::packet::{Loader, Packet, RAYS};
+use super::single::{self, Local, Search};
+use super::triangle::{self, Crossing};
+use super::{Filter, Hit, Ray};
+use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide, leaf_blocks};
+use crate::scene::{Instance, InstanceSet};
+
+/// Fewer rays than this go one by one.
+const FEW: usize = 8;
+
+/// What a packet's rays are looking for.
+pub(crate) struct Quest<'a, F> {
+    /// In scene space, in the packet's order.
+    pub(crate) rays: &'a [Ray],
+    pub(crate) filter: &'a F,
+}
+
+/// Room for a packet in the frame of a placed instance.
+pub(crate) struct Room {
+    packet: Packet,
+    rays: Vec<Ray>,
+    members: Vec<usize>,
+}
+
+impl Room {
+    pub(crate) fn new() -> Self {
+        Self { packet: Packet::new(), rays: Vec::with_capacity(RAYS), members: Vec::with_capacity(RAYS) }
+    }
+}
+
+/// Walks one set of instances; the packet has been filled for the set's bounds. `first` is its first instance's number.
+#[inline(always)]
+pub(crate) fn walk_set<I: Isa, F: Filter>(
+    isa: I,
+    set: &InstanceSet,
+    first: u32,
+    quest: &Quest<'_, F>,
+    packet: &mut Packet,
+    room: &mut Room,
+) {
+    let Some(tlas) = set.tlas() else { return };
+    if let [instance] = set.instances()
+        && instance.in_place
+    {
+        if let Some(bvh) = instance.mesh.bvh() {
+            walk(isa, &bvh.wide, packet, &mut Triangles { bvh, instance: first, quest });
+        }
+        return;
+    }
+    walk(isa, &tlas.wide, packet, &mut Instances { tlas, instances: set.instances(), first, quest, room });
+}
+
+/// What to do at a leaf, given its box; true where a hit was found.
+trait Leaves<I> {
+    fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool;
+}
+
+struct Instances<'a, F> {
+    tlas: &'a Tlas,
+    instances: &'a [Instance],
+    first: u32,
+    quest: &'a Quest<'a, F>,
+    room: &'a mut Room,
+}
+
+impl<I: Isa, F: Filter> Leaves<I> for Instances<'_, F> {
+    #[inline(always)]
+    fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool {
+        let slot = self.tlas.instance(leaf);
+        let (instance, number) = (&self.instances[slot as usize], self.first + slot);
+        let Some(bvh) = instance.mesh.bvh() else { return false };
+        if instance.in_place {
+            walk(isa, &bvh.wide, packet, &mut Triangles { bvh, instance: number, quest: self.quest });
+            return true;
+        }
+        let room = &mut *self.room;
+        room.members.clear();
+        room.rays.clear();
+        for at in (0..packet.count).step_by(I::Group::N) {
+            let mut mask = packet.enter(isa, at, planes);
+            if mask == 0 {
+                continue;
+            }
+            let (near, _) = packet.slabs(isa, at, planes);
+            let mut floors = [0.0; 16];
+            near.store(&mut floors);
+            while mask != 0 {
+                let lane = mask.trailing_zeros() as usize;
+                mask &= mask - 1;
+                room.packet.floor[room.members.len()] = floors[lane];
+                room.members.push(at + lane);
+                room.rays.push(self.quest.rays[at + lane].in_object(instance));
+            }
+        }
+        if room.members.is_empty() {
+            return false;
+        }
+        self.enter_instance(isa, bvh, number, packet);
+        true
+    }
+}
+
+impl<F: Filter> Instances<'_, F> {
+    /// Traces the rays that `room` holds through a placed instance, side by side if they still make a beam.
+    #[inline(always)]
+    fn enter_instance<I: Isa>(&mut self, isa: I, bvh: &Bvh, number: u32, packet: &mut Packet) {
+        let room = &mut *self.room;
+        let quest = self.quest;
+        if room.members.len() >= FEW && room.packet.fill(isa, &room.rays, &bvh.bounds) {
+            let mut scene_rays = [quest.rays[0]; RAYS];
+            for (i, &member) in room.members.iter().enumerate() {
+                room.packet.set_hit(i, &packet.hit(member));
+                scene_rays[i] = quest.rays[member];
+            }
+            let inner = Quest { rays: &scene_rays[..room.members.len()], filter: quest.filter };
+            room.packet.shorten(isa);
+            walk(isa, &bvh.wide, &mut room.packet, &mut Triangles { bvh, instance: number, quest: &inner });
+            for (i, &member) in room.members.iter().enumerate() {
+                packet.set_hit(member, &room.packet.hit(i));
+            }
+            return;
+        }
+        for (i, &member) in room.members.iter().enumerate() {
+            let ray = &quest.rays[member];
+            let mut search = Search { ray, filter: quest.filter, best: packet.hit(member), any: false };
+            let local = Local { floor: room.packet.floor[i], ..Local::new(&room.rays[i], &bvh.bounds) };
+            single::walk_mesh(isa, bvh, &local, number, &mut search);
+            packet.set_hit(member, &search.best);
+        }
+    }
+}
+
+struct Triangles<'a, F> {
+    bvh: &'a Bvh,
+    instance: u32,
+    quest: &'a Quest<'a, F>,
+}
+
+impl<I: Isa, F: Filter> Leaves<I> for Triangles<'_, F> {
+    #[inline(always)]
+    fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool {
+        let mut found = false;
+        for at in (0..packet.count).step_by(I::Group::N) {
+            let mask = packet.enter(isa, at, planes);
+            if mask != 0 {
+                for block in &self.bvh.blocks[leaf_blocks(leaf)] {
+                    found |= self.test_block(isa, block, packet, at, mask);
+                }
+            }
+        }
+        found
+    }
+}
+
+impl<F: Filter> Triangles<'_, F> {
+    /// A group of rays against the triangles of a block, one after the other.
+    #[inline(always)]
+    fn test_block<I: Isa>(&self, isa: I, block: &Block, packet: &mut Packet, at: usize, mask: u32) -> bool {
+        let load = Loader(isa);
+        let (origin, scale) = (load.rows(&packet.origin, at), load.rows(&packet.scale, at));
+        let [x, y, z] = packet.axes;
+        let mut found = false;
+        for lane in 0..block.faces.len() {
+            if lane > 0 && block.faces[lane] == block.faces[lane - 1] {
+                break;
+            }
+            let mut corners = [origin; 3];
+            for corner in 0..3 {
+                let p = &block.corners[corner];
+                corners[corner] = [
+                    I::Group::splat(isa, p[x][lane]).sub(origin[0]),
+                    I::Group::splat(isa, p[y][lane]).sub(origin[1]),
+                    I::Group::splat(isa, p[z][lane]).sub(origin[2]),
+                ];
+            }
+            if let Some(crossing) = triangle::intersect(isa, corners, scale, mask) {
+                found |= self.accept(isa, block, lane, packet, at, &crossing);
+            }
+        }
+        found
+    }
+
+    /// Takes the crossings that are nearer than the best hits. The same conditions as `single::test_block`.
+    #[inline(always)]
+    fn accept<I: Isa>(
+        &self,
+        isa: I,
+        block: &Block,
+        lane: usize,
+        packet: &mut Packet,
+        at: usize,
+        crossing: &Crossing<I::Group>,
+    ) -> bool {
+        let mut planes = [0.0; 6];
+        for axis in 0..3 {
+            let [a, b, c] = [0, 1, 2].map(|corner: usize| block.corners[corner][axis][lane]);
+            (planes[2 * axis], planes[2 * axis + 1]) = (least(least(a, b), c), greatest(greatest(a, b), c));
+        }
+        let load = Loader(isa);
+        let (near, far) = packet.slabs(isa, at, &planes);
+        let (t_min, t_max) = (load.row(&packet.t_min, at), load.row(&packet.t_max, at));
+        let best = load.row(&packet.best.t, at);
+        let t = crossing.t.max(near).max(load.row(&packet.floor, at));
+        let inside = near.le(far) & t_min.le(far) & t_min.le(t) & t.le(t_max) & t.le(best);
+        let mask = crossing.mask & inside;
+        if mask == 0 {
+            return false;
+        }
+        let face = block.faces[lane];
+        if F::ACCEPTS_ALL && t.eq(best) & mask == 0 {
+            let rows = &mut packet.best;
+            t.select(mask, best).store(&mut rows.t[at..]);
+            crossing.u.select(mask, load.row(&rows.u, at)).store(&mut rows.u[at..]);
+            crossing.v.select(mask, load.row(&rows.v, at)).store(&mut rows.v[at..]);
+            let instance = I::Group::splat(isa, f32::from_bits(self.instance));
+            instance.select(mask, load.row(&rows.instance, at)).store(&mut rows.instance[at..]);
+            let face = I::Group::splat(isa, f32::from_bits(face));
+            face.select(mask, load.row(&rows.face, at)).store(&mut rows.face[at..]);
+            return true;
+        }
+        let mut lanes = [[0.0; 16]; 3];
+        t.store(&mut lanes[0]);
+        crossing.u.store(&mut lanes[1]);
+        crossing.v.store(&mut lanes[2]);
+        self.ask(packet, at, mask, face, &lanes)
+    }
+
+    /// The careful way: ties, and filters.
+    #[inline(never)]
+    fn ask(&self, packet: &mut Packet, at: usize, mut mask: u32, face: u32, lanes: &[[f32; 16]; 3]) -> bool {
+        let mut found = false;
+        while mask != 0 {
+            let lane = mask.trailing_zeros() as usize;
+            mask &= mask - 1;
+            let [t, u, v] = [lanes[0][lane], lanes[1][lane], lanes[2][lane]];
+            let candidate = Hit { t, u, v, instance: self.instance, face };
+            let ray = at + lane;
+            if candidate.is_before(&packet.hit(ray)) && self.quest.filter.accepts(&self.quest.rays[ray], &candidate) {
+                packet.set_hit(ray, &candidate);
+                found = true;
+            }
+        }
+        found
+    }
+}
+
+fn least(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+fn greatest(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// Stacks up to this size need no allocation.
+const LOCAL_STACK: usize = 256;
+
+/// A child of a node, and where the beam enters it.
+#[derive(Clone, Copy)]
+struct Entry {
+    near: f32,
+    child: u32,
+    /// Its node and slot there, for the box.
+    place: u32,
+}
+
+/// Visits leaves whose boxes the beam meets before all its rays have hit something, the nearest first.
+#[inline(always)]
+fn walk<I: Isa>(isa: I, tree: &Wide, packet: &mut Packet, leaves: &mut impl Leaves<I>) {
+    if tree.nodes.is_empty() {
+        return;
+    }
+    let mut array = [const { MaybeUninit::<Entry>::uninit() }; LOCAL_STACK];
+    let mut heap;
+    let stack = if tree.stack <= LOCAL_STACK {
+        &mut array[..]
+    } else {
+        heap = Box::new_uninit_slice(tree.stack);
+        &mut heap[..]
+    };
+    stack[0].write(Entry { near: 0.0, child: 0, place: 0 });
+    let mut size = 1;
+    while size > 0 {
+        size -= 1;
+        // SAFETY: all entries below the former `size` have been written.
+        let mut entry = unsafe { stack[size].assume_init() };
+        if entry.near > packet.limit() {
+            continue;
+        }
+        while entry.child & LEAF == 0 {
+            let node = &tree.nodes[entry.child as usize];
+            let (mut mask, near) = packet.intersect_node(isa, node);
+            if mask == 0 {
+                break;
+            }
+            let mut distances = [0.0; WIDTH];
+            near.store(&mut distances);
+            let number = entry.child;
+            let base = size;
+            let slot = mask.trailing_zeros() as usize;
+            mask &= mask - 1;
+            entry = Entry { near: distances[slot], child: node.children[slot], place: number << 3 | slot as u32 };
+            while mask != 0 {
+                let slot = mask.trailing_zeros() as usize;
+                mask &= mask - 1;
+                let mut other =
+                    Entry { near: distances[slot], child: node.children[slot], place: number << 3 | slot as u32 };
+                if other.near < entry.near {
+                    std::mem::swap(&mut entry, &mut other);
+                }
+                let mut to = size;
+                while to > base {
+                    // SAFETY: written by this loop: `base <= to - 1 < size`.
+                    let below = unsafe { stack[to - 1].assume_init() };
+                    if below.near >= other.near {
+                        break;
+                    }
+                    stack[to].write(below);
+                    to -= 1;
+                }
+                stack[to].write(other);
+                size += 1;
+            }
+        }
+        if entry.child & LEAF != 0 {
+            let (node, slot) = (&tree.nodes[(entry.place >> 3) as usize], (entry.place & 7) as usize);
+            let mut planes = [0.0; 6];
+            for (plane, row) in planes.iter_mut().zip(&node.planes) {
+                *plane = row[slot];
+            }
+            if leaves.visit(isa, entry.child, &planes, packet) {
+                packet.shorten(isa);
+            }
+        }
+    }
+}

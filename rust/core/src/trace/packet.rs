@@ -1,0 +1,374 @@
+//! Up to 64 rays side by side, and the beam that holds them all.
+//!
+//! After Overbeck, Ramamoorthi, Mark: Large ray packets for real-time Whitted ray tracing, 2008, and Boulos, Wald,
+//! Benthin: Adaptive ray packet reordering, 2008. Boxes inside the tree are tested against the beam, eight boxes at a
+//! time; single rays are looked at again only in front of leaves. Every test of the beam keeps what any of its rays
+//! would keep, and what is computed for a ray is what `single` computes, so both find the same bits.
+
+use super::lanes::{Isa, Lanes};
+use super::triangle::Shear;
+use super::{Hit, Ray};
+use crate::bvh::Node;
+use crate::scene::Aabb;
+
+/// Rays of a packet at most: a tile of 8×8 pixels.
+pub(crate) const RAYS: usize = 64;
+/// Widest spread of slopes across the main axis at which rays still make a beam.
+const WIDEST: f32 = 0.35;
+/// Far more than the roundings between a ray's own box test and the beam's.
+const SLACK: f32 = 16.0 * f32::EPSILON;
+/// See `slab`.
+const LEAST_SLOPE: f32 = super::slab::LEAST_SLOPE;
+
+type Row = [f32; RAYS];
+
+/// Rays in columns. Rows that belong to axes are in the order x, y, z, but `origin` and `scale` in the shear's.
+#[repr(align(64))]
+pub(crate) struct Packet {
+    pub(crate) count: usize,
+    pub(crate) axes: [usize; 3],
+    pub(crate) origin: [Row; 3],
+    pub(crate) scale: [Row; 3],
+    near_origin: [Row; 3],
+    far_origin: [Row; 3],
+    near_scale: [Row; 3],
+    far_scale: [Row; 3],
+    /// Rays that run backwards on each axis, a bit for each.
+    backwards: [u64; 3],
+    pub(crate) t_min: Row,
+    pub(crate) t_max: Row,
+    pub(crate) floor: Row,
+    /// Length along the main axis of a step of t.
+    step: Row,
+    pub(crate) best: Best,
+    beam: Beam,
+}
+
+/// The best hits in columns; numbers of instances and faces as bits.
+pub(crate) struct Best {
+    pub(crate) t: Row,
+    pub(crate) u: Row,
+    pub(crate) v: Row,
+    pub(crate) instance: Row,
+    pub(crate) face: Row,
+}
+
+/// Bounds of all rays, by the distance along their common main axis.
+#[derive(Clone, Copy, Default)]
+struct Beam {
+    first: [usize; 3],
+    near_origin: [f32; 3],
+    near_scale: [f32; 3],
+    far_origin: [f32; 3],
+    far_scale: [f32; 3],
+    /// Axes on which rays run both ways: there both planes bound the entry, and none the exit.
+    both_ways: [bool; 3],
+    /// No ray has a use for what begins beyond.
+    limit: f32,
+}
+
+impl Packet {
+    /// Without rays.
+    pub(crate) fn new() -> Self {
+        let rows = [[0.0; RAYS]; 3];
+        Self {
+            count: 0,
+            axes: [0, 1, 2],
+            origin: rows,
+            scale: rows,
+            near_origin: rows,
+            far_origin: rows,
+            near_scale: rows,
+            far_scale: rows,
+            backwards: [0; 3],
+            t_min: rows[0],
+            t_max: rows[0],
+            floor: [f32::NEG_INFINITY; RAYS],
+            step: rows[0],
+            best: Best { t: rows[0], u: rows[0], v: rows[0], instance: rows[0], face: rows[0] },
+            beam: Beam::default(),
+        }
+    }
+
+    /// Takes rays for boxes inside `bounds`. False where they do not make a beam.
+    #[inline(always)]
+    pub(crate) fn fill<I: Isa>(&mut self, isa: I, rays: &[Ray], bounds: &Aabb) -> bool {
+        let Some(lead) = rays.first() else { return false };
+        self.count = rays.len();
+        self.axes = Shear::new(lead.direction).axes;
+        // Columns first: origins into the rows of near planes, directions into those of their reciprocals.
+        for i in 0..RAYS {
+            let ray = rays.get(i).unwrap_or(lead);
+            for axis in 0..3 {
+                self.near_origin[axis][i] = ray.origin[axis];
+                self.near_scale[axis][i] = ray.direction[axis];
+            }
+            let is_ray = i < rays.len();
+            self.t_min[i] = ray.t_min;
+            // What only fills up the last group has an empty segment.
+            self.t_max[i] = if is_ray { ray.t_max.min(f32::MAX) } else { f32::NEG_INFINITY };
+            if ray.t_min < 0.0 {
+                return false;
+            }
+        }
+        self.backwards = [0; 3];
+        let main = self.axes[2];
+        let lead_backwards = lead.direction[main] < 0.0;
+        let mut extent = Extent::new(isa);
+        for at in (0..RAYS).step_by(I::Group::N) {
+            if !self.fill_group(isa, at, bounds, lead_backwards, &mut extent) {
+                return false;
+            }
+        }
+        self.aim(&extent.rows::<I>(), lead_backwards)
+    }
+
+    /// Forgets what was hit.
+    pub(crate) fn clear(&mut self) {
+        self.best.t = [f32::INFINITY; RAYS];
+        self.best.instance = [f32::from_bits(u32::MAX); RAYS];
+        self.best.face = [f32::from_bits(u32::MAX); RAYS];
+        self.best.u = [0.0; RAYS];
+        self.best.v = [0.0; RAYS];
+        self.beam.limit = f32::INFINITY;
+    }
+
+    /// The same arithmetic as `Shear::new` and `Slabs::new`.
+    #[inline(always)]
+    fn fill_group<I: Isa>(
+        &mut self,
+        isa: I,
+        at: usize,
+        bounds: &Aabb,
+        lead_backwards: bool,
+        extent: &mut Extent<I::Group>,
+    ) -> bool {
+        let zero = I::Group::splat(isa, 0.0);
+        let all = u32::MAX >> (32 - I::Group::N);
+        let load = Loader(isa);
+        let d = load.rows(&self.near_scale, at);
+        let o = load.rows(&self.near_origin, at);
+        let size = [d[0].abs(), d[1].abs(), d[2].abs()];
+        let is_x = size[1].lt(size[0]) & size[2].lt(size[0]);
+        let is_y = !is_x & size[2].lt(size[1]);
+        let [x, y, main] = self.axes;
+        let same = [is_x, is_y, !is_x & !is_y][main] & all;
+        let backwards = d[main].lt(zero);
+        if same != all || backwards != if lead_backwards { all } else { 0 } {
+            return false;
+        }
+        let one = I::Group::splat(isa, 1.0);
+        d[x].div(d[main]).store(&mut self.scale[0][at..]);
+        d[y].div(d[main]).store(&mut self.scale[1][at..]);
+        one.div(d[main]).store(&mut self.scale[2][at..]);
+        o[x].store(&mut self.origin[0][at..]);
+        o[y].store(&mut self.origin[1][at..]);
+        o[main].store(&mut self.origin[2][at..]);
+        size[main].store(&mut self.step[at..]);
+        let mut reach = zero;
+        for axis in 0..3 {
+            let low = I::Group::splat(isa, bounds.min[axis]).sub(o[axis]).abs();
+            let high = I::Group::splat(isa, bounds.max[axis]).sub(o[axis]).abs();
+            reach = reach.max(low).max(high);
+        }
+        let error = reach.mul(I::Group::splat(isa, super::slab::ERROR)).add(I::Group::splat(isa, f32::MIN_POSITIVE));
+        let least = size[main].mul(I::Group::splat(isa, LEAST_SLOPE));
+        for axis in 0..3 {
+            let scale = one.div(size[axis].max(least));
+            let negative = d[axis].lt(zero);
+            self.backwards[axis] |= u64::from(negative) << at;
+            let scale = zero.sub(scale).select(negative, scale);
+            let error = zero.sub(error).select(negative, error);
+            let (near, far) = (o[axis].add(error), o[axis].sub(error));
+            near.store(&mut self.near_origin[axis][at..]);
+            far.store(&mut self.far_origin[axis][at..]);
+            scale.mul(I::Group::splat(isa, super::slab::SHORTER)).store(&mut self.near_scale[axis][at..]);
+            scale.mul(I::Group::splat(isa, super::slab::LONGER)).store(&mut self.far_scale[axis][at..]);
+            extent.take(isa, axis, near, far, d[axis].div(size[main]));
+        }
+        true
+    }
+
+    /// Makes the beam. False where it would be too wide.
+    fn aim(&mut self, extent: &[[f32; 4]; 3], lead_backwards: bool) -> bool {
+        let main = self.axes[2];
+        for axis in 0..3 {
+            let [low, high, least, greatest] = extent[axis];
+            if greatest - least > WIDEST {
+                return false;
+            }
+            let (least, greatest) = if axis == main {
+                if lead_backwards { (-1.0, -1.0) } else { (1.0, 1.0) }
+            } else {
+                (least - least.abs() * SLACK, greatest + greatest.abs() * SLACK)
+            };
+            let beam = &mut self.beam;
+            beam.both_ways[axis] = least < LEAST_SLOPE && greatest > -LEAST_SLOPE;
+            let backwards = !beam.both_ways[axis] && greatest < 0.0;
+            beam.first[axis] = 2 * axis + usize::from(backwards);
+            let (shorter, longer) = (1.0 - SLACK, 1.0 + SLACK);
+            (beam.near_origin[axis], beam.far_origin[axis]) = if backwards { (low, high) } else { (high, low) };
+            (beam.near_scale[axis], beam.far_scale[axis]) = if beam.both_ways[axis] {
+                (shorter / greatest.max(LEAST_SLOPE), shorter / least.min(-LEAST_SLOPE))
+            } else if backwards {
+                (shorter / least, longer / greatest)
+            } else {
+                (shorter / greatest, longer / least)
+            };
+        }
+        true
+    }
+
+    /// Children of a node that any ray may have a use for, and where the beam enters them.
+    #[inline(always)]
+    pub(crate) fn intersect_node<I: Isa>(&self, isa: I, node: &Node) -> (u32, I::Eight) {
+        let beam = &self.beam;
+        let mut near = I::Eight::splat(isa, 0.0);
+        let mut far = I::Eight::splat(isa, beam.limit);
+        for axis in 0..3 {
+            let first = I::Eight::load(isa, &node.planes[beam.first[axis]]);
+            let last = I::Eight::load(isa, &node.planes[beam.first[axis] ^ 1]);
+            let enter = first.sub(I::Eight::splat(isa, beam.near_origin[axis]));
+            near = near.max(enter.mul(I::Eight::splat(isa, beam.near_scale[axis])));
+            let leave = last.sub(I::Eight::splat(isa, beam.far_origin[axis]));
+            let leave = leave.mul(I::Eight::splat(isa, beam.far_scale[axis]));
+            if beam.both_ways[axis] {
+                near = near.max(leave);
+            } else {
+                far = far.min(leave);
+            }
+        }
+        (near.le(far), near)
+    }
+
+    /// Where the beam has no more use for boxes.
+    #[inline(always)]
+    pub(crate) fn limit(&self) -> f32 {
+        self.beam.limit
+    }
+
+    /// Rays of a group that enter a box within their segments and no later than their best hits.
+    #[inline(always)]
+    pub(crate) fn enter<I: Isa>(&self, isa: I, at: usize, planes: &[f32; 6]) -> u32 {
+        let (near, far) = self.slabs(isa, at, planes);
+        let load = Loader(isa);
+        let near = near.max(load.row(&self.t_min, at));
+        let limit = load.row(&self.best.t, at).min(load.row(&self.t_max, at));
+        near.le(far.min(limit))
+    }
+
+    /// Where the rays of a group enter and leave a box: the same arithmetic as `Slabs::intersect`.
+    #[inline(always)]
+    pub(crate) fn slabs<I: Isa>(&self, isa: I, at: usize, planes: &[f32; 6]) -> (I::Group, I::Group) {
+        let (x, y, z) = (self.slab(isa, at, 0, planes), self.slab(isa, at, 1, planes), self.slab(isa, at, 2, planes));
+        (x.0.max(y.0).max(z.0), x.1.min(y.1).min(z.1))
+    }
+
+    #[inline(always)]
+    fn slab<I: Isa>(&self, isa: I, at: usize, axis: usize, planes: &[f32; 6]) -> (I::Group, I::Group) {
+        let low = I::Group::splat(isa, planes[2 * axis]);
+        let high = I::Group::splat(isa, planes[2 * axis + 1]);
+        let backwards = (self.backwards[axis] >> at) as u32 & (u32::MAX >> (32 - I::Group::N));
+        let (first, last) = if self.beam.both_ways[axis] {
+            (high.select(backwards, low), low.select(backwards, high))
+        } else if backwards != 0 {
+            (high, low)
+        } else {
+            (low, high)
+        };
+        let load = Loader(isa);
+        let near = first.sub(load.row(&self.near_origin[axis], at)).mul(load.row(&self.near_scale[axis], at));
+        let far = last.sub(load.row(&self.far_origin[axis], at)).mul(load.row(&self.far_scale[axis], at));
+        (near, far)
+    }
+
+    /// Looks again how far the beam must go, after hits.
+    #[inline(always)]
+    pub(crate) fn shorten<I: Isa>(&mut self, isa: I) {
+        let load = Loader(isa);
+        let mut farthest = I::Group::splat(isa, 0.0);
+        for at in (0..self.count).step_by(I::Group::N) {
+            let t = load.row(&self.best.t, at).min(load.row(&self.t_max, at));
+            farthest = farthest.max(t.mul(load.row(&self.step, at)));
+        }
+        let mut lanes = [0.0; 16];
+        farthest.store(&mut lanes);
+        self.beam.limit = lanes[..I::Group::N].iter().fold(0.0, |a: f32, &b| if a > b { a } else { b }) * (1.0 + SLACK);
+    }
+
+    /// The best hit of a ray.
+    #[inline(always)]
+    pub(crate) fn hit(&self, ray: usize) -> Hit {
+        let best = &self.best;
+        let (instance, face) = (best.instance[ray].to_bits(), best.face[ray].to_bits());
+        Hit { t: best.t[ray], u: best.u[ray], v: best.v[ray], instance, face }
+    }
+
+    /// Replaces the best hit of a ray.
+    #[inline(always)]
+    pub(crate) fn set_hit(&mut self, ray: usize, hit: &Hit) {
+        let best = &mut self.best;
+        (best.t[ray], best.u[ray], best.v[ray]) = (hit.t, hit.u, hit.v);
+        (best.instance[ray], best.face[ray]) = (f32::from_bits(hit.instance), f32::from_bits(hit.face));
+    }
+}
+
+/// Least and greatest origins and slopes of rays, lane by lane, for each axis.
+struct Extent<L>([[L; 4]; 3]);
+
+impl<L> Extent<L> {
+    #[inline(always)]
+    fn new<I: Isa<Group = L>>(isa: I) -> Self
+    where
+        L: Lanes<I>,
+    {
+        let (low, high) = (L::splat(isa, f32::INFINITY), L::splat(isa, f32::NEG_INFINITY));
+        Self([[low, high, low, high]; 3])
+    }
+
+    #[inline(always)]
+    fn take<I: Isa<Group = L>>(&mut self, _isa: I, axis: usize, near: L, far: L, slope: L)
+    where
+        L: Lanes<I>,
+    {
+        let [low, high, least, greatest] = self.0[axis];
+        self.0[axis] = [low.min(near).min(far), high.max(near).max(far), least.min(slope), greatest.max(slope)];
+    }
+
+    #[inline(always)]
+    fn rows<I: Isa<Group = L>>(&self) -> [[f32; 4]; 3]
+    where
+        L: Lanes<I>,
+    {
+        let mut rows = [[0.0; 4]; 3];
+        let mut lanes = [0.0f32; 16];
+        for axis in 0..3 {
+            for side in 0..4 {
+                self.0[axis][side].store(&mut lanes);
+                let mut extreme = lanes[0];
+                for &x in &lanes[1..L::N] {
+                    let is_further = if side & 1 == 0 { x < extreme } else { x > extreme };
+                    extreme = if is_further { x } else { extreme };
+                }
+                rows[axis][side] = extreme;
+            }
+        }
+        rows
+    }
+}
+
+/// Loads lanes from rows.
+#[derive(Clone, Copy)]
+pub(crate) struct Loader<I>(pub(crate) I);
+
+impl<I: Isa> Loader<I> {
+    #[inline(always)]
+    pub(crate) fn row(self, row: &Row, at: usize) -> I::Group {
+        I::Group::load(self.0, &row[at..])
+    }
+
+    #[inline(always)]
+    pub(crate) fn rows(self, rows: &[Row; 3], at: usize) -> [I::Group; 3] {
+        [self.row(&rows[0], at), self.row(&rows[1], at), self.row(&rows[2], at)]
+    }
+}
