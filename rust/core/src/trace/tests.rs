@@ -1,8 +1,12 @@
-//! The tracer against the slow obvious way: every triangle of every instance, in order.
+//! The tracer against the slow obvious way: every triangle of every instance, in order. And against itself: one ray at
+//! a time, packets, and every instruction set must give the same bits.
+
+mod defects;
+mod watertight;
 
 use std::sync::Arc;
 
-use glam::{DAffine3, DVec3, Vec3};
+use glam::{DAffine3, DQuat, DVec3, Vec3};
 use proptest::prelude::*;
 
 use super::*;
@@ -47,22 +51,192 @@ fn oracle(triangles: &[[Vec3; 3]], ray: &Ray) -> Option<(f64, usize)> {
     triangles.iter().enumerate().filter_map(hit).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
+/// What to compare of a hit.
+fn bits(hit: &Hit) -> [u32; 5] {
+    [hit.t.to_bits(), hit.u.to_bits(), hit.v.to_bits(), hit.instance, hit.face]
+}
+
+/// Traces by packets on every instruction set and one by one, asserts that all are the same bits, and returns them.
+fn trace_all_ways(scene: &Scene, rays: &[Ray], filter: &impl Filter) -> Vec<Hit> {
+    let mut expected = vec![Hit::MISS; rays.len()];
+    for (ray, hit) in rays.iter().zip(&mut expected) {
+        // Slices of one ray never become packets.
+        dispatch::closest_hits(Level::Portable, scene, slice::from_ref(ray), filter, slice::from_mut(hit));
+    }
+    for level in Level::available() {
+        let mut together = vec![Hit::MISS; rays.len()];
+        dispatch::closest_hits(level, scene, rays, filter, &mut together);
+        let mut alone = vec![Hit::MISS; rays.len()];
+        for (ray, hit) in rays.iter().zip(&mut alone) {
+            dispatch::closest_hits(level, scene, slice::from_ref(ray), filter, slice::from_mut(hit));
+        }
+        let mut any = vec![false; rays.len()];
+        dispatch::any_hits(level, scene, rays, filter, &mut any);
+        for i in 0..rays.len() {
+            let name = level.name();
+            assert_eq!(bits(&expected[i]), bits(&alone[i]), "{name}, alone: {:?}", rays[i]);
+            assert_eq!(bits(&expected[i]), bits(&together[i]), "{name}, together: {:?}", rays[i]);
+            assert_eq!(any[i], !expected[i].is_miss(), "{name}, any: {:?}", rays[i]);
+        }
+    }
+    expected
+}
+
+/// A beam of 10×10 rays around a direction.
+fn beam(origin: Vec3, direction: Vec3, width: f32) -> Vec<Ray> {
+    let side = direction.any_orthonormal_vector();
+    let up = direction.cross(side);
+    let at = |i: i32| (i as f32 - 4.5) / 10.0 * width;
+    (0..100).map(|i| ray(origin, direction + side * at(i % 10) + up * at(i / 10))).collect()
+}
+
+fn placement() -> impl Strategy<Value = DAffine3> {
+    (point(), point(), 0.2f64..3.0, any::<bool>()).prop_map(|(axis, shift, size, in_place)| {
+        if in_place {
+            return DAffine3::IDENTITY;
+        }
+        let turn = DQuat::from_scaled_axis(axis.as_dvec3() * 3.0);
+        DAffine3::from_scale_rotation_translation(DVec3::splat(size), turn, shift.as_dvec3())
+    })
+}
+
+fn soup(most: usize) -> impl Strategy<Value = Vec<[Vec3; 3]>> {
+    prop::collection::vec([point(), point(), point()], 0..most)
+}
+
+fn direction() -> impl Strategy<Value = Vec3> {
+    point().prop_filter("has a direction", |p| p.length() > 0.1).prop_map(Vec3::normalize)
+}
+
 proptest! {
     #[test]
-    fn a_soup_agrees_with_the_oracle(
-        triangles in prop::collection::vec([point(), point(), point()], 0..60),
-        rays in prop::collection::vec((point(), point()), 20),
-    ) {
+    fn a_soup_agrees_with_the_oracle(triangles in soup(60), rays in prop::collection::vec((point(), direction()), 20)) {
         let scene = scene(vec![(mesh(&triangles), DAffine3::IDENTITY)], vec![]);
-        for (origin, direction) in rays {
-            let ray = ray(origin, direction);
-            let found = closest_hit(&scene, &ray, &All);
-            let expected = oracle(&triangles, &ray);
+        let rays: Vec<Ray> = rays.into_iter().map(|(origin, direction)| ray(origin, direction)).collect();
+        for (ray, found) in rays.iter().zip(trace_all_ways(&scene, &rays, &All)) {
+            let expected = oracle(&triangles, ray);
             // Corners within 2 of the origin, 24 bits: a relative 1e-4 leaves three digits for slivers.
             match expected {
                 Some((t, _)) => prop_assert!((f64::from(found.t) - t).abs() <= 1e-4 * (1.0 + t), "{found:?} {expected:?}"),
                 None => prop_assert!(found.is_miss()),
             }
+        }
+    }
+
+    #[test]
+    fn all_ways_through_instances_agree(
+        meshes in prop::collection::vec(soup(30), 1..4),
+        standing in prop::collection::vec((0usize..3, placement()), 0..8),
+        moving in prop::collection::vec((0usize..3, placement()), 0..4),
+        origin in point(),
+        toward in direction(),
+        width in 0.001f32..1.0,
+        parity in any::<bool>(),
+    ) {
+        let meshes: Vec<_> = meshes.iter().map(|triangles| mesh(triangles)).collect();
+        let place = |list: Vec<(usize, DAffine3)>| -> Vec<_> {
+            list.into_iter().map(|(number, map)| (Arc::clone(&meshes[number % meshes.len()]), map)).collect()
+        };
+        let scene = scene(place(standing), place(moving));
+        let rays = beam(origin * 2.0, toward, width);
+        if parity {
+            trace_all_ways(&scene, &rays, &EvenFaces);
+        } else {
+            trace_all_ways(&scene, &rays, &All);
+        }
+    }
+
+    #[test]
+    fn instances_agree_with_their_merged_triangles(
+        triangles in soup(30),
+        maps in prop::collection::vec(placement(), 1..6),
+        origin in point(),
+        toward in direction(),
+    ) {
+        let mesh_once = mesh(&triangles);
+        let split = maps.len() / 2;
+        let mut placed: Vec<_> = maps.iter().map(|&map| (Arc::clone(&mesh_once), map)).collect();
+        let moving = placed.split_off(split);
+        let instanced = scene(placed, moving);
+        let merged: Vec<[Vec3; 3]> = instanced
+            .triangles()
+            .as_chunks::<9>()
+            .0
+            .iter()
+            .map(|c| [0, 3, 6].map(|i: usize| Vec3::from_slice(&c[i..])))
+            .collect();
+        let rays = beam(origin * 3.0, toward, 0.4);
+        for (ray, found) in rays.iter().zip(trace_all_ways(&instanced, &rays, &All)) {
+            // Corners are rounded once when merged, rays twice when placed: near an edge one may hit and the other
+            // miss, so the merged one decides only where the ray stays clear of all edges.
+            let Some((t, face, clear)) = clear_oracle(&merged, ray) else { continue };
+            if clear {
+                prop_assert!((f64::from(found.t) - t).abs() <= 1e-4 * (1.0 + t));
+                let number = instanced.triangle_offset(found.instance) + i64::from(found.face);
+                prop_assert_eq!(number, face as i64);
+            }
+        }
+    }
+}
+
+/// Lets every second face be hit.
+struct EvenFaces;
+
+impl Filter for EvenFaces {
+    fn accepts(&self, _ray: &Ray, candidate: &Hit) -> bool {
+        candidate.face % 2 == 0
+    }
+}
+
+/// The nearest hit, and whether it and all misses before it are clear by 1e-3 of barycentric weight and 1e-3 of t.
+fn clear_oracle(triangles: &[[Vec3; 3]], ray: &Ray) -> Option<(f64, usize, bool)> {
+    let (t, face) = oracle(triangles, ray)?;
+    let grown = |factor: f32| -> Vec<[Vec3; 3]> {
+        let grow = |[a, b, c]: [Vec3; 3]| {
+            let center = (a + b + c) / 3.0;
+            [a, b, c].map(|p| center + (p - center) * factor)
+        };
+        triangles.iter().map(|&corners| grow(corners)).collect()
+    };
+    let alike = |factor: f32| {
+        oracle(&grown(factor), ray).is_some_and(|(other, number)| number == face && (other - t).abs() < 1e-3)
+    };
+    let rest: Vec<[Vec3; 3]> = triangles.iter().enumerate().filter(|&(i, _)| i != face).map(|(_, &c)| c).collect();
+    let alone = oracle(&rest, ray).is_none_or(|(other, _)| other > t + 1e-3);
+    Some((t, face, alone && alike(1.003) && alike(0.997)))
+}
+
+#[test]
+fn scenes_without_triangles() {
+    let nothing = mesh(&[]);
+    for scene in [scene(vec![], vec![]), scene(vec![(nothing, DAffine3::IDENTITY)], vec![])] {
+        let hits = trace_all_ways(&scene, &beam(Vec3::ZERO, Vec3::X, 0.1), &All);
+        assert!(hits.iter().all(Hit::is_miss));
+    }
+}
+
+#[test]
+fn ties_go_to_the_lowest_instance_and_face() {
+    let triangle = [Vec3::new(-1.0, -1.0, 2.0), Vec3::new(2.0, -1.0, 2.0), Vec3::new(-1.0, 2.0, 2.0)];
+    let other = [triangle[1], triangle[2], triangle[0]];
+    let twice = mesh(&[triangle, other, triangle]);
+    let scene = scene(
+        vec![(mesh(&[]), DAffine3::IDENTITY), (Arc::clone(&twice), DAffine3::IDENTITY)],
+        vec![(twice, DAffine3::IDENTITY)],
+    );
+    for hit in trace_all_ways(&scene, &beam(Vec3::ZERO, Vec3::Z, 0.1), &All) {
+        assert_eq!((hit.instance, hit.face), (1, 0));
+    }
+}
+
+#[test]
+fn segments_end_where_they_say() {
+    let triangle = |z: f32| [Vec3::new(-9.0, -9.0, z), Vec3::new(9.0, -9.0, z), Vec3::new(0.0, 9.0, z)];
+    let scene = scene(vec![(mesh(&[triangle(1.0), triangle(2.0), triangle(3.0)]), DAffine3::IDENTITY)], vec![]);
+    for (t_min, t_max, face) in [(0.0, 9.0, 0), (1.0, 9.0, 0), (1.5, 9.0, 1), (1.5, 2.0, 1), (2.5, 2.75, u32::MAX)] {
+        let rays: Vec<Ray> = beam(Vec3::ZERO, Vec3::Z, 0.0).iter().map(|&ray| Ray { t_min, t_max, ..ray }).collect();
+        for hit in trace_all_ways(&scene, &rays, &All) {
+            assert_eq!(hit.face, face, "{t_min} {t_max}");
         }
     }
 }

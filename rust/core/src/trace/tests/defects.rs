@@ -1,0 +1,140 @@
+//! What other tracers were seen to get wrong.
+
+use std::time::Instant;
+
+use super::*;
+
+/// A square of two triangles across z.
+fn wall(z: f32, half: f32) -> Vec<[Vec3; 3]> {
+    let at = |x: f32, y: f32| Vec3::new(x * half, y * half, z);
+    let (a, b, c, d) = (at(-1.0, -1.0), at(1.0, -1.0), at(1.0, 1.0), at(-1.0, 1.0));
+    vec![[a, b, c], [a, c, d]]
+}
+
+fn one(scene: &Scene, ray: Ray) -> Hit {
+    trace_all_ways(scene, &[ray; 9], &All)[0]
+}
+
+#[test]
+fn negative_zeros_and_nearness() {
+    let scene = scene(vec![(mesh(&wall(5.0, 3.0)), DAffine3::IDENTITY)], vec![]);
+    for x in [0.0, -0.0] {
+        for y in [0.0, -0.0] {
+            assert_eq!(one(&scene, ray(Vec3::new(0.5, 0.25, 0.0), Vec3::new(x, y, 1.0))).t, 5.0);
+        }
+    }
+    // On the surface, and a step of float32 and 1e-5 before it, from both sides.
+    for (gap, toward) in [(0.0, 1.0), (4.8e-7, 1.0), (1e-5, 1.0), (-1e-5, -1.0), (0.0, -1.0)] {
+        let origin = Vec3::new(0.5, 0.25, 5.0 - gap);
+        let hit = one(&scene, ray(origin, Vec3::new(0.0, 0.0, toward)));
+        assert_eq!(hit.t, (5.0 - origin.z).abs(), "{gap}");
+    }
+}
+
+#[test]
+fn long_axis_parallel_rays_beside_a_face_of_a_box() {
+    // Two boxes' faces meet at x = 1; rays run along them at a distance of up to 2e-4, 10 km from the far wall.
+    let mut triangles = wall(1e4, 1.0);
+    triangles.extend(wall(1e4, 1.0).iter().map(|corners| corners.map(|p| p + Vec3::X * 2.0)));
+    let scene = scene(vec![(mesh(&triangles), DAffine3::IDENTITY)], vec![]);
+    for offset in [0.0, 1e-7, 1e-5, 2e-4] {
+        for x in [1.0 - offset, 1.0 + offset] {
+            let hit = one(&scene, ray(Vec3::new(x, 0.3, 0.0), Vec3::Z));
+            // Weights and their sum are rounded three times.
+            assert!((hit.t - 1e4).abs() <= 1e4 * 3.0 * f32::EPSILON, "{x}");
+        }
+    }
+}
+
+#[test]
+fn short_and_long_directions() {
+    let scene = scene(vec![(mesh(&wall(5.0, 3.0)), DAffine3::IDENTITY)], vec![]);
+    for length in [1e-20, 1e-6, 1e6, 1e20] {
+        let hit = one(&scene, ray(Vec3::new(0.5, 0.25, 0.0), Vec3::Z * length));
+        // Three roundings.
+        assert!((hit.t * length - 5.0).abs() < 5.0 * 3.0 * f32::EPSILON, "{length}");
+    }
+}
+
+#[test]
+fn huge_and_tiny_extents() {
+    for size in [1e-30, 1e-12, 1e12, 1e30] {
+        let triangles: Vec<[Vec3; 3]> =
+            (1..40).flat_map(|i| wall(i as f32, 3.0)).map(|corners| corners.map(|p| p * size)).collect();
+        let scene = scene(vec![(mesh(&triangles), DAffine3::IDENTITY)], vec![]);
+        let hit = one(&scene, ray(Vec3::new(0.5, 0.25, 7.5) * size, Vec3::Z));
+        // Three roundings.
+        assert!((hit.t / size - 0.5).abs() < 8.0 * 3.0 * f32::EPSILON, "{size}: {hit:?}");
+        assert_eq!(hit.face / 2, 7);
+    }
+}
+
+#[test]
+fn degenerate_triangles_are_never_hit() {
+    let p = Vec3::new(0.0, 0.0, 2.0);
+    let mut triangles = vec![[p, p, p], [p, p, p + Vec3::X], [p - Vec3::X, p, p + Vec3::X]];
+    let flat = scene(vec![(mesh(&triangles), DAffine3::IDENTITY)], vec![]);
+    assert!(one(&flat, ray(Vec3::ZERO, Vec3::Z)).is_miss());
+    triangles.extend(wall(4.0, 1.0));
+    let scene = scene(vec![(mesh(&triangles), DAffine3::IDENTITY)], vec![]);
+    assert_eq!(one(&scene, ray(Vec3::ZERO, Vec3::Z)).t, 4.0);
+}
+
+#[test]
+fn thousands_of_equal_triangles_and_boxes() {
+    let start = Instant::now();
+    let [first, second] = [wall(1.0, 1.0)[0], wall(1.0, 1.0)[1]];
+    let copies = mesh(&vec![first; 20_000]);
+    // The same box, but no two the same triangle.
+    let different: Vec<[Vec3; 3]> = (0..20_000)
+        .map(|i| {
+            let middle = Vec3::new(i as f32 / 20_000.0, -i as f32 / 40_000.0, 1.0);
+            [first[0], first[2], middle]
+        })
+        .collect();
+    let different = mesh(&different);
+    let bvh = copies.build_bvh(&Progress::new()).unwrap();
+    assert_eq!((bvh.validate(), bvh.blocks.len()), (Ok(()), 1));
+    assert_eq!(different.build_bvh(&Progress::new()).unwrap().validate(), Ok(()));
+    // Far below the 25 s that clustering takes for either, far above the milliseconds that these take.
+    assert!(start.elapsed().as_secs() < 5);
+    let scene = scene(vec![(copies, DAffine3::IDENTITY), (mesh(&[second]), DAffine3::IDENTITY)], vec![]);
+    assert_eq!(one(&scene, ray(Vec3::new(0.5, -0.5, 0.0), Vec3::Z)).face, 0);
+}
+
+#[test]
+fn copies_with_other_texture_coordinates_are_kept() {
+    let positions: Vec<[f32; 3]> =
+        [wall(1.0, 1.0)[0], wall(1.0, 1.0)[0]].as_flattened().iter().map(Vec3::to_array).collect();
+    let build = |uvs: Vec<[f32; 2]>| {
+        let none = FaceMap::Uniform(-1);
+        let faces = vec![[0, 1, 2], [3, 4, 5]];
+        let mesh =
+            Mesh::new(positions.clone().into(), faces.into(), Some(uvs.into()), None, none.clone(), none).unwrap();
+        mesh.build_bvh(&Progress::new()).unwrap().blocks[0].distinct_faces().len()
+    };
+    assert_eq!(build(vec![[0.0, 0.0]; 6]), 1);
+    let mut other = vec![[0.0, 0.0]; 6];
+    other[4] = [1.0, 0.0];
+    assert_eq!(build(other), 2);
+}
+
+#[test]
+fn triangles_nested_over_the_whole_range_of_sizes() {
+    // Each twice the last: the tree is as deep as trees get.
+    let triangles: Vec<[Vec3; 3]> = (-60..60).flat_map(|i| wall(1.0, 2.0f32.powi(i))).collect();
+    let mesh = mesh(&triangles);
+    assert_eq!(mesh.build_bvh(&Progress::new()).unwrap().validate(), Ok(()));
+    let scene = scene(vec![(mesh, DAffine3::IDENTITY)], vec![]);
+    // The smallest that holds (0.7, 0.2) has half a side of 1: i = 60, two faces each.
+    assert_eq!(one(&scene, ray(Vec3::new(0.7, 0.2, 0.0), Vec3::Z)).face, 120);
+}
+
+#[test]
+fn a_cancelled_build_stops_and_can_be_repeated() {
+    let mesh = mesh(&wall(1.0, 1.0));
+    let progress = Progress::new();
+    progress.cancel();
+    assert!(mesh.build_bvh(&progress).is_err());
+    assert!(mesh.build_bvh(&Progress::new()).is_ok());
+}
