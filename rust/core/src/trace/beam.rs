@@ -170,9 +170,8 @@ impl<F: Filter> Triangles<'_, F> {
                 break;
             }
             let mut corners = [origin; 3];
-            for corner in 0..3 {
-                let p = &block.corners[corner];
-                corners[corner] = [
+            for (relative, p) in corners.iter_mut().zip(&block.corners) {
+                *relative = [
                     I::Group::splat(isa, p[x][lane]).sub(origin[0]),
                     I::Group::splat(isa, p[y][lane]).sub(origin[1]),
                     I::Group::splat(isa, p[z][lane]).sub(origin[2]),

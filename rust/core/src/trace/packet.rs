@@ -166,9 +166,9 @@ impl Packet {
         o[main].store(&mut self.origin[2][at..]);
         size[main].store(&mut self.step[at..]);
         let mut reach = zero;
-        for axis in 0..3 {
-            let low = I::Group::splat(isa, bounds.min[axis]).sub(o[axis]).abs();
-            let high = I::Group::splat(isa, bounds.max[axis]).sub(o[axis]).abs();
+        for (axis, &o) in o.iter().enumerate() {
+            let low = I::Group::splat(isa, bounds.min[axis]).sub(o).abs();
+            let high = I::Group::splat(isa, bounds.max[axis]).sub(o).abs();
             reach = reach.max(low).max(high);
         }
         let error = reach.mul(I::Group::splat(isa, super::slab::ERROR)).add(I::Group::splat(isa, f32::MIN_POSITIVE));
@@ -192,8 +192,7 @@ impl Packet {
     /// Makes the beam. False where it would be too wide.
     fn aim(&mut self, extent: &[[f32; 4]; 3], lead_backwards: bool) -> bool {
         let main = self.axes[2];
-        for axis in 0..3 {
-            let [low, high, least, greatest] = extent[axis];
+        for (axis, &[low, high, least, greatest]) in extent.iter().enumerate() {
             if greatest - least > WIDEST {
                 return false;
             }
@@ -342,15 +341,15 @@ impl<L> Extent<L> {
     {
         let mut rows = [[0.0; 4]; 3];
         let mut lanes = [0.0f32; 16];
-        for axis in 0..3 {
-            for side in 0..4 {
-                self.0[axis][side].store(&mut lanes);
+        for (row, sides) in rows.iter_mut().zip(&self.0) {
+            for (side, (slot, extreme)) in row.iter_mut().zip(sides).enumerate() {
+                extreme.store(&mut lanes);
                 let mut extreme = lanes[0];
                 for &x in &lanes[1..L::N] {
                     let is_further = if side & 1 == 0 { x < extreme } else { x > extreme };
                     extreme = if is_further { x } else { extreme };
                 }
-                rows[axis][side] = extreme;
+                *slot = extreme;
             }
         }
         rows

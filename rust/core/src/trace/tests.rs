@@ -184,7 +184,7 @@ struct EvenFaces;
 
 impl Filter for EvenFaces {
     fn accepts(&self, _ray: &Ray, candidate: &Hit) -> bool {
-        candidate.face % 2 == 0
+        candidate.face.is_multiple_of(2)
     }
 }
 
