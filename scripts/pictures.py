@@ -1,0 +1,89 @@
+"""Makes the pictures of the README: `python scripts/pictures.py [city] [tokyo] [curve]`, into docs/.
+
+Each shows truth, conventional and continuous method from one eye, and below a part of each enlarged.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+import nearfar as nf
+from nearfar import _data
+from nearfar.cli._report import caption, save_curve
+
+DOCS = Path(__file__).resolve().parent.parent / "docs"
+SIZE = (1440, 900)
+COLUMN = 480
+R1, R2 = 30.0, 50.0
+
+Box = tuple[float, float, float, float]
+
+
+def main() -> None:
+    """Make those named, or all."""
+    DOCS.mkdir(exist_ok=True)
+    wanted = sys.argv[1:] or ["city", "tokyo", "curve"]
+    if "city" in wanted or "curve" in wanted:
+        city = nf.datasets.city()
+        eye, _ = nf.datasets.street_view()
+        if "city" in wanted:
+            user = (eye[0] - 8.0, eye[1], eye[2])
+            compare("city", city, eye, user, (user[0], user[1] + 6.0, user[2] - 40.0), (0.56, 0.22, 0.86, 0.72))
+        if "curve" in wanted:
+            save_curve(DOCS, nf.load_curve(city, center=eye), R2)
+    if "tokyo" in wanted:
+        tokyo = nf.Scene.load(_data.require("city/tokyo23/tokyo_core_lod1.glb"))
+        center, forward = np.array([115.0, 1.7, 192.15]), np.array([-0.866, 0.15, 0.5])
+        user = center + 8.0 * np.array([0.5, 0.0, 0.866])
+        compare("tokyo", tokyo, point(center), point(user), point(user + forward), (0.34, 0.1, 0.8, 0.72))
+
+
+def compare(
+    name: str,
+    scene: nf.Scene,
+    center: tuple[float, float, float],
+    user: tuple[float, float, float],
+    target: tuple[float, float, float],
+    part: Box,
+) -> None:
+    """Render the three pictures, put them beside one another, and the part of each below."""
+    view = nf.Camera.look_at(user, target, fov=nf.Fov.symmetric(90, SIZE[0] / SIZE[1]), size=SIZE)
+    reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=2048, samples=2)
+    conventional = nf.ReducedScene(scene, reduced.partition, reduced.env, morph="none", boundary="r2")
+    pictures = {
+        f"truth: {scene.triangle_count:,} triangles": nf.render(scene, view, samples=8, channels=("color",)),
+        f"conventional: {reduced.stats['drawn']:,} and a map": conventional.render(
+            view, samples=8, channels=("color",)
+        ),
+        f"continuous: {reduced.stats['drawn']:,} and a map": reduced.render(view, samples=8, channels=("color",)),
+    }
+    columns = [column(frame.to_image(), text, part) for text, frame in pictures.items()]
+    gap = np.full((len(columns[0]), 6, 3), 255, np.uint8)
+    sheet = np.concatenate([columns[0], gap, columns[1], gap, columns[2]], axis=1)
+    Image.fromarray(sheet).save(DOCS / f"{name}.jpg", quality=86, optimize=True)
+
+
+def column(picture: NDArray[np.uint8], text: str, part: Box) -> NDArray[np.uint8]:
+    """A picture made small under its caption, above an enlarged part."""
+    whole, (width, height) = Image.fromarray(picture), SIZE
+    small = whole.resize((COLUMN, COLUMN * height // width), Image.Resampling.LANCZOS)
+    box = (part[0] * width, part[1] * height, part[2] * width, part[3] * height)
+    tall = round(COLUMN * (box[3] - box[1]) / (box[2] - box[0]))
+    large = whole.resize((COLUMN, tall), Image.Resampling.LANCZOS, box=box)
+    gap = np.full((6, COLUMN, 3), 255, np.uint8)
+    return np.concatenate([caption(np.asarray(small), text), gap, np.asarray(large)])
+
+
+def point(values: NDArray[np.float64]) -> tuple[float, float, float]:
+    """A position as three numbers."""
+    x, y, z = (float(value) for value in values)
+    return x, y, z
+
+
+if __name__ == "__main__":
+    main()

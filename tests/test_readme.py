@@ -1,0 +1,76 @@
+"""What the README says is so: its example runs, its commands exist, its pictures are there."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+CHECKOUT = Path(__file__).resolve().parent.parent
+README = CHECKOUT / "README.md"
+
+# A page on a telephone should not wait for its pictures.
+LARGEST_PICTURE = 400_000
+
+
+def example() -> str:
+    found = re.findall(r"```python\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
+    return str(found[0])
+
+
+def test_the_example_is_short_and_runs(tmp_path: Path) -> None:
+    code = example()
+    assert len(code.splitlines()) <= 20
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=300
+    )
+    assert done.returncode == 0, done.stderr
+    assert re.search(r"[\d,]+ triangles", done.stdout)
+    with Image.open(tmp_path / "truth.png") as truth, Image.open(tmp_path / "continuous.png") as continuous:
+        assert truth.size == continuous.size
+
+
+def test_the_commands_exist() -> None:
+    makefile = (CHECKOUT / "Makefile").read_text(encoding="utf-8")
+    commands = set(re.findall(r"\bmake (\w+)", README.read_text(encoding="utf-8")))
+    assert {"demo", "test"} <= commands
+    assert commands <= set(re.findall(r"^(\w+):", makefile, re.MULTILINE))
+
+
+@pytest.mark.parametrize("name", ["README.md", "ARCHITECTURE.md"])
+def test_local_links_lead_somewhere(name: str) -> None:
+    text = (CHECKOUT / name).read_text(encoding="utf-8")
+    for link in re.findall(r"\]\((?!https?:|#)([^)#]+)", text):
+        assert (CHECKOUT / link).exists(), link
+
+
+def test_pictures_are_small_and_used() -> None:
+    text = README.read_text(encoding="utf-8")
+    pictures = [path for path in (CHECKOUT / "docs").iterdir() if path.suffix in (".png", ".jpg")]
+    assert pictures
+    for path in pictures:
+        assert path.stat().st_size <= LARGEST_PICTURE, path
+        assert f"docs/{path.name}" in text, path
+
+
+def test_the_readme_opens_with_a_picture_and_two_commands() -> None:
+    opening = README.read_text(encoding="utf-8").split("\n## ")[0]
+    assert opening.index("![") < opening.index("make demo") < opening.index("make test")
+
+
+def test_the_architecture_fits_two_pages() -> None:
+    # About 60 lines of 120 characters a page.
+    text = (CHECKOUT / "ARCHITECTURE.md").read_text(encoding="utf-8")
+    assert sum(1 + len(line) // 120 for line in text.splitlines()) <= 130
+
+
+def test_every_reference_in_the_sources_is_listed() -> None:
+    listed = (CHECKOUT / "references.bib").read_text(encoding="utf-8")
+    for who, year in (("Woop", 2013), ("Ize", 2013), ("Popescu", 2022), ("Zhou", 2024), ("Wang", 2004)):
+        assert re.search(rf"{who}.*?{year}", listed, re.DOTALL), who
+    for entry in re.findall(r"@\w+\{(\w+),", listed):
+        assert re.fullmatch(r"[a-z]+\d{4}", entry)
