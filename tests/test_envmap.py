@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,7 @@ from hypothesis.extra import numpy as hnp
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar import _envmap
+from nearfar import _envmap, _exr, _formats
 
 # Right and down of each face: Vulkan 1.3 specification, table "Cube map face selection".
 AXES = {
@@ -187,3 +188,102 @@ def test_shapes_follow_the_directions() -> None:
 def test_refuses(faces: NDArray[np.float64], directions: NDArray[np.float64], name: str, words: str) -> None:
     with pytest.raises(ValueError, match=words):
         nf.cube_lookup(faces, directions, filter=name)
+
+
+def example(size: int = 4) -> nf.EnvMap:
+    rng = np.random.default_rng(size)
+    ranges = rng.uniform(1, 1e5, (6, size, size)).astype(np.float32)
+    ranges[0, 0, 0] = np.inf
+    return nf.EnvMap(
+        (1.0, 2.5, -1e6),
+        rng.uniform(0, 1, (6, size, size, 3)).astype(np.float32),
+        ranges,
+        rng.integers(-1, 2**31 - 1, (6, size, size)).astype(np.int32),
+    )
+
+
+@pytest.mark.parametrize("half", [False, True])
+def test_maps_survive_files(tmp_path: Path, half: bool) -> None:
+    env = example()
+    env.save(tmp_path / "env.exr", half=half)
+    back = nf.EnvMap.load(tmp_path / "env.exr")
+    assert back.center == env.center
+    assert back.channels == ("color", "range", "object_id")
+    # Half floats have 11 bits and are rounded to the nearest; below 2⁻¹⁴ their step is constant.
+    np.testing.assert_allclose(back.color, env.color, rtol=2**-11 if half else 0, atol=2**-25 if half else 0)
+    np.testing.assert_array_equal(back.range, env.range)
+    np.testing.assert_array_equal(back.object_id, env.object_id)
+    plain = nf.EnvMap(env.center, env.color)
+    plain.save(tmp_path / "env.exr")
+    assert nf.EnvMap.load(tmp_path / "env.exr").channels == ("color",)
+
+
+def test_maps_say_what_they_are(tmp_path: Path) -> None:
+    example().save(tmp_path / "env.exr")
+    document, parts = _exr.read(tmp_path / "env.exr", "envmap", 1)
+    assert tuple(parts) == _envmap.FACES
+    assert document["center"] == [1.0, 2.5, -1e6]
+    assert document["color_space"] == "linear"
+    assert document["units"]["length"] == "metre"
+
+
+def test_loading_refuses_what_is_no_map(tmp_path: Path) -> None:
+    path = tmp_path / "env.exr"
+    path.write_bytes(b"garbage")
+    with pytest.raises(nf.FormatError, match=r"env\.exr"):
+        nf.EnvMap.load(path)
+    parts = {"px": {name: np.zeros((2, 2), np.float32) for name in "RGB"}}
+    _exr.write(path, parts, _formats.header("envmap", _envmap.VERSION + 1, center=[0, 0, 0]))
+    with pytest.raises(nf.FormatError, match="version"):
+        nf.EnvMap.load(path)
+    _exr.write(path, parts, _formats.header("envmap", _envmap.VERSION, center=[0, 0, 0]))
+    with pytest.raises(nf.FormatError, match="damaged environment map"):
+        nf.EnvMap.load(path)
+    with pytest.raises(FileNotFoundError):
+        nf.EnvMap.load(tmp_path / "missing.exr")
+    with pytest.raises(ValueError, match=r"ending in \.exr"):
+        example().save(tmp_path / "env.png")
+    with pytest.raises(OSError, match="nowhere"):
+        example().save(tmp_path / "nowhere" / "env.exr")
+
+
+def test_samples_by_channel() -> None:
+    env = example()
+    directions = np.random.default_rng(0).normal(size=(5, 7, 3))
+    np.testing.assert_array_equal(env.sample(directions), nf.cube_lookup(env.color, directions, filter="linear"))
+    assert env.range is not None
+    assert env.object_id is not None
+    np.testing.assert_array_equal(env.sample(directions, channel="range"), nf.cube_lookup(env.range, directions))
+    np.testing.assert_array_equal(
+        env.sample(directions, channel="object_id"), nf.cube_lookup(env.object_id, directions)
+    )
+    assert (env.sample(directions, channel="range", filter="max") >= env.sample(directions, channel="range")).all()
+    with pytest.raises(ValueError, match="for range, got 'linear'"):
+        env.sample(directions, channel="range", filter="linear")
+    with pytest.raises(ValueError, match="expected one of color, which were baked"):
+        nf.EnvMap((0, 0, 0), env.color).sample(directions, channel="range")
+    with pytest.raises(ValueError, match="read-only"):
+        env.color[0] = 0
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"color": np.zeros((6, 2, 2))}, "color: expected shape"),
+        ({"color": np.zeros((6, 0, 0, 3))}, "color: expected shape"),
+        ({"color": np.zeros((5, 4, 4, 3))}, "color: expected shape"),
+        ({"range": np.zeros((6, 3, 3))}, "range: expected shape"),
+        ({"object_id": np.zeros((6, 4), np.int32)}, "object_id: expected shape"),
+        ({"center": (0, 0, np.nan)}, "center: expected 3 finite"),
+    ],
+)
+def test_maps_refuse(change: dict[str, Any], words: str) -> None:
+    env = example()
+    given: dict[str, Any] = {
+        "center": env.center,
+        "color": env.color,
+        "range": env.range,
+        "object_id": env.object_id,
+    } | change
+    with pytest.raises(ValueError, match=words):
+        nf.EnvMap(**given)

@@ -33,18 +33,22 @@ pub trait Real: Copy + PartialOrd + Send + Sync {
 }
 
 impl Real for f32 {
+    #[inline(always)]
     fn to_f64(self) -> f64 {
         f64::from(self)
     }
+    #[inline(always)]
     fn from_f64(value: f64) -> Self {
         value as f32
     }
 }
 
 impl Real for f64 {
+    #[inline(always)]
     fn to_f64(self) -> f64 {
         self
     }
+    #[inline(always)]
     fn from_f64(value: f64) -> Self {
         value
     }
@@ -84,15 +88,33 @@ impl<'a, T: Real> Faces<'a, T> {
         let taps = Taps::new(d, self.size);
         let rows = taps.texel.map(|number| self.texel(number));
         for (channel, value) in out.iter_mut().enumerate() {
-            // Texels without weight are left out, because 0 times infinity is NaN.
-            let used = (0..4).filter(|&i| taps.weight[i] > 0.0).map(|i| (rows[i][channel], taps.weight[i]));
+            let texels = rows.map(|row| row[channel]);
             *value = match filter {
-                Filter::Min => used.map(|(x, _)| x).reduce(|a, b| if b < a { b } else { a }).unwrap_or(*value),
-                Filter::Max => used.map(|(x, _)| x).reduce(|a, b| if b > a { b } else { a }).unwrap_or(*value),
-                _ => T::from_f64(used.map(|(x, weight)| x.to_f64() * weight).sum()),
+                Filter::Min => extreme(texels, &taps, |a, b| a < b),
+                Filter::Max => extreme(texels, &taps, |a, b| a > b),
+                _ => mean(texels, &taps),
             };
         }
     }
+}
+
+/// Weighted mean. Texels without weight are left out, because 0 times infinity is NaN.
+#[inline(always)]
+fn mean<T: Real>(texels: [T; 4], taps: &Taps) -> T {
+    let term = |i: usize| if taps.weight[i] > 0.0 { texels[i].to_f64() * taps.weight[i] } else { 0.0 };
+    T::from_f64((term(0) + term(1)) + (term(2) + term(3)))
+}
+
+/// The texel that comes before all others that have weight.
+#[inline(always)]
+fn extreme<T: Real>(texels: [T; 4], taps: &Taps, before: impl Fn(T, T) -> bool) -> T {
+    let (mut chosen, mut found) = (texels[0], taps.weight[0] > 0.0);
+    for (&texel, &weight) in texels.iter().zip(&taps.weight).skip(1) {
+        if weight > 0.0 && (!found || before(texel, chosen)) {
+            (chosen, found) = (texel, true);
+        }
+    }
+    chosen
 }
 
 /// The map's value along each direction of any length, `channels` values each. Fails at a direction that is zero or

@@ -41,17 +41,15 @@ pub fn direction_from_face(face: u8, u: f64, v: f64) -> DVec3 {
 /// comes first in the alphabet.
 #[inline]
 pub fn face_from_direction(d: DVec3) -> (u8, f64, f64) {
+    // Tables instead of branches, which random directions would make the processor guess wrongly.
     let size = d.abs();
-    if size.x >= size.y && size.x >= size.z {
-        let (face, sign) = if d.x > 0.0 { (0, -1.0) } else { (1, 1.0) };
-        (face, sign * d.z / size.x, -d.y / size.x)
-    } else if size.y >= size.z {
-        let (face, sign) = if d.y > 0.0 { (2, 1.0) } else { (3, -1.0) };
-        (face, d.x / size.y, sign * d.z / size.y)
-    } else {
-        let (face, sign) = if d.z > 0.0 { (4, 1.0) } else { (5, -1.0) };
-        (face, sign * d.x / size.z, -d.y / size.z)
-    }
+    let not_x = (size.x < size.y) | (size.x < size.z);
+    let axis = usize::from(not_x) + usize::from(not_x & (size.y < size.z));
+    let major = [d.x, d.y, d.z][axis];
+    let sign = 1.0f64.copysign(major);
+    let u = [-sign * d.z, d.x, sign * d.x][axis] / major.abs();
+    let v = [-d.y, sign * d.z, -d.y][axis] / major.abs();
+    (2 * axis as u8 + u8::from(major < 0.0), u, v)
 }
 
 /// Position −1..1 of the centre of a row or column.

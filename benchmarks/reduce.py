@@ -1,0 +1,183 @@
+"""Near–far reduction: cube map lookups beside their peers, bakes by size, frames beside the truth."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from _measure import Timing, best, machine, table
+from _tokyo import whole
+from nearfar import _data, _envmap
+
+DIRECTIONS = 1_000_000
+R1, R2 = 30.0, 50.0
+
+
+def numpy_lookup(faces: NDArray[Any], d: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+    """Face, column and row of directions as NumPy users write it."""
+    size = np.abs(d)
+    axis = size.argmax(1)
+    rows = np.arange(len(d))
+    negative = d[rows, axis] < 0
+    face = 2 * axis + negative
+    m = size[rows, axis]
+    x, y, z = d.T
+    u = np.choose(face, [-z, z, x, x, x, -x]) / m
+    v = np.choose(face, [-y, -y, z, -z, -y, -y]) / m
+    scale = faces.shape[1] / 2
+    return face, (u + 1) * scale - 0.5, (v + 1) * scale - 0.5
+
+
+def numpy_linear(faces: NDArray[Any], d: NDArray[Any]) -> NDArray[Any]:
+    face, x, y = numpy_lookup(faces, d)
+    last = faces.shape[1] - 1
+    x, y = np.clip(x, 0, last), np.clip(y, 0, last)
+    i, j = np.minimum(x.astype(int), last - 1), np.minimum(y.astype(int), last - 1)
+    s, t = x - i, y - j
+    top = faces[face, j, i] * (1 - s) + faces[face, j, i + 1] * s
+    return np.asarray(top * (1 - t) + (faces[face, j + 1, i] * (1 - s) + faces[face, j + 1, i + 1] * s) * t)
+
+
+def scipy_linear(faces: NDArray[Any], d: NDArray[Any]) -> NDArray[Any]:
+    from scipy.ndimage import map_coordinates
+
+    face, x, y = numpy_lookup(faces, d)
+    size = faces.shape[1]
+    return np.asarray(
+        map_coordinates(
+            faces.reshape(6 * size, size), [face * size + np.clip(y, 0, size - 1), x], order=1, mode="nearest"
+        )
+    )
+
+
+def cv2_linear(faces: NDArray[Any], d: NDArray[Any]) -> NDArray[Any]:
+    import cv2
+
+    face, x, y = numpy_lookup(faces, d)
+    size = faces.shape[1]
+    rows = (face * size + np.clip(y, 0, size - 1)).astype(np.float32).reshape(1000, -1)
+    columns = x.astype(np.float32).reshape(1000, -1)
+    image = faces.reshape(6 * size, size)
+    return np.asarray(cv2.remap(image, columns, rows, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)).ravel()
+
+
+def smooth(d: NDArray[Any]) -> NDArray[Any]:
+    d = d / np.linalg.norm(d, axis=-1, keepdims=True)
+    return np.asarray(np.sin(3 * d[..., 0] - d[..., 1]) + np.cos(2 * d[..., 2] + d[..., 1]))
+
+
+def lookups() -> str:
+    """Time and error of a million lookups in float32 faces of 512²; the error on a smooth function."""
+    faces = smooth(_envmap.cube_directions(512)).astype(np.float32)
+    d = np.random.default_rng(0).normal(size=(DIRECTIONS, 3)).astype(np.float32)
+    truth = smooth(d.astype(np.float64))
+    ordered = np.sort(np.abs(d), axis=1)
+    seam = ordered[:, 1] > ordered[:, 2] * (1 - 1 / 512)
+    jobs: list[tuple[str, Callable[[], NDArray[Any]]]] = [
+        ("nearfar linear", lambda: nf.cube_lookup(faces, d, filter="linear")),
+        ("NumPy linear", lambda: numpy_linear(faces, d)),
+        ("scipy map_coordinates", lambda: scipy_linear(faces, d)),
+        ("cv2.remap", lambda: cv2_linear(faces, d)),
+        ("nearfar nearest", lambda: nf.cube_lookup(faces, d, filter="nearest")),
+        ("NumPy nearest", lambda: numpy_nearest(faces, d)),
+    ]
+    rows, first = [], None
+    for name, job in jobs:
+        timing = best(job, repeat=3)
+        first = first or timing.wall
+        error = np.abs(job() - truth)
+        rows.append(
+            [
+                name,
+                f"{timing.wall * 1e3:.1f}",
+                f"{timing.wall / first:.1f}",
+                f"{error[~seam].max():.1e}",
+                f"{error[seam].max():.1e}",
+            ]
+        )
+    header = ["lookup", "ms", "× nearfar linear", "greatest error inside", "at seams"]
+    return table("10⁶ lookups, faces of 512²", header, rows)
+
+
+def numpy_nearest(faces: NDArray[Any], d: NDArray[Any]) -> NDArray[Any]:
+    face, x, y = numpy_lookup(faces, d)
+    last = faces.shape[1] - 1
+    i, j = (np.clip(np.rint(p), 0, last).astype(int) for p in (x, y))
+    return np.asarray(faces[face, j, i])
+
+
+def city() -> tuple[str, nf.Scene, NDArray[np.float64]]:
+    """Return a city and a place in one of its streets."""
+    path = _data.find("city/tokyo23/tokyo_core_lod1.glb")
+    if path is not None:
+        return "tokyo_core_lod1", nf.Scene.load(path), np.array([275.0, 1.7, -60.7])
+    scene = nf.datasets.city(blocks=12, seed=0, detail=2)
+    low, high = scene.bounds
+    return "procedural city", scene, np.array([(low[0] + high[0]) / 2, 1.7, (low[2] + high[2]) / 2])
+
+
+def bakes(name: str, scene: nf.Scene, center: NDArray[np.float64], sizes: list[int]) -> str:
+    """Time of a bake by face size, one colour sample a texel, trees already built."""
+    rows = []
+    for size in sizes:
+        settings: dict[str, Any] = {"r1": R1, "r2": R2, "face_size": size, "samples": 1}
+        timing = best(partial(nf.reduce, scene, center=center, **settings), repeat=1)
+        stats = nf.reduce(scene, center=center, **settings).stats
+        rays = stats["rays"] / 1e6
+        rows.append(
+            [f"6 × {size}²", f"{timing.wall:.2f}", f"{rays / timing.cpu:.2f}", f"{stats['map_bytes'] / 1e6:.0f}"]
+        )
+    title = f"Bake of {name}, {scene.triangle_count:,} triangles, r₂ = {R2:g} m"
+    return table(title, ["faces", "seconds", "million rays a CPU-second", "MB"], rows)
+
+
+def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[int, int]) -> str:
+    """Time of one frame of colour, by method, 9 m from the centre."""
+    fov = nf.Fov.symmetric(90, size[0] / size[1])
+    user = center + np.array([-7.5, 0, -5])
+    camera = nf.Camera.look_at(user, user + np.array([1, 0.1, 0.3]), fov=fov, size=size)
+    truth = best(lambda: nf.render(scene, camera, channels=("color",)), repeat=3)
+    rows = [["truth", f"{scene.triangle_count:,}", f"{truth.wall * 1e3:.0f}", "1.0", ""]]
+    exact = nf.render(scene, camera, channels=("color",)).require("color")
+    for method, morph, tolerance in [
+        ("conventional", "none", None),
+        ("blend, vertices as they are", "blend", None),
+        ("blend, edges within half a pixel", "blend", 0.5),
+        ("cylinder, edges within half a pixel", "cylinder", 0.5),
+    ]:
+        reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=512, samples=1, morph=morph)
+        job = partial(reduced.render, camera, channels=("color",), tolerance_px=tolerance)
+        timing: Timing = best(job, repeat=3)
+        error = np.sqrt(np.mean((job().require("color") - exact) ** 2))
+        traced = reduced.stats["frame_triangles"] or reduced.stats["drawn"]
+        rows.append(
+            [method, f"{traced:,}", f"{timing.wall * 1e3:.0f}", f"{timing.wall / truth.wall:.1f}", f"{error:.3f}"]
+        )
+    title = f"Frames of {name}, {size[0]} × {size[1]}, 9 m from the centre"
+    return table(title, ["method", "triangles traced", "ms", "× truth", "rms to truth (linear)"], rows)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="small sizes, without the whole of Tokyo")
+    quick = parser.parse_args().quick
+    print(machine(), end="\n\n")
+    print(lookups())
+    name, scene, center = city()
+    scene._core.build()
+    print(bakes(name, scene, center, [128, 256] if quick else [256, 512, 1024]))
+    print(frames(name, scene, center, (480, 270) if quick else (1920, 1080)))
+    if not quick and (arrays := whole()) is not None:
+        scene = nf.Scene.from_arrays(*arrays)
+        scene._core.build()
+        print(bakes("the whole of Tokyo", scene, center, [1024]))
+
+
+if __name__ == "__main__":
+    main()
