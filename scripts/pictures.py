@@ -39,8 +39,8 @@ def main() -> None:
     if "tokyo" in wanted:
         tokyo = nf.Scene.load(_data.require("city/tokyo23/tokyo_core_lod1.glb"))
         center, forward = np.array([115.0, 1.7, 192.15]), np.array([-0.866, 0.15, 0.5])
-        user = center + 8.0 * np.array([0.5, 0.0, 0.866])
-        compare("tokyo", tokyo, point(center), point(user), point(user + forward), (0.34, 0.1, 0.8, 0.72))
+        aside = center + 8.0 * np.array([0.5, 0.0, 0.866])
+        compare("tokyo", tokyo, point(center), point(aside), point(aside + forward), (0.34, 0.1, 0.8, 0.72))
 
 
 def compare(
