@@ -126,8 +126,21 @@ def test_a_wrong_thread_count_is_a_value_error(wrong: str) -> None:
     assert words in done.stderr
 
 
-def test_ctrl_c_stops_a_long_kernel_within_a_second() -> None:
-    code = "from nearfar import _core; print('ready', flush=True); _core.probe('wait')"
+PICTURE = """
+import nearfar as nf
+scene = nf.Scene.from_arrays([[-9, -9, -5], [9, -9, -5], [0, 9, -5]], [[0, 1, 2]])
+camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90), size=(4096, 4096))
+print("ready", flush=True)
+nf.render(scene, camera, samples=1024, channels=("color",))
+"""
+
+
+@pytest.mark.parametrize(
+    "code",
+    ["from nearfar import _core; print('ready', flush=True); _core.probe('wait')", PICTURE],
+    ids=["probe", "render"],
+)
+def test_ctrl_c_stops_a_long_kernel_within_a_second(code: str) -> None:
     with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         assert process.stdout is not None
         assert process.stdout.readline().strip() == b"ready"
