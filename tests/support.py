@@ -23,12 +23,6 @@ def _data_folder() -> str:
     return "" if _data.root() else "there is no data folder (NEARFAR_DATA, or shared/data above the checkout)"
 
 
-def _tokyo() -> str:
-    """The whole of Tokyo: its tool lies beside the data, and reading takes 3 GB."""
-    root = _data.root()
-    return "" if root and (root.parent / "tools" / "tokyo.py").is_file() else "shared/tools/tokyo.py is not there"
-
-
 def _pyrender() -> str:
     """Imports by itself only tell half: an off-screen context needs EGL or OSMesa from the system."""
     if not importlib.util.find_spec("pyrender"):
@@ -51,7 +45,6 @@ def _release() -> str:
 
 
 PARTS: dict[str, Callable[[], str]] = {
-    "cv2": _module("cv2"),
     "data": _data_folder,
     "embreex": _module("embreex"),
     "fork": lambda: "" if hasattr(os, "fork") else "this system cannot fork",
@@ -59,9 +52,6 @@ PARTS: dict[str, Callable[[], str]] = {
     "notebook": lambda: _module("nbclient")() or _module("ipykernel")(),
     "pyrender": _pyrender,
     "release": _release,
-    "scipy": _module("scipy"),
-    "skimage": _module("skimage"),
-    "tokyo": _tokyo,
 }
 """Parts that a system may lack. Each returns why it is missing, or nothing where it is there."""
 

@@ -16,6 +16,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
+import trimesh
 from packaging.requirements import Requirement
 
 import nearfar as nf
@@ -112,14 +113,17 @@ def test_the_wheel_is_small_and_complete(wheel: Path) -> None:
 
 
 def test_the_wheel_works_in_an_empty_environment(installed: Path, tmp_path: Path) -> None:
+    trimesh.Scene([trimesh.creation.box()]).export(tmp_path / "box.glb")
     code = (
-        "import nearfar as nf, numpy as np\n"
+        "import nearfar as nf\n"
         "assert 'empty' in nf.__file__, nf.__file__\n"
-        "scene = nf.Scene.from_arrays([[0, 0, 0], [1, 0, 0], [0, 0, 1]], [[0, 1, 2]])\n"
+        "scene = nf.Scene.load('box.glb')\n"
+        "view = nf.Camera((0, 0, 3), fov=nf.Fov.symmetric(60), size=(8, 8))\n"
+        "nf.render(scene, view).save('box.png')\n"
         "print(scene.triangle_count)"
     )
     done = subprocess.run([installed, "-I", "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=60)
-    assert (done.returncode, done.stdout.strip()) == (0, "1"), done.stderr
+    assert (done.returncode, done.stdout.strip()) == (0, "12"), done.stderr
     done = subprocess.run(
         [installed.with_name("nearfar"), "--help"], cwd=tmp_path, capture_output=True, text=True, timeout=60
     )
