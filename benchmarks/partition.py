@@ -78,13 +78,15 @@ def left(scenes: list[tuple[str, nf.Scene]]) -> str:
         for (_, scene), center in zip(scenes, centers, strict=True):
             row.append(f"{nf.partition(scene, center=center, r1=R1, r2=R2).summary()[key]:,}")
         rows.append(row)
-    return table("Triangles left against r2, about Tokyo Station and the middle of Manhattan's core", header, rows)
+    return table("Triangles left against r2, about Tokyo Station and the middle of the other scenes", header, rows)
 
 
 def main() -> None:
     print(machine())
     scenes = []
     for name, path in (
+        ("garage", "interior/garage/garage.gltf"),
+        ("FlightHelmet", "objects/gltf/FlightHelmet/FlightHelmet.gltf"),
         ("Manhattan core", "city/manhattan_deckgl/manhattan_core.glb"),
         ("Tokyo core", "city/tokyo23/tokyo_core_lod1.glb"),
     ):

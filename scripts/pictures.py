@@ -54,7 +54,7 @@ def compare(
     """Render the three pictures, put them beside one another, and the part of each below."""
     view = nf.Camera.look_at(user, target, fov=nf.Fov.symmetric(90, SIZE[0] / SIZE[1]), size=SIZE)
     reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=2048, samples=2)
-    conventional = nf.ReducedScene(scene, reduced.partition, reduced.env, morph="none", boundary="r2")
+    conventional = reduced.with_morph("none")
     pictures = {
         f"truth: {scene.triangle_count:,} triangles": nf.render(scene, view, samples=8, channels=("color",)),
         f"conventional: {reduced.stats['drawn']:,} and a map": conventional.render(

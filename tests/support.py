@@ -9,10 +9,13 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
+import jsonschema
 import pytest
+from referencing import Registry, Resource
 
-from nearfar import _data
+from nearfar import _data, _formats
 
 
 def _module(name: str) -> Callable[[], str]:
@@ -38,6 +41,14 @@ def _pyrender() -> str:
     return f"pyrender finds no off-screen OpenGL ({', '.join(platforms)}); see scripts/system-packages.sh"
 
 
+def _tokyo() -> str:
+    """The whole city is made by a tool beside the data."""
+    root = _data.root()
+    return (
+        "" if root and (root.parent / "tools" / "tokyo.py").is_file() else "there is no tools/tokyo.py beside the data"
+    )
+
+
 def _release() -> str:
     """A wheel of a tree without a release build would compile everything within a test."""
     folder = Path(os.environ.get("CARGO_TARGET_DIR", Path(__file__).resolve().parent.parent / "target")) / "release"
@@ -52,6 +63,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "notebook": lambda: _module("nbclient")() or _module("ipykernel")(),
     "pyrender": _pyrender,
     "release": _release,
+    "tokyo": _tokyo,
 }
 """Parts that a system may lack. Each returns why it is missing, or nothing where it is there."""
 
@@ -75,6 +87,13 @@ def need(part: str) -> None:
         pytest.fail(f"NEARFAR_REQUIRE names {part}, but {reason}", pytrace=False)
     if reason:
         pytest.skip(f"{part}: {reason}", allow_module_level=True)
+
+
+def valid(document: dict[str, Any], name: str) -> bool:
+    """Whether a document fits the schema of a format of ours."""
+    header = Resource.from_contents(_formats.load_schema("header"))
+    registry: Registry[Any] = Registry().with_resource("urn:nearfar:schema:header", header)
+    return bool(jsonschema.Draft202012Validator(_formats.load_schema(name), registry=registry).is_valid(document))
 
 
 def data(relative: str) -> Path:

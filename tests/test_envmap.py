@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import _envmap, _exr, _formats
+from support import valid
 
 # Right and down of each face: Vulkan 1.3 specification, table "Cube map face selection".
 AXES = {
@@ -225,6 +226,8 @@ def test_maps_say_what_they_are(tmp_path: Path) -> None:
     assert document["center"] == [1.0, 2.5, -1e6]
     assert document["color_space"] == "linear"
     assert document["units"]["length"] == "metre"
+    assert valid(document, "envmap")
+    assert not valid(document | {"center": [1.0, 2.5]}, "envmap")
 
 
 def test_loading_refuses_what_is_no_map(tmp_path: Path) -> None:

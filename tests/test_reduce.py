@@ -64,6 +64,21 @@ def pixel_centers(size: tuple[int, int]) -> Array:
     return np.stack([x, y], axis=-1)
 
 
+def test_another_morph_shares_map_and_zones(scene: nf.Scene) -> None:
+    blend = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=64, samples=1)
+    plain = blend.with_morph("none")
+    assert plain.env is blend.env
+    assert plain.partition is blend.partition
+    baked = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=64, samples=1, morph="none")
+    view = camera(CENTER + np.array([4, 0, 3]), (1, 0, -0.3))
+    np.testing.assert_array_equal(plain.render(view).require("color"), baked.render(view).require("color"))
+    with pytest.raises(ValueError, match="morph"):
+        blend.with_morph("linear")
+    inner = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=64, samples=1, morph="none", boundary="r1")
+    with pytest.raises(ValueError, match="boundary"):
+        inner.with_morph("blend")
+
+
 ALL = ("color", "range", "object_id", "face_id", "position", "normal")
 
 

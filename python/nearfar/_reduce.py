@@ -155,6 +155,23 @@ class ReducedScene:
             )
         return Frame(camera, scene._core.origin, **images)
 
+    def with_morph(self, morph: str) -> ReducedScene:
+        """Join the same near part and the same map in another way, without baking anew.
+
+        Parameters
+        ----------
+        morph
+            "blend", "cylinder" or "none", as in `reduce`. A map baked from r1 serves "none" only.
+
+        Raises
+        ------
+        ValueError
+            For other names, and for a morph that this map does not reach.
+        """
+        _check_morph(morph, self._boundary)
+        zones, env = self._partition, self._env
+        return ReducedScene(self._scene, zones, env, morph=morph, boundary=self._boundary, rays=self._rays)
+
     @property
     def _default_channels(self) -> tuple[str, ...]:
         return _envmap.CHANNELS if self._env is None else self._env.channels
@@ -221,9 +238,7 @@ def reduce(
     """
     if not isinstance(scene, Scene):
         raise TypeError(f"scene: expected a Scene, got {type(scene).__name__}")
-    _check.choice("morph", morph, MORPHS)
-    if _check.choice("boundary", boundary, ("r1", "r2")) == "r1" and morph != "none":
-        raise ValueError(f"boundary: expected 'r2' with morph={morph!r}, got 'r1', which only morph='none' knows")
+    _check_morph(morph, _check.choice("boundary", boundary, ("r1", "r2")))
     size = _check.integer("face_size", face_size, 1, 16384)
     samples = _check.integer("samples", samples, 1, MAX_SAMPLES)
     wanted = set(_render.channel_names(channels))
@@ -234,6 +249,12 @@ def reduce(
     zones = partition(scene, center=center, r1=r1, r2=r2)
     env, rays = _bake(scene, zones, boundary, size, samples, wanted)
     return ReducedScene(scene, zones, env, morph=morph, boundary=boundary, rays=rays)
+
+
+def _check_morph(morph: str, boundary: str) -> None:
+    _check.choice("morph", morph, MORPHS)
+    if boundary == "r1" and morph != "none":
+        raise ValueError(f"boundary: expected 'r2' with morph={morph!r}, got 'r1', which only morph='none' knows")
 
 
 def _bake(

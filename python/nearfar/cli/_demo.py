@@ -134,7 +134,7 @@ def render_all(
     with clock.step("reduce"):
         reduced = nf.reduce(scene, center=center, r1=r1, r2=r2, face_size=face_size, samples=samples)
     # Both methods show the same map: it is baked once.
-    conventional = nf.ReducedScene(scene, reduced.partition, reduced.env, morph="none", boundary="r2")
+    conventional = reduced.with_morph("none")
     for name, light in (("conventional", conventional), ("continuous", reduced)):
         with clock.step(name):
             pictures[name] = light.render(view, samples=samples, channels=("color",)).to_image()

@@ -1,0 +1,99 @@
+"""Sizes at which mistakes of memory, of 32-bit numbers and of growth show: for `make stress`, not for `make test`."""
+
+from __future__ import annotations
+
+import numpy as np
+import psutil
+import pytest
+from numpy.typing import NDArray
+
+import nearfar as nf
+from _tokyo import whole
+from support import need
+
+pytestmark = pytest.mark.stress
+
+STATION = (0.0, 1.7, 0.0)
+"""Tokyo Station: the middle of the whole city."""
+
+City = tuple[NDArray[np.float32], NDArray[np.uint32]]
+
+
+@pytest.fixture(scope="module")
+def arrays() -> City:
+    """Vertices and faces of 29.8 million triangles."""
+    need("tokyo")
+    found = whole()
+    assert found is not None
+    return found
+
+
+@pytest.fixture(scope="module")
+def tokyo(arrays: City) -> nf.Scene:
+    return nf.Scene.from_arrays(*arrays)
+
+
+def test_a_scene_borrows_the_arrays_of_a_whole_city(arrays: City) -> None:
+    # Half of the arrays' own size is the most that may come on top; nothing but a few tiles is expected.
+    before = psutil.Process().memory_info().rss
+    scene = nf.Scene.from_arrays(*arrays)
+    grown = psutil.Process().memory_info().rss - before
+    assert scene.triangle_count == len(arrays[1])
+    assert grown < 0.5 * sum(array.nbytes for array in arrays)
+
+
+def test_radii_partition_and_curve_agree_on_every_triangle(arrays: City, tokyo: nf.Scene) -> None:
+    radii = nf.triangle_radii(*arrays, center=STATION)
+    curve = nf.load_curve(tokyo, center=STATION)
+    for r1, r2 in ((30.0, 50.0), (500.0, 2000.0), (10_000.0, 40_000.0)):
+        zones = nf.partition(tokyo, center=STATION, r1=r1, r2=r2)
+        np.testing.assert_array_equal(zones.near, np.flatnonzero(radii[:, 0] <= r1))
+        np.testing.assert_array_equal(zones.nsf, np.flatnonzero(radii[:, 0] <= r2))
+        np.testing.assert_array_equal(zones.sf, np.flatnonzero(radii[:, 1] > r2))
+        assert curve.count(r2) == len(zones.nsf)
+
+
+def test_the_map_of_a_whole_city_is_what_rays_meet(tokyo: nf.Scene) -> None:
+    reduced = nf.reduce(tokyo, center=STATION, r1=30, r2=50, face_size=256, samples=1, channels=("color", "range"))
+    assert reduced.env is not None
+    assert reduced.env.range is not None
+    for face in range(6):
+        view = nf.Camera(STATION, fov=nf.CubeFace(face), size=(256, 256))
+        truth = nf.render(tokyo, view, channels=("range", "position")).require("range")
+        baked = reduced.env.range[face]
+        # Where the truth is beyond r2 in every direction's horizontal part, both see the same surface by the same ray.
+        directions = view.rays()[1]
+        far = truth * np.hypot(directions[..., 0], directions[..., 2]) > 50.0
+        far &= np.isfinite(truth)
+        # One float32 step of the range, met from two starting points.
+        np.testing.assert_allclose(baked[far], truth[far], rtol=2e-7)
+
+
+def test_a_city_of_hundreds_of_millions_by_instances() -> None:
+    scene = nf.datasets.city(40, detail=3)
+    assert scene.triangle_count > 3e8
+    eye, target = nf.datasets.street_view()
+    view = nf.Camera.look_at(eye, target, fov=nf.Fov.symmetric(90, 16 / 9), size=(480, 270))
+    reduced = nf.reduce(scene, center=eye, r1=30, r2=50, face_size=256, samples=1)
+    # What stays depends on the street, not on the size of the city.
+    assert reduced.stats["drawn"] < 1e6
+    truth, light = nf.render(scene, view), reduced.render(view, samples=1)
+    near = np.isfinite(truth.require("range")) & (truth.require("range") < 30)
+    # From the centre nothing moves: inside r1 both trace the same triangles by the same rays.
+    assert np.mean(np.any(truth.require("color")[near] != light.require("color")[near], axis=-1)) < 1e-3
+
+
+@pytest.mark.parametrize("kind", ["blend", "cylinder"])
+def test_ten_million_points_morph_as_in_float64(kind: str) -> None:
+    index = np.arange(10_000_000, dtype=np.float64)
+    # A spiral that fills the disc of 100 m and heights up to 400 m evenly.
+    rho, turn = 100 * np.sqrt((index + 0.5) / len(index)), 2.399963 * index
+    points = np.stack([rho * np.cos(turn), 400 * np.mod(index * 0.618034, 1), rho * np.sin(turn)], axis=1)
+    narrow = points.astype(np.float32)
+    settings = {"user": (5.0, 1.7, 3.0), "center": (0.0, 1.7, 0.0), "r1": 30.0, "r2": 50.0, "kind": kind}
+    shown = nf.morph(narrow, **settings)  # type: ignore[arg-type]
+    exact = nf.morph(narrow.astype(np.float64), **settings)  # type: ignore[arg-type]
+    # Half a float32 step at 400 m, and 2⁻²⁴ (6 + 3 r2/(r2−r1)) |U−O| of the stated bound; ten times that where the
+    # cylinder's square root is taken near the user's own distance from the axis.
+    bound = (2.0**-16 + 2.0**-24 * 13.5 * 6.0) * (1 if kind == "blend" else 10)
+    assert np.abs(shown - exact).max() < bound
