@@ -59,6 +59,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "data": _data_folder,
     "embreex": _module("embreex"),
     "fork": lambda: "" if hasattr(os, "fork") else "this system cannot fork",
+    "limits": lambda: "" if sys.platform == "linux" else "this system does not limit a process's memory",
     "matplotlib": _module("matplotlib"),
     "notebook": lambda: _module("nbclient")() or _module("ipykernel")(),
     "pyrender": _pyrender,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import re
 import subprocess
 import sys
 
@@ -17,6 +18,7 @@ from nearfar._camera import Projection
 from nearfar._frame import CHANNELS
 from nearfar._scene import SceneBuilder
 from render_oracle import Surface
+from support import need
 
 WIDE = nf.Fov(-1.2, 0.8, -0.5, 0.9)
 PROJECTIONS: list[Projection] = [
@@ -236,6 +238,45 @@ def test_a_camera_in_a_wall_or_outside_everything_works() -> None:
         assert np.isfinite(frame.require("color")).all()
         assert (frame.require("color") <= 1).all()
     assert nf.render(scene, outside).require("range").min() == pytest.approx(707 - 10, abs=10)
+
+
+@pytest.mark.parametrize("far", [1.1e30, 1e39, 1e300])
+def test_places_that_float32_cannot_hold_are_refused(far: float) -> None:
+    scene = build(room())
+    camera = nf.Camera((far, 0, 0), fov=WIDE, size=(4, 4))
+    reduced = nf.reduce(scene, center=(0, 0, 0), r1=1, r2=2, face_size=4)
+    with pytest.raises(ValueError, match="position: expected a place within 1e30 m of the scene's origin"):
+        nf.render(scene, camera)
+    with pytest.raises(ValueError, match="position: expected a place within 1e30 m of the scene's origin"):
+        reduced.render(camera)
+    with pytest.raises(ValueError, match="center: expected a place within 1e30 m"):
+        nf.reduce(scene, center=(far, 0, 0), r1=1, r2=2, face_size=4)
+    # As far as one may go there is nothing but sky.
+    edge = nf.render(scene, nf.Camera((1e30, 0, 0), fov=WIDE, size=(4, 4)))
+    assert np.isinf(edge.require("range")).all()
+
+
+def test_images_without_room_are_refused() -> None:
+    need("limits")
+    code = """
+import resource
+import nearfar as nf
+scene = nf.Scene.from_arrays([[0, 0, -1], [1, 0, -1], [0, 1, -1]], [[0, 1, 2]])
+camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90), size=(65536, 65536))
+nf.render(scene, nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90), size=(4, 4)))  # makes the threads
+resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))
+for call in (
+    lambda: nf.render(scene, camera),
+    lambda: camera.rays(),
+    lambda: nf.reduce(scene, center=(0, 0, 0), r1=0.1, r2=0.5, face_size=16384),
+):
+    try:
+        call()
+    except MemoryError as error:
+        print(error)
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True)
+    assert re.fullmatch(r"(the result needs \d+ bytes, which the system does not have\n){3}", done.stdout)
 
 
 def test_degenerate_triangles_are_not_seen() -> None:

@@ -246,6 +246,7 @@ def test_world_positions_far_from_zero() -> None:
         ((0, 0, 0), [[0, 0, 1], [0, 0, 0], [0, 0, 0]], {}, "directions.*2 rows.*index 1"),
         ((0, 0, 0), [[0, 0, 1], [0, np.nan, 1]], {}, "directions.*finite.*1 row .*index 1"),
         ((0, np.inf, 0), [[0, 0, 1]], {}, "origins.*finite"),
+        ((0, 1e300, 0), [[0, 0, 1]], {}, "origins: .*within 1e30 m of the scene's origin"),
         ([[0, 0, 0]] * 2, [[0, 0, 1]] * 3, {}, "origins"),
         ([[0, 0, 0]], [[0, 0, 1]] * 3, {}, "origins"),
         ((0, 0, 0), [0, 0, 1], {}, "directions.*shape"),

@@ -51,8 +51,8 @@ def run(arguments: Sequence[str]) -> int:
         return end.code if isinstance(end.code, int) else int(end.code is not None)
     except KeyboardInterrupt:
         return _fail("interrupted", INTERRUPTED)
-    except MemoryError:
-        return _fail("there is not enough memory for this scene", 1)
+    except MemoryError as error:
+        return _fail(f"there is not enough memory{f': {error}' if str(error) else ''}", 1)
     except OSError as error:
         return _fail(f"{error.filename}: {error.strerror}" if error.filename else str(error), 1)
     except (nf.Error, ValueError, ImportError) as error:

@@ -3,7 +3,7 @@
 use glam::{DMat3, DQuat, DVec3};
 use rayon::prelude::*;
 
-use crate::base::{Error, Result};
+use crate::base::{Error, Result, memory::room_for};
 use crate::cubemap::direction_from_face;
 
 /// Four bounds of a view: tangents of the half angles for a perspective view, metres for an orthographic one.
@@ -104,13 +104,15 @@ impl Camera {
     }
 
     /// World starts and unit directions of the rays through all pixel centres, in row-major order.
-    pub fn pixel_rays(&self) -> (Vec<DVec3>, Vec<DVec3>) {
+    pub fn pixel_rays(&self) -> Result<(Vec<DVec3>, Vec<DVec3>)> {
         let (rays, width) = (self.rays(), u64::from(self.width));
+        // Twice: callers flatten the rows into arrays of their own.
+        room_for(4 * size_of::<DVec3>() as u64 * width * u64::from(self.height))?;
         let one = |pixel: u64| {
             let (start, direction) = rays.at((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5);
             (self.position + start, direction)
         };
-        (0..width * u64::from(self.height)).into_par_iter().map(one).unzip()
+        Ok((0..width * u64::from(self.height)).into_par_iter().map(one).unzip())
     }
 
     /// Image position (x, y) in pixels of a world point and its depth along the viewing axis; `None` behind the camera.
@@ -223,7 +225,7 @@ impl Fov {
         if finite && self.left < self.right && self.down < self.up {
             return Ok(());
         }
-        Err(Error::value("fov", "finite bounds with left < right and down < up", format!("{self:?}")))
+        Err(Error::value("fov", "bounds within ±1e9 with left < right and down < up", format!("{self:?}")))
     }
 }
 

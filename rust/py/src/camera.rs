@@ -55,7 +55,7 @@ impl Camera {
     /// World starts and unit directions of the rays through all pixel centres, (H, W, 3) each.
     fn rays<'py>(&self, py: Python<'py>) -> PyResult<(Image<'py>, Image<'py>)> {
         let shape = [self.0.height as usize, self.0.width as usize, 3];
-        let (starts, directions) = run::short(py, || Ok(self.0.pixel_rays()))?;
+        let (starts, directions) = run::short(py, || self.0.pixel_rays())?;
         let image = |rows: Vec<DVec3>| {
             let flat: Vec<f64> = rows.iter().flat_map(|row| row.to_array()).collect();
             PyArray1::from_vec(py, flat).reshape(shape)

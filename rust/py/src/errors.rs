@@ -4,7 +4,7 @@ use std::any::Any;
 
 use nearfar_core::base::Error;
 use pyo3::create_exception;
-use pyo3::exceptions::{PyException, PyKeyboardInterrupt, PyRuntimeError, PyValueError};
+use pyo3::exceptions::{PyException, PyKeyboardInterrupt, PyMemoryError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 
 create_exception!(nearfar, NearfarError, PyException, "Base of nearfar's own exceptions.");
@@ -23,6 +23,7 @@ pub fn to_python(error: Error) -> PyErr {
         Error::Value { .. } => PyValueError::new_err(error.to_string()),
         Error::Scene(message) => SceneError::new_err(message),
         Error::Format(message) => FormatError::new_err(message),
+        Error::Memory { .. } => PyMemoryError::new_err(error.to_string()),
         Error::Cancelled => PyKeyboardInterrupt::new_err(()),
     }
 }

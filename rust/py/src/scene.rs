@@ -269,7 +269,7 @@ impl Scene {
 
     /// Corners of all triangles (T, 3, 3), relative to the origin.
     fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
-        let flat = run::short(py, || Ok(self.0.triangles()))?;
+        let flat = run::short(py, || self.0.triangles())?;
         PyArray1::from_vec(py, flat).reshape([self.0.triangle_count() as usize, 3, 3])
     }
 }

@@ -19,6 +19,12 @@ pub enum Error {
     /// One of our own files is not what it should be (`nearfar.FormatError`).
     #[error("{0}")]
     Format(String),
+    /// A result that the system has no memory for (`MemoryError`).
+    #[error("the result needs {bytes} bytes, which the system does not have")]
+    Memory {
+        /// What was asked for.
+        bytes: u64,
+    },
     /// The caller asked a long kernel to stop (the pending signal's own exception, as a rule `KeyboardInterrupt`).
     #[error("cancelled")]
     Cancelled,

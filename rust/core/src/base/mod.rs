@@ -2,6 +2,7 @@
 
 pub mod buffer;
 pub mod error;
+pub mod memory;
 pub mod pool;
 pub mod progress;
 pub mod random;

@@ -81,7 +81,7 @@ proptest! {
         let (origin, progress) = (DVec3::new(1e6, 0.0, -3e5), Progress::new());
         let instanced = scene(origin, standing, vec![]);
         let corners: Vec<[[f32; 3]; 3]> =
-            instanced.triangles().chunks_exact(9).map(|c| [0, 3, 6].map(|i| [c[i], c[i + 1], c[i + 2]])).collect();
+            instanced.triangles().unwrap().chunks_exact(9).map(|c| [0, 3, 6].map(|i| [c[i], c[i + 1], c[i + 2]])).collect();
         let merged = scene(origin, vec![placed(&mesh(&corners), DAffine3::IDENTITY)], vec![]);
         let center = origin + DVec3::new(1.0, 5.0, -2.0);
         let [a, b] = [&instanced, &merged].map(|s| Partition::new(s, center, r1, r1 + width, &progress).unwrap());

@@ -3,7 +3,7 @@
 use glam::{DQuat, DVec3};
 
 use super::frame::{Channels, Frame};
-use super::tiles::{View, draw};
+use super::tiles::{View, check_reach, draw};
 use super::truth::Truth;
 use crate::base::{Error, Progress, Result};
 use crate::camera::{Camera, Projection};
@@ -37,10 +37,12 @@ pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame
     if !(radius.is_finite() && radius >= 0.0) {
         return Err(Error::value("radius", "a finite radius of at least 0", radius));
     }
+    check_reach("center", center - scene.origin)?;
+    let channels = Channels { color: true, range, object_id, ..Channels::default() };
+    channels.check_room(6 * u64::from(size).pow(2))?;
     let standing = Scene { moving: Default::default(), ..scene.clone() };
     standing.build(progress)?;
     let beyond = Beyond { scene: &standing, radius, two_texels: 4.0 / f64::from(size) };
-    let channels = Channels { color: true, range, object_id, ..Channels::default() };
     let mut whole = Frame::default();
     for face in 0..6 {
         let camera = Camera::new(center, DQuat::IDENTITY, Projection::CubeFace(face), size, size)?;

@@ -1,5 +1,7 @@
 //! The images of one view, as many channels as were asked for.
 
+use crate::base::{Result, memory::room_for};
+
 /// Which images of a view are computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Channels {
@@ -21,6 +23,18 @@ impl Channels {
     /// True where a channel other than colour is wanted: one ray through each pixel's centre.
     pub fn any_surface(&self) -> bool {
         self.range || self.object_id || self.face_id || self.position || self.normal
+    }
+
+    /// An error where the wanted images of so many pixels do not fit into memory.
+    pub(super) fn check_room(&self, pixels: u64) -> Result<()> {
+        let wanted = |wanted: bool, bytes: usize| if wanted { bytes as u64 } else { 0 };
+        let bytes = wanted(self.color, size_of::<[f32; 3]>())
+            + wanted(self.range, size_of::<f32>())
+            + wanted(self.object_id, size_of::<i32>())
+            + wanted(self.face_id, size_of::<i64>())
+            + wanted(self.position, size_of::<[f32; 3]>())
+            + wanted(self.normal, size_of::<[f32; 3]>());
+        room_for(bytes.saturating_mul(pixels))
     }
 }
 
@@ -75,17 +89,18 @@ pub(super) struct Band<'a> {
 
 impl Frame {
     /// Allocates the wanted images for a number of pixels, as if nothing was hit and all is black.
-    pub fn new(channels: Channels, pixels: usize) -> Self {
+    pub fn new(channels: Channels, pixels: usize) -> Result<Self> {
+        channels.check_room(pixels as u64)?;
         let size = |wanted: bool| if wanted { pixels } else { 0 };
         let miss = Sample::default();
-        Self {
+        Ok(Self {
             color: vec![[0.0; 3]; size(channels.color)],
             range: vec![miss.range; size(channels.range)],
             object_id: vec![miss.object_id; size(channels.object_id)],
             face_id: vec![miss.face_id; size(channels.face_id)],
             position: vec![miss.position; size(channels.position)],
             normal: vec![miss.normal; size(channels.normal)],
-        }
+        })
     }
 
     /// The frame in bands of so many pixels; the last may be shorter.

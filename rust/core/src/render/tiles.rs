@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::frame::{Band, Channels, Frame, Sample};
 use crate::base::{Error, Progress, Result};
 use crate::camera::{Camera, Footprint, Rays};
-use crate::trace::{Hit, Ray};
+use crate::trace::{Hit, REACH, Ray};
 
 /// Pixels on a tile's side: 64 neighbouring rays.
 const TILE: usize = 8;
@@ -55,9 +55,10 @@ pub fn draw(view: &View<'_>, picture: &impl Picture, progress: &Progress) -> Res
     if !(1..=MAX_SAMPLES).contains(&view.samples) {
         return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), view.samples));
     }
+    check_reach("position", view.camera.position - view.origin)?;
     let (width, height) = (view.camera.width as usize, view.camera.height as usize);
     progress.expect((width * height) as u64);
-    let mut frame = Frame::new(view.channels, width * height);
+    let mut frame = Frame::new(view.channels, width * height)?;
     let painter = Painter {
         picture,
         rays: view.camera.rays(),
@@ -77,6 +78,15 @@ pub fn draw(view: &View<'_>, picture: &impl Picture, progress: &Progress) -> Res
         progress.report((rows * width) as u64)
     })?;
     Ok(frame)
+}
+
+/// Refuses a place relative to the scene's origin from which rays would leave float32's range.
+pub(super) fn check_reach(argument: &'static str, place: DVec3) -> Result<()> {
+    let farthest = place.abs().max_element();
+    if farthest <= REACH {
+        return Ok(());
+    }
+    Err(Error::value(argument, format!("a place within {REACH:e} m of the scene's origin"), format!("{farthest:e} m")))
 }
 
 /// Positions of colour samples within a pixel: a Hammersley set (Hammersley, Monte Carlo methods, 1960), its second

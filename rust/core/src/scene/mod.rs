@@ -24,7 +24,7 @@ pub use merge::{Part, merge};
 pub use mesh::Mesh;
 pub use texture::Texture;
 
-use crate::base::{Error, Progress, Result};
+use crate::base::{Error, Progress, Result, memory::room_for};
 
 /// An immutable scene. Copies share meshes, textures and trees; only instance lists differ.
 ///
@@ -129,7 +129,8 @@ impl Scene {
     }
 
     /// Corners of all triangles in number order, nine floats each, relative to the origin. For exchange, not for kernels.
-    pub fn triangles(&self) -> Vec<f32> {
+    pub fn triangles(&self) -> Result<Vec<f32>> {
+        room_for(self.triangle_count() as u64 * 9 * size_of::<f32>() as u64)?;
         let mut flat = vec![0.0; self.triangle_count() as usize * 9];
         let mut rest = &mut flat[..];
         for instance in self.instances() {
@@ -141,7 +142,7 @@ impl Scene {
             });
             rest = others;
         }
-        flat
+        Ok(flat)
     }
 
     /// Faces without an area, each mesh counted once.

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::{All, AlphaFilter, Filter, Hit, Ray, closest_hits};
+use super::{All, AlphaFilter, Filter, Hit, REACH, Ray, closest_hits};
 use crate::base::{Error, Progress, Result};
 use crate::scene::Scene;
 
@@ -82,7 +82,9 @@ pub fn cast(
     if t_max.is_nan() || t_max <= 0.0 {
         return Err(Error::value("t_max", "a positive number of metres", t_max));
     }
-    refuse("origins", "finite coordinates", origins.find(|p| !p.is_finite()))?;
+    let out_of_reach = |p: DVec3| !p.is_finite() || (p - scene.origin).abs().max_element() > REACH;
+    let reachable = format!("finite coordinates within {REACH:e} m of the scene's origin");
+    refuse("origins", &reachable, origins.find(out_of_reach))?;
     refuse("directions", "finite coordinates", directions.find(|d| !d.is_finite()))?;
     refuse("directions", "a length above zero", directions.find(|d| d == DVec3::ZERO))?;
     scene.build(progress)?;

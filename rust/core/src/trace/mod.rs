@@ -23,10 +23,14 @@ pub use alpha::AlphaFilter;
 pub use cast::{Hits, Points, cast};
 pub use lanes::{instruction_sets, use_instruction_set};
 
+/// Metres from the scene's origin, along each axis, that rays may start at. Beyond, distances to boxes divided by small
+/// directions leave float32's range, and empty slots of the trees look as if they were hit.
+pub const REACH: f64 = 1e30;
+
 /// A segment of a ray in scene space. The direction needs no particular length; `t` is in units of it.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// Start, relative to the scene's origin.
+    /// Start, relative to the scene's origin and no farther from it than `REACH`.
     pub origin: Vec3,
     /// Direction, finite and not zero.
     pub direction: Vec3,

@@ -160,6 +160,7 @@ proptest! {
         let instanced = scene(placed, moving);
         let merged: Vec<[Vec3; 3]> = instanced
             .triangles()
+            .unwrap()
             .as_chunks::<9>()
             .0
             .iter()

@@ -12,7 +12,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::DVec3;
 
 use super::frame::{Channels, Frame};
-use super::tiles::{View, draw};
+use super::tiles::{View, check_reach, draw};
 use crate::base::{Error, Progress, Result};
 use crate::camera::Camera;
 use crate::cubemap::EnvironmentMap;
@@ -102,6 +102,7 @@ impl Reduced {
             return Err(Error::value("tolerance_px", "a number above 0", drawing.tolerance_px.unwrap_or_default()));
         }
         let view = View { camera, origin: scene.origin, channels: drawing.channels, samples: drawing.samples };
+        check_reach("position", camera.position - scene.origin)?;
         let center = self.center - scene.origin;
         let backdrop = Backdrop { map: self.map.as_ref(), center };
         match self.join {
