@@ -168,6 +168,8 @@ def test_ranges_with_infinity_do_not_become_nan() -> None:
 def test_shapes_follow_the_directions() -> None:
     faces = np.zeros((6, 2, 2, 3), np.float32)
     assert nf.cube_lookup(faces, (0, 0, 1)).shape == (3,)
+    assert nf.cube_lookup(faces[..., 0], (0, 0, 1)).shape == ()
+    assert nf.cube_lookup(np.zeros((6, 2, 2), np.int32), (0, 0, 1)).shape == ()
     assert nf.cube_lookup(faces, np.ones((4, 5, 3)), filter="linear").shape == (4, 5, 3)
     assert nf.cube_lookup(faces[..., 0], np.ones((4, 5, 3)), filter="max").shape == (4, 5)
     assert nf.cube_lookup(faces[..., 0], np.ones((0, 3))).shape == (0,)

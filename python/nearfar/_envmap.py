@@ -201,7 +201,7 @@ def cube_lookup(faces: ArrayLike, directions: ArrayLike, *, filter: str = "neare
     else:
         deep = maps if maps.ndim == 4 else maps[..., None]
         values = _core.cube_lookup(np.require(deep, None, ["C", "A"]), rows, filter)
-    return values.reshape(*along.shape[:-1], *maps.shape[3:])
+    return values.reshape(along.shape[:-1] + maps.shape[3:])
 
 
 def cube_directions(size: int) -> NDArray[np.float64]:
