@@ -1,46 +1,39 @@
-"""Loading and making scenes: tokyo_core_lod1 against trimesh, the whole of Tokyo against copying its arrays.
-
-    python benchmarks/scene.py [--whole]
-
-The whole of Tokyo takes a minute to make and 3 GB of memory.
-"""
+"""Loading and making scenes: tokyo_core_lod1 against trimesh, the whole of Tokyo against copying its arrays."""
 
 from __future__ import annotations
 
-import argparse
-import importlib.util
-import os
-import sys
 from functools import partial
 from pathlib import Path
-from types import ModuleType
+from typing import Any
 
 import numpy as np
 import trimesh
+from numpy.typing import NDArray
 
 import nearfar as nf
 from _measure import best, machine, table
+from _tokyo import with_buildings
 from nearfar import _data
 
 FILES = ("city/tokyo23/tokyo_core_lod1.glb", "objects/gltf/FlightHelmet/FlightHelmet.gltf", "objects/armadillo.obj")
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
-    parser.add_argument("--whole", action="store_true", help="also the whole of Tokyo")
-    arguments = parser.parse_args()
     print(machine(), "\n")
     loading()
     changing()
-    if arguments.whole:
-        whole_city()
+    if (city := with_buildings()) is not None:
+        whole_city(*city)
 
 
 def loading() -> None:
     """Seconds from the file to something that can be drawn: trimesh's scene still has 12,408 meshes."""
     rows = []
     for name in FILES:
-        path = _data.require(name)
+        path = _data.find(name)
+        if path is None:
+            print(f"{name} is not there\n")
+            continue
         ours = best(partial(nf.Scene.load, path), repeat=3)
         peer = best(partial(trimesh.load_scene, path, process=False), repeat=3)
         rows.append([name, f"{ours.wall:.3f}", f"{peer.wall:.3f}", f"{ours.wall / peer.wall:.2f}"])
@@ -49,7 +42,10 @@ def loading() -> None:
 
 def changing() -> None:
     """Milliseconds to make a scene from a scene."""
-    scene = nf.Scene.load(_data.require("city/tokyo23/tokyo_core_lod1.glb"))
+    path = _data.find(FILES[0])
+    if path is None:
+        return
+    scene = nf.Scene.load(path)
     names = scene.object_names
     moving = scene.with_dynamic(names[:10])
     poses = {name: np.eye(4) for name in names[:10]}
@@ -66,9 +62,8 @@ def changing() -> None:
     print(table("tokyo_core_lod1, 232,986 triangles: milliseconds", ["step", "ms"], rows))
 
 
-def whole_city() -> None:
+def whole_city(*arrays: NDArray[Any]) -> None:
     """Seconds and memory for 29.8 M triangles, against copying them."""
-    arrays = _tokyo().mesh()
     size = sum(array.nbytes for array in arrays)
     Path("/proc/self/clear_refs").write_text("5")
     before = _kilobytes("VmRSS")
@@ -85,17 +80,6 @@ def whole_city() -> None:
     ]
     title = f"Whole of Tokyo, {len(arrays[1]):,} triangles, {size / 1e6:.0f} MB"
     print(table(title, ["step", "seconds", "ratio to copying", "peak memory / arrays"], rows))
-
-
-def _tokyo() -> ModuleType:
-    root = _data.root()
-    path = (root or Path()).parent / "tools" / "tokyo.py"
-    spec = importlib.util.spec_from_file_location("tokyo", path)
-    if spec is None or spec.loader is None or not path.is_file():
-        sys.exit(f"{os.fspath(path)} is not there")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 def _kilobytes(key: str) -> int:
