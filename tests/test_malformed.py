@@ -74,6 +74,7 @@ def test_every_malformed_file_gives_a_scene_or_a_sentence() -> None:
         ("assimp/glTF2/MissingBin/BoxTextured.gltf", "a file that it refers to cannot be read: BoxTextured0.bin"),
         ("assimp/glTF2/IndexOutOfRange/IndexOutOfRange.gltf", "1 face with vertices that do not exist in mesh 'Mesh'"),
         ("assimp/glTF2/IncorrectVertexArrays/Cube.gltf", "lengths or offsets in it contradict each other"),
+        ("assimp/glTF2/wrongTypes/badArray.gltf", "an entry of it has another type than it should"),
         ("trimesh/points_emptyface.ply", "no triangles; 1 geometry without triangles ignored"),
         ("trimesh/empty.stl", "no triangles"),
     ],

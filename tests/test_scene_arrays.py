@@ -85,7 +85,7 @@ def test_an_empty_scene_is_a_scene() -> None:
         ({"face_object": [0, 0]}, "face_object: expected one number for each of 1 faces"),
         ({"face_object": [-2]}, "face_object: expected numbers from -1 to"),
         ({"face_object": [2], "object_names": ["a", "b"]}, "face_object: expected numbers from -1 to 1, got 2 to 2"),
-        ({"face_object": [0], "object_names": ["a", "a"]}, "objects: expected distinct names, got 1 repetitions"),
+        ({"face_object": [0], "object_names": ["a", "a"]}, "object_names: expected distinct names, got 1 repetitions"),
     ],
 )
 def test_wrong_arrays_are_refused(change: dict[str, Any], words: str) -> None:

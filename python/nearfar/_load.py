@@ -155,6 +155,8 @@ def _sentence(error: Exception) -> str:
             return f"it refers to something that it does not hold ({error})"
         case ValueError() | RuntimeError():  # trimesh says so of versions and formats that it does not know
             return f"it cannot be read: {_first_line(error) or 'no reason given'}"
+        case AttributeError() | TypeError():
+            return f"an entry of it has another type than it should ({_first_line(error)})"
         case _:
             return f"it is not well-formed ({type(error).__name__}: {_first_line(error)})"
 

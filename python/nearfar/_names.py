@@ -13,6 +13,16 @@ _MOST_COMPARED = 20_000
 """Names that a misspelt one is compared with: more would take seconds."""
 
 
+def names_of(argument: str, names: Sequence[str]) -> list[str]:
+    """Distinct names as a list; ValueError where they repeat, TypeError where they are no list of strings."""
+    if isinstance(names, str) or not all(isinstance(name, str) for name in names):
+        raise TypeError(f"{argument}: expected a list of strings, got {names!r:.60}")
+    repeated = len(names) - len(set(names))
+    if repeated:
+        raise ValueError(f"{argument}: expected distinct names, got {repeated} repetitions")
+    return list(names)
+
+
 class Names:
     """Object names in the order of their numbers.
 

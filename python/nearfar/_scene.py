@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._assembly import Assembled, Assembly
 from nearfar._geometry import object_count_of, transforms_of
-from nearfar._names import Names
+from nearfar._names import Names, names_of
 from nearfar._report import Report
 
 if TYPE_CHECKING:
@@ -137,10 +137,12 @@ class Scene:
         Raises
         ------
         ValueError
-            Vertices that are not finite, numbers out of range, shapes that do not fit.
+            Vertices that are not finite, numbers out of range, shapes that do not fit, names that repeat.
+        TypeError
+            Values that are not numbers, and names that are not strings.
         """
         builder = SceneBuilder()
-        names = None if object_names is None else [str(name) for name in object_names]
+        names = None if object_names is None else names_of("object_names", object_names)
         if face_object is None:
             builder.objects(names or ["object_0"])
             mesh = builder.mesh(vertices, faces, copy=copy)
@@ -226,7 +228,11 @@ class Scene:
         ------
         ValueError
             Unknown objects, objects that are not dynamic, matrices that are not finite, affine and invertible.
+        TypeError
+            Something else than poses by name.
         """
+        if not isinstance(poses, Mapping):
+            raise TypeError(f"poses: expected matrices by name such as {{'car': matrix}}, got {type(poses).__name__}")
         placements = self._core.moving_placements()
         owner = self._core.moving_objects()
         for name, pose in poses.items():

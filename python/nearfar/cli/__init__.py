@@ -1,7 +1,7 @@
 """The command line: `nearfar demo | info | partition | bake | render`.
 
-It uses the public face of the package only. A user's mistake is one sentence on standard error and exit status 1 (2 for
-a wrong command line); a traceback is a bug of ours.
+Of the stages it uses the public face only, and of the policies how files are written and headed. A user's mistake is
+one sentence on standard error and exit status 1 (2 for a wrong command line); a traceback is a bug of ours.
 """
 
 from __future__ import annotations

@@ -20,12 +20,10 @@ def info(scene: Input, up: Up = "y", on_invalid: Invalid = "raise", as_json: Jso
     loaded = open_scene(scene, up=up, on_invalid=on_invalid)
     document = describe(loaded, scene, time.perf_counter() - started)
     rows = [
-        ("triangles", count(document["triangles"])),
-        ("objects", count(document["objects"])),
+        *((key.replace("_", " "), _text(value)) for key, value in document["report"].items() if value),
         ("from", metres(document["bounds"][0])),
         ("to", metres(document["bounds"][1])),
         ("origin", metres(document["origin"])),
-        *((key.replace("_", " "), _text(value)) for key, value in document["report"].items() if value),
         ("loaded in", f"{document['seconds']:.2f} s"),
     ]
     show(document, rows, title=scene, as_json=as_json)

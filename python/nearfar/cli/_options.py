@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import inspect
+import math
 from pathlib import Path
 from typing import Annotated
 
@@ -24,6 +25,8 @@ def read_point(option: str, text: str | None) -> Point | None:
         x, y, z = (float(part) for part in text.split(","))
     except ValueError:
         raise ValueError(f"{option}: expected x,y,z in metres such as 0,1.7,0, got {text!r}") from None
+    if not all(map(math.isfinite, (x, y, z))):
+        raise ValueError(f"{option}: expected three finite numbers, got {text!r}")
     return x, y, z
 
 
@@ -70,6 +73,8 @@ def open_scene(text: str, *, up: str = "y", on_invalid: str = "raise") -> nf.Sce
     """Load the file, or make the procedural scene, that `-i` names."""
     name, _, settings = text.partition(":")
     if name in PROCEDURAL and not Path(text).exists():
+        if up != "y":
+            raise ValueError(f"--up: expected y with {name}, which stands upright already, got {up!r}")
         return _procedural(name, settings)
     return nf.Scene.load(text, up=up, on_invalid=on_invalid)
 

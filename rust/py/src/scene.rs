@@ -208,8 +208,8 @@ impl Scene {
     }
 
     #[getter]
-    fn origin(&self) -> [f64; 3] {
-        self.0.origin.to_array()
+    fn origin(&self) -> (f64, f64, f64) {
+        self.0.origin.into()
     }
 
     #[getter]
