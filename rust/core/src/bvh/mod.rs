@@ -14,7 +14,8 @@ use crate::scene::Aabb;
 
 pub use groups::Faces;
 
-pub(crate) use blocks::{Block, leaf_blocks};
+pub(crate) use blocks::Block;
+use blocks::leaf_blocks;
 use groups::Groups;
 use wide::{Content, Slot};
 pub(crate) use wide::{LEAF, Node, WIDTH, Wide};
@@ -58,6 +59,12 @@ impl Bvh {
         Ok(bvh)
     }
 
+    /// Triangles of a leaf; none for a place without a child, which a ray with NaN may seem to hit.
+    #[inline(always)]
+    pub(crate) fn leaf(&self, leaf: u32) -> &[Block] {
+        self.blocks.get(leaf_blocks(leaf)).unwrap_or_default()
+    }
+
     /// Memory of nodes and triangles.
     pub fn bytes(&self) -> usize {
         size_of_val(&self.wide.nodes[..]) + size_of_val(&self.blocks[..])
@@ -67,7 +74,7 @@ impl Bvh {
     pub fn validate(&self) -> Result<(), String> {
         let mut seen = vec![];
         self.wide.validate(|leaf| {
-            self.blocks[leaf_blocks(leaf)].iter().fold(Aabb::EMPTY, |all, block| {
+            self.leaf(leaf).iter().fold(Aabb::EMPTY, |all, block| {
                 seen.extend_from_slice(block.distinct_faces());
                 all.union(&block.bounds())
             })
@@ -104,15 +111,15 @@ impl Tlas {
         Ok(tlas)
     }
 
-    /// The instance of a leaf.
+    /// The instance of a leaf; none for a place without a child, which a ray with NaN may seem to hit.
     #[inline(always)]
-    pub(crate) fn instance(&self, leaf: u32) -> u32 {
-        self.order[(leaf & !LEAF) as usize]
+    pub(crate) fn instance(&self, leaf: u32) -> Option<u32> {
+        self.order.get((leaf & !LEAF) as usize).copied()
     }
 
     /// Checks that boxes hold the instances below them; says what is wrong.
     pub fn validate(&self, boxes: &[Aabb]) -> Result<(), String> {
-        self.wide.validate(|leaf| boxes[self.instance(leaf) as usize])
+        self.wide.validate(|leaf| self.instance(leaf).map_or(Aabb::EMPTY, |instance| boxes[instance as usize]))
     }
 }
 

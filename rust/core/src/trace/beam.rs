@@ -7,7 +7,7 @@ use super::packet::{Loader, Packet, RAYS};
 use super::single::{self, Local, Search};
 use super::triangle::{self, Crossing};
 use super::{Filter, Hit, Ray};
-use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide, leaf_blocks};
+use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
 use crate::scene::{Instance, InstanceSet};
 
 /// Fewer rays than this go one by one.
@@ -71,7 +71,7 @@ struct Instances<'a, F> {
 impl<I: Isa, F: Filter> Leaves<I> for Instances<'_, F> {
     #[inline(always)]
     fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool {
-        let slot = self.tlas.instance(leaf);
+        let Some(slot) = self.tlas.instance(leaf) else { return false };
         let (instance, number) = (&self.instances[slot as usize], self.first + slot);
         let Some(bvh) = instance.mesh.bvh() else { return false };
         if instance.in_place {
@@ -148,7 +148,7 @@ impl<I: Isa, F: Filter> Leaves<I> for Triangles<'_, F> {
         for at in (0..packet.count).step_by(I::Group::N) {
             let mask = packet.enter(isa, at, planes);
             if mask != 0 {
-                for block in &self.bvh.blocks[leaf_blocks(leaf)] {
+                for block in self.bvh.leaf(leaf) {
                     found |= self.test_block(isa, block, packet, at, mask);
                 }
             }

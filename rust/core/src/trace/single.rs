@@ -8,7 +8,7 @@ use super::lanes::{Isa, Lanes};
 use super::slab::Slabs;
 use super::triangle::{self, Shear};
 use super::{Filter, Hit, Ray};
-use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide, leaf_blocks};
+use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
 use crate::scene::{Aabb, Instance, InstanceSet};
 
 /// A ray made ready for one space: the scene's, or an instance's own.
@@ -98,7 +98,7 @@ struct Instances<'a> {
 impl<I: Isa, F: Filter> Leaves<I, F> for Instances<'_> {
     #[inline(always)]
     fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_, F>) {
-        let slot = self.tlas.instance(leaf);
+        let Some(slot) = self.tlas.instance(leaf) else { return };
         let instance = &self.instances[slot as usize];
         let Some(bvh) = instance.mesh.bvh() else { return };
         if instance.in_place {
@@ -119,7 +119,7 @@ struct Triangles<'a> {
 impl<I: Isa, F: Filter> Leaves<I, F> for Triangles<'_> {
     #[inline(always)]
     fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_, F>) {
-        for block in &self.bvh.blocks[leaf_blocks(leaf)] {
+        for block in self.bvh.leaf(leaf) {
             test_block(isa, block, local, self.instance, search);
         }
     }

@@ -138,3 +138,21 @@ fn a_cancelled_build_stops_and_can_be_repeated() {
     assert!(mesh.build_bvh(&progress).is_err());
     assert!(mesh.build_bvh(&Progress::new()).is_ok());
 }
+
+#[test]
+fn rays_that_overflow_are_no_panics() {
+    let placed = DAffine3::from_scale_rotation_translation(DVec3::splat(1e-35), DQuat::IDENTITY, DVec3::X);
+    for transform in [DAffine3::IDENTITY, placed] {
+        let scene = scene(vec![(mesh(&wall(5.0, 3.0)), transform), (mesh(&wall(7.0, 3.0)), transform)], vec![]);
+        for start in [0.0, 1e9, f32::MAX, f32::INFINITY, f32::NAN] {
+            for direction in [Vec3::Z, Vec3::new(0.6, 0.0, -0.8), Vec3::new(-0.5, 0.5, 0.7), Vec3::splat(f32::NAN)] {
+                let rays = [Vec3::X, Vec3::Y, Vec3::ONE, Vec3::NEG_ONE].map(|p| ray(p * start, direction));
+                let mut hits = [Hit::MISS; 64];
+                closest_hits(&scene, &rays.repeat(16), &All, &mut hits);
+                for ray in &rays {
+                    closest_hit(&scene, ray, &All);
+                }
+            }
+        }
+    }
+}
