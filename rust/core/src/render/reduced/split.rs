@@ -40,6 +40,9 @@ struct Rules {
 
 /// Triangles that are thinner than this share of their length show nothing and are left out.
 const THINNEST: f64 = 1e-9;
+/// Parts of an edge shorter than this share of its coordinates: float64 may round their ends to one point, and splits
+/// would never end.
+const SHORTEST: f64 = 1e-14;
 /// Share of a radius by which an end of an edge may miss it and still lie on it.
 const ON_RADIUS: f64 = 1e-9;
 
@@ -85,12 +88,16 @@ impl<'a> Splitter<'a> {
             return None;
         }
         let length = (b - a).length();
+        let shortest = SHORTEST * a.abs().max(b.abs()).max_element();
+        if length <= shortest {
+            return None;
+        }
         let least = rho(a.lerp(b, self.nearest(a, b)));
         if least >= r2 * (1.0 - ON_RADIUS) {
             // Edges that are long for their distance are halved, so that no triangle holds the cylinder between them.
             return (length > least).then_some(0.5);
         }
-        let room = rules.room / length;
+        let room = rules.room.max(shortest) / length;
         let crossing = self.crossings(a, b).into_iter().flatten().find(|s| (room..=1.0 - room).contains(s));
         crossing.or((length > rules.pitch).then_some(0.5))
     }
@@ -289,6 +296,18 @@ mod tests {
                 parts.iter().sum::<f64>() <= area(&piece.corners) * (1.0 + 1e-9) + 1e-9
             };
             prop_assert!(center.x.hypot(center.z) > 40.0 || pieces.iter().any(inside));
+        }
+    }
+
+    #[test]
+    fn radii_below_what_coordinates_tell_apart_end_too() {
+        let corners = [(-4e3, -4e3), (-4e3, 8e3), (8e3, -4e3)].map(|(x, z)| DVec3::new(x, 0.0, z));
+        for r2 in [1e-9, 1e-12, 1e-13, 1e-14, 1e-15, 1e-300] {
+            let morph = Morph::new(DVec3::X, DVec3::new(3.0, 1.7, -2.0), 0.0, r2, Kind::Blend).unwrap();
+            for moving in [false, true] {
+                let pieces = Splitter::new(&morph, Some(5e-4)).split(Triangle { corners, weights: WHOLE }, moving);
+                assert!(pieces.len() < 100_000, "{r2} {}", pieces.len());
+            }
         }
     }
 
