@@ -114,9 +114,10 @@ class Partition:
         -------
         dict
             Triangles: `triangles` = `near` + `intermediate` + `far`; `nsf`, `sf` and `straddling`, the standing ones in
-            both. Instances of one zone: `near_instances`, `intermediate_instances`, `far_instances`, and the
-            `mixed_instances` that their boxes did not decide. The work that was needed: `examined`, the triangles of
-            mixed instances, and `measured`, those of them that their coordinates alone did not show to be far.
+            both; `nsf_at_r1`, near ones and all moving ones. Instances of one zone: `near_instances`,
+            `intermediate_instances`, `far_instances`, and the `mixed_instances` that their boxes did not decide. The
+            work that was needed: `examined`, the triangles of mixed instances, and `measured`, those of them that their
+            coordinates alone did not show to be far.
         """
         return self._core.counts()
 

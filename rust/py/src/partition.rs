@@ -99,6 +99,7 @@ impl Partition {
             ("far", counts.far),
             ("straddling", counts.straddling),
             ("nsf", counts.nsf),
+            ("nsf_at_r1", counts.nsf_at_r1),
             ("sf", counts.sf),
             ("near_instances", counts.near_instances),
             ("intermediate_instances", counts.intermediate_instances),

@@ -128,6 +128,8 @@ pub struct Counts {
     pub straddling: i64,
     /// Drawn as geometry.
     pub nsf: i64,
+    /// Drawn as geometry where that ends at r₁ already: near ones, and everything that moves.
+    pub nsf_at_r1: i64,
     /// Baked.
     pub sf: i64,
     /// Instances whose triangles are all near.
@@ -286,6 +288,7 @@ impl Partition {
             counts.far += far;
             counts.straddling += straddling;
             counts.nsf += if moving { triangles } else { near + intermediate };
+            counts.nsf_at_r1 += if moving { triangles } else { near };
             counts.sf += if moving { 0 } else { far + straddling };
         }
         counts
