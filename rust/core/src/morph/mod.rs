@@ -107,6 +107,16 @@ impl Morph {
         Morphed { point: self.center + (self.offset + distance * direction), weight, opposed }
     }
 
+    /// Distance along a unit direction at which the user is shown what the centre sees in that direction, at this
+    /// distance from it and beyond r₂ (w = 0).
+    pub fn far_distance(&self, direction: DVec3, from_center: f64) -> f64 {
+        if self.kind == Kind::Blend || !from_center.is_finite() {
+            return from_center;
+        }
+        let rho = from_center * DVec2::new(direction.x, direction.z).length();
+        leave_cylinder(self.offset, direction, rho).unwrap_or(from_center)
+    }
+
     /// Morphs float32 points: half a float32 step of the answer and 2⁻²⁴ (6 + 3 r₂/(r₂−r₁)) |U−O| from the exact
     /// answer at most, where the directions are not opposed. Inside r₁ they keep their bits; beyond r₂ they are
     /// U + P − O, rounded once.

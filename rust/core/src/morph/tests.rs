@@ -199,3 +199,24 @@ fn nonsense_is_refused() {
     morph.apply_all_f32(&[[f32::NAN; 3]], &mut shown);
     assert!(shown[0].iter().all(|x| x.is_nan()));
 }
+
+#[test]
+fn far_distances_are_those_of_far_points() {
+    let center = DVec3::new(2.0, 1.7, -3.0);
+    for offset in [DVec3::ZERO, DVec3::new(6.0, 0.5, -4.0), DVec3::new(-80.0, 2.0, 30.0)] {
+        for kind in [Kind::Blend, Kind::Cylinder] {
+            let morph = Morph::new(center + offset, center, 30.0, 50.0, kind).unwrap();
+            for direction in [DVec3::X, DVec3::new(0.3, -0.1, -0.7), DVec3::new(-0.6, 2.0, 0.5)].map(DVec3::normalize) {
+                for range in [51.0, 90.0, 200.0, 4e3].map(|rho| rho / direction.x.hypot(direction.z)) {
+                    let shown = morph.apply(center + direction * range);
+                    let expected = (shown - morph.user).length();
+                    // Float64's roundings of kilometres.
+                    assert!((morph.far_distance(direction, range) - expected).abs() < 1e-10 * range);
+                    assert!((shown - morph.user).normalize().dot(direction) > 1.0 - 1e-12);
+                }
+            }
+            assert_eq!(morph.far_distance(DVec3::X, f64::INFINITY), f64::INFINITY);
+            assert_eq!(morph.far_distance(DVec3::Y, 7.0), 7.0);
+        }
+    }
+}

@@ -6,6 +6,7 @@ use super::super::frame::Sample;
 use super::super::shade::background;
 use super::super::surface::Surface;
 use crate::cubemap::EnvironmentMap;
+use crate::morph::Morph;
 use crate::scene::Scene;
 use crate::trace::Ray;
 
@@ -18,6 +19,8 @@ pub(super) struct Backdrop<'a> {
     pub map: Option<&'a EnvironmentMap>,
     /// The centre O, relative to the scene's origin.
     pub center: DVec3,
+    /// How far away the user is shown what the map holds; without one, as far as it is from O.
+    pub morph: Option<Morph>,
 }
 
 impl Backdrop<'_> {
@@ -29,7 +32,7 @@ impl Backdrop<'_> {
     pub fn sample(&self, direction: Vec3) -> Sample {
         let Some(map) = self.map else { return Sample::default() };
         let (range, object_id) = map.surface(direction);
-        let mut sample = Sample { range, object_id, ..Sample::default() };
+        let mut sample = Sample { range: self.displayed(direction, range), object_id, ..Sample::default() };
         if range.is_finite() {
             sample.position = (self.center + direction.as_dvec3() * f64::from(range)).as_vec3().to_array();
         }
@@ -39,8 +42,14 @@ impl Backdrop<'_> {
     /// Ends a ray where the map hides all that is farther; without ranges it hides nothing.
     pub fn shorten(&self, ray: &mut Ray) {
         if let Some(map) = self.map.filter(|map| map.range.is_some()) {
-            ray.t_max = ray.t_max.min(map.farthest(ray.direction) * (1.0 + BIAS));
+            let hidden_beyond = self.displayed(ray.direction, map.farthest(ray.direction));
+            ray.t_max = ray.t_max.min(hidden_beyond * (1.0 + BIAS));
         }
+    }
+
+    /// |Q−U| of what O sees at a range.
+    fn displayed(&self, direction: Vec3, range: f32) -> f32 {
+        self.morph.map_or(range, |morph| morph.far_distance(direction.as_dvec3(), f64::from(range)) as f32)
     }
 }
 

@@ -98,13 +98,17 @@ impl Reduced {
             return Err(Error::value("at", "poses of the scene that was reduced", "another scene"));
         }
         self.check_channels(drawing.channels)?;
+        if self.map.is_some() && camera.is_parallel() {
+            let expected = "a perspective view or a cube face, because a map shows what one eye sees";
+            return Err(Error::value("camera", expected, "parallel rays"));
+        }
         if drawing.tolerance_px.is_some_and(|pixels| pixels.is_nan() || pixels <= 0.0) {
             return Err(Error::value("tolerance_px", "a number above 0", drawing.tolerance_px.unwrap_or_default()));
         }
         let view = View { camera, origin: scene.origin, channels: drawing.channels, samples: drawing.samples };
         check_reach("position", camera.position - scene.origin)?;
         let center = self.center - scene.origin;
-        let backdrop = Backdrop { map: self.map.as_ref(), center };
+        let backdrop = Backdrop { map: self.map.as_ref(), center, morph: None };
         match self.join {
             Join::Morph(kind) if camera.position != self.center => {
                 let [r1, r2] = self.radii;
@@ -112,6 +116,7 @@ impl Reduced {
                 let tolerance = drawing.tolerance_px.map(|pixels| pixels * self.pixel_angle(camera));
                 let shown = self.near.morphed(scene, &morph, tolerance, progress)?;
                 self.remember(shown.triangle_count(), shown.opposed);
+                let backdrop = Backdrop { morph: Some(morph), ..backdrop };
                 draw(&view, &bent::Bent { scene, shown, backdrop, center, radius: r2 }, progress)
             }
             join => {
