@@ -87,9 +87,7 @@ class ReducedScene:
         """
         counts = self._partition.summary()
         triangles, opposed = self._core.last_frame()
-        drawn = counts["nsf"]
-        if self._boundary == "r1":
-            drawn = counts["near"]
+        drawn = counts["nsf" if self._boundary == "r2" else "nsf_at_r1"]
         return {
             **{name: counts[name] for name in ("triangles", "near", "intermediate", "nsf", "sf")},
             "drawn": drawn,
@@ -140,7 +138,8 @@ class ReducedScene:
         Raises
         ------
         ValueError, TypeError
-            For arguments out of their domains, and for a range or object_id that was not baked.
+            For arguments out of their domains, for a range or object_id that was not baked, and for parallel rays where
+            there is a map, which shows what one eye sees.
         """
         if not isinstance(camera, Camera):
             raise TypeError(f"camera: expected a Camera, got {type(camera).__name__}")

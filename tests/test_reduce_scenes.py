@@ -1,0 +1,167 @@
+"""Near–far reduction of scenes with cut-out materials, placed instances and moving objects."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar._scene import SceneBuilder
+from test_reduce import CENTER, FOV, R1, R2, Array, box, camera, place, rho, street
+
+ALL = ("color", "range", "object_id", "face_id", "position", "normal")
+BAKED = ("color", "range", "object_id")
+
+
+def beside(x: float, y: float, z: float) -> Array:
+    """Return a place relative to the centre."""
+    return np.asarray(CENTER + np.array([x, y, z]))
+
+
+def fences() -> nf.Scene:
+    """Return fences with holes within r₁, across r₂ and beyond it, a wall far behind them, and a fence that moves."""
+    texture = np.full((8, 8, 4), 255, np.uint8)
+    texture[::2, ::2, 3] = 0
+    build = SceneBuilder()
+    material = build.material((0.2, 0.7, 0.2, 1), texture, 0.5)
+    # Upright squares across x; holes are a quarter of each.
+    quad = np.array([[0, 0, -1], [0, 0, 1], [0, 2, 1], [0, 2, -1]], float)
+    uvs = np.array([[0, 0], [4, 0], [4, 4], [0, 4]], float)
+    fence = build.mesh(quad, [[0, 1, 2], [0, 2, 3]], material=material, uvs=uvs)
+    # The one across r₂ stands askew and is stretched; the far one is mirrored.
+    turn = np.array([[0.6, 0, 0.8], [0, 1, 0], [-0.8, 0, 0.6]])
+    for name, x, z, linear in [
+        ("near", 12.0, 0.0, np.diag([1, 4, 8])),
+        ("across", 47.0, 8.0, turn @ np.diag([1, 9, 20])),
+        ("far", 80.0, -10.0, np.diag([1, 20, -40])),
+        ("moving", 15.0, 9.0, np.diag([1, 4, 4])),
+    ]:
+        matrix = place(*beside(x, -1.7, z))
+        matrix[:3, :3] = linear
+        build.instance(fence, matrix, name=name)
+    wall = build.mesh(*box((200, 0, -300), (210, 150, 300)), material=build.material((0.7, 0.3, 0.2, 1)))
+    build.instance(wall, name="wall")
+    return build.build(dynamic=["moving"])
+
+
+@pytest.mark.parametrize("kind", ["blend", "cylinder", "none"])
+def test_holes_are_holes_in_maps_and_near_parts(kind: str) -> None:
+    scene = fences()
+    number = {name: i for i, name in enumerate(scene.object_names)}
+    reduced = nf.reduce(
+        scene, center=CENTER, r1=R1, r2=R2, face_size=1024, samples=1, morph=kind, channels=("color", "object_id")
+    )
+    fov = nf.Fov.symmetric(60, 1)
+    view = nf.Camera.look_at(CENTER, beside(1, 0.1, 0), fov=fov, size=(200, 200))
+    ids = reduced.render(view, channels=BAKED).require("object_id")
+    expected = nf.render(scene, view).require("object_id")
+    for name in ("near", "across", "far", "moving", "wall"):
+        # All of them are seen, so that each shows the others through its holes.
+        assert (expected == number[name]).sum() > 200, name
+    # A texel is 2 mrad wide, a pixel 6: where a silhouette passes within a texel of a pixel's centre, they may differ.
+    assert (ids == expected).mean() > 0.995
+    near = np.isin(expected, [number["near"], number["moving"]])
+    np.testing.assert_array_equal(ids[near], expected[near])
+    # A step aside everything near r₁ is still the truth, whichever way it is traced.
+    view = nf.Camera.look_at(beside(0, 0.2, 0.5), beside(12, 0, 0.5), fov=fov, size=(200, 200))
+    near = nf.render(scene, view, channels=BAKED).require("object_id") == number["near"]
+    assert near.sum() > 200
+    assert (reduced.render(view, channels=BAKED).require("object_id") == number["near"])[near].all()
+
+
+def test_bytes_of_bakes_and_frames_do_not_depend_on_the_number_of_threads() -> None:
+    here, code = digest(), "import test_reduce_scenes; print(test_reduce_scenes.digest())"
+    for threads in ("1", "3"):
+        path = os.pathsep.join([os.path.dirname(__file__), *sys.path])
+        environment = os.environ | {"NEARFAR_NUM_THREADS": threads, "PYTHONPATH": path}
+        done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
+        assert done.stdout.strip() == here, threads
+
+
+def digest() -> str:
+    """Hash of the map and of frames of all kinds, with cut-outs, instances, splits and moving objects."""
+    scene, digest = fences(), hashlib.sha256()
+    for kind in ("blend", "cylinder", "none"):
+        reduced = nf.reduce(
+            scene, center=CENTER, r1=R1, r2=R2, face_size=96, samples=3, morph=kind, channels=("color", "object_id")
+        )
+        assert reduced.env is not None
+        for name in reduced.env.channels:
+            digest.update(getattr(reduced.env, name).tobytes())
+        for offset in ((0.0, 0.0, 0.0), (-4.0, 0.5, 7.0)):
+            frame = reduced.render(camera(CENTER + offset, (1, 0.1, 0.1)), samples=2, channels=ALL)
+            for name in ALL:
+                digest.update(frame.require(name).tobytes())
+    return digest.hexdigest()
+
+
+@pytest.mark.parametrize("kind", ["blend", "cylinder"])
+@pytest.mark.parametrize("offset", [(20.0, 0.0, 10.0), (-20.0, 0.0, -10.0)])
+def test_far_walls_hide_what_moves_behind_them_alone(kind: str, offset: tuple[float, float, float]) -> None:
+    scene = street(dynamic=True)
+    car = scene.object_names.index("car")
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=512, samples=1, morph=kind, channels=BAKED)
+    user, toward = CENTER + np.array(offset), np.array([100.0, 10, 70]) - CENTER
+    view = nf.Camera.look_at(user, user + toward, fov=nf.Fov.symmetric(40, 1), size=(200, 200))
+    # The tower's face begins at a share of 1, and the car is 4 m long; 20 m ahead or behind, both are shown that much
+    # nearer or farther by "cylinder".
+    for share, seen in ((0.9, True), (0.97, True), (1.05, False), (1.3, False)):
+        frame = reduced.render(view, at={"car": place(*(CENTER + toward * share))})
+        assert ((frame.require("object_id") == car).sum() > 20) == seen, share
+
+
+@pytest.mark.parametrize("kind", ["blend", "cylinder"])
+def test_ranges_of_far_pixels_are_displayed_distances(kind: str) -> None:
+    reduced = nf.reduce(
+        street(), center=CENTER, r1=R1, r2=R2, face_size=128, samples=1, morph=kind, channels=("color", "range")
+    )
+    user = CENTER + np.array([15.0, 0.5, -9])
+    frame = reduced.render(camera(user, (1, 0.1, 0.5)), channels=("range", "position", "face_id"))
+    position = frame.require("position")
+    far = (frame.require("face_id") < 0) & np.isfinite(position[..., 0]) & (rho(position) > R2)
+    assert far.sum() > 1000
+    points = position[far].astype(np.float64)
+    shown = nf.morph(points, user=user, center=CENTER, r1=R1, r2=R2, kind=kind)
+    # Float32 at 2 km, in the position and in the range.
+    np.testing.assert_allclose(frame.require("range")[far], np.linalg.norm(shown - user, axis=1), rtol=0, atol=5e-4)
+
+
+def test_parallel_rays_need_a_scene_that_is_all_near() -> None:
+    scene = street()
+    view = nf.Camera.look_at(CENTER, beside(1, -0.3, 0), fov=nf.Orthographic(-40, 40, -25, 25), size=(64, 40))
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=8, samples=1)
+    with pytest.raises(ValueError, match=r"camera: expected a perspective view or a cube face.*got parallel rays"):
+        reduced.render(view)
+    whole = nf.reduce(scene, center=CENTER, r1=1e4, r2=2e4)
+    np.testing.assert_array_equal(whole.render(view).require("color"), nf.render(scene, view).require("color"))
+
+
+def test_cube_faces_are_views_of_90_degrees_seen_from_inside() -> None:
+    reduced = nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=64, samples=1, channels=BAKED)
+    user = beside(4, 0.2, 3)
+    face = reduced.render(nf.Camera((user[0], user[1], user[2]), fov=nf.CubeFace(0), size=(64, 64)))
+    ahead = nf.Camera.look_at(user, beside(5, 0.2, 3), fov=nf.Fov.symmetric(90, 1), size=(64, 64))
+    np.testing.assert_array_equal(face.require("object_id"), reduced.render(ahead).require("object_id")[:, ::-1])
+
+
+def test_moving_objects_beyond_r1_are_drawn_and_counted() -> None:
+    scene = street(dynamic=True).at({"car": place(300, 0.75, 0)})
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=8, samples=1, morph="none", boundary="r1")
+    assert reduced.stats["drawn"] == reduced.stats["near"] + 12
+
+
+def test_radii_below_what_numbers_tell_apart() -> None:
+    reduced = nf.reduce(street(), center=CENTER, r1=0, r2=1e-300, face_size=16, samples=1)
+    assert np.isfinite(reduced.render(camera(CENTER + 1.0, (1, 0, 0))).require("color")).all()
+
+
+def test_users_beyond_float32_are_refused() -> None:
+    reduced = nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=8, samples=1)
+    view = nf.Camera((1e300, 0, 0), fov=FOV, size=(16, 16))
+    with pytest.raises(ValueError, match="position: .*within 1e30 m"):
+        reduced.render(view)
