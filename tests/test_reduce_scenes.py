@@ -163,5 +163,5 @@ def test_radii_below_what_numbers_tell_apart() -> None:
 def test_users_beyond_float32_are_refused() -> None:
     reduced = nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=8, samples=1)
     view = nf.Camera((1e300, 0, 0), fov=FOV, size=(16, 16))
-    with pytest.raises(ValueError, match="position: .*within 1e30 m"):
+    with pytest.raises(ValueError, match=r"position: .*within 1e30 m"):
         reduced.render(view)
