@@ -17,8 +17,6 @@ from nearfar._scene import Scene
 
 MORPHS = ("blend", "cylinder", "none")
 
-MAX_SAMPLES = 1024
-
 
 class ReducedScene:
     """A scene made light: near geometry that follows the user, before a map of what is far.
@@ -144,7 +142,7 @@ class ReducedScene:
         if not isinstance(camera, Camera):
             raise TypeError(f"camera: expected a Camera, got {type(camera).__name__}")
         _check.choice("method", method, ("vertex",))
-        samples = _check.integer("samples", samples, 1, MAX_SAMPLES)
+        samples = _check.integer("samples", samples, 1, _render.MAX_SAMPLES)
         tolerance = None if tolerance_px is None else _check.positive("tolerance_px", tolerance_px)
         wanted = _render.channel_names(self._default_channels if channels is None else channels)
         scene = self._scene if at is None else self._scene.at(at)
@@ -239,7 +237,7 @@ def reduce(
         raise TypeError(f"scene: expected a Scene, got {type(scene).__name__}")
     _check_morph(morph, _check.choice("boundary", boundary, ("r1", "r2")))
     size = _check.integer("face_size", face_size, 1, 16384)
-    samples = _check.integer("samples", samples, 1, MAX_SAMPLES)
+    samples = _check.integer("samples", samples, 1, _render.MAX_SAMPLES)
     wanted = set(_render.channel_names(channels))
     if unknown := wanted - set(_envmap.CHANNELS):
         listed = ", ".join(name for name in CHANNELS if name in unknown)
