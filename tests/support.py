@@ -90,6 +90,18 @@ def need(part: str) -> None:
         pytest.skip(f"{part}: {reason}", allow_module_level=True)
 
 
+def printed_by_threads(code: str) -> set[str]:
+    """Return what a program prints in processes with one, two and three threads: a single text where they agree."""
+    printed = set()
+    for threads in "123":
+        environment = os.environ | {"NEARFAR_NUM_THREADS": threads, "PYTHONPATH": os.pathsep.join(sys.path)}
+        command = [sys.executable, "-c", code]
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=300)
+        assert done.returncode == 0, done.stderr
+        printed.add(done.stdout)
+    return printed
+
+
 def valid(document: dict[str, Any], name: str) -> bool:
     """Whether a document fits the schema of a format of ours."""
     header = Resource.from_contents(_formats.load_schema("header"))

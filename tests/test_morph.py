@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
-import subprocess
-import sys
 from decimal import Decimal, localcontext
 from typing import Any
 
@@ -17,6 +14,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import _core
+from support import printed_by_threads
 
 R1, R2 = 30.0, 50.0
 
@@ -197,17 +195,7 @@ def test_results_do_not_depend_on_threads() -> None:
         "q = nf.morph(p, user=(3, 1, 2), center=(0, 1, 0), r1=20, r2=40);"
         "print(hashlib.sha256(q.tobytes()).hexdigest())"
     )
-    digests = {
-        subprocess.run(
-            [sys.executable, "-c", code], env=_environment(threads), capture_output=True, text=True, check=True
-        ).stdout
-        for threads in ("1", "3")
-    }
-    assert len(digests) == 1
-
-
-def _environment(threads: str) -> dict[str, str]:
-    return os.environ | {"NEARFAR_NUM_THREADS": threads, "PYTHONPATH": os.pathsep.join(sys.path)}
+    assert len(printed_by_threads(code)) == 1
 
 
 def test_shapes_types_and_places() -> None:

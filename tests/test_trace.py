@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import os
 import signal
-import subprocess
-import sys
 import threading
 import time
 from typing import Any
@@ -17,7 +15,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import _core, _data
-from support import need
+from support import need, printed_by_threads
 
 SCENES = {
     "tokyo": "city/tokyo23/tokyo_core_lod1.glb",
@@ -177,14 +175,7 @@ scene = nf.Scene.from_arrays(draw.uniform(-1, 1, (3000, 3)), np.arange(3000).res
 hits = nf.cast_rays(scene, (0, 0, 0), draw.normal(size=(20000, 3)))
 print(hashlib.sha256(hits.t_hit.tobytes() + hits.triangle_index.tobytes() + hits.barycentric.tobytes()).hexdigest())
 """
-    digests = set()
-    for threads in "123":
-        environment = os.environ | {"NEARFAR_NUM_THREADS": threads}
-        command = [sys.executable, "-c", code]
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120)
-        assert done.returncode == 0, done.stderr
-        digests.add(done.stdout)
-    assert len(digests) == 1
+    assert len(printed_by_threads(code)) == 1
 
 
 def square(z: float = 0.0) -> nf.Scene:
