@@ -49,6 +49,16 @@ def _tokyo() -> str:
     )
 
 
+def _git() -> str:
+    """A source archive has no list of its files, and git refuses a checkout that belongs to somebody else."""
+    command = ["git", "-C", str(Path(__file__).parent), "ls-files", "--error-unmatch", Path(__file__).name]
+    try:
+        done = subprocess.run(command, capture_output=True, check=False)
+    except FileNotFoundError:
+        return "git is not installed"
+    return "" if done.returncode == 0 else "this is no git checkout"
+
+
 def _release() -> str:
     """A wheel of a tree without a release build would compile everything within a test."""
     folder = Path(os.environ.get("CARGO_TARGET_DIR", Path(__file__).resolve().parent.parent / "target")) / "release"
@@ -59,7 +69,8 @@ PARTS: dict[str, Callable[[], str]] = {
     "data": _data_folder,
     "embreex": _module("embreex"),
     "fork": lambda: "" if hasattr(os, "fork") else "this system cannot fork",
-    "limits": lambda: "" if sys.platform == "linux" else "this system does not limit a process's memory",
+    "git": _git,
+    "linux": lambda: "" if sys.platform == "linux" else "only Linux tells and limits a process's memory",
     "matplotlib": _module("matplotlib"),
     "notebook": lambda: _module("nbclient")() or _module("ipykernel")(),
     "pyrender": _pyrender,

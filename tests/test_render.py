@@ -256,7 +256,7 @@ def test_places_that_float32_cannot_hold_are_refused(far: float) -> None:
 
 
 def test_images_without_room_are_refused() -> None:
-    need("limits")
+    need("linux")
     code = """
 import resource
 import nearfar as nf

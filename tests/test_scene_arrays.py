@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._scene import SceneBuilder
+from support import need
 
 
 def soup(count: int, seed: int = 0) -> tuple[NDArray[np.float32], NDArray[np.uint32]]:
@@ -194,8 +195,8 @@ print((kilobytes("VmHWM") - before + size) / size)
 """
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="reads the peak from /proc")
 def test_a_scene_of_large_arrays_takes_little_memory_besides() -> None:
+    need("linux")
     done = subprocess.run([sys.executable, "-c", MEMORY], capture_output=True, text=True, check=True)
     # The promise is 1.5 times the arrays' own memory, the arrays included.
     assert float(done.stdout) < 1.5

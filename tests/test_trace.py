@@ -261,8 +261,6 @@ def test_other_types_are_refused() -> None:
 
 
 def test_control_c_stops_a_long_cast() -> None:
-    if threading.current_thread() is not threading.main_thread():
-        pytest.skip("signals reach only the main thread")
     draw = np.random.default_rng(0)
     scene = nf.Scene.from_arrays(draw.uniform(-1, 1, (60_000, 3)), np.arange(60_000).reshape(-1, 3))
     nf.cast_rays(scene, (0, 0, 0), [[0, 0, 1]])
