@@ -93,6 +93,25 @@ def test_skins_and_animations_are_reported() -> None:
     assert {"1 animation ignored", "1 skin ignored"} <= set(result.report.notes)
 
 
+def test_missing_materials_and_textures_are_reported(tmp_path: Path) -> None:
+    triangle = "usemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n"
+    (tmp_path / "a.obj").write_text(f"mtllib my red.mtl\n{triangle}")
+    result = outcome(tmp_path / "a.obj")
+    assert isinstance(result, nf.Scene)
+    assert result.report.notes == ("material file 'my red.mtl' cannot be read, drawn without it",)
+    (tmp_path / "my red.mtl").write_text("newmtl red\nKd 1 0 0\nmap_Kd missing.png\nmap_Kd text.png\n")
+    (tmp_path / "text.png").write_text("no picture")
+    result = outcome(tmp_path / "a.obj")
+    assert isinstance(result, nf.Scene)
+    words = "texture '{}' cannot be read, drawn without it"
+    assert result.report.notes == (words.format("missing.png"), words.format("text.png"))
+    Image.new("RGB", (2, 2)).save(tmp_path / "text.png")
+    (tmp_path / "my red.mtl").write_text("newmtl red\nKd 1 0 0\nmap_Kd text.png\n")
+    result = outcome(tmp_path / "a.obj")
+    assert isinstance(result, nf.Scene)
+    assert result.report.notes == ()
+
+
 def test_the_system_s_own_errors_pass_through(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError, match=r"nowhere\.glb"):
         nf.Scene.load(tmp_path / "nowhere.glb")

@@ -7,6 +7,7 @@ import gzip
 import io
 import logging
 import os
+import re
 import warnings
 import zlib
 from collections.abc import Iterator
@@ -56,6 +57,8 @@ def _read(label: str, path: Path, data: bytes) -> Source:
     if kind in ("glb", "gltf"):
         return _gltf.read(label, data, kind, resolver)
     source = _from_trimesh.read(label, _wavefront(data, resolver) if kind == "obj" else _loaded(data, kind, resolver))
+    if kind == "obj":
+        source.notes += _wavefront_losses(data, resolver)
     if len(source.nodes) == 1 and source.nodes[0].object in (path.name, "geometry_0", "geometry"):
         node = source.nodes[0]
         source.nodes = [type(node)(name, node.transform, node.shape)]
@@ -82,6 +85,28 @@ def _wavefront(data: bytes, resolver: Any) -> Any:
     except IndexError:
         # Keeping the order does not work with negative indices.
         return _loaded(data, "obj", resolver, split_objects=True)
+
+
+def _wavefront_losses(data: bytes, resolver: Any) -> list[str]:
+    """Say which material file and textures cannot be read: trimesh leaves them out in silence."""
+    from PIL import Image
+
+    def named(keyword: bytes, text: bytes) -> list[str]:
+        found = re.findall(rb"^[ \t]*" + keyword + rb"[ \t]+(.*\S)", text, re.MULTILINE | re.IGNORECASE)
+        return list(dict.fromkeys(name.decode(errors="replace") for name in found))
+
+    losses = []
+    for library in named(b"mtllib", data)[:1]:  # trimesh reads one
+        try:
+            materials = resolver.get(library)
+        except Exception:  # a resolver may raise anything, as may Pillow
+            return [f"material file '{library}' cannot be read, drawn without it"]
+        for texture in named(b"map_kd", materials):
+            try:
+                Image.open(io.BytesIO(resolver.get(texture)))
+            except Exception:
+                losses.append(f"texture '{texture}' cannot be read, drawn without it")
+    return losses
 
 
 _ARCHIVES = {"zip", "tar", "tgz", "bz2", "7z", "rar"}
