@@ -208,11 +208,6 @@ impl Partition {
         &self.counts
     }
 
-    /// True where nothing standing reaches beyond r₂: there is nothing to bake.
-    pub fn sf_is_empty(&self) -> bool {
-        self.counts.sf == 0
-    }
-
     /// Instances with faces that are drawn as geometry, in number order.
     pub fn nsf_instances(&self) -> impl Iterator<Item = (u32, Faces<'_>)> {
         let standing = self.scene.standing.instances().len();

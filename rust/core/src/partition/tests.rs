@@ -147,7 +147,7 @@ fn empty_scenes_have_empty_partitions() {
     let (nothing, progress) =
         (scene(DVec3::ZERO, vec![placed(&mesh(&[]), DAffine3::IDENTITY)], vec![]), Progress::new());
     let partition = Partition::new(&nothing, DVec3::ZERO, 0.0, 1.0, &progress).unwrap();
-    assert!(partition.sf_is_empty() && partition.nsf().next().is_none());
+    assert!(partition.counts().sf == 0 && partition.nsf().next().is_none());
     partition.validate(&progress).unwrap();
     let curve = LoadCurve::new(&nothing, DVec3::ZERO, &progress).unwrap();
     assert_eq!((curve.count(0.0), curve.radius(0)), (Ok(0), Ok(f64::INFINITY)));
