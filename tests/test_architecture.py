@@ -69,7 +69,7 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_morph": set(),
     "_partition": {"_scene"},
     "_plot": set(),
-    "_load_curve": {"_partition", "_plot", "_scene"},
+    "_load_curve": {"_plot", "_scene"},
     "_envmap": {"_exr"},
     "_trace": {"_scene"},
     "_reduce": {"_camera", "_envmap", "_frame", "_partition", "_render", "_scene"},

@@ -286,9 +286,9 @@ def test_bad_radii_and_centres_are_sentences(change: dict[str, Any], sentence: s
 
 
 def test_other_things_are_no_scenes() -> None:
-    with pytest.raises(TypeError, match="scene: expected a nearfar Scene, got str"):
+    with pytest.raises(TypeError, match="scene: expected a Scene, got str"):
         nf.partition("city.glb", center=(0, 0, 0), r1=1, r2=2)  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="scene: expected a nearfar Scene, got list"):
+    with pytest.raises(TypeError, match="scene: expected a Scene, got list"):
         nf.load_curve([], center=(0, 0, 0))  # type: ignore[arg-type]
 
 

@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _check, _core, _plot, _progress
-from nearfar._partition import _core_of
-from nearfar._scene import Scene
+from nearfar._scene import Scene, core_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -159,6 +158,6 @@ def load_curve(scene: Scene, *, center: ArrayLike) -> LoadCurve:
         For arguments of another type.
     """
     middle = _check.vector("center", center)
-    core = _core_of(scene)
+    core = core_of(scene)
     with _progress.bar("load curve") as report:
         return LoadCurve(_core.LoadCurve(core, center=middle, report=report), middle)

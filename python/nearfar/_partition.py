@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _check, _core, _progress
-from nearfar._scene import Scene
+from nearfar._scene import Scene, core_of
 
 
 def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, center: ArrayLike) -> NDArray[Any]:
@@ -161,11 +161,5 @@ def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float) -> Parti
     near, far = _check.radii(r1, r2)
     middle = _check.vector("center", center)
     with _progress.bar("partition") as report:
-        core = _core.Partition(_core_of(scene), center=middle, r1=near, r2=far, report=report)
+        core = _core.Partition(core_of(scene), center=middle, r1=near, r2=far, report=report)
     return Partition(core, middle, near, far)
-
-
-def _core_of(scene: Scene) -> _core.Scene:
-    if not isinstance(scene, Scene):
-        raise TypeError(f"scene: expected a nearfar Scene, got {type(scene).__name__}")
-    return scene._core

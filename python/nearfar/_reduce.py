@@ -13,7 +13,7 @@ from nearfar._camera import Camera
 from nearfar._envmap import EnvMap
 from nearfar._frame import CHANNELS, Frame
 from nearfar._partition import Partition, partition
-from nearfar._scene import Scene
+from nearfar._scene import Scene, core_of
 
 MORPHS = ("blend", "cylinder", "none")
 
@@ -233,8 +233,7 @@ def reduce(
     DeviceError
         For "gpu".
     """
-    if not isinstance(scene, Scene):
-        raise TypeError(f"scene: expected a Scene, got {type(scene).__name__}")
+    core_of(scene)
     _check_morph(morph, _check.choice("boundary", boundary, ("r1", "r2")))
     size = _check.integer("face_size", face_size, 1, 16384)
     samples = _check.integer("samples", samples, 1, _render.MAX_SAMPLES)

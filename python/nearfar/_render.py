@@ -8,7 +8,7 @@ from nearfar import _check, _core, _progress
 from nearfar._camera import Camera
 from nearfar._errors import DeviceError
 from nearfar._frame import CHANNELS, Frame
-from nearfar._scene import Scene
+from nearfar._scene import Scene, core_of
 
 MAX_SAMPLES = 1024
 """Most colour samples of a pixel."""
@@ -50,16 +50,15 @@ def render(
     DeviceError
         For "gpu".
     """
-    if not isinstance(scene, Scene):
-        raise TypeError(f"scene: expected a Scene, got {type(scene).__name__}")
+    core = core_of(scene)
     if not isinstance(camera, Camera):
         raise TypeError(f"camera: expected a Camera, got {type(camera).__name__}")
     samples = _check.integer("samples", samples, 1, MAX_SAMPLES)
     wanted = channel_names(channels)
     check_backend(backend)
     with _progress.bar("rendering") as report:
-        images = _core.render_truth(scene._core, camera._core, channels=wanted, samples=samples, report=report)
-    return Frame(camera, scene._core.origin, **images)
+        images = _core.render_truth(core, camera._core, channels=wanted, samples=samples, report=report)
+    return Frame(camera, core.origin, **images)
 
 
 def channel_names(channels: Iterable[str]) -> list[str]:

@@ -317,6 +317,13 @@ class Scene:
         return f"<nearfar.Scene: {self.triangle_count:,} triangles, {len(self._names):,} objects>"
 
 
+def core_of(scene: Scene) -> _core.Scene:
+    """What kernels take; TypeError for an argument that is no scene."""
+    if not isinstance(scene, Scene):
+        raise TypeError(f"scene: expected a Scene, got {type(scene).__name__}")
+    return scene._core
+
+
 class SceneBuilder(Assembly):
     """Puts a scene together from materials, meshes and their placements; loading and the datasets go through it."""
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _check, _core, _progress
-from nearfar._scene import Scene
+from nearfar._scene import Scene, core_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,8 +84,7 @@ def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max:
     Woop, Benthin, Wald (2013): Watertight ray/triangle intersection. JCGT 2(1).
     Meister, Bittner (2018): Parallel locally-ordered clustering for bounding volume hierarchy construction.
     """
-    if not isinstance(scene, Scene):
-        raise TypeError(f"scene: expected a Scene, got {type(scene).__name__}")
+    core = core_of(scene)
     rays = _check.array("directions", directions)
     starts = np.asarray(origins)
     starts = _check.array("origins", starts[None] if starts.shape == (3,) else starts)
@@ -93,5 +92,5 @@ def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max:
         raise ValueError(f"origins: expected shape (3,) or {rays.shape} as directions has, got {starts.shape}")
     limit = float(np.inf) if t_max == np.inf else _check.positive("t_max", t_max)
     with _progress.bar("casting rays") as report:
-        t_hit, triangle_index, object_id, barycentric = _core.cast_rays(scene._core, starts, rays, limit, report)
+        t_hit, triangle_index, object_id, barycentric = _core.cast_rays(core, starts, rays, limit, report)
     return Hits(t_hit, triangle_index, object_id, barycentric, starts, rays)
