@@ -19,6 +19,9 @@ ROOM = 3.0
 COMPARED = 40
 """Open places that are compared."""
 
+BLOCK = 64
+"""Candidates that are looked at together: calls cost more than their rays."""
+
 GRID = 41
 """Candidates along each side of the middle of the scene."""
 
@@ -54,14 +57,16 @@ def choose(scene: nf.Scene, source: str) -> Place:
         return Place(known, _point(ahead / np.linalg.norm(ahead)))
     eyes = _candidates(scene)
     far = min(10.0, 0.25 * float(np.hypot(*(scene.bounds[1] - scene.bounds[0])[[0, 2]] / 2.0)))
-    open_places = []
-    for eye in eyes:
-        view = np.minimum(_view(scene, eye), 10.0 * far)
-        if view.min() >= min(CLEARANCE, far / 2.0) and np.median(view) >= far and (view < 10.0 * far).mean() >= 0.25:
-            open_places.append((float(view.mean()), _point(eye)))
-        if len(open_places) == COMPARED:
+    open_places: list[tuple[float, Point]] = []
+    for block in np.split(eyes, range(BLOCK, len(eyes), BLOCK)):
+        seen = np.minimum(_views(scene, block), 10.0 * far)
+        is_free = seen.min(axis=1) >= min(CLEARANCE, far / 2.0)
+        meets = (seen < 10.0 * far).mean(axis=1) >= 0.25
+        is_open = is_free & meets & (np.median(seen, axis=1) >= far)
+        open_places += [(float(seen[n].mean()), _point(block[n])) for n in np.flatnonzero(is_open)]
+        if len(open_places) >= COMPARED:
             break
-    best = max(open_places)[1] if open_places else _point(eyes[0])
+    best = max(open_places[:COMPARED])[1] if open_places else _point(eyes[0])
     return Place(best, open_direction(scene, best))
 
 
@@ -105,8 +110,14 @@ def _ring() -> NDArray[np.float64]:
 
 
 def _view(scene: nf.Scene, eye: NDArray[np.float64]) -> NDArray[np.float64]:
-    distance = nf.cast_rays(scene, np.tile(eye, (DIRECTIONS, 1)), _ring()).t_hit
-    return np.asarray(distance, np.float64)
+    distances: NDArray[np.float64] = _views(scene, eye[None])[0]
+    return distances
+
+
+def _views(scene: nf.Scene, eyes: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Distances (N, DIRECTIONS) to what each of N eyes sees around it."""
+    origins, directions = np.repeat(eyes, DIRECTIONS, axis=0), np.tile(_ring(), (len(eyes), 1))
+    return nf.cast_rays(scene, origins, directions).t_hit.reshape(-1, DIRECTIONS).astype(np.float64)
 
 
 def _point(values: NDArray[np.float64]) -> Point:
