@@ -42,6 +42,7 @@ def test_orthographic_rays_start_on_the_image_plane() -> None:
     s, t = grid(8, 6)
     local = np.stack([-3 + 8 * s, 1 - 3 * t, np.zeros_like(s)], -1)
     origins, directions = camera.rays()
+    # A turn in float64 is a dozen roundings of numbers up to 10: 2e-15 each.
     np.testing.assert_allclose(origins, np.array([1, 2, 3]) + rotate(TURNED, local), atol=1e-14)
     np.testing.assert_allclose(
         directions, np.broadcast_to(rotate(TURNED, np.array([0.0, 0, -1])), (6, 8, 3)), atol=1e-15
@@ -122,6 +123,7 @@ def test_look_at_centres_the_target_and_keeps_up_upright(eye: tuple[float, ...],
 def test_look_at_gives_a_rotation(target: tuple[float, float, float]) -> None:
     camera = nf.Camera.look_at((0, 0, 0), target, fov=ASYMMETRIC, size=(4, 4))
     forward = np.array(target) / np.linalg.norm(target)
+    # Four roundings of numbers below 1, 1.1e-16 each, and the same again for the turn.
     np.testing.assert_allclose(rotate(camera.orientation, np.array([0.0, 0, -1])), forward, atol=1e-15)
     right = rotate(camera.orientation, np.array([1.0, 0, 0]))
     assert abs(right[1]) < 1e-15

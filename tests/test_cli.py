@@ -63,6 +63,7 @@ def test_info_says_what_a_scene_holds(city: Path, capsys: pytest.CaptureFixture[
     assert status == 0
     said = document(out, "info")
     assert said["triangles"] == 12 * 101
+    # Corners of up to 100 m in float32: half a step is 4e-6 m, and the file was written from float64.
     np.testing.assert_allclose(said["bounds"][0], [-100, -1, -100], atol=1e-4)
     status, out, _ = command(capsys, "info", "-i", city)
     assert status == 0
@@ -206,6 +207,7 @@ def test_the_chosen_place_is_open_ground(city: Path) -> None:
 
     scene = nf.Scene.load(city)
     place = _place.choose(scene, str(city))
+    # Float32 distances from the sky, 25 m up; the centimetre is what a person would not notice.
     assert place.eye[1] == pytest.approx(_place.EYE_HEIGHT, abs=0.01)
     around = _place._view(scene, np.array(place.eye))
     assert around.min() >= _place.CLEARANCE

@@ -80,6 +80,7 @@ def test_gltf_keeps_factor_texture_and_cutoff(tmp_path: Path) -> None:
     (tmp_path / "box.glb").write_bytes(with_factor(data, factor))
     shape = shape_of(tmp_path / "box.glb")
     (material,) = shape.materials
+    # The header keeps all digits; eight bits would be off by 1e-3.
     assert material.factor == pytest.approx(factor, rel=1e-12)
     assert material.cutoff == pytest.approx(0.3)
     assert material.texture is not None

@@ -116,6 +116,7 @@ def test_faces_and_corner_lists_agree() -> None:
         assert radii.dtype == dtype
         assert radii.shape == (40_000, 2)
         np.testing.assert_array_equal(radii, nf.triangle_radii(points[faces], center=center))
+        # Rounded once to float32, which is 6e-8 of it; the oracle in float64 is off by less.
         np.testing.assert_allclose(radii, numpy_radii(points[faces], center), rtol=1e-7, atol=1e-12)
         assert (radii[:, 0] <= radii[:, 1]).all()
 
@@ -137,6 +138,7 @@ def test_walls_and_slivers_are_segments() -> None:
     sliver = np.insert(along * (1 + random.integers(-2, 3, (5000, 3, 2)) * 2.0**-52), 1, 0, axis=2)
     radii = nf.triangle_radii(sliver, center=(0, 0, 0))
     corners = np.linalg.norm(sliver[..., [0, 2]], axis=2)
+    # Corners were moved by up to four steps of float64, and so may the foot of the perpendicular be.
     np.testing.assert_allclose(radii[:, 0], corners.min(1), rtol=1e-14)
 
 
@@ -399,4 +401,5 @@ def test_real_cities(city: str) -> None:
         assert curve.count(r2) == len(expected["nsf"])
     random = np.random.default_rng(0).integers(0, len(corners), 200)
     for triangle, found in zip(corners[random], radii[random], strict=True):
+        # Half a step of float32 is 6e-8 of a number.
         np.testing.assert_allclose(found, exact_radii(triangle, local), rtol=6e-8)

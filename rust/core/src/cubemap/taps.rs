@@ -128,6 +128,7 @@ mod tests {
             let mut weights = taps.weight;
             weights.sort_by(f64::total_cmp);
             for (weight, expected) in weights.into_iter().zip([0.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0]) {
+                // Barycentric weights of float64 coordinates below 1: a few tens of roundings of 1.1e-16.
                 assert!((weight - expected).abs() < 1e-14);
             }
         }
@@ -166,6 +167,7 @@ mod tests {
             };
             prop_assume!(d.abs().max_element() > 1e-9);
             let taps = Taps::new(d, size);
+            // Differences of numbers near 1, divided by half a texel of 1/40: 80 × a few roundings, and a margin of ten.
             prop_assert!((taps.weight.iter().sum::<f64>() - 1.0).abs() < 1e-12);
             prop_assert!(taps.weight.iter().all(|w| (-1e-12..=1.0 + 1e-12).contains(w)));
             prop_assert!(taps.texel.iter().all(|&t| t < 6 * size * size));
