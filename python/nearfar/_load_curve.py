@@ -156,6 +156,10 @@ def load_curve(scene: Scene, *, center: ArrayLike) -> LoadCurve:
         For a centre that is not finite.
     TypeError
         For arguments of another type.
+
+    References
+    ----------
+    Popescu, Lee, Choi, Fahmy (2022): triangles within r2 of a Manhattan, which `LoadCurve.plot` marks.
     """
     middle = _check.vector("center", center)
     core = core_of(scene)

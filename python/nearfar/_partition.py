@@ -38,6 +38,11 @@ def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, cente
         For other shapes, vertex numbers out of range, and coordinates that are not finite.
     TypeError
         For values that are not numbers.
+
+    References
+    ----------
+    Popescu, Lee, Choi, Fahmy (2022): ρ of Eq. 1, measured for triangles instead of vertices, because a large
+    triangle around the axis has all of its vertices far away.
     """
     axis = _check.vector("center", center)
     if faces is None:
@@ -157,6 +162,10 @@ def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float) -> Parti
         For radii out of order and a centre that is not finite.
     TypeError
         For arguments of another type.
+
+    References
+    ----------
+    Popescu, Lee, Choi, Fahmy (2022): near, intermediate and far region; by triangle instead of by vertex.
     """
     near, far = _check.radii(r1, r2)
     middle = _check.vector("center", center)

@@ -232,6 +232,10 @@ def reduce(
         For arguments out of their domains.
     DeviceError
         For "gpu".
+
+    References
+    ----------
+    Popescu, Lee, Choi, Fahmy (2022): Eq. 1–3 and figure 1. "cylinder" is Alg. 1 of CloVR (2024).
     """
     core_of(scene)
     _check_morph(morph, _check.choice("boundary", boundary, ("r1", "r2")))

@@ -49,6 +49,11 @@ def render(
         For arguments out of their domains.
     DeviceError
         For "gpu".
+
+    References
+    ----------
+    Rays: Woop, Benthin, Wald (2013), watertight. Textures: Williams (1983), trilinear, in linear light. Samples:
+    Hammersley (1960). The shading is nearfar's own: albedo × (sky(n) + sun · max(0, n·l)), no shadows.
     """
     core = core_of(scene)
     if not isinstance(camera, Camera):

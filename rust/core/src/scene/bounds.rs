@@ -2,6 +2,10 @@
 
 use glam::{DAffine3, DVec3, Vec3};
 
+/// Metres from the scene's origin, along each axis, that geometry may lie and rays may start at. Beyond, distances
+/// divided by small directions leave float32's range, and empty slots of the trees look as if they were hit.
+pub const REACH: f64 = 1e30;
+
 /// An axis-aligned box; empty while `min > max`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aabb {
@@ -18,6 +22,11 @@ impl Aabb {
     /// True for the box of nothing.
     pub fn is_empty(&self) -> bool {
         self.min.x > self.max.x
+    }
+
+    /// Greatest coordinate, either side of zero; 0 for the box of nothing.
+    pub fn reach(&self) -> f32 {
+        if self.is_empty() { 0.0 } else { self.min.abs().max(self.max.abs()).max_element() }
     }
 
     /// Grows to hold a point.

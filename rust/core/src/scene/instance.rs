@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use glam::{DAffine3, Vec3};
 
-use super::{Aabb, Mesh};
+use super::{Aabb, Mesh, REACH};
 use crate::base::{Error, Progress, Result};
 use crate::bvh::Tlas;
 
@@ -33,9 +33,8 @@ impl Instance {
             return Err(Error::value("transform", "a finite, invertible 4x4 matrix", to_scene));
         }
         let bounds = mesh.bounds().transformed(&to_scene);
-        let fits = bounds.is_empty() || (bounds.min.is_finite() && bounds.max.is_finite());
-        if !fits {
-            return Err(Error::value("transform", "a placement within float32's range", to_scene));
+        if bounds.reach() > REACH as f32 {
+            return Err(Error::value("transform", format!("a placement within ±{REACH:e} m"), to_scene));
         }
         Ok(Self { in_place: to_scene == DAffine3::IDENTITY, mesh, to_scene, to_object, object, bounds })
     }

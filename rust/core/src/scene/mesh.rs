@@ -5,7 +5,7 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 use glam::Vec3;
 use rayon::prelude::*;
 
-use super::{Aabb, FaceMap};
+use super::{Aabb, FaceMap, REACH};
 use crate::base::{Buffer, Error, Progress, Result};
 use crate::bvh::{Bvh, Faces};
 
@@ -77,7 +77,12 @@ impl Mesh {
                 format!("{wrong} vertices with NaN or infinity"),
             ));
         }
-        Ok(Self::unchecked(positions, faces, uvs, colors, objects, materials))
+        let mesh = Self::unchecked(positions, faces, uvs, colors, objects, materials);
+        if mesh.bounds.reach() > REACH as f32 {
+            let got = format!("{:e} m", mesh.bounds.reach());
+            return Err(Error::value("vertices", format!("coordinates within ±{REACH:e} m"), got));
+        }
+        Ok(mesh)
     }
 
     fn unchecked(

@@ -16,7 +16,7 @@ use std::sync::Arc;
 use glam::DVec3;
 use rayon::prelude::*;
 
-pub use bounds::Aabb;
+pub use bounds::{Aabb, REACH};
 pub use face_map::FaceMap;
 pub use instance::{Instance, InstanceSet};
 pub use material::{Alpha, Material, texel_density, texture_level};

@@ -19,13 +19,10 @@ use glam::Vec3;
 use crate::scene::Scene;
 use lanes::Level;
 
+pub use crate::scene::REACH;
 pub use alpha::AlphaFilter;
 pub use cast::{Hits, Points, cast};
 pub use lanes::{instruction_sets, use_instruction_set};
-
-/// Metres from the scene's origin, along each axis, that rays may start at. Beyond, distances to boxes divided by small
-/// directions leave float32's range, and empty slots of the trees look as if they were hit.
-pub const REACH: f64 = 1e30;
 
 /// A segment of a ray in scene space. The direction needs no particular length; `t` is in units of it.
 #[derive(Clone, Copy, Debug)]
