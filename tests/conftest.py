@@ -1,4 +1,4 @@
-"""Set-up of the test session."""
+"""Set-up of the tests."""
 
 from __future__ import annotations
 

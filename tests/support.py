@@ -82,7 +82,7 @@ PARTS: dict[str, Callable[[], str]] = {
 
 @functools.cache
 def missing(part: str) -> str:
-    """Why a part is missing; empty where it is there. Each part is looked for once a session."""
+    """Why a part is missing; empty where it is there. Each part is looked for once."""
     return PARTS[part]()
 
 
