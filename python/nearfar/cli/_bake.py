@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 import nearfar as nf
-from nearfar import _formats
+from nearfar import _check, _formats
 from nearfar.cli._options import (
     Center,
     FaceSize,
@@ -44,6 +44,7 @@ def bake(
     as_json: Json = False,
 ) -> None:
     """Bake what lies beyond r2 into a cube map seen from the centre."""
+    _check.radii(r1, r2)
     middle = read_point("--center", center)
     check_target(output, ".exr")
     loaded = open_scene(scene, up=up, on_invalid=on_invalid)

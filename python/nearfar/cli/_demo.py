@@ -14,7 +14,7 @@ import typer
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar import _files, _formats
+from nearfar import _check, _files, _formats
 from nearfar.cli import _report
 from nearfar.cli._options import (
     Center,
@@ -74,6 +74,7 @@ def demo(
     as_json: Json = False,
 ) -> None:
     """Make a scene light: pictures of truth, conventional and continuous, the load curve, and a report."""
+    _check.radii(r1, r2)
     clock, pixels, middle = Clock(), read_size("--size", size), read_point("--center", center)
     output.parent.mkdir(parents=True, exist_ok=True)
     with _files.atomic_folder(output, marker="report.json") as folder:

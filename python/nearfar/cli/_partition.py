@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 
 import nearfar as nf
-from nearfar import _formats
+from nearfar import _check, _formats
 from nearfar.cli._options import Center, Inner, Input, Invalid, Json, Outer, Point, Up, open_scene, read_point
 from nearfar.cli._output import check_target, count, metres, show, write_json
 from nearfar.cli._place import choose
@@ -36,6 +36,7 @@ def partition(
     as_json: Json = False,
 ) -> None:
     """Split a scene near-far and say how light it becomes, at these radii and along the load curve."""
+    _check.radii(r1, r2)
     if output:
         check_target(output, ".json")
     loaded = open_scene(scene, up=up, on_invalid=on_invalid)

@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 import nearfar as nf
-from nearfar import _formats
+from nearfar import _check, _formats
 from nearfar.cli._options import (
     Center,
     FaceSize,
@@ -64,6 +64,7 @@ def render(
     as_json: Json = False,
 ) -> None:
     """Render a scene from one eye to a PNG or EXR file."""
+    _check.radii(r1, r2)
     if method != "truth" and method not in MORPHS:
         raise ValueError(f"--method: expected truth, continuous or conventional, got {method!r}")
     pixels, aim = read_size("--size", size), read_point("--target", target)
