@@ -146,8 +146,8 @@ def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[
     rows = [["truth", f"{scene.triangle_count:,}", f"{truth.wall * 1e3:.0f}", "1.0", ""]]
     exact = nf.render(scene, camera, channels=("color",)).require("color")
     for method, morph, tolerance in [
-        ("conventional", "none", None),
-        ("blend, vertices as they are", "blend", None),
+        ("conventional", "none", 0.5),
+        ("blend, vertices as they are", "blend", np.inf),
         ("blend, edges within half a pixel", "blend", 0.5),
         ("cylinder, edges within half a pixel", "cylinder", 0.5),
     ]:

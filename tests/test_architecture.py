@@ -34,7 +34,8 @@ RUST_STAGES: dict[str, set[str]] = {
     "trace": {"base", "scene", "bvh"},
     "partition": {"base", "scene"},
     "morph": {"base"},
-    "render": {"base", "scene", "bvh", "cubemap", "camera", "trace", "morph", "partition"},
+    "bend": {"base", "morph"},
+    "render": {"base", "scene", "bvh", "cubemap", "camera", "trace", "morph", "bend", "partition"},
     "exr": {"base"},
 }
 """The order is that of lib.rs."""
@@ -67,6 +68,7 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_frame": {"_camera", "_exr"},
     "_render": {"_camera", "_frame", "_scene"},
     "_morph": set(),
+    "_bend": {"_morph"},
     "_partition": {"_scene"},
     "_plot": set(),
     "_load_curve": {"_plot", "_scene"},

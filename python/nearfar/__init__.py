@@ -1,6 +1,7 @@
 """Makes scenes too heavy for a thin VR device light enough to run on it, and says what that costs in image quality."""
 
 from nearfar import datasets
+from nearfar._bend import bend_rays, fold_margin
 from nearfar._camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._envmap import EnvMap, cube_lookup
 from nearfar._errors import DeviceError, Error, FormatError, SceneError
@@ -31,9 +32,11 @@ __all__ = [
     "Scene",
     "SceneError",
     "__version__",
+    "bend_rays",
     "cast_rays",
     "cube_lookup",
     "datasets",
+    "fold_margin",
     "load_curve",
     "morph",
     "partition",

@@ -66,12 +66,12 @@ def vector(name: str, value: ArrayLike) -> tuple[float, float, float]:
     return x, y, z
 
 
-def number(name: str, value: SupportsFloat) -> float:
-    """One finite number; ValueError or TypeError otherwise."""
+def number(name: str, value: SupportsFloat, *, finite: bool = True) -> float:
+    """One number, finite if wanted; ValueError or TypeError otherwise."""
     if isinstance(value, str | bytes | bool) or not hasattr(type(value), "__float__"):
         raise TypeError(f"{name}: expected a number, got {_what(value)}")
     result = float(value)
-    if not math.isfinite(result):
+    if finite and not math.isfinite(result):
         raise ValueError(f"{name}: expected a finite number, got {result}")
     return result
 

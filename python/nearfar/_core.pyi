@@ -155,6 +155,22 @@ def morph(
     kind: str,
 ) -> tuple[NDArray[np.float32] | NDArray[np.float64], int]: ...
 
+# bend ---------------------------------------------------------------------------------------------------------------
+def bend_rays(
+    directions: NDArray[np.float64],
+    *,
+    user: tuple[float, float, float],
+    center: tuple[float, float, float],
+    r1: float,
+    r2: float,
+    kind: str,
+    tolerance: float,
+    report: _Report | None = None,
+) -> tuple[NDArray[np.float64], int]: ...
+def fold_margin(
+    user: tuple[float, float, float], *, center: tuple[float, float, float], r1: float, r2: float, kind: str
+) -> float: ...
+
 # cubemap ------------------------------------------------------------------------------------------------------------
 def cube_lookup(faces: NDArray[Any], directions: NDArray[Any], filter: str) -> NDArray[Any]: ...  # noqa: A002
 def cube_texels(size: int, directions: NDArray[np.float64]) -> NDArray[np.uint32]: ...
@@ -205,12 +221,14 @@ class Reduced:
         *,
         channels: list[str],
         samples: int,
-        tolerance_px: float | None,
+        method: str,
+        mapped: bool,
+        tolerance_px: float,
         report: _Report | None = None,
     ) -> dict[str, NDArray[Any]]: ...
     @property
     def near_bytes(self) -> int: ...
-    def last_frame(self) -> tuple[int, int]: ...
+    def last_frame(self) -> tuple[int, int, int]: ...
 
 # exr ----------------------------------------------------------------------------------------------------------------
 _Part = tuple[str, dict[str, NDArray[Any]], dict[str, str]]

@@ -55,7 +55,7 @@ def morph(
     Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3; CloVR (2024), Alg. 1, with the brackets that its w lacks.
     """
     _check.choice("kind", kind, KINDS)
-    near, far = _radii(r1, r2, kind)
+    near, far = radii_of(r1, r2, kind)
     shown, _opposed = _core.morph(
         _check.array("points", points),
         user=_check.vector("user", user),
@@ -67,7 +67,8 @@ def morph(
     return shown
 
 
-def _radii(r1: float, r2: float, kind: str) -> tuple[float, float]:
+def radii_of(r1: float, r2: float, kind: str) -> tuple[float, float]:
+    """Radii as floats; both may be 0 for "cylinder"."""
     if kind == "cylinder" and _check.number("r1", r1) == 0.0 == _check.number("r2", r2):
         return 0.0, 0.0
     return _check.radii(r1, r2)

@@ -17,6 +17,9 @@ from nearfar._scene import Scene, core_of
 
 MORPHS = ("blend", "cylinder", "none")
 
+TOLERANCES = {"vertex": 0.5, "exact": 0.1}
+"""Pixels, for each method of rendering."""
+
 
 class ReducedScene:
     """A scene made light: near geometry that follows the user, before a map of what is far.
@@ -80,11 +83,12 @@ class ReducedScene:
             `triangles` of the scene, `near`, `intermediate`, `nsf` and `sf` as in `Partition.summary`; `drawn`, the
             triangles that a client draws, and `reduction` = triangles / drawn; `map_bytes`, `near_bytes` (copies of
             near geometry); `rays` and `ranges_computed` while baking; of the last frame `frame_triangles` (after
-            splitting; 0 where the scene's own trees were used) and `opposed_directions` (vertices that user and
-            centre see in opposite directions, which happens only outside the near cylinder).
+            splitting; 0 where the scene's own trees were used), `dynamic_triangles` (moving ones that were looked for;
+            0 where there was no pass for them) and `opposed_directions` (vertices that user and centre see in opposite
+            directions, which happens only outside the near cylinder).
         """
         counts = self._partition.summary()
-        triangles, opposed = self._core.last_frame()
+        triangles, moving, opposed = self._core.last_frame()
         drawn = counts["nsf" if self._boundary == "r2" else "nsf_at_r1"]
         return {
             **{name: counts[name] for name in ("triangles", "near", "intermediate", "nsf", "sf")},
@@ -95,6 +99,7 @@ class ReducedScene:
             "rays": self._rays,
             "ranges_computed": 0 if self._env is None or self._env.range is None else self._env.range.size,
             "frame_triangles": triangles,
+            "dynamic_triangles": moving,
             "opposed_directions": opposed,
         }
 
@@ -106,7 +111,8 @@ class ReducedScene:
         samples: int = 1,
         channels: Iterable[str] | None = None,
         method: str = "vertex",
-        tolerance_px: float | None = 0.5,
+        env: bool = True,
+        tolerance_px: float | None = None,
     ) -> Frame:
         """Render what a thin client shows to a user at the camera's position.
 
@@ -115,7 +121,8 @@ class ReducedScene:
         camera
             The user's view.
         at
-            Poses of moving objects, as in `Scene.at`. They are seen wherever they are, never in the map.
+            Poses of moving objects, as in `Scene.at`. They are seen wherever they are, never in the map; beyond the
+            near part in the direction in which the centre sees them, where nothing in the map is nearer.
         samples
             Colour samples of each pixel; all other images are taken at the pixel's centre.
         channels
@@ -123,10 +130,15 @@ class ReducedScene:
             Far pixels have the channels that were baked, the point of the map's range as position, face_id −1 and
             no normal. `range` is the displayed distance, `position` and `normal` are unmorphed.
         method
-            "vertex": the morph moves vertices, as a vertex shader would.
+            "vertex": the morph moves vertices, as a vertex shader would. "exact": every pixel shows what its bent ray
+            (`bend_rays`) meets in the unmorphed scene.
+        env
+            False for the ideal picture of the method: what is far is traced from the centre instead of taken from the
+            map, so that all channels are there.
         tolerance_px
-            By how many pixels an edge may miss its morphed curve before it is split for this frame. None morphs the
-            vertices that there are, which bends long triangles wrongly and opens breaks at both radii.
+            By how many pixels an edge may miss its morphed curve before it is split for this frame, by default 0.5;
+            infinity morphs the vertices that there are, which bends long triangles wrongly and opens breaks at both
+            radii. For "exact" how far a bent ray may miss its curve, by default 0.1.
 
         Returns
         -------
@@ -137,18 +149,27 @@ class ReducedScene:
         ------
         ValueError, TypeError
             For arguments out of their domains, for a range or object_id that was not baked, and for parallel rays where
-            there is a map, which shows what one eye sees.
+            there is a map or rays are bent, which show what one eye sees.
         """
         if not isinstance(camera, Camera):
             raise TypeError(f"camera: expected a Camera, got {type(camera).__name__}")
-        _check.choice("method", method, ("vertex",))
+        _check.choice("method", method, tuple(TOLERANCES))
         samples = _check.integer("samples", samples, 1, _render.MAX_SAMPLES)
-        tolerance = None if tolerance_px is None else _check.positive("tolerance_px", tolerance_px)
-        wanted = _render.channel_names(self._default_channels if channels is None else channels)
+        tolerance = (
+            TOLERANCES[method] if tolerance_px is None else _check.number("tolerance_px", tolerance_px, finite=False)
+        )
+        wanted = _render.channel_names(self._default_channels(env) if channels is None else channels)
         scene = self._scene if at is None else self._scene.at(at)
         with _progress.bar("rendering") as report:
             images = self._core.render(
-                scene._core, camera._core, channels=wanted, samples=samples, tolerance_px=tolerance, report=report
+                scene._core,
+                camera._core,
+                channels=wanted,
+                samples=samples,
+                method=method,
+                mapped=env,
+                tolerance_px=tolerance,
+                report=report,
             )
         return Frame(camera, scene._core.origin, **images)
 
@@ -169,9 +190,8 @@ class ReducedScene:
         zones, env = self._partition, self._env
         return ReducedScene(self._scene, zones, env, morph=morph, boundary=self._boundary, rays=self._rays)
 
-    @property
-    def _default_channels(self) -> tuple[str, ...]:
-        return _envmap.CHANNELS if self._env is None else self._env.channels
+    def _default_channels(self, env: bool) -> tuple[str, ...]:
+        return self._env.channels if env and self._env is not None else _envmap.CHANNELS
 
     def __repr__(self) -> str:
         stats = self.stats

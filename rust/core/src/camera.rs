@@ -139,6 +139,13 @@ impl Camera {
         (depth > 0.0).then(|| DVec3::new(s * f64::from(self.width), t * f64::from(self.height), depth))
     }
 
+    /// Least angle between neighbouring pixels' rays, radians: in one of the corners. For perspective views.
+    pub fn least_pixel_angle(&self) -> f64 {
+        let (rays, width, height) = (self.rays(), f64::from(self.width), f64::from(self.height));
+        let corners = [(0.0, 0.0), (width, 0.0), (0.0, height), (width, height)];
+        corners.map(|(x, y)| rays.pixel_angle(x, y)).into_iter().fold(f64::INFINITY, f64::min)
+    }
+
     /// Size of a pixel: metres for parallel rays, tangent units (metres at one metre ahead) for the others; the
     /// geometric mean of its sides.
     pub fn pixel_size(&self) -> f64 {
@@ -201,6 +208,13 @@ impl Rays {
         }
         let secant = self.longer(x, y).as_vec3().length();
         Footprint { width: 0.0, spread: size / (secant * secant.sqrt()) }
+    }
+
+    /// Least angle between neighbouring pixels' rays at image position (x, y), radians: away from the axis, where a
+    /// tangent of the angle θ grows with 1/cos² θ. For perspective views.
+    #[inline]
+    pub fn pixel_angle(&self, x: f64, y: f64) -> f64 {
+        self.pixel_size / self.longer(x, y).length_squared()
     }
 
     #[inline]

@@ -17,5 +17,6 @@ pub mod camera;
 pub mod trace;
 pub mod partition;
 pub mod morph;
+pub mod bend;
 pub mod render;
 pub mod exr;

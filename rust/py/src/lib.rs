@@ -2,6 +2,7 @@
 
 mod arrays;
 mod base;
+mod bend;
 mod camera;
 mod cubemap;
 mod errors;
@@ -25,6 +26,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     camera::register(module)?;
     partition::register(module)?;
     morph::register(module)?;
+    bend::register(module)?;
     cubemap::register(module)?;
     render::register(module)?;
     reduce::register(module)?;

@@ -15,7 +15,7 @@ enum Points<'py> {
     Double(PyReadonlyArray2<'py, f64>),
 }
 
-fn kind(name: &str) -> Result<Kind> {
+pub(crate) fn kind(name: &str) -> Result<Kind> {
     match name {
         "blend" => Ok(Kind::Blend),
         "cylinder" => Ok(Kind::Cylinder),

@@ -5,7 +5,7 @@ use nearfar_core::base::Error;
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::morph::Kind;
 use nearfar_core::render::bake::{self, Bake};
-use nearfar_core::render::reduced::{self, Drawing, Join};
+use nearfar_core::render::reduced::{self, Drawing, Join, Method};
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -83,7 +83,7 @@ impl Reduced {
     }
 
     /// Images of a view by name; `scene` is the one that was reduced, in any pose.
-    #[pyo3(signature = (scene, camera, *, channels, samples, tolerance_px, report=None))]
+    #[pyo3(signature = (scene, camera, *, channels, samples, method, mapped, tolerance_px, report=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn render<'py>(
         &self,
@@ -92,10 +92,17 @@ impl Reduced {
         camera: &Camera,
         channels: Vec<String>,
         samples: u32,
-        tolerance_px: Option<f64>,
+        method: &str,
+        mapped: bool,
+        tolerance_px: f64,
         report: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let drawing = Drawing { channels: self::channels(&channels)?, samples, tolerance_px };
+        let method = match method {
+            "vertex" => Method::Vertex,
+            "exact" => Method::Exact,
+            _ => return Err(to_python(Error::value("method", "'vertex' or 'exact'", method))),
+        };
+        let drawing = Drawing { channels: self::channels(&channels)?, samples, method, mapped, tolerance_px };
         let (scene, camera) = (&scene.0, &camera.0);
         let frame = run::long(py, report, |progress| self.0.render(scene, camera, &drawing, progress))?;
         images(py, frame, (camera.height as usize, camera.width as usize))
@@ -107,10 +114,10 @@ impl Reduced {
         self.0.near_bytes()
     }
 
-    /// Triangles that were traced for the last frame, and vertices seen in opposite directions.
-    fn last_frame(&self) -> (u64, u64) {
+    /// Triangles that were traced for the last frame, those that move, and vertices seen in opposite directions.
+    fn last_frame(&self) -> (u64, u64, u64) {
         let counts = self.0.last_frame();
-        (counts.triangles, counts.opposed)
+        (counts.triangles, counts.moving, counts.opposed)
     }
 }
 

@@ -18,7 +18,7 @@ pub(crate) use blocks::Block;
 use blocks::leaf_blocks;
 use groups::Groups;
 use wide::{Content, Slot};
-pub(crate) use wide::{LEAF, Node, WIDTH, Wide};
+pub(crate) use wide::{LEAF, NO_CHILD, Node, WIDTH, Wide};
 
 /// A tree over the triangles of one mesh.
 pub struct Bvh {

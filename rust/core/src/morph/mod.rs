@@ -78,6 +78,7 @@ impl Morph {
     }
 
     /// The weight w of the user's view at distance ρ from the axis.
+    #[inline]
     pub fn weight(&self, rho: f64) -> f64 {
         if self.r2 == 0.0 {
             return 0.0;

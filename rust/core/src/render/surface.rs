@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use super::shade::irradiance;
+use crate::camera::Footprint;
 use crate::scene::Scene;
 use crate::trace::{Hit, Ray};
 
@@ -71,6 +72,36 @@ impl Facet {
             doubled_area: self.doubled_area,
         }
     }
+}
+
+/// Adds the colours of surfaces along neighbouring rays to their sums; `missed` is what a ray sees that met nothing.
+pub(super) fn add_colors(
+    scene: &Scene,
+    rays: &[Ray],
+    hits: &[Hit],
+    footprint: impl Fn(usize) -> Footprint,
+    missed: impl Fn(usize) -> [f32; 3],
+    sums: &mut [[f32; 3]],
+) {
+    let mut last: Option<Facet> = None;
+    for (n, (ray, hit)) in rays.iter().zip(hits).enumerate() {
+        if hit.is_miss() {
+            add(&mut sums[n], missed(n));
+            continue;
+        }
+        let facet = match last {
+            Some(facet) if facet.holds(hit) => facet,
+            _ => *last.insert(Facet::new(scene, hit.instance, hit.face)),
+        };
+        let surface = facet.surface((hit.u, hit.v), ray.direction);
+        add(&mut sums[n], surface.color(scene, footprint(n).at(hit.t)));
+    }
+}
+
+/// Adds a colour to a sum.
+#[inline]
+pub(super) fn add(sum: &mut [f32; 3], color: [f32; 3]) {
+    (0..3).for_each(|i| sum[i] += color[i]);
 }
 
 impl Surface {

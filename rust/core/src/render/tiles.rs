@@ -7,21 +7,22 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::frame::{Band, Channels, Frame, Sample};
+use super::surface::add;
 use crate::base::{Error, Progress, Result};
 use crate::camera::{Camera, Footprint, Rays};
 use crate::trace::{Hit, REACH, Ray};
 
 /// Pixels on a tile's side: 64 neighbouring rays.
-const TILE: usize = 8;
-const PIXELS: usize = TILE * TILE;
+pub(super) const TILE: usize = 8;
+pub(super) const PIXELS: usize = TILE * TILE;
 
 /// Most colour samples of a pixel.
 pub const MAX_SAMPLES: u32 = 1024;
 
 /// What is seen along rays.
 pub trait Picture: Sync {
-    /// Traces coherent rays; it may shorten them first (`t_min`, `t_max`). Directions are unit.
-    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit]);
+    /// Traces a tile's coherent rays; it may shorten them first (`t_min`, `t_max`). Directions are unit.
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>);
 
     /// Linear RGB seen along a traced ray, hit or miss.
     fn color(&self, ray: &Ray, hit: &Hit, footprint: Footprint) -> [f32; 3];
@@ -35,6 +36,27 @@ pub trait Picture: Sync {
 
     /// The other channels along a traced ray, hit or miss; those that are not wanted may be left at their defaults.
     fn sample(&self, ray: &Ray, hit: &Hit, wanted: Channels) -> Sample;
+}
+
+/// Where a tile's rays pass through the image.
+pub struct Spots<'a> {
+    tile: &'a Tile,
+    offset: [f64; 2],
+}
+
+impl Spots<'_> {
+    /// Column and row of the tile among the image's tiles of `TILE` pixels a side.
+    pub(super) fn tile(&self) -> (usize, usize) {
+        (self.tile.first_column / TILE, self.tile.first_row / TILE)
+    }
+
+    /// Place of the nth ray in the tile, as shares of its full width and height.
+    #[inline]
+    pub(super) fn within(&self, n: usize) -> [f32; 2] {
+        let (column, row) = (n % self.tile.columns, n / self.tile.columns);
+        let share = |pixel: usize, offset: f64| ((pixel as f64 + offset) / TILE as f64) as f32;
+        [share(column, self.offset[0]), share(row, self.offset[1])]
+    }
 }
 
 /// A view to be drawn.
@@ -180,14 +202,8 @@ impl<P: Picture> Painter<'_, P> {
                 t_max: f32::INFINITY,
             };
         }
-        self.picture.trace(rays, hits);
+        self.picture.trace(rays, hits, &Spots { tile, offset });
     }
-}
-
-/// Adds a colour to a sum.
-#[inline]
-pub(super) fn add(sum: &mut [f32; 3], color: [f32; 3]) {
-    (0..3).for_each(|i| sum[i] += color[i]);
 }
 
 #[inline]

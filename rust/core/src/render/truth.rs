@@ -2,8 +2,8 @@
 
 use super::frame::{Channels, Frame, Sample};
 use super::shade::background;
-use super::surface::{Facet, Surface};
-use super::tiles::{Picture, View, add, draw};
+use super::surface::{Surface, add_colors};
+use super::tiles::{Picture, Spots, View, draw};
 use crate::base::{Progress, Result};
 use crate::camera::{Camera, Footprint};
 use crate::scene::Scene;
@@ -29,7 +29,7 @@ pub struct Truth<'a, F> {
 }
 
 impl<F: Filter> Picture for Truth<'_, F> {
-    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit]) {
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
         closest_hits(self.scene, rays, &self.filter, hits);
     }
 
@@ -41,19 +41,8 @@ impl<F: Filter> Picture for Truth<'_, F> {
     }
 
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
-        let mut last: Option<Facet> = None;
-        for (n, (ray, hit)) in rays.iter().zip(hits).enumerate() {
-            if hit.is_miss() {
-                add(&mut sums[n], background(ray.direction));
-                continue;
-            }
-            let facet = match last {
-                Some(facet) if facet.holds(hit) => facet,
-                _ => *last.insert(Facet::new(self.scene, hit.instance, hit.face)),
-            };
-            let surface = facet.surface((hit.u, hit.v), ray.direction);
-            add(&mut sums[n], surface.color(self.scene, footprint(n).at(hit.t)));
-        }
+        let missed = |n: usize| background(rays[n].direction);
+        add_colors(self.scene, rays, hits, footprint, missed, sums);
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, wanted: Channels) -> Sample {

@@ -20,7 +20,7 @@ pub(crate) struct Quest<'a, F> {
     pub(crate) filter: &'a F,
 }
 
-/// Room for a packet in the frame of a placed instance.
+/// Room for a packet in the frame of a placed instance, made where the first one is met.
 pub(crate) struct Room {
     packet: Packet,
     rays: Vec<Ray>,
@@ -41,7 +41,7 @@ pub(crate) fn walk_set<I: Isa, F: Filter>(
     first: u32,
     quest: &Quest<'_, F>,
     packet: &mut Packet,
-    room: &mut Room,
+    room: &mut Option<Box<Room>>,
 ) {
     let Some(tlas) = set.tlas() else { return };
     if let [instance] = set.instances()
@@ -65,7 +65,7 @@ struct Instances<'a, F> {
     instances: &'a [Instance],
     first: u32,
     quest: &'a Quest<'a, F>,
-    room: &'a mut Room,
+    room: &'a mut Option<Box<Room>>,
 }
 
 impl<I: Isa, F: Filter> Leaves<I> for Instances<'_, F> {
@@ -78,7 +78,7 @@ impl<I: Isa, F: Filter> Leaves<I> for Instances<'_, F> {
             walk(isa, &bvh.wide, packet, &mut Triangles { bvh, instance: number, quest: self.quest });
             return true;
         }
-        let room = &mut *self.room;
+        let room = self.room.get_or_insert_with(|| Box::new(Room::new()));
         room.members.clear();
         room.rays.clear();
         for at in (0..packet.count).step_by(I::Group::N) {
@@ -109,7 +109,7 @@ impl<F: Filter> Instances<'_, F> {
     /// Traces the rays that `room` holds through a placed instance, side by side if they still make a beam.
     #[inline(always)]
     fn enter_instance<I: Isa>(&mut self, isa: I, bvh: &Bvh, number: u32, packet: &mut Packet) {
-        let room = &mut *self.room;
+        let Some(room) = self.room.as_deref_mut() else { return };
         let quest = self.quest;
         if room.members.len() >= FEW && room.packet.fill(isa, &room.rays, &bvh.bounds) {
             let mut scene_rays = [quest.rays[0]; RAYS];

@@ -1,6 +1,6 @@
 //! Chooses the kernels for the instruction set.
 
-use super::beam::{self, Quest, Room};
+use super::beam::{self, Quest};
 #[cfg(target_arch = "x86_64")]
 use super::lanes::{Avx2, Avx512};
 use super::lanes::{Isa, Level};
@@ -46,7 +46,7 @@ fn closest<I: Isa, F: Filter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, h
     if rays.len() < LEAST_PACKET {
         return one_by_one(isa, scene, rays, filter, hits);
     }
-    let (mut packet, mut room) = (Packet::new(), Room::new());
+    let (mut packet, mut room) = (Packet::new(), None);
     for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
         let quest = Quest { rays, filter };
         packet.clear();

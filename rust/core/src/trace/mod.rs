@@ -6,6 +6,7 @@ mod cast;
 mod dispatch;
 mod lanes;
 mod packet;
+mod region;
 mod single;
 mod slab;
 #[cfg(test)]
@@ -23,6 +24,7 @@ pub use crate::scene::REACH;
 pub use alpha::AlphaFilter;
 pub use cast::{Hits, Points, cast};
 pub use lanes::{instruction_sets, use_instruction_set};
+pub use region::touches;
 
 /// A segment of a ray in scene space. The direction needs no particular length; `t` is in units of it.
 #[derive(Clone, Copy, Debug)]

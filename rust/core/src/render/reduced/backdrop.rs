@@ -1,55 +1,115 @@
-//! What is seen where no near geometry is: the environment map, or the sky where nothing is far.
+//! What is seen where no near geometry is: the environment map; or, for the ideal picture, what a ray from the centre
+//! meets; or the sky where nothing is far.
 
 use glam::{DVec3, Vec3};
 
 use super::super::frame::Sample;
 use super::super::shade::background;
 use super::super::surface::Surface;
+use crate::camera::Footprint;
 use crate::cubemap::EnvironmentMap;
 use crate::morph::Morph;
 use crate::scene::Scene;
-use crate::trace::Ray;
+use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hit};
 
 /// Share of its range by which a fragment may lie behind the map before it counts as hidden: the error of a half float,
 /// and of a range that was taken half a texel away on a surface at 45 degrees in a map of 512 texels.
 const BIAS: f32 = 4e-3;
 
+/// Where the far part comes from.
+#[derive(Clone, Copy)]
+pub(super) enum Far<'a> {
+    /// Nothing lies beyond the near part.
+    Nothing,
+    /// Its picture from the centre.
+    Map(&'a EnvironmentMap),
+    /// The standing scene itself, beyond a radius, along rays from the centre.
+    Traced(&'a Scene, f64),
+}
+
 #[derive(Clone, Copy)]
 pub(super) struct Backdrop<'a> {
-    pub map: Option<&'a EnvironmentMap>,
+    pub far: Far<'a>,
     /// The centre O, relative to the scene's origin.
     pub center: DVec3,
-    /// How far away the user is shown what the map holds; without one, as far as it is from O.
+    /// How far away the user is shown what lies in the far part; without one, as far as it is from O.
     pub morph: Option<Morph>,
 }
 
 impl Backdrop<'_> {
-    pub fn color(&self, direction: Vec3) -> [f32; 3] {
-        self.map.map_or_else(|| background(direction), |map| map.color(direction))
+    pub fn color(&self, direction: Vec3, footprint: Footprint) -> [f32; 3] {
+        match self.far {
+            Far::Nothing => background(direction),
+            Far::Map(map) => map.color(direction),
+            Far::Traced(scene, radius) => {
+                let (ray, hit) = self.cast(scene, radius, direction);
+                if hit.is_miss() {
+                    return background(direction);
+                }
+                Surface::of_hit(scene, &ray, &hit).color(scene, footprint.at(hit.t))
+            }
+        }
     }
 
     /// Channels of a far pixel. The map shows what O sees in this direction, so that with a range its point is known.
     pub fn sample(&self, direction: Vec3) -> Sample {
-        let Some(map) = self.map else { return Sample::default() };
-        let (range, object_id) = map.surface(direction);
-        let mut sample = Sample { range: self.displayed(direction, range), object_id, ..Sample::default() };
-        if range.is_finite() {
-            sample.position = (self.center + direction.as_dvec3() * f64::from(range)).as_vec3().to_array();
+        match self.far {
+            Far::Nothing => Sample::default(),
+            Far::Map(map) => {
+                let (range, object_id) = map.surface(direction);
+                let mut sample = Sample { range: self.displayed(direction, range), object_id, ..Sample::default() };
+                if range.is_finite() {
+                    sample.position = (self.center + direction.as_dvec3() * f64::from(range)).as_vec3().to_array();
+                }
+                sample
+            }
+            Far::Traced(scene, radius) => {
+                let (ray, hit) = self.cast(scene, radius, direction);
+                if hit.is_miss() {
+                    return Sample::default();
+                }
+                sample_of(&Surface::of_hit(scene, &ray, &hit), scene, self.displayed(direction, hit.t))
+            }
         }
-        sample
     }
 
-    /// Ends a ray where the map hides all that is farther; without ranges it hides nothing.
-    pub fn shorten(&self, ray: &mut Ray) {
-        if let Some(map) = self.map.filter(|map| map.range.is_some()) {
-            let hidden_beyond = self.displayed(ray.direction, map.farthest(ray.direction));
-            ray.t_max = ray.t_max.min(hidden_beyond * (1.0 + BIAS));
+    /// How far away something beyond the near part may be shown before what is far hides it. What lies within the near
+    /// part comes before all that is far, along its bent ray, and is not tested.
+    pub fn hides_beyond(&self, direction: Vec3) -> f32 {
+        self.displayed(direction, self.range_limit(direction))
+    }
+
+    /// The same as a distance from O. Maps without ranges hide nothing.
+    pub fn range_limit(&self, direction: Vec3) -> f32 {
+        match self.far {
+            Far::Map(map) if map.range.is_some() => map.farthest(direction) * (1.0 + BIAS),
+            Far::Traced(scene, radius) => self.cast(scene, radius, direction).1.t,
+            _ => f32::INFINITY,
         }
     }
 
     /// |Q−U| of what O sees at a range.
-    fn displayed(&self, direction: Vec3, range: f32) -> f32 {
+    pub fn displayed(&self, direction: Vec3, range: f32) -> f32 {
         self.morph.map_or(range, |morph| morph.far_distance(direction.as_dvec3(), f64::from(range)) as f32)
+    }
+
+    /// A ray from the centre that starts where it leaves the near part.
+    pub fn ray(&self, radius: f64, direction: Vec3) -> Ray {
+        let slope = f64::from(direction.x).hypot(f64::from(direction.z));
+        Ray { origin: self.center.as_vec3(), direction, t_min: (radius / slope) as f32, t_max: f32::INFINITY }
+    }
+
+    fn cast(&self, scene: &Scene, radius: f64, direction: Vec3) -> (Ray, Hit) {
+        let ray = self.ray(radius, direction);
+        if !ray.t_min.is_finite() {
+            return (ray, Hit::MISS);
+        }
+        let hit = if scene.has_cutouts() {
+            closest_hit(scene, &ray, &AlphaFilter { scene, inner: All })
+        } else {
+            closest_hit(scene, &ray, &All)
+        };
+        (ray, hit)
     }
 }
 

@@ -1,11 +1,9 @@
 //! Morphed near geometry before the map. Pixels are split: a standing fragment is drawn where its unmorphed point lies
-//! within r₂, whatever its triangle reaches.
-
-use glam::DVec3;
+//! within r₂, whatever its triangle reaches, and a moving one beyond r₂ where nothing far hides it.
 
 use super::super::frame::{Channels, Sample};
 use super::super::surface::Surface;
-use super::super::tiles::Picture;
+use super::super::tiles::{Picture, Spots};
 use super::backdrop::{Backdrop, sample_of};
 use super::shown::Shown;
 use crate::camera::Footprint;
@@ -16,8 +14,6 @@ pub(super) struct Bent<'a> {
     pub scene: &'a Scene,
     pub shown: Shown,
     pub backdrop: Backdrop<'a>,
-    /// The centre O, relative to the scene's origin.
-    pub center: DVec3,
     pub radius: f64,
 }
 
@@ -29,14 +25,18 @@ struct Split<'a> {
 
 impl Filter for Split<'_> {
     #[inline]
-    fn accepts(&self, _ray: &Ray, candidate: &Hit) -> bool {
-        let Bent { scene, shown, center, radius, .. } = self.bent;
+    fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
+        let Bent { scene, shown, backdrop, radius } = self.bent;
         let piece = shown.piece(candidate.instance, candidate.face);
         let (u, v) = piece.on_face(candidate.u, candidate.v);
-        if !Shown::is_fixed(candidate.instance) && piece.instance < self.standing {
+        if !Shown::is_fixed(candidate.instance) {
             let [a, b, c] = scene.instance(piece.instance).corners(piece.face).map(|corner| corner.as_dvec3());
-            let from_axis = a + (b - a) * f64::from(u) + (c - a) * f64::from(v) - *center;
-            if from_axis.x.hypot(from_axis.z) > *radius {
+            let point = a + (b - a) * f64::from(u) + (c - a) * f64::from(v);
+            let stands = piece.instance < self.standing;
+            let from_axis = point - backdrop.center;
+            if from_axis.x.hypot(from_axis.z) > *radius
+                && (stands || candidate.t > backdrop.hides_beyond(ray.direction))
+            {
                 return false;
             }
         }
@@ -53,8 +53,7 @@ impl Bent<'_> {
 }
 
 impl Picture for Bent<'_> {
-    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit]) {
-        rays.iter_mut().for_each(|ray| self.backdrop.shorten(ray));
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
         let standing = self.scene.standing.instances().len() as u32;
         let split = Split { bent: self, standing, cutouts: self.scene.has_cutouts() };
         closest_hits(&self.shown.scene, rays, &split, hits);
@@ -62,7 +61,7 @@ impl Picture for Bent<'_> {
 
     fn color(&self, ray: &Ray, hit: &Hit, footprint: Footprint) -> [f32; 3] {
         if hit.is_miss() {
-            return self.backdrop.color(ray.direction);
+            return self.backdrop.color(ray.direction, footprint);
         }
         self.surface(ray, hit).color(self.scene, footprint.at(hit.t))
     }

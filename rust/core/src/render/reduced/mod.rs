@@ -2,6 +2,9 @@
 
 mod backdrop;
 mod bent;
+mod exact;
+mod lattice;
+mod moving;
 mod shown;
 mod split;
 mod straight;
@@ -20,7 +23,7 @@ use crate::morph::{Kind, Morph};
 use crate::partition::Partition;
 use crate::scene::Scene;
 
-use backdrop::Backdrop;
+use backdrop::{Backdrop, Far};
 use shown::NearGeometry;
 
 /// How near and far part are joined.
@@ -35,6 +38,25 @@ pub enum Join {
     },
 }
 
+impl Join {
+    /// How points are morphed, if they are.
+    fn kind(self) -> Option<Kind> {
+        match self {
+            Self::Morph(kind) => Some(kind),
+            Self::Conventional { .. } => None,
+        }
+    }
+}
+
+/// How the morph is applied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// To vertices, as a vertex shader would.
+    Vertex,
+    /// To rays: every pixel shows what its bent ray meets.
+    Exact,
+}
+
 /// How a reduced scene is drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct Drawing {
@@ -42,9 +64,13 @@ pub struct Drawing {
     pub channels: Channels,
     /// Colour samples of each pixel.
     pub samples: u32,
-    /// By how many pixels of this view a straight edge may miss the bent one: longer edges are split for the frame.
-    /// None morphs the vertices that there are.
-    pub tolerance_px: Option<f64>,
+    /// How the morph is applied.
+    pub method: Method,
+    /// True for the map as it was baked; false for the ideal picture, whose far part is traced from the centre.
+    pub mapped: bool,
+    /// By how many pixels of this view a straight edge may miss the bent one (longer edges are split for the frame;
+    /// infinite morphs the vertices that there are), or a ray its bent one.
+    pub tolerance_px: f64,
 }
 
 /// A scene divided at two radii about a centre, with what surrounds it.
@@ -56,7 +82,7 @@ pub struct Reduced {
     join: Join,
     map: Option<EnvironmentMap>,
     near: NearGeometry,
-    last: [AtomicU64; 2],
+    last: [AtomicU64; 3],
 }
 
 /// What the last frame took.
@@ -64,6 +90,8 @@ pub struct Reduced {
 pub struct FrameCounts {
     /// Triangles that were traced instead of the whole scene, after splitting; 0 where the scene's own trees were used.
     pub triangles: u64,
+    /// Moving triangles that were looked for; 0 where there was no pass for them.
+    pub moving: u64,
     /// Vertices that user and centre see in opposite directions.
     pub opposed: u64,
 }
@@ -88,8 +116,8 @@ impl Reduced {
 
     /// What the last frame took.
     pub fn last_frame(&self) -> FrameCounts {
-        let [triangles, opposed] = [0, 1].map(|i| self.last[i].load(Ordering::Relaxed));
-        FrameCounts { triangles, opposed }
+        let [triangles, moving, opposed] = [0, 1, 2].map(|i| self.last[i].load(Ordering::Relaxed));
+        FrameCounts { triangles, moving, opposed }
     }
 
     /// Draws a view from the user's position, the camera's. `scene` is the reduced one, its moving objects in any pose.
@@ -97,34 +125,63 @@ impl Reduced {
         if !Arc::ptr_eq(&scene.standing, &self.standing.standing) {
             return Err(Error::value("at", "poses of the scene that was reduced", "another scene"));
         }
-        self.check_channels(drawing.channels)?;
-        if self.map.is_some() && camera.is_parallel() {
-            let expected = "a perspective view or a cube face, because a map shows what one eye sees";
-            return Err(Error::value("camera", expected, "parallel rays"));
-        }
-        if drawing.tolerance_px.is_some_and(|pixels| pixels.is_nan() || pixels <= 0.0) {
-            return Err(Error::value("tolerance_px", "a number above 0", drawing.tolerance_px.unwrap_or_default()));
-        }
+        self.check(camera, drawing)?;
         let view = View { camera, origin: scene.origin, channels: drawing.channels, samples: drawing.samples };
         check_reach("position", camera.position - scene.origin)?;
         let center = self.center - scene.origin;
-        let backdrop = Backdrop { map: self.map.as_ref(), center, morph: None };
-        match self.join {
-            Join::Morph(kind) if camera.position != self.center => {
-                let [r1, r2] = self.radii;
-                let morph = Morph::new(camera.position - scene.origin, center, r1, r2, kind)?;
-                let tolerance = drawing.tolerance_px.map(|pixels| pixels * self.pixel_angle(camera));
-                let shown = self.near.morphed(scene, &morph, tolerance, progress)?;
-                self.remember(shown.triangle_count(), shown.opposed);
-                let backdrop = Backdrop { morph: Some(morph), ..backdrop };
-                draw(&view, &bent::Bent { scene, shown, backdrop, center, radius: r2 }, progress)
-            }
-            join => {
-                let radius = if let Join::Conventional { radius } = join { radius } else { self.radii[1] };
-                self.remember(0, 0);
-                draw(&view, &straight::Straight::new(&self.standing, scene, backdrop, radius, progress)?, progress)
+        let [r1, r2] = self.radii;
+        let radius = if let Join::Conventional { radius } = self.join { radius } else { r2 };
+        let backdrop = Backdrop { far: self.far(drawing.mapped, radius, progress)?, center, morph: None };
+        let Some(kind) = self.join.kind().filter(|_| camera.position != self.center) else {
+            let picture = straight::Straight::new(scene, backdrop, radius, progress)?;
+            self.remember(FrameCounts { moving: picture.moving_triangles(), ..FrameCounts::default() });
+            return draw(&view, &picture, progress);
+        };
+        let morph = Morph::new(camera.position - scene.origin, center, r1, r2, kind)?;
+        let backdrop = Backdrop { morph: Some(morph), ..backdrop };
+        let tolerance = drawing.tolerance_px * self.pixel_angle(camera);
+        if drawing.method == Method::Exact {
+            let picture = exact::Exact::new(scene, camera, morph, backdrop, drawing.tolerance_px, progress)?;
+            self.remember(FrameCounts { moving: picture.moving_triangles(), ..FrameCounts::default() });
+            return draw(&view, &picture, progress);
+        }
+        let shown = self.near.morphed(scene, &morph, tolerance.is_finite().then_some(tolerance), progress)?;
+        self.remember(FrameCounts {
+            triangles: shown.triangle_count(),
+            moving: shown.moving_triangles(),
+            opposed: shown.opposed,
+        });
+        draw(&view, &bent::Bent { scene, shown, backdrop, radius: r2 }, progress)
+    }
+
+    /// What lies beyond the near part: nothing where nothing was baked.
+    fn far(&self, mapped: bool, radius: f64, progress: &Progress) -> Result<Far<'_>> {
+        match &self.map {
+            None => Ok(Far::Nothing),
+            Some(map) if mapped => Ok(Far::Map(map)),
+            Some(_) => {
+                self.standing.build(progress)?;
+                Ok(Far::Traced(&self.standing, radius))
             }
         }
+    }
+
+    fn check(&self, camera: &Camera, drawing: &Drawing) -> Result<()> {
+        if drawing.mapped {
+            self.check_channels(drawing.channels)?;
+        }
+        let bends = drawing.method == Method::Exact && self.join.kind().is_some();
+        if camera.is_parallel() && (self.map.is_some() || bends) {
+            let expected = "a perspective view or a cube face, because a map and bent rays show what one eye sees";
+            return Err(Error::value("camera", expected, "parallel rays"));
+        }
+        if drawing.tolerance_px.is_nan() || drawing.tolerance_px <= 0.0 {
+            return Err(Error::value("tolerance_px", "a number above 0", drawing.tolerance_px));
+        }
+        if bends && drawing.tolerance_px.is_infinite() {
+            return Err(Error::value("tolerance_px", "a finite number of pixels for bent rays", "infinity"));
+        }
+        Ok(())
     }
 
     /// Radians that a pixel covers: in the middle of the image, for parallel rays as seen from r₂ away.
@@ -132,9 +189,11 @@ impl Reduced {
         camera.pixel_size() / if camera.is_parallel() { self.radii[1] } else { 1.0 }
     }
 
-    fn remember(&self, triangles: u64, opposed: u64) {
-        self.last[0].store(triangles, Ordering::Relaxed);
-        self.last[1].store(opposed, Ordering::Relaxed);
+    fn remember(&self, counts: FrameCounts) {
+        let FrameCounts { triangles, moving, opposed } = counts;
+        for (slot, count) in self.last.iter().zip([triangles, moving, opposed]) {
+            slot.store(count, Ordering::Relaxed);
+        }
     }
 
     /// Far pixels have the channels that were baked.

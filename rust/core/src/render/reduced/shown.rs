@@ -1,6 +1,6 @@
 //! Near geometry as triangles to be traced: those that never change, and those that are morphed for each frame.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use glam::{DAffine3, DVec3, Vec3};
 use rayon::prelude::*;
@@ -40,6 +40,17 @@ struct Part {
     instance: Instance,
 }
 
+/// Geometry as one user sees it.
+#[derive(Clone, Debug)]
+struct Bending {
+    part: Part,
+    /// Vertices that user and centre see in opposite directions.
+    opposed: u64,
+}
+
+/// What the morphed standing part follows from: the user's position and the tolerance.
+type Cause = (DVec3, Option<f64>);
+
 /// Near geometry of a reduced scene.
 #[derive(Debug, Default)]
 pub(super) struct NearGeometry {
@@ -47,13 +58,15 @@ pub(super) struct NearGeometry {
     fixed: Option<Part>,
     /// The other standing ones: instance and face.
     bending: Vec<(u32, u32)>,
+    /// The last of them, because a user who stands still sees other poses of what moves.
+    last: Mutex<Option<(Cause, Bending)>>,
 }
 
 /// Near geometry as one user sees it.
 pub(super) struct Shown {
-    /// Instance 0 holds the fixed pieces, instance 1 the morphed ones.
+    /// Instance 0 holds the fixed pieces, instance 1 the morphed ones that stand, instance 2 those that move.
     pub scene: Scene,
-    pieces: [Arc<Vec<Piece>>; 2],
+    pieces: [Arc<Vec<Piece>>; 3],
     /// Vertices that user and centre see in opposite directions.
     pub opposed: u64,
 }
@@ -75,7 +88,7 @@ impl NearGeometry {
         let corners = |piece: &Piece| scene.instance(piece.instance).corners(piece.face);
         let fixed = Part::new(pieces, corners)?;
         fixed.instance.mesh.build_bvh(progress)?;
-        Ok(Self { fixed: Some(fixed), bending })
+        Ok(Self { fixed: Some(fixed), bending, last: Mutex::default() })
     }
 
     /// Bytes of the copies.
@@ -84,21 +97,60 @@ impl NearGeometry {
         fixed + size_of_val(&self.bending[..])
     }
 
-    /// What a user sees of it, and of everything that moves.
+    /// What a user sees of it, and of everything that moves. Only what moves is done anew for a user who stands still.
     pub fn morphed(&self, scene: &Scene, morph: &Morph, tolerance: Option<f64>, progress: &Progress) -> Result<Shown> {
-        let standing = scene.standing.instances().len();
-        let moving = scene.moving.instances().iter().enumerate().flat_map(|(number, instance)| {
-            (0..instance.mesh.faces.len() as u32).map(move |face| ((standing + number) as u32, face))
+        let standing = self.standing(scene, morph, tolerance, progress)?;
+        let first = scene.standing.instances().len();
+        let faces = scene.moving.instances().iter().enumerate().flat_map(|(number, instance)| {
+            (0..instance.mesh.faces.len() as u32).map(move |face| ((first + number) as u32, face))
         });
-        let sources: Vec<(u32, u32)> = self.bending.iter().copied().chain(moving).collect();
+        let moving = Bending::new(faces.collect(), true, scene, morph, tolerance, progress)?;
+        let fixed = match &self.fixed {
+            Some(fixed) => fixed.clone(),
+            None => Part::new(Vec::new(), |_| Default::default())?,
+        };
+        let parts = [fixed, standing.part, moving.part];
+        let instances = parts.iter().map(|part| part.instance.clone()).collect();
+        let scene = Scene::new(scene.origin, instances, Vec::new(), Arc::default(), Arc::default())?;
+        scene.build(progress)?;
+        Ok(Shown { scene, pieces: parts.map(|part| part.pieces), opposed: standing.opposed + moving.opposed })
+    }
+
+    fn standing(&self, scene: &Scene, morph: &Morph, tolerance: Option<f64>, progress: &Progress) -> Result<Bending> {
+        let cause = (morph.user, tolerance);
+        if let Some((known, bending)) = &*self.last()
+            && *known == cause
+        {
+            return Ok(bending.clone());
+        }
+        let bending = Bending::new(self.bending.clone(), false, scene, morph, tolerance, progress)?;
+        bending.part.instance.mesh.build_bvh(progress)?;
+        *self.last() = Some((cause, bending.clone()));
+        Ok(bending)
+    }
+
+    /// Never held while work is shared out: a thread that waits for its share may take up another frame.
+    fn last(&self) -> MutexGuard<'_, Option<(Cause, Bending)>> {
+        self.last.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Bending {
+    fn new(
+        sources: Vec<(u32, u32)>,
+        moving: bool,
+        scene: &Scene,
+        morph: &Morph,
+        tolerance: Option<f64>,
+        progress: &Progress,
+    ) -> Result<Self> {
         progress.check()?;
         let splitter = Splitter::new(morph, tolerance);
         let triangles: Vec<(Piece, [DVec3; 3])> = sources
             .into_par_iter()
             .flat_map_iter(|(instance, face)| {
                 let corners = scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
-                let whole = Triangle { corners, weights: WHOLE };
-                let pieces = splitter.split(whole, instance as usize >= standing);
+                let pieces = splitter.split(Triangle { corners, weights: WHOLE }, moving);
                 pieces.into_iter().map(move |piece| (Piece { instance, face, corners: piece.weights }, piece.corners))
             })
             .collect();
@@ -111,15 +163,7 @@ impl NearGeometry {
         let opposed = corners.iter().flatten().map(|(_, opposed)| opposed).sum();
         let mut shown = corners.into_iter().map(|corners| corners.map(|(point, _)| point));
         let pieces = triangles.into_iter().map(|(piece, _)| piece).collect();
-        let bent = Part::new(pieces, |_| shown.next().unwrap_or_default())?;
-        let fixed = match &self.fixed {
-            Some(fixed) => fixed.clone(),
-            None => Part::new(Vec::new(), |_| Default::default())?,
-        };
-        let instances = vec![fixed.instance, bent.instance];
-        let scene = Scene::new(scene.origin, instances, Vec::new(), Arc::default(), Arc::default())?;
-        scene.build(progress)?;
-        Ok(Shown { scene, pieces: [fixed.pieces, bent.pieces], opposed })
+        Ok(Self { part: Part::new(pieces, |_| shown.next().unwrap_or_default())?, opposed })
     }
 }
 
@@ -150,5 +194,10 @@ impl Shown {
     /// Triangles that are traced.
     pub fn triangle_count(&self) -> u64 {
         self.pieces.iter().map(|pieces| pieces.len() as u64).sum()
+    }
+
+    /// Those of them that move.
+    pub fn moving_triangles(&self) -> u64 {
+        self.pieces[2].len() as u64
     }
 }

@@ -1,14 +1,13 @@
 //! Near geometry as it is, up to a radius: the conventional method, and every method where the user stands at the
 //! centre. The scene's own trees are traced, and nothing is copied.
 
-use std::sync::Arc;
-
 use glam::{DVec2, DVec3};
 
 use super::super::frame::{Channels, Sample};
-use super::super::surface::Surface;
-use super::super::tiles::Picture;
+use super::super::surface::{Surface, add_colors};
+use super::super::tiles::{Picture, Spots};
 use super::backdrop::{Backdrop, sample_of};
+use super::moving::Moving;
 use crate::base::{Progress, Result};
 use crate::camera::Footprint;
 use crate::scene::Scene;
@@ -16,69 +15,49 @@ use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hits};
 
 pub(super) struct Straight<'a> {
     scene: &'a Scene,
-    standing: &'a Scene,
-    moving: Option<Scene>,
+    moving: Option<Moving>,
     cutouts: bool,
     backdrop: Backdrop<'a>,
     radius: f64,
 }
 
 impl<'a> Straight<'a> {
-    pub fn new(
-        standing: &'a Scene,
-        scene: &'a Scene,
-        backdrop: Backdrop<'a>,
-        radius: f64,
-        progress: &Progress,
-    ) -> Result<Self> {
+    pub fn new(scene: &'a Scene, backdrop: Backdrop<'a>, radius: f64, progress: &Progress) -> Result<Self> {
         scene.build(progress)?;
-        let moves = !scene.moving.instances().is_empty();
-        let moving = moves.then(|| Scene { standing: Arc::default(), ..scene.clone() });
-        Ok(Self { scene, standing, moving, cutouts: scene.has_cutouts(), backdrop, radius })
+        Ok(Self { scene, moving: Moving::of(scene), cutouts: scene.has_cutouts(), backdrop, radius })
     }
 
-    fn closest(&self, scene: &Scene, rays: &[Ray], hits: &mut [Hit]) {
-        if self.cutouts {
-            closest_hits(scene, rays, &AlphaFilter { scene, inner: All }, hits);
-        } else {
-            closest_hits(scene, rays, &All, hits);
-        }
-    }
-
-    /// Moving objects are seen wherever they are, so that they are traced without the cylinder.
-    fn trace_moving(&self, moving: &Scene, rays: &mut [Ray], hits: &mut [Hit]) {
-        let first = self.standing.instance_count() as u32;
-        let mut others = vec![Hit::MISS; hits.len()];
-        for (ray, hit) in rays.iter_mut().zip(hits.iter()) {
-            (ray.t_min, ray.t_max) = (0.0, hit.t);
-            self.backdrop.shorten(ray);
-        }
-        self.closest(moving, rays, &mut others);
-        for (hit, other) in hits.iter_mut().zip(others) {
-            if other.t < hit.t {
-                *hit = Hit { instance: first + other.instance, ..other };
-            }
-        }
+    /// Moving triangles that are looked at for every ray.
+    pub fn moving_triangles(&self) -> u64 {
+        self.moving.as_ref().map_or(0, Moving::triangles)
     }
 }
 
 impl Picture for Straight<'_> {
-    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit]) {
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
         for ray in rays.iter_mut() {
             (ray.t_min, ray.t_max) = within_cylinder(ray, self.backdrop.center, self.radius);
-            self.backdrop.shorten(ray);
         }
-        self.closest(self.standing, rays, hits);
+        if self.cutouts {
+            closest_hits(self.scene, rays, &AlphaFilter { scene: self.scene, inner: All }, hits);
+        } else {
+            closest_hits(self.scene, rays, &All, hits);
+        }
         if let Some(moving) = &self.moving {
-            self.trace_moving(moving, rays, hits);
+            moving.trace_beyond(&self.backdrop, self.radius, rays, hits);
         }
     }
 
     fn color(&self, ray: &Ray, hit: &Hit, footprint: Footprint) -> [f32; 3] {
         if hit.is_miss() {
-            return self.backdrop.color(ray.direction);
+            return self.backdrop.color(ray.direction, footprint);
         }
         Surface::of_hit(self.scene, ray, hit).color(self.scene, footprint.at(hit.t))
+    }
+
+    fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
+        let missed = |n: usize| self.backdrop.color(rays[n].direction, footprint(n));
+        add_colors(self.scene, rays, hits, &footprint, missed, sums);
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, _wanted: Channels) -> Sample {

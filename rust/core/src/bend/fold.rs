@@ -1,0 +1,120 @@
+//! How far the user may go before the picture folds: before two surface points of one neighbourhood change sides.
+
+use glam::{DMat3, DVec3};
+
+use super::on_ground;
+use crate::base::{Error, Result};
+use crate::morph::{Kind, Morph};
+
+/// Places that are looked at in each direction before the worst are followed.
+const GRID: [usize; 3] = [13, 25, 31];
+/// How many of the worst places are followed.
+const FOLLOWED: usize = 6;
+/// Metres, as a share of r₂−r₁, to which the margin is found.
+const PRECISION: f64 = 1e-4;
+
+/// Metres that the user may still go horizontally, in the direction away from the axis, before the morph's Jacobian
+/// changes its sign somewhere between the radii; negative where it has. The user's height counts as it is.
+///
+/// For `Kind::Cylinder` it is r₁ − |(U−O)_h|: beyond that the user stands outside cylinders on which points must stay.
+pub fn margin(morph: &Morph) -> Result<f64> {
+    if morph.r2 == 0.0 {
+        return Err(Error::value("r2", "a radius above 0, because without near geometry nothing folds", morph.r2));
+    }
+    let offset = morph.user - morph.center;
+    let away = on_ground(offset).length();
+    if morph.kind == Kind::Cylinder {
+        return Ok(morph.r1 - away);
+    }
+    let width = morph.r2 - morph.r1;
+    let folds = |distance: f64| -> Result<bool> {
+        let user = morph.center + DVec3::new(distance, offset.y, 0.0);
+        let moved = Morph::new(user, morph.center, morph.r1, morph.r2, Kind::Blend)?;
+        Ok(least_determinant(&moved) <= 0.0)
+    };
+    // Along the line through U and O, behind O, the distance shown falls at (r₂−r₁) for certain.
+    let (mut sound, mut folded) = (0.0, width);
+    if folds(0.0)? {
+        return Ok(-away);
+    }
+    while folded - sound > PRECISION * width {
+        let middle = 0.5 * (sound + folded);
+        if folds(middle)? {
+            folded = middle;
+        } else {
+            sound = middle;
+        }
+    }
+    Ok(0.5 * (sound + folded) - away)
+}
+
+/// The least determinant of the Jacobian between the radii, scaled so that it is of one size everywhere.
+fn least_determinant(morph: &Morph) -> f64 {
+    let offset = morph.user - morph.center;
+    let away = on_ground(offset).length();
+    if away > morph.r1 && 3.0 * away >= morph.r1 + morph.r2 {
+        // On the line from U to O both see a point in opposite directions, and the distance shown changes with
+        // 2w − 1 + (|U−O| − 2ρ)/(r₂−r₁), which vanishes next to the user at |U−O| = (r₁+r₂)/3.
+        return 0.0;
+    }
+    let mut worst: Vec<(f64, [f64; 3])> = Vec::with_capacity(GRID.iter().product());
+    let share = |i: usize, axis: usize| i as f64 / (GRID[axis] - 1) as f64;
+    for i in 0..GRID[0] {
+        for j in 0..GRID[1] {
+            for k in 0..GRID[2] {
+                let place = [share(i, 0), share(j, 1), 2.0 * share(k, 2) - 1.0];
+                worst.push((determinant(morph, place), place));
+            }
+        }
+    }
+    worst.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let followed = worst.iter().take(FOLLOWED).map(|&(value, place)| follow(morph, value, place));
+    followed.fold(f64::INFINITY, f64::min)
+}
+
+/// Goes down from a place until steps of a thousandth of the grid's lead no further.
+fn follow(morph: &Morph, mut value: f64, mut place: [f64; 3]) -> f64 {
+    let mut step = 1.0 / GRID[0] as f64;
+    while step > 1e-4 {
+        let mut moved = false;
+        for axis in 0..3 {
+            for way in [-step, step] {
+                let mut next = place;
+                next[axis] = (next[axis] + way).clamp(if axis == 2 { -1.0 } else { 0.0 }, 1.0);
+                let found = determinant(morph, next);
+                if found < value {
+                    (value, place, moved) = (found, next, true);
+                }
+            }
+        }
+        if !moved {
+            step *= 0.5;
+        }
+    }
+    value
+}
+
+/// At a share of the way from r₁ to r₂, of half a turn from the user's side, and of 86° up or down from the centre.
+fn determinant(morph: &Morph, [depth, turn, lift]: [f64; 3]) -> f64 {
+    let rho = morph.r1 + (morph.r2 - morph.r1) * depth;
+    let (sin, cos) = (turn * std::f64::consts::PI).sin_cos();
+    let outward = DVec3::new(cos, 0.0, sin);
+    let from_center = outward * rho + DVec3::Y * (1.5 * lift).tan() * rho.max(1e-3 * morph.r2);
+    let from_user = from_center - (morph.user - morph.center);
+    let (a, b) = (from_user.length(), from_center.length());
+    if a == 0.0 || b == 0.0 {
+        return f64::INFINITY;
+    }
+    let (by_user, by_center) = (from_user / a, from_center / b);
+    let w = morph.weight(rho);
+    let gradient = -outward / (morph.r2 - morph.r1);
+    let blend = w * by_user + (1.0 - w) * by_center;
+    let direction = blend.normalize_or(by_user);
+    let outer = |p: DVec3, q: DVec3| DMat3::from_cols(p * q.x, p * q.y, p * q.z);
+    let turned = |unit: DVec3, length: f64| (DMat3::IDENTITY - outer(unit, unit)) * (1.0 / length);
+    let blended = turned(by_user, a) * w + turned(by_center, b) * (1.0 - w) + outer(by_user - by_center, gradient);
+    let across = (DMat3::IDENTITY - outer(direction, direction)) * blended;
+    let along = w * by_user + (1.0 - w) * by_center + (a - b) * gradient;
+    // Lengths across are measured at a metre's distance and scaled by the point's, those along as they are.
+    (across * (a * b).sqrt() + outer(direction, along)).determinant()
+}

@@ -1,0 +1,107 @@
+use super::*;
+use crate::morph::Kind;
+use proptest::prelude::*;
+
+fn morph(user: [f64; 3]) -> Morph {
+    Morph::new(DVec3::from_array(user), DVec3::new(3.0, 1.7, -2.0), 30.0, 50.0, Kind::Blend).unwrap()
+}
+
+fn angle(a: DVec3, b: DVec3) -> f64 {
+    a.cross(b).length().atan2(a.dot(b))
+}
+
+/// Every way to test the exact picture: the morph itself shows the curve's points in the curve's direction.
+fn shown_miss(morph: &Morph, point: DVec3, direction: DVec3) -> f64 {
+    angle(morph.apply(point) - morph.user, direction)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1500))]
+    #[test]
+    fn vertices_are_shown_in_the_rays_direction_and_chords_within_the_tolerance(
+        x in -9.0..9.0f64, y in -5.0..5.0f64, z in -9.0..9.0f64,
+        azimuth in 0.0..std::f64::consts::TAU, elevation in -1.55..1.55f64, log_tolerance in -6.0..-2.0f64,
+    ) {
+        let center = DVec3::new(3.0, 1.7, -2.0);
+        let morph = morph((center + DVec3::new(x, y, z)).to_array());
+        let direction = DVec3::new(azimuth.cos() * elevation.cos(), elevation.sin(), azimuth.sin() * elevation.cos());
+        let tolerance = 10f64.powf(log_tolerance);
+        let points = Curve::new(&morph, direction).polyline(tolerance);
+        prop_assert_eq!(points[0], morph.user);
+        for &point in &points[1..] {
+            // 1e-9 is asked for; coordinates of up to 2,500 m are rounded to 5e-13.
+            prop_assert!(shown_miss(&morph, point, direction) < 1e-10);
+        }
+        for leg in points[1..].windows(2) {
+            for i in 0..=64 {
+                let point = leg[0].lerp(leg[1], f64::from(i) / 64.0);
+                prop_assert!(shown_miss(&morph, point, direction) <= tolerance);
+            }
+        }
+        if points.len() == 1 {
+            // The user is at the centre, or looks along the line through it.
+            return Ok(());
+        }
+        let last = points[points.len() - 1] - morph.center;
+        prop_assert!((on_ground(last).length() - 50.0).abs() < 1e-9);
+        prop_assert!(angle(last, direction) < 1e-12);
+    }
+
+    #[test]
+    fn any_user_and_any_radii_end(
+        x in -90.0..90.0f64, y in -50.0..50.0f64, z in -90.0..90.0f64, r1 in 0.0..40.0f64, width in 1e-3..40.0f64,
+        dx in -1.0..1.0f64, dy in -1.0..1.0f64, dz in -1.0..1.0f64,
+    ) {
+        let morph = Morph::new(DVec3::new(x, y, z), DVec3::ZERO, r1, r1 + width, Kind::Blend).unwrap();
+        let direction = DVec3::new(dx, dy, dz).normalize_or(DVec3::Y);
+        let points = Curve::new(&morph, direction).polyline(1e-4);
+        prop_assert!(!points.is_empty() && points.len() < 3 << DEEPEST);
+        prop_assert!(points.iter().all(|point| point.is_finite()));
+    }
+}
+
+#[test]
+fn nothing_bends_at_the_centre_upwards_and_along_the_offset() {
+    let center = DVec3::new(3.0, 1.7, -2.0);
+    for (user, direction) in [
+        (center, DVec3::new(0.3, 0.1, -0.7)),
+        (center + DVec3::new(5.0, 0.0, 2.0), DVec3::Y),
+        (center + DVec3::new(4.0, 0.0, 0.0), DVec3::X),
+    ] {
+        let morph = morph(user.to_array());
+        assert_eq!(Curve::new(&morph, direction.normalize()).polyline(1e-6), [user]);
+    }
+}
+
+#[test]
+fn users_between_the_radii_see_the_near_part_straight_on() {
+    let morph = Morph::new(DVec3::new(12.0, 0.0, 1.0), DVec3::ZERO, 10.0, 50.0, Kind::Blend).unwrap();
+    let curve = Curve::new(&morph, DVec3::NEG_X);
+    let stretches = curve.stretches();
+    assert_eq!(stretches.iter().map(|s| s.straight).collect::<Vec<_>>(), [false, true, false]);
+    assert!(stretches.windows(2).all(|pair| pair[0].to == pair[1].from));
+}
+
+#[test]
+fn margins_are_those_of_a_dense_search() {
+    // Found with finite differences on a grid of 41 x 41 x 61 points: (r1, r2, height of the user above O, margin at O).
+    let cases = [
+        (30.0, 50.0, 0.0, 19.112),
+        (30.0, 50.0, 5.0, 18.586),
+        (30.0, 50.0, 25.0, 15.384),
+        (40.0, 50.0, 0.0, 9.763),
+        (10.0, 50.0, 60.0, 11.941),
+        // (r1 + r2) / 3, next to the user.
+        (5.0, 25.0, 0.0, 10.0),
+    ];
+    for (r1, r2, height, expected) in cases {
+        for away in [0.0, 7.0] {
+            let user = DVec3::new(away * 0.6, height, away * 0.8);
+            let found = margin(&Morph::new(user, DVec3::ZERO, r1, r2, Kind::Blend).unwrap()).unwrap();
+            // The grid's places are up to half a metre from the worst one.
+            assert!((found - (expected - away)).abs() < 0.02 * (r2 - r1), "{r1} {r2} {height} {found}");
+        }
+    }
+    let cylinder = Morph::new(DVec3::new(8.0, 3.0, 6.0), DVec3::ZERO, 35.0, 50.0, Kind::Cylinder).unwrap();
+    assert_eq!(margin(&cylinder).unwrap(), 25.0);
+}

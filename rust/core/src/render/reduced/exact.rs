@@ -1,0 +1,196 @@
+//! The morph per pixel: every ray is bent and traced through the scene as it is, leg by leg, up to r₂; beyond it only
+//! what moves is traced, along the ray from the centre that shows the far part.
+
+use glam::{DVec3, Vec3};
+
+use super::super::frame::{Channels, Sample};
+use super::super::surface::{Surface, add_colors};
+use super::super::tiles::{PIXELS, Picture, Spots};
+use super::backdrop::{Backdrop, sample_of};
+use super::lattice::{Cell, Lattice};
+use super::moving::Moving;
+use crate::base::{Progress, Result};
+use crate::bend::Curve;
+use crate::camera::{Camera, Footprint};
+use crate::morph::{Kind, Morph};
+use crate::scene::Scene;
+use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hits, touches};
+
+/// Share of a leg by which it is drawn out, so that rounding leaves no gap to the next.
+const OVERLAP: f32 = 1e-5;
+
+pub(super) struct Exact<'a> {
+    scene: &'a Scene,
+    morph: Morph,
+    backdrop: Backdrop<'a>,
+    moving: Option<Moving>,
+    cutouts: bool,
+    lattice: Lattice,
+    /// Radians.
+    tolerance: f64,
+}
+
+impl<'a> Exact<'a> {
+    /// `morph` is relative to the scene's origin.
+    pub fn new(
+        scene: &'a Scene,
+        camera: &Camera,
+        morph: Morph,
+        backdrop: Backdrop<'a>,
+        tolerance_px: f64,
+        progress: &Progress,
+    ) -> Result<Self> {
+        scene.build(progress)?;
+        let lattice = Lattice::new(camera, &morph, tolerance_px, progress)?;
+        let tolerance = tolerance_px * camera.least_pixel_angle();
+        let (moving, cutouts) = (Moving::of(scene), scene.has_cutouts());
+        Ok(Self { scene, morph, backdrop, moving, cutouts, lattice, tolerance })
+    }
+
+    /// Moving triangles that are looked at for every ray.
+    pub fn moving_triangles(&self) -> u64 {
+        self.moving.as_ref().map_or(0, Moving::triangles)
+    }
+
+    fn closest(&self, rays: &[Ray], hits: &mut [Hit]) {
+        if self.cutouts {
+            closest_hits(self.scene, rays, &AlphaFilter { scene: self.scene, inner: All }, hits);
+        } else {
+            closest_hits(self.scene, rays, &All, hits);
+        }
+    }
+
+    /// All rays of a tile together, as long as any of them has met nothing.
+    fn trace_tile(&self, cell: &Cell<'_>, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
+        let user = self.morph.user.as_vec3();
+        for (n, ray) in rays.iter_mut().enumerate() {
+            let straight = cell.bend(0, ray.direction, spots.within(n)).length();
+            (ray.t_min, ray.t_max) = (0.0, straight * (1.0 + OVERLAP));
+        }
+        self.closest(rays, hits);
+        let mut open: [usize; PIXELS] = std::array::from_fn(|n| n);
+        let mut count = only_misses(&mut open, rays.len(), hits);
+        let mut legs = [Ray { origin: user, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 1.0 + OVERLAP }; PIXELS];
+        let last = self.lattice.bends() - 1;
+        if count == 0 || !touches(self.scene, &cell.region(0, last, user)) {
+            return;
+        }
+        let mut before = 0;
+        for k in (cell.stride..=last).step_by(cell.stride) {
+            if count == 0 {
+                return;
+            }
+            let from = std::mem::replace(&mut before, k);
+            if !touches(self.scene, &cell.region(from, k, user)) {
+                continue;
+            }
+            for (leg, &n) in legs.iter_mut().zip(&open[..count]) {
+                let (direction, spot) = (rays[n].direction, spots.within(n));
+                let (start, end) = (cell.bend(from, direction, spot), cell.bend(k, direction, spot));
+                leg.origin = user + start;
+                leg.direction = end - start;
+            }
+            let mut found = [Hit::MISS; PIXELS];
+            self.closest(&legs[..count], &mut found[..count]);
+            for i in 0..count {
+                self.accept(&legs[i], &found[i], &mut rays[open[i]], &mut hits[open[i]]);
+            }
+            count = only_misses(&mut open, count, hits);
+        }
+    }
+
+    /// One ray, bent by itself.
+    fn trace_alone(&self, ray: &mut Ray, hit: &mut Hit) {
+        let curve = Curve::new(&self.morph, ray.direction.as_dvec3().normalize());
+        let points = curve.polyline(self.tolerance);
+        let end = curve.end().map(|(s, _)| s);
+        let mut trace = |from: DVec3, to: DVec3, t_max: f32| {
+            let leg = Ray { origin: from.as_vec3(), direction: (to - from).as_vec3(), t_min: 0.0, t_max };
+            if leg.direction == Vec3::ZERO {
+                return false;
+            }
+            let mut found = [Hit::MISS];
+            self.closest(&[leg], &mut found);
+            self.accept(&leg, &found[0], ray, hit);
+            !found[0].is_miss()
+        };
+        for leg in points.windows(2) {
+            if trace(leg[0], leg[1], 1.0 + OVERLAP) {
+                return;
+            }
+        }
+        // What does not bend: along the line through user and centre, and upwards within r₁.
+        let straight = match end {
+            Some(s) if curve.beside == 0.0 => (s > 0.0).then_some(s as f32),
+            None if points.len() == 1 => Some(f32::INFINITY),
+            _ => None,
+        };
+        if let Some(t_max) = straight {
+            trace(points[0], points[0] + curve.direction, t_max);
+        }
+    }
+
+    /// Turns a hit on a leg into one on the displayed ray: at the distance that is shown, seen along the leg.
+    fn accept(&self, leg: &Ray, found: &Hit, ray: &mut Ray, hit: &mut Hit) {
+        if found.is_miss() {
+            return;
+        }
+        let point = leg.origin + leg.direction * found.t;
+        *hit = Hit { t: self.distance(point), ..*found };
+        ray.direction = leg.direction.normalize();
+    }
+
+    /// |Q−U| of a point.
+    fn distance(&self, point: Vec3) -> f32 {
+        if self.morph.kind == Kind::Cylinder {
+            return (self.morph.apply(point.as_dvec3()) - self.morph.user).length() as f32;
+        }
+        let (from_user, from_center) = (point - self.morph.user.as_vec3(), point - self.backdrop.center.as_vec3());
+        let w = self.morph.weight(f64::from(from_center.x.hypot(from_center.z))) as f32;
+        w * from_user.length() + (1.0 - w) * from_center.length()
+    }
+}
+
+impl Picture for Exact<'_> {
+    fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
+        hits.fill(Hit::MISS);
+        match self.lattice.cell(spots.tile()) {
+            Some(cell) => self.trace_tile(&cell, rays, hits, spots),
+            None => rays.iter_mut().zip(hits.iter_mut()).for_each(|(ray, hit)| self.trace_alone(ray, hit)),
+        }
+        if let Some(moving) = &self.moving {
+            moving.trace_beyond(&self.backdrop, self.morph.r2, rays, hits);
+        }
+    }
+
+    fn color(&self, ray: &Ray, hit: &Hit, footprint: Footprint) -> [f32; 3] {
+        if hit.is_miss() {
+            return self.backdrop.color(ray.direction, footprint);
+        }
+        Surface::of_hit(self.scene, ray, hit).color(self.scene, footprint.at(hit.t))
+    }
+
+    fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
+        let missed = |n: usize| self.backdrop.color(rays[n].direction, footprint(n));
+        add_colors(self.scene, rays, hits, &footprint, missed, sums);
+    }
+
+    fn sample(&self, ray: &Ray, hit: &Hit, _wanted: Channels) -> Sample {
+        if hit.is_miss() {
+            return self.backdrop.sample(ray.direction);
+        }
+        sample_of(&Surface::of_hit(self.scene, ray, hit), self.scene, hit.t)
+    }
+}
+
+/// Keeps of the first `count` numbers those of rays that have met nothing, and says how many.
+fn only_misses(numbers: &mut [usize; PIXELS], count: usize, hits: &[Hit]) -> usize {
+    let mut kept = 0;
+    for i in 0..count {
+        if hits[numbers[i]].is_miss() {
+            numbers[kept] = numbers[i];
+            kept += 1;
+        }
+    }
+    kept
+}

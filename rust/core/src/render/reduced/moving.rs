@@ -1,0 +1,74 @@
+//! Objects that move: they are geometry wherever they are, and what is far may hide them.
+
+use std::sync::Arc;
+
+use glam::Vec3;
+
+use super::super::tiles::PIXELS;
+use super::backdrop::Backdrop;
+use crate::scene::Scene;
+use crate::trace::{AlphaFilter, Filter, Hit, Ray, closest_hits};
+
+/// Moving objects of a scene in one pose, with their numbers in the whole scene.
+pub(super) struct Moving {
+    scene: Scene,
+    first: u32,
+    cutouts: bool,
+}
+
+impl Moving {
+    /// None where nothing moves, so that nobody looks for it.
+    pub fn of(scene: &Scene) -> Option<Self> {
+        let moves = !scene.moving.instances().is_empty();
+        moves.then(|| Self {
+            scene: Scene { standing: Arc::default(), ..scene.clone() },
+            first: scene.standing.instances().len() as u32,
+            cutouts: scene.has_cutouts(),
+        })
+    }
+
+    /// Number of triangles.
+    pub fn triangles(&self) -> u64 {
+        self.scene.triangle_count() as u64
+    }
+
+    /// Gives rays that have met nothing what moves beyond the near part, where nothing far hides it: it is shown in the
+    /// direction in which the centre sees it (w = 0), so that it is traced along the ray from there.
+    pub fn trace_beyond(&self, backdrop: &Backdrop<'_>, radius: f64, rays: &[Ray], hits: &mut [Hit]) {
+        let nowhere = Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: -1.0 };
+        let (mut others, mut found) = ([nowhere; PIXELS], [Hit::MISS; PIXELS]);
+        let (others, found) = (&mut others[..rays.len()], &mut found[..rays.len()]);
+        for ((other, ray), hit) in others.iter_mut().zip(rays).zip(hits.iter()) {
+            let from_center = backdrop.ray(radius, ray.direction);
+            if hit.is_miss() && from_center.t_min.is_finite() {
+                *other = from_center;
+            }
+        }
+        self.search(Before { backdrop }, others, found);
+        for ((hit, found), ray) in hits.iter_mut().zip(found).zip(rays) {
+            if !found.is_miss() {
+                let instance = self.first + found.instance;
+                *hit = Hit { t: backdrop.displayed(ray.direction, found.t), instance, ..*found };
+            }
+        }
+    }
+
+    fn search<F: Filter>(&self, filter: F, rays: &[Ray], found: &mut [Hit]) {
+        if self.cutouts {
+            closest_hits(&self.scene, rays, &AlphaFilter { scene: &self.scene, inner: filter }, found);
+        } else {
+            closest_hits(&self.scene, rays, &filter, found);
+        }
+    }
+}
+
+/// What lies before the far part on a ray from the centre.
+struct Before<'a> {
+    backdrop: &'a Backdrop<'a>,
+}
+
+impl Filter for Before<'_> {
+    fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
+        candidate.t <= self.backdrop.range_limit(ray.direction)
+    }
+}

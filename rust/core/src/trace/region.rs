@@ -1,0 +1,108 @@
+//! Whether anything is in a box: work that a region does not need is not done.
+
+use crate::bvh::{LEAF, NO_CHILD, Node, WIDTH, Wide};
+use crate::scene::{Aabb, Instance, InstanceSet, Scene};
+
+/// False where no triangle of a scene reaches into a box. True may be a neighbour: leaves and placed instances are taken
+/// by their boxes. The scene must have been built.
+pub fn touches(scene: &Scene, region: &Aabb) -> bool {
+    [&*scene.standing, &*scene.moving].into_iter().any(|set| set_touches(set, region))
+}
+
+fn set_touches(set: &InstanceSet, region: &Aabb) -> bool {
+    let Some(tlas) = set.tlas() else { return false };
+    let instances = set.instances();
+    if let [instance] = instances {
+        return instance_touches(instance, region);
+    }
+    any_leaf(&tlas.wide, region, &mut |leaf| {
+        tlas.instance(leaf).is_some_and(|slot| instance_touches(&instances[slot as usize], region))
+    })
+}
+
+fn instance_touches(instance: &Instance, region: &Aabb) -> bool {
+    if !instance.in_place {
+        return overlap(&instance.bounds, region);
+    }
+    instance.mesh.bvh().is_some_and(|bvh| any_leaf(&bvh.wide, region, &mut |_| true))
+}
+
+fn overlap(a: &Aabb, b: &Aabb) -> bool {
+    a.min.cmple(b.max).all() && b.min.cmple(a.max).all()
+}
+
+/// True where a leaf whose box overlaps the region satisfies a condition.
+fn any_leaf(wide: &Wide, region: &Aabb, condition: &mut impl FnMut(u32) -> bool) -> bool {
+    !wide.nodes.is_empty() && below(wide, 0, region, condition)
+}
+
+fn below(wide: &Wide, node: u32, region: &Aabb, condition: &mut impl FnMut(u32) -> bool) -> bool {
+    let node = &wide.nodes[node as usize];
+    let inside = overlaps(node, region);
+    (0..WIDTH).filter(|&slot| inside[slot] && node.children[slot] != NO_CHILD).any(|slot| {
+        let child = node.children[slot];
+        if child & LEAF == 0 { below(wide, child, region, condition) } else { condition(child) }
+    })
+}
+
+#[inline]
+fn overlaps(node: &Node, region: &Aabb) -> [bool; WIDTH] {
+    let mut inside = [true; WIDTH];
+    for axis in 0..3 {
+        let (low, high) = (&node.planes[2 * axis], &node.planes[2 * axis + 1]);
+        for slot in 0..WIDTH {
+            inside[slot] &= (low[slot] <= region.max[axis]) & (high[slot] >= region.min[axis]);
+        }
+    }
+    inside
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::Progress;
+    use crate::scene::{FaceMap, Mesh};
+    use glam::{DAffine3, DVec3, Vec3};
+    use proptest::prelude::*;
+    use std::sync::Arc;
+
+    fn instance(at: DVec3, points: &[[f32; 3]]) -> Instance {
+        let faces = (0..points.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let mesh = Mesh::new(points.to_vec().into(), faces, None, None, FaceMap::Uniform(0), FaceMap::Uniform(-1));
+        Instance::new(Arc::new(mesh.unwrap()), DAffine3::from_translation(at), None).unwrap()
+    }
+
+    proptest! {
+        #[test]
+        fn nothing_that_reaches_in_is_overlooked(
+            points in prop::collection::vec(prop::array::uniform3(-20.0..20.0f32), 3..90),
+            low in prop::array::uniform3(-25.0..25.0f32), size in prop::array::uniform3(0.0..10.0f32),
+        ) {
+            let points = &points[..points.len() / 3 * 3];
+            let region = Aabb { min: Vec3::from_array(low), max: Vec3::from_array(low) + Vec3::from_array(size) };
+            for shift in [DVec3::ZERO, DVec3::new(4.0, -2.0, 7.0)] {
+                let scene =
+                    Scene::new(DVec3::ZERO, vec![instance(shift, points)], vec![], Arc::default(), Arc::default()).unwrap();
+                scene.build(&Progress::new()).unwrap();
+                let inside = |p: &[f32; 3]| {
+                    let p = Vec3::from_array(*p) + shift.as_vec3();
+                    p.cmpge(region.min).all() && p.cmple(region.max).all()
+                };
+                prop_assert!(touches(&scene, &region) || !points.iter().any(inside));
+            }
+        }
+    }
+
+    #[test]
+    fn empty_regions_and_scenes_are_told_apart() {
+        let corner = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let far = [[9.0, 9.0, 9.0], [9.5, 9.0, 9.0], [9.0, 9.5, 9.0]];
+        let instances = vec![instance(DVec3::ZERO, &corner), instance(DVec3::X, &far)];
+        let scene = Scene::new(DVec3::ZERO, instances, vec![], Arc::default(), Arc::default()).unwrap();
+        scene.build(&Progress::new()).unwrap();
+        let at = |p: f32| Aabb { min: Vec3::splat(p), max: Vec3::splat(p + 0.5) };
+        assert!(touches(&scene, &at(0.0)));
+        assert!(!touches(&scene, &at(4.0)));
+        assert!(!touches(&Scene::new(DVec3::ZERO, vec![], vec![], Arc::default(), Arc::default()).unwrap(), &at(0.0)));
+    }
+}
