@@ -75,6 +75,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "notebook": lambda: _module("nbclient")() or _module("ipykernel")(),
     "pyrender": _pyrender,
     "release": _release,
+    "skimage": _module("skimage"),
     "tokyo": _tokyo,
 }
 """Parts that a system may lack. Each returns why it is missing, or nothing where it is there."""

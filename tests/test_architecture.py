@@ -36,6 +36,7 @@ RUST_STAGES: dict[str, set[str]] = {
     "morph": {"base"},
     "bend": {"base", "morph"},
     "render": {"base", "scene", "bvh", "cubemap", "camera", "trace", "morph", "bend", "partition"},
+    "metrics": {"base", "camera"},
     "exr": {"base"},
 }
 """The order is that of lib.rs."""
@@ -74,6 +75,7 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_load_curve": {"_plot", "_scene"},
     "_envmap": {"_exr"},
     "_trace": {"_scene"},
+    "_metrics": {"_camera", "_frame"},
     "_reduce": {"_camera", "_envmap", "_frame", "_partition", "_render", "_scene"},
     "datasets": {"_scene"},
 }

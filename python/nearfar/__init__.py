@@ -7,6 +7,7 @@ from nearfar._envmap import EnvMap, cube_lookup
 from nearfar._errors import DeviceError, Error, FormatError, SceneError
 from nearfar._frame import Frame
 from nearfar._load_curve import LoadCurve, load_curve
+from nearfar._metrics import boundary, discontinuity, object_completion, psnr, rmse, ssim
 from nearfar._morph import morph
 from nearfar._partition import Partition, partition, triangle_radii
 from nearfar._reduce import ReducedScene, reduce
@@ -33,14 +34,20 @@ __all__ = [
     "SceneError",
     "__version__",
     "bend_rays",
+    "boundary",
     "cast_rays",
     "cube_lookup",
     "datasets",
+    "discontinuity",
     "fold_margin",
     "load_curve",
     "morph",
+    "object_completion",
     "partition",
+    "psnr",
     "reduce",
     "render",
+    "rmse",
+    "ssim",
     "triangle_radii",
 ]

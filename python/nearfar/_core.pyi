@@ -230,6 +230,30 @@ class Reduced:
     def near_bytes(self) -> int: ...
     def last_frame(self) -> tuple[int, int, int]: ...
 
+# metrics ------------------------------------------------------------------------------------------------------------
+def mean_squared_error(reference: NDArray[np.float64], test: NDArray[np.float64]) -> float: ...
+def similarity(
+    reference: NDArray[np.float64],
+    test: NDArray[np.float64],
+    *,
+    width: int,
+    window: str,
+    size: int,
+    sigma: float,
+    constants: tuple[float, float],
+) -> NDArray[np.float64]: ...
+def discontinuity(
+    position: NDArray[np.float32],
+    *,
+    origin: tuple[float, float, float],
+    width: int,
+    camera: Camera,
+    epsilon: float,
+    min_distance: float,
+    report: _Report | None = None,
+) -> NDArray[np.float32]: ...
+def object_completion(reference: NDArray[np.int32], test: NDArray[np.int32]) -> tuple[float, float] | None: ...
+
 # exr ----------------------------------------------------------------------------------------------------------------
 _Part = tuple[str, dict[str, NDArray[Any]], dict[str, str]]
 

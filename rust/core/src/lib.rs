@@ -19,4 +19,5 @@ pub mod partition;
 pub mod morph;
 pub mod bend;
 pub mod render;
+pub mod metrics;
 pub mod exr;

@@ -7,6 +7,7 @@ mod camera;
 mod cubemap;
 mod errors;
 mod exr;
+mod metrics;
 mod morph;
 mod partition;
 mod reduce;
@@ -30,5 +31,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     cubemap::register(module)?;
     render::register(module)?;
     reduce::register(module)?;
+    metrics::register(module)?;
     exr::register(module)
 }
