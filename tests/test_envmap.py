@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import itertools
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import _envmap, _exr, _formats
-from support import valid
+from support import need, valid
 
 # Right and down of each face: Vulkan 1.3 specification, table "Cube map face selection".
 AXES = {
@@ -230,6 +231,80 @@ def test_maps_say_what_they_are(tmp_path: Path) -> None:
     assert document["units"]["length"] == "metre"
     assert valid(document, "envmap")
     assert not valid(document | {"center": [1.0, 2.5]}, "envmap")
+
+
+def test_maps_keep_object_names(tmp_path: Path) -> None:
+    env = dataclasses.replace(example(), object_names=("Straße", "car", "木"))
+    env.save(tmp_path / "env.exr")
+    assert nf.EnvMap.load(tmp_path / "env.exr").object_names == ("Straße", "car", "木")
+    document, _ = _exr.read(tmp_path / "env.exr", "envmap", 1)
+    assert valid(document, "envmap")
+    assert nf.EnvMap(env.center, env.color).object_names == ()
+    wrongs: list[Any] = ["car", (1, 2)]
+    for wrong in wrongs:
+        with pytest.raises(TypeError, match="object_names: expected a sequence of strings"):
+            dataclasses.replace(env, object_names=wrong)
+
+
+def test_half_ranges(tmp_path: Path) -> None:
+    """Rounded to 11 bits, exact in files, and found by the same lookups."""
+    whole = example()
+    assert whole.range is not None
+    env = dataclasses.replace(whole, range=_envmap.to_half(np.minimum(whole.range, np.float32(65504))))
+    env.save(tmp_path / "env.exr")
+    back = nf.EnvMap.load(tmp_path / "env.exr")
+    assert env.range is not None
+    assert back.range is not None
+    assert back.range.dtype == np.float16
+    np.testing.assert_array_equal(back.range, env.range)
+    directions = np.random.default_rng(0).normal(size=(50, 3))
+    for chosen in ("nearest", "min", "max"):
+        exact = nf.cube_lookup(np.minimum(whole.range, np.float32(65504)), directions, filter=chosen)
+        found = back.sample(directions, channel="range", filter=chosen)
+        assert found.dtype == np.float32
+        # Half floats are rounded to the nearest of 11 bits; min and max pick one of the rounded values.
+        np.testing.assert_allclose(found, exact, rtol=2**-11)
+
+
+@given(st.floats(2**-14, 65504, width=32))
+def test_half_ranges_are_off_by_their_stated_error(metres: float) -> None:
+    rounded = float(_envmap.to_half(np.array([metres], np.float32))[0])
+    assert abs(rounded - metres) <= 2**-11 * metres
+
+
+def test_half_ranges_keep_infinity_and_refuse_what_they_cannot_hold() -> None:
+    kept = _envmap.to_half(np.array([np.inf, 65504, 0], np.float32))
+    np.testing.assert_array_equal(kept, np.array([np.inf, 65504, 0], np.float16))
+    # 65,505 would round down to what float16 holds: the limit is stated, and it is the same for every number.
+    for beyond in (65505, 7e4, 1e30):
+        with pytest.raises(ValueError, match=r"range_dtype: expected float32 .* ends at 65,504 m"):
+            _envmap.to_half(np.array([1, beyond, np.inf], np.float32))
+
+
+@pytest.mark.parametrize("half", [False, True])
+def test_openexr_reads_maps(tmp_path: Path, half: bool) -> None:
+    need("OpenEXR")
+    import OpenEXR
+
+    env = example()
+    if half:
+        assert env.range is not None
+        env = dataclasses.replace(env, range=_envmap.to_half(np.minimum(env.range, np.float32(65504))))
+    ranges, numbers = env.range, env.object_id
+    assert ranges is not None
+    assert numbers is not None
+    env.save(tmp_path / "env.exr")
+    with OpenEXR.File(str(tmp_path / "env.exr"), separate_channels=True) as file:
+        assert tuple(part.name() for part in file.parts) == _envmap.FACES
+        for face, part in enumerate(file.parts):
+            for axis, name in enumerate("RGB"):
+                np.testing.assert_array_equal(part.channels[name].pixels, env.color[face, ..., axis].astype(np.float16))
+            read = part.channels["range"].pixels
+            assert read.dtype == (np.float16 if half else np.float32)
+            np.testing.assert_array_equal(read, ranges[face])
+            np.testing.assert_array_equal(part.channels["object_id"].pixels, numbers[face].view(np.uint32))
+            # The attribute is float32.
+            np.testing.assert_array_equal(part.header["center"], np.array(env.center, np.float32))
 
 
 def test_loading_refuses_what_is_no_map(tmp_path: Path) -> None:

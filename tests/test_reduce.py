@@ -413,3 +413,43 @@ def test_empty_scenes_reduce_to_the_sky() -> None:
         frame, truth = reduced.render(view), nf.render(scene, view)
         np.testing.assert_array_equal(frame.require("color"), truth.require("color"))
         assert np.isinf(frame.require("range")).all()
+
+
+def test_half_ranges_hide_the_same_pixels() -> None:
+    """A car beyond the near part, half behind a tower: the bias is eight times the rounding of a half float."""
+    scene = street(dynamic=True)
+    kinds = (np.float32, np.float16)
+    whole, half = (
+        nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=256, samples=1, range_dtype=kind) for kind in kinds
+    )
+    assert half.env is not None
+    assert half.env.range is not None
+    assert half.env.range.dtype == np.float16
+    assert half.stats["map_bytes"] < whole.stats["map_bytes"]
+    view = nf.Camera.look_at(
+        CENTER + np.array([4.0, 1.0, 2.0]), (121, 1, 97), fov=nf.Fov.symmetric(20, 16 / 9), size=(320, 180)
+    )
+    hidden = whole.render(view, at={"car": place(0, -500, 0)}, channels=["color"])
+    shown = []
+    # Across the line of sight from O past the tower's corner.
+    for step in np.linspace(-2, 2, 9):
+        poses = {"car": place(117.6 - 0.65 * step, 1, 94.8 + 0.76 * step)}
+        exact, rounded = (reduced.render(view, at=poses, channels=["color"]) for reduced in (whole, half))
+        np.testing.assert_array_equal(rounded.color, exact.color)
+        shown.append(int(np.count_nonzero(exact.color != hidden.color)))
+    assert 0 <= shown[0] < shown[4] < shown[-1]
+
+
+def test_range_types_are_checked() -> None:
+    with pytest.raises(ValueError, match="range_dtype: expected float32 or float16, got float64"):
+        nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=8, range_dtype=np.float64)
+
+
+def test_maps_with_objects_know_their_names() -> None:
+    scene = street()
+    named = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=8, channels=["color", "object_id"])
+    assert named.env is not None
+    assert named.env.object_names == scene.object_names
+    plain = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=8)
+    assert plain.env is not None
+    assert plain.env.object_names == ()

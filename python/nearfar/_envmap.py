@@ -40,10 +40,15 @@ class EnvMap:
     """World position in metres that the map was seen from."""
     color: NDArray[np.float32] = field(repr=False)
     """(6, S, S, 3) float32, linear RGB."""
-    range: NDArray[np.float32] | None = field(default=None, repr=False)
-    """(6, S, S) float32, metres from the centre; +inf where nothing is. None where it was not baked."""
+    range: NDArray[np.float32] | NDArray[np.float16] | None = field(default=None, repr=False)
+    """(6, S, S) float32 or float16, metres from the centre; +inf where nothing is. None where it was not baked.
+
+    float16 is half the size, off by at most 2⁻¹¹ of the range from 2⁻¹⁴ m on, and ends at 65,504 m.
+    """
     object_id: NDArray[np.int32] | None = field(default=None, repr=False)
     """(6, S, S) int32, index into the scene's `object_names`; −1 where nothing is. None where it was not baked."""
+    object_names: tuple[str, ...] = field(default=(), repr=False)
+    """Names of the objects by number; empty where they are not known."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "center", _check.vector("center", self.center))
@@ -52,13 +57,15 @@ class EnvMap:
             values = getattr(self, name)
             if values is None and name != "color":
                 continue
-            kind = np.int32 if name == "object_id" else np.float32
-            own = _check.array(name, values, columns=None, dtype=kind).view()
+            own = _check.array(name, values, columns=None, dtype=_kind(name, values)).view()
             expected = (6, size, size, 3) if name == "color" else (6, size, size)
             if size == 0 or own.shape != expected:
                 raise ValueError(f"{name}: expected shape (6, S, S{', 3' * (name == 'color')}), got {own.shape}")
             own.flags.writeable = False
             object.__setattr__(self, name, own)
+        if isinstance(self.object_names, str) or not all(isinstance(name, str) for name in self.object_names):
+            raise TypeError("object_names: expected a sequence of strings, got something else")
+        object.__setattr__(self, "object_names", tuple(self.object_names))
 
     @property
     def face_size(self) -> int:
@@ -91,7 +98,7 @@ class EnvMap:
         Returns
         -------
         NDArray
-            (..., 3) linear RGB, (...) metres or (...) object numbers.
+            (..., 3) linear RGB, (...) metres (float32) or (...) object numbers.
 
         Raises
         ------
@@ -105,7 +112,8 @@ class EnvMap:
         chosen = filter or ("linear" if channel == "color" else "nearest")
         if channel == "range" and chosen == "linear":
             raise ValueError("filter: expected 'nearest', 'min' or 'max' for range, got 'linear'")
-        return cube_lookup(values, directions, filter=chosen)
+        faces = values.astype(np.float32) if values.dtype == np.float16 else values
+        return cube_lookup(faces, directions, filter=chosen)
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
         """Write the map as an OpenEXR file, whole or not at all.
@@ -114,8 +122,9 @@ class EnvMap:
         ----------
         path
             `.exr`. One part for each face, `px nx py ny pz nz`, with the channels `R G B`, and where the map has
-            them `range` (float32, exact, +inf kept) and `object_id` (unsigned, two's complement). Compression is
-            lossless.
+            them `range` (in its own type, exact, +inf kept) and `object_id` (unsigned, two's complement).
+            Compression is lossless. The attribute `nearfar` holds centre and object names as JSON; `center` repeats
+            the centre for other programs, rounded to float32.
         half
             Store colour as 16-bit floats: half the size, and a relative error of 2⁻¹¹ at most, a quarter of a step
             of 8-bit sRGB. False keeps float32 bit for bit.
@@ -138,9 +147,14 @@ class EnvMap:
             if self.object_id is not None:
                 parts[name]["object_id"] = self.object_id[face].view(np.uint32)
         document = _formats.header(
-            "envmap", VERSION, color_space="linear", center=list(self.center), orientation="Vulkan/WebGPU cube faces"
+            "envmap",
+            VERSION,
+            color_space="linear",
+            center=list(self.center),
+            orientation="Vulkan/WebGPU cube faces",
+            object_names=list(self.object_names),
         )
-        _exr.write(path, parts, document)
+        _exr.write(path, parts, document, {"center": self.center})
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> EnvMap:
@@ -155,9 +169,28 @@ class EnvMap:
                     channels[name] = np.stack([face[name] for face in faces])
             if "object_id" in channels:
                 channels["object_id"] = channels["object_id"].view(np.int32)
-            return cls(document["center"], **channels)
+            return cls(document["center"], **channels, object_names=document.get("object_names", ()))
         except (KeyError, TypeError, ValueError) as error:
             raise FormatError(f"{os.fspath(path)}: damaged environment map: {error}") from None
+
+
+def to_half(ranges: NDArray[np.float32]) -> NDArray[np.float16]:
+    """Round ranges in metres to float16, keeping +inf; ValueError where finite ones are beyond its 65,504 m."""
+    farthest = float(np.max(ranges, initial=0.0, where=np.isfinite(ranges)))
+    limit = float(np.finfo(np.float16).max)
+    if farthest > limit:
+        raise ValueError(
+            f"range_dtype: expected float32 for a map that reaches {farthest:,.0f} m, got float16, "
+            f"which ends at {limit:,.0f} m"
+        )
+    return ranges.astype(np.float16)
+
+
+def _kind(channel: str, values: Any) -> type[np.generic]:
+    """Type in which a map keeps a channel."""
+    if channel == "object_id":
+        return np.int32
+    return np.float16 if channel == "range" and getattr(values, "dtype", None) == np.float16 else np.float32
 
 
 def cube_lookup(faces: ArrayLike, directions: ArrayLike, *, filter: str = "nearest") -> NDArray[Any]:  # noqa: A002

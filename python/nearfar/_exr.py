@@ -20,7 +20,12 @@ Channels = Mapping[str, NDArray[Any]]
 """Images of a part by name: (H, W) float16, float32 or uint32, C-contiguous, of one shape."""
 
 
-def write(path: str | os.PathLike[str], parts: Mapping[str, Channels], document: Mapping[str, Any]) -> None:
+def write(
+    path: str | os.PathLike[str],
+    parts: Mapping[str, Channels],
+    document: Mapping[str, Any],
+    vectors: Mapping[str, tuple[float, float, float]] | None = None,
+) -> None:
     """Write a file whole or not at all; compression is lossless.
 
     Parameters
@@ -31,6 +36,9 @@ def write(path: str | os.PathLike[str], parts: Mapping[str, Channels], document:
         Channels of each part by the part's name.
     document
         A header made by `_formats.header`, with whatever else describes the file.
+    vectors
+        Triples of numbers that every part's header repeats as float32 attributes, for programs that do not read
+        `document`.
 
     Raises
     ------
@@ -41,10 +49,11 @@ def write(path: str | os.PathLike[str], parts: Mapping[str, Channels], document:
     """
     text = json.dumps(dict(document), allow_nan=False)
     with _files.atomic_file(path) as aside:
-        attributes = [{ATTRIBUTE: text} if index == 0 else {} for index in range(len(parts))]
-        named = zip(parts.items(), attributes, strict=True)
-        data = _core.encode_exr([(name, dict(channels), attribute) for (name, channels), attribute in named])
-        aside.write_bytes(data)
+        coded: list[_core._Part] = []
+        for name, channels in parts.items():
+            first = {} if coded else {ATTRIBUTE: text}
+            coded.append((name, dict(channels), {**first, **(vectors or {})}))
+        aside.write_bytes(_core.encode_exr(coded))
 
 
 def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[str, Any], dict[str, Channels]]:
@@ -67,7 +76,7 @@ def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[st
     data = Path(path).read_bytes()
     try:
         parts = _core.decode_exr(data)
-        document = json.loads(parts[0][2].get(ATTRIBUTE, "null")) if parts else None
+        document = json.loads(str(parts[0][2].get(ATTRIBUTE, "null"))) if parts else None
     except (FormatError, ValueError) as error:
         raise FormatError(f"{os.fspath(path)}: {error}") from None
     checked = _formats.check(document, name, version, path)

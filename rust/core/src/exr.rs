@@ -20,6 +20,15 @@ pub enum Values {
     Unsigned(Vec<u32>),
 }
 
+/// Value of a header's attribute.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Attribute {
+    /// ASCII.
+    Text(String),
+    /// Three numbers, such as a place, as other programs show them.
+    Vector([f32; 3]),
+}
+
 /// One image of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
@@ -31,8 +40,8 @@ pub struct Part {
     pub height: usize,
     /// Names and values; they come back sorted by name, as the format wants them.
     pub channels: Vec<(String, Values)>,
-    /// Texts of the header by name; they come back sorted by name.
-    pub attributes: Vec<(String, String)>,
+    /// Texts and vectors of the header by name; they come back sorted by name.
+    pub attributes: Vec<(String, Attribute)>,
 }
 
 /// The bytes of a file with these parts, in this order.
@@ -50,7 +59,7 @@ pub fn encode(parts: &[Part]) -> base::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// The parts of a file. Attributes that are not texts are left out.
+/// The parts of a file. Attributes of other types are left out.
 pub fn decode(bytes: &[u8]) -> base::Result<Vec<Part>> {
     check_size(bytes)?;
     let image = read()
@@ -106,19 +115,24 @@ fn layer(part: &Part) -> base::Result<Layer<AnyChannels<FlatSamples>>> {
     let channels = AnyChannels::sort(channels.collect::<base::Result<_>>()?);
     let mut attributes = LayerAttributes::named(text("name", &part.name)?);
     for (name, value) in &part.attributes {
-        attributes.other.insert(text("attributes", name)?, AttributeValue::Text(text("attributes", value)?));
+        let value = match value {
+            Attribute::Text(value) => AttributeValue::Text(text("attributes", value)?),
+            &Attribute::Vector([x, y, z]) => AttributeValue::FloatVec3((x, y, z)),
+        };
+        attributes.other.insert(text("attributes", name)?, value);
     }
     let encoding = Encoding { compression: Compression::ZIP16, ..Encoding::SMALL_LOSSLESS };
     Ok(Layer::new((part.width, part.height), attributes, encoding, channels))
 }
 
 fn part(layer: Layer<AnyChannels<FlatSamples>>) -> Part {
-    let texts = layer.attributes.other.iter().filter_map(|(name, value)| match value {
-        AttributeValue::Text(value) => Some((name.to_string(), value.to_string())),
+    let known = layer.attributes.other.iter().filter_map(|(name, value)| match value {
+        AttributeValue::Text(value) => Some((name.to_string(), Attribute::Text(value.to_string()))),
+        &AttributeValue::FloatVec3((x, y, z)) => Some((name.to_string(), Attribute::Vector([x, y, z]))),
         _ => None,
     });
-    let mut attributes: Vec<_> = texts.collect();
-    attributes.sort();
+    let mut attributes: Vec<_> = known.collect();
+    attributes.sort_by(|a, b| a.0.cmp(&b.0));
     let channels = layer.channel_data.list.into_iter();
     Part {
         name: layer.attributes.layer_name.map(|name| name.to_string()).unwrap_or_default(),
@@ -177,7 +191,10 @@ mod tests {
                 ("object_id".into(), Values::Unsigned((0..pixels).map(|i| (i as u32).wrapping_sub(1)).collect())),
                 ("range".into(), Values::Float((0..pixels).map(|i| wild[i % 6]).collect())),
             ],
-            attributes: vec![("center".into(), "1 2 3".into()), ("format".into(), "a test".into())],
+            attributes: vec![
+                ("center".into(), Attribute::Vector([1.0, -2.5, 1e30])),
+                ("format".into(), Attribute::Text("a test".into())),
+            ],
         }
     }
 

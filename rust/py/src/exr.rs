@@ -1,6 +1,6 @@
-//! Bindings of `exr`: named parts with channels and text attributes.
+//! Bindings of `exr`: named parts with channels and attributes.
 
-use nearfar_core::exr::{self, Part, Values};
+use nearfar_core::exr::{self, Attribute, Part, Values};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -13,6 +13,21 @@ enum ChannelArgument<'py> {
     Half(PyReadonlyArray2<'py, half::f16>),
     Float(PyReadonlyArray2<'py, f32>),
     Unsigned(PyReadonlyArray2<'py, u32>),
+}
+
+#[derive(FromPyObject)]
+enum AttributeArgument {
+    Text(String),
+    Vector((f32, f32, f32)),
+}
+
+impl From<AttributeArgument> for Attribute {
+    fn from(argument: AttributeArgument) -> Self {
+        match argument {
+            AttributeArgument::Text(text) => Self::Text(text),
+            AttributeArgument::Vector(vector) => Self::Vector(vector.into()),
+        }
+    }
 }
 
 impl ChannelArgument<'_> {
@@ -35,7 +50,7 @@ impl ChannelArgument<'_> {
 }
 
 /// A file's bytes. A part is (name, channels, attributes): dictionaries of (H, W) float16, float32 or uint32 arrays,
-/// and of texts.
+/// and of texts and triples of numbers.
 #[pyfunction]
 fn encode_exr<'py>(
     py: Python<'py>,
@@ -69,11 +84,12 @@ fn part(name: &str, channels: &Bound<'_, PyDict>, attributes: &Bound<'_, PyDict>
         images.push((key.extract()?, image.values()?));
     }
     let (height, width) = shape.ok_or_else(|| PyValueError::new_err("channels: expected at least one image"))?;
-    let mut texts = Vec::new();
+    let mut values = Vec::new();
     for (key, value) in attributes {
-        texts.push((key.extract()?, value.extract()?));
+        let value: AttributeArgument = value.extract()?;
+        values.push((key.extract()?, value.into()));
     }
-    Ok(Part { name: name.to_string(), width, height, channels: images, attributes: texts })
+    Ok(Part { name: name.to_string(), width, height, channels: images, attributes: values })
 }
 
 fn decoded<'py>(py: Python<'py>, part: Part) -> PyResult<DecodedPart<'py>> {
@@ -88,7 +104,10 @@ fn decoded<'py>(py: Python<'py>, part: Part) -> PyResult<DecodedPart<'py>> {
     }
     let attributes = PyDict::new(py);
     for (name, value) in part.attributes {
-        attributes.set_item(name, value)?;
+        match value {
+            Attribute::Text(text) => attributes.set_item(name, text)?,
+            Attribute::Vector([x, y, z]) => attributes.set_item(name, (x, y, z))?,
+        }
     }
     Ok((part.name, channels, attributes))
 }
