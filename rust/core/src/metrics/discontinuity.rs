@@ -166,6 +166,7 @@ fn kernel(of: [f32; 4], others: [&[f32]; 4], limits: [f32; 2], sums: &mut Sums) 
 }
 
 #[inline(always)]
+#[expect(clippy::needless_range_loop, reason = "a loop over lanes of fixed number becomes vector instructions")]
 fn block(of: [f32; 4], others: &[[f32; LANES]; 4], [farthest, least]: [f32; 2], sums: &mut Sums) {
     for lane in 0..LANES {
         let (x, y) = (others[0][lane] - of[0], others[1][lane] - of[1]);
