@@ -35,7 +35,8 @@ RUST_STAGES: dict[str, set[str]] = {
     "partition": {"base", "scene"},
     "morph": {"base"},
     "bend": {"base", "morph"},
-    "render": {"base", "scene", "bvh", "cubemap", "camera", "trace", "morph", "bend", "partition"},
+    "tessellate": {"base", "scene", "morph"},
+    "render": {"base", "scene", "bvh", "cubemap", "camera", "trace", "morph", "bend", "tessellate", "partition"},
     "metrics": {"base", "camera"},
     "exr": {"base"},
 }
@@ -69,6 +70,7 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_frame": {"_camera", "_exr"},
     "_render": {"_camera", "_frame", "_scene"},
     "_morph": set(),
+    "_tessellate": {"_camera", "_scene"},
     "_bend": {"_morph"},
     "_partition": {"_scene"},
     "_plot": set(),

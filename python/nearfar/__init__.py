@@ -13,6 +13,7 @@ from nearfar._partition import Partition, partition, triangle_radii
 from nearfar._reduce import ReducedScene, reduce
 from nearfar._render import render
 from nearfar._scene import Scene
+from nearfar._tessellate import tessellate
 from nearfar._trace import Hits, cast_rays
 from nearfar._version import __version__
 
@@ -49,5 +50,6 @@ __all__ = [
     "render",
     "rmse",
     "ssim",
+    "tessellate",
     "triangle_radii",
 ]

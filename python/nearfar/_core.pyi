@@ -97,6 +97,10 @@ class Camera:
     ) -> Camera: ...
     def project(self, points: NDArray[np.float64]) -> NDArray[np.float64]: ...
     def rays(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+    @property
+    def is_parallel(self) -> bool: ...
+    @property
+    def least_pixel_angle(self) -> float: ...
 
 # trace --------------------------------------------------------------------------------------------------------------
 def cast_rays(
@@ -171,6 +175,29 @@ def fold_margin(
     user: tuple[float, float, float], *, center: tuple[float, float, float], r1: float, r2: float, kind: str
 ) -> float: ...
 
+# tessellate ---------------------------------------------------------------------------------------------------------
+def tessellate_scene(
+    scene: Scene,
+    *,
+    center: tuple[float, float, float],
+    r1: float,
+    r2: float,
+    reach: float,
+    tolerance: float,
+    report: _Report | None = None,
+) -> tuple[Scene, dict[str, int]]: ...
+def tessellate_arrays(
+    vertices: NDArray[np.float64],
+    faces: NDArray[np.uint32],
+    *,
+    center: tuple[float, float, float],
+    r1: float,
+    r2: float,
+    reach: float,
+    tolerance: float,
+    report: _Report | None = None,
+) -> dict[str, NDArray[Any]]: ...
+
 # cubemap ------------------------------------------------------------------------------------------------------------
 def cube_lookup(faces: NDArray[Any], directions: NDArray[Any], filter: str) -> NDArray[Any]: ...  # noqa: A002
 def cube_texels(size: int, directions: NDArray[np.float64]) -> NDArray[np.uint32]: ...
@@ -228,7 +255,7 @@ class Reduced:
     ) -> dict[str, NDArray[Any]]: ...
     @property
     def near_bytes(self) -> int: ...
-    def last_frame(self) -> tuple[int, int, int]: ...
+    def last_frame(self) -> tuple[int, int, int, bool]: ...
 
 # metrics ------------------------------------------------------------------------------------------------------------
 def mean_squared_error(reference: NDArray[np.float64], test: NDArray[np.float64]) -> float: ...

@@ -84,11 +84,12 @@ class ReducedScene:
             triangles that a client draws, and `reduction` = triangles / drawn; `map_bytes`, `near_bytes` (copies of
             near geometry); `rays` and `ranges_computed` while baking; of the last frame `frame_triangles` (after
             splitting; 0 where the scene's own trees were used), `dynamic_triangles` (moving ones that were looked for;
-            0 where there was no pass for them) and `opposed_directions` (vertices that user and centre see in opposite
-            directions, which happens only outside the near cylinder).
+            0 where there was no pass for them), `tolerance_held` (whether `tolerance_px` was a bound for "vertex":
+            "blend", and a user within 0.6 r1 of the centre) and `opposed_directions` (vertices that user and centre see
+            in opposite directions, which happens only outside the near cylinder).
         """
         counts = self._partition.summary()
-        triangles, moving, opposed = self._core.last_frame()
+        triangles, moving, opposed, bounded = self._core.last_frame()
         drawn = counts["nsf" if self._boundary == "r2" else "nsf_at_r1"]
         return {
             **{name: counts[name] for name in ("triangles", "near", "intermediate", "nsf", "sf")},
@@ -100,6 +101,7 @@ class ReducedScene:
             "ranges_computed": 0 if self._env is None or self._env.range is None else self._env.range.size,
             "frame_triangles": triangles,
             "dynamic_triangles": moving,
+            "tolerance_held": bounded,
             "opposed_directions": opposed,
         }
 
@@ -136,9 +138,10 @@ class ReducedScene:
             False for the ideal picture of the method: what is far is traced from the centre instead of taken from the
             map, so that all channels are there.
         tolerance_px
-            By how many pixels an edge may miss its morphed curve before it is split for this frame, by default 0.5;
-            infinity morphs the vertices that there are, which bends long triangles wrongly and opens breaks at both
-            radii. For "exact" how far a bent ray may miss its curve, by default 0.1.
+            By how many of the image's finest pixels triangles may miss the morph of their points, by default 0.5:
+            larger ones are split for this frame. A bound where `stats` says `tolerance_held`. Infinity morphs the
+            vertices that there are, which bends long triangles wrongly and opens breaks at both radii. For "exact" how
+            far a bent ray may miss its curve, by default 0.1.
 
         Returns
         -------

@@ -139,13 +139,6 @@ impl Camera {
         (depth > 0.0).then(|| DVec3::new(s * f64::from(self.width), t * f64::from(self.height), depth))
     }
 
-    /// Least angle between neighbouring pixels' rays, radians: in one of the corners. For perspective views.
-    pub fn least_pixel_angle(&self) -> f64 {
-        let (rays, width, height) = (self.rays(), f64::from(self.width), f64::from(self.height));
-        let corners = [(0.0, 0.0), (width, 0.0), (0.0, height), (width, height)];
-        corners.map(|(x, y)| rays.pixel_angle(x, y)).into_iter().fold(f64::INFINITY, f64::min)
-    }
-
     /// Size of a pixel: metres for parallel rays, tangent units (metres at one metre ahead) for the others; the
     /// geometric mean of its sides.
     pub fn pixel_size(&self) -> f64 {
@@ -153,6 +146,22 @@ impl Camera {
         match self.projection {
             Projection::Perspective(fov) | Projection::Orthographic(fov) => (fov.area() / pixels).sqrt(),
             Projection::CubeFace(_) => 2.0 / f64::from(self.width),
+        }
+    }
+
+    /// An angle in radians that no pixel is narrower than: pixels at the corner of a view are the finest. Metres for
+    /// parallel rays.
+    pub fn least_pixel_angle(&self) -> f64 {
+        let (width, height) = (f64::from(self.width), f64::from(self.height));
+        match self.projection {
+            Projection::Perspective(fov) => {
+                let (x, y) = (fov.left.abs().max(fov.right.abs()), fov.down.abs().max(fov.up.abs()));
+                let narrowest = ((fov.right - fov.left) / width).min((fov.up - fov.down) / height);
+                // A tangent's change turns the ray by cos² of its angle off the axis at least.
+                narrowest / (1.0 + x * x + y * y)
+            }
+            Projection::Orthographic(fov) => ((fov.right - fov.left) / width).min((fov.up - fov.down) / height),
+            Projection::CubeFace(_) => 2.0 / width / 3.0,
         }
     }
 

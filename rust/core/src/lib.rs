@@ -18,6 +18,7 @@ pub mod trace;
 pub mod partition;
 pub mod morph;
 pub mod bend;
+pub mod tessellate;
 pub mod render;
 pub mod metrics;
 pub mod exr;

@@ -62,6 +62,17 @@ impl Camera {
         };
         Ok((image(starts)?, image(directions)?))
     }
+
+    #[getter]
+    fn is_parallel(&self) -> bool {
+        self.0.is_parallel()
+    }
+
+    /// Radians that no pixel is narrower than; metres for parallel rays.
+    #[getter]
+    fn least_pixel_angle(&self) -> f64 {
+        self.0.least_pixel_angle()
+    }
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

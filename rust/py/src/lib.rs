@@ -14,6 +14,7 @@ mod reduce;
 mod render;
 mod run;
 mod scene;
+mod tessellate;
 mod trace;
 
 use pyo3::prelude::*;
@@ -28,6 +29,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     partition::register(module)?;
     morph::register(module)?;
     bend::register(module)?;
+    tessellate::register(module)?;
     cubemap::register(module)?;
     render::register(module)?;
     reduce::register(module)?;

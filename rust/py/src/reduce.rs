@@ -114,10 +114,11 @@ impl Reduced {
         self.0.near_bytes()
     }
 
-    /// Triangles that were traced for the last frame, those that move, and vertices seen in opposite directions.
-    fn last_frame(&self) -> (u64, u64, u64) {
+    /// Triangles that were traced for the last frame, those that move, vertices seen in opposite directions, and whether
+    /// the tolerance was a bound.
+    fn last_frame(&self) -> (u64, u64, u64, bool) {
         let counts = self.0.last_frame();
-        (counts.triangles, counts.moving, counts.opposed)
+        (counts.triangles, counts.moving, counts.opposed, counts.bounded)
     }
 }
 

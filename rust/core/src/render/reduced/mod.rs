@@ -6,7 +6,6 @@ mod exact;
 mod lattice;
 mod moving;
 mod shown;
-mod split;
 mod straight;
 
 use std::sync::Arc;
@@ -68,8 +67,8 @@ pub struct Drawing {
     pub method: Method,
     /// True for the map as it was baked; false for the ideal picture, whose far part is traced from the centre.
     pub mapped: bool,
-    /// By how many pixels of this view a straight edge may miss the bent one (longer edges are split for the frame;
-    /// infinite morphs the vertices that there are), or a ray its bent one.
+    /// By how many of this view's finest pixels a triangle may miss the morph of its points (larger ones are split for the
+    /// frame; infinite morphs the vertices that there are), or by how many pixels a ray its bent one.
     pub tolerance_px: f64,
 }
 
@@ -82,7 +81,7 @@ pub struct Reduced {
     join: Join,
     map: Option<EnvironmentMap>,
     near: NearGeometry,
-    last: [AtomicU64; 3],
+    last: [AtomicU64; 4],
 }
 
 /// What the last frame took.
@@ -94,6 +93,8 @@ pub struct FrameCounts {
     pub moving: u64,
     /// Vertices that user and centre see in opposite directions.
     pub opposed: u64,
+    /// No vertex was morphed, or the tolerance was a bound: it was finite, and the user is well inside r₁.
+    pub bounded: bool,
 }
 
 impl Reduced {
@@ -116,8 +117,8 @@ impl Reduced {
 
     /// What the last frame took.
     pub fn last_frame(&self) -> FrameCounts {
-        let [triangles, moving, opposed] = [0, 1, 2].map(|i| self.last[i].load(Ordering::Relaxed));
-        FrameCounts { triangles, moving, opposed }
+        let [triangles, moving, opposed, bounded] = [0, 1, 2, 3].map(|i| self.last[i].load(Ordering::Relaxed));
+        FrameCounts { triangles, moving, opposed, bounded: bounded != 0 }
     }
 
     /// Draws a view from the user's position, the camera's. `scene` is the reduced one, its moving objects in any pose.
@@ -134,7 +135,7 @@ impl Reduced {
         let backdrop = Backdrop { far: self.far(drawing.mapped, radius, progress)?, center, morph: None };
         let Some(kind) = self.join.kind().filter(|_| camera.position != self.center) else {
             let picture = straight::Straight::new(scene, backdrop, radius, progress)?;
-            self.remember(FrameCounts { moving: picture.moving_triangles(), ..FrameCounts::default() });
+            self.remember(FrameCounts { moving: picture.moving_triangles(), bounded: true, ..FrameCounts::default() });
             return draw(&view, &picture, progress);
         };
         let morph = Morph::new(camera.position - scene.origin, center, r1, r2, kind)?;
@@ -142,7 +143,7 @@ impl Reduced {
         let tolerance = drawing.tolerance_px * self.pixel_angle(camera);
         if drawing.method == Method::Exact {
             let picture = exact::Exact::new(scene, camera, morph, backdrop, drawing.tolerance_px, progress)?;
-            self.remember(FrameCounts { moving: picture.moving_triangles(), ..FrameCounts::default() });
+            self.remember(FrameCounts { moving: picture.moving_triangles(), bounded: true, ..FrameCounts::default() });
             return draw(&view, &picture, progress);
         }
         let shown = self.near.morphed(scene, &morph, tolerance.is_finite().then_some(tolerance), progress)?;
@@ -150,6 +151,7 @@ impl Reduced {
             triangles: shown.triangle_count(),
             moving: shown.moving_triangles(),
             opposed: shown.opposed,
+            bounded: shown.bounded,
         });
         draw(&view, &bent::Bent { scene, shown, backdrop, radius: r2 }, progress)
     }
@@ -184,14 +186,14 @@ impl Reduced {
         Ok(())
     }
 
-    /// Radians that a pixel covers: in the middle of the image, for parallel rays as seen from r₂ away.
+    /// Radians that the finest pixel covers, for parallel rays as seen from r₂ away.
     fn pixel_angle(&self, camera: &Camera) -> f64 {
-        camera.pixel_size() / if camera.is_parallel() { self.radii[1] } else { 1.0 }
+        camera.least_pixel_angle() / if camera.is_parallel() { self.radii[1] } else { 1.0 }
     }
 
     fn remember(&self, counts: FrameCounts) {
-        let FrameCounts { triangles, moving, opposed } = counts;
-        for (slot, count) in self.last.iter().zip([triangles, moving, opposed]) {
+        let FrameCounts { triangles, moving, opposed, bounded } = counts;
+        for (slot, count) in self.last.iter().zip([triangles, moving, opposed, u64::from(bounded)]) {
             slot.store(count, Ordering::Relaxed);
         }
     }

@@ -5,11 +5,11 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use glam::{DAffine3, DVec3, Vec3};
 use rayon::prelude::*;
 
-use super::split::{Splitter, Triangle};
 use crate::base::{Progress, Result};
 use crate::morph::Morph;
 use crate::partition::Partition;
 use crate::scene::{FaceMap, Instance, Mesh, Scene};
+use crate::tessellate::{self, Precision, Rule, Settings};
 
 /// A piece of a scene's face: where its three corners lie on that face.
 #[derive(Clone, Copy, Debug)]
@@ -46,6 +46,8 @@ struct Bending {
     part: Part,
     /// Vertices that user and centre see in opposite directions.
     opposed: u64,
+    /// The tolerance is a bound.
+    bounded: bool,
 }
 
 /// What the morphed standing part follows from: the user's position and the tolerance.
@@ -69,6 +71,8 @@ pub(super) struct Shown {
     pieces: [Arc<Vec<Piece>>; 3],
     /// Vertices that user and centre see in opposite directions.
     pub opposed: u64,
+    /// The tolerance is a bound.
+    pub bounded: bool,
 }
 
 impl NearGeometry {
@@ -109,11 +113,12 @@ impl NearGeometry {
             Some(fixed) => fixed.clone(),
             None => Part::new(Vec::new(), |_| Default::default())?,
         };
+        let (opposed, bounded) = (standing.opposed + moving.opposed, standing.bounded);
         let parts = [fixed, standing.part, moving.part];
         let instances = parts.iter().map(|part| part.instance.clone()).collect();
         let scene = Scene::new(scene.origin, instances, Vec::new(), Arc::default(), Arc::default())?;
         scene.build(progress)?;
-        Ok(Shown { scene, pieces: parts.map(|part| part.pieces), opposed: standing.opposed + moving.opposed })
+        Ok(Shown { scene, pieces: parts.map(|part| part.pieces), opposed, bounded })
     }
 
     fn standing(&self, scene: &Scene, morph: &Morph, tolerance: Option<f64>, progress: &Progress) -> Result<Bending> {
@@ -145,15 +150,23 @@ impl Bending {
         progress: &Progress,
     ) -> Result<Self> {
         progress.check()?;
-        let splitter = Splitter::new(morph, tolerance);
-        let triangles: Vec<(Piece, [DVec3; 3])> = sources
-            .into_par_iter()
-            .flat_map_iter(|(instance, face)| {
-                let corners = scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
-                let pieces = splitter.split(Triangle { corners, weights: WHOLE }, moving);
-                pieces.into_iter().map(move |piece| (Piece { instance, face, corners: piece.weights }, piece.corners))
-            })
-            .collect();
+        let rule = tolerance.map(|tolerance| rule_of(morph, tolerance)).transpose()?;
+        let split = |whole: tessellate::Piece| {
+            let Some(rule) = &rule else { return Ok(vec![whole]) };
+            let unseen =
+                |corners: &[DVec3; 3]| tessellate::Piece::is_thin(corners) || (!moving && rule.is_beyond(corners));
+            whole.split(rule, Precision::Double, unseen, |_| progress.check())
+        };
+        let triangles = sources.into_par_iter().map(|(instance, face)| {
+            let corners = scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
+            let place = |piece: tessellate::Piece| {
+                let corners = piece.weights.map(|[_, u, v]| [u as f32, v as f32]);
+                (Piece { instance, face, corners }, piece.corners)
+            };
+            Ok(split(tessellate::Piece::whole(corners))?.into_iter().map(place).collect())
+        });
+        let triangles: Vec<Vec<(Piece, [DVec3; 3])>> = triangles.collect::<Result<_>>()?;
+        let triangles: Vec<(Piece, [DVec3; 3])> = triangles.into_iter().flatten().collect();
         progress.check()?;
         let morphed = |corner: DVec3| {
             let shown = morph.examine(corner);
@@ -163,8 +176,25 @@ impl Bending {
         let opposed = corners.iter().flatten().map(|(_, opposed)| opposed).sum();
         let mut shown = corners.into_iter().map(|corners| corners.map(|(point, _)| point));
         let pieces = triangles.into_iter().map(|(piece, _)| piece).collect();
-        Ok(Self { part: Part::new(pieces, |_| shown.next().unwrap_or_default())?, opposed })
+        Ok(Self {
+            part: Part::new(pieces, |_| shown.next().unwrap_or_default())?,
+            opposed,
+            bounded: rule.is_some_and(|rule| rule.holds()),
+        })
     }
+}
+
+/// How edges are split for one user: so that it would hold for all users as far from the centre.
+fn rule_of(morph: &Morph, tolerance: f64) -> Result<Rule> {
+    let settings = Settings {
+        center: morph.center,
+        r1: morph.r1,
+        r2: morph.r2,
+        reach: (morph.user - morph.center).length(),
+        tolerance,
+        kind: morph.kind,
+    };
+    Rule::new(&settings, Precision::Double)
 }
 
 impl Part {

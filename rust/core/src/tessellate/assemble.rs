@@ -1,0 +1,160 @@
+//! Faces and new vertices from pieces: neighbours share vertices where the source's faces do.
+
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::Counts;
+use super::rule::{Precision, Rule};
+use super::split::Piece;
+use crate::base::{Error, Progress, Result, memory::room_for};
+
+/// Faces handled by one task: fixed, so that nothing depends on the number of threads.
+const TILE: usize = 1 << 12;
+/// Bytes that a piece takes while it is made: itself, its face and its share of the new vertices.
+const BYTES: u64 = size_of::<Piece>() as u64 + 64;
+
+/// A vertex that the source does not have, on one of its faces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct NewVertex {
+    pub point: DVec3,
+    pub face: u32,
+    pub weights: [f64; 3],
+}
+
+/// A face of the source and its pieces.
+type Split = (u32, Vec<Piece>);
+
+/// Faces of a mesh after splitting. Vertices from `vertex_count` on are new.
+#[derive(Debug, Default)]
+pub(super) struct Assembled {
+    pub faces: Vec<[u32; 3]>,
+    /// Face of the source that each face is a part of.
+    pub sources: Vec<u32>,
+    pub new: Vec<NewVertex>,
+}
+
+/// Counts pieces of all tasks and refuses what the system has no memory for.
+#[derive(Debug, Default)]
+pub(super) struct Budget(AtomicU64);
+
+impl Budget {
+    /// Counts pieces that were made.
+    pub fn made(&self, pieces: usize, progress: &Progress) -> Result<()> {
+        let all = self.0.fetch_add(pieces as u64, Ordering::Relaxed) + pieces as u64;
+        if all > u64::from(u32::MAX) {
+            return Err(Error::value(
+                "tolerance_px",
+                "one that fewer than 2^32 triangles reach",
+                format!("{all} triangles"),
+            ));
+        }
+        // Twice, because the result is put together beside the pieces.
+        room_for(2 * BYTES * all)?;
+        progress.check()
+    }
+}
+
+/// Splits the faces of a mesh, `corners` telling where those of a face are; none where no face is split.
+pub(super) fn assemble(
+    source: &[[u32; 3]],
+    vertex_count: usize,
+    corners: impl Fn(u32) -> [DVec3; 3] + Sync,
+    (rule, precision): (&Rule, Precision),
+    (budget, counts): (&Budget, &mut Counts),
+    progress: &Progress,
+) -> Result<Option<Assembled>> {
+    let tiles = source.par_chunks(TILE).enumerate().map(|(tile, faces)| {
+        let (mut examined, mut split) = (0, Vec::new());
+        for face in (tile * TILE) as u32..(tile * TILE + faces.len()) as u32 {
+            let corners = corners(face);
+            if rule.leaves_alone(&corners) {
+                continue;
+            }
+            examined += 1;
+            let made = |pieces| budget.made(pieces, progress);
+            let pieces = Piece::whole(corners).split(rule, precision, |_| false, made)?;
+            if pieces.len() > 1 {
+                split.push((face, pieces));
+            }
+        }
+        progress.report(faces.len() as u64)?;
+        Ok((examined, split))
+    });
+    let tiles: Vec<(u64, Vec<Split>)> = tiles.collect::<Result<_>>()?;
+    counts.examined += tiles.iter().map(|(examined, _)| examined).sum::<u64>();
+    let split: Vec<Split> = tiles.into_iter().flat_map(|(_, split)| split).collect();
+    counts.split += split.len() as u64;
+    if split.is_empty() {
+        return Ok(None);
+    }
+    joined(source, vertex_count, &split).map(Some)
+}
+
+/// What tells new vertices apart: the source's edge or face that they lie on, and where they are, bit by bit.
+type Key = ([u32; 2], [u64; 3]);
+
+fn joined(source: &[[u32; 3]], vertex_count: usize, split: &[Split]) -> Result<Assembled> {
+    let pieces: usize = split.iter().map(|(_, pieces)| pieces.len()).sum();
+    let face_count = source.len() - split.len() + pieces;
+    let mut all =
+        Assembled { faces: Vec::with_capacity(face_count), sources: Vec::with_capacity(face_count), new: Vec::new() };
+    let mut known: HashMap<Key, u32> = HashMap::new();
+    let mut next = 0;
+    for (face, pieces) in split {
+        all.faces.extend_from_slice(&source[next..*face as usize]);
+        all.sources.extend(next as u32..*face);
+        next = *face as usize + 1;
+        let vertices = source[*face as usize];
+        for piece in pieces {
+            let mut numbers = [0; 3];
+            for ((number, point), weights) in numbers.iter_mut().zip(piece.corners).zip(piece.weights) {
+                *number = match on_source(vertices, *face, weights) {
+                    Place::Corner(vertex) => vertex,
+                    Place::New(place) => {
+                        let fresh = (vertex_count + all.new.len()) as u32;
+                        let key = (place, point.to_array().map(f64::to_bits));
+                        *known.entry(key).or_insert_with(|| {
+                            all.new.push(NewVertex { point, face: *face, weights });
+                            fresh
+                        })
+                    }
+                };
+            }
+            all.faces.push(numbers);
+            all.sources.push(*face);
+        }
+        if vertex_count + all.new.len() > u32::MAX as usize {
+            return Err(Error::value("tolerance_px", "one that fewer than 2^32 vertices reach", "more"));
+        }
+    }
+    all.faces.extend_from_slice(&source[next..]);
+    all.sources.extend(next as u32..source.len() as u32);
+    Ok(all)
+}
+
+enum Place {
+    Corner(u32),
+    New([u32; 2]),
+}
+
+/// Where a point with these weights lies on the source. Two zero weights tell a corner, one tells an edge.
+fn on_source(vertices: [u32; 3], face: u32, weights: [f64; 3]) -> Place {
+    let used: [bool; 3] = weights.map(|weight| weight != 0.0);
+    match used {
+        [true, false, false] => Place::Corner(vertices[0]),
+        [false, true, false] => Place::Corner(vertices[1]),
+        [false, false, true] => Place::Corner(vertices[2]),
+        [true, true, false] => Place::New(ordered(vertices[0], vertices[1])),
+        [false, true, true] => Place::New(ordered(vertices[1], vertices[2])),
+        [true, false, true] => Place::New(ordered(vertices[2], vertices[0])),
+        // No edge joins a vertex with itself: such a pair can name the inside of a face.
+        _ => Place::New([face, face]),
+    }
+}
+
+fn ordered(a: u32, b: u32) -> [u32; 2] {
+    [a.min(b), a.max(b)]
+}

@@ -1,0 +1,34 @@
+//! Splits triangles until morphing their vertices shows them where morphing every point would, within a tolerance and for
+//! every user of a region.
+//!
+//! Popescu, Lee, Choi, Fahmy (2022) morph vertices; the bound is ours (`bound.rs`). Edges are cut where they cross r₁ and r₂,
+//! because the morph has kinks there, and in between until the bound holds. Whether and where an edge is cut follows from
+//! the edge alone, so that nothing cracks between triangles, meshes or objects. Edges that touch no point between the
+//! radii are never cut: what lies within r₁ or beyond r₂ stays as it is, bit for bit.
+
+mod bound;
+mod arrays;
+mod assemble;
+mod rule;
+mod scene;
+mod split;
+#[cfg(test)]
+mod tests;
+
+pub use arrays::{Arrays, tessellate_arrays};
+pub use rule::{Precision, Rule, Settings};
+pub use scene::tessellate_scene;
+pub use split::Piece;
+
+/// What was done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Triangles of the source.
+    pub before: u64,
+    /// Triangles of the result.
+    pub after: u64,
+    /// Triangles of the source that were looked at: the others lie within r₁ or beyond r₂, or move.
+    pub examined: u64,
+    /// Triangles of the source that were split.
+    pub split: u64,
+}

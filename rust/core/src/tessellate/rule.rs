@@ -1,0 +1,287 @@
+//! Whether and where an edge is split: from its two ends alone, so that every triangle at an edge splits it alike.
+
+use glam::{DVec2, DVec3};
+
+use super::bound::{Form, LEAST_CLEARANCE, Zone};
+use crate::base::{Error, Result};
+use crate::morph::Kind;
+
+/// Cylinders and users that surfaces are split for.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings {
+    /// The centre O, in the frame of the points.
+    pub center: DVec3,
+    /// Radius inside which nothing is morphed.
+    pub r1: f64,
+    /// Radius beyond which everything is moved alike.
+    pub r2: f64,
+    /// Greatest distance of a user from the centre, metres.
+    pub reach: f64,
+    /// Greatest error in radians, as the user sees it.
+    pub tolerance: f64,
+    /// The morph; for `Kind::Cylinder` the error is estimated, not bounded.
+    pub kind: Kind,
+}
+
+/// Spacing of the coordinates that new vertices are rounded to, as a share of the coordinate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// float32.
+    Single,
+    /// float64.
+    Double,
+}
+
+impl Precision {
+    /// A point as it is stored.
+    pub fn round(self, p: DVec3) -> DVec3 {
+        match self {
+            Self::Single => p.as_vec3().as_dvec3(),
+            Self::Double => p,
+        }
+    }
+
+    fn step(self) -> f64 {
+        match self {
+            Self::Single => f64::from(f32::EPSILON),
+            Self::Double => f64::EPSILON,
+        }
+    }
+}
+
+/// Share of the tolerance that goes to points of triangles outside r₁ which pass it. The more, the fewer triangles lie along
+/// r₁ and the more elsewhere near it. Edges that the shares leave whole must be short enough for the rest: 4/3 of this
+/// and the next stays below it.
+const PASSING_R1: f64 = 0.25;
+/// Share that goes to vertices of triangles inside r₁ which miss it.
+const MISSING_R1: f64 = 0.05;
+/// Share that goes to triangles beyond r₂ which pass it; 4/3 of it is below 1.
+const PASSING_R2: f64 = 0.7;
+/// What edges may have of the longest that any form lets pass; measured, as the first share is.
+const LONGEST: f64 = 0.7;
+/// Distances for which a form is kept: those between are rounded towards the axis.
+const RINGS: usize = 64;
+/// Shares of r₂ − r₁ below which edges are not split: where the tolerance is a bound, and where nothing is. Of r₂, the first
+/// is the narrowest width that has a bound.
+const SHORTEST: f64 = 1.0 / 4096.0;
+const COARSEST: f64 = 1.0 / 64.0;
+
+/// The rule for one place, region of users and tolerance.
+#[derive(Clone, Debug)]
+pub struct Rule {
+    settings: Settings,
+    /// Forms by distance from the axis, from r₁ outwards, and the distance between two.
+    forms: Vec<Form>,
+    ring: f64,
+    /// Greatest horizontal length of an edge between the radii: what forms hold for.
+    longest: f64,
+    /// Length below which edges are not halved.
+    shortest: f64,
+    /// By how much points of a triangle outside r₁ may lie inside, and vertices of one inside may lie outside.
+    passing_r1: f64,
+    missing_r1: f64,
+    /// By how much points and vertices of a triangle beyond r₂ may lie inside.
+    passing_r2: f64,
+    /// By how much a vertex on a radius may miss it: rounding, and what edges dip that are too short to be split.
+    rounding: f64,
+    holds: bool,
+}
+
+impl Rule {
+    /// Checks the settings and prepares the forms.
+    pub fn new(settings: &Settings, precision: Precision) -> Result<Self> {
+        let Settings { center, r1, r2, reach, tolerance, kind } = *settings;
+        if !center.is_finite() {
+            return Err(Error::value("center", "three finite numbers", center));
+        }
+        if !(r1.is_finite() && r1 >= 0.0) {
+            return Err(Error::value("r1", "a finite radius of at least 0", r1));
+        }
+        if !(r2.is_finite() && r2 >= r1) {
+            return Err(Error::value("r2", format!("a finite radius of at least r1 = {r1}"), r2));
+        }
+        if !(reach.is_finite() && reach >= 0.0) {
+            return Err(Error::value("user_region", "a finite distance from the centre", reach));
+        }
+        if !(tolerance.is_finite() && tolerance > 0.0) {
+            return Err(Error::value("tolerance_px", "a number above 0", tolerance));
+        }
+        let width = r2 - r1;
+        let zone = Zone { reach, width, kind };
+        let rounding = (center.abs().max_element() + r2) * precision.step() * 2.0;
+        // A hundredth of the width: that far the forms reach into the other zones.
+        let passing = |share: f64, rho: f64| (share * tolerance / zone.slope(rho)).min(width / 100.0).max(rounding);
+        let [passing_r1, missing_r1, passing_r2] =
+            [passing(PASSING_R1, r1), passing(MISSING_R1, r1), passing(PASSING_R2, r2)];
+        let least = r1 - passing_r1;
+        let pitch = |form: f64| (6.0 * tolerance / form).sqrt();
+        let narrowest = zone.form(least, 0.5);
+        let finest = (width * SHORTEST).max(4.0 * rounding);
+        let holds = zone.holds(least)
+            && width >= r2 * SHORTEST
+            && tolerance * MISSING_R1 >= zone.slope(least) * rounding
+            && pitch(narrowest.across + narrowest.any) * (1.0 - PASSING_R1).sqrt() > finest;
+        let shortest = if holds { finest } else { finest.max(width * COARSEST).max(r2 / 1024.0) };
+        let mut rule = Self {
+            settings: *settings,
+            forms: Vec::new(),
+            ring: width / RINGS as f64,
+            longest: 0.0,
+            shortest,
+            passing_r1,
+            missing_r1,
+            passing_r2,
+            rounding: rounding.max(shortest * shortest / (2.0 * r1.max(width))),
+            holds: holds && kind == Kind::Blend,
+        };
+        // Of the longest edges that any form lets pass: the shorter, the nearer are the places that a form counts for.
+        let widest = zone.form(r2, 0.0);
+        rule.longest = (LONGEST * pitch(widest.along + widest.any)).min(width / 2.0).min(r1 / 2.0);
+        rule.longest = rule.longest.max(4.0 * shortest);
+        rule.forms = (0..=RINGS)
+            .map(|ring| {
+                let rho = (least + ring as f64 * rule.ring).max(f64::MIN_POSITIVE);
+                zone.form(rho, (rule.longest / rho).min(1.0))
+            })
+            .collect();
+        Ok(rule)
+    }
+
+    /// True where the tolerance is a bound for every user of the region: they stay well inside r₁, and the tolerance is not
+    /// below what coordinates resolve.
+    pub fn holds(&self) -> bool {
+        self.holds
+    }
+
+    /// Fails where the tolerance is no bound.
+    pub fn demand(&self) -> Result<()> {
+        let Settings { r1, reach, kind, .. } = self.settings;
+        let greatest = (1.0 - LEAST_CLEARANCE) * (r1 - self.passing_r1);
+        if kind == Kind::Blend && reach >= greatest {
+            let expected =
+                format!("users within {greatest:.3} m of the centre, 0.6 of r1, where the error has a bound");
+            return Err(Error::value("user_region", expected, format!("{reach} m")));
+        }
+        if !self.holds {
+            let expected =
+                "a tolerance that triangles of a few thousandths of r2 - r1 and the coordinates' digits reach";
+            return Err(Error::value("tolerance_px", expected, format!("{:e} radians", self.settings.tolerance)));
+        }
+        Ok(())
+    }
+
+    /// The settings that it was made for.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Share of the way from a to b at which their edge is split. Call it with the ends in one order.
+    ///
+    /// Every part of an edge that is left whole is left whole too: otherwise thin triangles would be split for ever.
+    pub(super) fn share(&self, a: DVec3, b: DVec3) -> Option<f64> {
+        let Settings { r1, r2, .. } = self.settings;
+        let (p, q) = (self.on_ground(a), self.on_ground(b));
+        let (least, greatest) = (p.length().min(q.length()), p.length().max(q.length()));
+        let length = (b - a).length();
+        if length <= self.shortest.max(1e-14 * a.abs().max(b.abs()).max_element()) {
+            return None;
+        }
+        let (nearest, room) = (segment_distance(p, q), self.shortest / length);
+        if greatest <= r1 + self.missing_r1 {
+            // Both ends on r₁: the triangle beyond is shown as if it ended here.
+            return (least >= r1 - self.rounding && nearest < r1 - self.passing_r1).then_some(0.5);
+        }
+        if least >= r2 - self.passing_r2 {
+            return (nearest < r2 - self.passing_r2).then(|| crossing(p, q, &[r2], room).unwrap_or(0.5));
+        }
+        if least < r1 - self.rounding || greatest > r2 + self.rounding {
+            return Some(crossing(p, q, &[r1, r2], f64::EPSILON).unwrap_or(0.5));
+        }
+        if nearest < r1 - self.rounding
+            && let Some(share) = crossing(p, q, &[r1], room)
+        {
+            return Some(share);
+        }
+        // Parts of one length: the edge is split at the part's end that is nearest to the middle.
+        let parts = self.parts(p, q, a.y - b.y, nearest);
+        (parts >= 2.0).then(|| (parts / 2.0).floor() / parts)
+    }
+
+    /// Into how many parts an edge between the radii is to be split.
+    fn parts(&self, p: DVec2, q: DVec2, height: f64, nearest: f64) -> f64 {
+        let Settings { r1, tolerance, .. } = self.settings;
+        let (edge, middle) = (q - p, (p + q) / 2.0);
+        let least = nearest - self.longest;
+        let ring = ((least - (r1 - self.passing_r1)) / self.ring).max(0.0) as usize;
+        let form = self.forms[ring.min(self.forms.len() - 1)];
+        let horizontal = edge.length_squared();
+        let along = edge.dot(middle.normalize_or_zero()).powi(2);
+        let across = (horizontal - along).max(0.0);
+        let value = form.across * across + form.along * along + form.any * (horizontal + height * height);
+        let share = if least < r1 { 1.0 - PASSING_R1 - MISSING_R1 } else { 1.0 };
+        let parts = (value / (6.0 * tolerance * share)).sqrt().max(horizontal.sqrt() / self.longest);
+        let fewest = ((horizontal + height * height).sqrt() / self.shortest).min(1e9);
+        (parts * (1.0 - 1e-9)).ceil().min(fewest.floor())
+    }
+
+    /// A point that a triangle is to be split at although no edge asks for it: it holds the whole cylinder.
+    pub(super) fn inside(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
+        let [a, b, c] = corners.map(|corner| self.on_ground(corner));
+        if [a, b, c].iter().any(|p| p.length() < self.settings.r2 - self.passing_r2) {
+            return None;
+        }
+        let areas = [b.perp_dot(c), c.perp_dot(a), a.perp_dot(b)];
+        let whole = areas[0] + areas[1] + areas[2];
+        let weights = areas.map(|area| area / whole);
+        weights.iter().all(|&weight| weight > 0.0).then_some(weights)
+    }
+
+    /// True where a triangle is not to be looked at: no point of it lies between the radii, by its box and its corners.
+    pub(super) fn leaves_alone(&self, corners: &[DVec3; 3]) -> bool {
+        let Settings { r1, r2, .. } = self.settings;
+        let p = corners.map(|corner| self.on_ground(corner));
+        let (low, high) = (p[0].min(p[1]).min(p[2]), p[0].max(p[1]).max(p[2]));
+        low.max(-high).max(DVec2::ZERO).length() >= r2 || p.iter().all(|p| p.length() <= r1)
+    }
+
+    /// True where no point of a triangle is inside r₂, as far as one edge's side tells.
+    pub fn is_beyond(&self, corners: &[DVec3; 3]) -> bool {
+        let r2 = self.settings.r2;
+        let p = corners.map(|corner| self.on_ground(corner));
+        let beyond = |axis: DVec2| p.iter().all(|p| p.dot(axis) > r2);
+        // The directions of the corners and of the edges' normals.
+        let normal = |a: DVec2, b: DVec2| {
+            let n = (b - a).perp().normalize_or_zero();
+            if n.dot(a) < 0.0 { -n } else { n }
+        };
+        p.iter().any(|p| beyond(p.normalize_or_zero()))
+            || [(p[0], p[1]), (p[1], p[2]), (p[2], p[0])].into_iter().any(|(a, b)| beyond(normal(a, b)))
+    }
+
+    pub(super) fn on_ground(&self, p: DVec3) -> DVec2 {
+        DVec2::new(p.x - self.settings.center.x, p.z - self.settings.center.z)
+    }
+}
+
+/// Distance of the axis from a segment in the ground plane.
+fn segment_distance(p: DVec2, q: DVec2) -> f64 {
+    let d = q - p;
+    let squared = d.length_squared();
+    let share = if squared > 0.0 { (-p.dot(d) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    (p + d * share).length()
+}
+
+/// Share of the way from p to q at which their segment crosses one of the radii, the one nearest to the middle; none
+/// within `room` of the ends.
+fn crossing(p: DVec2, q: DVec2, radii: &[f64], room: f64) -> Option<f64> {
+    let d = q - p;
+    let (squared, along) = (d.length_squared(), p.dot(d));
+    let roots = radii.iter().flat_map(|&radius| {
+        let root = (along * along - squared * (p.length_squared() - radius * radius)).sqrt();
+        [(-along - root) / squared, (-along + root) / squared]
+    });
+    // NaN, where the edge misses a cylinder or is upright, is in no range.
+    roots
+        .filter(|share| (room..=1.0 - room).contains(share))
+        .min_by(|a, b| (a - 0.5).abs().total_cmp(&(b - 0.5).abs()).then(a.total_cmp(b)))
+}

@@ -1,0 +1,93 @@
+//! Scenes: standing meshes are split where they stand; moving ones are posed anew and stay as they are.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, Vec3};
+
+use super::Counts;
+use super::assemble::{Assembled, Budget, NewVertex, assemble};
+use super::rule::{Precision, Rule};
+use crate::base::{Buffer, Progress, Result};
+use crate::scene::srgb::{linear_from_srgb, srgb_from_linear};
+use crate::scene::{Instance, InstanceSet, Mesh, Scene};
+
+/// The scene with its standing triangles split; what needs no split is shared with the source. The rule's centre is
+/// relative to the scene's origin.
+pub fn tessellate_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(Scene, Counts)> {
+    rule.demand()?;
+    let mut counts = Counts { before: scene.triangle_count() as u64, ..Counts::default() };
+    let standing = scene.standing.instances();
+    let touched = |instance: &&Instance| touches(instance, rule);
+    progress.expect(standing.iter().filter(touched).map(|instance| instance.mesh.faces.len() as u64).sum());
+    let budget = Budget::default();
+    let mut changed = false;
+    let mut instances = Vec::with_capacity(standing.len());
+    for instance in standing {
+        let made = if touches(instance, rule) {
+            let corners = |face| instance.corners(face).map(|corner| corner.as_dvec3());
+            let (faces, vertices) = (&instance.mesh.faces, instance.mesh.positions.len());
+            assemble(faces, vertices, corners, (rule, Precision::Single), (&budget, &mut counts), progress)?
+        } else {
+            None
+        };
+        changed |= made.is_some();
+        instances.push(match made {
+            Some(made) => Instance::new(Arc::new(mesh_of(instance, made)?), DAffine3::IDENTITY, instance.object)?,
+            None => instance.clone(),
+        });
+    }
+    let split = if changed {
+        Scene { standing: Arc::new(InstanceSet::new(instances)), ..scene.clone() }
+    } else {
+        scene.clone()
+    };
+    counts.after = split.triangle_count() as u64;
+    Ok((split, counts))
+}
+
+/// False where an instance's box alone shows that it reaches no point between the radii.
+fn touches(instance: &Instance, rule: &Rule) -> bool {
+    let settings = rule.settings();
+    let [low, high] = [instance.bounds.min, instance.bounds.max].map(|corner| rule.on_ground(corner.as_dvec3()));
+    let (least, greatest) = (low.max(-high).max(glam::DVec2::ZERO), low.abs().max(high.abs()));
+    !instance.mesh.faces.is_empty() && least.length() < settings.r2 && greatest.length() > settings.r1
+}
+
+/// The mesh where it stands. Vertices that no face is split at keep their bits.
+fn mesh_of(instance: &Instance, made: Assembled) -> Result<Mesh> {
+    let mesh = &instance.mesh;
+    let place = |p: &[f32; 3]| match instance.in_place {
+        true => *p,
+        false => instance.to_scene.transform_point3(Vec3::from_array(*p).as_dvec3()).as_vec3().to_array(),
+    };
+    let new = &made.new;
+    let positions: Vec<[f32; 3]> =
+        mesh.positions.iter().map(place).chain(new.iter().map(|new| new.point.as_vec3().to_array())).collect();
+    let uvs = mesh.uvs.as_deref().map(|uvs| extended(mesh, uvs, new, interpolated_uv));
+    let colors = mesh.colors.as_deref().map(|colors| extended(mesh, colors, new, interpolated_color));
+    let (objects, materials) = (mesh.objects.selected(&made.sources), mesh.materials.selected(&made.sources));
+    Mesh::new(positions.into(), made.faces.into(), uvs, colors, objects, materials)
+}
+
+fn extended<T: Copy + Send + Sync + 'static>(
+    mesh: &Mesh,
+    values: &[T],
+    new: &[NewVertex],
+    interpolate: impl Fn([T; 3], [f64; 3]) -> T,
+) -> Buffer<T> {
+    let value =
+        |new: &NewVertex| interpolate(mesh.faces[new.face as usize].map(|vertex| values[vertex as usize]), new.weights);
+    values.iter().copied().chain(new.iter().map(value)).collect()
+}
+
+fn interpolated_uv(uvs: [[f32; 2]; 3], weights: [f64; 3]) -> [f32; 2] {
+    [0, 1].map(|i| (0..3).map(|k| f64::from(uvs[k][i]) * weights[k]).sum::<f64>() as f32)
+}
+
+/// In linear light, as the shading does between corners; alpha is linear already.
+fn interpolated_color(colors: [[u8; 4]; 3], weights: [f64; 3]) -> [u8; 4] {
+    let linear = linear_from_srgb();
+    let mix = |value: &dyn Fn(usize) -> f64| (0..3).map(|k| value(k) * weights[k]).sum::<f64>();
+    let light = |i: usize| srgb_from_linear(mix(&|k| f64::from(linear[usize::from(colors[k][i])])) as f32);
+    [light(0), light(1), light(2), mix(&|k| f64::from(colors[k][3])).round() as u8]
+}

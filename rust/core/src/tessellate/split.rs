@@ -1,0 +1,105 @@
+//! Splits triangles by the rule of their edges.
+
+use glam::DVec3;
+
+use super::rule::{Precision, Rule};
+use crate::base::Result;
+
+/// A triangle or a piece of one, with the places of its corners on the whole.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// Where its corners are.
+    pub corners: [DVec3; 3],
+    /// Weights of the whole's corners at each corner. One that is exactly 0 tells an edge, two tell a corner.
+    pub weights: [[f64; 3]; 3],
+}
+
+/// Corners of a triangle on itself.
+const WHOLE: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// Triangles that are thinner than this share of their length show nothing.
+const THINNEST: f64 = 1e-9;
+
+/// Steps after which a piece is left as it is: the rule ends long before, but rounding could make an edge come back.
+const DEEPEST: u32 = 192;
+
+/// How many pieces are made between two calls of `made`.
+const BATCH: usize = 4096;
+
+type Corner = (DVec3, [f64; 3]);
+
+impl Piece {
+    /// A triangle as a whole.
+    pub fn whole(corners: [DVec3; 3]) -> Self {
+        Self { corners, weights: WHOLE }
+    }
+
+    /// Pieces that cover a triangle; a single one is the triangle itself. Those that `unseen` says are left out.
+    /// `made` is told of thousands of pieces at a time and may stop it.
+    pub fn split(
+        self,
+        rule: &Rule,
+        precision: Precision,
+        unseen: impl Fn(&[DVec3; 3]) -> bool,
+        made: impl Fn(usize) -> Result<()>,
+    ) -> Result<Vec<Self>> {
+        let (mut pieces, mut rest) = (Vec::new(), vec![(self, 0)]);
+        let mut told = 0;
+        while let Some((piece, depth)) = rest.pop() {
+            if unseen(&piece.corners) {
+                continue;
+            }
+            let parts = if depth < DEEPEST { piece.parts(rule, precision) } else { None };
+            match parts {
+                Some(parts) => rest.extend(parts.into_iter().map(|part| (part, depth + 1))),
+                None => pieces.push(piece),
+            }
+            if pieces.len() >= told + BATCH {
+                made(pieces.len() - told)?;
+                told = pieces.len();
+            }
+        }
+        Ok(pieces)
+    }
+
+    /// Its parts in the first step, none where the rule leaves it whole.
+    fn parts(&self, rule: &Rule, precision: Precision) -> Option<Vec<Self>> {
+        let corner = |i: usize| (self.corners[i], self.weights[i]);
+        let [a, b, c] = [corner(0), corner(1), corner(2)];
+        let edges = [[a, b, c], [b, c, a], [c, a, b]];
+        let length = |[a, b, _]: &[Corner; 3]| (b.0 - a.0).length_squared();
+        let cuts = edges.into_iter().filter_map(|edge| cut(rule, precision, edge[0], edge[1]).map(|m| (edge, m)));
+        let longest = cuts.max_by(|(edge, _), (other, _)| length(edge).total_cmp(&length(other)));
+        let parts = if let Some(([a, b, c], m)) = longest {
+            vec![[a, m, c], [m, b, c]]
+        } else {
+            let [s, t, u] = rule.inside(&self.corners)?;
+            let middle = (
+                precision.round(a.0 * s + b.0 * t + c.0 * u),
+                std::array::from_fn(|i| a.1[i] * s + b.1[i] * t + c.1[i] * u),
+            );
+            vec![[a, b, middle], [b, c, middle], [c, a, middle]]
+        };
+        Some(parts.into_iter().map(Self::from_corners).collect())
+    }
+
+    /// True for triangles without a visible area.
+    pub fn is_thin([a, b, c]: &[DVec3; 3]) -> bool {
+        let [a, b, c] = [*a, *b, *c];
+        let longest = (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
+        (b - a).cross(c - a).length() <= THINNEST * longest
+    }
+
+    fn from_corners(corners: [Corner; 3]) -> Self {
+        Self { corners: corners.map(|corner| corner.0), weights: corners.map(|corner| corner.1) }
+    }
+}
+
+/// The new vertex on an edge. Both triangles at the edge get the same bits: its ends are put in one order.
+fn cut(rule: &Rule, precision: Precision, a: Corner, b: Corner) -> Option<Corner> {
+    let (a, b) = if (a.0.x, a.0.y, a.0.z) > (b.0.x, b.0.y, b.0.z) { (b, a) } else { (a, b) };
+    let share = rule.share(a.0, b.0)?;
+    let point = precision.round(a.0.lerp(b.0, share));
+    // Rounded onto an end, it would be split for ever.
+    (point != a.0 && point != b.0).then(|| (point, std::array::from_fn(|i| a.1[i] + (b.1[i] - a.1[i]) * share)))
+}

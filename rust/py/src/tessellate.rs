@@ -1,0 +1,82 @@
+//! Bindings of `tessellate`.
+
+use glam::DVec3;
+use nearfar_core::morph::Kind;
+use nearfar_core::tessellate::{self, Precision, Rule, Settings};
+use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::run;
+use crate::scene::Scene;
+
+fn settings(center: [f64; 3], r1: f64, r2: f64, reach: f64, tolerance: f64) -> Settings {
+    Settings { center: DVec3::from_array(center), r1, r2, reach, tolerance, kind: Kind::Blend }
+}
+
+/// A scene with its standing triangles split, and what was done by name.
+#[pyfunction]
+#[pyo3(signature = (scene, *, center, r1, r2, reach, tolerance, report=None))]
+#[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+fn tessellate_scene<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    center: [f64; 3],
+    r1: f64,
+    r2: f64,
+    reach: f64,
+    tolerance: f64,
+    report: Option<Py<PyAny>>,
+) -> PyResult<(Scene, Bound<'py, PyDict>)> {
+    let world = settings(center, r1, r2, reach, tolerance);
+    let (split, counts) = run::long(py, report, |progress| {
+        let local = Settings { center: world.center - scene.0.origin, ..world };
+        tessellate::tessellate_scene(&scene.0, &Rule::new(&local, Precision::Single)?, progress)
+    })?;
+    let named = PyDict::new(py);
+    for (name, count) in
+        [("before", counts.before), ("after", counts.after), ("examined", counts.examined), ("split", counts.split)]
+    {
+        named.set_item(name, count)?;
+    }
+    Ok((Scene(split), named))
+}
+
+/// New vertices with the faces that they lie on and their weights there; all faces, and the source's face of each.
+#[pyfunction]
+#[pyo3(signature = (vertices, faces, *, center, r1, r2, reach, tolerance, report=None))]
+#[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+fn tessellate_arrays<'py>(
+    py: Python<'py>,
+    vertices: PyReadonlyArray2<'py, f64>,
+    faces: PyReadonlyArray2<'py, u32>,
+    center: [f64; 3],
+    r1: f64,
+    r2: f64,
+    reach: f64,
+    tolerance: f64,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (rows, triples) = (vertices.as_slice()?.as_chunks::<3>().0, faces.as_slice()?.as_chunks::<3>().0);
+    let settings = settings(center, r1, r2, reach, tolerance);
+    let made = run::long(py, report, |progress| {
+        tessellate::tessellate_arrays(rows, triples, &Rule::new(&settings, Precision::Double)?, progress)
+    })?;
+    let named = PyDict::new(py);
+    named.set_item("points", rows_of(py, made.points)?)?;
+    named.set_item("point_faces", made.point_faces.into_pyarray(py))?;
+    named.set_item("weights", rows_of(py, made.weights)?)?;
+    named.set_item("faces", rows_of(py, made.faces)?)?;
+    named.set_item("sources", made.sources.into_pyarray(py))?;
+    Ok(named)
+}
+
+fn rows_of<T: numpy::Element>(py: Python<'_>, rows: Vec<[T; 3]>) -> PyResult<Bound<'_, PyArray2<T>>> {
+    let count = rows.len();
+    rows.into_flattened().into_pyarray(py).reshape([count, 3])
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(tessellate_scene, module)?)?;
+    module.add_function(wrap_pyfunction!(tessellate_arrays, module)?)
+}
