@@ -1,0 +1,195 @@
+"""Tessellation: pixels by which the vertex morph misses, before and after, and what the same error costs a peer."""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import trimesh
+from numpy.typing import NDArray
+
+import nearfar as nf
+from _measure import best, machine, table
+from nearfar import _data
+
+R1, R2, REACH = 30.0, 50.0, 5.0
+VIEW = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 16 / 9), size=(1920, 1080))
+PIXEL = VIEW._core.least_pixel_angle
+TOLERANCES = (0.25, 0.5, 1.0)
+
+Array = NDArray[Any]
+
+
+def users(center: Array, count: int) -> Array:
+    """Eyes in the region, most of them at its border, where errors are greatest."""
+    random = np.random.default_rng(0)
+    aim = random.normal(size=(count, 3)) * [1, 0.2, 1]
+    aim /= np.linalg.norm(aim, axis=1, keepdims=True)
+    return np.asarray(center + REACH * random.uniform(0.5, 1, (count, 1)) ** 0.1 * aim)
+
+
+def misses(triangles: Array, center: Array, eyes: Array) -> Array:
+    """Greatest error of each triangle in the finest pixels of a 1080p view of 90°, at seven points for each eye."""
+    weights = np.concatenate([(1 - np.eye(3)) / 2, np.full((1, 3), 1 / 3), np.eye(3) * 0.55 + 0.15])
+    worst = np.zeros(len(triangles))
+    for eye in eyes:
+        morphing: dict[str, Any] = {"user": eye, "center": center, "r1": R1, "r2": R2}
+        for part in np.array_split(np.arange(len(triangles)), len(triangles) // 100_000 + 1):
+            corners = triangles[part]
+            shown = np.einsum("wk,tkc->twc", weights, nf.morph(corners.reshape(-1, 3), **morphing).reshape(-1, 3, 3))
+            points = np.einsum("wk,tkc->twc", weights, corners)
+            exact = nf.morph(points.reshape(-1, 3), **morphing).reshape(points.shape) - eye
+            cross = np.linalg.norm(np.cross(shown - eye, exact), axis=2)
+            angle = np.arctan2(cross, ((shown - eye) * exact).sum(axis=2))
+            worst[part] = np.maximum(worst[part], angle.max(axis=1))
+    return worst / PIXEL
+
+
+def grid(length: float, extent: float = 60.0) -> Array:
+    """Ground of right triangles with legs of a length."""
+    count = round(2 * extent / length)
+    x, z = (v.ravel() * length - extent for v in np.meshgrid(np.arange(count), np.arange(count)))
+    low = np.stack([x, np.zeros(len(x)), z], axis=1)
+    right, down = np.array([length, 0, 0]), np.array([0, 0, length])
+    halves = [np.stack([low, low + down, low + right + down], 1), np.stack([low, low + right + down, low + right], 1)]
+    return np.concatenate(halves)
+
+
+def by_length() -> str:
+    """Return errors of the vertices as they are by the length of a triangle's legs, on ground 1.7 m below the eye."""
+    center = np.array([0.3, 1.7, 0.2])
+    eyes = users(center, 12)
+    rows = []
+    for length in (0.5, 1.0, 2.0, 4.0, 8.0, 15.0, 30.0, 60.0):
+        triangles = grid(length)
+        error = misses(triangles, center, eyes)
+        error = error[error > 0]
+        rows.append([f"{length:g}", f"{len(triangles):,}", f"{error.max():.2f}", f"{np.percentile(error, 95):.2f}"])
+    header = ["leg, m", "triangles of 120 m × 120 m", "greatest error, px", "95th percentile of those that bend"]
+    return table("Vertex morph of ground without tessellation, users within 5 m", header, rows)
+
+
+def plane(extent: float) -> trimesh.Trimesh:
+    corners = np.array([[-1, 0, -1], [-1, 0, 1], [1, 0, 1], [1, 0, -1]]) * extent
+    return trimesh.Trimesh(corners, [[0, 1, 2], [0, 2, 3]], process=False)
+
+
+def scenes(quick: bool) -> Iterator[tuple[str, nf.Scene, Array]]:
+    """Two triangles, procedural streets, and Tokyo where it is."""
+    yield "two triangles of ground, 8 km wide", nf.Scene.from_trimesh(plane(4000.0)), np.array([0.3, 1.7, 0.2])
+    city = nf.datasets.city(blocks=4 if quick else 12, seed=0, detail=2)
+    low, high = city.bounds
+    yield "procedural city", city, np.array([(low[0] + high[0]) / 2, 1.7, (low[2] + high[2]) / 2])
+    path = _data.find("city/tokyo23/tokyo_core_lod1.glb")
+    if path is not None and not quick:
+        yield "tokyo_core_lod1", nf.Scene.load(path), np.array([275.0, 1.7, -60.7])
+
+
+def touching(scene: nf.Scene, center: Array) -> Array:
+    """World triangles that stand and reach between the radii."""
+    triangles = scene.triangles()[: scene._core.standing_triangle_count].astype(np.float64) + scene.origin
+    radii = nf.triangle_radii(triangles, center=center)
+    return np.asarray(triangles[(radii[:, 0] < R2) & (radii[:, 1] > R1)])
+
+
+def scenes_by_tolerance(quick: bool) -> str:
+    """Triangles, time and measured error of each scene by tolerance."""
+    rows = []
+    for name, scene, center in scenes(quick):
+        eyes = users(center, 4 if quick else 12)
+        before = misses(touching(scene, center), center, eyes).max()
+        rows.append([name, "none", f"{scene.triangle_count:,}", "", "", f"{before:.1f}", ""])
+        for pixels in TOLERANCES:
+            job = partial(
+                nf._core.tessellate_scene,
+                scene._core,
+                center=tuple(center),
+                r1=R1,
+                r2=R2,
+                reach=REACH,
+                tolerance=pixels * PIXEL,
+            )
+            made, counts = job()
+            timing = best(job, repeat=3)
+            error = misses(touching(scene._derived(made, scene._rest), center), center, eyes).max()
+            rows.append(
+                [
+                    name,
+                    f"{pixels:g}",
+                    f"{counts['after']:,}",
+                    f"{counts['split']:,} of {counts['examined']:,}",
+                    f"{timing.wall * 1e3:.0f}",
+                    f"{error:.3f}",
+                    f"{error / pixels:.2f}",
+                ]
+            )
+    header = ["scene", "tolerance, px", "triangles", "split of examined", "ms", "greatest error, px", "of the bound"]
+    return table(f"Tessellation, users within {REACH:g} m, r₁ = {R1:g}, r₂ = {R2:g} m", header, rows)
+
+
+def against_peer(quick: bool) -> tuple[str, dict[str, list[tuple[int, float]]]]:
+    """Ground of 120 m × 120 m: trimesh's subdivide_to_size until it reaches the error that we measure."""
+    center = np.array([0.3, 1.7, 0.2])
+    eyes = users(center, 6)
+    mesh = plane(60.0)
+    rows: list[list[str]] = []
+    curves: dict[str, list[tuple[int, float]]] = {"nearfar": [], "subdivide_to_size": []}
+    for pixels in (1.0, 4.0) if quick else (0.5, 1.0, 2.0, 4.0):
+        settings: dict[str, Any] = {"center": center, "r1": R1, "r2": R2, "user_region": REACH, "camera": VIEW}
+        started = time.perf_counter()
+        ours = nf.tessellate(mesh, tolerance_px=pixels, **settings)
+        wall = time.perf_counter() - started
+        error = float(misses(np.asarray(ours.triangles), center, eyes).max())
+        curves["nearfar"].append((len(ours.faces), error))
+        rows.append([f"nearfar, {pixels:g} px", f"{len(ours.faces):,}", f"{wall * 1e3:.0f}", f"{error:.3f}"])
+    for longest in (8.0, 4.0, 2.0) if quick else (8.0, 4.0, 2.0, 1.0, 0.5, 0.25):
+        started = time.perf_counter()
+        vertices, faces = trimesh.remesh.subdivide_to_size(mesh.vertices, mesh.faces, max_edge=longest, max_iter=30)
+        wall = time.perf_counter() - started
+        error = float(misses(np.asarray(vertices[faces]), center, eyes).max())
+        curves["subdivide_to_size"].append((len(faces), error))
+        rows.append(
+            [f"trimesh subdivide_to_size, {longest:g} m", f"{len(faces):,}", f"{wall * 1e3:.0f}", f"{error:.3f}"]
+        )
+    header = ["method", "triangles", "ms", "greatest error, px"]
+    return table("Ground of 120 m × 120 m, two triangles, users within 5 m", header, rows), curves
+
+
+def draw(curves: dict[str, list[tuple[int, float]]], path: Path) -> None:
+    """Draw the error by the number of triangles."""
+    import matplotlib as mpl
+
+    mpl.use("agg")
+    from matplotlib import pyplot as plt
+
+    figure, axes = plt.subplots(figsize=(6, 4))
+    for name, points in curves.items():
+        axes.loglog(*zip(*points, strict=True), marker="o", label=name)
+    axes.set(xlabel="triangles", ylabel="greatest error, px", title="Ground of two triangles, users within 5 m")
+    axes.grid(True, which="both", alpha=0.3)
+    axes.legend()
+    figure.tight_layout()
+    figure.savefig(path)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="small sizes")
+    parser.add_argument("--plot", type=Path, help="where to draw the error by the number of triangles")
+    arguments = parser.parse_args()
+    print(machine(), end="\n\n")
+    print(by_length())
+    print(scenes_by_tolerance(arguments.quick))
+    text, curves = against_peer(arguments.quick)
+    print(text)
+    if arguments.plot is not None:
+        draw(curves, arguments.plot)
+
+
+if __name__ == "__main__":
+    main()
