@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Iterator
-from contextlib import contextmanager
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -31,29 +27,15 @@ from nearfar.cli._options import (
     read_point,
     read_size,
 )
-from nearfar.cli._output import bytes_text, count, metres, show
+from nearfar.cli._output import Clock, bytes_text, count, metres, show
 from nearfar.cli._partition import curve_points
-from nearfar.cli._place import Place, choose, open_direction
+from nearfar.cli._place import Place, ahead, choose, open_direction, walk
 from nearfar.cli._render import camera
 
 VERSION = 1
 
 VISIBLE = 8
 """Levels of 255 from which a pixel counts as different from the truth."""
-
-
-@dataclass
-class Clock:
-    """Wall time of each step."""
-
-    seconds: dict[str, float] = field(default_factory=dict)
-
-    @contextmanager
-    def step(self, name: str) -> Iterator[None]:
-        """Time a step."""
-        started = time.perf_counter()
-        yield
-        self.seconds[name] = round(time.perf_counter() - started, 3)
 
 
 def demo(
@@ -83,7 +65,7 @@ def demo(
         with clock.step("place"):
             place = Place(middle, open_direction(loaded, middle)) if middle else choose(loaded, scene)
             user = walk(loaded, place, 0.4 * (r2 - r1))
-        view = camera(loaded, user, _ahead(user, place.forward), 90.0, pixels)
+        view = camera(loaded, user, ahead(user, place.forward), 90.0, pixels)
         with clock.step("load curve"):
             curve = nf.load_curve(loaded, center=place.eye)
         pictures, reduced = render_all(loaded, view, place.eye, r1, r2, face_size, samples, clock)
@@ -113,17 +95,6 @@ def demo(
     if not plotted:
         typer.echo("nearfar: left load_curve.png out, because matplotlib is not installed", err=True)
     show(document, rows, title=scene, as_json=as_json)
-
-
-def walk(scene: nf.Scene, place: Place, distance: float) -> Point:
-    """Where the user stands: up to `distance` metres beside the centre, on the wider side and off its walls.
-
-    Steps to the side show what the methods do to the picture; steps along the view hardly change it.
-    """
-    right = np.array([-place.forward[2], 0.0, place.forward[0]])
-    free = nf.cast_rays(scene, np.tile(place.eye, (2, 1)), np.stack([right, -right])).t_hit
-    side = right if free[0] >= free[1] else -right
-    return _point(np.array(place.eye) + min(distance, 0.6 * float(free.max())) * side)
 
 
 def render_all(
@@ -163,13 +134,3 @@ def difference(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> dict[st
     pixels = int((error.max(axis=-1) >= VISIBLE).sum())
     rmse = float(np.sqrt(np.mean(error.astype(np.float64) ** 2)) / 255.0)
     return {"pixels": pixels, "share": round(pixels / error[..., 0].size, 6), "rmse": round(rmse, 6)}
-
-
-def _ahead(eye: Point, forward: Point) -> Point:
-    """A point to look at, a little above the horizon: a level view is half road."""
-    return _point(np.array(eye) + np.array(forward) + np.array([0.0, 0.15, 0.0]))
-
-
-def _point(values: NDArray[np.float64]) -> Point:
-    x, y, z = (float(value) for value in values)
-    return x, y, z

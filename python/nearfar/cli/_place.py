@@ -70,6 +70,22 @@ def choose(scene: nf.Scene, source: str) -> Place:
     return Place(best, open_direction(scene, best))
 
 
+def walk(scene: nf.Scene, place: Place, distance: float) -> Point:
+    """Where the user stands: up to `distance` metres beside the centre, on the wider side and off its walls.
+
+    Steps to the side show what the methods do to the picture; steps along the view hardly change it.
+    """
+    right = np.array([-place.forward[2], 0.0, place.forward[0]])
+    free = nf.cast_rays(scene, np.tile(place.eye, (2, 1)), np.stack([right, -right])).t_hit
+    side = right if free[0] >= free[1] else -right
+    return _point(np.array(place.eye) + min(distance, 0.6 * float(free.max())) * side)
+
+
+def ahead(eye: Point, forward: Point) -> Point:
+    """A point to look at, a little above the horizon: a level view is half road."""
+    return _point(np.array(eye) + np.array(forward) + np.array([0.0, 0.15, 0.0]))
+
+
 def _candidates(scene: nf.Scene) -> NDArray[np.float64]:
     """Eyes above the ground of a grid, nearest to the middle first: those seen from above, then those from below.
 

@@ -1,0 +1,218 @@
+"""`nearfar compare`: truth, conventional and continuous method from one eye, measured, with thresholds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any
+
+import numpy as np
+import typer
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar import _check, _files, _formats
+from nearfar.cli import _comparison, _report
+from nearfar.cli._options import (
+    Center,
+    FaceSize,
+    Inner,
+    Input,
+    Invalid,
+    Json,
+    Outer,
+    Point,
+    Samples,
+    Size,
+    Up,
+    open_scene,
+    read_point,
+    read_size,
+)
+from nearfar.cli._output import Clock, count, metres, show
+from nearfar.cli._partition import curve_points
+from nearfar.cli._place import Place, ahead, choose, open_direction, walk
+from nearfar.cli._render import camera
+
+VERSION = 1
+
+BROKEN = 3
+"""Status of a comparison that broke a threshold. 1 is an error, 2 a wrong command line."""
+
+CHANNELS = ("color", "position")
+
+
+@dataclass(frozen=True)
+class Threshold:
+    """A limit for the continuous picture."""
+
+    option: str
+    measure: str
+    limit: float
+    least: bool
+    """Whether the limit is the least value that will do, or the greatest."""
+
+    def check(self, values: dict[str, Any]) -> dict[str, Any]:
+        """Compare a value with the limit; what is not in the picture cannot break it."""
+        value = values[self.measure]
+        kept = value is None or (value >= self.limit if self.least else value <= self.limit)
+        return {"option": self.option, "measure": self.measure, "limit": self.limit, "value": value, "kept": bool(kept)}
+
+
+def compare(
+    scene: Input,
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder to write.")],
+    center: Center = None,
+    user: Annotated[
+        str | None, typer.Option("--user", metavar="X,Y,Z", help="Eye U in metres. By default beside the centre.")
+    ] = None,
+    distance: Annotated[
+        float, typer.Option("--distance", metavar="METRES", help="How far U is from O, where --user is not given.")
+    ] = 6.0,
+    target: Annotated[
+        str | None, typer.Option("--target", metavar="X,Y,Z", help="Point looked at. By default the longest open view.")
+    ] = None,
+    fov: Annotated[float, typer.Option("--fov", metavar="DEGREES", help="Horizontal field of view.")] = 90.0,
+    r1: Inner = 30.0,
+    r2: Outer = 50.0,
+    face_size: FaceSize = 1024,
+    size: Size = "960x600",
+    samples: Samples = 4,
+    exact: Annotated[
+        bool, typer.Option("--exact", help="Bend every pixel's ray instead of moving vertices; no map's texels.")
+    ] = False,
+    min_psnr: Annotated[float | None, typer.Option("--min-psnr", metavar="DB")] = None,
+    min_ssim: Annotated[float | None, typer.Option("--min-ssim", metavar="VALUE")] = None,
+    max_discontinuity: Annotated[float | None, typer.Option("--max-discontinuity", metavar="VALUE")] = None,
+    max_boundary: Annotated[float | None, typer.Option("--max-boundary-discontinuity", metavar="VALUE")] = None,
+    up: Up = "y",
+    on_invalid: Invalid = "raise",
+    as_json: Json = False,
+) -> None:
+    """Compare truth, conventional and continuous method from one eye; thresholds are for the continuous one.
+
+    Ends with status 3 where a threshold is broken.
+    """
+    _check.radii(r1, r2)
+    thresholds = [
+        Threshold(option, measure, _check.number(option, limit), least)
+        for option, measure, limit, least in (
+            ("--min-psnr", "psnr", min_psnr, True),
+            ("--min-ssim", "ssim", min_ssim, True),
+            ("--max-discontinuity", "discontinuity", max_discontinuity, False),
+            ("--max-boundary-discontinuity", "boundary", max_boundary, False),
+        )
+        if limit is not None
+    ]
+    pixels, middle = read_size("--size", size), read_point("--center", center)
+    eye, aim = read_point("--user", user), read_point("--target", target)
+    beside, clock = _check.positive("--distance", distance), Clock()
+    output.parent.mkdir(parents=True, exist_ok=True)
+    with _files.atomic_folder(output, marker="compare.json") as folder:
+        with clock.step("scene"):
+            loaded = open_scene(scene, up=up, on_invalid=on_invalid)
+        with clock.step("place"):
+            place = Place(middle, open_direction(loaded, middle)) if middle else choose(loaded, scene)
+            eye = eye or walk(loaded, place, beside)
+            view = camera(loaded, eye, aim or ahead(eye, place.forward), fov, pixels)
+        with clock.step("load curve"):
+            curve = nf.load_curve(loaded, center=place.eye)
+        frames, reduced = _frames(loaded, view, place.eye, (r1, r2), face_size, samples, exact, clock)
+        with clock.step("measures"):
+            maps = {name: nf.discontinuity(frame) for name, frame in frames.items()}
+            values = {name: measure(frames, maps, name, place.eye, r2) for name in ("conventional", "continuous")}
+        with clock.step("pictures"):
+            _report.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
+            plotted = _report.save_curve(folder, curve, r2)
+            if plotted:
+                _comparison.save_heat_maps(folder, {name: maps[name] for name in values})
+        checked = [threshold.check(values["continuous"]) for threshold in thresholds]
+        document = _formats.header("compare", VERSION, origin=[float(v) for v in loaded.origin], color_space="sRGB") | {
+            "source": scene,
+            "triangles": int(loaded.triangle_count),
+            "triangles_left": int(reduced.stats["drawn"]),
+            "map_bytes": int(reduced.stats["map_bytes"]),
+            "center": list(place.eye),
+            "user": list(eye),
+            "fold_margin": round(nf.fold_margin(eye, center=place.eye, r1=r1, r2=r2), 3),
+            "r1": r1,
+            "r2": r2,
+            "face_size": face_size,
+            "samples": samples,
+            "size": list(pixels),
+            "method": "exact" if exact else "vertex",
+            "pictures": values,
+            "thresholds": checked,
+            "load_curve": curve_points(curve),
+            "seconds": clock.seconds,
+            "files": sorted([path.name for path in folder.iterdir()] + ["compare.json", "report.html", "report.md"]),
+        }
+        _comparison.save(folder, document)
+    if not plotted:
+        typer.echo("nearfar: left plots out, because matplotlib is not installed", err=True)
+    show(document, _rows(document, output), title=scene, as_json=as_json)
+    broken = [check for check in checked if not check["kept"]]
+    for check in broken:
+        sentence = f"{check['option']}: {check['measure']} is {check['value']:.4g}, the limit {check['limit']:.4g}"
+        typer.echo(f"nearfar: {sentence}", err=True)
+    if broken:
+        raise typer.Exit(BROKEN)
+
+
+def _frames(
+    scene: nf.Scene,
+    view: nf.Camera,
+    center: Point,
+    radii: tuple[float, float],
+    face_size: int,
+    samples: int,
+    exact: bool,
+    clock: Clock,
+) -> tuple[dict[str, nf.Frame], nf.ReducedScene]:
+    """The three pictures with the points that they show, and the reduced scene."""
+    with clock.step("truth"):
+        frames = {"truth": nf.render(scene, view, samples=samples, channels=CHANNELS)}
+    with clock.step("reduce"):
+        # Range, because the discontinuity of far pixels needs to know what they show.
+        reduced = nf.reduce(
+            scene, center=center, r1=radii[0], r2=radii[1], face_size=face_size, channels=("color", "range")
+        )
+    how: dict[str, Any] = {"method": "exact", "env": False} if exact else {}
+    for name, light in (("conventional", reduced.with_morph("none")), ("continuous", reduced)):
+        with clock.step(name):
+            frames[name] = light.render(view, samples=samples, channels=CHANNELS, **how)
+    return frames, reduced
+
+
+def measure(
+    frames: dict[str, nf.Frame], maps: dict[str, NDArray[np.float32]], name: str, center: Point, r2: float
+) -> dict[str, Any]:
+    """Measures of a picture against the truth; None where the picture does not show what is measured."""
+    truth, frame, torn = frames["truth"], frames[name], maps[name]
+    edge = nf.boundary(frame, center=center, radius=r2) & ~np.isnan(torn)
+    known = torn[~np.isnan(torn)]
+    psnr = nf.psnr(truth, frame)
+    return {
+        "psnr": round(psnr, 4) if np.isfinite(psnr) else None,
+        "ssim": round(nf.ssim(truth, frame), 6),
+        "rmse": round(nf.rmse(truth, frame), 6),
+        "discontinuity": round(float(known.mean()), 6) if known.size else None,
+        "discontinuity_p99": round(float(np.percentile(known, 99)), 6) if known.size else None,
+        "boundary": round(float(np.abs(torn[edge]).mean()), 6) if edge.any() else None,
+        "boundary_pixels": int(edge.sum()),
+    }
+
+
+def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
+    pictures = document["pictures"]
+    both = [
+        (label, " → ".join(_comparison.text(pictures[name][key]) for name in ("conventional", "continuous")))
+        for key, label in _comparison.MEASURES.items()
+    ]
+    return [
+        ("triangles", f"{count(document['triangles'])} → {count(document['triangles_left'])}"),
+        ("centre, user", f"{metres(document['center'])}; {metres(document['user'])}"),
+        ("", "conventional → continuous"),
+        *both,
+        ("written to", str(output)),
+    ]

@@ -1,0 +1,130 @@
+"""`nearfar compare`: measures that are right, pages that are whole, thresholds that end the command."""
+
+from __future__ import annotations
+
+import json
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import nearfar as nf
+from nearfar.cli._app import run
+from support import need, valid
+from test_cli import city as city
+from test_cli import command
+
+PLACE = ("--center", "0,1.7,0", "--user", "0,1.7,5", "--target", "90,1,0")
+FAST = ("--size", "192x120", "--samples", "1", "--face-size", "64")
+
+
+@pytest.fixture(scope="module")
+def compared(city: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, dict[str, Any]]:
+    need("matplotlib")
+    folder = tmp_path_factory.mktemp("compare") / "out"
+    assert run(["compare", "-i", str(city), "-o", str(folder), *PLACE, *FAST]) == 0
+    return folder, json.loads((folder / "compare.json").read_text(encoding="utf-8"))
+
+
+def test_the_document_is_valid_and_its_files_are_there(compared: tuple[Path, dict[str, Any]]) -> None:
+    folder, document = compared
+    assert valid(document, "compare")
+    assert sorted(path.name for path in folder.iterdir()) == document["files"]
+    for name in document["files"]:
+        if name.endswith(".png"):
+            with Image.open(folder / name) as picture:
+                picture.load()
+    assert document["thresholds"] == []
+    assert document["triangles_left"] < document["triangles"]
+
+
+def test_measures_are_those_of_the_functions(city: Path, compared: tuple[Path, dict[str, Any]]) -> None:
+    _, document = compared
+    scene = nf.Scene.load(city)
+    fov = nf.Fov.symmetric(90, 192 / 120)
+    view = nf.Camera.look_at(document["user"], (90, 1, 0), fov=fov, size=(192, 120))
+    truth = nf.render(scene, view, channels=("color",))
+    reduced = nf.reduce(scene, center=(0, 1.7, 0), r1=30, r2=50, face_size=64, channels=("color", "range"))
+    for name, light in (("conventional", reduced.with_morph("none")), ("continuous", reduced)):
+        frame = light.render(view, channels=("color", "position"))
+        values = document["pictures"][name]
+        torn = nf.discontinuity(frame)
+        edge = nf.boundary(frame, center=(0, 1.7, 0), radius=50) & ~np.isnan(torn)
+        # Written with four to six decimals.
+        assert values["psnr"] == pytest.approx(nf.psnr(truth, frame), abs=1e-4)
+        assert values["ssim"] == pytest.approx(nf.ssim(truth, frame), abs=1e-6)
+        assert values["discontinuity"] == pytest.approx(np.nanmean(torn), abs=1e-5)
+        assert values["boundary_pixels"] == edge.sum() > 0
+        assert values["boundary"] == pytest.approx(np.abs(torn[edge]).mean(), abs=1e-5)
+
+
+class Page(HTMLParser):
+    """Opens and closes every element that needs it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag not in ("meta", "img"):
+            self.open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+
+def test_reports_show_every_picture_and_measure(compared: tuple[Path, dict[str, Any]]) -> None:
+    folder, document = compared
+    text, page = ((folder / name).read_text(encoding="utf-8") for name in ("report.md", "report.html"))
+    parser = Page()
+    parser.feed(page)
+    assert parser.open == []
+    assert page.count("data:image/png;base64,") == len(re.findall(r"!\[.*\]\((.*)\)", text)) == 3
+    assert "http" not in page
+    for values in document["pictures"].values():
+        for report in (text, page):
+            assert f"{values['psnr']:.4g}" in report
+            assert f"{values['discontinuity']:.4g}" in report
+
+
+@pytest.mark.parametrize(
+    ("option", "limit", "status"),
+    [
+        ("--min-psnr", "5", 0),
+        ("--min-psnr", "90", 3),
+        ("--min-ssim", "0.9999", 3),
+        ("--max-discontinuity", "-1", 3),
+        ("--max-discontinuity", "50", 0),
+        ("--max-boundary-discontinuity", "1e-6", 3),
+    ],
+)
+def test_thresholds_end_the_command(
+    city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], option: str, limit: str, status: int
+) -> None:
+    out = tmp_path / "out"
+    arguments = ("-i", city, "-o", out, *PLACE, *FAST, option, limit, "--json", "--exact")
+    found, printed, said = command(capsys, "compare", *arguments)
+    document = json.loads(printed)
+    assert found == status
+    assert valid(document, "compare")
+    assert document["method"] == "exact"
+    assert document["thresholds"][0]["kept"] == (status == 0)
+    assert (option in said) == (status == 3)
+    assert (out / "report.html").exists()
+
+
+def test_mistakes_are_sentences(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for wrong, words in [
+        (("--distance", "0"), "--distance"),
+        (("--user", "1,2"), "--user: expected x,y,z"),
+        (("--r1", "60"), "r1: expected less than r2"),
+        (("--min-psnr", "nan"), "--min-psnr: expected a finite number"),
+    ]:
+        status, _, said = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *FAST, *wrong)
+        assert status == 1
+        assert words in said
+        assert not (tmp_path / "out").exists()
