@@ -64,8 +64,7 @@ impl<'a> Exact<'a> {
     fn trace_tile(&self, cell: &Cell<'_>, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
         let user = self.morph.user.as_vec3();
         for (n, ray) in rays.iter_mut().enumerate() {
-            let straight = cell.bend(0, ray.direction, spots.within(n)).length();
-            (ray.t_min, ray.t_max) = (0.0, straight * (1.0 + OVERLAP));
+            (ray.t_min, ray.t_max) = (0.0, cell.straight(spots.within(n)) * (1.0 + OVERLAP));
         }
         self.closest(rays, hits);
         let mut open: [usize; PIXELS] = std::array::from_fn(|n| n);

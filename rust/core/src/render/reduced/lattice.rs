@@ -152,7 +152,8 @@ impl Lattice {
                 return f64::INFINITY;
             }
             let (a, b, c) = (self.of(before), self.of(middle), self.of(after));
-            for k in 0..self.bends {
+            // The bends of a ray differ smoothly from one to the next.
+            for k in (0..self.bends).step_by((self.bends / 4).max(1)) {
                 let second = |x: f32, y: f32, z: f32| f64::from(x) - 2.0 * f64::from(y) + f64::from(z);
                 let along = second(a[k].s, b[k].s, c[k].s).abs() / 8.0;
                 let across = (a[k].offset - 2.0 * b[k].offset + c[k].offset).as_dvec3().length() / 8.0;
@@ -167,17 +168,20 @@ impl Lattice {
 }
 
 impl Cell<'_> {
+    /// How far a ray is straight: the offset of its first bend is nothing.
+    #[inline]
+    pub fn straight(&self, spot: [f32; 2]) -> f32 {
+        let [a, b, c, d] = self.corners.map(|nodes| nodes[0].s);
+        bilinear([a, b, c, d], spot)
+    }
+
     /// Where a ray bends for the kth time, from the user: its direction, and its place in the tile.
     #[inline]
     pub fn bend(&self, k: usize, direction: Vec3, [x, y]: [f32; 2]) -> Vec3 {
         let [a, b, c, d] = self.corners.map(|nodes| nodes[k]);
-        let mix = |a: f32, b: f32, c: f32, d: f32| {
-            let (top, bottom) = (a + (b - a) * x, c + (d - c) * x);
-            top + (bottom - top) * y
-        };
         let top = a.offset + (b.offset - a.offset) * x;
         let bottom = c.offset + (d.offset - c.offset) * x;
-        direction * mix(a.s, b.s, c.s, d.s) + top + (bottom - top) * y
+        direction * bilinear([a.s, b.s, c.s, d.s], [x, y]) + top + (bottom - top) * y
     }
 }
 
@@ -198,6 +202,12 @@ impl Cell<'_> {
         let margin = Vec3::splat(BULGE * widest);
         Aabb { min: region.min - margin, max: region.max + margin }
     }
+}
+
+#[inline]
+fn bilinear([a, b, c, d]: [f32; 4], [x, y]: [f32; 2]) -> f32 {
+    let (top, bottom) = (a + (b - a) * x, c + (d - c) * x);
+    top + (bottom - top) * y
 }
 
 /// The one stretch between the radii of a ray that a user inside r₁ sees; none for other users and upright rays.
