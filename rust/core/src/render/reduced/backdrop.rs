@@ -6,11 +6,12 @@ use glam::{DVec3, Vec3};
 use super::super::frame::Sample;
 use super::super::shade::background;
 use super::super::surface::Surface;
+use super::super::tiles::PIXELS;
 use crate::camera::Footprint;
 use crate::cubemap::EnvironmentMap;
 use crate::morph::Morph;
 use crate::scene::Scene;
-use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hit};
+use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hits};
 
 /// Share of its range by which a fragment may lie behind the map before it counts as hidden: the error of a half float,
 /// and of a range that was taken half a texel away on a surface at 45 degrees in a map of 512 texels.
@@ -99,17 +100,54 @@ impl Backdrop<'_> {
         Ray { origin: self.center.as_vec3(), direction, t_min: (radius / slope) as f32, t_max: f32::INFINITY }
     }
 
+    /// What a tile's rays that met nothing see of a far part that is traced: together, because they are coherent.
+    pub fn behind(&self, rays: &[Ray], hits: &[Hit]) -> Option<Behind> {
+        let Far::Traced(scene, radius) = self.far else { return None };
+        let mut behind = Behind { rays: [self.ray(radius, Vec3::Y); PIXELS], hits: [Hit::MISS; PIXELS] };
+        for (far, (ray, hit)) in behind.rays.iter_mut().zip(rays.iter().zip(hits)) {
+            *far = self.ray(radius, ray.direction);
+            if !hit.is_miss() || !far.t_min.is_finite() {
+                (far.t_min, far.t_max) = (1.0, 0.0);
+            }
+        }
+        closest(scene, &behind.rays[..rays.len()], &mut behind.hits[..rays.len()]);
+        Some(behind)
+    }
+
     fn cast(&self, scene: &Scene, radius: f64, direction: Vec3) -> (Ray, Hit) {
         let ray = self.ray(radius, direction);
         if !ray.t_min.is_finite() {
             return (ray, Hit::MISS);
         }
-        let hit = if scene.has_cutouts() {
-            closest_hit(scene, &ray, &AlphaFilter { scene, inner: All })
-        } else {
-            closest_hit(scene, &ray, &All)
-        };
-        (ray, hit)
+        let mut hits = [Hit::MISS];
+        closest(scene, &[ray], &mut hits);
+        (ray, hits[0])
+    }
+}
+
+/// Rays from the centre through a tile's pixels, and what they meet beyond the near part.
+pub(super) struct Behind {
+    rays: [Ray; PIXELS],
+    hits: [Hit; PIXELS],
+}
+
+impl Behind {
+    /// Linear RGB that the nth ray sees of a scene.
+    pub fn color(&self, n: usize, scene: &Scene, footprint: Footprint) -> [f32; 3] {
+        let (ray, hit) = (&self.rays[n], &self.hits[n]);
+        if hit.is_miss() {
+            return background(ray.direction);
+        }
+        Surface::of_hit(scene, ray, hit).color(scene, footprint.at(hit.t))
+    }
+}
+
+/// Closest solid points along rays.
+pub(super) fn closest(scene: &Scene, rays: &[Ray], hits: &mut [Hit]) {
+    if scene.has_cutouts() {
+        closest_hits(scene, rays, &AlphaFilter { scene, inner: All }, hits);
+    } else {
+        closest_hits(scene, rays, &All, hits);
     }
 }
 

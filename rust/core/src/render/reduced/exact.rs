@@ -1,20 +1,20 @@
 //! The morph per pixel: every ray is bent and traced through the scene as it is, leg by leg, up to r₂; beyond it only
 //! what moves is traced, along the ray from the centre that shows the far part.
 
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec2, Vec3, Vec3Swizzles};
 
 use super::super::frame::{Channels, Sample};
 use super::super::surface::{Surface, add_colors};
 use super::super::tiles::{PIXELS, Picture, Spots};
-use super::backdrop::{Backdrop, sample_of};
-use super::lattice::{Cell, Lattice};
+use super::backdrop::{Backdrop, closest, sample_of};
+use super::lattice::Lattice;
 use super::moving::Moving;
 use crate::base::{Progress, Result};
-use crate::bend::Curve;
+use crate::bend::{Curve, on_ground};
 use crate::camera::{Camera, Footprint};
 use crate::morph::{Kind, Morph};
 use crate::scene::Scene;
-use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hits, touches};
+use crate::trace::{Hit, Ray, touches};
 
 /// Share of a leg by which it is drawn out, so that rounding leaves no gap to the next.
 const OVERLAP: f32 = 1e-5;
@@ -22,9 +22,10 @@ const OVERLAP: f32 = 1e-5;
 pub(super) struct Exact<'a> {
     scene: &'a Scene,
     morph: Morph,
+    /// Where rays of a user inside r₁ begin to bend.
+    inside: Option<Inside>,
     backdrop: Backdrop<'a>,
     moving: Option<Moving>,
-    cutouts: bool,
     lattice: Lattice,
     /// Radians.
     tolerance: f64,
@@ -41,10 +42,10 @@ impl<'a> Exact<'a> {
         progress: &Progress,
     ) -> Result<Self> {
         scene.build(progress)?;
-        let lattice = Lattice::new(camera, &morph, tolerance_px, progress)?;
+        let lattice = Lattice::new(camera, &morph, tolerance_px);
         let tolerance = tolerance_px * camera.least_pixel_angle();
-        let (moving, cutouts) = (Moving::of(scene), scene.has_cutouts());
-        Ok(Self { scene, morph, backdrop, moving, cutouts, lattice, tolerance })
+        let (inside, moving) = (Inside::of(&morph), Moving::of(scene));
+        Ok(Self { scene, morph, inside, backdrop, moving, lattice, tolerance })
     }
 
     /// Moving triangles that are looked at for every ray.
@@ -52,50 +53,51 @@ impl<'a> Exact<'a> {
         self.moving.as_ref().map_or(0, Moving::triangles)
     }
 
-    fn closest(&self, rays: &[Ray], hits: &mut [Hit]) {
-        if self.cutouts {
-            closest_hits(self.scene, rays, &AlphaFilter { scene: self.scene, inner: All }, hits);
-        } else {
-            closest_hits(self.scene, rays, &All, hits);
-        }
-    }
-
-    /// All rays of a tile together, as long as any of them has met nothing.
-    fn trace_tile(&self, cell: &Cell<'_>, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
+    /// All rays of a tile together, as long as any of them has met nothing; first as far as they are straight. False
+    /// where what is left of them cannot be bent together.
+    fn trace_tile(&self, inside: &Inside, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) -> bool {
         let user = self.morph.user.as_vec3();
-        for (n, ray) in rays.iter_mut().enumerate() {
-            (ray.t_min, ray.t_max) = (0.0, cell.straight(spots.within(n)) * (1.0 + OVERLAP));
+        let mut ends = [Vec3::ZERO; PIXELS];
+        for (ray, end) in rays.iter_mut().zip(&mut ends) {
+            let leave = inside.leave(ray.direction);
+            (ray.t_min, ray.t_max) = (0.0, leave * (1.0 + OVERLAP));
+            *end = ray.direction * leave;
         }
-        self.closest(rays, hits);
+        closest(self.scene, rays, hits);
         let mut open: [usize; PIXELS] = std::array::from_fn(|n| n);
         let mut count = only_misses(&mut open, rays.len(), hits);
-        let mut legs = [Ray { origin: user, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 1.0 + OVERLAP }; PIXELS];
-        let last = self.lattice.bends() - 1;
-        if count == 0 || !touches(self.scene, &cell.region(0, last, user)) {
-            return;
+        if count == 0 {
+            return true;
         }
-        let mut before = 0;
-        for k in (cell.stride..=last).step_by(cell.stride) {
+        let Some(cell) = self.lattice.cell(spots.tile()) else { return false };
+        if !touches(self.scene, &cell.region(0, cell.legs)) {
+            return true;
+        }
+        let mut legs = [Ray { origin: user, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 1.0 + OVERLAP }; PIXELS];
+        let mut found = [Hit::MISS; PIXELS];
+        let mut known = 0;
+        for k in 1..=cell.legs {
             if count == 0 {
-                return;
+                break;
             }
-            let from = std::mem::replace(&mut before, k);
-            if !touches(self.scene, &cell.region(from, k, user)) {
+            if !touches(self.scene, &cell.region(k - 1, k)) {
                 continue;
             }
             for (leg, &n) in legs.iter_mut().zip(&open[..count]) {
                 let (direction, spot) = (rays[n].direction, spots.within(n));
-                let (start, end) = (cell.bend(from, direction, spot), cell.bend(k, direction, spot));
+                let start = if known == k - 1 { ends[n] } else { cell.bend(k - 1, direction, spot) };
+                ends[n] = cell.bend(k, direction, spot);
                 leg.origin = user + start;
-                leg.direction = end - start;
+                leg.direction = ends[n] - start;
             }
-            let mut found = [Hit::MISS; PIXELS];
-            self.closest(&legs[..count], &mut found[..count]);
+            known = k;
+            closest(self.scene, &legs[..count], &mut found[..count]);
             for i in 0..count {
                 self.accept(&legs[i], &found[i], &mut rays[open[i]], &mut hits[open[i]]);
             }
             count = only_misses(&mut open, count, hits);
         }
+        true
     }
 
     /// One ray, bent by itself.
@@ -109,7 +111,7 @@ impl<'a> Exact<'a> {
                 return false;
             }
             let mut found = [Hit::MISS];
-            self.closest(&[leg], &mut found);
+            closest(self.scene, &[leg], &mut found);
             self.accept(&leg, &found[0], ray, hit);
             !found[0].is_miss()
         };
@@ -153,9 +155,10 @@ impl<'a> Exact<'a> {
 impl Picture for Exact<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
         hits.fill(Hit::MISS);
-        match self.lattice.cell(spots.tile()) {
-            Some(cell) => self.trace_tile(&cell, rays, hits, spots),
-            None => rays.iter_mut().zip(hits.iter_mut()).for_each(|(ray, hit)| self.trace_alone(ray, hit)),
+        let together = self.inside.as_ref().is_some_and(|inside| self.trace_tile(inside, rays, hits, spots));
+        if !together {
+            let open = rays.iter_mut().zip(hits.iter_mut()).filter(|(_, hit)| hit.is_miss());
+            open.for_each(|(ray, hit)| self.trace_alone(ray, hit));
         }
         if let Some(moving) = &self.moving {
             moving.trace_beyond(&self.backdrop, self.morph.r2, rays, hits);
@@ -170,7 +173,11 @@ impl Picture for Exact<'_> {
     }
 
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
-        let missed = |n: usize| self.backdrop.color(rays[n].direction, footprint(n));
+        let behind = self.backdrop.behind(rays, hits);
+        let missed = |n: usize| match &behind {
+            Some(behind) => behind.color(n, self.scene, footprint(n)),
+            None => self.backdrop.color(rays[n].direction, footprint(n)),
+        };
         add_colors(self.scene, rays, hits, &footprint, missed, sums);
     }
 
@@ -179,6 +186,37 @@ impl Picture for Exact<'_> {
             return self.backdrop.sample(ray.direction);
         }
         sample_of(&Surface::of_hit(self.scene, ray, hit), self.scene, hit.t)
+    }
+}
+
+/// A user's place inside r₁, on the ground.
+struct Inside {
+    /// From the centre.
+    user: Vec2,
+    /// |user|² − r₁², which is negative.
+    power: f32,
+}
+
+impl Inside {
+    fn of(morph: &Morph) -> Option<Self> {
+        let user = on_ground(morph.user - morph.center);
+        let power = user.length_squared() - morph.r1 * morph.r1;
+        (power < 0.0).then_some(Self { user: user.as_vec2(), power: power as f32 })
+    }
+
+    /// How far along a direction r₁ is; upwards never. Both roots in the form that does not cancel.
+    #[inline]
+    fn leave(&self, direction: Vec3) -> f32 {
+        let d = direction.xz();
+        let (a, b) = (d.length_squared(), self.user.dot(d));
+        let root = (b * b - a * self.power).sqrt();
+        if b > 0.0 {
+            -self.power / (b + root)
+        } else if a > 0.0 {
+            (root - b) / a
+        } else {
+            f32::INFINITY
+        }
     }
 }
 

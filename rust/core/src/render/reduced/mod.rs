@@ -2,6 +2,7 @@
 
 mod backdrop;
 mod bent;
+mod corner;
 mod exact;
 mod lattice;
 mod moving;

@@ -1,0 +1,89 @@
+//! The bent ray through one corner of a tile.
+
+use glam::{Vec3, Vec4};
+
+use crate::bend::{Curve, Stretch};
+
+/// Most legs between the radii; rays that need more are bent one by one.
+pub(super) const MOST_LEGS: usize = 32;
+/// Fewest, so that neighbours can be compared there.
+pub(super) const LEAST_LEGS: usize = 4;
+/// Of a bend's offset, as a share of the greatest: its square is what float32 tells apart.
+const PRECISION: f64 = 1e-4;
+
+/// A ray's bends between the radii, at equal steps along it; no chord between them misses the curve.
+pub(super) struct Corner {
+    pub direction: Vec3,
+    across: Vec3,
+    from: f32,
+    step: f32,
+    /// A power of two.
+    pub legs: usize,
+    /// Across the ray, metres; one more than there are legs.
+    beside: [f32; MOST_LEGS + 1],
+}
+
+impl Corner {
+    /// None for rays of users outside r₁ and upright ones, and where even the most legs miss the curve by more than a
+    /// tolerance in radians.
+    pub fn new(curve: &Curve<'_>, tolerance: f64) -> Option<Self> {
+        let stretch = between_radii(curve)?;
+        let (mut beside, mut legs) = ([0.0; MOST_LEGS + 1], 1);
+        beside[1] = curve.beside;
+        while legs < LEAST_LEGS || misses(curve, &stretch, &beside[..=legs], tolerance) {
+            if legs == MOST_LEGS {
+                return None;
+            }
+            halve(curve, &stretch, &mut beside, legs);
+            legs *= 2;
+        }
+        let (direction, across) = (curve.direction.as_vec3(), curve.across.as_vec3());
+        let step = (stretch.to - stretch.from) / legs as f64;
+        let beside = beside.map(|y| y as f32);
+        Some(Self { direction, across, from: stretch.from as f32, step: step as f32, legs, beside })
+    }
+
+    /// The kth bend of so many legs, at least its own: from the ray to the curve, and how far along the ray.
+    #[inline]
+    pub fn bend(&self, k: usize, legs: usize) -> Vec4 {
+        let each = legs / self.legs;
+        let (whole, part) = (k / each, (k % each) as f32 / each as f32);
+        let before = self.beside[whole];
+        let y = if part > 0.0 { before + (self.beside[whole + 1] - before) * part } else { before };
+        (self.across * y).extend(self.from + self.step * (whole as f32 + part))
+    }
+}
+
+/// The one stretch between the radii of a ray that a user inside r₁ sees; none for other users and upright rays.
+fn between_radii(curve: &Curve<'_>) -> Option<Stretch> {
+    match curve.stretches()[..] {
+        [within, between] if within.straight && !between.straight => Some(between),
+        _ => None,
+    }
+    .filter(|_| curve.end().is_some())
+}
+
+/// Place of the kth of so many equal steps.
+fn place(stretch: &Stretch, k: f64, legs: usize) -> f64 {
+    stretch.from + (stretch.to - stretch.from) * k / legs as f64
+}
+
+/// Whether the middle of any chord misses the curve.
+fn misses(curve: &Curve<'_>, stretch: &Stretch, beside: &[f64], tolerance: f64) -> bool {
+    let legs = beside.len() - 1;
+    (0..legs).any(|k| curve.miss(place(stretch, k as f64 + 0.5, legs), 0.5 * (beside[k] + beside[k + 1])) > tolerance)
+}
+
+/// Puts a bend between each two of so many legs.
+fn halve(curve: &Curve<'_>, stretch: &Stretch, beside: &mut [f64; MOST_LEGS + 1], legs: usize) {
+    let coarse = *beside;
+    for k in 0..legs {
+        let (a, b) = (coarse[k], coarse[k + 1]);
+        // The cubic through four neighbours is a better guess than the chord.
+        let inner = k > 0 && k + 1 < legs;
+        let bulge = if inner { (a + b - coarse[k - 1] - coarse[k + 2]) / 16.0 } else { 0.0 };
+        beside[2 * k] = a;
+        beside[2 * k + 1] = curve.search(place(stretch, k as f64 + 0.5, legs), 0.5 * (a + b) + bulge, PRECISION);
+    }
+    beside[2 * legs] = coarse[legs];
+}
