@@ -68,6 +68,8 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_camera": set(),
     "_exr": set(),
     "_frame": {"_camera", "_exr"},
+    "_glb": set(),
+    "_scene_glb": {"_glb", "_materials", "_names"},
     "_render": {"_camera", "_frame", "_scene"},
     "_morph": set(),
     "_tessellate": {"_camera", "_scene"},
@@ -78,7 +80,9 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_envmap": {"_exr"},
     "_trace": {"_scene"},
     "_metrics": {"_camera", "_frame"},
-    "_reduce": {"_camera", "_envmap", "_frame", "_partition", "_render", "_scene"},
+    "_bundle": {"_envmap", "_names", "_scene", "_scene_glb"},
+    "_reduced": {"_bundle", "_camera", "_envmap", "_frame", "_partition", "_render", "_scene"},
+    "_reduce": {"_bundle", "_envmap", "_frame", "_partition", "_reduced", "_render", "_scene"},
     "datasets": {"_scene"},
 }
 

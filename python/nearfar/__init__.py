@@ -10,7 +10,8 @@ from nearfar._load_curve import LoadCurve, load_curve
 from nearfar._metrics import boundary, discontinuity, object_completion, psnr, rmse, ssim
 from nearfar._morph import morph
 from nearfar._partition import Partition, partition, triangle_radii
-from nearfar._reduce import ReducedScene, reduce
+from nearfar._reduce import reduce
+from nearfar._reduced import ReducedScene
 from nearfar._render import render
 from nearfar._scene import Scene
 from nearfar._tessellate import tessellate

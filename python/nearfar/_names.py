@@ -35,6 +35,11 @@ class Names:
     def __len__(self) -> int:
         return self._given if isinstance(self._given, int) else len(self._given)
 
+    @property
+    def given(self) -> Sequence[str] | int:
+        """The names, or how many nameless objects there are."""
+        return self._given
+
     @cached_property
     def all(self) -> tuple[str, ...]:
         """Every name; nameless objects are called ``object_0``, ``object_1`` and so on."""

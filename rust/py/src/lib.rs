@@ -9,6 +9,7 @@ mod errors;
 mod exr;
 mod metrics;
 mod morph;
+mod parts;
 mod partition;
 mod reduce;
 mod render;
@@ -24,6 +25,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     errors::register(module)?;
     base::register(module)?;
     scene::register(module)?;
+    parts::register(module)?;
     trace::register(module)?;
     camera::register(module)?;
     partition::register(module)?;

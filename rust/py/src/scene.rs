@@ -16,7 +16,7 @@ use crate::run;
 
 /// Triangles with their attributes, sharing the arrays' memory.
 #[pyclass(frozen, module = "nearfar._core")]
-pub struct Mesh(Arc<scene::Mesh>);
+pub struct Mesh(pub Arc<scene::Mesh>);
 
 #[derive(FromPyObject)]
 enum FaceMapArgument<'py> {
@@ -193,13 +193,7 @@ impl Scene {
 
     /// Where the moving instances are (M, 3, 4), relative to the origin.
     fn moving_placements<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
-        let moving = self.0.moving.instances();
-        let rows = moving.iter().flat_map(|instance| {
-            let (m, t) = (instance.to_scene.matrix3.transpose(), instance.to_scene.translation);
-            [(m.x_axis, t.x), (m.y_axis, t.y), (m.z_axis, t.z)]
-        });
-        let flat: Vec<f64> = rows.flat_map(|(row, t)| [row.x, row.y, row.z, t]).collect();
-        PyArray1::from_vec(py, flat).reshape([moving.len(), 3, 4])
+        rows_of(py, self.0.moving.instances())
     }
 
     /// Objects of the moving instances.
@@ -294,6 +288,20 @@ fn affines(placements: &PyReadonlyArray3<'_, f64>) -> Vec<DAffine3> {
             DAffine3 { matrix3: DMat3::from_cols(column(0), column(1), column(2)), translation: column(3) }
         })
         .collect()
+}
+
+/// Placements (I, 3, 4) of instances.
+pub(crate) fn rows_of<'py, 'a>(
+    py: Python<'py>,
+    instances: impl IntoIterator<Item = &'a Instance>,
+) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    let rows = instances.into_iter().flat_map(|instance| {
+        let (m, t) = (instance.to_scene.matrix3.transpose(), instance.to_scene.translation);
+        [(m.x_axis, t.x), (m.y_axis, t.y), (m.z_axis, t.z)]
+    });
+    let flat: Vec<f64> = rows.flat_map(|(row, t)| [row.x, row.y, row.z, t]).collect();
+    let count = flat.len() / 12;
+    PyArray1::from_vec(py, flat).reshape([count, 3, 4])
 }
 
 fn texture(array: &Bound<'_, PyArrayDyn<u8>>) -> PyResult<Texture> {

@@ -1,0 +1,138 @@
+"""Reduced scenes as folders that other programs read: near geometry as GLB, the far map as EXR, the rest as JSON."""
+
+from __future__ import annotations
+
+import os
+import struct
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _check, _files, _formats, _scene_glb
+from nearfar._envmap import EnvMap
+from nearfar._errors import FormatError
+from nearfar._names import Names
+from nearfar._scene import Scene
+
+NAME, VERSION = "reduced", 1
+NEAR, FAR, DOCUMENT = "near.glb", "far.exr", "reduced.json"
+
+COUNTS = ("triangles", "near", "intermediate", "nsf", "nsf_at_r1", "sf", "rays")
+"""What is counted of the whole scene, most of which the folder does not hold."""
+
+
+@dataclass(frozen=True)
+class Bundle:
+    """What a folder holds."""
+
+    near: Scene
+    env: EnvMap | None
+    center: tuple[float, float, float]
+    r1: float
+    r2: float
+    morph: str
+    boundary: str
+    counts: dict[str, int]
+    """`COUNTS` of the scene that was reduced."""
+
+
+def save(path: str | os.PathLike[str], bundle: Bundle, *, half: bool) -> None:
+    """Write a folder, whole or not at all; `ReducedScene.save` says what is in it."""
+    near, target = bundle.near, Path(path)
+    names = near._names.given
+    document = _formats.header(
+        NAME,
+        VERSION,
+        origin=near.origin.tolist(),
+        color_space="linear",
+        center=list(bundle.center),
+        r1=bundle.r1,
+        r2=bundle.r2,
+        morph=bundle.morph,
+        boundary=bundle.boundary,
+        files={"near": NEAR, "far": None if bundle.env is None else FAR},
+        counts=bundle.counts,
+        moving=_moving(near),
+        object_names=names if isinstance(names, int) else list(names),
+    )
+    with _files.atomic_folder(target, marker=DOCUMENT) as folder:
+        (folder / NEAR).write_bytes(_scene_glb.encode(near._core, near.object_names))
+        if bundle.env is not None:
+            bundle.env.save(folder / FAR, half=half)
+        (folder / DOCUMENT).write_text(_formats.to_json(document), encoding="utf-8")
+
+
+def _moving(scene: Scene) -> list[dict[str, Any]]:
+    """Objects of the moving instances, where they were loaded, and where their meshes rest."""
+    owners = scene._core.moving_objects().tolist()
+    return [
+        {
+            "object": scene.object_names[owner],
+            "transform": scene.transform(scene.object_names[owner]).tolist(),
+            "rest": rest.tolist(),
+        }
+        for owner, rest in zip(owners, scene._rest, strict=True)
+    ]
+
+
+def load(path: str | os.PathLike[str]) -> Bundle:
+    """Read a folder; FormatError where a file of it is damaged or too new, OSError where one is missing."""
+    folder = Path(path)
+    document = _formats.read_json(folder / DOCUMENT, NAME, VERSION)
+    with _explained(folder / DOCUMENT):
+        given = document["object_names"]
+        names = Names(given if isinstance(given, int) else tuple(given))
+        center = _check.vector("center", document["center"])
+        near_radius, far_radius = _check.radii(document["r1"], document["r2"])
+        counts = {name: _check.integer(name, document["counts"][name], 0, 2**62) for name in COUNTS}
+        has_map = document["files"]["far"] is not None
+    data = (folder / NEAR).read_bytes()
+    with _explained(folder / NEAR):
+        core = _scene_glb.decode(data, names)
+    with _explained(folder / DOCUMENT):
+        frames, rest = _frames(document["moving"], names, core.moving_placements())
+        near = Scene(core, names, frames=frames, rest=rest)
+        return Bundle(
+            near,
+            EnvMap.load(folder / FAR) if has_map else None,
+            center,
+            near_radius,
+            far_radius,
+            _check.choice("morph", document["morph"], ("blend", "cylinder", "none")),
+            _check.choice("boundary", document["boundary"], ("r1", "r2")),
+            counts,
+        )
+
+
+def _frames(
+    moving: list[dict[str, Any]], names: Names, placements: NDArray[np.float64]
+) -> tuple[NDArray[np.float64] | None, NDArray[np.float64]]:
+    """Load transforms of objects by number, and the moving instances' rest."""
+    if len(moving) != len(placements):
+        raise ValueError(f"moving: expected {len(placements)} instances as in {NEAR}, got {len(moving)}")
+    rest = np.array([row["rest"] for row in moving], np.float64).reshape(-1, 3, 4)
+    numbers = [names.number("moving", row["object"]) for row in moving]
+    frames = np.tile(np.eye(4), (max(numbers, default=-1) + 1, 1, 1))
+    for number, row in zip(numbers, moving, strict=True):
+        frames[number] = row["transform"]
+    if not (np.isfinite(frames).all() and np.isfinite(rest).all()):
+        raise ValueError("moving: expected finite matrices")
+    return (frames if (frames != np.eye(4)).any() else None), rest
+
+
+@contextmanager
+def _explained(path: Path) -> Iterator[None]:
+    """Whatever a damaged file leads to is about that file."""
+    try:
+        yield
+    except FormatError:
+        raise
+    except KeyError as error:
+        raise FormatError(f"{path}: damaged: {error} is missing") from None
+    except (ValueError, TypeError, LookupError, AttributeError, StopIteration, ArithmeticError, struct.error) as error:
+        raise FormatError(f"{path}: damaged: {error or type(error).__name__}") from None

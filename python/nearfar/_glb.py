@@ -1,0 +1,133 @@
+"""Binary glTF 2.0: one JSON document and one buffer of arrays, which come back bit for bit."""
+
+from __future__ import annotations
+
+import json
+import struct
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+_HEADER, _CHUNK = struct.Struct("<4sII"), struct.Struct("<I4s")
+_VERSION = 2
+
+_COMPONENTS: dict[int, type[np.generic]] = {5121: np.uint8, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
+_KINDS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
+
+Target = Literal["vertices", "faces"]
+_TARGETS = {"vertices": 34962, "faces": 34963}
+
+
+class Writer:
+    """Collects arrays and images, and joins them with a document that speaks of them by number."""
+
+    def __init__(self) -> None:
+        self._pieces: list[bytes] = []
+        self._size = 0
+        self._views: list[dict[str, Any]] = []
+        self._accessors: list[dict[str, Any]] = []
+
+    def view(self, values: NDArray[Any] | bytes, target: Target | None = None) -> int:
+        """Add bytes to the buffer; returns the number of their view."""
+        data = values if isinstance(values, bytes) else np.ascontiguousarray(values).tobytes()
+        view: dict[str, Any] = {"buffer": 0, "byteOffset": self._size, "byteLength": len(data)}
+        if target == "vertices" and not isinstance(values, bytes):
+            view["byteStride"] = values.itemsize * values.shape[1]
+        if target is not None:
+            view["target"] = _TARGETS[target]
+        padding = -len(data) % 4
+        self._pieces += [data, bytes(padding)]
+        self._size += len(data) + padding
+        self._views.append(view)
+        return len(self._views) - 1
+
+    def accessor(
+        self, view: int, values: NDArray[Any], start: int, *, normalized: bool = False, extent: Any = None
+    ) -> int:
+        """Say that a view holds an array's rows from its `start`-th element on; returns the accessor's number.
+
+        Parameters
+        ----------
+        view
+            From `view`.
+        values
+            The rows (N,) or (N, K) that this accessor covers.
+        start
+            Rows of the view before them.
+        normalized
+            Whole numbers stand for 0..1.
+        extent
+            Least and greatest row, where the format wants them.
+        """
+        component = next(code for code, kind in _COMPONENTS.items() if values.dtype == kind)
+        width = 1 if values.ndim == 1 else values.shape[1]
+        accessor: dict[str, Any] = {
+            "bufferView": view,
+            "byteOffset": start * width * values.itemsize,
+            "componentType": component,
+            "count": len(values),
+            "type": _KINDS[width],
+        }
+        if normalized:
+            accessor["normalized"] = True
+        if extent is not None:
+            accessor["min"], accessor["max"] = (np.asarray(corner, np.float64).tolist() for corner in extent)
+        self._accessors.append(accessor)
+        return len(self._accessors) - 1
+
+    def encode(self, document: dict[str, Any]) -> bytes:
+        """Bytes of the file. Empty lists are left out, because glTF does not allow them."""
+        whole = {
+            **document,
+            "accessors": self._accessors,
+            "bufferViews": self._views,
+            "buffers": [{"byteLength": self._size}] if self._size else [],
+        }
+        text = json.dumps({key: value for key, value in whole.items() if value != []}, allow_nan=False).encode()
+        text += b" " * (-len(text) % 4)
+        chunks = [_CHUNK.pack(len(text), b"JSON"), text]
+        if self._size:
+            chunks += [_CHUNK.pack(self._size, b"BIN\0"), *self._pieces]
+        size = _HEADER.size + sum(map(len, chunks))
+        return b"".join([_HEADER.pack(b"glTF", _VERSION, size), *chunks])
+
+
+class Reader:
+    """Document and arrays of a file that `Writer` made; for others the errors of whatever is missing."""
+
+    def __init__(self, data: bytes) -> None:
+        magic, version, size = _HEADER.unpack_from(data)
+        if magic != b"glTF" or version != _VERSION:
+            raise ValueError("expected a GLB of version 2")
+        if size != len(data):
+            raise ValueError(f"expected {size} bytes as it says, got {len(data)}")
+        length, kind = _CHUNK.unpack_from(data, _HEADER.size)
+        start = _HEADER.size + _CHUNK.size
+        if kind != b"JSON" or start + length > size:
+            raise ValueError("expected a chunk of JSON first")
+        self.document: dict[str, Any] = json.loads(data[start : start + length])
+        if not isinstance(self.document, dict):
+            raise TypeError(f"expected a JSON object, got {type(self.document).__name__}")
+        self._buffer = memoryview(data)[start + length + _CHUNK.size :]
+
+    def bytes(self, view: int) -> memoryview:
+        """Bytes of a view."""
+        described = self.document["bufferViews"][view]
+        start, length = described["byteOffset"], described["byteLength"]
+        if not 0 <= start <= start + length <= len(self._buffer):
+            raise ValueError(
+                f"expected bytes within the buffer of {len(self._buffer)}, got {start} to {start + length}"
+            )
+        return self._buffer[start : start + length]
+
+    def array(self, accessor: int) -> NDArray[Any]:
+        """Rows of an accessor (N,) or (N, K), read-only, without a copy."""
+        described = self.document["accessors"][accessor]
+        kind = np.dtype(_COMPONENTS[described["componentType"]])
+        width = next(width for width, name in _KINDS.items() if name == described["type"])
+        count, offset = described["count"], described["byteOffset"]
+        if count < 0 or offset < 0:
+            raise ValueError(f"expected accessors of rows that exist, got {count} from byte {offset}")
+        values = np.frombuffer(self.bytes(described["bufferView"]), kind, count * width, offset)
+        return values if width == 1 else values.reshape(count, width)

@@ -1,0 +1,311 @@
+"""A scene as a GLB that any program shows, and back bit for bit: the same triangles, instances and textures.
+
+A standing mesh that holds many objects is a node with a child for each object; an instance is a node with a mesh.
+What glTF has no place for is in `extras`: how many instances stand, and where a mesh's faces were before they were
+sorted by object and material.
+"""
+
+from __future__ import annotations
+
+import io
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from nearfar import _check, _core, _glb
+from nearfar._materials import colors_of, to_linear
+from nearfar._names import Names
+from nearfar._version import __version__
+
+_IDENTITY = np.eye(4)[:3]
+_NO_OBJECT = -1
+_MOST_TEXELS = 1 << 27
+"""Texels of one texture: a damaged header can claim billions."""
+
+
+def encode(core: _core.Scene, names: tuple[str, ...]) -> bytes:
+    """Bytes of a GLB of everything that a scene holds; its origin is the root's translation."""
+    return _Encoder(core, names).encode()
+
+
+class _Encoder:
+    def __init__(self, core: _core.Scene, names: tuple[str, ...]) -> None:
+        self._parts = _core.scene_parts(core)
+        self._ids = core.mesh_ids().tolist()
+        self._names = names
+        self._writer = _glb.Writer()
+        self._meshes: list[dict[str, Any]] = []
+        self._nodes: list[dict[str, Any]] = []
+        self._materials: dict[int, int] = {}
+        self._written: dict[tuple[int, bool], _Written] = {}
+
+    def encode(self) -> bytes:
+        children, standing = [], 0
+        for number, mesh in enumerate(self._parts["meshes"]):
+            if mesh.face_count:
+                children.append(self._instance(number, mesh))
+                standing += number < self._parts["standing_count"]
+        root: dict[str, Any] = {"name": "nearfar", "extras": {"standing": standing}}
+        if any(self._parts["origin"]):
+            root["translation"] = list(self._parts["origin"])
+        if children:
+            root["children"] = children
+        self._nodes.append(root)
+        return self._writer.encode(
+            {
+                "asset": {"version": "2.0", "generator": f"nearfar {__version__}"},
+                "scene": 0,
+                "scenes": [{"nodes": [len(self._nodes) - 1]}],
+                "nodes": self._nodes,
+                "meshes": self._meshes,
+                **self._surfaces(),
+            }
+        )
+
+    def _instance(self, number: int, mesh: _core.Mesh) -> int:
+        """Add the nodes of an instance; returns the number of the upper one."""
+        named = int(self._parts["objects"][number])
+        key = (self._ids[number], named == _NO_OBJECT)
+        if key not in self._written:
+            self._written[key] = self._mesh(mesh, whole=named != _NO_OBJECT)
+        written = self._written[key]
+        node: dict[str, Any] = {}
+        if written.order is not None:
+            node["extras"] = {"order": written.order}
+        if named != _NO_OBJECT:
+            node |= {"name": self._names[named], "mesh": written.meshes[0]}
+        else:
+            node["children"] = [
+                self._add({"name": self._names[owner]} if owner >= 0 else {}, mesh)
+                for owner, mesh in zip(written.objects, written.meshes, strict=True)
+            ]
+        placement = self._parts["placements"][number]
+        if not np.array_equal(placement, _IDENTITY):
+            node["matrix"] = np.vstack([placement, [0, 0, 0, 1]]).T.ravel().tolist()
+        return self._add(node)
+
+    def _add(self, node: dict[str, Any], mesh: int | None = None) -> int:
+        self._nodes.append(node if mesh is None else node | {"mesh": mesh})
+        return len(self._nodes) - 1
+
+    def _mesh(self, mesh: _core.Mesh, *, whole: bool) -> _Written:
+        """Write a mesh: a glTF mesh for each object with vertices of its own, or one for the whole."""
+        parts = _core.mesh_parts(mesh)
+        owner = np.zeros_like(parts["objects"]) if whole else parts["objects"]
+        order = np.lexsort((parts["materials"], owner))
+        owner, material, faces = owner[order], parts["materials"][order], parts["faces"][order]
+        group = np.cumsum(np.diff(owner, prepend=owner[:1]) != 0)
+        # Vertices by object, each once: sorted by object and number.
+        total = len(parts["positions"])
+        keys, corners = np.unique((group[:, None] * total + faces).ravel(), return_inverse=True)
+        first = np.searchsorted(keys // total, np.arange(group[-1] + 2))
+        local = corners.reshape(-1, 3) - first[group][:, None]
+        streams = _Streams(self._writer, parts, keys % total, first)
+        kind = np.uint16 if np.diff(first).max() < 2**16 else np.uint32
+        indices = local.astype(kind).ravel()
+        view = self._writer.view(indices, "faces")
+        begins = np.flatnonzero(np.diff(owner, prepend=-2) | np.diff(material, prepend=-2))
+        written = _Written()
+        for start, end in zip(begins.tolist(), [*begins[1:].tolist(), len(faces)], strict=True):
+            if not written.objects or owner[start] != written.objects[-1]:
+                number = int(owner[start])
+                written.objects.append(number)
+                written.meshes.append(len(self._meshes))
+                self._meshes.append({"primitives": []})
+                attributes = streams.of(len(written.objects) - 1)
+            primitive = {
+                "attributes": attributes,
+                "indices": self._writer.accessor(view, indices[3 * start : 3 * end], 3 * start),
+            }
+            if material[start] >= 0:
+                primitive["material"] = self._materials.setdefault(int(material[start]), len(self._materials))
+            self._meshes[-1]["primitives"].append(primitive)
+        if (np.diff(order) < 0).any():
+            values = order.astype(np.uint32)
+            written.order = self._writer.accessor(self._writer.view(values), values, 0)
+        return written
+
+    def _surfaces(self) -> dict[str, Any]:
+        """Materials that are used, in the order of their first use, and their textures."""
+        sources: dict[int, int] = {}
+        materials = []
+        for number in self._materials:
+            surface: dict[str, Any] = {
+                "baseColorFactor": self._parts["material_colors"][number].astype(np.float64).tolist(),
+                "metallicFactor": 0.0,
+            }
+            if (texture := int(self._parts["material_textures"][number])) >= 0:
+                surface["baseColorTexture"] = {"index": sources.setdefault(texture, len(sources))}
+            material: dict[str, Any] = {"pbrMetallicRoughness": surface, "doubleSided": True}
+            if not np.isnan(cutoff := float(self._parts["material_cutoffs"][number])):
+                # glTF knows no cutoffs below 0, which cut nothing out either.
+                material |= {"alphaMode": "MASK", "alphaCutoff": max(cutoff, 0.0)}
+            materials.append(material)
+        images = [
+            {"bufferView": self._writer.view(_png(self._parts["textures"][number])), "mimeType": "image/png"}
+            for number in sources
+        ]
+        textures = [{"source": number} for number in range(len(images))]
+        return {"materials": materials, "textures": textures, "images": images}
+
+
+@dataclass
+class _Written:
+    """A mesh as it is in the file."""
+
+    objects: list[int] = field(default_factory=list)
+    meshes: list[int] = field(default_factory=list)
+    order: int | None = None
+
+
+class _Streams:
+    """Vertices in the order of the groups that use them."""
+
+    def __init__(
+        self, writer: _glb.Writer, parts: dict[str, Any], rows: NDArray[np.int64], first: NDArray[np.int64]
+    ) -> None:
+        self._writer, self._first = writer, first.tolist()
+        values: dict[str, NDArray[Any]] = {"POSITION": parts["positions"][rows]}
+        if parts["uvs"] is not None:
+            values["TEXCOORD_0"] = parts["uvs"][rows]
+        if parts["colors"] is not None:
+            values["COLOR_0"] = _linear(parts["colors"][rows])
+        self._arrays = {name: (array, writer.view(array, "vertices")) for name, array in values.items()}
+        positions = values["POSITION"]
+        self._extents = [ufunc.reduceat(positions, first[:-1]) for ufunc in (np.minimum, np.maximum)]
+
+    def of(self, group: int) -> dict[str, int]:
+        """Attributes of a group's primitives."""
+        start, end = self._first[group], self._first[group + 1]
+        accessors = {}
+        for name, (array, view) in self._arrays.items():
+            extent = [corner[group] for corner in self._extents] if name == "POSITION" else None
+            normalized = name == "COLOR_0"
+            accessors[name] = self._writer.accessor(view, array[start:end], start, normalized=normalized, extent=extent)
+        return accessors
+
+
+def decode(data: bytes, names: Names) -> _core.Scene:
+    """Read back what `encode` wrote; for anything else the errors of whatever is missing or wrong."""
+    return _Decoder(data, names).decode()
+
+
+class _Decoder:
+    def __init__(self, data: bytes, names: Names) -> None:
+        self._reader = _glb.Reader(data)
+        self._document = self._reader.document
+        self._names = names
+        self._meshes: dict[tuple[Any, ...], _core.Mesh] = {}
+
+    def decode(self) -> _core.Scene:
+        nodes = self._document["nodes"]
+        root = nodes[self._document["scenes"][0]["nodes"][0]]
+        children = [nodes[number] for number in root.get("children", [])]
+        placements = np.array([_placement(node) for node in children]).reshape(-1, 3, 4)
+        if not np.isfinite(placements).all():
+            raise ValueError("expected finite matrices")
+        objects = [self._object(node) if "mesh" in node else _NO_OBJECT for node in children]
+        meshes = [self._mesh(node, nodes) for node in children]
+        return _core.Scene(
+            origin=_check.vector("translation", root.get("translation", (0.0, 0.0, 0.0))),
+            meshes=meshes,
+            placements=placements,
+            objects=np.array(objects, np.int32),
+            standing_count=root["extras"]["standing"],
+            **self._surfaces(),
+        )
+
+    def _object(self, node: dict[str, Any]) -> int:
+        return self._names.number("name", node["name"]) if "name" in node else _NO_OBJECT
+
+    def _mesh(self, node: dict[str, Any], nodes: list[dict[str, Any]]) -> _core.Mesh:
+        """Mesh of an instance, the same for equal ones."""
+        if "mesh" in node:
+            pieces = [(node["mesh"], _NO_OBJECT)]
+        else:
+            pieces = [(nodes[child]["mesh"], self._object(nodes[child])) for child in node["children"]]
+        order = node.get("extras", {}).get("order")
+        key = (order, *pieces)
+        if key not in self._meshes:
+            self._meshes[key] = self._joined(pieces, order)
+        return self._meshes[key]
+
+    def _joined(self, pieces: list[tuple[int, int]], order: int | None) -> _core.Mesh:
+        streams: dict[str, list[NDArray[Any]]] = {}
+        faces, objects, materials, before = [], [], [], 0
+        for number, owner in pieces:
+            primitives = self._document["meshes"][number]["primitives"]
+            for name, accessor in primitives[0]["attributes"].items():
+                streams.setdefault(name, []).append(self._reader.array(accessor))
+            for primitive in primitives:
+                corners = self._reader.array(primitive["indices"]).astype(np.uint32).reshape(-1, 3)
+                if corners.size and int(corners.max()) >= len(streams["POSITION"][-1]):
+                    raise ValueError("expected faces of vertices that exist")
+                faces.append(corners + np.uint32(before))
+                objects.append(np.full(len(corners), owner, np.int32))
+                materials.append(np.full(len(corners), primitive.get("material", -1), np.int32))
+            before += len(streams["POSITION"][-1])
+        rank = slice(None) if order is None else _ranks(self._reader.array(order))
+        joined = {name: np.concatenate(arrays) for name, arrays in streams.items()}
+        colors = joined.get("COLOR_0")
+        return _core.Mesh(
+            joined["POSITION"],
+            np.ascontiguousarray(np.concatenate(faces)[rank]),
+            uvs=joined.get("TEXCOORD_0"),
+            colors=None if colors is None else colors_of(colors, before, linear=True),
+            objects=np.ascontiguousarray(np.concatenate(objects)[rank]),
+            materials=np.ascontiguousarray(np.concatenate(materials)[rank]),
+        )
+
+    def _surfaces(self) -> dict[str, Any]:
+        materials = self._document.get("materials", [])
+        surfaces = [material["pbrMetallicRoughness"] for material in materials]
+        links = [surface.get("baseColorTexture", {"index": -1})["index"] for surface in surfaces]
+        images = self._document.get("images", [])
+        return {
+            "material_colors": np.array([s["baseColorFactor"] for s in surfaces], np.float32).reshape(-1, 4),
+            "material_textures": np.array(links, np.int32),
+            "material_cutoffs": np.array([material.get("alphaCutoff", np.nan) for material in materials], np.float32),
+            "textures": [_texels(bytes(self._reader.bytes(image["bufferView"]))) for image in images],
+        }
+
+
+def _placement(node: dict[str, Any]) -> NDArray[np.float64]:
+    matrix: NDArray[np.float64] = np.array(node.get("matrix", np.eye(4).ravel()), np.float64).reshape(4, 4)
+    return matrix.T[:3]
+
+
+def _ranks(order: NDArray[Any]) -> NDArray[np.int64]:
+    """Where each face went when they were sorted."""
+    ranks = np.empty(len(order), np.int64)
+    ranks[order] = np.arange(len(order))
+    return ranks
+
+
+def _linear(colors: NDArray[np.uint8]) -> NDArray[np.uint16]:
+    """16-bit linear colours as glTF wants them. The darkest 8-bit steps are 20 apart: none is lost."""
+    table = np.rint(to_linear(np.arange(256) / 255) * 65535).astype(np.uint16)
+    wide = table[colors]
+    wide[:, 3] = colors[:, 3].astype(np.uint16) * 257
+    return wide
+
+
+def _png(texels: NDArray[np.uint8]) -> bytes:
+    """Bytes of a texture upside down: glTF counts v downwards, and 1 − v is not exact."""
+    opaque = bool((texels[..., 3] == 255).all())
+    file = io.BytesIO()
+    Image.fromarray(texels[::-1, :, : 3 if opaque else 4]).save(file, "png", compress_level=3)
+    return file.getvalue()
+
+
+def _texels(data: bytes) -> NDArray[np.uint8]:
+    try:
+        with Image.open(io.BytesIO(data), formats=["png"]) as image:
+            if image.size[0] * image.size[1] > _MOST_TEXELS:
+                raise ValueError("too large")
+            return np.ascontiguousarray(np.asarray(image.convert("RGBA"))[::-1])
+    except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
+        raise ValueError(f"expected a readable texture, got {error}") from None
