@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import tempfile
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -38,12 +39,12 @@ def main() -> None:
         reduced = nf.reduce(scene, center=middle, r1=reach / 8, r2=reach / 4, face_size=256, samples=1)
         with tempfile.TemporaryDirectory() as folder:
             saved = Path(folder) / "saved"
-            save = best(lambda saved=saved, reduced=reduced: reduced.save(saved), repeat=3)
-            load = best(lambda saved=saved: nf.ReducedScene.load(saved), repeat=3)
+            save = best(partial(reduced.save, saved), repeat=3)
+            load = best(partial(nf.ReducedScene.load, saved), repeat=3)
             near, far = ((saved / file).stat().st_size / 1e6 for file in ("near.glb", "far.exr"))
-            read = best(lambda saved=saved: trimesh.load_scene(saved / "near.glb"), repeat=1)
+            read = best(partial(trimesh.load_scene, saved / "near.glb"), repeat=1)
             peer = trimesh.load_scene(saved / "near.glb")
-            write = best(lambda peer=peer: peer.export(file_type="glb"), repeat=1)
+            write = best(partial(peer.export, file_type="glb"), repeat=1)
             size = len(peer.export(file_type="glb")) / 1e6
         stats = reduced.stats
         rows.append(
