@@ -3,5 +3,6 @@
 from nearfar.datasets._city import city, street_view
 from nearfar.datasets._forest import forest
 from nearfar.datasets._room import room, room_view
+from nearfar.datasets._study import SphereTask, TapeTask, sphere_task, tape_task
 
-__all__ = ["city", "forest", "room", "room_view", "street_view"]
+__all__ = ["SphereTask", "TapeTask", "city", "forest", "room", "room_view", "sphere_task", "street_view", "tape_task"]
