@@ -1,12 +1,14 @@
 """What the near-far methods cost in image quality: discontinuity, map sizes, and not being at the centre.
 
-python benchmarks/near_far.py [--quick]
+python benchmarks/near_far.py [--quick] [--plots FOLDER]
 """
 
 from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,53 +16,56 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from _measure import machine, table
+from _pictures import draw_errors, draw_torn
+from _views import Point, center_for, views
 from nearfar import _data
-from nearfar.cli._place import choose
 
-R1, R2 = 30.0, 50.0
 VIEWS = 10
-GOLDEN = 0.381966
-"""Of a turn: directions that never repeat."""
-
-Point = tuple[float, float, float]
 
 
-def scenes(quick: bool) -> Iterator[tuple[str, nf.Scene, Point]]:
-    """The cities that there are, with an open place in each."""
+@dataclass(frozen=True)
+class Case:
+    """A scene reduced about a centre."""
+
+    name: str
+    scene: nf.Scene
+    center: Point
+    r1: float
+    r2: float
+
+    @property
+    def label(self) -> str:
+        """For titles."""
+        return f"{self.name}, r1 = {self.r1:g} m, r2 = {self.r2:g} m"
+
+    def reduce(self, face_size: int, **how: Any) -> nf.ReducedScene:
+        """Bake a map of a size."""
+        return nf.reduce(self.scene, center=self.center, r1=self.r1, r2=self.r2, face_size=face_size, **how)
+
+
+def cases(quick: bool) -> Iterator[Case]:
+    """The cities that there are, with a centre around which something ends at r2.
+
+    On the ground, users |U−O| away see what lies between the radii sheared by |U−O| r1 / ((r2−r1) h) pixels a pixel,
+    h being the height of their eyes: the procedural city, which has a ground, is measured for two pairs of radii.
+    """
     for name, file in (
         ("tokyo_core_lod1", "city/tokyo23/tokyo_core_lod1.glb"),
         ("Manhattan", "city/manhattan_deckgl/manhattan_core.glb"),
     ):
         if not quick and (path := _data.find(file)) is not None:
             scene = nf.Scene.load(path)
-            yield name, scene, choose(scene, name).eye
+            yield Case(name, scene, center_for(scene, 50.0), 30.0, 50.0)
     city = nf.datasets.city(blocks=3, detail=0) if quick else nf.datasets.city()
-    yield "procedural city", city, nf.datasets.street_view()[0]
+    for r1, r2 in ((30.0, 50.0), (10.0, 100.0)):
+        yield Case("procedural city", city, nf.datasets.street_view()[0], r1, r2)
 
 
-def views(scene: nf.Scene, center: Point, size: tuple[int, int]) -> Iterator[nf.Camera]:
-    """Users 5 to 8 m from the centre all around it who look across the way they went, where nothing is within 2 m."""
-    found = 0
-    for k in range(100):
-        turn = 2.0 * np.pi * GOLDEN * k
-        away = np.array([np.cos(turn), 0.0, np.sin(turn)])
-        across = np.array([-np.sin(turn), -0.02, np.cos(turn)]) * (1 if k % 2 else -1)
-        user = np.add(center, away * (5.0 + 3.0 * found / (VIEWS - 1)))
-        around = np.stack([away, -away, across, -across])
-        free = nf.cast_rays(scene, np.tile(user, (4, 1)), around).t_hit.min() > 2.0
-        between = nf.cast_rays(scene, np.array([center]), away[None]).t_hit[0] > np.linalg.norm(user - center)
-        if free and between:
-            found += 1
-            yield nf.Camera.look_at(user, user + across, fov=nf.Fov.symmetric(90, size[0] / size[1]), size=size)
-        if found == VIEWS:
-            return
-
-
-def measures(truth: nf.Frame, frame: nf.Frame, center: Point) -> list[float]:
+def measures(truth: nf.Frame, frame: nf.Frame, case: Case) -> list[float]:
     """Mean and 99th percentile of discontinuity, its absolute mean along the boundary, PSNR and SSIM."""
     torn = nf.discontinuity(frame)
-    edge = nf.boundary(frame, center=center, radius=R2) & ~np.isnan(torn)
-    along = float(np.abs(torn[edge]).mean()) if edge.sum() >= 100 else np.nan
+    edge = nf.boundary(frame, center=case.center, radius=case.r2) & ~np.isnan(torn)
+    along = float(np.abs(torn[edge]).mean()) if edge.any() else np.nan
     return [
         float(np.nanmean(torn)),
         float(np.nanpercentile(torn, 99)),
@@ -70,65 +75,72 @@ def measures(truth: nf.Frame, frame: nf.Frame, center: Point) -> list[float]:
     ]
 
 
-def discontinuity(name: str, scene: nf.Scene, center: Point, size: tuple[int, int]) -> str:
+def discontinuity(case: Case, size: tuple[int, int], plots: Path | None) -> str:
     """Both methods in ten views, and their means."""
-    reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, channels=("color", "range"))
+    reduced = case.reduce(1024, channels=("color", "range"))
     methods = {"conventional": reduced.with_morph("none"), "continuous": reduced}
     rows, all_values = [], []
-    for number, camera in enumerate(views(scene, center, size)):
-        truth = nf.render(scene, camera, channels=("color",))
-        values = [
-            measures(truth, light.render(camera, channels=("color", "position")), center) for light in methods.values()
-        ]
+    for number, camera in enumerate(views(reduced, size, VIEWS)):
+        truth = nf.render(case.scene, camera, channels=("color",))
+        frames = {name: light.render(camera, channels=("color", "position")) for name, light in methods.items()}
+        values = [measures(truth, frame, case) for frame in frames.values()]
         all_values.append(values)
-        away = np.linalg.norm(np.subtract(camera.position, center))
+        away = np.linalg.norm(np.subtract(camera.position, case.center))
         rows.append([f"{number + 1}", f"{away:.1f}", *_pairs(np.array(values))])
-    # A view without a boundary has no value along it.
-    means = np.ma.masked_invalid(all_values).mean(axis=0).filled(np.nan)
+        if plots is not None and number == 0:
+            draw_torn(truth, frames, case.label, plots / f"torn_{case.name.split()[0]}_{case.r2:g}.png")
+    if not rows:
+        return f"{case.label}: nothing ends at r2 in any view.\n"
+    means = np.nanmean(np.array(all_values), axis=0)
     rows.append(["mean", "", *_pairs(means)])
     header = ["view", "m from O", "mean", "99th percentile", "along the boundary", "PSNR, dB", "SSIM"]
-    title = f"Discontinuity of {name}, conventional → continuous, {size[0]} × {size[1]}"
-    ratio = means[0, 2] / means[1, 2]
-    said = f"{ratio:.1f} times lower" if np.isfinite(ratio) else "nothing: no near part ends in these views"
-    return table(title, header, rows) + f"\nAlong the boundary: {said}.\n"
+    title = f"Discontinuity of {case.label}, conventional → continuous, {size[0]} × {size[1]}"
+    return table(title, header, rows) + f"\nAlong the boundary: {means[0, 2] / means[1, 2]:.1f} times lower.\n"
 
 
 def _pairs(values: NDArray[np.float64]) -> list[str]:
     return [f"{a:.3g} → {b:.3g}" for a, b in values.T]
 
 
-def sizes(name: str, scene: nf.Scene, center: Point, size: tuple[int, int], faces: list[int]) -> str:
+def errors(case: Case, size: tuple[int, int], faces: list[int], plots: Path | None) -> str:
     """Error of maps by size against the ideal picture, and of that against the truth by the user's distance."""
-    rows = []
-    fov = nf.Fov.symmetric(90, size[0] / size[1])
-    camera = next(iter(views(scene, center, size)))
     how: dict[str, Any] = {"method": "exact", "channels": ("color",), "samples": 4}
-    ideal = None
+    reduced = case.reduce(faces[0], channels=("color", "range"))
+    camera = next(views(reduced, size, VIEWS), None)
+    if camera is None:
+        return f"{case.label}: nothing ends at r2 in any view.\n"
+    ideal = reduced.render(camera, env=False, **how)
+    by_size, by_distance = [], []
     for face_size in faces:
-        reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=face_size)
-        ideal = reduced.render(camera, env=False, **how) if ideal is None else ideal
-        frame = reduced.render(camera, **how)
-        rows.append([f"map of 6 × {face_size}²", f"{nf.psnr(ideal, frame):.2f}", f"{nf.ssim(ideal, frame):.4f}"])
+        frame = case.reduce(face_size).render(camera, **how)
+        by_size.append((float(face_size), nf.psnr(ideal, frame), nf.ssim(ideal, frame)))
     for away in (0.25, 0.5, 1.0, 2.0, 4.0, 8.0):
-        step = np.subtract(camera.position, center)
-        user = np.add(center, step / np.linalg.norm(step) * away)
-        moved = nf.Camera(tuple(user), camera.orientation, fov=fov, size=size)
-        truth = nf.render(scene, moved, samples=4, channels=("color",))
+        step = np.subtract(camera.position, case.center)
+        user = np.add(case.center, step / np.linalg.norm(step) * away)
+        moved = nf.Camera(tuple(user), camera.orientation, fov=camera.fov, size=size)
+        truth = nf.render(case.scene, moved, samples=4, channels=("color",))
         frame = reduced.render(moved, env=False, **how)
-        rows.append([f"{away:g} m from O, no map", f"{nf.psnr(truth, frame):.2f}", f"{nf.ssim(truth, frame):.4f}"])
-    title = f"Errors of maps (against the picture without one) and of parallax (against the truth), {name}"
+        by_distance.append((away, nf.psnr(truth, frame), nf.ssim(truth, frame)))
+    if plots is not None:
+        draw_errors(by_size, by_distance, case.label, plots / f"errors_{case.name.split()[0]}_{case.r2:g}.png")
+    rows = [[f"map of 6 × {n:g}²", f"{psnr:.2f}", f"{ssim:.4f}"] for n, psnr, ssim in by_size]
+    rows += [[f"{away:g} m from O, no map", f"{psnr:.2f}", f"{ssim:.4f}"] for away, psnr, ssim in by_distance]
+    title = f"Errors of maps (against the picture without one) and of parallax (against the truth), {case.label}"
     return table(title, ["what", "PSNR, dB", "SSIM"], rows)
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="one small scene and small pictures")
-    quick = parser.parse_args().quick
-    size = (240, 136) if quick else (960, 540)
+    parser.add_argument("--plots", type=Path, help="folder for pictures and plots")
+    arguments = parser.parse_args()
+    if arguments.plots is not None:
+        arguments.plots.mkdir(parents=True, exist_ok=True)
+    size = (240, 136) if arguments.quick else (960, 540)
     print(machine(), end="\n\n")
-    for name, scene, center in scenes(quick):
-        print(discontinuity(name, scene, center, size))
-        print(sizes(name, scene, center, size, [64, 128] if quick else [256, 512, 1024, 2048, 4096]))
+    for case in cases(arguments.quick):
+        print(discontinuity(case, size, arguments.plots), flush=True)
+        print(errors(case, size, [64, 128] if arguments.quick else [256, 512, 1024, 2048, 4096], arguments.plots))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,88 @@
+"""Where the figures of the near-far methods are taken: centres with something at r₂, and users around them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+
+GOLDEN = 0.381966
+"""Of a turn: directions that never repeat."""
+
+Point = tuple[float, float, float]
+
+_RING = 90
+_NEAREST, _FARTHEST = 5.0, 8.0
+"""Metres from the centre between which users stand."""
+
+
+def center_for(scene: nf.Scene, radius: float, *, grid: int = 38, reach: float = 600.0) -> Point:
+    """The place on the ground, with free space for all users, from where most directions meet something about `radius`.
+
+    What ends nowhere near the radius says nothing about how a near part ends.
+    """
+    low, high = scene.bounds
+    axis = np.linspace(-1.0, 1.0, grid)
+    half = np.minimum(0.35 * (high - low), reach)[[0, 2]]
+    x, z = (np.stack(np.meshgrid(axis, axis), axis=-1).reshape(-1, 2) * half + (0.5 * (low + high))[[0, 2]]).T
+    above = np.column_stack([x, np.full(len(x), high[1] + 1.0), z])
+    down = nf.cast_rays(scene, above, np.tile([0.0, -1.0, 0.0], (len(x), 1))).t_hit
+    ground = np.where(np.isfinite(down), high[1] + 1.0 - down, low[1])
+    eyes = np.column_stack([x, ground + 1.7, z])[ground <= np.percentile(ground, 10.0) + 2.0]
+    seen = _around(scene, eyes)
+    ends = ((seen > 0.9 * radius) & (seen < 1.1 * radius)).sum(axis=1)
+    best = eyes[np.argmax(ends * (seen.min(axis=1) >= _FARTHEST + 1.0))]
+    return float(best[0]), float(best[1]), float(best[2])
+
+
+def views(
+    reduced: nf.ReducedScene, size: tuple[int, int], count: int, *, least_boundary: int = 100
+) -> Iterator[nf.Camera]:
+    """Users 5 to 8 m from the centre all around it who look across the way they went and see where the near part ends.
+
+    At most a hundred places are tried, so that there may be fewer than `count`.
+    """
+    center, found = np.array(reduced.center), 0
+    for k in range(100):
+        turn = 2.0 * np.pi * GOLDEN * k
+        away = np.array([np.cos(turn), 0.0, np.sin(turn)])
+        across = np.array([-np.sin(turn), -0.02, np.cos(turn)]) * (1 if k % 2 else -1)
+        user = center + away * (_NEAREST + (_FARTHEST - _NEAREST) * found / (count - 1))
+        camera = nf.Camera.look_at(user, user + across, fov=nf.Fov.symmetric(90, size[0] / size[1]), size=size)
+        if _is_free(reduced.scene, center, user, away, across) and boundary_length(reduced, camera) >= least_boundary:
+            found += 1
+            yield camera
+        if found == count:
+            return
+
+
+def boundary_length(reduced: nf.ReducedScene, camera: nf.Camera) -> int:
+    """Pixels along which the near part of the continuous picture ends."""
+    frame = reduced.render(camera, channels=("position",))
+    return int(nf.boundary(frame, center=reduced.center, radius=reduced.r2).sum())
+
+
+def _is_free(
+    scene: nf.Scene,
+    center: NDArray[np.float64],
+    user: NDArray[np.float64],
+    away: NDArray[np.float64],
+    across: NDArray[np.float64],
+) -> bool:
+    """Whether nothing is within 2 m of the user, nor between the centre and there."""
+    around = np.stack([away, -away, across, -across])
+    room = float(nf.cast_rays(scene, np.tile(user, (4, 1)), around).t_hit.min())
+    way = float(nf.cast_rays(scene, center[None], away[None]).t_hit[0])
+    return room > 2.0 and way > float(np.linalg.norm(user - center))
+
+
+def _around(scene: nf.Scene, eyes: NDArray[np.float64]) -> NDArray[np.float32]:
+    """How far each eye sees in directions all around."""
+    angle = np.arange(_RING) * (2.0 * np.pi / _RING)
+    ring = np.column_stack([np.cos(angle), np.zeros(_RING), np.sin(angle)])
+    hits = nf.cast_rays(scene, np.repeat(eyes, _RING, axis=0), np.tile(ring, (len(eyes), 1)))
+    seen: NDArray[np.float32] = hits.t_hit.reshape(-1, _RING)
+    return seen
