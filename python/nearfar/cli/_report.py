@@ -94,7 +94,8 @@ def markdown(document: dict[str, Any]) -> str:
     lines += [
         "",
         "A pixel differs where a channel is off by 8 of 255 levels or more. Both methods show the far part as it looks "
-        "from O, so both differ from the truth; what the continuous one avoids is the break at the boundary.",
+        "from O, so both differ from the truth; what the continuous one avoids is the break at the boundary, which "
+        "`nearfar compare` measures.",
         "",
         "| within | triangles |",
         "| ---: | ---: |",
