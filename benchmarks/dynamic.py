@@ -1,0 +1,212 @@
+"""A car that drives from near to far: where each method shows it, by how much that jumps, and what hides it.
+
+python benchmarks/dynamic.py [--quick] [--plot out/bench/car_path.png]
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from _measure import machine, table
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+R1, R2 = 30.0, 50.0
+CENTER, USER = np.array([0.0, 1.7, -4.0]), np.array([5.0, 1.7, -2.0])
+CAR, MIDDLE = "car_0", np.array([0.0, 0.75, 0.0, 1.0])
+SPEED, RATE, END = 50.0 / 3.6, 30.0, 80.0
+"""Metres and pictures a second, and how far the car goes, metres from the centre."""
+METHODS = ("truth", "conventional", "continuous")
+TURNS = {"left": "along the park", "right": "behind the corner house"}
+
+
+def drive(turn: str, rate: float = RATE) -> Array:
+    """Poses (N, 4, 4), one a picture: ahead along the avenue, and round the next corner."""
+    lane, side, radius = 1.7, (-1.0 if turn == "left" else 1.0), (6.0 if turn == "left" else 5.0)
+    # The street's middle is at z = -66; traffic keeps to the right.
+    street = -66.0 + side * 1.6
+    straight, arc = CENTER[2] - 15.0 - (street + radius), 0.5 * np.pi * radius
+    way = np.arange(0.0, 200.0, SPEED / rate)
+    turned = np.clip((way - straight) / radius, 0.0, 0.5 * np.pi)
+    beyond = np.maximum(way - straight - arc, 0.0)
+    x = lane + side * (radius * (1.0 - np.cos(turned)) + beyond)
+    z = CENTER[2] - 15.0 - np.minimum(way, straight) - radius * np.sin(turned)
+    # Cars are made with their front towards +z.
+    heading = np.pi - side * turned
+    poses = np.tile(np.eye(4), (len(way), 1, 1))
+    poses[:, 0, 0], poses[:, 0, 2] = np.cos(heading), np.sin(heading)
+    poses[:, 2, 0], poses[:, 2, 2] = -np.sin(heading), np.cos(heading)
+    poses[:, 0, 3], poses[:, 2, 3] = x, z
+    return poses[distances(poses) < END]
+
+
+def distances(poses: Array) -> Array:
+    """Metres from the axis to the car's middle."""
+    return np.asarray(np.hypot(poses[:, 0, 3] - CENTER[0], poses[:, 2, 3] - CENTER[2]), np.float64)
+
+
+def camera(width: int) -> nf.Camera:
+    """A view from the user's place towards where the car will be."""
+    size = (width, width * 9 // 16)
+    return nf.Camera.look_at(USER, USER + [-22.0, -1.0, -64.0], fov=nf.Fov.symmetric(90, 16 / 9), size=size)  # noqa: RUF005
+
+
+def projected(view: nf.Camera, poses: Array, method: str) -> Array:
+    """Where a method shows the car's middle, (N, 2) pixels."""
+    middles = (poses @ MIDDLE)[:, :3]
+    if method == "conventional":
+        middles = np.where((distances(poses) <= R2)[:, None], middles, middles + USER - CENTER)
+    elif method == "continuous":
+        middles = nf.morph(middles, user=USER, center=CENTER, r1=R1, r2=R2)
+    return view.project(middles)[:, :2]
+
+
+def lone_car(scene: nf.Scene, view: nf.Camera, poses: Array, method: str) -> list[Mask]:
+    """Its pixels in each picture, with nothing else in the world."""
+    alone, number = scene.subset(objects=[CAR]), scene.object_names.index(CAR)
+    if method == "truth":
+        frames = (nf.render(alone.at({CAR: pose}), view, channels=("object_id",)) for pose in poses)
+    else:
+        kind = "none" if method == "conventional" else "blend"
+        reduced = nf.reduce(alone, center=CENTER, r1=R1, r2=R2, morph=kind)
+        how: dict[str, Any] = {"method": "exact", "env": False, "channels": ("object_id",)}
+        frames = (reduced.render(view, at={CAR: pose}, **how) for pose in poses)
+    return [frame.require("object_id") == number for frame in frames]
+
+
+def centroids(masks: Iterable[Mask]) -> Array:
+    """Middles of pixels, (N, 2)."""
+    return np.array([[np.nonzero(mask)[axis].mean() + 0.5 for axis in (1, 0)] for mask in masks])
+
+
+def torn(mask: Mask) -> bool:
+    """Whether there are empty columns between pixels of the car."""
+    columns = np.flatnonzero(mask.any(axis=0))
+    return bool((np.diff(columns) > 1).any())
+
+
+def steps(path: Array) -> Array:
+    """Pixels from each picture to the next, (N − 1,)."""
+    return np.asarray(np.linalg.norm(np.diff(path, axis=0), axis=1))
+
+
+def changes(path: Array) -> Array:
+    """Pixels by which each step differs from the one before, (N − 2,): what is seen as a jump."""
+    return np.asarray(np.linalg.norm(np.diff(path, n=2, axis=0), axis=1))
+
+
+def jumps(scene: nf.Scene, view: nf.Camera, rate: float) -> tuple[str, dict[str, Array]]:
+    """Steps and jumps of every method, and the paths."""
+    poses = drive("left", rate)
+    away, rows, paths = distances(poses), [], {}
+    for method in METHODS:
+        paths[method] = projected(view, poses, method)
+        masks = lone_car(scene, view, poses, method)
+        jump, pixels = changes(paths[method]), changes(centroids(masks))
+        at = away[1 + int(jump.argmax())]
+        row = [method, f"{steps(paths[method]).max():.1f}", f"{jump.max():.2f}", f"{at:.1f}", f"{np.median(jump):.2f}"]
+        rows.append([*row, f"{pixels.max():.2f}", str(sum(map(torn, masks)))])
+    header = ["method", "greatest step, px", "greatest jump, px", "at, m from O", "median jump, px"]
+    header += ["greatest jump of the middle of its pixels, px", "pictures with the car in two pieces"]
+    title = (
+        f"The middle of a car at {SPEED * 3.6:.0f} km/h, {rate:.0f} pictures a second, {len(poses)} pictures of "
+        f"{view.width} × {view.height}, user {np.linalg.norm(USER - CENTER):.1f} m from O"
+    )
+    return table(title, header, rows), paths
+
+
+def hiding(reduced: nf.ReducedScene, view: nf.Camera, turn: str, stride: int) -> str:
+    """The car's pixels among all else: those of both methods, and of the ideal picture without a map."""
+    poses = drive(turn)[::stride]
+    away, number = distances(poses), reduced.scene.object_names.index(CAR)
+    how: list[dict[str, Any]] = [{"method": "exact"}, {"method": "vertex"}, {"method": "exact", "env": False}]
+    counts = []
+    for pose in poses:
+        frames = (reduced.render(view, at={CAR: pose}, channels=("object_id",), **one) for one in how)
+        exact, vertex, ideal = (frame.require("object_id") == number for frame in frames)
+        counts.append([exact.sum(), (vertex ^ exact).sum(), (exact ^ ideal).sum(), (vertex ^ ideal).sum()])
+    numbers, rows = np.array(counts), []
+    for low, high in ((0.0, R1), (R1, R2), (R2, 65.0), (65.0, END)):
+        mine = numbers[(away >= low) & (away < high)]
+        if len(mine):
+            total = mine.sum(axis=0)
+            per_cent = [f"{n:,} ({100.0 * n / max(total[0], 1):.2f} %)" for n in total[1:]]
+            rows.append([f"{max(low, away.min()):.0f}–{high:.0f}", str(len(mine)), f"{total[0]:,}", *per_cent])
+    header = ["m from O", "pictures", "car's pixels (exact)", "vertex ≠ exact"]
+    header += ["exact ≠ exact without a map", "vertex ≠ exact without a map"]
+    assert reduced.env is not None
+    return table(f"Pixels of the car {TURNS[turn]}, map of 6 × {reduced.env.face_size}²", header, rows)
+
+
+def draw(paths: dict[str, Array], away: Array, rate: float, path: Path) -> None:
+    """Draw the car's way in the image, and its pixels a picture by distance."""
+    import matplotlib as mpl
+
+    mpl.use("agg")
+    from matplotlib import pyplot as plt
+
+    figure, (left, right) = plt.subplots(1, 2, figsize=(12, 4), layout="constrained")
+    for (name, places), style in zip(paths.items(), (":", "-", "--"), strict=True):
+        # Where it jumps the line is broken: the car is nowhere in between.
+        shown = np.insert(places, np.flatnonzero(steps(places) > 5.0 * np.median(steps(places))) + 1, np.nan, axis=0)
+        left.plot(*shown.T, style, label=name)
+        right.plot(away[1:], steps(places), style, label=name)
+        for radius, marker in ((R1, "o"), (R2, "s")):
+            left.plot(*places[np.argmax(away > radius)], marker, color="0.3", markersize=6, fillstyle="none")
+    for place, text in (
+        (paths["truth"][0], f"{away[0]:.0f} m"),
+        (paths["continuous"][-1] + [0.0, 1.5], f"{away[-1]:.0f} m"),
+    ):
+        left.annotate(text, place, xytext=(9, 0), textcoords="offset points", va="center")
+    left.set(xlabel="x, px", ylabel="y, px", title="The car's middle in the image; circles at $r_1$, squares at $r_2$")
+    left.invert_yaxis()
+    for radius, text in ((R1, "$r_1$"), (R2, "$r_2$")):
+        right.axvline(radius, color="0.7", linewidth=0.8)
+        right.annotate(
+            text, (radius, 0.94), xytext=(3, 0), xycoords=("data", "axes fraction"), textcoords="offset points"
+        )
+    right.set(
+        yscale="log", xlabel="m from the centre", ylabel="px", title=f"Pixels a picture, {rate:.0f} pictures a second"
+    )
+    for axes in (left, right):
+        axes.grid(True, which="both", alpha=0.3)
+        axes.legend()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path, dpi=100)
+
+
+def city(blocks: int, detail: int) -> nf.Scene:
+    """The city with one moving car: the others would stand in its way."""
+    scene = nf.datasets.city(blocks=blocks, detail=detail)
+    others = {f"car_{k}" for k in range(8)} - {CAR}
+    return scene.subset(objects=[name for name in scene.object_names if name not in others])
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="a small city and small pictures")
+    parser.add_argument("--plot", type=Path, default=Path("out/bench/car_path.png"), help="where to draw the car's way")
+    arguments = parser.parse_args()
+    scene = city(4, 1) if arguments.quick else city(12, 2)
+    rate, view = (RATE / 3.0 if arguments.quick else RATE), camera(960)
+    print(machine(), end="\n\n")
+    text, paths = jumps(scene, view, rate)
+    print(text)
+    draw(paths, distances(drive("left", rate)), rate, arguments.plot)
+    channels = ("color", "object_id")
+    size = 256 if arguments.quick else 1024
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=size, samples=1, channels=channels)
+    for turn in TURNS:
+        print(hiding(reduced, view, turn, 8 if arguments.quick else 1))
+
+
+if __name__ == "__main__":
+    main()
