@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _check, _files, _formats, _scene_glb
+from nearfar import _check, _files, _formats
 from nearfar._envmap import EnvMap
 from nearfar._errors import FormatError
 from nearfar._names import Names
@@ -43,6 +43,8 @@ class Bundle:
 
 def save(path: str | os.PathLike[str], bundle: Bundle, *, half: bool) -> None:
     """Write a folder, whole or not at all; `ReducedScene.save` says what is in it."""
+    from nearfar import _scene_glb  # which needs Pillow
+
     near, target = bundle.near, Path(path)
     names = near._names.given
     document = _formats.header(
@@ -82,6 +84,8 @@ def _moving(scene: Scene) -> list[dict[str, Any]]:
 
 def load(path: str | os.PathLike[str]) -> Bundle:
     """Read a folder; FormatError where a file of it is damaged or too new, OSError where one is missing."""
+    from nearfar import _scene_glb
+
     folder = Path(path)
     document = _formats.read_json(folder / DOCUMENT, NAME, VERSION)
     with _explained(folder / DOCUMENT):

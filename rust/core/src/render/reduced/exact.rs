@@ -7,7 +7,7 @@ use super::super::frame::{Channels, Sample};
 use super::super::surface::{Surface, add_colors};
 use super::super::tiles::{PIXELS, Picture, Spots};
 use super::backdrop::{Backdrop, closest, sample_of};
-use super::lattice::Lattice;
+use super::lattice::{Cell, Lattice};
 use super::moving::Moving;
 use crate::base::{Progress, Result};
 use crate::bend::{Curve, on_ground};
@@ -56,7 +56,6 @@ impl<'a> Exact<'a> {
     /// All rays of a tile together, as long as any of them has met nothing; first as far as they are straight. False
     /// where what is left of them cannot be bent together.
     fn trace_tile(&self, inside: &Inside, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) -> bool {
-        let user = self.morph.user.as_vec3();
         let mut ends = [Vec3::ZERO; PIXELS];
         for (ray, end) in rays.iter_mut().zip(&mut ends) {
             let leave = inside.leave(ray.direction);
@@ -65,14 +64,39 @@ impl<'a> Exact<'a> {
         }
         closest(self.scene, rays, hits);
         let mut open: [usize; PIXELS] = std::array::from_fn(|n| n);
-        let mut count = only_misses(&mut open, rays.len(), hits);
+        let count = only_misses(&mut open, rays.len(), hits);
         if count == 0 {
             return true;
         }
-        let Some(cell) = self.lattice.cell(spots.tile()) else { return false };
-        if !touches(self.scene, &cell.region(0, cell.legs)) {
-            return true;
+        self.lattice.for_each_cell(spots.tile(), |cell| {
+            let mut spot = [[0.0; 2]; PIXELS];
+            let mut within: [usize; PIXELS] = [0; PIXELS];
+            let mut inner = 0;
+            for &n in &open[..count] {
+                if let Some(place) = cell.within(spots.within(n)) {
+                    (spot[n], within[inner]) = (place, n);
+                    inner += 1;
+                }
+            }
+            self.trace_legs(cell, &mut within[..inner], &spot, &mut ends, rays, hits);
+        })
+    }
+
+    /// The numbered rays beyond where they are straight; `ends` is where they are so far.
+    fn trace_legs(
+        &self,
+        cell: &Cell,
+        open: &mut [usize],
+        spot: &[[f32; 2]; PIXELS],
+        ends: &mut [Vec3; PIXELS],
+        rays: &mut [Ray],
+        hits: &mut [Hit],
+    ) {
+        if open.is_empty() || !touches(self.scene, &cell.region(0, cell.legs)) {
+            return;
         }
+        let mut count = open.len();
+        let user = self.morph.user.as_vec3();
         let mut legs = [Ray { origin: user, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 1.0 + OVERLAP }; PIXELS];
         let mut found = [Hit::MISS; PIXELS];
         let mut known = 0;
@@ -84,9 +108,9 @@ impl<'a> Exact<'a> {
                 continue;
             }
             for (leg, &n) in legs.iter_mut().zip(&open[..count]) {
-                let (direction, spot) = (rays[n].direction, spots.within(n));
-                let start = if known == k - 1 { ends[n] } else { cell.bend(k - 1, direction, spot) };
-                ends[n] = cell.bend(k, direction, spot);
+                let direction = rays[n].direction;
+                let start = if known == k - 1 { ends[n] } else { cell.bend(k - 1, direction, spot[n]) };
+                ends[n] = cell.bend(k, direction, spot[n]);
                 leg.origin = user + start;
                 leg.direction = ends[n] - start;
             }
@@ -95,9 +119,8 @@ impl<'a> Exact<'a> {
             for i in 0..count {
                 self.accept(&legs[i], &found[i], &mut rays[open[i]], &mut hits[open[i]]);
             }
-            count = only_misses(&mut open, count, hits);
+            count = only_misses(open, count, hits);
         }
-        true
     }
 
     /// One ray, bent by itself.
@@ -221,7 +244,7 @@ impl Inside {
 }
 
 /// Keeps of the first `count` numbers those of rays that have met nothing, and says how many.
-fn only_misses(numbers: &mut [usize; PIXELS], count: usize, hits: &[Hit]) -> usize {
+fn only_misses(numbers: &mut [usize], count: usize, hits: &[Hit]) -> usize {
     let mut kept = 0;
     for i in 0..count {
         if hits[numbers[i]].is_miss() {

@@ -33,8 +33,21 @@ pub(super) struct Lattice {
     corners: Vec<OnceLock<Option<Box<Corner>>>>,
 }
 
-/// The bends of one tile's rays.
+/// A part of a tile: one of `parts` × `parts`.
+#[derive(Clone, Copy)]
+struct Part {
+    parts: usize,
+    x: usize,
+    y: usize,
+}
+
+impl Part {
+    const WHOLE: Self = Self { parts: 1, x: 0, y: 0 };
+}
+
+/// The bends of the rays of a tile or of a part of it.
 pub(super) struct Cell {
+    part: Part,
     /// Between the radii.
     pub legs: usize,
     /// Offset and place along the ray of each bend, as the coefficients of 1, x, y and xy across the tile.
@@ -52,27 +65,53 @@ impl Lattice {
         Self { morph: *morph, rays: camera.rays(), tolerance_px, columns, lines, corners }
     }
 
-    /// The bends of a tile's rays; none where they are bent one by one.
-    pub fn cell(&self, (column, row): (usize, usize)) -> Option<Cell> {
-        if self.turn(column, row)? > BETWEEN * self.tolerance(column, row) {
-            return None;
+    /// Calls `trace` with the bends of a tile's rays, part by part where they change too much across the whole of it.
+    /// False where rays must be bent one by one.
+    pub fn for_each_cell(&self, (column, row): (usize, usize), mut trace: impl FnMut(&Cell)) -> bool {
+        let Some(turn) = self.turn(column, row) else { return false };
+        let allowed = BETWEEN * self.tolerance(column, row);
+        // Second differences go with the square of a part's side.
+        let Some(parts) = [1, 2, 4].into_iter().find(|&parts| turn <= allowed * (parts * parts) as f64) else {
+            return false;
+        };
+        let user = self.morph.user.as_vec3();
+        if parts == 1 {
+            let at = |x, y| self.corner(column + x, row + y);
+            let (Some(a), Some(b), Some(c), Some(d)) = (at(0, 0), at(1, 0), at(0, 1), at(1, 1)) else { return false };
+            trace(&Cell::new([a, b, c, d], user, Part::WHOLE));
+            return true;
         }
-        let at = |x, y| self.corner(column + x, row + y);
-        Some(Cell::new([at(0, 0)?, at(1, 0)?, at(0, 1)?, at(1, 1)?], self.morph.user.as_vec3()))
+        let across = parts + 1;
+        let at = |i: usize| {
+            let share = |cell: usize, part: usize| cell as f64 + part as f64 / parts as f64;
+            self.bent(share(column, i % across), share(row, i / across))
+        };
+        let Some(corners) = (0..across * across).map(at).collect::<Option<Vec<Corner>>>() else { return false };
+        for part in 0..parts * parts {
+            let (x, y) = (part % parts, part / parts);
+            let first = y * across + x;
+            let around = [first, first + 1, first + across, first + across + 1].map(|i| &corners[i]);
+            trace(&Cell::new(around, user, Part { parts, x, y }));
+        }
+        true
     }
 
-    /// Radians.
+    /// Radians, at a place counted in tiles.
+    fn tolerance_at(&self, column: f64, row: f64) -> f64 {
+        self.tolerance_px * self.rays.pixel_angle(column * TILE as f64, row * TILE as f64)
+    }
+
     fn tolerance(&self, column: usize, row: usize) -> f64 {
-        let (x, y) = position(column, row);
-        self.tolerance_px * self.rays.pixel_angle(x, y)
+        self.tolerance_at(column as f64, row as f64)
+    }
+
+    fn bent(&self, column: f64, row: f64) -> Option<Corner> {
+        let direction = self.rays.at(column * TILE as f64, row * TILE as f64).1;
+        Corner::new(&Curve::new(&self.morph, direction), CHORD * self.tolerance_at(column, row))
     }
 
     fn corner(&self, column: usize, row: usize) -> Option<&Corner> {
-        let bend = || {
-            let (x, y) = position(column, row);
-            let curve = Curve::new(&self.morph, self.rays.at(x, y).1);
-            Corner::new(&curve, CHORD * self.tolerance(column, row)).map(Box::new)
-        };
+        let bend = || self.bent(column as f64, row as f64).map(Box::new);
         self.corners[row * self.columns + column].get_or_init(bend).as_deref()
     }
 
@@ -105,9 +144,10 @@ impl Lattice {
 }
 
 impl Cell {
-    fn new(corners: [&Corner; 4], user: Vec3) -> Self {
+    fn new(corners: [&Corner; 4], user: Vec3, part: Part) -> Self {
         let legs = corners.iter().map(|corner| corner.legs).max().unwrap_or(LEAST_LEGS);
-        let mut cell = Self { legs, bends: [[Vec4::ZERO; 4]; MOST_LEGS + 1], boxes: [Aabb::EMPTY; MOST_LEGS + 1] };
+        let (bends, boxes) = ([[Vec4::ZERO; 4]; MOST_LEGS + 1], [Aabb::EMPTY; MOST_LEGS + 1]);
+        let mut cell = Self { part, legs, bends, boxes };
         for k in 0..=legs {
             let [a, b, c, d] = corners.map(|corner| corner.bend(k, legs));
             let points = [(0, a), (1, b), (2, c), (3, d)].map(|(i, v)| user + corners[i].direction * v.w + v.xyz());
@@ -117,7 +157,16 @@ impl Cell {
         cell
     }
 
-    /// Where a ray bends for the kth time, from the user: its direction, and its place in the tile.
+    /// Place in this part of a place in the tile; none for those in other parts.
+    #[inline]
+    pub fn within(&self, spot: [f32; 2]) -> Option<[f32; 2]> {
+        let Part { parts, x, y } = self.part;
+        let [u, v] = spot.map(|share| share * parts as f32);
+        // Places in a tile are below 1, so that every one lies in one part.
+        ((u as usize, v as usize) == (x, y)).then_some([u - x as f32, v - y as f32])
+    }
+
+    /// Where a ray bends for the kth time, from the user: its direction, and its place in the part.
     #[inline]
     pub fn bend(&self, k: usize, direction: Vec3, [x, y]: [f32; 2]) -> Vec3 {
         let [one, right, down, both] = self.bends[k];
@@ -148,8 +197,4 @@ fn around(points: &[Vec3; 4]) -> Aabb {
 /// Bends that all corners have.
 fn coarse(corner: &Corner) -> [Vec4; LEAST_LEGS + 1] {
     std::array::from_fn(|k| corner.bend(k * corner.legs / LEAST_LEGS, corner.legs))
-}
-
-fn position(column: usize, row: usize) -> (f64, f64) {
-    ((column * TILE) as f64, (row * TILE) as f64)
 }
