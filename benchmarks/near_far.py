@@ -87,7 +87,7 @@ def discontinuity(case: Case, size: tuple[int, int], plots: Path | None) -> str:
         all_values.append(values)
         away = np.linalg.norm(np.subtract(camera.position, case.center))
         rows.append([f"{number + 1}", f"{away:.1f}", *_pairs(np.array(values))])
-        if plots is not None and number == 0:
+        if plots is not None and number == VIEWS - 1:
             draw_torn(truth, frames, case.label, plots / f"torn_{case.name.split()[0]}_{case.r2:g}.png")
     if not rows:
         return f"{case.label}: nothing ends at r2 in any view.\n"

@@ -41,20 +41,33 @@ def test_the_commands_exist() -> None:
     assert commands <= set(re.findall(r"^(\w+):", makefile, re.MULTILINE))
 
 
-@pytest.mark.parametrize("name", ["README.md", "ARCHITECTURE.md"])
+PAGES = ["README.md", "ARCHITECTURE.md", *(f"docs/{page.name}" for page in sorted((CHECKOUT / "docs").glob("*.md")))]
+
+
+def links(name: str) -> list[Path]:
+    """Files of the checkout that a page links to."""
+    page = CHECKOUT / name
+    found = re.findall(r"\]\((?!https?:|#)([^)#]+)", page.read_text(encoding="utf-8"))
+    return [(page.parent / link).resolve() for link in found]
+
+
+@pytest.mark.parametrize("name", PAGES)
 def test_local_links_lead_somewhere(name: str) -> None:
-    text = (CHECKOUT / name).read_text(encoding="utf-8")
-    for link in re.findall(r"\]\((?!https?:|#)([^)#]+)", text):
-        assert (CHECKOUT / link).exists(), link
+    for link in links(name):
+        assert link.exists(), link
+
+
+def test_pages_can_be_found_from_the_readme() -> None:
+    assert {(CHECKOUT / name) for name in PAGES if name.startswith("docs/")} <= set(links("README.md"))
 
 
 def test_pictures_are_small_and_used() -> None:
-    text = README.read_text(encoding="utf-8")
+    used = {link for name in PAGES for link in links(name)}
     pictures = [path for path in (CHECKOUT / "docs").iterdir() if path.suffix in (".png", ".jpg")]
     assert pictures
     for path in pictures:
         assert path.stat().st_size <= LARGEST_PICTURE, path
-        assert f"docs/{path.name}" in text, path
+        assert path in used, path
 
 
 def test_the_readme_opens_with_a_picture_and_two_commands() -> None:
