@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -53,6 +54,31 @@ def test_bent_rays_are_where_the_morph_shows_their_points(kind: str, offset: tup
         assert angle(points[-1] - CENTER, rays[row]) < 1e-12
 
 
+@pytest.mark.parametrize(
+    ("user", "rays", "tolerance"),
+    [
+        # A curve that winds about its chord: it meets it near all three of its quarters.
+        ((5, 1.7, 0), [[-0.29435804, 0.01554978, 0.95556871]], 1e-4),
+        # Users outside r1 who look up: the bend is as near as the centre, the end as far as the sky.
+        *[((away, 1.7, 0), [[0, 1, 0], [1e-3, 1, 0], [0.003, 1, 0.002], [0.03, 1, 0]], 1e-3) for away in (12, 20, 25)],
+        # Close to the least tolerance.
+        ((5, 1.7, 0), [[0, 0.1, 1]], 1e-9),
+    ],
+)
+def test_chords_stay_on_curves_that_wind_and_on_upright_ones(
+    user: tuple[float, float, float], rays: Any, tolerance: float
+) -> None:
+    curve: dict[str, Any] = {"user": np.array(user), "center": (0, 1.7, 0), "r1": 10, "r2": 100}
+    for direction in rays:
+        line = nf.bend_rays([direction], tolerance=tolerance, **curve)[0]
+        # Chords by shares that are dense at both ends: the last one of an upright curve is kilometres long.
+        share = np.concatenate([np.geomspace(1e-6, 0.5, 60), 1 - np.geomspace(1e-6, 0.5, 60)])
+        chords = (line[:-1, None] + share[:, None] * np.diff(line, axis=0)[:, None]).reshape(-1, 3)
+        chords = chords[np.linalg.norm(chords - curve["user"], axis=1) > 0.1]
+        shown = nf.morph(chords, **curve) - curve["user"]
+        assert angle(shown, np.array(direction, float)).max() <= tolerance
+
+
 def test_rays_that_need_no_bend_are_one_point() -> None:
     at_center = nf.bend_rays(directions(10), user=CENTER, tolerance=1e-3, **RADII)
     assert at_center.shape == (10, 1, 3)
@@ -79,6 +105,7 @@ def test_finer_tolerances_only_add_points() -> None:
         ({"directions": [[np.nan, 0, 1]]}, "directions"),
         ({"tolerance": 0}, "tolerance"),
         ({"tolerance": np.inf}, "tolerance"),
+        ({"tolerance": 1e-10}, "tolerance: expected at least 1e-9"),
         ({"kind": "none"}, "kind"),
         ({"r1": 60}, "r2"),
         ({"user": [0, np.inf, 0]}, "user"),
@@ -127,6 +154,10 @@ def test_margins_of_the_paper_and_of_the_cylinder() -> None:
     assert nf.fold_margin(CENTER + np.array([3.0, 9, 4]), kind="cylinder", **RADII) == R1 - 5
     with pytest.raises(ValueError, match="r2"):
         nf.fold_margin(CENTER, center=CENTER, r1=30, r2=20)
+    # A hundred metres above the centre the ground folds wherever the user is.
+    assert nf.fold_margin([0, 100, 0], center=[0, 0, 0], r1=30, r2=50) == -math.inf
+    with pytest.raises(ValueError, match="user: expected a place within 1e30 m"):
+        nf.fold_margin([0, 1e300, 0], center=[0, 0, 0], r1=30, r2=50)
 
 
 def cards(count: int = 6000) -> nf.Scene:
@@ -268,6 +299,41 @@ def test_users_anywhere_get_a_picture(
     frame = reduced.render(view, method="exact", channels=("color", "range"), env=False)
     assert np.isfinite(frame.require("color")).all()
     assert not np.isnan(frame.require("range")).any()
+
+
+@pytest.mark.parametrize(
+    ("user", "aim", "fov"),
+    [
+        ((2.73, 1.31, -4.09), (1.85, 1.32, -3.58), 90),
+        ((-7.37, 1.19, 2.34), (-6.22, 0.91, 2.61), 60),
+        ((0.06, 1.58, -4.31), (-0.41, 1.31, -4.59), 110),
+        ((-4.79, 1.22, 3.23), (-5.0, 0.61, 1.61), 110),
+    ],
+)
+def test_exact_frames_miss_the_morph_by_no_more_than_their_tolerance(
+    user: tuple[float, float, float], aim: tuple[float, float, float], fov: float
+) -> None:
+    # A ground of one-metre cells, so that the rounding of hits is far below the tolerance.
+    x, z = np.meshgrid(np.arange(-120.0, 121), np.arange(-120.0, 121))
+    number = np.arange(x.size).reshape(x.shape)
+    a, b, c, d = (number[i : i + 240, j : j + 240].ravel() for i in (0, 1) for j in (0, 1))
+    faces = np.concatenate([np.stack(corners, axis=1) for corners in ((a, c, b), (b, c, d))])
+    floor = nf.Scene.from_arrays(np.stack([x, 0 * x, z], axis=-1).reshape(-1, 3), faces.astype(np.uint32))
+    radii: dict[str, Any] = {"center": (0, 1.7, 0), "r1": 10, "r2": 100}
+    flat = nf.reduce(floor, face_size=16, **radii)
+    view = nf.Camera.look_at(user, aim, fov=nf.Fov.symmetric(fov, 1.6), size=(320, 200))
+    _, rays = view.rays()
+    # What a pixel covers where it is: tangents per pixel times cos² of its angle off the axis.
+    cosine = rays @ (np.array(aim) - user) / np.linalg.norm(np.array(aim) - user) / np.linalg.norm(rays, axis=-1)
+    pixel = 2 * math.tan(math.radians(fov / 2)) / 320 * cosine**2
+    for tolerance in (0.1, 0.02):
+        frame = flat.render(view, method="exact", channels=("position",), env=False, tolerance_px=tolerance)
+        seen = frame.require("position").astype(np.float64)
+        rho = np.hypot(seen[..., 0], seen[..., 2])
+        bent = (rho > 10) & (rho < 100)
+        assert bent.sum() > 1000
+        shown = nf.morph(seen[bent], user=user, **radii) - np.array(user)
+        assert (angle(shown, rays[bent]) / pixel[bent]).max() <= tolerance
 
 
 def test_exact_frames_refuse_what_has_no_bent_rays(reduced: nf.ReducedScene) -> None:

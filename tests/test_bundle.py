@@ -298,6 +298,17 @@ def test_a_wrong_document_is_explained(change: dict[str, Any], word: str, folder
         nf.ReducedScene.load(broken)
 
 
+@pytest.mark.parametrize("name", ["near.glb", "reduced.json"])
+def test_endless_nesting_is_damage(name: str, folder: Path, tmp_path: Path) -> None:
+    broken = shutil.copytree(folder, tmp_path / "broken")
+    text = b"[" * 100_000
+    chunk = len(text).to_bytes(4, "little") + b"JSON" + text
+    whole = b"glTF" + (2).to_bytes(4, "little") + (12 + len(chunk)).to_bytes(4, "little") + chunk
+    (broken / name).write_bytes(whole if name == "near.glb" else text)
+    with pytest.raises(nf.FormatError, match=name):
+        nf.ReducedScene.load(broken)
+
+
 def test_other_folders_are_left_alone(folder: Path, tmp_path: Path) -> None:
     reduced = nf.ReducedScene.load(folder)
     (tmp_path / "mine").mkdir()

@@ -319,8 +319,23 @@ def test_loading_refuses_what_is_no_map(tmp_path: Path) -> None:
     _exr.write(path, parts, _formats.header("envmap", _envmap.VERSION, center=[0, 0, 0]))
     with pytest.raises(nf.FormatError, match="damaged environment map"):
         nf.EnvMap.load(path)
+    face = {name: np.zeros((2, 2), np.float32) for name in "RGB"}
+    numbers = {name: np.zeros((2, 2), np.uint32) for name in "RGB"}
+    for wrong in (numbers, face | {"object_id": np.ones((2, 2), np.float32)}, face | {"range": numbers["R"]}):
+        header = _formats.header("envmap", _envmap.VERSION, center=[0, 0, 0])
+        _exr.write(path, dict.fromkeys(_envmap.FACES, wrong), header)
+        with pytest.raises(nf.FormatError, match="damaged environment map: expected numbers of kind"):
+            nf.EnvMap.load(path)
+    nested = path.read_bytes().replace(b'"nearfar.envmap"', b"[" * 16)
+    path.write_bytes(nested)
+    with pytest.raises(nf.FormatError, match=r"env\.exr"):
+        nf.EnvMap.load(path)
     with pytest.raises(FileNotFoundError):
         nf.EnvMap.load(tmp_path / "missing.exr")
+    with pytest.raises(TypeError, match="path: expected a string or a path"):
+        nf.EnvMap.load(None)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="half: expected False"):
+        nf.EnvMap((0, 0, 0), np.full((6, 1, 1, 3), 1e6, np.float32)).save(path)
     with pytest.raises(ValueError, match=r"ending in \.exr"):
         example().save(tmp_path / "env.png")
     with pytest.raises(OSError, match="nowhere"):
@@ -355,6 +370,9 @@ def test_samples_by_channel() -> None:
         ({"range": np.zeros((6, 3, 3))}, "range: expected shape"),
         ({"object_id": np.zeros((6, 4), np.int32)}, "object_id: expected shape"),
         ({"center": (0, 0, np.nan)}, "center: expected 3 finite"),
+        ({"color": np.full((6, 4, 4, 3), np.nan)}, "color: expected finite numbers"),
+        ({"range": np.full((6, 4, 4), np.nan, np.float32)}, "range: expected metres"),
+        ({"range": np.full((6, 4, 4), -1, np.float32)}, "range: expected metres"),
     ],
 )
 def test_maps_refuse(change: dict[str, Any], words: str) -> None:

@@ -84,6 +84,15 @@ def test_a_folder_appears_whole_and_replaces_only_our_own(tmp_path: Path) -> Non
     assert list(tmp_path.iterdir()) == [target]
 
 
+def test_a_folder_may_be_the_current_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    target = tmp_path / "scene"
+    target.mkdir()
+    monkeypatch.chdir(target)
+    with _files.atomic_folder(".") as aside:
+        (aside / "manifest.json").write_text("{}")
+    assert [path.name for path in target.iterdir()] == ["manifest.json"]
+
+
 def test_a_folder_with_other_peoples_files_is_refused(tmp_path: Path) -> None:
     home = tmp_path / "home"
     home.mkdir()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from typing import Any
 
@@ -102,6 +103,28 @@ def test_nothing_cracks_within_a_mesh_or_between_objects() -> None:
     assert len(scene.object_names) == 12
     # Rounding float32 vertices moves edges' crossings a little, and their number with it.
     assert scene.triangle_count == pytest.approx(len(made.faces), rel=0.1)
+
+
+@pytest.mark.parametrize(("sides", "radii"), [(6, (30, 60)), (8, (30, 50, 80)), (7, (29.9999999, 60))])
+def test_edges_between_two_points_of_r1_are_split_alike_on_both_sides(sides: int, radii: tuple[float, ...]) -> None:
+    turn = np.arange(sides) * 2 * np.pi / sides
+    circle = np.stack([np.cos(turn), 0 * turn, np.sin(turn)], axis=1)
+    points = np.concatenate([[[0.0, 0.0, 0.0]], *(circle * radius for radius in radii)]) + CENTER
+    one, other = 1 + np.arange(sides), 1 + (np.arange(sides) + 1) % sides
+    faces = [np.stack([0 * one, one, other], axis=1)]
+    for ring in range(len(radii) - 1):
+        near, far = sides * ring, sides * (ring + 1)
+        faces += [np.stack([one + near, one + far, other + far], axis=1)]
+        faces += [np.stack([one + near, other + far, other + near], axis=1)]
+    disc = trimesh.Trimesh(points, np.concatenate(faces), process=False)
+    for whole in (disc, nf.Scene.from_trimesh(disc)):
+        made = np.asarray(split(whole).triangles if whole is disc else split(whole).triangles(), np.float64)
+        assert len(made) > 1000
+        rim = radii[-1] * math.cos(math.pi / sides) - 1e-3
+        within = made[(np.hypot(*(made.mean(axis=1) - CENTER)[:, [0, 2]].T) < rim)]
+        ends = Counter(tuple(sorted(map(tuple, (t[i].tolist(), t[i - 1].tolist())))) for t in within for i in range(3))
+        middles = {pair: np.hypot(*(np.mean(pair, axis=0) - CENTER)[[0, 2]]) for pair in ends}
+        assert all(count == 2 for pair, count in ends.items() if middles[pair] < 0.9 * rim)
 
 
 def test_what_needs_no_split_keeps_its_bits() -> None:

@@ -45,7 +45,7 @@ def save(path: str | os.PathLike[str], bundle: Bundle, *, half: bool) -> None:
     """Write a folder, whole or not at all; `ReducedScene.save` says what is in it."""
     from nearfar import _scene_glb  # which needs Pillow
 
-    near, target = bundle.near, Path(path)
+    near, target = bundle.near, _check.path("path", path)
     names = near._names.given
     document = _formats.header(
         NAME,
@@ -86,7 +86,7 @@ def load(path: str | os.PathLike[str]) -> Bundle:
     """Read a folder; FormatError where a file of it is damaged or too new, OSError where one is missing."""
     from nearfar import _scene_glb
 
-    folder = Path(path)
+    folder = _check.path("path", path)
     document = _formats.read_json(folder / DOCUMENT, NAME, VERSION)
     with _explained(folder / DOCUMENT):
         given = document["object_names"]
@@ -129,6 +129,19 @@ def _frames(
     return (frames if (frames != np.eye(4)).any() else None), rest
 
 
+DAMAGE = (
+    ValueError,
+    TypeError,
+    LookupError,
+    AttributeError,
+    StopIteration,
+    ArithmeticError,
+    RecursionError,
+    struct.error,
+)
+"""What reading a file raises that is not as we write it."""
+
+
 @contextmanager
 def _explained(path: Path) -> Iterator[None]:
     """Whatever a damaged file leads to is about that file."""
@@ -138,5 +151,5 @@ def _explained(path: Path) -> Iterator[None]:
         raise
     except KeyError as error:
         raise FormatError(f"{path}: damaged: {error} is missing") from None
-    except (ValueError, TypeError, LookupError, AttributeError, StopIteration, ArithmeticError, struct.error) as error:
+    except DAMAGE as error:
         raise FormatError(f"{path}: damaged: {error or type(error).__name__}") from None

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 import operator
+import os
 from collections.abc import Collection
+from pathlib import Path
 from typing import Any, SupportsFloat, SupportsIndex
 
 import numpy as np
@@ -102,6 +104,13 @@ def choice(name: str, value: str, options: Collection[str]) -> str:
         listed = ", ".join(repr(option) for option in options)
         raise ValueError(f"{name}: expected one of {listed}, got {value!r}")
     return value
+
+
+def path(name: str, value: str | os.PathLike[str]) -> Path:
+    """A place in the file system; TypeError for anything but a string or a path."""
+    if not isinstance(value, str | os.PathLike) or isinstance(os.fspath(value), bytes):
+        raise TypeError(f"{name}: expected a string or a path, got {_what(value)}")
+    return Path(value)
 
 
 def radii(r1: SupportsFloat, r2: SupportsFloat) -> tuple[float, float]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -20,6 +21,9 @@ FACES = ("px", "nx", "py", "ny", "pz", "nz")
 CHANNELS = ("color", "range", "object_id")
 """All that a map may hold."""
 
+HALF_LIMIT = 65504.0
+"""Greatest float16."""
+
 VERSION = 1
 """Of the EXR files that maps are saved as."""
 
@@ -33,7 +37,7 @@ class EnvMap:
     Raises
     ------
     ValueError, TypeError
-        For arrays of other shapes or types.
+        For arrays of other shapes or types, colours that are not finite, ranges that are NaN or below 0.
     """
 
     center: tuple[float, float, float]
@@ -61,11 +65,13 @@ class EnvMap:
             expected = (6, size, size, 3) if name == "color" else (6, size, size)
             if size == 0 or own.shape != expected:
                 raise ValueError(f"{name}: expected shape (6, S, S{', 3' * (name == 'color')}), got {own.shape}")
+            _meaningful(name, own)
             own.flags.writeable = False
             object.__setattr__(self, name, own)
-        if isinstance(self.object_names, str) or not all(isinstance(name, str) for name in self.object_names):
+        names = tuple(self.object_names) if isinstance(self.object_names, Iterable) else (self.object_names,)
+        if isinstance(self.object_names, str) or not all(isinstance(name, str) for name in names):
             raise TypeError("object_names: expected a sequence of strings, got something else")
-        object.__setattr__(self, "object_names", tuple(self.object_names))
+        object.__setattr__(self, "object_names", names)
 
     @property
     def face_size(self) -> int:
@@ -132,12 +138,18 @@ class EnvMap:
         Raises
         ------
         ValueError
-            For another suffix.
+            For another suffix, and for colours beyond 65,504 with `half`.
+        TypeError
+            For what is no path.
         OSError
             Where the file cannot be written.
         """
-        if not os.fspath(path).lower().endswith(".exr"):
+        target = _check.path("path", path)
+        if target.suffix.lower() != ".exr":
             raise ValueError(f"path: expected a name ending in .exr, got {os.fspath(path)!r}")
+        brightest = float(np.abs(self.color).max())
+        if half and brightest > HALF_LIMIT:
+            raise ValueError(f"half: expected False for colours up to {brightest:g}, beyond {HALF_LIMIT:g}, got True")
         color = self.color.astype(np.float16) if half else self.color
         parts: dict[str, dict[str, NDArray[Any]]] = {}
         for face, name in enumerate(FACES):
@@ -154,7 +166,7 @@ class EnvMap:
             orientation="Vulkan/WebGPU cube faces",
             object_names=list(self.object_names),
         )
-        _exr.write(path, parts, document, {"center": self.center})
+        _exr.write(target, parts, document, {"center": self.center})
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> EnvMap:
@@ -163,25 +175,38 @@ class EnvMap:
         try:
             faces = [parts[name] for name in FACES]
             color = np.stack([np.stack([face[axis] for axis in "RGB"], axis=-1) for face in faces])
-            channels: dict[str, NDArray[Any]] = {"color": color.astype(np.float32, copy=False)}
-            for name in ("range", "object_id"):
-                if name in faces[0]:
-                    channels[name] = np.stack([face[name] for face in faces])
-            if "object_id" in channels:
-                channels["object_id"] = channels["object_id"].view(np.int32)
+            channels: dict[str, NDArray[Any]] = {"color": _of_kind("f", color).astype(np.float32, copy=False)}
+            if "range" in faces[0]:
+                channels["range"] = _of_kind("f", np.stack([face["range"] for face in faces]))
+            if "object_id" in faces[0]:
+                channels["object_id"] = _of_kind("u", np.stack([face["object_id"] for face in faces])).view(np.int32)
             return cls(document["center"], **channels, object_names=document.get("object_names", ()))
         except (KeyError, TypeError, ValueError) as error:
             raise FormatError(f"{os.fspath(path)}: damaged environment map: {error}") from None
 
 
+def _meaningful(channel: str, values: NDArray[Any]) -> None:
+    """ValueError for NaN and infinite colours, and for NaN and negative ranges; looks for them by sums and minima."""
+    if channel == "color" and not (np.isfinite(values.sum(dtype=np.float64)) or np.isfinite(values).all()):
+        raise ValueError("color: expected finite numbers, got some that are not")
+    if channel == "range" and not values.min() >= 0.0:
+        raise ValueError(f"range: expected metres of at least 0 or +inf, got {values.min()}")
+
+
+def _of_kind(kind: str, values: NDArray[Any]) -> NDArray[Any]:
+    """What a file holds, if it is of the kind that we write."""
+    if values.dtype.kind != kind:
+        raise ValueError(f"expected numbers of kind {kind!r}, got {values.dtype}")
+    return values
+
+
 def to_half(ranges: NDArray[np.float32]) -> NDArray[np.float16]:
     """Round ranges in metres to float16, keeping +inf; ValueError where finite ones are beyond its 65,504 m."""
     farthest = float(np.max(ranges, initial=0.0, where=np.isfinite(ranges)))
-    limit = float(np.finfo(np.float16).max)
-    if farthest > limit:
+    if farthest > HALF_LIMIT:
         raise ValueError(
             f"range_dtype: expected float32 for a map that reaches {farthest:,.0f} m, got float16, "
-            f"which ends at {limit:,.0f} m"
+            f"which ends at {HALF_LIMIT:,.0f} m"
         )
     return ranges.astype(np.float16)
 

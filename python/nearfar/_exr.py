@@ -5,12 +5,11 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 from numpy.typing import NDArray
 
-from nearfar import _core, _files, _formats
+from nearfar import _check, _core, _files, _formats
 from nearfar._errors import FormatError
 
 ATTRIBUTE = "nearfar"
@@ -73,11 +72,11 @@ def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[st
     OSError
         Where the file cannot be read.
     """
-    data = Path(path).read_bytes()
+    data = _check.path("path", path).read_bytes()
     try:
         parts = _core.decode_exr(data)
         document = json.loads(str(parts[0][2].get(ATTRIBUTE, "null"))) if parts else None
-    except (FormatError, ValueError) as error:
+    except (FormatError, ValueError, RecursionError) as error:
         raise FormatError(f"{os.fspath(path)}: {error}") from None
     checked = _formats.check(document, name, version, path)
     return checked, {part: channels for part, channels, _ in parts}

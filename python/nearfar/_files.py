@@ -31,7 +31,7 @@ def atomic_file(path: str | os.PathLike[str]) -> Iterator[Path]:
     OSError
         Before the block runs, where the folder is missing or not writable or `path` is a folder; names `path`.
     """
-    target = Path(path)
+    target = _absolute(path)
     if target.is_dir():
         raise IsADirectoryError(errno.EISDIR, "is a folder, expected a place for a file", str(target))
     aside = _aside(target)
@@ -72,7 +72,7 @@ def atomic_folder(path: str | os.PathLike[str], *, marker: str = "manifest.json"
         Before the block runs, where the folder above is missing or not writable, or `path` is a file or a folder with
         other people's files; names `path`.
     """
-    target = Path(path)
+    target = _absolute(path)
     _replaceable(target, marker)
     aside = _aside(target)
     with _named(target):
@@ -114,6 +114,11 @@ def _replaceable(target: Path, marker: str) -> None:
     if any(target.iterdir()) and not (target / marker).is_file():
         message = f"holds other files (no {marker}), expected a new or empty folder"
         raise FileExistsError(errno.EEXIST, message, str(target))
+
+
+def _absolute(path: str | os.PathLike[str]) -> Path:
+    """The place with a name of its own, which "." has not."""
+    return Path(os.path.abspath(path))
 
 
 def _aside(target: Path) -> Path:

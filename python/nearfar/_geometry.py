@@ -9,6 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _check
 
+FARTHEST = 1e30
+"""Metres beyond which squares of distances overflow float32's exponents and nothing is drawn."""
+
 ORIGIN_LIMIT = 32_768.0
 """Metres from which on float32 steps exceed 2 mm, so that coordinates are stored relative to an origin."""
 
@@ -88,6 +91,8 @@ def transforms_of(name: str, value: ArrayLike) -> NDArray[np.float64]:
     array: NDArray[np.float64] = _check.array(name, value, columns=None, dtype=np.float64, finite=True)
     if array.ndim not in (2, 3) or array.shape[-2:] != (4, 4):
         raise ValueError(f"{name}: expected a 4x4 matrix object→world, got shape {array.shape}")
+    if array.size and np.abs(array).max() > FARTHEST:
+        raise ValueError(f"{name}: expected a matrix of numbers up to {FARTHEST:g}, got {np.abs(array).max():g}")
     if not (array[..., 3, :] == (0, 0, 0, 1)).all():
         raise ValueError(f"{name}: expected an affine matrix with last row 0 0 0 1 (column vectors), got another row")
     return array

@@ -64,8 +64,9 @@ def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: f
         As in `rmse`, and without a positive `data_range` for arrays.
     """
     first, second, extent = _pair(reference, test, data_range)
+    peak = _extent(extent)
     error = _core.mean_squared_error(first.ravel(), second.ravel())
-    return math.inf if error == 0.0 else 20.0 * math.log10(_extent(extent)) - 10.0 * math.log10(error)
+    return math.inf if error == 0.0 else 20.0 * math.log10(peak) - 10.0 * math.log10(error)
 
 
 def ssim(
@@ -231,6 +232,8 @@ def boundary(frame: Frame, *, center: ArrayLike, radius: float, width: int = 2) 
     ValueError, TypeError
         For frames without positions and arguments out of their domains.
     """
+    if not isinstance(frame, Frame):
+        raise TypeError(f"frame: expected a Frame, got {type(frame).__name__}")
     middle, end = np.array(_check.vector("center", center)), _check.positive("radius", radius)
     reach = _check.integer("width", width, 1, 1000)
     away = frame.require("position").astype(np.float64) + np.array(frame.origin) - middle

@@ -118,7 +118,10 @@ def _bake(
 
 def _half(range_dtype: DTypeLike) -> bool:
     """Whether ranges are 16-bit."""
-    wanted = np.dtype(range_dtype)
+    try:
+        wanted = np.dtype(range_dtype)
+    except TypeError:
+        raise TypeError(f"range_dtype: expected float32 or float16, got {range_dtype!r}") from None
     if wanted not in (np.float16, np.float32):
         raise ValueError(f"range_dtype: expected float32 or float16, got {wanted}")
     return wanted == np.float16

@@ -150,8 +150,8 @@ class ReducedScene:
         tolerance_px
             By how many of the image's finest pixels triangles may miss the morph of their points, by default 0.5:
             larger ones are split for this frame. A bound where `stats` says `tolerance_held`. Infinity morphs the
-            vertices that there are, which bends long triangles wrongly and opens breaks at both radii. For "exact" how
-            far a bent ray may miss its curve, by default 0.1.
+            vertices that there are, which bends long triangles wrongly and opens breaks at both radii. For "exact" by
+            how many pixels, as large as they are where it passes, a bent ray may miss its curve, by default 0.1.
 
         Returns
         -------
@@ -168,6 +168,8 @@ class ReducedScene:
         if not isinstance(camera, Camera):
             raise TypeError(f"camera: expected a Camera, got {type(camera).__name__}")
         _check.choice("method", method, tuple(TOLERANCES))
+        if not isinstance(env, bool):
+            raise TypeError(f"env: expected True or False, got {type(env).__name__}")
         if not (env or self._is_whole or self._env is None):
             raise ValueError("env: expected True for a loaded scene, whose far geometry was not saved, got False")
         samples = _check.integer("samples", samples, 1, _render.MAX_SAMPLES)

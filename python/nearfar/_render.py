@@ -70,6 +70,8 @@ def channel_names(channels: Iterable[str]) -> list[str]:
     """Return the names of wanted images, each once and in the order of `CHANNELS`; ValueError for unknown ones."""
     if isinstance(channels, str):
         raise TypeError(f"channels: expected a sequence of names such as ({channels!r},), got the string {channels!r}")
+    if not isinstance(channels, Iterable):
+        raise TypeError(f"channels: expected a sequence of names, got {type(channels).__name__}")
     names = {_check.choice("channels", name, CHANNELS) for name in channels}
     if not names:
         raise ValueError(f"channels: expected at least one of {', '.join(CHANNELS)}, got none")

@@ -103,7 +103,7 @@ def _reach(region: ArrayLike, center: tuple[float, float, float]) -> float:
         if reach < 0.0:
             raise ValueError(f"user_region: expected a radius of at least 0, got {reach}")
         return reach
-    box = _check.array("user_region", region, dtype=np.float64, finite=True)
+    box = _check.array("user_region", region, columns=None, dtype=np.float64, finite=True)
     if box.shape != (2, 3) or (box[0] > box[1]).any():
         raise ValueError(
             f"user_region: expected a radius or a box (2, 3) of least and greatest corner, got {np.asarray(region)}"

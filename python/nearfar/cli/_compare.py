@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
@@ -126,6 +127,7 @@ def compare(
             plotted = _report.save_curve(folder, curve, r2)
             if plotted:
                 _comparison.save_heat_maps(folder, {name: maps[name] for name in values})
+        margin = nf.fold_margin(eye, center=place.eye, r1=r1, r2=r2)
         checked = [threshold.check(values["continuous"]) for threshold in thresholds]
         document = _formats.header("compare", VERSION, origin=[float(v) for v in loaded.origin], color_space="sRGB") | {
             "source": scene,
@@ -134,7 +136,7 @@ def compare(
             "map_bytes": int(reduced.stats["map_bytes"]),
             "center": list(place.eye),
             "user": list(eye),
-            "fold_margin": round(nf.fold_margin(eye, center=place.eye, r1=r1, r2=r2), 3),
+            "fold_margin": round(margin, 3) if math.isfinite(margin) else None,
             "r1": r1,
             "r2": r2,
             "face_size": face_size,

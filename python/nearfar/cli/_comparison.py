@@ -96,7 +96,11 @@ def _tables(document: dict[str, Any]) -> dict[str, list[list[str]]]:
 
 def _summary(document: dict[str, Any]) -> list[str]:
     margin = document["fold_margin"]
-    folds = "the picture has folded" if margin < 0 else f"the picture folds {margin:.1f} m farther away from O"
+    folds = (
+        "the picture has folded"
+        if margin is None or margin < 0
+        else f"the picture folds {margin:.1f} m farther away from O"
+    )
     return [
         f"{count(document['triangles'])} triangles become {count(document['triangles_left'])} and a cube map of 6 × "
         f"{document['face_size']}² texels ({bytes_text(document['map_bytes'])}). Method: {document['method']}.",

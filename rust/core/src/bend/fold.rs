@@ -13,8 +13,12 @@ const FOLLOWED: usize = 6;
 /// Metres, as a share of r₂−r₁, to which the margin is found.
 const PRECISION: f64 = 1e-4;
 
+/// Metres from the centre beyond which products of lengths overflow.
+const FARTHEST: f64 = 1e30;
+
 /// Metres that the user may still go horizontally, in the direction away from the axis, before the morph's Jacobian
-/// changes its sign somewhere between the radii; negative where it has. The user's height counts as it is.
+/// changes its sign somewhere between the radii; negative where it has, and −∞ where it has on the axis itself. The
+/// user's height counts as it is.
 ///
 /// For `Kind::Cylinder` it is r₁ − |(U−O)_h|: beyond that the user stands outside cylinders on which points must stay.
 pub fn margin(morph: &Morph) -> Result<f64> {
@@ -23,6 +27,9 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     }
     let offset = morph.user - morph.center;
     let away = on_ground(offset).length();
+    if offset.length().is_nan() || offset.length() > FARTHEST {
+        return Err(Error::value("user", format!("a place within {FARTHEST:e} m of the centre"), morph.user));
+    }
     if morph.kind == Kind::Cylinder {
         return Ok(morph.r1 - away);
     }
@@ -35,7 +42,7 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     // Along the line through U and O, behind O, the distance shown falls at (r₂−r₁) for certain.
     let (mut sound, mut folded) = (0.0, width);
     if folds(0.0)? {
-        return Ok(-away);
+        return Ok(f64::NEG_INFINITY);
     }
     while folded - sound > PRECISION * width {
         let middle = 0.5 * (sound + folded);

@@ -19,11 +19,17 @@ pub use fold::margin;
 
 /// Steps of the root's search at most: bisection alone needs as many as a float64 has digits.
 const STEPS: usize = 80;
-/// Halvings of a stretch of the curve at most.
-const DEEPEST: u32 = 12;
+/// Halvings of a stretch of the curve at most, beyond those of a chord's length that the tolerance asks for.
+const SPARE: u32 = 8;
+/// Chords of a stretch at most, times the root of the tolerance. Where the picture folds curves jump, and no chord is flat.
+const MOST: f64 = 64.0;
+/// Chords that end so many times as far away as they begin are long.
+const LONG: f64 = 4.0;
+/// Radians: the least tolerance, which takes some thousand points.
+const LEAST_TOLERANCE: f64 = 1e-9;
 /// Where an upright curve is cut, in radii.
 const HIGHEST: f64 = 1e4;
-/// A chord is tried at three of its points. Between them a smooth curve may be farther off by this share.
+/// A chord is tried at some of its points. Where it misses this share of the tolerance, it may miss all of it between.
 const TRIED: f64 = 0.75;
 
 /// The curve of points that are shown in one direction.
@@ -189,22 +195,37 @@ impl<'a> Curve<'a> {
         let first = at(stretch.from, 0.0);
         let last = at(stretch.to, self.beside);
         points.push(self.point(first.0, first.1));
-        let mut open = vec![(first, last, DEEPEST)];
+        // Chords miss by the square of their length.
+        let deepest = (-0.5 * tolerance.log2()).ceil().max(0.0) as u32 + SPARE;
+        let most = points.len() + (MOST / tolerance.sqrt()) as usize;
+        let mut open = vec![(first, last, 0)];
         while let Some((a, b, depth)) = open.pop() {
-            let on_chord = |t: f64| (a.0 + (b.0 - a.0) * t, a.1 + (b.1 - a.1) * t);
-            let is_flat = [0.25, 0.5, 0.75].into_iter().all(|t| {
-                let (s, y) = on_chord(t);
-                self.miss(s, y) <= TRIED * tolerance
-            });
-            if is_flat || depth == 0 {
+            let levels = if depth < 2 { 3 } else { 2 };
+            if depth == deepest || points.len() >= most || self.is_flat(a, b, levels, TRIED * tolerance) {
                 points.push(self.point(b.0, b.1));
                 continue;
             }
-            let (s, y) = on_chord(0.5);
+            let (s, y) = self.middle(a, b);
             let middle = at(s, y);
-            open.push((middle, b, depth - 1));
-            open.push((a, middle, depth - 1));
+            open.push((middle, b, depth + 1));
+            open.push((a, middle, depth + 1));
         }
+    }
+
+    /// Whether a chord misses nothing in its middle, in the middles of its halves, and so on.
+    fn is_flat(&self, a: (f64, f64), b: (f64, f64), levels: u32, tolerance: f64) -> bool {
+        let middle = self.middle(a, b);
+        self.miss(middle.0, middle.1) <= tolerance
+            && (levels == 1
+                || self.is_flat(a, middle, levels - 1, tolerance) && self.is_flat(middle, b, levels - 1, tolerance))
+    }
+
+    /// A chord's point halfway. What is seen from far away bends as slowly as it is far: long chords are halved on a
+    /// logarithmic scale, from |v⊥| on.
+    fn middle(&self, a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+        let near = a.0.max(self.beside);
+        let s = if b.0 > LONG * near { (near * b.0).sqrt() } else { 0.5 * (a.0 + b.0) };
+        (s, a.1 + (b.1 - a.1) * (s - a.0) / (b.0 - a.0))
     }
 
     /// The curve as a polyline: where it begins (U for users inside r₁), where it bends, and where it leaves r₂; from
@@ -240,17 +261,23 @@ pub fn bend_rays(
     tolerance: f64,
     progress: &Progress,
 ) -> Result<(Vec<[f64; 3]>, usize)> {
-    if !(tolerance.is_finite() && tolerance > 0.0) {
-        return Err(Error::value("tolerance", "a positive number of radians", tolerance));
+    if !(tolerance.is_finite() && tolerance >= LEAST_TOLERANCE) {
+        return Err(Error::value("tolerance", format!("at least {LEAST_TOLERANCE:e} radians"), tolerance));
     }
-    if let Some(row) = directions.iter().position(|d| !(DVec3::from_array(*d).length_recip().is_normal())) {
+    let unit = |row: &[f64; 3]| {
+        // Scaled first: squares of lengths overflow long before lengths do.
+        let d = DVec3::from_array(*row);
+        let longest = d.abs().max_element();
+        (longest > 0.0 && d.is_finite()).then(|| (d / longest).normalize())
+    };
+    if let Some(row) = directions.iter().position(|row| unit(row).is_none()) {
         let expected = "finite directions with a length above zero";
         return Err(Error::value("directions", expected, format!("{:?} at index {row}", directions[row])));
     }
     progress.expect(directions.len() as u64);
     let bend = |rows: &[[f64; 3]]| {
         let lines: Vec<Vec<DVec3>> =
-            rows.iter().map(|&row| Curve::new(morph, DVec3::from_array(row).normalize()).polyline(tolerance)).collect();
+            rows.iter().filter_map(unit).map(|unit| Curve::new(morph, unit).polyline(tolerance)).collect();
         progress.report(rows.len() as u64)?;
         Ok(lines)
     };

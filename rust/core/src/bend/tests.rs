@@ -55,7 +55,7 @@ proptest! {
         let morph = Morph::new(DVec3::new(x, y, z), DVec3::ZERO, r1, r1 + width, Kind::Blend).unwrap();
         let direction = DVec3::new(dx, dy, dz).normalize_or(DVec3::Y);
         let points = Curve::new(&morph, direction).polyline(1e-4);
-        prop_assert!(!points.is_empty() && points.len() < 3 << DEEPEST);
+        prop_assert!(!points.is_empty() && points.len() < 3 * (MOST / 1e-4f64.sqrt()) as usize);
         prop_assert!(points.iter().all(|point| point.is_finite()));
     }
 }

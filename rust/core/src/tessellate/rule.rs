@@ -238,10 +238,14 @@ impl Rule {
 
     /// True where a triangle is not to be looked at: no point of it lies between the radii, by its box and its corners.
     pub(super) fn leaves_alone(&self, corners: &[DVec3; 3]) -> bool {
-        let Settings { r1, r2, .. } = self.settings;
         let p = corners.map(|corner| self.on_ground(corner));
         let (low, high) = (p[0].min(p[1]).min(p[2]), p[0].max(p[1]).max(p[2]));
-        low.max(-high).max(DVec2::ZERO).length() >= r2 || p.iter().all(|p| p.length() <= r1)
+        low.max(-high).max(DVec2::ZERO).length() >= self.settings.r2 || p.iter().all(|p| self.is_within(p.length()))
+    }
+
+    /// True for distances from the axis that no end of a split edge has: edges between two points of r₁ are split too.
+    pub(super) fn is_within(&self, rho: f64) -> bool {
+        rho < self.settings.r1 - self.rounding
     }
 
     /// True where no point of a triangle is inside r₂, as far as one edge's side tells.

@@ -47,10 +47,9 @@ pub fn tessellate_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Resu
 
 /// False where an instance's box alone shows that it reaches no point between the radii.
 fn touches(instance: &Instance, rule: &Rule) -> bool {
-    let settings = rule.settings();
     let [low, high] = [instance.bounds.min, instance.bounds.max].map(|corner| rule.on_ground(corner.as_dvec3()));
     let (least, greatest) = (low.max(-high).max(glam::DVec2::ZERO), low.abs().max(high.abs()));
-    !instance.mesh.faces.is_empty() && least.length() < settings.r2 && greatest.length() > settings.r1
+    !instance.mesh.faces.is_empty() && least.length() < rule.settings().r2 && !rule.is_within(greatest.length())
 }
 
 /// The mesh where it stands. Vertices that no face is split at keep their bits.

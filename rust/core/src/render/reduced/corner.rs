@@ -68,10 +68,13 @@ fn place(stretch: &Stretch, k: f64, legs: usize) -> f64 {
     stretch.from + (stretch.to - stretch.from) * k / legs as f64
 }
 
-/// Whether the middle of any chord misses the curve.
+/// Whether any chord misses the curve, at its middle or between that and its ends: where a curve winds, chords cross it.
 fn misses(curve: &Curve<'_>, stretch: &Stretch, beside: &[f64], tolerance: f64) -> bool {
     let legs = beside.len() - 1;
-    (0..legs).any(|k| curve.miss(place(stretch, k as f64 + 0.5, legs), 0.5 * (beside[k] + beside[k + 1])) > tolerance)
+    let miss = |k: usize, t: f64| {
+        curve.miss(place(stretch, k as f64 + t, legs), beside[k] + (beside[k + 1] - beside[k]) * t) > tolerance
+    };
+    [0.5, 0.2, 0.8].into_iter().any(|t| (0..legs).any(|k| miss(k, t)))
 }
 
 /// Puts a bend between each two of so many legs.

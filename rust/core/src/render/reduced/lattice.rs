@@ -17,7 +17,7 @@ use crate::morph::Morph;
 use crate::scene::Aabb;
 
 /// Shares of the tolerance for the chords and for the interpolation.
-const CHORD: f64 = 0.7;
+const CHORD: f64 = 0.6;
 const BETWEEN: f64 = 0.25;
 /// Share of a tile's width by which rays inside it may leave the box about those through its corners: unit directions
 /// bulge between them, by an eighth of the tile's angle at most.

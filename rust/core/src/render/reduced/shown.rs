@@ -75,16 +75,20 @@ pub(super) struct Shown {
     pub bounded: bool,
 }
 
+/// Share of r₂ by which points may miss r₁ and be taken for points of it: more than any rule that splits edges does.
+const ON_R1: f64 = 1.0 / 8192.0;
+
 impl NearGeometry {
     /// Copies what is inside r₁ and lists the rest.
     pub fn gather(partition: &Partition, progress: &Progress) -> Result<Self> {
         let scene = partition.scene();
         let center = partition.center() - scene.origin;
         let standing = scene.standing.instances().len() as u32;
-        let r1 = partition.r1();
+        // Edges between two points of r₁ are split for the triangles beyond them, so for those within as well.
+        let r1 = partition.r1() - partition.r2() * ON_R1;
         let inside = |&(instance, face): &(u32, u32)| {
             let rho = |p: Vec3| (f64::from(p.x) - center.x).hypot(f64::from(p.z) - center.z);
-            scene.instance(instance).corners(face).into_iter().all(|corner| rho(corner) <= r1)
+            scene.instance(instance).corners(face).into_iter().all(|corner| rho(corner) < r1)
         };
         let nsf = partition.nsf().take_while(|&(instance, _)| instance < standing);
         let (fixed, bending): (Vec<_>, Vec<_>) = nsf.partition(inside);
