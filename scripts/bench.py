@@ -1,4 +1,4 @@
-"""Runs every benchmark and keeps what each prints, as Markdown, in a folder.
+"""Runs every benchmark and keeps what each prints, as Markdown, and its plots in a folder, with a report of all.
 
 One after the other, because they measure time: `python scripts/bench.py [FOLDER] [NAME ...]`.
 """
@@ -21,6 +21,8 @@ def main() -> None:
     every = sorted(path for path in (CHECKOUT / "benchmarks").glob("*.py") if not path.name.startswith("_"))
     chosen = [path for path in every if path.stem in sys.argv[2:]] or every
     failed = [path.stem for path in chosen if not run(path, folder)]
+    parts = [(folder / f"{path.stem}.md").read_text(encoding="utf-8") for path in chosen if path.stem not in failed]
+    (folder / "report.md").write_text("# Run time against error\n\n" + "\n".join(parts), encoding="utf-8")
     if failed:
         sys.exit(f"benchmarks failed: {', '.join(failed)}")
 
@@ -30,7 +32,11 @@ def run(path: Path, folder: Path) -> bool:
     print(f"## {path.stem}", flush=True)
     started = time.perf_counter()
     command = [sys.executable, str(path)]
-    environment = os.environ | {"PYTHONUNBUFFERED": "1", "NEARFAR_PROGRESS": "0"}
+    environment = os.environ | {
+        "PYTHONUNBUFFERED": "1",
+        "NEARFAR_PROGRESS": "0",
+        "NEARFAR_BENCH_OUT": str(folder.resolve()),
+    }
     lines = []
     with subprocess.Popen(command, cwd=CHECKOUT, env=environment, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None

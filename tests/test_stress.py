@@ -53,6 +53,33 @@ def test_radii_partition_and_curve_agree_on_every_triangle(arrays: City, tokyo: 
         assert curve.count(r2) == len(zones.nsf)
 
 
+def test_metrics_of_pictures_of_a_gigapixel_are_those_of_their_parts() -> None:
+    # 32,768 × 32,768 bytes: more than 2³⁰ pixels, and rows that repeat, so that the truth is known.
+    random = np.random.default_rng(0)
+    a, b = random.integers(0, 256, (2, 512, 32_768), dtype=np.uint8)
+    tall = [np.lib.stride_tricks.as_strided(p, (64, *p.shape), (0, *p.strides)).reshape(-1, 32_768) for p in (a, b)]
+    assert nf.rmse(*tall) == nf.rmse(a, b)
+    # Windows across the seams see other pixels: 11 of 512 rows, whose mean is about the same.
+    assert nf.ssim(*tall, data_range=255) == pytest.approx(nf.ssim(a, b, data_range=255), abs=1e-4)
+    assert nf.ssim(tall[0], tall[0], data_range=255) == 1.0
+
+
+def test_breaks_of_a_large_frame_do_not_depend_on_its_size() -> None:
+    # Four thousand pixels square of a plane that is seen straight on, with one half moved by three pixels.
+    side = 4096
+    view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 1), size=(side, side))
+    step = 2.0 / side
+    y, x = np.mgrid[:side, :side]
+    position = np.stack(
+        [(x + 0.5) * step - 1 + np.where(x >= side // 2, 3 * step, 0), 1 - (y + 0.5) * step, -1 + 0 * x], -1
+    )
+    torn = nf.discontinuity(nf.Frame(view, position=position.astype(np.float32)))
+    assert abs(torn[100:-100, 100:1000]).max() < 1e-3
+    middle = torn[100:-100, side // 2 - 1]
+    assert middle.min() < -0.01
+    np.testing.assert_allclose(middle, middle.mean(), atol=2e-3)
+
+
 def test_the_map_of_a_whole_city_is_what_rays_meet(tokyo: nf.Scene) -> None:
     reduced = nf.reduce(tokyo, center=STATION, r1=30, r2=50, face_size=256, samples=1, channels=("color", "range"))
     assert reduced.env is not None

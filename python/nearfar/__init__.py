@@ -3,17 +3,19 @@
 from nearfar import datasets
 from nearfar._bend import bend_rays, fold_margin
 from nearfar._camera import Camera, CubeFace, Fov, Orthographic
+from nearfar._discontinuity import boundary, discontinuity
 from nearfar._envmap import EnvMap, cube_lookup
 from nearfar._errors import DeviceError, Error, FormatError, SceneError
 from nearfar._frame import Frame
 from nearfar._load_curve import LoadCurve, load_curve
-from nearfar._metrics import boundary, discontinuity, object_completion, psnr, rmse, ssim
+from nearfar._metrics import object_completion, psnr, rmse
 from nearfar._morph import morph
 from nearfar._partition import Partition, partition, triangle_radii
 from nearfar._reduce import reduce
 from nearfar._reduced import ReducedScene
 from nearfar._render import render
 from nearfar._scene import Scene
+from nearfar._similarity import ms_ssim, ssim, ssim_pairs, visual_continuity
 from nearfar._tessellate import tessellate
 from nearfar._trace import Hits, cast_rays
 from nearfar._version import __version__
@@ -44,6 +46,7 @@ __all__ = [
     "fold_margin",
     "load_curve",
     "morph",
+    "ms_ssim",
     "object_completion",
     "partition",
     "psnr",
@@ -51,6 +54,8 @@ __all__ = [
     "render",
     "rmse",
     "ssim",
+    "ssim_pairs",
     "tessellate",
     "triangle_radii",
+    "visual_continuity",
 ]

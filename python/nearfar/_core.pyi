@@ -261,17 +261,21 @@ class Reduced:
     def last_frame(self) -> tuple[int, int, int, bool]: ...
 
 # metrics ------------------------------------------------------------------------------------------------------------
-def mean_squared_error(reference: NDArray[np.float64], test: NDArray[np.float64]) -> float: ...
+_Settings = tuple[str, int, float, tuple[float, float], int, bool, bool]
+
+def mean_squared_errors(references: NDArray[Any], tests: NDArray[Any]) -> list[float]: ...
 def similarity(
-    reference: NDArray[np.float64],
-    test: NDArray[np.float64],
+    references: NDArray[Any],
+    tests: NDArray[Any],
     *,
-    width: int,
-    window: str,
-    size: int,
-    sigma: float,
-    constants: tuple[float, float],
-) -> NDArray[np.float64]: ...
+    settings: _Settings,
+    masks: NDArray[np.uint8] | None = None,
+    map_shape: tuple[int, ...] | None = None,
+    report: _Report | None = None,
+) -> tuple[list[tuple[float, float]], NDArray[Any] | None]: ...
+def multiscale(
+    references: NDArray[Any], tests: NDArray[Any], *, settings: _Settings, scales: int
+) -> list[list[list[float]]]: ...
 def discontinuity(
     position: NDArray[np.float32],
     *,

@@ -1,53 +1,143 @@
 //! Bindings of `metrics`.
 
+use std::slice;
+
 use glam::DVec3;
-use nearfar_core::base::{Error, Result};
-use nearfar_core::metrics::{self, Neighbourhood, Similarity, Window};
-use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyReadonlyArray2};
+use nearfar_core::base::{Error, Progress, Result};
+use nearfar_core::metrics::{self, Comparison, Neighbourhood, Pixel, Plane, Similarity, Source, Stacks, Window};
+use numpy::{
+    Element, IntoPyArray, PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArrayDyn,
+    PyUntypedArrayMethods,
+};
 use pyo3::prelude::*;
 
 use crate::camera::Camera;
+use crate::errors::to_python;
 use crate::run;
 
-/// Mean of squared differences.
-#[pyfunction]
-fn mean_squared_error(
-    py: Python<'_>,
-    reference: PyReadonlyArray1<'_, f64>,
-    test: PyReadonlyArray1<'_, f64>,
-) -> PyResult<f64> {
-    let (reference, test) = (reference.as_slice()?, test.as_slice()?);
-    run::short(py, || metrics::mean_squared_error(reference, test))
+/// Images of any type, the last two axes of a stack; steps between values are whole and not negative.
+#[derive(FromPyObject)]
+enum Images<'py> {
+    Bytes(PyReadonlyArrayDyn<'py, u8>),
+    Shorts(PyReadonlyArrayDyn<'py, u16>),
+    Floats(PyReadonlyArrayDyn<'py, f32>),
+    Doubles(PyReadonlyArrayDyn<'py, f64>),
 }
 
-fn window(name: &str, size: usize, sigma: f64) -> Result<Window> {
-    match name {
-        "gaussian" => Ok(Window::gaussian(size, sigma)),
-        "uniform" => Ok(Window::uniform(size)),
-        "global" => Ok(Window::Global),
-        _ => Err(Error::value("window", "'gaussian', 'uniform' or 'global'", format!("'{name}'"))),
-    }
+/// Runs `$body` with the arrays of two stacks of one type.
+macro_rules! with_arrays {
+    ($references:expr, $tests:expr, ($a:ident, $b:ident) => $body:expr) => {
+        match ($references, $tests) {
+            (Images::Bytes($a), Images::Bytes($b)) => $body,
+            (Images::Shorts($a), Images::Shorts($b)) => $body,
+            (Images::Floats($a), Images::Floats($b)) => $body,
+            (Images::Doubles($a), Images::Doubles($b)) => $body,
+            _ => Err(to_python(Error::value("test", "the reference's type", "another one"))),
+        }
+    };
 }
 
-/// Structural similarity around each pixel of one channel, flat; `constants` are c1 and c2.
+fn planes<'a, T: Element + Pixel>(array: &'a PyReadonlyArrayDyn<'_, T>) -> Result<Vec<Plane<'a, T>>> {
+    let size = size_of::<T>() as isize;
+    let step = |&bytes: &isize| {
+        let whole = bytes >= 0 && bytes % size == 0;
+        whole.then_some((bytes / size) as usize).ok_or_else(|| Error::value("image", "steps of whole values", bytes))
+    };
+    let steps = array.strides().iter().map(step).collect::<Result<Vec<_>>>()?;
+    let last = array.shape().iter().zip(&steps).map(|(&length, &step)| length.saturating_sub(1) * step).sum::<usize>();
+    let length = if array.is_empty() { 0 } else { last + 1 };
+    // SAFETY: the array holds its first value at `data`, and its last one `length - 1` values behind it; it is borrowed
+    // for reading as long as the slice lives.
+    let values = unsafe { slice::from_raw_parts(array.data(), length) };
+    Plane::stack(values, array.shape(), &steps)
+}
+
+fn stacks<'a, T: Element + Pixel>(
+    references: &'a PyReadonlyArrayDyn<'_, T>,
+    tests: &'a PyReadonlyArrayDyn<'_, T>,
+    masks: Option<&'a PyReadonlyArrayDyn<'_, u8>>,
+) -> PyResult<Stacks<'a, T>> {
+    let masks = masks.map(planes).transpose().map_err(to_python)?;
+    Ok(Stacks { references: planes(references).map_err(to_python)?, tests: planes(tests).map_err(to_python)?, masks })
+}
+
+/// Mean of squared differences of each pair of images.
 #[pyfunction]
-#[pyo3(signature = (reference, test, *, width, window, size, sigma, constants))]
-#[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+fn mean_squared_errors(py: Python<'_>, references: Images<'_>, tests: Images<'_>) -> PyResult<Vec<f64>> {
+    with_arrays!(&references, &tests, (a, b) => {
+        let stacks = stacks(a, b, None)?;
+        run::short(py, || stacks.mean_squared_errors())
+    })
+}
+
+/// How pairs are compared: window, its size and σ, (c1, c2), by how much images are made smaller first, whether windows
+/// count that reach beyond the image, and whether they see only what masks name.
+type Settings = (String, usize, f64, (f64, f64), usize, bool, bool);
+
+fn comparison((window, size, sigma, (c1, c2), shrink, all, hidden): Settings) -> Result<Comparison> {
+    let window = match window.as_str() {
+        "gaussian" => Window::gaussian(size, sigma),
+        "uniform" => Window::uniform(size),
+        "global" => Window::Global,
+        _ => return Err(Error::value("window", "'gaussian', 'uniform' or 'global'", format!("'{window}'"))),
+    };
+    Ok(Comparison { window, constants: Similarity { c1, c2 }, shrink, all, hidden })
+}
+
+/// Sums of similarity and of pixels, and maps.
+type Compared<'py> = (Vec<(f64, f64)>, Option<Bound<'py, PyAny>>);
+
+fn compared<'py, P: Source<Real: Source<Real = P::Real> + Element> + Element>(
+    py: Python<'py>,
+    stacks: &Stacks<'_, P>,
+    comparison: &Comparison,
+    map_shape: Option<Vec<usize>>,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Compared<'py>> {
+    let maps = map_shape.map(|shape| PyArrayDyn::<P::Real>::zeros(py, shape, false));
+    let mut writer = maps.as_ref().map(|maps| maps.readwrite());
+    let out = writer.as_mut().map(|writer| writer.as_slice_mut()).transpose()?;
+    let sums = match report {
+        Some(_) => run::long(py, report, |progress| stacks.compare(comparison, out, progress))?,
+        None => run::short(py, || stacks.compare(comparison, out, &Progress::new()))?,
+    };
+    drop(writer);
+    Ok((sums.iter().map(|sums| (sums.similarity, sums.pixels)).collect(), maps.map(Bound::into_any)))
+}
+
+/// Sums of similarity and of pixels for each pair, and the maps, of `map_shape`, where they are wanted.
+#[pyfunction]
+#[pyo3(signature = (references, tests, *, settings, masks=None, map_shape=None, report=None))]
 fn similarity<'py>(
     py: Python<'py>,
-    reference: PyReadonlyArray1<'py, f64>,
-    test: PyReadonlyArray1<'py, f64>,
-    width: usize,
-    window: &str,
-    size: usize,
-    sigma: f64,
-    constants: (f64, f64),
-) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let (reference, test) = (reference.as_slice()?, test.as_slice()?);
-    let constants = Similarity { c1: constants.0, c2: constants.1 };
-    let map =
-        run::short(py, || metrics::similarity(reference, test, width, &self::window(window, size, sigma)?, constants))?;
-    Ok(map.into_pyarray(py))
+    references: Images<'py>,
+    tests: Images<'py>,
+    settings: Settings,
+    masks: Option<PyReadonlyArrayDyn<'py, u8>>,
+    map_shape: Option<Vec<usize>>,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Compared<'py>> {
+    let comparison = comparison(settings).map_err(to_python)?;
+    with_arrays!(&references, &tests, (a, b) => {
+        compared(py, &stacks(a, b, masks.as_ref())?, &comparison, map_shape, report)
+    })
+}
+
+/// Means of similarity and of its second factor for each pair at each of `scales`.
+#[pyfunction]
+#[pyo3(signature = (references, tests, *, settings, scales))]
+fn multiscale(
+    py: Python<'_>,
+    references: Images<'_>,
+    tests: Images<'_>,
+    settings: Settings,
+    scales: usize,
+) -> PyResult<Vec<Vec<[f64; 2]>>> {
+    let comparison = comparison(settings).map_err(to_python)?;
+    with_arrays!(&references, &tests, (a, b) => {
+        let stacks = stacks(a, b, None)?;
+        run::short(py, || stacks.multiscale(&comparison, scales))
+    })
 }
 
 /// Discontinuity of each pixel, flat; positions are rows, relative to `origin`.
@@ -84,8 +174,9 @@ fn object_completion(
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(mean_squared_error, module)?)?;
+    module.add_function(wrap_pyfunction!(mean_squared_errors, module)?)?;
     module.add_function(wrap_pyfunction!(similarity, module)?)?;
+    module.add_function(wrap_pyfunction!(multiscale, module)?)?;
     module.add_function(wrap_pyfunction!(discontinuity, module)?)?;
     module.add_function(wrap_pyfunction!(object_completion, module)?)
 }

@@ -1,14 +1,23 @@
 //! Structural similarity. Wang, Bovik, Sheikh, Simoncelli: Image quality assessment: from error visibility to structural
 //! similarity, 2004: weighted means, variances and covariance in a window that moves over both images.
+//!
+//! With s = x + y and d = x − y, σx² + σy² = (σs² + σd²)/2 and 2 σxy = (σs² − σd²)/2: four moments instead of five, and
+//! both factors of the measure are 1 less something that is never negative and nothing for equal images.
 
-use rayon::prelude::*;
+use std::ops::Range;
 
-use crate::base::{Error, Result, memory::room_for};
+use super::global::global;
+use super::masked::Masked;
+use super::measure::Source;
+use super::plane::{Plane, Real};
+use super::windows::Windows;
+use crate::base::{Error, Result};
 
 /// What is averaged around each pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Window {
-    /// Separable weights that sum to 1; an even number of them reaches one pixel further up and left.
+    /// Separable weights, the same from both ends, that sum to 1; an even number of them reaches one pixel further up
+    /// and left.
     Weights(Vec<f64>),
     /// The whole image at once.
     Global,
@@ -39,88 +48,135 @@ pub struct Similarity {
     pub c2: f64,
 }
 
-impl Similarity {
-    /// Symmetric in both images, and exactly 1 where they are the same.
+/// Two images to be compared.
+#[derive(Clone, Copy)]
+pub struct Pair<'a, P> {
+    /// One of them.
+    pub reference: Plane<'a, P>,
+    /// The other one, of the same size.
+    pub test: Plane<'a, P>,
+}
+
+impl<'a, P: Source> Pair<'a, P> {
+    /// Two images of one size.
+    pub fn new(reference: Plane<'a, P>, test: Plane<'a, P>) -> Result<Self> {
+        reference.expect_size("test", [test.height, test.width])?;
+        Ok(Self { reference, test })
+    }
+
+    /// Sum and difference of both along neighbouring pixels of a row, less their levels.
     #[inline]
-    fn of(&self, [x, y, xx, yy, xy]: [f64; 5]) -> f64 {
-        let (vx, vy, covariance) = (xx - x * x, yy - y * y, xy - x * y);
-        let means = (2.0 * (x * y) + self.c1) / (x * x + y * y + self.c1);
-        means * ((2.0 * covariance + self.c2) / (vx + vy + self.c2))
+    pub(super) fn load(&self, row: usize, columns: Range<usize>, levels: [P::Real; 2], [s, d]: [&mut [P::Real]; 2]) {
+        let Self { reference, test } = self;
+        if let (Some(x), Some(y)) = (reference.run(row, columns.clone()), test.run(row, columns.clone())) {
+            P::sum_and_difference(x, y, levels, s, d);
+            return;
+        }
+        for ((s, d), column) in s.iter_mut().zip(d).zip(columns) {
+            (*s, *d) = self.at(row, column, levels);
+        }
+    }
+
+    /// The same for one pixel.
+    #[inline(always)]
+    pub(super) fn at(&self, row: usize, column: usize, levels: [P::Real; 2]) -> (P::Real, P::Real) {
+        let (x, y) = (self.reference.at(row, column) - levels[0], self.test.at(row, column) - levels[1]);
+        (x + y, x - y)
+    }
+
+    /// The squared difference of one pixel.
+    #[inline(always)]
+    pub(super) fn square(&self, row: usize, column: usize) -> f64 {
+        let difference = self.reference.at(row, column).wide() - self.test.at(row, column).wide();
+        difference * difference
     }
 }
 
-/// The similarity around each pixel of two images, rows of `width`; outside them they are mirrored.
-pub fn similarity(
-    reference: &[f64],
-    test: &[f64],
-    width: usize,
+/// Sums over the pixels that count.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sums {
+    /// Of the measure.
+    pub similarity: f64,
+    /// Of its second factor alone, which compares contrast and structure; 0 where it is not wanted.
+    pub contrast: f64,
+    /// Pixels that count.
+    pub pixels: f64,
+}
+
+impl Sums {
+    pub(super) fn and(self, other: Self) -> Self {
+        Self {
+            similarity: self.similarity + other.similarity,
+            contrast: self.contrast + other.contrast,
+            pixels: self.pixels + other.pixels,
+        }
+    }
+}
+
+/// Which windows count: those within the image, or all, and of these those that a mask names.
+#[derive(Clone, Copy)]
+pub struct Counted<'a> {
+    /// Whether windows that reach beyond the image count too.
+    pub all: bool,
+    /// Of the image's size; anything but 0 names a pixel.
+    pub mask: Option<Mask<'a>>,
+    /// Whether the sum of the second factor is wanted.
+    pub contrast: bool,
+}
+
+/// What a mask limits.
+#[derive(Clone, Copy)]
+pub enum Mask<'a> {
+    /// The mean: windows around other pixels do not count.
+    Mean(Plane<'a, u8>),
+    /// What windows see as well: other pixels, and those outside of the image, have no weight (normalised convolution).
+    Windows(Plane<'a, u8>),
+}
+
+impl<'a> Mask<'a> {
+    /// The pixels that it names.
+    pub(super) fn plane(&self) -> &Plane<'a, u8> {
+        match self {
+            Self::Mean(plane) | Self::Windows(plane) => plane,
+        }
+    }
+}
+
+/// Sums of the similarity of windows, and where wanted its map: rows of the image's width. Outside of images these are
+/// mirrored. Without a map only windows that count are looked at.
+pub fn similarity<P: Source>(
+    pair: &Pair<'_, P>,
     window: &Window,
     constants: Similarity,
-) -> Result<Vec<f64>> {
-    let pixels = reference.len();
-    if test.len() != pixels || width == 0 || pixels == 0 || !pixels.is_multiple_of(width) {
-        return Err(Error::value("test", format!("{pixels} values in rows of {width}, more than none"), test.len()));
+    counted: Counted<'_>,
+    map: Option<&mut [P::Real]>,
+) -> Result<Sums> {
+    let size = [pair.reference.height, pair.reference.width];
+    if let Some(mask) = counted.mask {
+        pair.reference.expect_size("mask", [mask.plane().height, mask.plane().width])?;
     }
-    room_for(7 * size_of::<f64>() as u64 * pixels as u64)?;
-    let products = |at: usize| {
-        let (x, y) = (reference[at], test[at]);
-        [x, y, x * x, y * y, x * y]
-    };
-    let Window::Weights(weights) = window else {
-        return Ok(vec![constants.of(whole(pixels, width, products)); pixels]);
-    };
-    let height = pixels / width;
-    let columns: Vec<usize> = mirrored(width, weights.len());
-    let rows: Vec<usize> = mirrored(height, weights.len());
-    let mut across = vec![[0.0; 5]; pixels];
-    across.par_chunks_mut(width).enumerate().for_each(|(row, out)| {
-        for (column, out) in out.iter_mut().enumerate() {
-            let taps = weights.iter().zip(&columns[column..]);
-            *out = sum(taps.map(|(weight, &tap)| (*weight, products(row * width + tap))));
+    if let Some(map) = map.as_ref().filter(|map| map.len() != size[0] * size[1]) {
+        return Err(Error::value("map", format!("{} × {} values", size[0], size[1]), map.len()));
+    }
+    let constants = [constants.c1, constants.c2];
+    Ok(match (window, counted.mask) {
+        (Window::Global, _) => global(pair, constants, counted, map),
+        (Window::Weights(weights), Some(Mask::Windows(mask))) => {
+            Masked { pair: *pair, weights, constants, mask, contrast: counted.contrast }.sums(map)
         }
-    });
-    let mut map = vec![0.0; pixels];
-    map.par_chunks_mut(width).enumerate().for_each(|(row, out)| {
-        for (column, out) in out.iter_mut().enumerate() {
-            let taps = weights.iter().zip(&rows[row..]);
-            *out = constants.of(sum(taps.map(|(weight, &tap)| (*weight, across[tap * width + column]))));
+        (Window::Weights(weights), _) => {
+            Windows::new(*pair, weights, constants.map(P::Real::narrow), counted).sums(map)
         }
-    });
-    Ok(map)
-}
-
-/// Means over a whole image, row by row.
-fn whole(pixels: usize, width: usize, products: impl Fn(usize) -> [f64; 5] + Sync) -> [f64; 5] {
-    let weight = 1.0 / pixels as f64;
-    let row = |row: usize| sum((row * width..(row + 1) * width).map(|at| (1.0, products(at))));
-    let rows: Vec<[f64; 5]> = (0..pixels / width).into_par_iter().map(row).collect();
-    sum(rows.into_iter().map(|row| (weight, row)))
-}
-
-#[inline]
-fn sum(taps: impl Iterator<Item = (f64, [f64; 5])>) -> [f64; 5] {
-    taps.fold([0.0; 5], |sums, (weight, values)| std::array::from_fn(|i| sums[i] + weight * values[i]))
-}
-
-/// For each tap of a window over a line, the place that it reads: d c b a | a b c d | d c b a.
-fn mirrored(length: usize, taps: usize) -> Vec<usize> {
-    let (length, before) = (length as i64, (taps / 2) as i64);
-    let place = |i: i64| {
-        let there = i.rem_euclid(2 * length);
-        if there < length { there } else { 2 * length - 1 - there }
-    };
-    (-before..length + taps as i64 - 1 - before).map(|i| place(i) as usize).collect()
+    })
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::plane::Plane;
     use super::*;
 
-    #[test]
-    fn lines_are_mirrored_at_their_ends() {
-        assert_eq!(mirrored(3, 5), [1, 0, 0, 1, 2, 2, 1]);
-        assert_eq!(mirrored(2, 4), [1, 0, 0, 1, 1]);
-        assert_eq!(mirrored(1, 5), [0; 5]);
+    fn plane(values: &[f64]) -> Plane<'_, f64> {
+        Plane::new(values, [5, 7], [7, 1]).unwrap()
     }
 
     #[test]
@@ -129,10 +185,18 @@ mod tests {
         let b: Vec<f64> = (0..35).map(|i| f64::from(i * 7 % 13) / 12.0).collect();
         let constants = Similarity { c1: 1e-4, c2: 9e-4 };
         for window in [Window::gaussian(11, 1.5), Window::uniform(4), Window::Global] {
-            let of = |a: &[f64], b: &[f64]| similarity(a, b, 7, &window, constants).unwrap();
-            assert!(of(&a, &a).iter().all(|&value| value == 1.0));
+            let of = |a: &[f64], b: &[f64]| {
+                let mut map = vec![0.0; 35];
+                let pair = Pair::new(plane(a), plane(b)).unwrap();
+                let counted = Counted { all: true, mask: None, contrast: true };
+                let sums = similarity(&pair, &window, constants, counted, Some(&mut map)).unwrap();
+                assert_eq!(sums, similarity(&pair, &window, constants, counted, None).unwrap());
+                (sums, map)
+            };
+            assert!(of(&a, &a).1.iter().all(|&value| value == 1.0));
+            assert_eq!(of(&a, &a).0, Sums { similarity: 35.0, contrast: 35.0, pixels: 35.0 });
             assert_eq!(of(&a, &b), of(&b, &a));
-            assert!(of(&a, &b).iter().all(|&value| value < 1.0));
+            assert!(of(&a, &b).1.iter().all(|&value| value < 1.0));
         }
     }
 }

@@ -1,0 +1,231 @@
+"""Run time against error: kernels and their peers in one run, beside the limits of the machine, as table and plot."""
+
+from __future__ import annotations
+
+import functools
+import os
+import re
+import threading
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from _measure import Timing, table
+
+FOLDER = "NEARFAR_BENCH_OUT"
+"""Where plots are kept; none are made without it. `scripts/bench.py` sets it."""
+
+OURS = "nearfar"
+
+
+@dataclass(frozen=True)
+class Work:
+    """What a kernel cannot do without."""
+
+    multiply_adds: float = 0.0
+    """Of float32, or of float64 where `double`."""
+    bytes: float = 0.0
+    """Read and written, each once."""
+    double: bool = False
+
+
+@dataclass(frozen=True)
+class Case:
+    """One way to do a job."""
+
+    name: str
+    job: Callable[[], Any]
+    error: Callable[[Any], float] | None = None
+    """How far its result is from the truth."""
+    peer: bool = True
+    """Ours where False."""
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a case took."""
+
+    name: str
+    timing: Timing
+    error: float | None
+    peer: bool
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What this machine reaches with all of its cores, measured."""
+
+    multiply_adds: dict[bool, float] = field(default_factory=dict)
+    """A second, of float32 (False) and float64 (True), by NumPy's matrix product, which is nearly at the limit."""
+    read: float = 0.0
+    """Bytes a second from memory."""
+
+    def seconds(self, work: Work) -> float:
+        """The least time that some work takes."""
+        return max(work.multiply_adds / self.multiply_adds[work.double], work.bytes / self.read)
+
+
+@functools.cache
+def limits() -> Limits:
+    """Measure once."""
+    rates = {}
+    for double in (False, True):
+        side = 1536
+        one = np.ones((side, side), np.float64 if double else np.float32)
+        rates[double] = side**3 / min(_seconds(functools.partial(np.matmul, one, one)) for _ in range(5))
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    parts = [np.zeros(1 << 24, np.float32) for _ in range(cores)]
+
+    def read() -> None:
+        threads = [threading.Thread(target=part.max) for part in parts]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+
+    return Limits(rates, sum(part.nbytes for part in parts) / min(_seconds(read) for _ in range(5)))
+
+
+def _seconds(job: Callable[[], object]) -> float:
+    started = time.perf_counter()
+    job()
+    return time.perf_counter() - started
+
+
+def compare(title: str, cases: Sequence[Case], *, work: Work | None = None, repeat: int = 7, unit: str = "") -> str:
+    """Time cases in turns, because machines are noisy; returns a table, and keeps a plot of time against error.
+
+    Parameters
+    ----------
+    title
+        Of the table and of the plot.
+    cases
+        The first one is ours: ratios are to it.
+    work
+        What the job cannot do without; the table says how far each case is from that.
+    repeat
+        Turns; the least time counts. Cases of seconds are run fewer times.
+    unit
+        Of errors.
+    """
+    outcomes, timings = [], []
+    for case in cases:
+        started = time.perf_counter()
+        outcomes.append(case.job())
+        timings.append(Timing(time.perf_counter() - started, np.inf))
+    errors = [case.error(outcome) if case.error else None for case, outcome in zip(cases, outcomes, strict=True)]
+    for turn in range(repeat):
+        for n, case in enumerate(cases):
+            # Peers of seconds would be most of the run.
+            if turn and timings[n].wall > 1.0 and turn > 1:
+                continue
+            if timings[n].wall < 0.5:
+                # What ran before left other threads awake and other data in the caches.
+                case.job()
+            # Fast ones more often: a machine that others use is quiet for a moment only.
+            for _ in range(1 if timings[n].wall > 0.05 else 5):
+                cpu = time.process_time()
+                wall = _seconds(case.job)
+                cpu = time.process_time() - cpu
+                timings[n] = Timing(min(timings[n].wall, wall), min(timings[n].cpu, cpu))
+    results = [
+        Result(case.name, timing, error, case.peer) for case, timing, error in zip(cases, timings, errors, strict=True)
+    ]
+    least = limits().seconds(work) if work else None
+    first = results[0].timing.wall
+    rows = [
+        [
+            result.name,
+            _milliseconds(result.timing.wall),
+            _milliseconds(result.timing.cpu),
+            f"{result.timing.wall / first:.2f}",
+            *([f"{result.timing.wall / least:.1f}"] if least else []),
+            "-" if result.error is None else f"{result.error:.1e}",
+        ]
+        for result in results
+    ]
+    header = ["", "wall ms", "CPU ms", f"× {results[0].name}", *(["× limit"] if least else [])]
+    text = table(title, [*header, f"error{', ' + unit if unit else ''}"], rows)
+    shown = Comparison(title, results, least, unit)
+    picture = draw([shown], title)
+    done[title] = shown
+    return text if picture is None else f"{text}\n![{title}]({picture})\n"
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """What `compare` found."""
+
+    title: str
+    results: Sequence[Result]
+    least: float | None
+    """Seconds that the work takes on this machine."""
+    unit: str
+
+
+done: dict[str, Comparison] = {}
+"""By title, so that several can be drawn together."""
+
+
+def describe() -> str:
+    """One line with the machine's limits."""
+    here = limits()
+    return (
+        f"limits of this machine, measured: {here.multiply_adds[False] / 1e9:.0f} · 10⁹ multiply-adds a second in "
+        f"float32, {here.multiply_adds[True] / 1e9:.0f} · 10⁹ in float64, {here.read / 1e9:.0f} GB/s read\n"
+    )
+
+
+def draw(comparisons: Sequence[Comparison], title: str) -> str | None:
+    """Keep time against error as a picture, and return its name; None where nobody asked for it or nothing errs."""
+    folder = os.environ.get(FOLDER)
+    if not folder or not all(any(result.error for result in shown.results) for shown in comparisons):
+        return None
+    import matplotlib as mpl
+
+    mpl.use("Agg")
+    from matplotlib import pyplot as plt
+
+    size = (6.5 * len(comparisons), 4.2)
+    figure, grid = plt.subplots(1, len(comparisons), figsize=size, squeeze=False, layout="constrained")
+    for axes, shown in zip(grid[0], comparisons, strict=True):
+        _panel(axes, shown)
+    name = re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-") + ".png"
+    figure.savefig(Path(folder) / name, dpi=100)
+    plt.close(figure)
+    return name
+
+
+def _panel(axes: Any, shown: Comparison) -> None:
+    """Draw cases by time and error, ours in red, with the front of those that none betters and the machine's limit."""
+    known = [(result, result.error) for result in shown.results if result.error is not None]
+    # Errors of nothing have no place on a logarithmic axis: they are put below all others.
+    floor = min(error for _, error in known if error) / 10
+    points = [(result.timing.wall * 1e3, max(error, floor)) for result, error in known]
+    for (x, y), (result, error) in zip(points, known, strict=True):
+        axes.scatter(x, y, s=60, color="#888888" if result.peer else "#c8102e", zorder=3)
+        label = result.name if error else f"{result.name} (0)"
+        axes.annotate(label, (x, y), xytext=(6, 5), textcoords="offset points", fontsize=8)
+    front = sorted(point for point in points if not any(_better(other, point) for other in points))
+    axes.step([x for x, _ in front], [y for _, y in front], where="post", color="#c8102e", alpha=0.4)
+    if shown.least:
+        axes.axvline(shown.least * 1e3, linestyle=":", color="black")
+        axes.text(shown.least * 1e3, 0.03, " limit", fontsize=8, transform=axes.get_xaxis_transform())
+    label = f"error{', ' + shown.unit if shown.unit else ''}"
+    axes.set(xscale="log", yscale="log", xlabel="milliseconds", ylabel=label, title=shown.title)
+    axes.margins(0.35, 0.2)
+    axes.grid(alpha=0.3)
+
+
+def _better(one: tuple[float, float], other: tuple[float, float]) -> bool:
+    """No worse in both and better in one."""
+    return one != other and one[0] <= other[0] and one[1] <= other[1]
+
+
+def _milliseconds(seconds: float) -> str:
+    value = seconds * 1e3
+    return f"{value:.0f}" if value >= 100 else f"{value:.1f}" if value >= 10 else f"{value:.2f}"

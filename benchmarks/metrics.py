@@ -1,0 +1,231 @@
+"""Run time against error of the image metrics: structural similarity beside scikit-image and OpenCV, errors, breaks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+from skimage.metrics import peak_signal_noise_ratio, structural_similarity
+
+import nearfar as nf
+from _harness import OURS, Case, Work, compare, describe, done, draw
+from _measure import machine
+
+Image = NDArray[Any]
+Blur = Callable[[Image], Image]
+
+
+LEVEL = "Map of SSIM, gaussian, float32 at a level of 10⁴"
+
+
+def pictures(height: int, width: int, dtype: Any = np.float32) -> tuple[Image, Image, float]:
+    """Clouds and the same with noise, and their range."""
+    random = np.random.default_rng(0)
+    extent = 255.0 if dtype == np.uint8 else 1.0
+    clouds = cv2.GaussianBlur(random.normal(size=(height, width)), (0, 0), 3.0)
+    clouds = (clouds - clouds.min()) / np.ptp(clouds)
+    noisy = np.clip(clouds + 0.05 * random.normal(size=clouds.shape), 0.0, 1.0)
+    kept = [(extent * picture).round() if dtype == np.uint8 else picture for picture in (clouds, noisy)]
+    return kept[0].astype(dtype), kept[1].astype(dtype), extent
+
+
+def five_blurs(a: Image, b: Image, extent: float, blur: Blur, border: int) -> tuple[float, Image]:
+    """Structural similarity as it is often written with OpenCV."""
+    a, b = (picture if picture.dtype.kind == "f" else picture.astype(np.float32) for picture in (a, b))
+    c1, c2 = (0.01 * extent) ** 2, (0.03 * extent) ** 2
+    ma, mb = blur(a), blur(b)
+    va, vb, cov = blur(a * a) - ma * ma, blur(b * b) - mb * mb, blur(a * b) - ma * mb
+    found = (2 * ma * mb + c1) * (2 * cov + c2) / ((ma * ma + mb * mb + c1) * (va + vb + c2))
+    return float(found[border:-border, border:-border].mean()), found
+
+
+def gaussian(image: Image) -> Image:
+    return np.asarray(cv2.GaussianBlur(image, (11, 11), 1.5))
+
+
+def box(image: Image) -> Image:
+    return np.asarray(cv2.boxFilter(image, -1, (7, 7)))
+
+
+def similarity(label: str, a: Image, b: Image, extent: float, *, window: str = "gaussian", repeat: int = 7) -> str:
+    """Means by every peer; the truth is scikit-image's in float64, of the same values."""
+    size, ours = (11, {}) if window == "gaussian" else (7, {"window": "uniform", "size": 7})
+    theirs: dict[str, Any] = {"gaussian_weights": True} if window == "gaussian" else {"win_size": 7}
+    channels = {"channel_axis": -1} if a.ndim == 3 else {}
+
+    def scikit(a: Image, b: Image) -> float:
+        found = structural_similarity(a, b, data_range=extent, use_sample_covariance=False, **theirs, **channels)
+        return float(found)
+
+    def opencv() -> float:
+        return five_blurs(a, b, extent, gaussian if window == "gaussian" else box, size // 2)[0]
+
+    exact = scikit(a.astype(np.float64), b.astype(np.float64))
+
+    def error(found: float) -> float:
+        return abs(found - exact)
+
+    # Five moments, along rows and down columns.
+    work = Work(multiply_adds=5 * 2 * size * a.size, bytes=2 * a.nbytes, double=a.dtype == np.float64)
+    cases = [
+        Case(OURS, lambda: nf.ssim(a, b, data_range=extent, **ours), error, peer=False),  # type: ignore[arg-type]
+        Case("OpenCV, five blurs", opencv, error),
+        Case("scikit-image", lambda: scikit(a, b), error),
+    ]
+    return compare(f"SSIM, {window}, {label}", cases, work=work, repeat=repeat)
+
+
+def maps_at_a_level() -> str:
+    """Maps of float32 pictures at 10⁴ times their contrast; the truth is float64 about means."""
+    a, b = (picture + np.float32(1e4) for picture in pictures(1080, 1920)[:2])
+    exact = nf.ssim(a.astype(np.float64), b.astype(np.float64), data_range=1, full=True)[1]
+
+    def scikit(a: Image, b: Image) -> Image:
+        options: dict[str, Any] = {"gaussian_weights": True, "use_sample_covariance": False, "full": True}
+        return np.asarray(structural_similarity(a, b, data_range=1, **options)[1])
+
+    def error(found: Image) -> float:
+        return float(np.abs(found - exact)[5:-5, 5:-5].max())
+
+    cases = [
+        Case(OURS, lambda: nf.ssim(a, b, data_range=1, full=True)[1], error, peer=False),
+        Case("OpenCV, five blurs", lambda: five_blurs(a, b, 1.0, gaussian, 5)[1], error),
+        Case("scikit-image", lambda: scikit(a, b), error),
+        Case("scikit-image, float64", lambda: scikit(a.astype(np.float64), b.astype(np.float64)), error),
+    ]
+    return compare(LEVEL, cases, repeat=4)
+
+
+def pairs() -> str:
+    """144 views of ten levels, each in a silhouette of a box."""
+    random = np.random.default_rng(0)
+    views = random.random((144, 1, 96, 96), dtype=np.float32)
+    levels = views + np.float32(0.1) * random.random((144, 10, 96, 96), dtype=np.float32)
+    y, x = np.mgrid[:96, :96]
+    disc = np.broadcast_to(np.hypot(y - 48, x - 48) < 36, (144, 1, 96, 96))
+
+    def scikit() -> Image:
+        found = np.empty((144, 10))
+        for i, j in np.ndindex(144, 10):
+            options: dict[str, Any] = {"gaussian_weights": True, "use_sample_covariance": False, "full": True}
+            found[i, j] = structural_similarity(views[i, 0], levels[i, j], data_range=1, **options)[1][
+                disc[i, 0]
+            ].mean()
+        return found
+
+    exact = nf.ssim_pairs(views.astype(np.float64), levels.astype(np.float64), data_range=1, masks=disc)
+
+    def error(found: Image) -> float:
+        return float(np.abs(found - exact).max())
+
+    def seen() -> Image:
+        return nf.ssim_pairs(views, levels, data_range=1, masks=disc, masking="windows")
+
+    cases = [
+        Case(OURS, lambda: nf.ssim_pairs(views, levels, data_range=1, masks=disc), error, peer=False),
+        Case("scikit-image, one by one", scikit, error),
+        Case(f"{OURS}, windows that see only the mask", seen, None, peer=False),
+    ]
+    return compare("SSIM of 1,440 pairs of 96² in a silhouette", cases, repeat=4)
+
+
+def errors(dtype: Any) -> str:
+    a, b, extent = pictures(1080, 1920, dtype)
+    double = [picture.astype(np.longdouble) for picture in (a, b)]
+    exact = float(10 * np.log10(extent**2 / np.mean((double[0] - double[1]) ** 2)))
+
+    def numpy() -> float:
+        return float(10 * np.log10(extent**2 / np.mean((a.astype(np.float64) - b.astype(np.float64)) ** 2)))
+
+    def error(found: float) -> float:
+        return abs(found - exact)
+
+    cases = [
+        Case(OURS, lambda: nf.psnr(a, b, data_range=extent), error, peer=False),
+        Case("OpenCV", lambda: cv2.PSNR(a, b, R=extent), error),
+        Case("NumPy, float64", numpy, error),
+        Case("scikit-image", lambda: float(peak_signal_noise_ratio(a, b, data_range=extent)), error),
+    ]
+    return compare(f"PSNR, 1080p, {np.dtype(dtype)}", cases, work=Work(bytes=2 * a.nbytes), repeat=30, unit="dB")
+
+
+def scales_and_sequences() -> str:
+    a, b, _ = pictures(1080, 1920)
+    mask = np.zeros(a.shape, bool)
+    mask[300:700, 500:1200] = True
+    cases = [
+        Case("ssim", lambda: nf.ssim(a, b, data_range=1), peer=False),
+        Case("ssim, global window", lambda: nf.ssim(a, b, data_range=1, window="global"), peer=False),
+        Case("ssim, mask of 14 %", lambda: nf.ssim(a, b, data_range=1, mask=mask), peer=False),
+        Case("the same, windows see only the mask", lambda: nf.ssim(a, b, data_range=1, mask=mask, masking="windows")),
+        Case("ssim, wang-downsampled", lambda: nf.ssim(a, b, data_range=1, convention="wang-downsampled")),
+        Case("ms_ssim", lambda: nf.ms_ssim(a, b, data_range=1)),
+    ]
+    return compare("Other similarities, 1080p, float32", cases)
+
+
+def frames() -> str:
+    """Breaks and objects of frames of the procedural city, as large as a headset's eye."""
+    center = np.array((0.0, 1.7, 0.0))
+    scene = nf.datasets.city()
+    reduced = nf.reduce(scene, center=center, r1=30, r2=50, face_size=512, channels=("color", "range"))
+    fov = nf.Fov.symmetric(90, 16 / 9)
+    view = nf.Camera.look_at((0, 1.9, 7), (10, 1.4, 7), fov=fov, size=(1920, 1080))
+    torn = reduced.render(view, channels=("position",))
+    ids = [nf.render(scene, camera, channels=("object_id",)).require("object_id") for camera in (view, view)]
+    ids[1] = np.roll(ids[1], 5, axis=1)
+
+    def unique() -> tuple[float, float]:
+        wanted, found = (dict(zip(*np.unique(i[i >= 0], return_counts=True), strict=True)) for i in ids)
+        shares = [min(found.get(number, 0), pixels) / pixels for number, pixels in wanted.items()]
+        return float(np.mean([share > 0 for share in shares])), float(np.mean(shares))
+
+    exact = unique()
+
+    def error(found: tuple[float, float]) -> float:
+        return float(np.abs(np.subtract(found, exact)).max())
+
+    # Half of the neighbours within 17 pixels, as each pair is looked at once; some 25 multiply-adds a pair.
+    pairs = 1920 * 1080 * np.pi * 17**2 / 2
+    breaks = compare(
+        "Discontinuity, 1080p, ε = 17 px",
+        [Case(OURS, lambda: nf.discontinuity(torn), peer=False)],
+        work=Work(multiply_adds=25 * pairs),
+        repeat=3,
+    )
+    completion = compare(
+        "Object completion, 1080p",
+        [
+            Case(OURS, lambda: nf.object_completion(ids[0], ids[1]), error, peer=False),
+            Case("NumPy's unique", unique, error),
+            Case("reading the numbers (NumPy's max)", lambda: [i.max() for i in ids]),
+        ],
+        work=Work(bytes=sum(i.nbytes for i in ids)),
+        repeat=20,
+    )
+    return f"{breaks}\n{completion}"
+
+
+def main() -> None:
+    print(machine())
+    print(describe())
+    for dtype in (np.float32, np.float64, np.uint8):
+        print(similarity(f"1080p, {np.dtype(dtype)}", *pictures(1080, 1920, dtype)), flush=True)
+    print(similarity("4K, float32", *pictures(2160, 3840), repeat=4), flush=True)
+    a, b, extent = pictures(1080, 1920, np.uint8)
+    print(
+        similarity("1080p, RGB, uint8", np.stack([a, b, a], -1), np.stack([b, a, a], -1), extent, repeat=4), flush=True
+    )
+    print(similarity("1080p, float32", *pictures(1080, 1920), window="uniform"), flush=True)
+    for job in (maps_at_a_level, pairs, scales_and_sequences, lambda: errors(np.uint8), lambda: errors(np.float32)):
+        print(job(), flush=True)
+    print(frames())
+    chosen = ["SSIM, gaussian, 1080p, float32", LEVEL]
+    draw([done[title] for title in chosen], "ssim error and time")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,367 @@
+"""Structural similarity: one number, a map, many pairs at once, several scales, and a sequence."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _check, _core, _pictures, _progress
+from nearfar._frame import Frame
+from nearfar._pictures import Pair
+
+WINDOWS = ("gaussian", "uniform", "global")
+
+CONVENTIONS = ("wang", "wang-downsampled", "skimage", "full")
+
+MASKINGS = ("mean", "windows")
+
+SCALE_WEIGHTS = (0.0448, 0.2856, 0.3001, 0.2363, 0.1333)
+"""Wang, Simoncelli, Bovik (2003), for ordinary viewing of images of some hundred pixels."""
+
+# Pixels from which a bar is shown and Ctrl-C is looked for.
+_LONG = 1 << 26
+# Constants whose products float32 and float64 hold with all digits.
+_LEAST = {np.dtype(np.float32): 1e-15, np.dtype(np.float64): 1e-140}
+
+
+class Window(NamedTuple):
+    """How windows look and what the measure's constants are."""
+
+    name: str
+    size: int
+    sigma: float
+    k1: float
+    k2: float
+    convention: str
+
+    @classmethod
+    def checked(
+        cls, window: str, size: int, sigma: float, k1: float, k2: float, convention: str = "wang", masking: str = "mean"
+    ) -> Window:
+        """ValueError or TypeError for what is out of its domain."""
+        _check.choice("window", window, WINDOWS)
+        _check.choice("convention", convention, CONVENTIONS)
+        _check.choice("masking", masking, MASKINGS)
+        least = 2 if convention == "skimage" and window != "global" else 1
+        if convention == "skimage" and masking == "windows":
+            raise ValueError("masking: expected 'mean' with convention='skimage', which knows no masked windows")
+        return cls(
+            window,
+            _check.integer("size", size, least, 10_001),
+            _check.positive("sigma", sigma),
+            _check.positive("k1", k1),
+            _check.positive("k2", k2),
+            convention,
+        )
+
+    def shrink(self, height: int, width: int) -> int:
+        """By how much pictures are made smaller first: to about 256 pixels, where `convention` says so."""
+        if self.convention != "wang-downsampled":
+            return 1
+        return max(1, math.floor(min(height, width) / 256 + 0.5))
+
+    def settings(self, pair: Pair, masking: str = "mean") -> _core._Settings:
+        """All that is the same for every pair of a comparison."""
+        height, width = pair.reference.shape[-2:]
+        extent = pair.extent()
+        c1, c2 = (self.k1 * extent) ** 2, (self.k2 * extent) ** 2
+        if self.convention == "skimage":
+            # Sample covariances are N/(N − 1) times the windows' own: as if c2 were smaller by that.
+            count = height * width if self.name == "global" else self.size**2
+            c2 *= (count - 1) / count if count > 1 else 1.0
+        factor = self.shrink(height, width)
+        return (self.name, self.size, self.sigma, (c1, c2), factor, self.convention == "full", masking == "windows")
+
+
+def ssim(
+    reference: ArrayLike | Frame,
+    test: ArrayLike | Frame,
+    *,
+    data_range: float | None = None,
+    window: str = "gaussian",
+    size: int = 11,
+    sigma: float = 1.5,
+    k1: float = 0.01,
+    k2: float = 0.03,
+    mask: ArrayLike | None = None,
+    masking: str = "mean",
+    convention: str = "wang",
+    full: bool = False,
+) -> Any:
+    """Structural similarity of two pictures.
+
+    Parameters
+    ----------
+    reference, test
+        (H, W) or (H, W, C) of one shape; channels are compared one by one and averaged. uint8, uint16, float32 and
+        float64 are read as they lie in memory. Or two frames, as in `rmse`.
+    data_range
+        As in `psnr`.
+    window
+        "gaussian", "uniform", or "global": one window over the whole picture.
+    size
+        Pixels across the window. An even one reaches a pixel further up and left.
+    sigma
+        Of the Gaussian, pixels.
+    k1, k2
+        Constants that keep the measure defined where means or variances vanish.
+    mask
+        (H, W), true for the pixels that count.
+    masking
+        What the mask limits. "mean": the mean. "windows": also what windows see, whose weights are raised until those
+        of the mask's pixels sum to 1; pixels outside of the mask, and of the picture, do not exist.
+    convention
+        Which windows count, and how. "wang": those that lie within the picture, as in Wang's ssim_index.m. "skimage":
+        the same with sample covariances (N/(N − 1)), scikit-image's default. "full": all, the picture mirrored at its
+        borders. "wang-downsampled": "wang" on pictures made smaller to about 256 pixels first, as in Wang's ssim.m.
+    full
+        Whether the similarity around each pixel is returned as well.
+
+    Returns
+    -------
+    float or (float, NDArray)
+        The mean, at most 1: 1 exactly for equal pictures, and the same in either order. Where no window lies within
+        the picture, all count. With `full` also the map, (H, W) or (H, W, C) (smaller if downsampled), float64 for
+        float64 and float32 for other types, for which pictures are mirrored at their borders; NaN outside of the mask
+        where windows see nothing else. In float64 mean and map differ from scikit-image's by less than 1e-12 and
+        1e-10; in other types, computed in float32 about local means, from float64's by 1e-6 and 1e-5.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As in `psnr`, and for windows, sizes and masks out of their domains.
+
+    References
+    ----------
+    Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13. Masked windows: Knutsson, Westin (1993).
+    """
+    wanted = Window.checked(window, size, sigma, k1, k2, convention, masking)
+    pair = _pictures.pair(reference, test, data_range)
+    if pair.reference.ndim not in (2, 3):
+        raise ValueError(f"reference: expected shape (H, W) or (H, W, C), got {pair.reference.shape}")
+    channels = _channels_first(pair)
+    masks = None if mask is None else _masks(mask, channels.reference.shape, wanted)
+    sums, maps = _compare(channels, wanted, masks, masking, full=full)
+    if not sums[..., 1].all():
+        raise ValueError("mask: expected at least one pixel whose window lies within the picture, got none")
+    mean = float((sums[..., 0] / sums[..., 1]).mean())
+    if maps is None:
+        return mean
+    return mean, np.moveaxis(maps, 0, -1) if maps.ndim == 3 else maps
+
+
+def ssim_pairs(
+    references: ArrayLike,
+    tests: ArrayLike,
+    *,
+    data_range: float,
+    window: str = "gaussian",
+    size: int = 11,
+    sigma: float = 1.5,
+    k1: float = 0.01,
+    k2: float = 0.03,
+    masks: ArrayLike | None = None,
+    masking: str = "mean",
+    convention: str = "wang",
+) -> NDArray[np.float64]:
+    """Structural similarity of many pairs of small pictures at once.
+
+    Parameters
+    ----------
+    references, tests
+        (..., H, W), one channel each. The axes before the last two are broadcast as NumPy does: one reference (H, W)
+        against many tests (N, H, W), or views (V, 1, H, W) against their levels (V, L, H, W). Nothing is copied for it.
+    data_range, window, size, sigma, k1, k2, masking, convention
+        As in `ssim`.
+    masks
+        (..., H, W), broadcast as well, such as the silhouette of each view (V, 1, H, W). Only what lies around the
+        pixels that a mask names is looked at.
+
+    Returns
+    -------
+    NDArray
+        (...) float64, as `ssim` of each pair; NaN where a mask leaves no pixel that counts.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As in `ssim`, and for axes that do not broadcast.
+    """
+    wanted = Window.checked(window, size, sigma, k1, k2, convention, masking)
+    first, second = _pictures.stack(references, tests)
+    for name, array in (("references", first), ("tests", second)):
+        if array.ndim < 2 or 0 in array.shape[-2:]:
+            raise ValueError(f"{name}: expected shape (..., H, W) with at least one pixel, got {array.shape}")
+    if first.shape[-2:] != second.shape[-2:]:
+        raise ValueError(f"tests: expected pictures of {first.shape[-2:]} pixels, got {second.shape[-2:]}")
+    factor = wanted.shrink(*first.shape[-2:])
+    named = None if masks is None else _pictures.mask_of(masks, "masks")[..., ::factor, ::factor]
+    if named is not None and named.shape[-2:] != first[..., ::factor, ::factor].shape[-2:]:
+        raise ValueError(f"masks: expected pictures of {first.shape[-2:]} pixels, got another size")
+    parts = [array for array in (first, second, named) if array is not None]
+    try:
+        outer = np.broadcast_shapes(*(array.shape[:-2] for array in parts))
+    except ValueError:
+        shapes = ", ".join(str(array.shape[:-2]) for array in parts)
+        raise ValueError(f"tests: expected axes that broadcast with the references', got {shapes}") from None
+    spread = [np.broadcast_to(array, outer + array.shape[-2:]) for array in parts]
+    pair = Pair(spread[0], spread[1], data_range)
+    if not math.prod(outer):
+        pair.extent()
+        return np.empty(outer)
+    sums, _ = _compare(pair, wanted, spread[2] if named is not None else None, masking)
+    counted = sums[..., 1] > 0
+    found: NDArray[np.float64] = np.divide(sums[..., 0], sums[..., 1], out=np.full(outer, np.nan), where=counted)
+    return found
+
+
+def ms_ssim(
+    reference: ArrayLike | Frame,
+    test: ArrayLike | Frame,
+    *,
+    data_range: float | None = None,
+    window: str = "gaussian",
+    size: int = 11,
+    sigma: float = 1.5,
+    k1: float = 0.01,
+    k2: float = 0.03,
+    weights: Sequence[float] = SCALE_WEIGHTS,
+) -> float:
+    """Structural similarity at several scales, each half as large as the one before.
+
+    Parameters
+    ----------
+    reference, test, data_range, window, size, sigma, k1, k2
+        As in `ssim`. The window must lie within the picture at every scale: 176 pixels each way for five scales.
+    weights
+        Exponents of the scales, from the finest on.
+
+    Returns
+    -------
+    float
+        The product over scales of the mean of contrast and structure, at the coarsest of the whole similarity, to the
+        scale's weight; negative means count as 0. Channels are averaged. 1 exactly for equal pictures.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As in `ssim`, and for pictures that are too small.
+
+    References
+    ----------
+    Wang, Simoncelli, Bovik (2003), Eq. 7.
+    """
+    wanted = Window.checked(window, size, sigma, k1, k2)
+    exponents = _check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
+    if exponents.ndim != 1 or not len(exponents) or (exponents < 0.0).any():
+        raise ValueError(f"weights: expected numbers of at least 0, one for each scale, got {weights!r}")
+    pair = _pictures.pair(reference, test, data_range)
+    if pair.reference.ndim not in (2, 3):
+        raise ValueError(f"reference: expected shape (H, W) or (H, W, C), got {pair.reference.shape}")
+    channels = _channels_first(pair)
+
+    def measure(pair: Pair) -> NDArray[np.float64]:
+        settings = wanted.settings(pair)
+        return np.array(_core.multiscale(pair.reference, pair.test, settings=settings, scales=len(exponents)))
+
+    means = _precisely(channels, wanted, measure)
+    factors = np.concatenate([means[:, :-1, 1], means[:, -1:, 0]], axis=1)
+    return float((np.maximum(factors, 0.0) ** exponents).prod(axis=1).mean())
+
+
+def visual_continuity(frames: Iterable[ArrayLike | Frame], *, data_range: float | None = None) -> Iterator[float]:
+    """How alike each picture of a sequence and the next one are: 1 where nothing jumps.
+
+    Parameters
+    ----------
+    frames
+        Frames, or arrays of one shape, one after the other: a generator is read as it goes, and one picture is kept.
+    data_range
+        As in `psnr`.
+
+    Yields
+    ------
+    float
+        For each picture but the first its similarity to the one before, in one window over the whole picture.
+
+    Raises
+    ------
+    ValueError, TypeError
+        As in `ssim`.
+
+    References
+    ----------
+    CloVR (2024): visual continuity.
+    """
+    last = None
+    for frame in frames:
+        # Frames are converted once, not for both of their neighbours.
+        current: Any = _pictures.luma(frame) if isinstance(frame, Frame) else frame
+        extent = 1.0 if data_range is None and isinstance(frame, Frame) else data_range
+        if last is not None:
+            yield ssim(last, current, data_range=extent, window="global")
+        last = current
+
+
+def _channels_first(pair: Pair) -> Pair:
+    """Channels become pictures of a stack, without a copy."""
+    if pair.reference.ndim == 2:
+        return pair
+    return Pair(np.moveaxis(pair.reference, -1, 0), np.moveaxis(pair.test, -1, 0), pair.data_range)
+
+
+def _masks(mask: ArrayLike, shape: tuple[int, ...], window: Window) -> NDArray[np.uint8]:
+    """One mask for all channels, of the size of what is compared."""
+    named = _pictures.mask_of(mask)
+    if named.shape != shape[-2:]:
+        raise ValueError(f"mask: expected shape {shape[-2:]}, got {named.shape}")
+    factor = window.shrink(*named.shape)
+    smaller = named[::factor, ::factor]
+    return np.broadcast_to(smaller, shape[:-2] + smaller.shape)
+
+
+def _compare(
+    pair: Pair, window: Window, masks: NDArray[np.uint8] | None, masking: str, *, full: bool = False
+) -> tuple[NDArray[np.float64], NDArray[Any] | None]:
+    """Sums of similarity and of pixels (..., 2), and maps."""
+    shape = pair.reference.shape
+    factor = window.shrink(*shape[-2:])
+    map_shape = (*shape[:-2], -(-shape[-2] // factor), -(-shape[-1] // factor)) if full else None
+    maps: list[NDArray[Any] | None] = [None]
+
+    def measure(pair: Pair) -> NDArray[np.float64]:
+        settings = window.settings(pair, masking)
+
+        def run(report: Any) -> NDArray[np.float64]:
+            sums, maps[0] = _core.similarity(
+                pair.reference, pair.test, settings=settings, masks=masks, map_shape=map_shape, report=report
+            )
+            return np.array(sums).reshape(*shape[:-2], 2)
+
+        if pair.reference.size < _LONG:
+            return run(None)
+        with _progress.bar("comparing pictures") as report:
+            return run(report)
+
+    return _precisely(pair, window, measure), maps[0]
+
+
+def _precisely(pair: Pair, window: Window, measure: Any) -> NDArray[np.float64]:
+    """What `measure` finds, in float64 where float32 does not hold the constants or the pictures' squares."""
+    kind = np.dtype(np.float64 if pair.reference.dtype == np.float64 else np.float32)
+    least = min(window.settings(pair)[3])
+    if least < _LEAST[np.dtype(np.float64)] or not math.isfinite(max(window.settings(pair)[3])):
+        raise ValueError(f"data_range: expected a range whose square float64 holds, got {pair.data_range}")
+    found: NDArray[np.float64]
+    if kind == np.float32 and least >= _LEAST[kind]:
+        found = measure(pair)
+        if np.isfinite(found).all():
+            return found
+    found = measure(pair if kind == np.float64 else pair.as_float64())
+    if not np.isfinite(found).all():
+        raise pair.refuse()
+    return found

@@ -1,0 +1,110 @@
+//! Many pairs of images compared at once.
+
+use rayon::prelude::*;
+
+use super::measure::Source;
+use super::plane::Plane;
+use super::scales::{Shrunk, multiscale};
+use super::similarity::{Counted, Mask, Pair, Similarity, Sums, Window, similarity};
+use super::squares::mean_squared_error;
+use crate::base::{Error, Progress, Result};
+
+/// How pairs are compared.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// What is averaged around each pixel.
+    pub window: Window,
+    /// Constants of the measure.
+    pub constants: Similarity,
+    /// Images are made smaller by this first.
+    pub shrink: usize,
+    /// Whether windows that reach beyond the image count too.
+    pub all: bool,
+    /// Whether windows see only what masks name.
+    pub hidden: bool,
+}
+
+/// Images of one size and type, pair by pair, with a mask each or none at all.
+pub struct Stacks<'a, P> {
+    /// The true ones.
+    pub references: Vec<Plane<'a, P>>,
+    /// Those that are compared with them.
+    pub tests: Vec<Plane<'a, P>>,
+    /// Of the size of what is compared, after it was made smaller.
+    pub masks: Option<Vec<Plane<'a, u8>>>,
+}
+
+/// Two images and what is looked at of them.
+struct Job<'a, P> {
+    pair: Pair<'a, P>,
+    mask: Option<Plane<'a, u8>>,
+}
+
+impl<'a, P> Stacks<'a, P>
+where
+    P: Source<Real: Source<Real = P::Real>>,
+{
+    fn jobs(&self) -> Result<Vec<Job<'a, P>>> {
+        let count = self.references.len();
+        for (argument, length) in [("test", self.tests.len()), ("mask", self.masks.as_ref().map_or(count, Vec::len))] {
+            if length != count {
+                return Err(Error::value(argument, format!("{count} images"), length));
+            }
+        }
+        let job = |n: usize| {
+            let mask = self.masks.as_ref().map(|masks| masks[n]);
+            Ok(Job { pair: Pair::new(self.references[n], self.tests[n])?, mask })
+        };
+        (0..count).map(job).collect()
+    }
+
+    /// Sums of each pair's similarity; and where wanted the maps, one behind the other.
+    pub fn compare(
+        &self,
+        comparison: &Comparison,
+        maps: Option<&mut [P::Real]>,
+        progress: &Progress,
+    ) -> Result<Vec<Sums>> {
+        let jobs = self.jobs()?;
+        progress.expect(jobs.len() as u64);
+        let one = |job: &Job<'_, P>, map: Option<&mut [P::Real]>| {
+            let sums = comparison.of(&job.pair, job.mask, map)?;
+            progress.report(1)?;
+            Ok(sums)
+        };
+        match maps {
+            Some(maps) => {
+                let length = maps.len() / jobs.len().max(1);
+                let maps = maps.par_chunks_mut(length.max(1));
+                jobs.par_iter().zip_eq(maps).map(|(job, map)| one(job, Some(map))).collect()
+            }
+            None => jobs.par_iter().map(|job| one(job, None)).collect(),
+        }
+    }
+
+    /// Mean of each pair's squared differences.
+    pub fn mean_squared_errors(&self) -> Result<Vec<f64>> {
+        Ok(self.jobs()?.iter().map(|job| mean_squared_error(&job.pair)).collect())
+    }
+
+    /// Means of each pair's similarity and of its second factor at each of `scales`.
+    pub fn multiscale(&self, comparison: &Comparison, scales: usize) -> Result<Vec<Vec<[f64; 2]>>> {
+        let Comparison { window, constants, .. } = comparison;
+        self.jobs()?.par_iter().map(|job| multiscale(&job.pair, window, *constants, scales)).collect()
+    }
+}
+
+impl Comparison {
+    fn of<P>(&self, pair: &Pair<'_, P>, mask: Option<Plane<'_, u8>>, map: Option<&mut [P::Real]>) -> Result<Sums>
+    where
+        P: Source<Real: Source<Real = P::Real>>,
+    {
+        let mask = mask.map(if self.hidden { Mask::Windows } else { Mask::Mean });
+        let counted = Counted { all: self.all, mask, contrast: false };
+        if self.shrink > 1 {
+            let smaller = Shrunk::new(pair, self.shrink);
+            return similarity(&smaller.pair()?, &self.window, self.constants, counted, map);
+        }
+        similarity(pair, &self.window, self.constants, counted, map)
+    }
+}

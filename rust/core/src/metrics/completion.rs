@@ -1,0 +1,122 @@
+//! Which objects of the true picture a picture shows. CloVR (2024), Eq. 1–2.
+
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
+
+/// Pixels that are looked at together, and a part of them where they differ.
+const BLOCK: usize = 32;
+const PART: usize = 4;
+/// Pixels that are worth a task.
+const LEAST: usize = 1 << 14;
+/// Objects with numbers below this are counted in an array.
+const DENSE: usize = 1 << 20;
+
+/// The share of the reference's objects that are visible at all (OVC), and the mean share of each one's pixels that are
+/// (OFC). None where the reference shows no object. Negative numbers are none.
+pub fn object_completion(reference: &[i32], test: &[i32]) -> Option<(f64, f64)> {
+    let (wanted, found) = rayon::join(|| Counts::of(reference), || Counts::of(test));
+    let (mut objects, mut visible, mut shares) = (0u64, 0u64, 0.0);
+    for (object, pixels) in wanted.each() {
+        let seen = found.get(object);
+        objects += 1;
+        visible += u64::from(seen > 0);
+        shares += seen.min(pixels) as f64 / pixels as f64;
+    }
+    (objects > 0).then(|| (visible as f64 / objects as f64, shares / objects as f64))
+}
+
+/// Pixels of each object.
+#[derive(Default)]
+struct Counts {
+    /// By number.
+    dense: Vec<u64>,
+    /// Of the objects with great numbers: an array up to the greatest would not fit.
+    sparse: BTreeMap<usize, u64>,
+}
+
+/// Pixels in a row that show one object.
+struct Run {
+    id: i32,
+    pixels: u64,
+}
+
+impl Run {
+    /// Takes up pixels that all show the same.
+    #[inline(always)]
+    fn goes_on<const COUNT: usize>(&mut self, ids: &[i32; COUNT]) -> bool {
+        let alike = ids.iter().fold(0, |differs, id| differs | (id ^ self.id)) == 0;
+        self.pixels += if alike { COUNT as u64 } else { 0 };
+        alike
+    }
+}
+
+impl Counts {
+    fn of(ids: &[i32]) -> Self {
+        // One array of counts for each thread, because making and adding them costs as much as counting; whole numbers
+        // add up to the same in any parts.
+        let each = ids.len().div_ceil(rayon::current_num_threads()).max(LEAST);
+        ids.par_chunks(each).map(|ids| Self::default().count(ids)).reduce(Self::default, Self::and)
+    }
+
+    /// Adds pixels run by run: most of a picture's pixels show what their neighbour shows.
+    fn count(mut self, ids: &[i32]) -> Self {
+        let (blocks, rest) = ids.as_chunks::<BLOCK>();
+        let mut run = Run { id: -1, pixels: 0 };
+        for block in blocks {
+            if run.goes_on(block) {
+                continue;
+            }
+            for part in block.as_chunks::<PART>().0 {
+                if !run.goes_on(part) {
+                    part.iter().for_each(|&id| self.step(&mut run, id));
+                }
+            }
+        }
+        rest.iter().for_each(|&id| self.step(&mut run, id));
+        self.add(run.id, run.pixels);
+        self
+    }
+
+    fn step(&mut self, run: &mut Run, id: i32) {
+        if id != run.id {
+            self.add(run.id, run.pixels);
+            *run = Run { id, pixels: 0 };
+        }
+        run.pixels += 1;
+    }
+
+    fn add(&mut self, object: i32, pixels: u64) {
+        let Ok(object) = usize::try_from(object) else { return };
+        if object >= DENSE {
+            *self.sparse.entry(object).or_default() += pixels;
+            return;
+        }
+        if object >= self.dense.len() {
+            self.dense.resize((object + 1).next_power_of_two(), 0);
+        }
+        self.dense[object] += pixels;
+    }
+
+    fn and(mut self, mut other: Self) -> Self {
+        if self.dense.len() < other.dense.len() {
+            std::mem::swap(&mut self.dense, &mut other.dense);
+        }
+        self.dense.iter_mut().zip(&other.dense).for_each(|(sum, pixels)| *sum += pixels);
+        for (object, pixels) in other.sparse {
+            *self.sparse.entry(object).or_default() += pixels;
+        }
+        self
+    }
+
+    fn get(&self, object: usize) -> u64 {
+        let dense = self.dense.get(object).copied();
+        dense.or_else(|| self.sparse.get(&object).copied()).unwrap_or(0)
+    }
+
+    /// Objects that have pixels, in order, and how many.
+    fn each(&self) -> impl Iterator<Item = (usize, u64)> + '_ {
+        let dense = self.dense.iter().copied().enumerate().filter(|&(_, pixels)| pixels > 0);
+        dense.chain(self.sparse.iter().map(|(&object, &pixels)| (object, pixels)))
+    }
+}

@@ -1,0 +1,207 @@
+//! Every pair of neighbours once.
+
+use std::ops::Range;
+
+use super::Neighbourhood;
+use super::points::{BANDS, Points};
+use crate::base::{Progress, Result};
+use crate::metrics::vectors::fused_kernels;
+
+/// Points side by side.
+pub(super) const LANES: usize = 16;
+
+/// Sums over the pairs of a task's points with those behind them, for both points of each.
+pub(super) struct Sums {
+    /// The task's points; behind them those that its pairs reach.
+    pub own: Range<usize>,
+    /// Of |p − q| / |p₀(p) − p₀(q)| − 1.
+    excess: Vec<f32>,
+    count: Vec<f32>,
+}
+
+impl Sums {
+    pub fn of(points: &Points, bands: Range<usize>, around: Neighbourhood, progress: &Progress) -> Result<Self> {
+        let own = points.bands[bands.start].1.start..points.bands[bands.end - 1].1.end;
+        let last = points.bands.len().min(bands.end + BANDS) - 1;
+        let room = points.bands[last].1.end - own.start + LANES;
+        let mut sums = Self { own, excess: vec![0.0; room], count: vec![0.0; room] };
+        for band in bands {
+            let (targets, count) = targets(points, band, around.epsilon);
+            let source = points.bands[band].1.clone();
+            let limits = [around.epsilon, around.least].map(|limit| (limit * limit) as f32);
+            add_pairs(points, source.clone(), &targets[..count], limits, &mut sums);
+            progress.report(source.len() as u64)?;
+        }
+        Ok(sums)
+    }
+
+    /// Where the points end that it has sums for.
+    pub fn end(&self) -> usize {
+        self.own.start + self.excess.len() - LANES
+    }
+
+    /// Sum and number of a point's pairs.
+    pub fn at(&self, n: usize) -> (f32, f32) {
+        (self.excess[n - self.own.start], self.count[n - self.own.start])
+    }
+}
+
+/// Points of a band whose x in the truth are within `reach` of a point's.
+#[derive(Clone, Default)]
+struct Target {
+    range: Range<usize>,
+    reach: f32,
+}
+
+/// The bands that a band's points look for neighbours in: itself and those behind it.
+fn targets(points: &Points, band: usize, epsilon: f64) -> ([Target; BANDS + 1], usize) {
+    let mut targets: [Target; BANDS + 1] = Default::default();
+    let mut count = 0;
+    let number = points.bands[band].0;
+    for (other, range) in points.bands[band..].iter().take(BANDS + 1) {
+        let apart = other.saturating_sub(number);
+        if apart > BANDS as i64 {
+            break;
+        }
+        // Between a band and the next but one lies a whole one.
+        let beside = (apart - 1).max(0) as f64 * epsilon / BANDS as f64;
+        // A rounding more than float32's, so that no neighbour is left out here.
+        let reach = (epsilon * epsilon - beside * beside).max(0.0).sqrt() * (1.0 + 1e-6);
+        targets[count] = Target { range: range.clone(), reach: reach as f32 };
+        count += 1;
+    }
+    (targets, count)
+}
+
+fused_kernels! {
+    fn add_pairs(points: &Points, source: Range<usize>, targets: &[Target], limits: [f32; 2], sums: &mut Sums) = pairs;
+}
+
+/// Two windows that move along a band's points: from the first to after the last one within reach.
+#[inline(always)]
+fn pairs<const FUSED: bool>(
+    points: &Points,
+    source: Range<usize>,
+    targets: &[Target],
+    limits: [f32; 2],
+    sums: &mut Sums,
+) {
+    let mut windows = [[0usize; 2]; BANDS + 1];
+    for (window, target) in windows.iter_mut().zip(targets) {
+        *window = [target.range.start; 2];
+    }
+    for n in source {
+        let of = [points.x[n], points.y[n], points.shift_x[n], points.shift_y[n]];
+        let truth = points.truth_x[n];
+        // Steps of float32 at places of millions of pixels.
+        let rounding = 1e-6 * truth.abs();
+        let (mut excess, mut count) = ([0.0f32; LANES], [0.0f32; LANES]);
+        for (band, target) in targets.iter().enumerate() {
+            let [mut from, mut to] = windows[band];
+            let reach = target.reach + rounding;
+            if band == 0 {
+                from = n + 1;
+            } else {
+                while from < target.range.end && points.truth_x[from] < truth - reach {
+                    from += 1;
+                }
+            }
+            to = to.max(from);
+            while to < target.range.end && points.truth_x[to] <= truth + reach {
+                to += 1;
+            }
+            windows[band] = [from, to];
+            let mut at = from;
+            while at + LANES <= to {
+                block::<FUSED, true>(points, at, LANES, of, limits, sums, &mut excess, &mut count);
+                at += LANES;
+            }
+            if at < to {
+                block::<FUSED, false>(points, at, to - at, of, limits, sums, &mut excess, &mut count);
+            }
+        }
+        let here = n - sums.own.start;
+        for lane in 0..LANES {
+            sums.excess[here] += excess[lane];
+            sums.count[here] += count[lane];
+        }
+    }
+}
+
+/// A point and `few` neighbours, as many as there are lanes where `WHOLE`.
+#[inline(always)]
+#[expect(clippy::too_many_arguments, reason = "what stays in registers")]
+fn block<const FUSED: bool, const WHOLE: bool>(
+    points: &Points,
+    at: usize,
+    few: usize,
+    of: [f32; 4],
+    [farthest, least]: [f32; 2],
+    sums: &mut Sums,
+    excess: &mut [f32; LANES],
+    count: &mut [f32; LANES],
+) {
+    let lanes = [
+        points.x[at..].first_chunk::<LANES>(),
+        points.y[at..].first_chunk::<LANES>(),
+        points.shift_x[at..].first_chunk::<LANES>(),
+        points.shift_y[at..].first_chunk::<LANES>(),
+    ];
+    let [Some(x), Some(y), Some(shift_x), Some(shift_y)] = lanes else { return };
+    let there = at - sums.own.start;
+    let (Some(their_excess), Some(their_count)) =
+        (sums.excess[there..].first_chunk_mut::<LANES>(), sums.count[there..].first_chunk_mut::<LANES>())
+    else {
+        return;
+    };
+    for lane in 0..LANES {
+        let (dx, dy) = (x[lane] - of[0], y[lane] - of[1]);
+        let (u, v) = (dx + (shift_x[lane] - of[2]), dy + (shift_y[lane] - of[3]));
+        let shown = fuse::<FUSED>(dx, dx, dy * dy);
+        let truth = fuse::<FUSED>(u, u, v * v);
+        let raised = if truth > least { truth } else { least };
+        // √(shown / raised), without a division.
+        let torn = fuse::<FUSED>(shown, inverse_root::<FUSED>(shown * raised), -1.0);
+        let counts = (truth < farthest) & (WHOLE || lane < few);
+        let (torn, one) = (if counts { torn } else { 0.0 }, if counts { 1.0 } else { 0.0 });
+        excess[lane] += torn;
+        count[lane] += one;
+        their_excess[lane] += torn;
+        their_count[lane] += one;
+    }
+}
+
+/// 1/√a to two units in the last place: a guess from the exponent's bits, and three steps of Newton's. Vectors of
+/// divisions and roots take longer.
+#[inline(always)]
+fn inverse_root<const FUSED: bool>(a: f32) -> f32 {
+    let half = -0.5 * a;
+    let mut y = f32::from_bits(0x5f37_59df - (a.to_bits() >> 1));
+    for _ in 0..3 {
+        y *= fuse::<FUSED>(half * y, y, 1.5);
+    }
+    y
+}
+
+#[inline(always)]
+fn fuse<const FUSED: bool>(a: f32, b: f32, c: f32) -> f32 {
+    if FUSED { a.mul_add(b, c) } else { a * b + c }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inverse_roots_are_exact_to_two_units() {
+        for exponent in -60..60 {
+            for step in 0..64 {
+                let a = (1.0 + step as f32 / 64.0) * (exponent as f32).exp2();
+                let exact = 1.0 / f64::from(a).sqrt();
+                for found in [inverse_root::<true>(a), inverse_root::<false>(a)] {
+                    assert!((f64::from(found) / exact - 1.0).abs() < 2.0 * f64::from(f32::EPSILON), "{a}");
+                }
+            }
+        }
+    }
+}

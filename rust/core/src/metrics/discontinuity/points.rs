@@ -1,0 +1,90 @@
+//! Where the points of a frame are in the truth, in an order in which neighbours are near.
+
+use std::ops::Range;
+
+use glam::{DVec2, DVec3, Vec3};
+use rayon::prelude::*;
+
+use super::pairs::LANES;
+use crate::camera::Camera;
+
+/// Bands of points for each ε: narrower ones hold fewer points that are too far away, wider ones are fewer.
+pub(super) const BANDS: usize = 4;
+/// Pixels from which float32 has none left between its steps, and from which on no neighbours are looked for.
+const FARTHEST: f64 = 1e7;
+
+/// Points by where they are in the truth: in bands of y, each in order of x. A place is the pixel plus its shift, which
+/// is held apart: float32 alone would be off by 1e-4 of a pixel, and the truth itself would not be whole. Behind the last
+/// there is room for a vector's lanes.
+#[derive(Default)]
+pub(super) struct Points {
+    pub x: Vec<f32>,
+    pub y: Vec<f32>,
+    pub shift_x: Vec<f32>,
+    pub shift_y: Vec<f32>,
+    /// In the truth, for the search alone.
+    pub truth_x: Vec<f32>,
+    pub pixel: Vec<u32>,
+    /// Bands that have any points, in order: number and points.
+    pub bands: Vec<(i64, Range<usize>)>,
+}
+
+/// A point before it is sorted.
+struct Place {
+    band: i64,
+    pixel: u32,
+    truth: DVec2,
+}
+
+impl Points {
+    pub fn new(position: &[[f32; 3]], origin: DVec3, width: usize, truth: &Camera, epsilon: f64) -> Self {
+        let place = |(pixel, at): (usize, &[f32; 3])| {
+            let point = Vec3::from_array(*at).as_dvec3() + origin;
+            let truth = truth.project(point).filter(|there| there.is_finite())?.truncate();
+            let is_near = truth.abs().max_element() < FARTHEST;
+            // The conversion ends at the type's bounds.
+            let band = (truth.y * BANDS as f64 / epsilon).floor() as i64;
+            is_near.then_some(Place { band, pixel: pixel as u32, truth })
+        };
+        let mut places: Vec<Place> = position.par_iter().enumerate().filter_map(place).collect();
+        // Stable sorts find the runs that a picture's rows are.
+        places.par_sort_by_key(|place| place.band);
+        let mut bands: Vec<(i64, Range<usize>)> = Vec::new();
+        for (n, place) in places.iter().enumerate() {
+            match bands.last_mut() {
+                Some((band, range)) if *band == place.band => range.end = n + 1,
+                _ => bands.push((place.band, n..n + 1)),
+            }
+        }
+        let mut rest = &mut places[..];
+        let mut slices = Vec::with_capacity(bands.len());
+        for (_, range) in &bands {
+            let (band, others) = rest.split_at_mut(range.len());
+            slices.push(band);
+            rest = others;
+        }
+        slices.into_par_iter().for_each(|band| band.sort_by(|a, b| a.truth.x.total_cmp(&b.truth.x)));
+        let here = |place: &Place| {
+            let (column, row) = (place.pixel as usize % width, place.pixel as usize / width);
+            DVec2::new(column as f64 + 0.5, row as f64 + 0.5)
+        };
+        let values = |value: &(dyn Fn(&Place) -> f64 + Sync)| {
+            let mut values: Vec<f32> = places.par_iter().map(|place| value(place) as f32).collect();
+            values.resize(places.len() + LANES, 0.0);
+            values
+        };
+        Self {
+            x: values(&|place| here(place).x),
+            y: values(&|place| here(place).y),
+            shift_x: values(&|place| place.truth.x - here(place).x),
+            shift_y: values(&|place| place.truth.y - here(place).y),
+            truth_x: values(&|place| place.truth.x),
+            pixel: places.par_iter().map(|place| place.pixel).collect(),
+            bands,
+        }
+    }
+
+    pub fn len(&self) -> usize {
+        self.pixel.len()
+    }
+}

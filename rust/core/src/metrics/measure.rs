@@ -1,0 +1,240 @@
+//! The measure itself, from means and variances of both images' sum and difference.
+
+use super::moments::{COLUMNS, Kernels, Moments};
+use super::plane::{Pixel, Real};
+use super::vectors::LANES;
+use crate::base::simd::widest;
+
+/// What turns moments into similarity.
+#[derive(Clone, Copy, Debug)]
+pub struct Measure<R> {
+    /// What was subtracted from each image.
+    pub levels: [R; 2],
+    /// (k₁ L)² and (k₂ L)².
+    pub constants: [R; 2],
+}
+
+impl<R: Real> Measure<R> {
+    /// Similarity, and where wanted its second factor, from mean and variance of s and of d. Both factors are 1 less something that
+    /// is never negative: l = 1 − (μx−μy)²/(μx²+μy²+c₁) and cs = 1 − σd²/((σs²+σd²)/2 + c₂). Either order of
+    /// the images gives the same bits.
+    #[inline(always)]
+    pub fn of<const CONTRAST: bool>(&self, [s, s2]: [R; 2], [d, d2]: [R; 2]) -> (R, R) {
+        let (half, zero) = (R::narrow(0.5), R::default());
+        let s2 = if s2 > zero { s2 } else { zero };
+        let d2 = if d2 > zero { d2 } else { zero };
+        let (x, y) = (self.levels[0] + half * (s + d), self.levels[1] + half * (s - d));
+        let apart = (self.levels[0] - self.levels[1]) + d;
+        let (means, luminance) = (x * x + y * y + self.constants[0], apart * apart);
+        let variances = half * (s2 + d2) + self.constants[1];
+        let shared = variances - d2;
+        // One division for both factors.
+        let similarity = (means - luminance) * shared / (means * variances);
+        (similarity, if CONTRAST { shared / variances } else { zero })
+    }
+}
+
+/// Precisions that similarity is measured in.
+pub trait Measured: Real {
+    /// Similarity of a row of windows, and the sums over those that count of it and, where wanted, of its second factor.
+    fn measure(measure: &Measure<Self>, s: &Moments<Self>, d: &Moments<Self>, row: &mut Row<Self>) -> [f64; 2];
+    /// Sums of s, d, s² and d².
+    fn power_sums(s: &[Self], d: &[Self]) -> [f64; 4];
+}
+
+/// Pixels of which similarity is measured.
+pub trait Source: Pixel<Real: Kernels + Measured> {
+    /// Sum and difference of two rows of pixels less their levels.
+    fn sum_and_difference(x: &[Self], y: &[Self], levels: [Self::Real; 2], s: &mut [Self::Real], d: &mut [Self::Real]);
+    /// Sum of the squared differences of few pixels.
+    fn squares(x: &[Self], y: &[Self]) -> f64;
+}
+
+/// A row of windows.
+#[derive(Clone, Debug)]
+#[repr(align(64))]
+pub struct Row<R> {
+    /// 1 for those that count and 0 for the others.
+    pub counts: [R; COLUMNS],
+    /// Their similarity.
+    pub similarity: [R; COLUMNS],
+    /// How many there are, in `LANES`.
+    pub blocks: usize,
+    /// Whether the second factor is wanted.
+    pub contrast: bool,
+}
+
+macro_rules! measured {
+    ($($real:ty: $both:ident, $one:ident, $powers:ident);*) => {$(
+        widest! {
+            fn $both(
+                measure: &Measure<$real>, s: &Moments<$real>, d: &Moments<$real>, row: &mut Row<$real>,
+            ) -> [f64; 2] = measure_row::<$real, true>;
+        }
+        widest! {
+            fn $one(
+                measure: &Measure<$real>, s: &Moments<$real>, d: &Moments<$real>, row: &mut Row<$real>,
+            ) -> [f64; 2] = measure_row::<$real, false>;
+        }
+        widest! {
+            fn $powers(s: &[$real], d: &[$real]) -> [f64; 4] = power_sums;
+        }
+        impl Measured for $real {
+            fn power_sums(s: &[Self], d: &[Self]) -> [f64; 4] {
+                $powers(s, d)
+            }
+            fn measure(measure: &Measure<Self>, s: &Moments<Self>, d: &Moments<Self>, row: &mut Row<Self>) -> [f64; 2] {
+                if row.contrast { $both(measure, s, d, row) } else { $one(measure, s, d, row) }
+            }
+        }
+    )*};
+}
+
+measured!(f32: both_f32, one_f32, powers_f32; f64: both_f64, one_f64, powers_f64);
+
+macro_rules! source {
+    ($($pixel:ty, $real:ty: $kernel:ident, $squares:ident = $square:ident);*) => {$(
+        widest! {
+            fn $kernel(x: &[$pixel], y: &[$pixel], levels: [$real; 2], s: &mut [$real], d: &mut [$real]) = spread;
+        }
+        widest! {
+            fn $squares(x: &[$pixel], y: &[$pixel]) -> f64 = $square;
+        }
+        impl Source for $pixel {
+            fn squares(x: &[Self], y: &[Self]) -> f64 {
+                $squares(x, y)
+            }
+            fn sum_and_difference(x: &[Self], y: &[Self], levels: [$real; 2], s: &mut [$real], d: &mut [$real]) {
+                $kernel(x, y, levels, s, d);
+            }
+        }
+    )*};
+}
+
+source!(
+    u8, f32: spread_u8, squares_u8 = byte_squares;
+    u16, f32: spread_u16, squares_u16 = short_squares;
+    f32, f32: spread_f32, squares_f32 = real_squares;
+    f64, f64: spread_f64, squares_f64 = real_squares
+);
+
+/// Without rounding: 2¹⁴ squares of 8 bits fit into 32.
+#[inline(always)]
+fn byte_squares(x: &[u8], y: &[u8]) -> f64 {
+    let mut sum = 0u32;
+    for (&x, &y) in x.iter().zip(y) {
+        let difference = i32::from(x) - i32::from(y);
+        sum += (difference * difference) as u32;
+    }
+    f64::from(sum)
+}
+
+/// Without rounding: 2¹⁴ squares of 16 bits need 46.
+#[inline(always)]
+fn short_squares(x: &[u16], y: &[u16]) -> f64 {
+    let mut sum = 0u64;
+    for (&x, &y) in x.iter().zip(y) {
+        let difference = u32::from(x.abs_diff(y));
+        sum += u64::from(difference * difference);
+    }
+    sum as f64
+}
+
+#[inline(always)]
+fn real_squares<P: Copy + Into<f64>>(x: &[P], y: &[P]) -> f64 {
+    let mut sums = [0.0; LANES];
+    let (x, x_rest) = x.as_chunks::<LANES>();
+    let (y, y_rest) = y.as_chunks::<LANES>();
+    for (x, y) in x.iter().zip(y) {
+        for i in 0..LANES {
+            let difference = x[i].into() - y[i].into();
+            sums[i] += difference * difference;
+        }
+    }
+    for (i, (&x, &y)) in x_rest.iter().zip(y_rest).enumerate() {
+        let difference = x.into() - y.into();
+        sums[i] += difference * difference;
+    }
+    let mut total = 0.0;
+    for sum in sums {
+        total += sum;
+    }
+    total
+}
+
+#[inline(always)]
+fn spread<P: Pixel>(x: &[P], y: &[P], levels: [P::Real; 2], s: &mut [P::Real], d: &mut [P::Real]) {
+    let length = x.len().min(y.len()).min(s.len()).min(d.len());
+    let (x, y, s, d) = (&x[..length], &y[..length], &mut s[..length], &mut d[..length]);
+    for i in 0..length {
+        let (a, b) = (x[i].real() - levels[0], y[i].real() - levels[1]);
+        s[i] = a + b;
+        d[i] = a - b;
+    }
+}
+
+#[inline(always)]
+fn measure_row<R: Real, const CONTRAST: bool>(
+    measure: &Measure<R>,
+    s: &Moments<R>,
+    d: &Moments<R>,
+    row: &mut Row<R>,
+) -> [f64; 2] {
+    let mut sums = [[0.0; LANES]; 2];
+    let (s_mean, s_variance) = (s.mean.as_chunks::<LANES>().0, s.variance.as_chunks::<LANES>().0);
+    let (d_mean, d_variance) = (d.mean.as_chunks::<LANES>().0, d.variance.as_chunks::<LANES>().0);
+    let similarity = row.similarity.as_chunks_mut::<LANES>().0;
+    for (block, counts) in row.counts.as_chunks::<LANES>().0[..row.blocks].iter().enumerate() {
+        let mut contrast = [R::default(); LANES];
+        for i in 0..LANES {
+            let (s, d) = ([s_mean[block][i], s_variance[block][i]], [d_mean[block][i], d_variance[block][i]]);
+            (similarity[block][i], contrast[i]) = measure.of::<CONTRAST>(s, d);
+        }
+        // Chosen, not multiplied: what is not counted may be no number.
+        for i in 0..LANES {
+            let counts = counts[i] > R::default();
+            sums[0][i] += if counts { similarity[block][i].wide() } else { 0.0 };
+            if CONTRAST {
+                sums[1][i] += if counts { contrast[i].wide() } else { 0.0 };
+            }
+        }
+    }
+    let mut total = [0.0; 2];
+    for (total, lanes) in total.iter_mut().zip(&sums) {
+        for lane in lanes {
+            *total += lane;
+        }
+    }
+    total
+}
+
+#[inline(always)]
+fn power_sums<R: Real>(s: &[R], d: &[R]) -> [f64; 4] {
+    const WIDE: usize = 8;
+    let mut sums = [[0.0; WIDE]; 4];
+    let (s, s_rest) = s.as_chunks::<WIDE>();
+    let (d, d_rest) = d.as_chunks::<WIDE>();
+    for (s, d) in s.iter().zip(d) {
+        for i in 0..WIDE {
+            let (s, d) = (s[i].wide(), d[i].wide());
+            sums[0][i] += s;
+            sums[1][i] += d;
+            sums[2][i] += s * s;
+            sums[3][i] += d * d;
+        }
+    }
+    for (s, d) in s_rest.iter().zip(d_rest) {
+        let (s, d) = (s.wide(), d.wide());
+        sums[0][0] += s;
+        sums[1][0] += d;
+        sums[2][0] += s * s;
+        sums[3][0] += d * d;
+    }
+    let mut totals = [0.0; 4];
+    for (total, lanes) in totals.iter_mut().zip(&sums) {
+        for lane in lanes {
+            *total += lane;
+        }
+    }
+    totals
+}

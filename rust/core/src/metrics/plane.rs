@@ -1,0 +1,233 @@
+//! One channel of an image as it lies in memory, of any number type.
+
+use crate::base::{Error, Result};
+
+/// What pixels are made of, and the precision that they are computed in.
+pub trait Pixel: Copy + Send + Sync {
+    /// Float32 holds every 8- and 16-bit difference exactly.
+    type Real: Real;
+    /// The value.
+    fn real(self) -> Self::Real;
+}
+
+/// Float32 or float64.
+pub trait Real: num::Float {
+    /// The nearest value.
+    fn narrow(value: f64) -> Self;
+    /// The same value.
+    fn wide(self) -> f64;
+    /// a b + c, rounded once where it is fused.
+    fn fuse<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self;
+}
+
+/// What `Real` can do.
+mod num {
+    use std::ops::{Add, Div, Mul, Sub};
+
+    pub trait Float:
+        Copy
+        + Default
+        + Send
+        + Sync
+        + PartialOrd
+        + Add<Output = Self>
+        + Sub<Output = Self>
+        + Mul<Output = Self>
+        + Div<Output = Self>
+        + 'static
+    {
+    }
+    impl Float for f32 {}
+    impl Float for f64 {}
+}
+
+impl Real for f32 {
+    #[inline(always)]
+    fn narrow(value: f64) -> Self {
+        value as Self
+    }
+    #[inline(always)]
+    fn wide(self) -> f64 {
+        f64::from(self)
+    }
+    #[inline(always)]
+    fn fuse<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self {
+        if FUSED { a.mul_add(b, c) } else { a * b + c }
+    }
+}
+
+impl Real for f64 {
+    #[inline(always)]
+    fn narrow(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn wide(self) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn fuse<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self {
+        if FUSED { a.mul_add(b, c) } else { a * b + c }
+    }
+}
+
+macro_rules! pixel {
+    ($($type:ty => $real:ty),*) => {$(
+        impl Pixel for $type {
+            type Real = $real;
+            #[inline(always)]
+            fn real(self) -> $real {
+                <$real>::from(self)
+            }
+        }
+    )*};
+}
+
+pixel!(u8 => f32, u16 => f32, f32 => f32, f64 => f64);
+
+/// One channel of an image: values that lie steps apart.
+#[derive(Clone, Copy, Debug)]
+pub struct Plane<'a, P> {
+    values: &'a [P],
+    /// Pixels down.
+    pub height: usize,
+    /// Pixels across.
+    pub width: usize,
+    row_step: usize,
+    column_step: usize,
+}
+
+impl<'a, P: Pixel> Plane<'a, P> {
+    /// Takes the values as they lie: (height, width) pixels, and how many values the next row and the next column are away.
+    pub fn new(values: &'a [P], [height, width]: [usize; 2], [row_step, column_step]: [usize; 2]) -> Result<Self> {
+        if let Some(&length) = [height, width].iter().find(|&&length| u32::try_from(length).is_err()) {
+            return Err(Error::value("image", "fewer than 2³² pixels each way", length));
+        }
+        let last = |count: usize, step: usize| count.saturating_sub(1).checked_mul(step);
+        let end = last(height, row_step).zip(last(width, column_step)).and_then(|(a, b)| a.checked_add(b));
+        if height == 0 || width == 0 || end.is_none_or(|end| end >= values.len()) {
+            let expected = format!("at least one pixel, and {height} × {width} of them within {} values", values.len());
+            return Err(Error::value("image", expected, format!("steps of {row_step} and {column_step}")));
+        }
+        Ok(Self { values, height, width, row_step, column_step })
+    }
+
+    /// A stack of images of one size, in order: the last two of all axes are theirs.
+    pub fn stack(values: &'a [P], shape: &[usize], steps: &[usize]) -> Result<Vec<Self>> {
+        let (Some((outer, &size)), Some((outer_steps, &steps))) = (shape.split_last_chunk(), steps.split_last_chunk())
+        else {
+            return Err(Error::value("image", "two axes or more", shape.len()));
+        };
+        let offset = |mut n: usize| {
+            let axes = outer.iter().zip(outer_steps).rev();
+            axes.fold(0, |offset, (&length, &step)| {
+                let index = n % length;
+                n /= length;
+                offset + index * step
+            })
+        };
+        let image = |n| {
+            let values = values.get(offset(n)..).unwrap_or_default();
+            Self::new(values, size, steps)
+        };
+        (0..outer.iter().product()).map(image).collect()
+    }
+
+    /// A pixel's value.
+    #[inline(always)]
+    pub fn at(&self, row: usize, column: usize) -> P::Real {
+        self.values[row * self.row_step + column * self.column_step].real()
+    }
+
+    /// Neighbouring pixels of a row, where they lie side by side.
+    #[inline(always)]
+    pub fn run(&self, row: usize, columns: std::ops::Range<usize>) -> Option<&'a [P]> {
+        let start = row * self.row_step;
+        (self.column_step == 1).then(|| &self.values[start + columns.start..start + columns.end])
+    }
+
+    /// About the mean of a part of the image, from those of a few of its pixels that are finite.
+    pub fn level(&self, rows: std::ops::Range<usize>, columns: std::ops::Range<usize>) -> P::Real {
+        const EACH: usize = 8;
+        let pick = |range: &std::ops::Range<usize>, i: usize| range.start + (2 * i + 1) * range.len() / (2 * EACH);
+        let at = |i: usize| self.at(pick(&rows, i / EACH), pick(&columns, i % EACH)).wide();
+        let finite = (0..EACH * EACH).map(at).filter(|value| value.is_finite());
+        let (sum, count) = finite.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
+        P::Real::narrow(if count > 0.0 { sum / count } else { 0.0 })
+    }
+
+    /// Refuses another size.
+    pub(super) fn expect_size(&self, argument: &'static str, [height, width]: [usize; 2]) -> Result<()> {
+        if [height, width] == [self.height, self.width] {
+            return Ok(());
+        }
+        let expected = format!("{} × {} pixels", self.height, self.width);
+        Err(Error::value(argument, expected, format!("{height} × {width}")))
+    }
+}
+
+impl Plane<'_, u8> {
+    /// Whether a mask names a pixel.
+    #[inline(always)]
+    pub(super) fn names(&self, row: usize, column: usize) -> bool {
+        self.values[row * self.row_step + column * self.column_step] != 0
+    }
+
+    /// How many pixels a mask names.
+    pub(super) fn count(&self) -> usize {
+        let row = |row| (0..self.width).filter(|&column| self.names(row, column)).count();
+        (0..self.height).map(row).sum()
+    }
+
+    /// The first and the last column of a row that a mask names.
+    fn first_and_last(&self, row: usize, [from, end]: [usize; 2]) -> Option<(usize, usize)> {
+        if let Some(run) = self.run(row, from..end) {
+            // Most rows name nothing, which the machine sees in whole vectors.
+            if run.iter().fold(0, |any, value| any | value) == 0 {
+                return None;
+            }
+            let first = run.iter().position(|&value| value != 0)?;
+            return Some((from + first, from + run.iter().rposition(|&value| value != 0)?));
+        }
+        let first = (from..end).find(|&column| self.names(row, column))?;
+        Some((first, (first..end).rfind(|&column| self.names(row, column))?))
+    }
+
+    /// The smallest part that holds all pixels of a part that a mask names.
+    pub(super) fn bounds(&self, part: Part) -> Part {
+        let mut bounds = Part { rows: [part.rows[1], part.rows[0]], columns: [part.columns[1], part.columns[0]] };
+        for row in part.rows[0]..part.rows[1] {
+            let Some((first, last)) = self.first_and_last(row, part.columns) else { continue };
+            bounds.rows = [bounds.rows[0].min(row), row + 1];
+            bounds.columns = [bounds.columns[0].min(first), bounds.columns[1].max(last + 1)];
+        }
+        bounds
+    }
+}
+
+/// Part of an image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Part {
+    /// First row, and that after the last.
+    pub rows: [usize; 2],
+    /// The same of columns.
+    pub columns: [usize; 2],
+}
+
+impl Part {
+    pub fn is_empty(&self) -> bool {
+        self.rows[0] >= self.rows[1] || self.columns[0] >= self.columns[1]
+    }
+
+    /// What of it lies within rows.
+    pub fn within_rows(&self, rows: [usize; 2]) -> Self {
+        Self { rows: [self.rows[0].max(rows[0]), self.rows[1].min(rows[1])], columns: self.columns }
+    }
+}
+
+/// Where a line continues beyond its ends: d c b a | a b c d | d c b a.
+pub(super) fn mirror(i: i64, length: usize) -> usize {
+    let length = length as i64;
+    let there = i.rem_euclid(2 * length);
+    (if there < length { there } else { 2 * length - 1 - there }) as usize
+}

@@ -1,0 +1,64 @@
+"""The harness of the benchmarks: what it times, compares and draws."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+import _harness
+from _harness import Case, Comparison, Limits, Result, Work
+from _measure import Timing
+from support import need
+
+
+def test_cases_are_timed_and_compared(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    need("matplotlib")
+    monkeypatch.setenv(_harness.FOLDER, str(tmp_path))
+    calls: list[str] = []
+
+    def job(name: str, seconds: float, value: float) -> Case:
+        def run() -> float:
+            calls.append(name)
+            time.sleep(seconds)
+            return value
+
+        return Case(name, run, lambda found: abs(found - 1.0), peer=name != "ours")
+
+    text = _harness.compare("A job", [job("ours", 0.002, 1.0), job("a peer", 0.02, 1.5)], repeat=2, unit="m")
+    lines = [line for line in text.splitlines() if line.startswith("|")]
+    assert lines[0] == "|  | wall ms | CPU ms | × ours | error, m |"
+    ours, peer = (line.split(" | ") for line in lines[2:])
+    assert ours[0] == "| ours"
+    assert ours[3:] == ["1.00", "0.0e+00 |"]
+    assert float(peer[3]) > 3
+    assert peer[4] == "5.0e-01 |"
+    assert calls[:4] == ["ours", "a peer", "ours", "ours"]
+    assert "![A job](a-job.png)" in text
+    with Image.open(tmp_path / "a-job.png") as picture:
+        assert np.asarray(picture.convert("L")).std() > 1
+
+
+def test_nothing_is_drawn_unasked_or_without_errors(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    exact = Comparison("exact", [Result("ours", Timing(1.0, 1.0), 0.0, peer=False)], None, "")
+    torn = Comparison("torn", [Result("ours", Timing(1.0, 1.0), 0.1, peer=False)], None, "")
+    assert _harness.draw([torn], "torn") is None
+    monkeypatch.setenv(_harness.FOLDER, str(tmp_path))
+    assert _harness.draw([exact], "exact") is None
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_front_holds_what_none_betters() -> None:
+    points = [(1.0, 5.0), (2.0, 1.0), (3.0, 1.0), (0.5, 9.0), (4.0, 8.0)]
+    front = [point for point in points if not any(_harness._better(other, point) for other in points)]
+    assert sorted(front) == [(0.5, 9.0), (1.0, 5.0), (2.0, 1.0)]
+
+
+def test_limits_are_of_what_takes_longer() -> None:
+    here = Limits({False: 100.0, True: 50.0}, 10.0)
+    assert here.seconds(Work(multiply_adds=1000, bytes=10)) == 10
+    assert here.seconds(Work(multiply_adds=1000, double=True)) == 20
+    assert here.seconds(Work(multiply_adds=10, bytes=1000)) == 100

@@ -1,0 +1,366 @@
+"""Structural similarity against its definition, against scikit-image, and where others break."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, cast
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+import nearfar as nf
+from similarity_oracle import inside, pictures, shrunk, slow_maps, slow_masked, weights
+from support import data, need
+
+TYPES: dict[Any, float] = {np.uint8: 255.0, np.uint16: 65535.0, np.float32: 1.0, np.float64: 1.0}
+
+
+def typed(kind: type, *, height: int = 23, width: int = 29) -> tuple[NDArray[Any], NDArray[Any], float]:
+    """Two pictures of a type, and their range."""
+    extent = TYPES[kind]
+    a, b = pictures(height, width)
+    if kind in (np.uint8, np.uint16):
+        return np.round(a * extent).astype(kind), np.round(b * extent).astype(kind), extent
+    return a.astype(kind), b.astype(kind), extent
+
+
+@pytest.mark.parametrize("kind", list(TYPES))
+@pytest.mark.parametrize(("window", "size"), [("gaussian", 11), ("gaussian", 10), ("uniform", 7), ("uniform", 4)])
+def test_similarity_is_its_definition(kind: type, window: str, size: int) -> None:
+    a, b, extent = typed(kind)
+    expected, _ = slow_maps(a, b, weights(window, size), extent)
+    mean, found = nf.ssim(a, b, data_range=extent, window=window, size=size, full=True)
+    # Float32 holds every difference of 8 and 16 bits, and c2 = 9e-4 of the range keeps some roundings below 1e-6.
+    assert found.dtype == (np.float64 if kind == np.float64 else np.float32)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12 if kind == np.float64 else 2e-6)
+    assert mean == pytest.approx(inside(expected, size).mean(), abs=1e-13 if kind == np.float64 else 2e-7)
+
+
+def test_every_convention_has_its_definition() -> None:
+    a, b, extent = typed(np.float64)
+    options: dict[str, Any] = {"data_range": extent, "window": "uniform", "size": 5}
+    line = weights("uniform", 5)
+    whole, _ = slow_maps(a, b, line, extent)
+    sample, _ = slow_maps(a, b, line, extent, sample=25 / 24)
+    assert nf.ssim(a, b, convention="full", **options) == pytest.approx(whole.mean(), abs=1e-13)
+    mean, found = nf.ssim(a, b, convention="skimage", full=True, **options)
+    np.testing.assert_allclose(found, sample, rtol=0, atol=1e-12)
+    assert mean == pytest.approx(inside(sample, 5).mean(), abs=1e-13)
+    # Less than 384 pixels are not made smaller, 900 by 4, with boxes that begin a pixel before.
+    assert nf.ssim(a, b, convention="wang-downsampled", **options) == nf.ssim(a, b, **options)
+    large = pictures(900, 1001)
+    mean, found = nf.ssim(*large, data_range=1, convention="wang-downsampled", full=True)
+    assert found.shape == (225, 251)
+    assert mean == pytest.approx(nf.ssim(*(shrunk(p, 4) for p in large), data_range=1), abs=1e-13)
+
+
+@pytest.mark.parametrize("sample", [False, True])
+def test_the_global_window_is_the_whole_picture(sample: bool) -> None:
+    a, b, _ = typed(np.float64)
+    c1, c2, factor = 1e-4, 9e-4, a.size / (a.size - 1) if sample else 1.0
+    covariance = ((a - a.mean()) * (b - b.mean())).mean() * factor
+    expected = (2 * a.mean() * b.mean() + c1) * (2 * covariance + c2)
+    expected /= (a.mean() ** 2 + b.mean() ** 2 + c1) * ((a.var() + b.var()) * factor + c2)
+    found = nf.ssim(a, b, data_range=1, window="global", convention="skimage" if sample else "wang")
+    assert found == pytest.approx(expected, abs=1e-13)
+
+
+@pytest.mark.parametrize("channels", [0, 3])
+def test_similarity_is_scikit_images(channels: int) -> None:
+    need("skimage")
+    from skimage.metrics import structural_similarity
+
+    a, b = pictures(90, 131)
+    if channels:
+        a, b = (np.stack([p, p**2, 1 - p], axis=-1) for p in (a, b))
+    axis = {"channel_axis": -1} if channels else {}
+    for ours, theirs in [
+        ({"window": "gaussian"}, {"gaussian_weights": True, "sigma": 1.5, "use_sample_covariance": False}),
+        ({"window": "uniform", "size": 7}, {"win_size": 7, "use_sample_covariance": False}),
+        ({"window": "uniform", "size": 7, "convention": "skimage"}, {}),
+        ({"window": "gaussian", "convention": "skimage"}, {"gaussian_weights": True}),
+    ]:
+        options: Any = {**axis, **theirs}  # type: ignore[dict-item]
+        mean, found = nf.ssim(a, b, data_range=1, full=True, **ours)  # type: ignore[arg-type]
+        expected_mean, expected = structural_similarity(a, b, data_range=1.0, full=True, **options)
+        assert abs(mean - expected_mean) < 1e-12
+        np.testing.assert_allclose(found, expected, rtol=0, atol=1e-10)
+
+
+def test_the_camera_with_noise_has_the_value_that_imdiff_finds() -> None:
+    need("data")
+    from PIL import Image
+
+    with Image.open(data("iqa/skimage/camera.png")) as image:
+        camera = np.asarray(image)
+    # The numbers that scikit-image's tests draw; the value is that of IPOL's imdiff, which weighs borders otherwise.
+    noise = 20.0 * np.random.RandomState(5).randn(*camera.shape)
+    noisy = np.clip(camera + noise, 0, 255).astype(np.uint8)
+    assert nf.ssim(camera, noisy, data_range=255) == pytest.approx(0.357959091663361, abs=1e-5)
+
+
+def hard_pictures() -> Iterator[tuple[str, NDArray[np.float32], NDArray[np.float32], float]]:
+    """Pictures of float32 whose variance is easily lost."""
+    a, b = (p.astype(np.float32) for p in pictures(150, 210))
+    for offset in (10.0, 1e3, 1e4):
+        yield f"offset {offset:g}", a + np.float32(offset), b + np.float32(offset), 1.0
+    dot = np.full((150, 210), 0.5, np.float32)
+    dot[70, 100] += np.float32(1e-3)
+    yield "a pixel", np.full_like(dot, 0.5), dot, 1.0
+    yield "constants", np.full_like(dot, 0.25), np.full_like(dot, 0.75), 1.0
+    edge = np.where(np.arange(210) < 90, 0, 1).astype(np.float32) * np.ones_like(dot)
+    yield "an edge", edge, edge * np.float32(0.98), 1.0
+    yield "high dynamic range", np.exp(8 * a), np.exp(8 * b), 1.0
+    yield "sixteen bits", np.round(60_000 + 4000 * a), np.round(60_000 + 4000 * b), 65_535.0
+
+
+@pytest.mark.parametrize("case", list(hard_pictures()), ids=lambda case: case[0])
+def test_float32_stays_with_float64(case: tuple[str, NDArray[np.float32], NDArray[np.float32], float]) -> None:
+    _, a, b, extent = case
+    for options in ({}, {"window": "uniform", "size": 7}, {"window": "gaussian", "size": 10}):
+        mean, found = nf.ssim(a, b, data_range=extent, full=True, **options)  # type: ignore[arg-type]
+        double = (p.astype(np.float64) for p in (a, b))
+        exact_mean, exact = nf.ssim(*double, data_range=extent, full=True, **options)  # type: ignore[arg-type]
+        assert abs(mean - exact_mean) < 1e-6
+        assert np.abs(found - exact).max() < 1e-5
+
+
+def test_float64_keeps_the_variance_at_any_level() -> None:
+    a, b = pictures(40, 50)
+    # Halves of 2⁻²⁰ survive adding 10⁸, so that the shifted pictures are the same but for their level.
+    a, b = (np.round(p * 2**20) / 2**20 for p in (a, b))
+    shifted, _ = slow_maps(a + 1e8, b + 1e8, weights("gaussian", 11), 1.0)
+    found = nf.ssim(a + 1e8, b + 1e8, data_range=1, full=True)[1]
+    np.testing.assert_allclose(found, shifted, rtol=0, atol=1e-9)
+
+
+sizes = st.tuples(st.integers(1, 40), st.integers(1, 40))
+
+
+@given(sizes, st.sampled_from(list(TYPES)), st.sampled_from(["gaussian", "uniform", "global"]), st.integers(1, 13))
+def test_identities(shape: tuple[int, int], kind: type, window: str, size: int) -> None:
+    a, b, extent = typed(kind, height=shape[0], width=shape[1])
+    options: dict[str, Any] = {"data_range": extent, "window": window, "size": size}
+    mean, found = nf.ssim(a, b, full=True, **options)
+    assert (found <= 1).all()
+    assert mean <= 1
+    assert nf.ssim(a, a, **options) == 1.0
+    assert (nf.ssim(a, a, full=True, **options)[1] == 1.0).all()
+    swapped = nf.ssim(b, a, full=True, **options)
+    assert swapped[0] == mean
+    np.testing.assert_array_equal(swapped[1], found)
+    # Without the map the same windows are summed in the same order.
+    assert nf.ssim(a, b, **options) == pytest.approx(mean, abs=1e-12 if kind == np.float64 else 1e-7)
+
+
+@given(st.integers(0, 2**32 - 1), sizes, st.integers(1, 12), st.sampled_from(["gaussian", "uniform"]))
+def test_any_pictures_have_their_definition(seed: int, shape: tuple[int, int], size: int, window: str) -> None:
+    random = np.random.default_rng(seed)
+    a, b = random.normal(random.normal() * 10, 10 ** random.uniform(-3, 2), (2, *shape))
+    expected, _ = slow_maps(a, b, weights(window, size), 2.0)
+    mean, found = nf.ssim(a, b, data_range=2, window=window, size=size, full=True)
+    # 2e-14 of the squares that are averaged, over c2 = 3.6e-3 where the variance is less.
+    tolerance = 2e-11 * max(1.0, float(np.abs([a, b]).max()) ** 2 / 1e3)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=tolerance)
+    assert mean == pytest.approx(inside(expected, size).mean(), abs=tolerance)
+
+
+def test_masks_choose_what_counts() -> None:
+    a, b = pictures()
+    mask = np.zeros(a.shape, bool)
+    mask[10:20, 15:30] = True
+    mask[12, 17] = False
+    _, found = nf.ssim(a, b, data_range=1, full=True)
+    mean, same = nf.ssim(a, b, data_range=1, mask=mask, full=True)
+    assert mean == pytest.approx(found[mask].mean(), abs=1e-14)
+    np.testing.assert_array_equal(same, found)
+    assert nf.ssim(a, b, data_range=1, mask=mask) == pytest.approx(mean, abs=1e-14)
+    assert nf.ssim(a, b, data_range=1, mask=mask.astype(np.int64) * 7) == pytest.approx(mean, abs=1e-14)
+    # What no window of the mask sees does not matter.
+    broken = a.copy()
+    broken[30:] = np.nan
+    assert nf.ssim(broken, b, data_range=1, mask=mask) == pytest.approx(mean, abs=1e-14)
+    border = np.zeros(a.shape, bool)
+    border[0, 0] = True
+    with pytest.raises(ValueError, match="mask: expected at least one pixel"):
+        nf.ssim(a, b, data_range=1, mask=border)
+    assert nf.ssim(a, b, data_range=1, mask=border, convention="full") == pytest.approx(found[0, 0], abs=1e-14)
+
+
+@given(st.integers(0, 2**32 - 1), sizes, st.integers(1, 12), st.sampled_from([np.float32, np.float64]))
+def test_windows_that_see_only_the_mask(seed: int, shape: tuple[int, int], size: int, kind: type) -> None:
+    random = np.random.default_rng(seed)
+    a, b = random.uniform(0, 1, (2, *shape)).astype(kind)
+    mask = random.uniform(size=shape) < random.uniform(0.05, 1)
+    mask[random.integers(shape[0]), random.integers(shape[1])] = True
+    expected = slow_masked(a, b, mask, weights("gaussian", size), 1.0)
+    outside: NDArray[Any] = np.where(mask, a, np.nan).astype(kind)
+    mean, found = nf.ssim(outside, b, data_range=1, size=size, mask=mask, masking="windows", full=True)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-11 if kind == np.float64 else 1e-7)
+    assert mean == pytest.approx(np.nanmean(expected), abs=1e-11)
+    assert nf.ssim(outside, b, data_range=1, size=size, mask=mask, masking="windows") == mean
+    seen = [p[mask].astype(np.float64) for p in (a, b)]
+    alone = nf.ssim(outside, b, data_range=1, window="global", mask=mask, masking="windows")
+    assert alone == pytest.approx(nf.ssim(*(p[None] for p in seen), data_range=1, window="global"), abs=1e-7)
+
+
+def layouts(a: NDArray[Any]) -> Iterator[NDArray[Any]]:
+    """The same values, otherwise in memory."""
+    yield np.asfortranarray(a)
+    yield np.repeat(np.repeat(a, 2, axis=0), 3, axis=1)[::2, ::3]
+    yield a[::-1, ::-1].copy()[::-1, ::-1]
+    yield a.astype(a.dtype.newbyteorder())
+    frozen = a.copy()
+    frozen.flags.writeable = False
+    yield frozen
+    shifted = np.empty(a.nbytes + 1, np.uint8)[1:].view(a.dtype).reshape(a.shape)
+    shifted[:] = a
+    yield shifted
+    record = np.zeros(a.shape, [("flag", np.uint8), ("value", a.dtype)])
+    record["value"] = a
+    yield record["value"]
+
+
+@pytest.mark.parametrize("kind", list(TYPES))
+def test_any_layout_has_the_same_bits(kind: type) -> None:
+    a, b, extent = typed(kind, height=61, width=140)
+    mask = np.add.outer(np.arange(61), np.arange(140)) % 3 == 0
+    expected = nf.ssim(a, b, data_range=extent)
+    masked = nf.ssim(a, b, data_range=extent, mask=mask)
+    noise = nf.rmse(a, b)
+    for layout, other in zip(layouts(a), layouts(mask.view(np.uint8)), strict=True):
+        assert nf.ssim(layout, b, data_range=extent) == expected
+        assert nf.ssim(b, layout, data_range=extent) == expected
+        assert nf.ssim(a, b, data_range=extent, mask=other) == masked
+        assert nf.rmse(layout, b) == pytest.approx(noise, rel=1e-14)
+    for channels in (np.stack([a, b], axis=-1), np.moveaxis(np.stack([a, b]), 0, -1)):
+        found = nf.ssim(channels, channels[..., ::-1], data_range=extent, full=True)
+        # Tiles of maps begin elsewhere, and round otherwise.
+        assert found[0] == pytest.approx(expected, abs=1e-14 if kind == np.float64 else 1e-8)
+        assert found[1].shape == (61, 140, 2)
+
+
+def test_types_meet_in_the_smallest_that_holds_both() -> None:
+    a, b, _ = typed(np.uint8)
+    exact = nf.ssim(a, b, data_range=255)
+    for kind in (np.uint16, np.int16, np.int64, np.float16, np.float32, np.float64):
+        assert nf.ssim(a, b.astype(kind), data_range=255) == pytest.approx(exact, abs=1e-6)
+    assert nf.ssim(a > 127, b > 127, data_range=1) == nf.ssim((a > 127).astype(np.uint8), b > 127, data_range=1)
+
+
+def test_what_float32_cannot_hold_is_done_in_float64() -> None:
+    a, b, _ = typed(np.float32)
+    expected = nf.ssim(a, b, data_range=1)
+    for scale in (1e-18, 1e-8, 1e10, 1e30):
+        small = [p * np.float32(scale) for p in (a, b)]
+        assert nf.ssim(*small, data_range=scale) == pytest.approx(expected, abs=1e-5)
+        assert nf.ssim(*(p.astype(np.float64) for p in small), data_range=scale) == pytest.approx(expected, abs=1e-5)
+
+
+def test_pairs_are_what_single_calls_find() -> None:
+    random = np.random.default_rng(0)
+    views = random.uniform(size=(4, 1, 30, 41))
+    levels = views + 0.1 * random.normal(size=(4, 3, 30, 41))
+    silhouettes = random.uniform(size=(4, 1, 30, 41)) < 0.3
+    for kind in (np.float32, np.float64):
+        first, second = views.astype(kind), levels.astype(kind)
+        for options in ({}, {"window": "uniform", "size": 4}, {"window": "global"}, {"convention": "skimage"}):
+            found = nf.ssim_pairs(first, second, data_range=1, **options)
+            assert found.shape == (4, 3)
+            for i, j in np.ndindex(4, 3):
+                assert found[i, j] == nf.ssim(first[i, 0], second[i, j], data_range=1, **options)
+        for masking in ("mean", "windows"):
+            found = nf.ssim_pairs(first, second, data_range=1, masks=silhouettes, masking=masking)
+            for i, j in np.ndindex(4, 3):
+                mask = silhouettes[i, 0]
+                assert found[i, j] == nf.ssim(first[i, 0], second[i, j], data_range=1, mask=mask, masking=masking)
+    one = nf.ssim_pairs(views[0, 0], levels[0], data_range=1)
+    assert one.shape == (3,)
+    empty = np.zeros((3, 30, 41), bool)
+    empty[1, 15, 15] = True
+    np.testing.assert_array_equal(np.isnan(nf.ssim_pairs(views[0, 0], levels[0], data_range=1, masks=empty)), [1, 0, 1])
+    assert nf.ssim_pairs(views[0, 0], levels[0, 0], data_range=1).shape == ()
+    assert nf.ssim_pairs(views[:0], levels[:0], data_range=1).shape == (0, 3)
+
+
+def test_several_scales_are_their_definition() -> None:
+    a, b = pictures(181, 193)
+    line, exponents = weights("gaussian", 11), np.array([0.0448, 0.2856, 0.3001, 0.2363, 0.1333])
+    first, second, factors = a, b, []
+    for scale in range(5):
+        similar, contrast = (inside(values, 11).mean() for values in slow_maps(first, second, line, 1.0))
+        factors.append(similar if scale == 4 else contrast)
+        first, second = shrunk(first, 2), shrunk(second, 2)
+    assert nf.ms_ssim(a, b, data_range=1) == pytest.approx((np.array(factors) ** exponents).prod(), abs=1e-12)
+    assert nf.ms_ssim(a, a, data_range=1) == 1.0
+    assert nf.ms_ssim(a, b, data_range=1, weights=[1.0]) == pytest.approx(nf.ssim(a, b, data_range=1), abs=1e-14)
+    double = nf.ms_ssim(np.stack([a, a], -1), np.stack([b, a], -1), data_range=1)
+    assert double == pytest.approx((nf.ms_ssim(a, b, data_range=1) + 1) / 2, abs=1e-14)
+    byte = [np.round(255 * p).astype(np.uint8) for p in (a, b)]
+    assert nf.ms_ssim(*byte, data_range=255) == pytest.approx(nf.ms_ssim(a, b, data_range=1), abs=1e-3)
+    # Negative means count as none.
+    assert nf.ms_ssim(a, 1 - a, data_range=1) == 0.0
+    with pytest.raises(ValueError, match="reference: expected windows of 11 pixels within the picture at every scale"):
+        nf.ms_ssim(a[:150], b[:150], data_range=1)
+
+
+def test_sequences_are_read_as_they_go() -> None:
+    a, b = pictures()
+    read = []
+
+    def frames() -> Iterator[NDArray[np.float64]]:
+        for number, picture in enumerate((a, a, b, a)):
+            read.append(number)
+            yield picture
+
+    continuity = nf.visual_continuity(frames(), data_range=1)
+    assert next(continuity) == 1.0
+    assert read == [0, 1]
+    change = nf.ssim(a, b, data_range=1, window="global")
+    assert list(continuity) == [change, change]
+    assert list(nf.visual_continuity([a], data_range=1)) == []
+    with pytest.raises(ValueError, match="data_range"):
+        list(nf.visual_continuity([a, b]))
+
+
+@pytest.mark.parametrize(
+    ("call", "error", "message"),
+    [
+        (lambda a, b: nf.ssim(a, b), ValueError, "data_range: expected"),
+        (lambda a, b: nf.ssim(a, b, data_range=0), ValueError, "data_range"),
+        (lambda a, b: nf.ssim(a, b, data_range=1e-200), ValueError, "data_range: expected a range whose square"),
+        (lambda a, b: nf.ssim(a, b[1:], data_range=1), ValueError, r"test: expected shape \(37, 53\), got"),
+        (lambda a, b: nf.ssim(a[:0], b[:0], data_range=1), ValueError, "at least one value"),
+        (lambda a, b: nf.ssim(a[0], b[0], data_range=1), ValueError, "reference: expected shape"),
+        (lambda a, b: nf.ssim(np.float64(1), 1.0, data_range=1), ValueError, r"reference: expected shape"),
+        (lambda a, b: nf.ssim(a, b, data_range=1, window="box"), ValueError, "window"),
+        (lambda a, b: nf.ssim(a, b, data_range=1, size=0), ValueError, "size"),
+        (lambda a, b: nf.ssim(a, b, data_range=1, sigma=0), ValueError, "sigma"),
+        (lambda a, b: nf.ssim(a, b, data_range=1, convention="matlab"), ValueError, "convention"),
+        (lambda a, b: nf.ssim(a, b, data_range=1, convention="skimage", size=1), ValueError, "size"),
+        (lambda a, b: nf.ssim(a, b, data_range=1, masking="box"), ValueError, "masking"),
+        (lambda a, b: nf.ssim(a, b, data_range=1, masking="windows", convention="skimage"), ValueError, "masking"),
+        (lambda a, b: nf.ssim(a, b, data_range=1, mask=a > 2), ValueError, "mask: expected at least one"),
+        (lambda a, b: nf.ssim(a, b, data_range=1, mask=a[1:] > 0), ValueError, "mask: expected shape"),
+        (lambda a, b: nf.ssim(a, b, data_range=1, mask=a), TypeError, "mask: expected true and false"),
+        (lambda a, b: nf.ssim(a, b * np.nan, data_range=1), ValueError, r"test: expected finite .* at \(0, 0\)"),
+        (lambda a, b: nf.ssim(a + np.inf, b, data_range=1), ValueError, "reference: expected finite"),
+        (lambda a, b: nf.ssim(a * 1e200, b, data_range=1), ValueError, "values up to 1e\\+150"),
+        (lambda a, b: nf.ssim(a + 1j, b, data_range=1), TypeError, "reference: expected real numbers"),
+        (lambda a, b: nf.ssim(a, [["x"]], data_range=1), TypeError, "test: expected real numbers"),
+        (lambda a, b: nf.ssim(a, [[1], [1, 2]], data_range=1), ValueError, "test: expected rows of equal length"),
+        (lambda a, b: nf.ssim_pairs(a, b[1:], data_range=1), ValueError, "tests: expected pictures of"),
+        (lambda a, b: nf.ssim_pairs(a[0], b[0], data_range=1), ValueError, "references: expected shape"),
+        (lambda a, b: nf.ssim_pairs([a] * 2, [b] * 3, data_range=1), ValueError, "tests: expected axes"),
+        (lambda a, b: nf.ssim_pairs(a, b, data_range=1, masks=a[1:] > 0), ValueError, "masks: expected pictures"),
+        (lambda a, b: nf.ssim_pairs(a, b, data_range=cast(Any, None)), ValueError, "data_range"),
+        (lambda a, b: nf.ms_ssim(a, b, data_range=1, weights=[]), ValueError, "weights"),
+        (lambda a, b: nf.ms_ssim(a, b, data_range=1, weights=[-1]), ValueError, "weights"),
+    ],
+)
+def test_refuses_what_cannot_be_compared(call: Any, error: type[Exception], message: str) -> None:
+    with pytest.raises(error, match=message):
+        call(*pictures())
