@@ -238,7 +238,7 @@ def accessor(**changes: object) -> list[dict[str, object]]:
         (triangle(accessors=accessor(count=-3)), "no triangles"),
         (triangle(accessors=accessor(normalized=True)), "normalised integers"),
         (triangle(extensionsRequired=["EXT_meshopt_compression"]), "needs the extension EXT_meshopt_compression"),
-        (triangle(nodes=[{"mesh": 0, "name": "thing", "scale": [1e300, 1, 1]}]), "expected finite coordinates"),
+        (triangle(nodes=[{"mesh": 0, "name": "thing", "scale": [1e300, 1, 1]}]), r"numbers up to 1e\+30"),
         (triangle(nodes=[{"mesh": 0, "name": "thing", "translation": [float("nan"), 0, 0]}]), "at node 'thing'"),
         (triangle(nodes=[{"mesh": 0, "name": "thing", "matrix": [1.0] * 16}]), "at node 'thing'"),
         (triangle(nodes=[{"mesh": 7}]), "no triangles|not hold|entry"),
