@@ -89,8 +89,9 @@ def test_pixels_without_a_surface_or_neighbours_have_none(frames: dict[str, nf.F
         nf.discontinuity(nf.render(street(), view, channels=("color",)))
     with pytest.raises(TypeError, match="frame"):
         nf.discontinuity(np.zeros((3, 3)))  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="epsilon"):
-        nf.discontinuity(seen, epsilon=0)
+    for wrong in ({"epsilon": 0}, {"epsilon": 1e-7}, {"epsilon": 2e4}, {"min_distance": 1e-20}):
+        with pytest.raises(ValueError, match=next(iter(wrong))):
+            nf.discontinuity(seen, **wrong)
 
 
 @given(st.integers(0, 2**32 - 1), st.floats(0.3, 40), st.floats(0.05, 3))

@@ -37,6 +37,14 @@ def test_whole_numbers_are_summed_without_rounding(seed: int, height: int, width
     assert nf.rmse(a, b) == math.sqrt(exact / a.size)
 
 
+def test_pictures_that_are_tall_and_narrow_or_repeated_without_end_need_no_memory() -> None:
+    tall = np.broadcast_to(np.float32(0.25), (1 << 26, 1))
+    assert nf.rmse(tall, tall) == 0.0
+    assert nf.ssim(tall, tall, data_range=1, window="global") == 1.0
+    with pytest.raises(ValueError, match="fewer than 2³² pixels each way"):
+        nf.ssim(*[np.broadcast_to(np.float32(0), (1 << 40, 1))] * 2, data_range=1)
+
+
 def test_psnr_is_scikit_images() -> None:
     need("skimage")
     from skimage.metrics import peak_signal_noise_ratio

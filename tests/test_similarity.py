@@ -128,6 +128,74 @@ def test_float32_stays_with_float64(case: tuple[str, NDArray[np.float32], NDArra
         assert np.abs(found - exact).max() < 1e-5
 
 
+def outliers(kind: type) -> Iterator[tuple[str, NDArray[Any], NDArray[Any]]]:
+    """Pictures whose values lie far apart: what is near their mean is none of them."""
+    random = np.random.default_rng(3)
+    base = 0.5 + 0.1 * random.random((100, 140))
+    noisy = base + 0.02 * random.random(base.shape)
+    y, x = np.mgrid[:100, :140]
+    sun = np.hypot(y - 40, x - 60) < 12
+    for value in (1e3, 65504.0, 1e6, 1e9, 1e20):
+        for name, (a, b) in {
+            "a sun": [np.where(sun, value, p) for p in (base, noisy)],
+            "a pixel": [np.where((y == 56) & (x == 56), value, p) for p in (base, noisy)],
+            "half raised": [p + np.where(x < 50, value, 0) for p in (base, noisy)],
+        }.items():
+            yield f"{name} {value:g}", a.astype(kind), b.astype(kind)
+    yield "values that squares of float32 lose", (1e10 * base).astype(kind), (2.5e9 * noisy).astype(kind)
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+@pytest.mark.parametrize("window", ["gaussian", "uniform"])
+def test_digits_are_kept_beside_outliers(kind: type, window: str) -> None:
+    size = 11 if window == "gaussian" else 4
+    for name, a, b in outliers(kind):
+        exact, _ = slow_maps(a[30:70, 40:80], b[30:70, 40:80], weights(window, size), 1.0)
+        exact = exact[size:-size, size:-size]
+        _, found = nf.ssim(a, b, data_range=1, window=window, size=size, full=True)
+        part = found[30:70, 40:80][size:-size, size:-size]
+        np.testing.assert_allclose(part, exact, rtol=0, atol=1e-5 if kind == np.float32 else 1e-10, err_msg=name)
+        # What the mask hides has no effect, though it lies within the mask's box.
+        mask = np.abs(a) < 1
+        near = np.abs(a[30:70, 40:80]) < 1
+        if not near.any():
+            continue
+        seen = nf.ssim(a[30:70, 40:80], b[30:70, 40:80], data_range=1, mask=near, masking="windows", full=True)[1]
+        expected = slow_masked(a[30:70, 40:80], b[30:70, 40:80], near, weights("gaussian", 11), 1.0)
+        np.testing.assert_allclose(seen, expected, rtol=0, atol=1e-10 if kind == np.float64 else 1e-6, err_msg=name)
+        whole = np.ones(a.shape, bool)
+        both = nf.ssim(a, b, data_range=1, mask=whole, masking="windows", full=True)[1][60:, 80:]
+        alone = nf.ssim(a[40:, 60:], b[40:, 60:], data_range=1, mask=whole[40:, 60:], masking="windows", full=True)[1]
+        np.testing.assert_allclose(
+            both, alone[20:, 20:], rtol=0, atol=1e-9 if kind == np.float64 else 1e-6, err_msg=name
+        )
+        assert mask.any()
+
+
+def test_contrasts_beyond_the_exponents_are_not_taken_for_none() -> None:
+    checks = (np.indices((60, 80)).sum(axis=0) % 2) * 2.0 - 1.0
+    for kind in (np.float32, np.float64):
+        # Beyond, the mean of nothing is rounded by more than c1, and so is what similarity is.
+        for scale in (1.0, 1e10, 1e20):
+            a = (checks * scale).astype(kind)
+            assert nf.ssim(a, -a, data_range=1, window="uniform", size=8) == pytest.approx(-1.0, abs=1e-2)
+            assert nf.ssim(a, -a, data_range=1, window="global") == pytest.approx(-1.0, abs=1e-2)
+
+
+@pytest.mark.parametrize(("size", "sigma"), [(10, 0.01), (11, 0.01), (10, 1e-200), (4, 1e3), (1, 0.1)])
+def test_any_width_of_the_window_has_weights(size: int, sigma: float) -> None:
+    a, b = pictures(23, 29)
+    offsets = np.abs(np.arange(size) - (size - 1) / 2)
+    line = (
+        weights("gaussian", size, sigma)
+        if sigma > 0.05
+        else (offsets == offsets.min()) / (offsets == offsets.min()).sum()
+    )
+    expected, _ = slow_maps(a, b, line, 1.0)
+    found = nf.ssim(a, b, data_range=1, size=size, sigma=sigma, full=True)[1]
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
+
+
 def test_float64_keeps_the_variance_at_any_level() -> None:
     a, b = pictures(40, 50)
     # Halves of 2⁻²⁰ survive adding 10⁸, so that the shifted pictures are the same but for their level.
@@ -152,8 +220,8 @@ def test_identities(shape: tuple[int, int], kind: type, window: str, size: int) 
     swapped = nf.ssim(b, a, full=True, **options)
     assert swapped[0] == mean
     np.testing.assert_array_equal(swapped[1], found)
-    # Without the map the same windows are summed in the same order.
-    assert nf.ssim(a, b, **options) == pytest.approx(mean, abs=1e-12 if kind == np.float64 else 1e-7)
+    # Without the map tiles begin elsewhere, and so do levels.
+    assert nf.ssim(a, b, **options) == pytest.approx(mean, abs=1e-12 if kind == np.float64 else 1e-6)
 
 
 @given(st.integers(0, 2**32 - 1), sizes, st.integers(1, 12), st.sampled_from(["gaussian", "uniform"]))
@@ -176,7 +244,8 @@ def test_masks_choose_what_counts() -> None:
     _, found = nf.ssim(a, b, data_range=1, full=True)
     mean, same = nf.ssim(a, b, data_range=1, mask=mask, full=True)
     assert mean == pytest.approx(found[mask].mean(), abs=1e-14)
-    np.testing.assert_array_equal(same, found)
+    # Levels are those of the mask.
+    np.testing.assert_allclose(same, found, rtol=0, atol=1e-14)
     assert nf.ssim(a, b, data_range=1, mask=mask) == pytest.approx(mean, abs=1e-14)
     assert nf.ssim(a, b, data_range=1, mask=mask.astype(np.int64) * 7) == pytest.approx(mean, abs=1e-14)
     # What no window of the mask sees does not matter.
@@ -219,6 +288,7 @@ def layouts(a: NDArray[Any]) -> Iterator[NDArray[Any]]:
     shifted = np.empty(a.nbytes + 1, np.uint8)[1:].view(a.dtype).reshape(a.shape)
     shifted[:] = a
     yield shifted
+    yield np.broadcast_to(a[None], (3, *a.shape))[1]
     record = np.zeros(a.shape, [("flag", np.uint8), ("value", a.dtype)])
     record["value"] = a
     yield record["value"]
@@ -241,6 +311,14 @@ def test_any_layout_has_the_same_bits(kind: type) -> None:
         # Tiles of maps begin elsewhere, and round otherwise.
         assert found[0] == pytest.approx(expected, abs=1e-14 if kind == np.float64 else 1e-8)
         assert found[1].shape == (61, 140, 2)
+
+
+def test_axes_of_one_pixel_may_have_any_step() -> None:
+    line = np.linspace(0, 1, 50)[None]
+    back = line[::-1]
+    assert nf.ssim(back, line, data_range=1) == nf.rmse(back, line) + 1 == 1.0
+    one = np.zeros((1, 5, 3), [("flag", np.uint8), ("value", np.float32)])["value"][0, :1, :1]
+    assert nf.rmse(one, one + 1) == 1.0
 
 
 def test_types_meet_in_the_smallest_that_holds_both() -> None:
@@ -325,13 +403,21 @@ def test_sequences_are_read_as_they_go() -> None:
     with pytest.raises(ValueError, match="data_range"):
         list(nf.visual_continuity([a, b]))
 
+    def same_memory() -> Iterator[NDArray[np.float64]]:
+        buffer = np.empty_like(a)
+        for picture in (a, b):
+            buffer[:] = picture
+            yield buffer
+
+    assert list(nf.visual_continuity(same_memory(), data_range=1)) == [change]
+
 
 @pytest.mark.parametrize(
     ("call", "error", "message"),
     [
         (lambda a, b: nf.ssim(a, b), ValueError, "data_range: expected"),
         (lambda a, b: nf.ssim(a, b, data_range=0), ValueError, "data_range"),
-        (lambda a, b: nf.ssim(a, b, data_range=1e-200), ValueError, "data_range: expected a range whose square"),
+        (lambda a, b: nf.ssim(a, b, data_range=1e-200), ValueError, "data_range, k1, k2: expected squares"),
         (lambda a, b: nf.ssim(a, b[1:], data_range=1), ValueError, r"test: expected shape \(37, 53\), got"),
         (lambda a, b: nf.ssim(a[:0], b[:0], data_range=1), ValueError, "at least one value"),
         (lambda a, b: nf.ssim(a[0], b[0], data_range=1), ValueError, "reference: expected shape"),
@@ -354,10 +440,27 @@ def test_sequences_are_read_as_they_go() -> None:
         (lambda a, b: nf.ssim(a, [[1], [1, 2]], data_range=1), ValueError, "test: expected rows of equal length"),
         (lambda a, b: nf.ssim_pairs(a, b[1:], data_range=1), ValueError, "tests: expected pictures of"),
         (lambda a, b: nf.ssim_pairs(a[0], b[0], data_range=1), ValueError, "references: expected shape"),
-        (lambda a, b: nf.ssim_pairs([a] * 2, [b] * 3, data_range=1), ValueError, "tests: expected axes"),
+        (lambda a, b: nf.ssim_pairs([a] * 2, [b] * 3, data_range=1), ValueError, "tests, masks: expected axes"),
         (lambda a, b: nf.ssim_pairs(a, b, data_range=1, masks=a[1:] > 0), ValueError, "masks: expected pictures"),
         (lambda a, b: nf.ssim_pairs(a, b, data_range=cast(Any, None)), ValueError, "data_range"),
         (lambda a, b: nf.ms_ssim(a, b, data_range=1, weights=[]), ValueError, "weights"),
+        (lambda a, b: nf.ssim(a, b, data_range=1e200), ValueError, "data_range, k1, k2: expected squares"),
+        (lambda a, b: nf.ssim(a, b, data_range=1, masking="windows"), ValueError, "masking: expected a mask"),
+        (
+            lambda a, b: nf.ssim(a, b, data_range=1, mask=a > 0, masking="windows", convention="wang-downsampled"),
+            ValueError,
+            "masking: expected 'mean'",
+        ),
+        (lambda a, b: nf.ssim(a, b, data_range=1, mask=[[1], [1, 2]]), ValueError, "mask: expected rows"),
+        (lambda a, b: nf.ssim(np.ma.masked_less(a, 0.5), b, data_range=1), TypeError, "reference: expected a plain"),
+        (lambda a, b: nf.ssim_pairs(a, b, data_range=1, masks=True), ValueError, "masks: expected pictures"),
+        (lambda a, b: nf.ssim_pairs(a * np.nan, b, data_range=1), ValueError, "references: expected finite"),
+        (lambda a, b: nf.ssim_pairs(a, "x", data_range=1), TypeError, "tests: expected real numbers"),
+        (
+            lambda a, b: nf.ssim(np.stack([a] * 3, -1), np.stack([b, b, np.full_like(b, np.inf)], -1), data_range=1),
+            ValueError,
+            r"2\)$",
+        ),
         (lambda a, b: nf.ms_ssim(a, b, data_range=1, weights=[-1]), ValueError, "weights"),
     ],
 )

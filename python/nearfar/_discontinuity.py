@@ -27,7 +27,7 @@ def discontinuity(
     truth_camera
         The view that the truth would be rendered from; by default the frame's own.
     epsilon
-        Pixels of the truth, up to 10,000.
+        Pixels of the truth, from a millionth up to 10,000. Time goes with its square.
     min_distance
         Distances in the truth below this are raised to it: its resolution.
 
@@ -35,8 +35,8 @@ def discontinuity(
     -------
     NDArray
         (H, W) float32: 0 where nothing is torn, 1 where neighbours are twice as far apart, negative where they
-        are pushed together. NaN for pixels without a surface, behind the truth's camera, or without neighbours. For
-        the truth itself it is 0 up to the rounding of positions.
+        are pushed together. NaN for pixels without a surface, behind the truth's camera, more than 10⁷ pixels
+        beside its picture, or without neighbours. For the truth itself it is 0 up to the rounding of positions.
 
     Raises
     ------

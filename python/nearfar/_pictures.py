@@ -39,19 +39,15 @@ class Pair(NamedTuple):
     data_range: float | None
     """1 for frames."""
 
-    def as_float64(self) -> Pair:
-        """Both converted."""
-        return Pair(self.reference.astype(np.float64), self.test.astype(np.float64), self.data_range)
-
-    def refuse(self) -> ValueError:
+    def refuse(self, names: tuple[str, str] = ("reference", "test")) -> ValueError:
         """Why a result is no number: the picture that is to blame, and where."""
-        for name, values in (("reference", self.reference), ("test", self.test)):
+        for name, values in zip(names, (self.reference, self.test), strict=True):
             if values.dtype.kind == "f" and not np.isfinite(values).all():
                 bad = np.argwhere(~np.isfinite(values))
                 where = tuple(int(i) for i in bad[0])
                 return ValueError(f"{name}: expected finite numbers, got {len(bad)} that are not, the first at {where}")
         return ValueError(
-            f"reference: expected values up to {GREATEST:g}, whose squares float64 holds, got greater ones"
+            f"{names[0]}: expected values up to {GREATEST:g}, whose squares float64 holds, got greater ones"
         )
 
     def extent(self) -> float:
@@ -88,9 +84,11 @@ def pair(reference: ArrayLike | Frame, test: ArrayLike | Frame, data_range: floa
     return Pair(first, second, data_range)
 
 
-def stack(reference: ArrayLike, test: ArrayLike) -> tuple[NDArray[Any], NDArray[Any]]:
+def stack(
+    reference: ArrayLike, test: ArrayLike, names: tuple[str, str] = ("reference", "test")
+) -> tuple[NDArray[Any], NDArray[Any]]:
     """Both as arrays of one type that kernels read, of any shapes."""
-    first, second = numbers("reference", reference), numbers("test", test)
+    first, second = numbers(names[0], reference), numbers(names[1], test)
     common = np.result_type(*(_READ.get(array.dtype.newbyteorder("="), np.float64) for array in (first, second)))
     return _readable(first, common), _readable(second, common)
 
@@ -104,7 +102,7 @@ def luma(frame: Frame) -> NDArray[np.float64]:
 
 def mask_of(mask: ArrayLike, name: str = "mask") -> NDArray[np.uint8]:
     """Which pixels a mask names, as bytes; TypeError for anything but true and false or whole numbers."""
-    given = np.asarray(mask)
+    given = _plain(name, mask)
     if given.dtype.kind not in "biu":
         raise TypeError(f"{name}: expected true and false, got {given.dtype}")
     named: NDArray[np.uint8] = _readable((given if given.dtype.kind == "b" else given != 0).view(np.uint8), np.uint8)
@@ -113,13 +111,19 @@ def mask_of(mask: ArrayLike, name: str = "mask") -> NDArray[np.uint8]:
 
 def numbers(name: str, value: ArrayLike) -> NDArray[Any]:
     """An array of real numbers or of true and false; ValueError or TypeError otherwise."""
-    try:
-        given = np.asarray(value)
-    except ValueError:
-        raise ValueError(f"{name}: expected rows of equal length") from None
+    given = _plain(name, value)
     if given.dtype.kind not in "biuf":
         raise TypeError(f"{name}: expected real numbers, got {type(value).__name__} of type {given.dtype}")
     return given
+
+
+def _plain(name: str, value: ArrayLike) -> NDArray[Any]:
+    if isinstance(value, np.ma.MaskedArray):
+        raise TypeError(f"{name}: expected a plain array, got a masked one, whose mask would be lost")
+    try:
+        return np.asarray(value)
+    except ValueError:
+        raise ValueError(f"{name}: expected rows of equal length") from None
 
 
 def _readable(array: NDArray[Any], dtype: DTypeLike) -> NDArray[Any]:
@@ -128,4 +132,5 @@ def _readable(array: NDArray[Any], dtype: DTypeLike) -> NDArray[Any]:
     typed = array.view(np.uint8) if array.dtype.kind == "b" else array
     typed = typed.astype(wanted, copy=False)
     plain = typed.flags.aligned and all(step >= 0 and step % wanted.itemsize == 0 for step in typed.strides)
-    return typed if plain else np.ascontiguousarray(typed)
+    # A copy by all means: to NumPy axes of one value are contiguous whatever their step.
+    return typed if plain else np.array(typed, order="C", copy=True)

@@ -19,13 +19,15 @@ CONVENTIONS = ("wang", "wang-downsampled", "skimage", "full")
 
 MASKINGS = ("mean", "windows")
 
+NAMES = ("references", "tests")
+
 SCALE_WEIGHTS = (0.0448, 0.2856, 0.3001, 0.2363, 0.1333)
 """Wang, Simoncelli, Bovik (2003), for ordinary viewing of images of some hundred pixels."""
 
 # Pixels from which a bar is shown and Ctrl-C is looked for.
 _LONG = 1 << 26
-# Constants whose products float32 and float64 hold with all digits.
-_LEAST = {np.dtype(np.float32): 1e-15, np.dtype(np.float64): 1e-140}
+# Constants whose product float64 holds with all digits.
+_CONSTANTS = (1e-140, 1e140)
 
 
 class Window(NamedTuple):
@@ -40,15 +42,27 @@ class Window(NamedTuple):
 
     @classmethod
     def checked(
-        cls, window: str, size: int, sigma: float, k1: float, k2: float, convention: str = "wang", masking: str = "mean"
+        cls,
+        window: str,
+        size: int,
+        sigma: float,
+        k1: float,
+        k2: float,
+        convention: str = "wang",
+        masking: str = "mean",
+        *,
+        masked: bool = False,
     ) -> Window:
         """ValueError or TypeError for what is out of its domain."""
         _check.choice("window", window, WINDOWS)
         _check.choice("convention", convention, CONVENTIONS)
         _check.choice("masking", masking, MASKINGS)
         least = 2 if convention == "skimage" and window != "global" else 1
-        if convention == "skimage" and masking == "windows":
-            raise ValueError("masking: expected 'mean' with convention='skimage', which knows no masked windows")
+        if masking == "windows" and not masked:
+            raise ValueError("masking: expected a mask with 'windows', got none")
+        if masking == "windows" and convention in ("skimage", "wang-downsampled"):
+            reason = "knows no masked windows" if convention == "skimage" else "makes pictures smaller without the mask"
+            raise ValueError(f"masking: expected 'mean' with convention={convention!r}, which {reason}, got 'windows'")
         return cls(
             window,
             _check.integer("size", size, least, 10_001),
@@ -68,7 +82,13 @@ class Window(NamedTuple):
         """All that is the same for every pair of a comparison."""
         height, width = pair.reference.shape[-2:]
         extent = pair.extent()
-        c1, c2 = (self.k1 * extent) ** 2, (self.k2 * extent) ** 2
+        # Products overflow to infinity, where powers raise.
+        c1, c2 = (k * extent * k * extent for k in (self.k1, self.k2))
+        if not _CONSTANTS[0] <= min(c1, c2) <= max(c1, c2) <= _CONSTANTS[1]:
+            raise ValueError(
+                f"data_range, k1, k2: expected squares of k1 data_range and k2 data_range from {_CONSTANTS[0]:g} to "
+                f"{_CONSTANTS[1]:g}, got {c1:g} and {c2:g}"
+            )
         if self.convention == "skimage":
             # Sample covariances are N/(N − 1) times the windows' own: as if c2 were smaller by that.
             count = height * width if self.name == "global" else self.size**2
@@ -128,7 +148,8 @@ def ssim(
         the picture, all count. With `full` also the map, (H, W) or (H, W, C) (smaller if downsampled), float64 for
         float64 and float32 for other types, for which pictures are mirrored at their borders; NaN outside of the mask
         where windows see nothing else. In float64 mean and map differ from scikit-image's by less than 1e-12 and
-        1e-10; in other types, computed in float32 about local means, from float64's by 1e-6 and 1e-5.
+        1e-10; in other types, computed in float32 about local means, from float64's by 1e-6 and 1e-5. Parts of pictures
+        whose values lie so far apart that digits would be lost are done in float64, or window by window.
 
     Raises
     ------
@@ -139,13 +160,15 @@ def ssim(
     ----------
     Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13. Masked windows: Knutsson, Westin (1993).
     """
-    wanted = Window.checked(window, size, sigma, k1, k2, convention, masking)
+    wanted = Window.checked(window, size, sigma, k1, k2, convention, masking, masked=mask is not None)
     pair = _pictures.pair(reference, test, data_range)
     if pair.reference.ndim not in (2, 3):
         raise ValueError(f"reference: expected shape (H, W) or (H, W, C), got {pair.reference.shape}")
     channels = _channels_first(pair)
     masks = None if mask is None else _masks(mask, channels.reference.shape, wanted)
     sums, maps = _compare(channels, wanted, masks, masking, full=full)
+    if not np.isfinite(sums).all():
+        raise pair.refuse()
     if not sums[..., 1].all():
         raise ValueError("mask: expected at least one pixel whose window lies within the picture, got none")
     mean = float((sums[..., 0] / sums[..., 1]).mean())
@@ -191,29 +214,32 @@ def ssim_pairs(
     ValueError, TypeError
         As in `ssim`, and for axes that do not broadcast.
     """
-    wanted = Window.checked(window, size, sigma, k1, k2, convention, masking)
-    first, second = _pictures.stack(references, tests)
+    wanted = Window.checked(window, size, sigma, k1, k2, convention, masking, masked=masks is not None)
+    first, second = _pictures.stack(references, tests, NAMES)
     for name, array in (("references", first), ("tests", second)):
         if array.ndim < 2 or 0 in array.shape[-2:]:
             raise ValueError(f"{name}: expected shape (..., H, W) with at least one pixel, got {array.shape}")
     if first.shape[-2:] != second.shape[-2:]:
         raise ValueError(f"tests: expected pictures of {first.shape[-2:]} pixels, got {second.shape[-2:]}")
     factor = wanted.shrink(*first.shape[-2:])
-    named = None if masks is None else _pictures.mask_of(masks, "masks")[..., ::factor, ::factor]
-    if named is not None and named.shape[-2:] != first[..., ::factor, ::factor].shape[-2:]:
-        raise ValueError(f"masks: expected pictures of {first.shape[-2:]} pixels, got another size")
+    named = None if masks is None else _pictures.mask_of(masks, "masks")
+    if named is not None and named.shape[-2:] != first.shape[-2:]:
+        raise ValueError(f"masks: expected pictures of {first.shape[-2:]} pixels, got shape {named.shape}")
+    named = None if named is None else named[..., ::factor, ::factor]
     parts = [array for array in (first, second, named) if array is not None]
     try:
         outer = np.broadcast_shapes(*(array.shape[:-2] for array in parts))
     except ValueError:
         shapes = ", ".join(str(array.shape[:-2]) for array in parts)
-        raise ValueError(f"tests: expected axes that broadcast with the references', got {shapes}") from None
+        raise ValueError(f"tests, masks: expected axes that broadcast with the references', got {shapes}") from None
     spread = [np.broadcast_to(array, outer + array.shape[-2:]) for array in parts]
     pair = Pair(spread[0], spread[1], data_range)
     if not math.prod(outer):
         pair.extent()
         return np.empty(outer)
     sums, _ = _compare(pair, wanted, spread[2] if named is not None else None, masking)
+    if not np.isfinite(sums).all():
+        raise Pair(first, second, data_range).refuse(NAMES)
     counted = sums[..., 1] > 0
     found: NDArray[np.float64] = np.divide(sums[..., 0], sums[..., 1], out=np.full(outer, np.nan), where=counted)
     return found
@@ -263,12 +289,10 @@ def ms_ssim(
     if pair.reference.ndim not in (2, 3):
         raise ValueError(f"reference: expected shape (H, W) or (H, W, C), got {pair.reference.shape}")
     channels = _channels_first(pair)
-
-    def measure(pair: Pair) -> NDArray[np.float64]:
-        settings = wanted.settings(pair)
-        return np.array(_core.multiscale(pair.reference, pair.test, settings=settings, scales=len(exponents)))
-
-    means = _precisely(channels, wanted, measure)
+    settings = wanted.settings(channels)
+    means = np.array(_core.multiscale(channels.reference, channels.test, settings=settings, scales=len(exponents)))
+    if not np.isfinite(means).all():
+        raise pair.refuse()
     factors = np.concatenate([means[:, :-1, 1], means[:, -1:, 0]], axis=1)
     return float((np.maximum(factors, 0.0) ** exponents).prod(axis=1).mean())
 
@@ -299,8 +323,9 @@ def visual_continuity(frames: Iterable[ArrayLike | Frame], *, data_range: float 
     """
     last = None
     for frame in frames:
-        # Frames are converted once, not for both of their neighbours.
-        current: Any = _pictures.luma(frame) if isinstance(frame, Frame) else frame
+        # Frames are converted once, not for both of their neighbours; others are copied, because whoever makes them may
+        # write the next one into the same memory.
+        current: Any = _pictures.luma(frame) if isinstance(frame, Frame) else np.array(frame)
         extent = 1.0 if data_range is None and isinstance(frame, Frame) else data_range
         if last is not None:
             yield ssim(last, current, data_range=extent, window="global")
@@ -331,37 +356,15 @@ def _compare(
     shape = pair.reference.shape
     factor = window.shrink(*shape[-2:])
     map_shape = (*shape[:-2], -(-shape[-2] // factor), -(-shape[-1] // factor)) if full else None
-    maps: list[NDArray[Any] | None] = [None]
+    settings = window.settings(pair, masking)
 
-    def measure(pair: Pair) -> NDArray[np.float64]:
-        settings = window.settings(pair, masking)
+    def run(report: Any) -> tuple[NDArray[np.float64], NDArray[Any] | None]:
+        sums, maps = _core.similarity(
+            pair.reference, pair.test, settings=settings, masks=masks, map_shape=map_shape, report=report
+        )
+        return np.array(sums).reshape(*shape[:-2], 2), maps
 
-        def run(report: Any) -> NDArray[np.float64]:
-            sums, maps[0] = _core.similarity(
-                pair.reference, pair.test, settings=settings, masks=masks, map_shape=map_shape, report=report
-            )
-            return np.array(sums).reshape(*shape[:-2], 2)
-
-        if pair.reference.size < _LONG:
-            return run(None)
-        with _progress.bar("comparing pictures") as report:
-            return run(report)
-
-    return _precisely(pair, window, measure), maps[0]
-
-
-def _precisely(pair: Pair, window: Window, measure: Any) -> NDArray[np.float64]:
-    """What `measure` finds, in float64 where float32 does not hold the constants or the pictures' squares."""
-    kind = np.dtype(np.float64 if pair.reference.dtype == np.float64 else np.float32)
-    least = min(window.settings(pair)[3])
-    if least < _LEAST[np.dtype(np.float64)] or not math.isfinite(max(window.settings(pair)[3])):
-        raise ValueError(f"data_range: expected a range whose square float64 holds, got {pair.data_range}")
-    found: NDArray[np.float64]
-    if kind == np.float32 and least >= _LEAST[kind]:
-        found = measure(pair)
-        if np.isfinite(found).all():
-            return found
-    found = measure(pair if kind == np.float64 else pair.as_float64())
-    if not np.isfinite(found).all():
-        raise pair.refuse()
-    return found
+    if pair.reference.size < _LONG:
+        return run(None)
+    with _progress.bar("comparing pictures") as report:
+        return run(report)

@@ -2,9 +2,13 @@
 
 use rayon::prelude::*;
 
-use super::measure::{Measure, Measured, Source};
+use super::direct::measured;
+use super::measure::{Measured, Source};
 use super::plane::{Part, Plane, Real};
 use super::similarity::{Counted, Mask, Pair, Sums};
+
+/// Pixels of one task, and of a row at once: fixed, so that sums do not depend on the number of threads.
+const TASK: usize = 1 << 14;
 
 /// The same similarity for every pixel; the window sees the whole image or what a mask names.
 pub(super) fn global<P: Source>(
@@ -21,14 +25,22 @@ pub(super) fn global<P: Source>(
     if part.is_empty() {
         return Sums::default();
     }
-    let levels = [&pair.reference, &pair.test]
-        .map(|image| image.level(part.rows[0]..part.rows[1], part.columns[0]..part.columns[1]));
-    let rows: Vec<[f64; 5]> =
-        (part.rows[0]..part.rows[1]).into_par_iter().map(|row| row_sums(pair, row, part, levels, seen)).collect();
-    let [pixels, sums @ ..] = rows.into_iter().fold([0.0; 5], |sums, row| std::array::from_fn(|i| sums[i] + row[i]));
+    let levels = pair.levels(&part, seen.as_ref());
+    let rows = (TASK / width).max(1);
+    let task = |n: usize| {
+        let end = part.rows[1].min(part.rows[0] + (n + 1) * rows);
+        let each = (part.rows[0] + n * rows..end).map(|row| row_sums(pair, row, part, levels, seen));
+        each.fold([0.0; 5], add)
+    };
+    let tasks = (part.rows[1] - part.rows[0]).div_ceil(rows);
+    let tasks: Vec<[f64; 5]> = (0..tasks).into_par_iter().map(task).collect();
+    let [pixels, sums @ ..] = tasks.into_iter().fold([0.0; 5], add);
     let [s, d, ss, dd] = sums.map(|sum| sum / pixels);
-    let measure = Measure { levels: levels.map(Real::wide), constants };
-    let (similarity, contrast) = measure.of::<true>([s, ss - s * s], [d, dd - d * d]);
+    let [x, y] = [levels[0] + 0.5 * (s + d), levels[1] + 0.5 * (s - d)];
+    let apart = (levels[0] - levels[1]) + d;
+    let [s_variance, d_variance] = [ss - s * s, dd - d * d].map(|variance| variance.max(0.0));
+    let variances = 0.5 * (s_variance + d_variance) + constants[1];
+    let (similarity, contrast) = measured([x * x + y * y + constants[0], apart * apart], [variances, d_variance]);
     if let Some(map) = map {
         map.fill(P::Real::narrow(similarity));
     }
@@ -36,23 +48,35 @@ pub(super) fn global<P: Source>(
     Sums { similarity: similarity * count, contrast: contrast * count, pixels: count }
 }
 
+fn add(sums: [f64; 5], more: [f64; 5]) -> [f64; 5] {
+    std::array::from_fn(|i| sums[i] + more[i])
+}
+
 /// How many pixels of a row the window sees, and their sums of s, d, s² and d².
 fn row_sums<P: Source>(
     pair: &Pair<'_, P>,
     row: usize,
     part: Part,
-    levels: [P::Real; 2],
+    levels: [f64; 2],
     seen: Option<Plane<'_, u8>>,
 ) -> [f64; 5] {
-    let [first, end] = part.columns;
-    let (mut s, mut d) = (vec![P::Real::default(); end - first], vec![P::Real::default(); end - first]);
-    pair.load(row, first..end, levels, [&mut s, &mut d]);
-    if let Some(mask) = seen {
-        for values in [&mut s, &mut d] {
-            let mut columns = first..end;
-            values.retain(|_| columns.next().is_some_and(|column| mask.names(row, column)));
+    let mut total = [0.0; 5];
+    let (mut s, mut d) = (Vec::with_capacity(TASK), Vec::with_capacity(TASK));
+    let mut first = part.columns[0];
+    while first < part.columns[1] {
+        let columns = first..part.columns[1].min(first + TASK);
+        s.resize(columns.len(), 0.0);
+        d.resize(columns.len(), 0.0);
+        pair.gather(row, columns.clone(), levels, [&mut s, &mut d]);
+        if let Some(mask) = seen {
+            for values in [&mut s, &mut d] {
+                let mut columns = columns.clone();
+                values.retain(|_| columns.next().is_some_and(|column| mask.names(row, column)));
+            }
         }
+        let [sum_s, sum_d, sum_ss, sum_dd] = f64::power_sums(&s, &d);
+        total = add(total, [s.len() as f64, sum_s, sum_d, sum_ss, sum_dd]);
+        first = columns.end;
     }
-    let [sum_s, sum_d, sum_ss, sum_dd] = Measured::power_sums(&s, &d);
-    [s.len() as f64, sum_s, sum_d, sum_ss, sum_dd]
+    total
 }

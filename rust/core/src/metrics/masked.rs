@@ -3,7 +3,8 @@
 
 use rayon::prelude::*;
 
-use super::measure::{Measure, Source};
+use super::direct;
+use super::measure::{Measure, Measurement, Source};
 use super::plane::{Part, Plane, Real};
 use super::similarity::{Pair, Sums};
 use super::vectors::{LANES, fused_kernels, lanes};
@@ -12,6 +13,9 @@ use super::vectors::{LANES, fused_kernels, lanes};
 const ROWS: usize = 64;
 /// What is summed in a window: 1, s, s², d, d², where the mask names a pixel, and 0 elsewhere.
 const FIELDS: usize = 5;
+
+/// How many times a window's contrast it may lie from the level: what its squares lose is 2e-15 times the square of that.
+const REACH: f64 = 50.0;
 
 /// A comparison by windows that see only what a mask names. It is made in float64: means can lie anywhere between the
 /// values of a band, and the square of that distance is lost from variances.
@@ -74,10 +78,21 @@ impl<P: Source> Masked<'_, P> {
                 sum_down(&ring, field, (read + 1) % taps, self.weights, sums);
             }
             for column in (first..end).filter(|&column| self.mask.names(row, column)) {
-                let [weight, s, ss, d, dd] = std::array::from_fn(|n| window[n][column - first]);
-                let [s, ss, d, dd] = [s, ss, d, dd].map(|sum| sum / weight);
-                let (similarity, contrast) = measure.of::<true>([s, ss - s * s], [d, dd - d * d]);
-                sums = sums.and(Sums { similarity, contrast: if self.contrast { contrast } else { 0.0 }, pixels: 1.0 });
+                let at = column - first;
+                let share = 1.0 / window[0][at];
+                let (s, ss) = (window[1][at] * share, window[2][at] * share);
+                let (d, dd) = (window[3][at] * share, window[4][at] * share);
+                let Measurement { mut similarity, mut contrast, .. } =
+                    measure.of::<true, false>([s, ss - s * s], [d, dd - d * d]);
+                // Squares about one level for all windows of a band lose digits of those that are far from it.
+                let contrasts = 0.5 * (ss - s * s + dd - d * d) + self.constants[1];
+                if !(s * s + d * d <= REACH * REACH * contrasts && similarity.is_finite()) {
+                    (similarity, contrast) =
+                        direct::window(&self.pair, self.weights, [row, column], Some(&self.mask), self.constants);
+                }
+                sums.similarity += similarity;
+                sums.contrast += if self.contrast { contrast } else { 0.0 };
+                sums.pixels += 1.0;
                 if let Some((map, top)) = &mut map {
                     map[(row - *top) * self.mask.width + column] = P::Real::narrow(similarity);
                 }
@@ -86,12 +101,15 @@ impl<P: Source> Masked<'_, P> {
         sums
     }
 
-    /// A value that the mask names in a part, of each image.
+    /// About the means of what the mask names of a part, or one such value.
     fn levels(&self, part: Part) -> [f64; 2] {
-        let mut pixels = (part.rows[0]..part.rows[1])
-            .flat_map(|row| (part.columns[0]..part.columns[1]).map(move |column| (row, column)));
-        let (row, column) = pixels.find(|&(row, column)| self.mask.names(row, column)).unwrap_or((0, 0));
-        [&self.pair.reference, &self.pair.test].map(|image| image.at(row, column).wide())
+        let mut rows = part.rows[0]..part.rows[1];
+        let named = |row| self.mask.first_and_last(row, part.columns).map(|(first, _)| (row, first));
+        let (row, column) = rows.find_map(named).unwrap_or((part.rows[0], part.columns[0]));
+        let near = Part { rows: [row, part.rows[1]], columns: [column, part.columns[1]] };
+        let levels = self.pair.levels(&near, Some(&self.mask));
+        let first = [&self.pair.reference, &self.pair.test].map(|image| image.at(row, column).wide());
+        if self.mask.names_samples(&near) { levels } else { first }
     }
 
     /// A row of fields, from `before` pixels left of the part on.

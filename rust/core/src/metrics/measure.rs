@@ -2,7 +2,7 @@
 
 use super::moments::{COLUMNS, Kernels, Moments};
 use super::plane::{Pixel, Real};
-use super::vectors::LANES;
+use super::vectors::{LANES, fused_kernels};
 use crate::base::simd::widest;
 
 /// What turns moments into similarity.
@@ -15,29 +15,46 @@ pub struct Measure<R> {
 }
 
 impl<R: Real> Measure<R> {
-    /// Similarity, and where wanted its second factor, from mean and variance of s and of d. Both factors are 1 less something that
-    /// is never negative: l = 1 − (μx−μy)²/(μx²+μy²+c₁) and cs = 1 − σd²/((σs²+σd²)/2 + c₂). Either order of
-    /// the images gives the same bits.
+    /// Similarity, and where wanted its second factor, from mean and variance of s and of d. With S and D the sum and the
+    /// difference of both means, both factors are 1 less something that is never negative:
+    /// l = 1 − D²/((S²+D²)/2+c₁) and cs = 1 − σd²/((σs²+σd²)/2 + c₂). Either order of the images gives the same bits.
     #[inline(always)]
-    pub fn of<const CONTRAST: bool>(&self, [s, s2]: [R; 2], [d, d2]: [R; 2]) -> (R, R) {
+    pub fn of<const CONTRAST: bool, const FUSED: bool>(&self, [s, s2]: [R; 2], [d, d2]: [R; 2]) -> Measurement<R> {
         let (half, zero) = (R::narrow(0.5), R::default());
-        let s2 = if s2 > zero { s2 } else { zero };
-        let d2 = if d2 > zero { d2 } else { zero };
-        let (x, y) = (self.levels[0] + half * (s + d), self.levels[1] + half * (s - d));
-        let apart = (self.levels[0] - self.levels[1]) + d;
-        let (means, luminance) = (x * x + y * y + self.constants[0], apart * apart);
-        let variances = half * (s2 + d2) + self.constants[1];
+        // What is no number stays none.
+        let s2 = if s2 < zero { zero } else { s2 };
+        let d2 = if d2 < zero { zero } else { d2 };
+        let sum = (self.levels[0] + self.levels[1]) + s;
+        let difference = (self.levels[0] - self.levels[1]) + d;
+        let apart = difference * difference;
+        let means = R::fuse::<FUSED>(half, R::fuse::<FUSED>(sum, sum, apart), self.constants[0]);
+        let variances = R::fuse::<FUSED>(half, s2 + d2, self.constants[1]);
         let shared = variances - d2;
         // One division for both factors.
-        let similarity = (means - luminance) * shared / (means * variances);
-        (similarity, if CONTRAST { shared / variances } else { zero })
+        let divisor = means * variances;
+        let similarity = (means - apart) * shared / divisor;
+        // What was rounded when levels were subtracted changes similarity by that over √variances at most.
+        let reach = R::narrow(R::REACH * R::REACH) * variances;
+        let holds = (R::fuse::<FUSED>(s, s, d * d) <= reach) & (divisor <= R::narrow(R::DIVISOR));
+        Measurement { similarity, contrast: if CONTRAST { shared / variances } else { zero }, holds }
     }
+}
+
+/// Of one window.
+#[derive(Clone, Copy, Debug)]
+pub struct Measurement<R> {
+    /// The measure.
+    pub similarity: R,
+    /// Its second factor, where it is wanted.
+    pub contrast: R,
+    /// False where the precision or the level lost digits or exponents.
+    pub holds: bool,
 }
 
 /// Precisions that similarity is measured in.
 pub trait Measured: Real {
-    /// Similarity of a row of windows, and the sums over those that count of it and, where wanted, of its second factor.
-    fn measure(measure: &Measure<Self>, s: &Moments<Self>, d: &Moments<Self>, row: &mut Row<Self>) -> [f64; 2];
+    /// Similarity of a row of windows; adds up it and, where wanted, its second factor over those that count.
+    fn measure(measure: &Measure<Self>, s: &Moments<Self>, d: &Moments<Self>, row: &mut Row<Self>);
     /// Sums of s, d, s² and d².
     fn power_sums(s: &[Self], d: &[Self]) -> [f64; 4];
 }
@@ -62,19 +79,23 @@ pub struct Row<R> {
     pub blocks: usize,
     /// Whether the second factor is wanted.
     pub contrast: bool,
+    /// Whether windows that do not count must hold as well.
+    pub all: bool,
+    /// Whether all windows of the last row held that must.
+    pub holds: bool,
+    /// Of all rows since they were last set to 0, lane by lane: similarity and its second factor.
+    pub sums: [[f64; LANES]; 2],
 }
 
 macro_rules! measured {
     ($($real:ty: $both:ident, $one:ident, $powers:ident);*) => {$(
-        widest! {
+        fused_kernels! {
             fn $both(
                 measure: &Measure<$real>, s: &Moments<$real>, d: &Moments<$real>, row: &mut Row<$real>,
-            ) -> [f64; 2] = measure_row::<$real, true>;
-        }
-        widest! {
+            ) = both<_>;
             fn $one(
                 measure: &Measure<$real>, s: &Moments<$real>, d: &Moments<$real>, row: &mut Row<$real>,
-            ) -> [f64; 2] = measure_row::<$real, false>;
+            ) = one<_>;
         }
         widest! {
             fn $powers(s: &[$real], d: &[$real]) -> [f64; 4] = power_sums;
@@ -83,7 +104,7 @@ macro_rules! measured {
             fn power_sums(s: &[Self], d: &[Self]) -> [f64; 4] {
                 $powers(s, d)
             }
-            fn measure(measure: &Measure<Self>, s: &Moments<Self>, d: &Moments<Self>, row: &mut Row<Self>) -> [f64; 2] {
+            fn measure(measure: &Measure<Self>, s: &Moments<Self>, d: &Moments<Self>, row: &mut Row<Self>) {
                 if row.contrast { $both(measure, s, d, row) } else { $one(measure, s, d, row) }
             }
         }
@@ -92,10 +113,22 @@ macro_rules! measured {
 
 measured!(f32: both_f32, one_f32, powers_f32; f64: both_f64, one_f64, powers_f64);
 
+#[inline(always)]
+fn both<R: Real, const FUSED: bool>(measure: &Measure<R>, s: &Moments<R>, d: &Moments<R>, row: &mut Row<R>) {
+    measure_row::<R, true, FUSED>(measure, s, d, row);
+}
+
+#[inline(always)]
+fn one<R: Real, const FUSED: bool>(measure: &Measure<R>, s: &Moments<R>, d: &Moments<R>, row: &mut Row<R>) {
+    measure_row::<R, false, FUSED>(measure, s, d, row);
+}
+
 macro_rules! source {
     ($($pixel:ty, $real:ty: $kernel:ident, $squares:ident = $square:ident);*) => {$(
         widest! {
-            fn $kernel(x: &[$pixel], y: &[$pixel], levels: [$real; 2], s: &mut [$real], d: &mut [$real]) = spread;
+            fn $kernel(
+                x: &[$pixel], y: &[$pixel], levels: [$real; 2], s: &mut [$real], d: &mut [$real],
+            ) = spread;
         }
         widest! {
             fn $squares(x: &[$pixel], y: &[$pixel]) -> f64 = $square;
@@ -104,8 +137,10 @@ macro_rules! source {
             fn squares(x: &[Self], y: &[Self]) -> f64 {
                 $squares(x, y)
             }
-            fn sum_and_difference(x: &[Self], y: &[Self], levels: [$real; 2], s: &mut [$real], d: &mut [$real]) {
-                $kernel(x, y, levels, s, d);
+            fn sum_and_difference(
+                x: &[Self], y: &[Self], levels: [$real; 2], s: &mut [$real], d: &mut [$real],
+            ) {
+                $kernel(x, y, levels, s, d)
             }
         }
     )*};
@@ -174,13 +209,14 @@ fn spread<P: Pixel>(x: &[P], y: &[P], levels: [P::Real; 2], s: &mut [P::Real], d
 }
 
 #[inline(always)]
-fn measure_row<R: Real, const CONTRAST: bool>(
+fn measure_row<R: Real, const CONTRAST: bool, const FUSED: bool>(
     measure: &Measure<R>,
     s: &Moments<R>,
     d: &Moments<R>,
     row: &mut Row<R>,
-) -> [f64; 2] {
-    let mut sums = [[0.0; LANES]; 2];
+) {
+    let mut sums = row.sums;
+    let (mut lost, all) = ([0u32; LANES], row.all);
     let (s_mean, s_variance) = (s.mean.as_chunks::<LANES>().0, s.variance.as_chunks::<LANES>().0);
     let (d_mean, d_variance) = (d.mean.as_chunks::<LANES>().0, d.variance.as_chunks::<LANES>().0);
     let similarity = row.similarity.as_chunks_mut::<LANES>().0;
@@ -188,7 +224,10 @@ fn measure_row<R: Real, const CONTRAST: bool>(
         let mut contrast = [R::default(); LANES];
         for i in 0..LANES {
             let (s, d) = ([s_mean[block][i], s_variance[block][i]], [d_mean[block][i], d_variance[block][i]]);
-            (similarity[block][i], contrast[i]) = measure.of::<CONTRAST>(s, d);
+            let found = measure.of::<CONTRAST, FUSED>(s, d);
+            (similarity[block][i], contrast[i]) = (found.similarity, found.contrast);
+            let must = all | (counts[i] > R::default());
+            lost[i] |= u32::from(must & !found.holds);
         }
         // Chosen, not multiplied: what is not counted may be no number.
         for i in 0..LANES {
@@ -199,13 +238,8 @@ fn measure_row<R: Real, const CONTRAST: bool>(
             }
         }
     }
-    let mut total = [0.0; 2];
-    for (total, lanes) in total.iter_mut().zip(&sums) {
-        for lane in lanes {
-            *total += lane;
-        }
-    }
-    total
+    row.sums = sums;
+    row.holds = lost.iter().fold(0, |any, lane| any | lane) == 0;
 }
 
 #[inline(always)]

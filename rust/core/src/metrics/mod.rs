@@ -2,6 +2,7 @@
 
 mod batch;
 mod completion;
+mod direct;
 mod discontinuity;
 mod global;
 mod masked;

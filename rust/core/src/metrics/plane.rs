@@ -12,6 +12,15 @@ pub trait Pixel: Copy + Send + Sync {
 
 /// Float32 or float64.
 pub trait Real: num::Float {
+    /// How many times a window's contrast, √(σ² + c₂), it may lie from the level: rounding there changes similarity by
+    /// that over the contrast at most, 8e-6 in float32 and 4e-11 in float64.
+    const REACH: f64;
+    /// Up to where levels have squares, and these a product.
+    const GREATEST: f64;
+    /// Up to where that product is far from the greatest number.
+    const DIVISOR: f64;
+    /// From where on the product of both constants holds with all digits.
+    const LEAST: f64;
     /// The nearest value.
     fn narrow(value: f64) -> Self;
     /// The same value.
@@ -42,6 +51,10 @@ mod num {
 }
 
 impl Real for f32 {
+    const REACH: f64 = 130.0;
+    const GREATEST: f64 = 1e8;
+    const DIVISOR: f64 = 1e37;
+    const LEAST: f64 = 1e-15;
     #[inline(always)]
     fn narrow(value: f64) -> Self {
         value as Self
@@ -57,6 +70,10 @@ impl Real for f32 {
 }
 
 impl Real for f64 {
+    const REACH: f64 = 3e5;
+    const GREATEST: f64 = 1e75;
+    const DIVISOR: f64 = 1e305;
+    const LEAST: f64 = 1e-140;
     #[inline(always)]
     fn narrow(value: f64) -> Self {
         value
@@ -146,14 +163,21 @@ impl<'a, P: Pixel> Plane<'a, P> {
         (self.column_step == 1).then(|| &self.values[start + columns.start..start + columns.end])
     }
 
-    /// About the mean of a part of the image, from those of a few of its pixels that are finite.
-    pub fn level(&self, rows: std::ops::Range<usize>, columns: std::ops::Range<usize>) -> P::Real {
-        const EACH: usize = 8;
-        let pick = |range: &std::ops::Range<usize>, i: usize| range.start + (2 * i + 1) * range.len() / (2 * EACH);
-        let at = |i: usize| self.at(pick(&rows, i / EACH), pick(&columns, i % EACH)).wide();
-        let finite = (0..EACH * EACH).map(at).filter(|value| value.is_finite());
-        let (sum, count) = finite.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
-        P::Real::narrow(if count > 0.0 { sum / count } else { 0.0 })
+    /// About the mean of a part of the image, from a few of its pixels: of those that are finite, and that a mask names
+    /// if it names any of them.
+    pub(super) fn level(&self, part: &Part, mask: Option<&Plane<'_, u8>>) -> f64 {
+        let (mut named, mut all) = ([0.0; 2], [0.0; 2]);
+        for (row, column) in part.samples() {
+            let value = self.at(row, column).wide();
+            if value.is_finite() {
+                all = [all[0] + value, all[1] + 1.0];
+                if mask.is_some_and(|mask| mask.names(row, column)) {
+                    named = [named[0] + value, named[1] + 1.0];
+                }
+            }
+        }
+        let [sum, count] = if named[1] > 0.0 { named } else { all };
+        if count > 0.0 { sum / count } else { 0.0 }
     }
 
     /// Refuses another size.
@@ -173,6 +197,11 @@ impl Plane<'_, u8> {
         self.values[row * self.row_step + column * self.column_step] != 0
     }
 
+    /// Whether a mask names any of a part's samples.
+    pub(super) fn names_samples(&self, part: &Part) -> bool {
+        part.samples().any(|(row, column)| self.names(row, column))
+    }
+
     /// How many pixels a mask names.
     pub(super) fn count(&self) -> usize {
         let row = |row| (0..self.width).filter(|&column| self.names(row, column)).count();
@@ -180,7 +209,7 @@ impl Plane<'_, u8> {
     }
 
     /// The first and the last column of a row that a mask names.
-    fn first_and_last(&self, row: usize, [from, end]: [usize; 2]) -> Option<(usize, usize)> {
+    pub(super) fn first_and_last(&self, row: usize, [from, end]: [usize; 2]) -> Option<(usize, usize)> {
         if let Some(run) = self.run(row, from..end) {
             // Most rows name nothing, which the machine sees in whole vectors.
             if run.iter().fold(0, |any, value| any | value) == 0 {
@@ -219,6 +248,22 @@ impl Part {
         self.rows[0] >= self.rows[1] || self.columns[0] >= self.columns[1]
     }
 
+    pub fn holds_row(&self, row: usize) -> bool {
+        (self.rows[0]..self.rows[1]).contains(&row)
+    }
+
+    /// Whether a pixel lies in it.
+    pub fn holds(&self, row: usize, column: usize) -> bool {
+        self.holds_row(row) && (self.columns[0]..self.columns[1]).contains(&column)
+    }
+
+    /// A few of its pixels, evenly spread.
+    fn samples(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        const EACH: usize = 4;
+        let pick = |[from, to]: [usize; 2], i: usize| from + (2 * i + 1) * (to - from) / (2 * EACH);
+        (0..EACH * EACH).map(move |i| (pick(self.rows, i / EACH), pick(self.columns, i % EACH)))
+    }
+
     /// What of it lies within rows.
     pub fn within_rows(&self, rows: [usize; 2]) -> Self {
         Self { rows: [self.rows[0].max(rows[0]), self.rows[1].min(rows[1])], columns: self.columns }
@@ -230,4 +275,17 @@ pub(super) fn mirror(i: i64, length: usize) -> usize {
     let length = length as i64;
     let there = i.rem_euclid(2 * length);
     (if there < length { there } else { 2 * length - 1 - there }) as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_mirrored_at_their_ends() {
+        let line = |from: i64, to: i64, length: usize| (from..to).map(|i| mirror(i, length)).collect::<Vec<_>>();
+        assert_eq!(line(-2, 5, 3), [1, 0, 0, 1, 2, 2, 1]);
+        assert_eq!(line(-2, 3, 2), [1, 0, 0, 1, 1]);
+        assert_eq!(line(-2, 3, 1), [0; 5]);
+    }
 }

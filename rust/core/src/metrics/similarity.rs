@@ -9,7 +9,7 @@ use std::ops::Range;
 use super::global::global;
 use super::masked::Masked;
 use super::measure::Source;
-use super::plane::{Plane, Real};
+use super::plane::{Part, Plane, Real};
 use super::windows::Windows;
 use crate::base::{Error, Result};
 
@@ -27,8 +27,13 @@ impl Window {
     /// A Gaussian of σ pixels, cut off at `size` pixels.
     pub fn gaussian(size: usize, sigma: f64) -> Self {
         let middle = (size as f64 - 1.0) / 2.0;
-        let weights = (0..size).map(|i| (-0.5 * ((i as f64 - middle) / sigma).powi(2)).exp());
-        let weights: Vec<f64> = weights.collect();
+        let nearest = if size.is_multiple_of(2) { 0.25 } else { 0.0 };
+        // Less the least exponent, so that something is left however narrow it is.
+        let weight = |i: usize| match (i as f64 - middle).powi(2) - nearest {
+            0.0 => 1.0,
+            farther => (-0.5 * farther / sigma / sigma).exp(),
+        };
+        let weights: Vec<f64> = (0..size).map(weight).collect();
         let sum: f64 = weights.iter().sum();
         Self::Weights(weights.into_iter().map(|weight| weight / sum).collect())
     }
@@ -68,20 +73,30 @@ impl<'a, P: Source> Pair<'a, P> {
     #[inline]
     pub(super) fn load(&self, row: usize, columns: Range<usize>, levels: [P::Real; 2], [s, d]: [&mut [P::Real]; 2]) {
         let Self { reference, test } = self;
-        if let (Some(x), Some(y)) = (reference.run(row, columns.clone()), test.run(row, columns.clone())) {
-            P::sum_and_difference(x, y, levels, s, d);
-            return;
-        }
-        for ((s, d), column) in s.iter_mut().zip(d).zip(columns) {
-            (*s, *d) = self.at(row, column, levels);
+        match (reference.run(row, columns.clone()), test.run(row, columns.clone())) {
+            (Some(x), Some(y)) => P::sum_and_difference(x, y, levels, s, d),
+            _ => self.gather(row, columns, levels, [s, d]),
         }
     }
 
-    /// The same for one pixel.
-    #[inline(always)]
-    pub(super) fn at(&self, row: usize, column: usize, levels: [P::Real; 2]) -> (P::Real, P::Real) {
-        let (x, y) = (self.reference.at(row, column) - levels[0], self.test.at(row, column) - levels[1]);
-        (x + y, x - y)
+    /// The same in any precision and for any columns.
+    pub(super) fn gather<R: Real>(
+        &self,
+        row: usize,
+        columns: impl Iterator<Item = usize>,
+        levels: [R; 2],
+        [s, d]: [&mut [R]; 2],
+    ) {
+        for ((s, d), column) in s.iter_mut().zip(d).zip(columns) {
+            let x = R::narrow(self.reference.at(row, column).wide()) - levels[0];
+            let y = R::narrow(self.test.at(row, column).wide()) - levels[1];
+            (*s, *d) = (x + y, x - y);
+        }
+    }
+
+    /// About the means of both in a part, or of what a mask names of it.
+    pub(super) fn levels(&self, part: &Part, mask: Option<&Plane<'_, u8>>) -> [f64; 2] {
+        [&self.reference, &self.test].map(|image| image.level(part, mask))
     }
 
     /// The squared difference of one pixel.
@@ -164,9 +179,7 @@ pub fn similarity<P: Source>(
         (Window::Weights(weights), Some(Mask::Windows(mask))) => {
             Masked { pair: *pair, weights, constants, mask, contrast: counted.contrast }.sums(map)
         }
-        (Window::Weights(weights), _) => {
-            Windows::new(*pair, weights, constants.map(P::Real::narrow), counted).sums(map)
-        }
+        (Window::Weights(weights), _) => Windows::new(*pair, weights, constants, counted).sums(map),
     })
 }
 

@@ -15,20 +15,24 @@ const ALONE: usize = 1 << 22;
 /// Mean of the squared differences of two images, in float64; exact for whole numbers.
 pub fn mean_squared_error<P: Source>(pair: &Pair<'_, P>) -> f64 {
     let (height, width) = (pair.reference.height, pair.reference.width);
-    let tiles = width.div_ceil(TILE);
-    let tile = |n: usize| {
-        let (row, first) = (n / tiles, n % tiles * TILE);
+    let run = |row: usize, first: usize| {
         let end = width.min(first + TILE);
         match (pair.reference.run(row, first..end), pair.test.run(row, first..end)) {
             (Some(x), Some(y)) => P::squares(x, y),
             _ => (first..end).map(|column| pair.square(row, column)).sum(),
         }
     };
-    // The same sums in the same order, whoever makes them: waking threads takes as long as reading a few megabytes.
-    let sums: Vec<f64> = if height * width * size_of::<P>() < ALONE {
-        (0..height * tiles).map(tile).collect()
-    } else {
-        (0..height * tiles).into_par_iter().map(tile).collect()
+    let rows = (TILE / width).max(1);
+    let task = |n: usize| -> f64 {
+        let rows = n * rows..height.min((n + 1) * rows);
+        rows.map(|row| (0..width).step_by(TILE).map(|first| run(row, first)).sum::<f64>()).sum()
     };
-    sums.iter().sum::<f64>() / (height * width) as f64
+    let tasks = height.div_ceil(rows);
+    // The same sums in the same order, whoever makes them: waking threads takes as long as reading a few megabytes.
+    let sums: Vec<f64> = if height.saturating_mul(width).saturating_mul(size_of::<P>()) < ALONE {
+        (0..tasks).map(task).collect()
+    } else {
+        (0..tasks).into_par_iter().map(task).collect()
+    };
+    sums.iter().sum::<f64>() / (height as f64 * width as f64)
 }

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::direct;
 use super::measure::{Measure, Measured, Row, Source};
 use super::moments::{COLUMNS, Kernels, Moments};
 use super::plane::{Part, Real, mirror};
@@ -18,17 +19,15 @@ const AHEAD: usize = 4;
 /// A comparison by windows.
 pub(super) struct Windows<'a, P: Source> {
     pair: Pair<'a, P>,
-    weights: Vec<P::Real>,
-    constants: [P::Real; 2],
+    weights: &'a [f64],
+    narrow: Vec<P::Real>,
+    constants: [f64; 2],
     counted: Counted<'a>,
-    /// For each value that windows read along a row or a column, its place in the image.
-    places: [Vec<u32>; 2],
 }
 
 impl<'a, P: Source> Windows<'a, P> {
-    pub(super) fn new(pair: Pair<'a, P>, weights: &[f64], constants: [P::Real; 2], counted: Counted<'a>) -> Self {
-        let places = [pair.reference.height, pair.reference.width].map(|length| mirrored(length, weights.len()));
-        Self { pair, weights: weights.iter().map(|&w| P::Real::narrow(w)).collect(), constants, counted, places }
+    pub(super) fn new(pair: Pair<'a, P>, weights: &'a [f64], constants: [f64; 2], counted: Counted<'a>) -> Self {
+        Self { pair, weights, narrow: weights.iter().map(|&w| P::Real::narrow(w)).collect(), constants, counted }
     }
 
     /// Sums over the windows that count.
@@ -48,7 +47,7 @@ impl<'a, P: Source> Windows<'a, P> {
                     part = mask.plane().bounds(part);
                 }
                 if !part.is_empty() {
-                    let map = map.as_deref_mut().map(|map| (map, rows[0]));
+                    let map = map.as_deref_mut().map(|values| Rows { values, width, top: rows[0] });
                     sums = sums.and(self.tile(&part, inside, &mut bench, map));
                 }
             }
@@ -76,69 +75,143 @@ impl<'a, P: Source> Windows<'a, P> {
         Part { rows: [before, height - after], columns: [before, width - after] }
     }
 
-    fn tile(
+    /// In the pixels' own precision, or where that loses digits in float64, or window by window.
+    fn tile(&self, part: &Part, inside: Part, bench: &mut Bench<P::Real>, mut map: Option<Rows<'_, P::Real>>) -> Sums {
+        let levels = self.pair.levels(part, self.counted.mask.as_ref().map(Mask::plane));
+        bench.row.all = map.is_some();
+        let narrow = |row: usize, places: &[usize], lines: [&mut [P::Real]; 2]| {
+            self.load(row, places, levels.map(P::Real::narrow), lines)
+        };
+        if let Some(sums) = self.pass(part, inside, (levels, &self.narrow), bench, map.as_mut(), narrow) {
+            return sums;
+        }
+        let wide = |row: usize, places: &[usize], lines: [&mut [f64]; 2]| {
+            self.pair.gather(row, places.iter().copied(), levels, lines)
+        };
+        let mut bench = Bench::new(self.weights.len(), self.counted.contrast);
+        bench.row.all = map.is_some();
+        let is_wide = size_of::<P::Real>() == size_of::<f64>();
+        let sums = match is_wide {
+            true => None,
+            false => self.pass(part, inside, (levels, self.weights), &mut bench, map.as_mut(), wide),
+        };
+        sums.unwrap_or_else(|| self.one_by_one(part, inside, map))
+    }
+
+    /// All windows of a part in a precision; none where that does not hold what they need.
+    fn pass<R: Kernels + Measured>(
         &self,
         part: &Part,
         inside: Part,
-        bench: &mut Bench<P::Real>,
-        mut map: Option<(&mut [P::Real], usize)>,
-    ) -> Sums {
-        let [first, end] = part.columns;
-        let taps = self.weights.len();
-        let levels =
-            [&self.pair.reference, &self.pair.test].map(|plane| plane.level(part.rows[0]..part.rows[1], first..end));
-        let measure = Measure { levels, constants: self.constants };
+        (levels, weights): ([f64; 2], &[R]),
+        bench: &mut Bench<R>,
+        mut map: Option<&mut Rows<'_, P::Real>>,
+        load: impl Fn(usize, &[usize], [&mut [R]; 2]),
+    ) -> Option<Sums> {
+        if self.constants.iter().any(|&c| c < R::LEAST || c > R::GREATEST)
+            || levels.iter().any(|l| l.abs() > R::GREATEST)
+        {
+            return None;
+        }
+        let ([first, end], taps) = (part.columns, weights.len());
+        let measure = Measure { levels: levels.map(R::narrow), constants: self.constants.map(R::narrow) };
         let blocks = (end - first).div_ceil(LANES);
         bench.row.blocks = blocks;
-        bench.count(part, inside);
-        let mut sums = Sums::default();
-        // The window of an output row reads `taps` rows from its own number on, in places mirrored at the borders.
-        for read in part.rows[0]..part.rows[1] + taps - 1 {
-            self.load(self.places[0][read] as usize, part.columns, levels, bench);
+        bench.row.sums = [[0.0; LANES]; 2];
+        // Lanes behind the part see what an earlier one left.
+        bench.lines.iter_mut().for_each(|line| line.fill(R::default()));
+        let before = taps / 2;
+        let places = |from: usize, to: usize, length: usize| -> Vec<usize> {
+            (from..to + taps - 1).map(|place| mirror(place as i64 - before as i64, length)).collect()
+        };
+        let columns = places(first, end, self.pair.reference.width);
+        let rows = places(part.rows[0], part.rows[1], self.pair.reference.height);
+        let (mut counting, mut pixels) = (false, 0.0);
+        // The window of an output row reads `taps` rows, in places mirrored at the borders.
+        for (read, &place) in rows.iter().enumerate() {
+            let [s, d] = &mut bench.lines;
+            load(place, &columns, [&mut s[..columns.len()], &mut d[..columns.len()]]);
             // The row that was read longest ago makes room.
             let slot = bench.order[0];
             bench.order.rotate_left(1);
             for (line, rows) in bench.lines.iter().zip(&mut bench.rows) {
-                Kernels::across(line, &self.weights, &mut rows[slot], blocks);
+                Kernels::across(line, weights, &mut rows[slot], blocks);
             }
-            let Some(row) = (read + 1).checked_sub(taps).filter(|&row| row >= part.rows[0]) else { continue };
+            let Some(row) = (part.rows[0] + read + 1).checked_sub(taps).filter(|&row| row >= part.rows[0]) else {
+                continue;
+            };
             for (rows, moments) in bench.rows.iter().zip(&mut bench.moments) {
-                Kernels::down(rows, &bench.order, &self.weights, moments, blocks);
+                Kernels::down(rows, &bench.order, weights, moments, blocks);
             }
-            let counts = row >= inside.rows[0] && row < inside.rows[1];
-            if let (true, Some(mask)) = (counts, self.counted.mask) {
-                bench.mask(mask, row, part, inside);
+            match (inside.holds_row(row), self.counted.mask) {
+                (true, Some(mask)) => bench.mask(mask, row, part, inside),
+                (true, None) if !counting => bench.count(part, inside),
+                (true, None) => {}
+                (false, _) => bench.count_none(),
             }
+            counting = inside.holds_row(row);
             let [s, d] = &bench.moments;
-            let [similarity, contrast] = Measured::measure(&measure, s, d, &mut bench.row);
-            if counts {
-                sums = sums.and(Sums { similarity, contrast, pixels: bench.counted });
+            Measured::measure(&measure, s, d, &mut bench.row);
+            if !bench.row.holds {
+                return None;
             }
-            if let Some((map, top)) = &mut map {
-                let at = (row - *top) * self.pair.reference.width + first;
-                map[at..at + end - first].copy_from_slice(&bench.row.similarity[..end - first]);
+            pixels += bench.counted;
+            if let Some(map) = &mut map {
+                map.write(row, first, &bench.row.similarity[..end - first]);
+            }
+        }
+        let [similarity, contrast] = bench.row.sums.map(|lanes| lanes.iter().sum());
+        Some(Sums { similarity, contrast, pixels })
+    }
+
+    fn one_by_one(&self, part: &Part, inside: Part, mut map: Option<Rows<'_, P::Real>>) -> Sums {
+        let mut sums = Sums::default();
+        for row in part.rows[0]..part.rows[1] {
+            for column in part.columns[0]..part.columns[1] {
+                let counts =
+                    inside.holds(row, column) && self.counted.mask.is_none_or(|mask| mask.plane().names(row, column));
+                if counts || map.is_some() {
+                    let (similarity, contrast) =
+                        direct::window(&self.pair, self.weights, [row, column], None, self.constants);
+                    let contrast = if self.counted.contrast { contrast } else { 0.0 };
+                    if counts {
+                        sums = sums.and(Sums { similarity, contrast, pixels: 1.0 });
+                    }
+                    if let Some(map) = &mut map {
+                        map.write(row, column, &[similarity]);
+                    }
+                }
             }
         }
         sums
     }
 
-    /// Sum and difference of both images along the values of a row that windows from `first` to `end` read, both less
-    /// their levels.
-    fn load(&self, row: usize, [first, end]: [usize; 2], levels: [P::Real; 2], bench: &mut Bench<P::Real>) {
-        let places = &self.places[1][first..end + self.weights.len() - 1];
-        let (start, last) = (places[0] as usize, places[places.len() - 1] as usize);
-        let [s, d] = &mut bench.lines;
-        let (s, d) = (&mut s[..places.len()], &mut d[..places.len()]);
+    /// Sum and difference of both images at the places of a row that windows read, both less their levels.
+    fn load(&self, row: usize, places: &[usize], levels: [P::Real; 2], lines: [&mut [P::Real]; 2]) {
+        let (start, last) = (places[0], places[places.len() - 1]);
         if last + 1 != start + places.len() {
-            for ((s, d), &place) in s.iter_mut().zip(d).zip(places) {
-                (*s, *d) = self.pair.at(row, place as usize, levels);
-            }
-            return;
+            return self.pair.gather(row, places.iter().copied(), levels, lines);
         }
-        self.pair.load(row, start..last + 1, levels, [s, d]);
+        self.pair.load(row, start..last + 1, levels, lines);
         let next = (row + AHEAD).min(self.pair.reference.height - 1);
         for image in [&self.pair.reference, &self.pair.test] {
             image.run(next, start..last + 1).into_iter().for_each(prefetch);
+        }
+    }
+}
+
+/// Rows of a map, from the `top` one on.
+struct Rows<'a, R> {
+    values: &'a mut [R],
+    width: usize,
+    top: usize,
+}
+
+impl<R: Real> Rows<'_, R> {
+    fn write<S: Real>(&mut self, row: usize, column: usize, values: &[S]) {
+        let at = (row - self.top) * self.width + column;
+        for (slot, value) in self.values[at..].iter_mut().zip(values) {
+            *slot = R::narrow(value.wide());
         }
     }
 }
@@ -167,7 +240,15 @@ impl<R: Real> Bench<R> {
             rows: [rows(), rows()],
             order: (0..taps).collect(),
             moments: [Moments::default(), Moments::default()],
-            row: Row { counts: [R::default(); COLUMNS], similarity: [R::default(); COLUMNS], blocks: 0, contrast },
+            row: Row {
+                counts: [R::default(); COLUMNS],
+                similarity: [R::default(); COLUMNS],
+                blocks: 0,
+                contrast,
+                all: false,
+                holds: true,
+                sums: [[0.0; LANES]; 2],
+            },
             counted: 0.0,
         }
     }
@@ -180,10 +261,16 @@ impl<R: Real> Bench<R> {
         self.counted = (to - from) as f64;
     }
 
+    /// None of a row.
+    fn count_none(&mut self) {
+        self.row.counts.fill(R::default());
+        self.counted = 0.0;
+    }
+
     /// The same for a row of a mask.
     fn mask(&mut self, mask: Mask<'_>, row: usize, part: &Part, inside: Part) {
         let [from, to] = columns_inside(part, inside);
-        self.counted = 0.0;
+        self.count_none();
         for column in from..to {
             let counts = if mask.plane().names(row, part.columns[0] + column) { 1.0 } else { 0.0 };
             self.row.counts[column] = R::narrow(counts);
@@ -197,22 +284,4 @@ fn columns_inside(part: &Part, inside: Part) -> [usize; 2] {
     let [first, end] = part.columns;
     let from = inside.columns[0].clamp(first, end);
     [from - first, inside.columns[1].clamp(from, end) - first]
-}
-
-/// For each value that windows read along a line, its place.
-fn mirrored(length: usize, taps: usize) -> Vec<u32> {
-    let before = (taps / 2) as i64;
-    (-before..(length + taps - 1) as i64 - before).map(|i| mirror(i, length) as u32).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lines_are_mirrored_at_their_ends() {
-        assert_eq!(mirrored(3, 5), [1, 0, 0, 1, 2, 2, 1]);
-        assert_eq!(mirrored(2, 4), [1, 0, 0, 1, 1]);
-        assert_eq!(mirrored(1, 5), [0; 5]);
-    }
 }

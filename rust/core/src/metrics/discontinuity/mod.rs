@@ -22,8 +22,8 @@ pub struct Neighbourhood {
     pub least: f64,
 }
 
-/// Bands of points that one task takes: more than its pairs reach beyond them.
-const GROUP: usize = 2 * BANDS;
+/// Bands of points that one task takes: as many as its pairs reach beyond them.
+const GROUP: usize = BANDS;
 
 /// δ for each pixel of a frame, rows of `width`; NaN for pixels without a surface, behind the truth's camera, or without
 /// neighbours. Positions are relative to `origin`.
@@ -37,8 +37,8 @@ pub fn discontinuity(
 ) -> Result<Vec<f32>> {
     let Neighbourhood { epsilon, least } = neighbourhood;
     for (argument, value) in [("epsilon", epsilon), ("min_distance", least)] {
-        if !(value.is_finite() && value > 0.0 && value <= 1e4) {
-            return Err(Error::value(argument, "a positive number of pixels up to 10,000", value));
+        if !(1e-6..=1e4).contains(&value) {
+            return Err(Error::value(argument, "from a millionth of a pixel to 10,000 pixels", value));
         }
     }
     if u32::try_from(position.len()).is_err() || width == 0 {

@@ -7,6 +7,8 @@ use super::points::{BANDS, Points};
 use crate::base::{Progress, Result};
 use crate::metrics::vectors::fused_kernels;
 
+/// Points after which is asked whether to go on.
+const SOURCES: usize = 1 << 10;
 /// Points side by side.
 pub(super) const LANES: usize = 16;
 
@@ -27,10 +29,14 @@ impl Sums {
         let mut sums = Self { own, excess: vec![0.0; room], count: vec![0.0; room] };
         for band in bands {
             let (targets, count) = targets(points, band, around.epsilon);
-            let source = points.bands[band].1.clone();
             let limits = [around.epsilon, around.least].map(|limit| (limit * limit) as f32);
-            add_pairs(points, source.clone(), &targets[..count], limits, &mut sums);
-            progress.report(source.len() as u64)?;
+            let band = points.bands[band].1.clone();
+            // Bands may hold all points of a picture: who waits for it can stop it between.
+            for from in band.clone().step_by(SOURCES) {
+                let source = from..band.end.min(from + SOURCES);
+                add_pairs(points, source.clone(), &targets[..count], limits, &mut sums);
+                progress.report(source.len() as u64)?;
+            }
         }
         Ok(sums)
     }
@@ -88,7 +94,9 @@ fn pairs<const FUSED: bool>(
 ) {
     let mut windows = [[0usize; 2]; BANDS + 1];
     for (window, target) in windows.iter_mut().zip(targets) {
-        *window = [target.range.start; 2];
+        let first = points.truth_x[source.start] - target.reach - 1e-6 * points.truth_x[source.start].abs();
+        let near = &points.truth_x[target.range.clone()];
+        *window = [target.range.start + near.partition_point(|&x| x < first); 2];
     }
     for n in source {
         let of = [points.x[n], points.y[n], points.shift_x[n], points.shift_y[n]];
