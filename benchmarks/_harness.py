@@ -7,6 +7,7 @@ import os
 import re
 import threading
 import time
+import unicodedata
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -194,7 +195,9 @@ def draw(comparisons: Sequence[Comparison], title: str) -> str | None:
     figure, grid = plt.subplots(1, len(comparisons), figsize=size, squeeze=False, layout="constrained")
     for axes, shown in zip(grid[0], comparisons, strict=True):
         _panel(axes, shown)
-    name = re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-") + ".png"
+    # Exponents become digits, so that 10⁴ and 10⁶ are told apart.
+    plain = unicodedata.normalize("NFKC", title)
+    name = re.sub(r"[^a-z0-9]+", "-", plain.lower()).strip("-") + ".png"
     figure.savefig(Path(folder) / name, dpi=100)
     plt.close(figure)
     return name

@@ -38,6 +38,7 @@ RUST_STAGES: dict[str, set[str]] = {
     "tessellate": {"base", "scene", "morph"},
     "render": {"base", "scene", "bvh", "cubemap", "camera", "trace", "morph", "bend", "tessellate", "partition"},
     "metrics": {"base", "camera"},
+    "bounds": {"base"},
     "exr": {"base"},
 }
 """The order is that of lib.rs."""
@@ -83,6 +84,7 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_metrics": {"_frame", "_pictures"},
     "_similarity": {"_frame", "_pictures"},
     "_discontinuity": {"_camera", "_frame"},
+    "_bounds": set(),
     "_bundle": {"_envmap", "_names", "_scene", "_scene_glb"},
     "_reduced": {"_bundle", "_camera", "_envmap", "_frame", "_partition", "_render", "_scene"},
     "_reduce": {"_bundle", "_envmap", "_frame", "_partition", "_reduced", "_render", "_scene"},

@@ -2,6 +2,7 @@
 
 from nearfar import datasets
 from nearfar._bend import bend_rays, fold_margin
+from nearfar._bounds import bounding_sphere, bounding_spheres
 from nearfar._camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._discontinuity import boundary, discontinuity
 from nearfar._envmap import EnvMap, cube_lookup
@@ -39,6 +40,8 @@ __all__ = [
     "__version__",
     "bend_rays",
     "boundary",
+    "bounding_sphere",
+    "bounding_spheres",
     "cast_rays",
     "cube_lookup",
     "datasets",

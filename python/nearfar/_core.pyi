@@ -288,6 +288,16 @@ def discontinuity(
 ) -> NDArray[np.float32]: ...
 def object_completion(reference: NDArray[np.int32], test: NDArray[np.int32]) -> tuple[float, float] | None: ...
 
+# bounds -------------------------------------------------------------------------------------------------------------
+def bounding_sphere(points: NDArray[np.float32] | NDArray[np.float64], *, method: str) -> list[float]: ...
+def bounding_spheres(
+    points: NDArray[np.float32] | NDArray[np.float64],
+    offsets: NDArray[np.int64],
+    *,
+    method: str,
+    report: _Report | None = None,
+) -> list[list[float]]: ...
+
 # exr ----------------------------------------------------------------------------------------------------------------
 _Part = tuple[str, dict[str, NDArray[Any]], dict[str, str | tuple[float, float, float]]]
 

@@ -21,4 +21,5 @@ pub mod bend;
 pub mod tessellate;
 pub mod render;
 pub mod metrics;
+pub mod bounds;
 pub mod exr;

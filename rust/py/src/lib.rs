@@ -3,6 +3,7 @@
 mod arrays;
 mod base;
 mod bend;
+mod bounds;
 mod camera;
 mod cubemap;
 mod errors;
@@ -36,5 +37,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     render::register(module)?;
     reduce::register(module)?;
     metrics::register(module)?;
+    bounds::register(module)?;
     exr::register(module)
 }

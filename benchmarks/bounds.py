@@ -1,0 +1,73 @@
+"""Run time against error of bounding spheres: exact ones beside trimesh's and the cheaper kinds."""
+
+from __future__ import annotations
+
+import numpy as np
+import trimesh
+from numpy.typing import NDArray
+
+import nearfar as nf
+from _harness import OURS, Case, Work, compare, describe
+from _measure import machine
+
+Array = NDArray[np.float64]
+
+
+def surface(count: int) -> Array:
+    """Points on a knobbly ellipsoid, as meshes have them."""
+    random = np.random.default_rng(0)
+    points = random.normal(size=(count, 3))
+    points /= np.linalg.norm(points, axis=1, keepdims=True)
+    knobs = 1 + 0.3 * np.sin(5 * points[:, :1]) * np.cos(3 * points[:, 1:2])
+    return np.asarray(points * knobs * [3, 2, 1])
+
+
+def spheres(title: str, points: Array, *, peer: bool, repeat: int = 5) -> str:
+    """Errors are by how much radii exceed the least one, as shares."""
+    least = nf.bounding_sphere(points)[1]
+
+    def error(found: tuple[Array, float]) -> float:
+        return abs(found[1] / least - 1)
+
+    cases = [Case(f"{OURS}, exact", lambda: nf.bounding_sphere(points), error, peer=False)]
+    single = points.astype(np.float32)
+    cases += [Case(f"{OURS}, exact, float32", lambda: nf.bounding_sphere(single), error, peer=False)]
+    for method in ("average", "minmax", "ritter"):
+        job = lambda method=method: nf.bounding_sphere(points, method=method)  # noqa: E731
+        cases += [Case(f"{OURS}, {method}", job, error, peer=False)]
+    if peer:
+        cases += [Case("trimesh", lambda: trimesh.nsphere.minimum_nsphere(points), error)]
+    cases += [Case("reading (NumPy's max)", points.max)]
+    return compare(title, cases, work=Work(bytes=points.nbytes), repeat=repeat)
+
+
+def groups() -> str:
+    """Ten thousand objects of a hundred points."""
+    points = surface(1_000_000)
+    offsets = np.arange(0, len(points) + 1, 100)
+
+    def one_by_one() -> None:
+        for start in offsets[:-1]:
+            nf.bounding_sphere(points[start : start + 100])
+
+    cases = [
+        Case(f"{OURS}, bounding_spheres", lambda: nf.bounding_spheres(points, offsets), peer=False),
+        Case(f"{OURS}, one by one", one_by_one, peer=False),
+    ]
+    return compare("Bounding spheres of 10,000 groups of 100 points", cases, repeat=3)
+
+
+def main() -> None:
+    print(machine())
+    print(describe())
+    print(spheres("Bounding sphere of 10⁴ points of a surface", surface(10_000), peer=True), flush=True)
+    print(spheres("Bounding sphere of 10⁶ points of a surface", surface(1_000_000), peer=False), flush=True)
+    print(spheres("Bounding sphere of 10⁷ points of a surface", surface(10_000_000), peer=False, repeat=3), flush=True)
+    ball = np.random.default_rng(1).normal(size=(1_000_000, 3))
+    ball /= np.linalg.norm(ball, axis=1, keepdims=True)
+    print(spheres("Bounding sphere of 10⁶ cospherical points", ball, peer=False), flush=True)
+    print(groups())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,330 @@
+//! Passes over all points: extents, means, extremes, the farthest.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::Sphere;
+use crate::base::simd::widest;
+use crate::base::{Error, Result};
+
+/// Points that one task takes: fixed, so that results do not depend on the number of threads.
+const TILE: usize = 1 << 12;
+/// Points side by side.
+const LANES: usize = 8;
+
+/// Directions along which extreme points are found: the axes and the space diagonals.
+const DIRECTIONS: usize = 7;
+/// The first of them.
+const AXES: usize = 3;
+/// Blocks of which one is looked at along the diagonals.
+const EVERY: usize = 8;
+
+/// Least and greatest value along each direction.
+#[derive(Clone, Copy, Debug)]
+pub struct Extremes {
+    low: [f64; DIRECTIONS],
+    high: [f64; DIRECTIONS],
+}
+
+/// A point's values along the directions.
+#[inline(always)]
+fn along<T: Real>(&[x, y, z]: &[T; 3]) -> [f64; DIRECTIONS] {
+    let (x, y, z) = (x.wide(), y.wide(), z.wide());
+    [x, y, z, x + y + z, x + y - z, x - y + z, x - y - z]
+}
+
+/// float32 or float64.
+pub trait Real: Copy + Send + Sync + 'static {
+    /// The same value.
+    fn wide(self) -> f64;
+    /// Greatest squared distance from a centre, and which point has it.
+    fn farthest(points: &[[Self; 3]], origin: DVec3, center: DVec3) -> (f64, usize);
+    /// Appends the points whose squared distance from a centre is above a limit, from the origin.
+    fn beyond(points: &[[Self; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>);
+    /// Least and greatest values along each of the directions; NaN where a coordinate is not finite.
+    fn extremes(points: &[[Self; 3]]) -> Extremes;
+}
+
+macro_rules! real {
+    ($($real:ty: $farthest:ident, $beyond:ident, $extremes:ident);*) => {$(
+        widest! {
+            fn $farthest(points: &[[$real; 3]], origin: DVec3, center: DVec3) -> (f64, usize) = farthest;
+        }
+        widest! {
+            fn $beyond(
+                points: &[[$real; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>,
+            ) = beyond;
+        }
+        widest! {
+            fn $extremes(points: &[[$real; 3]]) -> Extremes = extremes;
+        }
+        impl Real for $real {
+            #[inline(always)]
+            fn wide(self) -> f64 {
+                f64::from(self)
+            }
+            fn farthest(points: &[[Self; 3]], origin: DVec3, center: DVec3) -> (f64, usize) {
+                $farthest(points, origin, center)
+            }
+            fn beyond(points: &[[Self; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>) {
+                $beyond(points, origin, center, limit, found);
+            }
+            fn extremes(points: &[[Self; 3]]) -> Extremes {
+                $extremes(points)
+            }
+        }
+    )*};
+}
+
+real!(f32: farthest_f32, beyond_f32, extremes_f32; f64: farthest_f64, beyond_f64, extremes_f64);
+
+/// Points, all of them finite, seen from one of them: differences of neighbours have all their digits however far from
+/// zero they lie.
+pub(super) struct Cloud<'a, T> {
+    pub points: &'a [[T; 3]],
+    pub origin: DVec3,
+    /// Least and greatest coordinates, from the origin.
+    pub bounds: [DVec3; 2],
+    /// Points that are least or greatest along a direction, from the origin.
+    pub extremes: Vec<DVec3>,
+}
+
+impl<'a, T: Real> Cloud<'a, T> {
+    /// Looks at all points; refuses none and those that are not finite.
+    pub fn new(points: &'a [[T; 3]]) -> Result<Self> {
+        let Some(first) = points.first() else {
+            return Err(Error::value("points", "at least one point", "none"));
+        };
+        let origin = DVec3::from_array(first.map(T::wide));
+        let tiles: Vec<Extremes> = tiles(points).map(T::extremes).collect();
+        let all = Extremes {
+            low: std::array::from_fn(|n| tiles.iter().fold(f64::INFINITY, |low, tile| lesser(tile.low[n], low))),
+            high: std::array::from_fn(|n| -tiles.iter().fold(f64::INFINITY, |low, tile| lesser(-tile.high[n], low))),
+        };
+        let bounds = [all.low, all.high].map(|values| DVec3::new(values[0], values[1], values[2]));
+        if !(bounds[0].is_finite() && bounds[1].is_finite()) {
+            let index = points.iter().position(|point| !point.iter().all(|x| x.wide().is_finite())).unwrap_or(0);
+            let got = points[index].map(T::wide);
+            return Err(Error::value("points", "finite coordinates", format!("{got:?} at index {index}")));
+        }
+        // Tiles tell values; which point has them is looked for in the tile that has the most extreme one.
+        let point = |is_extreme: &dyn Fn(&[f64; DIRECTIONS]) -> bool, tile: Option<usize>| {
+            let from = tile.unwrap_or(0) * TILE;
+            let near = points[from..].iter().take(TILE);
+            near.copied().find(|point| is_extreme(&along(point)))
+        };
+        let extremes = (0..DIRECTIONS).flat_map(|n| {
+            let (low, high) = (all.low[n], all.high[n]);
+            [
+                point(&|values| values[n] == low, tiles.iter().position(|tile| tile.low[n] == low)),
+                point(&|values| values[n] == high, tiles.iter().position(|tile| tile.high[n] == high)),
+            ]
+        });
+        let extremes = extremes.flatten().map(|point| DVec3::from_array(point.map(T::wide)) - origin).collect();
+        Ok(Self { points, origin, bounds: bounds.map(|corner| corner - origin), extremes })
+    }
+
+    /// Greatest size of the box about all points.
+    pub fn extent(&self) -> f64 {
+        (self.bounds[1] - self.bounds[0]).max_element()
+    }
+
+    /// A point in the cloud's frame.
+    #[inline(always)]
+    pub fn at(&self, point: &[T; 3]) -> DVec3 {
+        DVec3::from_array(point.map(T::wide)) - self.origin
+    }
+
+    /// Greatest distance from a centre, and the first point that has it.
+    pub fn farthest(&self, center: DVec3) -> (f64, DVec3) {
+        farthest_of(self.points, self.origin, center)
+    }
+
+    /// Mean of all points.
+    pub fn mean(&self) -> DVec3 {
+        let tile = |points: &[[T; 3]]| points.iter().map(|point| self.at(point)).sum::<DVec3>();
+        let tiles: Vec<DVec3> = tiles(self.points).map(tile).collect();
+        tiles.into_iter().sum::<DVec3>() / self.points.len() as f64
+    }
+
+    /// Points farther than some distance from a centre, in order.
+    pub fn beyond(&self, center: DVec3, distance: f64) -> Vec<[f64; 3]> {
+        let tile = |points: &[[T; 3]]| {
+            let mut found = Vec::new();
+            T::beyond(points, self.origin, center, distance * distance, &mut found);
+            found
+        };
+        let tiles: Vec<Vec<[f64; 3]>> = tiles(self.points).map(tile).collect();
+        tiles.concat()
+    }
+
+    /// A sphere of the cloud's frame in that of the points. Its centre is rounded there, so that its radius is measured
+    /// from where it came to lie.
+    pub fn placed(&self, sphere: &Sphere) -> Sphere {
+        let center = sphere.center + self.origin;
+        let moved = (center - self.origin) - sphere.center;
+        let radius = if moved == DVec3::ZERO { sphere.radius } else { self.farthest(center - self.origin).0 };
+        Sphere { center, radius }
+    }
+}
+
+/// Greatest distance from a centre, and the first point that has it; both in the frame of the origin.
+pub(super) fn farthest_of<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, DVec3) {
+    let tile = |(n, points): (usize, &[[T; 3]])| {
+        let (squared, index) = T::farthest(points, origin, center);
+        (squared, n * TILE + index)
+    };
+    let tiles: Vec<(f64, usize)> = tiles(points).enumerate().map(tile).collect();
+    let first = |a: (f64, usize), b: (f64, usize)| if b.0 > a.0 { b } else { a };
+    let (squared, index) = tiles.into_iter().fold((f64::NEG_INFINITY, 0), first);
+    (squared.sqrt(), DVec3::from_array(points[index].map(T::wide)) - origin)
+}
+
+fn tiles<T: Sync>(points: &[[T; 3]]) -> rayon::slice::Chunks<'_, [T; 3]> {
+    points.par_chunks(TILE)
+}
+
+/// NaN where the first is.
+#[inline(always)]
+fn lesser(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a < b { a } else { b }
+}
+
+/// Coordinates of a block by axis.
+#[inline(always)]
+fn gather<T: Real>(block: &[[T; 3]; LANES]) -> [[f64; LANES]; 3] {
+    let mut lanes = [[0.0; LANES]; 3];
+    for (i, point) in block.iter().enumerate() {
+        lanes[0][i] = point[0].wide();
+        lanes[1][i] = point[1].wide();
+        lanes[2][i] = point[2].wide();
+    }
+    lanes
+}
+
+#[inline(always)]
+fn extremes<T: Real>(points: &[[T; 3]]) -> Extremes {
+    let mut low = [[f64::INFINITY; LANES]; DIRECTIONS];
+    let mut high = [[f64::NEG_INFINITY; LANES]; DIRECTIONS];
+    // Zero times a value is zero, or NaN where the value is not finite.
+    let mut zeros = [0.0; LANES];
+    let (blocks, rest) = points.as_chunks::<LANES>();
+    for block in blocks {
+        let lanes = gather(block);
+        for i in 0..LANES {
+            zeros[i] += 0.0 * (lanes[0][i] + lanes[1][i] + lanes[2][i]);
+            for n in 0..AXES {
+                let value = lanes[n][i];
+                low[n][i] = if value < low[n][i] { value } else { low[n][i] };
+                high[n][i] = if value > high[n][i] { value } else { high[n][i] };
+            }
+        }
+    }
+    // Points to begin with need not be the very last ones along diagonals.
+    for block in blocks.iter().step_by(EVERY) {
+        let [x, y, z] = gather(block);
+        for i in 0..LANES {
+            let of = along(&[x[i], y[i], z[i]]);
+            for n in AXES..DIRECTIONS {
+                low[n][i] = if of[n] < low[n][i] { of[n] } else { low[n][i] };
+                high[n][i] = if of[n] > high[n][i] { of[n] } else { high[n][i] };
+            }
+        }
+    }
+    for point in rest {
+        let of = along(point);
+        zeros[0] += 0.0 * of[3];
+        for n in 0..DIRECTIONS {
+            low[n][0] = low[n][0].min(of[n]);
+            high[n][0] = high[n][0].max(of[n]);
+        }
+    }
+    let mut zero = 0.0;
+    for lane in zeros {
+        zero += lane;
+    }
+    let mut found = Extremes { low: [0.0; DIRECTIONS], high: [0.0; DIRECTIONS] };
+    for n in 0..DIRECTIONS {
+        let (mut least, mut greatest) = (low[n][0], high[n][0]);
+        for i in 1..LANES {
+            least = least.min(low[n][i]);
+            greatest = greatest.max(high[n][i]);
+        }
+        found.low[n] = least + zero;
+        found.high[n] = greatest + zero;
+    }
+    found
+}
+
+/// Squared distances of a block's points from a centre.
+#[inline(always)]
+fn squares<T: Real>(block: &[[T; 3]; LANES], origin: [f64; 3], center: [f64; 3]) -> [f64; LANES] {
+    let lanes = gather(block);
+    let mut squared = [0.0; LANES];
+    for i in 0..LANES {
+        let x = (lanes[0][i] - origin[0]) - center[0];
+        let y = (lanes[1][i] - origin[1]) - center[1];
+        let z = (lanes[2][i] - origin[2]) - center[2];
+        squared[i] = x * x + y * y + z * z;
+    }
+    squared
+}
+
+#[inline(always)]
+fn farthest<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, usize) {
+    let (origin, center) = (origin.to_array(), center.to_array());
+    let (blocks, rest) = points.as_chunks::<LANES>();
+    // The greatest of each lane and its block; of equals the first.
+    let (mut most, mut which) = ([f64::NEG_INFINITY; LANES], [0.0; LANES]);
+    let mut number = 0.0;
+    for block in blocks {
+        let squared = squares(block, origin, center);
+        for i in 0..LANES {
+            let farther = squared[i] > most[i];
+            most[i] = if farther { squared[i] } else { most[i] };
+            which[i] = if farther { number } else { which[i] };
+        }
+        number += 1.0;
+    }
+    let mut found = (f64::NEG_INFINITY, usize::MAX);
+    let mut take = |squared: f64, index: usize| {
+        if squared > found.0 || (squared == found.0 && index < found.1) {
+            found = (squared, index);
+        }
+    };
+    if !blocks.is_empty() {
+        for i in 0..LANES {
+            take(most[i], which[i] as usize * LANES + i);
+        }
+    }
+    for (n, point) in rest.iter().enumerate() {
+        take(squares(&[*point; LANES], origin, center)[0], blocks.len() * LANES + n);
+    }
+    found
+}
+
+#[inline(always)]
+fn beyond<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>) {
+    let (from, middle) = (origin.to_array(), center.to_array());
+    let (blocks, rest) = points.as_chunks::<LANES>();
+    let mut keep = |point: &[T; 3], squared: f64| {
+        if squared > limit {
+            found.push([point[0].wide() - from[0], point[1].wide() - from[1], point[2].wide() - from[2]]);
+        }
+    };
+    for block in blocks {
+        let squared = squares(block, from, middle);
+        let mut greatest = 0.0;
+        for value in squared {
+            greatest = if value > greatest { value } else { greatest };
+        }
+        if greatest > limit {
+            for i in 0..LANES {
+                keep(&block[i], squared[i]);
+            }
+        }
+    }
+    for point in rest {
+        keep(point, squares(&[*point; LANES], from, middle)[0]);
+    }
+}

@@ -1,0 +1,53 @@
+use super::*;
+use proptest::prelude::*;
+
+/// The least sphere of all those that two to four of the points determine and that hold all.
+fn slowly(points: &[[f64; 3]]) -> f64 {
+    let points: Vec<DVec3> = points.iter().map(|&point| point.into()).collect();
+    let mut least = f64::INFINITY;
+    let mut try_center = |center: DVec3| {
+        let radius = points.iter().map(|point| (*point - center).length()).fold(0.0, f64::max);
+        if center.is_finite() {
+            least = least.min(radius);
+        }
+    };
+    for (i, &a) in points.iter().enumerate() {
+        try_center(a);
+        for (j, &b) in points.iter().enumerate().skip(i + 1) {
+            try_center((a + b) / 2.0);
+            for (k, &c) in points.iter().enumerate().skip(j + 1) {
+                try_center(support::equidistant(&[a, b, c]));
+                for &d in points.iter().skip(k + 1) {
+                    try_center(support::equidistant(&[a, b, c, d]));
+                }
+            }
+        }
+    }
+    least
+}
+
+proptest! {
+    #[test]
+    fn few_points_have_the_least_sphere(
+        points in prop::collection::vec(prop::array::uniform3(-1.0..1.0f64), 1..9), flat: bool, shift in -1e3..1e3f64,
+    ) {
+        let points: Vec<[f64; 3]> =
+            points.iter().map(|&[x, y, z]| [x + shift, y - shift, if flat { shift } else { z }]).collect();
+        let found = bounding_sphere(&points, Method::Exact).unwrap();
+        prop_assert!((found.radius - slowly(&points)).abs() <= 1e-12);
+        for method in [Method::Ritter, Method::Average, Method::MinMax, Method::Best] {
+            prop_assert!(bounding_sphere(&points, method).unwrap().radius >= found.radius * (1.0 - 1e-12));
+        }
+    }
+
+    #[test]
+    fn nothing_is_left_outside_of_many_points(seed in 0..1000u32, count in 4000..9000usize, thin in 0.0..1.0f64) {
+        let unit = |n: usize, axis: u64| crate::base::random::uniform(u64::from(seed), axis, n as u64) - 0.5;
+        let points: Vec<[f64; 3]> = (0..count).map(|n| [unit(n, 0), unit(n, 1) * thin, unit(n, 2)]).collect();
+        let found = bounding_sphere(&points, Method::Exact).unwrap();
+        let farthest = points.iter().map(|&p| (DVec3::from(p) - found.center).length()).fold(0.0, f64::max);
+        prop_assert!(farthest <= found.radius * (1.0 + 4.0 * f64::EPSILON));
+        let narrow = bounding_sphere(&points[..4000], Method::Exact).unwrap();
+        prop_assert!(narrow.radius <= found.radius * (1.0 + 1e-14));
+    }
+}

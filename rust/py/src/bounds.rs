@@ -1,0 +1,79 @@
+//! Bindings of `bounds`.
+
+use nearfar_core::base::{Error, Result};
+use nearfar_core::bounds::{self, Method, Sphere};
+use numpy::{PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::prelude::*;
+
+use crate::errors::to_python;
+use crate::run;
+
+#[derive(FromPyObject)]
+enum Points<'py> {
+    Single(PyReadonlyArray2<'py, f32>),
+    Double(PyReadonlyArray2<'py, f64>),
+}
+
+fn method(name: &str) -> Result<Method> {
+    match name {
+        "exact" => Ok(Method::Exact),
+        "ritter" => Ok(Method::Ritter),
+        "average" => Ok(Method::Average),
+        "minmax" => Ok(Method::MinMax),
+        "best" => Ok(Method::Best),
+        _ => Err(Error::value("method", "'exact', 'ritter', 'average', 'minmax' or 'best'", format!("'{name}'"))),
+    }
+}
+
+fn row(sphere: &Sphere) -> [f64; 4] {
+    let [x, y, z] = sphere.center.to_array();
+    [x, y, z, sphere.radius]
+}
+
+/// Centre and radius of the sphere about each group of points.
+#[pyfunction]
+#[pyo3(signature = (points, offsets, *, method, report=None))]
+fn bounding_spheres(
+    py: Python<'_>,
+    points: Points<'_>,
+    offsets: PyReadonlyArray1<'_, i64>,
+    method: &str,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Vec<[f64; 4]>> {
+    let method = self::method(method).map_err(to_python)?;
+    let offsets = offsets.as_slice()?;
+    let spheres = match &points {
+        Points::Single(points) => {
+            let points = points.as_slice()?.as_chunks::<3>().0;
+            run::long(py, report, |progress| bounds::bounding_spheres(points, offsets, method, progress))
+        }
+        Points::Double(points) => {
+            let points = points.as_slice()?.as_chunks::<3>().0;
+            run::long(py, report, |progress| bounds::bounding_spheres(points, offsets, method, progress))
+        }
+    }?;
+    Ok(spheres.iter().map(row).collect())
+}
+
+/// Centre and radius of the sphere about points.
+#[pyfunction]
+#[pyo3(signature = (points, *, method))]
+fn bounding_sphere(py: Python<'_>, points: Points<'_>, method: &str) -> PyResult<[f64; 4]> {
+    let method = self::method(method).map_err(to_python)?;
+    let sphere = match &points {
+        Points::Single(points) => {
+            let points = points.as_slice()?.as_chunks::<3>().0;
+            run::short(py, || bounds::bounding_sphere(points, method))
+        }
+        Points::Double(points) => {
+            let points = points.as_slice()?.as_chunks::<3>().0;
+            run::short(py, || bounds::bounding_sphere(points, method))
+        }
+    }?;
+    Ok(row(&sphere))
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(bounding_sphere, module)?)?;
+    module.add_function(wrap_pyfunction!(bounding_spheres, module)?)
+}
