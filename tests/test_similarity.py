@@ -172,6 +172,38 @@ def test_digits_are_kept_beside_outliers(kind: type, window: str) -> None:
         assert mask.any()
 
 
+def test_even_areas_far_from_the_level_are_rounded_alike_and_still_exact() -> None:
+    # Halves of one tile: what is rounded is the same for all windows of a half, and does not average out.
+    left = np.arange(128) < 64
+    random = np.random.default_rng(0)
+
+    def apart(a: NDArray[Any], b: NDArray[Any], **options: Any) -> float:
+        single = [p.astype(np.float32) for p in (a, b)]
+        double = [p.astype(np.float64) for p in single]
+        return float(abs(nf.ssim(*single, data_range=1, **options) - nf.ssim(*double, data_range=1, **options)))
+
+    for dark, bright in ((4.3e-3, 2.161), (4.3e-3, 1.04), (1e-6, 0.5), (0.02, 900.0)):
+        for k1 in (0.01, 1e-3, 1e-6):
+            a, b = (np.where(left, factor * dark, bright) * np.ones((40, 1)) for factor in (1, 2.97))
+            assert apart(a, b, k1=k1) < 1e-6, (dark, bright, k1)
+    for _ in range(40):
+        share, level = random.uniform(0.1, 0.7), random.uniform(1, 60)
+        steps = random.integers(0, 2, (40, 128)) * random.choice([0.05, 2])
+        assert apart(np.where(left, -level, level) + steps, np.where(left, -level, level) + share * steps) < 1e-6
+
+
+def test_values_about_zero_and_beyond_the_range_keep_their_luminance() -> None:
+    random = np.random.default_rng(1)
+    noise = random.standard_normal((60, 150))
+    other = noise + 0.5 * random.standard_normal(noise.shape)
+    for scale in (1, 10, 100):
+        for step in (0, 30, 5000):
+            a, b = ((scale * p + np.where(np.arange(150) < 64, 0, step)).astype(np.float32) for p in (noise, other))
+            found = nf.ssim(a, b, data_range=1, full=True)[1]
+            exact = nf.ssim(a.astype(np.float64), b.astype(np.float64), data_range=1, full=True)[1]
+            np.testing.assert_allclose(found, exact, rtol=0, atol=1e-5, err_msg=f"{scale} {step}")
+
+
 def test_contrasts_beyond_the_exponents_are_not_taken_for_none() -> None:
     checks = (np.indices((60, 80)).sum(axis=0) % 2) * 2.0 - 1.0
     for kind in (np.float32, np.float64):

@@ -1,55 +1,140 @@
-//! One window by itself: means first, then distances from them. Slow, and right for any values that squares hold; it is
-//! the last resort where one level for many windows loses digits.
+//! Windows by themselves, about the pixels in their middles: means first, then distances from them. No digit is lost for
+//! any values whose squares float64 holds; it takes ten times as long as passes along rows and columns, and is done where
+//! one level for many windows does not serve.
 
 use super::measure::Source;
-use super::plane::{Plane, Real, mirror};
+use super::plane::{Part, Plane, Real, mirror};
 use super::similarity::Pair;
+use crate::base::simd::widest;
 
-/// Similarity of the window around a pixel and its second factor; it sees a mirrored image, or what a mask names of it.
-pub(super) fn window<P: Source>(
-    pair: &Pair<'_, P>,
-    weights: &[f64],
-    [row, column]: [usize; 2],
-    mask: Option<&Plane<'_, u8>>,
-    [c1, c2]: [f64; 2],
-) -> (f64, f64) {
-    let size = [pair.reference.height, pair.reference.width];
-    let before = weights.len() / 2;
-    let value = |row: usize, column: usize| [&pair.reference, &pair.test].map(|image| image.at(row, column).wide());
-    let levels = value(row, column);
-    let sum = |mut add: Box<dyn FnMut(f64, f64, f64) + '_>| {
-        for (i, down) in weights.iter().enumerate() {
-            for (j, across) in weights.iter().enumerate() {
-                let place = [row + i, column + j].map(|place| place as i64 - before as i64);
-                let [at_row, at_column] = [mirror(place[0], size[0]), mirror(place[1], size[1])];
-                let within = place[0] == at_row as i64 && place[1] == at_column as i64;
+/// Windows side by side.
+const LANES: usize = 8;
+
+/// All that the windows of a part see, in float64.
+pub(super) struct Patch<'a> {
+    weights: &'a [f64],
+    constants: [f64; 2],
+    /// Of each image, rows of `width`; 0 where nothing is seen.
+    values: [Vec<f64>; 2],
+    /// 1 where something is seen.
+    seen: Vec<f64>,
+    width: usize,
+}
+
+impl<'a> Patch<'a> {
+    /// Windows see a mirrored image, or what a mask names of it.
+    pub fn new<P: Source>(
+        pair: &Pair<'_, P>,
+        weights: &'a [f64],
+        constants: [f64; 2],
+        part: &Part,
+        mask: Option<&Plane<'_, u8>>,
+    ) -> Self {
+        let size = [pair.reference.height, pair.reference.width];
+        let (taps, before) = (weights.len(), weights.len() as i64 / 2);
+        let height = part.rows[1] - part.rows[0] + taps - 1;
+        let width = (part.columns[1] - part.columns[0]).next_multiple_of(LANES) + taps - 1;
+        let mut patch = Self {
+            weights,
+            constants,
+            values: [vec![0.0; width * height], vec![0.0; width * height]],
+            seen: vec![0.0; width * height],
+            width,
+        };
+        for row in 0..height {
+            let down = (part.rows[0] + row) as i64 - before;
+            for column in 0..part.columns[1] - part.columns[0] + taps - 1 {
+                let across = (part.columns[0] + column) as i64 - before;
+                let [at_row, at_column] = [mirror(down, size[0]), mirror(across, size[1])];
+                let within = down == at_row as i64 && across == at_column as i64;
                 if mask.is_none_or(|mask| within && mask.names(at_row, at_column)) {
-                    let [x, y] = value(at_row, at_column);
-                    add(down * across, x - levels[0], y - levels[1]);
+                    let at = row * width + column;
+                    patch.values[0][at] = pair.reference.at(at_row, at_column).wide();
+                    patch.values[1][at] = pair.test.at(at_row, at_column).wide();
+                    patch.seen[at] = 1.0;
                 }
             }
         }
-    };
-    let (mut total, mut mean) = (0.0, [0.0; 2]);
-    sum(Box::new(|weight, x, y| {
-        total += weight;
-        mean = [mean[0] + weight * x, mean[1] + weight * y];
-    }));
-    let mean = mean.map(|sum| sum / total);
-    let [mut variances, mut apart] = [0.0; 2];
-    sum(Box::new(|weight, x, y| {
-        let (x, y) = (x - mean[0], y - mean[1]);
-        variances += weight * (x * x + y * y);
-        apart += weight * (x - y) * (x - y);
-    }));
-    let (x, y) = (levels[0] + mean[0], levels[1] + mean[1]);
-    let difference = (levels[0] - levels[1]) + (mean[0] - mean[1]);
-    measured([x * x + y * y + c1, difference * difference], [variances / total + c2, apart / total])
+        patch
+    }
+
+    /// Calls `found` with the number, the similarity and its second factor of each window of a row that is wanted.
+    pub fn measure_row(&self, row: usize, wanted: impl Fn(usize) -> bool, mut found: impl FnMut(usize, f64, f64)) {
+        let columns = self.width + 1 - self.weights.len();
+        for first in (0..columns).step_by(LANES) {
+            if !(first..first + LANES).any(&wanted) {
+                continue;
+            }
+            let factors = measure_block(self, row * self.width + first);
+            for (lane, &[similarity, contrast]) in factors.iter().enumerate() {
+                if wanted(first + lane) {
+                    found(first + lane, similarity, contrast);
+                }
+            }
+        }
+    }
+}
+
+widest! {
+    fn measure_block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] = block;
+}
+
+/// Windows that begin at `from` and at the values after it.
+#[inline(always)]
+fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
+    let [xs, ys] = &patch.values;
+    let weights = patch.weights;
+    let middle = from + weights.len() / 2 * (patch.width + 1);
+    let (mut x_level, mut y_level) = ([0.0; LANES], [0.0; LANES]);
+    for i in 0..LANES {
+        (x_level[i], y_level[i]) = (xs[middle + i], ys[middle + i]);
+    }
+    let (mut total, mut x_mean, mut y_mean) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+    for (down, &down_weight) in weights.iter().enumerate() {
+        for (across, &across_weight) in weights.iter().enumerate() {
+            let (at, weight) = (from + down * patch.width + across, down_weight * across_weight);
+            let (x, y, seen) = (&xs[at..at + LANES], &ys[at..at + LANES], &patch.seen[at..at + LANES]);
+            for i in 0..LANES {
+                let share = weight * seen[i];
+                total[i] += share;
+                x_mean[i] += share * (x[i] - x_level[i]);
+                y_mean[i] += share * (y[i] - y_level[i]);
+            }
+        }
+    }
+    for i in 0..LANES {
+        x_mean[i] /= total[i];
+        y_mean[i] /= total[i];
+    }
+    let (mut variances, mut apart) = ([0.0; LANES], [0.0; LANES]);
+    for (down, &down_weight) in weights.iter().enumerate() {
+        for (across, &across_weight) in weights.iter().enumerate() {
+            let (at, weight) = (from + down * patch.width + across, down_weight * across_weight);
+            let (xs, ys, seen) = (&xs[at..at + LANES], &ys[at..at + LANES], &patch.seen[at..at + LANES]);
+            for i in 0..LANES {
+                let share = weight * seen[i];
+                let (x, y) = ((xs[i] - x_level[i]) - x_mean[i], (ys[i] - y_level[i]) - y_mean[i]);
+                variances[i] += share * (x * x + y * y);
+                apart[i] += share * ((x - y) * (x - y));
+            }
+        }
+    }
+    let mut factors = [[0.0; 2]; LANES];
+    for i in 0..LANES {
+        let (x, y) = (x_level[i] + x_mean[i], y_level[i] + y_mean[i]);
+        let difference = (x_level[i] - y_level[i]) + (x_mean[i] - y_mean[i]);
+        let means = [x * x + y * y + patch.constants[0], difference * difference];
+        let (similarity, contrast) =
+            measured(means, [variances[i] / total[i] + patch.constants[1], apart[i] / total[i]]);
+        factors[i] = [similarity, contrast];
+    }
+    factors
 }
 
 /// Similarity and its second factor by two divisions, because the product of what is divided by would overflow: from
 /// the sum of both squared means and c₁, the square of their difference, the sum of both variances and c₂, and the
 /// variance of the difference.
+#[inline(always)]
 pub(super) fn measured([means, difference]: [f64; 2], [variances, apart]: [f64; 2]) -> (f64, f64) {
     let contrast = (variances - apart) / variances;
     ((means - difference) / means * contrast, contrast)

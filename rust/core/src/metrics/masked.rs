@@ -3,7 +3,7 @@
 
 use rayon::prelude::*;
 
-use super::direct;
+use super::direct::Patch;
 use super::measure::{Measure, Measurement, Source};
 use super::plane::{Part, Plane, Real};
 use super::similarity::{Pair, Sums};
@@ -59,6 +59,8 @@ impl<P: Source> Masked<'_, P> {
         let (before, after) = (taps / 2, taps - 1 - taps / 2);
         let levels = self.levels(part);
         let measure = Measure { levels, constants: self.constants };
+        // Similarity and its second factor of a row's windows, and whether they hold; and what is needed where they don't.
+        let (mut results, mut patch, mut again) = (vec![[0.0; 3]; columns], None, Vec::new());
         // Whole lanes are summed, of which the last may be none of the part.
         let padded = columns.next_multiple_of(LANES);
         let fields = |length: usize| -> Fields { std::array::from_fn(|_| vec![0.0; length]) };
@@ -77,19 +79,34 @@ impl<P: Source> Masked<'_, P> {
             for (field, sums) in window.iter_mut().enumerate() {
                 sum_down(&ring, field, (read + 1) % taps, self.weights, sums);
             }
+            let mut lost = false;
             for column in (first..end).filter(|&column| self.mask.names(row, column)) {
                 let at = column - first;
                 let share = 1.0 / window[0][at];
                 let (s, ss) = (window[1][at] * share, window[2][at] * share);
                 let (d, dd) = (window[3][at] * share, window[4][at] * share);
-                let Measurement { mut similarity, mut contrast, .. } =
+                let Measurement { similarity, contrast, .. } =
                     measure.of::<true, false>([s, ss - s * s], [d, dd - d * d]);
                 // Squares about one level for all windows of a band lose digits of those that are far from it.
                 let contrasts = 0.5 * (ss - s * s + dd - d * d) + self.constants[1];
-                if !(s * s + d * d <= REACH * REACH * contrasts && similarity.is_finite()) {
-                    (similarity, contrast) =
-                        direct::window(&self.pair, self.weights, [row, column], Some(&self.mask), self.constants);
-                }
+                let holds = s * s + d * d <= REACH * REACH * contrasts && similarity.is_finite();
+                lost |= !holds;
+                results[at] = [similarity, contrast, if holds { 1.0 } else { 0.0 }];
+            }
+            if lost {
+                let patch = patch.get_or_insert_with(|| {
+                    Patch::new(&self.pair, self.weights, self.constants, &part, Some(&self.mask))
+                });
+                let named = |n: usize| first + n < end && self.mask.names(row, first + n);
+                patch.measure_row(
+                    row - part.rows[0],
+                    |n| named(n) && results[n][2] == 0.0,
+                    |n, similarity, contrast| again.push((n, [similarity, contrast, 1.0])),
+                );
+                again.drain(..).for_each(|(n, result)| results[n] = result);
+            }
+            for column in (first..end).filter(|&column| self.mask.names(row, column)) {
+                let [similarity, contrast, _] = results[column - first];
                 sums.similarity += similarity;
                 sums.contrast += if self.contrast { contrast } else { 0.0 };
                 sums.pixels += 1.0;

@@ -33,9 +33,15 @@ impl<R: Real> Measure<R> {
         // One division for both factors.
         let divisor = means * variances;
         let similarity = (means - apart) * shared / divisor;
-        // What was rounded when levels were subtracted changes similarity by that over √variances at most.
-        let reach = R::narrow(R::REACH * R::REACH) * variances;
-        let holds = (R::fuse::<FUSED>(s, s, d * d) <= reach) & (divisor <= R::narrow(R::DIVISOR));
+        // With e what was rounded when levels were subtracted, a share of |s| + |d|, the second factor changes by
+        // e √σd² / σ² and the first by e |D| / (S² + D²), where the rounding of means counts as well.
+        let away = R::fuse::<FUSED>(s, s, d * d);
+        let square = |factor: f64| R::narrow(factor * factor);
+        let smaller = if means < variances { means } else { variances };
+        let holds = ((away + (s2 + d2)) * apart <= square(R::REACH) * (means * means))
+            & (away * d2 <= square(R::REACH) * (variances * variances))
+            & (away <= square(R::FARTHEST) * smaller)
+            & (divisor <= R::narrow(R::DIVISOR));
         Measurement { similarity, contrast: if CONTRAST { shared / variances } else { zero }, holds }
     }
 }

@@ -12,9 +12,11 @@ pub trait Pixel: Copy + Send + Sync {
 
 /// Float32 or float64.
 pub trait Real: num::Float {
-    /// How many times a window's contrast, √(σ² + c₂), it may lie from the level: rounding there changes similarity by
-    /// that over the contrast at most, 8e-6 in float32 and 4e-11 in float64.
+    /// By how many roundings of a pixel less its level either factor of the measure may change: 1e-6 in float32 and 5e-13
+    /// in float64. It is the mean that asks for so few, because the roundings of even areas are all alike.
     const REACH: f64;
+    /// How many times √c₁ or √c₂ a window may lie from the level whatever the factors are: rounding by itself.
+    const FARTHEST: f64;
     /// Up to where levels have squares, and these a product.
     const GREATEST: f64;
     /// Up to where that product is far from the greatest number.
@@ -51,7 +53,8 @@ mod num {
 }
 
 impl Real for f32 {
-    const REACH: f64 = 130.0;
+    const REACH: f64 = 20.0;
+    const FARTHEST: f64 = 1e4;
     const GREATEST: f64 = 1e8;
     const DIVISOR: f64 = 1e37;
     const LEAST: f64 = 1e-15;
@@ -70,7 +73,8 @@ impl Real for f32 {
 }
 
 impl Real for f64 {
-    const REACH: f64 = 3e5;
+    const REACH: f64 = 5e3;
+    const FARTHEST: f64 = 1e7;
     const GREATEST: f64 = 1e75;
     const DIVISOR: f64 = 1e305;
     const LEAST: f64 = 1e-140;

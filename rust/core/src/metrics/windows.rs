@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::direct;
+use super::direct::Patch;
 use super::measure::{Measure, Measured, Row, Source};
 use super::moments::{COLUMNS, Kernels, Moments};
 use super::plane::{Part, Real, mirror};
@@ -165,23 +165,24 @@ impl<'a, P: Source> Windows<'a, P> {
     }
 
     fn one_by_one(&self, part: &Part, inside: Part, mut map: Option<Rows<'_, P::Real>>) -> Sums {
+        let patch = Patch::new(&self.pair, self.weights, self.constants, part, None);
+        let ([first, end], is_mapped) = (part.columns, map.is_some());
         let mut sums = Sums::default();
         for row in part.rows[0]..part.rows[1] {
-            for column in part.columns[0]..part.columns[1] {
-                let counts =
-                    inside.holds(row, column) && self.counted.mask.is_none_or(|mask| mask.plane().names(row, column));
-                if counts || map.is_some() {
-                    let (similarity, contrast) =
-                        direct::window(&self.pair, self.weights, [row, column], None, self.constants);
+            let counts = |n: usize| {
+                let named = |mask: Mask<'_>| mask.plane().names(row, first + n);
+                inside.holds(row, first + n) && self.counted.mask.is_none_or(named)
+            };
+            let wanted = |n: usize| first + n < end && (is_mapped || counts(n));
+            patch.measure_row(row - part.rows[0], wanted, |n, similarity, contrast| {
+                if counts(n) {
                     let contrast = if self.counted.contrast { contrast } else { 0.0 };
-                    if counts {
-                        sums = sums.and(Sums { similarity, contrast, pixels: 1.0 });
-                    }
-                    if let Some(map) = &mut map {
-                        map.write(row, column, &[similarity]);
-                    }
+                    sums = sums.and(Sums { similarity, contrast, pixels: 1.0 });
                 }
-            }
+                if let Some(map) = &mut map {
+                    map.write(row, first + n, &[similarity]);
+                }
+            });
         }
         sums
     }
