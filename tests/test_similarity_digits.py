@@ -1,0 +1,148 @@
+"""Digits of structural similarity where they are easily lost: high levels, outliers, values beyond all ranges."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import nearfar as nf
+from similarity_oracle import pictures, slow_maps, slow_masked, weights
+
+
+def hard_pictures() -> Iterator[tuple[str, NDArray[np.float32], NDArray[np.float32], float]]:
+    """Pictures of float32 whose variance is easily lost."""
+    a, b = (p.astype(np.float32) for p in pictures(150, 210))
+    for offset in (10.0, 1e3, 1e4):
+        yield f"offset {offset:g}", a + np.float32(offset), b + np.float32(offset), 1.0
+    dot = np.full((150, 210), 0.5, np.float32)
+    dot[70, 100] += np.float32(1e-3)
+    yield "a pixel", np.full_like(dot, 0.5), dot, 1.0
+    yield "constants", np.full_like(dot, 0.25), np.full_like(dot, 0.75), 1.0
+    edge = np.where(np.arange(210) < 90, 0, 1).astype(np.float32) * np.ones_like(dot)
+    yield "an edge", edge, edge * np.float32(0.98), 1.0
+    yield "high dynamic range", np.exp(8 * a), np.exp(8 * b), 1.0
+    yield "sixteen bits", np.round(60_000 + 4000 * a), np.round(60_000 + 4000 * b), 65_535.0
+
+
+@pytest.mark.parametrize("case", list(hard_pictures()), ids=lambda case: case[0])
+def test_float32_stays_with_float64(case: tuple[str, NDArray[np.float32], NDArray[np.float32], float]) -> None:
+    _, a, b, extent = case
+    for options in ({}, {"window": "uniform", "size": 7}, {"window": "gaussian", "size": 10}):
+        mean, found = nf.ssim(a, b, data_range=extent, full=True, **options)  # type: ignore[arg-type]
+        double = (p.astype(np.float64) for p in (a, b))
+        exact_mean, exact = nf.ssim(*double, data_range=extent, full=True, **options)  # type: ignore[arg-type]
+        assert abs(mean - exact_mean) < 1e-6
+        assert np.abs(found - exact).max() < 1e-5
+
+
+def outliers(kind: type) -> Iterator[tuple[str, NDArray[Any], NDArray[Any]]]:
+    """Pictures whose values lie far apart: what is near their mean is none of them."""
+    random = np.random.default_rng(3)
+    base = 0.5 + 0.1 * random.random((100, 140))
+    noisy = base + 0.02 * random.random(base.shape)
+    y, x = np.mgrid[:100, :140]
+    sun = np.hypot(y - 40, x - 60) < 12
+    for value in (1e3, 65504.0, 1e6, 1e9, 1e20):
+        for name, (a, b) in {
+            "a sun": [np.where(sun, value, p) for p in (base, noisy)],
+            "a pixel": [np.where((y == 56) & (x == 56), value, p) for p in (base, noisy)],
+            "half raised": [p + np.where(x < 50, value, 0) for p in (base, noisy)],
+        }.items():
+            yield f"{name} {value:g}", a.astype(kind), b.astype(kind)
+    yield "values that squares of float32 lose", (1e10 * base).astype(kind), (2.5e9 * noisy).astype(kind)
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+@pytest.mark.parametrize("window", ["gaussian", "uniform"])
+def test_digits_are_kept_beside_outliers(kind: type, window: str) -> None:
+    size = 11 if window == "gaussian" else 4
+    for name, a, b in outliers(kind):
+        exact, _ = slow_maps(a[30:70, 40:80], b[30:70, 40:80], weights(window, size), 1.0)
+        exact = exact[size:-size, size:-size]
+        _, found = nf.ssim(a, b, data_range=1, window=window, size=size, full=True)
+        part = found[30:70, 40:80][size:-size, size:-size]
+        np.testing.assert_allclose(part, exact, rtol=0, atol=1e-5 if kind == np.float32 else 1e-10, err_msg=name)
+        # What the mask hides has no effect, though it lies within the mask's box.
+        mask = np.abs(a) < 1
+        near = np.abs(a[30:70, 40:80]) < 1
+        if not near.any():
+            continue
+        seen = nf.ssim(a[30:70, 40:80], b[30:70, 40:80], data_range=1, mask=near, masking="windows", full=True)[1]
+        expected = slow_masked(a[30:70, 40:80], b[30:70, 40:80], near, weights("gaussian", 11), 1.0)
+        np.testing.assert_allclose(seen, expected, rtol=0, atol=1e-10 if kind == np.float64 else 1e-6, err_msg=name)
+        whole = np.ones(a.shape, bool)
+        both = nf.ssim(a, b, data_range=1, mask=whole, masking="windows", full=True)[1][60:, 80:]
+        alone = nf.ssim(a[40:, 60:], b[40:, 60:], data_range=1, mask=whole[40:, 60:], masking="windows", full=True)[1]
+        np.testing.assert_allclose(
+            both, alone[20:, 20:], rtol=0, atol=1e-9 if kind == np.float64 else 1e-6, err_msg=name
+        )
+        assert mask.any()
+
+
+def test_even_areas_far_from_the_level_are_rounded_alike_and_still_exact() -> None:
+    # Halves of one tile: what is rounded is the same for all windows of a half, and does not average out.
+    left = np.arange(128) < 64
+    random = np.random.default_rng(0)
+
+    def apart(a: NDArray[Any], b: NDArray[Any], **options: Any) -> float:
+        single = [p.astype(np.float32) for p in (a, b)]
+        double = [p.astype(np.float64) for p in single]
+        return float(abs(nf.ssim(*single, data_range=1, **options) - nf.ssim(*double, data_range=1, **options)))
+
+    for dark, bright in ((4.3e-3, 2.161), (4.3e-3, 1.04), (1e-6, 0.5), (0.02, 900.0)):
+        for k1 in (0.01, 1e-3, 1e-6):
+            a, b = (np.where(left, factor * dark, bright) * np.ones((40, 1)) for factor in (1, 2.97))
+            assert apart(a, b, k1=k1) < 1e-6, (dark, bright, k1)
+    for _ in range(40):
+        share, level = random.uniform(0.1, 0.7), random.uniform(1, 60)
+        steps = random.integers(0, 2, (40, 128)) * random.choice([0.05, 2])
+        assert apart(np.where(left, -level, level) + steps, np.where(left, -level, level) + share * steps) < 1e-6
+
+
+def test_values_about_zero_and_beyond_the_range_keep_their_luminance() -> None:
+    random = np.random.default_rng(1)
+    noise = random.standard_normal((60, 150))
+    other = noise + 0.5 * random.standard_normal(noise.shape)
+    for scale in (1, 10, 100):
+        for step in (0, 30, 5000):
+            a, b = ((scale * p + np.where(np.arange(150) < 64, 0, step)).astype(np.float32) for p in (noise, other))
+            found = nf.ssim(a, b, data_range=1, full=True)[1]
+            exact = nf.ssim(a.astype(np.float64), b.astype(np.float64), data_range=1, full=True)[1]
+            np.testing.assert_allclose(found, exact, rtol=0, atol=1e-5, err_msg=f"{scale} {step}")
+
+
+def test_contrasts_beyond_the_exponents_are_not_taken_for_none() -> None:
+    checks = (np.indices((60, 80)).sum(axis=0) % 2) * 2.0 - 1.0
+    for kind in (np.float32, np.float64):
+        # Beyond, the mean of nothing is rounded by more than c1, and so is what similarity is.
+        for scale in (1.0, 1e10, 1e20):
+            a = (checks * scale).astype(kind)
+            assert nf.ssim(a, -a, data_range=1, window="uniform", size=8) == pytest.approx(-1.0, abs=1e-2)
+            assert nf.ssim(a, -a, data_range=1, window="global") == pytest.approx(-1.0, abs=1e-2)
+
+
+@pytest.mark.parametrize(("size", "sigma"), [(10, 0.01), (11, 0.01), (10, 1e-200), (4, 1e3), (1, 0.1)])
+def test_any_width_of_the_window_has_weights(size: int, sigma: float) -> None:
+    a, b = pictures(23, 29)
+    offsets = np.abs(np.arange(size) - (size - 1) / 2)
+    line = (
+        weights("gaussian", size, sigma)
+        if sigma > 0.05
+        else (offsets == offsets.min()) / (offsets == offsets.min()).sum()
+    )
+    expected, _ = slow_maps(a, b, line, 1.0)
+    found = nf.ssim(a, b, data_range=1, size=size, sigma=sigma, full=True)[1]
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
+
+
+def test_float64_keeps_the_variance_at_any_level() -> None:
+    a, b = pictures(40, 50)
+    # Halves of 2⁻²⁰ survive adding 10⁸, so that the shifted pictures are the same but for their level.
+    a, b = (np.round(p * 2**20) / 2**20 for p in (a, b))
+    shifted, _ = slow_maps(a + 1e8, b + 1e8, weights("gaussian", 11), 1.0)
+    found = nf.ssim(a + 1e8, b + 1e8, data_range=1, full=True)[1]
+    np.testing.assert_allclose(found, shifted, rtol=0, atol=1e-9)
