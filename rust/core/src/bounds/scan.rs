@@ -41,12 +41,14 @@ pub trait Real: Copy + Send + Sync + 'static {
     fn farthest(points: &[[Self; 3]], origin: DVec3, center: DVec3) -> (f64, usize);
     /// Appends the points whose squared distance from a centre is above a limit, from the origin.
     fn beyond(points: &[[Self; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>);
+    /// Sum of the points, from the origin.
+    fn sum(points: &[[Self; 3]], origin: DVec3) -> DVec3;
     /// Least and greatest values along each of the directions; NaN where a coordinate is not finite.
     fn extremes(points: &[[Self; 3]]) -> Extremes;
 }
 
 macro_rules! real {
-    ($($real:ty: $farthest:ident, $beyond:ident, $extremes:ident);*) => {$(
+    ($($real:ty: $farthest:ident, $beyond:ident, $sum:ident, $extremes:ident);*) => {$(
         widest! {
             fn $farthest(points: &[[$real; 3]], origin: DVec3, center: DVec3) -> (f64, usize) = farthest;
         }
@@ -54,6 +56,9 @@ macro_rules! real {
             fn $beyond(
                 points: &[[$real; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>,
             ) = beyond;
+        }
+        widest! {
+            fn $sum(points: &[[$real; 3]], origin: DVec3) -> DVec3 = sum;
         }
         widest! {
             fn $extremes(points: &[[$real; 3]]) -> Extremes = extremes;
@@ -69,6 +74,9 @@ macro_rules! real {
             fn beyond(points: &[[Self; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>) {
                 $beyond(points, origin, center, limit, found);
             }
+            fn sum(points: &[[Self; 3]], origin: DVec3) -> DVec3 {
+                $sum(points, origin)
+            }
             fn extremes(points: &[[Self; 3]]) -> Extremes {
                 $extremes(points)
             }
@@ -76,7 +84,7 @@ macro_rules! real {
     )*};
 }
 
-real!(f32: farthest_f32, beyond_f32, extremes_f32; f64: farthest_f64, beyond_f64, extremes_f64);
+real!(f32: farthest_f32, beyond_f32, sum_f32, extremes_f32; f64: farthest_f64, beyond_f64, sum_f64, extremes_f64);
 
 /// Points, all of them finite, seen from one of them: differences of neighbours have all their digits however far from
 /// zero they lie.
@@ -142,8 +150,7 @@ impl<'a, T: Real> Cloud<'a, T> {
 
     /// Mean of all points.
     pub fn mean(&self) -> DVec3 {
-        let tile = |points: &[[T; 3]]| points.iter().map(|point| self.at(point)).sum::<DVec3>();
-        let tiles: Vec<DVec3> = tiles(self.points).map(tile).collect();
+        let tiles: Vec<DVec3> = tiles(self.points).map(|points| T::sum(points, self.origin)).collect();
         tiles.into_iter().sum::<DVec3>() / self.points.len() as f64
     }
 
@@ -254,6 +261,33 @@ fn extremes<T: Real>(points: &[[T; 3]]) -> Extremes {
         found.high[n] = greatest + zero;
     }
     found
+}
+
+#[inline(always)]
+fn sum<T: Real>(points: &[[T; 3]], origin: DVec3) -> DVec3 {
+    let from = origin.to_array();
+    let (blocks, rest) = points.as_chunks::<LANES>();
+    let mut sums = [[0.0; LANES]; 3];
+    for block in blocks {
+        let lanes = gather(block);
+        for axis in 0..3 {
+            for i in 0..LANES {
+                sums[axis][i] += lanes[axis][i] - from[axis];
+            }
+        }
+    }
+    for point in rest {
+        for axis in 0..3 {
+            sums[axis][0] += point[axis].wide() - from[axis];
+        }
+    }
+    let mut total = [0.0; 3];
+    for axis in 0..3 {
+        for lane in sums[axis] {
+            total[axis] += lane;
+        }
+    }
+    DVec3::from_array(total)
 }
 
 /// Squared distances of a block's points from a centre.
