@@ -52,45 +52,33 @@ mod num {
     impl Float for f64 {}
 }
 
-impl Real for f32 {
-    const REACH: f64 = 20.0;
-    const FARTHEST: f64 = 1e4;
-    const GREATEST: f64 = 1e8;
-    const DIVISOR: f64 = 1e37;
-    const LEAST: f64 = 1e-15;
-    #[inline(always)]
-    fn narrow(value: f64) -> Self {
-        value as Self
-    }
-    #[inline(always)]
-    fn wide(self) -> f64 {
-        f64::from(self)
-    }
-    #[inline(always)]
-    fn fuse<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self {
-        if FUSED { a.mul_add(b, c) } else { a * b + c }
-    }
+macro_rules! real {
+    ($real:ty, reach $reach:literal, farthest $farthest:literal, greatest $greatest:literal, divisor $divisor:literal,
+     least $least:literal) => {
+        impl Real for $real {
+            const REACH: f64 = $reach;
+            const FARTHEST: f64 = $farthest;
+            const GREATEST: f64 = $greatest;
+            const DIVISOR: f64 = $divisor;
+            const LEAST: f64 = $least;
+            #[inline(always)]
+            fn narrow(value: f64) -> Self {
+                value as Self
+            }
+            #[inline(always)]
+            fn wide(self) -> f64 {
+                f64::from(self)
+            }
+            #[inline(always)]
+            fn fuse<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self {
+                if FUSED { a.mul_add(b, c) } else { a * b + c }
+            }
+        }
+    };
 }
 
-impl Real for f64 {
-    const REACH: f64 = 5e3;
-    const FARTHEST: f64 = 1e7;
-    const GREATEST: f64 = 1e75;
-    const DIVISOR: f64 = 1e305;
-    const LEAST: f64 = 1e-140;
-    #[inline(always)]
-    fn narrow(value: f64) -> Self {
-        value
-    }
-    #[inline(always)]
-    fn wide(self) -> f64 {
-        self
-    }
-    #[inline(always)]
-    fn fuse<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self {
-        if FUSED { a.mul_add(b, c) } else { a * b + c }
-    }
-}
+real!(f32, reach 20.0, farthest 1e4, greatest 1e8, divisor 1e37, least 1e-15);
+real!(f64, reach 5e3, farthest 1e7, greatest 1e75, divisor 1e305, least 1e-140);
 
 macro_rules! pixel {
     ($($type:ty => $real:ty),*) => {$(
