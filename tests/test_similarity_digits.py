@@ -92,7 +92,7 @@ def test_what_no_window_of_a_mask_sees_has_no_effect(kind: type) -> None:
             far = far | grown[2:, 2:] | grown[:-2, :-2] | grown[2:, :-2] | grown[:-2, 2:]
         if far.all():
             continue
-        plain = [np.where(np.abs(a) > 1, 0.5, p).astype(kind) for p in (a, b)]
+        plain: list[NDArray[Any]] = [np.where(np.abs(a) > 1, 0.5, p).astype(kind) for p in (a, b)]
         expected = nf.ssim(*plain, data_range=1, mask=~far)
         # Levels differ, and with them what is rounded.
         tolerance = 1e-12 if kind == np.float64 else 1e-6

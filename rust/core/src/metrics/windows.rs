@@ -88,14 +88,15 @@ impl<'a, P: Source> Windows<'a, P> {
         let wide = |row: usize, places: &[usize], lines: [&mut [f64]; 2]| {
             self.pair.gather(row, places.iter().copied(), levels, lines)
         };
-        let mut bench = Bench::new(self.weights.len(), self.counted.contrast);
-        bench.row.all = map.is_some();
-        let is_wide = size_of::<P::Real>() == size_of::<f64>();
-        let sums = match is_wide {
-            true => None,
-            false => self.pass(part, inside, (levels, self.weights), &mut bench, map.as_mut(), wide),
-        };
-        sums.unwrap_or_else(|| self.one_by_one(part, inside, map))
+        // The pixels' own precision may have been float64 already.
+        if size_of::<P::Real>() < size_of::<f64>() {
+            let mut bench = Bench::new(self.weights.len(), self.counted.contrast);
+            bench.row.all = map.is_some();
+            if let Some(sums) = self.pass(part, inside, (levels, self.weights), &mut bench, map.as_mut(), wide) {
+                return sums;
+            }
+        }
+        self.one_by_one(part, inside, map)
     }
 
     /// All windows of a part in a precision; none where that does not hold what they need.
