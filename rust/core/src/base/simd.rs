@@ -33,3 +33,38 @@ macro_rules! widest {
 }
 
 pub(crate) use widest;
+
+/// Wraps `#[inline(always)]` kernels, generic in `FUSED` and where they say `<_>` in a type before it, in functions that run
+/// them with the widest vectors.
+macro_rules! fused_kernels {
+    ($(fn $name:ident($($argument:ident: $type:ty),* $(,)?) $(-> $result:ty)? = $kernel:ident $(<$any:tt>)?;)*) => {$(
+        fn $name($($argument: $type),*) $(-> $result)? {
+            #[cfg(target_arch = "x86_64")]
+            {
+                #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw,fma")]
+                fn wide($($argument: $type),*) $(-> $result)? {
+                    $kernel::<$($any,)? true>($($argument),*)
+                }
+                #[target_feature(enable = "avx2,fma")]
+                fn medium($($argument: $type),*) $(-> $result)? {
+                    $kernel::<$($any,)? true>($($argument),*)
+                }
+                if is_x86_feature_detected!("avx512vl")
+                    && is_x86_feature_detected!("avx512dq")
+                    && is_x86_feature_detected!("avx512bw")
+                    && is_x86_feature_detected!("fma")
+                {
+                    // SAFETY: the features were just detected; each of the first three implies avx512f.
+                    return unsafe { wide($($argument),*) };
+                }
+                if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+                    // SAFETY: the features were just detected.
+                    return unsafe { medium($($argument),*) };
+                }
+            }
+            $kernel::<$($any,)? { cfg!(target_arch = "aarch64") }>($($argument),*)
+        }
+    )*};
+}
+
+pub(crate) use fused_kernels;

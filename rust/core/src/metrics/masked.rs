@@ -7,7 +7,8 @@ use super::direct::Patch;
 use super::measure::{Measure, Measurement, Source};
 use super::plane::{Part, Plane, Real};
 use super::similarity::{Pair, Sums};
-use super::vectors::{LANES, fused_kernels, lanes};
+use super::vectors::{LANES, lanes};
+use crate::base::simd::fused_kernels;
 
 /// Rows of one task: fixed, so that sums do not depend on the number of threads.
 const ROWS: usize = 64;

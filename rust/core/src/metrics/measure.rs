@@ -2,7 +2,8 @@
 
 use super::moments::{COLUMNS, Kernels, Moments};
 use super::plane::{Pixel, Real};
-use super::vectors::{LANES, fused_kernels};
+use super::vectors::LANES;
+use crate::base::simd::fused_kernels;
 use crate::base::simd::widest;
 
 /// What turns moments into similarity.

@@ -6,7 +6,8 @@
 //! itself), so that the relative error is a few roundings over that weight, at any level.
 
 use super::plane::Real;
-use super::vectors::{LANES, fused_kernels, lanes};
+use super::vectors::{LANES, lanes};
+use crate::base::simd::fused_kernels;
 
 /// Most windows of a row that are taken together: with those of a window's rows they stay in the first-level cache.
 pub(super) const COLUMNS: usize = 128;

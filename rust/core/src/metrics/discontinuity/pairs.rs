@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use super::Neighbourhood;
 use super::points::{BANDS, Points};
+use crate::base::simd::fused_kernels;
 use crate::base::{Progress, Result};
-use crate::metrics::vectors::fused_kernels;
 
 /// Points after which is asked whether to go on.
 const SOURCES: usize = 1 << 10;
