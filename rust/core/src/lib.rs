@@ -22,4 +22,5 @@ pub mod tessellate;
 pub mod render;
 pub mod metrics;
 pub mod bounds;
+pub mod lens;
 pub mod exr;

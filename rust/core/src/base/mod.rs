@@ -6,8 +6,10 @@ pub mod memory;
 pub mod pool;
 pub mod progress;
 pub mod random;
+pub mod real;
 pub(crate) mod simd;
 
 pub use buffer::Buffer;
 pub use error::{Error, Result};
 pub use progress::Progress;
+pub use real::Real;

@@ -1,8 +1,9 @@
-//! Spheres about points: the smallest one, and cheaper ones that are larger.
+//! Spheres about points: the smallest one, and cheaper ones that are larger; how much of the sight they take.
 
 mod approximate;
 mod exact;
 mod scan;
+mod solid_angle;
 mod support;
 #[cfg(test)]
 mod tests;
@@ -12,6 +13,7 @@ use rayon::prelude::*;
 
 use crate::base::{Error, Progress, Result};
 pub use scan::Real;
+pub use solid_angle::{Seen, each_sphere, solid_angles};
 
 /// A centre and a radius.
 #[derive(Clone, Copy, Debug, PartialEq)]

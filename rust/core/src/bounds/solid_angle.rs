@@ -1,0 +1,77 @@
+//! How much of the sight spheres take.
+
+use std::f64::consts::PI;
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use crate::base::{Error, Result};
+
+/// Spheres of one task.
+const TILE: usize = 1 << 12;
+
+/// A sphere as an eye sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen {
+    /// From the eye to the centre, of length 1.
+    pub direction: DVec3,
+    /// Sine of half the angle that the sphere takes.
+    pub sine: f64,
+    /// Its cosine.
+    pub cosine: f64,
+}
+
+impl Seen {
+    /// `None` where the eye is inside.
+    pub fn new(offset: DVec3, radius: f64) -> Option<Self> {
+        // Squares of what is beyond 10±¹⁵⁴ are not floats.
+        let scale = offset.abs().max_element().max(radius);
+        if scale == 0.0 {
+            return None;
+        }
+        let (offset, radius) = (offset / scale, radius / scale);
+        let distance = offset.length();
+        let sine = radius / distance;
+        (distance > radius).then(|| Self {
+            direction: offset / distance,
+            sine,
+            cosine: ((1.0 - sine) * (1.0 + sine)).sqrt(),
+        })
+    }
+
+    /// σ = 2π (1 − cos μ) in steradians, without its cancellation.
+    pub fn solid_angle(&self) -> f64 {
+        2.0 * PI * (self.sine * self.sine / (1.0 + self.cosine))
+    }
+}
+
+/// Writes what `of` says of each sphere. Centres and radii are checked in the same pass.
+pub fn each_sphere(
+    centers: &[[f64; 3]],
+    radii: &[f64],
+    to: &mut [f64],
+    of: impl Fn(DVec3, f64) -> f64 + Sync,
+) -> Result<()> {
+    let tiles = centers.par_chunks(TILE).zip(radii.par_chunks(TILE)).zip(to.par_chunks_mut(TILE)).enumerate();
+    tiles.try_for_each(|(number, ((centers, radii), to))| {
+        for (n, ((center, &radius), to)) in centers.iter().zip(radii).zip(to).enumerate() {
+            let center = DVec3::from_array(*center);
+            let at = number * TILE + n;
+            if !center.is_finite() {
+                return Err(Error::value("centers", "finite numbers", format!("{center} at index {at}")));
+            }
+            if !(radius >= 0.0 && radius.is_finite()) {
+                return Err(Error::value("radii", "finite numbers of at least 0", format!("{radius} at index {at}")));
+            }
+            *to = of(center, radius);
+        }
+        Ok(())
+    })
+}
+
+/// Solid angles in steradians; 4π where the eye is in or on the sphere.
+pub fn solid_angles(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, to: &mut [f64]) -> Result<()> {
+    each_sphere(centers, radii, to, |center, radius| {
+        Seen::new(center - eye, radius).map_or(4.0 * PI, |seen| seen.solid_angle())
+    })
+}

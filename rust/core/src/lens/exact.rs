@@ -1,0 +1,75 @@
+//! f(r) = r (1 + k₁r² + k₂r⁴ + …) with twice the digits of float64: near a fold, and where terms cancel, its plain value
+//! is off by many roundings, and a root found with it by many more.
+//!
+//! Sums and products without error are Knuth's and Dekker's; a fused product gives the same bits in one instruction.
+
+/// a + b as a float and what its rounding lost.
+#[inline(always)]
+pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let part = sum - a;
+    (sum, (a - (sum - part)) + (b - part))
+}
+
+/// a · b as a float and what its rounding lost.
+#[inline(always)]
+pub(super) fn two_product<const FUSED: bool>(a: f64, b: f64) -> (f64, f64) {
+    let product = a * b;
+    if FUSED {
+        return (product, a.mul_add(b, -product));
+    }
+    let ((ah, al), (bh, bl)) = (halves(a), halves(b));
+    (product, ((ah * bh - product) + ah * bl + al * bh) + al * bl)
+}
+
+/// Veltkamp's split: two floats of 26 bits each that add up to one.
+#[inline(always)]
+fn halves(a: f64) -> (f64, f64) {
+    const FACTOR: f64 = 134_217_729.0; // 2²⁷ + 1
+    let large = FACTOR * a;
+    let high = large - (large - a);
+    (high, a - high)
+}
+
+/// f(r) as a float and a rest.
+#[inline(always)]
+pub(super) fn distorted<const FUSED: bool>(k: &[f64], r: f64) -> (f64, f64) {
+    let (square, square_rest) = two_product::<FUSED>(r, r);
+    let (mut high, mut rest) = (0.0, 0.0);
+    for n in (0..k.len()).rev() {
+        let (sum, lost) = two_sum(high, k[n]);
+        let (product, lost_too) = two_product::<FUSED>(sum, square);
+        rest = lost_too + (sum * square_rest + (rest + lost) * square);
+        high = product;
+    }
+    let (sum, lost) = two_sum(high, 1.0);
+    let (product, lost_too) = two_product::<FUSED>(sum, r);
+    (product, lost_too + (rest + lost) * r)
+}
+
+/// f(r) − wanted, right to a rounding of itself wherever it is not below 10⁻³⁰ of the terms of f.
+pub(super) fn residual(k: &[f64], r: f64, wanted: f64) -> f64 {
+    let (high, rest) = distorted::<false>(k, r);
+    (high - wanted) + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn both_products_have_the_same_bits(a in -1e90..1e90f64, b in -1e3..1e3f64, k in -1.0..1.0f64, r in 0.0..9.0f64) {
+            prop_assert_eq!(two_product::<true>(a, b), two_product::<false>(a, b));
+            prop_assert_eq!(distorted::<true>(&[k, a], r), distorted::<false>(&[k, a], r));
+        }
+
+        #[test]
+        fn integers_are_exact(k in -20..20i64, l in -20..20i64, r in 0..1000i64) {
+            let expected = i128::from(r) + i128::from(k * r.pow(3)) + i128::from(l) * i128::from(r).pow(5);
+            let (high, rest) = distorted::<false>(&[k as f64, l as f64], r as f64);
+            prop_assert_eq!(high as i128 + rest as i128, expected);
+        }
+    }
+}

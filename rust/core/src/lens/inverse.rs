@@ -1,0 +1,282 @@
+//! f, f′ and f⁻¹ of many radii: blocks of them go through vectors, and what those can't settle is solved one by one.
+
+use rayon::prelude::*;
+
+use super::RadialLens;
+use super::exact::{two_product, two_sum};
+use super::table::Table;
+use crate::base::simd::fused_kernels;
+use crate::base::{Error, Real, Result};
+
+/// Radii of one task: fixed, and few enough to stay in the nearest cache while they are worked on.
+const TILE: usize = 1 << 10;
+/// Radii side by side.
+const LANES: usize = 32;
+
+/// A tile, where vectors can load it.
+#[repr(align(64))]
+struct Stage([f64; TILE]);
+
+/// How f is inverted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Newton's method to the last bits.
+    Newton,
+    /// As published: r ← x / (1 + k₁r² + …), so many times. Liebisch (2021), Alg. 1.
+    FixedPoint(u32),
+    /// Cubics between nodes, within the bound of `table_bound`.
+    Table,
+}
+
+impl RadialLens {
+    /// f(r) of radii of either sign. Beyond r_max: NaN, or with `refuse` an error.
+    pub fn distort_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool) -> Result<()> {
+        each_tile(r, to, |tile| distort_tile(&self.radial.k, self.radial.r_max, tile));
+        self.refused(refuse, r, to, self.radial.r_max)
+    }
+
+    /// f′(r) of radii of either sign, off by 2 (n + 1) roundings of the sum of its terms' sizes at most.
+    pub fn derivative_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool) -> Result<()> {
+        each_tile(r, to, |tile| slope_tile(&self.radial.slope, self.radial.r_max, tile));
+        self.refused(refuse, r, to, self.radial.r_max)
+    }
+
+    /// f⁻¹(x) of distorted radii of either sign. Beyond f(r_max): NaN, or with `refuse` an error.
+    pub fn undistort_all<T: Real>(&self, x: &[T], to: &mut [T], method: Method, refuse: bool) -> Result<()> {
+        match (method, self.table()) {
+            (Method::FixedPoint(steps), _) => each_tile(x, to, |tile| fixed_point_tile(&self.radial.k, steps, tile)),
+            (_, None) => each_tile(x, to, |_| ()),
+            (Method::Newton, Some(table)) => each_tile(x, to, |tile| self.newton(table, tile)),
+            (Method::Table, Some(table)) => each_tile(x, to, |tile| self.interpolate(table, tile)),
+        }
+        if matches!(method, Method::FixedPoint(_)) {
+            return Ok(());
+        }
+        self.refused(refuse, x, to, self.radial.x_max)
+    }
+
+    fn newton(&self, table: &Table, tile: &mut [f64]) {
+        let mut hard = Vec::new();
+        newton_tile(&self.radial.k, &self.radial.slope, table, tile, &mut hard);
+        self.one_by_one(tile, &hard);
+    }
+
+    fn interpolate(&self, table: &Table, tile: &mut [f64]) {
+        let mut hard = Vec::new();
+        table_tile(table, tile, &mut hard);
+        self.one_by_one(tile, &hard);
+    }
+
+    /// Solves what vectors left.
+    fn one_by_one(&self, tile: &mut [f64], hard: &[u32]) {
+        for &place in hard {
+            let x = tile[place as usize];
+            tile[place as usize] = self.undistort(x.abs()).copysign(x);
+        }
+    }
+
+    /// The first radius that has no image, if that is to be an error.
+    fn refused<T: Real>(&self, refuse: bool, from: &[T], to: &[T], end: f64) -> Result<()> {
+        let outside = || to.par_iter().position_first(|value| value.wide().is_nan());
+        match refuse.then(outside).flatten() {
+            None => Ok(()),
+            Some(index) => {
+                let expected = if end.is_finite() { format!("radii up to {end}, where the lens folds") } else { "numbers".into() };
+                Err(Error::value("r", expected, format!("{} at index {index}", from[index].wide())))
+            }
+        }
+    }
+}
+
+/// Runs a kernel over float64 copies of tiles.
+pub(super) fn each_tile<T: Real>(from: &[T], to: &mut [T], kernel: impl Fn(&mut [f64]) + Sync) {
+    from.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).for_each(|(from, to)| {
+        // Whole blocks, so that kernels have no ends to care for: what is left over stays zero.
+        let mut stage = Stage([0.0; TILE]);
+        for (one, other) in stage.0.iter_mut().zip(from) {
+            *one = other.wide();
+        }
+        kernel(&mut stage.0[..from.len().next_multiple_of(LANES)]);
+        for (one, other) in to.iter_mut().zip(&stage.0) {
+            *one = T::narrow(*other);
+        }
+    });
+}
+
+fused_kernels! {
+    fn distort_tile(k: &[f64], r_max: f64, tile: &mut [f64]) = distort_blocks;
+    fn slope_tile(slope: &[f64], r_max: f64, tile: &mut [f64]) = slope_blocks;
+    fn fixed_point_tile(k: &[f64], steps: u32, tile: &mut [f64]) = fixed_point_blocks;
+    fn table_tile(table: &Table, tile: &mut [f64], hard: &mut Vec<u32>) = table_blocks;
+    fn newton_tile(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], hard: &mut Vec<u32>) = newton_blocks;
+}
+
+#[inline(always)]
+fn distort_blocks<const FUSED: bool>(k: &[f64], r_max: f64, tile: &mut [f64]) {
+    for block in tile.as_chunks_mut::<LANES>().0 {
+        let r = *block;
+        distorted_block::<FUSED>(k, &r, &[0.0; LANES], block);
+        for n in 0..LANES {
+            block[n] = if r[n].abs() <= r_max { block[n] } else { f64::NAN };
+        }
+    }
+}
+
+/// `exact::distorted` of a block, less what is wanted: the same operations, side by side.
+#[inline(always)]
+fn distorted_block<const FUSED: bool>(k: &[f64], r: &[f64; LANES], wanted: &[f64; LANES], to: &mut [f64; LANES]) {
+    let (mut square, mut square_rest) = ([0.0; LANES], [0.0; LANES]);
+    for n in 0..LANES {
+        (square[n], square_rest[n]) = two_product::<FUSED>(r[n], r[n]);
+    }
+    let (mut high, mut rest) = ([0.0; LANES], [0.0; LANES]);
+    for &c in k.iter().rev() {
+        for n in 0..LANES {
+            let (sum, lost) = two_sum(high[n], c);
+            let (product, lost_too) = two_product::<FUSED>(sum, square[n]);
+            rest[n] = lost_too + (sum * square_rest[n] + (rest[n] + lost) * square[n]);
+            high[n] = product;
+        }
+    }
+    for n in 0..LANES {
+        let (sum, lost) = two_sum(high[n], 1.0);
+        let (product, lost_too) = two_product::<FUSED>(sum, r[n]);
+        to[n] = (product - wanted[n]) + (lost_too + (rest[n] + lost) * r[n]);
+    }
+}
+
+#[inline(always)]
+fn slope_blocks<const FUSED: bool>(slope: &[f64], r_max: f64, tile: &mut [f64]) {
+    for block in tile.as_chunks_mut::<LANES>().0 {
+        let r = *block;
+        *block = [0.0; LANES];
+        for &c in slope.iter().rev() {
+            for n in 0..LANES {
+                block[n] = block[n] * (r[n] * r[n]) + c;
+            }
+        }
+        for n in 0..LANES {
+            block[n] = if r[n].abs() <= r_max { block[n] } else { f64::NAN };
+        }
+    }
+}
+
+#[inline(always)]
+fn fixed_point_blocks<const FUSED: bool>(k: &[f64], steps: u32, tile: &mut [f64]) {
+    for block in tile.as_chunks_mut::<LANES>().0 {
+        let x = *block;
+        for _ in 0..steps {
+            let mut factor = [0.0; LANES];
+            for &c in k.iter().rev() {
+                for n in 0..LANES {
+                    factor[n] = (factor[n] + c) * (block[n] * block[n]);
+                }
+            }
+            for n in 0..LANES {
+                block[n] = x[n] / (1.0 + factor[n]);
+            }
+        }
+    }
+}
+
+/// The cubics' values of a block, of |x|. Beyond the last interval they mean nothing.
+#[inline(always)]
+fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]) {
+    const MANTISSA: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
+    let last = table.cubics.len() as u64 - 1;
+    let fineness = f64::MANTISSA_DIGITS - 1 - table.shift;
+    let scale = 1.0 / table.first;
+    let (mut index, mut place) = ([0u64; LANES], [0.0; LANES]);
+    for n in 0..LANES {
+        let x = x[n].abs();
+        let bits = x.to_bits();
+        let low = x < table.first;
+        // What the number of the interval leaves of the mantissa, as a float of 1..2.
+        let within = f64::from_bits((bits << fineness) & MANTISSA | 1.0f64.to_bits()) - 1.0;
+        place[n] = if low { x * scale } else { within };
+        let number = (bits >> table.shift).wrapping_sub(table.base - 1);
+        let number = if low { 0 } else { number };
+        index[n] = if number < last { number } else { last };
+    }
+    for n in 0..LANES {
+        // SAFETY: the index was held within the table, which has at least one cubic.
+        let [a, b, c, d] = *unsafe { table.cubics.get_unchecked(index[n] as usize) };
+        to[n] = a + place[n] * (b + place[n] * (c + place[n] * d));
+    }
+}
+
+#[inline(always)]
+fn table_blocks<const FUSED: bool>(table: &Table, tile: &mut [f64], hard: &mut Vec<u32>) {
+    for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
+        let x = *block;
+        let mut r = [0.0; LANES];
+        cubic_block(table, &x, &mut r);
+        let mut left = false;
+        for n in 0..LANES {
+            let good = x[n].abs() < table.end;
+            left |= !good;
+            block[n] = if good { r[n].copysign(x[n]) } else { x[n] };
+        }
+        if left {
+            for n in 0..LANES {
+                if !(x[n].abs() < table.end) {
+                    hard.push((number * LANES + n) as u32);
+                }
+            }
+        }
+    }
+}
+
+/// From the table's start a plain step of Newton's method, and one with the residual in twice the digits.
+#[inline(always)]
+fn newton_blocks<const FUSED: bool>(
+    k: &[f64],
+    slope: &[f64],
+    table: &Table,
+    tile: &mut [f64],
+    hard: &mut Vec<u32>,
+) {
+    for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
+        let mut x = *block;
+        for n in 0..LANES {
+            x[n] = x[n].abs();
+        }
+        let mut start = [0.0; LANES];
+        cubic_block(table, &x, &mut start);
+
+        let (mut factor, mut steepness) = ([0.0; LANES], [0.0; LANES]);
+        for i in (0..k.len()).rev() {
+            for n in 0..LANES {
+                let square = start[n] * start[n];
+                factor[n] = (factor[n] + k[i]) * square;
+                steepness[n] = (steepness[n] + slope[i + 1]) * square;
+            }
+        }
+        let (mut r, mut inverse) = ([0.0; LANES], [0.0; LANES]);
+        for n in 0..LANES {
+            inverse[n] = 1.0 / (1.0 + steepness[n]);
+            r[n] = start[n] - (start[n] * (1.0 + factor[n]) - x[n]) * inverse[n];
+        }
+
+        let mut off = [0.0; LANES];
+        distorted_block::<FUSED>(k, &r, &x, &mut off);
+        let mut settled = [false; LANES];
+        let mut all = true;
+        for n in 0..LANES {
+            let (first, second) = ((r[n] - start[n]).abs(), (off[n] * inverse[n]).abs());
+            let root = r[n] - off[n] * inverse[n];
+            // The slope was taken at the start: the last step is off by 2 second² / first, a quarter of an ulp at most.
+            let right = second * second <= 1e-17 * (root * first) || second <= 1e-14 * root && first <= 1e-9 * root;
+            settled[n] = right && x[n] < table.start_end;
+            all &= settled[n];
+            block[n] = if settled[n] { root.copysign(block[n]) } else { block[n] };
+        }
+        if !all {
+            for n in 0..LANES {
+                if !settled[n] {
+                    hard.push((number * LANES + n) as u32);
+                }
+            }
+        }
+    }
+}

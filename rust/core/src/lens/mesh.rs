@@ -1,0 +1,129 @@
+//! The mesh with which a runtime warps its pictures: exact at its vertices, and linear between them.
+
+use super::polynomial::{derivative, range};
+use super::{RadialLens, View};
+use crate::base::{Error, Result};
+
+/// A grid over the made picture.
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    /// Shares of the made picture from its top left corner, row by row.
+    pub places: Vec<[f64; 2]>,
+    /// For each lens, shares of the picture that is read.
+    pub sources: Vec<Vec<[f64; 2]>>,
+    /// Two triangles for each cell that the lens serves, counter-clockwise with y up.
+    pub faces: Vec<[u32; 3]>,
+    /// Nothing within those is taken from further beside its place, in pixels of the picture that is read.
+    pub error: f64,
+}
+
+/// A mesh of `columns` × `rows` cells for a picture of `width` × `height` pixels.
+pub fn warp_mesh(
+    lenses: &[RadialLens],
+    view: &View,
+    [columns, rows]: [usize; 2],
+    [width, height]: [usize; 2],
+) -> Result<Mesh> {
+    let at = |n: usize| (n % (columns + 1), n / (columns + 1));
+    let count = (columns + 1) * (rows + 1);
+    let places: Vec<[f64; 2]> =
+        (0..count).map(at).map(|(i, j)| [i as f64 / columns as f64, j as f64 / rows as f64]).collect();
+    let seen: Vec<[f64; 2]> = places.iter().map(|[x, y]| view.place(*x, *y)).collect();
+    let mut sources = Vec::new();
+    for lens in lenses {
+        let mut of = vec![[0.0; 2]; count];
+        view.sources(lens, &seen, &mut of)?;
+        sources.push(of.into_iter().map(|source| view.share(source)).collect::<Vec<_>>());
+    }
+    let density = view.density(&view.from, width, height);
+    let density = density[0].max(density[1]);
+    let (mut faces, mut error) = (Vec::new(), 0.0f64);
+    for cell in 0..columns * rows {
+        let first = cell / columns * (columns + 1) + cell % columns;
+        let corners = [first, first + 1, first + columns + 1, first + columns + 2];
+        if corners.iter().any(|&n| sources.iter().any(|of| of[n][0].is_nan())) {
+            continue;
+        }
+        let [a, b, c, d] = corners.map(|n| n as u32);
+        faces.extend([[a, c, b], [b, c, d]]);
+        for lens in lenses {
+            error = error.max(density * lens.bend_of_cell(view, corners.map(|n| seen[n])));
+        }
+    }
+    if faces.is_empty() {
+        return Err(Error::value("fov", "a field of view that the lens serves", "one beyond its fold"));
+    }
+    Ok(Mesh { places, sources, faces, error })
+}
+
+impl RadialLens {
+    /// How far a triangle of a cell can be off in units of the lens.
+    ///
+    /// A linear interpolation on a triangle is off by R²/2 times the greatest second derivative along any line (Waldron
+    /// 1998), R the radius around its corners; the diagonal of a cell is twice that.
+    fn bend_of_cell(&self, view: &View, [a, b, c, d]: [[f64; 2]; 4]) -> f64 {
+        let length = |[x, y]: [f64; 2]| x.hypot(y);
+        let diagonal = length([a[0] - d[0], a[1] - d[1]]);
+        let high = [a, b, c, d].map(length).into_iter().fold(0.0, f64::max);
+        // The cell's point nearest to the axis.
+        let near = |from: f64, to: f64| if from.min(to) > 0.0 { from.min(to) } else { -from.max(to).min(0.0) };
+        let low = near(a[0], d[0]).hypot(near(a[1], d[1]));
+        diagonal * diagonal / 8.0 * if view.distort { self.bend_back(low, high) } else { self.bend(low, high) }
+    }
+
+    /// Greatest second derivative along lines of p ↦ p f(|p|)/|p| and the tangential terms, between two radii.
+    fn bend(&self, low: f64, high: f64) -> f64 {
+        let [a, b] = self.curvatures(low, high);
+        greatest(a, b) + 6.0 * self.tangential[0].hypot(self.tangential[1])
+    }
+
+    /// The same of the inverse, between two distorted radii.
+    fn bend_back(&self, low: f64, high: f64) -> f64 {
+        // Near the fold of a lens with tangential terms `high` may have no root: then there is no bound.
+        let (low, high) = (self.undistort(low) * (1.0 - 1e-14), self.undistort(high) * (1.0 + 1e-14));
+        let [slope, factor] = self.least_slopes(low, high);
+        let p = self.tangential[0].hypot(self.tangential[1]);
+        if p > 0.0 {
+            // g″(d, d) = −J⁻¹ F″(J⁻¹d, J⁻¹d)
+            return self.bend(low, high) / (slope.min(factor) - 6.0 * p * high).max(0.0).powi(3);
+        }
+        // g″ = −f″/f′³, and (g′x − g)/x² = −(f′r − f)/r² / (f′ (f/r)²)
+        let [a, b] = self.curvatures(low, high);
+        let (scale, other) = (slope.max(0.0).powi(-3), 1.0 / (slope.max(0.0) * factor * factor));
+        greatest([a[0].min(0.0) * scale, a[1].max(0.0) * scale], [b[0].min(0.0) * other, b[1].max(0.0) * other])
+    }
+
+    /// Ranges of f″ and (f′r − f)/r².
+    fn curvatures(&self, low: f64, high: f64) -> [[f64; 2]; 2] {
+        let mut f = vec![0.0; 2 * self.radial.k.len() + 2];
+        let mut around = f.clone();
+        f[1] = 1.0;
+        for (n, c) in self.radial.k.iter().enumerate() {
+            f[2 * n + 3] = *c;
+            around[2 * n + 1] = (2 * n + 2) as f64 * c;
+        }
+        [derivative(&derivative(&f)), around].map(|each| range(&each, low, high).into())
+    }
+
+    /// Least f′ and f/r.
+    fn least_slopes(&self, low: f64, high: f64) -> [f64; 2] {
+        let mut factor = vec![1.0];
+        factor.extend(&self.radial.k);
+        [&self.radial.slope, &factor].map(|each| range(each, low * low, high * high).0)
+    }
+}
+
+/// Greatest length of the second derivative along lines whose squared cosine with the radius is c: radially
+/// A c + B (1−c), around 2 √(c (1−c)) B, for A and B in ranges. Its square is convex in both, so that ends suffice.
+fn greatest(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let square = |a: f64, b: f64, c: f64| (b + (a - b) * c).powi(2) + 4.0 * c * (1.0 - c) * b * b;
+    let mut most = 0.0f64;
+    for a in a {
+        for b in b {
+            let flat = -(b * (a - b) + 2.0 * b * b) / ((a - b).powi(2) - 4.0 * b * b);
+            let places = [0.0, 1.0, if flat > 0.0 && flat < 1.0 { flat } else { 0.0 }];
+            most = places.iter().fold(most, |most, &c| most.max(square(a, b, c)));
+        }
+    }
+    most.sqrt()
+}

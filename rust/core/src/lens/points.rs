@@ -1,0 +1,179 @@
+//! Points instead of radii, with the tangential terms of lenses that are not quite centred.
+//!
+//! Brown (1966): x_d = x (1 + k₁r² + …) + 2p₁xy + p₂(r² + 2x²), y_d = y (1 + k₁r² + …) + p₁(r² + 2y²) + 2p₂xy.
+
+use glam::{DMat2, DVec2};
+use rayon::prelude::*;
+
+use super::solve::Radial;
+use super::{Method, RadialLens, polynomial};
+use crate::base::{Error, Real, Result};
+
+/// Points of one task.
+const TILE: usize = 1 << 10;
+/// Steps of Newton's method before a way around is taken; from a good start it needs five.
+const STEPS: u32 = 40;
+/// Parts of that way.
+const PARTS: u32 = 64;
+
+/// Radius of the largest disc in which a lens is known to map no two points to one.
+///
+/// A map of a convex set is one to one where the symmetric part of its Jacobian is positive. Here the radial part has the
+/// eigenvalues f(r)/r and f′(r), and the tangential part, 4 (p₁y + p₂x) ± 2|p|r, is never below −6|p|r.
+pub(super) fn reach(radial: &Radial, tangential: [f64; 2]) -> f64 {
+    let p = tangential[0].hypot(tangential[1]);
+    if p == 0.0 {
+        return radial.r_max;
+    }
+    let less = |of_square: &[f64]| {
+        let mut in_r = vec![0.0; (2 * of_square.len()).max(2)];
+        for (n, c) in of_square.iter().enumerate() {
+            in_r[2 * n] = *c;
+        }
+        in_r[1] = -6.0 * p;
+        polynomial::first_zero(&in_r).unwrap_or(f64::INFINITY)
+    };
+    let mut factor = vec![1.0];
+    factor.extend(&radial.k);
+    less(&factor).min(less(&radial.slope))
+}
+
+impl RadialLens {
+    /// Where points are shown. Outside the disc of radius `reach`: NaN, or with `refuse` an error.
+    pub fn distort_points<T: Real>(&self, points: &[[T; 2]], to: &mut [[T; 2]], refuse: bool) -> Result<()> {
+        self.map(points, to, refuse, |tile| {
+            let mut radii: Vec<f64> = tile.iter().map(|p| p.length()).collect();
+            let shown = radii.clone();
+            let mut images = vec![0.0; radii.len()];
+            self.distort_all(&shown, &mut images, false)?;
+            std::mem::swap(&mut radii, &mut images);
+            for ((p, image), r) in tile.iter_mut().zip(radii).zip(shown) {
+                let moved = self.tangential_at(*p);
+                *p = if r <= self.reach { scaled(*p, r, image) + moved } else { DVec2::NAN };
+            }
+            Ok(())
+        })
+    }
+
+    /// What is shown at points. Where nothing within the disc of radius `reach` is: NaN, or with `refuse` an error.
+    pub fn undistort_points<T: Real>(&self, points: &[[T; 2]], to: &mut [[T; 2]], refuse: bool) -> Result<()> {
+        self.map(points, to, refuse, |tile| {
+            let radii: Vec<f64> = tile.iter().map(|p| p.length()).collect();
+            let mut roots = vec![0.0; radii.len()];
+            self.undistort_all(&radii, &mut roots, Method::Newton, false)?;
+            for ((p, root), r) in tile.iter_mut().zip(roots).zip(radii) {
+                *p = if self.tangential == [0.0; 2] { scaled(*p, r, root) } else { self.undistort_point(*p, r, root) };
+            }
+            Ok(())
+        })
+    }
+
+    fn map<T: Real>(
+        &self,
+        points: &[[T; 2]],
+        to: &mut [[T; 2]],
+        refuse: bool,
+        kernel: impl Fn(&mut [DVec2]) -> Result<()> + Sync,
+    ) -> Result<()> {
+        points.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).try_for_each(|(from, to)| {
+            let mut tile: Vec<DVec2> = from.iter().map(|[x, y]| DVec2::new(x.wide(), y.wide())).collect();
+            kernel(&mut tile)?;
+            for (one, other) in to.iter_mut().zip(tile) {
+                *one = [T::narrow(other.x), T::narrow(other.y)];
+            }
+            Ok(())
+        })?;
+        match refuse.then(|| to.par_iter().position_first(|[x, _]| x.wide().is_nan())).flatten() {
+            None => Ok(()),
+            Some(index) => {
+                let expected = format!("points of the lens's image, within r = {}", self.reach);
+                let [x, y] = points[index];
+                Err(Error::value("points", expected, format!("({}, {}) at index {index}", x.wide(), y.wide())))
+            }
+        }
+    }
+
+    /// By how much the tangential terms move a point.
+    fn tangential_at(&self, p: DVec2) -> DVec2 {
+        let [p1, p2] = self.tangential;
+        let (square, product) = (p.length_squared(), 2.0 * p.x * p.y);
+        DVec2::new(p1 * product + p2 * (square + 2.0 * p.x * p.x), p1 * (square + 2.0 * p.y * p.y) + p2 * product)
+    }
+
+    /// Where a point is shown, and the Jacobian there.
+    fn shown(&self, p: DVec2) -> (DVec2, DMat2) {
+        let square = p.length_squared();
+        let factor = 1.0 + square * polynomial::value(&self.radial.k, square);
+        // f′ = factor + 2 r² dfactor/dr²
+        let growth = if square > 0.0 { (polynomial::value(&self.radial.slope, square) - factor) / square } else { 0.0 };
+        let [p1, p2] = self.tangential;
+        let mixed = growth * p.x * p.y + 2.0 * (p1 * p.x + p2 * p.y);
+        let columns = DMat2::from_cols_array(&[
+            factor + growth * p.x * p.x + 2.0 * p1 * p.y + 6.0 * p2 * p.x,
+            mixed,
+            mixed,
+            factor + growth * p.y * p.y + 6.0 * p1 * p.y + 2.0 * p2 * p.x,
+        ]);
+        (p * factor + self.tangential_at(p), columns)
+    }
+
+    /// From the radial root; NaN where the disc holds none. A root in the disc is the only one there.
+    fn undistort_point(&self, shown: DVec2, r: f64, root: f64) -> DVec2 {
+        if !shown.is_finite() {
+            return DVec2::NAN;
+        }
+        let inside = 0.999 * self.reach.min(f64::MAX);
+        let start = scaled(shown, r, if root.is_nan() { inside } else { root }).clamp_length_max(inside);
+        if let Some(found) = self.descend(start, shown) {
+            return found;
+        }
+        // In parts from the middle, where the root is known.
+        let mut at = DVec2::ZERO;
+        for part in 1..=PARTS {
+            match self.descend(at, shown * (f64::from(part) / f64::from(PARTS))) {
+                Some(next) => at = next,
+                None => return DVec2::NAN,
+            }
+        }
+        at
+    }
+
+    /// Newton's method, whose steps are shortened until they bring the image nearer and stay in the disc.
+    fn descend(&self, mut at: DVec2, wanted: DVec2) -> Option<DVec2> {
+        let (mut image, mut jacobian) = self.shown(at);
+        for _ in 0..STEPS {
+            let off = image - wanted;
+            let step = jacobian.inverse() * off;
+            if step.length() <= f64::EPSILON * at.length() || off == DVec2::ZERO {
+                break;
+            }
+            let mut share = 1.0;
+            loop {
+                let next = at - share * step;
+                let (shown, there) = self.shown(next);
+                if next.length() <= self.reach && (shown - wanted).length() < off.length() {
+                    (at, image, jacobian) = (next, shown, there);
+                    break;
+                }
+                share *= 0.5;
+                // What no part of a step improves is as good as rounding lets it be, or beside the disc.
+                if share < 1e-3 {
+                    return self.is_root(at, image, wanted).then_some(at);
+                }
+            }
+        }
+        self.is_root(at, image, wanted).then_some(at)
+    }
+
+    /// As far as float64 can tell: a hundred roundings of the largest of the terms.
+    fn is_root(&self, at: DVec2, image: DVec2, wanted: DVec2) -> bool {
+        let square = at.length_squared();
+        let terms = self.radial.k.iter().rev().fold(0.0, |sum, c| (sum + c.abs()) * square) + 1.0;
+        (image - wanted).length() <= 100.0 * f64::EPSILON * terms * at.length().max(wanted.length())
+    }
+}
+
+/// A point at distance r moved to another one.
+fn scaled(p: DVec2, r: f64, to: f64) -> DVec2 {
+    if r == 0.0 { p } else { p * (to / r) }
+}

@@ -1,0 +1,137 @@
+//! Polynomials as coefficients from the constant one up: values, roots, bounds.
+
+/// Value by Horner's rule.
+pub(super) fn value(coefficients: &[f64], x: f64) -> f64 {
+    coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
+}
+
+/// Coefficients of the derivative.
+pub(super) fn derivative(coefficients: &[f64]) -> Vec<f64> {
+    coefficients.iter().enumerate().skip(1).map(|(power, c)| power as f64 * c).collect()
+}
+
+/// The least x > 0 at which a polynomial that is positive at 0 is not positive any more, as far as rounding can tell:
+/// where it only touches zero counts.
+pub(super) fn first_zero(coefficients: &[f64]) -> Option<f64> {
+    zeros(coefficients).first().copied()
+}
+
+/// All x > 0 where a polynomial changes its sign or touches zero, rising. Between neighbouring zeros of the derivative
+/// it is monotone, so that each sign change there is one zero, which halving finds.
+fn zeros(coefficients: &[f64]) -> Vec<f64> {
+    let degree = coefficients.iter().rposition(|&c| c != 0.0).unwrap_or(0);
+    if degree == 0 {
+        return Vec::new();
+    }
+    let own = &coefficients[..=degree];
+    let end = beyond_all_zeros(own);
+    let mut knots: Vec<f64> = zeros(&derivative(own)).into_iter().filter(|&x| x < end).collect();
+    knots.push(end);
+    let (mut found, mut from) = (Vec::new(), 0.0);
+    for to in knots {
+        if sign(own, from) * sign(own, to) < 0.0 {
+            found.push(halve(own, from, to));
+        } else if sign(own, to) == 0.0 {
+            found.push(to);
+        }
+        from = to;
+    }
+    found
+}
+
+/// Fujiwara's bound: twice the greatest root of a quotient of coefficients.
+fn beyond_all_zeros(own: &[f64]) -> f64 {
+    let degree = own.len() - 1;
+    let root = |i: usize| (own[i] / own[degree]).abs().powf(1.0 / (degree - i) as f64);
+    2.0 * (0..degree).map(root).fold(f64::MIN_POSITIVE, f64::max)
+}
+
+/// −1, 0 or 1; 0 where the value is smaller than what rounding may have made of it.
+fn sign(own: &[f64], x: f64) -> f64 {
+    let (value, size) = own.iter().rev().fold((0.0, 0.0), |(sum, size), c| (sum * x + c, size * x + c.abs()));
+    // Horner's rule is off by at most 2n roundings of the sum of all terms' sizes.
+    let blur = own.len() as f64 * f64::EPSILON * size;
+    if value.abs() <= blur && size.is_finite() { 0.0 } else { f64::signum(value) }
+}
+
+/// The last float before the sign changes between two places.
+fn halve(own: &[f64], mut from: f64, mut to: f64) -> f64 {
+    let before = value(own, from).signum();
+    loop {
+        let middle = from + (to - from) * 0.5;
+        if middle <= from || middle >= to {
+            return from;
+        }
+        if value(own, middle).signum() == before {
+            from = middle;
+        } else {
+            to = middle;
+        }
+    }
+}
+
+/// Least and greatest value a polynomial can have on [low, high], low ≥ 0. Terms of either sign rise with x, so the ends
+/// bound them; on short intervals little is lost.
+pub(super) fn range(coefficients: &[f64], low: f64, high: f64) -> (f64, f64) {
+    let part = |sign: f64, x: f64| coefficients.iter().rev().fold(0.0, |sum, c| sum * x + (sign * c).max(0.0));
+    (part(1.0, low) - part(-1.0, high), part(1.0, high) - part(-1.0, low))
+}
+
+/// Greatest size of a value within `range`.
+pub(super) fn size(coefficients: &[f64], low: f64, high: f64) -> f64 {
+    let (least, greatest) = range(coefficients, low, high);
+    least.abs().max(greatest.abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Coefficients of the product of (1 − x / root).
+    fn from_roots(roots: &[f64]) -> Vec<f64> {
+        roots.iter().fold(vec![1.0], |product, root| {
+            let mut next = vec![0.0; product.len() + 1];
+            for (i, c) in product.iter().enumerate() {
+                next[i] += c;
+                next[i + 1] -= c / root;
+            }
+            next
+        })
+    }
+
+    #[test]
+    fn touching_counts_and_nothing_is_nothing() {
+        assert_eq!(first_zero(&[1.0]), None);
+        assert_eq!(first_zero(&[1.0, 2.0, 0.0]), None);
+        assert_eq!(first_zero(&[1.0, -2.0]), Some(0.5));
+        // A double zero is blurred to the root of a rounding: 1.5e-8.
+        assert!((first_zero(&[1.0, -2.0, 1.0]).unwrap() - 1.0).abs() < 1e-7);
+        assert_eq!(first_zero(&[1.0, -1.999, 1.0]), None);
+    }
+
+    proptest! {
+        #[test]
+        fn the_first_of_several_zeros_is_found(
+            first in 1e-3..1e3f64, others in prop::collection::vec(1.2..50.0f64, 0..4), negative in 0.0..10.0f64,
+        ) {
+            let mut roots: Vec<f64> = others.iter().map(|factor| first * factor).collect();
+            roots.push(first);
+            roots.push(-first * (0.1 + negative));
+            let found = first_zero(&from_roots(&roots)).unwrap();
+            // Coefficients are rounded: each moves a zero by its conditioning, below 1e5 roundings for gaps of a fifth.
+            prop_assert!((found / first - 1.0).abs() < 1e-10, "{found} {first}");
+        }
+
+        #[test]
+        fn ranges_hold_all_values(
+            coefficients in prop::collection::vec(-3.0..3.0f64, 1..6), low in 0.0..2.0f64, width in 0.0..1.0f64,
+            share in 0.0..1.0f64,
+        ) {
+            let (least, greatest) = range(&coefficients, low, low + width);
+            let inside = value(&coefficients, low + share * width);
+            // Both sides are sums of at most six terms up to 3 · 3⁵.
+            prop_assert!(least - 1e-11 <= inside && inside <= greatest + 1e-11);
+        }
+    }
+}

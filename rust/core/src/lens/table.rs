@@ -1,0 +1,139 @@
+//! f⁻¹ as cubics between nodes, with a bound on what that costs.
+//!
+//! Nodes are floats whose mantissas end in zeros: the bits of x are its interval's number and its place in it. Their
+//! distance grows with x, as the curvature of f⁻¹ falls.
+
+use super::polynomial::{derivative, range, size};
+use super::solve::Radial;
+
+/// Largest error of the table in units of the lens, r ≈ 1 in a headset: half of the 10⁻⁹ promised.
+const TOLERANCE: f64 = 5e-10;
+/// Largest error of a start for Newton's method, as a share of r.
+const START: f64 = 1e-5;
+/// Smallest and greatest binary logarithm of x in units of the lens. Below lies one interval; above are no nodes.
+const OCTAVES: std::ops::Range<i32> = -6..4;
+/// Binary logarithm of the number of intervals in an octave: the least of them that serves.
+const FINENESS: std::ops::RangeInclusive<u32> = 5..=9;
+/// Up to which share of r_max, or up to which multiple of the lens's unit, a table should hold its tolerance.
+const WANTED: (f64, f64) = (0.9, 4.0);
+
+const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
+
+/// Cubics for f⁻¹.
+#[derive(Clone, Debug)]
+pub(super) struct Table {
+    /// c₀ + t (c₁ + t (c₂ + t c₃)) for t of 0..1 in each interval.
+    pub cubics: Vec<[f64; 4]>,
+    /// End of the first interval, a power of two.
+    pub first: f64,
+    /// Bits of `first`, shifted: what numbers start from.
+    pub base: u64,
+    /// By how much bits are shifted to become numbers.
+    pub shift: u32,
+    /// Below it cubics are within START.
+    pub start_end: f64,
+    /// Below it they are within TOLERANCE.
+    pub end: f64,
+    /// No cubic below `end` is off by more: a bound, not an estimate.
+    pub bound: f64,
+}
+
+impl Table {
+    /// With as many nodes as the tolerance asks for.
+    pub fn new(lens: &Radial) -> Self {
+        let (share, multiple) = WANTED;
+        let wanted = if lens.r_max.is_finite() { share * lens.r_max } else { multiple * lens.unit };
+        let wanted = lens.distort(wanted);
+        let mut table = Self::with(lens, *FINENESS.start());
+        for fineness in FINENESS.skip(1) {
+            if table.end >= wanted.min(table.start_end) {
+                break;
+            }
+            table = Self::with(lens, fineness);
+        }
+        table
+    }
+
+    fn with(lens: &Radial, fineness: u32) -> Self {
+        let scale = lens.unit.log2().floor() as i32;
+        let first = f64::powi(2.0, scale + OCTAVES.start);
+        let last = f64::powi(2.0, scale + OCTAVES.end).min(lens.x_max);
+        let shift = MANTISSA - fineness;
+        let base = first.to_bits() >> shift;
+        let mut table =
+            Self { cubics: Vec::new(), first, base, shift, start_end: 0.0, end: 0.0, bound: 0.0 };
+        let derivatives = Derivatives::new(lens);
+        let mut from = Node::at(lens, 0.0);
+        for number in 0u64.. {
+            let x = f64::from_bits((base + number) << shift);
+            if x > last {
+                break;
+            }
+            let to = Node::at(lens, x);
+            let bound = derivatives.bound(&from, &to);
+            if bound > START * to.r || !bound.is_finite() {
+                break;
+            }
+            if table.end == from.x && bound <= TOLERANCE * lens.unit {
+                table.end = x;
+                table.bound = table.bound.max(bound);
+            }
+            table.cubics.push(cubic(&from, &to));
+            table.start_end = x;
+            from = to;
+        }
+        table
+    }
+}
+
+/// f⁻¹ and its slope somewhere.
+struct Node {
+    x: f64,
+    r: f64,
+    slope: f64,
+}
+
+impl Node {
+    fn at(lens: &Radial, x: f64) -> Self {
+        let r = lens.undistort(x);
+        Self { x, r, slope: 1.0 / lens.derivative(r) }
+    }
+}
+
+/// Hermite's cubic between two nodes.
+fn cubic(from: &Node, to: &Node) -> [f64; 4] {
+    let width = to.x - from.x;
+    let (rise, one, other) = (to.r - from.r, width * from.slope, width * to.slope);
+    [from.r, one, 3.0 * rise - 2.0 * one - other, one + other - 2.0 * rise]
+}
+
+/// f′ … f⁗ as polynomials in r.
+struct Derivatives([Vec<f64>; 4]);
+
+impl Derivatives {
+    fn new(lens: &Radial) -> Self {
+        let mut f = vec![0.0; 2 * lens.k.len() + 2];
+        f[1] = 1.0;
+        for (n, c) in lens.k.iter().enumerate() {
+            f[2 * n + 3] = *c;
+        }
+        let first = derivative(&f);
+        let second = derivative(&first);
+        let third = derivative(&second);
+        let fourth = derivative(&third);
+        Self([first, second, third, fourth])
+    }
+
+    /// Greatest error of Hermite's cubic: h⁴/384 · max |g⁗| of g = f⁻¹, whose fourth derivative is
+    /// −(15 f″³ − 10 f′f″f‴ + f′²f⁗) / f′⁷, and four roundings of the result.
+    fn bound(&self, from: &Node, to: &Node) -> f64 {
+        let Self([first, second, third, fourth]) = self;
+        // Nodes are right to a rounding; the interval is widened by more than that.
+        let (low, high) = (from.r * (1.0 - 1e-14), to.r * (1.0 + 1e-14));
+        let steepness = size(first, low, high);
+        let (two, three, four) = (size(second, low, high), size(third, low, high), size(fourth, low, high));
+        let above = 15.0 * two.powi(3) + 10.0 * steepness * two * three + steepness * steepness * four;
+        let below = range(first, low, high).0.max(0.0).powi(7);
+        (to.x - from.x).powi(4) / 384.0 * above / below + 4.0 * f64::EPSILON * to.r
+    }
+}
