@@ -39,17 +39,19 @@ RUST_STAGES: dict[str, set[str]] = {
     "render": {"base", "scene", "bvh", "cubemap", "camera", "trace", "morph", "bend", "tessellate", "partition"},
     "metrics": {"base", "camera"},
     "bounds": {"base"},
+    "lens": {"base", "camera", "bounds"},
     "exr": {"base"},
 }
 """The order is that of lib.rs."""
 
-POLICIES = {"_check", "_progress", "_files", "_formats", "_cache", "_random", "_data", "_errors", "_version", "_core"}
+POLICIES = {"_check", "_progress", "_files", "_formats", "_cache", "_random", "_data", "_errors", "_version", "_core", "_twin"}
 
 PYTHON_STAGES: dict[str, set[str]] = {
     "_version": set(),
     "_core": set(),
     "_errors": {"_core"},
     "_check": set(),
+    "_twin": set(),
     "_progress": set(),
     "_files": set(),
     "_data": set(),
@@ -85,6 +87,8 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_similarity": {"_frame", "_pictures"},
     "_discontinuity": {"_camera", "_frame"},
     "_bounds": set(),
+    "_warp": {"_camera"},
+    "_lens": {"_camera", "_warp"},
     "_bundle": {"_envmap", "_names", "_scene", "_scene_glb"},
     "_reduced": {"_bundle", "_camera", "_envmap", "_frame", "_partition", "_render", "_scene"},
     "_reduce": {"_bundle", "_envmap", "_frame", "_partition", "_reduced", "_render", "_scene"},

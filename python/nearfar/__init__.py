@@ -2,12 +2,13 @@
 
 from nearfar import datasets
 from nearfar._bend import bend_rays, fold_margin
-from nearfar._bounds import bounding_sphere, bounding_spheres
+from nearfar._bounds import bounding_sphere, bounding_spheres, solid_angle
 from nearfar._camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._discontinuity import boundary, discontinuity
 from nearfar._envmap import EnvMap, cube_lookup
 from nearfar._errors import DeviceError, Error, FormatError, SceneError
 from nearfar._frame import Frame
+from nearfar._lens import ChromaticLens, RadialLens, corrected_solid_angle
 from nearfar._load_curve import LoadCurve, load_curve
 from nearfar._metrics import object_completion, psnr, rmse
 from nearfar._morph import morph
@@ -20,9 +21,11 @@ from nearfar._similarity import ms_ssim, ssim, ssim_pairs, visual_continuity
 from nearfar._tessellate import tessellate
 from nearfar._trace import Hits, cast_rays
 from nearfar._version import __version__
+from nearfar._warp import WarpMesh
 
 __all__ = [
     "Camera",
+    "ChromaticLens",
     "CubeFace",
     "DeviceError",
     "EnvMap",
@@ -34,15 +37,18 @@ __all__ = [
     "LoadCurve",
     "Orthographic",
     "Partition",
+    "RadialLens",
     "ReducedScene",
     "Scene",
     "SceneError",
+    "WarpMesh",
     "__version__",
     "bend_rays",
     "boundary",
     "bounding_sphere",
     "bounding_spheres",
     "cast_rays",
+    "corrected_solid_angle",
     "cube_lookup",
     "datasets",
     "discontinuity",
@@ -56,6 +62,7 @@ __all__ = [
     "reduce",
     "render",
     "rmse",
+    "solid_angle",
     "ssim",
     "ssim_pairs",
     "tessellate",

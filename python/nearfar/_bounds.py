@@ -1,4 +1,4 @@
-"""Spheres about points: the smallest one, and cheaper ones that are larger."""
+"""Spheres about points: the smallest one, and cheaper ones that are larger; how much of the sight they take."""
 
 from __future__ import annotations
 
@@ -76,3 +76,33 @@ def bounding_spheres(
         rows = _core.bounding_spheres(_check.array("points", points), numbers, method=method, report=report)
     found = np.array(rows, np.float64).reshape(-1, 4)
     return found[:, :3].copy(), found[:, 3].copy()
+
+
+def solid_angle(centers: ArrayLike, radii: ArrayLike, *, eye: ArrayLike) -> NDArray[np.float64]:
+    """Solid angles that spheres take of the sight from an eye.
+
+    Parameters
+    ----------
+    centers
+        (N, 3), metres.
+    radii
+        (N,) or one, metres, at least 0.
+    eye
+        Three numbers, metres.
+
+    Returns
+    -------
+    NDArray
+        (N,) float64, steradians: σ = 2π (1 − cos μ) with μ = asin(radius / distance), to a few units in the last place
+        however small the sphere is; 4π where the eye is in it or on it.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For other shapes, numbers that are not finite, and radii below 0.
+
+    References
+    ----------
+    Liebisch (2021), Sec. 4.3.
+    """
+    return _core.solid_angles(*_check.spheres(centers, radii), _check.vector("eye", eye))

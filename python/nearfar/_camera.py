@@ -10,9 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _check, _core
-
-MAX_SIZE = 1 << 16
-"""Greatest width or height of an image in pixels."""
+from nearfar._twin import WithTwin
 
 
 @dataclass(frozen=True)
@@ -76,7 +74,7 @@ Projection = Fov | Orthographic | CubeFace
 
 
 @dataclass(frozen=True)
-class Camera:
+class Camera(WithTwin):
     """A view of a scene.
 
     Parameters
@@ -104,7 +102,7 @@ class Camera:
     def __post_init__(self) -> None:
         object.__setattr__(self, "position", _check.vector("position", self.position))
         object.__setattr__(self, "orientation", _quaternion(self.orientation))
-        object.__setattr__(self, "size", _size(self.size))
+        object.__setattr__(self, "size", _check.size("size", self.size))
         if not isinstance(self.fov, Projection):
             raise TypeError(f"fov: expected Fov, Orthographic or CubeFace, got {type(self.fov).__name__}")
         if isinstance(self.fov, CubeFace) and self.size[0] != self.size[1]:
@@ -202,14 +200,6 @@ def _quaternion(value: ArrayLike) -> tuple[float, float, float, float]:
     if abs(length - 1.0) > 1e-6:
         raise ValueError(f"orientation: expected a unit quaternion (x, y, z, w), got length {length:g}")
     return x, y, z, w
-
-
-def _size(value: tuple[int, int]) -> tuple[int, int]:
-    try:
-        width, height = value
-    except (TypeError, ValueError):
-        raise TypeError(f"size: expected (width, height) in pixels, got {value!r}") from None
-    return _check.integer("size[0]", width, 1, MAX_SIZE), _check.integer("size[1]", height, 1, MAX_SIZE)
 
 
 def _quaternion_from_axes(axes: NDArray[np.float64]) -> tuple[float, float, float, float]:

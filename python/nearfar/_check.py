@@ -12,6 +12,9 @@ from typing import Any, SupportsFloat, SupportsIndex
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
+MAX_SIZE = 1 << 16
+"""Greatest width or height of an image in pixels."""
+
 
 def array(
     name: str,
@@ -94,6 +97,24 @@ def integer(name: str, value: SupportsIndex, low: int, high: int) -> int:
     if not low <= result <= high:
         raise ValueError(f"{name}: expected a whole number from {low} to {high}, got {result}")
     return result
+
+
+def size(name: str, value: tuple[int, int]) -> tuple[int, int]:
+    """Width and height of an image in pixels; TypeError or ValueError otherwise."""
+    try:
+        width, height = value
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: expected (width, height) in pixels, got {value!r}") from None
+    return integer(f"{name}[0]", width, 1, MAX_SIZE), integer(f"{name}[1]", height, 1, MAX_SIZE)
+
+
+def spheres(centers: ArrayLike, radii: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Centres (N, 3) and as many radii, of which one may stand for all, as float64; ValueError otherwise."""
+    places = array("centers", centers, dtype=np.float64)
+    sizes = array("radii", radii, columns=None, dtype=np.float64)
+    if sizes.shape not in ((), (len(places),)):
+        raise ValueError(f"radii: expected one number or shape ({len(places)},), got {sizes.shape}")
+    return places, np.ascontiguousarray(np.broadcast_to(sizes, len(places)))
 
 
 def choice(name: str, value: str, options: Collection[str]) -> str:

@@ -297,6 +297,59 @@ def bounding_spheres(
     method: str,
     report: _Report | None = None,
 ) -> list[list[float]]: ...
+def solid_angles(
+    centers: NDArray[np.float64], radii: NDArray[np.float64], eye: tuple[float, float, float]
+) -> NDArray[np.float64]: ...
+
+# lens ---------------------------------------------------------------------------------------------------------------
+_Bounds = tuple[float, float, float, float]
+
+@final
+class RadialLens:
+    def __new__(cls, k: list[float], tangential: tuple[float, float]) -> RadialLens: ...
+    @property
+    def r_max(self) -> float: ...
+    @property
+    def reach(self) -> float: ...
+    def table_bound(self) -> tuple[float, float]: ...
+    def distort(self, r: NDArray[Any], refuse: bool) -> NDArray[Any]: ...
+    def derivative(self, r: NDArray[Any], refuse: bool) -> NDArray[Any]: ...
+    def undistort(self, r: NDArray[Any], method: str, iterations: int, refuse: bool) -> NDArray[Any]: ...
+    def distort_points(self, places: NDArray[Any], refuse: bool) -> NDArray[Any]: ...
+    def undistort_points(self, places: NDArray[Any], refuse: bool) -> NDArray[Any]: ...
+
+def warp(
+    lenses: list[RadialLens],
+    picture: NDArray[Any],
+    *,
+    from_fov: _Bounds,
+    to_fov: _Bounds,
+    tan_omega: float,
+    size: tuple[int, int],
+    distort: bool,
+    filter: str,
+    fill: float,
+) -> NDArray[Any]: ...
+def warp_mesh(
+    lenses: list[RadialLens],
+    *,
+    from_fov: _Bounds,
+    to_fov: _Bounds,
+    tan_omega: float,
+    cells: tuple[int, int],
+    size: tuple[int, int],
+    distort: bool,
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.uint32], float]: ...
+def corrected_solid_angles(
+    lens: RadialLens,
+    centers: NDArray[np.float64],
+    radii: NDArray[np.float64],
+    *,
+    eye: tuple[float, float, float],
+    forward: tuple[float, float, float],
+    tan_omega: float,
+    exact: bool,
+) -> NDArray[np.float64]: ...
 
 # exr ----------------------------------------------------------------------------------------------------------------
 _Part = tuple[str, dict[str, NDArray[Any]], dict[str, str | tuple[float, float, float]]]

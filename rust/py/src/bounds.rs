@@ -2,7 +2,7 @@
 
 use nearfar_core::base::{Error, Result};
 use nearfar_core::bounds::{self, Method, Sphere};
-use numpy::{PyReadonlyArray1, PyReadonlyArray2};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use crate::errors::to_python;
@@ -73,7 +73,23 @@ fn bounding_sphere(py: Python<'_>, points: Points<'_>, method: &str) -> PyResult
     Ok(row(&sphere))
 }
 
+/// Solid angles of spheres in steradians.
+#[pyfunction]
+fn solid_angles<'py>(
+    py: Python<'py>,
+    centers: PyReadonlyArray2<'py, f64>,
+    radii: PyReadonlyArray1<'py, f64>,
+    eye: [f64; 3],
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let to = PyArray1::<f64>::zeros(py, radii.len(), false);
+    let mut write = to.readwrite();
+    let (centers, radii, into) = (centers.as_slice()?.as_chunks::<3>().0, radii.as_slice()?, write.as_slice_mut()?);
+    run::short(py, || bounds::solid_angles(centers, radii, eye.into(), into))?;
+    Ok(to)
+}
+
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(bounding_sphere, module)?)?;
-    module.add_function(wrap_pyfunction!(bounding_spheres, module)?)
+    module.add_function(wrap_pyfunction!(bounding_spheres, module)?)?;
+    module.add_function(wrap_pyfunction!(solid_angles, module)?)
 }

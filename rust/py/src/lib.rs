@@ -8,6 +8,7 @@ mod camera;
 mod cubemap;
 mod errors;
 mod exr;
+mod lens;
 mod metrics;
 mod morph;
 mod parts;
@@ -38,5 +39,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     reduce::register(module)?;
     metrics::register(module)?;
     bounds::register(module)?;
+    lens::register(module)?;
     exr::register(module)
 }

@@ -1,5 +1,7 @@
 //! f, f′ and f⁻¹ of many radii: blocks of them go through vectors, and what those can't settle is solved one by one.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use rayon::prelude::*;
 
 use super::RadialLens;
@@ -31,28 +33,28 @@ pub enum Method {
 impl RadialLens {
     /// f(r) of radii of either sign. Beyond r_max: NaN, or with `refuse` an error.
     pub fn distort_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool) -> Result<()> {
-        each_tile(r, to, |tile| distort_tile(&self.radial.k, self.radial.r_max, tile));
-        self.refused(refuse, r, to, self.radial.r_max)
+        let whole = each_tile(r, to, |tile| distort_tile(&self.radial.k, self.radial.r_max, tile));
+        if whole || !refuse { Ok(()) } else { Err(refused(r, to, self.radial.r_max)) }
     }
 
     /// f′(r) of radii of either sign, off by 2 (n + 1) roundings of the sum of its terms' sizes at most.
     pub fn derivative_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool) -> Result<()> {
-        each_tile(r, to, |tile| slope_tile(&self.radial.slope, self.radial.r_max, tile));
-        self.refused(refuse, r, to, self.radial.r_max)
+        let whole = each_tile(r, to, |tile| slope_tile(&self.radial.slope, self.radial.r_max, tile));
+        if whole || !refuse { Ok(()) } else { Err(refused(r, to, self.radial.r_max)) }
     }
 
     /// f⁻¹(x) of distorted radii of either sign. Beyond f(r_max): NaN, or with `refuse` an error.
     pub fn undistort_all<T: Real>(&self, x: &[T], to: &mut [T], method: Method, refuse: bool) -> Result<()> {
-        match (method, self.table()) {
-            (Method::FixedPoint(steps), _) => each_tile(x, to, |tile| fixed_point_tile(&self.radial.k, steps, tile)),
+        let whole = match (method, self.table()) {
+            (Method::FixedPoint(steps), _) => {
+                each_tile(x, to, |tile| fixed_point_tile(&self.radial.k, steps, tile));
+                true
+            }
             (_, None) => each_tile(x, to, |_| ()),
             (Method::Newton, Some(table)) => each_tile(x, to, |tile| self.newton(table, tile)),
             (Method::Table, Some(table)) => each_tile(x, to, |tile| self.interpolate(table, tile)),
-        }
-        if matches!(method, Method::FixedPoint(_)) {
-            return Ok(());
-        }
-        self.refused(refuse, x, to, self.radial.x_max)
+        };
+        if whole || !refuse { Ok(()) } else { Err(refused(x, to, self.radial.x_max)) }
     }
 
     fn newton(&self, table: &Table, tile: &mut [f64]) {
@@ -74,22 +76,19 @@ impl RadialLens {
             tile[place as usize] = self.undistort(x.abs()).copysign(x);
         }
     }
-
-    /// The first radius that has no image, if that is to be an error.
-    fn refused<T: Real>(&self, refuse: bool, from: &[T], to: &[T], end: f64) -> Result<()> {
-        let outside = || to.par_iter().position_first(|value| value.wide().is_nan());
-        match refuse.then(outside).flatten() {
-            None => Ok(()),
-            Some(index) => {
-                let expected = if end.is_finite() { format!("radii up to {end}, where the lens folds") } else { "numbers".into() };
-                Err(Error::value("r", expected, format!("{} at index {index}", from[index].wide())))
-            }
-        }
-    }
 }
 
-/// Runs a kernel over float64 copies of tiles.
-pub(super) fn each_tile<T: Real>(from: &[T], to: &mut [T], kernel: impl Fn(&mut [f64]) + Sync) {
+/// The first radius that has no image.
+fn refused<T: Real>(from: &[T], to: &[T], end: f64) -> Error {
+    let index = to.iter().position(|value| value.wide().is_nan()).unwrap_or(0);
+    let expected =
+        if end.is_finite() { format!("radii up to {end}, where the lens folds") } else { "finite numbers".into() };
+    Error::value("r", expected, format!("{} at index {index}", from[index].wide()))
+}
+
+/// Runs a kernel over float64 copies of tiles; tells whether all results are numbers.
+fn each_tile<T: Real>(from: &[T], to: &mut [T], kernel: impl Fn(&mut [f64]) + Sync) -> bool {
+    let good = AtomicBool::new(true);
     from.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).for_each(|(from, to)| {
         // Whole blocks, so that kernels have no ends to care for: what is left over stays zero.
         let mut stage = Stage([0.0; TILE]);
@@ -97,10 +96,16 @@ pub(super) fn each_tile<T: Real>(from: &[T], to: &mut [T], kernel: impl Fn(&mut 
             *one = other.wide();
         }
         kernel(&mut stage.0[..from.len().next_multiple_of(LANES)]);
+        let mut numbers = true;
         for (one, other) in to.iter_mut().zip(&stage.0) {
             *one = T::narrow(*other);
+            numbers &= !other.is_nan();
+        }
+        if !numbers {
+            good.store(false, Ordering::Relaxed);
         }
     });
+    good.into_inner()
 }
 
 fused_kernels! {
@@ -229,13 +234,7 @@ fn table_blocks<const FUSED: bool>(table: &Table, tile: &mut [f64], hard: &mut V
 
 /// From the table's start a plain step of Newton's method, and one with the residual in twice the digits.
 #[inline(always)]
-fn newton_blocks<const FUSED: bool>(
-    k: &[f64],
-    slope: &[f64],
-    table: &Table,
-    tile: &mut [f64],
-    hard: &mut Vec<u32>,
-) {
+fn newton_blocks<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], hard: &mut Vec<u32>) {
     for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let mut x = *block;
         for n in 0..LANES {

@@ -28,8 +28,8 @@ pub use warp::{Filter, Image, Pixel, View, warp};
 
 /// Most coefficients that a lens may have.
 const MOST: usize = 64;
-/// Radii at which the first term may be as large as r itself: beyond, squares of squares overflow.
-const UNITS: std::ops::Range<f64> = 1e-60..1e60;
+/// Radii at which the first term may be as large as r itself: squares and their products stay floats.
+const UNITS: std::ops::Range<f64> = 1e-60..1e140;
 
 /// A lens.
 #[derive(Clone, Debug)]
@@ -82,7 +82,7 @@ impl RadialLens {
         if x <= self.radial.x_max { self.radial.undistort(x) } else { f64::NAN }
     }
 
-    /// Greatest error of `Method::Table`, and up to which x that table goes: beyond, Newton's method takes over.
+    /// Greatest error of `Method::Table` as a share of r, and up to which x that table goes: beyond, Newton's method takes over.
     pub fn table_bound(&self) -> (f64, f64) {
         self.table().map_or((0.0, f64::INFINITY), |table| (table.bound, table.end))
     }

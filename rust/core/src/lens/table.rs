@@ -6,12 +6,12 @@
 use super::polynomial::{derivative, range, size};
 use super::solve::Radial;
 
-/// Largest error of the table in units of the lens, r ≈ 1 in a headset: half of the 10⁻⁹ promised.
+/// Largest error of the table, as a share of r: below 10⁻⁹ for all radii of headsets, up to 2.
 const TOLERANCE: f64 = 5e-10;
 /// Largest error of a start for Newton's method, as a share of r.
 const START: f64 = 1e-5;
 /// Smallest and greatest binary logarithm of x in units of the lens. Below lies one interval; above are no nodes.
-const OCTAVES: std::ops::Range<i32> = -6..4;
+const OCTAVES: std::ops::Range<i32> = -8..4;
 /// Binary logarithm of the number of intervals in an octave: the least of them that serves.
 const FINENESS: std::ops::RangeInclusive<u32> = 5..=9;
 /// Up to which share of r_max, or up to which multiple of the lens's unit, a table should hold its tolerance.
@@ -34,7 +34,7 @@ pub(super) struct Table {
     pub start_end: f64,
     /// Below it they are within TOLERANCE.
     pub end: f64,
-    /// No cubic below `end` is off by more: a bound, not an estimate.
+    /// No cubic below `end` is off by more, as a share of r: a bound, not an estimate.
     pub bound: f64,
 }
 
@@ -60,8 +60,7 @@ impl Table {
         let last = f64::powi(2.0, scale + OCTAVES.end).min(lens.x_max);
         let shift = MANTISSA - fineness;
         let base = first.to_bits() >> shift;
-        let mut table =
-            Self { cubics: Vec::new(), first, base, shift, start_end: 0.0, end: 0.0, bound: 0.0 };
+        let mut table = Self { cubics: Vec::new(), first, base, shift, start_end: 0.0, end: 0.0, bound: 0.0 };
         let derivatives = Derivatives::new(lens);
         let mut from = Node::at(lens, 0.0);
         for number in 0u64.. {
@@ -71,10 +70,10 @@ impl Table {
             }
             let to = Node::at(lens, x);
             let bound = derivatives.bound(&from, &to);
-            if bound > START * to.r || !bound.is_finite() {
+            if bound > START || !bound.is_finite() {
                 break;
             }
-            if table.end == from.x && bound <= TOLERANCE * lens.unit {
+            if table.end == from.x && bound <= TOLERANCE {
                 table.end = x;
                 table.bound = table.bound.max(bound);
             }
@@ -124,7 +123,7 @@ impl Derivatives {
         Self([first, second, third, fourth])
     }
 
-    /// Greatest error of Hermite's cubic: h⁴/384 · max |g⁗| of g = f⁻¹, whose fourth derivative is
+    /// Greatest error of Hermite's cubic as a share of r: x² (h−x)² max |g⁗| / 24 of g = f⁻¹, whose fourth derivative is
     /// −(15 f″³ − 10 f′f″f‴ + f′²f⁗) / f′⁷, and four roundings of the result.
     fn bound(&self, from: &Node, to: &Node) -> f64 {
         let Self([first, second, third, fourth]) = self;
@@ -134,6 +133,10 @@ impl Derivatives {
         let (two, three, four) = (size(second, low, high), size(third, low, high), size(fourth, low, high));
         let above = 15.0 * two.powi(3) + 10.0 * steepness * two * three + steepness * steepness * four;
         let below = range(first, low, high).0.max(0.0).powi(7);
-        (to.x - from.x).powi(4) / 384.0 * above / below + 4.0 * f64::EPSILON * to.r
+        let width = to.x - from.x;
+        // At most h⁴/16 of x² (h−x)², over the least r; from zero on, 4h³/27 of it over x, and r ≥ x / max f′.
+        let greatest =
+            if from.x > 0.0 { width.powi(4) / 16.0 / from.r } else { 4.0 / 27.0 * width.powi(3) * steepness };
+        greatest / 24.0 * above / below + 4.0 * f64::EPSILON
     }
 }

@@ -1,0 +1,147 @@
+"""Pictures and meshes warped by lenses."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _check, _core
+from nearfar._camera import Fov
+
+FILTERS = ("linear", "cubic")
+
+TYPES = (np.uint8, np.uint16, np.float32, np.float64)
+
+MOST_CELLS = 1024
+"""Columns or rows that a tolerance may ask for."""
+
+
+@dataclass(frozen=True, eq=False)
+class WarpMesh:
+    """A grid that warps pictures: at each vertex where it is drawn, and what of the picture is shown there."""
+
+    positions: NDArray[np.float32] = field(repr=False)
+    """(N, 2) float32, clip coordinates: −1..1, x to the right, y up."""
+    texcoords: NDArray[np.float32] = field(repr=False)
+    """(L, N, 2) float32 for each lens, shares of the picture that is read from its top left corner, v down.
+
+    They may lie outside 0..1 where the lens shows what is beside the picture.
+    """
+    faces: NDArray[np.uint32] = field(repr=False)
+    """(F, 3) uint32, counter-clockwise."""
+    error_px: float
+    """No place within the faces is taken from further beside where it should be, in pixels of the picture read.
+
+    A bound from the map's second derivatives, not a measurement.
+    """
+
+
+def warp(
+    lenses: list[_core.RadialLens],
+    image: ArrayLike,
+    inverse: bool,
+    fov: Fov | None,
+    output_fov: Fov | None,
+    size: tuple[int, int] | None,
+    filter: str,  # noqa: A002
+    fill: float,
+) -> NDArray[Any]:
+    """Warp a picture by one lens, or by one for each of its channels."""
+    picture = _picture(image, len(lenses))
+    height, width = picture.shape[:2]
+    _check.choice("filter", filter, FILTERS)
+    view = _view(fov, output_fov, width / height)
+    values = picture if picture.ndim == 3 else picture[..., None]
+    shown = _core.warp(
+        lenses,
+        values,
+        **view,
+        size=_check.size("size", (width, height) if size is None else size),
+        distort=not inverse,
+        filter=filter,
+        fill=_check.number("fill", fill),
+    )
+    return shown.reshape(shown.shape[:2] + picture.shape[2:])
+
+
+def warp_mesh(
+    lenses: list[_core.RadialLens],
+    size: tuple[int, int],
+    inverse: bool,
+    fov: Fov | None,
+    output_fov: Fov | None,
+    cells: tuple[int, int] | None,
+    tolerance_px: float,
+) -> WarpMesh:
+    """Make a mesh of given cells, or of as many as a tolerance needs."""
+    width, height = _check.size("size", size)
+    view = _view(fov, output_fov, width / height)
+    tolerance = _check.positive("tolerance_px", tolerance_px)
+
+    def made(columns: int, rows: int) -> WarpMesh:
+        mesh = _core.warp_mesh(lenses, **view, cells=(columns, rows), size=(width, height), distort=not inverse)
+        return _compact(*mesh, size=max(width, height))
+
+    if cells is not None:
+        columns, rows = cells
+        return made(*(_check.integer(f"cells[{n}]", each, 1, 4096) for n, each in enumerate((columns, rows))))
+    left, right, down, up = view["to_fov"]
+    aspect = (up - down) / (right - left)
+    columns = 4
+    while True:
+        mesh = made(columns, max(1, round(columns * aspect)))
+        if mesh.error_px <= tolerance:
+            return mesh
+        if columns == MOST_CELLS:
+            raise ValueError(
+                f"tolerance_px: expected one that {MOST_CELLS} columns hold, got {tolerance}; "
+                f"they are off by up to {mesh.error_px:.3g} px, mostly where the lens nearly folds"
+            )
+        # Errors fall with the square of the number of cells.
+        needed = columns * math.sqrt(mesh.error_px / tolerance) if math.isfinite(mesh.error_px) else 2 * columns
+        columns = min(MOST_CELLS, max(columns + 1, math.ceil(needed)))
+
+
+def _compact(
+    places: NDArray[np.float64],
+    sources: NDArray[np.float64],
+    faces: NDArray[np.uint32],
+    error: float,
+    *,
+    size: int,
+) -> WarpMesh:
+    """Drop vertices that no face uses; round to float32, which the error allows for."""
+    used, renumbered = np.unique(faces, return_inverse=True)
+    positions = places[used] * (2.0, -2.0) + (-1.0, 1.0)
+    texcoords = sources[:, used].astype(np.float32)
+    rounding = size * 2.0**-24 * max(1.0, float(np.abs(texcoords).max()))
+    return WarpMesh(
+        positions.astype(np.float32), texcoords, renumbered.reshape(faces.shape).astype(np.uint32), error + rounding
+    )
+
+
+def _view(fov: Fov | None, output_fov: Fov | None, aspect: float) -> dict[str, Any]:
+    """Fields of view of what is read and what is made, and the tangent at which r = 1."""
+    for name, given in (("fov", fov), ("output_fov", output_fov)):
+        if given is not None and not isinstance(given, Fov):
+            raise TypeError(f"{name}: expected a Fov, got {type(given).__name__}")
+    read = fov or Fov(-1.0, 1.0, -1.0 / aspect, 1.0 / aspect)
+    made = output_fov or read
+    bounds = [(each.left, each.right, each.down, each.up) for each in (read, made)]
+    return {"from_fov": bounds[0], "to_fov": bounds[1], "tan_omega": max(abs(read.left), abs(read.right))}
+
+
+def _picture(image: ArrayLike, lenses: int) -> NDArray[Any]:
+    picture = np.asarray(image)
+    if picture.dtype.type not in TYPES:
+        names = ", ".join(np.dtype(each).name for each in TYPES)
+        raise TypeError(f"image: expected one of {names}, got {picture.dtype}")
+    if picture.ndim not in (2, 3) or 0 in picture.shape:
+        raise ValueError(f"image: expected shape (H, W) or (H, W, C), got {picture.shape}")
+    if lenses > 1 and picture.shape[2:] != (lenses,):
+        raise ValueError(f"image: expected shape (H, W, {lenses}), a channel for each lens, got {picture.shape}")
+    return np.require(picture, picture.dtype.newbyteorder("="), ["C_CONTIGUOUS", "ALIGNED"])
