@@ -44,7 +44,19 @@ RUST_STAGES: dict[str, set[str]] = {
 }
 """The order is that of lib.rs."""
 
-POLICIES = {"_check", "_progress", "_files", "_formats", "_cache", "_random", "_data", "_errors", "_version", "_core", "_twin"}
+POLICIES = {
+    "_check",
+    "_progress",
+    "_files",
+    "_formats",
+    "_cache",
+    "_random",
+    "_data",
+    "_errors",
+    "_version",
+    "_core",
+    "_twin",
+}
 
 PYTHON_STAGES: dict[str, set[str]] = {
     "_version": set(),

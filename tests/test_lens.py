@@ -135,7 +135,9 @@ def test_beyond_the_fold_nothing_is_made_up() -> None:
     lens = nf.RadialLens((-0.2, 0.0))
     end = float(lens.distort(lens.r_max))
     for call in (lens.distort, lens.derivative):
-        with pytest.raises(ValueError, match=r"r: expected radii up to 1\.29.*where the lens folds, got 1\.3 at index 2"):
+        with pytest.raises(
+            ValueError, match=r"r: expected radii up to 1\.29.*where the lens folds, got 1\.3 at index 2"
+        ):
             call([0.0, 1.0, 1.3])
     for method in ("newton", "lut"):
         with pytest.raises(ValueError, match=r"r: expected radii up to 0\.86.* at index 1"):

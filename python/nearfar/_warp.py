@@ -63,7 +63,7 @@ def warp(
         size=_check.size("size", (width, height) if size is None else size),
         distort=not inverse,
         filter=filter,
-        fill=_check.number("fill", fill),
+        fill=_fill(fill, picture.dtype),
     )
     return shown.reshape(shown.shape[:2] + picture.shape[2:])
 
@@ -133,6 +133,16 @@ def _view(fov: Fov | None, output_fov: Fov | None, aspect: float) -> dict[str, A
     made = output_fov or read
     bounds = [(each.left, each.right, each.down, each.up) for each in (read, made)]
     return {"from_fov": bounds[0], "to_fov": bounds[1], "tan_omega": max(abs(read.left), abs(read.right))}
+
+
+def _fill(fill: float, dtype: np.dtype[Any]) -> float:
+    """What pixels of a type can be: NaN and infinities only for floats."""
+    if dtype.kind == "f":
+        return _check.number("fill", fill, finite=False)
+    value, most = _check.number("fill", fill), np.iinfo(dtype).max
+    if not 0 <= value <= most:
+        raise ValueError(f"fill: expected a number from 0 to {most} for {dtype.name}, got {value}")
+    return value
 
 
 def _picture(image: ArrayLike, lenses: int) -> NDArray[Any]:

@@ -45,33 +45,34 @@ impl Seen {
     }
 }
 
-/// Writes what `of` says of each sphere. Centres and radii are checked in the same pass.
-pub fn each_sphere(
+/// Writes what `of` says of each tile of spheres, once they are checked.
+pub fn each_tile(
     centers: &[[f64; 3]],
     radii: &[f64],
     to: &mut [f64],
-    of: impl Fn(DVec3, f64) -> f64 + Sync,
+    of: impl Fn(&[[f64; 3]], &[f64], &mut [f64]) + Sync,
 ) -> Result<()> {
     let tiles = centers.par_chunks(TILE).zip(radii.par_chunks(TILE)).zip(to.par_chunks_mut(TILE)).enumerate();
     tiles.try_for_each(|(number, ((centers, radii), to))| {
-        for (n, ((center, &radius), to)) in centers.iter().zip(radii).zip(to).enumerate() {
-            let center = DVec3::from_array(*center);
+        for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
             let at = number * TILE + n;
-            if !center.is_finite() {
-                return Err(Error::value("centers", "finite numbers", format!("{center} at index {at}")));
+            if !center.iter().all(|x| x.is_finite()) {
+                return Err(Error::value("centers", "finite numbers", format!("{center:?} at index {at}")));
             }
             if !(radius >= 0.0 && radius.is_finite()) {
                 return Err(Error::value("radii", "finite numbers of at least 0", format!("{radius} at index {at}")));
             }
-            *to = of(center, radius);
         }
+        of(centers, radii, to);
         Ok(())
     })
 }
 
 /// Solid angles in steradians; 4π where the eye is in or on the sphere.
 pub fn solid_angles(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, to: &mut [f64]) -> Result<()> {
-    each_sphere(centers, radii, to, |center, radius| {
-        Seen::new(center - eye, radius).map_or(4.0 * PI, |seen| seen.solid_angle())
+    each_tile(centers, radii, to, |centers, radii, to| {
+        for ((center, &radius), to) in centers.iter().zip(radii).zip(to) {
+            *to = Seen::new(DVec3::from_array(*center) - eye, radius).map_or(4.0 * PI, |seen| seen.solid_angle());
+        }
     })
 }

@@ -1,6 +1,7 @@
 //! f, f′ and f⁻¹ of many radii: blocks of them go through vectors, and what those can't settle is solved one by one.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::cmp::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use rayon::prelude::*;
 
@@ -13,7 +14,7 @@ use crate::base::{Error, Real, Result};
 /// Radii of one task: fixed, and few enough to stay in the nearest cache while they are worked on.
 const TILE: usize = 1 << 10;
 /// Radii side by side.
-const LANES: usize = 32;
+pub(super) const LANES: usize = 32;
 
 /// A tile, where vectors can load it.
 #[repr(align(64))]
@@ -33,7 +34,7 @@ pub enum Method {
 impl RadialLens {
     /// f(r) of radii of either sign. Beyond r_max: NaN, or with `refuse` an error.
     pub fn distort_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool) -> Result<()> {
-        let whole = each_tile(r, to, |tile| distort_tile(&self.radial.k, self.radial.r_max, tile));
+        let whole = each_tile(r, to, |tile| self.distort_blocks(tile));
         if whole || !refuse { Ok(()) } else { Err(refused(r, to, self.radial.r_max)) }
     }
 
@@ -45,16 +46,28 @@ impl RadialLens {
 
     /// f⁻¹(x) of distorted radii of either sign. Beyond f(r_max): NaN, or with `refuse` an error.
     pub fn undistort_all<T: Real>(&self, x: &[T], to: &mut [T], method: Method, refuse: bool) -> Result<()> {
-        let whole = match (method, self.table()) {
-            (Method::FixedPoint(steps), _) => {
+        let whole = match method {
+            Method::FixedPoint(steps) => {
                 each_tile(x, to, |tile| fixed_point_tile(&self.radial.k, steps, tile));
                 true
             }
-            (_, None) => each_tile(x, to, |_| ()),
-            (Method::Newton, Some(table)) => each_tile(x, to, |tile| self.newton(table, tile)),
-            (Method::Table, Some(table)) => each_tile(x, to, |tile| self.interpolate(table, tile)),
+            _ => each_tile(x, to, |tile| self.undistort_blocks(tile, method == Method::Newton)),
         };
         if whole || !refuse { Ok(()) } else { Err(refused(x, to, self.radial.x_max)) }
+    }
+
+    /// f in place of radii, whose number is one of whole blocks.
+    pub(super) fn distort_blocks(&self, tile: &mut [f64]) {
+        distort_tile(&self.radial.k, self.radial.r_max, tile);
+    }
+
+    /// f⁻¹ in place of radii, whose number is one of whole blocks: by Newton's method, or from the table.
+    pub(super) fn undistort_blocks(&self, tile: &mut [f64], exact: bool) {
+        match self.table() {
+            None => (),
+            Some(table) if exact => self.newton(table, tile),
+            Some(table) => self.interpolate(table, tile),
+        }
     }
 
     fn newton(&self, table: &Table, tile: &mut [f64]) {
@@ -102,7 +115,7 @@ fn each_tile<T: Real>(from: &[T], to: &mut [T], kernel: impl Fn(&mut [f64]) + Sy
             numbers &= !other.is_nan();
         }
         if !numbers {
-            good.store(false, Ordering::Relaxed);
+            good.store(false, Relaxed);
         }
     });
     good.into_inner()
@@ -223,11 +236,8 @@ fn table_blocks<const FUSED: bool>(table: &Table, tile: &mut [f64], hard: &mut V
             block[n] = if good { r[n].copysign(x[n]) } else { x[n] };
         }
         if left {
-            for n in 0..LANES {
-                if !(x[n].abs() < table.end) {
-                    hard.push((number * LANES + n) as u32);
-                }
-            }
+            let lanes = (0..LANES).filter(|&n| x[n].abs().partial_cmp(&table.end) != Some(Ordering::Less));
+            hard.extend(lanes.map(|n| (number * LANES + n) as u32));
         }
     }
 }
@@ -237,8 +247,8 @@ fn table_blocks<const FUSED: bool>(table: &Table, tile: &mut [f64], hard: &mut V
 fn newton_blocks<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], hard: &mut Vec<u32>) {
     for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
         let mut x = *block;
-        for n in 0..LANES {
-            x[n] = x[n].abs();
+        for x in &mut x {
+            *x = x.abs();
         }
         let mut start = [0.0; LANES];
         cubic_block(table, &x, &mut start);
@@ -271,11 +281,7 @@ fn newton_blocks<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, til
             block[n] = if settled[n] { root.copysign(block[n]) } else { block[n] };
         }
         if !all {
-            for n in 0..LANES {
-                if !settled[n] {
-                    hard.push((number * LANES + n) as u32);
-                }
-            }
+            hard.extend((0..LANES).filter(|&n| !settled[n]).map(|n| (number * LANES + n) as u32));
         }
     }
 }

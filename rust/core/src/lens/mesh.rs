@@ -4,6 +4,9 @@ use super::polynomial::{derivative, range};
 use super::{RadialLens, View};
 use crate::base::{Error, Result};
 
+/// Most parts in which a cell's radii are looked at.
+const PARTS: f64 = 16.0;
+
 /// A grid over the made picture.
 #[derive(Clone, Debug)]
 pub struct Mesh {
@@ -68,7 +71,14 @@ impl RadialLens {
         // The cell's point nearest to the axis.
         let near = |from: f64, to: f64| if from.min(to) > 0.0 { from.min(to) } else { -from.max(to).min(0.0) };
         let low = near(a[0], d[0]).hypot(near(a[1], d[1]));
-        diagonal * diagonal / 8.0 * if view.distort { self.bend_back(low, high) } else { self.bend(low, high) }
+        // Ranges of polynomials are tight on short intervals only.
+        let parts = (PARTS * (high - low) / high).ceil().clamp(1.0, PARTS);
+        let radius = |n: usize| low + (high - low) * (n as f64 / parts);
+        let bends = (0..parts as usize).map(|n| {
+            let (low, high) = (radius(n), radius(n + 1));
+            if view.distort { self.bend_back(low, high) } else { self.bend(low, high) }
+        });
+        diagonal * diagonal / 8.0 * bends.fold(0.0, f64::max)
     }
 
     /// Greatest second derivative along lines of p ↦ p f(|p|)/|p| and the tangential terms, between two radii.

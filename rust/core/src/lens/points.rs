@@ -2,15 +2,19 @@
 //!
 //! Brown (1966): x_d = x (1 + k₁r² + …) + 2p₁xy + p₂(r² + 2x²), y_d = y (1 + k₁r² + …) + p₁(r² + 2y²) + 2p₂xy.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use glam::{DMat2, DVec2};
 use rayon::prelude::*;
 
+use super::inverse::LANES;
 use super::solve::Radial;
-use super::{Method, RadialLens, polynomial};
+use super::{RadialLens, polynomial};
+use crate::base::simd::widest;
 use crate::base::{Error, Real, Result};
 
-/// Points of one task.
-const TILE: usize = 1 << 10;
+/// Points of one task: what is known of them stays in the nearest cache.
+pub(super) const TILE: usize = 1 << 9;
 /// Steps of Newton's method before a way around is taken; from a good start it needs five.
 const STEPS: u32 = 40;
 /// Parts of that way.
@@ -38,52 +42,108 @@ pub(super) fn reach(radial: &Radial, tangential: [f64; 2]) -> f64 {
     less(&factor).min(less(&radial.slope))
 }
 
+/// Points of a task, apart: x, y, and the radii that become factors.
+#[repr(align(64))]
+pub(super) struct Tile {
+    x: [f64; TILE],
+    y: [f64; TILE],
+    radius: [f64; TILE],
+    image: [f64; TILE],
+}
+
+impl Tile {
+    pub(super) fn new<T: Real>(points: &[[T; 2]]) -> Self {
+        let mut tile = Self { x: [0.0; TILE], y: [0.0; TILE], radius: [0.0; TILE], image: [0.0; TILE] };
+        for (n, [x, y]) in points.iter().enumerate() {
+            (tile.x[n], tile.y[n]) = (x.wide(), y.wide());
+        }
+        measure(&mut tile, points.len().next_multiple_of(LANES));
+        tile
+    }
+
+    /// Moves points along their radii.
+    pub(super) fn moved<T: Real>(&mut self, to: &mut [[T; 2]], radii: impl FnOnce(&mut [f64])) {
+        let count = to.len().next_multiple_of(LANES);
+        radii(&mut self.image[..count]);
+        scale(self, count);
+        for (n, to) in to.iter_mut().enumerate() {
+            *to = [T::narrow(self.x[n]), T::narrow(self.y[n])];
+        }
+    }
+}
+
+widest! {
+    fn measure(tile: &mut Tile, count: usize) = measure_all;
+}
+widest! {
+    fn scale(tile: &mut Tile, count: usize) = scale_all;
+}
+
+#[inline(always)]
+fn measure_all(tile: &mut Tile, count: usize) {
+    for n in 0..count.min(TILE) {
+        tile.radius[n] = (tile.x[n] * tile.x[n] + tile.y[n] * tile.y[n]).sqrt();
+    }
+    tile.image = tile.radius;
+}
+
+#[inline(always)]
+fn scale_all(tile: &mut Tile, count: usize) {
+    for n in 0..count.min(TILE) {
+        let factor = if tile.radius[n] == 0.0 { 1.0 } else { tile.image[n] / tile.radius[n] };
+        tile.x[n] *= factor;
+        tile.y[n] *= factor;
+    }
+}
+
 impl RadialLens {
     /// Where points are shown. Outside the disc of radius `reach`: NaN, or with `refuse` an error.
     pub fn distort_points<T: Real>(&self, points: &[[T; 2]], to: &mut [[T; 2]], refuse: bool) -> Result<()> {
-        self.map(points, to, refuse, |tile| {
-            let mut radii: Vec<f64> = tile.iter().map(|p| p.length()).collect();
-            let shown = radii.clone();
-            let mut images = vec![0.0; radii.len()];
-            self.distort_all(&shown, &mut images, false)?;
-            std::mem::swap(&mut radii, &mut images);
-            for ((p, image), r) in tile.iter_mut().zip(radii).zip(shown) {
-                let moved = self.tangential_at(*p);
-                *p = if r <= self.reach { scaled(*p, r, image) + moved } else { DVec2::NAN };
+        self.each_tile(points, to, refuse, |from, to| {
+            let mut tile = Tile::new(from);
+            tile.moved(to, |radii| self.distort_blocks(radii));
+            if self.tangential == [0.0; 2] {
+                return;
             }
-            Ok(())
+            for (from, to) in from.iter().zip(to) {
+                let p = DVec2::new(from[0].wide(), from[1].wide());
+                let shown = if p.length() <= self.reach { self.shown(p).0 } else { DVec2::NAN };
+                *to = shown.to_array().map(T::narrow);
+            }
         })
     }
 
     /// What is shown at points. Where nothing within the disc of radius `reach` is: NaN, or with `refuse` an error.
     pub fn undistort_points<T: Real>(&self, points: &[[T; 2]], to: &mut [[T; 2]], refuse: bool) -> Result<()> {
-        self.map(points, to, refuse, |tile| {
-            let radii: Vec<f64> = tile.iter().map(|p| p.length()).collect();
-            let mut roots = vec![0.0; radii.len()];
-            self.undistort_all(&radii, &mut roots, Method::Newton, false)?;
-            for ((p, root), r) in tile.iter_mut().zip(roots).zip(radii) {
-                *p = if self.tangential == [0.0; 2] { scaled(*p, r, root) } else { self.undistort_point(*p, r, root) };
+        self.each_tile(points, to, refuse, |from, to| {
+            let mut tile = Tile::new(from);
+            tile.moved(to, |radii| self.undistort_blocks(radii, true));
+            if self.tangential == [0.0; 2] {
+                return;
             }
-            Ok(())
+            for (n, to) in to.iter_mut().enumerate() {
+                let p = DVec2::new(from[n][0].wide(), from[n][1].wide());
+                *to = self.undistort_point(p, tile.radius[n], tile.image[n]).to_array().map(T::narrow);
+            }
         })
     }
 
-    fn map<T: Real>(
+    fn each_tile<T: Real>(
         &self,
         points: &[[T; 2]],
         to: &mut [[T; 2]],
         refuse: bool,
-        kernel: impl Fn(&mut [DVec2]) -> Result<()> + Sync,
+        kernel: impl Fn(&[[T; 2]], &mut [[T; 2]]) + Sync,
     ) -> Result<()> {
-        points.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).try_for_each(|(from, to)| {
-            let mut tile: Vec<DVec2> = from.iter().map(|[x, y]| DVec2::new(x.wide(), y.wide())).collect();
-            kernel(&mut tile)?;
-            for (one, other) in to.iter_mut().zip(tile) {
-                *one = [T::narrow(other.x), T::narrow(other.y)];
+        let good = AtomicBool::new(true);
+        let bad = |[x, y]: &[T; 2]| (x.wide() + y.wide()).is_nan();
+        points.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).for_each(|(from, to)| {
+            kernel(from, to);
+            if refuse && to.iter().any(bad) {
+                good.store(false, Ordering::Relaxed);
             }
-            Ok(())
-        })?;
-        match refuse.then(|| to.par_iter().position_first(|[x, _]| x.wide().is_nan())).flatten() {
+        });
+        match if good.into_inner() { None } else { to.iter().position(bad) } {
             None => Ok(()),
             Some(index) => {
                 let expected = format!("points of the lens's image, within r = {}", self.reach);

@@ -5,8 +5,9 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::RadialLens;
+use super::inverse::LANES;
 use crate::base::{Error, Result};
-use crate::bounds::{Seen, each_sphere};
+use crate::bounds::{Seen, each_tile};
 
 /// Half angles below which an area is the mean of the lens's magnification at seven places; what lies between them is
 /// 10⁻¹⁴ of it, and around the edge more would cancel.
@@ -36,21 +37,46 @@ pub fn corrected_solid_angles(sizes: &Sizes<'_>, centers: &[[f64; 3]], radii: &[
     if !(sizes.tan_omega > 0.0 && sizes.tan_omega.is_finite()) {
         return Err(Error::value("camera", "a field of view with a right or left side", sizes.tan_omega));
     }
-    each_sphere(centers, radii, to, |center, radius| sizes.of(center, radius))
+    each_tile(centers, radii, to, |centers, radii, to| {
+        let spheres = centers.chunks(LANES / 2).zip(radii.chunks(LANES / 2));
+        for ((centers, radii), to) in spheres.zip(to.chunks_mut(LANES / 2)) {
+            sizes.of(centers, radii, to);
+        }
+    })
 }
 
 impl Sizes<'_> {
-    fn of(&self, center: DVec3, radius: f64) -> f64 {
-        let Some(seen) = Seen::new(center - self.eye, radius) else { return 4.0 * PI };
-        let own = seen.solid_angle();
-        let cap = Cap::new(self, &seen);
-        if !(cap.cos_far() > 0.0 && self.lens.undistort(cap.far().0).is_finite()) || own == 0.0 {
-            return own;
+    /// Half a block of spheres, so that both of their edges fill one.
+    fn of(&self, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) {
+        let mut caps = [const { None }; LANES / 2];
+        let mut roots = [0.0; LANES];
+        for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
+            let Some(seen) = Seen::new(DVec3::from_array(*center) - self.eye, radius) else {
+                to[n] = 4.0 * PI;
+                continue;
+            };
+            to[n] = seen.solid_angle();
+            let cap = Cap::new(self, &seen);
+            if cap.cos_far() > 0.0 && to[n] > 0.0 {
+                [roots[2 * n], roots[2 * n + 1]] = cap.edges();
+                caps[n] = Some(cap);
+            }
         }
-        if !self.exact {
-            return own * cap.stretch();
+        self.lens.undistort_blocks(&mut roots, true);
+        for (n, cap) in caps.iter().enumerate() {
+            let (far, near) = (roots[2 * n], roots[2 * n + 1]);
+            match cap {
+                // Beyond the fold there is no root.
+                Some(cap) if far.is_finite() => {
+                    to[n] = match self.exact {
+                        false => to[n] * cap.stretch(far, near),
+                        true if cap.sin_mu < SMALL => to[n] * cap.mean_magnification(),
+                        true => cap.area(),
+                    }
+                }
+                _ => (),
+            }
         }
-        if seen.sine < SMALL { own * cap.mean_magnification() } else { cap.area() }
     }
 }
 
@@ -86,15 +112,13 @@ impl<'a> Cap<'a> {
     }
 
     /// tan(α + μ) / tan ω and tan(α − μ) / tan ω.
-    fn far(&self) -> (f64, f64) {
-        let sum = (self.sin_alpha * self.cos_mu, self.cos_alpha * self.sin_mu);
-        ((sum.0 + sum.1) / self.cos_far() / self.scale, (sum.0 - sum.1) / self.cos_near() / self.scale)
+    fn edges(&self) -> [f64; 2] {
+        let (one, other) = (self.sin_alpha * self.cos_mu, self.cos_alpha * self.sin_mu);
+        [(one + other) / self.cos_far() / self.scale, (one - other) / self.cos_near() / self.scale]
     }
 
-    /// (α⁺ − α⁻) / 2μ with α± = atan(tan ω · f⁻¹(tan(α ± μ) / tan ω)).
-    fn stretch(&self) -> f64 {
-        let (far, near) = self.far();
-        let (a, b) = (self.lens.undistort(far), self.lens.undistort(near.abs()).copysign(near));
+    /// (α⁺ − α⁻) / 2μ with α± = atan(tan ω · f⁻¹(tan(α ± μ) / tan ω)), from the two roots.
+    fn stretch(&self, a: f64, b: f64) -> f64 {
         // tan(α+μ) − tan(α−μ) = sin 2μ / (cos(α+μ) cos(α−μ)), and a − b is it over f's divided difference: nothing
         // cancels for spheres as small as they come.
         let apart = 2.0 * self.sin_mu * self.cos_mu / (self.cos_far() * self.cos_near() * self.scale);
@@ -103,15 +127,15 @@ impl<'a> Cap<'a> {
         angle / (2.0 * self.sin_mu.atan2(self.cos_mu))
     }
 
-    /// Area of what is shown: ∮ (1 − cos α′) dφ around its edge, in 2ⁿ equal parts of ψ.
+    /// Area of what is shown: ∮ (1 − cos α′) dφ around its edge, by trapezoids of 2ⁿ equal parts of ψ. It is symmetric.
     fn area(&self) -> f64 {
         let mut parts = 8;
-        // Trapezoids of half the edge, which is symmetric; its ends count half.
-        let mut sum = 0.5 * (self.around(0.0) + self.around(PI));
-        sum += (1..parts).map(|n| self.around(PI * n as f64 / parts as f64)).sum::<f64>();
+        let mut sum =
+            self.around(0.0, PI / parts as f64, parts) + 0.5 * (self.around(PI, 0.0, 1) - self.around(0.0, 0.0, 1));
         let mut area = 2.0 * PI * sum / parts as f64;
         loop {
-            sum += (0..parts).map(|n| self.around(PI * (n as f64 + 0.5) / parts as f64)).sum::<f64>();
+            let step = PI / parts as f64;
+            sum += self.around(0.5 * step, step, parts);
             parts *= 2;
             let finer = 2.0 * PI * sum / parts as f64;
             if (finer - area).abs() <= CLOSE * finer || parts >= MOST_PARTS {
@@ -121,14 +145,27 @@ impl<'a> Cap<'a> {
         }
     }
 
-    /// (1 − cos α′) dφ/dψ at ψ around the edge: Q (x dy/dψ − y dx/dψ) with Q = (1 − cos α′) / sin² α, smooth on the axis.
-    fn around(&self, psi: f64) -> f64 {
-        let (sine, cosine) = psi.sin_cos();
-        let square = self.tan_square(self.sin_mu * cosine, self.sin_mu * sine, self.cos_mu);
-        let turn = self.sin_mu * (self.cos_mu * self.sin_alpha * cosine + self.sin_mu * self.cos_alpha);
-        let (ratio, _) = self.shrinks(square.sqrt());
-        let shown = square * ratio * ratio;
-        ratio * ratio * (1.0 + square) / (1.0 + shown + (1.0 + shown).sqrt()) * turn
+    /// Sum of (1 − cos α′) dφ/dψ = Q (x dy/dψ − y dx/dψ) with Q = (1 − cos α′) / sin² α, smooth on the axis, at some ψ.
+    fn around(&self, from: f64, step: f64, count: usize) -> f64 {
+        let mut sum = 0.0;
+        for first in (0..count).step_by(LANES) {
+            let many = LANES.min(count - first);
+            let (mut roots, mut squares, mut turns) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+            for n in 0..many {
+                let (sine, cosine) = (from + step * (first + n) as f64).sin_cos();
+                squares[n] = self.tan_square(self.sin_mu * cosine, self.sin_mu * sine, self.cos_mu);
+                turns[n] = self.sin_mu * (self.cos_mu * self.sin_alpha * cosine + self.sin_mu * self.cos_alpha);
+                roots[n] = squares[n].sqrt() / self.scale;
+            }
+            let shown = roots;
+            self.lens.undistort_blocks(&mut roots, true);
+            for n in 0..many {
+                let ratio = if shown[n] == 0.0 { 1.0 } else { roots[n] / shown[n] };
+                let (square, image) = (squares[n], squares[n] * ratio * ratio);
+                sum += ratio * ratio * (1.0 + square) / (1.0 + image + (1.0 + image).sqrt()) * turns[n];
+            }
+        }
+        sum
     }
 
     /// tan² of the angle from the axis of a direction given by its parts away from the axis, around it, and along the cap's.
@@ -138,28 +175,28 @@ impl<'a> Cap<'a> {
         (out * out + around * around) / (ahead * ahead)
     }
 
-    /// tan α′ / tan α and f′ there, for tan α.
-    fn shrinks(&self, tangent: f64) -> (f64, f64) {
-        let x = tangent / self.scale;
-        let r = self.lens.undistort(x);
-        (if x == 0.0 { 1.0 } else { r / x }, self.lens.radial.derivative(r))
-    }
-
     /// Mean of sin α′ dα′ / (sin α dα) over the cap, by Radon's rule for discs, exact for polynomials of degree 5.
     fn mean_magnification(&self) -> f64 {
         // Equal areas: sin(θ/2) = share · sin(μ/2).
         let half = self.sin_mu / (2.0 * (1.0 + self.cos_mu)).sqrt() * (2.0f64 / 3.0).sqrt();
         let (sine, cosine) = (2.0 * half * (1.0 - half * half).sqrt(), 1.0 - 2.0 * half * half);
-        let ring = (0..6).map(|n| {
-            let (around, away) = (PI / 3.0 * f64::from(n)).sin_cos();
-            self.magnification(self.tan_square(sine * away, sine * around, cosine))
-        });
-        self.magnification(self.tan_square(0.0, 0.0, 1.0)) / 4.0 + ring.sum::<f64>() / 8.0
-    }
-
-    fn magnification(&self, square: f64) -> f64 {
-        let (ratio, slope) = self.shrinks(square.sqrt());
-        ratio / slope * ((1.0 + square) / (1.0 + square * ratio * ratio)).powf(1.5)
+        let mut squares = [self.tan_square(0.0, 0.0, 1.0); 7];
+        for (n, square) in squares[1..].iter_mut().enumerate() {
+            let (around, away) = (PI / 3.0 * n as f64).sin_cos();
+            *square = self.tan_square(sine * away, sine * around, cosine);
+        }
+        let mut roots = [0.0; LANES];
+        for (root, square) in roots.iter_mut().zip(squares) {
+            *root = square.sqrt() / self.scale;
+        }
+        let shown = roots;
+        self.lens.undistort_blocks(&mut roots, true);
+        let at = |n: usize| {
+            let ratio = if shown[n] == 0.0 { 1.0 } else { roots[n] / shown[n] };
+            let grows = (1.0 + squares[n]) / (1.0 + squares[n] * ratio * ratio);
+            ratio / self.lens.radial.derivative(roots[n]) * grows * grows.sqrt()
+        };
+        at(0) / 4.0 + (1..7).map(at).sum::<f64>() / 8.0
     }
 }
 

@@ -1,9 +1,13 @@
 //! Pictures through lenses, and pictures that lenses put right.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
-use super::{Method, RadialLens};
+use super::RadialLens;
+use super::points::{TILE, Tile};
 use crate::base::Result;
+use crate::base::simd::widest;
 use crate::camera::Fov;
 
 /// How pixels around a place become one value.
@@ -21,10 +25,29 @@ pub trait Pixel: Copy + Send + Sync {
     fn wide(self) -> f64;
     /// The nearest one there is.
     fn nearest(value: f64) -> Self;
+    /// Writes some channels of a row of pixels that come from shares of an image.
+    fn row(
+        image: &Image<'_, Self>,
+        shares: &[[f64; 2]],
+        channels: Range<usize>,
+        filter: Filter,
+        fill: Self,
+        to: &mut [Self],
+    );
 }
 
 macro_rules! pixel {
-    ($($type:ty: $value:ident => $nearest:expr),*) => {$(
+    ($($type:ty: $linear:ident, $cubic:ident, $value:ident => $nearest:expr);*) => {$(
+        widest! {
+            fn $linear(
+                image: &Image<'_, $type>, shares: &[[f64; 2]], channels: Range<usize>, fill: $type, to: &mut [$type],
+            ) = mix_linear;
+        }
+        widest! {
+            fn $cubic(
+                image: &Image<'_, $type>, shares: &[[f64; 2]], channels: Range<usize>, fill: $type, to: &mut [$type],
+            ) = mix_cubic;
+        }
         impl Pixel for $type {
             #[inline(always)]
             fn wide(self) -> f64 {
@@ -34,11 +57,24 @@ macro_rules! pixel {
             fn nearest($value: f64) -> Self {
                 $nearest
             }
+            fn row(
+                image: &Image<'_, Self>, shares: &[[f64; 2]], channels: Range<usize>, filter: Filter, fill: Self, to: &mut [Self],
+            ) {
+                match filter {
+                    Filter::Linear => $linear(image, shares, channels, fill, to),
+                    Filter::Cubic => $cubic(image, shares, channels, fill, to),
+                }
+            }
         }
     )*};
 }
 // Casts saturate, so that cubics which overshoot stay black or white.
-pixel!(u8: v => v.round_ties_even() as u8, u16: v => v.round_ties_even() as u16, f32: v => v as f32, f64: v => v);
+pixel! {
+    u8: linear_u8, cubic_u8, v => v.round_ties_even() as u8;
+    u16: linear_u16, cubic_u16, v => v.round_ties_even() as u16;
+    f32: linear_f32, cubic_f32, v => v as f32;
+    f64: linear_f64, cubic_f64, v => v
+}
 
 /// Rows of pixels with their channels side by side.
 #[derive(Clone, Copy, Debug)]
@@ -92,13 +128,9 @@ impl View {
         if lens.tangential != [0.0; 2] {
             return lens.undistort_points(places, to, false);
         }
-        let radii: Vec<f64> = places.iter().map(|[x, y]| (x * x + y * y).sqrt()).collect();
-        let mut roots = vec![0.0; radii.len()];
-        // Its bound is a millionth of a pixel of any screen there is.
-        lens.undistort_all(&radii, &mut roots, Method::Table, false)?;
-        for (n, [x, y]) in places.iter().enumerate() {
-            let scale = if radii[n] == 0.0 { 1.0 } else { roots[n] / radii[n] };
-            to[n] = [x * scale, y * scale];
+        for (from, to) in places.chunks(TILE).zip(to.chunks_mut(TILE)) {
+            // Its bound is a millionth of a pixel of any screen there is.
+            Tile::new(from).moved(to, |radii| lens.undistort_blocks(radii, false));
         }
         Ok(())
     }
@@ -123,47 +155,86 @@ pub fn warp<P: Pixel>(
         for (number, lens) in lenses.iter().enumerate() {
             view.sources(lens, &places, &mut sources)?;
             let channels = if lenses.len() == 1 { 0..image.channels } else { number..number + 1 };
-            for (source, pixel) in sources.iter().zip(to.chunks_exact_mut(image.channels)) {
-                let [across, down] = view.share(*source);
-                for channel in channels.clone() {
-                    pixel[channel] = image.at(across, down, channel, filter).map_or(fill, P::nearest);
-                }
+            for source in &mut sources {
+                *source = view.share(*source);
             }
+            P::row(image, &sources, channels, filter, fill, to);
         }
         Ok(())
     })
 }
 
-impl<P: Pixel> Image<'_, P> {
-    /// Value at shares of the picture; `None` beside it. Beyond the outermost centres the outermost pixels go on.
-    #[inline]
-    fn at(&self, across: f64, down: f64, channel: usize, filter: Filter) -> Option<f64> {
-        if !((0.0..=1.0).contains(&across) && (0.0..=1.0).contains(&down)) {
-            return None;
+#[inline(always)]
+fn mix_linear<P: Pixel>(image: &Image<'_, P>, shares: &[[f64; 2]], channels: Range<usize>, fill: P, to: &mut [P]) {
+    for (share, pixel) in shares.iter().zip(to.chunks_exact_mut(image.channels)) {
+        match image.place(*share) {
+            None => pixel[channels.clone()].fill(fill),
+            Some([x, y]) => {
+                let weights = [linear_weights(x - x.floor()), linear_weights(y - y.floor())];
+                image.mix([x, y], channels.start, weights, &mut pixel[channels.clone()]);
+            }
         }
-        let (x, y) = (across * self.width as f64 - 0.5, down * self.height as f64 - 0.5);
-        let (column, row) = (x.floor(), y.floor());
-        let value = |i: isize, j: isize| {
-            let inside = |at: f64, by: isize, size: usize| (at as isize + by).clamp(0, size as isize - 1) as usize;
-            let pixel = inside(row, j, self.height) * self.width + inside(column, i, self.width);
-            self.values[pixel * self.channels + channel].wide()
-        };
-        let (s, t) = (x - column, y - row);
-        Some(match filter {
-            Filter::Linear => {
-                let line = |j| value(0, j) + s * (value(1, j) - value(0, j));
-                line(0) + t * (line(1) - line(0))
-            }
-            Filter::Cubic => {
-                let (across, down) = (cubic_weights(s), cubic_weights(t));
-                let line = |j: isize| (0..4).map(|i| across[i] * value(i as isize - 1, j)).sum::<f64>();
-                (0..4).map(|j| down[j] * line(j as isize - 1)).sum()
-            }
-        })
     }
 }
 
+#[inline(always)]
+fn mix_cubic<P: Pixel>(image: &Image<'_, P>, shares: &[[f64; 2]], channels: Range<usize>, fill: P, to: &mut [P]) {
+    for (share, pixel) in shares.iter().zip(to.chunks_exact_mut(image.channels)) {
+        match image.place(*share) {
+            None => pixel[channels.clone()].fill(fill),
+            Some([x, y]) => {
+                let weights = [cubic_weights(x - x.floor()), cubic_weights(y - y.floor())];
+                image.mix([x, y], channels.start, weights, &mut pixel[channels.clone()]);
+            }
+        }
+    }
+}
+
+impl<P: Pixel> Image<'_, P> {
+    /// Column and row, 0 at the first centres, of shares of the picture; `None` beside it.
+    #[inline(always)]
+    fn place(&self, [across, down]: [f64; 2]) -> Option<[f64; 2]> {
+        let within = (0.0..=1.0).contains(&across) && (0.0..=1.0).contains(&down);
+        within.then_some([across * self.width as f64 - 0.5, down * self.height as f64 - 0.5])
+    }
+
+    /// Values of some channels at a place. Beyond the outermost centres the outermost pixels go on.
+    #[inline(always)]
+    fn mix<const N: usize>(&self, [x, y]: [f64; 2], first: usize, [across, down]: [[f64; N]; 2], to: &mut [P]) {
+        let (mut columns, mut rows) = ([0; N], [0; N]);
+        for n in 0..N {
+            columns[n] = neighbour::<N>(x, n, self.width) * self.channels + first;
+            rows[n] = neighbour::<N>(y, n, self.height) * self.width * self.channels;
+        }
+        for (channel, to) in to.iter_mut().enumerate() {
+            let mut value = 0.0;
+            for j in 0..N {
+                let mut line = 0.0;
+                for i in 0..N {
+                    line += across[i] * self.values[rows[j] + columns[i] + channel].wide();
+                }
+                value += down[j] * line;
+            }
+            *to = P::nearest(value);
+        }
+    }
+}
+
+/// Number of one of the N pixels around a place.
+#[inline(always)]
+fn neighbour<const N: usize>(at: f64, n: usize, size: usize) -> usize {
+    let number = at.floor() as isize + n as isize - (N as isize / 2 - 1);
+    number.clamp(0, size as isize - 1) as usize
+}
+
+/// Weights of the pixels at 0 and 1.
+#[inline(always)]
+fn linear_weights(t: f64) -> [f64; 2] {
+    [1.0 - t, t]
+}
+
 /// Keys (1981), a = −1/2: weights of the pixels at −1, 0, 1 and 2.
+#[inline(always)]
 fn cubic_weights(t: f64) -> [f64; 4] {
     let (square, cube) = (t * t, t * t * t);
     [

@@ -1,0 +1,144 @@
+"""Run time against error of lenses: inverses, warped pictures and sizes seen through them, beside their peers."""
+
+from __future__ import annotations
+
+import functools
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from _harness import OURS, Case, Work, compare, describe
+from _measure import machine
+
+Array = NDArray[np.float64]
+
+RIFT_S = nf.RadialLens((0.22, 0.24))
+"""Liebisch (2021)."""
+
+COUNT = 1_000_000
+
+
+def inverse(title: str, end: float) -> str:
+    """Radii spread evenly up to `end`; errors are how far they come back beside themselves."""
+    radii = np.random.default_rng(0).random(COUNT) * end
+    shown = RIFT_S.distort(radii)
+    points = np.zeros((COUNT, 1, 2))
+    points[:, 0, 0] = shown
+    k1, k2 = RIFT_S.k
+    coefficients = np.array([k1, k2, 0.0, 0.0])
+
+    def error(found: Array) -> float:
+        return float(np.abs(found - radii).max())
+
+    def opencv(steps: int | None) -> Array:
+        rule = (cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, steps or 5, 1e-18)
+        if steps is None:
+            return np.asarray(cv2.undistortPoints(points, np.eye(3), coefficients)[:, 0, 0])
+        found = cv2.undistortPointsIter(points, np.eye(3), coefficients, np.eye(3), np.eye(3), rule)
+        return np.asarray(found[:, 0, 0])
+
+    def newton() -> Array:
+        square = shown * shown
+        r = shown / np.cbrt(1 + k1 * square + k2 * square * square)
+        for _ in range(4):
+            square = r * r
+            slope = 1 + square * (3 * k1 + 5 * k2 * square)
+            r = r - (r * (1 + square * (k1 + k2 * square)) - shown) / slope
+        return r
+
+    nodes = np.linspace(0, end, 4096)
+    images = RIFT_S.distort(nodes)
+    cases = [
+        Case(f"{OURS}, newton", lambda: RIFT_S.undistort(shown), error, peer=False),
+        Case(f"{OURS}, lut", lambda: RIFT_S.undistort(shown, method="lut"), error, peer=False),
+        Case(f"{OURS}, fixed_point, 5 steps", lambda: RIFT_S.undistort(shown, method="fixed_point"), error, peer=False),
+        Case(f"{OURS}, newton, points", lambda: RIFT_S.undistort_points(points[:, 0])[:, 0], error, peer=False),
+        Case("OpenCV, undistortPoints", lambda: opencv(None), error),
+        *(
+            [Case("OpenCV, 50 steps", lambda: opencv(50), error), Case("OpenCV, 100 steps", lambda: opencv(100), error)]
+            if hasattr(cv2, "undistortPointsIter")
+            else []
+        ),
+        Case("NumPy, 4 steps of Newton", newton, error),
+        Case("NumPy, interp over 4,096", lambda: np.interp(shown, images, nodes), error),
+    ]
+    return compare(title, cases, work=Work(bytes=shown.nbytes * 2))
+
+
+def warps() -> str:
+    """A colour picture of an eye, warped for the lens; errors are levels beside cubics in float64."""
+    width, height = 1832, 1920
+    x, y = np.meshgrid(np.linspace(0, 40, width), np.linspace(0, 42, height))
+    waves = [np.sin(x + 0.3 * y), np.cos(y - 0.2 * x), np.sin(0.7 * x * y / 40)]
+    exact = 127.5 + 100 * np.stack(waves, axis=-1)
+    image = exact.astype(np.uint8)
+    fov = nf.Fov(-1.0, 1.0, -height / width, height / width)
+    places = (np.stack(np.meshgrid(np.arange(width), np.arange(height)), axis=-1) + 0.5) / width * 2 - 1
+    places[..., 1] -= height / width - 1
+    best = RIFT_S.warp(exact, True, fov=fov, filter="cubic")
+
+    def error(found: NDArray[np.uint8]) -> float:
+        # Where the picture ends, filters do as they like.
+        inside = np.hypot(places[..., 0], places[..., 1]) < 0.7
+        return float(np.sqrt(np.mean((found[inside].astype(np.float64) - best[inside]) ** 2)))
+
+    def maps() -> list[NDArray[np.float32]]:
+        scale = RIFT_S.distort(np.hypot(places[..., 0], places[..., 1])) / np.hypot(places[..., 0], places[..., 1])
+        place = ((places * scale[..., None] + (1, height / width)) * width / 2 - 0.5).astype(np.float32)
+        return [np.ascontiguousarray(place[..., 0]), np.ascontiguousarray(place[..., 1])]
+
+    ready = maps()
+    cases = []
+    for name, code in (("linear", cv2.INTER_LINEAR), ("cubic", cv2.INTER_CUBIC)):
+        ours = functools.partial(RIFT_S.warp, image, True, fov=fov, filter=name)
+        cases += [Case(f"{OURS}, {name}", ours, error, peer=False)]
+        cases += [Case(f"OpenCV, {name}, maps at hand", lambda code=code: cv2.remap(image, *ready, code), error)]
+        cases += [Case(f"OpenCV, {name}, maps by NumPy", lambda code=code: cv2.remap(image, *maps(), code), error)]
+    return compare("A picture of 1832 × 1920 warped", cases, repeat=3, unit="levels, rms")
+
+
+def sizes() -> str:
+    """Spheres before a headset; errors are shares of the published size by NumPy."""
+    random = np.random.default_rng(0)
+    centers = random.normal(size=(COUNT // 10, 3)) * 20 - (0, 0, 40)
+    radii = random.random(len(centers)) + 0.1
+    view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(92), size=(1648, 1776))
+    scale = view.fov.right if isinstance(view.fov, nf.Fov) else 1.0
+    ahead = -centers[:, 2] > 2 * np.linalg.norm(centers, axis=1) * 0.3
+
+    def numpy() -> Array:
+        distance = np.linalg.norm(centers, axis=1)
+        mu = np.arcsin(radii / distance)
+        alpha = np.arccos(-centers[:, 2] / distance)
+        own = 4 * np.pi * np.sin(mu / 2) ** 2
+        shown = [np.arctan(scale * RIFT_S.undistort(np.tan(angle) / scale)) for angle in (alpha + mu, alpha - mu)]
+        return np.where(alpha + mu < np.pi / 2, own * (shown[0] - shown[1]) / (2 * mu), own)
+
+    expected = numpy()
+
+    def error(found: Array) -> float:
+        return float(np.abs(found / expected - 1)[ahead].max())
+
+    ours = functools.partial(nf.corrected_solid_angle, centers, radii, camera=view, lens=RIFT_S)
+    cases = [
+        Case(f"{OURS}, as published", ours, error, peer=False),
+        Case("NumPy, as published (with our inverse)", numpy),
+        Case(f"{OURS}, exact area", functools.partial(ours, exact=True), peer=False),
+        Case(f"{OURS}, no lens", lambda: nf.solid_angle(centers, radii, eye=(0, 0, 0)), peer=False),
+    ]
+    return compare("Solid angles of 10⁵ spheres through a lens", cases)
+
+
+def main() -> None:
+    print(machine())
+    print(describe())
+    print(inverse("Lens inverse, 10⁶ radii up to the screen's edge", 1.0), flush=True)
+    print(inverse("Lens inverse, 10⁶ radii up to twice the edge", 2.0), flush=True)
+    print(warps(), flush=True)
+    print(sizes())
+
+
+if __name__ == "__main__":
+    main()
