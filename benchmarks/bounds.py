@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import trimesh
 from numpy.typing import NDArray
@@ -9,6 +11,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from _harness import OURS, Case, Work, compare, describe
 from _measure import machine
+from _peers import sphere_peers
 
 Array = NDArray[np.float64]
 
@@ -22,7 +25,7 @@ def surface(count: int) -> Array:
     return np.asarray(points * knobs * [3, 2, 1])
 
 
-def spheres(title: str, points: Array, *, peer: bool, repeat: int = 5) -> str:
+def spheres(title: str, points: Array, *peers: str, repeat: int = 5) -> str:
     """Errors are by how much radii exceed the least one, as shares."""
     least = nf.bounding_sphere(points)[1]
 
@@ -35,10 +38,12 @@ def spheres(title: str, points: Array, *, peer: bool, repeat: int = 5) -> str:
     for method in ("average", "minmax", "ritter"):
         job = lambda method=method: nf.bounding_sphere(points, method=method)  # noqa: E731
         cases += [Case(f"{OURS}, {method}", job, error, peer=False)]
-    if peer:
+    if "trimesh" in peers:
         cases += [Case("trimesh", lambda: trimesh.nsphere.minimum_nsphere(points), error)]
     cases += [Case("reading (NumPy's max)", points.max)]
-    return compare(title, cases, work=Work(bytes=points.nbytes), repeat=repeat)
+    with sphere_peers(points, *(name for name in peers if name != "trimesh")) as others:
+        cases += [dataclasses.replace(case, error=error) for case in others]
+        return compare(title, cases, work=Work(bytes=points.nbytes), repeat=repeat)
 
 
 def groups() -> str:
@@ -60,12 +65,20 @@ def groups() -> str:
 def main() -> None:
     print(machine())
     print(describe())
-    print(spheres("Bounding sphere of 10⁴ points of a surface", surface(10_000), peer=True), flush=True)
-    print(spheres("Bounding sphere of 10⁶ points of a surface", surface(1_000_000), peer=False), flush=True)
-    print(spheres("Bounding sphere of 10⁷ points of a surface", surface(10_000_000), peer=False, repeat=3), flush=True)
+    print(
+        spheres(
+            "Bounding sphere of 10⁴ points of a surface", surface(10_000), "trimesh", "cyminiball", "miniball crate"
+        ),
+        flush=True,
+    )
+    print(
+        spheres("Bounding sphere of 10⁶ points of a surface", surface(1_000_000), "cyminiball", "miniball crate"),
+        flush=True,
+    )
+    print(spheres("Bounding sphere of 10⁷ points of a surface", surface(10_000_000), repeat=3), flush=True)
     ball = np.random.default_rng(1).normal(size=(1_000_000, 3))
     ball /= np.linalg.norm(ball, axis=1, keepdims=True)
-    print(spheres("Bounding sphere of 10⁶ cospherical points", ball, peer=False), flush=True)
+    print(spheres("Bounding sphere of 10⁶ cospherical points", ball, "cyminiball", "miniball crate"), flush=True)
     print(groups())
 
 

@@ -72,6 +72,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "git": _git,
     "linux": lambda: "" if sys.platform == "linux" else "only Linux tells and limits a process's memory",
     "matplotlib": _module("matplotlib"),
+    "miniball": _module("miniball"),
     "OpenEXR": _module("OpenEXR"),
     "notebook": lambda: _module("nbclient")() or _module("ipykernel")(),
     "pyrender": _pyrender,

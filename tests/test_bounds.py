@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._bounds import METHODS
-from support import printed_by_threads
+from support import need, printed_by_threads
 
 Array = NDArray[np.float64]
 Point = list[Fraction]
@@ -156,6 +156,22 @@ def test_any_cloud_is_held_and_no_smaller_sphere_holds_its_extremes(seed: int, c
     near = wide[distance >= radius * (1 - 1e-9)]
     assert nf.bounding_sphere(near)[1] == pytest.approx(radius, rel=1e-12)
     assert nf.bounding_sphere(wide)[1] == radius
+
+
+@pytest.mark.parametrize("scale", [1.0, 1e-8])
+def test_another_exact_solver_finds_the_same(scale: float) -> None:
+    need("miniball")
+    import miniball
+
+    random = np.random.default_rng(7)
+    ball = random.normal(size=(300, 3))
+    clouds = [ball, ball / np.linalg.norm(ball, axis=1, keepdims=True), random.uniform(-1, 1, (300, 3)) * [9, 1, 0.01]]
+    for cloud in clouds:
+        center, radius = nf.bounding_sphere(cloud * scale)
+        theirs, square = miniball.get_bounding_ball(cloud * scale, rng=np.random.default_rng(0))
+        # They keep points within 1e-12 of the sphere's square inside; a centre follows the root of the radius' error.
+        assert radius == pytest.approx(math.sqrt(square), rel=1e-12)
+        assert np.linalg.norm(center - theirs) <= 1e-6 * radius
 
 
 def test_groups_are_what_single_calls_find() -> None:

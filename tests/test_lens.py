@@ -150,7 +150,7 @@ def test_beyond_the_fold_nothing_is_made_up() -> None:
 
 def test_lenses_without_a_fold_refuse_what_is_no_number() -> None:
     for method in ("newton", "lut"):
-        with pytest.raises(ValueError, match="r: expected finite numbers, got (NaN|inf) at index 1"):
+        with pytest.raises(ValueError, match=r"r: expected finite numbers, got (?:NaN|inf) at index 1"):
             nf.RadialLens(RIFT_S).undistort([1.0, math.nan], method=method)
     with pytest.raises(ValueError, match="r: expected finite numbers, got inf at index 0"):
         nf.RadialLens(RIFT_S).distort([math.inf])
@@ -173,8 +173,11 @@ def test_tables_hold_their_bound(k: tuple[float, ...]) -> None:
 
 def test_the_published_iteration_fails_where_they_say() -> None:
     lens = nf.RadialLens(RIFT_S)
+
     # r ← x / (1 + k₁r² + k₂r⁴) contracts by r g′/g at r.
-    rate = lambda r: (2 * 0.22 * r**2 + 4 * 0.24 * r**4) / (1 + 0.22 * r**2 + 0.24 * r**4)  # noqa: E731
+    def rate(r: float) -> float:
+        return (2 * 0.22 * r**2 + 4 * 0.24 * r**4) / (1 + 0.22 * r**2 + 0.24 * r**4)
+
     assert rate(1.0) == pytest.approx(0.959, abs=5e-4)
     assert rate(1.0176) < 1.0 < rate(1.0177)
     x = lens.distort([1.0, 1.2])
@@ -313,7 +316,7 @@ def test_points_outside_the_disc_are_refused() -> None:
     assert plain.point_r_max == plain.r_max
     with pytest.raises(ValueError, match="index 0"):
         plain.undistort_points([[0.9, 0.0]])
-    single = nf.RadialLens(RIFT_S).undistort_points(np.float32([[0.3, 0.4]]))
+    single = nf.RadialLens(RIFT_S).undistort_points(np.array([[0.3, 0.4]], np.float32))
     assert single.dtype == np.float32
 
 

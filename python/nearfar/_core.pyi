@@ -327,7 +327,7 @@ def warp(
     tan_omega: float,
     size: tuple[int, int],
     distort: bool,
-    filter: str,
+    filter: str,  # noqa: A002
     fill: float,
 ) -> NDArray[Any]: ...
 def warp_mesh(

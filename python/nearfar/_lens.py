@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -36,15 +37,16 @@ class RadialLens(WithTwin):
     Raises
     ------
     ValueError, TypeError
-        For coefficients that are not finite numbers, or whose terms are as large as r already at 10⁻⁶⁰ or not before 10¹⁴⁰.
+        For coefficients that are not finite numbers, and for those whose terms are as large as r already at 10⁻⁶⁰ or
+        not before 10¹⁴⁰.
 
     References
     ----------
     Liebisch (2021), Eq. 4.10 and Alg. 1; Brown (1966) for the tangential terms.
     """
 
-    k: tuple[float, ...]
-    tangential: tuple[float, float] = (0.0, 0.0)
+    k: Sequence[float]
+    tangential: Sequence[float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "k", _coefficients("k", self.k))
@@ -238,7 +240,7 @@ class RadialLens(WithTwin):
 
     @cached_property
     def _core(self) -> _core.RadialLens:
-        return _core.RadialLens(list(self.k), self.tangential)
+        return _core.RadialLens(list(self.k), (self.tangential[0], self.tangential[1]))
 
 
 @dataclass(frozen=True)
