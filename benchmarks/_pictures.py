@@ -65,3 +65,56 @@ def _pyplot() -> Any:
     from matplotlib import pyplot
 
     return pyplot
+
+
+def draw_lens(lens: nf.RadialLens, frame: nf.Frame, path: Path) -> None:
+    """Draw by how much inverses miss, how much smaller things look, and a picture put right with its mesh."""
+    plt = _pyplot()
+    figure, axes = plt.subplots(1, 3, figsize=(15, 4.6), layout="constrained", width_ratios=(1.2, 1, 1))
+    _draw_inverses(lens, axes[0])
+    _draw_sizes(lens, axes[1])
+    picture = frame.to_image()
+    height, width = picture.shape[:2]
+    mesh = lens.warp_mesh((width, height), tolerance_px=0.5)
+    axes[2].imshow(lens.warp(picture, True), extent=(-1, 1, -1, 1), aspect=height / width)
+    axes[2].triplot(*mesh.positions.T, mesh.faces, color="white", linewidth=0.35, alpha=0.7)
+    cells = len(mesh.faces) // 2
+    axes[2].set(xticks=[], yticks=[], title=f"warped for it; a mesh of {cells} cells: {mesh.error_px:.2f} px")
+    figure.savefig(path, dpi=90)
+    plt.close(figure)
+
+
+def _draw_inverses(lens: nf.RadialLens, axis: Any) -> None:
+    """What is left between a radius and the image of its root."""
+    r = np.linspace(0.01, 1.6, 800)
+    shown = lens.distort(r)
+    for label, method, steps, color in (
+        ("published iteration, 5 steps (OpenCV's default)", "fixed_point", 5, "#999999"),
+        ("published iteration, 50 steps", "fixed_point", 50, "#555555"),
+        ("look-up table", "lut", 0, "#e08a1e"),
+        ("Newton (0)", "newton", 0, "#c8102e"),
+    ):
+        left = np.abs(lens.distort(lens.undistort(shown, method=method, iterations=steps)) - shown)
+        axis.semilogy(r, np.maximum(left, 1e-17), label=label, color=color)
+    axis.axvline(1.0, linestyle=":", color="black")
+    axis.set(xlabel="r (the screen's edge is 1)", ylabel="residual |f(r̂) − f(r)|", title="inverses of a strong lens")
+    axis.set_ylim(5e-18, 1e6)
+    axis.legend(fontsize=8, loc="upper left")
+    axis.grid(alpha=0.3)
+
+
+def _draw_sizes(lens: nf.RadialLens, axis: Any) -> None:
+    """Sizes seen through the lens, of what is small."""
+    camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(87), size=(1000, 1000))
+    angles = np.radians(np.linspace(0, 50, 200))
+    centers = np.column_stack([np.sin(angles), np.zeros_like(angles), -np.cos(angles)]) * 10
+    own = nf.solid_angle(centers, 0.05, eye=camera.position)
+    for exact, label, color in (
+        (False, "as published: along the radius only", "#555555"),
+        (True, "its area", "#c8102e"),
+    ):
+        seen = nf.corrected_solid_angle(centers, 0.05, camera=camera, lens=lens, exact=exact)
+        axis.plot(np.degrees(angles), seen / own, label=label, color=color)
+    axis.set(xlabel="degrees from the axis", ylabel="solid angle seen / solid angle", title="sizes through the lens")
+    axis.legend(fontsize=8)
+    axis.grid(alpha=0.3)

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import functools
+import os
+from pathlib import Path
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _harness import OURS, Case, Work, compare, describe
+from _harness import FOLDER, OURS, Case, Work, compare, describe
 from _measure import machine
+from _pictures import draw_lens
 
 Array = NDArray[np.float64]
 
@@ -134,6 +137,12 @@ def main() -> None:
     print(inverse("Lens inverse, 10⁶ radii up to twice the edge", 2.0), flush=True)
     print(warps(), flush=True)
     print(sizes())
+    if folder := os.environ.get(FOLDER):
+        eye, _ = nf.datasets.street_view()
+        view = nf.Camera.look_at(
+            eye, (eye[0], eye[1] + 4, eye[2] - 40), fov=nf.Fov.symmetric(90, 1832 / 1920), size=(458, 480)
+        )
+        draw_lens(RIFT_S, nf.render(nf.datasets.city(), view, samples=4), Path(folder) / "lens.png")
 
 
 if __name__ == "__main__":

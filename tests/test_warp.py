@@ -188,7 +188,9 @@ def off_by(mesh: nf.WarpMesh, lens: nf.RadialLens, inverse: bool, fov: nf.Fov, o
     map_ = lens.distort_points if inverse else lens.undistort_points
     exact = map_(np.column_stack([x, y]) / omega, outside="nan") * omega
     across, down = (exact[:, 0] - fov.left) / (fov.right - fov.left), (fov.up - exact[:, 1]) / (fov.up - fov.down)
-    return float(np.nanmax(np.linalg.norm((np.column_stack([across, down]) - shown) * size, axis=1)))
+    # What lies beside the picture does not matter.
+    inside = (across >= 0) & (across <= 1) & (down >= 0) & (down <= 1)
+    return float(np.nanmax(np.linalg.norm((np.column_stack([across, down]) - shown) * size, axis=1)[inside]))
 
 
 @pytest.mark.parametrize("inverse", [True, False])
@@ -218,10 +220,11 @@ def test_meshes_have_as_many_cells_as_a_tolerance_needs() -> None:
         mesh = RIFT_S.warp_mesh(size, fov=EYE, tolerance_px=tolerance)
         assert mesh.error_px <= tolerance
         columns = len(np.unique(mesh.positions[:, 0])) - 1
-        assert RIFT_S.warp_mesh(size, fov=EYE, cells=(columns - 2, columns - 2)).error_px > 0.8 * tolerance
+        rows = len(np.unique(mesh.positions[:, 1])) - 1
+        assert RIFT_S.warp_mesh(size, fov=EYE, cells=(columns - 1, rows)).error_px > 0.9 * tolerance
     flat = nf.RadialLens(()).warp_mesh(size)
     assert flat.error_px < 1e-3
-    assert len(flat.faces) == 2 * 4 * 4
+    assert len(flat.faces) == 2
 
 
 def test_meshes_are_drawn_counter_clockwise_over_the_whole_view() -> None:

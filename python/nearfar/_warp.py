@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -34,9 +33,9 @@ class WarpMesh:
     faces: NDArray[np.uint32] = field(repr=False)
     """(F, 3) uint32, counter-clockwise."""
     error_px: float
-    """No place within the faces is taken from further beside where it should be, in pixels of the picture read.
+    """Nothing of the picture that is read is shown further beside its place, in pixels of that picture.
 
-    A bound from the map's second derivatives, not a measurement.
+    A bound from the map's second derivatives, not a measurement. Cells that show nothing of the picture don't count.
     """
 
 
@@ -91,19 +90,29 @@ def warp_mesh(
         return made(*(_check.integer(f"cells[{n}]", each, 1, 4096) for n, each in enumerate((columns, rows))))
     left, right, down, up = view["to_fov"]
     aspect = (up - down) / (right - left)
-    columns = 4
-    while True:
-        mesh = made(columns, max(1, round(columns * aspect)))
-        if mesh.error_px <= tolerance:
-            return mesh
-        if columns == MOST_CELLS:
+
+    def of(columns: int) -> WarpMesh:
+        return made(columns, max(1, round(columns * aspect)))
+
+    high = 1
+    mesh = of(high)
+    while mesh.error_px > tolerance:
+        if high == MOST_CELLS:
             raise ValueError(
                 f"tolerance_px: expected one that {MOST_CELLS} columns hold, got {tolerance}; "
                 f"they are off by up to {mesh.error_px:.3g} px, mostly where the lens nearly folds"
             )
-        # Errors fall with the square of the number of cells.
-        needed = columns * math.sqrt(mesh.error_px / tolerance) if math.isfinite(mesh.error_px) else 2 * columns
-        columns = min(MOST_CELLS, max(columns + 1, math.ceil(needed)))
+        high *= 2
+        mesh = of(high)
+    low = high // 2
+    while high - low > 1:
+        middle = (low + high) // 2
+        between = of(middle)
+        if between.error_px <= tolerance:
+            high, mesh = middle, between
+        else:
+            low = middle
+    return mesh
 
 
 def _compact(

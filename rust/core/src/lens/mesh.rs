@@ -16,7 +16,7 @@ pub struct Mesh {
     pub sources: Vec<Vec<[f64; 2]>>,
     /// Two triangles for each cell that the lens serves, counter-clockwise with y up.
     pub faces: Vec<[u32; 3]>,
-    /// Nothing within those is taken from further beside its place, in pixels of the picture that is read.
+    /// Nothing of the picture that is read is shown further beside its place, in pixels of that picture.
     pub error: f64,
 }
 
@@ -39,7 +39,6 @@ pub fn warp_mesh(
         sources.push(of.into_iter().map(|source| view.share(source)).collect::<Vec<_>>());
     }
     let density = view.density(&view.from, width, height);
-    let density = density[0].max(density[1]);
     let (mut faces, mut error) = (Vec::new(), 0.0f64);
     for cell in 0..columns * rows {
         let first = cell / columns * (columns + 1) + cell % columns;
@@ -49,14 +48,28 @@ pub fn warp_mesh(
         }
         let [a, b, c, d] = corners.map(|n| n as u32);
         faces.extend([[a, c, b], [b, c, d]]);
-        for lens in lenses {
-            error = error.max(density * lens.bend_of_cell(view, corners.map(|n| seen[n])));
+        for (lens, of) in lenses.iter().zip(&sources) {
+            let bend = lens.bend_of_cell(view, corners.map(|n| seen[n]));
+            let off = [bend * density[0], bend * density[1]];
+            if shows(corners.map(|n| of[n]), [off[0] / width as f64, off[1] / height as f64]) {
+                error = error.max(off[0].max(off[1]));
+            }
         }
     }
     if faces.is_empty() {
         return Err(Error::value("fov", "a field of view that the lens serves", "one beyond its fold"));
     }
     Ok(Mesh { places, sources, faces, error })
+}
+
+/// Whether a cell can show some of the picture, its places being off by so much.
+fn shows(corners: [[f64; 2]; 4], off: [f64; 2]) -> bool {
+    (0..2).all(|axis| {
+        let ends = corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), corner| {
+            (low.min(corner[axis]), high.max(corner[axis]))
+        });
+        ends.0 - off[axis] <= 1.0 && ends.1 + off[axis] >= 0.0
+    })
 }
 
 impl RadialLens {
