@@ -94,7 +94,7 @@ def warp_mesh(
     def of(columns: int) -> WarpMesh:
         return made(columns, max(1, round(columns * aspect)))
 
-    high = 1
+    high = 4
     mesh = of(high)
     while mesh.error_px > tolerance:
         if high == MOST_CELLS:
@@ -104,7 +104,7 @@ def warp_mesh(
             )
         high *= 2
         mesh = of(high)
-    low = high // 2
+    low = high // 2 if high > 4 else 0
     while high - low > 1:
         middle = (low + high) // 2
         between = of(middle)
