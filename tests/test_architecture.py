@@ -81,6 +81,7 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_load": {"_assembly", "_from_trimesh", "_gltf", "_source"},
     "_scene": {"_assembly", "_from_trimesh", "_geometry", "_load", "_names", "_report", "_source"},
     "_camera": set(),
+    "_depth": {"_camera"},
     "_exr": set(),
     "_frame": {"_camera", "_exr"},
     "_glb": set(),

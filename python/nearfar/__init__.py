@@ -4,6 +4,7 @@ from nearfar import datasets
 from nearfar._bend import bend_rays, fold_margin
 from nearfar._bounds import bounding_sphere, bounding_spheres, solid_angle
 from nearfar._camera import Camera, CubeFace, Fov, Orthographic
+from nearfar._depth import depth_from_range, range_error, range_from_depth
 from nearfar._discontinuity import boundary, discontinuity
 from nearfar._envmap import EnvMap, cube_lookup
 from nearfar._errors import DeviceError, Error, FormatError, SceneError
@@ -51,6 +52,7 @@ __all__ = [
     "corrected_solid_angle",
     "cube_lookup",
     "datasets",
+    "depth_from_range",
     "discontinuity",
     "fold_margin",
     "load_curve",
@@ -59,6 +61,8 @@ __all__ = [
     "object_completion",
     "partition",
     "psnr",
+    "range_error",
+    "range_from_depth",
     "reduce",
     "render",
     "rmse",

@@ -105,6 +105,22 @@ class Camera:
     @property
     def least_pixel_angle(self) -> float: ...
 
+class DepthBuffer:
+    def __new__(
+        cls,
+        size: tuple[int, int],
+        *,
+        kind: str,
+        bounds: tuple[float, float, float, float] = ...,
+        near: float,
+        far: float,
+        reverse: bool,
+    ) -> DepthBuffer: ...
+    @staticmethod
+    def from_matrix(size: tuple[int, int], rows: list[list[float]], low: float) -> DepthBuffer: ...
+    def ranges(self, depth: NDArray[Any]) -> NDArray[Any]: ...
+    def depths(self, ranges: NDArray[np.float32 | np.float64]) -> NDArray[Any]: ...
+
 # trace --------------------------------------------------------------------------------------------------------------
 def cast_rays(
     scene: Scene,

@@ -1,9 +1,10 @@
 //! Bindings of `camera`.
 
 use glam::{DQuat, DVec3};
-use nearfar_core::base::Error;
-use nearfar_core::camera::{self, Fov, Projection};
-use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
+use nearfar_core::base::{Error, Result};
+use nearfar_core::camera::{self, Depth, Fov, Planes, Projection, Real};
+use numpy::{Element, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray3};
+use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
@@ -13,6 +14,17 @@ use crate::run;
 /// A checked view.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Camera(pub camera::Camera);
+
+fn projection(kind: &str, bounds: [f64; 4], face: u8) -> Result<Projection> {
+    let [left, right, down, up] = bounds;
+    let fov = Fov { left, right, down, up };
+    match kind {
+        "perspective" => Ok(Projection::Perspective(fov)),
+        "orthographic" => Ok(Projection::Orthographic(fov)),
+        "cube" => Ok(Projection::CubeFace(face)),
+        _ => Err(Error::value("kind", "perspective, orthographic or cube", kind)),
+    }
+}
 
 type Image<'py> = Bound<'py, PyArray3<f64>>;
 
@@ -29,14 +41,7 @@ impl Camera {
         bounds: [f64; 4],
         face: u8,
     ) -> PyResult<Self> {
-        let [left, right, down, up] = bounds;
-        let fov = Fov { left, right, down, up };
-        let projection = match kind {
-            "perspective" => Ok(Projection::Perspective(fov)),
-            "orthographic" => Ok(Projection::Orthographic(fov)),
-            "cube" => Ok(Projection::CubeFace(face)),
-            _ => Err(Error::value("kind", "perspective, orthographic or cube", kind)),
-        };
+        let projection = projection(kind, bounds, face);
         let (position, orientation) = (DVec3::from_array(position), DQuat::from_array(orientation));
         projection
             .and_then(|projection| camera::Camera::new(position, orientation, projection, size.0, size.1))
@@ -75,6 +80,86 @@ impl Camera {
     }
 }
 
+/// How a depth buffer's values become distances.
+#[pyclass(frozen, module = "nearfar._core")]
+struct DepthBuffer(camera::DepthBuffer);
+
+#[derive(FromPyObject)]
+enum Values<'py> {
+    Single(PyReadonlyArray3<'py, f32>),
+    Double(PyReadonlyArray3<'py, f64>),
+    Bits16(PyReadonlyArray3<'py, u16>),
+    Bits24(PyReadonlyArray3<'py, u32>),
+}
+
+#[derive(FromPyObject)]
+enum Reals<'py> {
+    Single(PyReadonlyArray3<'py, f32>),
+    Double(PyReadonlyArray3<'py, f64>),
+}
+
+#[pymethods]
+impl DepthBuffer {
+    /// `kind`, `bounds` as for `Camera`.
+    #[new]
+    #[pyo3(signature = (size, *, kind, bounds=[0.0; 4], near, far, reverse))]
+    fn new(size: (usize, usize), kind: &str, bounds: [f64; 4], near: f64, far: f64, reverse: bool) -> PyResult<Self> {
+        let planes = Planes { near, far, reverse };
+        projection(kind, bounds, 0)
+            .and_then(|projection| camera::DepthBuffer::new(projection, planes, size.0, size.1))
+            .map(Self)
+            .map_err(to_python)
+    }
+
+    /// Rows of a projection matrix whose depth goes from `low` to 1.
+    #[staticmethod]
+    fn from_matrix(size: (usize, usize), rows: [[f64; 4]; 4], low: f64) -> PyResult<Self> {
+        camera::DepthBuffer::from_matrix(rows, low, size.0, size.1).map(Self).map_err(to_python)
+    }
+
+    /// Distances from the eye, (N, H, W).
+    fn ranges(&self, py: Python<'_>, depth: Values<'_>) -> PyResult<Py<PyAny>> {
+        match &depth {
+            Values::Single(depth) => self.ranges_of(py, depth),
+            Values::Double(depth) => self.ranges_of(py, depth),
+            Values::Bits16(depth) => self.ranges_of(py, depth),
+            Values::Bits24(depth) => self.ranges_of(py, depth),
+        }
+    }
+
+    /// What a buffer holds at distances from the eye, (N, H, W).
+    fn depths(&self, py: Python<'_>, ranges: Reals<'_>) -> PyResult<Py<PyAny>> {
+        match &ranges {
+            Reals::Single(ranges) => self.depths_of(py, ranges),
+            Reals::Double(ranges) => self.depths_of(py, ranges),
+        }
+    }
+}
+
+impl DepthBuffer {
+    fn ranges_of<T>(&self, py: Python<'_>, depth: &PyReadonlyArray3<'_, T>) -> PyResult<Py<PyAny>>
+    where
+        T: Depth<Range: Element> + Element,
+    {
+        let found = PyArray3::<T::Range>::zeros(py, depth.dims(), false);
+        let (from, mut write) = (depth.as_slice()?, found.readwrite());
+        let to = write.as_slice_mut()?;
+        run::short(py, || self.0.ranges(from, to))?;
+        drop(write);
+        found.into_py_any(py)
+    }
+
+    fn depths_of<T: Real + Element>(&self, py: Python<'_>, ranges: &PyReadonlyArray3<'_, T>) -> PyResult<Py<PyAny>> {
+        let found = PyArray3::<T>::zeros(py, ranges.dims(), false);
+        let (from, mut write) = (ranges.as_slice()?, found.readwrite());
+        let to = write.as_slice_mut()?;
+        run::short(py, || self.0.depths(from, to))?;
+        drop(write);
+        found.into_py_any(py)
+    }
+}
+
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<Camera>()
+    module.add_class::<Camera>()?;
+    module.add_class::<DepthBuffer>()
 }

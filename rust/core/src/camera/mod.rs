@@ -1,10 +1,13 @@
 //! Cameras: where from, which way, and how directions fall on pixels.
 
+mod depth;
+
 use glam::{DMat3, DQuat, DVec3};
 use rayon::prelude::*;
 
 use crate::base::{Error, Result, memory::room_for};
 use crate::cubemap::direction_from_face;
+pub use depth::{Depth, DepthBuffer, Planes, Real};
 
 /// Four bounds of a view: tangents of the half angles for a perspective view, metres for an orthographic one.
 /// Left and down are negative in the symmetric case; asymmetric is the general one.
