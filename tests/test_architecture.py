@@ -82,6 +82,10 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_scene": {"_assembly", "_from_trimesh", "_geometry", "_load", "_names", "_report", "_source"},
     "_camera": set(),
     "_depth": {"_camera"},
+    "_eyes": {"_camera"},
+    "_hmd_file": {"_camera", "_eyes"},
+    "_hmdq": {"_camera", "_eyes", "_hmd_file"},
+    "_hmd": {"_camera", "_eyes", "_hmd_file", "_hmdq"},
     "_exr": set(),
     "_frame": {"_camera", "_exr"},
     "_glb": set(),
@@ -106,6 +110,7 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_reduced": {"_bundle", "_camera", "_envmap", "_frame", "_partition", "_render", "_scene"},
     "_reduce": {"_bundle", "_envmap", "_frame", "_partition", "_reduced", "_render", "_scene"},
     "datasets": {"_scene"},
+    "hmd": {"_eyes", "_hmd"},
 }
 
 # Lines of a file. Above the first number a file is listed, above the second it fails.

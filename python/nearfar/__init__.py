@@ -1,6 +1,6 @@
 """Makes scenes too heavy for a thin VR device light enough to run on it, and says what that costs in image quality."""
 
-from nearfar import datasets
+from nearfar import datasets, hmd
 from nearfar._bend import bend_rays, fold_margin
 from nearfar._bounds import bounding_sphere, bounding_spheres, solid_angle
 from nearfar._camera import Camera, CubeFace, Fov, Orthographic
@@ -9,6 +9,7 @@ from nearfar._discontinuity import boundary, discontinuity
 from nearfar._envmap import EnvMap, cube_lookup
 from nearfar._errors import DeviceError, Error, FormatError, SceneError
 from nearfar._frame import Frame
+from nearfar._hmd import Hmd
 from nearfar._lens import ChromaticLens, RadialLens, corrected_solid_angle
 from nearfar._load_curve import LoadCurve, load_curve
 from nearfar._metrics import object_completion, psnr, rmse
@@ -35,6 +36,7 @@ __all__ = [
     "Fov",
     "Frame",
     "Hits",
+    "Hmd",
     "LoadCurve",
     "Orthographic",
     "Partition",
@@ -55,6 +57,7 @@ __all__ = [
     "depth_from_range",
     "discontinuity",
     "fold_margin",
+    "hmd",
     "load_curve",
     "morph",
     "ms_ssim",

@@ -101,7 +101,7 @@ class Camera(WithTwin):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "position", _check.vector("position", self.position))
-        object.__setattr__(self, "orientation", _quaternion(self.orientation))
+        object.__setattr__(self, "orientation", quaternion(self.orientation))
         object.__setattr__(self, "size", _check.size("size", self.size))
         if not isinstance(self.fov, Projection):
             raise TypeError(f"fov: expected Fov, Orthographic or CubeFace, got {type(self.fov).__name__}")
@@ -138,7 +138,7 @@ class Camera(WithTwin):
         right /= length
         axes = np.column_stack([right, np.cross(back, right), back])
         position = (float(start[0]), float(start[1]), float(start[2]))
-        return cls(position, _quaternion_from_axes(axes), fov=fov, size=size)
+        return cls(position, quaternion_from_axes(axes), fov=fov, size=size)
 
     @property
     def width(self) -> int:
@@ -190,7 +190,7 @@ def _bounds(name: str, bounds: Fov | Orthographic) -> None:
         raise ValueError(f"{name}: expected down < up, got {bounds.down} and {bounds.up}")
 
 
-def _quaternion(value: ArrayLike) -> tuple[float, float, float, float]:
+def quaternion(value: ArrayLike) -> tuple[float, float, float, float]:
     given = _check.array("orientation", value, columns=None, dtype=np.float64, finite=True)
     if given.shape != (4,):
         raise ValueError(f"orientation: expected a quaternion (x, y, z, w), got shape {given.shape}")
@@ -202,7 +202,7 @@ def _quaternion(value: ArrayLike) -> tuple[float, float, float, float]:
     return x, y, z, w
 
 
-def _quaternion_from_axes(axes: NDArray[np.float64]) -> tuple[float, float, float, float]:
+def quaternion_from_axes(axes: NDArray[np.float64]) -> tuple[float, float, float, float]:
     """Unit quaternion of a rotation matrix, by the largest component (Shepperd, 1978)."""
     trace = float(np.trace(axes))
     squares = np.array([*(1.0 + 2.0 * np.diag(axes) - trace), 1.0 + trace])

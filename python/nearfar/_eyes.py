@@ -1,0 +1,160 @@
+"""An eye of a headset: its view and where it sits on the head; and what two of them see together."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _check
+from nearfar._camera import Fov, quaternion, quaternion_from_axes
+
+# Matrices are printed with six digits: rows are off by a millionth, and nothing else is a rotation.
+ROTATION_TOLERANCE = 1e-4
+
+
+@dataclass(frozen=True)
+class Eye:
+    """One eye of a headset.
+
+    Parameters
+    ----------
+    fov
+        Tangents of its view, in its own axes.
+    position
+        Metres in head axes: x to the right, y up, looking along −z.
+    orientation
+        Unit quaternion (x, y, z, w) that turns the eye's axes into the head's; canted views are turned outwards.
+    """
+
+    fov: Fov
+    position: tuple[float, float, float]
+    orientation: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.fov, Fov):
+            raise TypeError(f"fov: expected Fov, got {type(self.fov).__name__}")
+        object.__setattr__(self, "position", _check.vector("position", self.position))
+        object.__setattr__(self, "orientation", quaternion(self.orientation))
+
+    @classmethod
+    def from_matrix(cls, fov: Fov, eye_to_head: ArrayLike) -> Eye:
+        """Make an eye of OpenVR's eye-to-head matrix, (3, 4), metres; rounded entries become the nearest rotation.
+
+        ValueError where the first three columns are no rotation.
+        """
+        rows = _check.array("eye_to_head", eye_to_head, columns=4, dtype=np.float64, finite=True)
+        if len(rows) != 3:
+            raise ValueError(f"eye_to_head: expected shape (3, 4), got {rows.shape}")
+        axes = rows[:, :3]
+        orientation = (0.0, 0.0, 0.0, 1.0)
+        if not np.array_equal(axes, np.eye(3)):
+            # The nearest rotation in the sense of least squares: the polar decomposition's (Higham, 1986).
+            left, _, right = np.linalg.svd(axes)
+            nearest = left @ right
+            if np.linalg.det(nearest) < 0.0 or np.abs(nearest - axes).max() > ROTATION_TOLERANCE:
+                raise ValueError(f"eye_to_head: expected a rotation in the first three columns, got {axes.tolist()}")
+            orientation = quaternion_from_axes(nearest)
+        return cls(fov, (float(rows[0, 3]), float(rows[1, 3]), float(rows[2, 3])), orientation)
+
+    @property
+    def matrix(self) -> NDArray[np.float64]:
+        """Eye-to-head matrix, (3, 4): a rotation, and the position in metres."""
+        return np.column_stack([rotation(self.orientation), self.position])
+
+    @property
+    def corners(self) -> NDArray[np.float64]:
+        """Directions of the view's corners in head axes, (4, 3): left bottom, right bottom, right top, left top."""
+        f = self.fov
+        own = [(f.left, f.down, -1), (f.right, f.down, -1), (f.right, f.up, -1), (f.left, f.up, -1)]
+        return np.asarray(np.array(own, np.float64) @ rotation(self.orientation).T)
+
+    @property
+    def angles_deg(self) -> tuple[float, float, float, float]:
+        """Degrees that the eye sees to the left, right, down and up of straight ahead; left and down negative.
+
+        In the planes of the head's own axes through the eye, so a canted eye sees more on one side.
+        """
+        left, right = self._across("horizontal", 0, 1)
+        down, up = self._across("vertical", 1, 0)
+        return left, right, down, up
+
+    @property
+    def rotation_deg(self) -> float:
+        """Degrees between the eye's and the head's viewing axis, positive where it is turned to the right."""
+        axis = rotation(self.orientation)[:, 2]
+        # Not the cosine's inverse, which knows nothing of small angles.
+        angle = math.degrees(math.atan2(math.hypot(axis[0], axis[1]), axis[2]))
+        return -angle if axis[0] > 0.0 else angle
+
+    def _across(self, name: str, along: int, zero: int) -> tuple[float, float]:
+        """Least and greatest angle of the view's edge where it crosses the plane through the viewing axis."""
+        corners = self.corners
+        angles = []
+        for one, other in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+            if (one[zero] < 0.0) != (other[zero] < 0.0):
+                share = one[zero] / (one[zero] - other[zero])
+                point = one + share * (other - one)
+                angles.append(math.degrees(math.atan2(point[along], -point[2])))
+        if not angles:
+            raise ValueError(f"fov: expected a view that the head's {name} plane runs through, got {self}")
+        return min(angles), max(angles)
+
+
+class TotalFov(NamedTuple):
+    """What both eyes see together, degrees, as hmdq counts it without hidden areas."""
+
+    horizontal_deg: float
+    """From the left eye's left side to the right eye's right side."""
+    vertical_deg: float
+    """The mean of both eyes."""
+    diagonal_deg: float
+    """The mean of both diagonals, from a corner of one eye to the opposite corner of the other."""
+    overlap_deg: float
+    """Horizontally, what both eyes see."""
+
+
+def total_fov(left: Eye, right: Eye) -> TotalFov:
+    """Return what two eyes see together, far away: where they sit does not matter."""
+    of_left, of_right = left.angles_deg, right.angles_deg
+    one, other = left.corners, right.corners
+    return TotalFov(
+        horizontal_deg=of_right[1] - of_left[0],
+        vertical_deg=((of_left[3] - of_left[2]) + (of_right[3] - of_right[2])) / 2.0,
+        diagonal_deg=(_between(one[0], other[2]) + _between(one[3], other[1])) / 2.0,
+        overlap_deg=of_left[1] - of_right[0],
+    )
+
+
+def rotation(orientation: tuple[float, float, float, float]) -> NDArray[np.float64]:
+    """Rotation matrix of a unit quaternion (x, y, z, w)."""
+    x, y, z, w = orientation
+    return np.array(
+        [
+            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)],
+            [2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)],
+            [2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)],
+        ]
+    )
+
+
+def turned(
+    first: tuple[float, float, float, float], then: tuple[float, float, float, float]
+) -> tuple[float, float, float, float]:
+    """Quaternion of one rotation after another, of unit length."""
+    (ax, ay, az, aw), (bx, by, bz, bw) = then, first
+    product = (
+        aw * bx + ax * bw + ay * bz - az * by,
+        aw * by - ax * bz + ay * bw + az * bx,
+        aw * bz + ax * by - ay * bx + az * bw,
+        aw * bw - ax * bx - ay * by - az * bz,
+    )
+    length = math.sqrt(sum(part * part for part in product))
+    return (product[0] / length, product[1] / length, product[2] / length, product[3] / length)
+
+
+def _between(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
+    return math.degrees(math.atan2(float(np.linalg.norm(np.cross(one, other))), float(one @ other)))

@@ -1,0 +1,194 @@
+"""Headsets: what their runtimes report, with sources; cameras of their eyes; files."""
+
+from __future__ import annotations
+
+import math
+import os
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from nearfar import _check, _hmd_file, _hmdq
+from nearfar._camera import MAX_SIZE, Camera, quaternion
+from nearfar._eyes import Eye, TotalFov, rotation, total_fov, turned
+
+EYES = ("left", "right")
+FORMATS = ("nearfar", "hmdq")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Hmd:
+    """A headset as its runtime reports it.
+
+    Parameters
+    ----------
+    name
+        Of the device.
+    left, right
+        The eyes: view, position and orientation on the head.
+    render_size
+        Width and height in pixels that the runtime recommends to draw for an eye, before lenses.
+    panel_size
+        Width and height of what an eye has of the panel, where it is known.
+    refresh_hz
+        Pictures a second, where it is known.
+    lens
+        Coefficients k of the lens, where they are known in this form: r_d = r (1 + k₁ r² + k₂ r⁴ + …).
+    lens_radius
+        The tangent of the angle where r = 1; None stands for `tan_half_angle`.
+    triangle_budget
+        Least and greatest number of triangles a frame that the maker advises, where it is published.
+    hidden_area_percent
+        How much of a view the lens hides, by the runtime's mesh; None where there is none.
+    sources
+        Where all this is said, one sentence each.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For values that are out of order or not finite.
+    """
+
+    name: str
+    left: Eye
+    right: Eye
+    render_size: tuple[int, int]
+    panel_size: tuple[int, int] | None = None
+    refresh_hz: float | None = None
+    lens: tuple[float, ...] | None = None
+    lens_radius: float | None = None
+    triangle_budget: tuple[int, int] | None = None
+    hidden_area_percent: float | None = None
+    sources: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.name, str) or not self.name:
+            raise ValueError(f"name: expected a name, got {self.name!r}")
+        for side in EYES:
+            if not isinstance(getattr(self, side), Eye):
+                raise TypeError(f"{side}: expected Eye, got {type(getattr(self, side)).__name__}")
+        _set(self, "render_size", _pair("render_size", self.render_size, 1, MAX_SIZE))
+        if self.panel_size is not None:
+            _set(self, "panel_size", _pair("panel_size", self.panel_size, 1, MAX_SIZE))
+        if self.refresh_hz is not None:
+            _set(self, "refresh_hz", _check.positive("refresh_hz", self.refresh_hz))
+        self._check_lens()
+        if self.triangle_budget is not None:
+            least, most = _pair("triangle_budget", self.triangle_budget, 1, 1 << 40)
+            if least > most:
+                raise ValueError(f"triangle_budget: expected the least number first, got {self.triangle_budget}")
+            _set(self, "triangle_budget", (least, most))
+        if self.hidden_area_percent is not None:
+            hidden = _check.number("hidden_area_percent", self.hidden_area_percent)
+            if not 0.0 <= hidden <= 100.0:
+                raise ValueError(f"hidden_area_percent: expected 0 to 100, got {hidden}")
+            _set(self, "hidden_area_percent", hidden)
+        if isinstance(self.sources, str) or not all(isinstance(source, str) for source in self.sources):
+            raise TypeError(f"sources: expected strings, got {self.sources!r}")
+        _set(self, "sources", tuple(self.sources))
+
+    def _check_lens(self) -> None:
+        if self.lens is not None:
+            given = _check.array("lens", self.lens, columns=None, dtype=np.float64, finite=True)
+            if given.ndim != 1 or not 1 <= len(given) <= 16:
+                raise ValueError(f"lens: expected 1 to 16 coefficients, got shape {given.shape}")
+            _set(self, "lens", tuple(given.tolist()))
+        if self.lens_radius is not None:
+            _set(self, "lens_radius", _check.positive("lens_radius", self.lens_radius))
+
+    @property
+    def ipd(self) -> float:
+        """Metres between the eyes."""
+        return math.dist(self.left.position, self.right.position)
+
+    @property
+    def tan_half_angle(self) -> float:
+        """The greatest tangent to the left or right in either eye: where r of a lens is 1, as a rule."""
+        return max(abs(tangent) for eye in (self.left, self.right) for tangent in (eye.fov.left, eye.fov.right))
+
+    @property
+    def half_angle(self) -> float:
+        """Half the horizontal field of view in radians, ω; the larger side of an asymmetric one."""
+        return math.atan(self.tan_half_angle)
+
+    @property
+    def total_fov(self) -> TotalFov:
+        """What both eyes see together, degrees; without hidden areas, which make it smaller for some headsets."""
+        return total_fov(self.left, self.right)
+
+    def camera(
+        self,
+        eye: str,
+        position: ArrayLike,
+        orientation: ArrayLike = (0.0, 0.0, 0.0, 1.0),
+        *,
+        size: tuple[int, int] | None = None,
+    ) -> Camera:
+        """Make the camera of an eye, "left" or "right", from the pose of the head: a world position in metres, and a
+        unit quaternion (x, y, z, w) that turns head axes into world axes. `size` is the render size if not given.
+        """
+        chosen: Eye = getattr(self, _check.choice("eye", eye, EYES))
+        head = quaternion(orientation)
+        moved = np.array(_check.vector("position", position)) + rotation(head) @ np.array(chosen.position)
+        place = (float(moved[0]), float(moved[1]), float(moved[2]))
+        way = turned(chosen.orientation, head)
+        return Camera(place, way, fov=chosen.fov, size=self.render_size if size is None else size)
+
+    def with_ipd(self, ipd: float) -> Hmd:
+        """Return the headset for eyes so many metres apart, about the same middle."""
+        wanted, one, other = _check.positive("ipd", ipd), np.array(self.left.position), np.array(self.right.position)
+        if self.ipd == 0.0:
+            raise ValueError("ipd: expected eyes that are apart already, which say in which direction")
+        half = (other - one) * (0.5 * wanted / self.ipd)
+        middle = (one + other) / 2.0
+        left = replace(self.left, position=tuple((middle - half).tolist()))
+        return replace(self, left=left, right=replace(self.right, position=tuple((middle + half).tolist())))
+
+    def save(self, path: str | os.PathLike[str], *, format: str = "nearfar") -> None:
+        """Write the headset as JSON, whole or not at all.
+
+        `format` is "nearfar", which comes back bit for bit, or "hmdq": the geometry for hmdq's viewer hmdv, without
+        what that has no place for (panel, lens, hidden area, budget, sources).
+        """
+        _check.choice("format", format, FORMATS)
+        write = _hmd_file.write if format == "nearfar" else _hmdq.write
+        write(_check.path("path", path), self._fields())
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str], *, runtime: str | None = None) -> Hmd:
+        """Read a headset from JSON: a file of ours, or what hmdq wrote, of any version.
+
+        A file of hmdq's may hold what several runtimes said: `runtime` is "openvr", "oculus" (the default view) or
+        "oculus_max"; if not given, the first of them that is there. The name is the file's where hmdq recorded none.
+        FormatError for other files, naming the file and the key; OSError where there is none.
+        """
+        place = _check.path("path", path)
+        if runtime is not None:
+            _check.choice("runtime", runtime, _hmdq.RUNTIMES)
+        return cls.from_json(place.read_bytes(), os.fspath(place), runtime=runtime)
+
+    @classmethod
+    def from_json(cls, text: bytes, where: str, *, runtime: str | None = None) -> Hmd:
+        """Read a headset from the bytes of a file of either format; `where` names them in messages."""
+        document = _hmd_file.parse(text, where)
+        fields = (
+            _hmdq.fields(document, where, runtime) if _hmdq.is_one(document) else _hmd_file.fields(document, where)
+        )
+        return _hmd_file.built(where, lambda: cls(**fields))
+
+    def _fields(self) -> dict[str, Any]:
+        return {name: getattr(self, name) for name in self.__dataclass_fields__}
+
+
+def _set(hmd: Hmd, name: str, value: object) -> None:
+    object.__setattr__(hmd, name, value)
+
+
+def _pair(name: str, value: tuple[int, int], low: int, high: int) -> tuple[int, int]:
+    try:
+        one, other = value
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: expected two whole numbers, got {value!r}") from None
+    return _check.integer(f"{name}[0]", one, low, high), _check.integer(f"{name}[1]", other, low, high)

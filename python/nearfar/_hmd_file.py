@@ -1,0 +1,160 @@
+"""Headsets as JSON of our own; and how documents of others are read: every mistake names the file and the key."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+from nearfar import _files, _formats
+from nearfar._camera import Fov
+from nearfar._errors import FormatError
+from nearfar._eyes import Eye
+
+FORMAT, VERSION = "hmd", 1
+SIDES = ("left", "right", "down", "up")
+# What may be missing or null.
+OPTIONAL = ("panel_size", "refresh_hz", "lens_radius", "triangle_budget", "hidden_area_percent")
+
+Made = TypeVar("Made")
+
+
+def write(path: Path, fields: dict[str, Any]) -> None:
+    """Write a headset's fields as a document of ours."""
+    save(path, document(fields))
+
+
+def save(path: Path, content: dict[str, Any]) -> None:
+    """Write JSON whole or not at all."""
+    with _files.atomic_file(path) as aside:
+        aside.write_text(_formats.to_json(content), encoding="utf-8")
+
+
+def document(fields: dict[str, Any]) -> dict[str, Any]:
+    """Return the document of a headset."""
+    eyes = {side: _eye_document(fields[side]) for side in ("left", "right")}
+    names = ("name", "render_size", "panel_size", "refresh_hz", "lens", "lens_radius", "triangle_budget")
+    rest = {name: fields[name] for name in (*names, "hidden_area_percent", "sources")}
+    return _formats.header(FORMAT, VERSION) | {"name": rest.pop("name"), "eyes": eyes} | rest
+
+
+def fields(content: dict[str, Any], where: str) -> dict[str, Any]:
+    """Return a headset's fields by name from a document of ours."""
+    _formats.check(content, FORMAT, VERSION, where)
+    read = Reader(content, where)
+    found: dict[str, Any] = {"name": read.text("name")}
+    for side in ("left", "right"):
+        found[side] = _eye(read.inside("eyes").inside(side))
+    found["render_size"] = read.numbers("render_size", 2)
+    for name in OPTIONAL:
+        if content.get(name) is not None:
+            found[name] = read.numbers(name, 2) if name in ("panel_size", "triangle_budget") else read.number(name)
+    if content.get("lens") is not None:
+        found["lens"] = read.numbers("lens", None)
+    found["sources"] = read.texts("sources")
+    return found
+
+
+def parse(text: bytes, where: str) -> dict[str, Any]:
+    """Return the object that JSON text holds; FormatError for anything else."""
+    try:
+        content = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise FormatError(f"{where}: expected JSON, got something else ({error})") from None
+    if not isinstance(content, dict):
+        raise FormatError(f"{where}: expected a JSON object, got {type(content).__name__}")
+    return content
+
+
+def built(where: str, make: Callable[[], Made]) -> Made:
+    """Make something of what a file says; what is wrong with it is the file's fault."""
+    try:
+        return make()
+    except (TypeError, ValueError) as error:
+        raise FormatError(f"{where}: {error}") from None
+
+
+class Reader:
+    """An object within a document, which knows what it is called."""
+
+    def __init__(self, content: dict[str, Any], where: str, name: str = "") -> None:
+        self.content, self.where, self.name = content, where, name
+
+    def inside(self, key: str) -> Reader:
+        """The object of a key."""
+        value = self._value(key)
+        if not isinstance(value, dict):
+            raise self.wrong(key, "an object", value)
+        return Reader(value, self.where, self._named(key))
+
+    def number(self, key: str) -> float:
+        """A number, kept as it is."""
+        value = self._value(key)
+        if not _is_number(value):
+            raise self.wrong(key, "a number", value)
+        return value  # type: ignore[no-any-return]
+
+    def numbers(self, key: str, count: int | None) -> tuple[float, ...]:
+        """So many numbers, kept as they are."""
+        value = self._value(key)
+        if not isinstance(value, list) or not all(map(_is_number, value)) or count not in (None, len(value)):
+            raise self.wrong(key, "numbers" if count is None else f"{count} numbers", value)
+        return tuple(value)
+
+    def text(self, key: str) -> str:
+        """A string."""
+        value = self._value(key)
+        if not isinstance(value, str):
+            raise self.wrong(key, "a string", value)
+        return value
+
+    def texts(self, key: str) -> tuple[str, ...]:
+        """Strings."""
+        value = self._value(key)
+        if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
+            raise self.wrong(key, "strings", value)
+        return tuple(value)
+
+    def rows(self, key: str) -> Any:
+        """Rows of numbers."""
+        value = self._value(key)
+        if not isinstance(value, list) or not all(isinstance(row, list) and all(map(_is_number, row)) for row in value):
+            raise self.wrong(key, "rows of numbers", value)
+        return value
+
+    def made(self, make: Callable[[], Made]) -> Made:
+        """Make something of what stands here."""
+        return built(f"{self.where}: {self.name}", make)
+
+    def wrong(self, key: str, expected: str, value: object) -> FormatError:
+        """Say what was expected of a key."""
+        got = json.dumps(value)
+        return FormatError(
+            f"{self.where}: {self._named(key)}: expected {expected}, got {got if len(got) < 60 else got[:57] + '...'}"
+        )
+
+    def _value(self, key: str) -> Any:
+        if key not in self.content:
+            raise FormatError(f"{self.where}: {self._named(key)}: expected a value, found none")
+        return self.content[key]
+
+    def _named(self, key: str) -> str:
+        return f"{self.name}.{key}" if self.name else key
+
+
+def _eye_document(eye: Eye) -> dict[str, Any]:
+    fov = {side: getattr(eye.fov, side) for side in SIDES}
+    return {"fov": fov, "position": eye.position, "orientation": eye.orientation}
+
+
+def _eye(read: Reader) -> Eye:
+    tangents = [read.inside("fov").number(side) for side in SIDES]
+    fov = read.inside("fov").made(lambda: Fov(*tangents))
+    x, y, z = read.numbers("position", 3)
+    a, b, c, d = read.numbers("orientation", 4)
+    return read.made(lambda: Eye(fov, (x, y, z), (a, b, c, d)))
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)

@@ -1,0 +1,166 @@
+"""Headset geometry as hmdq writes it and its viewer hmdv reads it (github.com/risa2000/hmdq, output version 5)."""
+
+from __future__ import annotations
+
+import math
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from nearfar._camera import Fov
+from nearfar._errors import FormatError
+from nearfar._eyes import Eye, total_fov
+from nearfar._hmd_file import Reader, save
+from nearfar._version import __version__
+
+RUNTIMES = ("openvr", "oculus", "oculus_max")
+SIDES = {"left": "Left", "right": "Right"}
+TANGENTS = ("tan_left", "tan_right", "tan_bottom", "tan_top")
+# The version whose format this is: hmdv brings files of older ones up to date.
+HMDQ_VERSION, OUTPUT_VERSION = "2.2.1", 5
+# OpenVR's class of headsets among its devices.
+HEADSET = 1
+NAMES = (
+    ("Prop_ManufacturerName_String", "Prop_ModelNumber_String"),
+    ("Prop_Manufacturer_String", "Prop_ProductName_String"),
+)
+REFRESH = ("Prop_DisplayFrequency_Float", "Prop_DisplayRefreshRate_Float")
+
+
+def is_one(content: dict[str, Any]) -> bool:
+    """Whether a document is hmdq's: it says so in its section `misc`."""
+    misc = content.get("misc")
+    return isinstance(misc, dict) and ("hmdq_ver" in misc or "hmdv_ver" in misc)
+
+
+def fields(content: dict[str, Any], where: str, runtime: str | None) -> dict[str, Any]:
+    """Return a headset's fields by name from what one of the runtimes said."""
+    found = {name: reader for name in RUNTIMES if (reader := _geometry(content, where, name)) is not None}
+    if not found:
+        raise FormatError(f"{where}: geometry: expected it in openvr or oculus, found none without an error")
+    if runtime is not None and runtime not in found:
+        raise FormatError(f"{where}: expected geometry from {runtime}, found {', '.join(found)}")
+    chosen = runtime or next(iter(found))
+    read = found[chosen]
+    name, refresh = _device(content, chosen)
+    result: dict[str, Any] = {side: _eye(read, key) for side, key in SIDES.items()}
+    result |= {"name": name or Path(where).stem, "render_size": read.numbers("rec_rts", 2), "refresh_hz": refresh}
+    result["hidden_area_percent"] = _hidden(read)
+    misc = content["misc"]
+    version = misc.get("hmdq_ver", misc.get("hmdv_ver"))
+    result["sources"] = (f"{Path(where).name}: {chosen} by hmdq {version}, {misc.get('time', 'at no known time')}",)
+    return result
+
+
+def write(path: Path, fields: dict[str, Any]) -> None:
+    """Write the geometry of a headset and what hmdv shows of it."""
+    left, right = fields["left"], fields["right"]
+    eyes = {"Left": left, "Right": right}
+    total = total_fov(left, right)
+    canted = any(eye.orientation != (0.0, 0.0, 0.0, 1.0) for eye in eyes.values())
+    geometry = {
+        "rec_rts": fields["render_size"],
+        "raw_eye": {name: _raw(eye.fov) for name, eye in eyes.items()},
+        "eye2head": {name: eye.matrix.tolist() for name, eye in eyes.items()},
+        "view_geom": {
+            "left_rot": left.rotation_deg,
+            "right_rot": right.rotation_deg,
+            "ipd": sum((a - b) ** 2 for a, b in zip(left.position, right.position, strict=True)) ** 0.5,
+        },
+        # hmdv shows both eyes' own angles or none.
+        "fov_eye": {name: _angles(Eye(eye.fov, eye.position)) for name, eye in eyes.items()} if canted else None,
+        "fov_head": {name: _angles(eye) for name, eye in eyes.items()},
+        "fov_tot": {
+            "fov_hor": total.horizontal_deg,
+            "fov_ver": total.vertical_deg,
+            "fov_diag": total.diagonal_deg,
+            "overlap": total.overlap_deg,
+        },
+        "ham_mesh": {"Left": None, "Right": None},
+    }
+    properties: dict[str, Any] = {"Prop_DeviceClass_Int32": HEADSET, NAMES[0][1]: fields["name"]}
+    if fields["refresh_hz"] is not None:
+        properties[REFRESH[0]] = fields["refresh_hz"]
+    misc = {
+        "time": datetime.now().strftime("%Y-%m-%d %H:%M:%S"),
+        "hmdq_ver": HMDQ_VERSION,
+        "log_ver": OUTPUT_VERSION,
+        "os_ver": "n/a",
+        "generator": f"nearfar {__version__}",
+    }
+    runtime = {"rt_path": "n/a", "rt_ver": "n/a", "devices": [[0, HEADSET]], "properties": {"0": properties}}
+    save(path, {"misc": misc, "openvr": runtime | {"geometry": geometry}})
+
+
+def _geometry(content: dict[str, Any], where: str, runtime: str) -> Reader | None:
+    """What a runtime said of the geometry; nothing where it was not there or failed."""
+    section, *view = {"openvr": ["openvr"], "oculus": ["oculus", "default_fov"]}.get(runtime, ["oculus", "max_fov"])
+    keys = [section, "geometry", *view]
+    if runtime == "openvr" and "geometry" in content:
+        # Before hmdq 1.3.4 everything was OpenVR's.
+        keys = ["geometry"]
+    node: Any = content
+    for key in keys:
+        node = node.get(key) if isinstance(node, dict) else None
+    if not isinstance(node, dict) or "error@" in node:
+        return None
+    return Reader(node, where, ".".join(keys))
+
+
+def _eye(read: Reader, key: str) -> Eye:
+    raw = read.inside("raw_eye").inside(key)
+    left, right, down, up = (raw.number(name) for name in TANGENTS)
+    fov = raw.made(lambda: Fov(left, right, down, up))
+    if "eye2head" in read.content:
+        placed = read.inside("eye2head")
+        rows = placed.rows(key)
+        return placed.made(lambda: Eye.from_matrix(fov, rows))
+    # As collected from LibOVR, before anything is computed of it.
+    pose = read.inside("render_desc").inside(key).inside("hmd2eye_pose")
+    x, y, z = pose.numbers("position", 3)
+    a, b, c, d = pose.numbers("orientation", 4)
+    return pose.made(lambda: Eye(fov, (x, y, z), (a, b, c, d)))
+
+
+def _device(content: dict[str, Any], runtime: str) -> tuple[str, float | None]:
+    """Name and refresh rate among a runtime's properties, as far as they are there."""
+    section = content.get(runtime.removesuffix("_max"), {})
+    listed = section.get("properties", content.get("properties"))
+    devices = list(listed.values()) if isinstance(listed, dict) else []
+    for device in (device for device in devices if isinstance(device, dict)):
+        if device.get("Prop_DeviceClass_Int32", HEADSET) != HEADSET:
+            continue
+        for keys in NAMES:
+            words = [device[key] for key in keys if isinstance(device.get(key), str)]
+            rates = [device[key] for key in REFRESH if isinstance(device.get(key), int | float)]
+            if words:
+                return " ".join(words), rates[0] if rates else None
+    return "", None
+
+
+def _hidden(read: Reader) -> float | None:
+    """Percent of the views that meshes hide: the mean of both eyes."""
+    meshes = read.content.get("ham_mesh")
+    areas = [mesh.get("ham_area") for mesh in meshes.values() if isinstance(mesh, dict)] if meshes else []
+    known = [area for area in areas if isinstance(area, int | float)]
+    return 100.0 * sum(known) / len(known) if known else None
+
+
+def _raw(fov: Fov) -> dict[str, float]:
+    aspect = (fov.right - fov.left) / (fov.up - fov.down)
+    return dict(zip(TANGENTS, (fov.left, fov.right, fov.down, fov.up), strict=True)) | {"aspect": aspect}
+
+
+def _angles(eye: Eye) -> dict[str, Any]:
+    left, right, down, up = eye.angles_deg
+    sides = {"deg_left": left, "deg_right": right, "deg_bottom": down, "deg_top": up}
+    return {"fov_pts": _points(eye)} | sides | {"deg_hor": right - left, "deg_ver": up - down}
+
+
+def _points(eye: Eye) -> list[list[float]]:
+    """Eight points of a view's edge at distance 1: corners, and between them the middles straight below, right…"""
+    left, right, down, up = (math.tan(math.radians(angle)) for angle in eye.angles_deg)
+    middles = [[0.0, down, -1.0], [right, 0.0, -1.0], [0.0, up, -1.0], [left, 0.0, -1.0]]
+    corners = [(corner / abs(corner[2])).tolist() for corner in eye.corners]
+    return [point for pair in zip(corners, middles, strict=True) for point in pair]
+
