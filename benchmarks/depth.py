@@ -57,12 +57,14 @@ def ranges(side: int) -> str:
         Case(OURS, lambda: nf.range_from_depth(depth, FOV, near=NEAR), error, peer=False),
         Case("NumPy, float32, one expression", lambda: straightforward(depth), error),
         Case("NumPy, float32, inverse matrix", lambda: unprojected(depth), error),
-        Case("NumPy, float64, one expression", lambda: straightforward(depth.astype(np.float64)).astype(np.float32), error),
+        Case(
+            "NumPy, float64, one expression",
+            lambda: straightforward(depth.astype(np.float64)).astype(np.float32),
+            error,
+        ),
         Case("copying the buffer", depth.copy),
     ]
-    return compare(
-        f"Range from a float32 depth buffer of {side}²", cases, work=Work(bytes=2 * depth.nbytes), repeat=5
-    )
+    return compare(f"Range from a float32 depth buffer of {side}²", cases, work=Work(bytes=2 * depth.nbytes), repeat=5)
 
 
 def costs() -> str:

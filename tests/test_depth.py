@@ -116,7 +116,7 @@ def test_parallel_rays_have_linear_depth(near: float, far: float, reverse: bool,
 @pytest.mark.parametrize("dtype", [np.uint16, np.uint32])
 def test_whole_numbers_stand_for_shares_of_their_greatest(dtype: type) -> None:
     most = 2**16 - 1 if dtype is np.uint16 else 2**24 - 1
-    stored = np.array([[0, 1, most // 3, most - 1, most]], dtype)
+    stored: Array = np.array([[0, 1, most // 3, most - 1, most]], dtype)
     for reverse in (True, False):
         found = nf.range_from_depth(stored, FOV, near=0.5, far=80.0, reverse=reverse)
         assert found.dtype == np.float32
@@ -275,7 +275,7 @@ def test_the_bound_has_the_published_orders() -> None:
 @pytest.mark.parametrize("value", [math.nan, -1e-9, 1.0000001, math.inf])
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
 def test_values_beyond_0_and_1_are_refused(value: float, dtype: type) -> None:
-    depth = np.full((2, 70, 100), 0.5, dtype)
+    depth: Array = np.full((2, 70, 100), 0.5, dtype)
     depth[1, 69, 99] = value
     with pytest.raises(ValueError, match=r"depth: expected values from 0 to 1, got .* row 69, column 99 of image 1"):
         nf.range_from_depth(depth, FOV, near=0.1)

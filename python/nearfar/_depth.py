@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _check, _core
-from nearfar._camera import MAX_SIZE, CubeFace, Fov, Orthographic, Projection
+from nearfar._camera import MAX_SIZE, CubeFace, Fov, Projection
 
 CLIP_SPACES = ("0..1", "-1..1")
 FORMATS = ("float32", "uint16", "uint24")

@@ -126,8 +126,10 @@ class Hmd:
         *,
         size: tuple[int, int] | None = None,
     ) -> Camera:
-        """Make the camera of an eye, "left" or "right", from the pose of the head: a world position in metres, and a
-        unit quaternion (x, y, z, w) that turns head axes into world axes. `size` is the render size if not given.
+        """Make the camera of an eye, "left" or "right", from the pose of the head.
+
+        The pose is a world position in metres and a unit quaternion (x, y, z, w) that turns head axes into world axes.
+        `size` is the render size if not given.
         """
         chosen: Eye = getattr(self, _check.choice("eye", eye, EYES))
         head = quaternion(orientation)
@@ -146,7 +148,7 @@ class Hmd:
         left = replace(self.left, position=tuple((middle - half).tolist()))
         return replace(self, left=left, right=replace(self.right, position=tuple((middle + half).tolist())))
 
-    def save(self, path: str | os.PathLike[str], *, format: str = "nearfar") -> None:
+    def save(self, path: str | os.PathLike[str], *, format: str = "nearfar") -> None:  # noqa: A002
         """Write the headset as JSON, whole or not at all.
 
         `format` is "nearfar", which comes back bit for bit, or "hmdq": the geometry for hmdq's viewer hmdv, without
@@ -173,9 +175,7 @@ class Hmd:
     def from_json(cls, text: bytes, where: str, *, runtime: str | None = None) -> Hmd:
         """Read a headset from the bytes of a file of either format; `where` names them in messages."""
         document = _hmd_file.parse(text, where)
-        fields = (
-            _hmdq.fields(document, where, runtime) if _hmdq.is_one(document) else _hmd_file.fields(document, where)
-        )
+        fields = _hmdq.fields(document, where, runtime) if _hmdq.is_one(document) else _hmd_file.fields(document, where)
         return _hmd_file.built(where, lambda: cls(**fields))
 
     def _fields(self) -> dict[str, Any]:

@@ -71,7 +71,7 @@ def built(where: str, make: Callable[[], Made]) -> Made:
     """Make something of what a file says; what is wrong with it is the file's fault."""
     try:
         return make()
-    except (TypeError, ValueError) as error:
+    except (OverflowError, TypeError, ValueError) as error:
         raise FormatError(f"{where}: {error}") from None
 
 

@@ -124,8 +124,8 @@ def _eye(read: Reader, key: str) -> Eye:
 
 def _device(content: dict[str, Any], runtime: str) -> tuple[str, float | None]:
     """Name and refresh rate among a runtime's properties, as far as they are there."""
-    section = content.get(runtime.removesuffix("_max"), {})
-    listed = section.get("properties", content.get("properties"))
+    section = content.get(runtime.removesuffix("_max"))
+    listed = (section if isinstance(section, dict) else content).get("properties")
     devices = list(listed.values()) if isinstance(listed, dict) else []
     for device in (device for device in devices if isinstance(device, dict)):
         if device.get("Prop_DeviceClass_Int32", HEADSET) != HEADSET:
@@ -141,7 +141,8 @@ def _device(content: dict[str, Any], runtime: str) -> tuple[str, float | None]:
 def _hidden(read: Reader) -> float | None:
     """Percent of the views that meshes hide: the mean of both eyes."""
     meshes = read.content.get("ham_mesh")
-    areas = [mesh.get("ham_area") for mesh in meshes.values() if isinstance(mesh, dict)] if meshes else []
+    listed = meshes.values() if isinstance(meshes, dict) else []
+    areas = [mesh.get("ham_area") for mesh in listed if isinstance(mesh, dict)]
     known = [area for area in areas if isinstance(area, int | float)]
     return 100.0 * sum(known) / len(known) if known else None
 
@@ -158,9 +159,12 @@ def _angles(eye: Eye) -> dict[str, Any]:
 
 
 def _points(eye: Eye) -> list[list[float]]:
-    """Eight points of a view's edge at distance 1: corners, and between them the middles straight below, right…"""
-    left, right, down, up = (math.tan(math.radians(angle)) for angle in eye.angles_deg)
-    middles = [[0.0, down, -1.0], [right, 0.0, -1.0], [0.0, up, -1.0], [left, 0.0, -1.0]]
+    """Eight points of a view's edge at depth 1: corners, each followed by the middle straight down, right, up, left."""
+    left, right, down, up = (math.radians(angle) for angle in eye.angles_deg)
+    at = {
+        angle: (math.sin(angle) / abs(math.cos(angle)), -math.copysign(1.0, math.cos(angle)))
+        for angle in (left, right, down, up)
+    }
+    middles = [[0.0, *at[down]], [at[right][0], 0.0, at[right][1]], [0.0, *at[up]], [at[left][0], 0.0, at[left][1]]]
     corners = [(corner / abs(corner[2])).tolist() for corner in eye.corners]
     return [point for pair in zip(corners, middles, strict=True) for point in pair]
-

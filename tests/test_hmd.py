@@ -1,0 +1,400 @@
+"""Headsets: profiles against the data they come from, views against brute force, cameras, and files."""
+
+from __future__ import annotations
+
+import copy
+import json
+import math
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import nearfar as nf
+from nearfar._eyes import rotation
+from support import data, valid
+
+CONFIGURATIONS = {
+    "Vive_Native_R90": "VIVE",
+    "VivePro_Native_R90": "VIVE_PRO",
+    "Index_Native_R144": "INDEX",
+    "Index_PP_R144": "INDEX_PARALLEL",
+    "OculusRiftCV1_Native_R90": "RIFT_CV1",
+    "OculusRiftS_Native_R80": "RIFT_S",
+    "Quest2_Native_R72": "QUEST_2",
+    "MetaQuest3_Native_R72": "QUEST_3",
+    "VarjoAero_Native_R90": "VARJO_AERO",
+    "PSVR2_Native_R90": "PSVR2",
+    "PICO4_Native_R90": "PICO_4",
+    "GalaxyXR_Native_R72": "GALAXY_XR",
+    "PimaxCrystal_Native_R120": "PIMAX_CRYSTAL",
+    "ViveFocus3_Native_R90": "VIVE_FOCUS_3",
+}
+# hmdv 2.1.7 counted what hidden areas have outside of the view; hmdv 2.2.1, which the profile cites, does not.
+RECOUNTED = {"RIFT_CV1": 10.03}
+# Digits that print-outs have: half a unit in the last one, and as much again for tangents of six digits.
+PRINTED_DEG, PRINTED_MM = 0.0051, 0.051
+
+
+@pytest.fixture(scope="module")
+def devices() -> dict[str, Any]:
+    read = json.loads(data("optics/hmd_frusta.json").read_text(encoding="utf-8"))
+    return {device["config"]: device for device in read["devices"]}
+
+
+# profiles ------------------------------------------------------------------------------------------------------------
+def test_every_number_is_that_of_the_data(devices: dict[str, Any]) -> None:
+    assert set(CONFIGURATIONS) <= set(devices)
+    for configuration, name in CONFIGURATIONS.items():
+        device = devices[configuration]
+        hmd = nf.hmd.get(name)
+        assert hmd.name == device["name"]
+        assert list(hmd.render_size) == device["recommended_render_target"]
+        assert configuration.endswith(f"_R{hmd.refresh_hz:g}")
+        for eye, given_eye in ((hmd.left, device["left"]), (hmd.right, device["right"])):
+            fov = eye.fov
+            assert [fov.left, fov.right, fov.down, fov.up] == given_eye["raw_tangents_lrbt"]
+            # Rotations are printed with six digits, and made orthonormal.
+            np.testing.assert_allclose(eye.matrix, given_eye["eye_to_head"], rtol=0, atol=1e-6)
+            np.testing.assert_array_equal(eye.position, np.array(given_eye["eye_to_head"])[:, 3])
+        hidden = (device["hidden_area_mesh"] or {"area_percent": None})["area_percent"]
+        assert hmd.hidden_area_percent == RECOUNTED.get(name, hidden)
+        assert abs(hmd.ipd * 1e3 - device["reported_ipd_mm"]) <= PRINTED_MM
+        turns = device["view_rotation_deg"]
+        assert abs(hmd.left.rotation_deg - turns["left"]) <= 0.05
+        assert abs(hmd.right.rotation_deg - turns["right"]) <= 0.05
+        path = f"hmd_cfgs/{configuration}.md"
+        assert path in hmd.sources[0]
+
+
+# What a hidden-area mesh takes from the lines through the middle and from the corners is not in the data: these
+# print-outs are smaller than the views. All others are matched to the last digit.
+LESS = {
+    "VIVE": {"diagonal", "overlap"},
+    "VIVE_PRO": {"vertical", "diagonal", "overlap"},
+    "INDEX": {"horizontal", "diagonal", "overlap"},
+    "INDEX_PARALLEL": {"horizontal", "vertical", "diagonal", "overlap"},
+    "RIFT_S": {"diagonal"},
+    "QUEST_2": {"diagonal"},
+    "QUEST_3": {"vertical", "diagonal"},
+    "VARJO_AERO": {"horizontal", "vertical", "diagonal", "overlap"},
+    "PSVR2": {"diagonal"},
+    "PIMAX_CRYSTAL": {"diagonal"},
+    "VIVE_FOCUS_3": {"diagonal"},  # its mesh is one triangle in a corner, of 0.00 %
+}
+
+
+def test_total_fields_of_view_are_those_that_hmdv_prints(devices: dict[str, Any]) -> None:
+    for configuration, name in CONFIGURATIONS.items():
+        hmd = nf.hmd.get(name)
+        for what, printed in devices[configuration]["total_fov_deg"].items():
+            if printed is None:
+                continue
+            ours = getattr(hmd.total_fov, f"{what}_deg")
+            if what in LESS.get(name, ()):
+                assert hmd.hidden_area_percent is not None
+                assert ours > printed + PRINTED_DEG, (name, what)
+            else:
+                assert abs(ours - printed) <= PRINTED_DEG, (name, what, ours, printed)
+
+
+def test_a_view_canted_by_ten_degrees_is_that_of_its_print_out() -> None:
+    """The Pimax 5K Plus is not in the data; these are its numbers at the cited source."""
+    hmd = nf.hmd.PIMAX_5K_PLUS
+    np.testing.assert_allclose(hmd.left.angles_deg, (-80.14, 43.39, -51.35, 51.35), rtol=0, atol=PRINTED_DEG)
+    np.testing.assert_allclose(hmd.right.angles_deg, (-43.39, 80.14, -51.35, 51.35), rtol=0, atol=PRINTED_DEG)
+    np.testing.assert_allclose(hmd.total_fov[:2], (160.29, 102.70), rtol=0, atol=PRINTED_DEG)
+    assert abs(hmd.total_fov.overlap_deg - 86.79) <= PRINTED_DEG
+    assert (round(hmd.left.rotation_deg, 1), round(hmd.right.rotation_deg, 1)) == (-10.0, 10.0)
+    assert abs(hmd.ipd - 0.07) < 1e-12
+
+
+def test_lenses_and_panels_are_those_of_the_data() -> None:
+    read = json.loads(data("optics/lens_distortion.json").read_text(encoding="utf-8"))
+    panels = {entry["name"]: entry.get("resolution") for entry in read["openhmd"]}
+    for hmd in (nf.hmd.VIVE, nf.hmd.VIVE_PRO):
+        width, height = panels[hmd.name]
+        assert hmd.panel_size == (width // 2, height)
+
+
+def test_profiles_say_what_is_published() -> None:
+    assert nf.hmd.QUEST_2.triangle_budget == (750_000, 1_000_000)
+    assert nf.hmd.QUEST_3.triangle_budget == (1_000_000, 2_000_000)
+    assert nf.hmd.RIFT_S.lens == (0.22, 0.24)
+    # Its larger side is the one towards the nose, 46 degrees.
+    assert nf.hmd.RIFT_S.tan_half_angle == 1.03553
+    assert math.isclose(math.degrees(nf.hmd.RIFT_S.half_angle), 46.0, abs_tol=1e-4)
+    for name in nf.hmd.names():
+        assert getattr(nf.hmd, name) is nf.hmd.get(name)
+        assert "risa2000/hmdgdb" in nf.hmd.get(name).sources[0]
+
+
+def test_profiles_are_files_of_our_format() -> None:
+    folder = Path(nf.hmd.__file__).parent / "profiles"
+    assert sorted(path.stem.upper() for path in folder.iterdir()) == sorted(nf.hmd.names())
+    for path in folder.iterdir():
+        assert valid(json.loads(path.read_text(encoding="utf-8")), "hmd"), path
+
+
+def test_profiles_are_read_on_first_use() -> None:
+    count = "print(nf.hmd.get.cache_info().currsize)"
+    code = f"import nearfar as nf; {count}; nf.hmd.VIVE; {count}"
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+    done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
+    assert done.stdout.split() == ["0", "1"]
+
+
+def test_names_that_are_not_there_are_said() -> None:
+    with pytest.raises(ValueError, match=r"name: expected one of .*VIVE_PRO.*, got 'VIVE_9'"):
+        nf.hmd.get("VIVE_9")
+    with pytest.raises(AttributeError, match="VIVE_9"):
+        _ = nf.hmd.VIVE_9
+    assert "QUEST_2" in dir(nf.hmd)
+
+
+# eyes ----------------------------------------------------------------------------------------------------------------
+def quaternion(axis: Any, degrees: float) -> tuple[float, float, float, float]:
+    direction = np.array(axis, float) / np.linalg.norm(axis)
+    half = math.radians(degrees) / 2
+    x, y, z = (float(v) for v in direction * math.sin(half))
+    return x, y, z, math.cos(half)
+
+
+tangents = st.floats(0.3, 1.8)
+fovs = st.builds(lambda a, b, c, d: nf.Fov(-a, b, -c, d), tangents, tangents, tangents, tangents)
+axes = st.tuples(st.floats(-1, 1), st.floats(-1, 1), st.floats(0.1, 1))
+turns = st.builds(quaternion, axes, st.floats(-14, 14))
+places = st.tuples(st.floats(-0.1, 0.1), st.floats(-0.02, 0.02), st.floats(-0.02, 0.02))
+eyes = st.builds(nf.hmd.Eye, fovs, places, turns)
+
+
+@given(eyes)
+def test_angles_are_those_of_a_search(eye: nf.hmd.Eye) -> None:
+    """The last direction of the head's horizontal and vertical plane that the eye sees, by halving."""
+    back = rotation(eye.orientation).T
+
+    def sees(direction: Any) -> bool:
+        x, y, z = back @ direction
+        f = eye.fov
+        return bool(z < 0 and f.left <= x / -z <= f.right and f.down <= y / -z <= f.up)
+
+    def edge(across: int, sign: float) -> float:
+        inside, outside = 0.0, sign * 120.0
+        for _ in range(60):
+            middle = 0.5 * (inside + outside)
+            direction = np.zeros(3)
+            direction[across] = math.sin(math.radians(middle))
+            direction[2] = -math.cos(math.radians(middle))
+            inside, outside = (middle, outside) if sees(direction) else (inside, middle)
+        return inside
+
+    if sees(np.array([0.0, 0.0, -1.0])):
+        found = [edge(0, -1), edge(0, 1), edge(1, -1), edge(1, 1)]
+        np.testing.assert_allclose(eye.angles_deg, found, rtol=0, atol=1e-9)
+
+
+@given(eyes)
+def test_matrices_are_taken_back(eye: nf.hmd.Eye) -> None:
+    again = nf.hmd.Eye.from_matrix(eye.fov, eye.matrix)
+    assert again.fov == eye.fov
+    assert again.position == eye.position
+    np.testing.assert_allclose(again.matrix, eye.matrix, rtol=0, atol=1e-15)
+    rounded = nf.hmd.Eye.from_matrix(eye.fov, np.round(eye.matrix, 6))
+    np.testing.assert_allclose(rounded.matrix, eye.matrix, rtol=0, atol=1.5e-6)
+    axes = rounded.matrix[:, :3]
+    np.testing.assert_allclose(axes @ axes.T, np.eye(3), rtol=0, atol=1e-15)
+
+
+def test_what_is_no_rotation_is_refused() -> None:
+    fov = nf.Fov(-1, 1, -1, 1)
+    for matrix in (np.diag([1.0, 1, -1]), np.diag([1.01, 1, 1]), np.zeros((3, 3))):
+        with pytest.raises(ValueError, match="eye_to_head: expected a rotation"):
+            nf.hmd.Eye.from_matrix(fov, np.column_stack([matrix, np.zeros(3)]))
+    with pytest.raises(ValueError, match=r"eye_to_head: expected shape \(3, 4\)"):
+        nf.hmd.Eye.from_matrix(fov, np.eye(4))
+
+
+def test_an_eye_that_looks_past_the_horizon_has_no_angles() -> None:
+    eye = nf.hmd.Eye(nf.Fov(-1, 1, 0.1, 0.5), (0, 0, 0))
+    with pytest.raises(ValueError, match="the head's horizontal plane"):
+        _ = eye.angles_deg
+
+
+# cameras -------------------------------------------------------------------------------------------------------------
+@given(eyes, eyes, turns, st.tuples(*[st.floats(-100, 100)] * 3))
+def test_cameras_stand_where_the_head_and_the_eye_say(
+    left: nf.hmd.Eye, right: nf.hmd.Eye, head: tuple[float, float, float, float], place: tuple[float, float, float]
+) -> None:
+    hmd = nf.Hmd(name="one", left=left, right=right, render_size=(200, 100))
+    for side, eye in (("left", left), ("right", right)):
+        camera = hmd.camera(side, place, head)
+        assert camera.fov == eye.fov
+        assert camera.size == (200, 100)
+        np.testing.assert_allclose(camera.position, place + rotation(head) @ eye.position, rtol=0, atol=1e-13)
+        # A point ahead of the eye lies in the picture where its own axes say.
+        own = np.array([eye.fov.left / 2, eye.fov.up / 3, -1.0]) * 5.0
+        world = camera.position + rotation(head) @ rotation(eye.orientation) @ own
+        x, y, depth = camera.project(world[None])[0]
+        f = eye.fov
+        expected = (200 * (f.left / 2 - f.left) / (f.right - f.left), 100 * (f.up - f.up / 3) / (f.up - f.down), 5.0)
+        np.testing.assert_allclose((x, y, depth), expected, rtol=0, atol=1e-9)
+    assert hmd.camera("left", place, head, size=(8, 9)).size == (8, 9)
+    with pytest.raises(ValueError, match="eye: expected one of 'left', 'right', got 'both'"):
+        hmd.camera("both", place)
+
+
+@given(eyes, eyes, st.floats(0.01, 0.1))
+def test_eyes_move_apart_about_their_middle(left: nf.hmd.Eye, right: nf.hmd.Eye, ipd: float) -> None:
+    hmd = nf.Hmd(name="one", left=left, right=right, render_size=(2, 2))
+    if hmd.ipd < 1e-6:
+        return
+    moved = hmd.with_ipd(ipd)
+    assert math.isclose(moved.ipd, ipd, rel_tol=1e-12)
+    middle = (np.array(left.position) + right.position) / 2
+    np.testing.assert_allclose((np.array(moved.left.position) + moved.right.position) / 2, middle, atol=1e-15)
+    cosine = np.dot(
+        np.subtract(moved.right.position, moved.left.position), np.subtract(right.position, left.position)
+    ) / (ipd * hmd.ipd)
+    assert math.isclose(cosine, 1.0, rel_tol=1e-12)
+
+
+def test_a_picture_of_an_eye() -> None:
+    frame = nf.render(nf.datasets.room(), nf.hmd.INDEX.camera("left", (0, 1.6, 0), size=(40, 30)))
+    assert frame.color is not None
+    assert frame.color.shape == (30, 40, 3)
+
+
+EYE = nf.hmd.Eye(nf.Fov(-1, 1, -1, 1), (0, 0, 0))
+
+
+@pytest.mark.parametrize(
+    ("error", "words", "changes"),
+    [
+        (ValueError, "name: expected a name", {"name": ""}),
+        (TypeError, "left: expected Eye, got Fov", {"left": nf.Fov(-1, 1, -1, 1)}),
+        (ValueError, r"render_size\[0\]: expected", {"render_size": (0, 5)}),
+        (TypeError, "panel_size: expected two", {"panel_size": 5}),
+        (ValueError, "refresh_hz: expected a number above 0", {"refresh_hz": 0}),
+        (ValueError, "lens: expected 1 to 16", {"lens": ()}),
+        (ValueError, "lens: expected finite", {"lens": (math.nan,)}),
+        (ValueError, "lens_radius: expected", {"lens_radius": -1}),
+        (ValueError, "triangle_budget: expected the least", {"triangle_budget": (5, 3)}),
+        (ValueError, "hidden_area_percent: expected 0 to 100", {"hidden_area_percent": 101}),
+        (TypeError, "sources: expected strings", {"sources": "one"}),
+    ],
+)
+def test_wrong_fields_are_named(error: type[Exception], words: str, changes: dict[str, Any]) -> None:
+    fields: dict[str, Any] = {"name": "one", "left": EYE, "right": EYE, "render_size": (4, 4)} | changes
+    with pytest.raises(error, match=words):
+        nf.Hmd(**fields)
+
+
+# files ---------------------------------------------------------------------------------------------------------------
+def optional(strategy: Any) -> Any:
+    return st.one_of(st.none(), strategy)
+
+
+sizes = st.tuples(st.integers(1, 9999), st.integers(1, 9999))
+hmds = st.builds(
+    nf.Hmd,
+    name=st.text(st.characters(codec="utf-8"), min_size=1, max_size=20),
+    left=eyes,
+    right=eyes,
+    render_size=sizes,
+    panel_size=optional(sizes),
+    refresh_hz=optional(st.floats(1, 500)),
+    lens=optional(st.lists(st.floats(-1, 1), min_size=1, max_size=5).map(tuple)),
+    lens_radius=optional(st.floats(0.1, 3)),
+    triangle_budget=optional(st.tuples(st.integers(1, 10), st.integers(10, 10**7))),
+    hidden_area_percent=optional(st.floats(0, 100)),
+    sources=st.lists(st.text(st.characters(codec="utf-8"), max_size=9), max_size=3).map(tuple),
+)
+
+
+@given(hmd=hmds)
+def test_files_come_back_bit_for_bit(tmp_path_factory: pytest.TempPathFactory, hmd: nf.Hmd) -> None:
+    path = tmp_path_factory.getbasetemp() / "one.json"
+    hmd.save(path)
+    assert nf.Hmd.load(path) == hmd
+    assert valid(json.loads(path.read_text(encoding="utf-8")), "hmd")
+
+
+@given(hmd=hmds)
+def test_what_hmdq_has_a_place_for_comes_back(tmp_path_factory: pytest.TempPathFactory, hmd: nf.Hmd) -> None:
+    path = tmp_path_factory.getbasetemp() / "one.hmdq.json"
+    try:
+        hmd.save(path, format="hmdq")
+    except ValueError as error:
+        assert "the head's" in str(error)  # noqa: PT017
+        return
+    again = nf.Hmd.load(path)
+    assert (again.name, again.render_size, again.refresh_hz) == (hmd.name, hmd.render_size, hmd.refresh_hz)
+    for one, other in ((again.left, hmd.left), (again.right, hmd.right)):
+        assert (one.fov, one.position) == (other.fov, other.position)
+        # A matrix in between: what its rounding leaves of the quaternion.
+        np.testing.assert_allclose(one.matrix, other.matrix, rtol=0, atol=1e-15)
+    assert again.lens is None
+
+
+def test_a_place_that_cannot_be_written_keeps_what_was_there(tmp_path: Path) -> None:
+    path = tmp_path / "one.json"
+    nf.hmd.VIVE.save(path)
+    with pytest.raises(ValueError, match="format: expected one of 'nearfar', 'hmdq', got 'xml'"):
+        nf.hmd.VIVE_PRO.save(path, format="xml")
+    assert nf.Hmd.load(path) == nf.hmd.VIVE
+    assert [item.name for item in tmp_path.iterdir()] == ["one.json"]
+    with pytest.raises(FileNotFoundError):
+        nf.Hmd.load(tmp_path / "none.json")
+
+
+def without(document: dict[str, Any], *keys: str) -> dict[str, Any]:
+    changed = copy.deepcopy(document)
+    node = changed
+    for key in keys[:-1]:
+        node = node[key]
+    del node[keys[-1]]
+    return changed
+
+
+def changed(document: dict[str, Any], value: Any, *keys: str) -> dict[str, Any]:
+    result = copy.deepcopy(document)
+    node = result
+    for key in keys[:-1]:
+        node = node[key]
+    node[keys[-1]] = value
+    return result
+
+
+def refused(tmp_path: Path, document: Any, words: str) -> None:
+    path = tmp_path / "bad.json"
+    path.write_text(json.dumps(document), encoding="utf-8")
+    with pytest.raises(nf.FormatError, match=rf"bad\.json: .*{words}"):
+        nf.Hmd.load(path)
+
+
+def test_damaged_files_say_where(tmp_path: Path) -> None:
+    path = tmp_path / "one.json"
+    nf.hmd.INDEX.save(path)
+    good = json.loads(path.read_text(encoding="utf-8"))
+    for keys in (("name",), ("eyes",), ("eyes", "left"), ("eyes", "right", "fov"), ("eyes", "left", "fov", "up")):
+        refused(tmp_path, without(good, *keys), rf"{'.'.join(keys)}: expected a value, found none".replace(".", r"\."))
+    refused(
+        tmp_path, changed(good, "wide", "eyes", "left", "fov", "up"), 'eyes.left.fov.up: expected a number, got "wide"'
+    )
+    refused(tmp_path, changed(good, 10**400, "eyes", "left", "fov", "up"), "eyes.left.fov: ")
+    refused(tmp_path, changed(good, [0, 0, 0], "eyes", "right", "orientation"), "eyes.right.orientation: expected 4")
+    refused(tmp_path, changed(good, [0, 0, 0, 2], "eyes", "right", "orientation"), "eyes.right: .*unit quaternion")
+    refused(tmp_path, changed(good, 9.0, "eyes", "right", "fov", "left"), "eyes.right.fov: .*expected left < right")
+    refused(tmp_path, changed(good, [1, 2.5], "render_size"), "render_size.1.: expected a whole number")
+    refused(tmp_path, changed(good, 2, "version"), "reads up to version 1")
+    refused(tmp_path, changed(good, "nearfar.envmap", "format"), "expected format 'nearfar.hmd'")
+    refused(tmp_path, [1, 2], "expected a JSON object, got list")
+    path.write_bytes(b"\xff\xfe{")
+    with pytest.raises(nf.FormatError, match=r"one\.json: expected JSON"):
+        nf.Hmd.load(path)
