@@ -1,8 +1,7 @@
-"""Headsets: profiles against the data they come from, views against brute force, cameras, and files."""
+"""Headsets: profiles against the data they come from, views against brute force, and cameras."""
 
 from __future__ import annotations
 
-import copy
 import json
 import math
 import os
@@ -17,6 +16,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import nearfar as nf
+from hmd_cases import eyes, turns
 from nearfar._eyes import rotation
 from support import data, valid
 
@@ -159,21 +159,6 @@ def test_names_that_are_not_there_are_said() -> None:
 
 
 # eyes ----------------------------------------------------------------------------------------------------------------
-def quaternion(axis: Any, degrees: float) -> tuple[float, float, float, float]:
-    direction = np.array(axis, float) / np.linalg.norm(axis)
-    half = math.radians(degrees) / 2
-    x, y, z = (float(v) for v in direction * math.sin(half))
-    return x, y, z, math.cos(half)
-
-
-tangents = st.floats(0.3, 1.8)
-fovs = st.builds(lambda a, b, c, d: nf.Fov(-a, b, -c, d), tangents, tangents, tangents, tangents)
-axes = st.tuples(st.floats(-1, 1), st.floats(-1, 1), st.floats(0.1, 1))
-turns = st.builds(quaternion, axes, st.floats(-14, 14))
-places = st.tuples(st.floats(-0.1, 0.1), st.floats(-0.02, 0.02), st.floats(-0.02, 0.02))
-eyes = st.builds(nf.hmd.Eye, fovs, places, turns)
-
-
 @given(eyes)
 def test_angles_are_those_of_a_search(eye: nf.hmd.Eye) -> None:
     """The last direction of the head's horizontal and vertical plane that the eye sees, by halving."""
@@ -293,108 +278,3 @@ def test_wrong_fields_are_named(error: type[Exception], words: str, changes: dic
     fields: dict[str, Any] = {"name": "one", "left": EYE, "right": EYE, "render_size": (4, 4)} | changes
     with pytest.raises(error, match=words):
         nf.Hmd(**fields)
-
-
-# files ---------------------------------------------------------------------------------------------------------------
-def optional(strategy: Any) -> Any:
-    return st.one_of(st.none(), strategy)
-
-
-sizes = st.tuples(st.integers(1, 9999), st.integers(1, 9999))
-hmds = st.builds(
-    nf.Hmd,
-    name=st.text(st.characters(codec="utf-8"), min_size=1, max_size=20),
-    left=eyes,
-    right=eyes,
-    render_size=sizes,
-    panel_size=optional(sizes),
-    refresh_hz=optional(st.floats(1, 500)),
-    lens=optional(st.lists(st.floats(-1, 1), min_size=1, max_size=5).map(tuple)),
-    lens_radius=optional(st.floats(0.1, 3)),
-    triangle_budget=optional(st.tuples(st.integers(1, 10), st.integers(10, 10**7))),
-    hidden_area_percent=optional(st.floats(0, 100)),
-    sources=st.lists(st.text(st.characters(codec="utf-8"), max_size=9), max_size=3).map(tuple),
-)
-
-
-@given(hmd=hmds)
-def test_files_come_back_bit_for_bit(tmp_path_factory: pytest.TempPathFactory, hmd: nf.Hmd) -> None:
-    path = tmp_path_factory.getbasetemp() / "one.json"
-    hmd.save(path)
-    assert nf.Hmd.load(path) == hmd
-    assert valid(json.loads(path.read_text(encoding="utf-8")), "hmd")
-
-
-@given(hmd=hmds)
-def test_what_hmdq_has_a_place_for_comes_back(tmp_path_factory: pytest.TempPathFactory, hmd: nf.Hmd) -> None:
-    path = tmp_path_factory.getbasetemp() / "one.hmdq.json"
-    try:
-        hmd.save(path, format="hmdq")
-    except ValueError as error:
-        assert "the head's" in str(error)  # noqa: PT017
-        return
-    again = nf.Hmd.load(path)
-    assert (again.name, again.render_size, again.refresh_hz) == (hmd.name, hmd.render_size, hmd.refresh_hz)
-    for one, other in ((again.left, hmd.left), (again.right, hmd.right)):
-        assert (one.fov, one.position) == (other.fov, other.position)
-        # A matrix in between: what its rounding leaves of the quaternion.
-        np.testing.assert_allclose(one.matrix, other.matrix, rtol=0, atol=1e-15)
-    assert again.lens is None
-
-
-def test_a_place_that_cannot_be_written_keeps_what_was_there(tmp_path: Path) -> None:
-    path = tmp_path / "one.json"
-    nf.hmd.VIVE.save(path)
-    with pytest.raises(ValueError, match="format: expected one of 'nearfar', 'hmdq', got 'xml'"):
-        nf.hmd.VIVE_PRO.save(path, format="xml")
-    assert nf.Hmd.load(path) == nf.hmd.VIVE
-    assert [item.name for item in tmp_path.iterdir()] == ["one.json"]
-    with pytest.raises(FileNotFoundError):
-        nf.Hmd.load(tmp_path / "none.json")
-
-
-def without(document: dict[str, Any], *keys: str) -> dict[str, Any]:
-    changed = copy.deepcopy(document)
-    node = changed
-    for key in keys[:-1]:
-        node = node[key]
-    del node[keys[-1]]
-    return changed
-
-
-def changed(document: dict[str, Any], value: Any, *keys: str) -> dict[str, Any]:
-    result = copy.deepcopy(document)
-    node = result
-    for key in keys[:-1]:
-        node = node[key]
-    node[keys[-1]] = value
-    return result
-
-
-def refused(tmp_path: Path, document: Any, words: str) -> None:
-    path = tmp_path / "bad.json"
-    path.write_text(json.dumps(document), encoding="utf-8")
-    with pytest.raises(nf.FormatError, match=rf"bad\.json: .*{words}"):
-        nf.Hmd.load(path)
-
-
-def test_damaged_files_say_where(tmp_path: Path) -> None:
-    path = tmp_path / "one.json"
-    nf.hmd.INDEX.save(path)
-    good = json.loads(path.read_text(encoding="utf-8"))
-    for keys in (("name",), ("eyes",), ("eyes", "left"), ("eyes", "right", "fov"), ("eyes", "left", "fov", "up")):
-        refused(tmp_path, without(good, *keys), rf"{'.'.join(keys)}: expected a value, found none".replace(".", r"\."))
-    refused(
-        tmp_path, changed(good, "wide", "eyes", "left", "fov", "up"), 'eyes.left.fov.up: expected a number, got "wide"'
-    )
-    refused(tmp_path, changed(good, 10**400, "eyes", "left", "fov", "up"), "eyes.left.fov: ")
-    refused(tmp_path, changed(good, [0, 0, 0], "eyes", "right", "orientation"), "eyes.right.orientation: expected 4")
-    refused(tmp_path, changed(good, [0, 0, 0, 2], "eyes", "right", "orientation"), "eyes.right: .*unit quaternion")
-    refused(tmp_path, changed(good, 9.0, "eyes", "right", "fov", "left"), "eyes.right.fov: .*expected left < right")
-    refused(tmp_path, changed(good, [1, 2.5], "render_size"), "render_size.1.: expected a whole number")
-    refused(tmp_path, changed(good, 2, "version"), "reads up to version 1")
-    refused(tmp_path, changed(good, "nearfar.envmap", "format"), "expected format 'nearfar.hmd'")
-    refused(tmp_path, [1, 2], "expected a JSON object, got list")
-    path.write_bytes(b"\xff\xfe{")
-    with pytest.raises(nf.FormatError, match=r"one\.json: expected JSON"):
-        nf.Hmd.load(path)

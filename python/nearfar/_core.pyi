@@ -105,6 +105,7 @@ class Camera:
     @property
     def least_pixel_angle(self) -> float: ...
 
+@final
 class DepthBuffer:
     def __new__(
         cls,
