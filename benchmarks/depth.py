@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,12 +16,12 @@ FOV = nf.hmd.QUEST_2.left.fov
 NEAR = 0.1
 
 
-def straightforward(depth: Array) -> Array:
+def straightforward(depth: NDArray[Any]) -> NDArray[Any]:
     """What a user writes, in the type of the buffer."""
     height, width = depth.shape
-    x = np.linspace(FOV.left, FOV.right, 2 * width + 1, dtype=np.float32)[1::2]
-    y = np.linspace(FOV.up, FOV.down, 2 * height + 1, dtype=np.float32)[1::2, None]
-    return np.asarray(np.float32(NEAR) / depth * np.sqrt(1 + x * x + y * y))
+    x = np.linspace(FOV.left, FOV.right, 2 * width + 1, dtype=depth.dtype)[1::2]
+    y = np.linspace(FOV.up, FOV.down, 2 * height + 1, dtype=depth.dtype)[1::2, None]
+    return np.asarray(depth.dtype.type(NEAR) / depth * np.sqrt(1 + x * x + y * y))
 
 
 def unprojected(depth: Array) -> Array:

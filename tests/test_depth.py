@@ -259,6 +259,20 @@ def test_the_bound_is_never_exceeded_and_never_far_off(
             assert bound <= 2.6 * worst, middle
 
 
+@given(nears, fars, st.booleans(), st.sampled_from(FORMATS), st.floats(0, 1))
+def test_the_bound_holds_for_any_planes(
+    near: float, far: float, reverse: bool, depth_format: str, share: float
+) -> None:
+    far *= near
+    # Evenly in the logarithm, up to a million times the near plane where there is no end.
+    z = min(near * (1e6 if math.isinf(far) else far / near) ** share, far)
+    z = max(z, near)
+    allowed = float(nf.range_error(z, near=near, far=far, reverse=reverse, depth_format=depth_format))
+    kept = stored(exact_depth(z, near, far, reverse), depth_format)
+    found = float(nf.range_from_depth(kept, AXIS, near=near, far=far, reverse=reverse)[0, 0])
+    assert abs(found - z) <= allowed
+
+
 def test_the_bound_has_the_published_orders() -> None:
     z = np.geomspace(0.1, 1e4, 200)
     reverse = nf.range_error(z, near=0.1) / z

@@ -121,6 +121,8 @@ def test_lenses_and_panels_are_those_of_the_data() -> None:
     for hmd in (nf.hmd.VIVE, nf.hmd.VIVE_PRO):
         width, height = panels[hmd.name]
         assert hmd.panel_size == (width // 2, height)
+    viewers = {viewer["name"]: tuple(viewer["k1k2"]) for viewer in read["cardboard"]["viewers"]}
+    assert viewers == nf.hmd.CARDBOARD_LENSES
 
 
 def test_profiles_say_what_is_published() -> None:
@@ -137,7 +139,9 @@ def test_profiles_say_what_is_published() -> None:
 
 def test_profiles_are_files_of_our_format() -> None:
     folder = Path(nf.hmd.__file__).parent / "profiles"
-    assert sorted(path.stem.upper() for path in folder.iterdir()) == sorted(nf.hmd.names())
+    # Constants are declared for type checkers, and made of files.
+    assert sorted(nf.hmd.__annotations__) == sorted(path.stem.upper() for path in folder.iterdir())
+    assert nf.hmd.names() == tuple(sorted(nf.hmd.__annotations__))
     for path in folder.iterdir():
         assert valid(json.loads(path.read_text(encoding="utf-8")), "hmd"), path
 

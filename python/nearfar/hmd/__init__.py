@@ -11,7 +11,7 @@ from importlib import resources
 from nearfar._eyes import Eye, TotalFov
 from nearfar._hmd import Hmd
 
-__all__ = ["Eye", "Hmd", "TotalFov", "get", "names"]
+__all__ = ["CARDBOARD_LENSES", "Eye", "Hmd", "TotalFov", "get", "names"]
 
 GALAXY_XR: Hmd
 INDEX: Hmd
@@ -30,22 +30,30 @@ VIVE_FOCUS_3: Hmd
 VIVE_PRO: Hmd
 
 
+CARDBOARD_LENSES = {"Cardboard I/O 2014 (V1)": (0.441, 0.156), "Cardboard I/O 2015 (V2)": (0.34, 0.55)}
+"""Lens coefficients of viewers that have no profile, in the form of `Hmd.lens` with a `lens_radius` of 1: r is the
+tangent itself. Source: immersive-web/cardboard-vr-display src/device-info.js."""
+
+_PROFILES = resources.files("nearfar.hmd") / "profiles"
+
+
+@functools.cache
 def names() -> tuple[str, ...]:
     """Names of all headsets, in alphabetical order."""
-    return tuple(sorted(__annotations__))
+    return tuple(sorted(file.name.removesuffix(".json").upper() for file in _PROFILES.iterdir()))
 
 
 @functools.cache
 def get(name: str) -> Hmd:
     """Return the headset of a name such as "QUEST_2"; ValueError for names that are not in `names()`."""
-    if name not in __annotations__:
+    if name not in names():
         raise ValueError(f"name: expected one of {', '.join(names())}, got {name!r}")
-    file = resources.files("nearfar.hmd") / "profiles" / f"{name.lower()}.json"
+    file = _PROFILES / f"{name.lower()}.json"
     return Hmd.from_json(file.read_bytes(), str(file))
 
 
 def __getattr__(name: str) -> Hmd:
-    if name in __annotations__:
+    if name in names():
         return get(name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 

@@ -3,17 +3,15 @@
 use crate::base::simd::widest;
 
 /// Pixels of a block.
-pub(super) const BLOCK: usize = 64;
+pub const BLOCK: usize = 64;
 
 /// A row of a view's depth buffer.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Line {
+pub struct Line {
     /// Tangents x, y of its first pixel.
     pub start: [f64; 2],
     /// How they change from pixel to pixel.
     pub step: [f64; 2],
-    /// Square of the directions' component along the axis.
-    pub squared: f64,
     /// Inverse distance along the axis where the buffer is 0 and 1; the distance itself for parallel rays.
     pub ends: [f64; 2],
     /// Value where nothing was drawn, 0 or 1.
@@ -28,9 +26,11 @@ pub trait Depth: Copy + Into<f64> + Send + Sync + 'static {
     type Range: Copy + Default + Into<f64> + Send + Sync;
     /// What stands for 1.
     const MOST: f64;
+    /// The value in float64, which holds it.
+    #[doc(hidden)]
+    fn wide(self) -> f64;
     /// The ranges of a block.
     #[doc(hidden)]
-    #[allow(private_interfaces)]
     fn ranges(line: &Line, column: i32, depth: &[Self; BLOCK], ranges: &mut [Self::Range; BLOCK]) -> bool;
 }
 
@@ -40,7 +40,6 @@ pub trait Real: Depth<Range = Self> + Default {
     const NEARLY: f64;
     /// The depth of a block.
     #[doc(hidden)]
-    #[allow(private_interfaces)]
     fn depths(line: &Line, column: i32, ranges: &[Self; BLOCK], depth: &mut [Self; BLOCK]) -> bool;
 }
 
@@ -63,13 +62,22 @@ impl Narrow for f64 {
     }
 }
 
-/// Square of the length of the direction through a column whose component along the axis is 1.
+/// A block of numbers, aligned to vectors.
+#[repr(align(64))]
+struct Lanes([f64; BLOCK]);
+
+/// Length of the directions through the columns of a block whose component along the axis is 1.
 #[inline(always)]
-fn secant_squared(line: &Line, column: i32) -> f64 {
-    let column = f64::from(column);
-    let (x, y) = (line.start[0] + column * line.step[0], line.start[1] + column * line.step[1]);
-    line.squared + x * x + y * y
+fn secants(line: &Line, column: i32, secants: &mut Lanes) {
+    let [[x, y], [dx, dy]] = [line.start, line.step];
+    for i in 0..BLOCK {
+        let column = f64::from(column + i as i32);
+        let (x, y) = (x + column * dx, y + column * dy);
+        secants.0[i] = (1.0 + x * x + y * y).sqrt();
+    }
 }
+
+// Both kernels: `&` and `|` instead of `&&` and `||`, whose branches keep the compiler from making vectors.
 
 #[inline(always)]
 fn ranges<T: Depth<Range: Narrow>>(
@@ -79,18 +87,23 @@ fn ranges<T: Depth<Range: Narrow>>(
     ranges: &mut [T::Range; BLOCK],
 ) -> bool {
     // The ends for whole numbers: what stands for 1 is divided by once.
-    let ends = [line.ends[0] / T::MOST, line.ends[1] / T::MOST];
+    let [low, high] = [line.ends[0] / T::MOST, line.ends[1] / T::MOST];
     let background = line.background * T::MOST;
-    let mut refused = 0u32;
+    let mut lengths = Lanes([1.0; BLOCK]);
+    if !line.parallel {
+        secants(line, column, &mut lengths);
+    }
+    let mut refused = 0u64;
     for i in 0..BLOCK {
-        let value: f64 = depth[i].into();
-        let along = ends[0] * (T::MOST - value) + ends[1] * value;
-        let range = if line.parallel { along } else { secant_squared(line, column + i as i32).sqrt() / along };
+        let value = depth[i].wide();
+        let along = low * (T::MOST - value) + high * value;
+        let range = if line.parallel { along } else { lengths.0[i] / along };
         // Nothing was drawn, or farther away than any place: a matrix may have its far plane there.
-        let range = if value == background || along < 0.0 { f64::INFINITY } else { range };
-        let wrong = !(value >= 0.0 && value <= T::MOST);
-        refused |= u32::from(wrong);
-        ranges[i] = T::Range::narrow(if wrong { f64::NAN } else { range });
+        let nothing = (value == background) | (along < 0.0);
+        let range = if nothing { f64::INFINITY } else { range };
+        let fits = (value >= 0.0) & (value <= T::MOST);
+        refused |= u64::from(!fits);
+        ranges[i] = T::Range::narrow(if fits { range } else { f64::NAN });
     }
     refused != 0
 }
@@ -98,20 +111,26 @@ fn ranges<T: Depth<Range: Narrow>>(
 #[inline(always)]
 fn depths<T: Real + Narrow>(line: &Line, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool {
     let scale = 1.0 / (line.ends[1] - line.ends[0]);
-    // Depth rises from the background's end to the other one, which is the near plane.
-    let near = 1.0 - line.background;
     let slack = T::NEARLY * (line.ends[0].max(line.ends[1]) * scale).abs();
-    let mut refused = 0u32;
+    // Towards the far plane depth rises or falls.
+    let (rise, near) = if line.background == 1.0 { (1.0, 0.0) } else { (-1.0, 1.0) };
+    let mut lengths = Lanes([1.0; BLOCK]);
+    if !line.parallel {
+        secants(line, column, &mut lengths);
+    }
+    let mut refused = 0u64;
     for i in 0..BLOCK {
-        let range: f64 = ranges[i].into();
-        let along = if line.parallel { range } else { secant_squared(line, column + i as i32).sqrt() / range };
+        let range = ranges[i].wide();
+        let along = if line.parallel { range } else { lengths.0[i] / range };
         let value = (along - line.ends[0]) * scale;
-        // Distance from the near plane's value, towards the far one.
-        let behind = if near == 0.0 { value } else { 1.0 - value };
-        let wrong = !(range >= 0.0 && behind >= -slack);
-        refused |= u32::from(wrong);
-        let value = if behind >= 1.0 || range == f64::INFINITY { line.background } else { value.clamp(0.0, 1.0) };
-        depth[i] = T::narrow(if wrong { f64::NAN } else { value });
+        let behind = (value - near) * rise;
+        let fits = (range >= 0.0) & (behind >= -slack);
+        refused |= u64::from(!fits);
+        let inside = if value < 0.0 { 0.0 } else { value };
+        let inside = if inside > 1.0 { 1.0 } else { inside };
+        let empty = (behind >= 1.0) | (range == f64::INFINITY);
+        let value = if empty { line.background } else { inside };
+        depth[i] = T::narrow(if fits { value } else { f64::NAN });
     }
     refused != 0
 }
@@ -125,7 +144,10 @@ macro_rules! stored {
         impl Depth for $value {
             type Range = $range;
             const MOST: f64 = $most;
-            #[allow(private_interfaces)]
+            #[inline(always)]
+            fn wide(self) -> f64 {
+                f64::from(self)
+            }
             fn ranges(line: &Line, column: i32, depth: &[Self; BLOCK], ranges: &mut [$range; BLOCK]) -> bool {
                 $ranges(line, column, depth, ranges)
             }
@@ -141,7 +163,6 @@ macro_rules! real {
         }
         impl Real for $float {
             const NEARLY: f64 = $nearly;
-            #[allow(private_interfaces)]
             fn depths(line: &Line, column: i32, ranges: &[Self; BLOCK], depth: &mut [Self; BLOCK]) -> bool {
                 $depths(line, column, ranges, depth)
             }

@@ -48,8 +48,6 @@ pub struct DepthBuffer {
     first: [f64; 2],
     /// How they change from one pixel to the next one to the right, and down.
     steps: [[f64; 2]; 2],
-    /// Square of the directions' component along the axis.
-    squared: f64,
 }
 
 impl DepthBuffer {
@@ -81,7 +79,6 @@ impl DepthBuffer {
             parallel,
             first: [fov.left + 0.5 * dx, fov.up + 0.5 * dy],
             steps: [[dx, 0.0], [0.0, dy]],
-            squared: 1.0,
         })
     }
 
@@ -129,7 +126,6 @@ impl DepthBuffer {
             parallel,
             first: back([0.5 * right - 1.0 - middle[0], 1.0 + 0.5 * down - middle[1]]),
             steps: [back([right, 0.0]), back([0.0, down])],
-            squared: 1.0,
         })
     }
 
@@ -162,7 +158,7 @@ impl DepthBuffer {
             for (row, (values, results)) in (n * rows..).zip(pairs) {
                 refused |= one_row(&self.line(row % self.height), values, results, kernel);
             }
-            let wrong = results.iter().position(|&result| refused && result.into().is_nan());
+            let wrong = if refused { results.iter().position(|&result| result.into().is_nan()) } else { None };
             wrong.map(|at| (n * rows * self.width + at, values[at].into()))
         };
         let size = rows * self.width;
@@ -175,7 +171,6 @@ impl DepthBuffer {
         Line {
             start: [at(0), at(1)],
             step: self.steps[0],
-            squared: self.squared,
             ends: self.ends,
             background: self.background as f64,
             parallel: self.parallel,
