@@ -128,7 +128,7 @@ def test_lenses_and_panels_are_those_of_the_data() -> None:
 def test_profiles_say_what_is_published() -> None:
     assert nf.hmd.QUEST_2.triangle_budget == (750_000, 1_000_000)
     assert nf.hmd.QUEST_3.triangle_budget == (1_000_000, 2_000_000)
-    assert nf.hmd.RIFT_S.lens == (0.22, 0.24)
+    assert nf.hmd.RIFT_S.lens == nf.RadialLens((0.22, 0.24))
     # Its larger side is the one towards the nose, 46 degrees.
     assert nf.hmd.RIFT_S.tan_half_angle == 1.03553
     assert math.isclose(math.degrees(nf.hmd.RIFT_S.half_angle), 46.0, abs_tol=1e-4)
@@ -270,8 +270,8 @@ EYE = nf.hmd.Eye(nf.Fov(-1, 1, -1, 1), (0, 0, 0))
         (ValueError, r"render_size\[0\]: expected", {"render_size": (0, 5)}),
         (TypeError, "panel_size: expected two", {"panel_size": 5}),
         (ValueError, "refresh_hz: expected a number above 0", {"refresh_hz": 0}),
-        (ValueError, "lens: expected 1 to 16", {"lens": ()}),
-        (ValueError, "lens: expected finite", {"lens": (math.nan,)}),
+        (TypeError, "lens: expected a RadialLens, got tuple", {"lens": (0.1,)}),
+        (ValueError, "lens: expected one without tangential", {"lens": nf.RadialLens((0.1,), (0.1, 0.0))}),
         (ValueError, "lens_radius: expected", {"lens_radius": -1}),
         (ValueError, "triangle_budget: expected the least", {"triangle_budget": (5, 3)}),
         (ValueError, "hidden_area_percent: expected 0 to 100", {"hidden_area_percent": 101}),

@@ -30,7 +30,7 @@ hmds = st.builds(
     render_size=sizes,
     panel_size=optional(sizes),
     refresh_hz=optional(st.floats(1, 500)),
-    lens=optional(st.lists(st.floats(-1, 1), min_size=1, max_size=5).map(tuple)),
+    lens=optional(st.lists(st.floats(-1, 1).map(lambda c: round(c, 9)), max_size=5).map(nf.RadialLens)),
     lens_radius=optional(st.floats(0.1, 3)),
     triangle_budget=optional(st.tuples(st.integers(1, 10), st.integers(10, 10**7))),
     hidden_area_percent=optional(st.floats(0, 100)),

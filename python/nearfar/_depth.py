@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _check, _core
-from nearfar._camera import MAX_SIZE, CubeFace, Fov, Projection
+from nearfar._camera import CubeFace, Fov, Projection
 
 CLIP_SPACES = ("0..1", "-1..1")
 FORMATS = ("float32", "uint16", "uint24")
@@ -180,8 +180,8 @@ def _images(name: str, values: ArrayLike) -> tuple[NDArray[Any], tuple[int, ...]
     images = _check.array(name, given, columns=None, dtype=dtype)
     if images.ndim not in (2, 3) or not images.size:
         raise ValueError(f"{name}: expected shape (H, W) or (N, H, W), not empty, got {images.shape}")
-    if max(images.shape[-2:]) > MAX_SIZE:
-        raise ValueError(f"{name}: expected up to {MAX_SIZE} pixels each way, got {images.shape}")
+    if max(images.shape[-2:]) > _check.MAX_SIZE:
+        raise ValueError(f"{name}: expected up to {_check.MAX_SIZE} pixels each way, got {images.shape}")
     return images.reshape(-1, *images.shape[-2:]), images.shape
 
 

@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from nearfar import _check, _hmd_file, _hmdq
-from nearfar._camera import MAX_SIZE, Camera, quaternion
+from nearfar._camera import Camera, quaternion
 from nearfar._eyes import Eye, TotalFov, rotation, total_fov, turned
+from nearfar._lens import RadialLens
 
 EYES = ("left", "right")
 FORMATS = ("nearfar", "hmdq")
@@ -35,7 +36,7 @@ class Hmd:
     refresh_hz
         Pictures a second, where it is known.
     lens
-        Coefficients k of the lens, where they are known in this form: r_d = r (1 + k₁ r² + k₂ r⁴ + …).
+        The lens, where its coefficients are known in the form of `RadialLens`, without tangential terms.
     lens_radius
         The tangent of the angle where r = 1; None stands for `tan_half_angle`.
     triangle_budget
@@ -57,7 +58,7 @@ class Hmd:
     render_size: tuple[int, int]
     panel_size: tuple[int, int] | None = None
     refresh_hz: float | None = None
-    lens: tuple[float, ...] | None = None
+    lens: RadialLens | None = None
     lens_radius: float | None = None
     triangle_budget: tuple[int, int] | None = None
     hidden_area_percent: float | None = None
@@ -69,9 +70,9 @@ class Hmd:
         for side in EYES:
             if not isinstance(getattr(self, side), Eye):
                 raise TypeError(f"{side}: expected Eye, got {type(getattr(self, side)).__name__}")
-        _set(self, "render_size", _pair("render_size", self.render_size, 1, MAX_SIZE))
+        _set(self, "render_size", _pair("render_size", self.render_size, 1, _check.MAX_SIZE))
         if self.panel_size is not None:
-            _set(self, "panel_size", _pair("panel_size", self.panel_size, 1, MAX_SIZE))
+            _set(self, "panel_size", _pair("panel_size", self.panel_size, 1, _check.MAX_SIZE))
         if self.refresh_hz is not None:
             _set(self, "refresh_hz", _check.positive("refresh_hz", self.refresh_hz))
         self._check_lens()
@@ -91,10 +92,10 @@ class Hmd:
 
     def _check_lens(self) -> None:
         if self.lens is not None:
-            given = _check.array("lens", self.lens, columns=None, dtype=np.float64, finite=True)
-            if given.ndim != 1 or not 1 <= len(given) <= 16:
-                raise ValueError(f"lens: expected 1 to 16 coefficients, got shape {given.shape}")
-            _set(self, "lens", tuple(given.tolist()))
+            if not isinstance(self.lens, RadialLens):
+                raise TypeError(f"lens: expected a RadialLens, got {type(self.lens).__name__}")
+            if any(self.lens.tangential):
+                raise ValueError(f"lens: expected one without tangential terms, got {self.lens.tangential}")
         if self.lens_radius is not None:
             _set(self, "lens_radius", _check.positive("lens_radius", self.lens_radius))
 

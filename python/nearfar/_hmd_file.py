@@ -11,6 +11,7 @@ from nearfar import _files, _formats
 from nearfar._camera import Fov
 from nearfar._errors import FormatError
 from nearfar._eyes import Eye
+from nearfar._lens import RadialLens
 
 FORMAT, VERSION = "hmd", 1
 SIDES = ("left", "right", "down", "up")
@@ -36,6 +37,7 @@ def document(fields: dict[str, Any]) -> dict[str, Any]:
     eyes = {side: _eye_document(fields[side]) for side in ("left", "right")}
     names = ("name", "render_size", "panel_size", "refresh_hz", "lens", "lens_radius", "triangle_budget")
     rest = {name: fields[name] for name in (*names, "hidden_area_percent", "sources")}
+    rest["lens"] = list(rest["lens"].k) if rest["lens"] else None
     return _formats.header(FORMAT, VERSION) | {"name": rest.pop("name"), "eyes": eyes} | rest
 
 
@@ -51,7 +53,7 @@ def fields(content: dict[str, Any], where: str) -> dict[str, Any]:
         if content.get(name) is not None:
             found[name] = read.numbers(name, 2) if name in ("panel_size", "triangle_budget") else read.number(name)
     if content.get("lens") is not None:
-        found["lens"] = read.numbers("lens", None)
+        found["lens"] = built(where, lambda: RadialLens(read.numbers("lens", None)))
     found["sources"] = read.texts("sources")
     return found
 
