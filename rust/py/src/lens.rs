@@ -164,7 +164,7 @@ fn warped<'py, P: Pixel + Element>(
     fill: f64,
     [width, height]: [usize; 2],
 ) -> PyResult<Py<PyAny>> {
-    let &[rows, columns, channels] = picture.shape() else { unreachable!("arrays of three axes have three lengths") };
+    let (rows, columns, channels) = (picture.shape()[0], picture.shape()[1], picture.shape()[2]);
     let to = PyArray3::<P>::zeros(py, [height, width, channels], false);
     let mut write = to.readwrite();
     let (values, into) = (picture.as_slice()?, write.as_slice_mut()?);

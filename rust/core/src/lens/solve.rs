@@ -59,7 +59,8 @@ impl Radial {
             }
         }
         let mut r = if low < x && x < high { x } else { 0.5 * (low + high) };
-        for step in 0u32.. {
+        let mut step = 0;
+        loop {
             let off = residual(&self.k, r, x);
             if off == 0.0 {
                 return r;
@@ -86,8 +87,8 @@ impl Radial {
             }
             // Where Newton's steps are still short after so many, the bracket halves at least every other time.
             r = if within && (step < PATIENCE || step % 2 == 0) { next } else { middle };
+            step += 1;
         }
-        unreachable!("a bracket of floats cannot be halved for ever")
     }
 
     /// Of two neighbours the one with the smaller residual.
