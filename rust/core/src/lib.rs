@@ -23,4 +23,5 @@ pub mod render;
 pub mod metrics;
 pub mod bounds;
 pub mod lens;
+pub mod lod;
 pub mod exr;

@@ -9,6 +9,7 @@ mod cubemap;
 mod errors;
 mod exr;
 mod lens;
+mod lod;
 mod metrics;
 mod morph;
 mod parts;
@@ -40,5 +41,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     metrics::register(module)?;
     bounds::register(module)?;
     lens::register(module)?;
+    lod::register(module)?;
     exr::register(module)
 }

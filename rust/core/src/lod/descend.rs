@@ -1,0 +1,154 @@
+//! Descent to the least residual nearby. For a given line τ the best a and d are known (variable projection: Golub,
+//! Pereyra 1973), so that two unknowns are left, and Newton's method with exact second derivatives takes few steps.
+
+use super::logistic::{self, Line, Pack, Samples, Sums};
+
+/// Steps of one descent; ten are usual.
+const STEPS: usize = 60;
+/// A step that promises less, as a share of the residual, is not taken.
+const ENOUGH: f64 = 1e-14;
+/// Residuals of numbers of size 1 that are only rounding, for each sample.
+const ROUNDING: f64 = 1e-31;
+/// The longest step, in units of τ and of the logarithm of its rise.
+const LONGEST: f64 = 4.0;
+/// How far in a tail all samples may lie: a plateau e²⁵ times as far away as the samples reach is as good as none.
+pub(super) const TAIL: f64 = 25.0;
+/// The least rise over the samples' half span: below, a curve is a straight line over ln x to ten digits.
+pub(super) const LEAST_RISE: f64 = 1e-4;
+
+/// What lines may be, so that every number stays finite.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    /// Of the rise.
+    pub(super) steepest: f64,
+    /// Of the middle's distance from that of the samples, in the kernels' frame.
+    pub(super) farthest: f64,
+}
+
+impl Limits {
+    /// The nearest line that is allowed, in the form that keeps digits in tails: at most half of the samples' span
+    /// lies where σ is above a half.
+    fn apply(&self, line: Line) -> Line {
+        let mut line = if line.at(0.0) > 0.0 { line.turned() } else { line };
+        line.rise = line.rise.signum() * line.rise.abs().clamp(LEAST_RISE, self.steepest);
+        let steepness = line.rise.abs();
+        // τ at the middle of the samples is at most 0; at their better end it is this much more.
+        let least = (-TAIL - steepness).max(-steepness * self.farthest);
+        let missing = least - line.at(0.0);
+        if missing > 0.0 {
+            line.level += missing;
+        }
+        line
+    }
+}
+
+/// A line with all about it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Found {
+    pub(super) line: Line,
+    pub(super) sums: Sums,
+}
+
+impl Found {
+    pub(super) fn at(samples: &Samples<'_>, limits: &Limits, line: Line, room: &mut [Pack]) -> Self {
+        let line = limits.apply(line);
+        Self { line, sums: logistic::evaluate(samples, &line, room) }
+    }
+}
+
+/// Gradient and second derivatives of half the residual by (level, ln |rise|), a and d always being the best ones.
+struct Local {
+    line: Line,
+    gradient: [f64; 2],
+    /// By level twice, by both, by ln |rise| twice.
+    hessian: [f64; 3],
+}
+
+impl Local {
+    fn new(found: &Found, count: f64) -> Self {
+        let Found { mut line, sums } = *found;
+        let Sums { q, square, mut plain, mut along, mut slope, mut squared, mut bend, .. } = sums;
+        // Seen from where the samples tell most, level and rise are nearly independent.
+        let away = if squared[0] > 0.0 { (squared[1] / squared[0]).clamp(-3.0, 3.0) } else { 0.0 };
+        line = line.seen_from(line.origin + away);
+        for pair in [&mut plain, &mut along, &mut slope] {
+            pair[1] -= away * pair[0];
+        }
+        for three in [&mut squared, &mut bend] {
+            three[2] += away * (away * three[0] - 2.0 * three[1]);
+            three[1] -= away * three[0];
+        }
+        // With r = y − d − q p: ∂r/∂d = −1, ∂r/∂q = −g, ∂r/∂level = −q p′, ∂r/∂rise = −q p′u; what mixes d and q is 0.
+        let mixed = |i: usize| [q * plain[i], q * along[i] - slope[i]];
+        let (by_level, by_rise) = (mixed(0), mixed(1));
+        // d and q follow: Schur's complement of their 2 × 2 block, which is diagonal.
+        let schur = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] / count + a[1] * b[1] / square;
+        let second = |i: usize| q * (q * squared[i] - bend[i]);
+        let rise = line.rise;
+        let along_rise = -q * slope[1] * rise;
+        Self {
+            line,
+            gradient: [-q * slope[0], along_rise],
+            hessian: [
+                second(0) - schur(by_level, by_level),
+                (second(1) - schur(by_level, by_rise)) * rise,
+                (second(2) - schur(by_rise, by_rise)) * rise * rise + along_rise,
+            ],
+        }
+    }
+
+    /// Newton's step, downhill along each axis of the second derivatives and at most `radius` long there, and by how
+    /// much it promises to lower half the residual.
+    fn step(&self, radius: f64) -> ([f64; 2], f64) {
+        let [a, b, c] = self.hessian;
+        let half = (a - c) / 2.0;
+        let root = half.hypot(b);
+        // The axis of the greater eigenvalue, by the form that does not cancel.
+        let axis = if half > 0.0 { [half + root, b] } else { [b, root - half] };
+        let length = axis[0].hypot(axis[1]);
+        let axis = if length > 0.0 { [axis[0] / length, axis[1] / length] } else { [1.0, 0.0] };
+        let middle = (a + c) / 2.0;
+        let (mut step, mut promise) = ([0.0; 2], 0.0);
+        for (axis, curvature) in [(axis, middle + root), ([-axis[1], axis[0]], middle - root)] {
+            let slope = self.gradient[0] * axis[0] + self.gradient[1] * axis[1];
+            let bound = slope.abs() / radius;
+            let along = if slope == 0.0 { 0.0 } else { -slope / curvature.abs().max(bound) };
+            promise -= along * (slope + 0.5 * along * curvature);
+            step[0] += along * axis[0];
+            step[1] += along * axis[1];
+        }
+        (step, promise)
+    }
+}
+
+/// Goes down from `found` until nothing is gained.
+pub(super) fn descend(samples: &Samples<'_>, limits: &Limits, mut found: Found, room: &mut [Pack]) -> Found {
+    let floor = samples.count * ROUNDING;
+    let mut radius = 1.0;
+    let mut local = Local::new(&found, samples.count);
+    for _ in 0..STEPS {
+        let (step, promise) = local.step(radius);
+        if found.sums.residual <= floor || !(promise > ENOUGH * found.sums.residual) {
+            break;
+        }
+        let line = Line { level: local.line.level + step[0], rise: local.line.rise * step[1].exp(), ..local.line };
+        let trial = Found::at(samples, limits, line, room);
+        let gain = 0.5 * (found.sums.residual - trial.sums.residual);
+        let length = step[0].abs().max(step[1].abs());
+        if gain > 0.0 {
+            if gain > 0.5 * promise {
+                radius = (2.0 * length).clamp(radius, LONGEST);
+            } else if gain < 0.1 * promise {
+                radius = 0.5 * length;
+            }
+            found = trial;
+            local = Local::new(&found, samples.count);
+        } else {
+            radius = 0.25 * length;
+            if radius < 1e-12 {
+                break;
+            }
+        }
+    }
+    found
+}

@@ -1,0 +1,166 @@
+//! One curve: scaled, its starts found, the best ones descended from, and the outcome judged.
+
+use super::descend::{self, Found};
+use super::frame::{Frame, Unfit};
+use super::logistic::{LANES, Pack, Samples};
+use super::steps::{self, Start};
+
+/// Descents of one curve.
+const STARTS: usize = 8;
+/// The angle between a curve and the nearest one of the grid, generously: what a start explains can only be bettered
+/// by as much.
+const NEARBY: f64 = 0.35;
+/// Values whose spread is this many units in the last place of the greatest are constant.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// The chance that (S/S₀)^((N−4)/2) is no more, for the residuals S of the curve and S₀ of the mean, is nearly this
+/// where two more parameters fit noise. Four that may choose where they bend fit more: with this number 95 of 100 curves
+/// of noise are flat.
+const CHANCE: f64 = 0.002;
+/// Plateaus this many times as far apart as the values reach are not seen by the samples.
+const UNSEEN: f64 = 100.0;
+/// Samples with a lesser slope of the logistic function than this, of 1/4, lie on a plateau.
+const ON_A_PLATEAU: f64 = 1e-5;
+
+/// What became of a curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// A curve with both plateaus near the values.
+    Fitted,
+    /// It rises or falls between two samples, or with one in between: b and c are among many that fit as well.
+    Step,
+    /// The samples end before a plateau is seen: a, c or d is anywhere far away.
+    Open,
+    /// All values are the same but for rounding.
+    Constant,
+    /// No better than the mean beyond what noise explains.
+    Flat,
+    /// There is none.
+    Unfit(Unfit),
+}
+
+/// y = d + (a−d)/(1+(x/c)^b) with b > 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Curve {
+    /// y at x = 0.
+    pub a: f64,
+    /// Steepness.
+    pub b: f64,
+    /// Where y is halfway.
+    pub c: f64,
+    /// y at infinity.
+    pub d: f64,
+    /// Root of the mean squared residual.
+    pub rms: f64,
+    /// Whether and how far to trust it.
+    pub status: Status,
+}
+
+impl Curve {
+    pub(super) fn unfit(why: Unfit) -> Self {
+        Self { a: f64::NAN, b: f64::NAN, c: f64::NAN, d: f64::NAN, rms: f64::NAN, status: Status::Unfit(why) }
+    }
+}
+
+/// Room that fits of one thread share.
+#[derive(Default)]
+pub(super) struct Room {
+    values: Vec<f64>,
+    unit: Vec<f32>,
+    packed: Vec<Pack>,
+    p: Vec<Pack>,
+    explained: Vec<f32>,
+    starts: Vec<Start>,
+}
+
+/// The curve of least squares through the samples of a frame.
+pub(super) fn fit(frame: &Frame, y: &[f64], room: &mut Room) -> Curve {
+    let count = frame.order.len() as f64;
+    let given = || frame.order.iter().map(|&n| y[n]);
+    let (low, high) = given().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
+    let (center, scale) = (0.5 * low + 0.5 * high, 0.5 * high - 0.5 * low);
+    // A mean of differences keeps digits of values that are large and close.
+    let shift = given().map(|y| (y - center) / count).sum::<f64>();
+    let flat = |rms: f64, status: Status| {
+        let mean = center + shift;
+        Curve { a: mean, b: 1.0, c: frame.x(0.0), d: mean, rms, status }
+    };
+    if !(scale > ROUNDING * low.abs().max(high.abs())) {
+        return flat(scale, Status::Constant);
+    }
+    room.values.clear();
+    room.values.extend(given().map(|y| (y - center) / scale - shift / scale));
+    let total: f64 = room.values.iter().map(|y| y * y).sum();
+    room.packed.clear();
+    room.packed.resize(frame.v.len(), [0.0; LANES]);
+    room.packed.as_flattened_mut()[..room.values.len()].copy_from_slice(&room.values);
+    room.p.resize(frame.v.len(), [0.0; LANES]);
+    find_starts(frame, total, room);
+    let samples = Samples { v: &frame.v, weight: &frame.weight, y: &room.packed, count };
+    let best = descend_all(frame, &samples, total, &room.starts, &mut room.p);
+    let rms = scale * (best.sums.residual / count).sqrt();
+    if (best.sums.residual / total).powf(0.5 * (count - 4.0)) > CHANCE && count > 4.0 {
+        return flat(scale * (total / count).sqrt(), Status::Flat);
+    }
+    let curve = unscaled(frame, &best, center + shift, scale);
+    if [curve.a, curve.c, curve.d].iter().all(|number| number.is_finite()) && curve.c > 0.0 {
+        Curve { rms, status: judged(frame, &best), ..curve }
+    } else {
+        Curve::unfit(Unfit::Overflow)
+    }
+}
+
+/// Fills `room.starts`, the most promising first.
+fn find_starts(frame: &Frame, total: f64, room: &mut Room) {
+    let root = total.sqrt();
+    room.values.iter_mut().for_each(|y| *y /= root);
+    room.unit.clear();
+    room.unit.extend(room.values.iter().map(|&y| y as f32));
+    frame.grid.explain(&room.unit, &mut room.explained);
+    room.starts.clear();
+    let of_grid = |n: usize| Start { explained: f64::from(room.explained[n]), line: frame.grid.lines[n] };
+    room.starts.extend(frame.grid.peaks(&room.explained).map(of_grid));
+    room.starts.extend(steps::best(frame, &room.values).into_iter().flatten());
+    room.starts.sort_unstable_by(|one, other| other.explained.total_cmp(&one.explained));
+}
+
+fn descend_all(frame: &Frame, samples: &Samples<'_>, total: f64, starts: &[Start], p: &mut [Pack]) -> Found {
+    let descended = |start: &Start, p: &mut [Pack]| {
+        let found = Found::at(samples, &frame.limits, start.line, p);
+        descend::descend(samples, &frame.limits, found, p)
+    };
+    let mut best = descended(&starts[0], p);
+    for start in &starts[1..starts.len().min(STARTS)] {
+        // The angle between y and what explains it; within NEARBY of it none is closer than this.
+        let angle = (start.explained.clamp(0.0, 1.0).sqrt().acos() - NEARBY).max(0.0);
+        if angle.sin().powi(2) * total >= best.sums.residual {
+            break;
+        }
+        let found = descended(start, p);
+        if found.sums.residual < best.sums.residual {
+            best = found;
+        }
+    }
+    best
+}
+
+/// Parameters in the caller's units.
+fn unscaled(frame: &Frame, found: &Found, mean: f64, scale: f64) -> Curve {
+    let (line, sums) = (found.line, found.sums);
+    let (low, high) = (mean - scale * (sums.q * sums.mean), mean + scale * (sums.q * (1.0 - sums.mean)));
+    let (a, d) = if line.rise < 0.0 { (high, low) } else { (low, high) };
+    let c = frame.x(line.origin - line.level / line.rise);
+    Curve { a, b: frame.over_ln(line.rise.abs()), c, d, rms: 0.0, status: Status::Fitted }
+}
+
+fn judged(frame: &Frame, found: &Found) -> Status {
+    // Values reach from −1 to 1.
+    if found.sums.q.abs() > 2.0 * UNSEEN {
+        return Status::Open;
+    }
+    let slope = |&v: &f64| {
+        let e = (-found.line.at(v).abs()).exp();
+        e / (1.0 + e).powi(2)
+    };
+    let between = frame.places.iter().map(slope).filter(|&slope| slope > ON_A_PLATEAU).count();
+    if between <= 1 { Status::Step } else { Status::Fitted }
+}

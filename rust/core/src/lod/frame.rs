@@ -1,0 +1,95 @@
+//! The places of a curve's samples in the kernels' own frame, v: ln x, its range scaled to −1..1.
+
+use super::descend::Limits;
+use super::grid::Grid;
+use super::logistic::{LANES, Pack};
+
+/// Where x = 0 lies: far enough for every rise that is allowed, and its square is finite.
+const ZERO: f64 = -1e30;
+/// Places that are told apart must be at least as many as parameters.
+pub(super) const FEWEST: usize = 4;
+/// ln c stays this close to the middle of the samples, so that c is a number.
+const FARTHEST_LN: f64 = 600.0;
+/// Between neighbours a transition this steep leaves 17 digits on one side of each.
+const SATURATED: f64 = 40.0;
+
+/// Why no curve can be fitted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unfit {
+    /// Fewer than four different x with numbers.
+    TooFew,
+    /// An x is below 0.
+    Negative,
+    /// Parameters that no float64 holds.
+    Overflow,
+}
+
+/// The samples that count, by x.
+#[derive(Debug)]
+pub(super) struct Frame {
+    /// Their numbers, by rising x.
+    pub(super) order: Vec<usize>,
+    pub(super) v: Vec<Pack>,
+    pub(super) weight: Vec<Pack>,
+    /// Where runs of equal x end in `order`.
+    pub(super) ends: Vec<usize>,
+    /// v of each run.
+    pub(super) places: Vec<f64>,
+    pub(super) limits: Limits,
+    pub(super) grid: Grid,
+    /// x at ln x = 0 of `middle`.
+    unit: f64,
+    middle: f64,
+    half: f64,
+}
+
+impl Frame {
+    /// Of the samples for which `counts` holds; their x are finite.
+    pub(super) fn new(x: &[f64], counts: impl Fn(usize) -> bool) -> Result<Self, Unfit> {
+        let mut order: Vec<usize> = (0..x.len()).filter(|&n| counts(n)).collect();
+        order.sort_by(|&m, &n| x[m].total_cmp(&x[n]));
+        if order.first().is_some_and(|&n| x[n] < 0.0) {
+            return Err(Unfit::Negative);
+        }
+        let above: Vec<f64> = order.iter().map(|&n| x[n]).filter(|&x| x > 0.0).collect();
+        let [Some(&least), Some(&greatest)] = [above.first(), above.last()] else { return Err(Unfit::TooFew) };
+        let unit = (0.5 * (least.ln() + greatest.ln())).exp();
+        let [low, high] = [least, greatest].map(|x| ln_ratio(x, unit));
+        let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+        if half <= 0.0 {
+            return Err(Unfit::TooFew);
+        }
+        let place = |x: f64| if x > 0.0 { (ln_ratio(x, unit) - middle) / half } else { ZERO };
+        let sorted: Vec<f64> = order.iter().map(|&n| place(x[n])).collect();
+        let ends: Vec<usize> = (1..=sorted.len()).filter(|&n| n == sorted.len() || sorted[n] > sorted[n - 1]).collect();
+        let places: Vec<f64> = ends.iter().map(|&end| sorted[end - 1]).collect();
+        if places.len() < FEWEST {
+            return Err(Unfit::TooFew);
+        }
+        let narrowest = places.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
+        let limits = Limits { steepest: SATURATED / narrowest, farthest: FARTHEST_LN / half };
+        let packed = |value: &dyn Fn(usize) -> f64| -> Vec<Pack> {
+            (0..sorted.len().div_ceil(LANES)).map(|k| std::array::from_fn(|i| value(LANES * k + i))).collect()
+        };
+        // Padding lies where x = 0 does: there p′ is 0, so that only sums of p need weights.
+        let v = packed(&|n| sorted.get(n).copied().unwrap_or(ZERO));
+        let weight = packed(&|n| if n < sorted.len() { 1.0 } else { 0.0 });
+        let grid = Grid::new(&sorted, &places);
+        Ok(Self { order, v, weight, ends, places, limits, grid, unit, middle, half })
+    }
+
+    /// x at a place.
+    pub(super) fn x(&self, v: f64) -> f64 {
+        self.unit * (self.middle + self.half * v).exp()
+    }
+
+    /// A rise over v as one over ln x.
+    pub(super) fn over_ln(&self, rise: f64) -> f64 {
+        rise / self.half
+    }
+}
+
+/// ln(x/unit), with all digits where both are close.
+fn ln_ratio(x: f64, unit: f64) -> f64 {
+    if x > 0.5 * unit && x < 2.0 * unit { ((x - unit) / unit).ln_1p() } else { x.ln() - unit.ln() }
+}

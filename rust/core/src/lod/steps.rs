@@ -1,0 +1,53 @@
+//! Curves so steep that they are steps: from one sample to the next, or with one sample in between, which they meet.
+
+use super::frame::Frame;
+use super::logistic::Line;
+
+/// Rise over the narrower gap: neighbours lie at the plateaus to 4 digits, and descents see which way is down.
+const STEEP: f64 = 8.0;
+/// Before the first x above 0.
+const OUTSIDE: f64 = 2.0;
+
+/// Where a descent may start, and the share of y that is explained there or nearby.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Start {
+    pub(super) explained: f64,
+    pub(super) line: Line,
+}
+
+/// The best step and the best one that meets a sample. `y` by rising x has mean 0, and its squares add up to 1.
+pub(super) fn best(frame: &Frame, y: &[f64]) -> [Option<Start>; 2] {
+    let (ends, places) = (&frame.ends, &frame.places);
+    let count = y.len() as f64;
+    let mut steps: [Option<Start>; 2] = [None; 2];
+    let mut keep = |n: usize, explained: f64, line: &dyn Fn() -> Line| {
+        if steps[n].is_none_or(|step| step.explained < explained) {
+            steps[n] = Some(Start { explained, line: line() });
+        }
+    };
+    let (mut before, mut from) = (0.0, 0);
+    for k in 0..places.len() - 1 {
+        let inside: f64 = y[from..ends[k]].iter().sum();
+        let (left, width, right) = (from as f64, (ends[k] - from) as f64, count - ends[k] as f64);
+        let after = -(before + inside);
+        if k > 0 {
+            let (low, middle, high) = (before / left, inside / width, after / right);
+            let share = (middle - high) / (low - high);
+            if share > 0.0 && share < 1.0 {
+                let explained = before * low + inside * middle + after * high;
+                let gap = (places[k] - places[k - 1]).min(places[k + 1] - places[k]);
+                keep(1, explained, &|| Line {
+                    level: (share / (1.0 - share)).ln(),
+                    rise: -STEEP / gap,
+                    origin: places[k],
+                });
+            }
+        }
+        before += inside;
+        from = ends[k];
+        let explained = before * before / from as f64 + after * after / right;
+        let gap = (places[k + 1] - places[k]).min(OUTSIDE);
+        keep(0, explained, &|| Line { level: 0.0, rise: -STEEP / gap, origin: places[k + 1] - 0.5 * gap });
+    }
+    steps
+}

@@ -1,0 +1,41 @@
+//! Bindings of `lod`.
+
+use nearfar_core::lod::{self, Curve, Status, Unfit};
+use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
+use pyo3::prelude::*;
+
+use crate::run;
+
+fn name(status: Status) -> &'static str {
+    match status {
+        Status::Fitted => "fitted",
+        Status::Step => "step",
+        Status::Open => "open",
+        Status::Constant => "constant",
+        Status::Flat => "flat",
+        Status::Unfit(Unfit::TooFew) => "too few",
+        Status::Unfit(Unfit::Negative) => "negative",
+        Status::Unfit(Unfit::Overflow) => "overflow",
+    }
+}
+
+/// Rows of a, b, c, d and rms, and what became of each curve.
+#[pyfunction]
+#[pyo3(signature = (x, y, *, count, report=None))]
+fn fit_4pl<'py>(
+    py: Python<'py>,
+    x: PyReadonlyArray1<'py, f64>,
+    y: PyReadonlyArray1<'py, f64>,
+    count: usize,
+    report: Option<Py<PyAny>>,
+) -> PyResult<(Bound<'py, PyArray2<f64>>, Vec<&'static str>)> {
+    let (x, y) = (x.as_slice()?, y.as_slice()?);
+    let curves = run::long(py, report, |progress| lod::fit_4pl(x, y, count, progress))?;
+    let rows: Vec<f64> = curves.iter().flat_map(|&Curve { a, b, c, d, rms, .. }| [a, b, c, d, rms]).collect();
+    let table = PyArray1::from_vec(py, rows);
+    Ok((numpy::PyArrayMethods::reshape(&table, [curves.len(), 5])?, curves.iter().map(|c| name(c.status)).collect()))
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(fit_4pl, module)?)
+}
