@@ -102,10 +102,10 @@ impl Local {
     fn step(&self, radius: f64) -> ([f64; 2], f64) {
         let [a, b, c] = self.hessian;
         let half = (a - c) / 2.0;
-        let root = half.hypot(b);
+        let root = (half * half + b * b).sqrt();
         // The axis of the greater eigenvalue, by the form that does not cancel.
         let axis = if half > 0.0 { [half + root, b] } else { [b, root - half] };
-        let length = axis[0].hypot(axis[1]);
+        let length = (axis[0] * axis[0] + axis[1] * axis[1]).sqrt();
         let axis = if length > 0.0 { [axis[0] / length, axis[1] / length] } else { [1.0, 0.0] };
         let middle = (a + c) / 2.0;
         let (mut step, mut promise) = ([0.0; 2], 0.0);

@@ -137,44 +137,59 @@ fn evaluate_kernel(samples: &Samples<'_>, line: &Line, p: &mut [Pack]) -> Sums {
     }
     let square = sum(&square);
     let q = if square > 0.0 { sum(&product) / square } else { 0.0 };
-    let mut sums = [[0.0; LANES]; 13];
+    let (mut residual, mut plain, mut along) = ([0.0; LANES], [[0.0; LANES]; 2], [[0.0; LANES]; 2]);
+    let (mut slope, mut squared, mut bend) = ([[0.0; LANES]; 2], [[0.0; LANES]; 3], [[0.0; LANES]; 3]);
     for k in 0..packs {
+        // One short loop for each array: these become vectors, and sums of all in one loop don't.
+        let (mut g, mut r, mut first, mut second) = ([0.0; LANES], [0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        let (mut first_u, mut second_u, mut u) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
         for i in 0..LANES {
-            let (p, weight, u) = (p[k][i], weight[k][i], v[k][i] - line.origin);
-            let g = p - mean;
-            let r = (y[k][i] - q * g) * weight;
-            let first = p * (1.0 - p) * weight;
-            let by_u = first * u;
-            let second = r * first * (1.0 - 2.0 * p);
-            sums[0][i] += r * r;
-            sums[1][i] += first;
-            sums[2][i] += by_u;
-            sums[3][i] += g * first;
-            sums[4][i] += g * by_u;
-            sums[5][i] += r * first;
-            sums[6][i] += r * by_u;
-            sums[7][i] += first * first;
-            sums[8][i] += first * by_u;
-            sums[9][i] += by_u * by_u;
-            sums[10][i] += second;
-            sums[11][i] += second * u;
-            sums[12][i] += second * u * u;
+            u[i] = v[k][i] - line.origin;
+            g[i] = p[k][i] - mean;
+            r[i] = (y[k][i] - q * g[i]) * weight[k][i];
+            first[i] = p[k][i] * (1.0 - p[k][i]);
+            first_u[i] = first[i] * u[i];
+            second[i] = r[i] * first[i] * (1.0 - 2.0 * p[k][i]);
+            second_u[i] = second[i] * u[i];
         }
-    }
-    let mut s = [0.0; 13];
-    for n in 0..13 {
-        s[n] = sum(&sums[n]);
+        add(&mut plain[0], &first);
+        add(&mut plain[1], &first_u);
+        add(&mut bend[0], &second);
+        add(&mut bend[1], &second_u);
+        add_product(&mut bend[2], &second_u, &u);
+        add_product(&mut residual, &r, &r);
+        add_product(&mut along[0], &g, &first);
+        add_product(&mut along[1], &g, &first_u);
+        add_product(&mut slope[0], &r, &first);
+        add_product(&mut slope[1], &r, &first_u);
+        add_product(&mut squared[0], &first, &first);
+        add_product(&mut squared[1], &first, &first_u);
+        add_product(&mut squared[2], &first_u, &first_u);
     }
     Sums {
         mean,
         square,
         q,
-        residual: s[0],
-        plain: [s[1], s[2]],
-        along: [s[3], s[4]],
-        slope: [s[5], s[6]],
-        squared: [s[7], s[8], s[9]],
-        bend: [s[10], s[11], s[12]],
+        residual: sum(&residual),
+        plain: [sum(&plain[0]), sum(&plain[1])],
+        along: [sum(&along[0]), sum(&along[1])],
+        slope: [sum(&slope[0]), sum(&slope[1])],
+        squared: [sum(&squared[0]), sum(&squared[1]), sum(&squared[2])],
+        bend: [sum(&bend[0]), sum(&bend[1]), sum(&bend[2])],
+    }
+}
+
+#[inline(always)]
+fn add(sums: &mut Pack, values: &Pack) {
+    for i in 0..LANES {
+        sums[i] += values[i];
+    }
+}
+
+#[inline(always)]
+fn add_product(sums: &mut Pack, one: &Pack, other: &Pack) {
+    for i in 0..LANES {
+        sums[i] += one[i] * other[i];
     }
 }
 
