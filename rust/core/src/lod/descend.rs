@@ -1,7 +1,7 @@
 //! Descent to the least residual nearby. For a given line τ the best a and d are known (variable projection: Golub,
 //! Pereyra 1973), so that two unknowns are left, and Newton's method with exact second derivatives takes few steps.
 
-use super::logistic::{self, Line, Pack, Samples, Sums};
+use super::logistic::{self, Line, Room, Samples, Sums};
 
 /// Steps of one descent; ten are usual.
 const STEPS: usize = 60;
@@ -50,7 +50,7 @@ pub(super) struct Found {
 }
 
 impl Found {
-    pub(super) fn at(samples: &Samples<'_>, limits: &Limits, line: Line, room: &mut [Pack]) -> Self {
+    pub(super) fn at(samples: &Samples<'_>, limits: &Limits, line: Line, room: &mut Room) -> Self {
         let line = limits.apply(line);
         Self { line, sums: logistic::evaluate(samples, &line, room) }
     }
@@ -122,7 +122,7 @@ impl Local {
 }
 
 /// Goes down from `found` until nothing is gained.
-pub(super) fn descend(samples: &Samples<'_>, limits: &Limits, mut found: Found, room: &mut [Pack]) -> Found {
+pub(super) fn descend(samples: &Samples<'_>, limits: &Limits, mut found: Found, room: &mut Room) -> Found {
     let floor = samples.count * ROUNDING;
     let mut radius = 1.0;
     let mut local = Local::new(&found, samples.count);

@@ -2,7 +2,7 @@
 
 use super::descend::{self, Found};
 use super::frame::{Frame, Unfit};
-use super::logistic::{LANES, Pack, Samples};
+use super::logistic::{self, LANES, Pack, Samples};
 use super::steps::{self, Start};
 
 /// Descents of one curve.
@@ -67,7 +67,7 @@ pub(super) struct Room {
     values: Vec<f64>,
     unit: Vec<f32>,
     packed: Vec<Pack>,
-    p: Vec<Pack>,
+    evaluated: logistic::Room,
     explained: Vec<f32>,
     starts: Vec<Start>,
 }
@@ -93,10 +93,10 @@ pub(super) fn fit(frame: &Frame, y: &[f64], room: &mut Room) -> Curve {
     room.packed.clear();
     room.packed.resize(frame.v.len(), [0.0; LANES]);
     room.packed.as_flattened_mut()[..room.values.len()].copy_from_slice(&room.values);
-    room.p.resize(frame.v.len(), [0.0; LANES]);
+    room.evaluated.resize(frame.v.len());
     find_starts(frame, total, room);
     let samples = Samples { v: &frame.v, weight: &frame.weight, y: &room.packed, count };
-    let best = descend_all(frame, &samples, total, &room.starts, &mut room.p);
+    let best = descend_all(frame, &samples, total, &room.starts, &mut room.evaluated);
     let rms = scale * (best.sums.residual / count).sqrt();
     if (best.sums.residual / total).powf(0.5 * (count - 4.0)) > CHANCE && count > 4.0 {
         return flat(scale * (total / count).sqrt(), Status::Flat);
@@ -123,19 +123,19 @@ fn find_starts(frame: &Frame, total: f64, room: &mut Room) {
     room.starts.sort_unstable_by(|one, other| other.explained.total_cmp(&one.explained));
 }
 
-fn descend_all(frame: &Frame, samples: &Samples<'_>, total: f64, starts: &[Start], p: &mut [Pack]) -> Found {
-    let descended = |start: &Start, p: &mut [Pack]| {
-        let found = Found::at(samples, &frame.limits, start.line, p);
-        descend::descend(samples, &frame.limits, found, p)
+fn descend_all(frame: &Frame, samples: &Samples<'_>, total: f64, starts: &[Start], room: &mut logistic::Room) -> Found {
+    let descended = |start: &Start, room: &mut logistic::Room| {
+        let found = Found::at(samples, &frame.limits, start.line, room);
+        descend::descend(samples, &frame.limits, found, room)
     };
-    let mut best = descended(&starts[0], p);
+    let mut best = descended(&starts[0], room);
     for start in &starts[1..starts.len().min(STARTS)] {
         // The angle between y and what explains it; within NEARBY of it none is closer than this.
         let angle = (start.explained.clamp(0.0, 1.0).sqrt().acos() - NEARBY).max(0.0);
         if angle.sin().powi(2) * total >= best.sums.residual {
             break;
         }
-        let found = descended(start, p);
+        let found = descended(start, room);
         if found.sums.residual < best.sums.residual {
             best = found;
         }

@@ -105,96 +105,99 @@ pub(super) fn exp(t: f64) -> f64 {
     sum * f64::from_bits(shifted.to_bits().wrapping_add(1023) << 52)
 }
 
+/// Room for what is known of each sample.
+#[derive(Debug, Default)]
+pub(super) struct Room {
+    p: Vec<Pack>,
+    r: Vec<Pack>,
+    first: Vec<Pack>,
+    first_u: Vec<Pack>,
+    second: Vec<Pack>,
+    second_u: Vec<Pack>,
+    u: Vec<Pack>,
+}
+
+impl Room {
+    pub(super) fn resize(&mut self, packs: usize) {
+        let Self { p, r, first, first_u, second, second_u, u } = self;
+        for array in [p, r, first, first_u, second, second_u, u] {
+            array.resize(packs, [0.0; LANES]);
+        }
+    }
+}
+
 widest! {
-    fn evaluate_widest(samples: &Samples<'_>, line: &Line, p: &mut [Pack]) -> Sums = evaluate_kernel;
+    fn evaluate_widest(samples: &Samples<'_>, line: &Line, room: &mut Room) -> Sums = evaluate_kernel;
 }
 
-/// Everything about one curve. `p` is room for as many values as there are samples.
-pub(super) fn evaluate(samples: &Samples<'_>, line: &Line, p: &mut [Pack]) -> Sums {
-    evaluate_widest(samples, line, p)
+/// Everything about one curve; `room` is as large as the samples are many.
+pub(super) fn evaluate(samples: &Samples<'_>, line: &Line, room: &mut Room) -> Sums {
+    evaluate_widest(samples, line, room)
 }
 
+// Short loops with one result each: these become vectors, and sums of everything in one loop don't.
 #[inline(always)]
-fn evaluate_kernel(samples: &Samples<'_>, line: &Line, p: &mut [Pack]) -> Sums {
+fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut Room) -> Sums {
     let packs = samples.v.len();
-    let (v, weight, y, p) = (&samples.v[..packs], &samples.weight[..packs], &samples.y[..packs], &mut p[..packs]);
-    let mut total = [0.0; LANES];
+    let (v, weight, y) = (&samples.v[..packs], &samples.weight[..packs], &samples.y[..packs]);
+    let (p, u) = (&mut room.p[..packs], &mut room.u[..packs]);
+    for k in 0..packs {
+        let (mut away, mut share) = ([0.0; LANES], [0.0; LANES]);
+        for i in 0..LANES {
+            away[i] = v[k][i] - line.origin;
+            let e = exp(line.level + line.rise * away[i]);
+            share[i] = e / (1.0 + e);
+        }
+        (u[k], p[k]) = (away, share);
+    }
+    let mean = product(p, weight) / samples.count;
+    // g, until it is known how much of it is taken from y.
+    let r = &mut room.r[..packs];
     for k in 0..packs {
         for i in 0..LANES {
-            let e = exp(line.level + line.rise * (v[k][i] - line.origin));
-            p[k][i] = e / (1.0 + e);
-            total[i] += p[k][i] * weight[k][i];
+            r[k][i] = (p[k][i] - mean) * weight[k][i];
         }
     }
-    let mean = sum(&total) / samples.count;
-    let (mut square, mut product) = ([0.0; LANES], [0.0; LANES]);
+    let square = product(r, r);
+    let q = if square > 0.0 { product(r, y) / square } else { 0.0 };
+    let (first, first_u) = (&mut room.first[..packs], &mut room.first_u[..packs]);
     for k in 0..packs {
         for i in 0..LANES {
-            let g = (p[k][i] - mean) * weight[k][i];
-            square[i] += g * g;
-            product[i] += g * y[k][i];
+            first[k][i] = p[k][i] * (1.0 - p[k][i]);
+            first_u[k][i] = first[k][i] * u[k][i];
         }
     }
-    let square = sum(&square);
-    let q = if square > 0.0 { sum(&product) / square } else { 0.0 };
-    let (mut residual, mut plain, mut along) = ([0.0; LANES], [[0.0; LANES]; 2], [[0.0; LANES]; 2]);
-    let (mut slope, mut squared, mut bend) = ([[0.0; LANES]; 2], [[0.0; LANES]; 3], [[0.0; LANES]; 3]);
+    let along = [product(r, first), product(r, first_u)];
+    let (second, second_u) = (&mut room.second[..packs], &mut room.second_u[..packs]);
     for k in 0..packs {
-        // One short loop for each array: these become vectors, and sums of all in one loop don't.
-        let (mut g, mut r, mut first, mut second) = ([0.0; LANES], [0.0; LANES], [0.0; LANES], [0.0; LANES]);
-        let (mut first_u, mut second_u, mut u) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
         for i in 0..LANES {
-            u[i] = v[k][i] - line.origin;
-            g[i] = p[k][i] - mean;
-            r[i] = (y[k][i] - q * g[i]) * weight[k][i];
-            first[i] = p[k][i] * (1.0 - p[k][i]);
-            first_u[i] = first[i] * u[i];
-            second[i] = r[i] * first[i] * (1.0 - 2.0 * p[k][i]);
-            second_u[i] = second[i] * u[i];
+            r[k][i] = y[k][i] - q * r[k][i];
+            second[k][i] = r[k][i] * first[k][i] * (1.0 - 2.0 * p[k][i]);
+            second_u[k][i] = second[k][i] * u[k][i];
         }
-        add(&mut plain[0], &first);
-        add(&mut plain[1], &first_u);
-        add(&mut bend[0], &second);
-        add(&mut bend[1], &second_u);
-        add_product(&mut bend[2], &second_u, &u);
-        add_product(&mut residual, &r, &r);
-        add_product(&mut along[0], &g, &first);
-        add_product(&mut along[1], &g, &first_u);
-        add_product(&mut slope[0], &r, &first);
-        add_product(&mut slope[1], &r, &first_u);
-        add_product(&mut squared[0], &first, &first);
-        add_product(&mut squared[1], &first, &first_u);
-        add_product(&mut squared[2], &first_u, &first_u);
     }
     Sums {
         mean,
         square,
         q,
-        residual: sum(&residual),
-        plain: [sum(&plain[0]), sum(&plain[1])],
-        along: [sum(&along[0]), sum(&along[1])],
-        slope: [sum(&slope[0]), sum(&slope[1])],
-        squared: [sum(&squared[0]), sum(&squared[1]), sum(&squared[2])],
-        bend: [sum(&bend[0]), sum(&bend[1]), sum(&bend[2])],
+        residual: product(r, r),
+        plain: [product(first, weight), product(first_u, weight)],
+        along,
+        slope: [product(r, first), product(r, first_u)],
+        squared: [product(first, first), product(first, first_u), product(first_u, first_u)],
+        bend: [product(second, weight), product(second_u, weight), product(second_u, u)],
     }
 }
 
+/// Sum of products, over eight sums side by side.
 #[inline(always)]
-fn add(sums: &mut Pack, values: &Pack) {
-    for i in 0..LANES {
-        sums[i] += values[i];
+fn product(one: &[Pack], other: &[Pack]) -> f64 {
+    let other = &other[..one.len()];
+    let mut s = [0.0; LANES];
+    for k in 0..one.len() {
+        for i in 0..LANES {
+            s[i] += one[k][i] * other[k][i];
+        }
     }
-}
-
-#[inline(always)]
-fn add_product(sums: &mut Pack, one: &Pack, other: &Pack) {
-    for i in 0..LANES {
-        sums[i] += one[i] * other[i];
-    }
-}
-
-#[inline(always)]
-fn sum(lanes: &Pack) -> f64 {
-    let [a, b, c, d, e, f, g, h] = *lanes;
-    ((a + e) + (c + g)) + ((b + f) + (d + h))
+    ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]))
 }
