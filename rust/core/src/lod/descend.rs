@@ -6,11 +6,15 @@ use super::logistic::{self, Line, Room, Samples, Sums};
 /// Steps of one descent; ten are usual.
 const STEPS: usize = 60;
 /// A step that promises less, as a share of the residual, is not taken.
-const ENOUGH: f64 = 1e-14;
+const ENOUGH: f64 = 1e-12;
 /// Residuals of numbers of size 1 that are only rounding, for each sample.
 const ROUNDING: f64 = 1e-31;
 /// The longest step, in units of τ and of the logarithm of its rise.
 const LONGEST: f64 = 4.0;
+/// Lines whose τ differ by less, as a share, have the same descent.
+const CLOSE: f64 = 0.03;
+/// How many times what a step promises a descent may be hoped to bring.
+const HOPE: f64 = 20.0;
 /// How far in a tail all samples may lie: a plateau e²⁵ times as far away as the samples reach is as good as none.
 pub(super) const TAIL: f64 = 25.0;
 /// The least rise over the samples' half span: below, a curve is a straight line over ln x to ten digits.
@@ -53,6 +57,20 @@ impl Found {
     pub(super) fn at(samples: &Samples<'_>, limits: &Limits, line: Line, room: &mut Room) -> Self {
         let line = limits.apply(line);
         Self { line, sums: logistic::evaluate(samples, &line, room) }
+    }
+
+    /// True where a descent would end at the rival.
+    fn leads_to(&self, rival: &Self) -> bool {
+        let is_close = |v: f64| {
+            let (own, other) = (self.line.at(v), rival.line.at(v));
+            (own - other).abs() < CLOSE * (1.0 + other.abs())
+        };
+        is_close(-1.0) && is_close(1.0)
+    }
+
+    /// True where many times what Newton's step promises would not be enough.
+    fn is_lost(&self, promise: f64, rival: &Self) -> bool {
+        self.sums.residual - HOPE * promise > rival.sums.residual
     }
 }
 
@@ -121,14 +139,24 @@ impl Local {
     }
 }
 
-/// Goes down from `found` until nothing is gained.
-pub(super) fn descend(samples: &Samples<'_>, limits: &Limits, mut found: Found, room: &mut Room) -> Found {
+/// Goes down from `found` until nothing is gained, or until it is plain that `rival` is not bettered.
+pub(super) fn descend(
+    samples: &Samples<'_>,
+    limits: &Limits,
+    mut found: Found,
+    rival: Option<&Found>,
+    room: &mut Room,
+) -> Found {
     let floor = samples.count * ROUNDING;
     let mut radius = 1.0;
     let mut local = Local::new(&found, samples.count);
     for _ in 0..STEPS {
         let (step, promise) = local.step(radius);
         if found.sums.residual <= floor || !(promise > ENOUGH * found.sums.residual) {
+            break;
+        }
+        let is_inner = step[0].abs().max(step[1].abs()) < radius;
+        if rival.is_some_and(|rival| found.leads_to(rival) || is_inner && found.is_lost(promise, rival)) {
             break;
         }
         let line = Line { level: local.line.level + step[0], rise: local.line.rise * step[1].exp(), ..local.line };

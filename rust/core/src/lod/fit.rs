@@ -9,7 +9,7 @@ use super::steps::{self, Start};
 const STARTS: usize = 8;
 /// The angle between a curve and the nearest one of the grid, generously: what a start explains can only be bettered
 /// by as much.
-const NEARBY: f64 = 0.35;
+const NEARBY: f64 = 0.5;
 /// Values whose spread is this many units in the last place of the greatest are constant.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// The chance that (S/S₀)^((N−4)/2) is no more, for the residuals S of the curve and S₀ of the mean, is nearly this
@@ -124,18 +124,18 @@ fn find_starts(frame: &Frame, total: f64, room: &mut Room) {
 }
 
 fn descend_all(frame: &Frame, samples: &Samples<'_>, total: f64, starts: &[Start], room: &mut logistic::Room) -> Found {
-    let descended = |start: &Start, room: &mut logistic::Room| {
+    let descended = |start: &Start, rival: Option<&Found>, room: &mut logistic::Room| {
         let found = Found::at(samples, &frame.limits, start.line, room);
-        descend::descend(samples, &frame.limits, found, room)
+        descend::descend(samples, &frame.limits, found, rival, room)
     };
-    let mut best = descended(&starts[0], room);
+    let mut best = descended(&starts[0], None, room);
     for start in &starts[1..starts.len().min(STARTS)] {
         // The angle between y and what explains it; within NEARBY of it none is closer than this.
         let angle = (start.explained.clamp(0.0, 1.0).sqrt().acos() - NEARBY).max(0.0);
         if angle.sin().powi(2) * total >= best.sums.residual {
             break;
         }
-        let found = descended(start, room);
+        let found = descended(start, Some(&best), room);
         if found.sums.residual < best.sums.residual {
             best = found;
         }
