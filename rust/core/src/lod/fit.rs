@@ -117,8 +117,8 @@ fn find_starts(frame: &Frame, total: f64, room: &mut Room) {
     room.unit.extend(room.values.iter().map(|&y| y as f32));
     frame.grid.explain(&room.unit, &mut room.explained);
     room.starts.clear();
-    let of_grid = |n: usize| Start { explained: f64::from(room.explained[n]), line: frame.grid.lines[n] };
-    room.starts.extend(frame.grid.peaks(&room.explained).map(of_grid));
+    let starts = &mut room.starts;
+    frame.grid.peaks(&room.explained, |share, line| starts.push(Start { explained: f64::from(share), line }));
     room.starts.extend(steps::best(frame, &room.values).into_iter().flatten());
     room.starts.sort_unstable_by(|one, other| other.explained.total_cmp(&one.explained));
 }

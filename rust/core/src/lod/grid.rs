@@ -1,6 +1,8 @@
 //! How much of y curves of a grid explain: p of each, its mean taken off and scaled to length 1, so that one product
 //! with y tells. The grid depends on the places of samples only: curves with the same ones share it.
 
+use std::ops::Range;
+
 use super::descend::{LEAST_RISE, TAIL};
 use super::logistic::{self, Line};
 use crate::base::simd::widest;
@@ -15,31 +17,42 @@ const FACTOR: f64 = 1.7;
 const DENSE: f64 = 3.0;
 /// However many samples there are.
 const STEEPEST: f64 = 150.0;
+/// Middles of one rise: two tails and what STEEPEST and SPACING leave in between.
+const WIDEST: usize = 512;
 /// Between middles, in units of the transition.
 const SPACING: f64 = 1.2;
+/// Exponents of x = 0: with any shift no overflow, and p is 1.
+const LARGEST: f64 = 300.0;
+/// Here p is 1 in float32, which still holds it.
+const SATURATED: f64 = 1e30;
 /// How far beyond the samples, in the same units.
 const BEYOND: f64 = 4.0;
 
 /// Curves and what is known of them.
 #[derive(Debug)]
 pub(super) struct Grid {
-    pub(super) lines: Vec<Line>,
-    /// Before, after, the nearest gentler, the nearest steeper; itself where there is none.
-    neighbors: Vec<[u32; 4]>,
+    levels: Vec<Level>,
+    /// Of transitions, rising within each level.
+    middles: Vec<f64>,
     /// By sample, then by column; columns padded to blocks with 0.
     basis: Vec<f32>,
     columns: usize,
 }
 
+/// Curves of one rise.
+#[derive(Clone, Debug)]
+struct Level {
+    rise: f64,
+    columns: Range<usize>,
+}
+
 impl Grid {
     /// Over samples at `v` by rising v, `places` being the different ones.
     pub(super) fn new(v: &[f64], places: &[f64]) -> Self {
-        let (levels, steps) = levels(places);
-        let lines: Vec<Line> = levels.iter().flatten().copied().collect();
-        let neighbors = neighbors(&levels, &steps);
-        let columns = lines.len().div_ceil(BLOCK) * BLOCK;
-        let basis = basis(v, &levels, columns);
-        Self { lines, neighbors, basis, columns }
+        let (levels, middles) = levels(places);
+        let columns = middles.len().div_ceil(BLOCK) * BLOCK;
+        let basis = basis(v, &levels, &middles, columns);
+        Self { levels, middles, basis, columns }
     }
 
     /// The share of y that each column explains; `y` has length 1 and mean 0.
@@ -49,111 +62,136 @@ impl Grid {
         explain(&self.basis, y, explained);
     }
 
-    /// Columns that explain no less than their neighbours do.
-    pub(super) fn peaks(&self, explained: &[f32]) -> impl Iterator<Item = usize> {
-        let is_peak = |&n: &usize| self.neighbors[n].iter().all(|&other| explained[n] >= explained[other as usize]);
-        (0..self.lines.len()).filter(is_peak)
+    /// Calls `visit` with each curve that explains no less than its neighbours, and how much that is.
+    pub(super) fn peaks(&self, explained: &[f32], mut visit: impl FnMut(f32, Line)) {
+        for (k, level) in self.levels.iter().enumerate() {
+            let Range { start, end } = level.columns;
+            for n in start..end {
+                let own = explained[n];
+                if n > start && explained[n - 1] > own || n + 1 < end && explained[n + 1] > own {
+                    continue;
+                }
+                let middle = self.middles[n];
+                let is_bettered = |other: &Level| explained[self.nearest(other, middle)] > own;
+                if k > 0 && is_bettered(&self.levels[k - 1]) || self.levels.get(k + 1).is_some_and(is_bettered) {
+                    continue;
+                }
+                visit(own, Line { level: 0.0, rise: -level.rise, origin: middle });
+            }
+        }
+    }
+
+    fn nearest(&self, level: &Level, middle: f64) -> usize {
+        let Range { start, end } = level.columns;
+        let upper = (start + self.middles[start..end].partition_point(|&m| m < middle)).min(end - 1);
+        let lower = upper.saturating_sub(1).max(start);
+        if (self.middles[upper] - middle).abs() < (middle - self.middles[lower]).abs() { upper } else { lower }
     }
 }
 
-/// Lines of one rise by rising middle, from tail to tail, for each rise; and the middles.
-fn levels(places: &[f64]) -> (Vec<Vec<Line>>, Vec<Vec<f64>>) {
-    let finite: Vec<f64> = places.iter().copied().filter(|&v| v >= -1.0).collect();
+/// Rises, each with middles from tail to tail. The first is a straight line.
+fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
+    let first = places.partition_point(|&v| v < -1.0);
+    let finite = &places[first..];
     let steepest = (DENSE * (finite.len() - 1) as f64).min(STEEPEST);
-    let mut between: Vec<f64> = finite.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]).collect();
-    between.push(1.0);
-    let (mut levels, mut all) = (Vec::new(), Vec::new());
+    let mut levels = vec![Level { rise: LEAST_RISE, columns: 0..1 }];
+    let mut middles = vec![0.0];
     let mut rise = GENTLEST;
     while rise < FACTOR * steepest {
+        let start = middles.len();
         let reach = 1.0 + BEYOND / rise;
         let even = (2.0 * reach * rise / SPACING).ceil();
-        let mut middles = vec![-1.0 - TAIL / rise];
-        if even > between.len() as f64 {
-            middles.extend(&between);
+        middles.push(-1.0 - TAIL / rise);
+        if even > (2 * finite.len() - 1) as f64 {
+            for pair in finite.windows(2) {
+                middles.extend([pair[0], 0.5 * (pair[0] + pair[1])]);
+            }
+            middles.push(1.0);
         } else {
             middles.extend((0..=even as usize).map(|n| reach * (2.0 * n as f64 / even - 1.0)));
         }
         middles.push(1.0 + TAIL / rise);
-        levels.push(middles.iter().map(|&origin| Line { level: 0.0, rise: -rise, origin }).collect());
-        all.push(middles);
+        levels.push(Level { rise, columns: start..middles.len() });
         rise *= FACTOR;
     }
-    levels.push(vec![Line { level: 0.0, rise: -LEAST_RISE, origin: 0.0 }]);
-    all.push(vec![0.0]);
-    (levels, all)
+    (levels, middles)
 }
 
-fn neighbors(levels: &[Vec<Line>], middles: &[Vec<f64>]) -> Vec<[u32; 4]> {
-    let first: Vec<usize> = levels
-        .iter()
-        .scan(0, |next, level| {
-            *next += level.len();
-            Some(*next - level.len())
-        })
-        .collect();
-    // The straight line is last, and a neighbour of none.
-    let curved = levels.len() - 1;
-    let nearest = |k: usize, middle: f64| {
-        let upper = middles[k].partition_point(|&m| m < middle).min(middles[k].len() - 1);
-        let lower = upper.saturating_sub(1);
-        let closer =
-            if (middles[k][upper] - middle).abs() < (middle - middles[k][lower]).abs() { upper } else { lower };
-        first[k] + closer
-    };
-    let mut neighbors = Vec::new();
-    for (k, level) in middles.iter().enumerate() {
-        for (n, &middle) in level.iter().enumerate() {
-            let own = first[k] + n;
-            let before = if n > 0 { own - 1 } else { own };
-            let after = if n + 1 < level.len() { own + 1 } else { own };
-            let gentler = if k > 0 && k < curved { nearest(k - 1, middle) } else { own };
-            let steeper = if k + 1 < curved { nearest(k + 1, middle) } else { own };
-            neighbors.push([before, after, gentler, steeper].map(|index| index as u32));
-        }
+fn basis(v: &[f64], levels: &[Level], middles: &[f64], columns: usize) -> Vec<f32> {
+    let mut basis = vec![0.0; v.len() * columns];
+    for Level { rise, columns: own } in levels {
+        let middles = &middles[own.clone()];
+        // Of σ and 1 − σ the one that is small where a tail is seen, so that it has digits.
+        let first_after = middles.partition_point(|&middle| middle < 0.0);
+        let (before, after) = middles.split_at(first_after);
+        fill(v, -rise, before, &mut basis[own.start..], columns);
+        fill(v, *rise, after, &mut basis[own.start + first_after..], columns);
     }
-    neighbors
-}
-
-fn basis(v: &[f64], levels: &[Vec<Line>], columns: usize) -> Vec<f32> {
-    let mut values = vec![0.0; v.len() * columns];
-    let mut first = 0;
-    for level in levels {
-        let rise = level[0].rise;
-        let shifts: Vec<f64> = level.iter().map(|line| logistic::exp(-rise * line.origin)).collect();
-        for (n, &v) in v.iter().enumerate() {
-            // e^(rise (v − origin)) as a product: one exponential for each sample, none of which overflows.
-            let start = n * columns + first;
-            logistic_row(logistic::exp((rise * v).min(300.0)), &shifts, &mut values[start..start + shifts.len()]);
-        }
-        first += level.len();
-    }
-    let count = v.len() as f64;
-    let (mut means, mut lengths) = (vec![0.0; columns], vec![0.0; columns]);
-    for row in values.chunks_exact(columns) {
-        means.iter_mut().zip(row).for_each(|(mean, p)| *mean += p / count);
-    }
-    for row in values.chunks_exact_mut(columns) {
-        for ((p, mean), length) in row.iter_mut().zip(&means).zip(&mut lengths) {
-            *p -= mean;
-            *length += *p * *p;
-        }
-    }
-    let scales: Vec<f64> =
-        lengths.iter().map(|&length: &f64| if length > 0.0 { 1.0 / length.sqrt() } else { 0.0 }).collect();
-    values.chunks_exact(columns).flat_map(|row| row.iter().zip(&scales).map(|(g, scale)| (g * scale) as f32)).collect()
+    normalize(&mut basis, columns);
+    basis
 }
 
 widest! {
-    fn logistic_row(e: f64, shifts: &[f64], p: &mut [f64]) = logistic_row_kernel;
+    fn fill(v: &[f64], rise: f64, middles: &[f64], values: &mut [f32], columns: usize) = fill_kernel;
 }
 
+/// p of one rise. e^(rise (v − origin)) is a product, so that each sample has one exponential.
 #[inline(always)]
-fn logistic_row_kernel(e: f64, shifts: &[f64], p: &mut [f64]) {
-    let count = shifts.len();
-    let p = &mut p[..count];
+fn fill_kernel(v: &[f64], rise: f64, middles: &[f64], values: &mut [f32], columns: usize) {
+    let count = middles.len();
+    let mut shifts = [0.0; WIDEST];
+    let shifts = &mut shifts[..count];
     for i in 0..count {
-        let e = e * shifts[i];
-        p[i] = e / (1.0 + e);
+        shifts[i] = logistic::exp(-rise * middles[i]);
+    }
+    if count == 0 {
+        return;
+    }
+    for n in 0..v.len() {
+        let e = logistic::exp((rise * v[n]).min(LARGEST));
+        let row = &mut values[n * columns..n * columns + count];
+        for i in 0..count {
+            let e = (e * shifts[i]).min(SATURATED) as f32;
+            row[i] = e / (1.0 + e);
+        }
+    }
+}
+
+widest! {
+    fn normalize(basis: &mut [f32], columns: usize) = normalize_kernel;
+}
+
+/// Takes the mean off each column and scales it to length 1; a column of equal numbers becomes 0.
+#[inline(always)]
+fn normalize_kernel(basis: &mut [f32], columns: usize) {
+    let rows = basis.len() / columns;
+    for first in (0..columns).step_by(BLOCK) {
+        let (mut mean, mut scale) = ([0.0f32; BLOCK], [0.0f32; BLOCK]);
+        for n in 0..rows {
+            let row: &[f32; BLOCK] = basis[n * columns + first..][..BLOCK].as_array().expect("a block");
+            for i in 0..BLOCK {
+                mean[i] += row[i];
+            }
+        }
+        for i in 0..BLOCK {
+            mean[i] /= rows as f32;
+        }
+        for n in 0..rows {
+            let row: &mut [f32; BLOCK] = basis[n * columns + first..][..BLOCK].as_mut_array().expect("a block");
+            for i in 0..BLOCK {
+                row[i] -= mean[i];
+                scale[i] += row[i] * row[i];
+            }
+        }
+        for i in 0..BLOCK {
+            scale[i] = if scale[i] > 0.0 { 1.0 / scale[i].sqrt() } else { 0.0 };
+        }
+        for n in 0..rows {
+            let row: &mut [f32; BLOCK] = basis[n * columns + first..][..BLOCK].as_mut_array().expect("a block");
+            for i in 0..BLOCK {
+                row[i] *= scale[i];
+            }
+        }
     }
 }
 
