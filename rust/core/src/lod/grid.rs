@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use super::descend::{LEAST_RISE, TAIL};
-use super::logistic::{self, Line};
+use super::logistic::{self, LANES, Line};
 use crate::base::simd::widest;
 
 /// Columns of one step of the product.
@@ -17,8 +17,8 @@ const FACTOR: f64 = 1.7;
 const DENSE: f64 = 3.0;
 /// However many samples there are.
 const STEEPEST: f64 = 150.0;
-/// Middles of one rise: two tails and what STEEPEST and SPACING leave in between.
-const WIDEST: usize = 512;
+/// Columns whose p are computed side by side.
+const WIDTH: usize = 16;
 /// Between middles, in units of the transition.
 const SPACING: f64 = 1.2;
 /// Exponents of x = 0: with any shift no overflow, and p is 1.
@@ -118,41 +118,70 @@ fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
 }
 
 fn basis(v: &[f64], levels: &[Level], middles: &[f64], columns: usize) -> Vec<f32> {
-    let mut basis = vec![0.0; v.len() * columns];
+    // e^(rise (v − middle)) is a product, so that there are as many exponentials as samples and columns of a rise.
+    let (mut shifts, mut powers) = (Vec::with_capacity(columns), Vec::with_capacity(2 * levels.len() * v.len()));
     for Level { rise, columns: own } in levels {
-        let middles = &middles[own.clone()];
         // Of σ and 1 − σ the one that is small where a tail is seen, so that it has digits.
-        let first_after = middles.partition_point(|&middle| middle < 0.0);
-        let (before, after) = middles.split_at(first_after);
-        fill(v, -rise, before, &mut basis[own.start..], columns);
-        fill(v, *rise, after, &mut basis[own.start + first_after..], columns);
+        shifts.extend(middles[own.clone()].iter().map(|middle| -rise * middle.abs()));
+        powers.extend(v.iter().map(|v| (-rise * v).min(LARGEST)));
+        powers.extend(v.iter().map(|v| rise * v));
+    }
+    exp_all(&mut shifts);
+    exp_all(&mut powers);
+    let mut basis = vec![0.0; v.len() * columns];
+    for (Level { columns: own, .. }, powers) in levels.iter().zip(powers.chunks_exact(2 * v.len())) {
+        let count = middles[own.clone()].partition_point(|&middle| middle < 0.0);
+        let (before, after) = shifts[own.clone()].split_at(count);
+        let (falling, rising) = powers.split_at(v.len());
+        fill(falling, before, &mut basis[own.start..], columns);
+        fill(rising, after, &mut basis[own.start + count..], columns);
     }
     normalize(&mut basis, columns);
     basis
 }
 
 widest! {
-    fn fill(v: &[f64], rise: f64, middles: &[f64], values: &mut [f32], columns: usize) = fill_kernel;
+    fn exp_all(values: &mut [f64]) = exp_all_kernel;
 }
 
-/// p of one rise. e^(rise (v − origin)) is a product, so that each sample has one exponential.
 #[inline(always)]
-fn fill_kernel(v: &[f64], rise: f64, middles: &[f64], values: &mut [f32], columns: usize) {
-    let count = middles.len();
-    let mut shifts = [0.0; WIDEST];
-    let shifts = &mut shifts[..count];
-    for i in 0..count {
-        shifts[i] = logistic::exp(-rise * middles[i]);
+fn exp_all_kernel(values: &mut [f64]) {
+    let (packs, rest) = values.as_chunks_mut::<LANES>();
+    for pack in packs {
+        for i in 0..LANES {
+            pack[i] = logistic::exp(pack[i]);
+        }
     }
-    if count == 0 {
-        return;
+    for value in rest {
+        *value = logistic::exp(*value);
     }
-    for n in 0..v.len() {
-        let e = logistic::exp((rise * v[n]).min(LARGEST));
-        let row = &mut values[n * columns..n * columns + count];
-        for i in 0..count {
-            let e = (e * shifts[i]).min(SATURATED) as f32;
-            row[i] = e / (1.0 + e);
+}
+
+widest! {
+    fn fill(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize) = fill_kernel;
+}
+
+/// p of the columns of one rise.
+#[inline(always)]
+fn fill_kernel(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize) {
+    let (packs, rest) = shifts.as_chunks::<WIDTH>();
+    for n in 0..powers.len() {
+        let row = &mut basis[n * columns..n * columns + shifts.len()];
+        let (row_packs, row_rest) = row.as_chunks_mut::<WIDTH>();
+        for k in 0..packs.len() {
+            let mut p = [0.0f32; WIDTH];
+            for i in 0..WIDTH {
+                let e = powers[n] * packs[k][i];
+                p[i] = if e < SATURATED { e as f32 } else { SATURATED as f32 };
+            }
+            for i in 0..WIDTH {
+                p[i] = p[i] / (1.0 + p[i]);
+            }
+            row_packs[k] = p;
+        }
+        for i in 0..rest.len() {
+            let e = (powers[n] * rest[i]).min(SATURATED) as f32;
+            row_rest[i] = e / (1.0 + e);
         }
     }
 }
