@@ -73,7 +73,10 @@ impl Grid {
                 }
                 let middle = self.middles[n];
                 let is_bettered = |other: &Level| explained[self.nearest(other, middle)] > own;
-                if k > 0 && is_bettered(&self.levels[k - 1]) || self.levels.get(k + 1).is_some_and(is_bettered) {
+                // The straight line is a neighbour of none: curves bend off it on both sides.
+                let gentler = self.levels[1..].get(k.wrapping_sub(2)).is_some_and(is_bettered);
+                let steeper = k > 0 && self.levels.get(k + 1).is_some_and(is_bettered);
+                if gentler || steeper {
                     continue;
                 }
                 visit(own, Line { level: 0.0, rise: -level.rise, origin: middle });
