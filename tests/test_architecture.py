@@ -40,6 +40,7 @@ RUST_STAGES: dict[str, set[str]] = {
     "metrics": {"base", "camera"},
     "bounds": {"base"},
     "lens": {"base", "camera", "bounds"},
+    "lod": {"base"},
     "exr": {"base"},
 }
 """The order is that of lib.rs."""
@@ -106,6 +107,7 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_similarity": {"_frame", "_pictures"},
     "_discontinuity": {"_camera", "_frame"},
     "_bounds": set(),
+    "lod": set(),
     "_bundle": {"_envmap", "_names", "_scene", "_scene_glb"},
     "_reduced": {"_bundle", "_camera", "_envmap", "_frame", "_partition", "_render", "_scene"},
     "_reduce": {"_bundle", "_envmap", "_frame", "_partition", "_reduced", "_render", "_scene"},

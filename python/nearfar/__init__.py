@@ -1,6 +1,6 @@
 """Makes scenes too heavy for a thin VR device light enough to run on it, and says what that costs in image quality."""
 
-from nearfar import datasets, hmd
+from nearfar import datasets, hmd, lod
 from nearfar._bend import bend_rays, fold_margin
 from nearfar._bounds import bounding_sphere, bounding_spheres, solid_angle
 from nearfar._camera import Camera, CubeFace, Fov, Orthographic
@@ -59,6 +59,7 @@ __all__ = [
     "fold_margin",
     "hmd",
     "load_curve",
+    "lod",
     "morph",
     "ms_ssim",
     "object_completion",

@@ -368,6 +368,15 @@ def corrected_solid_angles(
     exact: bool,
 ) -> NDArray[np.float64]: ...
 
+# lod ----------------------------------------------------------------------------------------------------------------
+def fit_4pl(
+    x: NDArray[np.float64],
+    y: NDArray[np.float64],
+    *,
+    count: int,
+    report: _Report | None = None,
+) -> tuple[NDArray[np.float64], list[str]]: ...
+
 # exr ----------------------------------------------------------------------------------------------------------------
 _Part = tuple[str, dict[str, NDArray[Any]], dict[str, str | tuple[float, float, float]]]
 

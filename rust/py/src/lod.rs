@@ -1,7 +1,8 @@
 //! Bindings of `lod`.
 
+use nearfar_core::base::Progress;
 use nearfar_core::lod::{self, Curve, Status, Unfit};
-use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::run;
@@ -19,6 +20,9 @@ fn name(status: Status) -> &'static str {
     }
 }
 
+/// Samples from which on fits may take more than a few milliseconds.
+const LONG: usize = 10_000;
+
 /// Rows of a, b, c, d and rms, and what became of each curve.
 #[pyfunction]
 #[pyo3(signature = (x, y, *, count, report=None))]
@@ -30,10 +34,14 @@ fn fit_4pl<'py>(
     report: Option<Py<PyAny>>,
 ) -> PyResult<(Bound<'py, PyArray2<f64>>, Vec<&'static str>)> {
     let (x, y) = (x.as_slice()?, y.as_slice()?);
-    let curves = run::long(py, report, |progress| lod::fit_4pl(x, y, count, progress))?;
+    let curves = if y.len() < LONG {
+        run::short(py, || lod::fit_4pl(x, y, count, &Progress::new()))
+    } else {
+        run::long(py, report, |progress| lod::fit_4pl(x, y, count, progress))
+    }?;
     let rows: Vec<f64> = curves.iter().flat_map(|&Curve { a, b, c, d, rms, .. }| [a, b, c, d, rms]).collect();
     let table = PyArray1::from_vec(py, rows);
-    Ok((numpy::PyArrayMethods::reshape(&table, [curves.len(), 5])?, curves.iter().map(|c| name(c.status)).collect()))
+    Ok((table.reshape([curves.len(), 5])?, curves.iter().map(|c| name(c.status)).collect()))
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -12,10 +12,10 @@ const STARTS: usize = 8;
 const NEARBY: f64 = 0.5;
 /// Values whose spread is this many units in the last place of the greatest are constant.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// The chance that (S/S₀)^((N−4)/2) is no more, for the residuals S of the curve and S₀ of the mean, is nearly this
-/// where two more parameters fit noise. Four that may choose where they bend fit more: with this number 95 of 100 curves
-/// of noise are flat.
-const CHANCE: f64 = 0.002;
+/// A curve with squared residuals S is flat where (S/S₀)^((N−2)/2), S₀ being those of the mean, is no less: the ratio of
+/// both likelihoods under normal noise, for N−2. With this number 95 of 100 curves of nothing but noise are flat: 97
+/// for up to 20 samples, 95 for 30 to 60, 92 for 400.
+const LIKELY: f64 = 0.01;
 /// Plateaus this many times as far apart as the values reach are not seen by the samples.
 const UNSEEN: f64 = 100.0;
 /// Samples with a lesser slope of the logistic function than this, of 1/4, lie on a plateau.
@@ -49,7 +49,7 @@ pub struct Curve {
     pub c: f64,
     /// y at infinity.
     pub d: f64,
-    /// Root of the mean squared residual.
+    /// Root of the mean squared residual; where values are constant no less than that.
     pub rms: f64,
     /// Whether and how far to trust it.
     pub status: Status,
@@ -98,7 +98,7 @@ pub(super) fn fit(frame: &Frame, y: &[f64], room: &mut Room) -> Curve {
     let samples = Samples { v: &frame.v, weight: &frame.weight, y: &room.packed, count };
     let best = descend_all(frame, &samples, total, &room.starts, &mut room.evaluated);
     let rms = scale * (best.sums.residual / count).sqrt();
-    if (best.sums.residual / total).powf(0.5 * (count - 4.0)) > CHANCE && count > 4.0 {
+    if (best.sums.residual / total).powf(0.5 * (count - 2.0)) >= LIKELY {
         return flat(scale * (total / count).sqrt(), Status::Flat);
     }
     let curve = unscaled(frame, &best, center + shift, scale);

@@ -1,0 +1,162 @@
+"""Curves of four parameters through samples, many at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _check, _core, _progress
+
+# What the kernel says, as status and reason.
+_OUTCOMES = {
+    "fitted": ("fitted", ""),
+    "step": ("step", "y changes between two samples, or with one in between: other b and c fit as well"),
+    "open": ("open", "the samples end before a plateau: a, c or d lies anywhere far away"),
+    "constant": ("flat", "all y are the same"),
+    "flat": ("flat", "the mean is as likely as the curve, given noise"),
+    "too few": ("unfittable", "fewer than 4 different x where x and y are finite"),
+    "negative": ("unfittable", "an x is below 0"),
+    "overflow": ("unfittable", "the parameters are beyond float64"),
+}
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Curve4PL:
+    """One curve y = d + (a−d) / (1 + (x/c)^b), or many: `fit_4pl` makes it.
+
+    `a, b, c, d = curve` gives the parameters, `curve(x)` the values, and `curve[k]` one curve of many. Parameters are
+    numbers for one curve and (K,) float64 for many, and so are the other fields.
+    """
+
+    a: Any
+    """y at x = 0."""
+    b: Any
+    """Steepness, always above 0: where y rises, a < d."""
+    c: Any
+    """Where y is halfway from a to d, above 0."""
+    d: Any
+    """y at x = ∞."""
+    rms: Any
+    """Root of the mean squared residual, in the unit of y."""
+    status: Any
+    """"fitted", "step", "open", "flat" or "unfittable", as `fit_4pl` says."""
+    reason: Any
+    """Why it is not "fitted", in words."""
+
+    @property
+    def ok(self) -> Any:
+        """Whether it is a curve at all, neither flat nor unfittable: bool, or (K,) of bool."""
+        ok = np.isin(self.status, ("fitted", "step", "open"))
+        return ok if ok.ndim else bool(ok)
+
+    def __iter__(self) -> Iterator[Any]:
+        """Parameters a, b, c, d."""
+        return iter((self.a, self.b, self.c, self.d))
+
+    def __getitem__(self, index: int) -> Curve4PL:
+        """One curve of many."""
+        if not isinstance(self.a, np.ndarray):
+            raise TypeError("curve: this is a single one")
+        parameters = [float(field[index]) for field in (*self, self.rms)]
+        return Curve4PL(*parameters, str(self.status[index]), str(self.reason[index]))
+
+    def __repr__(self) -> str:
+        if isinstance(self.a, np.ndarray):
+            return f"Curve4PL({len(self.a)} curves, {int(self.ok.sum())} ok)"
+        numbers = ", ".join(f"{name}={getattr(self, name):.6g}" for name in ("a", "b", "c", "d", "rms"))
+        return f"Curve4PL({numbers}, status={self.status!r})"
+
+    def __call__(self, x: ArrayLike) -> Any:
+        """Values at x.
+
+        Parameters
+        ----------
+        x
+            Any shape for one curve. For K curves (M,) that all share, or (K, M). At least 0; ∞ gives d, NaN gives NaN.
+
+        Returns
+        -------
+        float or NDArray
+            float64, of the shape of x; (K, M) for K curves. NaN where a curve is unfittable. Plateaus far outside the
+            samples cost no digits, which the formula as written would lose.
+        """
+        places = _check.array("x", x, columns=None, dtype=np.float64)
+        if (places < 0).any():
+            raise ValueError(f"x: expected numbers of at least 0, got {np.nanmin(places)}")
+        a, b, c, d = self
+        if isinstance(a, np.ndarray):
+            if places.ndim not in (1, 2) or (places.ndim == 2 and len(places) != len(a)):
+                raise ValueError(f"x: expected shape (M,) or ({len(a)}, M), got {places.shape}")
+            a, b, c, d = (field[:, None] for field in self)
+        with np.errstate(divide="ignore", over="ignore", under="ignore", invalid="ignore"):
+            ratio = places / c
+            near = np.abs(ratio - 1) < 0.5
+            steps = b * np.where(near, np.log1p((places - c) / c), np.log(places) - np.log(c))
+            small = np.exp(-np.abs(steps))
+            # From the plateau that is nearer, so that a far one is never taken off again.
+            share = small / (1 + small)
+            values = np.where(steps < 0, a + (d - a) * share, d + (a - d) * share)
+        return values if values.ndim else float(values)
+
+
+def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:
+    """Fit the four-parameter logistic curve of least squares, y = d + (a−d) / (1 + (x/c)^b), to one or many rows.
+
+    Parameters
+    ----------
+    x
+        (N,), which all rows share, or (K, N); at least 0, in any unit, such as solid angles in steradians.
+    y
+        (N,) or (K, N), in any unit, such as SSIM. Samples where x or y is NaN or infinite don't count: pad rows of
+        different lengths with NaN. Other types become float64, in which everything is computed.
+
+    Returns
+    -------
+    Curve4PL
+        With numbers where x and y are (N,), else with arrays (K,); `a, b, c, d = fit_4pl(x, y)`. Rising y has a < d:
+        b is always above 0. Bad data never raises; `status` says what became of each curve, and `reason` why:
+
+        - "fitted": the curve of least squares.
+        - "step": y changes between two samples, or with a single one in between. The residual is the least there is;
+          b and c are one choice of many.
+        - "open": the samples end before a plateau is reached (a and d are more than 100 times as far apart as y
+          reaches). The least residual is at infinity, and the curve is as good; call it instead of the formula.
+        - "flat": y is constant, or noise explains it nearly as well: (S/S₀)^((N−2)/2) ≥ 0.01 for the squared
+          residuals S of the curve and S₀ of the mean; of curves that are only noise, 92 to 97 in 100 are. a and d are
+          the mean, b is 1 and c the middle of the samples, so that it can be evaluated.
+        - "unfittable": fewer than 4 different x, or an x below 0. All parameters are NaN.
+
+        On data without noise parameters come back to 1e-9 of themselves where samples show both plateaus.
+
+    Raises
+    ------
+    ValueError
+        For shapes that don't fit.
+    TypeError
+        For values that are not real numbers.
+
+    References
+    ----------
+    Liebisch (2021), who fits it to SSIM over solid angles. Golub, Pereyra (1973): a and d follow from b and c.
+    """
+    places = _check.array("x", x, columns=None, dtype=np.float64)
+    values = _check.array("y", y, columns=None, dtype=np.float64)
+    if values.ndim not in (1, 2):
+        raise ValueError(f"y: expected shape (N,) or (K, N), got {values.shape}")
+    if places.ndim == 2 and values.ndim == 1 and places.shape[1:] == values.shape:
+        values = np.ascontiguousarray(np.broadcast_to(values, places.shape))
+    if places.shape not in (values.shape, values.shape[-1:]):
+        raise ValueError(f"x: expected shape {values.shape[-1:]} or {values.shape}, as y has, got {places.shape}")
+    rows, count = (1, *values.shape)[-2:]
+    if count:
+        with _progress.bar("fitting") as report:
+            table, outcomes = _core.fit_4pl(places.ravel(), values.ravel(), count=count, report=report)
+    else:
+        table, outcomes = np.full((rows, 5), np.nan), ["too few"] * rows
+    status, reason = (np.array([_OUTCOMES[name][n] for name in outcomes], dtype=np.str_) for n in (0, 1))
+    fitted = Curve4PL(*(column.copy() for column in table.T), status, reason)
+    return fitted if values.ndim == 2 else fitted[0]
