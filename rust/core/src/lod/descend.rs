@@ -59,6 +59,13 @@ impl Found {
         Self { line, sums: logistic::evaluate(samples, &line, room) }
     }
 
+    /// Gradient and second derivatives of half the residual, and the line by whose numbers they are.
+    #[cfg(test)]
+    pub(super) fn derivatives(&self, count: f64) -> ([f64; 2], [f64; 3], Line) {
+        let Local { line, gradient, hessian } = Local::new(self, count);
+        (gradient, hessian, line)
+    }
+
     /// True where a descent would end at the rival.
     fn leads_to(&self, rival: &Self) -> bool {
         let is_close = |v: f64| {

@@ -77,7 +77,8 @@ pub(super) fn fit(frame: &Frame, y: &[f64], room: &mut Room) -> Curve {
     let count = frame.order.len() as f64;
     let given = || frame.order.iter().map(|&n| y[n]);
     let (low, high) = given().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
-    let (center, scale) = (0.5 * low + 0.5 * high, 0.5 * high - 0.5 * low);
+    let scale = 0.5 * high - 0.5 * low;
+    let center = if low == high { low } else { 0.5 * low + 0.5 * high };
     // A mean of differences keeps digits of values that are large and close.
     let shift = given().map(|y| (y - center) / count).sum::<f64>();
     let flat = |rms: f64, status: Status| {

@@ -10,8 +10,8 @@ const ZERO: f64 = -1e30;
 pub(super) const FEWEST: usize = 4;
 /// ln c stays this close to the middle of the samples, so that c is a number.
 const FARTHEST_LN: f64 = 600.0;
-/// Between neighbours a transition this steep leaves 17 digits on one side of each.
-const SATURATED: f64 = 40.0;
+/// Neighbours on both sides of a transition this steep lie at the plateaus to 17 digits.
+const SATURATED: f64 = 80.0;
 
 /// Why no curve can be fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -118,6 +118,13 @@ pub(super) struct Room {
 }
 
 impl Room {
+    #[cfg(test)]
+    pub(super) fn sized(packs: usize) -> Self {
+        let mut room = Self::default();
+        room.resize(packs);
+        room
+    }
+
     pub(super) fn resize(&mut self, packs: usize) {
         let Self { p, r, first, first_u, second, second_u, u } = self;
         for array in [p, r, first, first_u, second, second_u, u] {
