@@ -36,10 +36,9 @@ pub(super) fn best(frame: &Frame, y: &[f64]) -> [Option<Start>; 2] {
             if share > 0.0 && share < 1.0 {
                 let explained = before * low + inside * middle + after * high;
                 let gap = (places[k] - places[k - 1]).min(places[k + 1] - places[k]);
-                keep(1, explained, &|| Line {
-                    level: (share / (1.0 - share)).ln(),
-                    rise: -STEEP / gap,
-                    origin: places[k],
+                keep(1, explained, &|| {
+                    let level = (share / (1.0 - share)).ln();
+                    Line { level, rise: -(STEEP + level.abs()) / gap, origin: places[k] }
                 });
             }
         }
