@@ -11,6 +11,8 @@ const ENOUGH: f64 = 1e-12;
 const ROUNDING: f64 = 1e-31;
 /// The longest step, in units of τ and of the logarithm of its rise.
 const LONGEST: f64 = 4.0;
+/// Beyond this τ samples lie at a plateau to 4 digits.
+const SEEN: f64 = 9.0;
 /// Lines whose τ differ by less, as a share, have the same descent.
 const CLOSE: f64 = 0.03;
 /// How many times what a step promises a descent may be hoped to bring.
@@ -70,7 +72,7 @@ impl Found {
     fn leads_to(&self, rival: &Self) -> bool {
         let is_close = |v: f64| {
             let (own, other) = (self.line.at(v), rival.line.at(v));
-            (own - other).abs() < CLOSE * (1.0 + other.abs())
+            (own - other).abs() < CLOSE * (1.0 + other.abs().min(SEEN))
         };
         is_close(-1.0) && is_close(1.0)
     }
