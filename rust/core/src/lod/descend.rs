@@ -164,8 +164,7 @@ pub(super) fn descend(
         if found.sums.residual <= floor || !(promise > ENOUGH * found.sums.residual) {
             break;
         }
-        let is_inner = step[0].abs().max(step[1].abs()) < radius;
-        if rival.is_some_and(|rival| found.leads_to(rival) || is_inner && found.is_lost(promise, rival)) {
+        if rival.is_some_and(|rival| found.leads_to(rival) || found.is_lost(promise, rival)) {
             break;
         }
         let line = Line { level: local.line.level + step[0], rise: local.line.rise * step[1].exp(), ..local.line };

@@ -13,6 +13,8 @@ const BLOCK: usize = 64;
 const GENTLEST: f64 = 0.25;
 /// From one rise to the next.
 const FACTOR: f64 = 1.7;
+/// Along ridges over rises, which are coarse, more than one place may be best: these leave as much more than the best.
+const RIDGE: f32 = 1.1;
 /// Transitions this much steeper than samples are dense lie between two of them: `steps` has those.
 const DENSE: f64 = 3.0;
 /// However many samples there are.
@@ -62,7 +64,8 @@ impl Grid {
         explain(&self.basis, y, explained);
     }
 
-    /// Calls `visit` with each curve that explains no less than its neighbours, and how much that is.
+    /// Calls `visit` with each curve that leaves no more than its neighbours of the same rise and hardly more than those
+    /// of other rises, and with how much it explains.
     pub(super) fn peaks(&self, explained: &[f32], mut visit: impl FnMut(f32, Line)) {
         for (k, level) in self.levels.iter().enumerate() {
             let Range { start, end } = level.columns;
@@ -72,7 +75,7 @@ impl Grid {
                     continue;
                 }
                 let middle = self.middles[n];
-                let is_bettered = |other: &Level| explained[self.nearest(other, middle)] > own;
+                let is_bettered = |other: &Level| 1.0 - own > RIDGE * (1.0 - explained[self.nearest(other, middle)]);
                 // The straight line is a neighbour of none: curves bend off it on both sides.
                 let gentler = self.levels[1..].get(k.wrapping_sub(2)).is_some_and(is_bettered);
                 let steeper = k > 0 && self.levels.get(k + 1).is_some_and(is_bettered);

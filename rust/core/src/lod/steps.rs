@@ -38,7 +38,7 @@ pub(super) fn best(frame: &Frame, y: &[f64]) -> [Option<Start>; 2] {
                 let gap = (places[k] - places[k - 1]).min(places[k + 1] - places[k]);
                 keep(1, explained, &|| {
                     let level = (share / (1.0 - share)).ln();
-                    Line { level, rise: -(STEEP + level.abs()) / gap, origin: places[k] }
+                    Line { level, rise: -2.0 * (STEEP + level.abs()) / gap, origin: places[k] }
                 });
             }
         }
