@@ -22,7 +22,7 @@ SIZES = np.geomspace(1e-4, 3, 30)
 """Solid angles in steradians."""
 
 
-def formula(x: Any, a: float, b: float, c: float, d: float) -> Any:
+def formula(x: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
     """The definition as written, in extended precision where x is."""
     return d + (a - d) / (1 + (x / c) ** b)
 

@@ -375,7 +375,7 @@ def fit_4pl(
     *,
     count: int,
     report: _Report | None = None,
-) -> tuple[NDArray[np.float64], list[str]]: ...
+) -> tuple[NDArray[np.float64], NDArray[np.uint8]]: ...
 
 # exr ----------------------------------------------------------------------------------------------------------------
 _Part = tuple[str, dict[str, NDArray[Any]], dict[str, str | tuple[float, float, float]]]

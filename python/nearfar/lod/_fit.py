@@ -7,21 +7,23 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from nearfar import _check, _core, _progress
 
-# What the kernel says, as status and reason.
-_OUTCOMES = {
-    "fitted": ("fitted", ""),
-    "step": ("step", "y changes between two samples, or with one in between: other b and c fit as well"),
-    "open": ("open", "the samples end before a plateau: a, c or d lies anywhere far away"),
-    "constant": ("flat", "all y are the same"),
-    "flat": ("flat", "the mean is as likely as the curve, given noise"),
-    "too few": ("unfittable", "fewer than 4 different x where x and y are finite"),
-    "negative": ("unfittable", "an x is below 0"),
-    "overflow": ("unfittable", "the parameters are beyond float64"),
-}
+# Status and reason by the kernel's number.
+_OUTCOMES = (
+    ("fitted", ""),
+    ("step", "y changes between two samples, or with one in between: other b and c fit as well"),
+    ("open", "the samples end before a plateau: a, c or d lies anywhere far away"),
+    ("flat", "all y are the same"),
+    ("flat", "the mean is as likely as the curve, given noise"),
+    ("unfittable", "fewer than 4 different x where x and y are finite"),
+    ("unfittable", "an x is below 0"),
+    ("unfittable", "the parameters are beyond float64"),
+)
+_STATUS, _REASON = (np.array(column) for column in zip(*_OUTCOMES, strict=True))
+_TOO_FEW = 5
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -61,8 +63,8 @@ class Curve4PL:
         """One curve of many."""
         if not isinstance(self.a, np.ndarray):
             raise TypeError("curve: this is a single one")
-        parameters = [float(field[index]) for field in (*self, self.rms)]
-        return Curve4PL(*parameters, str(self.status[index]), str(self.reason[index]))
+        a, b, c, d, rms = (float(field[index]) for field in (*self, self.rms))
+        return Curve4PL(a, b, c, d, rms, str(self.status[index]), str(self.reason[index]))
 
     def __repr__(self) -> str:
         if isinstance(self.a, np.ndarray):
@@ -156,7 +158,7 @@ def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:
         with _progress.bar("fitting") as report:
             table, outcomes = _core.fit_4pl(places.ravel(), values.ravel(), count=count, report=report)
     else:
-        table, outcomes = np.full((rows, 5), np.nan), ["too few"] * rows
-    status, reason = (np.array([_OUTCOMES[name][n] for name in outcomes], dtype=np.str_) for n in (0, 1))
-    fitted = Curve4PL(*(column.copy() for column in table.T), status, reason)
+        table, outcomes = np.full((rows, 5), np.nan), np.full(rows, _TOO_FEW, np.uint8)
+    a, b, c, d, rms = (column.copy() for column in table.T)
+    fitted = Curve4PL(a, b, c, d, rms, _STATUS[outcomes], _REASON[outcomes])
     return fitted if values.ndim == 2 else fitted[0]

@@ -7,16 +7,17 @@ use pyo3::prelude::*;
 
 use crate::run;
 
-fn name(status: Status) -> &'static str {
+/// The row of the table of outcomes in `nearfar.lod`.
+fn code(status: Status) -> u8 {
     match status {
-        Status::Fitted => "fitted",
-        Status::Step => "step",
-        Status::Open => "open",
-        Status::Constant => "constant",
-        Status::Flat => "flat",
-        Status::Unfit(Unfit::TooFew) => "too few",
-        Status::Unfit(Unfit::Negative) => "negative",
-        Status::Unfit(Unfit::Overflow) => "overflow",
+        Status::Fitted => 0,
+        Status::Step => 1,
+        Status::Open => 2,
+        Status::Constant => 3,
+        Status::Flat => 4,
+        Status::Unfit(Unfit::TooFew) => 5,
+        Status::Unfit(Unfit::Negative) => 6,
+        Status::Unfit(Unfit::Overflow) => 7,
     }
 }
 
@@ -32,7 +33,7 @@ fn fit_4pl<'py>(
     y: PyReadonlyArray1<'py, f64>,
     count: usize,
     report: Option<Py<PyAny>>,
-) -> PyResult<(Bound<'py, PyArray2<f64>>, Vec<&'static str>)> {
+) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u8>>)> {
     let (x, y) = (x.as_slice()?, y.as_slice()?);
     let curves = if y.len() < LONG {
         run::short(py, || lod::fit_4pl(x, y, count, &Progress::new()))
@@ -40,8 +41,8 @@ fn fit_4pl<'py>(
         run::long(py, report, |progress| lod::fit_4pl(x, y, count, progress))
     }?;
     let rows: Vec<f64> = curves.iter().flat_map(|&Curve { a, b, c, d, rms, .. }| [a, b, c, d, rms]).collect();
-    let table = PyArray1::from_vec(py, rows);
-    Ok((table.reshape([curves.len(), 5])?, curves.iter().map(|c| name(c.status)).collect()))
+    let table = PyArray1::from_vec(py, rows).reshape([curves.len(), 5])?;
+    Ok((table, PyArray1::from_iter(py, curves.iter().map(|curve| code(curve.status)))))
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -68,6 +68,11 @@ impl Found {
         (gradient, hessian, line)
     }
 
+    /// True where only rounding is left, so that nothing is better.
+    pub(super) fn is_exact(&self, samples: &Samples<'_>) -> bool {
+        self.sums.residual <= samples.count * ROUNDING
+    }
+
     /// True where a descent would end at the rival.
     fn leads_to(&self, rival: &Self) -> bool {
         let is_close = |v: f64| {
@@ -156,12 +161,11 @@ pub(super) fn descend(
     rival: Option<&Found>,
     room: &mut Room,
 ) -> Found {
-    let floor = samples.count * ROUNDING;
     let mut radius = 1.0;
     let mut local = Local::new(&found, samples.count);
     for _ in 0..STEPS {
         let (step, promise) = local.step(radius);
-        if found.sums.residual <= floor || !(promise > ENOUGH * found.sums.residual) {
+        if found.is_exact(samples) || !(promise > ENOUGH * found.sums.residual) {
             break;
         }
         if rival.is_some_and(|rival| found.leads_to(rival) || found.is_lost(promise, rival)) {

@@ -133,7 +133,7 @@ fn descend_all(frame: &Frame, samples: &Samples<'_>, total: f64, starts: &[Start
     for start in &starts[1..starts.len().min(STARTS)] {
         // The angle between y and what explains it; within NEARBY of it none is closer than this.
         let angle = (start.explained.clamp(0.0, 1.0).sqrt().acos() - NEARBY).max(0.0);
-        if angle.sin().powi(2) * total >= best.sums.residual {
+        if best.is_exact(samples) || angle.sin().powi(2) * total >= best.sums.residual {
             break;
         }
         let found = descended(start, Some(&best), room);

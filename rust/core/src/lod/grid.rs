@@ -199,11 +199,12 @@ widest! {
 /// Takes the mean off each column and scales it to length 1; a column of equal numbers becomes 0.
 #[inline(always)]
 fn normalize_kernel(basis: &mut [f32], columns: usize) {
-    let rows = basis.len() / columns;
-    for first in (0..columns).step_by(BLOCK) {
+    let (blocks, _) = basis.as_chunks_mut::<BLOCK>();
+    let (rows, across) = (blocks.len() * BLOCK / columns, columns / BLOCK);
+    for k in 0..across {
         let (mut mean, mut scale) = ([0.0f32; BLOCK], [0.0f32; BLOCK]);
         for n in 0..rows {
-            let row: &[f32; BLOCK] = basis[n * columns + first..][..BLOCK].as_array().expect("a block");
+            let row = &blocks[n * across + k];
             for i in 0..BLOCK {
                 mean[i] += row[i];
             }
@@ -212,7 +213,7 @@ fn normalize_kernel(basis: &mut [f32], columns: usize) {
             mean[i] /= rows as f32;
         }
         for n in 0..rows {
-            let row: &mut [f32; BLOCK] = basis[n * columns + first..][..BLOCK].as_mut_array().expect("a block");
+            let row = &mut blocks[n * across + k];
             for i in 0..BLOCK {
                 row[i] -= mean[i];
                 scale[i] += row[i] * row[i];
@@ -222,7 +223,7 @@ fn normalize_kernel(basis: &mut [f32], columns: usize) {
             scale[i] = if scale[i] > 0.0 { 1.0 / scale[i].sqrt() } else { 0.0 };
         }
         for n in 0..rows {
-            let row: &mut [f32; BLOCK] = basis[n * columns + first..][..BLOCK].as_mut_array().expect("a block");
+            let row = &mut blocks[n * across + k];
             for i in 0..BLOCK {
                 row[i] *= scale[i];
             }
@@ -236,19 +237,19 @@ widest! {
 
 #[inline(always)]
 fn explain_kernel(basis: &[f32], y: &[f32], explained: &mut [f32]) {
-    let columns = explained.len();
-    let (blocks, _) = explained.as_chunks_mut::<BLOCK>();
-    for (k, block) in blocks.iter_mut().enumerate() {
+    let (explained, _) = explained.as_chunks_mut::<BLOCK>();
+    let (blocks, _) = basis.as_chunks::<BLOCK>();
+    let across = explained.len();
+    for (k, share) in explained.iter_mut().enumerate() {
         let mut sums = [0.0f32; BLOCK];
         for n in 0..y.len() {
-            let start = n * columns + k * BLOCK;
-            let row: &[f32; BLOCK] = basis[start..start + BLOCK].as_array().expect("a block");
+            let row = &blocks[n * across + k];
             for i in 0..BLOCK {
                 sums[i] += y[n] * row[i];
             }
         }
         for i in 0..BLOCK {
-            block[i] = sums[i] * sums[i];
+            share[i] = sums[i] * sums[i];
         }
     }
 }
