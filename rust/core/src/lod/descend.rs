@@ -6,7 +6,7 @@ use super::logistic::{self, Line, Room, Samples, Sums};
 /// Steps of one descent; ten are usual.
 const STEPS: usize = 60;
 /// A step that promises less, as a share of the residual, is not taken.
-const ENOUGH: f64 = 1e-12;
+const ENOUGH: f64 = 1e-11;
 /// Residuals of numbers of size 1 that are only rounding, for each sample.
 const ROUNDING: f64 = 1e-31;
 /// The longest step, in units of τ and of the logarithm of its rise.
@@ -16,7 +16,7 @@ const SEEN: f64 = 9.0;
 /// Lines whose τ differ by less, as a share, have the same descent.
 const CLOSE: f64 = 0.03;
 /// How many times what a step promises a descent may be hoped to bring.
-const HOPE: f64 = 20.0;
+const HOPE: f64 = 8.0;
 /// How far in a tail all samples may lie: a plateau e²⁵ times as far away as the samples reach is as good as none.
 pub(super) const TAIL: f64 = 25.0;
 /// The least rise over the samples' half span: below, a curve is a straight line over ln x to ten digits.
