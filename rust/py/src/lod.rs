@@ -24,6 +24,9 @@ fn code(status: Status) -> u8 {
 /// Samples from which on fits may take more than a few milliseconds.
 const LONG: usize = 10_000;
 
+/// Rows of numbers, and a code for each.
+type Fits<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u8>>);
+
 /// Rows of a, b, c, d and rms, and what became of each curve.
 #[pyfunction]
 #[pyo3(signature = (x, y, *, count, report=None))]
@@ -33,7 +36,7 @@ fn fit_4pl<'py>(
     y: PyReadonlyArray1<'py, f64>,
     count: usize,
     report: Option<Py<PyAny>>,
-) -> PyResult<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u8>>)> {
+) -> PyResult<Fits<'py>> {
     let (x, y) = (x.as_slice()?, y.as_slice()?);
     let curves = if y.len() < LONG {
         run::short(py, || lod::fit_4pl(x, y, count, &Progress::new()))

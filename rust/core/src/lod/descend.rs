@@ -114,7 +114,8 @@ impl Local {
         let mixed = |i: usize| [q * plain[i], q * along[i] - slope[i]];
         let (by_level, by_rise) = (mixed(0), mixed(1));
         // d and q follow: Schur's complement of their 2 × 2 block, which is diagonal.
-        let schur = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] / count + a[1] * b[1] / square;
+        let per_square = if square > 0.0 { 1.0 / square } else { 0.0 };
+        let schur = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] / count + a[1] * b[1] * per_square;
         let second = |i: usize| q * (q * squared[i] - bend[i]);
         let rise = line.rise;
         let along_rise = -q * slope[1] * rise;
@@ -165,7 +166,7 @@ pub(super) fn descend(
     let mut local = Local::new(&found, samples.count);
     for _ in 0..STEPS {
         let (step, promise) = local.step(radius);
-        if found.is_exact(samples) || !(promise > ENOUGH * found.sums.residual) {
+        if found.is_exact(samples) || promise <= ENOUGH * found.sums.residual {
             break;
         }
         if rival.is_some_and(|rival| found.leads_to(rival) || found.is_lost(promise, rival)) {

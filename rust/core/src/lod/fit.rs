@@ -85,7 +85,7 @@ pub(super) fn fit(frame: &Frame, y: &[f64], room: &mut Room) -> Curve {
         let mean = center + shift;
         Curve { a: mean, b: 1.0, c: frame.x(0.0), d: mean, rms, status }
     };
-    if !(scale > ROUNDING * low.abs().max(high.abs())) {
+    if scale <= ROUNDING * low.abs().max(high.abs()) {
         return flat(scale, Status::Constant);
     }
     room.values.clear();

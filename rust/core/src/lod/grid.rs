@@ -154,8 +154,8 @@ widest! {
 fn exp_all_kernel(values: &mut [f64]) {
     let (packs, rest) = values.as_chunks_mut::<LANES>();
     for pack in packs {
-        for i in 0..LANES {
-            pack[i] = logistic::exp(pack[i]);
+        for value in pack {
+            *value = logistic::exp(*value);
         }
     }
     for value in rest {
@@ -180,8 +180,8 @@ fn fill_kernel(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize
                 let e = powers[n] * packs[k][i];
                 p[i] = if e < SATURATED { e as f32 } else { SATURATED as f32 };
             }
-            for i in 0..WIDTH {
-                p[i] = p[i] / (1.0 + p[i]);
+            for p in &mut p {
+                *p /= 1.0 + *p;
             }
             row_packs[k] = p;
         }
@@ -209,8 +209,8 @@ fn normalize_kernel(basis: &mut [f32], columns: usize) {
                 mean[i] += row[i];
             }
         }
-        for i in 0..BLOCK {
-            mean[i] /= rows as f32;
+        for mean in &mut mean {
+            *mean /= rows as f32;
         }
         for n in 0..rows {
             let row = &mut blocks[n * across + k];
@@ -219,8 +219,8 @@ fn normalize_kernel(basis: &mut [f32], columns: usize) {
                 scale[i] += row[i] * row[i];
             }
         }
-        for i in 0..BLOCK {
-            scale[i] = if scale[i] > 0.0 { 1.0 / scale[i].sqrt() } else { 0.0 };
+        for scale in &mut scale {
+            *scale = if *scale > 0.0 { 1.0 / scale.sqrt() } else { 0.0 };
         }
         for n in 0..rows {
             let row = &mut blocks[n * across + k];
