@@ -103,7 +103,7 @@ pub(super) fn fit(frame: &Frame, y: &[f64], room: &mut Room) -> Curve {
         return flat(scale * (total / count).sqrt(), Status::Flat);
     }
     let curve = unscaled(frame, &best, center + shift, scale);
-    if [curve.a, curve.c, curve.d].iter().all(|number| number.is_finite()) && curve.c > 0.0 {
+    if [curve.a, curve.c, curve.d - curve.a].iter().all(|number| number.is_finite()) && curve.c > 0.0 {
         Curve { rms, status: judged(frame, &best), ..curve }
     } else {
         Curve::unfit(Unfit::Overflow)
