@@ -1,5 +1,18 @@
 //! One kernel compiled for each width of vectors, chosen when it runs.
 
+/// Asks memory for values that are read soon: loads behind hundreds of instructions would wait for their turn.
+#[inline(always)]
+pub(crate) fn prefetch<P>(values: &[P]) {
+    #[cfg(target_arch = "x86_64")]
+    for from in (0..size_of_val(values)).step_by(64) {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: prefetching reads nothing; the address lies within the slice.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(values.as_ptr().cast::<i8>().add(from)) };
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = values;
+}
+
 /// Wraps an `#[inline(always)]` kernel in a function that runs it with the widest vectors of this machine.
 /// Multiplications and additions are never fused in Rust unless written so: every width gives the same bits.
 macro_rules! widest {

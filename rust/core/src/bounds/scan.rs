@@ -4,13 +4,16 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::Sphere;
-use crate::base::simd::widest;
+use crate::base::simd::{prefetch, widest};
 use crate::base::{Error, Result};
 
 /// Points that one task takes: fixed, so that results do not depend on the number of threads.
 const TILE: usize = 1 << 12;
 /// Points side by side.
 const LANES: usize = 8;
+
+/// Blocks from the one at work to the one that is asked of memory.
+const AHEAD: usize = 12;
 
 /// Directions along which extreme points are found: the axes and the space diagonals.
 const DIRECTIONS: usize = 7;
@@ -216,7 +219,8 @@ fn extremes<T: Real>(points: &[[T; 3]]) -> Extremes {
     // Zero times a value is zero, or NaN where the value is not finite.
     let mut zeros = [0.0; LANES];
     let (blocks, rest) = points.as_chunks::<LANES>();
-    for block in blocks {
+    for (n, block) in blocks.iter().enumerate() {
+        prefetch(blocks.get(n + AHEAD).unwrap_or(block));
         let lanes = gather(block);
         for i in 0..LANES {
             zeros[i] += 0.0 * (lanes[0][i] + lanes[1][i] + lanes[2][i]);
@@ -311,7 +315,8 @@ fn farthest<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, u
     // The greatest of each lane and its block; of equals the first.
     let (mut most, mut which) = ([f64::NEG_INFINITY; LANES], [0.0; LANES]);
     let mut number = 0.0;
-    for block in blocks {
+    for (n, block) in blocks.iter().enumerate() {
+        prefetch(blocks.get(n + AHEAD).unwrap_or(block));
         let squared = squares(block, origin, center);
         for i in 0..LANES {
             let farther = squared[i] > most[i];
@@ -346,7 +351,8 @@ fn beyond<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, 
             found.push([point[0].wide() - from[0], point[1].wide() - from[1], point[2].wide() - from[2]]);
         }
     };
-    for block in blocks {
+    for (n, block) in blocks.iter().enumerate() {
+        prefetch(blocks.get(n + AHEAD).unwrap_or(block));
         let squared = squares(block, from, middle);
         let mut greatest = 0.0;
         for value in squared {

@@ -7,7 +7,8 @@ use super::measure::{Measure, Measured, Row, Source};
 use super::moments::{COLUMNS, Kernels, Moments};
 use super::plane::{Part, Real, mirror};
 use super::similarity::{Counted, Mask, Pair, Sums};
-use super::vectors::{LANES, prefetch};
+use super::vectors::LANES;
+use crate::base::simd::prefetch;
 
 /// Rows of one task: fixed, so that sums do not depend on the number of threads.
 const ROWS: usize = 90;

@@ -8,7 +8,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::{Kind, Morph, blend, cylinder};
-use crate::base::simd::widest;
+use crate::base::simd::{prefetch, widest};
 
 /// Points of one task.
 const TILE: usize = 1 << 14;
@@ -154,19 +154,6 @@ fn in_tiles<T: Streamed>(
         opposed.fetch_add(count, Ordering::Relaxed);
     });
     opposed.into_inner()
-}
-
-/// Asks memory for a block, where the machine has an instruction for that.
-#[inline(always)]
-fn prefetch<T>(block: &[T; BLOCK]) {
-    #[cfg(target_arch = "x86_64")]
-    for line in (0..size_of_val(block)).step_by(64) {
-        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-        // SAFETY: every x86-64 has the instruction, and it reads nothing that the program could see.
-        unsafe { _mm_prefetch::<_MM_HINT_T0>(block.as_ptr().cast::<i8>().wrapping_add(line)) };
-    }
-    #[cfg(not(target_arch = "x86_64"))]
-    let _ = block;
 }
 
 /// Morphs the points of a block that are in doubt one by one.
