@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import importlib
 import importlib.util
 from collections.abc import Callable
@@ -11,12 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _measure import best, machine, table
+from _harness import OURS, Case, Work, compare, describe
+from _measure import machine
 
 COUNT = 10_000_000
 USER, CENTER, R1, R2 = (3.0, 1.0, 2.0), (0.0, 1.7, 0.0), 30.0, 50.0
-
-Job = Callable[[NDArray[Any]], NDArray[Any]]
 
 
 def numpy_morph(points: NDArray[Any], real: Any = np.float32) -> NDArray[Any]:
@@ -32,7 +32,7 @@ def numpy_morph(points: NDArray[Any], real: Any = np.float32) -> NDArray[Any]:
     return shown
 
 
-def numba_morph() -> Job:
+def numba_morph() -> Callable[..., NDArray[Any]]:
     numba = importlib.import_module("numba")
     (ux, uy, uz), (ox, oy, oz) = (tuple(map(np.float32, x)) for x in (USER, CENTER))
     r1, r2, one, zero = (np.float32(x) for x in (R1, R2, 1, 0))
@@ -51,49 +51,50 @@ def numba_morph() -> Job:
 
     kernel = numba.njit(parallel=True, fastmath=True)(body)
 
-    def morph(points: NDArray[Any]) -> NDArray[Any]:
-        shown = np.empty_like(points)
+    def morph(points: NDArray[Any], shown: NDArray[Any] | None = None) -> NDArray[Any]:
+        shown = np.empty_like(points) if shown is None else shown
         kernel(points, shown)
         return shown
 
     return morph
 
 
-def ours(r1: float = R1, r2: float = R2, kind: str = "blend") -> Job:
-    return lambda points: nf.morph(points, user=USER, center=CENTER, r1=r1, r2=r2, kind=kind)
+def ours(points: NDArray[Any], r1: float = R1, r2: float = R2, kind: str = "blend", out: Any = None) -> NDArray[Any]:
+    return nf.morph(points, user=USER, center=CENTER, r1=r1, r2=r2, kind=kind, out=out)
 
 
-def error(job: Job, points: NDArray[Any]) -> str:
-    """Greatest distance in metres from Eq. 1–3 in extended precision."""
-    few = points[:100_000]
-    return f"{np.abs(job(few) - numpy_morph(few, np.longdouble)).max():.1e}"
+def error(shown: NDArray[Any], points: NDArray[Any]) -> float:
+    """Greatest distance in metres from Eq. 1–3 in extended precision, of the first points."""
+    few = slice(100_000)
+    return float(np.abs(shown[few] - numpy_morph(points[few], np.longdouble)).max())
 
 
 def main() -> None:
     random = np.random.default_rng(0)
     points = (random.random((COUNT, 3), np.float32) - np.float32(0.5)) * np.float32(150)
     points[:, 1] += np.float32(40)
-    peers: list[tuple[str, Job, int]] = [("nearfar", ours(), 7), ("NumPy", numpy_morph, 2)]
-    if importlib.util.find_spec("numba"):
-        peers.append(("numba, parallel, fast-math", numba_morph(), 5))
-    copy = best(points.copy, repeat=7)
-    rows = [["np.copy (one thread)", f"{copy.wall * 1e3:.1f}", f"{copy.cpu * 1e3:.1f}", "1.0", "0"]]
-    cases = [(name, job, repeat, error(job, points)) for name, job, repeat in peers]
-    cases += [
-        ("nearfar, all inside r1", ours(200, 300), 7, "0"),
-        ("nearfar, all beyond r2", ours(0.1, 0.2), 7, "0 (rounded once)"),
-        ("nearfar, cylinder", ours(kind="cylinder"), 5, "-"),
+    kept = np.empty_like(points)
+    of = functools.partial(error, points=points)
+    cases = [
+        Case(OURS, lambda: ours(points), of, peer=False),
+        Case(f"{OURS}, out=", lambda: ours(points, out=kept), of, peer=False),
+        Case(f"{OURS}, all inside r1", lambda: ours(points, 200, 300), peer=False),
+        Case(f"{OURS}, all beyond r2", lambda: ours(points, 0.1, 0.2), peer=False),
+        Case(f"{OURS}, cylinder", lambda: ours(points, kind="cylinder"), peer=False),
+        Case("NumPy", lambda: numpy_morph(points), of),
+        Case("np.copy (one thread)", points.copy),
     ]
-    for name, job, repeat, distance in cases:
-        timing = best(lambda job=job: job(points), repeat=repeat)  # type: ignore[misc]
-        ratio = f"{timing.wall / copy.wall:.1f}"
-        rows.append([name, f"{timing.wall * 1e3:.1f}", f"{timing.cpu * 1e3:.1f}", ratio, distance])
-    double = points[: COUNT // 4].astype(np.float64)
-    timing = best(lambda: ours()(double))
-    rows.append(["nearfar, float64 (per 10⁷)", f"{timing.wall * 4e3:.1f}", f"{timing.cpu * 4e3:.1f}", "-", "-"])
+    if importlib.util.find_spec("numba"):
+        numba = numba_morph()
+        cases += [Case("numba, parallel, fast-math", lambda: numba(points), of)]
+        cases += [Case("numba, into an array at hand", lambda: numba(points, kept), of)]
     print(machine())
-    header = ["", "wall ms", "CPU ms", "wall / copy", "greatest error, m"]
-    print(table(f"Morph of {COUNT:,} float32 points, r1 = 30 m, r2 = 50 m, scattered over 150 m", header, rows))
+    print(describe())
+    title = "Morph of 10⁷ float32 points scattered over 150 m, r1 = 30 m, r2 = 50 m"
+    print(compare(title, cases, work=Work(bytes=2 * points.nbytes), unit="m"))
+    double = points[: COUNT // 4].astype(np.float64)
+    job = [Case(f"{OURS}, float64", lambda: ours(double), peer=False)]
+    print(compare("Morph of 2.5 · 10⁶ float64 points", job, work=Work(bytes=2 * double.nbytes)))
 
 
 if __name__ == "__main__":

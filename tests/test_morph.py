@@ -132,12 +132,35 @@ def test_points_on_the_axis_at_the_eye_and_above(kind: str) -> None:
 def test_opposed_directions_are_counted() -> None:
     points = np.tile([[40.0, 0.0, 0.0]], (100, 1))
     for given_points in (points.astype(np.float32), points):
-        shown, opposed = _core.morph(
-            given_points, user=(80.0, 0.0, 0.0), center=(0.0, 0.0, 0.0), r1=R1, r2=R2, kind="blend"
+        shown = np.empty_like(given_points)
+        opposed = _core.morph(
+            given_points, shown, user=(80.0, 0.0, 0.0), center=(0.0, 0.0, 0.0), r1=R1, r2=R2, kind="blend"
         )
         assert opposed == 100
         # The user's direction, at half of |P−U| + |P−O|.
         np.testing.assert_array_equal(shown, points)
+
+
+def test_results_are_written_where_the_caller_wants() -> None:
+    points = np.random.default_rng(0).uniform(-60, 60, (1000, 3))
+    where: dict[str, Any] = {"user": (3, 1, 2), "center": (0, 1.7, 0), "r1": R1, "r2": R2}
+    for given_points in (points.astype(np.float32), points):
+        out = np.empty_like(given_points)
+        assert nf.morph(given_points, out=out, **where) is out
+        np.testing.assert_array_equal(out, nf.morph(given_points, **where))
+    frozen = np.empty_like(points)
+    frozen.flags.writeable = False
+    for out, words in (
+        (points.astype(np.float32), r"out: expected \(1000, 3\) of float64, got \(1000, 3\) of float32"),
+        (points[:5].copy(), r"out: expected \(1000, 3\) of float64, got \(5, 3\)"),
+        (np.empty((3, 1000)).T, "out: expected a C-contiguous array that can be written"),
+        (frozen, "out: expected a C-contiguous array that can be written"),
+        (points, "out: expected memory of its own"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            nf.morph(points, out=out, **where)
+    with pytest.raises(TypeError, match="out: expected an array, got list"):
+        nf.morph(points, out=[], **where)  # type: ignore[arg-type]
 
 
 def cylinder_oracle(p: NDArray[Any], user: Any, center: Any, r1: float, r2: float) -> NDArray[np.float64]:

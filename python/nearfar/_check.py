@@ -60,6 +60,19 @@ def array(
     return np.require(given, wanted, ["C_CONTIGUOUS", "ALIGNED"])
 
 
+def output(name: str, value: NDArray[Any], given: NDArray[Any]) -> NDArray[Any]:
+    """Accept a caller's array for a result of the shape and type of what is given, apart from it in memory."""
+    if not isinstance(value, np.ndarray):
+        raise TypeError(f"{name}: expected an array, got {_what(value)}")
+    if value.shape != given.shape or value.dtype != given.dtype:
+        raise ValueError(f"{name}: expected {given.shape} of {given.dtype}, got {value.shape} of {value.dtype}")
+    if not (value.flags.c_contiguous and value.flags.aligned and value.flags.writeable):
+        raise ValueError(f"{name}: expected a C-contiguous array that can be written, got one that is not")
+    if np.may_share_memory(value, given):
+        raise ValueError(f"{name}: expected memory of its own, got that of the argument")
+    return value
+
+
 def vector(name: str, value: ArrayLike) -> tuple[float, float, float]:
     """Three finite numbers as float64, such as a position in metres; ValueError or TypeError otherwise."""
     given = _numbers(name, value)

@@ -171,13 +171,14 @@ class LoadCurve:
 # morph --------------------------------------------------------------------------------------------------------------
 def morph(
     points: NDArray[np.float32] | NDArray[np.float64],
+    shown: NDArray[Any],
     *,
     user: tuple[float, float, float],
     center: tuple[float, float, float],
     r1: float,
     r2: float,
     kind: str,
-) -> tuple[NDArray[np.float32] | NDArray[np.float64], int]: ...
+) -> int: ...
 
 # bend ---------------------------------------------------------------------------------------------------------------
 def bend_rays(

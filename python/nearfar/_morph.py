@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _check, _core
@@ -12,7 +13,14 @@ KINDS = ("blend", "cylinder")
 
 
 def morph(
-    points: ArrayLike, *, user: ArrayLike, center: ArrayLike, r1: float, r2: float, kind: str = "blend"
+    points: ArrayLike,
+    *,
+    user: ArrayLike,
+    center: ArrayLike,
+    r1: float,
+    r2: float,
+    kind: str = "blend",
+    out: NDArray[Any] | None = None,
 ) -> NDArray[Any]:
     """Show points where a continuous near–far partition shows them.
 
@@ -35,6 +43,9 @@ def morph(
         "blend": at the blend of the distances from user and centre; beyond r2 points are U + P − O, rounded once.
         "cylinder": where the blended direction leaves the vertical cylinder on which the point lies, or as "blend"
         where it doesn't (the user stands outside that cylinder, or looks straight up).
+    out
+        Where to write: a C-contiguous array of the shape and type of the result that shares no memory with `points`.
+        Frame after frame it saves the system's clearing of new memory, a third of the time for large arrays.
 
     Returns
     -------
@@ -46,7 +57,8 @@ def morph(
     Raises
     ------
     ValueError
-        For other shapes and kinds, radii out of order, and a user or centre that is not finite.
+        For other shapes and kinds, radii out of order, a user or centre that is not finite, and an `out` that does not
+        fit.
     TypeError
         For values that are not numbers.
 
@@ -56,8 +68,11 @@ def morph(
     """
     _check.choice("kind", kind, KINDS)
     near, far = radii_of(r1, r2, kind)
-    shown, _opposed = _core.morph(
-        _check.array("points", points),
+    given = _check.array("points", points)
+    shown = np.empty_like(given) if out is None else _check.output("out", out, given)
+    _core.morph(
+        given,
+        shown,
         user=_check.vector("user", user),
         center=_check.vector("center", center),
         r1=near,

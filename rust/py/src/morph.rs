@@ -3,16 +3,22 @@
 use glam::DVec3;
 use nearfar_core::base::{Error, Result};
 use nearfar_core::morph::{Kind, Morph};
-use numpy::{PyArray2, PyArrayMethods, PyReadonlyArray2};
-use pyo3::IntoPyObjectExt;
+use numpy::{PyReadonlyArray2, PyReadwriteArray2};
 use pyo3::prelude::*;
 
+use crate::errors::to_python;
 use crate::run;
 
 #[derive(FromPyObject)]
 enum Points<'py> {
     Single(PyReadonlyArray2<'py, f32>),
     Double(PyReadonlyArray2<'py, f64>),
+}
+
+#[derive(FromPyObject)]
+enum Shown<'py> {
+    Single(PyReadwriteArray2<'py, f32>),
+    Double(PyReadwriteArray2<'py, f64>),
 }
 
 pub(crate) fn kind(name: &str) -> Result<Kind> {
@@ -23,36 +29,31 @@ pub(crate) fn kind(name: &str) -> Result<Kind> {
     }
 }
 
-/// Morphed points, and how many of them user and centre see in opposite directions.
+/// Writes morphed points; tells how many of them user and centre see in opposite directions.
 #[pyfunction]
-#[pyo3(signature = (points, *, user, center, r1, r2, kind))]
+#[pyo3(signature = (points, shown, *, user, center, r1, r2, kind))]
+#[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
 fn morph<'py>(
     py: Python<'py>,
     points: Points<'py>,
+    shown: Shown<'py>,
     user: [f64; 3],
     center: [f64; 3],
     r1: f64,
     r2: f64,
     kind: &str,
-) -> PyResult<(Py<PyAny>, u64)> {
+) -> PyResult<u64> {
     let make = || Morph::new(DVec3::from_array(user), DVec3::from_array(center), r1, r2, self::kind(kind)?);
-    match &points {
-        Points::Single(points) => {
-            let rows = points.as_slice()?.as_chunks::<3>().0;
-            let shown = PyArray2::<f32>::zeros(py, [rows.len(), 3], false);
-            let mut write = shown.readwrite();
-            let to = write.as_slice_mut()?.as_chunks_mut::<3>().0;
-            let opposed = run::short(py, || Ok(make()?.apply_all_f32(rows, to)))?;
-            Ok((shown.into_py_any(py)?, opposed))
+    match (&points, shown) {
+        (Points::Single(points), Shown::Single(mut shown)) => {
+            let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, shown.as_slice_mut()?.as_chunks_mut::<3>().0);
+            run::short(py, || Ok(make()?.apply_all_f32(rows, to)))
         }
-        Points::Double(points) => {
-            let rows = points.as_slice()?.as_chunks::<3>().0;
-            let shown = PyArray2::<f64>::zeros(py, [rows.len(), 3], false);
-            let mut write = shown.readwrite();
-            let to = write.as_slice_mut()?.as_chunks_mut::<3>().0;
-            let opposed = run::short(py, || Ok(make()?.apply_all_f64(rows, to)))?;
-            Ok((shown.into_py_any(py)?, opposed))
+        (Points::Double(points), Shown::Double(mut shown)) => {
+            let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, shown.as_slice_mut()?.as_chunks_mut::<3>().0);
+            run::short(py, || Ok(make()?.apply_all_f64(rows, to)))
         }
+        _ => Err(to_python(Error::value("out", "the type of points", "another one"))),
     }
 }
 
