@@ -6,7 +6,8 @@ from nearfar._bounds import bounding_sphere, bounding_spheres, solid_angle
 from nearfar._camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._depth import depth_from_range, range_error, range_from_depth
 from nearfar._discontinuity import boundary, discontinuity
-from nearfar._envmap import EnvMap, cube_lookup
+from nearfar._cubemap import cube_lookup
+from nearfar._envmap import EnvMap
 from nearfar._errors import DeviceError, Error, FormatError, SceneError
 from nearfar._frame import Frame
 from nearfar._hmd import Hmd

@@ -10,10 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core, _exr, _formats
+from nearfar import _check, _exr, _formats
+from nearfar._cubemap import cube_lookup
 from nearfar._errors import FormatError
-
-FILTERS = ("nearest", "linear", "min", "max")
 
 FACES = ("px", "nx", "py", "ny", "pz", "nz")
 """Names of the faces in files."""
@@ -116,8 +115,8 @@ class EnvMap:
         if values is None:
             raise ValueError(f"channel: expected one of {', '.join(self.channels)}, which were baked, got {channel!r}")
         chosen = filter or ("linear" if channel == "color" else "nearest")
-        if channel == "range" and chosen == "linear":
-            raise ValueError("filter: expected 'nearest', 'min' or 'max' for range, got 'linear'")
+        if channel == "range" and chosen in ("linear", "cubic"):
+            raise ValueError(f"filter: expected 'nearest', 'min' or 'max' for range, got {chosen!r}")
         faces = values.astype(np.float32) if values.dtype == np.float16 else values
         return cube_lookup(faces, directions, filter=chosen)
 
@@ -216,62 +215,3 @@ def _kind(channel: str, values: Any) -> type[np.generic]:
     if channel == "object_id":
         return np.int32
     return np.float16 if channel == "range" and getattr(values, "dtype", None) == np.float16 else np.float32
-
-
-def cube_lookup(faces: ArrayLike, directions: ArrayLike, *, filter: str = "nearest") -> NDArray[Any]:  # noqa: A002
-    """Values of a cube map along directions.
-
-    Parameters
-    ----------
-    faces
-        (6, S, S) or (6, S, S, C), faces +x −x +y −y +z −z in the Vulkan/WebGPU orientation. float32 and float64 are
-        kept; integers can only be looked up with "nearest" and keep their type.
-    directions
-        (..., 3), of any length.
-    filter
-        "nearest": the texel that the direction passes through. "linear": bilinear, seamless across edges and corners,
-        whose error is as small there as inside a face. "min", "max": the least and greatest of the texels that
-        "linear" would mix, for ranges, which must not be averaged across a silhouette.
-
-    Returns
-    -------
-    NDArray
-        (...) or (..., C), in the type of `faces`. Where "linear" mixes an infinite value, the result is infinite.
-
-    Raises
-    ------
-    ValueError
-        For other shapes or filters, and for directions that are zero or not finite.
-    TypeError
-        For values that are not numbers.
-    """
-    _check.choice("filter", filter, FILTERS)
-    maps = _faces(faces)
-    along = _check.array("directions", directions, columns=None)
-    if along.ndim == 0 or along.shape[-1] != 3:
-        raise ValueError(f"directions: expected shape (..., 3), got {along.shape}")
-    rows = along.reshape(-1, 3)
-    if maps.dtype.kind in "iub":
-        if filter != "nearest":
-            raise ValueError(f"filter: expected 'nearest' for faces of type {maps.dtype}, got {filter!r}")
-        texels = _core.cube_texels(maps.shape[1], rows.astype(np.float64, copy=False))
-        values = maps.reshape(-1, *maps.shape[3:])[texels]
-    else:
-        deep = maps if maps.ndim == 4 else maps[..., None]
-        values = _core.cube_lookup(np.require(deep, None, ["C", "A"]), rows, filter)
-    return values.reshape(along.shape[:-1] + maps.shape[3:])
-
-
-def cube_directions(size: int) -> NDArray[np.float64]:
-    """Directions (6, S, S, 3) of the texel centres of a cube map, not normalised: the longest component is ±1."""
-    _check.integer("size", size, 1, 16384)
-    return _core.cube_directions(size).reshape(6, size, size, 3)
-
-
-def _faces(faces: ArrayLike) -> NDArray[Any]:
-    given = np.asarray(faces)
-    if given.dtype.kind not in "iub":
-        given = _check.array("faces", given, columns=None)
-    if given.ndim not in (3, 4) or given.shape[0] != 6 or given.shape[1] != given.shape[2] or given.shape[1] == 0:
-        raise ValueError(f"faces: expected shape (6, S, S) or (6, S, S, C), got {given.shape}")
-    return given

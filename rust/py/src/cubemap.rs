@@ -1,11 +1,11 @@
 //! Bindings of `cubemap`.
 
 use nearfar_core::base::{Error, Result};
-use nearfar_core::cubemap::{self, Faces, Filter, Real};
+use nearfar_core::cubemap::{self, Faces, Filter, Number};
 use numpy::{
-    Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray4, PyUntypedArrayMethods, ToPyArray,
+    Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray4, PyReadwriteArray2,
+    PyUntypedArrayMethods,
 };
-use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 
 use crate::run;
@@ -16,65 +16,93 @@ enum Directions<'py> {
     Double(PyReadonlyArray2<'py, f64>),
 }
 
+/// Faces (6, S, S, C) and the values (N, C) to be written, of one type.
 #[derive(FromPyObject)]
 enum Maps<'py> {
-    Single(PyReadonlyArray4<'py, f32>),
-    Double(PyReadonlyArray4<'py, f64>),
+    Single((PyReadonlyArray4<'py, f32>, PyReadwriteArray2<'py, f32>)),
+    Double((PyReadonlyArray4<'py, f64>, PyReadwriteArray2<'py, f64>)),
 }
 
-pub(crate) fn filter(name: &str) -> Result<Filter> {
+/// The same for anything that is copied, by its bytes.
+#[derive(FromPyObject)]
+enum Bits<'py> {
+    One((PyReadonlyArray4<'py, u8>, PyReadwriteArray2<'py, u8>)),
+    Two((PyReadonlyArray4<'py, u16>, PyReadwriteArray2<'py, u16>)),
+    Four((PyReadonlyArray4<'py, u32>, PyReadwriteArray2<'py, u32>)),
+    Eight((PyReadonlyArray4<'py, u64>, PyReadwriteArray2<'py, u64>)),
+}
+
+fn filter(name: &str) -> Result<Filter> {
     match name {
-        "nearest" => Ok(Filter::Nearest),
         "linear" => Ok(Filter::Linear),
+        "cubic" => Ok(Filter::Cubic),
         "min" => Ok(Filter::Min),
         "max" => Ok(Filter::Max),
-        _ => Err(Error::value("filter", "'nearest', 'linear', 'min' or 'max'", format!("'{name}'"))),
+        _ => Err(Error::value("filter", "'linear', 'cubic', 'min' or 'max'", format!("'{name}'"))),
     }
 }
 
-fn sample<'py, T: Real + Element, D: Real + Element>(
-    py: Python<'py>,
-    faces: &PyReadonlyArray4<'py, T>,
-    directions: &PyReadonlyArray2<'py, D>,
+fn faces<'a, T: Element + Copy>(array: &'a PyReadonlyArray4<'_, T>) -> PyResult<(&'a [T], u32, usize)> {
+    Ok((array.as_slice()?, u32::try_from(array.shape()[1]).unwrap_or(u32::MAX), array.shape()[3]))
+}
+
+/// Calls a kernel with the rows of directions, whatever their type.
+macro_rules! along {
+    ($directions:expr, $rows:ident => $call:expr) => {
+        match &$directions {
+            Directions::Single(array) => {
+                let $rows = array.as_slice()?.as_chunks::<3>().0;
+                $call
+            }
+            Directions::Double(array) => {
+                let $rows = array.as_slice()?.as_chunks::<3>().0;
+                $call
+            }
+        }
+    };
+}
+
+fn look<T: Number + Element>(
+    py: Python<'_>,
+    (maps, out): &mut (PyReadonlyArray4<'_, T>, PyReadwriteArray2<'_, T>),
+    directions: &Directions<'_>,
     name: &str,
-) -> PyResult<Py<PyAny>> {
-    let (size, channels) = (faces.shape()[1], faces.shape()[3]);
-    let (values, rows) = (faces.as_slice()?, directions.as_slice()?.as_chunks::<3>().0);
-    let out = run::short(py, || {
-        let faces = Faces::new(values, u32::try_from(size).unwrap_or(u32::MAX), channels)?;
-        let mut out = vec![T::from_f64(0.0); rows.len() * channels];
-        cubemap::lookup(faces, rows, filter(name)?, &mut out)?;
-        Ok(out)
-    })?;
-    let out: Bound<'py, PyArray2<T>> = PyArray1::from_vec(py, out).reshape([rows.len(), channels])?;
-    out.into_py_any(py)
+) -> PyResult<()> {
+    let (values, size, channels) = faces(maps)?;
+    let out = out.as_slice_mut()?;
+    along!(*directions, rows => run::short(py, || {
+        cubemap::lookup(Faces::new(values, size, channels)?, rows, filter(name)?, out)
+    }))
 }
 
-/// Values (N, C) of faces (6, S, S, C) along directions (N, 3), in the faces' type.
+fn pick<T: Element + Copy + Send + Sync>(
+    py: Python<'_>,
+    (maps, out): &mut (PyReadonlyArray4<'_, T>, PyReadwriteArray2<'_, T>),
+    directions: &Directions<'_>,
+) -> PyResult<()> {
+    let (values, size, channels) = faces(maps)?;
+    let out = out.as_slice_mut()?;
+    along!(*directions, rows => run::short(py, || cubemap::nearest(Faces::new(values, size, channels)?, rows, out)))
+}
+
+/// Filtered values along directions (N, 3).
 #[pyfunction]
-fn cube_lookup<'py>(
-    py: Python<'py>,
-    faces: Maps<'py>,
-    directions: Directions<'py>,
-    filter: &str,
-) -> PyResult<Py<PyAny>> {
-    match (&faces, &directions) {
-        (Maps::Single(faces), Directions::Single(directions)) => sample(py, faces, directions, filter),
-        (Maps::Single(faces), Directions::Double(directions)) => sample(py, faces, directions, filter),
-        (Maps::Double(faces), Directions::Single(directions)) => sample(py, faces, directions, filter),
-        (Maps::Double(faces), Directions::Double(directions)) => sample(py, faces, directions, filter),
+fn cube_lookup(py: Python<'_>, mut maps: Maps<'_>, directions: Directions<'_>, filter: &str) -> PyResult<()> {
+    match &mut maps {
+        Maps::Single(maps) => look(py, maps, &directions, filter),
+        Maps::Double(maps) => look(py, maps, &directions, filter),
     }
 }
 
-/// Number of the texel that each direction (N, 3) passes through.
+/// The texels that directions (N, 3) pass through.
 #[pyfunction]
-fn cube_texels<'py>(
-    py: Python<'py>,
-    size: u32,
-    directions: PyReadonlyArray2<'py, f64>,
-) -> PyResult<Bound<'py, PyArray1<u32>>> {
-    let rows = directions.as_slice()?.as_chunks::<3>().0;
-    Ok(run::short(py, || cubemap::texels(size, rows))?.to_pyarray(py))
+fn cube_nearest(py: Python<'_>, mut maps: Bits<'_>, directions: Directions<'_>) -> PyResult<()> {
+    match &mut maps {
+        Bits::One(maps) => pick(py, maps, &directions),
+        Bits::Two(maps) => pick(py, maps, &directions),
+        Bits::Four(maps) => pick(py, maps, &directions),
+        Bits::Eight(maps) => pick(py, maps, &directions),
+    }
 }
 
 /// Directions (6 S S, 3) of all texel centres; the longest component is 1 or -1.
@@ -86,6 +114,6 @@ fn cube_directions(py: Python<'_>, size: u32) -> PyResult<Bound<'_, PyArray2<f64
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(cube_lookup, module)?)?;
-    module.add_function(wrap_pyfunction!(cube_texels, module)?)?;
+    module.add_function(wrap_pyfunction!(cube_nearest, module)?)?;
     module.add_function(wrap_pyfunction!(cube_directions, module)?)
 }

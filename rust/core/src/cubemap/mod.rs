@@ -11,14 +11,20 @@
 //!
 //! Texels are numbered face by face, row by row: `(face * size + row) * size + column`.
 
+mod blocks;
+mod cubic;
 mod environment;
+mod faces;
 mod lookup;
 mod taps;
+#[cfg(test)]
+mod tests;
 
 use glam::DVec3;
 
 pub use environment::EnvironmentMap;
-pub use lookup::{Faces, Filter, Real, directions, lookup, texels};
+pub use faces::{Faces, Number, Real};
+pub use lookup::{Filter, directions, lookup, nearest, texels};
 pub use taps::Taps;
 
 /// Greatest edge of a face in texels: 6 × 16384² texels still have numbers below 2³².
@@ -72,45 +78,4 @@ pub fn texel_from_direction(d: DVec3, size: u32) -> u32 {
     // Casts of floats saturate: u = 1 is the only value that needs the upper bound.
     let index = |x: f64| (((x + 1.0) * 0.5 * f64::from(size)) as u32).min(size - 1);
     (u32::from(face) * size + index(v)) * size + index(u)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    #[test]
-    fn texels_and_directions_are_inverses() {
-        for size in [1, 2, 3, 7, 64] {
-            for texel in 0..6 * size * size {
-                let d = direction_from_texel(texel, size);
-                assert_eq!(d.abs().max_element(), 1.0);
-                assert_eq!(texel_from_direction(d, size), texel);
-                assert_eq!(texel_from_direction(d * 1e-300, size), texel);
-            }
-        }
-    }
-
-    #[test]
-    fn axes_are_the_centres_of_their_faces() {
-        let axes = [DVec3::X, -DVec3::X, DVec3::Y, -DVec3::Y, DVec3::Z, -DVec3::Z];
-        for (face, axis) in axes.into_iter().enumerate() {
-            assert_eq!(direction_from_face(face as u8, 0.0, 0.0), axis);
-            let (found, u, v) = face_from_direction(axis * 7.0);
-            assert_eq!((found, u.abs(), v.abs()), (face as u8, 0.0, 0.0));
-        }
-    }
-
-    proptest! {
-        #[test]
-        fn a_direction_survives_its_face(x in -1.0..1.0f64, y in -1.0..1.0f64, z in -1.0..1.0f64) {
-            let d = DVec3::new(x, y, z);
-            prop_assume!(d.abs().max_element() > 1e-9);
-            let (face, u, v) = face_from_direction(d);
-            prop_assert!(u.abs() <= 1.0 && v.abs() <= 1.0);
-            let back = direction_from_face(face, u, v) * d.abs().max_element();
-            // One division and one multiplication: two roundings of values up to 1.
-            prop_assert!((back - d).abs().max_element() <= 2.0 * f64::EPSILON);
-        }
-    }
 }

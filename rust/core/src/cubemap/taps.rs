@@ -92,7 +92,7 @@ fn below(position: f64, size: u32) -> (u32, f64) {
 }
 
 /// Axes from the largest component to the smallest.
-fn descending(size: DVec3) -> [usize; 3] {
+pub(super) fn descending(size: DVec3) -> [usize; 3] {
     let mut axes = [0, 1, 2];
     axes.sort_by(|&a, &b| size[b].total_cmp(&size[a]));
     axes

@@ -1,0 +1,97 @@
+//! Six faces of numbers, and the precisions in which they may be kept.
+
+use super::{MAX_SIZE, blocks::Streamed};
+use crate::base::{Error, Result};
+
+/// Float32 or float64.
+pub trait Real: Copy + PartialOrd + Send + Sync + 'static {
+    /// Widens exactly.
+    fn to_f64(self) -> f64;
+    /// Rounds once.
+    fn from_f64(value: f64) -> Self;
+}
+
+impl Real for f32 {
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        f64::from(self)
+    }
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        value as f32
+    }
+}
+
+impl Real for f64 {
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        value
+    }
+}
+
+/// Six faces of `size`² texels of `channels` values each.
+#[derive(Debug)]
+pub struct Faces<'a, T> {
+    pub(super) values: &'a [T],
+    pub(super) size: u32,
+    pub(super) channels: usize,
+}
+
+impl<T> Clone for Faces<'_, T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T> Copy for Faces<'_, T> {}
+
+impl<'a, T: Copy> Faces<'a, T> {
+    /// Checks that the values fill the faces.
+    pub fn new(values: &'a [T], size: u32, channels: usize) -> Result<Self> {
+        check_size(size)?;
+        let expected = 6 * size as usize * size as usize * channels;
+        if values.len() != expected {
+            return Err(Error::value("faces", format!("{expected} values for size {size}"), values.len()));
+        }
+        Ok(Self { values, size, channels })
+    }
+
+    /// The values of one texel.
+    #[inline]
+    pub(super) fn texel(&self, number: u32) -> &'a [T] {
+        &self.values[number as usize * self.channels..][..self.channels]
+    }
+
+    /// Fails unless `out` has room for a texel for each of `count` directions.
+    pub(super) fn check_out<U>(&self, out: &[U], count: usize) -> Result<()> {
+        if out.len() == count * self.channels {
+            return Ok(());
+        }
+        Err(Error::value("out", format!("{} values", count * self.channels), out.len()))
+    }
+}
+
+/// Fails for faces that have no texels or more than texel numbers can tell apart.
+pub(super) fn check_size(size: u32) -> Result<()> {
+    if (1..=MAX_SIZE).contains(&size) {
+        return Ok(());
+    }
+    Err(Error::value("faces", format!("1 to {MAX_SIZE} texels across a face"), size))
+}
+
+/// The first direction that is zero or not finite as an error, if there is one.
+pub(super) fn refuse(wrong: usize) -> Result<()> {
+    if wrong == usize::MAX {
+        return Ok(());
+    }
+    Err(Error::value("directions", "finite vectors other than zero", format!("something else at index {wrong}")))
+}
+
+/// What lookups ask of numbers: they come in blocks.
+pub trait Number: Real + Streamed {}
+impl Number for f32 {}
+impl Number for f64 {}

@@ -1,0 +1,179 @@
+use glam::DVec3;
+use proptest::prelude::*;
+
+use super::*;
+use crate::base::random::uniform;
+
+fn random_directions(count: u64, seed: u64) -> Vec<[f64; 3]> {
+    let mut directions: Vec<[f64; 3]> =
+        (0..count).map(|i| [0, 1, 2].map(|axis| 2.0 * uniform(seed, axis, i) - 1.0)).collect();
+    for (i, d) in directions.iter_mut().enumerate() {
+        // Edges, corners, and the centres and borders of texels.
+        match i % 11 {
+            0 => d[1] = -d[0],
+            1 => *d = d.map(f64::signum),
+            2 => *d = d.map(|x| (x * 8.0).round() / 8.0 + f64::from(u8::from(x == 0.0))),
+            _ => (),
+        }
+        if d.iter().all(|&x| x == 0.0) {
+            d[0] = 1.0;
+        }
+    }
+    directions
+}
+
+#[test]
+fn blocks_find_what_single_lookups_find_bit_for_bit() {
+    for (size, channels) in [(1, 1), (2, 3), (3, 2), (4, 1), (16, 3), (37, 5)] {
+        let values: Vec<f64> = (0..6 * u64::from(size * size) * channels).map(|i| uniform(9, 1, i)).collect();
+        let channels = channels as usize;
+        let faces = Faces::new(&values, size, channels).unwrap();
+        let directions = random_directions(1000, size.into());
+        let mut out = vec![0.0; directions.len() * channels];
+        nearest(faces, &directions, &mut out).unwrap();
+        let mut numbers = vec![0; directions.len()];
+        texels(size, &directions, &mut numbers).unwrap();
+        for (i, &d) in directions.iter().enumerate() {
+            let number = texel_from_direction(DVec3::from_array(d), size);
+            assert_eq!(numbers[i], number);
+            assert_eq!(out[i * channels..][..channels], *faces.texel(number));
+        }
+        lookup(faces, &directions, Filter::Linear, &mut out).unwrap();
+        let [mut least, mut greatest] = [out.clone(), out.clone()];
+        lookup(faces, &directions, Filter::Min, &mut least).unwrap();
+        lookup(faces, &directions, Filter::Max, &mut greatest).unwrap();
+        for (i, &d) in directions.iter().enumerate() {
+            let taps = Taps::new(DVec3::from_array(d), size);
+            for channel in 0..channels {
+                let term = |k: usize| faces.texel(taps.texel[k])[channel] * taps.weight[k];
+                let mean = (term(0) + term(1)) + (term(2) + term(3));
+                // A weight of the last digit at an outermost centre, which blocks keep within 0..1.
+                assert!((out[i * channels + channel] - mean).abs() <= 4.0 * f64::EPSILON);
+                let chosen = (0..4).filter(|&k| taps.weight[k] > 1e-12).map(|k| faces.texel(taps.texel[k])[channel]);
+                let (low, high) =
+                    chosen.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+                assert!(least[i * channels + channel] <= low && greatest[i * channels + channel] >= high);
+            }
+        }
+    }
+}
+
+#[test]
+fn least_and_greatest_bracket_the_mean_and_infinity_stays_out_of_weightless_texels() {
+    let size = 4;
+    let values: Vec<f32> = (0..96).map(|i| if i == 5 { f32::INFINITY } else { i as f32 }).collect();
+    let faces = Faces::new(&values, size, 1).unwrap();
+    let directions: Vec<[f64; 3]> = (0..96).map(|t| direction_from_texel(t, size).to_array()).collect();
+    let mut out = vec![0.0; 96];
+    for filter in [Filter::Linear, Filter::Min, Filter::Max] {
+        lookup(faces, &directions, filter, &mut out).unwrap();
+        // Powers of two: centres of inner texels are exact, so that no neighbour gets any weight.
+        assert_eq!(out[5..7], values[5..7]);
+    }
+    // Face +x, between texels 5, 6, 9 and 10.
+    let between = [[1.0, 0.01, 0.02f64]];
+    let [mut least, mut mean, mut greatest] = [[0.0], [0.0], [0.0]];
+    lookup(faces, &between, Filter::Min, &mut least).unwrap();
+    lookup(faces, &between, Filter::Linear, &mut mean).unwrap();
+    lookup(faces, &between, Filter::Max, &mut greatest).unwrap();
+    assert_eq!((least, mean[0], greatest), ([6.0], f32::INFINITY, [f32::INFINITY]));
+}
+
+#[test]
+fn refuses_what_has_no_direction() {
+    let values = [0.0f32; 6];
+    let faces = Faces::new(&values, 1, 1).unwrap();
+    let mut out = vec![0.0; 20_000];
+    for wrong in [[0.0; 3], [f64::NAN, 1.0, 0.0], [1.0, f64::INFINITY, 0.0], [0.0, 0.0, f64::NEG_INFINITY]] {
+        for place in [0, 63, 64, 8191, 8192, 19_999] {
+            let mut directions = vec![[1.0, 0.0, 0.0]; 20_000];
+            directions[place..].fill(wrong);
+            for filter in [Filter::Linear, Filter::Cubic, Filter::Min] {
+                let error = lookup(faces, &directions, filter, &mut out).unwrap_err();
+                assert!(error.to_string().contains(&format!("index {place}")), "{error}");
+            }
+            assert!(nearest(faces, &directions, &mut out).is_err());
+            assert!(texels(1, &directions, &mut vec![0; 20_000]).is_err());
+        }
+    }
+    assert!(Faces::new(&values, 0, 1).is_err() && Faces::new(&values, 2, 1).is_err());
+    assert!(lookup(faces, &[[1.0; 3]], Filter::Linear, &mut out).is_err());
+}
+
+#[test]
+fn a_table_of_what_lies_beyond_edges_changes_no_bit() {
+    let size = 6;
+    let values: Vec<f64> = (0..6 * 36 * 5).map(|i| uniform(2, 2, i)).collect();
+    let faces = Faces::new(&values, size, 5).unwrap();
+    let directions = random_directions(64, 4);
+    let [mut alone, mut tabled] = [vec![0.0; 64 * 5], vec![0.0; 64 * 5]];
+    lookup::Sampler::new(faces, Filter::Cubic, 0).sample(&directions, &mut alone);
+    lookup::Sampler::new(faces, Filter::Cubic, 1000).sample(&directions, &mut tabled);
+    assert_eq!(alone, tabled);
+}
+
+#[test]
+fn cubic_errors_fall_as_fast_at_seams_as_inside() {
+    let f = |d: DVec3| (1.7 * d.x - 0.6 * d.y).sin() + 0.8 * (2.1 * d.z + d.y).cos();
+    for size in [8, 16, 32, 64, 128] {
+        let values: Vec<f64> =
+            directions(size).unwrap().into_iter().map(|d| f(DVec3::from_array(d).normalize())).collect();
+        let faces = Faces::new(&values, size, 1).unwrap();
+        // All components equal or nearly so: a quarter near corners, a quarter near edges.
+        let mut directions = random_directions(40_000, 7);
+        for (i, d) in directions.iter_mut().enumerate() {
+            let near = |x: f64| x.signum() + 4.0 * x / f64::from(size);
+            match i % 4 {
+                0 => *d = d.map(near),
+                1 => *d = [near(d[0]), near(d[1]), d[2]],
+                _ => (),
+            }
+        }
+        let mut out = vec![0.0; directions.len()];
+        lookup(faces, &directions, Filter::Cubic, &mut out).unwrap();
+        let (mut seam, mut inside) = (0.0f64, 0.0f64);
+        for (&d, &value) in directions.iter().zip(&out) {
+            let d = DVec3::from_array(d);
+            let m = d.abs() / d.abs().max_element();
+            let second = m.x + m.y + m.z - 1.0 - m.min_element();
+            let worst = if second > 1.0 - 3.0 / f64::from(size) { &mut seam } else { &mut inside };
+            *worst = worst.max((value - f(d.normalize())).abs());
+        }
+        assert!(seam <= inside, "size {size}: {seam} at seams, {inside} inside");
+    }
+}
+
+#[test]
+fn texels_and_directions_are_inverses() {
+    for size in [1, 2, 3, 7, 64] {
+        for texel in 0..6 * size * size {
+            let d = direction_from_texel(texel, size);
+            assert_eq!(d.abs().max_element(), 1.0);
+            assert_eq!(texel_from_direction(d, size), texel);
+            assert_eq!(texel_from_direction(d * 1e-300, size), texel);
+        }
+    }
+}
+
+#[test]
+fn axes_are_the_centres_of_their_faces() {
+    let axes = [DVec3::X, -DVec3::X, DVec3::Y, -DVec3::Y, DVec3::Z, -DVec3::Z];
+    for (face, axis) in axes.into_iter().enumerate() {
+        assert_eq!(direction_from_face(face as u8, 0.0, 0.0), axis);
+        let (found, u, v) = face_from_direction(axis * 7.0);
+        assert_eq!((found, u.abs(), v.abs()), (face as u8, 0.0, 0.0));
+    }
+}
+
+proptest! {
+    #[test]
+    fn a_direction_survives_its_face(x in -1.0..1.0f64, y in -1.0..1.0f64, z in -1.0..1.0f64) {
+        let d = DVec3::new(x, y, z);
+        prop_assume!(d.abs().max_element() > 1e-9);
+        let (face, u, v) = face_from_direction(d);
+        prop_assert!(u.abs() <= 1.0 && v.abs() <= 1.0);
+        let back = direction_from_face(face, u, v) * d.abs().max_element();
+        // One division and one multiplication: two roundings of values up to 1.
+        prop_assert!((back - d).abs().max_element() <= 2.0 * f64::EPSILON);
+    }
+}
