@@ -7,6 +7,10 @@ use crate::base::simd::widest;
 /// Directions that go through the kernels together; their temporaries stay in the first-level cache.
 pub const BLOCK: usize = 64;
 
+/// 2⁵²: added to a number, it leaves the nearest whole one in the last bits. Casts of floats to integers saturate, for
+/// which there are no vector instructions.
+const UNITS: f64 = 4_503_599_627_370_496.0;
+
 /// One number for each direction of a block.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
@@ -68,7 +72,7 @@ fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
         d[1].0[i] = directions[i][1].to_f64();
         d[2].0[i] = directions[i][2].to_f64();
     }
-    let mut wrong = 0.0;
+    let mut wrong = 0u64;
     for i in 0..BLOCK {
         let (x, y, z) = (d[0].0[i], d[1].0[i], d[2].0[i]);
         let (ax, ay, az) = (x.abs(), y.abs(), z.abs());
@@ -88,7 +92,7 @@ fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
         out.v.0[i] = down / length;
         // A difference of infinities or NaN is not 0.
         let finite = ((x - x) + (y - y)) + (z - z) == 0.0;
-        wrong += if finite & (length > 0.0) { 0.0 } else { 1.0 };
+        wrong += u64::from(!(finite & (length > 0.0)));
     }
     wrong as u32
 }
@@ -104,7 +108,15 @@ impl Pierced {
 #[inline(always)]
 fn whole(position: f64, low: f64, high: f64) -> f64 {
     let raised = if position > low { position } else { low };
-    f64::from((if raised < high { raised } else { high }) as i32)
+    let kept = if raised < high { raised } else { high };
+    let nearest = (kept + UNITS) - UNITS;
+    nearest - if nearest > kept { 1.0 } else { 0.0 }
+}
+
+/// Number of a texel, all below 6 × 16384² < 2³².
+#[inline(always)]
+fn number(face: f64, row: f64, column: f64, edge: f64) -> u32 {
+    (((face * edge + row) * edge + column) + UNITS).to_bits() as u32
 }
 
 /// As `texel_from_direction`. Returns how many directions are zero or not finite.
@@ -116,8 +128,7 @@ fn find_texels<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut Lan
     for i in 0..BLOCK {
         let column = whole((at.u.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
         let row = whole((at.v.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
-        // Numbers below 6 × 16384² < 2³¹.
-        texel.0[i] = ((at.face.0[i] * edge + row) * edge + column) as i32 as u32;
+        texel.0[i] = number(at.face.0[i], row, column, edge);
     }
     wrong
 }
@@ -139,7 +150,7 @@ fn find_places<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, o
         let (s, t) = (if s > 0.0 { s } else { 0.0 }, if t > 0.0 { t } else { 0.0 });
         out.s.0[i] = if s < 1.0 { s } else { 1.0 };
         out.t.0[i] = if t < 1.0 { t } else { 1.0 };
-        out.first.0[i] = ((at.face.0[i] * edge + row) * edge + column) as i32 as u32;
+        out.first.0[i] = number(at.face.0[i], row, column, edge);
         // Written so that NaN is at a seam too.
         let inside = (u.abs() <= inner.limit) & (v.abs() <= inner.limit);
         out.seam.0[i] = u8::from(!inside);
