@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use super::blocks::keys;
 use super::faces::{Faces, Number};
 use super::taps::descending;
-use super::{center_of, direction_from_face, face_from_direction, texel_from_direction};
+use super::{along_face, center_of, direction_from_face, texel_from_direction};
 
 /// How far faces are continued, in texels.
 const DEPTH: i32 = 2;
@@ -100,19 +100,9 @@ fn nearness(component: f64, size: u32) -> f64 {
 
 /// The face on an axis and the direction's place on it, up to some way beyond its edges.
 fn on_axis(d: DVec3, axis: usize) -> (u8, f64, f64) {
-    let mut alone = DVec3::ZERO;
-    alone[axis] = d[axis];
-    let (face, _, _) = face_from_direction(alone);
-    let p = d / d[axis].abs();
-    let (right, down) = match face {
-        0 => (-p.z, -p.y),
-        1 => (p.z, -p.y),
-        2 => (p.x, p.z),
-        3 => (p.x, -p.z),
-        4 => (p.x, -p.y),
-        _ => (-p.x, -p.y),
-    };
-    (face, right, down)
+    let face = 2 * axis as u8 + u8::from(d[axis] < 0.0);
+    let (right, down, out) = along_face(face, d);
+    (face, right / out, down / out)
 }
 
 /// The texel before a position, −1 to size − 1, and Keys' weights of it, the one before and the two after it.

@@ -287,7 +287,8 @@ pub fn directions(size: u32) -> Result<Vec<[f64; 3]>> {
     Ok(texels.map(|texel| direction_from_texel(texel, size).to_array()).collect())
 }
 
-fn is_wrong<D: Real>(d: &[D; 3]) -> bool {
+/// Whether a direction is zero or not finite.
+pub(super) fn is_wrong<D: Real>(d: &[D; 3]) -> bool {
     let d = DVec3::from_array(d.map(Real::to_f64));
     !d.is_finite() || d == DVec3::ZERO
 }

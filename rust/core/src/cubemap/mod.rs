@@ -12,9 +12,11 @@
 //! Texels are numbered face by face, row by row: `(face * size + row) * size + column`.
 
 mod blocks;
+mod cone;
 mod cubic;
 mod environment;
 mod faces;
+mod footprint;
 mod lookup;
 mod taps;
 #[cfg(test)]
@@ -24,6 +26,7 @@ use glam::DVec3;
 
 pub use environment::EnvironmentMap;
 pub use faces::{Faces, Number, Real};
+pub use footprint::footprint;
 pub use lookup::{Filter, directions, lookup, nearest, texels};
 pub use taps::Taps;
 
@@ -40,6 +43,19 @@ pub fn direction_from_face(face: u8, u: f64, v: f64) -> DVec3 {
         3 => DVec3::new(u, -1.0, -v),
         4 => DVec3::new(u, -v, 1.0),
         _ => DVec3::new(-u, -v, -1.0),
+    }
+}
+
+/// Components of a vector to the right, down and out of a face.
+#[inline]
+pub fn along_face(face: u8, d: DVec3) -> (f64, f64, f64) {
+    match face {
+        0 => (-d.z, -d.y, d.x),
+        1 => (d.z, -d.y, -d.x),
+        2 => (d.x, d.z, d.y),
+        3 => (d.x, -d.z, -d.y),
+        4 => (d.x, -d.y, d.z),
+        _ => (-d.x, -d.y, -d.z),
     }
 }
 

@@ -177,3 +177,58 @@ proptest! {
         prop_assert!((back - d).abs().max_element() <= 2.0 * f64::EPSILON);
     }
 }
+
+/// Angle between a direction and a texel, by the nearest point of its four sides, halved until they are found.
+fn angle_to_texel(d: DVec3, texel: u32, size: u32) -> f64 {
+    if texel_from_direction(d, size) == texel {
+        return 0.0;
+    }
+    let (row, column) = (texel / size % size, texel % size);
+    let face = (texel / size / size) as u8;
+    let at = |x: u32| f64::from(x) * 2.0 / f64::from(size) - 1.0;
+    let corner = |i: u32, j: u32| direction_from_face(face, at(column + i), at(row + j));
+    let corners = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
+    (0..4).map(|k| angle_to_arc(d.normalize(), corners[k], corners[(k + 1) % 4])).fold(f64::INFINITY, f64::min)
+}
+
+fn angle_to_arc(d: DVec3, from: DVec3, to: DVec3) -> f64 {
+    let normal = from.cross(to).normalize();
+    let foot = d - normal * d.dot(normal);
+    let within = from.cross(foot).dot(normal) >= 0.0 && foot.cross(to).dot(normal) >= 0.0;
+    let angle = |p: DVec3| d.cross(p).length().atan2(d.dot(p));
+    if within && foot.length() > 1e-9 { angle(foot) } else { angle(from).min(angle(to)) }
+}
+
+proptest! {
+    #[test]
+    fn footprints_are_the_texels_that_cones_touch(
+        x in -1.0..1.0f64, y in -1.0..1.0f64, z in -1.0..1.0f64,
+        size in 1..24u32, kind in 0..8u8, radius in 0.0..1.57f64, scale in 0..4i32, seed in 0..99u64,
+    ) {
+        let d = match kind {
+            0 => DVec3::new(x, x, z),
+            1 => DVec3::new(x, -x, x),
+            2 => DVec3::new(x, 0.0, 0.0),
+            3 => DVec3::new(x, y, 0.0),
+            4 => direction_from_face(2, (x * 4.0).round() * 2.0 / f64::from(size), (y * 4.0).round() / f64::from(size)),
+            _ => DVec3::new(x, y, z),
+        };
+        prop_assume!(d.abs().max_element() > 1e-3);
+        let radius = radius * 0.1f64.powi(scale);
+        let values: Vec<f64> = (0..6 * u64::from(size * size)).map(|i| uniform(seed, 5, i)).collect();
+        let faces = Faces::new(&values, size, 1).unwrap();
+        let mut found = [[0.0], [0.0]];
+        footprint(faces, &[d.to_array()], radius, Filter::Min, &mut found[0]).unwrap();
+        footprint(faces, &[d.to_array()], radius, Filter::Max, &mut found[1]).unwrap();
+        // Cones are wider by 4e-15 / sin 2r, and by 6.4e-8 at most.
+        let margin = (4e-15 / (2.0 * radius).sin()).min(6.4e-8) + 1e-14;
+        let bounds = |radius: f64| {
+            let touched = values.iter().enumerate().filter(|&(i, _)| angle_to_texel(d, i as u32, size) <= radius);
+            touched.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (_, &x)| (low.min(x), high.max(x)))
+        };
+        let (inner, outer) = (bounds(radius - 1e-14), bounds(radius + margin));
+        let found = (found[0][0], found[1][0]);
+        prop_assert!(outer.0 <= found.0 && found.0 <= inner.0, "{found:?} {inner:?} {outer:?}");
+        prop_assert!(inner.1 <= found.1 && found.1 <= outer.1, "{found:?} {inner:?} {outer:?}");
+    }
+}

@@ -1,0 +1,182 @@
+//! The least and the greatest of the texels that cones touch.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::cone::{Cone, Rows};
+use super::faces::{Faces, Number, Real, refuse};
+use super::lookup::{Filter, is_wrong};
+use crate::base::{Error, Result};
+
+/// Texels across a cone from which on a level of halved size pays.
+const WIDE: f64 = 8.0;
+
+/// Directions handled by one task.
+const TILE: usize = 64;
+
+/// The least, or the greatest, of all texels that the cone of an angle about each direction touches. The angle is at
+/// least 0 and below 90°. Fails at a direction that is zero or not finite.
+pub fn footprint<T: Number, D: Number>(
+    faces: Faces<'_, T>,
+    directions: &[[D; 3]],
+    radius: f64,
+    filter: Filter,
+    out: &mut [T],
+) -> Result<()> {
+    if !(0.0..std::f64::consts::FRAC_PI_2).contains(&radius) {
+        return Err(Error::value("radius", "an angle of at least 0 and below 90°", radius));
+    }
+    faces.check_out(out, directions.len())?;
+    refuse(directions.par_iter().with_min_len(1 << 13).position_first(is_wrong).unwrap_or(usize::MAX))?;
+    if faces.channels == 0 {
+        return Ok(());
+    }
+    match filter {
+        Filter::Min => all(faces, directions, radius, |one, other| one < other, T::from_f64(f64::INFINITY), out),
+        Filter::Max => all(faces, directions, radius, |one, other| one > other, T::from_f64(f64::NEG_INFINITY), out),
+        _ => return Err(Error::value("filter", "the least or the greatest", format!("{filter:?}"))),
+    }
+    Ok(())
+}
+
+fn all<T: Number, D: Number>(
+    faces: Faces<'_, T>,
+    directions: &[[D; 3]],
+    radius: f64,
+    before: impl Fn(T, T) -> bool + Sync,
+    nothing: T,
+    out: &mut [T],
+) {
+    let pyramid = Pyramid::new(faces, radius, &before);
+    out.par_chunks_mut(TILE * faces.channels).zip(directions.par_chunks(TILE)).for_each(|(out, directions)| {
+        let mut scratch = Scratch::default();
+        for (out, d) in out.chunks_exact_mut(faces.channels).zip(directions) {
+            out.fill(nothing);
+            let cone = Cone::new(DVec3::from_array(d.map(Real::to_f64)), radius);
+            for face in 0..6 {
+                pyramid.visit(&cone, face, &mut scratch, |values| take(out, values, &before));
+            }
+        }
+    });
+}
+
+/// Replaces the values of texels that others come before.
+fn take<T: Copy>(out: &mut [T], values: &[T], before: &impl Fn(T, T) -> bool) {
+    for texel in values.chunks_exact(out.len()) {
+        for (chosen, &value) in out.iter_mut().zip(texel) {
+            if before(value, *chosen) {
+                *chosen = value;
+            }
+        }
+    }
+}
+
+/// Extremes of blocks of 1, 2 × 2, 4 × 4 … texels; the last ones of a row or column may be smaller.
+struct Pyramid<'a, T> {
+    faces: Faces<'a, T>,
+    /// Levels from 2 × 2 on: blocks across a face, and their values.
+    levels: Vec<(usize, Vec<T>)>,
+}
+
+/// What is found for one face, kept so that its memory is used again.
+#[derive(Default)]
+struct Scratch {
+    texels: Rows,
+    blocks: Vec<Rows>,
+}
+
+impl<'a, T: Number> Pyramid<'a, T> {
+    fn new(faces: Faces<'a, T>, radius: f64, before: &(impl Fn(T, T) -> bool + Sync)) -> Self {
+        let mut levels: Vec<(usize, Vec<T>)> = Vec::new();
+        let mut across = radius * f64::from(faces.size);
+        while across > WIDE {
+            across /= 2.0;
+            let (size, values) = match levels.last() {
+                Some((size, values)) => (*size, values.as_slice()),
+                None => (faces.size as usize, faces.values),
+            };
+            let halved = halve(values, size, faces.channels, before);
+            levels.push((size.div_ceil(2), halved));
+        }
+        Self { faces, levels }
+    }
+
+    /// Hands over, in pieces, all texels of a face that a cone touches, or blocks of them in their place.
+    fn visit(&self, cone: &Cone, face: u8, scratch: &mut Scratch, mut take: impl FnMut(&[T])) {
+        cone.touch(face, self.faces.size, &mut scratch.texels);
+        if scratch.texels.columns.is_empty() {
+            return;
+        }
+        scratch.blocks.resize_with(self.levels.len(), Rows::default);
+        for level in 0..self.levels.len() {
+            let (below, from) = scratch.blocks.split_at_mut(level);
+            let whole = below.last().unwrap_or(&scratch.texels);
+            coarsen(whole, self.size(level), &mut from[0]);
+        }
+        for level in 0..=self.levels.len() {
+            let rows = if level == 0 { &scratch.texels } else { &scratch.blocks[level - 1] };
+            let (size, channels) = (self.size(level), self.faces.channels);
+            let values = if level == 0 { self.faces.values } else { &self.levels[level - 1].1 };
+            let parents = scratch.blocks.get(level);
+            for (row, &(low, high)) in (rows.first..).zip(&rows.columns) {
+                let start = (usize::from(face) * size + row) * size;
+                let mut piece = |from: usize, to: usize| {
+                    if from < to {
+                        take(&values[(start + from) * channels..(start + to) * channels]);
+                    }
+                };
+                // What a block of the next level holds already is left out.
+                match parents.map(|parents| parents.columns[row / 2 - parents.first]) {
+                    Some((from, to)) if from < to => {
+                        piece(low, (2 * from).min(high));
+                        piece((2 * to).max(low), high);
+                    }
+                    _ => piece(low, high),
+                }
+            }
+        }
+    }
+
+    fn size(&self, level: usize) -> usize {
+        if level == 0 { self.faces.size as usize } else { self.levels[level - 1].0 }
+    }
+}
+
+/// Rows of blocks of the next level that lie wholly within rows of a level of some size.
+fn coarsen(rows: &Rows, size: usize, blocks: &mut Rows) {
+    blocks.first = rows.first / 2;
+    blocks.columns.clear();
+    let end = (rows.first + rows.columns.len()).div_ceil(2);
+    let columns = |row: usize| match row.checked_sub(rows.first).and_then(|index| rows.columns.get(index)) {
+        Some(&columns) => columns,
+        None if row < size => (0, 0),
+        // Beyond the face nothing is asked for.
+        None => (0, size),
+    };
+    for row in blocks.first..end {
+        let (one, other) = (columns(2 * row), columns(2 * row + 1));
+        let low = one.0.max(other.0).div_ceil(2);
+        let high = one.1.min(other.1);
+        blocks.columns.push((low, if high == size { size.div_ceil(2) } else { high / 2 }));
+    }
+}
+
+/// Extremes of 2 × 2 blocks of six faces.
+fn halve<T: Number>(values: &[T], size: usize, channels: usize, before: &(impl Fn(T, T) -> bool + Sync)) -> Vec<T> {
+    let half = size.div_ceil(2);
+    let row_length = size * channels;
+    let mut out = vec![T::from_f64(0.0); 6 * half * half * channels];
+    out.par_chunks_mut(half * channels).enumerate().for_each(|(index, out)| {
+        let first = index / half * size + index % half * 2;
+        let count = if index % half * 2 + 1 < size { 2 } else { 1 };
+        let rows = &values[first * row_length..][..count * row_length];
+        for (column, block) in out.chunks_exact_mut(channels).enumerate() {
+            block.copy_from_slice(&rows[2 * column * channels..][..channels]);
+            for row in rows.chunks_exact(row_length) {
+                let end = (2 * column + 2).min(size) * channels;
+                take(block, &row[2 * column * channels..end], before);
+            }
+        }
+    });
+    out
+}
