@@ -6,12 +6,13 @@ from nearfar._bounds import bounding_sphere, bounding_spheres, solid_angle
 from nearfar._camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._depth import depth_from_range, range_error, range_from_depth
 from nearfar._discontinuity import boundary, discontinuity
-from nearfar._cubemap import cube_lookup
+from nearfar._cubemap import cube_lookup, cube_mips, cube_solid_angles
 from nearfar._envmap import EnvMap
 from nearfar._errors import DeviceError, Error, FormatError, SceneError
 from nearfar._frame import Frame
 from nearfar._hmd import Hmd
 from nearfar._lens import ChromaticLens, RadialLens, corrected_solid_angle
+from nearfar._layouts import convert_envmap, envmap_directions, envmap_texels
 from nearfar._load_curve import LoadCurve, load_curve
 from nearfar._metrics import object_completion, psnr, rmse
 from nearfar._morph import morph
@@ -53,10 +54,15 @@ __all__ = [
     "bounding_spheres",
     "cast_rays",
     "corrected_solid_angle",
+    "convert_envmap",
     "cube_lookup",
+    "cube_mips",
+    "cube_solid_angles",
     "datasets",
     "depth_from_range",
     "discontinuity",
+    "envmap_directions",
+    "envmap_texels",
     "fold_margin",
     "hmd",
     "load_curve",

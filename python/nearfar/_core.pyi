@@ -220,9 +220,27 @@ def tessellate_arrays(
 ) -> dict[str, NDArray[Any]]: ...
 
 # cubemap ------------------------------------------------------------------------------------------------------------
-def cube_lookup(faces: NDArray[Any], directions: NDArray[Any], filter: str) -> NDArray[Any]: ...  # noqa: A002
-def cube_texels(size: int, directions: NDArray[np.float64]) -> NDArray[np.uint32]: ...
-def cube_directions(size: int) -> NDArray[np.float64]: ...
+_InOut = tuple[NDArray[Any], NDArray[Any]]
+_Shape = tuple[str, int, int]
+
+def cube_lookup(maps: _InOut, directions: NDArray[Any], filter: str) -> None: ...  # noqa: A002
+def cube_nearest(maps: _InOut, directions: NDArray[Any]) -> None: ...
+def cube_footprint(maps: _InOut, directions: NDArray[Any], filter: str, radius: float) -> None: ...  # noqa: A002
+def cube_next_level(levels: _InOut, filter: str) -> None: ...  # noqa: A002
+def cube_solid_angles(out: NDArray[np.float64]) -> None: ...
+def convert_envmap(
+    pictures: _InOut,
+    shapes: tuple[_Shape, _Shape],
+    *,
+    filter: str,  # noqa: A002
+    samples: int,
+    report: _Report | None = None,
+) -> None: ...
+def convert_envmap_nearest(
+    pictures: _InOut, shapes: tuple[_Shape, _Shape], *, report: _Report | None = None
+) -> None: ...
+def envmap_directions(shape: _Shape, out: NDArray[np.float64]) -> None: ...
+def envmap_texels(shape: _Shape, directions: NDArray[Any], out: NDArray[np.int64]) -> None: ...
 
 # render -------------------------------------------------------------------------------------------------------------
 def render_truth(

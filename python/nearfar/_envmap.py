@@ -87,7 +87,14 @@ class EnvMap:
         """Bytes of all channels."""
         return sum(getattr(self, name).nbytes for name in self.channels)
 
-    def sample(self, directions: ArrayLike, *, channel: str = "color", filter: str | None = None) -> NDArray[Any]:  # noqa: A002
+    def sample(
+        self,
+        directions: ArrayLike,
+        *,
+        channel: str = "color",
+        filter: str | None = None,  # noqa: A002
+        radius: float | None = None,
+    ) -> NDArray[Any]:
         """Values along directions; see `cube_lookup`.
 
         Parameters
@@ -97,8 +104,10 @@ class EnvMap:
         channel
             "color", "range" or "object_id".
         filter
-            As in `cube_lookup`. By default colour is "linear" and the others are "nearest"; ranges are never mixed
-            linearly, because a mean across a silhouette is the range of nothing.
+            As in `cube_lookup`. By default colour is "linear" and the others are "nearest"; ranges are never mixed,
+            because a mean across a silhouette is the range of nothing.
+        radius
+            As in `cube_lookup`: radians about each direction within which "min" and "max" look.
 
         Returns
         -------
@@ -118,7 +127,7 @@ class EnvMap:
         if channel == "range" and chosen in ("linear", "cubic"):
             raise ValueError(f"filter: expected 'nearest', 'min' or 'max' for range, got {chosen!r}")
         faces = values.astype(np.float32) if values.dtype == np.float16 else values
-        return cube_lookup(faces, directions, filter=chosen)
+        return cube_lookup(faces, directions, filter=chosen, radius=radius)
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
         """Write the map as an OpenEXR file, whole or not at all.

@@ -1,17 +1,17 @@
 //! Bindings of `cubemap`.
 
 use nearfar_core::base::{Error, Result};
-use nearfar_core::cubemap::{self, Faces, Filter, Number};
+use nearfar_core::cubemap::{self, Faces, Filter, Number, Reduction};
 use numpy::{
-    Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray4, PyReadwriteArray2,
-    PyUntypedArrayMethods,
+    Element, PyReadonlyArray2, PyReadonlyArray4, PyReadwriteArray2, PyReadwriteArray4, PyUntypedArrayMethods,
 };
 use pyo3::prelude::*;
 
+use crate::errors::to_python;
 use crate::run;
 
 #[derive(FromPyObject)]
-enum Directions<'py> {
+pub(crate) enum Directions<'py> {
     Single(PyReadonlyArray2<'py, f32>),
     Double(PyReadonlyArray2<'py, f64>),
 }
@@ -32,7 +32,7 @@ enum Bits<'py> {
     Eight((PyReadonlyArray4<'py, u64>, PyReadwriteArray2<'py, u64>)),
 }
 
-fn filter(name: &str) -> Result<Filter> {
+pub(crate) fn filter(name: &str) -> Result<Filter> {
     match name {
         "linear" => Ok(Filter::Linear),
         "cubic" => Ok(Filter::Cubic),
@@ -61,6 +61,8 @@ macro_rules! along {
         }
     };
 }
+
+pub(crate) use along;
 
 fn look<T: Number + Element>(
     py: Python<'_>,
@@ -105,15 +107,79 @@ fn cube_nearest(py: Python<'_>, mut maps: Bits<'_>, directions: Directions<'_>) 
     }
 }
 
-/// Directions (6 S S, 3) of all texel centres; the longest component is 1 or -1.
+/// The least or greatest of the texels that cones of an angle about directions (N, 3) touch.
 #[pyfunction]
-fn cube_directions(py: Python<'_>, size: u32) -> PyResult<Bound<'_, PyArray2<f64>>> {
-    let flat = run::short(py, || cubemap::directions(size))?;
-    PyArray1::from_vec(py, flat.into_flattened()).reshape([6 * (size as usize).pow(2), 3])
+fn cube_footprint(
+    py: Python<'_>,
+    mut maps: Maps<'_>,
+    directions: Directions<'_>,
+    filter: &str,
+    radius: f64,
+) -> PyResult<()> {
+    match &mut maps {
+        Maps::Single(maps) => touch(py, maps, &directions, filter, radius),
+        Maps::Double(maps) => touch(py, maps, &directions, filter, radius),
+    }
+}
+
+fn touch<T: Number + Element>(
+    py: Python<'_>,
+    (maps, out): &mut (PyReadonlyArray4<'_, T>, PyReadwriteArray2<'_, T>),
+    directions: &Directions<'_>,
+    name: &str,
+    radius: f64,
+) -> PyResult<()> {
+    let (values, size, channels) = faces(maps)?;
+    let out = out.as_slice_mut()?;
+    along!(*directions, rows => run::short(py, || {
+        cubemap::footprint(Faces::new(values, size, channels)?, rows, radius, filter(name)?, out)
+    }))
+}
+
+/// Faces (6, S, S, C) and those of the next level.
+#[derive(FromPyObject)]
+enum Levels<'py> {
+    Single((PyReadonlyArray4<'py, f32>, PyReadwriteArray4<'py, f32>)),
+    Double((PyReadonlyArray4<'py, f64>, PyReadwriteArray4<'py, f64>)),
+}
+
+/// Writes the next level of a cube map.
+#[pyfunction]
+fn cube_next_level(py: Python<'_>, mut levels: Levels<'_>, filter: &str) -> PyResult<()> {
+    match &mut levels {
+        Levels::Single(levels) => reduce(py, levels, filter),
+        Levels::Double(levels) => reduce(py, levels, filter),
+    }
+}
+
+fn reduce<T: Number + Element>(
+    py: Python<'_>,
+    (maps, out): &mut (PyReadonlyArray4<'_, T>, PyReadwriteArray4<'_, T>),
+    filter: &str,
+) -> PyResult<()> {
+    let reduction = match filter {
+        "mean" => Reduction::Mean,
+        "min" => Reduction::Min,
+        "max" => Reduction::Max,
+        _ => return Err(to_python(Error::value("filter", "'mean', 'min' or 'max'", format!("'{filter}'")))),
+    };
+    let (values, size, channels) = faces(maps)?;
+    let out = out.as_slice_mut()?;
+    run::short(py, || cubemap::next_level(Faces::new(values, size, channels)?, reduction, out))
+}
+
+/// Writes the solid angle of each texel of a face (S, S) in steradians.
+#[pyfunction]
+fn cube_solid_angles(py: Python<'_>, mut out: PyReadwriteArray2<'_, f64>) -> PyResult<()> {
+    let size = u32::try_from(out.shape()[0]).unwrap_or(u32::MAX);
+    let out = out.as_slice_mut()?;
+    run::short(py, || cubemap::solid_angles(size, out))
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(cube_lookup, module)?)?;
     module.add_function(wrap_pyfunction!(cube_nearest, module)?)?;
-    module.add_function(wrap_pyfunction!(cube_directions, module)?)
+    module.add_function(wrap_pyfunction!(cube_footprint, module)?)?;
+    module.add_function(wrap_pyfunction!(cube_next_level, module)?)?;
+    module.add_function(wrap_pyfunction!(cube_solid_angles, module)?)
 }

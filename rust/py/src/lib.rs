@@ -10,6 +10,7 @@ mod errors;
 mod exr;
 mod lens;
 mod lod;
+mod layout;
 mod metrics;
 mod morph;
 mod parts;
@@ -36,6 +37,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     bend::register(module)?;
     tessellate::register(module)?;
     cubemap::register(module)?;
+    layout::register(module)?;
     render::register(module)?;
     reduce::register(module)?;
     metrics::register(module)?;

@@ -238,7 +238,7 @@ mod tests {
             (1.7 * d.x - 0.6 * d.y).sin() + 0.8 * (2.1 * d.z + d.y).cos()
         };
         let worst = |size: u32| {
-            let directions = super::super::directions(size).unwrap();
+            let directions = super::super::tests::centers(size);
             let values: Vec<f64> = directions.into_iter().map(|d| f(DVec3::from_array(d))).collect();
             let faces = Faces::new(&values, size, 1).unwrap();
             let mut worst = 0.0f64;

@@ -5,10 +5,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::Taps;
 use super::blocks::{self, BLOCK, Inner, Lanes, Placed};
 use super::cubic::Rim;
-use super::faces::{Faces, Number, Real, check_size, refuse};
-use super::{Taps, direction_from_texel};
+use super::faces::{Faces, Number, Real, refuse};
 use crate::base::Result;
 
 /// Directions handled by one task.
@@ -170,7 +170,13 @@ fn gather_square<T: Copy>(faces: &Faces<'_, T>, first: &Lanes<u32>, channel: usi
 }
 
 /// One row of the 4 × 4 texels around each direction, one channel of each.
-fn gather_row<T: Copy>(faces: &Faces<'_, T>, first: &Lanes<u32>, row: usize, channel: usize, texels: &mut [Lanes<T>; 4]) {
+fn gather_row<T: Copy>(
+    faces: &Faces<'_, T>,
+    first: &Lanes<u32>,
+    row: usize,
+    channel: usize,
+    texels: &mut [Lanes<T>; 4],
+) {
     let (channels, size) = (faces.channels, faces.size as usize);
     for i in 0..BLOCK {
         // Inside a face there are a row and a column before the first texel.
@@ -264,27 +270,6 @@ fn nearest_of<T: Copy, D: Number, const CHANNELS: usize>(
         }
         wrong
     })
-}
-
-/// Number of the texel that each direction passes through.
-pub fn texels<D: Number>(size: u32, directions: &[[D; 3]], out: &mut [u32]) -> Result<()> {
-    check_size(size)?;
-    in_tiles(directions, out, 1, |directions, out| {
-        let mut texel = Lanes([0; BLOCK]);
-        in_blocks(directions, out, 1, |block, out| {
-            let wrong = D::find_texels(block, size, &mut texel);
-            let count = out.len();
-            out.copy_from_slice(&texel.0[..count]);
-            wrong
-        })
-    })
-}
-
-/// Directions of all texel centres in texel order; the longest component is ±1.
-pub fn directions(size: u32) -> Result<Vec<[f64; 3]>> {
-    check_size(size)?;
-    let texels = (0..6 * size * size).into_par_iter().with_min_len(TILE);
-    Ok(texels.map(|texel| direction_from_texel(texel, size).to_array()).collect())
 }
 
 /// Whether a direction is zero or not finite.

@@ -13,21 +13,29 @@
 
 mod blocks;
 mod cone;
+mod convert;
 mod cubic;
 mod environment;
 mod faces;
 mod footprint;
+mod layout;
 mod lookup;
+mod mips;
+mod solid;
 mod taps;
 #[cfg(test)]
 mod tests;
 
 use glam::DVec3;
 
+pub use convert::{Picture, convert, convert_nearest, grid_directions, grid_texels};
 pub use environment::EnvironmentMap;
 pub use faces::{Faces, Number, Real};
 pub use footprint::footprint;
-pub use lookup::{Filter, directions, lookup, nearest, texels};
+pub use layout::{Grid, Layout};
+pub use lookup::{Filter, lookup, nearest};
+pub use mips::{Reduction, next_level, next_size};
+pub use solid::solid_angles;
 pub use taps::Taps;
 
 /// Greatest edge of a face in texels: 6 × 16384² texels still have numbers below 2³².

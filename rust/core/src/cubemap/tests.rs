@@ -1,4 +1,4 @@
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 
 use super::*;
@@ -22,6 +22,16 @@ fn random_directions(count: u64, seed: u64) -> Vec<[f64; 3]> {
     directions
 }
 
+fn grid(size: u32) -> Grid {
+    Grid::new(Layout::Cube, size, size).unwrap()
+}
+
+pub(super) fn centers(size: u32) -> Vec<[f64; 3]> {
+    let mut directions = vec![[0.0; 3]; grid(size).texels()];
+    grid_directions(grid(size), &mut directions).unwrap();
+    directions
+}
+
 #[test]
 fn blocks_find_what_single_lookups_find_bit_for_bit() {
     for (size, channels) in [(1, 1), (2, 3), (3, 2), (4, 1), (16, 3), (37, 5)] {
@@ -31,11 +41,8 @@ fn blocks_find_what_single_lookups_find_bit_for_bit() {
         let directions = random_directions(1000, size.into());
         let mut out = vec![0.0; directions.len() * channels];
         nearest(faces, &directions, &mut out).unwrap();
-        let mut numbers = vec![0; directions.len()];
-        texels(size, &directions, &mut numbers).unwrap();
         for (i, &d) in directions.iter().enumerate() {
             let number = texel_from_direction(DVec3::from_array(d), size);
-            assert_eq!(numbers[i], number);
             assert_eq!(out[i * channels..][..channels], *faces.texel(number));
         }
         lookup(faces, &directions, Filter::Linear, &mut out).unwrap();
@@ -93,7 +100,7 @@ fn refuses_what_has_no_direction() {
                 assert!(error.to_string().contains(&format!("index {place}")), "{error}");
             }
             assert!(nearest(faces, &directions, &mut out).is_err());
-            assert!(texels(1, &directions, &mut vec![0; 20_000]).is_err());
+            assert!(grid_texels(grid(1), &directions, &mut vec![0; 20_000]).is_err());
         }
     }
     assert!(Faces::new(&values, 0, 1).is_err() && Faces::new(&values, 2, 1).is_err());
@@ -116,8 +123,7 @@ fn a_table_of_what_lies_beyond_edges_changes_no_bit() {
 fn cubic_errors_fall_as_fast_at_seams_as_inside() {
     let f = |d: DVec3| (1.7 * d.x - 0.6 * d.y).sin() + 0.8 * (2.1 * d.z + d.y).cos();
     for size in [8, 16, 32, 64, 128] {
-        let values: Vec<f64> =
-            directions(size).unwrap().into_iter().map(|d| f(DVec3::from_array(d).normalize())).collect();
+        let values: Vec<f64> = centers(size).into_iter().map(|d| f(DVec3::from_array(d).normalize())).collect();
         let faces = Faces::new(&values, size, 1).unwrap();
         // All components equal or nearly so: a quarter near corners, a quarter near edges.
         let mut directions = random_directions(40_000, 7);
@@ -230,5 +236,50 @@ proptest! {
         let found = (found[0][0], found[1][0]);
         prop_assert!(outer.0 <= found.0 && found.0 <= inner.0, "{found:?} {inner:?} {outer:?}");
         prop_assert!(inner.1 <= found.1 && found.1 <= outer.1, "{found:?} {inner:?} {outer:?}");
+    }
+}
+
+#[test]
+fn all_layouts_find_every_texel_by_its_centre() {
+    let sizes = [(Layout::Cube, 1, 1), (Layout::Cube, 7, 7), (Layout::Equirectangular, 1, 2)];
+    let more = [(Layout::Equirectangular, 9, 14), (Layout::Octahedral, 1, 1), (Layout::Octahedral, 10, 10)];
+    for (layout, height, width) in sizes.into_iter().chain(more).chain([(Layout::Octahedral, 7, 7)]) {
+        let grid = Grid::new(layout, height, width).unwrap();
+        let mut directions = vec![[0.0; 3]; grid.texels()];
+        grid_directions(grid, &mut directions).unwrap();
+        let mut numbers = vec![0; grid.texels()];
+        grid_texels(grid, &directions, &mut numbers).unwrap();
+        assert!(numbers.into_iter().eq(0..grid.texels() as i64), "{grid:?}");
+    }
+    assert!(Grid::new(Layout::Equirectangular, 2, 3).is_err() && Grid::new(Layout::Octahedral, 2, 3).is_err());
+    assert!(Grid::new(Layout::Cube, 0, 0).is_err() && Grid::new(Layout::Cube, MAX_SIZE + 1, MAX_SIZE + 1).is_err());
+}
+
+#[test]
+fn texels_beyond_the_edges_of_flat_layouts_lie_where_directions_go_on() {
+    for (layout, height, width) in [(Layout::Equirectangular, 8, 16), (Layout::Octahedral, 8, 8)] {
+        let grid = Grid::new(layout, height, width).unwrap();
+        for (row, column) in
+            [(-1, 3), (8, 5), (-2, 0), (9, 7), (2, -1), (5, -2), (3, width.into()), (6, width as i64 + 1)]
+        {
+            let number = grid.wrapped(row, column) as u32;
+            let center = |number: u32| DVec2::new((number % width).into(), (number / width).into()) + 0.5;
+            let inside = grid.direction(center(number)).normalize();
+            // Both formulas are followed beyond the edge: latitudes beyond 90° and folds that are folded back.
+            let p = DVec2::new(column as f64, row as f64) + 0.5;
+            let beyond = match layout {
+                Layout::Equirectangular => grid.direction(p),
+                _ => {
+                    let (x, y) = (p.x.clamp(0.0, 8.0), p.y.clamp(0.0, 8.0));
+                    let back = if p.x == x {
+                        DVec2::new(8.0 - p.x, 2.0 * y - p.y)
+                    } else {
+                        DVec2::new(2.0 * x - p.x, 8.0 - p.y)
+                    };
+                    grid.direction(back)
+                }
+            };
+            assert!((beyond.normalize() - inside).length() < 1e-12, "{layout:?} {row} {column}");
+        }
     }
 }

@@ -1,0 +1,180 @@
+"""Pictures of all directions: cubes, equirectangular and octahedral ones, and from one to another."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _check, _core, _progress
+from nearfar._cubemap import BITS, FILTERS, LIMIT, directions_of
+
+LAYOUTS = ("cube", "equirectangular", "octahedral")
+
+
+def convert_envmap(
+    values: ArrayLike,
+    *,
+    source: str,
+    target: str,
+    size: int | tuple[int, int],
+    filter: str = "linear",  # noqa: A002
+    samples: int = 1,
+) -> NDArray[Any]:
+    """Turn a picture of all directions into another layout.
+
+    Parameters
+    ----------
+    values
+        In the layout `source`, with or without channels behind; y is up. float32 and float64 are kept; integers can
+        only be converted with "nearest" and keep their type.
+
+        - "cube": (6, S, S), as in `cube_lookup`.
+        - "equirectangular": (H, W), W even. Row 0 lies about +y, columns go by longitude, the middle of the picture
+          looks along −z, +x is to the right of it (seen from inside).
+        - "octahedral": (S, S). The octahedron |x| + |y| + |z| = 1 seen from +y, x to the right and z down, the lower
+          half folded outwards: −y lies at all four corners.
+    source, target
+        Layouts.
+    size
+        Of the result: S; for "equirectangular" H, of W = 2 H, or (H, W).
+    filter
+        As in `cube_lookup`, in the source, and seamless in every layout: equirectangular pictures go on at the opposite
+        edge and beyond a pole at the opposite longitude, octahedral ones at each edge's other half.
+    samples
+        Look up n × n evenly spread directions for each texel and take their mean, or the least or greatest of them: so
+        that small results of large pictures do not alias. About the ratio of both sizes is enough. 1 with "nearest".
+
+    Returns
+    -------
+    NDArray
+        In the type of `values`. Look-ups are rounded to it before their mean is taken in float64.
+
+    Raises
+    ------
+    ValueError
+        For other shapes, layouts, sizes, filters.
+    TypeError
+        For values that are not numbers.
+
+    References
+    ----------
+    Cigolle et al. (2014), "A survey of efficient representations for independent unit vectors", for octahedra.
+    """
+    _check.choice("source", source, LAYOUTS)
+    _check.choice("filter", filter, FILTERS)
+    samples = _check.integer("samples", samples, 1, 256)
+    given = np.asarray(values)
+    if given.dtype.kind not in "iub":
+        given = _check.array("values", given, columns=None)
+    before, after = _given_shape(given, source), _shape("target", target, size)
+    count = 3 if source == "cube" else 2
+    if filter == "nearest" and samples > 1:
+        raise ValueError(f"samples: expected 1 with filter 'nearest', got {samples}")
+    if given.dtype.kind in "iub" and filter != "nearest":
+        raise ValueError(f"filter: expected 'nearest' for values of type {given.dtype}, got {filter!r}")
+    channels = int(np.prod(given.shape[count:], dtype=np.int64))
+    rows = np.require(given.reshape(-1, channels), None, ["C", "A"])
+    out: NDArray[Any] = np.empty((*_array_shape(after), *given.shape[count:]), given.dtype)
+    out_rows = out.reshape(-1, channels)
+    with _progress.bar("converting") as report:
+        if filter == "nearest":
+            bits = BITS[given.itemsize]
+            _core.convert_envmap_nearest((rows.view(bits), out_rows.view(bits)), (before, after), report=report)
+        else:
+            _core.convert_envmap((rows, out_rows), (before, after), filter=filter, samples=samples, report=report)
+    return out
+
+
+def envmap_directions(size: int | tuple[int, int], *, layout: str = "cube") -> NDArray[np.float64]:
+    """Directions of the texel centres of a picture of all directions.
+
+    Parameters
+    ----------
+    size
+        S of a cube or an octahedral picture; for "equirectangular" H, of W = 2 H, or (H, W).
+    layout
+        "cube", "equirectangular" or "octahedral", as in `convert_envmap`.
+
+    Returns
+    -------
+    NDArray
+        (6, S, S, 3), (H, W, 3) or (S, S, 3) float64. Not normalised: the longest component is ±1 in cubes, and the
+        sizes of all three add up to 1 in octahedral pictures.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For another layout, and sizes out of range.
+    """
+    shape = _shape("layout", layout, size)
+    directions = np.empty((*_array_shape(shape), 3))
+    _core.envmap_directions(shape, directions.reshape(-1, 3))
+    return directions
+
+
+def envmap_texels(directions: ArrayLike, *, size: int | tuple[int, int], layout: str = "cube") -> NDArray[np.int64]:
+    """Numbers of the texels that directions pass through: the inverse of `envmap_directions`.
+
+    Parameters
+    ----------
+    directions
+        (..., 3), of any length.
+    size, layout
+        As in `envmap_directions`.
+
+    Returns
+    -------
+    NDArray
+        (...) int64, counted row by row, and face by face in a cube: indices into the flattened picture.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For another layout, sizes out of range, directions that are zero or not finite.
+    """
+    shape = _shape("layout", layout, size)
+    rows, outer = directions_of(directions)
+    numbers = np.empty(len(rows), np.int64)
+    _core.envmap_texels(shape, rows, numbers)
+    return numbers.reshape(outer)
+
+
+def _given_shape(values: NDArray[Any], layout: str) -> tuple[str, int, int]:
+    """Layout, rows and columns of an array; ValueError where it does not fit the layout."""
+    shape = values.shape
+    if layout == "cube":
+        if len(shape) < 3 or shape[0] != 6 or shape[1] != shape[2] or not 1 <= shape[1] <= LIMIT:
+            raise ValueError(f"values: expected shape (6, S, S, ...), S up to {LIMIT}, for a cube, got {shape}")
+        return layout, shape[1], shape[2]
+    square = layout == "octahedral"
+    fits = len(shape) >= 2 and all(1 <= n <= 2 * LIMIT for n in shape[:2])
+    if not fits or (square and shape[0] != shape[1]) or (not square and shape[1] % 2):
+        expected = "(S, S, ...)" if square else "(H, W, ...) with an even W"
+        raise ValueError(f"values: expected shape {expected}, up to {2 * LIMIT}, for {layout}, got {shape}")
+    return layout, shape[0], shape[1]
+
+
+def _shape(name: str, layout: str, size: int | tuple[int, int]) -> tuple[str, int, int]:
+    """Layout, rows and columns."""
+    _check.choice(name, layout, LAYOUTS)
+    limit = LIMIT if layout == "cube" else 2 * LIMIT
+    if layout != "equirectangular":
+        edge = _check.integer("size", size, 1, limit)  # type: ignore[arg-type]
+        return layout, edge, edge
+    if isinstance(size, tuple | list):
+        if len(size) != 2:
+            raise ValueError(f"size: expected (H, W), got {len(size)} numbers")
+        height, width = (_check.integer("size", n, 1, limit) for n in size)
+    else:
+        height = _check.integer("size", size, 1, LIMIT)
+        width = 2 * height
+    if width % 2:
+        raise ValueError(f"size: expected an even W, got {width}")
+    return layout, height, width
+
+
+def _array_shape(shape: tuple[str, int, int]) -> tuple[int, ...]:
+    layout, height, width = shape
+    return (6, height, width) if layout == "cube" else (height, width)

@@ -1,0 +1,209 @@
+//! From one layout to another, and lookups in layouts without faces.
+
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+
+use super::blocks::keys;
+use super::faces::{Faces, Number, Real};
+use super::layout::{Grid, Layout, Rows};
+use super::lookup::{Filter, Sampler, in_tiles, is_wrong};
+use crate::base::{Error, Progress, Result};
+
+/// Texels whose directions are made and looked up together.
+const SEGMENT: usize = 512;
+
+/// A picture of all directions.
+#[derive(Clone, Copy, Debug)]
+pub struct Picture<'a, T> {
+    grid: Grid,
+    values: &'a [T],
+    channels: usize,
+}
+
+impl<'a, T> Picture<'a, T> {
+    /// Checks that the values fill the grid.
+    pub fn new(grid: Grid, values: &'a [T], channels: usize) -> Result<Self> {
+        let expected = grid.texels() * channels;
+        if values.len() != expected {
+            return Err(Error::value("values", format!("{expected} values"), values.len()));
+        }
+        Ok(Self { grid, values, channels })
+    }
+}
+
+/// Lookups in a picture of any layout.
+enum Source<'a, T> {
+    Cube(Sampler<'a, T>),
+    Flat(Picture<'a, T>, Filter),
+}
+
+impl<'a, T: Number> Source<'a, T> {
+    fn new(picture: Picture<'a, T>, filter: Filter, count: usize) -> Result<Self> {
+        if picture.grid.layout != Layout::Cube {
+            return Ok(Self::Flat(picture, filter));
+        }
+        let faces = Faces::new(picture.values, picture.grid.width, picture.channels)?;
+        Ok(Self::Cube(Sampler::new(faces, filter, count)))
+    }
+
+    /// Writes values along directions that are finite and not zero.
+    fn sample(&self, directions: &[[f64; 3]], out: &mut [T]) {
+        match self {
+            Self::Cube(sampler) => {
+                sampler.sample(directions, out);
+            }
+            Self::Flat(picture, filter) => {
+                for (d, out) in directions.iter().zip(out.chunks_exact_mut(picture.channels)) {
+                    picture.sample(DVec3::from_array(*d), *filter, out);
+                }
+            }
+        }
+    }
+}
+
+impl<T: Number> Picture<'_, T> {
+    /// Writes the value along a direction in a layout without faces.
+    fn sample(&self, d: DVec3, filter: Filter, out: &mut [T]) {
+        let p = self.grid.position(d) - 0.5;
+        let before = p.floor();
+        let (s, t) = (p.x - before.x, p.y - before.y);
+        let (across, down) =
+            if filter == Filter::Cubic { (keys(s), keys(t)) } else { ([0.0, 1.0 - s, s, 0.0], [0.0, 1.0 - t, t, 0.0]) };
+        let mut taps = [(0usize, 0.0f64); 16];
+        let mut count = 0;
+        for (row, y) in (before.y as i64 - 1..).zip(down) {
+            for (column, x) in (before.x as i64 - 1..).zip(across) {
+                // Those without weight are left out, because 0 times infinity is NaN.
+                if x * y != 0.0 {
+                    taps[count] = (self.grid.wrapped(row, column) * self.channels, x * y);
+                    count += 1;
+                }
+            }
+        }
+        for (channel, value) in out.iter_mut().enumerate() {
+            let texels = taps[..count].iter().map(|&(start, weight)| (self.values[start + channel], weight));
+            *value = match filter {
+                Filter::Min => first(texels, |one, other| one < other),
+                Filter::Max => first(texels, |one, other| one > other),
+                _ => T::from_f64(texels.map(|(texel, weight)| texel.to_f64() * weight).sum()),
+            };
+        }
+    }
+}
+
+/// The value that comes before all others; 0 of none.
+fn first<T: Number>(texels: impl Iterator<Item = (T, f64)>, before: impl Fn(T, T) -> bool) -> T {
+    let chosen =
+        texels.map(|(texel, _)| texel).reduce(|chosen, texel| if before(texel, chosen) { texel } else { chosen });
+    chosen.unwrap_or(T::from_f64(0.0))
+}
+
+/// Writes a picture in another layout. Each texel is looked up at `samples`² places, evenly spread, of which the mean is
+/// taken, or the least or greatest.
+pub fn convert<T: Number>(
+    picture: Picture<'_, T>,
+    target: Grid,
+    filter: Filter,
+    samples: u32,
+    out: &mut [T],
+    progress: &Progress,
+) -> Result<()> {
+    let channels = picture.channels;
+    check_out(target, channels, out)?;
+    if channels == 0 {
+        return Ok(());
+    }
+    let within = |k: u32| (f64::from(k) + 0.5) / f64::from(samples);
+    let places = (0..samples).flat_map(|j| (0..samples).map(move |i| DVec2::new(within(i), within(j))));
+    let rows: Vec<Rows> = places.map(|within| Rows::new(target, within)).collect();
+    let source = Source::new(picture, filter, target.texels() * rows.len())?;
+    progress.expect(target.rows().into());
+    out.par_chunks_mut(target.width as usize * channels).zip(0..target.rows()).try_for_each(|(out, row)| {
+        let mut directions = [[0.0; 3]; SEGMENT];
+        let mut values = vec![T::from_f64(0.0); SEGMENT * channels];
+        let mut sums = vec![0.0; SEGMENT * channels];
+        for (segment, out) in out.chunks_mut(SEGMENT * channels).enumerate() {
+            let directions = &mut directions[..out.len() / channels];
+            let (values, sums) = (&mut values[..out.len()], &mut sums[..out.len()]);
+            for (sample, rows) in rows.iter().enumerate() {
+                rows.write(row, (segment * SEGMENT) as u32, directions);
+                source.sample(directions, values);
+                for (sum, value) in sums.iter_mut().zip(&*values) {
+                    let value = value.to_f64();
+                    *sum = match filter {
+                        _ if sample == 0 => value,
+                        Filter::Min => sum.min(value),
+                        Filter::Max => sum.max(value),
+                        _ => *sum + value,
+                    };
+                }
+            }
+            let is_mean = matches!(filter, Filter::Linear | Filter::Cubic);
+            let share = if is_mean { rows.len() as f64 } else { 1.0 };
+            for (value, sum) in out.iter_mut().zip(&*sums) {
+                *value = T::from_f64(sum / share);
+            }
+        }
+        progress.report(1)
+    })
+}
+
+/// Writes a picture of anything in another layout: for each texel the one that its centre falls into.
+pub fn convert_nearest<T: Copy + Send + Sync>(
+    picture: Picture<'_, T>,
+    target: Grid,
+    out: &mut [T],
+    progress: &Progress,
+) -> Result<()> {
+    let channels = picture.channels;
+    check_out(target, channels, out)?;
+    if channels == 0 {
+        return Ok(());
+    }
+    let rows = Rows::new(target, DVec2::splat(0.5));
+    progress.expect(target.rows().into());
+    out.par_chunks_mut(target.width as usize * channels).zip(0..target.rows()).try_for_each(|(out, row)| {
+        let mut directions = [[0.0; 3]; SEGMENT];
+        for (segment, out) in out.chunks_mut(SEGMENT * channels).enumerate() {
+            let directions = &mut directions[..out.len() / channels];
+            rows.write(row, (segment * SEGMENT) as u32, directions);
+            for (d, out) in directions.iter().zip(out.chunks_exact_mut(channels)) {
+                let start = picture.grid.texel(DVec3::from_array(*d)) as usize * channels;
+                out.copy_from_slice(&picture.values[start..start + channels]);
+            }
+        }
+        progress.report(1)
+    })
+}
+
+fn check_out<T>(target: Grid, channels: usize, out: &[T]) -> Result<()> {
+    let expected = target.texels() * channels;
+    if out.len() == expected {
+        return Ok(());
+    }
+    Err(Error::value("out", format!("{expected} values"), out.len()))
+}
+
+/// Number of the texel that each direction passes through.
+pub fn grid_texels<D: Number>(grid: Grid, directions: &[[D; 3]], out: &mut [i64]) -> Result<()> {
+    if out.len() != directions.len() {
+        return Err(Error::value("out", format!("{} numbers", directions.len()), out.len()));
+    }
+    in_tiles(directions, out, 1, |directions, out| {
+        for (d, number) in directions.iter().zip(out) {
+            if !is_wrong(d) {
+                *number = grid.texel(DVec3::from_array(d.map(Real::to_f64))).into();
+            }
+        }
+        directions.iter().position(is_wrong)
+    })
+}
+
+/// Writes the directions of all texel centres, row by row: those of cubes have a longest component of ±1, equirectangular
+/// ones are unit vectors, octahedral ones have components whose sizes add up to 1.
+pub fn grid_directions(grid: Grid, out: &mut [[f64; 3]]) -> Result<()> {
+    check_out(grid, 1, out)?;
+    let rows = Rows::new(grid, DVec2::splat(0.5));
+    out.par_chunks_mut(grid.width as usize).zip(0..grid.rows()).for_each(|(out, row)| rows.write(row, 0, out));
+    Ok(())
+}

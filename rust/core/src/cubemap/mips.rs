@@ -1,0 +1,134 @@
+//! The next level of a cube map: half as many texels across a face.
+//!
+//! A texel of the next level covers 2 × 2 texels, or where a size is odd parts of 3 × 3. Means weigh what is covered by
+//! its solid angle, so that the mean over the sphere stays what it was.
+
+use rayon::prelude::*;
+
+use super::faces::{Faces, Number};
+use super::solid::{edge_of, solid_angle};
+use crate::base::{Error, Result};
+
+/// How texels become one of the next level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reduction {
+    /// By solid angle.
+    Mean,
+    /// The least of all that are covered, wholly or in part.
+    Min,
+    /// The greatest of these.
+    Max,
+}
+
+/// What a row or column of the next level covers.
+struct Covered {
+    /// The first row or column.
+    first: u32,
+    /// From where to where in each of them.
+    pieces: Vec<[f64; 2]>,
+}
+
+fn covered(index: u32, size: u32, next: u32) -> Covered {
+    // Up to 16384²: products stay below 2³².
+    let (first, last) = (index * size / next, ((index + 1) * size).div_ceil(next));
+    let (low, high) = (edge_of(index, next), edge_of(index + 1, next));
+    let pieces = (first..last).map(|i| [edge_of(i, size).max(low), edge_of(i + 1, size).min(high)]).collect();
+    Covered { first, pieces }
+}
+
+/// Texels across a face of the next level.
+pub fn next_size(size: u32) -> u32 {
+    (size / 2).max(1)
+}
+
+/// Writes the next level.
+pub fn next_level<T: Number>(faces: Faces<'_, T>, reduction: Reduction, out: &mut [T]) -> Result<()> {
+    let (size, next) = (faces.size, next_size(faces.size));
+    let expected = 6 * (next as usize).pow(2) * faces.channels;
+    if out.len() != expected {
+        return Err(Error::value("out", format!("{expected} values"), out.len()));
+    }
+    if faces.channels == 0 {
+        return Ok(());
+    }
+    let across: Vec<Covered> = (0..next).map(|column| covered(column, size, next)).collect();
+    let row_length = next as usize * faces.channels;
+    // All six faces share the weights of a row.
+    let mut rest = out.chunks_exact_mut(row_length * next as usize);
+    let mut face = || rest.next().unwrap_or_default().par_chunks_exact_mut(row_length);
+    let rows = (face(), face(), face(), face(), face(), face()).into_par_iter();
+    rows.zip(0..next).for_each(|((a, b, c, d, e, f), row)| {
+        let down = covered(row, size, next);
+        let weights = if reduction == Reduction::Mean { weigh(&across, &down) } else { Vec::new() };
+        for (face, out) in [a, b, c, d, e, f].into_iter().enumerate() {
+            let start = (face * size as usize + down.first as usize) * size as usize * faces.channels;
+            let texels = &faces.values[start..][..down.pieces.len() * size as usize * faces.channels];
+            match reduction {
+                Reduction::Mean => mean(texels, &across, &weights, &faces, out),
+                Reduction::Min => extreme(texels, &across, &faces, |one, other| one < other, out),
+                Reduction::Max => extreme(texels, &across, &faces, |one, other| one > other, out),
+            }
+        }
+    });
+    Ok(())
+}
+
+/// Shares of what each texel of a row covers, in the order in which they are asked for.
+fn weigh(across: &[Covered], down: &Covered) -> Vec<f64> {
+    let mut weights = Vec::new();
+    for column in across {
+        let first = weights.len();
+        for &v in &down.pieces {
+            for &u in &column.pieces {
+                weights.push(solid_angle(u, v));
+            }
+        }
+        let total: f64 = weights[first..].iter().sum();
+        for weight in &mut weights[first..] {
+            *weight /= total;
+        }
+    }
+    weights
+}
+
+fn mean<T: Number>(texels: &[T], across: &[Covered], weights: &[f64], faces: &Faces<'_, T>, out: &mut [T]) {
+    let (channels, row_length) = (faces.channels, faces.size as usize * faces.channels);
+    let mut next = 0;
+    for (column, out) in across.iter().zip(out.chunks_exact_mut(channels)) {
+        let (start, count) = (column.first as usize * channels, column.pieces.len());
+        let own = &weights[next..next + count * (texels.len() / row_length)];
+        next += own.len();
+        for (channel, value) in out.iter_mut().enumerate() {
+            let mut sum = 0.0;
+            for (row, weights) in texels.chunks_exact(row_length).zip(own.chunks_exact(count)) {
+                for (k, weight) in weights.iter().enumerate() {
+                    sum += row[start + k * channels + channel].to_f64() * weight;
+                }
+            }
+            *value = T::from_f64(sum);
+        }
+    }
+}
+
+fn extreme<T: Number>(
+    texels: &[T],
+    across: &[Covered],
+    faces: &Faces<'_, T>,
+    before: impl Fn(T, T) -> bool,
+    out: &mut [T],
+) {
+    let (channels, row_length) = (faces.channels, faces.size as usize * faces.channels);
+    for (column, out) in across.iter().zip(out.chunks_exact_mut(channels)) {
+        let (start, count) = (column.first as usize * channels, column.pieces.len() * channels);
+        out.copy_from_slice(&texels[start..][..channels]);
+        for row in texels.chunks_exact(row_length) {
+            for texel in row[start..start + count].chunks_exact(channels) {
+                for (chosen, &value) in out.iter_mut().zip(texel) {
+                    if before(value, *chosen) {
+                        *chosen = value;
+                    }
+                }
+            }
+        }
+    }
+}
