@@ -1,4 +1,4 @@
-"""Near–far reduction: cube map lookups beside their peers, bakes by size, frames beside the truth."""
+"""Near–far reduction: bakes by size, frames beside the truth."""
 
 from __future__ import annotations
 
@@ -13,103 +13,9 @@ from numpy.typing import NDArray
 import nearfar as nf
 from _measure import Timing, best, machine, table
 from _tokyo import whole
-from nearfar import _data, _envmap
+from nearfar import _data
 
-DIRECTIONS = 1_000_000
 R1, R2 = 30.0, 50.0
-
-
-def numpy_lookup(faces: NDArray[Any], d: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-    """Face, column and row of directions as NumPy users write it."""
-    size = np.abs(d)
-    axis = size.argmax(1)
-    rows = np.arange(len(d))
-    negative = d[rows, axis] < 0
-    face = 2 * axis + negative
-    m = size[rows, axis]
-    x, y, z = d.T
-    u = np.choose(face, [-z, z, x, x, x, -x]) / m
-    v = np.choose(face, [-y, -y, z, -z, -y, -y]) / m
-    scale = faces.shape[1] / 2
-    return face, (u + 1) * scale - 0.5, (v + 1) * scale - 0.5
-
-
-def numpy_linear(faces: NDArray[Any], d: NDArray[Any]) -> NDArray[Any]:
-    face, x, y = numpy_lookup(faces, d)
-    last = faces.shape[1] - 1
-    x, y = np.clip(x, 0, last), np.clip(y, 0, last)
-    i, j = np.minimum(x.astype(int), last - 1), np.minimum(y.astype(int), last - 1)
-    s, t = x - i, y - j
-    top = faces[face, j, i] * (1 - s) + faces[face, j, i + 1] * s
-    return np.asarray(top * (1 - t) + (faces[face, j + 1, i] * (1 - s) + faces[face, j + 1, i + 1] * s) * t)
-
-
-def scipy_linear(faces: NDArray[Any], d: NDArray[Any]) -> NDArray[Any]:
-    from scipy.ndimage import map_coordinates
-
-    face, x, y = numpy_lookup(faces, d)
-    size = faces.shape[1]
-    return np.asarray(
-        map_coordinates(
-            faces.reshape(6 * size, size), [face * size + np.clip(y, 0, size - 1), x], order=1, mode="nearest"
-        )
-    )
-
-
-def cv2_linear(faces: NDArray[Any], d: NDArray[Any]) -> NDArray[Any]:
-    import cv2
-
-    face, x, y = numpy_lookup(faces, d)
-    size = faces.shape[1]
-    rows = (face * size + np.clip(y, 0, size - 1)).astype(np.float32).reshape(1000, -1)
-    columns = x.astype(np.float32).reshape(1000, -1)
-    image = faces.reshape(6 * size, size)
-    return np.asarray(cv2.remap(image, columns, rows, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)).ravel()
-
-
-def smooth(d: NDArray[Any]) -> NDArray[Any]:
-    d = d / np.linalg.norm(d, axis=-1, keepdims=True)
-    return np.asarray(np.sin(3 * d[..., 0] - d[..., 1]) + np.cos(2 * d[..., 2] + d[..., 1]))
-
-
-def lookups() -> str:
-    """Time and error of a million lookups in float32 faces of 512²; the error on a smooth function."""
-    faces = smooth(_envmap.cube_directions(512)).astype(np.float32)
-    d = np.random.default_rng(0).normal(size=(DIRECTIONS, 3)).astype(np.float32)
-    truth = smooth(d.astype(np.float64))
-    ordered = np.sort(np.abs(d), axis=1)
-    seam = ordered[:, 1] > ordered[:, 2] * (1 - 1 / 512)
-    jobs: list[tuple[str, Callable[[], NDArray[Any]]]] = [
-        ("nearfar linear", lambda: nf.cube_lookup(faces, d, filter="linear")),
-        ("NumPy linear", lambda: numpy_linear(faces, d)),
-        ("scipy map_coordinates", lambda: scipy_linear(faces, d)),
-        ("cv2.remap", lambda: cv2_linear(faces, d)),
-        ("nearfar nearest", lambda: nf.cube_lookup(faces, d, filter="nearest")),
-        ("NumPy nearest", lambda: numpy_nearest(faces, d)),
-    ]
-    rows, first = [], None
-    for name, job in jobs:
-        timing = best(job, repeat=3)
-        first = first or timing.wall
-        error = np.abs(job() - truth)
-        rows.append(
-            [
-                name,
-                f"{timing.wall * 1e3:.1f}",
-                f"{timing.wall / first:.1f}",
-                f"{error[~seam].max():.1e}",
-                f"{error[seam].max():.1e}",
-            ]
-        )
-    header = ["lookup", "ms", "× nearfar linear", "greatest error inside", "at seams"]
-    return table("10⁶ lookups, faces of 512²", header, rows)
-
-
-def numpy_nearest(faces: NDArray[Any], d: NDArray[Any]) -> NDArray[Any]:
-    face, x, y = numpy_lookup(faces, d)
-    last = faces.shape[1] - 1
-    i, j = (np.clip(np.rint(p), 0, last).astype(int) for p in (x, y))
-    return np.asarray(faces[face, j, i])
 
 
 def city() -> tuple[str, nf.Scene, NDArray[np.float64]]:
@@ -207,7 +113,6 @@ def main() -> None:
     parser.add_argument("--quick", action="store_true", help="small sizes, without the whole of Tokyo")
     quick = parser.parse_args().quick
     print(machine(), end="\n\n")
-    print(lookups())
     name, scene, center = city()
     scene._core.build()
     print(bakes(name, scene, center, [128, 256] if quick else [256, 512, 1024]))

@@ -7,6 +7,7 @@ from nearfar._camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._depth import depth_from_range, range_error, range_from_depth
 from nearfar._discontinuity import boundary, discontinuity
 from nearfar._cubemap import cube_lookup, cube_mips, cube_solid_angles
+from nearfar._discontinuity import boundary, discontinuity
 from nearfar._envmap import EnvMap
 from nearfar._errors import DeviceError, Error, FormatError, SceneError
 from nearfar._frame import Frame

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -74,10 +75,10 @@ def convert_envmap(
         raise ValueError(f"samples: expected 1 with filter 'nearest', got {samples}")
     if given.dtype.kind in "iub" and filter != "nearest":
         raise ValueError(f"filter: expected 'nearest' for values of type {given.dtype}, got {filter!r}")
-    channels = int(np.prod(given.shape[count:], dtype=np.int64))
-    rows = np.require(given.reshape(-1, channels), None, ["C", "A"])
+    channels = math.prod(given.shape[count:])
+    rows = np.require(given.reshape(math.prod(given.shape[:count]), channels), None, ["C", "A"])
     out: NDArray[Any] = np.empty((*_array_shape(after), *given.shape[count:]), given.dtype)
-    out_rows = out.reshape(-1, channels)
+    out_rows = out.reshape(math.prod(_array_shape(after)), channels)
     with _progress.bar("converting") as report:
         if filter == "nearest":
             bits = BITS[given.itemsize]

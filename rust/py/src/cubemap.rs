@@ -2,9 +2,7 @@
 
 use nearfar_core::base::{Error, Result};
 use nearfar_core::cubemap::{self, Faces, Filter, Number, Reduction};
-use numpy::{
-    Element, PyReadonlyArray2, PyReadonlyArray4, PyReadwriteArray2, PyReadwriteArray4, PyUntypedArrayMethods,
-};
+use numpy::{Element, PyReadonlyArray2, PyReadonlyArray4, PyReadwriteArray2, PyReadwriteArray4, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use crate::errors::to_python;

@@ -67,10 +67,10 @@ impl Placed {
 #[inline(always)]
 fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
     let mut d = [Lanes([0.0f64; BLOCK]); 3];
-    for i in 0..BLOCK {
-        d[0].0[i] = directions[i][0].to_f64();
-        d[1].0[i] = directions[i][1].to_f64();
-        d[2].0[i] = directions[i][2].to_f64();
+    for (i, direction) in directions.iter().enumerate() {
+        d[0].0[i] = direction[0].to_f64();
+        d[1].0[i] = direction[1].to_f64();
+        d[2].0[i] = direction[2].to_f64();
     }
     let mut wrong = 0u64;
     for i in 0..BLOCK {
@@ -90,8 +90,8 @@ fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
         out.face.0[i] = axis + if major < 0.0 { 1.0 } else { 0.0 };
         out.u.0[i] = right / length;
         out.v.0[i] = down / length;
-        // A difference of infinities or NaN is not 0.
-        let finite = ((x - x) + (y - y)) + (z - z) == 0.0;
+        // Zero times infinity or NaN is not 0.
+        let finite = (x * 0.0 + y * 0.0) + z * 0.0 == 0.0;
         wrong += u64::from(!(finite & (length > 0.0)));
     }
     wrong as u32

@@ -61,7 +61,14 @@ fn all<T: Number, D: Number>(
 }
 
 /// Replaces the values of texels that others come before.
+#[inline]
 fn take<T: Copy>(out: &mut [T], values: &[T], before: &impl Fn(T, T) -> bool) {
+    if let [chosen] = out {
+        for &value in values {
+            *chosen = if before(value, *chosen) { value } else { *chosen };
+        }
+        return;
+    }
     for texel in values.chunks_exact(out.len()) {
         for (chosen, &value) in out.iter_mut().zip(texel) {
             if before(value, *chosen) {

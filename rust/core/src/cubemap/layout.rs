@@ -46,7 +46,7 @@ impl Grid {
         if layout != Layout::Equirectangular && height != width {
             return Err(Error::value("size", "as many rows as columns", format!("{height} × {width}")));
         }
-        if layout == Layout::Equirectangular && width % 2 != 0 {
+        if layout == Layout::Equirectangular && !width.is_multiple_of(2) {
             return Err(Error::value("size", "an even number of columns", width));
         }
         Ok(Self { layout, height, width })

@@ -1,0 +1,258 @@
+"""Run time against error of cube map lookups and conversions beside what people write with NumPy, scipy and OpenCV."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import map_coordinates
+
+import nearfar as nf
+from _harness import OURS, Case, Work, compare, describe
+from _measure import machine, table
+
+Array = NDArray[Any]
+SIZE = 512
+DIRECTIONS = 1_000_000
+
+
+def smooth(d: Array) -> Array:
+    """What the maps show: errors are differences from it."""
+    d = d / np.linalg.norm(d, axis=-1, keepdims=True)
+    return np.asarray(np.sin(3 * d[..., 0] - d[..., 1]) + np.cos(2 * d[..., 2] + d[..., 1]))
+
+
+def addresses(d: Array, size: int) -> tuple[Array, Array, Array]:
+    """Face, column and row of directions as NumPy users write it."""
+    lengths = np.abs(d)
+    axis = lengths.argmax(1)
+    rows = np.arange(len(d))
+    face = 2 * axis + (d[rows, axis] < 0)
+    m = lengths[rows, axis]
+    x, y, z = d.T
+    u = np.choose(face, [-z, z, x, x, x, -x]) / m
+    v = np.choose(face, [-y, -y, z, -z, -y, -y]) / m
+    return face, (u + 1) * (size / 2) - 0.5, (v + 1) * (size / 2) - 0.5
+
+
+def numpy_nearest(faces: Array, d: Array) -> Array:
+    face, x, y = addresses(d, faces.shape[1])
+    last = faces.shape[1] - 1
+    i, j = (np.clip(np.rint(p), 0, last).astype(int) for p in (x, y))
+    return np.asarray(faces[face, j, i])
+
+
+def numpy_linear(faces: Array, d: Array) -> Array:
+    face, x, y = addresses(d, faces.shape[1])
+    last = faces.shape[1] - 1
+    x, y = np.clip(x, 0, last), np.clip(y, 0, last)
+    i, j = np.minimum(x.astype(int), last - 1), np.minimum(y.astype(int), last - 1)
+    s, t = x - i, y - j
+    if faces.ndim == 4:
+        s, t = s[:, None], t[:, None]
+    top = faces[face, j, i] * (1 - s) + faces[face, j, i + 1] * s
+    return np.asarray(top * (1 - t) + (faces[face, j + 1, i] * (1 - s) + faces[face, j + 1, i + 1] * s) * t)
+
+
+def scipy_spline(faces: Array, d: Array, order: int) -> Array:
+    """Faces below each other; what lies within half a texel of an edge is clamped to its face."""
+    size = faces.shape[1]
+    face, x, y = addresses(d, size)
+    places = [face * size + np.clip(y, 0, size - 1), np.clip(x, 0, size - 1)]
+    return np.asarray(map_coordinates(faces.reshape(6 * size, size), places, order=order, mode="nearest"))
+
+
+def cv2_remap(faces: Array, d: Array, interpolation: int) -> Array:
+    size = faces.shape[1]
+    face, x, y = addresses(d, size)
+    rows = (face * size + np.clip(y, 0, size - 1)).astype(np.float32).reshape(1000, -1)
+    columns = np.clip(x, 0, size - 1).astype(np.float32).reshape(1000, -1)
+    image = faces.reshape(6 * size, size, *faces.shape[3:])
+    found = cv2.remap(image, columns, rows, interpolation, borderMode=cv2.BORDER_REPLICATE)
+    return np.asarray(found).reshape(len(d), *faces.shape[3:])
+
+
+Lookup = Callable[[Array, Array], Array]
+
+
+def ours(name: str) -> Lookup:
+    return lambda faces, d: nf.cube_lookup(faces, d, filter=name)
+
+
+LOOKUPS: list[tuple[str, Lookup, bool]] = [
+    (f"{OURS} linear", ours("linear"), False),
+    (f"{OURS} nearest", ours("nearest"), False),
+    (f"{OURS} cubic", ours("cubic"), False),
+    ("NumPy nearest", numpy_nearest, True),
+    ("NumPy linear", numpy_linear, True),
+    ("scipy order 1", lambda faces, d: scipy_spline(faces, d, 1), True),
+    ("scipy order 3", lambda faces, d: scipy_spline(faces, d, 3), True),
+    ("cv2.remap linear", lambda faces, d: cv2_remap(faces, d, cv2.INTER_LINEAR), True),
+    ("cv2.remap cubic", lambda faces, d: cv2_remap(faces, d, cv2.INTER_CUBIC), True),
+]
+
+
+def lookups(title: str, d: Array, *, channels: int = 1) -> str:
+    """Errors are rms against what fills the map, of all directions."""
+    faces = smooth(nf.envmap_directions(SIZE)).astype(np.float32)
+    truth = smooth(d.astype(np.float64))
+    if channels > 1:
+        faces = np.repeat(faces[..., None], channels, axis=3)
+        truth = np.repeat(truth[:, None], channels, axis=1)
+
+    def error(found: Array) -> float:
+        return float(np.sqrt(np.mean((found - truth) ** 2)))
+
+    chosen = [entry for entry in LOOKUPS if channels == 1 or "scipy" not in entry[0]]
+    cases = [Case(name, lambda job=job: job(faces, d), error, peer=peer) for name, job, peer in chosen]  # type: ignore[misc]
+    return compare(title, cases, work=Work(bytes=d.nbytes + truth.size * 4), unit="rms")
+
+
+def seams() -> str:
+    """Errors inside faces, and within half a texel of an edge or of a corner."""
+    rows = []
+    for size in (64, SIZE):
+        faces = smooth(nf.envmap_directions(size)).astype(np.float32)
+        d = np.random.default_rng(1).uniform(-1, 1, (400_000, 3))
+        near = np.sign(d) + d / size
+        d[::4], d[1::4, :2] = near[::4], near[1::4, :2]
+        ordered = np.sort(np.abs(d), axis=1) / np.abs(d).max(1, keepdims=True)
+        corner = ordered[:, 0] > 1 - 1 / size
+        edge = (ordered[:, 1] > 1 - 1 / size) & ~corner
+        truth = smooth(d)
+        for name, job, _ in LOOKUPS:
+            error = job(faces, d) - truth
+            inside, at_edge, at_corner = (
+                float(np.sqrt(np.mean(error[part] ** 2))) for part in (~(edge | corner), edge, corner)
+            )
+            ratio = max(at_edge, at_corner) / inside
+            numbers = [f"{inside:.1e}", f"{at_edge:.1e}", f"{at_corner:.1e}", f"{ratio:.2f}"]
+            rows.append([f"{size}²", name, *numbers])
+    header = ["faces", "lookup", "inside", "edges", "corners", "worst seam / inside"]
+    return table("Errors (rms) of lookups by where they are", header, rows)
+
+
+def numpy_mips(faces: Array) -> list[Array]:
+    """Plain means of 2 × 2: the mean over the sphere changes."""
+    levels = [faces]
+    while (size := levels[-1].shape[1]) > 1:
+        levels.append(levels[-1].reshape(6, size // 2, 2, size // 2, 2).mean((2, 4)))
+    return levels
+
+
+def mips() -> str:
+    """Errors are how far the last level's mean is from the mean of the map over the sphere."""
+    faces = smooth(nf.envmap_directions(1024)).astype(np.float32)
+    mean = float((faces * nf.cube_solid_angles(1024)).sum() / (4 * np.pi))
+
+    def error(levels: list[Array]) -> float:
+        return abs(float(levels[-1].mean()) - mean)
+
+    cases = [
+        Case(f"{OURS} cube_mips", lambda: nf.cube_mips(faces), error, peer=False),
+        Case("NumPy, 2 × 2", lambda: numpy_mips(faces), error),
+        Case("cv2.resize", lambda: cv2_mips(faces), error),
+    ]
+    return compare("Mip chains of 6 × 1024²", cases, work=Work(bytes=faces.nbytes * 4 / 3))
+
+
+def cv2_mips(faces: Array) -> list[Array]:
+    levels = [faces]
+    while (size := levels[-1].shape[1]) > 1:
+        half = (size // 2, size // 2)
+        levels.append(
+            np.stack([cv2.resize(face, half, interpolation=cv2.INTER_AREA) for face in levels[-1]]).reshape(6, *half)
+        )
+    return levels
+
+
+def cones() -> str:
+    """Greatest of all texels within an angle; nothing else does it, so that only the time is told."""
+    faces = smooth(nf.envmap_directions(SIZE)).astype(np.float32)
+    d = np.random.default_rng(0).normal(size=(10_000, 3))
+    cases = []
+    for texels in (2, 8, 32, 128):
+        job = partial(nf.cube_lookup, faces, d, filter="max", radius=texels / SIZE)
+        cases.append(Case(f"{OURS}, {texels} texels wide", job, peer=False))
+    return compare("Greatest within cones about 10⁴ directions", cases)
+
+
+def peer_convert(values: Array, width: int) -> Array:
+    """Cube to equirectangular: directions of all texels, then as any lookup."""
+    latitude = (0.5 - (np.arange(width // 2) + 0.5) / (width // 2)) * np.pi
+    longitude = ((np.arange(width) + 0.5) / width - 0.5) * 2 * np.pi
+    latitude, longitude = np.meshgrid(latitude, longitude, indexing="ij")
+    cosine = np.cos(latitude)
+    d = np.stack([cosine * np.sin(longitude), np.sin(latitude), -cosine * np.cos(longitude)], -1).reshape(-1, 3)
+    size = values.shape[1]
+    face, x, y = addresses(d, size)
+    rows = (face * size + np.clip(y, 0, size - 1)).astype(np.float32).reshape(-1, width)
+    columns = np.clip(x, 0, size - 1).astype(np.float32).reshape(-1, width)
+    return np.asarray(cv2.remap(values.reshape(6 * size, size), columns, rows, cv2.INTER_LINEAR))
+
+
+def peer_back(values: Array, size: int) -> Array:
+    """Equirectangular to cube, with a column more on either side for the seam."""
+    height, width = values.shape
+    x, y, z = np.moveaxis(nf.envmap_directions(size), -1, 0)
+    columns = (np.arctan2(x, -z) / (2 * np.pi) + 0.5) * width + 0.5
+    rows = (0.5 - np.arctan2(y, np.hypot(x, z)) / np.pi) * height - 0.5
+    wide = np.pad(values, ((0, 0), (1, 1)), mode="wrap")
+    columns, rows = (p.reshape(6 * size, size).astype(np.float32) for p in (columns, rows))
+    return np.asarray(cv2.remap(wide, columns, rows, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)).reshape(
+        6, size, size
+    )
+
+
+def conversions() -> str:
+    """Errors are the greatest ones: peers break at seams and poles."""
+    cube = smooth(nf.envmap_directions(SIZE)).astype(np.float32)
+    shape = (1024, 2048)
+    around = smooth(nf.envmap_directions(shape, layout="equirectangular")).astype(np.float32)
+
+    def error(truth: Array) -> Callable[[Array], float]:
+        return lambda found: float(np.abs(found - truth).max())
+
+    def convert(values: Array, source: str, target: str, size: Any, name: str) -> Callable[[], Array]:
+        return lambda: nf.convert_envmap(values, source=source, target=target, size=size, filter=name)
+
+    there = [
+        *(
+            Case(f"{OURS} {name}", convert(cube, "cube", "equirectangular", shape, name), error(around), peer=False)
+            for name in ("linear", "cubic")
+        ),
+        Case("NumPy and cv2.remap", lambda: peer_convert(cube, 2048), error(around)),
+    ]
+    back = [
+        *(
+            Case(f"{OURS} {name}", convert(around, "equirectangular", "cube", SIZE, name), error(cube), peer=False)
+            for name in ("linear", "cubic")
+        ),
+        Case("NumPy and cv2.remap", lambda: peer_back(around, SIZE), error(cube)),
+    ]
+    first = compare("Cube of 6 × 512² to equirectangular of 2048 × 1024", there, unit="greatest")
+    return f"{first}\n{compare('Equirectangular of 2048 × 1024 to cube of 6 × 512²', back, unit='greatest')}"
+
+
+def main() -> None:
+    print(machine())
+    print(describe())
+    random = np.random.default_rng(0).normal(size=(DIRECTIONS, 3)).astype(np.float32)
+    print(lookups("10⁶ random directions in faces of 512², float32", random), flush=True)
+    print(lookups("10⁶ random directions in faces of 512², float64", random.astype(np.float64)), flush=True)
+    print(lookups("10⁶ random directions in RGB faces of 512²", random, channels=3), flush=True)
+    camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(100, 1), size=(1000, 1000))
+    coherent = camera.rays()[1].reshape(-1, 3).astype(np.float32)
+    print(lookups("10⁶ directions of a picture in faces of 512²", coherent), flush=True)
+    print(seams(), flush=True)
+    print(mips(), flush=True)
+    print(cones(), flush=True)
+    print(conversions())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,298 @@
+"""Cubic lookups, cones, mip chains and solid angles of cube maps against slow definitions."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+import nearfar as nf
+from support import printed_by_threads
+
+Array = NDArray[np.float64]
+
+
+def unit(d: Array) -> Array:
+    return np.asarray(d / np.linalg.norm(d, axis=-1, keepdims=True))
+
+
+def smooth(d: Array) -> Array:
+    d = unit(d)
+    return np.asarray(np.sin(3 * d[..., 0] - d[..., 1]) + np.cos(2 * d[..., 2] + d[..., 1]))
+
+
+def everywhere(size: int, count: int = 40_000) -> Array:
+    """Directions of all kinds: a quarter about edges, a quarter about corners."""
+    d = np.random.default_rng(size).uniform(-1, 1, (count, 3))
+    near = np.sign(d) + 4 * d / size
+    d[::4] = near[::4]
+    d[1::4, :2] = near[1::4, :2]
+    return d
+
+
+def from_edge(d: Array, size: int) -> Array:
+    """Texels from the nearest edge of the face that a direction meets."""
+    ordered = np.sort(np.abs(d), axis=1)
+    return np.asarray((1 - ordered[:, 1] / ordered[:, 2]) * size / 2)
+
+
+def keys(s: float) -> Array:
+    """Keys' kernel for a = −1/2 at the distances of four texels, from its definition by intervals."""
+    x = np.abs(np.array([s + 1, s, 1 - s, 2 - s]))
+    inner = 1.5 * x**3 - 2.5 * x**2 + 1
+    outer = -0.5 * x**3 + 2.5 * x**2 - 4 * x + 2
+    return np.asarray(np.where(x <= 1, inner, outer))
+
+
+def test_cubic_is_keys_within_faces() -> None:
+    size = 9
+    rng = np.random.default_rng(0)
+    faces = rng.uniform(-1, 1, (6, size, size, 2))
+    for x, y in rng.uniform(1, size - 2, (50, 2)):
+        u, v = ((p + 0.5) * 2 / size - 1 for p in (x, y))
+        i, j = int(x), int(y)
+        expected = np.einsum("j,i,jic->c", keys(y - j), keys(x - i), faces[4, j - 1 : j + 3, i - 1 : i + 3])
+        # Coordinates of up to 9 texels in float64, times slopes of about 2.
+        np.testing.assert_allclose(nf.cube_lookup(faces, (u, -v, 1), filter="cubic"), expected, atol=1e-13)
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 4, 7])
+def test_cubic_keeps_constants_and_texels(size: int) -> None:
+    directions = everywhere(size, 2000)
+    constant = nf.cube_lookup(np.full((6, size, size), 0.3), directions, filter="cubic")
+    # 16 weights of which each is up to 16 others, all of size 1.
+    np.testing.assert_allclose(constant, 0.3, rtol=0, atol=1e-14)
+    faces = np.random.default_rng(size).uniform(-1, 1, (6, size, size))
+    at_centers = nf.cube_lookup(faces, nf.envmap_directions(size), filter="cubic")
+    # Where the neighbour has no share and this face's other weights vanish.
+    np.testing.assert_allclose(at_centers, faces, rtol=0, atol=1e-13)
+
+
+def test_cubic_is_exact_for_quadratics_of_face_coordinates() -> None:
+    size = 16
+    d = nf.envmap_directions(size)
+    u, v = d[4, ..., 0], -d[4, ..., 1]
+    faces = np.zeros((6, size, size))
+    faces[4] = 1 + 2 * u - v + u * u - 3 * u * v + 0.5 * v * v
+    u, v = np.random.default_rng(0).uniform(-1 + 3 / size, 1 - 3 / size, (2, 1000))
+    values = nf.cube_lookup(faces, np.stack([u, -v, np.ones(1000)], 1), filter="cubic")
+    # Values up to 8, coordinates off by 2e-16 · 16.
+    np.testing.assert_allclose(values, 1 + 2 * u - v + u * u - 3 * u * v + 0.5 * v * v, rtol=0, atol=1e-13)
+
+
+def test_cubic_errors_at_seams_are_no_larger_and_fall_as_fast() -> None:
+    worst = []
+    for size in (8, 16, 32, 64, 128):
+        faces, d = smooth(nf.envmap_directions(size)), everywhere(size)
+        error = np.abs(nf.cube_lookup(faces, d, filter="cubic") - smooth(d))
+        seam = from_edge(d, size) < 1.5
+        corner = np.sort(np.abs(unit(d)), axis=1)[:, 0] > 0.57
+        assert seam.sum() > 1000
+        assert error[seam].max() <= error[~seam].max()
+        assert error[corner].max() <= error[~seam].max()
+        worst.append((error[~seam].max(), error[seam].max()))
+    # Keys' order is three: 8 a step in the limit. A rim of the second order would give 4 at seams.
+    ratios = np.array(worst)[1:-1] / np.array(worst)[2:]
+    assert (ratios > 6).all(), ratios
+
+
+@given(st.integers(1, 12), st.integers(0, 2**32 - 1), st.sampled_from(["linear", "cubic"]))
+def test_lookups_are_continuous(size: int, seed: int, name: str) -> None:
+    rng = np.random.default_rng(seed)
+    faces = rng.uniform(-1, 1, (6, size, size))
+    d = everywhere(size + 1, 64) * rng.choice([-1, 1], (64, 3))
+    d[:16, 0] = d[:16, 1]
+    d[16:32] = np.sign(d[16:32])
+    here = nf.cube_lookup(faces, d, filter=name)
+    step = rng.normal(size=(64, 3)) * 1e-9 * np.abs(d).max(1, keepdims=True)
+    # Slopes of up to 2 a texel, of size/2 texels a unit, two faces' weights that turn within half a texel, and what
+    # lies beyond edges, which exceeds the texels by up to 4 times for faces of one or two texels.
+    assert np.abs(nf.cube_lookup(faces, d + step, filter=name) - here).max() < 1e-7 * (size + 1)
+
+
+def test_cubic_joins_faces_smoothly() -> None:
+    """The slope across an edge is the same on both sides."""
+    size = 16
+    faces = np.random.default_rng(0).uniform(-1, 1, (6, size, size))
+    angle, z = np.meshgrid(np.pi / 4 + np.array([-2e-4, -1e-4, 0, 1e-4, 2e-4]), np.linspace(-0.6, 0.6, 50))
+    d = np.stack([np.cos(angle), np.sin(angle), z], -1)
+    value = nf.cube_lookup(faces, d, filter="cubic")
+    before, after = (value[:, 2] - value[:, 0]) / 2e-4, (value[:, 4] - value[:, 2]) / 2e-4
+    # Second derivatives of some (16/2)² · 10 a unit of angle, over 2e-4; a kink would be of the size of slopes, 10.
+    assert np.abs(before).max() > 5
+    assert np.abs(after - before).max() < 0.3
+
+
+def angles_to_texels(d: Array, size: int) -> Array:
+    """Angle between a direction and each texel (6, S, S): 0 within it, else that to the nearest point of its sides."""
+    edges = np.arange(size + 1) * 2 / size - 1
+    v, u = np.meshgrid(edges, edges, indexing="ij")
+    one = np.ones_like(u)
+    # The axes of the faces, in the orientation of Vulkan.
+    corners = np.stack(
+        [
+            np.stack(p, -1)
+            for p in ((one, -v, -u), (-one, -v, u), (u, one, v), (u, -one, -v), (u, -v, one), (-u, -v, -one))
+        ]
+    )
+    p = [corners[:, :-1, :-1], corners[:, :-1, 1:], corners[:, 1:, 1:], corners[:, 1:, :-1]]
+    d = unit(d)
+    best = np.full((6, size, size), np.inf)
+    inside = np.ones((6, size, size), bool)
+    for a, b in zip(p, p[1:] + p[:1], strict=True):
+        normal = unit(np.cross(a, b))
+        height = normal @ d
+        inside &= height * np.einsum("...k,...k", normal, p[0] + p[2]) >= 0
+        foot = d - normal * height[..., None]
+        between = (np.einsum("...k,...k", np.cross(a, foot), normal) >= 0) & (
+            np.einsum("...k,...k", np.cross(foot, b), normal) >= 0
+        )
+        for point, counts in ((foot, between), (a, True), (b, True)):
+            angle = np.arctan2(np.linalg.norm(np.cross(point, d), axis=-1), point @ d)
+            best = np.minimum(best, np.where(counts, angle, np.inf))
+    return np.asarray(np.where(inside, 0.0, best))
+
+
+@given(st.integers(1, 20), st.integers(0, 2**32 - 1), st.floats(0, 1.5), st.integers(0, 3))
+def test_cones_hold_all_texels_that_they_touch(size: int, seed: int, radius: float, scale: int) -> None:
+    rng = np.random.default_rng(seed)
+    faces = rng.uniform(-1, 1, (6, size, size))
+    d = everywhere(size, 4)[seed % 4]
+    radius *= 0.1**scale
+    angles = angles_to_texels(d, size)
+    # The stated width, and the oracle's own rounding.
+    surely, perhaps = faces[angles <= radius - 1e-13], faces[angles <= radius + 6.5e-8]
+    least, greatest = (float(nf.cube_lookup(faces, d, filter=name, radius=radius)) for name in ("min", "max"))
+    assert perhaps.min() <= least <= surely.min(initial=np.inf)
+    assert surely.max(initial=-np.inf) <= greatest <= perhaps.max()
+
+
+def test_cones_by_channel_in_both_types() -> None:
+    size = 33
+    faces = np.random.default_rng(0).uniform(-1, 1, (6, size, size, 3)).astype(np.float32)
+    d = everywhere(size, 50).astype(np.float32)
+    for name, radius in itertools.product(("min", "max"), (0.02, 0.9)):
+        together = nf.cube_lookup(faces, d, filter=name, radius=radius)
+        assert together.dtype == np.float32
+        for channel in range(3):
+            alone = nf.cube_lookup(faces[..., channel].astype(np.float64), d, filter=name, radius=radius)
+            np.testing.assert_array_equal(together[:, channel], alone)
+
+
+@pytest.mark.parametrize(
+    ("name", "radius", "words"),
+    [
+        ("linear", 0.1, "radius: expected None with filter 'linear'"),
+        ("min", -0.1, "radius: expected radians"),
+        ("max", np.pi / 2, "radius: expected radians"),
+        ("max", np.nan, "radius: expected"),
+    ],
+)
+def test_cones_refuse(name: str, radius: float, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        nf.cube_lookup(np.zeros((6, 2, 2)), (1, 0, 0), filter=name, radius=radius)
+    with pytest.raises(ValueError, match="index 1"):
+        nf.cube_lookup(np.zeros((6, 2, 2)), [(1, 0, 0), (0, 0, 0)], filter="min", radius=0.1)
+
+
+def solid_angle(low: tuple[float, float], high: tuple[float, float]) -> float:
+    """Solid angle of a rectangle on a face by Gauss and Legendre: 40 points leave an error of 1e-30 on a whole face."""
+    x, w = np.polynomial.legendre.leggauss(40)
+    u, v = ((b - a) / 2 * x + (a + b) / 2 for a, b in zip(low, high, strict=True))
+    density = (1 + u[:, None] ** 2 + v**2) ** -1.5
+    return float(w @ density @ w * (high[0] - low[0]) * (high[1] - low[1]) / 4)
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 10, 64, 1000])
+def test_solid_angles(size: int) -> None:
+    angles = nf.cube_solid_angles(size)
+    rng = np.random.default_rng(size)
+    for row, column in {(0, 0), (size - 1, 0), (size // 2, size - 1), *map(tuple, rng.integers(0, size, (20, 2)))}:
+        u, v = column * 2 / size - 1, row * 2 / size - 1
+        expected = solid_angle((u, v), ((column + 1) * 2 / size - 1, (row + 1) * 2 / size - 1))
+        # Corners are rounded to 1.1e-16, of which a texel's width 2/size keeps 1e-16 · size as a share.
+        assert angles[row, column] == pytest.approx(expected, rel=2e-15 + 3e-16 * size)
+    np.testing.assert_array_equal(angles, angles[::-1])
+    np.testing.assert_array_equal(angles, angles.T)
+    # Rounding of texels is independent, and NumPy adds pairwise.
+    assert angles.sum() == pytest.approx(4 * np.pi / 6, rel=4e-16 + 2e-16 * np.log2(size))
+    for wrong in (0, 16385):
+        with pytest.raises(ValueError, match="size"):
+            nf.cube_solid_angles(wrong)
+
+
+def shares(size: int) -> Array:
+    """How much of each row of a level each row of the next one covers: (S', S, 2) positions −1..1, empty ones 0."""
+    after = max(1, size // 2)
+    low = np.maximum(np.arange(after)[:, None] * 2 / after, np.arange(size) * 2 / size)
+    high = np.minimum((np.arange(after)[:, None] + 1) * 2 / after, (np.arange(size) + 1) * 2 / size)
+    return np.stack([low - 1, np.maximum(low, high) - 1], -1)
+
+
+@pytest.mark.parametrize("size", [2, 3, 5, 8, 11])
+def test_mips_cover_what_they_should(size: int) -> None:
+    faces = np.random.default_rng(size).uniform(-1, 1, (6, size, size, 2))
+    part, after = shares(size), size // 2
+    weight = np.zeros((after, after, size, size))
+    for j, i, row, column in np.ndindex(weight.shape):
+        v, u = part[j, row], part[i, column]
+        if v[1] - v[0] > 1e-12 and u[1] - u[0] > 1e-12:
+            weight[j, i, row, column] = solid_angle((u[0], v[0]), (u[1], v[1]))
+    mean = np.einsum("jirk,frkc->fjic", weight, faces) / weight.sum((2, 3))[..., None]
+    levels = nf.cube_mips(faces)
+    assert levels[0] is faces
+    # Shares of 9 pieces, each within a few roundings.
+    np.testing.assert_allclose(levels[1], mean, rtol=0, atol=2e-15)
+    for name, choose in (("min", np.min), ("max", np.max)):
+        found = nf.cube_mips(faces.astype(np.float32), filter=name)[1]
+        for j, i in np.ndindex(after, after):
+            covered = faces.astype(np.float32)[:, weight[j, i] > 0]
+            np.testing.assert_array_equal(found[:, j, i], choose(covered, axis=1))
+
+
+@pytest.mark.parametrize("size", [1, 2, 37, 96])
+def test_mips_keep_the_mean_over_the_sphere(size: int) -> None:
+    faces = np.random.default_rng(size).uniform(-1, 1, (6, size, size))
+    levels = nf.cube_mips(faces)
+    assert [level.shape[1] for level in levels] == [max(1, size >> k) for k in range(size.bit_length())]
+    means = [float((level * nf.cube_solid_angles(level.shape[1])).sum() / (4 * np.pi)) for level in levels]
+    # Sums of 55,000 numbers below 1e-3, pairwise.
+    np.testing.assert_allclose(means, means[0], rtol=0, atol=1e-15)
+
+
+def test_mips_are_as_good_at_seams_as_inside() -> None:
+    for level in nf.cube_mips(smooth(nf.envmap_directions(256)))[1:6]:
+        size = level.shape[1]
+        d = everywhere(size)
+        error = np.abs(nf.cube_lookup(level, d, filter="linear") - smooth(d))
+        seam = from_edge(d, size) < 0.5
+        assert error[seam].max() <= error[~seam].max()
+        # Second derivatives in two directions add up to 10 + 5; texels of 2/S are off by a 24th of it times their
+        # width squared, because they are means, and what lies between them by an 8th.
+        assert error.max() < 15 * (1 / 24 + 1 / 8) * (2 / size) ** 2
+
+
+def test_mips_refuse() -> None:
+    with pytest.raises(ValueError, match="faces: expected shape"):
+        nf.cube_mips(np.zeros((6, 2, 3)))
+    with pytest.raises(ValueError, match="filter: expected one of 'mean'"):
+        nf.cube_mips(np.zeros((6, 2, 2)), filter="linear")
+    assert nf.cube_mips(np.zeros((6, 2, 2, 0)))[1].shape == (6, 1, 1, 0)
+    assert nf.cube_mips(np.ones((6, 2, 2), np.int32))[1].dtype == np.float64
+
+
+def test_results_do_not_depend_on_threads() -> None:
+    code = """
+import hashlib, numpy as np, nearfar as nf
+rng = np.random.default_rng(0)
+faces, d = rng.uniform(size=(6, 37, 37, 3)), rng.normal(size=(50_000, 3))
+results = [nf.cube_lookup(faces, d, filter=name) for name in ("nearest", "linear", "cubic", "min", "max")]
+results += [nf.cube_lookup(faces, d[:2000], filter="max", radius=0.4), *nf.cube_mips(faces), nf.cube_solid_angles(37)]
+results += [nf.convert_envmap(faces, source="cube", target="octahedral", size=99, samples=2)]
+print([hashlib.sha256(r.tobytes()).hexdigest() for r in results])
+"""
+    assert len(printed_by_threads(code)) == 1
