@@ -106,17 +106,17 @@ impl Pierced {
 
 /// The whole part of `position`, kept within `low..=high`; `low` for NaN.
 #[inline(always)]
-fn whole(position: f64, low: f64, high: f64) -> f64 {
+pub(super) fn whole(position: f64, low: f64, high: f64) -> f64 {
     let raised = if position > low { position } else { low };
     let kept = if raised < high { raised } else { high };
     let nearest = (kept + UNITS) - UNITS;
     nearest - if nearest > kept { 1.0 } else { 0.0 }
 }
 
-/// Number of a texel, all below 6 × 16384² < 2³².
+/// A whole number of at most 32 bits: texels have such numbers.
 #[inline(always)]
-fn number(face: f64, row: f64, column: f64, edge: f64) -> u32 {
-    (((face * edge + row) * edge + column) + UNITS).to_bits() as u32
+pub(super) fn index(number: f64) -> u32 {
+    (number + UNITS).to_bits() as u32
 }
 
 /// As `texel_from_direction`. Returns how many directions are zero or not finite.
@@ -128,7 +128,7 @@ fn find_texels<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut Lan
     for i in 0..BLOCK {
         let column = whole((at.u.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
         let row = whole((at.v.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
-        texel.0[i] = number(at.face.0[i], row, column, edge);
+        texel.0[i] = index((at.face.0[i] * edge + row) * edge + column);
     }
     wrong
 }
@@ -150,7 +150,7 @@ fn find_places<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, o
         let (s, t) = (if s > 0.0 { s } else { 0.0 }, if t > 0.0 { t } else { 0.0 });
         out.s.0[i] = if s < 1.0 { s } else { 1.0 };
         out.t.0[i] = if t < 1.0 { t } else { 1.0 };
-        out.first.0[i] = number(at.face.0[i], row, column, edge);
+        out.first.0[i] = index((at.face.0[i] * edge + row) * edge + column);
         // Written so that NaN is at a seam too.
         let inside = (u.abs() <= inner.limit) & (v.abs() <= inner.limit);
         out.seam.0[i] = u8::from(!inside);

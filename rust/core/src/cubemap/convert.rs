@@ -6,7 +6,8 @@ use rayon::prelude::*;
 use super::blocks::keys;
 use super::faces::{Faces, Number, Real};
 use super::layout::{Grid, Layout, Rows};
-use super::lookup::{Filter, Sampler, in_tiles, is_wrong};
+use super::lookup::{Filter, in_tiles, is_wrong};
+use super::sampler::Sampler;
 use crate::base::{Error, Progress, Result};
 
 /// Texels whose directions are made and looked up together.
@@ -15,9 +16,9 @@ const SEGMENT: usize = 512;
 /// A picture of all directions.
 #[derive(Clone, Copy, Debug)]
 pub struct Picture<'a, T> {
-    grid: Grid,
-    values: &'a [T],
-    channels: usize,
+    pub(super) grid: Grid,
+    pub(super) values: &'a [T],
+    pub(super) channels: usize,
 }
 
 impl<'a, T> Picture<'a, T> {
@@ -31,39 +32,9 @@ impl<'a, T> Picture<'a, T> {
     }
 }
 
-/// Lookups in a picture of any layout.
-enum Source<'a, T> {
-    Cube(Sampler<'a, T>),
-    Flat(Picture<'a, T>, Filter),
-}
-
-impl<'a, T: Number> Source<'a, T> {
-    fn new(picture: Picture<'a, T>, filter: Filter, count: usize) -> Result<Self> {
-        if picture.grid.layout != Layout::Cube {
-            return Ok(Self::Flat(picture, filter));
-        }
-        let faces = Faces::new(picture.values, picture.grid.width, picture.channels)?;
-        Ok(Self::Cube(Sampler::new(faces, filter, count)))
-    }
-
-    /// Writes values along directions that are finite and not zero.
-    fn sample(&self, directions: &[[f64; 3]], out: &mut [T]) {
-        match self {
-            Self::Cube(sampler) => {
-                sampler.sample(directions, out);
-            }
-            Self::Flat(picture, filter) => {
-                for (d, out) in directions.iter().zip(out.chunks_exact_mut(picture.channels)) {
-                    picture.sample(DVec3::from_array(*d), *filter, out);
-                }
-            }
-        }
-    }
-}
-
 impl<T: Number> Picture<'_, T> {
-    /// Writes the value along a direction in a layout without faces.
-    fn sample(&self, d: DVec3, filter: Filter, out: &mut [T]) {
+    /// Writes the value along a direction (finite, not zero) in a layout without faces.
+    pub(super) fn sample(&self, d: DVec3, filter: Filter, out: &mut [T]) {
         let p = self.grid.position(d) - 0.5;
         let before = p.floor();
         let (s, t) = (p.x - before.x, p.y - before.y);
@@ -116,7 +87,13 @@ pub fn convert<T: Number>(
     let within = |k: u32| (f64::from(k) + 0.5) / f64::from(samples);
     let places = (0..samples).flat_map(|j| (0..samples).map(move |i| DVec2::new(within(i), within(j))));
     let rows: Vec<Rows> = places.map(|within| Rows::new(target, within)).collect();
-    let source = Source::new(picture, filter, target.texels() * rows.len())?;
+    let source = match picture.grid.layout {
+        Layout::Cube => {
+            let faces = Faces::new(picture.values, picture.grid.width, channels)?;
+            Sampler::cube(faces, filter, target.texels() * rows.len())
+        }
+        _ => Sampler::flat(picture, filter),
+    };
     progress.expect(target.rows().into());
     out.par_chunks_mut(target.width as usize * channels).zip(0..target.rows()).try_for_each(|(out, row)| {
         let mut directions = [[0.0; 3]; SEGMENT];

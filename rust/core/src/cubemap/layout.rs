@@ -11,6 +11,7 @@ use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
+use super::flat::{equirectangular, octahedral};
 use super::{MAX_SIZE, direction_from_face, texel_from_direction};
 use crate::base::{Error, Result};
 
@@ -76,14 +77,11 @@ impl Grid {
     pub fn position(&self, d: DVec3) -> DVec2 {
         // So that neither squares nor sums overflow.
         let d = d / d.abs().max_element();
-        let (height, width) = (f64::from(self.height), f64::from(self.width));
-        if self.layout == Layout::Equirectangular {
-            let (longitude, latitude) = (d.x.atan2(-d.z), d.y.atan2((d.x * d.x + d.z * d.z).sqrt()));
-            return DVec2::new((longitude / (2.0 * PI) + 0.5) * width, (0.5 - latitude / PI) * height);
-        }
-        let p = DVec2::new(d.x, d.z) / (d.x.abs() + d.y.abs() + d.z.abs());
-        let folded = if d.y < 0.0 { fold(p) } else { p };
-        (folded + 1.0) * 0.5 * width
+        let (across, down) = match self.layout {
+            Layout::Octahedral => octahedral(d.x, d.y, d.z),
+            _ => equirectangular(d.x, d.y, d.z),
+        };
+        DVec2::new(across * f64::from(self.width), down * f64::from(self.height))
     }
 
     /// Direction (not normalised) of a position in a layout without faces.

@@ -11,16 +11,19 @@
 //!
 //! Texels are numbered face by face, row by row: `(face * size + row) * size + column`.
 
+mod angles;
 mod blocks;
 mod cone;
 mod convert;
 mod cubic;
 mod environment;
 mod faces;
+mod flat;
 mod footprint;
 mod layout;
 mod lookup;
 mod mips;
+mod sampler;
 mod solid;
 mod taps;
 #[cfg(test)]

@@ -1,0 +1,64 @@
+//! Blocks of directions in layouts without faces.
+
+use super::angles::angle_of;
+use super::blocks::{BLOCK, Lanes, Placed, index, whole};
+use super::layout::{Grid, Layout};
+use crate::base::simd::widest;
+
+/// Where a direction lies in an equirectangular picture, 0..1 across and down.
+#[inline(always)]
+pub(super) fn equirectangular(x: f64, y: f64, z: f64) -> (f64, f64) {
+    let (longitude, latitude) = (angle_of(x, -z), angle_of(y, (x * x + z * z).sqrt()));
+    (longitude * (0.5 / std::f64::consts::PI) + 0.5, 0.5 - latitude * (1.0 / std::f64::consts::PI))
+}
+
+/// Where a direction lies in an octahedral picture, 0..1 across and down.
+#[inline(always)]
+pub(super) fn octahedral(x: f64, y: f64, z: f64) -> (f64, f64) {
+    let sum = x.abs() + y.abs() + z.abs();
+    let (px, pz) = (x / sum, z / sum);
+    let (fx, fz) = ((1.0 - pz.abs()).copysign(px), (1.0 - px.abs()).copysign(pz));
+    let (px, pz) = if y < 0.0 { (fx, fz) } else { (px, pz) };
+    ((px + 1.0) * 0.5, (pz + 1.0) * 0.5)
+}
+
+/// Between which texels directions (finite, not zero, of moderate length) lie; those whose filter, which reaches some
+/// texels before and after the one above and to the left, crosses an edge are at a seam.
+#[inline(always)]
+fn place<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) {
+    let mut p = [Lanes([0.0f64; BLOCK]); 3];
+    for (i, direction) in d.iter().enumerate() {
+        p[0].0[i] = direction[0];
+        p[1].0[i] = direction[1];
+        p[2].0[i] = direction[2];
+    }
+    let (width, height) = (f64::from(grid.width), f64::from(grid.height));
+    let low = f64::from(reach[0]);
+    let (right, bottom) = (width - 1.0 - f64::from(reach[1]), height - 1.0 - f64::from(reach[1]));
+    for i in 0..BLOCK {
+        let (x, y, z) = (p[0].0[i], p[1].0[i], p[2].0[i]);
+        let (across, down) = if OCTAHEDRAL { octahedral(x, y, z) } else { equirectangular(x, y, z) };
+        let (x, y) = (across * width - 0.5, down * height - 0.5);
+        let inside = (x >= low) & (x <= right) & (y >= low) & (y <= bottom);
+        out.seam.0[i] = u8::from(!inside);
+        let (column, row) = (whole(x, low, right), whole(y, low, bottom));
+        out.first.0[i] = index(row * width + column);
+        out.s.0[i] = x - column;
+        out.t.0[i] = y - row;
+    }
+}
+
+widest! {
+    fn place_octahedral(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) = place::<true>;
+}
+widest! {
+    fn place_equirectangular(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) = place::<false>;
+}
+
+/// As `place`, for a layout without faces.
+pub(super) fn find_places(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) {
+    match grid.layout {
+        Layout::Octahedral => place_octahedral(d, grid, reach, out),
+        _ => place_equirectangular(d, grid, reach, out),
+    }
+}
