@@ -3,10 +3,11 @@
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-use super::blocks::keys;
+use super::blocks::{BLOCK, Lanes, Streamed, keys};
 use super::faces::{Faces, Number, Real};
+use super::flat;
 use super::layout::{Grid, Layout, Rows};
-use super::lookup::{Filter, in_tiles, is_wrong};
+use super::lookup::{Filter, in_blocks, in_tiles, is_wrong};
 use super::sampler::Sampler;
 use crate::base::{Error, Progress, Result};
 
@@ -141,13 +142,20 @@ pub fn convert_nearest<T: Copy + Send + Sync>(
     progress.expect(target.rows().into());
     out.par_chunks_mut(target.width as usize * channels).zip(0..target.rows()).try_for_each(|(out, row)| {
         let mut directions = [[0.0; 3]; SEGMENT];
+        let mut texels = Lanes([0; BLOCK]);
         for (segment, out) in out.chunks_mut(SEGMENT * channels).enumerate() {
             let directions = &mut directions[..out.len() / channels];
             rows.write(row, (segment * SEGMENT) as u32, directions);
-            for (d, out) in directions.iter().zip(out.chunks_exact_mut(channels)) {
-                let start = picture.grid.texel(DVec3::from_array(*d)) as usize * channels;
-                out.copy_from_slice(&picture.values[start..start + channels]);
-            }
+            in_blocks(directions, out, channels, |block, out| {
+                match picture.grid.layout {
+                    Layout::Cube => drop(f64::find_texels(block, picture.grid.width, &mut texels)),
+                    _ => flat::find_texels(block, picture.grid, &mut texels),
+                }
+                for (value, &number) in out.chunks_exact_mut(channels).zip(&texels.0) {
+                    value.copy_from_slice(&picture.values[number as usize * channels..][..channels]);
+                }
+                0
+            });
         }
         progress.report(1)
     })
