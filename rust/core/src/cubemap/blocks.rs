@@ -252,6 +252,20 @@ fn add_row<T: Real>(texels: &[Lanes<T>; 4], across: &[Lanes<f64>; 4], down: &Lan
     }
 }
 
+/// Weighted means of 2 × 2 of two rows.
+#[inline(always)]
+fn halve<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) {
+    let count = out.len();
+    let (above, below) = (&above[..2 * count], &below[..2 * count]);
+    let (w, x) = (&weights[0][..2 * count], &weights[1][..2 * count]);
+    for i in 0..count {
+        let (a, b) = (above[2 * i].to_f64() * w[2 * i], above[2 * i + 1].to_f64() * w[2 * i + 1]);
+        let (c, d) = (below[2 * i].to_f64() * x[2 * i], below[2 * i + 1].to_f64() * x[2 * i + 1]);
+        let total = (w[2 * i] + w[2 * i + 1]) + (x[2 * i] + x[2 * i + 1]);
+        out[i] = T::from_f64(((a + b) + (c + d)) / total);
+    }
+}
+
 /// The kernels of a precision.
 pub trait Streamed: Real {
     /// Number of the texel that each direction passes through; how many directions are zero or not finite.
@@ -266,6 +280,8 @@ pub trait Streamed: Real {
     fn greatest(texels: &[Lanes<Self>; 4], weights: &[Lanes<f64>; 4], out: &mut Lanes<Self>);
     /// Adds a row of four texels, weighted, to sums.
     fn add_row(texels: &[Lanes<Self>; 4], across: &[Lanes<f64>; 4], down: &Lanes<f64>, sums: &mut Lanes<f64>);
+    /// Weighted means of 2 × 2 of two rows.
+    fn halve(above: &[Self], below: &[Self], weights: [&[f64]; 2], out: &mut [Self]);
 }
 
 macro_rules! streamed {
@@ -283,7 +299,14 @@ macro_rules! streamed {
                 fn row(t: &Four<$float>, across: &Four<f64>, down: &Lanes<f64>, sums: &mut Lanes<f64>)
                     = add_row::<$float>;
             }
+            widest! {
+                fn pairs(above: &[$float], below: &[$float], weights: [&[f64]; 2], out: &mut [$float])
+                    = halve::<$float>;
+            }
             impl Streamed for $float {
+                fn halve(above: &[Self], below: &[Self], weights: [&[f64]; 2], out: &mut [Self]) {
+                    pairs(above, below, weights, out);
+                }
                 fn find_texels(directions: &Block, size: u32, texel: &mut Lanes<u32>) -> u32 {
                     texels(directions, size, texel)
                 }

@@ -6,7 +6,7 @@
 use rayon::prelude::*;
 
 use super::faces::{Faces, Number};
-use super::solid::{edge_of, solid_angle};
+use super::solid::{edge_of, edges, row_of_angles, solid_angle};
 use crate::base::{Error, Result};
 
 /// How texels become one of the next level.
@@ -51,6 +51,8 @@ pub fn next_level<T: Number>(faces: Faces<'_, T>, reduction: Reduction, out: &mu
     if faces.channels == 0 {
         return Ok(());
     }
+    let plain = reduction == Reduction::Mean && size.is_multiple_of(2) && faces.channels == 1;
+    let edges = edges(size);
     let across: Vec<Covered> = (0..next).map(|column| covered(column, size, next)).collect();
     let row_length = next as usize * faces.channels;
     // All six faces share the weights of a row.
@@ -59,11 +61,19 @@ pub fn next_level<T: Number>(faces: Faces<'_, T>, reduction: Reduction, out: &mu
     let rows = (face(), face(), face(), face(), face(), face()).into_par_iter();
     rows.zip(0..next).for_each(|((a, b, c, d, e, f), row)| {
         let down = covered(row, size, next);
-        let weights = if reduction == Reduction::Mean { weigh(&across, &down) } else { Vec::new() };
+        let weights = match reduction {
+            Reduction::Mean if plain => pair_of_rows(row, size, &edges),
+            Reduction::Mean => weigh(&across, &down),
+            _ => Vec::new(),
+        };
         for (face, out) in [a, b, c, d, e, f].into_iter().enumerate() {
             let start = (face * size as usize + down.first as usize) * size as usize * faces.channels;
             let texels = &faces.values[start..][..down.pieces.len() * size as usize * faces.channels];
             match reduction {
+                Reduction::Mean if plain => {
+                    let ((above, below), (w, x)) = (texels.split_at(size as usize), weights.split_at(size as usize));
+                    T::halve(above, below, [w, x], out);
+                }
                 Reduction::Mean => mean(texels, &across, &weights, &faces, out),
                 Reduction::Min => extreme(texels, &across, &faces, |one, other| one < other, out),
                 Reduction::Max => extreme(texels, &across, &faces, |one, other| one > other, out),
@@ -71,6 +81,15 @@ pub fn next_level<T: Number>(faces: Faces<'_, T>, reduction: Reduction, out: &mu
         }
     });
     Ok(())
+}
+
+/// Solid angles of the two rows of texels that a row covers where a size is even.
+fn pair_of_rows(row: u32, size: u32, edges: &[f64]) -> Vec<f64> {
+    let mut angles = vec![0.0; 2 * size as usize];
+    let (above, below) = angles.split_at_mut(size as usize);
+    row_of_angles(2 * row, size, edges, above);
+    row_of_angles(2 * row + 1, size, edges, below);
+    angles
 }
 
 /// Shares of what each texel of a row covers, in the order in which they are asked for.

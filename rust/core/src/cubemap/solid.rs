@@ -1,38 +1,78 @@
 //! Solid angles of rectangles on a face.
 
-use glam::DVec3;
 use rayon::prelude::*;
 
 use super::faces::check_size;
+use crate::base::simd::widest;
 use crate::base::{Error, Result};
+
+/// Faces of at least this many texels have texels whose half solid angles are below 0.01.
+const FINE: u32 = 32;
 
 /// Solid angle in steradians of a rectangle between two positions across and two down a face, within −1..1.
 ///
 /// Two triangles by van Oosterom and Strackee, "The solid angle of a plane triangle" (1983), Eq. 8. The triple product
 /// of corners at distance 1 from the centre is Δu Δv, so that no digits are lost however small the rectangle is: four
 /// lengths, six products and a few sums of positive numbers leave some 8 roundings of 1.1e-16.
-#[inline]
 pub(super) fn solid_angle(u: [f64; 2], v: [f64; 2]) -> f64 {
-    let corner = |i: usize, j: usize| {
-        let p = DVec3::new(u[i], v[j], 1.0);
-        (p, p.length())
-    };
-    let (a, b, c, d) = (corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1));
-    let product = (u[1] - u[0]) * (v[1] - v[0]);
-    2.0 * (triangle(product, a, b, c) + triangle(product, a, c, d))
+    let [one, other] = tangents(u, v);
+    2.0 * (one.atan() + other.atan())
 }
 
-/// Half the solid angle of a triangle of three points and their lengths.
-#[inline]
-fn triangle(product: f64, a: (DVec3, f64), b: (DVec3, f64), c: (DVec3, f64)) -> f64 {
-    let below = a.1 * b.1 * c.1 + a.0.dot(b.0) * c.1 + b.0.dot(c.0) * a.1 + c.0.dot(a.0) * b.1;
-    let tangent = product / below;
-    if tangent < 0.01 {
+/// Tangents of half the solid angles of both triangles; the same where u and v are exchanged.
+#[inline(always)]
+fn tangents(u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
+    let (uu, vv) = (u[0] * u[1] + 1.0, v[0] * v[1] + 1.0);
+    let (u0, u1, v0, v1) = (u[0] * u[0], u[1] * u[1], v[0] * v[0], v[1] * v[1]);
+    // From the first corner around: a, b across, c opposite, d down.
+    let (a, c) = ((u0 + v0 + 1.0).sqrt(), (u1 + v1 + 1.0).sqrt());
+    let (b, d) = ((u1 + v0 + 1.0).sqrt(), (u0 + v1 + 1.0).sqrt());
+    let product = (u[1] - u[0]) * (v[1] - v[0]);
+    let across = uu + (vv - 1.0);
+    [
+        product / ((a * c * b + across * b) + ((uu + v0) * c + (vv + u1) * a)),
+        product / ((a * c * d + across * d) + ((vv + u0) * c + (uu + v1) * a)),
+    ]
+}
+
+/// Solid angles of the rectangles between neighbouring positions across, all between two positions down. None has a
+/// tangent of 0.01.
+#[inline(always)]
+fn fine_row(edges: &[f64], down: [f64; 2], out: &mut [f64]) {
+    let (left, right) = (&edges[..out.len()], &edges[1..out.len() + 1]);
+    for i in 0..out.len() {
+        let t = tangents([left[i], right[i]], down);
         // The series of the arc tangent; the first term left out is below 2e-17 of the first.
-        let square = tangent * tangent;
-        return tangent * (1.0 - square * (1.0 / 3.0 - square * (0.2 - square * (1.0 / 7.0))));
+        let (s0, s1) = (t[0] * t[0], t[1] * t[1]);
+        let one = t[0] * (1.0 - s0 * (1.0 / 3.0 - s0 * (0.2 - s0 * (1.0 / 7.0))));
+        let other = t[1] * (1.0 - s1 * (1.0 / 3.0 - s1 * (0.2 - s1 * (1.0 / 7.0))));
+        out[i] = 2.0 * (one + other);
     }
-    tangent.atan()
+}
+
+widest! { fn fine_row_wide(edges: &[f64], down: [f64; 2], out: &mut [f64]) = fine_row; }
+
+/// Lines between the columns of a face, the first and the last one included.
+pub(super) fn edges(size: u32) -> Vec<f64> {
+    (0..=size).map(|index| edge_of(index, size)).collect()
+}
+
+/// Solid angles of a row of texels, given the lines between columns; mirrored rows and columns are equal bit for bit.
+pub(super) fn row_of_angles(row: u32, size: u32, edges: &[f64], out: &mut [f64]) {
+    let near = row.min(size - 1 - row) as usize;
+    let down = [edges[near], edges[near + 1]];
+    let half = out.len().div_ceil(2);
+    if size >= FINE {
+        fine_row_wide(edges, down, &mut out[..half]);
+    } else {
+        for (column, value) in out[..half].iter_mut().enumerate() {
+            *value = solid_angle([edges[column], edges[column + 1]], down);
+        }
+    }
+    let (first, second) = out.split_at_mut(half);
+    for (value, mirrored) in second.iter_mut().rev().zip(first) {
+        *value = *mirrored;
+    }
 }
 
 /// Position of the line before a row or column.
@@ -48,17 +88,7 @@ pub fn solid_angles(size: u32, out: &mut [f64]) -> Result<()> {
     if out.len() != count {
         return Err(Error::value("out", format!("{count} values"), out.len()));
     }
-    out.par_chunks_mut(size as usize).zip(0..size).for_each(|(out, row)| {
-        // Mirrored texels are equal bit for bit: rows and columns are counted from the nearer edge.
-        let near = |index: u32| {
-            let index = index.min(size - 1 - index);
-            [edge_of(index, size), edge_of(index + 1, size)]
-        };
-        let down = near(row);
-        for (column, value) in out.iter_mut().enumerate() {
-            let across = near(column as u32);
-            *value = if across[0] < down[0] { solid_angle(across, down) } else { solid_angle(down, across) };
-        }
-    });
+    let edges = edges(size);
+    out.par_chunks_mut(size as usize).zip(0..size).for_each(|(out, row)| row_of_angles(row, size, &edges, out));
     Ok(())
 }
