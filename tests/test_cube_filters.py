@@ -252,6 +252,12 @@ def test_mips_cover_what_they_should(size: int) -> None:
         for j, i in np.ndindex(after, after):
             covered = faces.astype(np.float32)[:, weight[j, i] > 0]
             np.testing.assert_array_equal(found[:, j, i], choose(covered, axis=1))
+        for channel in range(2):
+            alone = nf.cube_mips(faces[..., channel].astype(np.float32), filter=name)[1]
+            np.testing.assert_array_equal(alone, found[..., channel])
+    for channel in range(2):
+        alone = nf.cube_mips(faces[..., channel])[1]
+        np.testing.assert_allclose(alone, levels[1][..., channel], rtol=0, atol=1e-15)
 
 
 @pytest.mark.parametrize("size", [1, 2, 37, 96])

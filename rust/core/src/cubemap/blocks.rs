@@ -266,6 +266,21 @@ fn halve<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T])
     }
 }
 
+/// The least, or the greatest, of 2 × 2 of two rows.
+#[inline(always)]
+fn halve_extreme<T: Real, const GREATEST: bool>(above: &[T], below: &[T], out: &mut [T]) {
+    let count = out.len();
+    let (above, below) = (&above[..2 * count], &below[..2 * count]);
+    for i in 0..count {
+        let mut chosen = above[2 * i];
+        for other in [above[2 * i + 1], below[2 * i], below[2 * i + 1]] {
+            let before = if GREATEST { other > chosen } else { other < chosen };
+            chosen = if before { other } else { chosen };
+        }
+        out[i] = chosen;
+    }
+}
+
 /// The kernels of a precision.
 pub trait Streamed: Real {
     /// Number of the texel that each direction passes through; how many directions are zero or not finite.
@@ -280,6 +295,10 @@ pub trait Streamed: Real {
     fn greatest(texels: &[Lanes<Self>; 4], weights: &[Lanes<f64>; 4], out: &mut Lanes<Self>);
     /// Adds a row of four texels, weighted, to sums.
     fn add_row(texels: &[Lanes<Self>; 4], across: &[Lanes<f64>; 4], down: &Lanes<f64>, sums: &mut Lanes<f64>);
+    /// The least of 2 × 2 of two rows.
+    fn halve_least(above: &[Self], below: &[Self], out: &mut [Self]);
+    /// The greatest of 2 × 2 of two rows.
+    fn halve_greatest(above: &[Self], below: &[Self], out: &mut [Self]);
     /// Weighted means of 2 × 2 of two rows.
     fn halve(above: &[Self], below: &[Self], weights: [&[f64]; 2], out: &mut [Self]);
 }
@@ -303,7 +322,19 @@ macro_rules! streamed {
                 fn pairs(above: &[$float], below: &[$float], weights: [&[f64]; 2], out: &mut [$float])
                     = halve::<$float>;
             }
+            widest! {
+                fn lowest(above: &[$float], below: &[$float], out: &mut [$float]) = halve_extreme::<$float, false>;
+            }
+            widest! {
+                fn highest(above: &[$float], below: &[$float], out: &mut [$float]) = halve_extreme::<$float, true>;
+            }
             impl Streamed for $float {
+                fn halve_least(above: &[Self], below: &[Self], out: &mut [Self]) {
+                    lowest(above, below, out);
+                }
+                fn halve_greatest(above: &[Self], below: &[Self], out: &mut [Self]) {
+                    highest(above, below, out);
+                }
                 fn halve(above: &[Self], below: &[Self], weights: [&[f64]; 2], out: &mut [Self]) {
                     pairs(above, below, weights, out);
                 }

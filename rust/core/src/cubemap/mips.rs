@@ -51,7 +51,7 @@ pub fn next_level<T: Number>(faces: Faces<'_, T>, reduction: Reduction, out: &mu
     if faces.channels == 0 {
         return Ok(());
     }
-    let plain = reduction == Reduction::Mean && size.is_multiple_of(2) && faces.channels == 1;
+    let plain = size.is_multiple_of(2) && faces.channels == 1;
     let edges = edges(size);
     let across: Vec<Covered> = (0..next).map(|column| covered(column, size, next)).collect();
     let row_length = next as usize * faces.channels;
@@ -70,10 +70,7 @@ pub fn next_level<T: Number>(faces: Faces<'_, T>, reduction: Reduction, out: &mu
             let start = (face * size as usize + down.first as usize) * size as usize * faces.channels;
             let texels = &faces.values[start..][..down.pieces.len() * size as usize * faces.channels];
             match reduction {
-                Reduction::Mean if plain => {
-                    let ((above, below), (w, x)) = (texels.split_at(size as usize), weights.split_at(size as usize));
-                    T::halve(above, below, [w, x], out);
-                }
+                _ if plain => halve(texels, &weights, reduction, out),
                 Reduction::Mean => mean(texels, &across, &weights, &faces, out),
                 Reduction::Min => extreme(texels, &across, &faces, |one, other| one < other, out),
                 Reduction::Max => extreme(texels, &across, &faces, |one, other| one > other, out),
@@ -81,6 +78,19 @@ pub fn next_level<T: Number>(faces: Faces<'_, T>, reduction: Reduction, out: &mu
         }
     });
     Ok(())
+}
+
+/// The next row, of one channel, where a size is even.
+fn halve<T: Number>(texels: &[T], weights: &[f64], reduction: Reduction, out: &mut [T]) {
+    let (above, below) = texels.split_at(texels.len() / 2);
+    match reduction {
+        Reduction::Mean => {
+            let (one, other) = weights.split_at(weights.len() / 2);
+            T::halve(above, below, [one, other], out);
+        }
+        Reduction::Min => T::halve_least(above, below, out),
+        Reduction::Max => T::halve_greatest(above, below, out),
+    }
 }
 
 /// Solid angles of the two rows of texels that a row covers where a size is even.
