@@ -32,29 +32,28 @@ pub fn footprint<T: Number, D: Number>(
         return Ok(());
     }
     match filter {
-        Filter::Min => all(faces, directions, radius, |one, other| one < other, T::from_f64(f64::INFINITY), out),
-        Filter::Max => all(faces, directions, radius, |one, other| one > other, T::from_f64(f64::NEG_INFINITY), out),
+        Filter::Min => all::<T, D, false>(faces, directions, radius, out),
+        Filter::Max => all::<T, D, true>(faces, directions, radius, out),
         _ => return Err(Error::value("filter", "the least or the greatest", format!("{filter:?}"))),
     }
     Ok(())
 }
 
-fn all<T: Number, D: Number>(
+fn all<T: Number, D: Number, const GREATEST: bool>(
     faces: Faces<'_, T>,
     directions: &[[D; 3]],
     radius: f64,
-    before: impl Fn(T, T) -> bool + Sync,
-    nothing: T,
     out: &mut [T],
 ) {
-    let pyramid = Pyramid::new(faces, radius, &before);
+    let pyramid = Pyramid::new::<GREATEST>(faces, radius);
+    let nothing = T::from_f64(if GREATEST { f64::NEG_INFINITY } else { f64::INFINITY });
     out.par_chunks_mut(TILE * faces.channels).zip(directions.par_chunks(TILE)).for_each(|(out, directions)| {
         let mut scratch = Scratch::default();
         for (out, d) in out.chunks_exact_mut(faces.channels).zip(directions) {
             out.fill(nothing);
             let cone = Cone::new(DVec3::from_array(d.map(Real::to_f64)), radius);
             for face in 0..6 {
-                pyramid.visit(&cone, face, &mut scratch, |values| take(out, values, &before));
+                pyramid.visit(&cone, face, &mut scratch, |values| take::<T, GREATEST>(out, values));
             }
         }
     });
@@ -62,7 +61,8 @@ fn all<T: Number, D: Number>(
 
 /// Replaces the values of texels that others come before.
 #[inline]
-fn take<T: Copy>(out: &mut [T], values: &[T], before: &impl Fn(T, T) -> bool) {
+fn take<T: Number, const GREATEST: bool>(out: &mut [T], values: &[T]) {
+    let before = |one: T, other: T| if GREATEST { one > other } else { one < other };
     if let [chosen] = out {
         for &value in values {
             *chosen = if before(value, *chosen) { value } else { *chosen };
@@ -71,9 +71,7 @@ fn take<T: Copy>(out: &mut [T], values: &[T], before: &impl Fn(T, T) -> bool) {
     }
     for texel in values.chunks_exact(out.len()) {
         for (chosen, &value) in out.iter_mut().zip(texel) {
-            if before(value, *chosen) {
-                *chosen = value;
-            }
+            *chosen = if before(value, *chosen) { value } else { *chosen };
         }
     }
 }
@@ -93,7 +91,7 @@ struct Scratch {
 }
 
 impl<'a, T: Number> Pyramid<'a, T> {
-    fn new(faces: Faces<'a, T>, radius: f64, before: &(impl Fn(T, T) -> bool + Sync)) -> Self {
+    fn new<const GREATEST: bool>(faces: Faces<'a, T>, radius: f64) -> Self {
         let mut levels: Vec<(usize, Vec<T>)> = Vec::new();
         let mut across = radius * f64::from(faces.size);
         while across > WIDE {
@@ -102,7 +100,7 @@ impl<'a, T: Number> Pyramid<'a, T> {
                 Some((size, values)) => (*size, values.as_slice()),
                 None => (faces.size as usize, faces.values),
             };
-            let halved = halve(values, size, faces.channels, before);
+            let halved = halve::<T, GREATEST>(values, size, faces.channels);
             levels.push((size.div_ceil(2), halved));
         }
         Self { faces, levels }
@@ -169,7 +167,7 @@ fn coarsen(rows: &Rows, size: usize, blocks: &mut Rows) {
 }
 
 /// Extremes of 2 × 2 blocks of six faces.
-fn halve<T: Number>(values: &[T], size: usize, channels: usize, before: &(impl Fn(T, T) -> bool + Sync)) -> Vec<T> {
+fn halve<T: Number, const GREATEST: bool>(values: &[T], size: usize, channels: usize) -> Vec<T> {
     let half = size.div_ceil(2);
     let row_length = size * channels;
     let mut out = vec![T::from_f64(0.0); 6 * half * half * channels];
@@ -177,11 +175,16 @@ fn halve<T: Number>(values: &[T], size: usize, channels: usize, before: &(impl F
         let first = index / half * size + index % half * 2;
         let count = if index % half * 2 + 1 < size { 2 } else { 1 };
         let rows = &values[first * row_length..][..count * row_length];
+        if channels == 1 && size.is_multiple_of(2) {
+            let (above, below) = rows.split_at(row_length);
+            let halve = if GREATEST { T::halve_greatest } else { T::halve_least };
+            return halve(above, below, out);
+        }
         for (column, block) in out.chunks_exact_mut(channels).enumerate() {
             block.copy_from_slice(&rows[2 * column * channels..][..channels]);
             for row in rows.chunks_exact(row_length) {
                 let end = (2 * column + 2).min(size) * channels;
-                take(block, &row[2 * column * channels..end], before);
+                take::<T, GREATEST>(block, &row[2 * column * channels..end]);
             }
         }
     });
