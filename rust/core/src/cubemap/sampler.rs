@@ -95,15 +95,16 @@ impl<'a, T: Number> Sampler<'a, T> {
         let zero = T::from_f64(0.0);
         let mut texels = [[Lanes([zero; BLOCK]); 4]; COUNT];
         let below = self.width * self.channels;
-        for (i, &texel) in placed.first.0.iter().enumerate() {
-            let start = texel as usize * self.channels + first;
+        // Plain loops: adapters of iterators are not always inlined where it matters.
+        for i in 0..BLOCK {
+            let start = placed.first.0[i] as usize * self.channels + first;
             let above = &self.values[start..start + self.channels + COUNT];
             let under = &self.values[start + below..start + below + self.channels + COUNT];
-            for (channel, texels) in texels.iter_mut().enumerate() {
-                texels[0].0[i] = above[channel];
-                texels[1].0[i] = above[self.channels + channel];
-                texels[2].0[i] = under[channel];
-                texels[3].0[i] = under[self.channels + channel];
+            for channel in 0..COUNT {
+                texels[channel][0].0[i] = above[channel];
+                texels[channel][1].0[i] = above[self.channels + channel];
+                texels[channel][2].0[i] = under[channel];
+                texels[channel][3].0[i] = under[self.channels + channel];
             }
         }
         let weights = blocks::bilinear(placed);
@@ -191,10 +192,15 @@ fn extreme<T: Real>(texels: [T; 4], taps: &Taps, before: impl Fn(T, T) -> bool) 
 
 /// Writes channels from `first` on, of as many directions as `out` has room for.
 fn scatter<T: Copy, const COUNT: usize>(values: &[Lanes<T>; COUNT], first: usize, channels: usize, out: &mut [T]) {
+    if channels == 1 {
+        let count = out.len();
+        return out.copy_from_slice(&values[0].0[..count]);
+    }
     if channels == COUNT {
-        for (i, texel) in out.as_chunks_mut::<COUNT>().0.iter_mut().enumerate() {
-            for (value, lanes) in texel.iter_mut().zip(values) {
-                *value = lanes.0[i];
+        let texels = out.as_chunks_mut::<COUNT>().0;
+        for i in 0..texels.len().min(BLOCK) {
+            for channel in 0..COUNT {
+                texels[i][channel] = values[channel].0[i];
             }
         }
         return;
