@@ -4,16 +4,15 @@ from nearfar import datasets, hmd, lod
 from nearfar._bend import bend_rays, fold_margin
 from nearfar._bounds import bounding_sphere, bounding_spheres, solid_angle
 from nearfar._camera import Camera, CubeFace, Fov, Orthographic
-from nearfar._depth import depth_from_range, range_error, range_from_depth
-from nearfar._discontinuity import boundary, discontinuity
 from nearfar._cubemap import cube_lookup, cube_mips, cube_solid_angles
+from nearfar._depth import depth_from_range, range_error, range_from_depth
 from nearfar._discontinuity import boundary, discontinuity
 from nearfar._envmap import EnvMap
 from nearfar._errors import DeviceError, Error, FormatError, SceneError
 from nearfar._frame import Frame
 from nearfar._hmd import Hmd
-from nearfar._lens import ChromaticLens, RadialLens, corrected_solid_angle
 from nearfar._layouts import convert_envmap, envmap_directions, envmap_texels
+from nearfar._lens import ChromaticLens, RadialLens, corrected_solid_angle
 from nearfar._load_curve import LoadCurve, load_curve
 from nearfar._metrics import object_completion, psnr, rmse
 from nearfar._morph import morph
@@ -54,8 +53,8 @@ __all__ = [
     "bounding_sphere",
     "bounding_spheres",
     "cast_rays",
-    "corrected_solid_angle",
     "convert_envmap",
+    "corrected_solid_angle",
     "cube_lookup",
     "cube_mips",
     "cube_solid_angles",

@@ -1,7 +1,7 @@
 //! Lookups in blocks: what the compiler turns into vectors. Texels are gathered between these kernels, one by one,
 //! because gathering instructions are no faster and on some machines much slower.
 
-use super::faces::Real;
+use crate::base::Real;
 use crate::base::simd::widest;
 
 /// Directions that go through the kernels together; their temporaries stay in the first-level cache.
@@ -68,9 +68,9 @@ impl Placed {
 fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
     let mut d = [Lanes([0.0f64; BLOCK]); 3];
     for (i, direction) in directions.iter().enumerate() {
-        d[0].0[i] = direction[0].to_f64();
-        d[1].0[i] = direction[1].to_f64();
-        d[2].0[i] = direction[2].to_f64();
+        d[0].0[i] = direction[0].wide();
+        d[1].0[i] = direction[1].wide();
+        d[2].0[i] = direction[2].wide();
     }
     let mut wrong = 0u64;
     for i in 0..BLOCK {
@@ -217,10 +217,10 @@ fn mix<T: Real>(texels: &[Lanes<T>; 4], weights: &[Lanes<f64>; 4], out: &mut Lan
         let mut term = [0.0; 4];
         for k in 0..4 {
             let weight = weights[k].0[i];
-            let product = texels[k].0[i].to_f64() * weight;
+            let product = texels[k].0[i].wide() * weight;
             term[k] = if weight > 0.0 { product } else { 0.0 };
         }
-        out.0[i] = T::from_f64((term[0] + term[1]) + (term[2] + term[3]));
+        out.0[i] = T::narrow((term[0] + term[1]) + (term[2] + term[3]));
     }
 }
 
@@ -246,7 +246,7 @@ fn add_row<T: Real>(texels: &[Lanes<T>; 4], across: &[Lanes<f64>; 4], down: &Lan
     for i in 0..BLOCK {
         let mut term = [0.0; 4];
         for k in 0..4 {
-            term[k] = texels[k].0[i].to_f64() * across[k].0[i];
+            term[k] = texels[k].0[i].wide() * across[k].0[i];
         }
         sums.0[i] += ((term[0] + term[3]) + (term[1] + term[2])) * down.0[i];
     }
@@ -259,10 +259,10 @@ fn halve<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T])
     let (above, below) = (&above[..2 * count], &below[..2 * count]);
     let (w, x) = (&weights[0][..2 * count], &weights[1][..2 * count]);
     for i in 0..count {
-        let (a, b) = (above[2 * i].to_f64() * w[2 * i], above[2 * i + 1].to_f64() * w[2 * i + 1]);
-        let (c, d) = (below[2 * i].to_f64() * x[2 * i], below[2 * i + 1].to_f64() * x[2 * i + 1]);
+        let (a, b) = (above[2 * i].wide() * w[2 * i], above[2 * i + 1].wide() * w[2 * i + 1]);
+        let (c, d) = (below[2 * i].wide() * x[2 * i], below[2 * i + 1].wide() * x[2 * i + 1]);
         let total = (w[2 * i] + w[2 * i + 1]) + (x[2 * i] + x[2 * i + 1]);
-        out[i] = T::from_f64(((a + b) + (c + d)) / total);
+        out[i] = T::narrow(((a + b) + (c + d)) / total);
     }
 }
 

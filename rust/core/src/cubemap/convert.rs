@@ -4,12 +4,12 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use super::blocks::{BLOCK, Lanes, Streamed, keys};
-use super::faces::{Faces, Number, Real};
+use super::faces::{Faces, Number};
 use super::flat;
 use super::layout::{Grid, Layout, Rows};
 use super::lookup::{Filter, in_blocks, in_tiles, is_wrong};
 use super::sampler::Sampler;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Error, Progress, Real, Result};
 
 /// Texels whose directions are made and looked up together.
 const SEGMENT: usize = 512;
@@ -57,7 +57,7 @@ impl<T: Number> Picture<'_, T> {
             *value = match filter {
                 Filter::Min => first(texels, |one, other| one < other),
                 Filter::Max => first(texels, |one, other| one > other),
-                _ => T::from_f64(texels.map(|(texel, weight)| texel.to_f64() * weight).sum()),
+                _ => T::narrow(texels.map(|(texel, weight)| texel.wide() * weight).sum()),
             };
         }
     }
@@ -67,7 +67,7 @@ impl<T: Number> Picture<'_, T> {
 fn first<T: Number>(texels: impl Iterator<Item = (T, f64)>, before: impl Fn(T, T) -> bool) -> T {
     let chosen =
         texels.map(|(texel, _)| texel).reduce(|chosen, texel| if before(texel, chosen) { texel } else { chosen });
-    chosen.unwrap_or(T::from_f64(0.0))
+    chosen.unwrap_or(T::narrow(0.0))
 }
 
 /// Writes a picture in another layout. Each texel is looked up at `samples`² places, evenly spread, of which the mean is
@@ -98,7 +98,7 @@ pub fn convert<T: Number>(
     progress.expect(target.rows().into());
     out.par_chunks_mut(target.width as usize * channels).zip(0..target.rows()).try_for_each(|(out, row)| {
         let mut directions = [[0.0; 3]; SEGMENT];
-        let mut values = vec![T::from_f64(0.0); SEGMENT * channels];
+        let mut values = vec![T::narrow(0.0); SEGMENT * channels];
         let mut sums = vec![0.0; SEGMENT * channels];
         for (segment, out) in out.chunks_mut(SEGMENT * channels).enumerate() {
             let directions = &mut directions[..out.len() / channels];
@@ -107,7 +107,7 @@ pub fn convert<T: Number>(
                 rows.write(row, (segment * SEGMENT) as u32, directions);
                 source.sample(directions, values);
                 for (sum, value) in sums.iter_mut().zip(&*values) {
-                    let value = value.to_f64();
+                    let value = value.wide();
                     *sum = match filter {
                         _ if sample == 0 => value,
                         Filter::Min => sum.min(value),
@@ -119,7 +119,7 @@ pub fn convert<T: Number>(
             let is_mean = matches!(filter, Filter::Linear | Filter::Cubic);
             let share = if is_mean { rows.len() as f64 } else { 1.0 };
             for (value, sum) in out.iter_mut().zip(&*sums) {
-                *value = T::from_f64(sum / share);
+                *value = T::narrow(sum / share);
             }
         }
         progress.report(1)
@@ -177,7 +177,7 @@ pub fn grid_texels<D: Number>(grid: Grid, directions: &[[D; 3]], out: &mut [i64]
     in_tiles(directions, out, 1, |directions, out| {
         for (d, number) in directions.iter().zip(out) {
             if !is_wrong(d) {
-                *number = grid.texel(DVec3::from_array(d.map(Real::to_f64))).into();
+                *number = grid.texel(DVec3::from_array(d.map(Real::wide))).into();
             }
         }
         directions.iter().position(is_wrong)

@@ -54,7 +54,7 @@ impl<'a, T: Number> Rim<'a, T> {
                 self.add_face(d, axis, share[axis] / total, 4 * group, &mut sums[..out.len()]);
             }
             for (value, sum) in out.iter_mut().zip(sums) {
-                *value = T::from_f64(sum);
+                *value = T::narrow(sum);
             }
         }
     }
@@ -73,7 +73,7 @@ impl<'a, T: Number> Rim<'a, T> {
                 if inside {
                     let number = (u32::from(face) * size + place.0 as u32) * size + place.1 as u32;
                     for (sum, value) in sums.iter_mut().zip(&self.faces.texel(number)[first..]) {
-                        *sum += weight * value.to_f64();
+                        *sum += weight * value.wide();
                     }
                 } else if self.table.is_empty() {
                     let taps = Beyond::new(face, place.0, place.1, size);
@@ -198,7 +198,7 @@ impl Beyond {
         let mut sum = 0.0;
         for (&texel, weight) in self.texel.iter().zip(self.weight) {
             if weight != 0.0 {
-                sum += weight * faces.texel(texel)[channel].to_f64();
+                sum += weight * faces.texel(texel)[channel].wide();
             }
         }
         sum

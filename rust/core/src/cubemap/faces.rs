@@ -1,37 +1,7 @@
-//! Six faces of numbers, and the precisions in which they may be kept.
+//! Six faces of numbers.
 
 use super::{MAX_SIZE, blocks::Streamed};
-use crate::base::{Error, Result};
-
-/// Float32 or float64.
-pub trait Real: Copy + PartialOrd + Send + Sync + 'static {
-    /// Widens exactly.
-    fn to_f64(self) -> f64;
-    /// Rounds once.
-    fn from_f64(value: f64) -> Self;
-}
-
-impl Real for f32 {
-    #[inline(always)]
-    fn to_f64(self) -> f64 {
-        f64::from(self)
-    }
-    #[inline(always)]
-    fn from_f64(value: f64) -> Self {
-        value as f32
-    }
-}
-
-impl Real for f64 {
-    #[inline(always)]
-    fn to_f64(self) -> f64 {
-        self
-    }
-    #[inline(always)]
-    fn from_f64(value: f64) -> Self {
-        value
-    }
-}
+use crate::base::{Error, Real, Result};
 
 /// Six faces of `size`² texels of `channels` values each.
 #[derive(Debug)]

@@ -4,9 +4,9 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::cone::{Cone, Rows};
-use super::faces::{Faces, Number, Real, refuse};
+use super::faces::{Faces, Number, refuse};
 use super::lookup::{Filter, is_wrong};
-use crate::base::{Error, Result};
+use crate::base::{Error, Real, Result};
 
 /// Texels across a cone from which on a level of halved size pays.
 const WIDE: f64 = 8.0;
@@ -46,12 +46,12 @@ fn all<T: Number, D: Number, const GREATEST: bool>(
     out: &mut [T],
 ) {
     let pyramid = Pyramid::new::<GREATEST>(faces, radius);
-    let nothing = T::from_f64(if GREATEST { f64::NEG_INFINITY } else { f64::INFINITY });
+    let nothing = T::narrow(if GREATEST { f64::NEG_INFINITY } else { f64::INFINITY });
     out.par_chunks_mut(TILE * faces.channels).zip(directions.par_chunks(TILE)).for_each(|(out, directions)| {
         let mut scratch = Scratch::default();
         for (out, d) in out.chunks_exact_mut(faces.channels).zip(directions) {
             out.fill(nothing);
-            let cone = Cone::new(DVec3::from_array(d.map(Real::to_f64)), radius);
+            let cone = Cone::new(DVec3::from_array(d.map(Real::wide)), radius);
             for face in 0..6 {
                 pyramid.visit(&cone, face, &mut scratch, |values| take::<T, GREATEST>(out, values));
             }
@@ -170,7 +170,7 @@ fn coarsen(rows: &Rows, size: usize, blocks: &mut Rows) {
 fn halve<T: Number, const GREATEST: bool>(values: &[T], size: usize, channels: usize) -> Vec<T> {
     let half = size.div_ceil(2);
     let row_length = size * channels;
-    let mut out = vec![T::from_f64(0.0); 6 * half * half * channels];
+    let mut out = vec![T::narrow(0.0); 6 * half * half * channels];
     out.par_chunks_mut(half * channels).enumerate().for_each(|(index, out)| {
         let first = index / half * size + index % half * 2;
         let count = if index % half * 2 + 1 < size { 2 } else { 1 };

@@ -6,9 +6,9 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::blocks::{BLOCK, Lanes};
-use super::faces::{Faces, Number, Real, refuse};
+use super::faces::{Faces, Number, refuse};
 use super::sampler::Sampler;
-use crate::base::Result;
+use crate::base::{Real, Result};
 
 /// Directions handled by one task.
 pub(super) const TILE: usize = 1 << 13;
@@ -124,6 +124,6 @@ fn nearest_of<T: Copy, D: Number, const CHANNELS: usize>(
 
 /// Whether a direction is zero or not finite.
 pub(super) fn is_wrong<D: Real>(d: &[D; 3]) -> bool {
-    let d = DVec3::from_array(d.map(Real::to_f64));
+    let d = DVec3::from_array(d.map(Real::wide));
     !d.is_finite() || d == DVec3::ZERO
 }

@@ -131,10 +131,10 @@ fn mean<T: Number>(texels: &[T], across: &[Covered], weights: &[f64], faces: &Fa
             let mut sum = 0.0;
             for (row, weights) in texels.chunks_exact(row_length).zip(own.chunks_exact(count)) {
                 for (k, weight) in weights.iter().enumerate() {
-                    sum += row[start + k * channels + channel].to_f64() * weight;
+                    sum += row[start + k * channels + channel].wide() * weight;
                 }
             }
-            *value = T::from_f64(sum);
+            *value = T::narrow(sum);
         }
     }
 }

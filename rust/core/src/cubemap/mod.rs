@@ -33,7 +33,7 @@ use glam::DVec3;
 
 pub use convert::{Picture, convert, convert_nearest, grid_directions, grid_texels};
 pub use environment::EnvironmentMap;
-pub use faces::{Faces, Number, Real};
+pub use faces::{Faces, Number};
 pub use footprint::footprint;
 pub use layout::{Grid, Layout};
 pub use lookup::{Filter, lookup, nearest};

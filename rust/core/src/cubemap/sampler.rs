@@ -5,10 +5,11 @@ use glam::DVec3;
 use super::blocks::{self, BLOCK, Inner, Lanes, Placed};
 use super::convert::Picture;
 use super::cubic::Rim;
-use super::faces::{Faces, Number, Real};
+use super::faces::{Faces, Number};
 use super::flat;
 use super::lookup::{Filter, in_blocks};
 use super::taps::Taps;
+use crate::base::Real;
 
 /// Lookups in one picture with one filter.
 pub(super) struct Sampler<'a, T> {
@@ -63,7 +64,7 @@ impl<'a, T: Number> Sampler<'a, T> {
                 Whole::Flat(picture) => {
                     let mut wide = [[0.0; 3]; BLOCK];
                     for (wide, d) in wide.iter_mut().zip(block) {
-                        *wide = d.map(Real::to_f64);
+                        *wide = d.map(Real::wide);
                     }
                     flat::find_places(&wide, picture.grid, reach(self.filter), &mut placed);
                     0
@@ -92,7 +93,7 @@ impl<'a, T: Number> Sampler<'a, T> {
 
     /// Mixes the four texels around each direction, `COUNT` channels of them from `first` on.
     fn squares<const COUNT: usize>(&self, placed: &Placed, first: usize, out: &mut [T]) {
-        let zero = T::from_f64(0.0);
+        let zero = T::narrow(0.0);
         let mut texels = [[Lanes([zero; BLOCK]); 4]; COUNT];
         let below = self.width * self.channels;
         // Plain loops: adapters of iterators are not always inlined where it matters.
@@ -122,7 +123,7 @@ impl<'a, T: Number> Sampler<'a, T> {
     /// Mixes the 4 × 4 texels around each direction.
     fn cubic(&self, placed: &Placed, out: &mut [T]) {
         let (across, down) = (blocks::cubic(&placed.s), blocks::cubic(&placed.t));
-        let mut texels = [Lanes([T::from_f64(0.0); BLOCK]); 4];
+        let mut texels = [Lanes([T::narrow(0.0); BLOCK]); 4];
         for channel in 0..self.channels {
             let mut sums = Lanes([0.0; BLOCK]);
             for (row, weights) in down.iter().enumerate() {
@@ -136,7 +137,7 @@ impl<'a, T: Number> Sampler<'a, T> {
                 }
                 T::add_row(&texels, &across, weights, &mut sums);
             }
-            scatter(&[Lanes(sums.0.map(T::from_f64))], channel, self.channels, out);
+            scatter(&[Lanes(sums.0.map(T::narrow))], channel, self.channels, out);
         }
     }
 
@@ -148,7 +149,7 @@ impl<'a, T: Number> Sampler<'a, T> {
             for lane in (0..8).filter(|&lane| flags[lane] != 0).map(|lane| 8 * eight + lane) {
                 // Blocks at the end are not full.
                 let Some(values) = out.chunks_exact_mut(self.channels).nth(lane) else { return };
-                self.one(DVec3::from_array(block[lane].map(Real::to_f64)), values);
+                self.one(DVec3::from_array(block[lane].map(Real::wide)), values);
             }
         }
     }
@@ -175,8 +176,8 @@ impl<'a, T: Number> Sampler<'a, T> {
 
 /// Weighted mean. Texels without weight are left out, because 0 times infinity is NaN.
 fn mean<T: Real>(texels: [T; 4], taps: &Taps) -> T {
-    let term = |i: usize| if taps.weight[i] > 0.0 { texels[i].to_f64() * taps.weight[i] } else { 0.0 };
-    T::from_f64((term(0) + term(1)) + (term(2) + term(3)))
+    let term = |i: usize| if taps.weight[i] > 0.0 { texels[i].wide() * taps.weight[i] } else { 0.0 };
+    T::narrow((term(0) + term(1)) + (term(2) + term(3)))
 }
 
 /// The texel that comes before all others that have weight.
