@@ -37,5 +37,43 @@ impl Error {
     }
 }
 
+/// A number for a message: with an exponent where digits alone would make a row of zeros.
+pub fn number(value: f64) -> String {
+    let size = value.abs();
+    let plain = size == 0.0 || (1e-4..1e16).contains(&size) || !size.is_finite();
+    if plain { value.to_string() } else { format!("{value:e}") }
+}
+
 /// Result of a kernel.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    #[test]
+    fn messages_have_no_rows_of_zeros() {
+        let shown = [0.0, -0.0, 0.1, -1.5, 1e-4, 9.9e-5, -1e-310, 9_999_999_999_999_998.0, 1e16, -f64::MAX];
+        let words = [
+            "0",
+            "-0",
+            "0.1",
+            "-1.5",
+            "0.0001",
+            "9.9e-5",
+            "-1e-310",
+            "9999999999999998",
+            "1e16",
+            "-1.7976931348623157e308",
+        ];
+        assert_eq!(shown.map(number), words);
+        assert_eq!([f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(number), ["NaN", "inf", "-inf"]);
+    }
+
+    #[test]
+    fn numbers_in_messages_read_back_as_they_were() {
+        for value in [1.0 / 3.0, f64::MIN_POSITIVE / 3.0, 2f64.powi(60) + 1024.0, -1e-4 / 3.0] {
+            assert_eq!(number(value).parse(), Ok(value));
+        }
+    }
+}

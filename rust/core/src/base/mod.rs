@@ -10,6 +10,6 @@ pub mod real;
 pub(crate) mod simd;
 
 pub use buffer::Buffer;
-pub use error::{Error, Result};
+pub use error::{Error, Result, number};
 pub use progress::Progress;
 pub use real::Real;
