@@ -70,6 +70,19 @@ def test_array_straightens_strides_and_alignment() -> None:
         (TypeError, "samples: expected a whole number", lambda: _check.integer("samples", 1.5, 1, 9)),  # type: ignore[arg-type]
         (ValueError, "kind: expected one of 'a', 'b', got 'c'", lambda: _check.choice("kind", "c", ("a", "b"))),
         (TypeError, "kind: expected a string", lambda: _check.choice("kind", 3, ("a", "b"))),  # type: ignore[arg-type]
+        (
+            TypeError,
+            r"cells: expected two whole numbers, got \(1, 2, 3\)",
+            lambda: _check.pair("cells", (1, 2, 3), 1, 9),
+        ),  # type: ignore[arg-type]
+        (TypeError, "cells: expected two whole numbers, got 3", lambda: _check.pair("cells", 3, 1, 9)),  # type: ignore[arg-type]
+        (TypeError, r"cells\[1\]: expected a whole number", lambda: _check.pair("cells", (1, 2.0), 1, 9)),  # type: ignore[arg-type]
+        (
+            ValueError,
+            r"cells\[0\]: expected a whole number from 1 to 9, got 0",
+            lambda: _check.pair("cells", (0, 2), 1, 9),
+        ),
+        (TypeError, r"size: expected \(width, height\) in pixels, got None", lambda: _check.size("size", None)),  # type: ignore[arg-type]
         (ValueError, "r1: expected less than r2 = 3.0, got 3.0", lambda: _check.radii(3, 3)),
         (ValueError, "r1: expected a radius of at least 0, got -1.0", lambda: _check.radii(-1, 3)),
         (ValueError, "r2: expected a finite number, got inf", lambda: _check.radii(1, np.inf)),
@@ -84,6 +97,7 @@ def test_right_arguments_pass() -> None:
     assert _check.vector("center", np.array([1, 2, 3])) == (1.0, 2.0, 3.0)
     assert _check.radii(0, np.float32(0.5)) == (0.0, 0.5)
     assert _check.integer("samples", np.int64(3), 1, 9) == 3
+    assert _check.pair("cells", np.array([1, 9]), 1, 9) == (1, 9)  # type: ignore[arg-type]
     assert _check.array("faces", np.array([[0, 1, 2]]), dtype=np.uint32).dtype == np.uint32
     assert _check.array("faces", [], columns=None, dtype=np.uint32).shape == (0,)
 

@@ -112,13 +112,14 @@ def integer(name: str, value: SupportsIndex, low: int, high: int) -> int:
     return result
 
 
+def pair(name: str, value: tuple[int, int], low: int, high: int) -> tuple[int, int]:
+    """Two whole numbers within [low, high]; ValueError or TypeError otherwise."""
+    return _pair(name, value, low, high, "two whole numbers")
+
+
 def size(name: str, value: tuple[int, int]) -> tuple[int, int]:
     """Width and height of an image in pixels; TypeError or ValueError otherwise."""
-    try:
-        width, height = value
-    except (TypeError, ValueError):
-        raise TypeError(f"{name}: expected (width, height) in pixels, got {value!r}") from None
-    return integer(f"{name}[0]", width, 1, MAX_SIZE), integer(f"{name}[1]", height, 1, MAX_SIZE)
+    return _pair(name, value, 1, MAX_SIZE, "(width, height) in pixels")
 
 
 def spheres(centers: ArrayLike, radii: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -155,6 +156,14 @@ def radii(r1: SupportsFloat, r2: SupportsFloat) -> tuple[float, float]:
     if inner >= outer:
         raise ValueError(f"r1: expected less than r2 = {outer}, got {inner}")
     return inner, outer
+
+
+def _pair(name: str, value: tuple[int, int], low: int, high: int, expected: str) -> tuple[int, int]:
+    try:
+        one, other = value
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: expected {expected}, got {value!r}") from None
+    return integer(f"{name}[0]", one, low, high), integer(f"{name}[1]", other, low, high)
 
 
 def _numbers(name: str, value: ArrayLike) -> NDArray[Any]:

@@ -70,14 +70,14 @@ class Hmd:
         for side in EYES:
             if not isinstance(getattr(self, side), Eye):
                 raise TypeError(f"{side}: expected Eye, got {type(getattr(self, side)).__name__}")
-        _set(self, "render_size", _pair("render_size", self.render_size, 1, _check.MAX_SIZE))
+        _set(self, "render_size", _check.pair("render_size", self.render_size, 1, _check.MAX_SIZE))
         if self.panel_size is not None:
-            _set(self, "panel_size", _pair("panel_size", self.panel_size, 1, _check.MAX_SIZE))
+            _set(self, "panel_size", _check.pair("panel_size", self.panel_size, 1, _check.MAX_SIZE))
         if self.refresh_hz is not None:
             _set(self, "refresh_hz", _check.positive("refresh_hz", self.refresh_hz))
         self._check_lens()
         if self.triangle_budget is not None:
-            least, most = _pair("triangle_budget", self.triangle_budget, 1, 1 << 40)
+            least, most = _check.pair("triangle_budget", self.triangle_budget, 1, 1 << 40)
             if least > most:
                 raise ValueError(f"triangle_budget: expected the least number first, got {self.triangle_budget}")
             _set(self, "triangle_budget", (least, most))
@@ -185,11 +185,3 @@ class Hmd:
 
 def _set(hmd: Hmd, name: str, value: object) -> None:
     object.__setattr__(hmd, name, value)
-
-
-def _pair(name: str, value: tuple[int, int], low: int, high: int) -> tuple[int, int]:
-    try:
-        one, other = value
-    except (TypeError, ValueError):
-        raise TypeError(f"{name}: expected two whole numbers, got {value!r}") from None
-    return _check.integer(f"{name}[0]", one, low, high), _check.integer(f"{name}[1]", other, low, high)
