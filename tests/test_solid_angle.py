@@ -114,6 +114,26 @@ def test_the_area_that_is_shown(alpha: float, mu: float) -> None:
         assert found == pytest.approx(area(alpha, mu, lens, 1.03553), rel=1e-11)
 
 
+@pytest.mark.parametrize("alpha", [1.5, 1.55, 1.568])
+@pytest.mark.parametrize("mu", [1.94e-3, 1e-4])
+def test_small_spheres_before_ninety_degrees(alpha: float, mu: float) -> None:
+    center, radius = placed(alpha, 0.3, mu)
+    found = nf.corrected_solid_angle(center[None], radius, camera=VIEW, lens=RIFT_S, exact=True)[0]
+    # Where the centre is placed is rounded: 1e-15 of 10 m against the 0.003 to 90°. The sum cancels as documented.
+    assert found == pytest.approx(
+        area(alpha, mu, RIFT_S, 1.03553), rel=1e-11 + 1e-15 / mu + 1e-14 / (math.pi / 2 - alpha)
+    )
+
+
+def test_the_lens_radius_may_be_given() -> None:
+    center, radius = placed(0.6, 0.0, 0.05)
+    wide = nf.Camera(VIEW.position, fov=nf.Fov(-2, 2, -1, 1), size=(8, 8))
+    expected = nf.corrected_solid_angle(center[None], radius, camera=VIEW, lens=RIFT_S)
+    for camera in (VIEW, wide):
+        found = nf.corrected_solid_angle(center[None], radius, camera=camera, lens=RIFT_S, lens_radius=1.03553)
+        assert np.array_equal(found, expected)
+
+
 def test_the_rift_shrinks_in_two_directions() -> None:
     view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(87), size=(100, 100))
     angle = math.radians(43)
@@ -161,6 +181,13 @@ def test_the_lens_turns_with_the_camera() -> None:
         ({"camera": 3}, TypeError, "camera: expected a Camera, got int"),
         ({"camera": nf.Camera((0, 0, 0), fov=nf.CubeFace(0), size=(8, 8))}, TypeError, "expected one with a Fov"),
         ({"lens": (0.1,)}, TypeError, "lens: expected a RadialLens, got tuple"),
+        ({"lens": nf.RadialLens((0.1,), (0.1, 0.0))}, ValueError, "lens: expected one without tangential terms"),
+        ({"lens_radius": -1}, ValueError, "lens_radius: expected a number above 0"),
+        (
+            {"centers": [[1.7e308, 0, 0]], "camera": nf.Camera((-1.7e308, 0, 0), fov=VIEW.fov, size=(4, 4))},
+            ValueError,
+            "centers: expected finite numbers, and distances",
+        ),
     ],
 )
 def test_bad_arguments(changed: dict[str, Any], error: type[Exception], message: str) -> None:

@@ -94,7 +94,8 @@ def solid_angle(centers: ArrayLike, radii: ArrayLike, *, eye: ArrayLike) -> NDAr
     -------
     NDArray
         (N,) float64, steradians: σ = 2π (1 − cos μ) with μ = asin(radius / distance), to a few units in the last place
-        however small the sphere is; 4π where the eye is in it or on it.
+        however small the sphere is, over cos μ: beside the surface σ hangs on the last digits of the distance. 4π where
+        the eye is in the sphere or on it.
 
     Raises
     ------

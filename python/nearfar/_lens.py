@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _check, _core
 from nearfar._camera import Camera, Fov
 from nearfar._twin import WithTwin
-from nearfar._warp import WarpMesh, warp, warp_mesh
+from nearfar._warp import WarpMesh, radius_of, warp, warp_mesh
 
 METHODS = ("newton", "fixed_point", "lut")
 
@@ -37,8 +37,8 @@ class RadialLens(WithTwin):
     Raises
     ------
     ValueError, TypeError
-        For coefficients that are not finite numbers, and for those whose terms are as large as r already at 10⁻⁶⁰ or
-        not before 10¹⁴⁰.
+        For coefficients that are not finite numbers, and for those whose terms are as large as r already at 10⁻³⁰ or
+        not before 10³⁰.
 
     References
     ----------
@@ -62,6 +62,11 @@ class RadialLens(WithTwin):
         return self._core.r_max
 
     @property
+    def distorted_max(self) -> float:
+        """f(`r_max`), where the domain of `undistort` ends; 10²⁹⁰ for lenses that never fold, whatever overflows."""
+        return self._core.x_max
+
+    @property
     def point_r_max(self) -> float:
         """Radius of the disc in which `distort_points` is known to map no two points to one.
 
@@ -73,7 +78,7 @@ class RadialLens(WithTwin):
     def lut_bound(self) -> float:
         """Greatest error of `undistort` with "lut", as a share of the result: a bound that holds for every radius.
 
-        It is at most 5e-10. Where no table holds that, beside a fold and beyond 16 times the radius at which the first
+        (Of at least 10⁻²⁷⁰: the smallest floats have fewer digits.) It is at most 5e-10. Where no table holds that, beside a fold and beyond 16 times the radius at which the first
         term is as large as r, "lut" is Newton's method.
         """
         return self._core.table_bound()[0]
@@ -123,7 +128,7 @@ class RadialLens(WithTwin):
         iterations
             Of "fixed_point".
         outside
-            "raise": a radius beyond f(`r_max`) is an error. "nan": its result is NaN. "fixed_point" knows no domain.
+            "raise": a radius beyond `distorted_max` is an error. "nan": its result is NaN. "fixed_point" knows no domain.
 
         Returns
         -------
@@ -136,7 +141,7 @@ class RadialLens(WithTwin):
             For radii that the lens shows nothing at and for NaN, unless `outside` is "nan".
         """
         _check.choice("method", method, METHODS)
-        steps = _check.integer("iterations", iterations, 0, 1_000_000)
+        steps = _check.integer("iterations", iterations, 0, 1000)
         values = _check.array("r", r, columns=None)
         return self._core.undistort(values.reshape(-1), method, steps, _refuse(outside)).reshape(values.shape)
 
@@ -168,6 +173,7 @@ class RadialLens(WithTwin):
         *,
         fov: Fov | None = None,
         output_fov: Fov | None = None,
+        lens_radius: float | None = None,
         size: tuple[int, int] | None = None,
         filter: str = "linear",  # noqa: A002
         fill: float = 0.0,
@@ -181,10 +187,13 @@ class RadialLens(WithTwin):
         inverse
             False: what is at r is shown at f(r). True: what is at f(r) is shown at r, which the lens then moves back.
         fov
-            What the picture shows, as tangents from the lens's axis; r = 1 at the larger of left and right. By default
-            the axis is in the middle, pixels are square, and r = 1 at the left and right edges.
+            What the picture shows, as tangents from the lens's axis. By default the axis is in the middle, pixels are
+            square, and r = 1 at the left and right edges.
         output_fov, size
             The same of the result, and its (width, height); as those of `image` where they are not given.
+        lens_radius
+            The tangent at which r = 1, such as `Hmd.tan_half_angle`: the same for both eyes, and for pictures that
+            show more or less than the screen. By default the larger of left and right of `fov`.
         filter
             "linear" or "cubic" (Keys 1981, a = −1/2, as Catmull and Rom have it).
         fill
@@ -193,14 +202,15 @@ class RadialLens(WithTwin):
         Returns
         -------
         NDArray
-            The picture, in the type of `image`. Positions are exact to 10⁻⁶ pixels.
+            The picture, in the type of `image`. Each pixel is taken from within 5·10⁻¹⁰ of the right place, as a share
+            of the distance from the axis.
 
         Raises
         ------
         ValueError, TypeError
             For other shapes, types and filters.
         """
-        return warp([self._core], image, inverse, fov, output_fov, size, filter, fill)
+        return warp([self._core], image, inverse, (fov, output_fov, lens_radius), size, filter, fill)
 
     def warp_mesh(
         self,
@@ -209,6 +219,7 @@ class RadialLens(WithTwin):
         *,
         fov: Fov | None = None,
         output_fov: Fov | None = None,
+        lens_radius: float | None = None,
         cells: tuple[int, int] | None = None,
         tolerance_px: float = 0.25,
     ) -> WarpMesh:
@@ -218,7 +229,7 @@ class RadialLens(WithTwin):
         ----------
         size
             (width, height) of the picture that is read, in pixels.
-        inverse, fov, output_fov
+        inverse, fov, output_fov, lens_radius
             As in `warp`. Runtimes want the inverse one: the lens does the rest.
         cells
             Columns and rows. By default as many as `tolerance_px` needs.
@@ -233,10 +244,10 @@ class RadialLens(WithTwin):
         Raises
         ------
         ValueError
-            For a tolerance that 1,024 columns do not hold, as beside the fold of an inverse, and for a field of view
+            For a tolerance that 2¹⁸ cells do not hold, as beside the fold of an inverse, and for a field of view
             beyond the lens's domain.
         """
-        return warp_mesh([self._core], size, inverse, fov, output_fov, cells, tolerance_px)
+        return warp_mesh([self._core], size, inverse, (fov, output_fov, lens_radius), cells, tolerance_px)
 
     @cached_property
     def _core(self) -> _core.RadialLens:
@@ -263,12 +274,13 @@ class ChromaticLens:
         *,
         fov: Fov | None = None,
         output_fov: Fov | None = None,
+        lens_radius: float | None = None,
         size: tuple[int, int] | None = None,
         filter: str = "linear",  # noqa: A002
         fill: float = 0.0,
     ) -> NDArray[Any]:
         """Show a picture (H, W, 3) as the lens does, or put it right; see `RadialLens.warp`."""
-        return warp(self._cores, image, inverse, fov, output_fov, size, filter, fill)
+        return warp(self._cores, image, inverse, (fov, output_fov, lens_radius), size, filter, fill)
 
     def warp_mesh(
         self,
@@ -277,11 +289,12 @@ class ChromaticLens:
         *,
         fov: Fov | None = None,
         output_fov: Fov | None = None,
+        lens_radius: float | None = None,
         cells: tuple[int, int] | None = None,
         tolerance_px: float = 0.25,
     ) -> WarpMesh:
         """Mesh with places for red, green and blue; see `RadialLens.warp_mesh`."""
-        return warp_mesh(self._cores, size, inverse, fov, output_fov, cells, tolerance_px)
+        return warp_mesh(self._cores, size, inverse, (fov, output_fov, lens_radius), cells, tolerance_px)
 
     @property
     def _cores(self) -> list[_core.RadialLens]:
@@ -289,7 +302,13 @@ class ChromaticLens:
 
 
 def corrected_solid_angle(
-    centers: ArrayLike, radii: ArrayLike, *, camera: Camera, lens: RadialLens, exact: bool = False
+    centers: ArrayLike,
+    radii: ArrayLike,
+    *,
+    camera: Camera,
+    lens: RadialLens,
+    lens_radius: float | None = None,
+    exact: bool = False,
 ) -> NDArray[np.float64]:
     """Solid angles that spheres take once a warped picture is seen through its lens's distortion.
 
@@ -303,9 +322,11 @@ def corrected_solid_angle(
     radii
         (N,) or one, metres, at least 0.
     camera
-        The eye, with a `Fov`: the lens's axis is its line of sight, and tan ω the larger of left and right.
+        The eye, with a `Fov`: the lens's axis is its line of sight.
     lens
-        Without its tangential terms.
+        One without tangential terms.
+    lens_radius
+        tan ω, the tangent at which r = 1, such as `Hmd.tan_half_angle`. By default the larger of left and right.
     exact
         The published σ′ shrinks along the radius only. True gives the area of what is shown, which shrinks around the
         axis too.
@@ -313,8 +334,8 @@ def corrected_solid_angle(
     Returns
     -------
     NDArray
-        (N,) float64, steradians. Within 10⁻¹² of the definition, as a share, where the lens is smooth. Spheres that
-        reach 90° from the axis, or beyond the lens's domain, keep their own solid angle; 4π where the eye is inside.
+        (N,) float64, steradians. Within 10⁻¹² of the definition, as a share, except for small spheres just before 90°
+        or the fold, whose area (`exact`) is within 10⁻¹⁵ over the sine of the half angle. Spheres that reach 90° from the axis, or beyond the lens's domain, keep their own solid angle; 4π where the eye is inside.
 
     Raises
     ------
@@ -331,6 +352,8 @@ def corrected_solid_angle(
         raise TypeError(f"camera: expected one with a Fov, got {type(camera.fov).__name__}")
     if not isinstance(lens, RadialLens):
         raise TypeError(f"lens: expected a RadialLens, got {type(lens).__name__}")
+    if any(lens.tangential):
+        raise ValueError(f"lens: expected one without tangential terms, got {lens.tangential}")
     x, y, z, w = camera.orientation
     return _core.corrected_solid_angles(
         lens._core,
@@ -338,7 +361,7 @@ def corrected_solid_angle(
         eye=camera.position,
         # −z turned by the orientation.
         forward=(-2 * (x * z + w * y), -2 * (y * z - w * x), 2 * (x * x + y * y) - 1),
-        tan_omega=max(abs(camera.fov.left), abs(camera.fov.right)),
+        tan_omega=radius_of(camera.fov, lens_radius),
         exact=bool(exact),
     )
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -15,8 +16,11 @@ FILTERS = ("linear", "cubic")
 
 TYPES = (np.uint8, np.uint16, np.float32, np.float64)
 
-MOST_CELLS = 1024
-"""Columns or rows that a tolerance may ask for."""
+MOST_CELLS = 1 << 18
+"""Cells that a tolerance may ask for."""
+
+View = tuple[Fov | None, Fov | None, float | None]
+"""What is read and what is made show, and the tangent at which r = 1, as callers give them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,8 +47,7 @@ def warp(
     lenses: list[_core.RadialLens],
     image: ArrayLike,
     inverse: bool,
-    fov: Fov | None,
-    output_fov: Fov | None,
+    view: View,
     size: tuple[int, int] | None,
     filter: str,  # noqa: A002
     fill: float,
@@ -53,56 +56,56 @@ def warp(
     picture = _picture(image, len(lenses))
     height, width = picture.shape[:2]
     _check.choice("filter", filter, FILTERS)
-    view = _view(fov, output_fov, width / height)
+    shown = _view(*view, width / height)
     values = picture if picture.ndim == 3 else picture[..., None]
-    shown = _core.warp(
+    made = _core.warp(
         lenses,
         values,
-        **view,
+        **shown,
         size=_check.size("size", (width, height) if size is None else size),
         distort=not inverse,
         filter=filter,
         fill=_fill(fill, picture.dtype),
     )
-    return shown.reshape(shown.shape[:2] + picture.shape[2:])
+    return made.reshape(made.shape[:2] + picture.shape[2:])
 
 
 def warp_mesh(
     lenses: list[_core.RadialLens],
     size: tuple[int, int],
     inverse: bool,
-    fov: Fov | None,
-    output_fov: Fov | None,
+    view: View,
     cells: tuple[int, int] | None,
     tolerance_px: float,
 ) -> WarpMesh:
     """Make a mesh of given cells, or of as many as a tolerance needs."""
     width, height = _check.size("size", size)
-    view = _view(fov, output_fov, width / height)
+    shown = _view(*view, width / height)
     tolerance = _check.positive("tolerance_px", tolerance_px)
 
     def made(columns: int, rows: int) -> WarpMesh:
-        mesh = _core.warp_mesh(lenses, **view, cells=(columns, rows), size=(width, height), distort=not inverse)
+        mesh = _core.warp_mesh(lenses, **shown, cells=(columns, rows), size=(width, height), distort=not inverse)
         return _compact(*mesh, size=max(width, height))
 
     if cells is not None:
-        columns, rows = cells
-        return made(*(_check.integer(f"cells[{n}]", each, 1, 4096) for n, each in enumerate((columns, rows))))
-    left, right, down, up = view["to_fov"]
+        return made(*_check.pair("cells", cells, 1, 4096))
+    left, right, down, up = shown["to_fov"]
     aspect = (up - down) / (right - left)
 
-    def of(columns: int) -> WarpMesh:
-        return made(columns, max(1, round(columns * aspect)))
+    def of(finest: int) -> WarpMesh:
+        """Cells that are as wide as high, so many along the longer side."""
+        return made(max(1, round(finest / max(1.0, aspect))), max(1, round(finest * min(1.0, aspect))))
 
+    most = math.isqrt(round(MOST_CELLS * max(aspect, 1 / aspect)))
     high = 4
     mesh = of(high)
     while mesh.error_px > tolerance:
-        if high == MOST_CELLS:
+        if high == most:
             raise ValueError(
-                f"tolerance_px: expected one that {MOST_CELLS} columns hold, got {tolerance}; "
-                f"they are off by up to {mesh.error_px:.3g} px, mostly where the lens nearly folds"
+                f"tolerance_px: expected one that {MOST_CELLS:,} cells hold, got {tolerance}; "
+                f"they may be off by up to {mesh.error_px:.3g} px"
             )
-        high *= 2
+        high = min(2 * high, most)
         mesh = of(high)
     low = high // 2 if high > 4 else 0
     while high - low > 1:
@@ -127,13 +130,19 @@ def _compact(
     used, renumbered = np.unique(faces, return_inverse=True)
     positions = places[used] * (2.0, -2.0) + (-1.0, 1.0)
     texcoords = sources[:, used].astype(np.float32)
-    rounding = size * 2.0**-24 * max(1.0, float(np.abs(texcoords).max()))
+    # Half a step of a texture coordinate each way, and of a position, times the map's slope.
+    rounding = size * 2.0**-23 * max(1.0, float(np.abs(texcoords).max()))
     return WarpMesh(
         positions.astype(np.float32), texcoords, renumbered.reshape(faces.shape).astype(np.uint32), error + rounding
     )
 
 
-def _view(fov: Fov | None, output_fov: Fov | None, aspect: float) -> dict[str, Any]:
+def radius_of(fov: Fov, lens_radius: float | None) -> float:
+    """Tangent at which r = 1: as given, or the larger side of a field of view."""
+    return max(abs(fov.left), abs(fov.right)) if lens_radius is None else _check.positive("lens_radius", lens_radius)
+
+
+def _view(fov: Fov | None, output_fov: Fov | None, lens_radius: float | None, aspect: float) -> dict[str, Any]:
     """Fields of view of what is read and what is made, and the tangent at which r = 1."""
     for name, given in (("fov", fov), ("output_fov", output_fov)):
         if given is not None and not isinstance(given, Fov):
@@ -141,7 +150,7 @@ def _view(fov: Fov | None, output_fov: Fov | None, aspect: float) -> dict[str, A
     read = fov or Fov(-1.0, 1.0, -1.0 / aspect, 1.0 / aspect)
     made = output_fov or read
     bounds = [(each.left, each.right, each.down, each.up) for each in (read, made)]
-    return {"from_fov": bounds[0], "to_fov": bounds[1], "tan_omega": max(abs(read.left), abs(read.right))}
+    return {"from_fov": bounds[0], "to_fov": bounds[1], "tan_omega": radius_of(read, lens_radius)}
 
 
 def _fill(fill: float, dtype: np.dtype[Any]) -> float:

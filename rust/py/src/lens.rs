@@ -1,7 +1,7 @@
 //! Bindings of `lens`.
 
 use glam::DVec3;
-use nearfar_core::base::{Error, Real, Result};
+use nearfar_core::base::{Error, Real, Result, memory};
 use nearfar_core::camera::Fov;
 use nearfar_core::lens::{self, Filter, Image, Method, Pixel, Sizes, View};
 use numpy::{
@@ -99,6 +99,11 @@ impl RadialLens {
     }
 
     #[getter]
+    fn x_max(&self) -> f64 {
+        self.0.x_max()
+    }
+
+    #[getter]
     fn reach(&self) -> f64 {
         self.0.reach()
     }
@@ -165,6 +170,7 @@ fn warped<'py, P: Pixel + Element>(
     [width, height]: [usize; 2],
 ) -> PyResult<Py<PyAny>> {
     let (rows, columns, channels) = (picture.shape()[0], picture.shape()[1], picture.shape()[2]);
+    memory::room_for((height * width * channels * size_of::<P>()) as u64).map_err(to_python)?;
     let to = PyArray3::<P>::zeros(py, [height, width, channels], false);
     let mut write = to.readwrite();
     let (values, into) = (picture.as_slice()?, write.as_slice_mut()?);

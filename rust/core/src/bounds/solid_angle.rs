@@ -49,6 +49,7 @@ impl Seen {
 pub fn each_tile(
     centers: &[[f64; 3]],
     radii: &[f64],
+    eye: DVec3,
     to: &mut [f64],
     of: impl Fn(&[[f64; 3]], &[f64], &mut [f64]) + Sync,
 ) -> Result<()> {
@@ -56,8 +57,9 @@ pub fn each_tile(
     tiles.try_for_each(|(number, ((centers, radii), to))| {
         for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
             let at = number * TILE + n;
-            if !center.iter().all(|x| x.is_finite()) {
-                return Err(Error::value("centers", "finite numbers", format!("{center:?} at index {at}")));
+            if !(DVec3::from_array(*center) - eye).is_finite() {
+                let expected = "finite numbers, and distances from the eye that are";
+                return Err(Error::value("centers", expected, format!("{center:?} at index {at}")));
             }
             if !(radius >= 0.0 && radius.is_finite()) {
                 return Err(Error::value("radii", "finite numbers of at least 0", format!("{radius} at index {at}")));
@@ -70,7 +72,7 @@ pub fn each_tile(
 
 /// Solid angles in steradians; 4π where the eye is in or on the sphere.
 pub fn solid_angles(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, to: &mut [f64]) -> Result<()> {
-    each_tile(centers, radii, to, |centers, radii, to| {
+    each_tile(centers, radii, eye, to, |centers, radii, to| {
         for ((center, &radius), to) in centers.iter().zip(radii).zip(to) {
             *to = Seen::new(DVec3::from_array(*center) - eye, radius).map_or(4.0 * PI, |seen| seen.solid_angle());
         }

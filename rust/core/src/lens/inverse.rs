@@ -5,9 +5,10 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 use rayon::prelude::*;
 
-use super::RadialLens;
 use super::exact::{two_product, two_sum};
 use super::table::Table;
+use super::{FARTHEST, RadialLens};
+use crate::base::error::number;
 use crate::base::simd::fused_kernels;
 use crate::base::{Error, Real, Result};
 
@@ -51,7 +52,7 @@ impl RadialLens {
                 each_tile(x, to, |tile| fixed_point_tile(&self.radial.k, steps, tile));
                 true
             }
-            _ => each_tile(x, to, |tile| self.undistort_blocks(tile, method == Method::Newton)),
+            _ => each_tile(x, to, |tile| self.undistort_blocks(tile, method == Method::Newton, T::SLACK)),
         };
         if whole || !refuse { Ok(()) } else { Err(refused(x, to, self.radial.x_max)) }
     }
@@ -61,42 +62,38 @@ impl RadialLens {
         distort_tile(&self.radial.k, self.radial.r_max, tile);
     }
 
-    /// f⁻¹ in place of radii, whose number is one of whole blocks: by Newton's method, or from the table.
-    pub(super) fn undistort_blocks(&self, tile: &mut [f64], exact: bool) {
+    /// f⁻¹ in place of radii, whose number is one of whole blocks: by Newton's method, or from the table. Radii that lie
+    /// beyond f(r_max) by a share of it, as rounding may have put them there, are taken for it.
+    pub(super) fn undistort_blocks(&self, tile: &mut [f64], exact: bool, slack: f64) {
+        let mut hard = Vec::new();
         match self.table() {
-            None => (),
-            Some(table) if exact => self.newton(table, tile),
-            Some(table) => self.interpolate(table, tile),
+            None => hard.extend((0..tile.len() as u32).filter(|&n| is_beyond(tile[n as usize], FARTHEST))),
+            Some(table) if exact => newton_tile(&self.radial.k, &self.radial.slope, table, tile, &mut hard),
+            Some(table) => table_tile(table, tile, &mut hard),
         }
-    }
-
-    fn newton(&self, table: &Table, tile: &mut [f64]) {
-        let mut hard = Vec::new();
-        newton_tile(&self.radial.k, &self.radial.slope, table, tile, &mut hard);
-        self.one_by_one(tile, &hard);
-    }
-
-    fn interpolate(&self, table: &Table, tile: &mut [f64]) {
-        let mut hard = Vec::new();
-        table_tile(table, tile, &mut hard);
-        self.one_by_one(tile, &hard);
-    }
-
-    /// Solves what vectors left.
-    fn one_by_one(&self, tile: &mut [f64], hard: &[u32]) {
-        for &place in hard {
+        let end = self.radial.x_max;
+        for place in hard {
             let x = tile[place as usize];
-            tile[place as usize] = self.undistort(x.abs()).copysign(x);
+            let size = if x.abs() <= end * (1.0 + slack) { x.abs().min(end) } else { x.abs() };
+            tile[place as usize] = self.undistort(size).copysign(x);
         }
     }
+}
+
+/// Or no number.
+fn is_beyond(x: f64, end: f64) -> bool {
+    x.is_nan() || x.abs() > end
 }
 
 /// The first radius that has no image.
 fn refused<T: Real>(from: &[T], to: &[T], end: f64) -> Error {
     let index = to.iter().position(|value| value.wide().is_nan()).unwrap_or(0);
-    let expected =
-        if end.is_finite() { format!("radii up to {end}, where the lens folds") } else { "finite numbers".into() };
-    Error::value("r", expected, format!("{} at index {index}", from[index].wide()))
+    let expected = if end < FARTHEST {
+        format!("radii up to {}, where the lens folds", number(end))
+    } else {
+        format!("numbers that stay below {}", number(FARTHEST))
+    };
+    Error::value("r", expected, format!("{} at index {index}", number(from[index].wide())))
 }
 
 /// Runs a kernel over float64 copies of tiles; tells whether all results are numbers.
@@ -135,7 +132,9 @@ fn distort_blocks<const FUSED: bool>(k: &[f64], r_max: f64, tile: &mut [f64]) {
         let r = *block;
         distorted_block::<FUSED>(k, &r, &[0.0; LANES], block);
         for n in 0..LANES {
-            block[n] = if r[n].abs() <= r_max { block[n] } else { f64::NAN };
+            let good = (r[n].abs() <= r_max) & (block[n].abs() <= FARTHEST);
+            // f is odd: the sign of zero comes back.
+            block[n] = if good { block[n].copysign(r[n]) } else { f64::NAN };
         }
     }
 }
@@ -167,14 +166,15 @@ fn distorted_block<const FUSED: bool>(k: &[f64], r: &[f64; LANES], wanted: &[f64
 fn slope_blocks<const FUSED: bool>(slope: &[f64], r_max: f64, tile: &mut [f64]) {
     for block in tile.as_chunks_mut::<LANES>().0 {
         let r = *block;
-        *block = [0.0; LANES];
-        for &c in slope.iter().rev() {
+        let (highest, lower) = slope.split_last().unwrap_or((&1.0, &[]));
+        *block = [*highest; LANES];
+        for &c in lower.iter().rev() {
             for n in 0..LANES {
                 block[n] = block[n] * (r[n] * r[n]) + c;
             }
         }
         for n in 0..LANES {
-            block[n] = if r[n].abs() <= r_max { block[n] } else { f64::NAN };
+            block[n] = if (r[n].abs() <= r_max) & (r[n].abs() <= FARTHEST) { block[n] } else { f64::NAN };
         }
     }
 }

@@ -102,18 +102,34 @@ impl RadialLens {
 
     /// The same of the inverse, between two distorted radii.
     fn bend_back(&self, low: f64, high: f64) -> f64 {
-        // Near the fold of a lens with tangential terms `high` may have no root: then there is no bound.
-        let (low, high) = (self.undistort(low) * (1.0 - 1e-14), self.undistort(high) * (1.0 + 1e-14));
-        let [slope, factor] = self.least_slopes(low, high);
         let p = self.tangential[0].hypot(self.tangential[1]);
         if p > 0.0 {
+            // They move images by up to 3|p|r²; f′ > 6|p|r within reach, so that both of these rise with r.
+            let low = self.radius_of(|r| self.distort(r) + 3.0 * p * r * r, low)[0];
+            let high = self.radius_of(|r| self.distort(r) - 3.0 * p * r * r, high)[1];
+            let [slope, factor] = self.least_slopes(low, high);
             // g″(d, d) = −J⁻¹ F″(J⁻¹d, J⁻¹d)
             return self.bend(low, high) / (slope.min(factor) - 6.0 * p * high).max(0.0).powi(3);
         }
+        let (low, high) = (self.undistort(low) * (1.0 - 1e-14), self.undistort(high) * (1.0 + 1e-14));
+        let [slope, factor] = self.least_slopes(low, high);
         // g″ = −f″/f′³, and (g′x − g)/x² = −(f′r − f)/r² / (f′ (f/r)²)
         let [a, b] = self.curvatures(low, high);
         let (scale, other) = (slope.max(0.0).powi(-3), 1.0 / (slope.max(0.0) * factor * factor));
         greatest([a[0].min(0.0) * scale, a[1].max(0.0) * scale], [b[0].min(0.0) * other, b[1].max(0.0) * other])
+    }
+
+    /// Radii within reach, close to each other, between which something that rises from 0 passes a value.
+    fn radius_of(&self, rising: impl Fn(f64) -> f64, value: f64) -> [f64; 2] {
+        let (mut low, mut high) = (0.0, value.min(self.reach));
+        while high < self.reach && rising(high) < value {
+            (low, high) = (high, (2.0 * high).min(self.reach));
+        }
+        while high - low > 1e-9 * high {
+            let middle = 0.5 * (low + high);
+            if rising(middle) < value { low = middle } else { high = middle }
+        }
+        [low, high]
     }
 
     /// Ranges of f″ and (f′r − f)/r².

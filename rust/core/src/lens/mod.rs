@@ -17,6 +17,7 @@ mod warp;
 
 use std::sync::OnceLock;
 
+use crate::base::error::number;
 use crate::base::{Error, Result};
 use solve::Radial;
 use table::Table;
@@ -28,8 +29,11 @@ pub use warp::{Filter, Image, Pixel, View, warp};
 
 /// Most coefficients that a lens may have.
 const MOST: usize = 64;
-/// Radii at which the first term may be as large as r itself: squares and their products stay floats.
-const UNITS: std::ops::Range<f64> = 1e-60..1e140;
+/// Radii at which the first term may be as large as r itself: powers of them stay floats.
+const UNITS: std::ops::Range<f64> = 1e-30..1e30;
+/// Greatest radius that is shown or looked for, and greatest coefficient: fourth derivatives, and halves of products, do
+/// not overflow.
+const FARTHEST: f64 = 1e290;
 
 /// A lens.
 #[derive(Clone, Debug)]
@@ -44,8 +48,8 @@ pub struct RadialLens {
 impl RadialLens {
     /// From k₁, k₂, … and p₁, p₂ of Brown's model (0 for a centred lens).
     pub fn new(k: &[f64], tangential: [f64; 2]) -> Result<Self> {
-        if let Some(bad) = k.iter().find(|c| !c.is_finite()) {
-            return Err(Error::value("k", "finite coefficients", bad));
+        if let Some(bad) = k.iter().find(|c| c.is_nan() || c.abs() > FARTHEST) {
+            return Err(Error::value("k", format!("coefficients of at most {}", number(FARTHEST)), number(*bad)));
         }
         if k.len() > MOST {
             return Err(Error::value("k", format!("at most {MOST} coefficients"), k.len()));
@@ -75,6 +79,11 @@ impl RadialLens {
     /// f(r) for 0 ≤ r ≤ r_max.
     pub fn distort(&self, r: f64) -> f64 {
         self.radial.distort(r)
+    }
+
+    /// f(r_max), or the greatest radius that is looked for.
+    pub fn x_max(&self) -> f64 {
+        self.radial.x_max
     }
 
     /// The r ≥ 0 with f(r) = x; NaN beyond f(r_max).

@@ -15,6 +15,8 @@ use crate::base::{Error, Real, Result};
 
 /// Points of one task: what is known of them stays in the nearest cache.
 pub(super) const TILE: usize = 1 << 9;
+/// What squares, their sum, its root and the scaling of points may add to a radius.
+pub(super) const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
 /// Steps of Newton's method before a way around is taken; from a good start it needs five.
 const STEPS: u32 = 40;
 /// Parts of that way.
@@ -117,7 +119,7 @@ impl RadialLens {
     pub fn undistort_points<T: Real>(&self, points: &[[T; 2]], to: &mut [[T; 2]], refuse: bool) -> Result<()> {
         self.each_tile(points, to, refuse, |from, to| {
             let mut tile = Tile::new(from);
-            tile.moved(to, |radii| self.undistort_blocks(radii, true));
+            tile.moved(to, |radii| self.undistort_blocks(radii, true, ROUNDINGS + 2.0 * T::SLACK));
             if self.tangential == [0.0; 2] {
                 return;
             }

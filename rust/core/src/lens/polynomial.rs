@@ -39,11 +39,14 @@ fn zeros(coefficients: &[f64]) -> Vec<f64> {
     found
 }
 
+/// Beyond it nothing is looked for.
+const FARTHEST: f64 = 1e100;
+
 /// Fujiwara's bound: twice the greatest root of a quotient of coefficients.
 fn beyond_all_zeros(own: &[f64]) -> f64 {
     let degree = own.len() - 1;
     let root = |i: usize| (own[i] / own[degree]).abs().powf(1.0 / (degree - i) as f64);
-    2.0 * (0..degree).map(root).fold(f64::MIN_POSITIVE, f64::max)
+    (2.0 * (0..degree).map(root).fold(f64::MIN_POSITIVE, f64::max)).min(FARTHEST)
 }
 
 /// −1, 0 or 1; 0 where the value is smaller than what rounding may have made of it.
@@ -108,6 +111,8 @@ mod tests {
         // A double zero is blurred to the root of a rounding: 1.5e-8.
         assert!((first_zero(&[1.0, -2.0, 1.0]).unwrap() - 1.0).abs() < 1e-7);
         assert_eq!(first_zero(&[1.0, -1.999, 1.0]), None);
+        // A term that only matters where no radius is hides no fold.
+        assert!((first_zero(&[1.0, -0.3, 5e-310]).unwrap() - 10.0 / 3.0).abs() < 1e-14);
     }
 
     proptest! {

@@ -9,8 +9,8 @@ use super::inverse::LANES;
 use crate::base::{Error, Result};
 use crate::bounds::{Seen, each_tile};
 
-/// Half angles below which an area is the mean of the lens's magnification at seven places; what lies between them is
-/// 10⁻¹⁴ of it, and around the edge more would cancel.
+/// Half angles, as shares of the way to 90° and to the fold, below which an area is the mean of the lens's magnification
+/// at seven places: what lies between these is 10⁻¹⁴ of it, and in a sum around the edge more would cancel.
 const SMALL: f64 = 2e-3;
 /// A sum around the edge is refined until it changes by less than this share of itself, or has that many parts.
 const CLOSE: f64 = 1e-13;
@@ -35,9 +35,9 @@ pub struct Sizes<'a> {
 /// folds, keep their own.
 pub fn corrected_solid_angles(sizes: &Sizes<'_>, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) -> Result<()> {
     if !(sizes.tan_omega > 0.0 && sizes.tan_omega.is_finite()) {
-        return Err(Error::value("camera", "a field of view with a right or left side", sizes.tan_omega));
+        return Err(Error::value("lens_radius", "a tangent above 0", sizes.tan_omega));
     }
-    each_tile(centers, radii, to, |centers, radii, to| {
+    each_tile(centers, radii, sizes.eye, to, |centers, radii, to| {
         let spheres = centers.chunks(LANES / 2).zip(radii.chunks(LANES / 2));
         for ((centers, radii), to) in spheres.zip(to.chunks_mut(LANES / 2)) {
             sizes.of(centers, radii, to);
@@ -62,7 +62,7 @@ impl Sizes<'_> {
                 caps[n] = Some(cap);
             }
         }
-        self.lens.undistort_blocks(&mut roots, true);
+        self.lens.undistort_blocks(&mut roots, true, 0.0);
         for (n, cap) in caps.iter().enumerate() {
             let (far, near) = (roots[2 * n], roots[2 * n + 1]);
             match cap {
@@ -70,7 +70,7 @@ impl Sizes<'_> {
                 Some(cap) if far.is_finite() => {
                     to[n] = match self.exact {
                         false => to[n] * cap.stretch(far, near),
-                        true if cap.sin_mu < SMALL => to[n] * cap.mean_magnification(),
+                        true if cap.is_small() => to[n] * cap.mean_magnification(),
                         true => cap.area(),
                     }
                 }
@@ -117,6 +117,13 @@ impl<'a> Cap<'a> {
         [(one + other) / self.cos_far() / self.scale, (one - other) / self.cos_near() / self.scale]
     }
 
+    /// Whether the lens hardly changes over the sphere.
+    fn is_small(&self) -> bool {
+        let [far, near] = self.edges();
+        let room = self.lens.x_max() - far;
+        self.sin_mu < SMALL * self.cos_far() && far - near < SMALL * room
+    }
+
     /// (α⁺ − α⁻) / 2μ with α± = atan(tan ω · f⁻¹(tan(α ± μ) / tan ω)), from the two roots.
     fn stretch(&self, a: f64, b: f64) -> f64 {
         // tan(α+μ) − tan(α−μ) = sin 2μ / (cos(α+μ) cos(α−μ)), and a − b is it over f's divided difference: nothing
@@ -158,7 +165,7 @@ impl<'a> Cap<'a> {
                 roots[n] = squares[n].sqrt() / self.scale;
             }
             let shown = roots;
-            self.lens.undistort_blocks(&mut roots, true);
+            self.lens.undistort_blocks(&mut roots, true, 0.0);
             for n in 0..many {
                 let ratio = if shown[n] == 0.0 { 1.0 } else { roots[n] / shown[n] };
                 let (square, image) = (squares[n], squares[n] * ratio * ratio);
@@ -190,7 +197,7 @@ impl<'a> Cap<'a> {
             *root = square.sqrt() / self.scale;
         }
         let shown = roots;
-        self.lens.undistort_blocks(&mut roots, true);
+        self.lens.undistort_blocks(&mut roots, true, 0.0);
         let at = |n: usize| {
             let ratio = if shown[n] == 0.0 { 1.0 } else { roots[n] / shown[n] };
             let grows = (1.0 + squares[n]) / (1.0 + squares[n] * ratio * ratio);

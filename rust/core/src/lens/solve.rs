@@ -1,7 +1,7 @@
 //! One root of f(r) = x at a time: Newton's method inside a bracket that holds the root, so that it cannot leave it.
 
 use super::exact::residual;
-use super::polynomial;
+use super::{FARTHEST, polynomial};
 
 /// Steps after which halving takes turns with Newton's method.
 const PATIENCE: u32 = 20;
@@ -15,7 +15,7 @@ pub(super) struct Radial {
     pub slope: Vec<f64>,
     /// Where f stops rising; +∞ for lenses that never fold.
     pub r_max: f64,
-    /// f(r_max), rounded.
+    /// f(r_max), rounded, or FARTHEST.
     pub x_max: f64,
     /// Radius at which the first of the terms is as large as r itself; +∞ without terms.
     pub unit: f64,
@@ -31,7 +31,9 @@ impl Radial {
         let r_max = polynomial::first_zero(&slope).map_or(f64::INFINITY, f64::sqrt);
         let one = |(n, c): (usize, &f64)| if *c == 0.0 { f64::INFINITY } else { c.abs().powf(-0.5 / (n + 1) as f64) };
         let unit = k.iter().enumerate().map(one).fold(f64::INFINITY, f64::min);
-        let x_max = if r_max.is_finite() { residual(&k, r_max, 0.0) } else { f64::INFINITY };
+        // What overflows, not even f's highest power may be followed to.
+        let end = if r_max.is_finite() { residual(&k, r_max, 0.0) } else { FARTHEST };
+        let x_max = if end <= FARTHEST { end } else { FARTHEST };
         Self { k, slope, r_max, x_max, unit }
     }
 
@@ -65,6 +67,7 @@ impl Radial {
             if off == 0.0 {
                 return r;
             }
+            // Beyond all floats is too far as well.
             if off < 0.0 {
                 low = r;
             } else {

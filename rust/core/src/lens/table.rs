@@ -22,7 +22,7 @@ const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
 /// Cubics for f⁻¹.
 #[derive(Clone, Debug)]
 pub(super) struct Table {
-    /// c₀ + t (c₁ + t (c₂ + t c₃)) for t of 0..1 in each interval.
+    /// c₀ + t (c₁ + t (c₂ + t c₃)) for t of 0..1 in each interval: at least one.
     pub cubics: Vec<[f64; 4]>,
     /// End of the first interval, a power of two.
     pub first: f64,
@@ -80,6 +80,10 @@ impl Table {
             table.cubics.push(cubic(&from, &to));
             table.start_end = x;
             from = to;
+        }
+        if table.cubics.is_empty() {
+            // Kernels read one in any case; nothing lies before its end.
+            table.cubics.push([0.0; 4]);
         }
         table
     }

@@ -129,8 +129,7 @@ impl View {
             return lens.undistort_points(places, to, false);
         }
         for (from, to) in places.chunks(TILE).zip(to.chunks_mut(TILE)) {
-            // Its bound is a millionth of a pixel of any screen there is.
-            Tile::new(from).moved(to, |radii| lens.undistort_blocks(radii, false));
+            Tile::new(from).moved(to, |radii| lens.undistort_blocks(radii, false, 0.0));
         }
         Ok(())
     }
