@@ -78,8 +78,8 @@ class RadialLens(WithTwin):
     def lut_bound(self) -> float:
         """Greatest error of `undistort` with "lut", as a share of the result: a bound that holds for every radius.
 
-        (Of at least 10⁻²⁷⁰: the smallest floats have fewer digits.) It is at most 5e-10. Where no table holds that, beside a fold and beyond 16 times the radius at which the first
-        term is as large as r, "lut" is Newton's method.
+        (Of at least 10⁻²⁷⁰: the smallest floats have fewer digits.) It is at most 5e-10. Where no table holds that,
+        beside a fold and beyond 16 times the radius at which the first term is as large as r, "lut" is Newton's method.
         """
         return self._core.table_bound()[0]
 
@@ -128,7 +128,8 @@ class RadialLens(WithTwin):
         iterations
             Of "fixed_point".
         outside
-            "raise": a radius beyond `distorted_max` is an error. "nan": its result is NaN. "fixed_point" knows no domain.
+            "raise": a radius beyond `distorted_max` is an error. "nan": its result is NaN. "fixed_point" knows no
+            domain.
 
         Returns
         -------
@@ -335,7 +336,8 @@ def corrected_solid_angle(
     -------
     NDArray
         (N,) float64, steradians. Within 10⁻¹² of the definition, as a share, except for small spheres just before 90°
-        or the fold, whose area (`exact`) is within 10⁻¹⁵ over the sine of the half angle. Spheres that reach 90° from the axis, or beyond the lens's domain, keep their own solid angle; 4π where the eye is inside.
+        or the fold, whose area (`exact`) is within 10⁻¹⁵ over the sine of the half angle. Spheres that reach 90° from
+        the axis, or beyond the lens's domain, keep their own solid angle; 4π where the eye is inside.
 
     Raises
     ------
