@@ -128,6 +128,16 @@ def test_whole_numbers_stand_for_shares_of_their_greatest(dtype: type) -> None:
                 assert off(found[0, column], distance * exact_secant(FOV, 0, column, 1, 5)) <= SINGLE + DOUBLE
 
 
+@pytest.mark.parametrize("dtype", [np.uint16, np.uint32, np.float32, np.float64])
+def test_the_order_of_bytes_changes_nothing(dtype: type) -> None:
+    stored: Array = np.array([[0, 1, 1, 0]], dtype)
+    expected = nf.range_from_depth(stored, FOV, near=0.5)
+    for swapped in (stored.astype(stored.dtype.newbyteorder("<")), stored.astype(stored.dtype.newbyteorder(">"))):
+        found = nf.range_from_depth(swapped, FOV, near=0.5)
+        assert found.dtype == expected.dtype
+        np.testing.assert_array_equal(found, expected)
+
+
 def test_cube_faces_are_alike() -> None:
     depth = np.random.default_rng(0).uniform(0.01, 1, (6, 9, 9)).astype(np.float32)
     found = nf.range_from_depth(depth, nf.CubeFace(0), near=0.1)
@@ -144,18 +154,18 @@ def test_cube_faces_are_alike() -> None:
 @pytest.mark.parametrize("opengl", [True, False])
 @pytest.mark.parametrize("sign", [-1, 1])
 def test_a_matrix_says_it_all(fov: nf.Fov, reverse: bool, far: float, opengl: bool, sign: int) -> None:
-    near = 0.1
+    near, depths = 0.1, "-1..1" if opengl else "0..1"
     rows = matrix(fov, near, far, reverse=reverse, opengl=opengl, sign=sign)
     z = np.geomspace(0.1001, 299.0, 90).reshape(9, 10)
     depth = np.vectorize(lambda z: float(exact_depth(z, near, far, reverse)))(z)
-    found = nf.range_from_depth(depth, rows, depth_range="-1..1" if opengl else "0..1")
+    found = nf.range_from_depth(depth, rows, depth_range=depths)
     # Entries and depths are rounded, relative to 1 and not to 1/z: z/near times as much at z.
     np.testing.assert_allclose(
         found, nf.range_from_depth(depth, fov, near=near, far=far, reverse=reverse), rtol=16 * 2.0**-53 * 299 / 0.1
     )
     clear = np.full((2, 3), 0.0 if reverse else 1.0)
-    assert np.isinf(nf.range_from_depth(clear, rows, depth_range="-1..1" if opengl else "0..1")).all()
-    back = nf.depth_from_range(found, rows, depth_range="-1..1" if opengl else "0..1")
+    assert np.isinf(nf.range_from_depth(clear, rows, depth_range=depths)).all()
+    back = nf.depth_from_range(found, rows, depth_range=depths)
     np.testing.assert_allclose(back, depth, rtol=0, atol=1e-14)
 
 
@@ -163,9 +173,13 @@ def test_a_matrix_of_parallel_rays() -> None:
     near, far = 0.5, 20.0
     rows = np.array([[0.5, 0, 0, 0.1], [0, 0.25, 0, 0], [0, 0, -1 / (far - near), -near / (far - near)], [0, 0, 0, 1]])
     depth = np.linspace(0, 0.99, 12).reshape(3, 4)
-    np.testing.assert_allclose(nf.range_from_depth(depth, rows), near + depth * (far - near), rtol=1e-14)
+    np.testing.assert_allclose(
+        nf.range_from_depth(depth, rows, depth_range="0..1"), near + depth * (far - near), rtol=1e-14
+    )
     flipped = rows * [1, 1, -1, 1]
-    np.testing.assert_allclose(nf.range_from_depth(depth, flipped), near + depth * (far - near), rtol=1e-14)
+    np.testing.assert_allclose(
+        nf.range_from_depth(depth, flipped, depth_range="0..1"), near + depth * (far - near), rtol=1e-14
+    )
 
 
 def test_a_matrix_whose_far_plane_lies_beyond_infinity() -> None:
@@ -173,7 +187,7 @@ def test_a_matrix_whose_far_plane_lies_beyond_infinity() -> None:
     rows = matrix(FOV, 0.1, math.inf, reverse=False, opengl=False, sign=-1)
     rows[2, 2] += 2.0**-22
     depth = np.array([[0.5, 1 - 2.0**-22, 1 - 2.0**-23, 1.0]])
-    found = nf.range_from_depth(depth, rows)
+    found = nf.range_from_depth(depth, rows, depth_range="0..1")
     assert np.isfinite(found[0, 0])
     assert np.isinf(found[0, 1:]).all()
 
@@ -300,23 +314,48 @@ def test_values_beyond_0_and_1_are_refused(value: float, dtype: type) -> None:
     [
         ("near: expected the near plane", {}),
         ("near: expected a number above 0", {"near": 0.0}),
+        ("near: expected a finite number above 0 .*, got 1e-310$", {"near": 1e-310}),
+        ("depth: expected values from 0 to 1, got -1e-300 in row", {"near": 1.0, "depth": [[-1e-300]]}),
         ("far: expected a number above near", {"near": 1.0, "far": 0.5}),
         ("far: expected a number above near", {"near": 1.0, "far": math.nan}),
-        ("depth_range: expected one of", {"near": 1.0, "depth_range": "0..2"}),
+        ("depth_range: expected one of", {"projection": np.eye(4), "depth_range": "0..2"}),
+        (r"depth_range: expected '0\.\.1' or '-1\.\.1' .*, got None", {"projection": np.eye(4)}),
+        ("depth_range: expected None beside Fov", {"near": 1.0, "depth_range": "0..1"}),
+        ("depth_range: expected None beside CubeFace", {"projection": nf.CubeFace(0), "depth_range": "-1..1"}),
+        ("reverse: expected None beside a matrix", {"projection": np.eye(4), "reverse": False, "depth_range": "0..1"}),
+        ("reverse: expected None beside a matrix", {"projection": np.eye(4), "reverse": True, "depth_range": "0..1"}),
         ("far: expected finite near and far", {"near": 1.0, "projection": nf.Orthographic(-1, 1, -1, 1)}),
         ("near: expected None beside a matrix", {"near": 1.0, "projection": np.eye(4)}),
-        ("projection: expected rays|projection: expected a matrix", {"projection": np.ones((4, 4))}),
+        (
+            "projection: expected rays|projection: expected a matrix",
+            {"projection": np.ones((4, 4)), "depth_range": "0..1"},
+        ),
         (r"projection: expected a \(4, 4\) matrix", {"projection": np.ones((3, 4))}),
         ("expected square images", {"near": 1.0, "projection": nf.CubeFace(0)}),
         (r"depth: expected shape \(H, W\)", {"near": 1.0, "depth": [0.5, 0.5]}),
         (r"depth: expected shape \(H, W\)", {"near": 1.0, "depth": np.zeros((0, 4))}),
-        ("got 16777216", {"near": 1.0, "depth": np.full((1, 2), 2**24, np.uint32)}),
+        (
+            "depth: expected whole numbers from 0 to 16777215, got 16777216 in row 0",
+            {"near": 1.0, "depth": np.full((1, 2), 2**24, np.uint32)},
+        ),
     ],
 )
 def test_wrong_arguments_are_named(words: str, arguments: dict[str, Any]) -> None:
     given: dict[str, Any] = {"depth": np.full((4, 5), 0.5), "projection": FOV} | arguments
     with pytest.raises(ValueError, match=words):
         nf.range_from_depth(given.pop("depth"), given.pop("projection"), **given)
+
+
+@pytest.mark.parametrize("kind", [np.float16, np.longdouble, np.uint8, np.int8, np.int32, np.int64, np.uint64, bool])
+def test_depth_of_types_that_do_not_say_what_1_is_are_refused(kind: type) -> None:
+    words = "depth: expected float32, float64, uint16 or uint32, got "
+    if np.dtype(kind) == np.float64:
+        pytest.skip("long double is float64 here")
+    with pytest.raises(TypeError, match=words):
+        nf.range_from_depth(np.ones((2, 3), kind), FOV, near=0.1)
+    with pytest.raises(TypeError, match=words):
+        nf.range_from_depth([["a"]], FOV, near=0.1)
+    assert nf.range_from_depth([[1.0, 0.5]], FOV, near=0.1).dtype == np.float64
 
 
 @pytest.mark.parametrize("value", [math.nan, -1.0, 0.05])

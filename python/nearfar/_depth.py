@@ -6,12 +6,13 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from nearfar import _check, _core
-from nearfar._camera import CubeFace, Fov, Projection
+from nearfar._camera import CubeFace, Orthographic, Projection
 
 CLIP_SPACES = ("0..1", "-1..1")
+STORED = ("float32", "float64", "uint16", "uint32")
 FORMATS = ("float32", "uint16", "uint24")
 
 
@@ -21,8 +22,8 @@ def range_from_depth(
     *,
     near: float | None = None,
     far: float = math.inf,
-    reverse: bool = True,
-    depth_range: str = "0..1",
+    reverse: bool | None = None,
+    depth_range: str | None = None,
 ) -> NDArray[Any]:
     """Distance from the eye to what each pixel of a depth buffer shows.
 
@@ -30,18 +31,20 @@ def range_from_depth(
     ----------
     depth
         (H, W), or (N, H, W) for several images of one projection, such as the (6, S, S) faces of a cube map: values
-        as buffers store them, 0 to 1, row 0 on top. float32 and float64; uint16; uint32 is read as 24 bits.
+        as buffers store them, row 0 on top: float32 and float64 from 0 to 1; uint16; uint32 of up to 24 bits.
     projection
         `Fov`, `Orthographic`, any `CubeFace` (square images; they are all alike), or a (4, 4) projection matrix for
         columns (x, y, z, 1), with a last row of (0, 0, ∓1, 0), or (0, 0, 0, 1) for parallel rays. Off the axis or
         not, looking along −z or z; its y points up, as in OpenGL, Direct3D and WebGPU: negate row 1 of Vulkan's.
     near, far
         Planes in metres along the viewing axis, 0 < near < far; parallel rays may have near = 0 and need a finite far
-        plane. A matrix says these itself, and whether z is reversed: `near` stays None for it.
+        plane. A matrix says these itself: they are not given beside one.
     reverse
-        Whether the near plane has depth 1 and the far one 0, as on our GPU, or the other way round.
+        Whether the near plane has depth 1 and the far one 0, as on our GPU, which is what None stands for, or the
+        other way round. A matrix says this itself: None beside one.
     depth_range
-        For a matrix: the depth that it maps to, "0..1", or "-1..1" for OpenGL's, which buffers store as 0 to 1.
+        Beside a matrix, which does not say it, and only there: the depth that it maps to, "0..1" for Direct3D's,
+        Vulkan's and WebGPU's, or "-1..1" for OpenGL's, which buffers store as 0 to 1.
 
     Returns
     -------
@@ -55,11 +58,16 @@ def range_from_depth(
     ------
     ValueError
         For values that are NaN or beyond 0 to 1 (the first one is named), other shapes, planes out of order, and
-        matrices that are no such projection.
+        matrices that are no such projection; for options that the projection has no use for, and a matrix without
+        `depth_range`.
     TypeError
-        For values that are not numbers.
+        For depth of other types, which does not say what stands for 1.
     """
-    images, shape = _images("depth", depth)
+    given = _check.plain("depth", depth)
+    # By name, which is the same for any order of bytes.
+    if given.dtype.name not in STORED:
+        raise TypeError(f"depth: expected {', '.join(STORED[:-1])} or {STORED[-1]}, got {given.dtype}")
+    images, shape = _images("depth", given, given.dtype.newbyteorder("="))
     buffer = _buffer(images.shape, projection, near, far, reverse, depth_range)
     found: NDArray[Any] = buffer.ranges(images)
     return found.reshape(shape)
@@ -71,8 +79,8 @@ def depth_from_range(
     *,
     near: float | None = None,
     far: float = math.inf,
-    reverse: bool = True,
-    depth_range: str = "0..1",
+    reverse: bool | None = None,
+    depth_range: str | None = None,
 ) -> NDArray[Any]:
     """What a depth buffer holds for distances from the eye: the inverse of `range_from_depth`.
 
@@ -81,7 +89,8 @@ def depth_from_range(
     Parameters
     ----------
     ranges
-        (H, W) or (N, H, W) distances from the eye in metres, +inf for nothing. float32 and float64.
+        (H, W) or (N, H, W) distances from the eye in metres, +inf for nothing. float32 and float64; other numbers
+        become float64.
     projection, near, far, reverse, depth_range
         As in `range_from_depth`.
 
@@ -99,9 +108,7 @@ def depth_from_range(
     TypeError
         For values that are not numbers.
     """
-    images, shape = _images("ranges", ranges)
-    if images.dtype.kind != "f":
-        images = images.astype(np.float64)
+    images, shape = _images("ranges", ranges, None)
     buffer = _buffer(images.shape, projection, near, far, reverse, depth_range)
     found: NDArray[Any] = buffer.depths(images)
     return found.reshape(shape)
@@ -173,11 +180,9 @@ def _half_step(stored: NDArray[np.float64], depth_format: str) -> NDArray[np.flo
     return np.asarray(np.ldexp(1.0, np.maximum(exponents, -125) - 25) + 2.0**-52 * np.minimum(stored, 1.0))
 
 
-def _images(name: str, values: ArrayLike) -> tuple[NDArray[Any], tuple[int, ...]]:
+def _images(name: str, values: ArrayLike, dtype: DTypeLike | None) -> tuple[NDArray[Any], tuple[int, ...]]:
     """Values as (N, H, W) of a type that kernels read, and their shape."""
-    given = np.asarray(values)
-    dtype = given.dtype.newbyteorder("=") if given.dtype in (np.uint16, np.uint32) else None
-    images = _check.array(name, given, columns=None, dtype=dtype)
+    images = _check.array(name, values, columns=None, dtype=dtype)
     if images.ndim not in (2, 3) or not images.size:
         raise ValueError(f"{name}: expected shape (H, W) or (N, H, W), not empty, got {images.shape}")
     if max(images.shape[-2:]) > _check.MAX_SIZE:
@@ -203,31 +208,46 @@ def _buffer(
     projection: Projection | ArrayLike,
     near: float | None,
     far: float,
-    reverse: bool,
-    depth_range: str,
+    reverse: bool | None,
+    depth_range: str | None,
 ) -> _core.DepthBuffer:
     height, width = shape[-2:]
-    low = -float(CLIP_SPACES.index(_check.choice("depth_range", depth_range, CLIP_SPACES)))
     if not isinstance(projection, Projection):
         rows = _check.array("projection", projection, columns=4, dtype=np.float64)
-        if len(rows) != 4:
-            raise ValueError(f"projection: expected a (4, 4) matrix, got shape {rows.shape}")
-        if near is not None or far != math.inf:
-            raise ValueError("near: expected None beside a matrix, which has its own planes")
-        return _core.DepthBuffer.from_matrix((width, height), rows.tolist(), low)
-    if isinstance(projection, CubeFace):
-        if width != height:
-            raise ValueError(f"depth: expected square images for cube faces, got {width} x {height}")
-        planes = _planes(near, far)
-        return _core.DepthBuffer((width, height), kind="cube", near=planes[0], far=planes[1], reverse=bool(reverse))
-    bounds = (projection.left, projection.right, projection.down, projection.up)
-    if isinstance(projection, Fov):
-        kind, planes = "perspective", _planes(near, far)
-    else:
-        kind, planes = "orthographic", _parallel_planes(near, far)
-    return _core.DepthBuffer(
-        (width, height), kind=kind, bounds=bounds, near=planes[0], far=planes[1], reverse=bool(reverse)
-    )
+        return _matrix_buffer((width, height), rows, near, far, reverse, depth_range)
+    if depth_range is not None:
+        raise ValueError(f"depth_range: expected None beside {type(projection).__name__}, got {depth_range!r}")
+    if isinstance(projection, CubeFace) and width != height:
+        raise ValueError(f"depth: expected square images for cube faces, got {width} x {height}")
+    parallel = isinstance(projection, Orthographic)
+    kind = "cube" if isinstance(projection, CubeFace) else "orthographic" if parallel else "perspective"
+    nearest, farthest = (_parallel_planes if parallel else _planes)(near, far)
+    options: dict[str, Any] = {"kind": kind, "near": nearest, "far": farthest}
+    if not isinstance(projection, CubeFace):
+        options["bounds"] = (projection.left, projection.right, projection.down, projection.up)
+    return _core.DepthBuffer((width, height), reverse=reverse is None or bool(reverse), **options)
+
+
+def _matrix_buffer(
+    size: tuple[int, int],
+    rows: NDArray[np.float64],
+    near: float | None,
+    far: float,
+    reverse: bool | None,
+    depth_range: str | None,
+) -> _core.DepthBuffer:
+    if len(rows) != 4:
+        raise ValueError(f"projection: expected a (4, 4) matrix, got shape {rows.shape}")
+    if near is not None or far != math.inf:
+        raise ValueError("near: expected None beside a matrix, which has its own planes")
+    if reverse is not None:
+        raise ValueError(f"reverse: expected None beside a matrix, which says it itself, got {reverse!r}")
+    if depth_range is None:
+        raise ValueError(
+            "depth_range: expected '0..1' or '-1..1' (OpenGL's) beside a matrix, which does not say it, got None"
+        )
+    low = -float(CLIP_SPACES.index(_check.choice("depth_range", depth_range, CLIP_SPACES)))
+    return _core.DepthBuffer.from_matrix(size, rows.tolist(), low)
 
 
 def _parallel_planes(near: float | None, far: float) -> tuple[float, float]:

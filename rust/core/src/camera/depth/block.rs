@@ -26,6 +26,8 @@ pub trait Depth: Copy + Into<f64> + Send + Sync + 'static {
     type Range: Copy + Default + Into<f64> + Send + Sync;
     /// What stands for 1.
     const MOST: f64;
+    /// What is accepted, for messages.
+    const EXPECTED: &'static str;
     /// The value in float64, which holds it.
     #[doc(hidden)]
     fn wide(self) -> f64;
@@ -136,7 +138,7 @@ fn depths<T: Real + Narrow>(line: &Line, column: i32, ranges: &[T; BLOCK], depth
 }
 
 macro_rules! stored {
-    ($value:ty, $range:ty, $most:expr, $ranges:ident) => {
+    ($value:ty, $range:ty, $most:expr, $expected:expr, $ranges:ident) => {
         widest! {
             fn $ranges(line: &Line, column: i32, depth: &[$value; BLOCK], found: &mut [$range; BLOCK]) -> bool
                 = ranges::<$value>;
@@ -144,6 +146,7 @@ macro_rules! stored {
         impl Depth for $value {
             type Range = $range;
             const MOST: f64 = $most;
+            const EXPECTED: &'static str = $expected;
             #[inline(always)]
             fn wide(self) -> f64 {
                 f64::from(self)
@@ -170,11 +173,11 @@ macro_rules! real {
     };
 }
 
-stored!(f32, f32, 1.0, ranges_f32);
-stored!(f64, f64, 1.0, ranges_f64);
-stored!(u16, f32, 65_535.0, ranges_u16);
+stored!(f32, f32, 1.0, "values from 0 to 1", ranges_f32);
+stored!(f64, f64, 1.0, "values from 0 to 1", ranges_f64);
+stored!(u16, f32, 65_535.0, "whole numbers from 0 to 65535", ranges_u16);
 // Of 24 bits, the only whole numbers beyond 16 bits that depth buffers have.
-stored!(u32, f32, 16_777_215.0, ranges_u24);
+stored!(u32, f32, 16_777_215.0, "whole numbers from 0 to 16777215", ranges_u24);
 // Two roundings of the range.
 real!(f32, 1.2e-7, depths_f32);
 real!(f64, 1e-14, depths_f64);

@@ -13,7 +13,7 @@ mod tests;
 use rayon::prelude::*;
 
 use super::{Fov, Projection};
-use crate::base::{Error, Result};
+use crate::base::{Error, Result, number};
 use block::{BLOCK, Line};
 pub use block::{Depth, Real};
 
@@ -57,11 +57,11 @@ impl DepthBuffer {
         let parallel = matches!(projection, Projection::Orthographic(_));
         let least = if parallel { 0.0 } else { f64::MIN_POSITIVE };
         if !(near >= least && near.is_finite()) {
-            return Err(Error::value("near", "a finite number above 0 (or 0 for parallel rays)", near));
+            return Err(Error::value("near", "a finite number above 0 (or 0 for parallel rays)", number(near)));
         }
         if far.is_nan() || far <= near || (parallel && far.is_infinite()) {
             let expected = if parallel { "a finite number above near" } else { "a number above near, or infinity" };
-            return Err(Error::value("far", expected, far));
+            return Err(Error::value("far", expected, number(far)));
         }
         let fov = match projection {
             Projection::Perspective(fov) | Projection::Orthographic(fov) => fov,
@@ -132,7 +132,7 @@ impl DepthBuffer {
     /// Distances from the eye, metres; infinite where nothing was drawn. Images of the view, one after another.
     pub fn ranges<T: Depth>(&self, depth: &[T], ranges: &mut [T::Range]) -> Result<()> {
         let wrong = self.each(depth, ranges, T::ranges);
-        wrong.map_or(Ok(()), |(pixel, value)| Err(self.refusal("depth", "values from 0 to 1", pixel, value)))
+        wrong.map_or(Ok(()), |(pixel, value)| Err(self.refusal("depth", T::EXPECTED, pixel, value)))
     }
 
     /// What a buffer holds at distances from the eye: the inverse of `ranges`. Beyond the far plane it is empty.
@@ -180,7 +180,8 @@ impl DepthBuffer {
     fn refusal(&self, argument: &'static str, expected: &str, pixel: usize, value: f64) -> Error {
         let (row, column) = (pixel / self.width, pixel % self.width);
         let (image, row) = (row / self.height, row % self.height);
-        Error::value(argument, expected, format!("{value} in row {row}, column {column} of image {image}"))
+        let got = format!("{} in row {row}, column {column} of image {image}", number(value));
+        Error::value(argument, expected, got)
     }
 }
 
