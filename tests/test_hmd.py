@@ -275,7 +275,12 @@ EYE = nf.hmd.Eye(nf.Fov(-1, 1, -1, 1), (0, 0, 0))
         (ValueError, "lens_radius: expected", {"lens_radius": -1}),
         (ValueError, "triangle_budget: expected the least", {"triangle_budget": (5, 3)}),
         (ValueError, "hidden_area_percent: expected 0 to 100", {"hidden_area_percent": 101}),
+        (ValueError, "name: expected text .* lone surrogate", {"name": "a\ud800"}),
         (TypeError, "sources: expected strings", {"sources": "one"}),
+        (TypeError, "sources: expected strings, got None", {"sources": None}),
+        (TypeError, "sources: expected strings, got 5", {"sources": 5}),
+        (TypeError, "sources: expected strings", {"sources": ("one", 2)}),
+        (ValueError, r"sources\[1\]: expected text .* lone surrogate", {"sources": ("one", "\udfff")}),
     ],
 )
 def test_wrong_fields_are_named(error: type[Exception], words: str, changes: dict[str, Any]) -> None:

@@ -99,6 +99,23 @@ def refused(tmp_path: Path, document: Any, words: str) -> None:
         nf.Hmd.load(path)
 
 
+def test_numbers_without_a_point_are_numbers(tmp_path: Path) -> None:
+    path = tmp_path / "one.json"
+    nf.hmd.INDEX.save(path)
+    good = json.loads(path.read_text(encoding="utf-8"))
+    path.write_text(json.dumps(changed(changed(good, [0, 10**25], "lens"), 144, "refresh_hz")), encoding="utf-8")
+    hmd = nf.Hmd.load(path)
+    assert hmd.lens == nf.RadialLens((0.0, 1e25))
+    assert isinstance(hmd.refresh_hz, float)
+
+
+def test_a_runtime_is_for_files_of_hmdq(tmp_path: Path) -> None:
+    path = tmp_path / "one.json"
+    nf.hmd.INDEX.save(path)
+    with pytest.raises(ValueError, match=r"runtime: expected None for .*one\.json, which is no file of hmdq's"):
+        nf.Hmd.load(path, runtime="oculus")
+
+
 def test_damaged_files_say_where(tmp_path: Path) -> None:
     path = tmp_path / "one.json"
     nf.hmd.INDEX.save(path)
@@ -108,7 +125,15 @@ def test_damaged_files_say_where(tmp_path: Path) -> None:
     refused(
         tmp_path, changed(good, "wide", "eyes", "left", "fov", "up"), 'eyes.left.fov.up: expected a number, got "wide"'
     )
-    refused(tmp_path, changed(good, 10**400, "eyes", "left", "fov", "up"), "eyes.left.fov: ")
+    for value in (10**400, float("nan"), float("inf"), True):
+        refused(tmp_path, changed(good, value, "eyes", "left", "fov", "up"), "eyes.left.fov.up: expected a number, got")
+        refused(tmp_path, changed(good, [0.1, value], "lens"), "lens: expected numbers, got")
+        refused(
+            tmp_path, changed(good, [0, 0, value], "eyes", "left", "position"), "eyes.left.position: expected 3 num"
+        )
+        refused(tmp_path, changed(good, value, "refresh_hz"), "refresh_hz: expected a number, got")
+        refused(tmp_path, changed(good, [value, 5], "render_size"), "render_size: expected 2 numbers, got")
+    refused(tmp_path, changed(good, "\ud800", "name"), "name: .*lone surrogate")
     refused(tmp_path, changed(good, [0, 0, 0], "eyes", "right", "orientation"), "eyes.right.orientation: expected 4")
     refused(tmp_path, changed(good, [0, 0, 0, 2], "eyes", "right", "orientation"), "eyes.right: .*unit quaternion")
     refused(tmp_path, changed(good, 9.0, "eyes", "right", "fov", "left"), "eyes.right.fov: .*expected left < right")

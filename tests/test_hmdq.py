@@ -137,6 +137,28 @@ def test_a_dump_without_properties_is_called_as_its_file(tmp_path: Path) -> None
     assert (hmd.name, hmd.refresh_hz) == ("dump", None)
 
 
+@pytest.mark.parametrize("rate", [0, 0.0, -1, math.nan, math.inf, True, "fast", None, 10**400])
+def test_a_rate_that_is_none_is_unknown(tmp_path: Path, rate: Any) -> None:
+    content = document()
+    content["openvr"]["properties"]["1"]["Prop_DisplayFrequency_Float"] = rate
+    assert load(tmp_path, content).refresh_hz is None
+
+
+@pytest.mark.parametrize("area", [True, None, math.nan, "0.1"])
+def test_areas_that_are_no_numbers_are_unknown(tmp_path: Path, area: Any) -> None:
+    content = document()
+    content["openvr"]["geometry"]["ham_mesh"]["Left"]["ham_area"] = area
+    assert load(tmp_path, content).hidden_area_percent == 13.5
+
+
+def test_names_of_files_that_are_no_text_are_read() -> None:
+    content = document()
+    del content["openvr"]["properties"]
+    hmd = nf.Hmd._from_json(json.dumps(content).encode(), "one\udcff.json")
+    assert hmd.name == "one?"
+    assert hmd.sources[0].startswith("one?.json: openvr")
+
+
 def test_what_is_written_is_what_hmdv_shows(tmp_path: Path) -> None:
     """The print-out of the Valve Index in the geometry database, as far as its mesh hides nothing."""
     path = tmp_path / "index.json"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -36,7 +37,8 @@ class Hmd:
     refresh_hz
         Pictures a second, where it is known.
     lens
-        The lens, where its coefficients are known in the form of `RadialLens`, without tangential terms.
+        The lens, where its coefficients are known in the form of `RadialLens`, without tangential terms. The
+        coefficients of OpenHMD and Monado (panotools) have odd powers of r, for which it has no place.
     lens_radius
         The tangent of the angle where r = 1; None stands for `tan_half_angle`.
     triangle_budget
@@ -67,6 +69,7 @@ class Hmd:
     def __post_init__(self) -> None:
         if not isinstance(self.name, str) or not self.name:
             raise ValueError(f"name: expected a name, got {self.name!r}")
+        _check_text("name", self.name)
         for side in EYES:
             if not isinstance(getattr(self, side), Eye):
                 raise TypeError(f"{side}: expected Eye, got {type(getattr(self, side)).__name__}")
@@ -86,9 +89,16 @@ class Hmd:
             if not 0.0 <= hidden <= 100.0:
                 raise ValueError(f"hidden_area_percent: expected 0 to 100, got {hidden}")
             _set(self, "hidden_area_percent", hidden)
-        if isinstance(self.sources, str) or not all(isinstance(source, str) for source in self.sources):
-            raise TypeError(f"sources: expected strings, got {self.sources!r}")
-        _set(self, "sources", tuple(self.sources))
+        self._check_sources()
+
+    def _check_sources(self) -> None:
+        given: object = self.sources
+        listed = tuple(given) if isinstance(given, Iterable) and not isinstance(given, str) else (None,)
+        if not all(isinstance(source, str) for source in listed):
+            raise TypeError(f"sources: expected strings, got {given!r}")
+        for number, source in enumerate(listed):
+            _check_text(f"sources[{number}]", source)
+        _set(self, "sources", listed)
 
     def _check_lens(self) -> None:
         if self.lens is not None:
@@ -165,22 +175,35 @@ class Hmd:
 
         A file of hmdq's may hold what several runtimes said: `runtime` is "openvr", "oculus" (the default view) or
         "oculus_max"; if not given, the first of them that is there. The name is the file's where hmdq recorded none.
-        FormatError for other files, naming the file and the key; OSError where there is none.
+        FormatError for other files, naming the file and the key; ValueError for a runtime beside a file of ours;
+        OSError where there is none.
         """
         place = _check.path("path", path)
         if runtime is not None:
             _check.choice("runtime", runtime, _hmdq.RUNTIMES)
-        return cls.from_json(place.read_bytes(), os.fspath(place), runtime=runtime)
+        return cls._from_json(place.read_bytes(), os.fspath(place), runtime=runtime)
 
     @classmethod
-    def from_json(cls, text: bytes, where: str, *, runtime: str | None = None) -> Hmd:
+    def _from_json(cls, text: bytes, where: str, *, runtime: str | None = None) -> Hmd:
         """Read a headset from the bytes of a file of either format; `where` names them in messages."""
         document = _hmd_file.parse(text, where)
-        fields = _hmdq.fields(document, where, runtime) if _hmdq.is_one(document) else _hmd_file.fields(document, where)
+        if _hmdq.is_one(document):
+            fields = _hmdq.fields(document, where, runtime)
+        else:
+            fields = _hmd_file.fields(document, where)
+            if runtime is not None:
+                raise ValueError(f"runtime: expected None for {where}, which is no file of hmdq's, got {runtime!r}")
         return _hmd_file.built(where, lambda: cls(**fields))
 
     def _fields(self) -> dict[str, Any]:
         return {name: getattr(self, name) for name in self.__dataclass_fields__}
+
+
+def _check_text(name: str, text: str) -> None:
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError:
+        raise ValueError(f"{name}: expected text that files can hold, got a lone surrogate in {text!r}") from None
 
 
 def _set(hmd: Hmd, name: str, value: object) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
@@ -48,10 +49,10 @@ def fields(content: dict[str, Any], where: str) -> dict[str, Any]:
     found: dict[str, Any] = {"name": read.text("name")}
     for side in ("left", "right"):
         found[side] = _eye(read.inside("eyes").inside(side))
-    found["render_size"] = read.numbers("render_size", 2)
+    found["render_size"] = read.pair("render_size")
     for name in OPTIONAL:
         if content.get(name) is not None:
-            found[name] = read.numbers(name, 2) if name in ("panel_size", "triangle_budget") else read.number(name)
+            found[name] = read.pair(name) if name in ("panel_size", "triangle_budget") else read.number(name)
     if content.get("lens") is not None:
         found["lens"] = built(where, lambda: RadialLens(read.numbers("lens", None)))
     found["sources"] = read.texts("sources")
@@ -77,6 +78,23 @@ def built(where: str, make: Callable[[], Made]) -> Made:
         raise FormatError(f"{where}: {error}") from None
 
 
+def finite(value: object) -> float | None:
+    """A number of JSON as float64; nothing for anything else, and for what float64 does not hold."""
+    if not isinstance(value, int | float) or isinstance(value, bool):
+        return None
+    try:
+        found = float(value)
+    except OverflowError:
+        return None
+    return found if math.isfinite(found) else None
+
+
+def finite_row(value: object) -> list[float] | None:
+    """Numbers of JSON in the same way; nothing if one of them is none."""
+    found = [finite(item) for item in value] if isinstance(value, list) else [None]
+    return None if None in found else [item for item in found if item is not None]
+
+
 class Reader:
     """An object within a document, which knows what it is called."""
 
@@ -91,18 +109,26 @@ class Reader:
         return Reader(value, self.where, self._named(key))
 
     def number(self, key: str) -> float:
-        """A number, kept as it is."""
+        """A number."""
         value = self._value(key)
-        if not _is_number(value):
+        found = finite(value)
+        if found is None:
             raise self.wrong(key, "a number", value)
-        return value  # type: ignore[no-any-return]
+        return found
 
     def numbers(self, key: str, count: int | None) -> tuple[float, ...]:
-        """So many numbers, kept as they are."""
+        """So many numbers."""
         value = self._value(key)
-        if not isinstance(value, list) or not all(map(_is_number, value)) or count not in (None, len(value)):
+        found = finite_row(value)
+        if found is None or count not in (None, len(found)):
             raise self.wrong(key, "numbers" if count is None else f"{count} numbers", value)
-        return tuple(value)
+        return tuple(found)
+
+    def pair(self, key: str) -> tuple[Any, Any]:
+        """Two numbers, kept as they are: whole ones stay whole."""
+        self.numbers(key, 2)
+        one, other = self._value(key)
+        return one, other
 
     def text(self, key: str) -> str:
         """A string."""
@@ -121,9 +147,10 @@ class Reader:
     def rows(self, key: str) -> Any:
         """Rows of numbers."""
         value = self._value(key)
-        if not isinstance(value, list) or not all(isinstance(row, list) and all(map(_is_number, row)) for row in value):
+        found = [finite_row(row) for row in value] if isinstance(value, list) else [None]
+        if None in found:
             raise self.wrong(key, "rows of numbers", value)
-        return value
+        return found
 
     def made(self, make: Callable[[], Made]) -> Made:
         """Make something of what stands here."""
@@ -156,7 +183,3 @@ def _eye(read: Reader) -> Eye:
     x, y, z = read.numbers("position", 3)
     a, b, c, d = read.numbers("orientation", 4)
     return read.made(lambda: Eye(fov, (x, y, z), (a, b, c, d)))
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)

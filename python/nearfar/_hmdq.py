@@ -10,7 +10,7 @@ from typing import Any
 from nearfar._camera import Fov
 from nearfar._errors import FormatError
 from nearfar._eyes import Eye, total_fov
-from nearfar._hmd_file import Reader, save
+from nearfar._hmd_file import Reader, finite, save
 from nearfar._version import __version__
 
 RUNTIMES = ("openvr", "oculus", "oculus_max")
@@ -42,13 +42,15 @@ def fields(content: dict[str, Any], where: str, runtime: str | None) -> dict[str
         raise FormatError(f"{where}: expected geometry from {runtime}, found {', '.join(found)}")
     chosen = runtime or next(iter(found))
     read = found[chosen]
+    # Names of files may hold bytes that are no text, as lone surrogates.
+    file = Path(where.encode("utf-8", "replace").decode("utf-8"))
     name, refresh = _device(content, chosen)
     result: dict[str, Any] = {side: _eye(read, key) for side, key in SIDES.items()}
-    result |= {"name": name or Path(where).stem, "render_size": read.numbers("rec_rts", 2), "refresh_hz": refresh}
+    result |= {"name": name or file.stem, "render_size": read.pair("rec_rts"), "refresh_hz": refresh}
     result["hidden_area_percent"] = _hidden(read)
     misc = content["misc"]
     version = misc.get("hmdq_ver", misc.get("hmdv_ver"))
-    result["sources"] = (f"{Path(where).name}: {chosen} by hmdq {version}, {misc.get('time', 'at no known time')}",)
+    result["sources"] = (f"{file.name}: {chosen} by hmdq {version}, {misc.get('time', 'at no known time')}",)
     return result
 
 
@@ -132,7 +134,8 @@ def _device(content: dict[str, Any], runtime: str) -> tuple[str, float | None]:
             continue
         for keys in NAMES:
             words = [device[key] for key in keys if isinstance(device.get(key), str)]
-            rates = [device[key] for key in REFRESH if isinstance(device.get(key), int | float)]
+            # Runtimes that do not know it say 0.
+            rates = [rate for key in REFRESH if (rate := finite(device.get(key))) is not None and rate > 0.0]
             if words:
                 return " ".join(words), rates[0] if rates else None
     return "", None
@@ -142,8 +145,8 @@ def _hidden(read: Reader) -> float | None:
     """Percent of the views that meshes hide: the mean of both eyes."""
     meshes = read.content.get("ham_mesh")
     listed = meshes.values() if isinstance(meshes, dict) else []
-    areas = [mesh.get("ham_area") for mesh in listed if isinstance(mesh, dict)]
-    known = [area for area in areas if isinstance(area, int | float)]
+    areas = [finite(mesh.get("ham_area")) for mesh in listed if isinstance(mesh, dict)]
+    known = [area for area in areas if area is not None]
     return 100.0 * sum(known) / len(known) if known else None
 
 

@@ -49,7 +49,7 @@ def get(name: str) -> Hmd:
     if name not in names():
         raise ValueError(f"name: expected one of {', '.join(names())}, got {name!r}")
     file = _PROFILES / f"{name.lower()}.json"
-    return Hmd.from_json(file.read_bytes(), str(file))
+    return Hmd._from_json(file.read_bytes(), str(file))
 
 
 def __getattr__(name: str) -> Hmd:
