@@ -60,6 +60,17 @@ def array(
     return np.require(given, wanted, ["C_CONTIGUOUS", "ALIGNED"])
 
 
+def plain(name: str, value: ArrayLike) -> NDArray[Any]:
+    """Make an argument an array of any type; TypeError for masked values, which would lose their mask."""
+    # Only subclasses are looked at, because `np.ma` is not loaded before its first use.
+    if isinstance(value, np.ndarray) and type(value) is not np.ndarray and np.ma.is_masked(value):
+        raise TypeError(f"{name}: expected an array without masked values, got one with a mask")
+    try:
+        return np.asarray(value)
+    except ValueError:
+        raise ValueError(f"{name}: expected rows of equal length") from None
+
+
 def output(name: str, value: NDArray[Any], given: NDArray[Any]) -> NDArray[Any]:
     """Accept a caller's array for a result of the shape and type of what is given, apart from it in memory."""
     if not isinstance(value, np.ndarray):
@@ -167,10 +178,7 @@ def _pair(name: str, value: tuple[int, int], low: int, high: int, expected: str)
 
 
 def _numbers(name: str, value: ArrayLike) -> NDArray[Any]:
-    try:
-        given = np.asarray(value)
-    except ValueError:
-        raise ValueError(f"{name}: expected rows of equal length") from None
+    given = plain(name, value)
     if given.dtype.kind not in "iuf":
         # An empty list has no type of its own: NumPy calls it float64, so it passes above.
         raise TypeError(f"{name}: expected real numbers, got {_what(value)} of type {given.dtype}")

@@ -167,7 +167,7 @@ def _deep(maps: NDArray[Any]) -> NDArray[Any]:
 
 
 def _faces(faces: ArrayLike) -> NDArray[Any]:
-    given = np.asarray(faces)
+    given = _check.plain("faces", faces)
     if given.dtype.kind not in "iub":
         given = _check.array("faces", given, columns=None)
     if given.ndim not in (3, 4) or given.shape[0] != 6 or given.shape[1] != given.shape[2] or given.shape[1] == 0:

@@ -68,7 +68,7 @@ def uvs_of(name: str, value: ArrayLike) -> NDArray[np.float32]:
 
 def colors_of(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.uint8]:
     """Take sRGB colours with linear alpha as C-contiguous uint8; three channels become opaque."""
-    array = np.asarray(value)
+    array = _check.plain(name, value)
     if array.dtype != np.uint8:
         raise TypeError(f"{name}: expected uint8 sRGB colours, got {array.dtype}")
     if array.shape not in {(vertex_count, 3), (vertex_count, 4)}:
@@ -80,7 +80,7 @@ def colors_of(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.uint
 
 def texture_of(name: str, value: ArrayLike) -> NDArray[np.uint8]:
     """Take an sRGB image with linear alpha (H, W, 4), rows from the top, as C-contiguous uint8."""
-    array = np.asarray(value)
+    array = _check.plain(name, value)
     if array.dtype != np.uint8 or array.ndim != 3 or array.shape[2] != 4 or 0 in array.shape:
         raise ValueError(f"{name}: expected a uint8 image (H, W, 4), got {array.dtype} {array.shape}")
     return np.require(array, np.uint8, ["C_CONTIGUOUS", "ALIGNED"])

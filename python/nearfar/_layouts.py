@@ -66,7 +66,7 @@ def convert_envmap(
     _check.choice("source", source, LAYOUTS)
     _check.choice("filter", filter, FILTERS)
     samples = _check.integer("samples", samples, 1, 256)
-    given = np.asarray(values)
+    given = _check.plain("values", values)
     if given.dtype.kind not in "iub":
         given = _check.array("values", given, columns=None)
     before, after = _given_shape(given, source), _shape("target", target, size)

@@ -102,7 +102,7 @@ def luma(frame: Frame) -> NDArray[np.float64]:
 
 def mask_of(mask: ArrayLike, name: str = "mask") -> NDArray[np.uint8]:
     """Which pixels a mask names, as bytes; TypeError for anything but true and false or whole numbers."""
-    given = _plain(name, mask)
+    given = _check.plain(name, mask)
     if given.dtype.kind not in "biu":
         raise TypeError(f"{name}: expected true and false, got {given.dtype}")
     named: NDArray[np.uint8] = _readable((given if given.dtype.kind == "b" else given != 0).view(np.uint8), np.uint8)
@@ -111,19 +111,10 @@ def mask_of(mask: ArrayLike, name: str = "mask") -> NDArray[np.uint8]:
 
 def numbers(name: str, value: ArrayLike) -> NDArray[Any]:
     """An array of real numbers or of true and false; ValueError or TypeError otherwise."""
-    given = _plain(name, value)
+    given = _check.plain(name, value)
     if given.dtype.kind not in "biuf":
         raise TypeError(f"{name}: expected real numbers, got {type(value).__name__} of type {given.dtype}")
     return given
-
-
-def _plain(name: str, value: ArrayLike) -> NDArray[Any]:
-    if isinstance(value, np.ma.MaskedArray):
-        raise TypeError(f"{name}: expected a plain array, got a masked one, whose mask would be lost")
-    try:
-        return np.asarray(value)
-    except ValueError:
-        raise ValueError(f"{name}: expected rows of equal length") from None
 
 
 def _readable(array: NDArray[Any], dtype: DTypeLike) -> NDArray[Any]:

@@ -65,7 +65,7 @@ def choice(
     NDArray
         Shape of `index`, then that of one option.
     """
-    listed = np.asarray(options)
+    listed = _check.plain("options", options)
     if listed.ndim == 0 or len(listed) == 0:
         raise ValueError(f"options: expected at least one, got shape {listed.shape}")
     if weights is None:

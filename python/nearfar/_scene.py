@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _core
+from nearfar import _check, _core
 from nearfar._assembly import Assembled, Assembly
 from nearfar._geometry import object_count_of, transforms_of
 from nearfar._names import Names, names_of
@@ -289,7 +289,7 @@ class Scene:
         if objects is not None:
             flags = self._names.flags("objects", objects)
             return self._derived(self._core.subset_of_objects(flags), self._rest[flags[owner]])
-        mask = self._triangle_mask(np.asarray(triangles))
+        mask = self._triangle_mask(_check.plain("triangles", triangles))  # type: ignore[arg-type]  # not None here
         before = np.concatenate([[0], np.cumsum(mask)])[self._core.triangle_offsets()]
         remains = np.diff(before)[self._core.instance_count - len(owner) :] > 0
         return self._derived(self._core.subset_of_triangles(mask), self._rest[remains])

@@ -325,7 +325,7 @@ def visual_continuity(frames: Iterable[ArrayLike | Frame], *, data_range: float 
     for frame in frames:
         # Frames are converted once, not for both of their neighbours; others are copied, because whoever makes them may
         # write the next one into the same memory.
-        current: Any = _pictures.luma(frame) if isinstance(frame, Frame) else np.array(frame)
+        current: Any = _pictures.luma(frame) if isinstance(frame, Frame) else np.array(_check.plain("frames", frame))
         extent = 1.0 if data_range is None and isinstance(frame, Frame) else data_range
         if last is not None:
             yield ssim(last, current, data_range=extent, window="global")

@@ -86,7 +86,7 @@ def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max:
     """
     core = core_of(scene)
     rays = _check.array("directions", directions)
-    starts = np.asarray(origins)
+    starts = _check.plain("origins", origins)
     starts = _check.array("origins", starts[None] if starts.shape == (3,) else starts)
     if len(starts) != len(rays) and np.ndim(origins) != 1:
         raise ValueError(f"origins: expected shape (3,) or {rays.shape} as directions has, got {starts.shape}")
