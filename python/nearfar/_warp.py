@@ -164,7 +164,7 @@ def _fill(fill: float, dtype: np.dtype[Any]) -> float:
 
 
 def _picture(image: ArrayLike, lenses: int) -> NDArray[Any]:
-    picture = np.asarray(image)
+    picture = _check.plain("image", image)
     if picture.dtype.type not in TYPES:
         names = ", ".join(np.dtype(each).name for each in TYPES)
         raise TypeError(f"image: expected one of {names}, got {picture.dtype}")
