@@ -209,10 +209,15 @@ def _panel(axes: Any, shown: Comparison) -> None:
     # Errors of nothing have no place on a logarithmic axis: they are put below all others.
     floor = min(error for _, error in known if error) / 10
     points = [(result.timing.wall * 1e3, max(error, floor)) for result, error in known]
+    placed: list[tuple[float, float]] = []
     for (x, y), (result, error) in zip(points, known, strict=True):
         axes.scatter(x, y, s=60, color="#888888" if result.peer else "#c8102e", zorder=3)
         label = result.name if error else f"{result.name} (0)"
-        axes.annotate(label, (x, y), xytext=(6, 5), textcoords="offset points", fontsize=8)
+        # Labels of points that lie close together are stacked.
+        at = (np.log10(x), np.log10(y))
+        above = sum(abs(at[0] - other[0]) < 0.8 and abs(at[1] - other[1]) < 0.6 for other in placed)
+        placed.append(at)
+        axes.annotate(label, (x, y), xytext=(6, 5 + 11 * above), textcoords="offset points", fontsize=8)
     front = sorted(point for point in points if not any(_better(other, point) for other in points))
     axes.step([x for x, _ in front], [y for _, y in front], where="post", color="#c8102e", alpha=0.4)
     if shown.least:

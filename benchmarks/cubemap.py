@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import map_coordinates
 
 import nearfar as nf
-from _harness import OURS, Case, Work, compare, describe
+from _harness import OURS, Case, Work, compare, describe, done, draw
 from _measure import machine, table
 
 Array = NDArray[Any]
@@ -252,6 +252,8 @@ def main() -> None:
     print(mips(), flush=True)
     print(cones(), flush=True)
     print(conversions())
+    chosen = ("10⁶ random directions in faces of 512², float32", "Cube of 6 × 512² to equirectangular of 2048 × 1024")
+    draw([done[title] for title in chosen], "cube maps")
 
 
 if __name__ == "__main__":

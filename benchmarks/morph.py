@@ -73,7 +73,7 @@ def main() -> None:
     random = np.random.default_rng(0)
     points = (random.random((COUNT, 3), np.float32) - np.float32(0.5)) * np.float32(150)
     points[:, 1] += np.float32(40)
-    kept = np.empty_like(points)
+    kept, theirs = np.empty_like(points), np.empty_like(points)
     of = functools.partial(error, points=points)
     cases = [
         Case(OURS, lambda: ours(points), of, peer=False),
@@ -87,7 +87,7 @@ def main() -> None:
     if importlib.util.find_spec("numba"):
         numba = numba_morph()
         cases += [Case("numba, parallel, fast-math", lambda: numba(points), of)]
-        cases += [Case("numba, into an array at hand", lambda: numba(points, kept), of)]
+        cases += [Case("numba, into an array at hand", lambda: numba(points, theirs), of)]
     print(machine())
     print(describe())
     title = "Morph of 10⁷ float32 points scattered over 150 m, r1 = 30 m, r2 = 50 m"
