@@ -151,24 +151,48 @@ def angles_to_texels(d: Array, size: int) -> Array:
         between = (np.einsum("...k,...k", np.cross(a, foot), normal) >= 0) & (
             np.einsum("...k,...k", np.cross(foot, b), normal) >= 0
         )
-        for point, counts in ((foot, between), (a, True), (b, True)):
-            angle = np.arctan2(np.linalg.norm(np.cross(point, d), axis=-1), point @ d)
-            best = np.minimum(best, np.where(counts, angle, np.inf))
+        # The foot may be as short as rounding; its angle is known all the same.
+        best = np.where(between, np.minimum(best, np.arctan2(np.abs(height), np.linalg.norm(foot, axis=-1))), best)
+        for point in (a, b):
+            best = np.minimum(best, np.arctan2(np.linalg.norm(np.cross(point, d), axis=-1), point @ d))
     return np.asarray(np.where(inside, 0.0, best))
 
 
 @given(st.integers(1, 20), st.integers(0, 2**32 - 1), st.floats(0, 1.5), st.integers(0, 3))
 def test_cones_hold_all_texels_that_they_touch(size: int, seed: int, radius: float, scale: int) -> None:
-    rng = np.random.default_rng(seed)
-    faces = rng.uniform(-1, 1, (6, size, size))
-    d = everywhere(size, 4)[seed % 4]
-    radius *= 0.1**scale
+    check_cone(everywhere(size, 4)[seed % 4], size, radius * 0.1**scale, seed)
+
+
+def check_cone(d: Array, size: int, radius: float, seed: int = 0) -> None:
     angles = angles_to_texels(d, size)
+    faces = np.random.default_rng(seed).uniform(-1, 1, (6, size, size))
     # The stated width, and the oracle's own rounding.
     surely, perhaps = faces[angles <= radius - 1e-13], faces[angles <= radius + 6.5e-8]
     least, greatest = (float(nf.cube_lookup(faces, d, filter=name, radius=radius)) for name in ("min", "max"))
     assert perhaps.min() <= least <= surely.min(initial=np.inf)
     assert surely.max(initial=-np.inf) <= greatest <= perhaps.max()
+
+
+def check_every_texel(d: Array, size: int, radius: float) -> None:
+    """One channel for each texel, so that none hides behind another."""
+    angles = angles_to_texels(d, size).ravel()
+    faces = np.eye(angles.size, dtype=np.float32).reshape(6, size, size, -1)
+    taken = nf.cube_lookup(faces, d, filter="max", radius=radius) == 1
+    assert taken[angles <= radius - 1e-13].all()
+    assert not taken[angles > radius + 6.5e-8].any()
+
+
+@pytest.mark.parametrize("below", [0.0, 1e-12, 1e-9, 6e-8, 6.3e-8, 6.4e-8, 7e-8, 1e-6])
+def test_cones_of_almost_a_right_angle(below: float) -> None:
+    radius = float(np.nextafter(np.pi / 2, 0)) - below
+    rng = np.random.default_rng(0)
+    in_planes = [rng.uniform(-2, 2, 3) * keep for keep in ((1, 1, 0), (1, 0, 1), (0, 1, 1)) for _ in range(10)]
+    signs = [np.array(d, float) for d in itertools.product((-1, 0, 1), repeat=3) if any(d)]
+    known = [(0, 1, 0.1), (-1.28164037, -0.837277, 0), (1.3, -1.27, 0), (1, 1e-8, 0), (1e-17, 1, 0), (1, 1, 1e-16)]
+    for d in (*in_planes, *signs, *map(np.array, known), *rng.normal(size=(10, 3))):
+        for size in (1, 3, 4, 7):
+            check_every_texel(d, size, radius)
+        check_cone(d, 16, radius)
 
 
 def test_cones_by_channel_in_both_types() -> None:

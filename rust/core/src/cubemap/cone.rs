@@ -14,6 +14,10 @@ use super::along_face;
 /// texel: a cone is wider by half of this over its angle, and by 6.4e-8 at most.
 const MARGIN: f64 = 4e-15;
 
+/// Square of the least cosine: a cone that is nearer to 90° than this is opened to within 1e-15 of it. A cosine of 0
+/// would leave nothing to divide by where a direction lies in the plane of a face.
+const TINY: f64 = 1e-30;
+
 /// Directions within an angle of another one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cone {
@@ -34,8 +38,8 @@ impl Cone {
     pub fn new(d: DVec3, radius: f64) -> Self {
         // Scaled first, so that the length does not overflow.
         let axis = (d / d.abs().max_element()).normalize();
-        let sine_squared = (radius.sin().powi(2) + MARGIN).min(1.0);
-        Self { axis, sine: sine_squared.sqrt(), cosine_squared: 1.0 - sine_squared }
+        let sine = (radius.sin().powi(2) + MARGIN).min(1.0).sqrt();
+        Self { axis, sine, cosine_squared: (radius.cos().powi(2) - MARGIN).max(TINY) }
     }
 
     /// Finds the texels of a face that the cone touches.
@@ -80,18 +84,20 @@ impl Cone {
     /// Least and greatest position along an axis of a face, and where along the other axis each is reached; None where
     /// the cone lies behind the face. Given are the direction's components along these axes and out of the face.
     fn extent(&self, along: f64, across: f64, out: f64) -> Option<[(f64, f64); 2]> {
-        let length = along.hypot(out);
-        if length <= self.sine {
+        // The length of (along, out) squared less that of the sine. Near 90° both are 1, and their difference is rounding.
+        let rest = self.cosine_squared - across * across;
+        if rest <= 0.0 {
             // The cone holds the other axis.
             return Some([(f64::NEG_INFINITY, f64::NAN), (f64::INFINITY, f64::NAN)]);
         }
-        let (middle, half) = (along.atan2(out), (self.sine / length).asin());
+        let rest = rest.sqrt();
+        let (middle, half) = (along.atan2(out), self.sine.atan2(rest));
         if middle - half >= FRAC_PI_2 || middle + half <= -FRAC_PI_2 {
             return None;
         }
         let reached = |angle: f64| {
             if angle.abs() < FRAC_PI_2 {
-                (angle.tan(), across / (length * half.cos() * angle.cos()))
+                (angle.tan(), across / (rest * angle.cos()))
             } else {
                 (f64::INFINITY.copysign(angle), f64::NAN)
             }
@@ -117,13 +123,15 @@ impl Section {
         let (k, w) = (self.down * v + self.out, v * v + 1.0);
         let (a, b) = (self.squares, self.right * k);
         let discriminant = k * k + w * a;
-        if discriminant < 0.0 {
+        // A parabola opens towards k > 0; what it leaves of a line elsewhere is nothing.
+        if discriminant < 0.0 || (a == 0.0 && k <= 0.0) {
             return None;
         }
         let root = (self.cone.cosine_squared * discriminant).sqrt();
         // The sum of equal signs, so that no digits are lost; the other root by their product.
         let q = -(b + root.copysign(b));
-        let (one, other) = (q / a, (k * k - self.cone.cosine_squared * w) / q);
+        // Of a line that only touches the border both are 0.
+        let (one, other) = if q == 0.0 { (0.0, 0.0) } else { (q / a, (k * k - self.cone.cosine_squared * w) / q) };
         let (low, high) = if one < other { (one, other) } else { (other, one) };
         match (a < 0.0, self.right > 0.0) {
             (true, _) => (k > 0.0).then_some((low, high)),
