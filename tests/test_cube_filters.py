@@ -326,3 +326,68 @@ results += [nf.convert_envmap(faces, source="cube", target="octahedral", size=99
 print([hashlib.sha256(r.tobytes()).hexdigest() for r in results])
 """
     assert len(printed_by_threads(code)) == 1
+
+
+def with_nan(size: int, channels: int, share: float, seed: int) -> Array:
+    rng = np.random.default_rng(seed)
+    faces = rng.uniform(-1, 1, (6, size, size, channels))
+    faces[rng.uniform(size=faces.shape) < 0.1] = rng.choice([-np.inf, np.inf])
+    faces[rng.uniform(size=faces.shape) < share] = np.nan
+    return faces
+
+
+def known(values: Array, name: str) -> Array:
+    """The least or greatest of rows (N, C), NaN where all are: NumPy's, but it warns there."""
+    choose, nothing = (np.min, np.inf) if name == "min" else (np.max, -np.inf)
+    found = choose(np.where(np.isnan(values), nothing, values), axis=0, initial=nothing)
+    return np.asarray(np.where(np.isnan(values).all(axis=0), np.nan, found))
+
+
+@given(
+    st.integers(1, 16),
+    st.sampled_from([1, 2, 3]),
+    st.sampled_from([0.2, 0.9, 0.99, 1]),
+    st.integers(0, 2**32 - 1),
+    st.sampled_from(["min", "max"]),
+)
+def test_extremes_skip_nan(size: int, channels: int, share: float, seed: int, name: str) -> None:
+    faces = with_nan(size, channels, share, seed)
+    texels = faces.reshape(-1, channels)
+    d = everywhere(size, 8)
+    # Of a texel alone in a face the filter keeps its weight.
+    weights = nf.cube_lookup(np.eye(len(texels)).reshape(6, size, size, -1), d, filter="linear")
+    expected = np.array([known(texels[row > 0], name) for row in weights])
+    np.testing.assert_array_equal(nf.cube_lookup(faces, d, filter=name), expected)
+    for channel in range(channels):
+        alone = nf.cube_lookup(faces[..., channel], d, filter=name)
+        np.testing.assert_array_equal(alone, expected[:, channel])
+    for radius in (0.01, 0.3, 1.2):
+        inside = [angles_to_texels(way, size).ravel() <= radius for way in d]
+        expected = np.array([known(texels[touched], name) for touched in inside])
+        for kind in (np.float32, np.float64):
+            found = nf.cube_lookup(faces.astype(kind), d, filter=name, radius=radius)
+            np.testing.assert_array_equal(found, expected.astype(kind))
+    while size > 1:
+        part, after = shares(size), size // 2
+        wide = part[..., 1] - part[..., 0] > 1e-12
+        level = nf.cube_mips(faces, filter=name)[1]
+        for j, i in np.ndindex(after, after):
+            covered = faces[:, wide[j]][:, :, wide[i]].reshape(6, -1, channels).swapaxes(0, 1)
+            np.testing.assert_array_equal(level[:, j, i], known(covered, name))
+        for channel in range(channels):
+            alone = nf.cube_mips(faces[..., channel], filter=name)[1]
+            np.testing.assert_array_equal(alone, level[..., channel])
+        faces, size = level, after
+
+
+@pytest.mark.parametrize("name", ["min", "max"])
+def test_nan_do_not_depend_on_places(name: str) -> None:
+    """Mirrored faces, whose first texels are the last ones, give what the mirrored cone gives."""
+    for size, radius in itertools.product((4, 5, 16, 33), (None, 0.1, 0.9)):
+        faces = with_nan(size, 1, 0.7, size)[..., 0]
+        d = everywhere(size, 200)
+        # Turned by half about z: opposite faces but ±z change places, and all six turn by half.
+        turned = faces[[1, 0, 3, 2, 4, 5], ::-1, ::-1]
+        one = nf.cube_lookup(faces, d, filter=name, radius=radius)
+        other = nf.cube_lookup(turned, d * (-1, -1, 1), filter=name, radius=radius)
+        np.testing.assert_array_equal(one, other)

@@ -40,7 +40,8 @@ def cube_lookup(
         whose error is as small there as inside a face. "cubic": bicubic (Keys' with a = −1/2, exact for polynomials of
         the second order in a face's coordinates), seamless too, with an error of the third order everywhere; it
         overshoots at steps, and near infinite values it means nothing. "min", "max": the least and greatest of the
-        texels that "linear" would mix, for ranges, which must not be averaged across a silhouette.
+        texels that "linear" would mix, for ranges, which must not be averaged across a silhouette; NaN are skipped,
+        because they are unknown, and the result is NaN where all are NaN.
     radius
         With "min" and "max": radians, at least 0 and below π/2. Not the four texels, but all that the cone of
         this angle about the direction touches, exactly: none is left out, and none is taken that lies outside by more
@@ -91,7 +92,7 @@ def cube_mips(faces: ArrayLike, *, filter: str = "mean") -> list[NDArray[Any]]: 
         (6, S, S) or (6, S, S, C), as in `cube_lookup`. float32 and float64 are kept, other numbers become float64.
     filter
         "mean": texels weighed by the solid angle that is covered, so that the mean over the sphere stays what it was.
-        "min", "max": the least and greatest of all texels covered, for ranges.
+        "min", "max": the least and greatest of all texels covered, for ranges; NaN are skipped as in `cube_lookup`.
 
     Returns
     -------

@@ -42,7 +42,8 @@ def convert_envmap(
         Of the result: S; for "equirectangular" H, of W = 2 H, or (H, W).
     filter
         As in `cube_lookup`, in the source, and seamless in every layout: equirectangular pictures go on at the opposite
-        edge and beyond a pole at the opposite longitude, octahedral ones at each edge's other half.
+        edge and beyond a pole at the opposite longitude, octahedral ones at each edge's other half. "min" and "max" skip
+        NaN, in the source and among `samples`.
     samples
         Look up n × n evenly spread directions for each texel and take their mean, or the least or greatest of them: so
         that small results of large pictures do not alias. About the ratio of both sizes is enough. 1 with "nearest".

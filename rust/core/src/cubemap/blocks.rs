@@ -1,6 +1,7 @@
 //! Lookups in blocks: what the compiler turns into vectors. Texels are gathered between these kernels, one by one,
 //! because gathering instructions are no faster and on some machines much slower.
 
+use super::faces::is_known;
 use crate::base::Real;
 use crate::base::simd::widest;
 
@@ -224,17 +225,16 @@ fn mix<T: Real>(texels: &[Lanes<T>; 4], weights: &[Lanes<f64>; 4], out: &mut Lan
     }
 }
 
-/// The texels that come before all others that have weight: the least, or the greatest.
+/// The texels that come before all others that have weight: the least, or the greatest. NaN where all of these are.
 #[inline(always)]
 fn extreme<T: Real, const GREATEST: bool>(texels: &[Lanes<T>; 4], weights: &[Lanes<f64>; 4], out: &mut Lanes<T>) {
     for i in 0..BLOCK {
-        let (mut chosen, mut found) = (texels[0].0[i], weights[0].0[i] > 0.0);
-        for k in 1..4 {
+        let mut chosen = T::narrow(f64::NAN);
+        for k in 0..4 {
             let texel = texels[k].0[i];
             let before = if GREATEST { texel > chosen } else { texel < chosen };
-            let takes = (weights[k].0[i] > 0.0) & (!found | before);
+            let takes = (weights[k].0[i] > 0.0) & (!is_known(chosen) | before);
             chosen = if takes { texel } else { chosen };
-            found |= takes;
         }
         out.0[i] = chosen;
     }
@@ -266,7 +266,7 @@ fn halve<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T])
     }
 }
 
-/// The least, or the greatest, of 2 × 2 of two rows.
+/// The least, or the greatest, of 2 × 2 of two rows, NaN where all four are.
 #[inline(always)]
 fn halve_extreme<T: Real, const GREATEST: bool>(above: &[T], below: &[T], out: &mut [T]) {
     let count = out.len();
@@ -275,7 +275,7 @@ fn halve_extreme<T: Real, const GREATEST: bool>(above: &[T], below: &[T], out: &
         let mut chosen = above[2 * i];
         for other in [above[2 * i + 1], below[2 * i], below[2 * i + 1]] {
             let before = if GREATEST { other > chosen } else { other < chosen };
-            chosen = if before { other } else { chosen };
+            chosen = if before | !is_known(chosen) { other } else { chosen };
         }
         out[i] = chosen;
     }

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
 use super::blocks::{BLOCK, Lanes, Streamed, keys};
-use super::faces::{Faces, Number};
+use super::faces::{Faces, Number, is_known};
 use super::flat;
 use super::layout::{Grid, Layout, Rows};
 use super::lookup::{Filter, in_blocks, in_tiles, is_wrong};
@@ -63,11 +63,14 @@ impl<T: Number> Picture<'_, T> {
     }
 }
 
-/// The value that comes before all others; 0 of none.
+/// The value that comes before all others, NaN where all are.
 fn first<T: Number>(texels: impl Iterator<Item = (T, f64)>, before: impl Fn(T, T) -> bool) -> T {
-    let chosen =
-        texels.map(|(texel, _)| texel).reduce(|chosen, texel| if before(texel, chosen) { texel } else { chosen });
-    chosen.unwrap_or(T::narrow(0.0))
+    texels.fold(
+        T::narrow(f64::NAN),
+        |chosen, (texel, _)| {
+            if before(texel, chosen) || !is_known(chosen) { texel } else { chosen }
+        },
+    )
 }
 
 /// Writes a picture in another layout. Each texel is looked up at `samples`² places, evenly spread, of which the mean is

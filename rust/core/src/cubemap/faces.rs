@@ -61,6 +61,13 @@ pub(super) fn refuse(wrong: usize) -> Result<()> {
     Err(Error::value("directions", "finite vectors other than zero", format!("something else at index {wrong}")))
 }
 
+/// Whether a number is not NaN. Where the least or greatest is asked for, NaN are skipped: they are what nobody knows.
+#[inline(always)]
+#[allow(clippy::eq_op)]
+pub(super) fn is_known<T: PartialEq + Copy>(value: T) -> bool {
+    value == value
+}
+
 /// What lookups ask of numbers: they come in blocks.
 pub trait Number: Real + Streamed {}
 impl Number for f32 {}

@@ -4,7 +4,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::cone::{Cone, Rows};
-use super::faces::{Faces, Number, refuse};
+use super::faces::{Faces, Number, is_known, refuse};
 use super::lookup::{Filter, is_wrong};
 use crate::base::{Error, Real, Result};
 
@@ -46,20 +46,26 @@ fn all<T: Number, D: Number, const GREATEST: bool>(
     out: &mut [T],
 ) {
     let pyramid = Pyramid::new::<GREATEST>(faces, radius);
-    let nothing = T::narrow(if GREATEST { f64::NEG_INFINITY } else { f64::INFINITY });
+    let nothing = if GREATEST { f64::NEG_INFINITY } else { f64::INFINITY };
     out.par_chunks_mut(TILE * faces.channels).zip(directions.par_chunks(TILE)).for_each(|(out, directions)| {
         let mut scratch = Scratch::default();
         for (out, d) in out.chunks_exact_mut(faces.channels).zip(directions) {
-            out.fill(nothing);
+            out.fill(T::narrow(nothing));
             let cone = Cone::new(DVec3::from_array(d.map(Real::wide)), radius);
             for face in 0..6 {
                 pyramid.visit(&cone, face, &mut scratch, |values| take::<T, GREATEST>(out, values));
+            }
+            if out.iter().any(|value| value.wide() == nothing) {
+                let known = pyramid.known(&cone, &mut scratch);
+                for (value, _) in out.iter_mut().zip(known).filter(|(_, known)| !known) {
+                    *value = T::narrow(f64::NAN);
+                }
             }
         }
     });
 }
 
-/// Replaces the values of texels that others come before.
+/// Replaces the values of texels that others come before; NaN comes before nothing.
 #[inline]
 fn take<T: Number, const GREATEST: bool>(out: &mut [T], values: &[T]) {
     let before = |one: T, other: T| if GREATEST { one > other } else { one < other };
@@ -142,6 +148,22 @@ impl<'a, T: Number> Pyramid<'a, T> {
         }
     }
 
+    /// Of which channels a cone touches anything but NaN.
+    fn known(&self, cone: &Cone, scratch: &mut Scratch) -> Vec<bool> {
+        let mut known = vec![false; self.faces.channels];
+        for face in 0..6 {
+            self.visit(cone, face, scratch, |values| {
+                for (channel, known) in known.iter_mut().enumerate().filter(|(_, known)| !**known) {
+                    *known = values[channel..].iter().step_by(self.faces.channels).any(|&value| is_known(value));
+                }
+            });
+            if known.iter().all(|&known| known) {
+                break;
+            }
+        }
+        known
+    }
+
     fn size(&self, level: usize) -> usize {
         if level == 0 { self.faces.size as usize } else { self.levels[level - 1].0 }
     }
@@ -184,7 +206,12 @@ fn halve<T: Number, const GREATEST: bool>(values: &[T], size: usize, channels: u
             block.copy_from_slice(&rows[2 * column * channels..][..channels]);
             for row in rows.chunks_exact(row_length) {
                 let end = (2 * column + 2).min(size) * channels;
-                take::<T, GREATEST>(block, &row[2 * column * channels..end]);
+                for texel in row[2 * column * channels..end].chunks_exact(channels) {
+                    for (chosen, &value) in block.iter_mut().zip(texel) {
+                        let before = if GREATEST { value > *chosen } else { value < *chosen };
+                        *chosen = if before | !is_known(*chosen) { value } else { *chosen };
+                    }
+                }
             }
         }
     });

@@ -5,7 +5,7 @@
 
 use rayon::prelude::*;
 
-use super::faces::{Faces, Number};
+use super::faces::{Faces, Number, is_known};
 use super::solid::{edge_of, edges, row_of_angles, solid_angle};
 use crate::base::{Error, Result};
 
@@ -153,7 +153,7 @@ fn extreme<T: Number>(
         for row in texels.chunks_exact(row_length) {
             for texel in row[start..start + count].chunks_exact(channels) {
                 for (chosen, &value) in out.iter_mut().zip(texel) {
-                    if before(value, *chosen) {
+                    if before(value, *chosen) || !is_known(*chosen) {
                         *chosen = value;
                     }
                 }

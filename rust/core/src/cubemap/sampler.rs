@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::blocks::{self, BLOCK, Inner, Lanes, Placed};
 use super::convert::Picture;
 use super::cubic::Rim;
-use super::faces::{Faces, Number};
+use super::faces::{Faces, Number, is_known};
 use super::flat;
 use super::lookup::{Filter, in_blocks};
 use super::taps::Taps;
@@ -180,12 +180,12 @@ fn mean<T: Real>(texels: [T; 4], taps: &Taps) -> T {
     T::narrow((term(0) + term(1)) + (term(2) + term(3)))
 }
 
-/// The texel that comes before all others that have weight.
+/// The texel that comes before all others that have weight, NaN where all of these are.
 fn extreme<T: Real>(texels: [T; 4], taps: &Taps, before: impl Fn(T, T) -> bool) -> T {
-    let (mut chosen, mut found) = (texels[0], taps.weight[0] > 0.0);
-    for (&texel, &weight) in texels.iter().zip(&taps.weight).skip(1) {
-        if weight > 0.0 && (!found || before(texel, chosen)) {
-            (chosen, found) = (texel, true);
+    let mut chosen = T::narrow(f64::NAN);
+    for (&texel, &weight) in texels.iter().zip(&taps.weight) {
+        if weight > 0.0 && (!is_known(chosen) || before(texel, chosen)) {
+            chosen = texel;
         }
     }
     chosen
