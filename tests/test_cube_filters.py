@@ -219,6 +219,9 @@ def test_cones_by_channel_in_both_types() -> None:
 def test_cones_refuse(name: str, radius: float, words: str) -> None:
     with pytest.raises(ValueError, match=words):
         nf.cube_lookup(np.zeros((6, 2, 2)), (1, 0, 0), filter=name, radius=radius)
+    for odd in ("0.1", np.array([0.1])):
+        with pytest.raises(TypeError, match="radius: expected a number"):
+            nf.cube_lookup(np.zeros((6, 2, 2)), (1, 0, 0), filter="min", radius=odd)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="index 1"):
         nf.cube_lookup(np.zeros((6, 2, 2)), [(1, 0, 0), (0, 0, 0)], filter="min", radius=0.1)
 
@@ -313,6 +316,7 @@ def test_mips_refuse() -> None:
         nf.cube_mips(np.zeros((6, 2, 2)), filter="linear")
     assert nf.cube_mips(np.zeros((6, 2, 2, 0)))[1].shape == (6, 1, 1, 0)
     assert nf.cube_mips(np.ones((6, 2, 2), np.int32))[1].dtype == np.float64
+    np.testing.assert_array_equal(nf.cube_mips(np.ones((6, 2, 2), bool))[1], np.ones((6, 1, 1)))
 
 
 def test_results_do_not_depend_on_threads() -> None:

@@ -103,6 +103,9 @@ def test_nearest_finds_every_texel(size: int) -> None:
         found = nf.cube_lookup(faces.astype(kind), directions)
         assert found.dtype == kind
         np.testing.assert_array_equal(found, expected)
+    swapped = nf.cube_lookup(faces.astype(">i4"), directions)
+    assert swapped.dtype.isnative
+    np.testing.assert_array_equal(swapped, expected)
     odd = nf.cube_lookup(faces.astype(np.int32) % 2 == 1, directions.astype(np.float32))
     np.testing.assert_array_equal(odd, np.array(expected) % 2 == 1)
     centers = nf.envmap_directions(size)

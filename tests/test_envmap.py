@@ -178,8 +178,12 @@ def test_samples_by_channel() -> None:
     for mixing in ("linear", "cubic"):
         with pytest.raises(ValueError, match=f"for range, got '{mixing}'"):
             env.sample(directions, channel="range", filter=mixing)
-        with pytest.raises(ValueError, match=f"of type int32, got '{mixing}'"):
+    for mixing in ("linear", "cubic", "min", "max"):
+        with pytest.raises(ValueError, match=f"expected 'nearest' for object_id, got '{mixing}'"):
             env.sample(directions, channel="object_id", filter=mixing)
+    for channel in env.channels:
+        with pytest.raises(ValueError, match="filter: expected one of 'nearest'"):
+            env.sample(directions, channel=channel, filter="")
     widest = env.sample(directions, channel="range", filter="max", radius=0.3)
     np.testing.assert_array_equal(widest, nf.cube_lookup(env.range, directions, filter="max", radius=0.3))
     with pytest.raises(ValueError, match="expected one of color, which were baked"):

@@ -31,17 +31,32 @@ def cube_lookup(
     Parameters
     ----------
     faces
-        (6, S, S) or (6, S, S, C), faces +x −x +y −y +z −z in the Vulkan/WebGPU orientation. float32 and float64 are
-        kept; integers can only be looked up with "nearest" and keep their type.
+        (6, S, S) or (6, S, S, C), faces +x −x +y −y +z −z in the Vulkan/WebGPU orientation, below. float32 and float64
+        are kept, float16 and longdouble become float64; integers and booleans can only be looked up with "nearest" and
+        keep their type, in native byte order.
+
+        ==== ========= ========
+        face right (u) down (v)
+        ==== ========= ========
+        +x   −z        −y
+        −x   +z        −y
+        +y   +x        +z
+        −y   +x        −z
+        +z   +x        −y
+        −z   −x        −y
+        ==== ========= ========
+
+        In a right-handed frame, such as glTF's, each face so laid out is mirrored as one sees it from inside.
     directions
         (..., 3), of any length; float32 and float64 are read as they are.
     filter
         "nearest": the texel that the direction passes through. "linear": bilinear, seamless across edges and corners,
-        whose error is as small there as inside a face. "cubic": bicubic (Keys' with a = −1/2, exact for polynomials of
-        the second order in a face's coordinates), seamless too, with an error of the third order everywhere; it
+        whose error is as small there as inside a face. "cubic": bicubic (Keys' with a = −1/2, exact for polynomials
+        of the second order in a face's coordinates), seamless too, with an error of the third order everywhere; it
         overshoots at steps, and near infinite values it means nothing. "min", "max": the least and greatest of the
-        texels that "linear" would mix, for ranges, which must not be averaged across a silhouette; NaN are skipped,
-        because they are unknown, and the result is NaN where all are NaN.
+        texels that "linear" would mix with weights above 1e-10 (those below may be rounding), for ranges, which must
+        not be averaged across a silhouette; NaN are skipped, because they are unknown, and the result is NaN where
+        all are NaN.
     radius
         With "min" and "max": radians, at least 0 and below π/2. Not the four texels, but all that the cone of
         this angle about the direction touches, exactly: none is left out, and none is taken that lies outside by more
@@ -89,7 +104,8 @@ def cube_mips(faces: ArrayLike, *, filter: str = "mean") -> list[NDArray[Any]]: 
     Parameters
     ----------
     faces
-        (6, S, S) or (6, S, S, C), as in `cube_lookup`. float32 and float64 are kept, other numbers become float64.
+        (6, S, S) or (6, S, S, C), as in `cube_lookup`. float32 and float64 are kept, other numbers become float64, and
+        so do booleans, 0 and 1.
     filter
         "mean": texels weighed by the solid angle that is covered, so that the mean over the sphere stays what it was.
         "min", "max": the least and greatest of all texels covered, for ranges; NaN are skipped as in `cube_lookup`.
@@ -97,8 +113,9 @@ def cube_mips(faces: ArrayLike, *, filter: str = "mean") -> list[NDArray[Any]]: 
     Returns
     -------
     list of NDArray
-        `faces` first, then sizes max(1, S // 2) and so on. Where a size is odd, a texel covers parts of 3 × 3. All
-        levels are looked up seamlessly by `cube_lookup`.
+        `faces` first (the array itself, not a copy, where nothing had to be converted), then sizes max(1, S // 2) and
+        so on. Where a size is odd, a texel covers parts of 3 × 3. All levels are looked up seamlessly by
+        `cube_lookup`.
 
     Raises
     ------
@@ -108,7 +125,9 @@ def cube_mips(faces: ArrayLike, *, filter: str = "mean") -> list[NDArray[Any]]: 
         For values that are not numbers.
     """
     _check.choice("filter", filter, ("mean", "min", "max"))
-    levels = [_faces(_check.array("faces", faces, columns=None))]
+    given = _check.plain("faces", faces)
+    given = given.astype(np.float64) if given.dtype.kind == "b" else given
+    levels = [_faces(_check.array("faces", given, columns=None))]
     while levels[-1].shape[1] > 1:
         above = levels[-1]
         size = above.shape[1] // 2
@@ -153,9 +172,19 @@ def directions_of(directions: ArrayLike) -> tuple[NDArray[Any], tuple[int, ...]]
     return along.reshape(-1, 3), along.shape[:-1]
 
 
+def numbers_of(name: str, values: ArrayLike) -> NDArray[Any]:
+    """Floats as kernels take them, or integers and booleans as they are, in native byte order."""
+    given = _check.plain(name, values)
+    if given.dtype.kind not in "iub":
+        return _check.array(name, given, columns=None)
+    return given.astype(given.dtype.newbyteorder("="), copy=False)
+
+
 def _radius(radius: float, chosen: str) -> float:
     if chosen not in ("min", "max"):
         raise ValueError(f"radius: expected None with filter {chosen!r}, got {radius}")
+    if np.ndim(radius) > 0:
+        raise TypeError(f"radius: expected a number, got {type(radius).__name__}")
     angle = _check.number("radius", radius)
     if not 0.0 <= angle < math.pi / 2:
         raise ValueError(f"radius: expected radians of at least 0 and below π/2, got {angle}")
@@ -168,9 +197,7 @@ def _deep(maps: NDArray[Any]) -> NDArray[Any]:
 
 
 def _faces(faces: ArrayLike) -> NDArray[Any]:
-    given = _check.plain("faces", faces)
-    if given.dtype.kind not in "iub":
-        given = _check.array("faces", given, columns=None)
+    given = numbers_of("faces", faces)
     if given.ndim not in (3, 4) or given.shape[0] != 6 or given.shape[1] != given.shape[2] or given.shape[1] == 0:
         raise ValueError(f"faces: expected shape (6, S, S) or (6, S, S, C), got {given.shape}")
     return given

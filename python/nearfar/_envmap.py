@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _check, _exr, _formats
-from nearfar._cubemap import cube_lookup
+from nearfar._cubemap import FILTERS, cube_lookup
 from nearfar._errors import FormatError
 
 FACES = ("px", "nx", "py", "ny", "pz", "nz")
@@ -123,9 +123,12 @@ class EnvMap:
         values = getattr(self, channel)
         if values is None:
             raise ValueError(f"channel: expected one of {', '.join(self.channels)}, which were baked, got {channel!r}")
-        chosen = filter or ("linear" if channel == "color" else "nearest")
+        default = "linear" if channel == "color" else "nearest"
+        chosen = default if filter is None else _check.choice("filter", filter, FILTERS)
         if channel == "range" and chosen in ("linear", "cubic"):
             raise ValueError(f"filter: expected 'nearest', 'min' or 'max' for range, got {chosen!r}")
+        if channel == "object_id" and chosen != "nearest":
+            raise ValueError(f"filter: expected 'nearest' for object_id, got {chosen!r}")
         faces = values.astype(np.float32) if values.dtype == np.float16 else values
         return cube_lookup(faces, directions, filter=chosen, radius=radius)
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _check, _core, _progress
-from nearfar._cubemap import BITS, FILTERS, LIMIT, directions_of
+from nearfar._cubemap import BITS, FILTERS, LIMIT, directions_of, numbers_of
 
 LAYOUTS = ("cube", "equirectangular", "octahedral")
 
@@ -28,22 +28,39 @@ def convert_envmap(
     Parameters
     ----------
     values
-        In the layout `source`, with or without channels behind; y is up. float32 and float64 are kept; integers can
-        only be converted with "nearest" and keep their type.
+        In the layout `source`, with or without channels behind; y is up. float32 and float64 are kept, float16 and
+        longdouble become float64; integers and booleans can only be converted with "nearest" and keep their type, in
+        native byte order.
 
-        - "cube": (6, S, S), as in `cube_lookup`.
+        - "cube": (6, S, S), faces +x −x +y −y +z −z as in the table.
         - "equirectangular": (H, W), W even. Row 0 lies about +y, columns go by longitude, the middle of the picture
           looks along −z, +x is to the right of it (seen from inside).
         - "octahedral": (S, S). The octahedron |x| + |y| + |z| = 1 seen from +y, x to the right and z down, the lower
           half folded outwards: −y lies at all four corners.
+
+        ==== ========= ========
+        face right (u) down (v)
+        ==== ========= ========
+        +x   −z        −y
+        −x   +z        −y
+        +y   +x        +z
+        −y   +x        −z
+        +z   +x        −y
+        −z   −x        −y
+        ==== ========= ========
+
+        In a right-handed frame, such as glTF's, each face so laid out is mirrored as one sees it from inside.
     source, target
         Layouts.
     size
         Of the result: S; for "equirectangular" H, of W = 2 H, or (H, W).
     filter
-        As in `cube_lookup`, in the source, and seamless in every layout: equirectangular pictures go on at the opposite
-        edge and beyond a pole at the opposite longitude, octahedral ones at each edge's other half. "min" and "max" skip
-        NaN, in the source and among `samples`.
+        As in `cube_lookup`, in the source, and continuous in every layout: equirectangular pictures go on at the
+        opposite edge and beyond a pole at the opposite longitude, octahedral ones at each edge's other half.
+        Octahedral pictures are of the first order along their folds, the outer edges and the creases where a
+        coordinate is 0: the error halves with each doubling of S there, and is a quarter elsewhere. Of a smooth
+        picture with slopes of up to 5 a radian and S = 256 "linear" is off by up to 0.011 within a texel of a fold,
+        by 0.0006 beyond two texels. "min" and "max" skip NaN, in the source and among `samples`.
     samples
         Look up n × n evenly spread directions for each texel and take their mean, or the least or greatest of them: so
         that small results of large pictures do not alias. About the ratio of both sizes is enough. 1 with "nearest".
@@ -67,9 +84,7 @@ def convert_envmap(
     _check.choice("source", source, LAYOUTS)
     _check.choice("filter", filter, FILTERS)
     samples = _check.integer("samples", samples, 1, 256)
-    given = _check.plain("values", values)
-    if given.dtype.kind not in "iub":
-        given = _check.array("values", given, columns=None)
+    given = numbers_of("values", values)
     before, after = _given_shape(given, source), _shape("target", target, size)
     count = 3 if source == "cube" else 2
     if filter == "nearest" and samples > 1:
@@ -162,6 +177,8 @@ def _shape(name: str, layout: str, size: int | tuple[int, int]) -> tuple[str, in
     """Layout, rows and columns."""
     _check.choice(name, layout, LAYOUTS)
     limit = LIMIT if layout == "cube" else 2 * LIMIT
+    # Arrays of numbers are as good as tuples of them.
+    size = size.tolist() if isinstance(size, np.ndarray) else size
     if layout != "equirectangular":
         edge = _check.integer("size", size, 1, limit)  # type: ignore[arg-type]
         return layout, edge, edge

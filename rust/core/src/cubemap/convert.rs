@@ -1,15 +1,15 @@
 //! From one layout to another, and lookups in layouts without faces.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use rayon::prelude::*;
 
-use super::blocks::{BLOCK, Lanes, Streamed, keys};
+use super::blocks::{BLOCK, LEAST_WEIGHT, Lanes, Streamed, keys};
 use super::faces::{Faces, Number, is_known};
 use super::flat;
 use super::layout::{Grid, Layout, Rows};
 use super::lookup::{Filter, in_blocks, in_tiles, is_wrong};
 use super::sampler::Sampler;
-use crate::base::{Error, Progress, Real, Result};
+use crate::base::{Error, Progress, Real, Result, memory::room_for};
 
 /// Texels whose directions are made and looked up together.
 const SEGMENT: usize = 512;
@@ -41,12 +41,13 @@ impl<T: Number> Picture<'_, T> {
         let (s, t) = (p.x - before.x, p.y - before.y);
         let (across, down) =
             if filter == Filter::Cubic { (keys(s), keys(t)) } else { ([0.0, 1.0 - s, s, 0.0], [0.0, 1.0 - t, t, 0.0]) };
+        let least = if matches!(filter, Filter::Min | Filter::Max) { LEAST_WEIGHT } else { 0.0 };
         let mut taps = [(0usize, 0.0f64); 16];
         let mut count = 0;
         for (row, y) in (before.y as i64 - 1..).zip(down) {
             for (column, x) in (before.x as i64 - 1..).zip(across) {
                 // Those without weight are left out, because 0 times infinity is NaN.
-                if x * y != 0.0 {
+                if (x * y).abs() > least {
                     taps[count] = (self.grid.wrapped(row, column) * self.channels, x * y);
                     count += 1;
                 }
@@ -88,17 +89,18 @@ pub fn convert<T: Number>(
     if channels == 0 {
         return Ok(());
     }
-    let within = |k: u32| (f64::from(k) + 0.5) / f64::from(samples);
-    let places = (0..samples).flat_map(|j| (0..samples).map(move |i| DVec2::new(within(i), within(j))));
-    let rows: Vec<Rows> = places.map(|within| Rows::new(target, within)).collect();
+    let rows = Rows::new(target, samples)?;
+    // What each thread holds below.
+    room_for(((size_of::<T>() + size_of::<f64>()) * SEGMENT * channels * rayon::current_num_threads()) as u64)?;
     let source = match picture.grid.layout {
         Layout::Cube => {
             let faces = Faces::new(picture.values, picture.grid.width, channels)?;
-            Sampler::cube(faces, filter, target.texels() * rows.len())
+            Sampler::cube(faces, filter, target.texels().saturating_mul(rows.samples() as usize))?
         }
         _ => Sampler::flat(picture, filter),
     };
-    progress.expect(target.rows().into());
+    // A row of many samples takes minutes.
+    progress.expect(u64::from(target.rows()) * (target.width as usize).div_ceil(SEGMENT) as u64);
     out.par_chunks_mut(target.width as usize * channels).zip(0..target.rows()).try_for_each(|(out, row)| {
         let mut directions = [[0.0; 3]; SEGMENT];
         let mut values = vec![T::narrow(0.0); SEGMENT * channels];
@@ -106,8 +108,8 @@ pub fn convert<T: Number>(
         for (segment, out) in out.chunks_mut(SEGMENT * channels).enumerate() {
             let directions = &mut directions[..out.len() / channels];
             let (values, sums) = (&mut values[..out.len()], &mut sums[..out.len()]);
-            for (sample, rows) in rows.iter().enumerate() {
-                rows.write(row, (segment * SEGMENT) as u32, directions);
+            for sample in 0..rows.samples() {
+                rows.write(sample, row, (segment * SEGMENT) as u32, directions);
                 source.sample(directions, values);
                 for (sum, value) in sums.iter_mut().zip(&*values) {
                     let value = value.wide();
@@ -120,12 +122,13 @@ pub fn convert<T: Number>(
                 }
             }
             let is_mean = matches!(filter, Filter::Linear | Filter::Cubic);
-            let share = if is_mean { rows.len() as f64 } else { 1.0 };
+            let share = if is_mean { f64::from(rows.samples()) } else { 1.0 };
             for (value, sum) in out.iter_mut().zip(&*sums) {
                 *value = T::narrow(sum / share);
             }
+            progress.report(1)?;
         }
-        progress.report(1)
+        Ok(())
     })
 }
 
@@ -141,14 +144,14 @@ pub fn convert_nearest<T: Copy + Send + Sync>(
     if channels == 0 {
         return Ok(());
     }
-    let rows = Rows::new(target, DVec2::splat(0.5));
+    let rows = Rows::new(target, 1)?;
     progress.expect(target.rows().into());
     out.par_chunks_mut(target.width as usize * channels).zip(0..target.rows()).try_for_each(|(out, row)| {
         let mut directions = [[0.0; 3]; SEGMENT];
         let mut texels = Lanes([0; BLOCK]);
         for (segment, out) in out.chunks_mut(SEGMENT * channels).enumerate() {
             let directions = &mut directions[..out.len() / channels];
-            rows.write(row, (segment * SEGMENT) as u32, directions);
+            rows.write(0, row, (segment * SEGMENT) as u32, directions);
             in_blocks(directions, out, channels, |block, out| {
                 match picture.grid.layout {
                     Layout::Cube => drop(f64::find_texels(block, picture.grid.width, &mut texels)),
@@ -191,7 +194,7 @@ pub fn grid_texels<D: Number>(grid: Grid, directions: &[[D; 3]], out: &mut [i64]
 /// ones are unit vectors, octahedral ones have components whose sizes add up to 1.
 pub fn grid_directions(grid: Grid, out: &mut [[f64; 3]]) -> Result<()> {
     check_out(grid, 1, out)?;
-    let rows = Rows::new(grid, DVec2::splat(0.5));
-    out.par_chunks_mut(grid.width as usize).zip(0..grid.rows()).for_each(|(out, row)| rows.write(row, 0, out));
+    let rows = Rows::new(grid, 1)?;
+    out.par_chunks_mut(grid.width as usize).zip(0..grid.rows()).for_each(|(out, row)| rows.write(0, row, 0, out));
     Ok(())
 }

@@ -12,6 +12,7 @@ use super::blocks::keys;
 use super::faces::{Faces, Number};
 use super::taps::descending;
 use super::{along_face, center_of, direction_from_face, texel_from_direction};
+use crate::base::{Result, memory::room_for};
 
 /// How far faces are continued, in texels.
 const DEPTH: i32 = 2;
@@ -24,10 +25,11 @@ pub(super) struct Rim<'a, T> {
 }
 
 impl<'a, T: Number> Rim<'a, T> {
-    pub fn new(faces: Faces<'a, T>, tabled: bool) -> Self {
+    pub fn new(faces: Faces<'a, T>, tabled: bool) -> Result<Self> {
         let mut rim = Self { faces, table: Vec::new() };
         if tabled && faces.channels > 0 {
             let around = outside(faces.size);
+            room_for((6 * around.len() * faces.channels * size_of::<f64>()) as u64)?;
             let mut table = vec![0.0; 6 * around.len() * faces.channels];
             table.par_chunks_mut(faces.channels).with_min_len(64).enumerate().for_each(|(place, values)| {
                 let (row, column) = around[place % around.len()];
@@ -38,7 +40,7 @@ impl<'a, T: Number> Rim<'a, T> {
             });
             rim.table = table;
         }
-        rim
+        Ok(rim)
     }
 
     /// Writes the value along a direction (finite, not zero).

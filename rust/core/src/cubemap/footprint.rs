@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::cone::{Cone, Rows};
 use super::faces::{Faces, Number, is_known, refuse};
 use super::lookup::{Filter, is_wrong};
-use crate::base::{Error, Real, Result};
+use crate::base::{Error, Real, Result, memory::room_for};
 
 /// Texels across a cone from which on a level of halved size pays.
 const WIDE: f64 = 8.0;
@@ -34,9 +34,8 @@ pub fn footprint<T: Number, D: Number>(
     match filter {
         Filter::Min => all::<T, D, false>(faces, directions, radius, out),
         Filter::Max => all::<T, D, true>(faces, directions, radius, out),
-        _ => return Err(Error::value("filter", "the least or the greatest", format!("{filter:?}"))),
+        _ => Err(Error::value("filter", "the least or the greatest", format!("{filter:?}"))),
     }
-    Ok(())
 }
 
 fn all<T: Number, D: Number, const GREATEST: bool>(
@@ -44,8 +43,8 @@ fn all<T: Number, D: Number, const GREATEST: bool>(
     directions: &[[D; 3]],
     radius: f64,
     out: &mut [T],
-) {
-    let pyramid = Pyramid::new::<GREATEST>(faces, radius);
+) -> Result<()> {
+    let pyramid = Pyramid::new::<GREATEST>(faces, radius)?;
     let nothing = if GREATEST { f64::NEG_INFINITY } else { f64::INFINITY };
     out.par_chunks_mut(TILE * faces.channels).zip(directions.par_chunks(TILE)).for_each(|(out, directions)| {
         let mut scratch = Scratch::default();
@@ -63,6 +62,7 @@ fn all<T: Number, D: Number, const GREATEST: bool>(
             }
         }
     });
+    Ok(())
 }
 
 /// Replaces the values of texels that others come before; NaN comes before nothing.
@@ -97,7 +97,7 @@ struct Scratch {
 }
 
 impl<'a, T: Number> Pyramid<'a, T> {
-    fn new<const GREATEST: bool>(faces: Faces<'a, T>, radius: f64) -> Self {
+    fn new<const GREATEST: bool>(faces: Faces<'a, T>, radius: f64) -> Result<Self> {
         let mut levels: Vec<(usize, Vec<T>)> = Vec::new();
         let mut across = radius * f64::from(faces.size);
         while across > WIDE {
@@ -106,10 +106,11 @@ impl<'a, T: Number> Pyramid<'a, T> {
                 Some((size, values)) => (*size, values.as_slice()),
                 None => (faces.size as usize, faces.values),
             };
+            room_for((6 * size.div_ceil(2).pow(2) * faces.channels * size_of::<T>()) as u64)?;
             let halved = halve::<T, GREATEST>(values, size, faces.channels);
             levels.push((size.div_ceil(2), halved));
         }
-        Self { faces, levels }
+        Ok(Self { faces, levels })
     }
 
     /// Hands over, in pieces, all texels of a face that a cone touches, or blocks of them in their place.

@@ -13,7 +13,7 @@ use glam::{DVec2, DVec3};
 
 use super::flat::{equirectangular, octahedral};
 use super::{MAX_SIZE, direction_from_face, texel_from_direction};
-use crate::base::{Error, Result};
+use crate::base::{Error, Result, memory::room_for};
 
 /// How directions are laid out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -137,48 +137,89 @@ fn fold(p: DVec2) -> DVec2 {
     DVec2::new((1.0 - p.y.abs()).copysign(p.x), (1.0 - p.x.abs()).copysign(p.y))
 }
 
-/// Directions of the texels of a grid, each sampled at the same place within it, row by row.
+/// Directions of the texels of a grid, each sampled at the same evenly spread places within it, row by row.
 pub struct Rows {
     grid: Grid,
-    /// Where within each texel, 0..1.
-    within: DVec2,
-    /// Sines and cosines of the columns of an equirectangular picture.
+    /// Places across and down a texel.
+    across: u32,
+    /// Sines and cosines of the columns of an equirectangular picture, for each place across after the other.
     longitudes: Vec<(f64, f64)>,
 }
 
 impl Rows {
-    /// Of all texels at one place within them.
-    pub fn new(grid: Grid, within: DVec2) -> Self {
-        let mut longitudes = Vec::new();
+    /// At `across`² places within each texel; one is its centre.
+    pub fn new(grid: Grid, across: u32) -> Result<Self> {
+        let mut rows = Self { grid, across, longitudes: Vec::new() };
         if grid.layout == Layout::Equirectangular {
-            let angle = |column: u32| ((f64::from(column) + within.x) / f64::from(grid.width) - 0.5) * 2.0 * PI;
-            longitudes.extend((0..grid.width).map(|column| angle(column).sin_cos()));
+            let count = across as usize * grid.width as usize;
+            room_for((count * size_of::<(f64, f64)>()) as u64)?;
+            rows.longitudes.reserve_exact(count);
+            for sample in 0..across {
+                let within = rows.within(sample).x;
+                let angle = |column: u32| ((f64::from(column) + within) / f64::from(grid.width) - 0.5) * 2.0 * PI;
+                rows.longitudes.extend((0..grid.width).map(|column| angle(column).sin_cos()));
+            }
         }
-        Self { grid, within, longitudes }
+        Ok(rows)
     }
 
-    /// Writes directions of a row from some column on.
-    pub fn write(&self, row: u32, first: u32, out: &mut [[f64; 3]]) {
-        let (height, width) = (f64::from(self.grid.height), f64::from(self.grid.width));
+    /// How many places there are within a texel.
+    pub fn samples(&self) -> u32 {
+        self.across * self.across
+    }
+
+    /// Where within each texel a sample lies, 0..1.
+    fn within(&self, sample: u32) -> DVec2 {
+        (DVec2::new(f64::from(sample % self.across), f64::from(sample / self.across)) + 0.5) / f64::from(self.across)
+    }
+
+    /// Writes directions of a row from some column on, at one of the places.
+    pub fn write(&self, sample: u32, row: u32, first: u32, out: &mut [[f64; 3]]) {
+        let (height, width, within) = (f64::from(self.grid.height), f64::from(self.grid.width), self.within(sample));
         match self.grid.layout {
             Layout::Cube => {
                 let (face, row) = ((row / self.grid.height) as u8, row % self.grid.height);
-                let v = (f64::from(row) + self.within.y) * 2.0 / height - 1.0;
+                let v = (f64::from(row) + within.y) * 2.0 / height - 1.0;
                 for (column, d) in (first..).zip(out) {
-                    let u = (f64::from(column) + self.within.x) * 2.0 / width - 1.0;
+                    let u = (f64::from(column) + within.x) * 2.0 / width - 1.0;
                     *d = direction_from_face(face, u, v).to_array();
                 }
             }
             Layout::Equirectangular => {
-                let (sine, cosine) = ((0.5 - (f64::from(row) + self.within.y) / height) * PI).sin_cos();
-                for (longitude, d) in self.longitudes[first as usize..].iter().zip(out) {
+                let (sine, cosine) = ((0.5 - (f64::from(row) + within.y) / height) * PI).sin_cos();
+                let start = (sample % self.across * self.grid.width + first) as usize;
+                for (longitude, d) in self.longitudes[start..].iter().zip(out) {
                     *d = around(sine, cosine, *longitude).to_array();
                 }
             }
             Layout::Octahedral => {
                 for (column, d) in (first..).zip(out) {
-                    let p = DVec2::new(f64::from(column), f64::from(row)) + self.within;
+                    let p = DVec2::new(f64::from(column), f64::from(row)) + within;
                     *d = self.grid.direction(p).to_array();
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_lie_where_they_should_and_share_their_tables() {
+        for (layout, height, width) in [(Layout::Equirectangular, 3, 8), (Layout::Octahedral, 5, 5)] {
+            let grid = Grid::new(layout, height, width).unwrap();
+            let rows = Rows::new(grid, 4).unwrap();
+            assert_eq!(rows.longitudes.len(), if layout == Layout::Octahedral { 0 } else { 4 * 8 });
+            for (sample, row) in (0..rows.samples()).flat_map(|sample| (0..height).map(move |row| (sample, row))) {
+                let mut directions = vec![[0.0; 3]; width as usize - 2];
+                rows.write(sample, row, 2, &mut directions);
+                for (column, d) in (2..).zip(directions) {
+                    let place = |index: u32, within: u32| f64::from(index) + (f64::from(within) + 0.5) / 4.0;
+                    let expected = grid.direction(DVec2::new(place(column, sample % 4), place(row, sample / 4)));
+                    // A few roundings of coordinates of up to 8.
+                    assert!((DVec3::from_array(d) - expected).length() < 1e-14);
                 }
             }
         }

@@ -78,7 +78,7 @@ pub fn lookup<T: Number, D: Number>(
     out: &mut [T],
 ) -> Result<()> {
     faces.check_out(out, directions.len())?;
-    let sampler = Sampler::cube(faces, filter, directions.len());
+    let sampler = Sampler::cube(faces, filter, directions.len())?;
     in_tiles(directions, out, faces.channels, |directions, out| sampler.sample(directions, out))
 }
 

@@ -2,14 +2,14 @@
 
 use glam::DVec3;
 
-use super::blocks::{self, BLOCK, Inner, Lanes, Placed};
+use super::blocks::{self, BLOCK, Inner, LEAST_WEIGHT, Lanes, Placed};
 use super::convert::Picture;
 use super::cubic::Rim;
 use super::faces::{Faces, Number, is_known};
 use super::flat;
 use super::lookup::{Filter, in_blocks};
 use super::taps::Taps;
-use crate::base::Real;
+use crate::base::{Real, Result};
 
 /// Lookups in one picture with one filter.
 pub(super) struct Sampler<'a, T> {
@@ -36,12 +36,13 @@ fn reach(filter: Filter) -> [u32; 2] {
 
 impl<'a, T: Number> Sampler<'a, T> {
     /// Prepares for about `count` lookups in a cube.
-    pub fn cube(faces: Faces<'a, T>, filter: Filter, count: usize) -> Self {
+    pub fn cube(faces: Faces<'a, T>, filter: Filter, count: usize) -> Result<Self> {
         // What lies beyond edges is worth a table where more would be looked up than it holds.
         let many = filter == Filter::Cubic && count > (faces.size as usize).pow(2);
         let (values, width, channels) = (faces.values, faces.size as usize, faces.channels);
         let has_inside = faces.size > reach(filter)[0] + reach(filter)[1];
-        Self { values, width, channels, filter, has_inside, whole: Whole::Cube(faces, Rim::new(faces, many)) }
+        let whole = Whole::Cube(faces, Rim::new(faces, many)?);
+        Ok(Self { values, width, channels, filter, has_inside, whole })
     }
 
     /// Prepares for lookups in a layout without faces.
@@ -184,7 +185,7 @@ fn mean<T: Real>(texels: [T; 4], taps: &Taps) -> T {
 fn extreme<T: Real>(texels: [T; 4], taps: &Taps, before: impl Fn(T, T) -> bool) -> T {
     let mut chosen = T::narrow(f64::NAN);
     for (&texel, &weight) in texels.iter().zip(&taps.weight) {
-        if weight > 0.0 && (!is_known(chosen) || before(texel, chosen)) {
+        if weight > LEAST_WEIGHT && (!is_known(chosen) || before(texel, chosen)) {
             chosen = texel;
         }
     }

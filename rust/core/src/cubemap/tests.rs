@@ -114,8 +114,8 @@ fn a_table_of_what_lies_beyond_edges_changes_no_bit() {
     let faces = Faces::new(&values, size, 5).unwrap();
     let directions = random_directions(64, 4);
     let [mut alone, mut tabled] = [vec![0.0; 64 * 5], vec![0.0; 64 * 5]];
-    sampler::Sampler::cube(faces, Filter::Cubic, 0).sample(&directions, &mut alone);
-    sampler::Sampler::cube(faces, Filter::Cubic, 1000).sample(&directions, &mut tabled);
+    sampler::Sampler::cube(faces, Filter::Cubic, 0).unwrap().sample(&directions, &mut alone);
+    sampler::Sampler::cube(faces, Filter::Cubic, 1000).unwrap().sample(&directions, &mut tabled);
     assert_eq!(alone, tabled);
 }
 
