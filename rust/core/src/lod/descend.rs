@@ -74,7 +74,7 @@ impl Found {
     }
 
     /// True where a descent would end at the rival.
-    fn leads_to(&self, rival: &Self) -> bool {
+    pub(super) fn leads_to(&self, rival: &Self) -> bool {
         let is_close = |v: f64| {
             let (own, other) = (self.line.at(v), rival.line.at(v));
             (own - other).abs() < CLOSE * (1.0 + other.abs().min(SEEN))
@@ -100,8 +100,7 @@ impl Local {
     fn new(found: &Found, count: f64) -> Self {
         let Found { mut line, sums } = *found;
         let Sums { q, square, mut plain, mut along, mut slope, mut squared, mut bend, .. } = sums;
-        // Seen from where the samples tell most, level and rise are nearly independent.
-        let away = if squared[0] > 0.0 { (squared[1] / squared[0]).clamp(-3.0, 3.0) } else { 0.0 };
+        let away = sums.center();
         line = line.seen_from(line.origin + away);
         for pair in [&mut plain, &mut along, &mut slope] {
             pair[1] -= away * pair[0];

@@ -3,6 +3,7 @@
 use super::descend::{self, Found};
 use super::frame::{Frame, Unfit};
 use super::logistic::{self, LANES, Pack, Samples};
+use super::settle;
 use super::steps::{self, Start};
 
 /// Descents of one curve.
@@ -97,7 +98,10 @@ pub(super) fn fit(frame: &Frame, y: &[f64], room: &mut Room) -> Curve {
     room.evaluated.resize(frame.v.len());
     find_starts(frame, total, room);
     let samples = Samples { v: &frame.v, weight: &frame.weight, y: &room.packed, count };
-    let best = descend_all(frame, &samples, total, &room.starts, &mut room.evaluated);
+    let mut best = descend_all(frame, &samples, total, &room.starts, &mut room.evaluated);
+    if best.sums.residual <= settle::NEARLY * total && !best.is_exact(&samples) {
+        best = settle::settle_all(&samples, &frame.limits, &best, &room.starts, &mut room.evaluated);
+    }
     let rms = scale * (best.sums.residual / count).sqrt();
     if (best.sums.residual / total).powf(0.5 * (count - 2.0)) >= LIKELY {
         return flat(scale * (total / count).sqrt(), Status::Flat);

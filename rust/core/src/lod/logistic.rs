@@ -56,6 +56,13 @@ pub(super) struct Sums {
     pub(super) bend: [f64; 3],
 }
 
+impl Sums {
+    /// How far from the origin the samples tell most: seen from there, level and rise are nearly independent.
+    pub(super) fn center(&self) -> f64 {
+        if self.squared[0] > 0.0 { (self.squared[1] / self.squared[0]).clamp(-3.0, 3.0) } else { 0.0 }
+    }
+}
+
 /// Samples in the kernels' own frame, padded to whole packs with weight 0.
 #[derive(Debug)]
 pub(super) struct Samples<'a> {
@@ -108,13 +115,13 @@ pub(super) fn exp(t: f64) -> f64 {
 /// Room for what is known of each sample.
 #[derive(Debug, Default)]
 pub(super) struct Room {
-    p: Vec<Pack>,
-    r: Vec<Pack>,
-    first: Vec<Pack>,
+    pub(super) p: Vec<Pack>,
+    pub(super) r: Vec<Pack>,
+    pub(super) first: Vec<Pack>,
     first_u: Vec<Pack>,
     second: Vec<Pack>,
     second_u: Vec<Pack>,
-    u: Vec<Pack>,
+    pub(super) u: Vec<Pack>,
 }
 
 impl Room {

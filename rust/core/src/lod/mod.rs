@@ -7,6 +7,7 @@ mod fit;
 mod frame;
 mod grid;
 mod logistic;
+mod settle;
 mod steps;
 #[cfg(test)]
 mod tests;
