@@ -30,8 +30,9 @@ _TOO_FEW = 5
 class Curve4PL:
     """One curve y = d + (a−d) / (1 + (x/c)^b), or many: `fit_4pl` makes it.
 
-    `a, b, c, d = curve` gives the parameters, `curve(x)` the values, and `curve[k]` one curve of many. Parameters are
-    numbers for one curve and (K,) float64 for many, and so are the other fields.
+    `a, b, c, d = curve` gives the parameters, and `curve(x)` the values. Of many, `len(curves)` is their number,
+    `curves[k]` one, and slices, masks and arrays of numbers choose some. Parameters are numbers for one curve and (K,)
+    float64 for many, and so are the other fields.
     """
 
     a: Any
@@ -59,12 +60,23 @@ class Curve4PL:
         """Parameters a, b, c, d."""
         return iter((self.a, self.b, self.c, self.d))
 
-    def __getitem__(self, index: int) -> Curve4PL:
-        """One curve of many."""
+    def __len__(self) -> int:
+        """How many curves these are."""
         if not isinstance(self.a, np.ndarray):
             raise TypeError("curve: this is a single one")
-        a, b, c, d, rms = (float(field[index]) for field in (*self, self.rms))
-        return Curve4PL(a, b, c, d, rms, str(self.status[index]), str(self.reason[index]))
+        return len(self.a)
+
+    def __bool__(self) -> bool:
+        """True for one curve as for any number of them, as `ok` tells what they are."""
+        return True
+
+    def __getitem__(self, index: Any) -> Curve4PL:
+        """One curve of many by its number, or some by a slice, a mask (K,) of bool, or an array of numbers."""
+        chosen = _chosen(index, len(self))
+        a, b, c, d, rms, status, reason = (field[chosen] for field in (*self, self.rms, self.status, self.reason))
+        if isinstance(a, np.ndarray):
+            return Curve4PL(a, b, c, d, rms, status, reason)
+        return Curve4PL(*map(float, (a, b, c, d, rms)), str(status), str(reason))
 
     def __repr__(self) -> str:
         if isinstance(self.a, np.ndarray):
@@ -105,6 +117,25 @@ class Curve4PL:
         return values if values.ndim else float(values)
 
 
+def _chosen(index: Any, count: int) -> Any:
+    """A number, a slice or an array by which fields of `count` curves may be indexed."""
+    if isinstance(index, slice):
+        return np.arange(count)[index]
+    chosen = np.asarray(index)
+    if isinstance(index, list) and not index:
+        return chosen.astype(np.intp)
+    is_mask = chosen.dtype == bool and chosen.ndim == 1
+    if chosen.ndim > 1 or not (is_mask or np.issubdtype(chosen.dtype, np.integer)):
+        raise TypeError(f"index: expected a number, a slice, a mask or whole numbers (M,), got {index!r}")
+    if is_mask and len(chosen) != count:
+        raise IndexError(f"index: expected a mask of shape ({count},), got {chosen.shape}")
+    if not is_mask:
+        beyond = chosen[(chosen < -count) | (chosen >= count)]
+        if beyond.size:
+            raise IndexError(f"index: expected numbers from {-count} to {count - 1}, got {beyond.flat[0]}")
+    return chosen if chosen.ndim else int(chosen)
+
+
 def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:
     """Fit the four-parameter logistic curve of least squares, y = d + (a−d) / (1 + (x/c)^b), to one or many rows.
 
@@ -130,7 +161,8 @@ def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:
         - "flat": y is constant, or noise explains it nearly as well: (S/S₀)^((N−2)/2) ≥ 0.01 for the squared
           residuals S of the curve and S₀ of the mean; of curves that are only noise, 92 to 97 in 100 are. a and d are
           the mean, b is 1 and c the middle of the samples, so that it can be evaluated.
-        - "unfittable": fewer than 4 different x, or an x below 0. All parameters are NaN.
+        - "unfittable": fewer than 4 different x, an x below 0, or parameters beyond float64 (such as plateaus of y that
+          itself reaches to its ends). All parameters are NaN.
 
         On data without noise parameters come back to 1e-9 of themselves where samples show both plateaus.
 

@@ -100,7 +100,7 @@ pub(super) fn fit(frame: &Frame, y: &[f64], room: &mut Room) -> Curve {
     let samples = Samples { v: &frame.v, weight: &frame.weight, y: &room.packed, count };
     let mut best = descend_all(frame, &samples, total, &room.starts, &mut room.evaluated);
     if best.sums.residual <= settle::NEARLY * total && !best.is_exact(&samples) {
-        best = settle::settle_all(&samples, &frame.limits, &best, &room.starts, &mut room.evaluated);
+        best = settle::settle_all(&samples, &frame.limits, &best, &mut room.evaluated);
     }
     let rms = scale * (best.sums.residual / count).sqrt();
     if (best.sums.residual / total).powf(0.5 * (count - 2.0)) >= LIKELY {
@@ -118,14 +118,23 @@ pub(super) fn fit(frame: &Frame, y: &[f64], room: &mut Room) -> Curve {
 fn find_starts(frame: &Frame, total: f64, room: &mut Room) {
     let root = total.sqrt();
     room.values.iter_mut().for_each(|y| *y /= root);
-    room.unit.clear();
-    room.unit.extend(room.values.iter().map(|&y| y as f32));
+    fill_unit(frame.grid.picked(), &room.values, &mut room.unit);
     frame.grid.explain(&room.unit, &mut room.explained);
     room.starts.clear();
     let starts = &mut room.starts;
     frame.grid.peaks(&room.explained, |share, line| starts.push(Start { explained: f64::from(share), line }));
     room.starts.extend(steps::best(frame, &room.values).into_iter().flatten());
     room.starts.sort_unstable_by(|one, other| other.explained.total_cmp(&one.explained));
+}
+
+/// The values that the grid sees, with mean 0 and length 1; all 0 where they are equal.
+fn fill_unit(picked: &[usize], values: &[f64], unit: &mut Vec<f32>) {
+    let chosen = || picked.iter().map(|&n| values[n]);
+    let mean = chosen().sum::<f64>() / picked.len() as f64;
+    let length = chosen().map(|y| (y - mean).powi(2)).sum::<f64>().sqrt();
+    let per_length = if length > 0.0 { 1.0 / length } else { 0.0 };
+    unit.clear();
+    unit.extend(chosen().map(|y| ((y - mean) * per_length) as f32));
 }
 
 fn descend_all(frame: &Frame, samples: &Samples<'_>, total: f64, starts: &[Start], room: &mut logistic::Room) -> Found {

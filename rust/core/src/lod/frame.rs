@@ -74,7 +74,7 @@ impl Frame {
         // Padding lies where x = 0 does: there p′ is 0, so that only sums of p need weights.
         let v = packed(&|n| sorted.get(n).copied().unwrap_or(ZERO));
         let weight = packed(&|n| if n < sorted.len() { 1.0 } else { 0.0 });
-        let grid = Grid::new(&sorted, &places);
+        let grid = Grid::new(&sorted, &ends, &places);
         Ok(Self { order, v, weight, ends, places, limits, grid, unit, middle, half })
     }
 

@@ -30,6 +30,9 @@ const SATURATED: f64 = 1e30;
 /// How far beyond the samples, in the same units.
 const BEYOND: f64 = 4.0;
 
+/// Samples, and again places, from which starts are found: ten times as many as columns that tell curves apart.
+const MOST: usize = 2_048;
+
 /// Curves and what is known of them.
 #[derive(Debug)]
 pub(super) struct Grid {
@@ -39,6 +42,8 @@ pub(super) struct Grid {
     /// By sample, then by column; columns padded to blocks with 0.
     basis: Vec<f32>,
     columns: usize,
+    /// The samples whose rows these are.
+    picked: Vec<usize>,
 }
 
 /// Curves of one rise.
@@ -49,15 +54,22 @@ struct Level {
 }
 
 impl Grid {
-    /// Over samples at `v` by rising v, `places` being the different ones.
-    pub(super) fn new(v: &[f64], places: &[f64]) -> Self {
+    /// Over samples at `v` by rising v, `places` being the different ones, and `ends` where they end in `v`.
+    pub(super) fn new(v: &[f64], ends: &[usize], places: &[f64]) -> Self {
         let (levels, middles) = levels(places);
         let columns = middles.len().div_ceil(BLOCK) * BLOCK;
-        let basis = basis(v, &levels, &middles, columns);
-        Self { levels, middles, basis, columns }
+        let picked = picked(v.len(), ends);
+        let rows: Vec<f64> = picked.iter().map(|&n| v[n]).collect();
+        let basis = basis(&rows, &levels, &middles, columns);
+        Self { levels, middles, basis, columns, picked }
     }
 
-    /// The share of y that each column explains; `y` has length 1 and mean 0.
+    /// The samples that count for starts, by rising v.
+    pub(super) fn picked(&self) -> &[usize] {
+        &self.picked
+    }
+
+    /// The share of y, as far as picked, that each column explains; `y` has length 1 and mean 0.
     pub(super) fn explain(&self, y: &[f32], explained: &mut Vec<f32>) {
         explained.clear();
         explained.resize(self.columns, 0.0);
@@ -93,6 +105,19 @@ impl Grid {
         let lower = upper.saturating_sub(1).max(start);
         if (self.middles[upper] - middle).abs() < (middle - self.middles[lower]).abs() { upper } else { lower }
     }
+}
+
+/// All samples where they are few; else some evenly by rank, and some of each place or evenly many places, so that rare
+/// ones are among them.
+fn picked(count: usize, ends: &[usize]) -> Vec<usize> {
+    if count <= 2 * MOST {
+        return (0..count).collect();
+    }
+    let evenly = |last: usize| (0..MOST).map(move |k| (k as u128 * last as u128 / (MOST - 1) as u128) as usize);
+    let mut picked: Vec<usize> = evenly(count - 1).chain(evenly(ends.len() - 1).map(|k| ends[k] - 1)).collect();
+    picked.sort_unstable();
+    picked.dedup();
+    picked
 }
 
 /// Rises, each with middles from tail to tail. The first is a straight line.

@@ -4,12 +4,13 @@
 
 use super::descend::{Found, Limits};
 use super::logistic::{Line, Room, Samples};
-use super::steps::Start;
 
 /// Residuals that are no more than this share of the total are nearly clean.
 pub(super) const NEARLY: f64 = 1e-6;
-/// Steps of one descent; a dozen are usual.
-const STEPS: usize = 150;
+/// Residuals of numbers of size 1 that a descent leaves at rounding, for each sample: ten times that of a number, squared.
+const CLEAN: f64 = 1e-29;
+/// Steps of one descent: a dozen are usual, hundreds along valleys that bend.
+const STEPS: usize = 1000;
 /// Of columns of length 1.
 const DAMPING: f64 = 1e-3;
 /// From one step to the next.
@@ -66,6 +67,11 @@ impl Local {
         Self { line, per_length, axes }
     }
 
+    /// By how much an undamped step would lower the residual.
+    fn promise(&self) -> f64 {
+        self.axes.iter().map(|(slope, square)| if *square > 0.0 { slope * slope / square } else { 0.0 }).sum()
+    }
+
     fn step(&self, damping: f64) -> [f64; 2] {
         let [sum, difference] = self.axes.map(|(slope, square)| slope / (square + damping));
         let step = [(sum + difference) * self.per_length[0], (sum - difference) * self.per_length[1]];
@@ -96,20 +102,19 @@ fn product(one: &[f64], other: &[f64]) -> f64 {
     one.iter().zip(other).map(|(one, other)| one * other).sum()
 }
 
-/// The best of descents from `best`, from all starts, and from plateaus nearer than those of `best`.
+/// The best of descents from `best` and from nearer plateaus than it may have strayed to.
 pub(super) fn settle_all(
     samples: &Samples<'_>,
     limits: &Limits,
     best: &Found,
-    starts: &[Start],
     room: &mut Room,
 ) -> Found {
     let mut columns = Columns::default();
     let mut best = settle(samples, limits, best.line, None, room, &mut columns);
     let end = best.line.rise.signum();
     let again = ENDS.map(|level| Line { level, rise: best.line.rise, origin: end });
-    for line in again.into_iter().chain(starts.iter().map(|start| start.line)) {
-        if best.is_exact(samples) {
+    for line in again.into_iter() /*.chain(starts.iter().map(|start| start.line))*/  {
+        if best.sums.residual <= samples.count * CLEAN {
             break;
         }
         let found = settle(samples, limits, line, Some(&best), room, &mut columns);
@@ -134,7 +139,7 @@ fn settle(
     let mut local = Local::new(&found, count, room, columns);
     let mut damping = DAMPING;
     for _ in 0..STEPS {
-        if rival.is_some_and(|rival| found.leads_to(rival)) {
+        if rival.is_some_and(|rival| found.leads_to(rival)) || local.promise() <= ENOUGH * found.sums.residual {
             break;
         }
         let step = local.step(damping);
@@ -152,7 +157,7 @@ fn settle(
         } else {
             // At rounding nothing is gained but by chance.
             damping = STIFFENING * damping.max(1e-12);
-            if found.is_exact(samples) || damping > STIFFEST {
+            if found.sums.residual <= samples.count * CLEAN || damping > STIFFEST {
                 break;
             }
         }
