@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import warnings
 from collections.abc import Iterator
 from typing import Any
@@ -149,6 +151,67 @@ def test_residuals_are_never_above_scipys(samples: int, noise: float) -> None:
             assert squared(curve, x, y) <= by_scipy(x, y) * (1 + 1e-9)
             assert curve.rms**2 * samples == pytest.approx(squared(curve, x, y), rel=1e-9)
     assert compared >= (4 if samples == 8 else 15)
+
+
+VALLEYS = (
+    (np.linspace(0.1, 1, 6), (0.9, 6, 0.1, 0.2)),
+    (np.linspace(0.1, 1, 6), (0.9, 6, 0.07, 0.2)),
+    (np.linspace(0.1, 1, 6), (0.9, 6, 0.05, 0.2)),
+    (np.linspace(0.01, 1, 5), (0.9, 3.6, 0.023, 0.2)),
+    (np.linspace(0.01, 1, 12), (0.9, 7, 0.02, 0.2)),
+)
+"""Clean curves whose residual hardly rises along a line over b and c that leads far away."""
+
+
+def test_clean_curves_come_back_where_samples_show_one_plateau() -> None:
+    for x, truth in VALLEYS:
+        curve = nf.lod.fit_4pl(x, formula(x, *truth))
+        assert curve.status == "fitted"
+        np.testing.assert_allclose(list(curve), truth, rtol=1e-6)
+        assert curve.rms < 1e-14
+
+
+def guessed(x: Array, y: Array) -> list[Array]:
+    """What curve_fit finds from three common first guesses."""
+    found = []
+    for b, c in ((2, np.median(x)), (1, np.exp(np.log(x).mean())), (4, x.mean())):
+        with warnings.catch_warnings(), np.errstate(all="ignore"):
+            warnings.simplefilter("ignore")
+            try:
+                found.append(scipy.optimize.curve_fit(formula, x, y, p0=[y[0], b, c, y[-1]])[0])
+            except RuntimeError:
+                continue
+    return found
+
+
+@pytest.mark.parametrize("samples", [5, 6, 9, 14, 20])
+def test_nothing_is_better_on_clean_data(samples: int) -> None:
+    random = np.random.default_rng(samples)
+    recovered = 0
+    for k in range(60):
+        x = (np.linspace(0.1, 1, samples), np.linspace(0.01, 1, samples), np.geomspace(0.01, 1, samples))[k % 3]
+        # Middles up to a factor of 4 before the samples and 2 beyond.
+        truth = np.array([0.9, random.uniform(0.5, 8), np.exp(random.uniform(np.log(x[0] / 4), np.log(2))), 0.2])
+        y = formula(x, *truth)
+        curve = nf.lod.fit_4pl(x, y)
+        assert curve.ok
+        for found in guessed(x, y):
+            rms = np.sqrt(((formula(x, *found) - y) ** 2).mean())
+            assert curve.rms <= rms + 1e-12 * np.ptp(y), truth
+            if curve.status != "step" and np.allclose(found, truth, rtol=1e-6, atol=0):
+                recovered += 1
+                np.testing.assert_allclose(list(curve), truth, rtol=1e-6)
+    assert recovered > 60
+
+
+def test_nearly_clean_data_is_fitted_to_its_noise() -> None:
+    for noise in (1e-12, 1e-9, 1e-6):
+        for x, y in noisy(19, 20, 20, noise):
+            curve = nf.lod.fit_4pl(x, y)
+            if curve.status == "fitted":
+                for found in guessed(x, y):
+                    least = float(np.sqrt(((formula(x, *found) - y) ** 2).mean()))
+                    assert curve.rms <= least * (1 + 1e-9) + 1e-15 * np.ptp(y)
 
 
 @pytest.mark.parametrize("noise", [0.05, 0.2, 0.5])
@@ -308,11 +371,62 @@ def test_evaluation_is_the_formula(a: float, b: float, c: float, d: float, x: fl
         (lambda: nf.lod.fit_4pl(SIZES, SIZES)(-1.0), ValueError, "x: expected numbers of at least 0"),
         (lambda: nf.lod.fit_4pl(SIZES, [SIZES, SIZES])([[1.0]]), ValueError, r"x: expected shape \(M,\) or \(2, M\)"),
         (lambda: nf.lod.fit_4pl(SIZES, SIZES)[0], TypeError, "single"),
+        (lambda: len(nf.lod.fit_4pl(SIZES, SIZES)), TypeError, "single"),
+        (lambda: nf.lod.fit_4pl(SIZES, [SIZES, SIZES])[2], IndexError, "index: expected numbers from -2 to 1, got 2"),
+        (lambda: nf.lod.fit_4pl(SIZES, [SIZES, SIZES])[[0, -3]], IndexError, "from -2 to 1, got -3"),
+        (lambda: nf.lod.fit_4pl(SIZES, [SIZES, SIZES])[[True]], IndexError, r"mask of shape \(2,\), got \(1,\)"),
+        (lambda: nf.lod.fit_4pl(SIZES, [SIZES, SIZES])["a"], TypeError, "index: expected a number, a slice"),
+        (lambda: nf.lod.fit_4pl(SIZES, [SIZES, SIZES])[0.5], TypeError, "index: expected a number, a slice"),
+        (lambda: nf.lod.fit_4pl(SIZES, [SIZES, SIZES])[None], TypeError, "index: expected a number, a slice"),
     ],
 )
 def test_refuses_wrong_shapes_and_types(call: Any, error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
         call()
+
+
+def test_some_of_many_curves_are_curves() -> None:
+    x, y = next(noisy(8, 1, 25, 0.1))
+    curves = nf.lod.fit_4pl(x, y * np.arange(1.0, 6.0)[:, None])
+    assert len(curves) == 5
+    mask = np.array([True, False, True, False, False])
+    chosen: list[Any] = [slice(1, 4), slice(None, None, -2), mask, mask.tolist(), [3, -1, 3], np.array([], np.intp)]
+    assert len(curves[[]]) == 0
+    for index in chosen:
+        some = curves[index]
+        expected = np.arange(5)[index]
+        assert isinstance(some, nf.lod.Curve4PL)
+        assert len(some) == len(expected)
+        for field in ("a", "b", "c", "d", "rms", "status", "reason"):
+            np.testing.assert_array_equal(getattr(some, field), getattr(curves, field)[expected])
+        assert some(x).shape == (len(expected), 25)
+    assert list(curves[np.int32(-1)]) == list(curves[4])
+    assert isinstance(curves[4].a, float)
+    assert curves[:0]
+    assert curves[4]
+
+
+MEMORY = """
+import resource
+import numpy as np
+import nearfar as nf
+x = np.random.default_rng(0).uniform(0.001, 3, 1_000_000)
+truth = (0.9, 2.5, 0.3, 0.2)
+y = truth[3] + (truth[0] - truth[3]) / (1 + (x / truth[2]) ** truth[1])
+np.testing.assert_allclose(list(nf.lod.fit_4pl(x, y)), truth, rtol=1e-9)
+# All but three samples lie at one x.
+x, y = np.full(1_000_000, 0.1), np.full(1_000_000, 0.9)
+x[[7, 8, 9]], y[[7, 8, 9]] = (0.2, 0.4, 0.8), (0.8, 0.4, 0.3)
+np.testing.assert_allclose(nf.lod.fit_4pl(x, y)(x[6:10]), y[6:10], atol=1e-9)
+print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+"""
+
+
+def test_a_million_samples_take_little_memory() -> None:
+    pytest.importorskip("resource")
+    printed = subprocess.run([sys.executable, "-c", MEMORY], check=True, capture_output=True, text=True).stdout
+    # Kilobytes; bytes on macOS.
+    assert int(printed) < 1e6 * (1_000 if sys.platform == "darwin" else 1)
 
 
 BITS = """

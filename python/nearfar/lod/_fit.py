@@ -161,8 +161,8 @@ def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:
         - "flat": y is constant, or noise explains it nearly as well: (S/S₀)^((N−2)/2) ≥ 0.01 for the squared
           residuals S of the curve and S₀ of the mean; of curves that are only noise, 92 to 97 in 100 are. a and d are
           the mean, b is 1 and c the middle of the samples, so that it can be evaluated.
-        - "unfittable": fewer than 4 different x, an x below 0, or parameters beyond float64 (such as plateaus of y that
-          itself reaches to its ends). All parameters are NaN.
+        - "unfittable": fewer than 4 different x, an x below 0, or parameters beyond float64 (plateaus
+          that overflow). All parameters are NaN.
 
         On data without noise parameters come back to 1e-9 of themselves where samples show both plateaus.
 

@@ -6,7 +6,7 @@ use super::descend::{Found, Limits};
 use super::logistic::{Line, Room, Samples};
 
 /// Residuals that are no more than this share of the total are nearly clean.
-pub(super) const NEARLY: f64 = 1e-6;
+pub(super) const NEARLY: f64 = 1e-5;
 /// Residuals of numbers of size 1 that a descent leaves at rounding, for each sample: ten times that of a number, squared.
 const CLEAN: f64 = 1e-29;
 /// Steps of one descent: a dozen are usual, hundreds along valleys that bend.
@@ -103,17 +103,14 @@ fn product(one: &[f64], other: &[f64]) -> f64 {
 }
 
 /// The best of descents from `best` and from nearer plateaus than it may have strayed to.
-pub(super) fn settle_all(
-    samples: &Samples<'_>,
-    limits: &Limits,
-    best: &Found,
-    room: &mut Room,
-) -> Found {
+pub(super) fn settle_all(samples: &Samples<'_>, limits: &Limits, best: &Found, room: &mut Room) -> Found {
     let mut columns = Columns::default();
     let mut best = settle(samples, limits, best.line, None, room, &mut columns);
     let end = best.line.rise.signum();
     let again = ENDS.map(|level| Line { level, rise: best.line.rise, origin: end });
-    for line in again.into_iter() /*.chain(starts.iter().map(|start| start.line))*/  {
+    for line in again.into_iter()
+    /*.chain(starts.iter().map(|start| start.line))*/
+    {
         if best.sums.residual <= samples.count * CLEAN {
             break;
         }
