@@ -76,7 +76,7 @@ class Curve4PL:
         a, b, c, d, rms, status, reason = (field[chosen] for field in (*self, self.rms, self.status, self.reason))
         if isinstance(a, np.ndarray):
             return Curve4PL(a, b, c, d, rms, status, reason)
-        return Curve4PL(*map(float, (a, b, c, d, rms)), str(status), str(reason))
+        return Curve4PL(float(a), float(b), float(c), float(d), float(rms), str(status), str(reason))
 
     def __repr__(self) -> str:
         if isinstance(self.a, np.ndarray):
