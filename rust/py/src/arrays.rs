@@ -3,9 +3,16 @@
 use std::slice;
 
 use nearfar_core::base::Buffer;
-use numpy::{Element, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
+use numpy::{Element, PyArrayDyn, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+
+/// Rows of coordinates in either precision.
+#[derive(FromPyObject)]
+pub enum Points<'py> {
+    Single(PyReadonlyArray2<'py, f32>),
+    Double(PyReadonlyArray2<'py, f64>),
+}
 
 /// Keeps a NumPy array alive while kernels read its memory.
 struct Borrowed<T> {

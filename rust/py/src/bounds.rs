@@ -5,14 +5,9 @@ use nearfar_core::bounds::{self, Method, Sphere};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
+use crate::arrays::Points;
 use crate::errors::to_python;
 use crate::run;
-
-#[derive(FromPyObject)]
-enum Points<'py> {
-    Single(PyReadonlyArray2<'py, f32>),
-    Double(PyReadonlyArray2<'py, f64>),
-}
 
 fn method(name: &str) -> Result<Method> {
     match name {

@@ -11,6 +11,7 @@ use numpy::{
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 
+use crate::arrays::Points;
 use crate::errors::to_python;
 use crate::run;
 
@@ -18,12 +19,6 @@ use crate::run;
 enum Radii<'py> {
     Single(PyReadonlyArray1<'py, f32>),
     Double(PyReadonlyArray1<'py, f64>),
-}
-
-#[derive(FromPyObject)]
-enum Points<'py> {
-    Single(PyReadonlyArray2<'py, f32>),
-    Double(PyReadonlyArray2<'py, f64>),
 }
 
 #[derive(FromPyObject)]

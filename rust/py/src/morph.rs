@@ -3,17 +3,12 @@
 use glam::DVec3;
 use nearfar_core::base::{Error, Result};
 use nearfar_core::morph::{Kind, Morph};
-use numpy::{PyReadonlyArray2, PyReadwriteArray2};
+use numpy::PyReadwriteArray2;
 use pyo3::prelude::*;
 
+use crate::arrays::Points;
 use crate::errors::to_python;
 use crate::run;
-
-#[derive(FromPyObject)]
-enum Points<'py> {
-    Single(PyReadonlyArray2<'py, f32>),
-    Double(PyReadonlyArray2<'py, f64>),
-}
 
 #[derive(FromPyObject)]
 enum Shown<'py> {
