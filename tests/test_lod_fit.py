@@ -362,7 +362,7 @@ def test_evaluation_is_the_formula(a: float, b: float, c: float, d: float, x: fl
 @pytest.mark.parametrize(
     ("call", "error", "message"),
     [
-        (lambda: nf.lod.fit_4pl([1, 2, 3], [1, 2]), ValueError, r"x: expected shape \(2,\) or \(2,\), as y has"),
+        (lambda: nf.lod.fit_4pl([1, 2, 3], [1, 2]), ValueError, r"x: expected shape \(2,\), as y has"),
         (lambda: nf.lod.fit_4pl([[1, 2]], [[1, 2], [3, 4]]), ValueError, r"x: expected shape \(2,\) or \(2, 2\)"),
         (lambda: nf.lod.fit_4pl([1], 1.0), ValueError, r"y: expected shape \(N,\) or \(K, N\), got \(\)"),
         (lambda: nf.lod.fit_4pl([1], [[[1]]]), ValueError, "y: expected shape"),

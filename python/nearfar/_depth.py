@@ -213,7 +213,7 @@ def _buffer(
 ) -> _core.DepthBuffer:
     height, width = shape[-2:]
     if not isinstance(projection, Projection):
-        rows = _check.array("projection", projection, columns=4, dtype=np.float64)
+        rows = _check.array("projection", projection, columns=None, dtype=np.float64)
         return _matrix_buffer((width, height), rows, near, far, reverse, depth_range)
     if depth_range is not None:
         raise ValueError(f"depth_range: expected None beside {type(projection).__name__}, got {depth_range!r}")
@@ -236,7 +236,7 @@ def _matrix_buffer(
     reverse: bool | None,
     depth_range: str | None,
 ) -> _core.DepthBuffer:
-    if len(rows) != 4:
+    if rows.shape != (4, 4):
         raise ValueError(f"projection: expected a (4, 4) matrix, got shape {rows.shape}")
     if near is not None or far != math.inf:
         raise ValueError("near: expected None beside a matrix, which has its own planes")

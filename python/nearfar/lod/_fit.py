@@ -184,7 +184,8 @@ def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:
     if places.ndim == 2 and values.ndim == 1 and places.shape[1:] == values.shape:
         values = np.ascontiguousarray(np.broadcast_to(values, places.shape))
     if places.shape not in (values.shape, values.shape[-1:]):
-        raise ValueError(f"x: expected shape {values.shape[-1:]} or {values.shape}, as y has, got {places.shape}")
+        shapes = " or ".join(str(shape) for shape in dict.fromkeys((values.shape[-1:], values.shape)))
+        raise ValueError(f"x: expected shape {shapes}, as y has, got {places.shape}")
     rows, count = (1, *values.shape)[-2:]
     if count:
         with _progress.bar("fitting") as report:
