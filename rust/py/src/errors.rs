@@ -23,6 +23,7 @@ pub fn to_python(error: Error) -> PyErr {
         Error::Value { .. } => PyValueError::new_err(error.to_string()),
         Error::Scene(message) => SceneError::new_err(message),
         Error::Format(message) => FormatError::new_err(message),
+        Error::Device(message) => DeviceError::new_err(message),
         Error::Memory { .. } => PyMemoryError::new_err(error.to_string()),
         Error::Cancelled => PyKeyboardInterrupt::new_err(()),
     }

@@ -8,6 +8,7 @@ mod camera;
 mod cubemap;
 mod errors;
 mod exr;
+mod gpu;
 mod lens;
 mod lod;
 mod layout;
@@ -44,5 +45,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     bounds::register(module)?;
     lens::register(module)?;
     lod::register(module)?;
-    exr::register(module)
+    exr::register(module)?;
+    gpu::register(module)
 }

@@ -19,6 +19,9 @@ pub enum Error {
     /// One of our own files is not what it should be (`nearfar.FormatError`).
     #[error("{0}")]
     Format(String),
+    /// A graphics adapter that is missing, was lost or refused something (`nearfar.DeviceError`).
+    #[error("{0}")]
+    Device(String),
     /// A result that the system has no memory for (`MemoryError`).
     #[error("the result needs {bytes} bytes, which the system does not have")]
     Memory {

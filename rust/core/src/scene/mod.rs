@@ -22,7 +22,7 @@ pub use instance::{Instance, InstanceSet};
 pub use material::{Alpha, Material, texel_density, texture_level};
 pub use merge::{Part, merge};
 pub use mesh::Mesh;
-pub use texture::Texture;
+pub use texture::{Level, Texture};
 
 use crate::base::{Error, Progress, Result, memory::room_for};
 

@@ -29,10 +29,13 @@ const LEAST_WEIGHT: f32 = 1.0 / 1024.0;
 
 /// A coarser image: linear RGB in steps of 1/65535, a twentieth of sRGB's finest step.
 #[derive(Debug)]
-struct Level {
-    width: u32,
-    height: u32,
-    texels: Vec<[u16; 3]>,
+pub struct Level {
+    /// Texels across.
+    pub width: u32,
+    /// Texels down.
+    pub height: u32,
+    /// Rows from the top.
+    pub texels: Vec<[u16; 3]>,
 }
 
 /// Four texels around a point and the weights of the right and the lower ones.
@@ -60,7 +63,7 @@ impl Texture {
         if level == 0.0 {
             return self.finest(uv);
         }
-        let mips = if cutout { &self.cutout_mips } else { &self.mips }.get_or_init(|| self.build(cutout));
+        let mips = self.coarser(cutout);
         let level = level.min(mips.len() as f32);
         let (below, between) = (level.floor() as usize, level.fract());
         let fine = if below == 0 { self.finest(uv) } else { mips[below - 1].color(uv) };
@@ -69,6 +72,11 @@ impl Texture {
         }
         let coarse = mips[below].color(uv);
         std::array::from_fn(|i| fine[i] + (coarse[i] - fine[i]) * between)
+    }
+
+    /// Level 1 and coarser, down to one texel; `cutout` weights their means by alpha.
+    pub fn coarser(&self, cutout: bool) -> &[Level] {
+        if cutout { &self.cutout_mips } else { &self.mips }.get_or_init(|| self.build(cutout))
     }
 
     /// Alpha at (u, v) in 0..1, bilinear in the image itself: what cut-out materials compare with their cutoff.

@@ -1,0 +1,104 @@
+//! Buffers and textures, counted, so that anybody can see what a frame makes anew.
+
+use std::sync::atomic::Ordering;
+
+use nearfar_core::base::Result;
+use wgpu::{BufferDescriptor, BufferUsages, Texture, TextureDescriptor};
+
+use super::{Device, Scope};
+
+/// What was made and sent since the device was opened.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Buffers and textures.
+    pub allocations: u64,
+    /// Bytes of them.
+    pub allocated_bytes: u64,
+    /// Bytes that were sent to the device.
+    pub uploaded_bytes: u64,
+    /// Triangles in draw calls, after culling.
+    pub triangles: u64,
+}
+
+/// What a counter counts.
+#[derive(Clone, Copy, Debug)]
+pub enum Written {
+    /// Buffers and textures.
+    Allocations,
+    /// Their bytes.
+    AllocatedBytes,
+    /// Bytes sent.
+    UploadedBytes,
+    /// Triangles drawn.
+    Triangles,
+}
+
+impl Device {
+    /// What was made and sent so far.
+    pub fn counters(&self) -> Counters {
+        let [allocations, allocated_bytes, uploaded_bytes, triangles] =
+            [0, 1, 2, 3].map(|i: usize| self.made[i].load(Ordering::Relaxed));
+        Counters { allocations, allocated_bytes, uploaded_bytes, triangles }
+    }
+
+    pub(crate) fn count(&self, what: Written, amount: u64) {
+        self.made[what as usize].fetch_add(amount, Ordering::Relaxed);
+    }
+
+    /// An empty buffer.
+    pub(crate) fn buffer(&self, label: &str, bytes: u64, usage: BufferUsages) -> Result<wgpu::Buffer> {
+        self.new_buffer(label, bytes, usage, false)
+    }
+
+    /// An empty buffer that the processor may write to at once.
+    pub(crate) fn mapped_buffer(&self, label: &str, bytes: u64, usage: BufferUsages) -> Result<wgpu::Buffer> {
+        self.new_buffer(label, bytes, usage, true)
+    }
+
+    /// A buffer of words that stay as they are.
+    pub(crate) fn filled_buffer(&self, label: &str, words: &[u32], usage: BufferUsages) -> Result<wgpu::Buffer> {
+        let bytes: &[u8] = bytemuck::cast_slice(words);
+        let buffer = self.mapped_buffer(label, bytes.len() as u64, usage)?;
+        if !bytes.is_empty() {
+            self.write_mapped(&buffer, bytes)?;
+        }
+        buffer.unmap();
+        self.count(Written::UploadedBytes, bytes.len() as u64);
+        Ok(buffer)
+    }
+
+    /// Writes to the beginning of a mapped buffer.
+    pub(crate) fn write_mapped(&self, buffer: &wgpu::Buffer, bytes: &[u8]) -> Result<()> {
+        let mut view = buffer.get_mapped_range_mut(..bytes.len() as u64).map_err(|error| self.failure(&error))?;
+        view.copy_from_slice(bytes);
+        Ok(())
+    }
+
+    pub(crate) fn failure(&self, error: &impl ToString) -> nearfar_core::base::Error {
+        match self.check() {
+            Err(lost) => lost,
+            Ok(()) => nearfar_core::base::Error::Device(format!("{}: {}", self.report.label(), error.to_string())),
+        }
+    }
+
+    pub(crate) fn texture(&self, descriptor: &TextureDescriptor<'_>, bytes: u64) -> Result<Texture> {
+        let scope = Scope::open(self);
+        let texture = self.wgpu.create_texture(descriptor);
+        scope.close()?;
+        self.count(Written::Allocations, 1);
+        self.count(Written::AllocatedBytes, bytes);
+        Ok(texture)
+    }
+
+    fn new_buffer(&self, label: &str, bytes: u64, usage: BufferUsages, mapped: bool) -> Result<wgpu::Buffer> {
+        // A binding holds one entry of a table at least.
+        let size = bytes.next_multiple_of(16).max(256);
+        let scope = Scope::open(self);
+        let descriptor = BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: mapped };
+        let buffer = self.wgpu.create_buffer(&descriptor);
+        scope.close()?;
+        self.count(Written::Allocations, 1);
+        self.count(Written::AllocatedBytes, size);
+        Ok(buffer)
+    }
+}

@@ -1,0 +1,14 @@
+//! Adapters, the device that is opened on one, and what is kept on it between frames.
+
+mod adapters;
+mod buffers;
+mod errors;
+mod open;
+mod registry;
+
+pub use adapters::{AdapterKind, AdapterReport};
+pub use buffers::{Counters, Written};
+pub use open::Device;
+pub use registry::{adapters, device, is_hardware};
+
+pub(crate) use errors::Scope;

@@ -1,0 +1,127 @@
+//! The adapters of this machine and the devices opened on them, each once in a process.
+
+use std::process;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use nearfar_core::base::{Error, Result};
+use wgpu::{Adapter, Backends, Instance, InstanceDescriptor};
+
+use super::{AdapterKind, AdapterReport, Device};
+
+#[derive(Default)]
+struct Registry {
+    /// A forked child has none of its parent's threads and connections, so it starts anew.
+    process: u32,
+    native: Option<Vec<Found>>,
+    gl: Option<Vec<Found>>,
+}
+
+struct Found {
+    adapter: Adapter,
+    report: AdapterReport,
+    device: Option<Arc<Device>>,
+}
+
+static REGISTRY: Mutex<Option<Registry>> = Mutex::new(None);
+
+/// Everything that was found, best first, with reasons where something can't be used.
+pub fn adapters() -> Vec<AdapterReport> {
+    with_registry(|registry| {
+        let mut reports: Vec<AdapterReport> = registry.all().map(|found| found.report.clone()).collect();
+        reports.sort_by_key(AdapterReport::rank);
+        reports
+    })
+}
+
+/// True where there is a usable adapter other than the processor itself. OpenGL is looked at last: it takes long.
+pub fn is_hardware(wanted: Option<&str>) -> bool {
+    let is_one = |found: &Found| found.is_usable(wanted) && found.report.kind != AdapterKind::Software;
+    with_registry(|registry| registry.native().iter().any(is_one) || registry.gl().iter().any(is_one))
+}
+
+/// The device on the best adapter that a user's wish leaves, opened on first use and again after it was lost.
+pub fn device(wanted: Option<&str>) -> Result<Arc<Device>> {
+    with_registry(|registry| {
+        // A native software adapter is better than OpenGL's, hardware behind OpenGL is better than both.
+        let decided = registry.native().iter().any(|f| f.is_usable(wanted) && f.report.kind != AdapterKind::Software);
+        if !decided {
+            registry.gl();
+        }
+        let best = registry.known().filter(|found| found.is_usable(wanted)).min_by_key(|found| found.report.rank());
+        let Some(found) = best else { return Err(Error::Device(absence(registry, wanted))) };
+        if let Some(device) = found.device.as_ref().filter(|device| !device.is_lost()) {
+            return Ok(device.clone());
+        }
+        let device = Arc::new(Device::open(&found.adapter, found.report.clone())?);
+        found.device = Some(device.clone());
+        Ok(device)
+    })
+}
+
+fn with_registry<R>(use_it: impl FnOnce(&mut Registry) -> R) -> R {
+    let mut guard: MutexGuard<'_, Option<Registry>> = REGISTRY.lock().unwrap_or_else(PoisonError::into_inner);
+    let mine = guard.as_ref().is_some_and(|registry| registry.process == process::id());
+    if !mine {
+        // What a parent process left can't be closed here: its driver's threads are gone.
+        std::mem::forget(guard.take());
+    }
+    use_it(guard.get_or_insert_with(|| Registry { process: process::id(), ..Registry::default() }))
+}
+
+impl Registry {
+    fn native(&mut self) -> &mut Vec<Found> {
+        self.native.get_or_insert_with(|| find(Backends::PRIMARY))
+    }
+
+    fn gl(&mut self) -> &mut Vec<Found> {
+        self.gl.get_or_insert_with(|| find(Backends::GL))
+    }
+
+    fn all(&mut self) -> impl Iterator<Item = &mut Found> {
+        self.native();
+        self.gl();
+        self.known()
+    }
+
+    fn known(&mut self) -> impl Iterator<Item = &mut Found> {
+        self.native.iter_mut().chain(&mut self.gl).flatten()
+    }
+}
+
+impl Found {
+    fn is_usable(&self, wanted: Option<&str>) -> bool {
+        self.report.refused.is_empty() && wanted.is_none_or(|wanted| self.report.answers_to(wanted))
+    }
+}
+
+fn find(backends: Backends) -> Vec<Found> {
+    let mut descriptor = InstanceDescriptor::new_without_display_handle();
+    descriptor.backends = backends;
+    let instance = Instance::new(descriptor);
+    let adapters = pollster::block_on(instance.enumerate_adapters(backends));
+    let found = |adapter: Adapter| Found { report: AdapterReport::of(&adapter), adapter, device: None };
+    adapters.into_iter().map(found).collect()
+}
+
+/// Why there is no device, and what to install.
+fn absence(registry: &mut Registry, wanted: Option<&str>) -> String {
+    let seen: Vec<String> = registry
+        .all()
+        .map(|found| match &found.report.refused[..] {
+            "" => found.report.label(),
+            refused => format!("{} ({refused})", found.report.label()),
+        })
+        .collect();
+    let what = wanted.map_or("no graphics adapter".to_string(), |name| format!("no graphics adapter '{name}'"));
+    let seen = if seen.is_empty() { "found none".to_string() } else { format!("found {}", seen.join(", ")) };
+    format!("{what} can be used, {seen}; {INSTALL}")
+}
+
+const INSTALL: &str = if cfg!(target_os = "macos") {
+    "Metal comes with macOS"
+} else if cfg!(windows) {
+    "install the graphics card's driver"
+} else {
+    "install a Vulkan driver, such as mesa-vulkan-drivers and libvulkan1 (Debian, Ubuntu) or mesa-vulkan-drivers and \
+     vulkan-loader (Fedora), which has one in software too"
+};

@@ -1,0 +1,80 @@
+//! What a view can't see is not drawn: instances and runs of faces by their boxes.
+
+use glam::{DVec3, DVec4, Vec3};
+use nearfar_core::camera::Camera;
+use nearfar_core::scene::Aabb;
+
+use super::view::{Axes, Window};
+
+/// Half-spaces around what a view sees: normal and offset, relative to the scene's origin.
+#[derive(Clone, Debug)]
+pub(crate) struct Frustum {
+    planes: Vec<DVec4>,
+}
+
+impl Frustum {
+    /// Of a window of a camera whose eye is at a place relative to the scene's origin; `slack` metres wider on all sides.
+    pub fn new(camera: &Camera, window: &Window, eye: DVec3, slack: f64) -> Self {
+        let Axes { right, up, ahead, fov } = Axes::of(camera);
+        let fov = window.part_of(camera, &fov);
+        let sides = [(right, fov.left, 1.0), (right, fov.right, -1.0), (up, fov.down, 1.0), (up, fov.up, -1.0)];
+        let plane = |normal: DVec3, at: f64| {
+            let normal = normal.normalize();
+            normal.extend(-normal.dot(eye) - at + slack)
+        };
+        let parallel = camera.is_parallel();
+        let mut planes: Vec<DVec4> = sides
+            .into_iter()
+            .map(|(axis, bound, sign)| match parallel {
+                true => plane(sign * axis, sign * bound),
+                false => plane(sign * (axis - bound * ahead), 0.0),
+            })
+            .collect();
+        planes.push(plane(ahead, 0.0));
+        Self { planes }
+    }
+
+    /// False where no point of a box is seen.
+    #[inline]
+    pub fn sees(&self, bounds: &Aabb) -> bool {
+        if bounds.is_empty() {
+            return false;
+        }
+        let (low, high) = (bounds.min, bounds.max);
+        self.planes.iter().all(|plane| {
+            let pick = |i: usize| if plane[i] > 0.0 { high[i] } else { low[i] };
+            let farthest = Vec3::new(pick(0), pick(1), pick(2)).as_dvec3();
+            // A rounding of the corner's own size, so that nothing at the edge is lost.
+            let slack = 1e-6 * farthest.abs().max_element();
+            plane.truncate().dot(farthest) + plane.w + slack >= 0.0
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DQuat;
+    use nearfar_core::camera::{Fov, Projection};
+
+    #[test]
+    fn what_projects_into_the_image_is_seen() {
+        let fov = Fov { left: -0.7, right: 1.1, down: -0.9, up: 0.4 };
+        for projection in [Projection::Perspective(fov), Projection::Orthographic(fov), Projection::CubeFace(1)] {
+            let turn = DQuat::from_rotation_y(2.0) * DQuat::from_rotation_x(-0.5);
+            let camera = Camera::new(DVec3::new(3.0, 1.0, 2.0), turn, projection, 16, 16).unwrap();
+            let frustum = Frustum::new(&camera, &Window { column: 0, row: 0, width: 16, height: 16 }, camera.position, 0.0);
+            let (mut seen, mut unseen) = (0, 0);
+            for n in 0..4000u64 {
+                let draw = |axis: u64| nearfar_core::base::random::uniform(7, n, axis) * 12.0 - 6.0;
+                let point = DVec3::new(draw(0), draw(1), draw(2));
+                let spot = Aabb { min: point.as_vec3(), max: point.as_vec3() };
+                let inside = camera.project(point).is_some_and(|at| at.truncate().cmpge(glam::DVec2::ZERO).all() && at.truncate().cmple(glam::DVec2::splat(16.0)).all());
+                assert!(!inside || frustum.sees(&spot), "{projection:?} {point}");
+                seen += u32::from(inside);
+                unseen += u32::from(!frustum.sees(&spot));
+            }
+            assert!(seen > 50 && unseen > 500, "{projection:?} {seen} {unseen}");
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! Commands of a frame's passes: raster layer by layer, then resolve batch by batch.
+
+use nearfar_core::base::Result;
+use wgpu::{
+    BindGroup, BindGroupDescriptor, BindGroupEntry, BindingResource, BufferBinding, Color, CommandEncoder,
+    ComputePassDescriptor, LoadOp, Operations, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
+    RenderPassDescriptor, StoreOp,
+};
+
+use super::Kind;
+use super::bindings::{Group, PASS_BLOCKS, Plan, RecordsAt};
+use super::pipelines::{Layouts, RasterKey, ResolveKey};
+use super::slots::{BLOCK, SAMPLES, Slot, Target};
+use super::{Layer, Picture};
+use crate::device::Device;
+use crate::upload::{Nothing, Page, SceneTables};
+
+/// Clears the ids of what is visible: four halves of ones.
+const NOTHING: Color = Color { r: 65535.0, g: 65535.0, b: 65535.0, a: 65535.0 };
+
+/// One pass over a window.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PassKind {
+    /// Its place among the frame's passes.
+    pub number: usize,
+    pub color: bool,
+    pub surface: bool,
+    pub multisampled: bool,
+}
+
+/// Everything bound for a frame.
+pub(super) struct Bound<'a> {
+    device: &'a Device,
+    picture: &'a Picture,
+    plan: &'a Plan,
+    slot: &'a Slot,
+    view: BindGroup,
+    raster: Vec<BindGroup>,
+    resolve: Vec<BindGroup>,
+    nothing: (BindGroup, u32),
+    targets: [Option<BindGroup>; 2],
+}
+
+impl<'a> Bound<'a> {
+    /// None before the slot was told anything.
+    pub fn new(
+        device: &'a Device,
+        picture: &'a Picture,
+        plan: &'a Plan,
+        slot: &'a Slot,
+        nothing: &'a Nothing,
+    ) -> Option<Self> {
+        let layouts = device.pipelines.layouts(device);
+        let told = slot.told.buffer()?;
+        let map = picture.map.as_deref().unwrap_or(&nothing.map);
+        let view = group(device, &layouts.view, &[
+            section(told, 0, (PASS_BLOCKS * BLOCK) as u64),
+            section(told, 0, BLOCK as u64),
+            BindingResource::TextureView(&map.color.view),
+            BindingResource::TextureView(&map.range.view),
+        ]);
+        let order = section(told, plan.order.start as u64, plan.order.len().next_multiple_of(4) as u64);
+        let raster = |g: &Group| {
+            let mut entries = scene(picture, told, g);
+            entries.push(order.clone());
+            group(device, &layouts.raster_scene, &entries)
+        };
+        let records = nothing.tables.parts.as_entire_binding();
+        let empty_scene = group(device, &layouts.resolve_scene, &tables(&nothing.tables, &nothing.page, records));
+        Some(Self {
+            device,
+            picture,
+            plan,
+            slot,
+            view,
+            raster: plan.groups.iter().map(raster).collect(),
+            resolve: plan.groups.iter().map(|g| group(device, &layouts.resolve_scene, &scene(picture, told, g))).collect(),
+            nothing: (empty_scene, plan.empty as u32),
+            targets: targets(device, layouts, slot),
+        })
+    }
+
+    /// Encodes one pass: raster, then resolve.
+    pub fn encode(&self, encoder: &mut CommandEncoder, pass: PassKind) -> Result<()> {
+        let samples = if pass.multisampled { SAMPLES } else { 1 };
+        let target = self.slot.multisampled.as_ref().filter(|_| pass.multisampled).unwrap_or(&self.slot.single);
+        let offset = (pass.number * PASS_BLOCKS * BLOCK) as u32;
+        self.raster(encoder, target, samples, offset)?;
+        self.resolve(encoder, pass, samples, offset)
+    }
+
+    fn raster(&self, encoder: &mut CommandEncoder, target: &Target, samples: u32, offset: u32) -> Result<()> {
+        let layers = &self.picture.layers;
+        let mut start = 0;
+        let mut first = true;
+        while first || start < self.plan.groups.len() {
+            let groups = &self.plan.groups[start..];
+            // A layer that covers what is before it begins a pass with a depth of its own.
+            let same = |n: usize| n == 0 || groups[n].layer == groups[n - 1].layer || !layers[groups[n].layer].covers;
+            let count = (0..groups.len()).take_while(|&n| same(n)).count();
+            let keys: Vec<_> = groups[..count].iter().map(|g| raster_key(&layers[g.layer], samples)).collect();
+            let pipelines: Vec<_> =
+                keys.iter().map(|&key| self.device.pipelines.raster(self.device, key)).collect::<Result<_>>()?;
+            let mut pass = encoder.begin_render_pass(&RenderPassDescriptor {
+                label: Some("raster"),
+                color_attachments: &[Some(RenderPassColorAttachment {
+                    view: &target.visible,
+                    depth_slice: None,
+                    resolve_target: None,
+                    ops: Operations {
+                        load: if first { LoadOp::Clear(NOTHING) } else { LoadOp::Load },
+                        store: StoreOp::Store,
+                    },
+                })],
+                depth_stencil_attachment: Some(RenderPassDepthStencilAttachment {
+                    view: &target.depth,
+                    depth_ops: Some(Operations { load: LoadOp::Clear(0.0), store: StoreOp::Discard }),
+                    stencil_ops: None,
+                }),
+                ..RenderPassDescriptor::default()
+            });
+            for (n, (group, pipeline)) in groups[..count].iter().zip(&pipelines).enumerate() {
+                pass.set_pipeline(pipeline);
+                pass.set_bind_group(0, &self.raster[start + n], &[]);
+                pass.set_bind_group(1, &self.view, &[offset, group.block as u32]);
+                for (vertices, instances) in &group.draws {
+                    pass.draw(vertices.clone(), instances.clone());
+                }
+            }
+            start += count;
+            first = false;
+        }
+        Ok(())
+    }
+
+    fn resolve(&self, encoder: &mut CommandEncoder, kind: PassKind, samples: u32, offset: u32) -> Result<()> {
+        let key = |kind_of_points: Kind| ResolveKey {
+            kind: kind_of_points,
+            mapped: self.picture.map.is_some(),
+            color: kind.color,
+            surface: kind.surface,
+            samples,
+        };
+        let layers = &self.picture.layers;
+        let kinds = self.plan.groups.iter().map(|group| layers[group.layer].kind);
+        let pipelines: Vec<_> = kinds
+            .map(|kind| self.device.pipelines.resolve(self.device, key(kind)))
+            .collect::<Result<_>>()?;
+        let missed = self.device.pipelines.resolve(self.device, key(self.picture.missed))?;
+        let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: Some("resolve"), ..Default::default() });
+        let Some(target) = &self.targets[usize::from(kind.multisampled)] else { return Ok(()) };
+        let groups = [self.slot.shape.width.div_ceil(8), self.slot.shape.height.div_ceil(8)];
+        pass.set_bind_group(2, target, &[]);
+        let mut dispatch = |pipeline: &wgpu::ComputePipeline, scene: &BindGroup, block: u32| {
+            pass.set_pipeline(pipeline);
+            pass.set_bind_group(0, scene, &[]);
+            pass.set_bind_group(1, &self.view, &[offset, block]);
+            pass.dispatch_workgroups(groups[0], groups[1], 1);
+        };
+        if self.plan.needs_empty(self.picture) {
+            dispatch(&missed, &self.nothing.0, self.nothing.1);
+        }
+        for ((group, pipeline), scene) in self.plan.groups.iter().zip(&pipelines).zip(&self.resolve) {
+            dispatch(pipeline, scene, group.block as u32);
+        }
+        Ok(())
+    }
+}
+
+fn raster_key(layer: &Layer, samples: u32) -> RasterKey {
+    RasterKey {
+        kind: layer.kind,
+        split: layer.split,
+        hidden: layer.hidden,
+        cutout: layer.scene.has_cutouts(),
+        samples,
+    }
+}
+
+fn targets(device: &Device, layouts: &Layouts, slot: &Slot) -> [Option<BindGroup>; 2] {
+    let target = |layout: usize, target: &Target| {
+        let entries = [BindingResource::TextureView(&target.visible), slot.output.as_entire_binding()];
+        group(device, &layouts.target[layout], &entries)
+    };
+    [Some(target(0, &slot.single)), slot.multisampled.as_ref().map(|several| target(1, several))]
+}
+
+fn scene<'a>(picture: &'a Picture, told: &'a wgpu::Buffer, group: &'a Group) -> Vec<BindingResource<'a>> {
+    let records = match &group.records {
+        RecordsAt::Buffer(buffer) => buffer.as_entire_binding(),
+        RecordsAt::Told(range) => section(told, range.start as u64, range.len() as u64),
+    };
+    tables(&picture.layers[group.layer].tables, &group.page, records)
+}
+
+fn tables<'a>(tables: &'a SceneTables, page: &'a Page, records: BindingResource<'a>) -> Vec<BindingResource<'a>> {
+    vec![
+        page.buffer.as_entire_binding(),
+        records,
+        tables.parts.as_entire_binding(),
+        tables.materials.materials.as_entire_binding(),
+        tables.materials.textures.as_entire_binding(),
+        BindingResource::TextureView(&tables.materials.texels.view),
+    ]
+}
+
+fn section(buffer: &wgpu::Buffer, offset: u64, size: u64) -> BindingResource<'_> {
+    BindingResource::Buffer(BufferBinding { buffer, offset, size: std::num::NonZeroU64::new(size) })
+}
+
+fn group(device: &Device, layout: &wgpu::BindGroupLayout, resources: &[BindingResource<'_>]) -> BindGroup {
+    let entries: Vec<_> = resources
+        .iter()
+        .enumerate()
+        .map(|(binding, resource)| BindGroupEntry { binding: binding as u32, resource: resource.clone() })
+        .collect();
+    device.wgpu.create_bind_group(&BindGroupDescriptor { label: None, layout, entries: &entries })
+}

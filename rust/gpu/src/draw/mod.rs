@@ -1,0 +1,18 @@
+//! Frames: what is drawn in which order, where it goes, and how it comes back.
+
+mod bindings;
+mod cull;
+mod encode;
+mod job;
+mod layers;
+mod pipelines;
+mod read;
+mod slots;
+mod view;
+
+pub use job::Job;
+
+pub(crate) use cull::Frustum;
+pub(crate) use layers::{Kind, Layer, Names, Picture, Set, Sources, Split};
+pub(crate) use pipelines::Pipelines;
+pub(crate) use slots::Slots;

@@ -1,0 +1,249 @@
+//! Shaders and pipelines, each compiled once on a device, and what their bindings look like.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use nearfar_core::base::Result;
+use nearfar_core::render::shade;
+use wgpu::{
+    BindGroupLayout, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType, BufferBindingType, CompareFunction,
+    ComputePipeline, ComputePipelineDescriptor, DepthStencilState, FragmentState, MultisampleState,
+    PipelineCompilationOptions, PipelineLayoutDescriptor, RenderPipeline, RenderPipelineDescriptor, ShaderModule,
+    ShaderModuleDescriptor, ShaderSource, ShaderStages, TextureFormat, TextureSampleType, TextureViewDimension,
+    VertexState,
+};
+
+use super::{Kind, Split};
+use crate::device::{Device, Scope};
+
+/// What pixels hold before they are resolved: a record and a face in four halves.
+pub(super) const VISIBLE: TextureFormat = TextureFormat::Rgba16Uint;
+/// Depth, reversed.
+pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
+
+/// How a layer is rasterised.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct RasterKey {
+    pub kind: Kind,
+    pub split: Split,
+    pub hidden: bool,
+    pub cutout: bool,
+    pub samples: u32,
+}
+
+/// How a layer's pixels are resolved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct ResolveKey {
+    pub kind: Kind,
+    pub mapped: bool,
+    pub color: bool,
+    pub surface: bool,
+    pub samples: u32,
+}
+
+/// Everything compiled on a device.
+#[derive(Default)]
+pub(crate) struct Pipelines {
+    layouts: OnceLock<Layouts>,
+    modules: Mutex<HashMap<String, ShaderModule>>,
+    rasters: Mutex<HashMap<RasterKey, Arc<RenderPipeline>>>,
+    resolves: Mutex<HashMap<ResolveKey, Arc<ComputePipeline>>>,
+}
+
+/// Shapes of the bind groups.
+pub(super) struct Layouts {
+    /// A scene's tables and the order of its records.
+    pub raster_scene: BindGroupLayout,
+    /// A scene's tables.
+    pub resolve_scene: BindGroupLayout,
+    /// Pass, batch and map.
+    pub view: BindGroupLayout,
+    /// Visible faces, of one sample or several, and the output.
+    pub target: [BindGroupLayout; 2],
+}
+
+impl Pipelines {
+    pub(super) fn layouts(&self, device: &Device) -> &Layouts {
+        self.layouts.get_or_init(|| Layouts::new(device))
+    }
+
+    pub(super) fn raster(&self, device: &Device, key: RasterKey) -> Result<Arc<RenderPipeline>> {
+        let mut known = self.rasters.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(pipeline) = known.get(&key) {
+            return Ok(Arc::clone(pipeline));
+        }
+        let layouts = self.layouts(device);
+        let scope = Scope::open(device);
+        let module = self.module(device, &raster_source());
+        let layout = device.wgpu.create_pipeline_layout(&PipelineLayoutDescriptor {
+            label: Some("raster"),
+            bind_group_layouts: &[Some(&layouts.raster_scene), Some(&layouts.view)],
+            immediate_size: 0,
+        });
+        let constants = [
+            ("KIND", f64::from(key.kind as u32)),
+            ("SPLIT", f64::from(key.split as u32)),
+            ("HIDDEN", f64::from(u8::from(key.hidden))),
+            ("CUTOUT", f64::from(u8::from(key.cutout))),
+        ];
+        let compilation_options =
+            PipelineCompilationOptions { constants: &constants, ..PipelineCompilationOptions::default() };
+        let entry = if device.writes_depth { "fragment_with_depth" } else { "fragment" };
+        let pipeline = device.wgpu.create_render_pipeline(&RenderPipelineDescriptor {
+            label: Some("raster"),
+            layout: Some(&layout),
+            vertex: VertexState {
+                module: &module,
+                entry_point: Some("vertex"),
+                compilation_options: compilation_options.clone(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: Some(DepthStencilState {
+                format: DEPTH,
+                depth_write_enabled: Some(true),
+                // Of equal depths the first drawn stays: the lower triangle, as in the tracer.
+                depth_compare: Some(CompareFunction::Greater),
+                stencil: wgpu::StencilState::default(),
+                bias: wgpu::DepthBiasState::default(),
+            }),
+            multisample: MultisampleState { count: key.samples, ..MultisampleState::default() },
+            fragment: Some(FragmentState {
+                module: &module,
+                entry_point: Some(entry),
+                compilation_options,
+                targets: &[Some(VISIBLE.into())],
+            }),
+            multiview_mask: None,
+            cache: None,
+        });
+        scope.close()?;
+        let pipeline = Arc::new(pipeline);
+        known.insert(key, Arc::clone(&pipeline));
+        Ok(pipeline)
+    }
+
+    pub(super) fn resolve(&self, device: &Device, key: ResolveKey) -> Result<Arc<ComputePipeline>> {
+        let mut known = self.resolves.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(pipeline) = known.get(&key) {
+            return Ok(Arc::clone(pipeline));
+        }
+        let layouts = self.layouts(device);
+        let scope = Scope::open(device);
+        let module = self.module(device, &resolve_source(key.samples));
+        let layout = device.wgpu.create_pipeline_layout(&PipelineLayoutDescriptor {
+            label: Some("resolve"),
+            bind_group_layouts: &[
+                Some(&layouts.resolve_scene),
+                Some(&layouts.view),
+                Some(&layouts.target[usize::from(key.samples > 1)]),
+            ],
+            immediate_size: 0,
+        });
+        let constants = [
+            ("KIND", f64::from(key.kind as u32)),
+            ("MAPPED", f64::from(u8::from(key.mapped))),
+            ("COLOR", f64::from(u8::from(key.color))),
+            ("SURFACE", f64::from(u8::from(key.surface))),
+        ];
+        let pipeline = device.wgpu.create_compute_pipeline(&ComputePipelineDescriptor {
+            label: Some("resolve"),
+            layout: Some(&layout),
+            module: &module,
+            entry_point: Some("resolve"),
+            compilation_options: PipelineCompilationOptions {
+                constants: &constants,
+                ..PipelineCompilationOptions::default()
+            },
+            cache: None,
+        });
+        scope.close()?;
+        let pipeline = Arc::new(pipeline);
+        known.insert(key, Arc::clone(&pipeline));
+        Ok(pipeline)
+    }
+
+    fn module(&self, device: &Device, source: &str) -> ShaderModule {
+        let mut known = self.modules.lock().unwrap_or_else(PoisonError::into_inner);
+        let make = || {
+            let source = ShaderSource::Wgsl(source.to_string().into());
+            device.wgpu.create_shader_module(ShaderModuleDescriptor { label: Some("nearfar"), source })
+        };
+        known.entry(source.to_string()).or_insert_with(make).clone()
+    }
+}
+
+const SCENE: &str = include_str!("../shaders/scene.wgsl");
+const MORPH: &str = include_str!("../shaders/morph.wgsl");
+const CUBE: &str = include_str!("../shaders/cube.wgsl");
+const SURFACE: &str = include_str!("../shaders/surface.wgsl");
+const RASTER: &str = include_str!("../shaders/raster.wgsl");
+const RESOLVE: &str = include_str!("../shaders/resolve.wgsl");
+
+fn raster_source() -> String {
+    [&shading_constants()[..], SCENE, MORPH, CUBE, SURFACE, RASTER].concat()
+}
+
+fn resolve_source(samples: u32) -> String {
+    let (texture, index) = if samples > 1 { ("multisampled_2d", "i32(sample_index)") } else { ("2d", "0") };
+    let load = format!(
+        "const SAMPLES: u32 = {samples}u;\n@group(2) @binding(0) var visible: texture_{texture}<u32>;\n\
+         fn load_visible(pixel: vec2<u32>, sample_index: u32) -> vec4<u32> {{ \
+         return textureLoad(visible, vec2<i32>(pixel), {index}); }}\n"
+    );
+    [&shading_constants()[..], SCENE, MORPH, CUBE, SURFACE, &load, RESOLVE].concat()
+}
+
+/// The shading formula's numbers, written once for all renderers.
+fn shading_constants() -> String {
+    let [nadir, horizon, zenith] = shade::BACKGROUND;
+    let vectors = [
+        ("SUN_DIRECTION", shade::SUN_DIRECTION.to_array()),
+        ("SUN", shade::SUN),
+        ("SKY_DIRECTION", shade::SKY_DIRECTION.to_array()),
+        ("SKY_LOW", shade::SKY[0]),
+        ("SKY_HIGH", shade::SKY[1]),
+        ("NADIR", nadir),
+        ("HORIZON", horizon),
+        ("ZENITH", zenith),
+    ];
+    vectors.iter().map(|(name, [x, y, z])| format!("const {name} = vec3<f32>({x:?}, {y:?}, {z:?});\n")).collect()
+}
+
+impl Layouts {
+    fn new(device: &Device) -> Self {
+        let storage = |read_only| BufferBindingType::Storage { read_only };
+        let buffer = |ty, has_dynamic_offset| BindingType::Buffer { ty, has_dynamic_offset, min_binding_size: None };
+        let texture = |sample_type, view_dimension, multisampled| BindingType::Texture {
+            sample_type,
+            view_dimension,
+            multisampled,
+        };
+        let layout = |label, stages: ShaderStages, types: &[BindingType]| {
+            let entry = |(binding, &ty): (usize, &BindingType)| BindGroupLayoutEntry {
+                binding: binding as u32,
+                visibility: stages,
+                ty,
+                count: None,
+            };
+            let entries: Vec<_> = types.iter().enumerate().map(entry).collect();
+            device.wgpu.create_bind_group_layout(&BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
+        };
+        let table = buffer(storage(true), false);
+        let array = TextureViewDimension::D2Array;
+        let texels = texture(TextureSampleType::Uint, array, false);
+        let floats = texture(TextureSampleType::Float { filterable: false }, array, false);
+        let uniform = buffer(BufferBindingType::Uniform, true);
+        let drawing = ShaderStages::VERTEX_FRAGMENT;
+        let target = |multisampled| {
+            let visible = texture(TextureSampleType::Uint, TextureViewDimension::D2, multisampled);
+            layout("target", ShaderStages::COMPUTE, &[visible, buffer(storage(false), false)])
+        };
+        Self {
+            raster_scene: layout("scene", drawing, &[table, table, table, table, table, texels, table]),
+            resolve_scene: layout("scene", ShaderStages::COMPUTE, &[table, table, table, table, table, texels]),
+            view: layout("view", drawing | ShaderStages::COMPUTE, &[uniform, uniform, floats, floats]),
+            target: [target(false), target(true)],
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! The output as a frame's images: one copy, and numbers of faces that become numbers of the scene.
+
+use nearfar_core::base::Result;
+use nearfar_core::render::Frame;
+use rayon::prelude::*;
+
+use super::Picture;
+use super::bindings::Numbering;
+use super::job::Submitted;
+use super::layers::Layer;
+use crate::device::Device;
+
+/// Copies a window into its place in a frame of `width` pixels a row.
+pub(super) fn copy(
+    device: &Device,
+    done: &Submitted,
+    picture: &Picture,
+    width: u32,
+    frame: &mut Frame,
+) -> Result<()> {
+    let window = &done.window;
+    let view = done.slot.readable().get_mapped_range(..done.slot.shape.bytes.next_multiple_of(8));
+    let view = view.map_err(|error| device.failure(&error))?;
+    let words: &[u32] = bytemuck::cast_slice(&view);
+    let section = |channel: usize, each: usize| {
+        let start = done.outputs[channel] as usize;
+        &words[start..start + each * window.pixels()]
+    };
+    let (columns, stride) = (window.width as usize, width as usize);
+    let first = window.row as usize * stride + window.column as usize;
+    // Rows of the window: where they go, and where they come from.
+    let place = |image_row: usize| first + image_row * stride;
+    let vectors = [(0, &mut frame.color), (3, &mut frame.position), (4, &mut frame.normal)];
+    for (channel, image) in vectors.into_iter().filter(|(_, image)| !image.is_empty()) {
+        let values: &[[f32; 3]] = bytemuck::cast_slice(section(channel, 3));
+        rows(image, place(0), stride, columns, window.height).zip(values.par_chunks(columns)).for_each(|(to, from)| {
+            to.copy_from_slice(from);
+        });
+    }
+    if !frame.range.is_empty() {
+        let values: &[f32] = bytemuck::cast_slice(section(1, 1));
+        rows(&mut frame.range, place(0), stride, columns, window.height)
+            .zip(values.par_chunks(columns))
+            .for_each(|(to, from)| to.copy_from_slice(from));
+    }
+    let names = Names { picture, numbering: &done.numbering };
+    if !frame.object_id.is_empty() {
+        let values: &[[u32; 2]] = bytemuck::cast_slice(section(2, 2));
+        rows(&mut frame.object_id, place(0), stride, columns, window.height)
+            .zip(values.par_chunks(columns))
+            .for_each(|(to, from)| names.fill(to, from, |layer, instance, face| layer.object_of(instance, face), |n| names.far_object(n), -1));
+    }
+    if !frame.face_id.is_empty() {
+        let values: &[[u32; 2]] = bytemuck::cast_slice(section(2, 2));
+        rows(&mut frame.face_id, place(0), stride, columns, window.height)
+            .zip(values.par_chunks(columns))
+            .for_each(|(to, from)| names.fill(to, from, |layer, instance, face| layer.triangle_of(instance, face), |_| -1, -1));
+    }
+    Ok(())
+}
+
+/// The parts of an image's rows that a window covers.
+fn rows<T: Send>(
+    image: &mut [T],
+    first: usize,
+    stride: usize,
+    columns: usize,
+    height: u32,
+) -> impl IndexedParallelIterator<Item = &mut [T]> {
+    let column = first % stride;
+    let rows = image[first - column..].par_chunks_mut(stride).take(height as usize);
+    rows.map(move |row| &mut row[column..column + columns])
+}
+
+/// What numbers of records stand for.
+struct Names<'a> {
+    picture: &'a Picture,
+    numbering: &'a [Numbering],
+}
+
+impl Names<'_> {
+    /// Numbers of a row's pixels; neighbours mostly show one face.
+    fn fill<T: Copy>(
+        &self,
+        to: &mut [T],
+        from: &[[u32; 2]],
+        of_face: impl Fn(&Layer, u32, u32) -> T,
+        of_texel: impl Fn(u32) -> T,
+        none: T,
+    ) {
+        let mut last = ([u32::MAX; 2], none);
+        for (slot, &id) in to.iter_mut().zip(from) {
+            if id != last.0 {
+                let [record, face] = id;
+                let value = match self.locate(record) {
+                    Some((layer, record)) => {
+                        let (instance, first_face) = layer.sources()[record as usize];
+                        of_face(layer, instance, first_face + face)
+                    }
+                    None if face != u32::MAX => of_texel(face),
+                    None => none,
+                };
+                last = (id, value);
+            }
+            *slot = last.1;
+        }
+    }
+
+    /// The layer of a record, and its place in the layer's set.
+    fn locate(&self, record: u32) -> Option<(&Layer, u32)> {
+        let after = self.numbering.partition_point(|numbering| numbering.first <= record);
+        let found = self.numbering.get(after.checked_sub(1)?)?;
+        let local = record - found.first;
+        (local < found.count).then(|| (&self.picture.layers[found.layer], found.first_in_set + local))
+    }
+
+    fn far_object(&self, texel: u32) -> i32 {
+        let objects = self.picture.far_objects.as_ref();
+        objects.and_then(|objects| objects.get(texel as usize)).copied().unwrap_or(-1)
+    }
+}

@@ -1,0 +1,244 @@
+//! Cameras as numbers for shaders: windows of an image, and what a pass is told.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{DMat3, DVec2, DVec3, DVec4};
+use nearfar_core::camera::{Camera, Fov, Projection};
+use nearfar_core::cubemap::direction_from_face;
+
+use super::Picture;
+
+/// A part of an image that is drawn at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Window {
+    pub column: u32,
+    pub row: u32,
+    pub width: u32,
+    pub height: u32,
+}
+
+impl Window {
+    pub fn pixels(&self) -> usize {
+        self.width as usize * self.height as usize
+    }
+
+    /// The bounds of a view that it covers, with a pixel around for samples beside the centres.
+    pub fn part_of(&self, camera: &Camera, fov: &Fov) -> Fov {
+        let (across, down) = (fov.right - fov.left, fov.up - fov.down);
+        let column = |pixel: f64| fov.left + across * pixel / f64::from(camera.width);
+        let row = |pixel: f64| fov.up - down * pixel / f64::from(camera.height);
+        Fov {
+            left: column(f64::from(self.column) - 1.0),
+            right: column(f64::from(self.column + self.width) + 1.0),
+            down: row(f64::from(self.row + self.height) + 1.0),
+            up: row(f64::from(self.row) - 1.0),
+        }
+    }
+
+    /// Windows of an image, each with no more pixels and no wider than allowed.
+    pub fn split(width: u32, height: u32, pixels: u64, side: u32) -> Vec<Self> {
+        let across = side.min(width).min(pixels.min(u64::from(u32::MAX)) as u32).max(1);
+        let down = ((pixels / u64::from(across)).min(u64::from(side)) as u32).clamp(1, height);
+        let mut windows = Vec::new();
+        for row in (0..height).step_by(down as usize) {
+            for column in (0..width).step_by(across as usize) {
+                windows.push(Self {
+                    column,
+                    row,
+                    width: across.min(width - column),
+                    height: down.min(height - row),
+                });
+            }
+        }
+        windows
+    }
+}
+
+/// Metres from the eye within which nothing is drawn. Reversed floating-point depth is as exact at any distance for any
+/// near plane.
+const NEAR: f64 = 1e-4;
+
+/// The uniform block `Pass` of `scene.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub(super) struct Pass {
+    clip: [[f32; 4]; 4],
+    eye: [f32; 4],
+    offset: [f32; 4],
+    radii: [f32; 4],
+    start: [[f32; 4]; 3],
+    direction: [[f32; 4]; 3],
+    footprint: [f32; 4],
+    window: [u32; 4],
+    environment: [u32; 4],
+    outputs: [u32; 4],
+    more_outputs: [u32; 4],
+}
+
+/// Bytes of an image's channels in the output: the first word of each, or `u32::MAX`.
+pub(super) type Outputs = [u32; 5];
+
+/// What differs between the passes of one window.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sampling {
+    /// Where in its pixel a sample lies.
+    pub offset: [f64; 2],
+    /// Side of the square that it stands for, in pixels.
+    pub scale: f64,
+    /// Its share of the pixel's colour.
+    pub weight: f32,
+    /// It is added to what is there.
+    pub adds: bool,
+}
+
+impl Sampling {
+    /// One sample at the pixel's centre.
+    pub const CENTER: Self = Self { offset: [0.5, 0.5], scale: 1.0, weight: 1.0, adds: false };
+}
+
+/// Axes of a view: to the right, upwards and ahead.
+pub(super) struct Axes {
+    pub right: DVec3,
+    pub up: DVec3,
+    pub ahead: DVec3,
+    pub fov: Fov,
+}
+
+impl Axes {
+    pub fn of(camera: &Camera) -> Self {
+        let axes = DMat3::from_quat(camera.orientation);
+        let (right, up, ahead) = (axes.x_axis, axes.y_axis, -axes.z_axis);
+        match camera.projection {
+            Projection::Perspective(fov) | Projection::Orthographic(fov) => Self { right, up, ahead, fov },
+            Projection::CubeFace(face) => {
+                let ahead = direction_from_face(face, 0.0, 0.0);
+                let right = direction_from_face(face, 1.0, 0.0) - ahead;
+                let up = ahead - direction_from_face(face, 0.0, 1.0);
+                Self { right, up, ahead, fov: Fov { left: -1.0, right: 1.0, down: -1.0, up: 1.0 } }
+            }
+        }
+    }
+}
+
+/// The eye as the tracer rounds it: relative to the scenes' origin, in float32.
+pub(super) fn eye_of(camera: &Camera, picture: &Picture) -> DVec3 {
+    (camera.position - picture.origin).as_vec3().as_dvec3()
+}
+
+/// What a pass over a window is told. `farthest` is the depth of all that is drawn, for parallel rays.
+pub(super) fn pass_of(
+    picture: &Picture,
+    camera: &Camera,
+    window: &Window,
+    sampling: &Sampling,
+    outputs: &Outputs,
+    farthest: f64,
+) -> Pass {
+    let eye = eye_of(camera, picture);
+    let near = if camera.is_parallel() { 0.0 } else { NEAR };
+    let offset = camera.position - picture.origin - picture.center;
+    let [r1, r2, split] = picture.radii;
+    let slope = if r2 > r1 { 1.0 / (r2 - r1) } else { 0.0 };
+    // Rays of the window's pixel (0, 0) through the sample's place, and their steps.
+    let place = DVec2::new(f64::from(window.column) + sampling.offset[0], f64::from(window.row) + sampling.offset[1]);
+    let ray = |x: f64, y: f64| camera.ray(place.x + x, place.y + y);
+    let (first, right, down) = (ray(0.0, 0.0), ray(1.0, 0.0), ray(0.0, 1.0));
+    let wide = |v: DVec3| v.as_vec3().extend(0.0).to_array();
+    let environment = picture.map.as_ref().map_or([0; 4], |map| {
+        [map.size, map.color.shift, map.range.shift, u32::from(map.has_range)]
+    });
+    let [color, range, ids, position, normal] = *outputs;
+    Pass {
+        clip: clip_rows(camera, window, sampling, farthest).map(|row| row.as_vec4().to_array()),
+        eye: eye.as_vec3().extend(near as f32).to_array(),
+        offset: offset.as_vec3().extend(picture.two_texels as f32).to_array(),
+        radii: [r1, r2, split, slope].map(|x| x as f32),
+        start: [first.0, right.0 - first.0, down.0 - first.0].map(wide),
+        direction: [first.1, right.1 - first.1, down.1 - first.1].map(wide),
+        footprint: [
+            (camera.pixel_size() * sampling.scale) as f32,
+            if camera.is_parallel() { 1.0 } else { 0.0 },
+            sampling.weight,
+            0.0,
+        ],
+        window: [window.width, window.height, 0, u32::from(sampling.adds)],
+        environment,
+        outputs: [color, range, ids, position],
+        more_outputs: [normal, 0, 0, 0],
+    }
+}
+
+/// Rows that take (point relative to the eye, 1) to clip space: reversed depth, 1 at the near plane and 0 at infinity;
+/// for parallel rays 1 at the image plane and 0 at the farthest depth.
+fn clip_rows(camera: &Camera, window: &Window, sampling: &Sampling, farthest: f64) -> [DVec4; 4] {
+    let Axes { right, up, ahead, fov } = Axes::of(camera);
+    let (center, size) = (
+        DVec2::new(fov.left + fov.right, fov.down + fov.up),
+        DVec2::new(fov.right - fov.left, fov.up - fov.down),
+    );
+    let (x, y, z, w) = if camera.is_parallel() {
+        (
+            (2.0 * right / size.x).extend(-center.x / size.x),
+            (2.0 * up / size.y).extend(-center.y / size.y),
+            (-ahead / farthest).extend(1.0),
+            DVec4::W,
+        )
+    } else {
+        (
+            ((2.0 * right - center.x * ahead) / size.x).extend(0.0),
+            ((2.0 * up - center.y * ahead) / size.y).extend(0.0),
+            DVec4::new(0.0, 0.0, 0.0, NEAR),
+            ahead.extend(0.0),
+        )
+    };
+    // The window fills clip space, and the sample's place the pixel's centre.
+    let (width, height) = (f64::from(camera.width), f64::from(camera.height));
+    let (columns, rows) = (f64::from(window.width), f64::from(window.height));
+    let shift_x = width - columns - 2.0 * f64::from(window.column) + 2.0 * (0.5 - sampling.offset[0]);
+    let shift_y = height - rows - 2.0 * f64::from(window.row) + 2.0 * (0.5 - sampling.offset[1]);
+    [(x * width + w * shift_x) / columns, (y * height - w * shift_y) / rows, z, w]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DQuat;
+
+    #[test]
+    fn clip_space_agrees_with_the_camera_in_every_window_and_sample() {
+        let fov = Fov { left: -0.7, right: 1.1, down: -0.9, up: 0.4 };
+        let projections = [Projection::Perspective(fov), Projection::Orthographic(fov), Projection::CubeFace(3)];
+        for projection in projections {
+            let turn = DQuat::from_rotation_y(0.4) * DQuat::from_rotation_x(0.3);
+            let camera = Camera::new(DVec3::new(5.0, 2.0, -3.0), turn, projection, 64, 64).unwrap();
+            for window in Window::split(64, 64, 500, 40) {
+                let sampling = Sampling { offset: [0.3, 0.9], ..Sampling::CENTER };
+                let rows = clip_rows(&camera, &window, &sampling, 100.0);
+                let (start, direction) = camera.ray(33.3, 20.9);
+                let point = start + 7.0 * direction;
+                let clip = rows.map(|row| row.dot(point.extend(1.0)));
+                let column = (clip[0] / clip[3] + 1.0) / 2.0 * f64::from(window.width) + f64::from(window.column);
+                let row = (1.0 - clip[1] / clip[3]) / 2.0 * f64::from(window.height) + f64::from(window.row);
+                // A sample at its place is drawn at the pixel's centre.
+                assert!((column - 33.5).abs() < 1e-9 && (row - 20.5).abs() < 1e-9, "{projection:?} {column} {row}");
+                assert!((0.0..=1.0).contains(&(clip[2] / clip[3])));
+            }
+        }
+    }
+
+    #[test]
+    fn windows_cover_every_pixel_once() {
+        for (width, height, pixels, side) in [(7, 5, 1, 9), (100, 3, 250, 64), (64, 64, 1 << 20, 64), (1, 900, 100, 50)] {
+            let windows = Window::split(width, height, pixels, side);
+            let mut seen = vec![0; (width * height) as usize];
+            for window in windows {
+                assert!(window.pixels() as u64 <= pixels && window.width <= side && window.height <= side);
+                for row in window.row..window.row + window.height {
+                    for column in window.column..window.column + window.width {
+                        seen[(row * width + column) as usize] += 1;
+                    }
+                }
+            }
+            assert!(seen.iter().all(|&count| count == 1));
+        }
+    }
+}

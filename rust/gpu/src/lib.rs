@@ -1,0 +1,14 @@
+//! The GPU back end: what the ray tracer does, drawn by wgpu on Vulkan, Metal, DirectX 12 or OpenGL.
+//!
+//! A frame is drawn in two steps. The raster pass stores which face each pixel shows, and nothing else. Then a compute
+//! pass works out what is known of that face along the pixel's own ray (colour, range, numbers, position, normal), once
+//! for each pixel and in the wanted channels only, by the tracer's formulas. So pictures of both back ends differ by
+//! rounding alone, and what is hidden costs nothing but its depth.
+
+pub mod device;
+pub mod draw;
+pub mod truth;
+mod upload;
+
+pub use device::{AdapterKind, AdapterReport, Counters, Device};
+pub use draw::Job;

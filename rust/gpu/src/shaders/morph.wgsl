@@ -1,0 +1,75 @@
+// Where a point is shown: the morph of Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and of CloVR (2024), Alg. 1.
+
+const AS_IT_IS: u32 = 0u;
+const BLEND: u32 = 1u;
+const CYLINDER: u32 = 2u;
+const FROM_CENTER: u32 = 3u;
+
+override KIND: u32 = AS_IT_IS;
+
+// Distance from the eye along a unit direction to where it leaves the cylinder of radius rho about the centre's axis;
+// negative where it starts outside or never leaves. The larger root in the form that does not cancel.
+fn leave_cylinder(direction: vec3<f32>, rho: f32) -> f32 {
+    let start = view.offset.xz;
+    let start_rho = length(start);
+    let a = dot(direction.xz, direction.xz);
+    if rho <= start_rho || a == 0.0 {
+        return -1.0;
+    }
+    let b = dot(direction.xz, start);
+    let c = (start_rho - rho) * (start_rho + rho);
+    let discriminant = b * b - a * c;
+    if discriminant < 0.0 {
+        return -1.0;
+    }
+    let q = sqrt(discriminant);
+    if b > 0.0 {
+        return -c / (b + q);
+    }
+    return (q - b) / a;
+}
+
+// Where a point relative to the eye is shown, relative to the eye.
+fn shown(p: vec3<f32>) -> vec3<f32> {
+    if KIND == AS_IT_IS {
+        return p;
+    }
+    let from_center = p + view.offset.xyz;
+    if KIND == FROM_CENTER {
+        return from_center;
+    }
+    let rho = length(from_center.xz);
+    if rho <= view.radii.x {
+        return p;
+    }
+    if rho >= view.radii.y && KIND == BLEND {
+        return from_center;
+    }
+    let w = clamp((view.radii.y - rho) * view.radii.w, 0.0, 1.0);
+    let by_user = length(p);
+    let by_center = length(from_center);
+    let user_direction = p / max(by_user, 1e-30);
+    let mixed = w * user_direction + (1.0 - w) * from_center / max(by_center, 1e-30);
+    let size = length(mixed);
+    var direction = user_direction;
+    if size > 1e-6 {
+        direction = mixed / size;
+    }
+    var distance = w * by_user + (1.0 - w) * by_center;
+    if KIND == CYLINDER {
+        let exit = leave_cylinder(direction, rho);
+        if exit >= 0.0 {
+            distance = exit;
+        }
+    }
+    return distance * direction;
+}
+
+// How far away the user is shown what the centre sees at a distance beyond r2.
+fn far_distance(direction: vec3<f32>, from_center: f32) -> f32 {
+    if KIND != CYLINDER || from_center > 1e30 {
+        return from_center;
+    }
+    let exit = leave_cylinder(direction, from_center * length(direction.xz));
+    return select(from_center, exit, exit >= 0.0);
+}

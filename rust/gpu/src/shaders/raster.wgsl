@@ -1,0 +1,134 @@
+// Which face each pixel shows: a record and a face of its part. All else is computed once for each pixel afterwards.
+
+const WHOLE: u32 = 0u;
+const WITHIN: u32 = 1u;
+const BEYOND: u32 = 2u;
+const OVERLAPPING: u32 = 3u;
+
+// Which fragments are drawn, by their distance from the centre's axis.
+override SPLIT: u32 = WHOLE;
+// Fragments behind the map's range are not.
+override HIDDEN: bool = false;
+// Holes of cut-out materials are not.
+override CUTOUT: bool = false;
+
+@group(0) @binding(6) var<storage, read> order: array<u32>;
+
+struct Vertex {
+    @builtin(position) position: vec4<f32>,
+    @location(0) @interpolate(flat) id: vec2<u32>,
+    // Before the morph, from the centre.
+    @location(1) from_center: vec3<f32>,
+    // After it, from the eye.
+    @location(2) from_eye: vec3<f32>,
+    @location(3) @interpolate(flat) normal: vec3<f32>,
+    @location(4) uv: vec2<f32>,
+    @location(5) alpha: f32,
+}
+
+@vertex
+fn vertex(@builtin(vertex_index) number: u32, @builtin(instance_index) instance: u32) -> Vertex {
+    let local = order[instance];
+    let record = records[local];
+    let part = parts[record.part.x];
+    let vertex = page[part.faces + number];
+    let p = seen_from_eye(record, part, vertex);
+    let q = shown(p);
+    let at = vec4<f32>(q, 1.0);
+    var out: Vertex;
+    out.position = vec4<f32>(dot(view.clip_x, at), dot(view.clip_y, at), dot(view.clip_z, at), dot(view.clip_w, at));
+    let face = number / 3u;
+    out.id = vec2<u32>(batch.records.x + local, face);
+    out.from_center = p + view.offset.xyz;
+    out.from_eye = q;
+    if SPLIT == OVERLAPPING {
+        let a = seen_from_eye(record, part, corner_number(part, face, 0u));
+        let b = seen_from_eye(record, part, corner_number(part, face, 1u));
+        let c = seen_from_eye(record, part, corner_number(part, face, 2u));
+        let size = max(max(length(b - a), length(c - a)), 1e-30);
+        out.normal = cross((b - a) / size, (c - a) / size);
+    }
+    if CUTOUT {
+        if part.uvs != NONE {
+            out.uv = uv_of(part, vertex);
+        }
+        out.alpha = 1.0;
+        if part.colors != NONE {
+            out.alpha = color_of(part, vertex).a;
+        }
+    }
+    return out;
+}
+
+// How much the distance from the axis grows along a surface when the direction from the centre turns by two texels.
+fn reach(from_center: vec3<f32>, normal: vec3<f32>) -> f32 {
+    let direction = normalize(from_center);
+    let flat_part = vec3<f32>(direction.x, 0.0, direction.z);
+    let away = flat_part / max(length(flat_part), 1e-30);
+    let slant = dot(away, direction) / dot(normal, direction);
+    return length(away - normal * slant) * length(from_center) * view.offset.w;
+}
+
+fn is_drawn(in: Vertex) -> bool {
+    let rho = length(in.from_center.xz);
+    var drawn = true;
+    if SPLIT == WITHIN {
+        drawn = rho <= view.radii.z;
+    }
+    if SPLIT == BEYOND {
+        drawn = rho > view.radii.z;
+    }
+    if SPLIT == OVERLAPPING {
+        drawn = rho >= view.radii.z || rho + reach(in.from_center, in.normal) >= view.radii.z;
+    }
+    if HIDDEN {
+        let distance = length(in.from_eye);
+        let direction = in.from_eye / distance;
+        drawn = drawn && distance <= far_distance(direction, range_limit(direction));
+    }
+    if CUTOUT {
+        drawn = drawn && is_solid(in);
+    }
+    return drawn;
+}
+
+fn is_solid(in: Vertex) -> bool {
+    let record = records[in.id.x - batch.records.x];
+    let part = parts[record.part.x];
+    let material = material_of(part, in.id.y);
+    if material.cutoff < 0.0 {
+        return true;
+    }
+    var alpha = material.base_color.a * in.alpha;
+    if material.texture != NONE && part.uvs != NONE {
+        let texture = textures[material.texture];
+        alpha *= bilinear(texture.finest, texture.width, texture.height, in.uv).a;
+    }
+    return alpha >= material.cutoff;
+}
+
+fn packed(id: vec2<u32>) -> vec4<u32> {
+    return vec4<u32>(id.x & 0xffffu, id.x >> 16u, id.y & 0xffffu, id.y >> 16u);
+}
+
+@fragment
+fn fragment(in: Vertex) -> @location(0) vec4<u32> {
+    if !is_drawn(in) {
+        discard;
+    }
+    return packed(in.id);
+}
+
+struct WithDepth {
+    @location(0) id: vec4<u32>,
+    @builtin(frag_depth) depth: f32,
+}
+
+// OpenGL maps depths from -1..1 and loses what reversed z is for; a fragment's own depth is stored as it is.
+@fragment
+fn fragment_with_depth(in: Vertex) -> WithDepth {
+    if !is_drawn(in) {
+        discard;
+    }
+    return WithDepth(packed(in.id), select(in.position.z, view.eye.w * in.position.w, view.eye.w > 0.0));
+}

@@ -1,0 +1,252 @@
+// Everything that is known of a pixel once its face is: along the pixel's own ray, in the wanted channels only.
+
+override MAPPED: bool = false;
+override COLOR: bool = true;
+// Any of the other channels: of one sample, at the pixel's centre.
+override SURFACE: bool = true;
+
+@group(2) @binding(1) var<storage, read_write> output: array<u32>;
+
+// The face that a sample of a pixel shows; record NONE for none.
+fn face_at(pixel: vec2<u32>, sample: u32) -> vec2<u32> {
+    let words = load_visible(pixel, sample);
+    return vec2<u32>(words.x | (words.y << 16u), words.z | (words.w << 16u));
+}
+
+struct Ray {
+    start: vec3<f32>,
+    direction: vec3<f32>,
+    // Width across the ray at its start, and for each metre.
+    footprint: vec2<f32>,
+}
+
+fn ray_of(pixel: vec2<u32>) -> Ray {
+    let at = vec2<f32>(pixel);
+    let start = view.start.xyz + at.x * view.start_x.xyz + at.y * view.start_y.xyz;
+    let longer = view.direction.xyz + at.x * view.direction_x.xyz + at.y * view.direction_y.xyz;
+    let secant = length(longer);
+    let size = view.footprint.x;
+    let footprint = select(vec2<f32>(0.0, size / (secant * sqrt(secant))), vec2<f32>(size, 0.0), view.footprint.y > 0.0);
+    return Ray(start, longer / secant, footprint);
+}
+
+struct Surface {
+    // Weights of the face's second and third corner.
+    at: vec2<f32>,
+    // Along the ray.
+    range: f32,
+    // From the eye, before the morph.
+    point: vec3<f32>,
+    // Towards the viewer.
+    normal: vec3<f32>,
+    cosine: f32,
+    doubled_area: f32,
+}
+
+// The point of a face that a ray meets; the nearest point of the face where it passes by, as rasters do by a fraction
+// of a pixel.
+fn surface_of(record: Record, part: Part, face: u32, ray: Ray) -> Surface {
+    let a = seen_from_eye(record, part, corner_number(part, face, 0u));
+    let b = seen_from_eye(record, part, corner_number(part, face, 1u));
+    let c = seen_from_eye(record, part, corner_number(part, face, 2u));
+    let shown_a = shown(a) - ray.start;
+    let shown_b = shown(b) - ray.start;
+    let shown_c = shown(c) - ray.start;
+    let volumes = vec3<f32>(
+        dot(ray.direction, cross(shown_b, shown_c)),
+        dot(ray.direction, cross(shown_c, shown_a)),
+        dot(ray.direction, cross(shown_a, shown_b)),
+    );
+    let sum = volumes.x + volumes.y + volumes.z;
+    var weights = vec3<f32>(1.0, 0.0, 0.0);
+    if sum != 0.0 {
+        weights = max(volumes / sum, vec3<f32>(0.0));
+    }
+    weights /= weights.x + weights.y + weights.z;
+    let at = weights.yz;
+    let hit = blend_3(shown_a, shown_b, shown_c, at);
+    // The plane's distance is exact where the weights are not: on large faces that are seen at a slant.
+    let shown_size = max(max(length(shown_b - shown_a), length(shown_c - shown_a)), 1e-30);
+    let shown_normal = cross((shown_b - shown_a) / shown_size, (shown_c - shown_a) / shown_size);
+    let along = dot(shown_normal, ray.direction);
+    var range = dot(hit, ray.direction);
+    let inside = min(volumes.x / sum, min(volumes.y / sum, volumes.z / sum)) >= 0.0;
+    if inside && along != 0.0 {
+        range = dot(shown_normal, shown_a) / along;
+    }
+    let size = max(max(length(b - a), length(c - a)), 1e-30);
+    let normal = cross((b - a) / size, (c - a) / size);
+    let area = length(normal);
+    var outside = -ray.direction;
+    if area > 0.0 {
+        outside = normal / area;
+    }
+    let cosine = dot(outside, ray.direction);
+    return Surface(
+        at,
+        max(range, 0.0),
+        blend_3(a, b, c, at),
+        select(outside, -outside, cosine > 0.0),
+        min(abs(cosine), 1.0),
+        area * size * size,
+    );
+}
+
+fn surface_color(part: Part, face: u32, surface: Surface, ray: Ray) -> vec3<f32> {
+    let width = ray.footprint.x + ray.footprint.y * surface.range;
+    let footprint = width / sqrt(max(surface.cosine, 1e-4));
+    return albedo(part, face, surface.at, footprint, surface.doubled_area) * irradiance(surface.normal);
+}
+
+fn missed_color(ray: Ray) -> vec3<f32> {
+    if MAPPED {
+        return environment_color(ray.direction);
+    }
+    return background(ray.direction);
+}
+
+// True where this batch's records and page hold a face.
+fn is_mine(id: vec2<u32>) -> bool {
+    if id.x - batch.records.x >= batch.records.y {
+        return false;
+    }
+    return parts[records[id.x - batch.records.x].part.x].page == batch.records.z;
+}
+
+fn store(word: u32, value: f32) {
+    output[word] = bitcast<u32>(value);
+}
+
+fn store_3(word: u32, value: vec3<f32>) {
+    store(word, value.x);
+    store(word + 1u, value.y);
+    store(word + 2u, value.z);
+}
+
+fn color_of_sample(id: vec2<u32>, ray: Ray) -> vec3<f32> {
+    if id.x == NONE {
+        return select(vec3<f32>(0.0), missed_color(ray), batch.records.w != 0u);
+    }
+    if !is_mine(id) {
+        return vec3<f32>(0.0);
+    }
+    let record = records[id.x - batch.records.x];
+    let part = parts[record.part.x];
+    return surface_color(part, id.y, surface_of(record, part, id.y, ray), ray);
+}
+
+// Colour of a pixel's samples, as far as they are this batch's: each face is shaded once, at the pixel's centre.
+fn color_of_samples(pixel: vec2<u32>, ray: Ray) -> vec3<f32> {
+    var last = face_at(pixel, 0u);
+    var color = color_of_sample(last, ray);
+    var sum = color;
+    for (var i = 1u; i < SAMPLES; i++) {
+        let id = face_at(pixel, i);
+        if any(id != last) {
+            last = id;
+            color = color_of_sample(id, ray);
+        }
+        sum += color;
+    }
+    return sum / f32(SAMPLES);
+}
+
+fn store_color(number: u32, color: vec3<f32>, adds: bool) {
+    let word = view.outputs.x + 3u * number;
+    var sum = color * view.footprint.z;
+    if adds {
+        sum += vec3<f32>(
+            bitcast<f32>(output[word]),
+            bitcast<f32>(output[word + 1u]),
+            bitcast<f32>(output[word + 2u]),
+        );
+    }
+    store_3(word, sum);
+}
+
+@compute @workgroup_size(8, 8)
+fn resolve(@builtin(global_invocation_id) pixel: vec3<u32>) {
+    if any(pixel.xy >= view.window.xy) {
+        return;
+    }
+    let number = pixel.y * view.window.x + pixel.x;
+    let ray = ray_of(pixel.xy);
+    let writes_first = batch.records.w != 0u;
+    let adds = view.window.w != 0u;
+    if SAMPLES > 1u {
+        // Several batches may own samples of one pixel: the first one writes, the others add.
+        store_color(number, color_of_samples(pixel.xy, ray), adds || !writes_first);
+        return;
+    }
+    let id = face_at(pixel.xy, 0u);
+    if id.x == NONE {
+        if writes_first {
+            if COLOR {
+                store_color(number, missed_color(ray), adds);
+            }
+            if SURFACE {
+                store_miss(number, ray);
+            }
+        }
+        return;
+    }
+    if !is_mine(id) {
+        return;
+    }
+    let record = records[id.x - batch.records.x];
+    let part = parts[record.part.x];
+    let surface = surface_of(record, part, id.y, ray);
+    if COLOR {
+        store_color(number, surface_color(part, id.y, surface, ray), adds);
+    }
+    if SURFACE {
+        store_surface(number, id, surface);
+    }
+}
+
+fn store_surface(number: u32, id: vec2<u32>, surface: Surface) {
+    if view.outputs.y != NONE {
+        store(view.outputs.y + number, surface.range);
+    }
+    if view.outputs.z != NONE {
+        output[view.outputs.z + 2u * number] = id.x;
+        output[view.outputs.z + 2u * number + 1u] = id.y;
+    }
+    if view.outputs.w != NONE {
+        store_3(view.outputs.w + 3u * number, surface.point + view.eye.xyz);
+    }
+    if view.more_outputs.x != NONE {
+        store_3(view.more_outputs.x + 3u * number, surface.normal);
+    }
+}
+
+// What a pixel without a face shows: the map's range, and its texel in place of a face.
+fn store_miss(number: u32, ray: Ray) {
+    let infinite = bitcast<f32>(0x7f800000u + view.window.w * 0u);
+    let nan = bitcast<f32>(0x7fc00000u + view.window.w * 0u);
+    var range = infinite;
+    var texel = NONE;
+    if MAPPED {
+        texel = texel_number(ray.direction, view.environment.x);
+        if view.environment.w != 0u {
+            range = map_range_of(texel);
+        }
+    }
+    if view.outputs.y != NONE {
+        store(view.outputs.y + number, far_distance(ray.direction, range));
+    }
+    if view.outputs.z != NONE {
+        output[view.outputs.z + 2u * number] = NONE;
+        output[view.outputs.z + 2u * number + 1u] = texel;
+    }
+    if view.outputs.w != NONE {
+        var point = vec3<f32>(nan);
+        if range < 1e30 {
+            point = view.eye.xyz - view.offset.xyz + range * ray.direction;
+        }
+        store_3(view.outputs.w + 3u * number, point);
+    }
+    if view.more_outputs.x != NONE {
+        store_3(view.more_outputs.x + 3u * number, vec3<f32>(nan));
+    }
+}

@@ -1,0 +1,125 @@
+// A scene as tables: pages of words, parts of meshes in them, and instances that place parts.
+
+struct Pass {
+    // Rows that take (point relative to the eye, 1) to clip space.
+    clip_x: vec4<f32>,
+    clip_y: vec4<f32>,
+    clip_z: vec4<f32>,
+    clip_w: vec4<f32>,
+    // The eye relative to the scene's origin; w: distance of the near plane, 0 for parallel rays.
+    eye: vec4<f32>,
+    // From the centre to the eye; w: tangent of two texels, by which far geometry reaches inside the radius.
+    offset: vec4<f32>,
+    // r1, r2, the radius where pixels are split, 1 / (r2 - r1).
+    radii: vec4<f32>,
+    // Where the ray of pixel (0, 0) starts relative to the eye, and its change from pixel to pixel.
+    start: vec4<f32>,
+    start_x: vec4<f32>,
+    start_y: vec4<f32>,
+    // Its direction, of any length.
+    direction: vec4<f32>,
+    direction_x: vec4<f32>,
+    direction_y: vec4<f32>,
+    // Size of a sample's pixel at one metre ahead, 1 for parallel rays, weight of the sample, unused.
+    footprint: vec4<f32>,
+    // Width and height of the window, samples of the target, whether colour is added to what is there.
+    window: vec4<u32>,
+    // The map: texels across, shifts of its colour and its range, whether it has ranges.
+    environment: vec4<u32>,
+    // First words of colour, range, ids and position in the output; NONE for those that are not wanted.
+    outputs: vec4<u32>,
+    // First word of normals.
+    more_outputs: vec4<u32>,
+}
+
+struct Batch {
+    // Number of its first record among all of the frame's, how many there are, the page, whether it writes first.
+    records: vec4<u32>,
+    // Shift of the scene's texels.
+    shifts: vec4<u32>,
+}
+
+struct Record {
+    x: vec4<f32>,
+    y: vec4<f32>,
+    z: vec4<f32>,
+    part: vec4<u32>,
+}
+
+struct Part {
+    positions: u32,
+    faces: u32,
+    uvs: u32,
+    colors: u32,
+    materials: u32,
+    material: u32,
+    page: u32,
+    first_face: u32,
+}
+
+struct Material {
+    base_color: vec4<f32>,
+    texture: u32,
+    cutoff: f32,
+    unused_0: u32,
+    unused_1: u32,
+}
+
+struct Texture {
+    finest: u32,
+    coarser: u32,
+    coarser_cutout: u32,
+    width: u32,
+    height: u32,
+    unused_0: u32,
+    unused_1: u32,
+    unused_2: u32,
+}
+
+const NONE: u32 = 0xffffffffu;
+
+@group(0) @binding(0) var<storage, read> page: array<u32>;
+@group(0) @binding(1) var<storage, read> records: array<Record>;
+@group(0) @binding(2) var<storage, read> parts: array<Part>;
+@group(0) @binding(3) var<storage, read> materials: array<Material>;
+@group(0) @binding(4) var<storage, read> textures: array<Texture>;
+@group(0) @binding(5) var texels: texture_2d_array<u32>;
+@group(1) @binding(0) var<uniform> view: Pass;
+@group(1) @binding(1) var<uniform> batch: Batch;
+
+// Place of the nth texel where rows have 2^shift of them and layers 2^shift rows: column, row, layer.
+fn place_of(n: u32, shift: u32) -> vec3<i32> {
+    let mask = (1u << shift) - 1u;
+    return vec3<i32>(vec3<u32>(n & mask, (n >> shift) & mask, (n >> shift) >> shift));
+}
+
+fn corner_number(part: Part, face: u32, corner: u32) -> u32 {
+    return page[part.faces + 3u * face + corner];
+}
+
+// A vertex where its instance stands, relative to the eye.
+fn seen_from_eye(record: Record, part: Part, vertex: u32) -> vec3<f32> {
+    let at = part.positions + 3u * vertex;
+    let p = vec3<f32>(bitcast<f32>(page[at]), bitcast<f32>(page[at + 1u]), bitcast<f32>(page[at + 2u]));
+    let turned = vec3<f32>(dot(record.x.xyz, p), dot(record.y.xyz, p), dot(record.z.xyz, p));
+    // Instances stand near their mesh's origin, merged meshes far from it: both differences are of the eye's distance.
+    return turned + (vec3<f32>(record.x.w, record.y.w, record.z.w) - view.eye.xyz);
+}
+
+fn uv_of(part: Part, vertex: u32) -> vec2<f32> {
+    let at = part.uvs + 2u * vertex;
+    return vec2<f32>(bitcast<f32>(page[at]), bitcast<f32>(page[at + 1u]));
+}
+
+fn color_of(part: Part, vertex: u32) -> vec4<f32> {
+    return unpack4x8unorm(page[part.colors + vertex]);
+}
+
+fn material_of(part: Part, face: u32) -> Material {
+    var number = part.material;
+    if part.materials != NONE {
+        number = page[part.materials + face];
+    }
+    // The last one is for faces that have none.
+    return materials[min(number, arrayLength(&materials) - 1u)];
+}

@@ -1,0 +1,100 @@
+// Base colours, filtered as `scene::Texture` does it, and the one shading formula.
+
+fn texel_color(n: u32) -> vec4<f32> {
+    let at = place_of(n, batch.shifts.x);
+    return vec4<f32>(textureLoad(texels, at.xy, at.z, 0)) * (1.0 / 65535.0);
+}
+
+// The two texels whose centres enclose a coordinate, of `count` in a period of 1, and the second one's weight.
+fn neighbours(coordinate: f32, count: u32) -> vec3<f32> {
+    let x = (coordinate - floor(coordinate)) * f32(count) - 0.5;
+    let low = floor(x);
+    let first = select(min(low, f32(count - 1u)), f32(count - 1u), low < 0.0);
+    return vec3<f32>(first, select(first + 1.0, 0.0, first + 1.0 == f32(count)), x - low);
+}
+
+// Bilinear in an image of width x height texels from `first` on; v upwards.
+fn bilinear(first: u32, width: u32, height: u32, uv: vec2<f32>) -> vec4<f32> {
+    let column = neighbours(uv.x, width);
+    let row = neighbours(1.0 - uv.y, height);
+    let columns = vec2<u32>(column.xy);
+    let rows = first + vec2<u32>(row.xy) * width;
+    let upper = mix(texel_color(rows.x + columns.x), texel_color(rows.x + columns.y), column.z);
+    let lower = mix(texel_color(rows.y + columns.x), texel_color(rows.y + columns.y), column.z);
+    return mix(upper, lower, row.z);
+}
+
+fn texture_at_level(texture: Texture, uv: vec2<f32>, level: u32, cutout: bool) -> vec3<f32> {
+    if level == 0u {
+        return bilinear(texture.finest, texture.width, texture.height, uv).rgb;
+    }
+    var first = select(texture.coarser, texture.coarser_cutout, cutout);
+    var width = max(texture.width / 2u, 1u);
+    var height = max(texture.height / 2u, 1u);
+    for (var i = 1u; i < level; i++) {
+        first += width * height;
+        width = max(width / 2u, 1u);
+        height = max(height / 2u, 1u);
+    }
+    return bilinear(first, width, height, uv).rgb;
+}
+
+fn texture_color(texture: Texture, uv: vec2<f32>, wanted: f32, cutout: bool) -> vec3<f32> {
+    let last = firstLeadingBit(max(texture.width, texture.height));
+    let level = clamp(wanted, 0.0, f32(last));
+    let fine = u32(floor(level));
+    let between = level - floor(level);
+    let color = texture_at_level(texture, uv, fine, cutout);
+    if between == 0.0 {
+        return color;
+    }
+    return mix(color, texture_at_level(texture, uv, fine + 1u, cutout), between);
+}
+
+fn linear_of(code: vec3<f32>) -> vec3<f32> {
+    return select(pow((code + 0.055) / 1.055, vec3<f32>(2.4)), code / 12.92, code <= vec3<f32>(0.04045));
+}
+
+fn blend_2(a: vec2<f32>, b: vec2<f32>, c: vec2<f32>, at: vec2<f32>) -> vec2<f32> {
+    return a + (b - a) * at.x + (c - a) * at.y;
+}
+
+fn blend_3(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, at: vec2<f32>) -> vec3<f32> {
+    return a + (b - a) * at.x + (c - a) * at.y;
+}
+
+// Linear base colour at weights `at` of a face's second and third corner.
+fn albedo(part: Part, face: u32, at: vec2<f32>, footprint: f32, doubled_area: f32) -> vec3<f32> {
+    let material = material_of(part, face);
+    var color = material.base_color.rgb;
+    let corners = vec3<u32>(corner_number(part, face, 0u), corner_number(part, face, 1u), corner_number(part, face, 2u));
+    if part.colors != NONE {
+        let a = linear_of(color_of(part, corners.x).rgb);
+        let b = linear_of(color_of(part, corners.y).rgb);
+        let c = linear_of(color_of(part, corners.z).rgb);
+        color *= blend_3(a, b, c, at);
+    }
+    if material.texture != NONE && part.uvs != NONE {
+        let texture = textures[material.texture];
+        let a = uv_of(part, corners.x);
+        let b = uv_of(part, corners.y);
+        let c = uv_of(part, corners.z);
+        let ab = b - a;
+        let ac = c - a;
+        let area = abs(ab.x * ac.y - ab.y * ac.x) * f32(texture.width) * f32(texture.height);
+        let level = log2(max(footprint * sqrt(area / doubled_area), 1e-30));
+        color *= texture_color(texture, blend_2(a, b, c, at), level, material.cutoff >= 0.0);
+    }
+    return color;
+}
+
+fn irradiance(n: vec3<f32>) -> vec3<f32> {
+    let sky = 0.5 + 0.5 * dot(n, SKY_DIRECTION);
+    let sun = max(dot(n, SUN_DIRECTION), 0.0);
+    return SKY_LOW + (SKY_HIGH - SKY_LOW) * sky + SUN * sun;
+}
+
+fn background(direction: vec3<f32>) -> vec3<f32> {
+    let end = select(ZENITH, NADIR, direction.y < 0.0);
+    return HORIZON + (end - HORIZON) * sqrt(abs(direction.y));
+}

@@ -1,0 +1,103 @@
+//! Base colours: a table of materials, a table of textures, and all their levels as texels of linear light.
+
+use half::f16;
+use nearfar_core::base::Result;
+use nearfar_core::scene::srgb::linear_from_srgb;
+use nearfar_core::scene::{Alpha, Material, Scene, Texture};
+use rayon::prelude::*;
+use wgpu::{BufferUsages, TextureFormat};
+
+use super::Texels;
+use crate::device::Device;
+
+/// Words of a material and of a texture in their tables.
+const MATERIAL_WORDS: usize = 8;
+const TEXTURE_WORDS: usize = 8;
+/// A material without a texture.
+const NONE: u32 = u32::MAX;
+
+/// Materials and textures of a scene.
+pub(crate) struct MaterialTable {
+    pub materials: wgpu::Buffer,
+    pub textures: wgpu::Buffer,
+    pub texels: Texels,
+}
+
+impl MaterialTable {
+    pub fn new(device: &Device, scene: &Scene) -> Result<Self> {
+        // The last one is for faces that have none.
+        let materials: Vec<u32> =
+            scene.materials.iter().chain([&Material::default()]).flat_map(material_words).collect();
+        let has_cutouts = scene.has_cutouts();
+        let used: Vec<bool> =
+            (0..scene.textures.len() as u32).map(|t| scene.materials.iter().any(|m| m.texture == Some(t))).collect();
+        let mut table = Vec::new();
+        let mut count = 0u64;
+        for (texture, used) in scene.textures.iter().zip(&used) {
+            let size = if *used { levels_size(texture) } else { 0 };
+            let coarse = count + u64::from(texture.width) * u64::from(texture.height);
+            let cutout = if has_cutouts { count + size } else { coarse };
+            let entry = [count as u32, coarse as u32, cutout as u32, texture.width, texture.height, 0, 0, 0];
+            table.extend::<[u32; TEXTURE_WORDS]>(entry);
+            let cutout_size = size - if *used { coarse - count } else { 0 };
+            count += size + if has_cutouts { cutout_size } else { 0 };
+        }
+        let texels = Texels::new(device, "texels", TextureFormat::Rgba16Uint, 8, count)?;
+        let mut all: Vec<[u16; 4]> = Vec::with_capacity(count as usize);
+        for (texture, _) in scene.textures.iter().zip(&used).filter(|(_, used)| **used) {
+            push_finest(texture, &mut all);
+            push_coarser(texture, false, &mut all);
+            if has_cutouts {
+                push_coarser(texture, true, &mut all);
+            }
+        }
+        texels.write(device, 0, bytemuck::cast_slice(&all));
+        Ok(Self {
+            materials: device.filled_buffer("materials", &materials, BufferUsages::STORAGE)?,
+            textures: device.filled_buffer("textures", &table, BufferUsages::STORAGE)?,
+            texels,
+        })
+    }
+}
+
+fn material_words(material: &Material) -> [u32; MATERIAL_WORDS] {
+    let [r, g, b, a] = material.base_color.map(f32::to_bits);
+    let cutoff = match material.alpha {
+        Alpha::Opaque => -1.0f32,
+        Alpha::Mask { cutoff } => cutoff.max(0.0),
+    };
+    [r, g, b, a, material.texture.unwrap_or(NONE), cutoff.to_bits(), 0, 0]
+}
+
+/// Texels of a texture with all its levels.
+fn levels_size(texture: &Texture) -> u64 {
+    let (mut width, mut height) = (u64::from(texture.width), u64::from(texture.height));
+    let mut sum = width * height;
+    while width > 1 || height > 1 {
+        (width, height) = ((width / 2).max(1), (height / 2).max(1));
+        sum += width * height;
+    }
+    sum
+}
+
+/// The image itself in steps of 1/65535 of linear light, with its alpha: at the darkest codes a fortieth of a step.
+fn push_finest(texture: &Texture, all: &mut Vec<[u16; 4]>) {
+    let linear = linear_from_srgb().map(|x| (x * 65535.0 + 0.5) as u16);
+    let texel = |&[r, g, b, a]: &[u8; 4]| {
+        [linear[usize::from(r)], linear[usize::from(g)], linear[usize::from(b)], u16::from(a) * 257]
+    };
+    let texels: Vec<[u16; 4]> = texture.texels.par_iter().map(texel).collect();
+    all.extend(texels);
+}
+
+fn push_coarser(texture: &Texture, cutout: bool, all: &mut Vec<[u16; 4]>) {
+    for level in texture.coarser(cutout) {
+        all.extend(level.texels.iter().map(|&[r, g, b]| [r, g, b, u16::MAX]));
+    }
+}
+
+/// Linear light as half floats; what is brighter than they reach stays the brightest of them.
+pub(super) fn half_rgba([r, g, b]: [f32; 3]) -> [f16; 4] {
+    let half = |x: f32| f16::from_f32(x.min(65504.0));
+    [half(r), half(g), half(b), f16::ONE]
+}

@@ -1,0 +1,16 @@
+//! What lies on the device between frames: meshes by their identity, materials and textures, instances as transforms.
+
+mod environment;
+mod materials;
+mod pages;
+mod records;
+mod residents;
+mod tables;
+mod texels;
+
+pub(crate) use environment::EnvTexels;
+pub(crate) use pages::{CHUNK, Page};
+pub(crate) use records::{RECORD_WORDS, Records};
+pub(crate) use residents::{Nothing, Residents};
+pub(crate) use tables::{InstanceParts, SceneTables};
+pub(crate) use texels::Texels;

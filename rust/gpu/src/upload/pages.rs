@@ -1,0 +1,214 @@
+//! Meshes as words in pages: buffers no larger than what one pass may bind. Small meshes share a page, large ones are
+//! cut into runs of faces that each bring their vertices along.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use nearfar_core::base::Result;
+use nearfar_core::scene::{Aabb, FaceMap, Mesh};
+use rayon::prelude::*;
+use wgpu::BufferUsages;
+
+use crate::device::{Device, Written};
+
+/// Consecutive faces that are culled together.
+pub(crate) const CHUNK: usize = 4096;
+/// No such attribute.
+pub(crate) const NONE: u32 = u32::MAX;
+/// Bytes of a word.
+const WORD: u64 = 4;
+
+/// A buffer of meshes.
+#[derive(Debug)]
+pub(crate) struct Page {
+    pub buffer: wgpu::Buffer,
+    /// Tells pages apart in sets.
+    pub number: u64,
+}
+
+/// Consecutive faces of a mesh in a page.
+#[derive(Clone, Debug)]
+pub(crate) struct Part {
+    pub page: Arc<Page>,
+    /// First face in the mesh.
+    pub first_face: u32,
+    pub face_count: u32,
+    /// Where in the page, in words: positions, faces, texture coordinates, colours, materials.
+    pub words: [u32; 5],
+    /// Material of all faces, where they have one.
+    pub material: i32,
+    /// Boxes of `CHUNK` faces each, in the mesh's frame.
+    pub chunks: Arc<[Aabb]>,
+}
+
+/// Faces of a mesh and the vertices that they lie among.
+struct Run<'a> {
+    mesh: &'a Mesh,
+    faces: Range<usize>,
+    vertices: Range<usize>,
+}
+
+impl Run<'_> {
+    fn words(&self) -> u64 {
+        let (vertices, faces) = (self.vertices.len() as u64, self.faces.len() as u64);
+        let per_vertex = 3 + 2 * u64::from(self.mesh.uvs.is_some()) + u64::from(self.mesh.colors.is_some());
+        vertices * per_vertex + faces * (3 + u64::from(self.uniform_material().is_none()))
+    }
+
+    fn uniform_material(&self) -> Option<i32> {
+        match self.mesh.materials {
+            FaceMap::Uniform(material) => Some(material),
+            _ => None,
+        }
+    }
+
+    /// Where its arrays begin, counted from its own beginning, and how many words they are.
+    fn layout(&self) -> ([u32; 5], u64) {
+        let (vertices, faces) = (self.vertices.len() as u32, self.faces.len() as u32);
+        let mut at = 3 * vertices + 3 * faces;
+        let mut section = |present: bool, words: u32| {
+            let start = if present { at } else { NONE };
+            at += if present { words } else { 0 };
+            start
+        };
+        let uvs = section(self.mesh.uvs.is_some(), 2 * vertices);
+        let colors = section(self.mesh.colors.is_some(), vertices);
+        let materials = section(self.uniform_material().is_none(), faces);
+        ([0, 3 * vertices, uvs, colors, materials], self.words())
+    }
+
+    fn write(&self, words: &mut Vec<u32>) {
+        let (mesh, faces, vertices) = (self.mesh, self.faces.clone(), self.vertices.clone());
+        words.extend_from_slice(bytemuck::cast_slice(&mesh.positions[vertices.clone()]));
+        if vertices.start == 0 {
+            words.extend_from_slice(mesh.faces[faces.clone()].as_flattened());
+        } else {
+            let first = vertices.start as u32;
+            words.extend(mesh.faces[faces.clone()].as_flattened().iter().map(|&vertex| vertex - first));
+        }
+        if let Some(uvs) = &mesh.uvs {
+            words.extend_from_slice(bytemuck::cast_slice(&uvs[vertices.clone()]));
+        }
+        if let Some(colors) = &mesh.colors {
+            words.extend(colors[vertices].iter().map(|&color| u32::from_le_bytes(color)));
+        }
+        if self.uniform_material().is_none() {
+            words.extend(faces.map(|face| mesh.materials.get(face as u32) as u32));
+        }
+    }
+}
+
+/// Puts meshes into new pages. One list of parts for each mesh, in order of faces.
+pub(crate) fn pack(device: &Device, meshes: &[Arc<Mesh>], mut next_page: impl FnMut() -> u64) -> Result<Vec<Vec<Part>>> {
+    let limit = device.largest_binding() / WORD;
+    let own: Vec<Option<Vec<Arc<Mesh>>>> = meshes.iter().map(|mesh| gathered(mesh, limit)).collect();
+    let mut runs: Vec<(usize, u32, Run<'_>)> = Vec::new();
+    for (number, mesh) in meshes.iter().enumerate() {
+        match &own[number] {
+            None => runs.extend(runs_of(mesh, limit).into_iter().flatten().map(|run| (number, run.faces.start as u32, run))),
+            Some(pieces) => {
+                let mut first = 0;
+                for piece in pieces {
+                    let count = piece.faces.len();
+                    runs.push((number, first, Run { mesh: piece, faces: 0..count, vertices: 0..piece.positions.len() }));
+                    first += count as u32;
+                }
+            }
+        }
+    }
+    let mut parts: Vec<Vec<Part>> = vec![Vec::new(); meshes.len()];
+    let mut rest = &runs[..];
+    while !rest.is_empty() {
+        let mut size = 0;
+        let fitting = rest.iter().take_while(|(_, _, run)| {
+            size += run.words();
+            size <= limit
+        });
+        let (mine, others) = rest.split_at(fitting.count().max(1));
+        fill_page(device, mine, next_page(), &mut parts)?;
+        rest = others;
+    }
+    Ok(parts)
+}
+
+fn fill_page(device: &Device, runs: &[(usize, u32, Run<'_>)], number: u64, parts: &mut [Vec<Part>]) -> Result<()> {
+    let bytes = WORD * runs.iter().map(|(_, _, run)| run.words()).sum::<u64>();
+    let buffer = device.mapped_buffer("page", bytes, BufferUsages::STORAGE)?;
+    let page = Arc::new(Page { buffer, number });
+    {
+        let whole = page.buffer.get_mapped_range_mut(..);
+        let mut view = whole.map_err(|error| device.failure(&error))?;
+        let mut start = 0u64;
+        let mut words = Vec::new();
+        for (mesh, first_face, run) in runs {
+            let (layout, size) = run.layout();
+            words.clear();
+            run.write(&mut words);
+            let at = (start * WORD) as usize;
+            view.slice(at..at + words.len() * WORD as usize).copy_from_slice(bytemuck::cast_slice(&words));
+            parts[*mesh].push(Part {
+                page: Arc::clone(&page),
+                first_face: *first_face,
+                face_count: run.faces.len() as u32,
+                words: layout.map(|word| if word == NONE { NONE } else { word + start as u32 }),
+                material: run.uniform_material().unwrap_or(-1),
+                chunks: chunk_boxes(run),
+            });
+            start += size;
+        }
+    }
+    page.buffer.unmap();
+    device.count(Written::UploadedBytes, bytes);
+    Ok(())
+}
+
+fn chunk_boxes(run: &Run<'_>) -> Arc<[Aabb]> {
+    let faces = &run.mesh.faces[run.faces.clone()];
+    let of_chunk = |faces: &[[u32; 3]]| {
+        let mut bounds = Aabb::EMPTY;
+        faces.as_flattened().iter().for_each(|&vertex| bounds.extend(run.mesh.positions[vertex as usize].into()));
+        bounds
+    };
+    faces.par_chunks(CHUNK).map(of_chunk).collect::<Vec<_>>().into()
+}
+
+/// Runs of faces that each fit into a page with the span of vertices that they use; none where spans are too wide.
+fn runs_of(mesh: &Mesh, limit: u64) -> Option<Vec<Run<'_>>> {
+    let whole = Run { mesh, faces: 0..mesh.faces.len(), vertices: 0..mesh.positions.len() };
+    if mesh.faces.is_empty() {
+        return Some(Vec::new());
+    }
+    if whole.words() <= limit {
+        return Some(vec![whole]);
+    }
+    let fewest = whole.words().div_ceil(limit) as usize;
+    [fewest, 2 * fewest, 4 * fewest].into_iter().find_map(|count| {
+        let each = mesh.faces.len().div_ceil(count);
+        let runs = (0..mesh.faces.len()).step_by(each).map(|start| {
+            let faces = start..(start + each).min(mesh.faces.len());
+            let used = mesh.faces[faces.clone()].as_flattened();
+            let ends = used.par_iter().fold(|| (u32::MAX, 0), |(a, b), &v| (a.min(v), b.max(v)));
+            let (first, last) = ends.reduce(|| (u32::MAX, 0), |a, b| (a.0.min(b.0), a.1.max(b.1)));
+            let run = Run { mesh, faces, vertices: first as usize..last as usize + 1 };
+            (run.words() <= limit).then_some(run)
+        });
+        runs.collect()
+    })
+}
+
+/// The mesh as several with vertices of their own, where its faces use vertices from all over it; none where that is
+/// not needed.
+fn gathered(mesh: &Arc<Mesh>, limit: u64) -> Option<Vec<Arc<Mesh>>> {
+    if runs_of(mesh, limit).is_some() {
+        return None;
+    }
+    // A face brings three vertices at most, with all attributes: 3 × (3 + 2 + 1) + 4 words.
+    let each = (limit / 22).max(1) as usize;
+    let faces = 0..mesh.faces.len() as u32;
+    let starts: Vec<u32> = faces.clone().step_by(each).collect();
+    let piece = |&start: &u32| {
+        let chosen: Vec<u32> = (start..faces.end.min(start + each as u32)).collect();
+        Arc::new(mesh.selected(&chosen))
+    };
+    Some(starts.iter().map(piece).collect())
+}

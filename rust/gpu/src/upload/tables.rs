@@ -1,0 +1,128 @@
+//! A scene on the device: the parts of its meshes, its materials, and its instances as records.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Weak};
+
+use nearfar_core::base::Result;
+use nearfar_core::scene::{Instance, InstanceSet, Material, Mesh, Scene, Texture};
+use wgpu::BufferUsages;
+
+use super::records::record_words;
+use super::residents::Parts;
+use super::Records;
+use super::materials::MaterialTable;
+use super::pages::Part;
+use crate::device::Device;
+
+/// Words of a part in its table.
+const PART_WORDS: usize = 8;
+
+/// What a scene's tables follow from; poses of moving instances are not in them.
+pub(super) struct Key {
+    standing: Weak<InstanceSet>,
+    materials: Weak<Vec<Material>>,
+    textures: Weak<Vec<Texture>>,
+    moving: Vec<Weak<Mesh>>,
+}
+
+impl Key {
+    pub fn of(scene: &Scene) -> Self {
+        Self {
+            standing: Arc::downgrade(&scene.standing),
+            materials: Arc::downgrade(&scene.materials),
+            textures: Arc::downgrade(&scene.textures),
+            moving: scene.moving.instances().iter().map(|instance| Arc::downgrade(&instance.mesh)).collect(),
+        }
+    }
+
+    pub fn is_alive(&self) -> bool {
+        self.standing.strong_count() > 0
+            && self.materials.strong_count() > 0
+            && self.moving.iter().all(|mesh| mesh.strong_count() > 0)
+    }
+
+    pub fn is_of(&self, scene: &Scene) -> bool {
+        let moving = scene.moving.instances();
+        std::ptr::eq(self.standing.as_ptr(), Arc::as_ptr(&scene.standing))
+            && std::ptr::eq(self.materials.as_ptr(), Arc::as_ptr(&scene.materials))
+            && std::ptr::eq(self.textures.as_ptr(), Arc::as_ptr(&scene.textures))
+            && self.moving.len() == moving.len()
+            && self.moving.iter().zip(moving).all(|(mesh, i)| std::ptr::eq(mesh.as_ptr(), Arc::as_ptr(&i.mesh)))
+    }
+}
+
+/// Where an instance's parts stand in its set's records.
+#[derive(Clone, Debug)]
+pub(crate) struct InstanceParts {
+    /// First record; one for each part, in order.
+    pub first_record: u32,
+    pub parts: Parts,
+}
+
+/// The instances of a set, standing or moving.
+pub(crate) struct SetTables {
+    pub instances: Vec<InstanceParts>,
+    /// Number of a set's instance and first face of the part, for each record.
+    pub sources: Arc<Vec<(u32, u32)>>,
+    /// Part number of each record.
+    parts: Vec<u32>,
+}
+
+/// A scene's tables.
+pub(crate) struct SceneTables {
+    pub standing: SetTables,
+    pub moving: SetTables,
+    /// Records of the standing instances; those of moving ones are sent with each pose.
+    pub records: Vec<Records>,
+    /// Table of all parts.
+    pub parts: wgpu::Buffer,
+    pub materials: MaterialTable,
+}
+
+impl SceneTables {
+    pub fn new(device: &Device, scene: &Scene, mut parts_of: impl FnMut(&Arc<Mesh>) -> Parts) -> Result<Self> {
+        let mut words: Vec<u32> = Vec::new();
+        let default_material = scene.materials.len() as i32;
+        let mut known: HashMap<*const Mesh, (u32, Parts)> = HashMap::new();
+        let mut number_of = |mesh: &Arc<Mesh>| {
+            let numbered = known.entry(Arc::as_ptr(mesh)).or_insert_with(|| {
+                let (first, parts) = ((words.len() / PART_WORDS) as u32, parts_of(mesh));
+                parts.iter().for_each(|part| words.extend(part_words(part, default_material)));
+                (first, parts)
+            });
+            numbered.clone()
+        };
+        let [standing, moving] = scene.sets().map(|set| SetTables::new(set.instances(), &mut number_of));
+        let records = Records::standing(device, &standing.record_words(scene.standing.instances()))?;
+        let parts = device.filled_buffer("parts", &words, BufferUsages::STORAGE)?;
+        Ok(Self { standing, moving, records, parts, materials: MaterialTable::new(device, scene)? })
+    }
+}
+
+impl SetTables {
+    fn new(instances: &[Instance], number_of: &mut impl FnMut(&Arc<Mesh>) -> (u32, Parts)) -> Self {
+        let (mut placed, mut sources, mut numbers) = (Vec::new(), Vec::new(), Vec::new());
+        for (number, instance) in instances.iter().enumerate() {
+            let (first, parts) = number_of(&instance.mesh);
+            let first_record = sources.len() as u32;
+            for (i, part) in parts.iter().enumerate() {
+                sources.push((number as u32, part.first_face));
+                numbers.push(first + i as u32);
+            }
+            placed.push(InstanceParts { first_record, parts });
+        }
+        Self { instances: placed, sources: Arc::new(sources), parts: numbers }
+    }
+
+    /// Records of all instances in their present poses.
+    pub fn record_words(&self, instances: &[Instance]) -> Vec<u32> {
+        let one = |(&(instance, _), &part): (&(u32, u32), &u32)| record_words(&instances[instance as usize], part);
+        self.sources.iter().zip(&self.parts).flat_map(one).collect()
+    }
+}
+
+fn part_words(part: &Part, default_material: i32) -> [u32; PART_WORDS] {
+    let [positions, faces, uvs, colors, materials] = part.words;
+    let material = if part.material < 0 { default_material } else { part.material };
+    [positions, faces, uvs, colors, materials, material as u32, part.page.number as u32, part.first_face]
+}

@@ -1,0 +1,93 @@
+//! Memory for texels that are numbered in one row: a texture array that shaders read by number.
+//!
+//! Buffers are bound up to a limit that is 128 MiB on some adapters; a texture array has none below many gigabytes, and
+//! images of any size lie in it without being packed.
+
+use nearfar_core::base::{Error, Result};
+use wgpu::{
+    Extent3d, TexelCopyBufferLayout, TextureAspect, TextureDescriptor, TextureDimension, TextureFormat, TextureUsages,
+    TextureView, TextureViewDescriptor, TextureViewDimension,
+};
+
+use crate::device::{Device, Written};
+
+/// Texels by number, of one format.
+pub(crate) struct Texels {
+    texture: wgpu::Texture,
+    pub view: TextureView,
+    /// Base-2 logarithm of the texels in a row, and of the rows in a layer.
+    pub shift: u32,
+    bytes: u32,
+}
+
+impl Texels {
+    /// Room for a number of texels of `bytes` each, at least one.
+    pub fn new(device: &Device, label: &str, format: TextureFormat, bytes: u32, count: u64) -> Result<Self> {
+        let side = (count.max(1) as f64).sqrt().ceil() as u64;
+        let shift = side.next_power_of_two().ilog2().min(device.limits.max_texture_dimension_2d.ilog2());
+        let rows = count.max(1).div_ceil(1 << shift);
+        let layers = rows.div_ceil(1 << shift);
+        if layers > u64::from(device.limits.max_texture_array_layers) || count > u64::from(u32::MAX) {
+            let label = device.report().label();
+            let message = format!("{label}: {count} texels are more than it addresses; try smaller textures, or backend='cpu'");
+            return Err(Error::Device(message));
+        }
+        // OpenGL takes a square texture of six layers for a cube.
+        let depth_or_array_layers = if layers == 6 { 7 } else { layers as u32 };
+        let height = if layers > 1 { 1 << shift } else { rows as u32 };
+        let size = Extent3d { width: 1 << shift, height, depth_or_array_layers };
+        let texture = device.texture(
+            &TextureDescriptor {
+                label: Some(label),
+                size,
+                mip_level_count: 1,
+                sample_count: 1,
+                dimension: TextureDimension::D2,
+                format,
+                usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
+                view_formats: &[],
+            },
+            u64::from(size.width) * u64::from(size.height) * u64::from(depth_or_array_layers) * u64::from(bytes),
+        )?;
+        let view = texture.create_view(&TextureViewDescriptor {
+            dimension: Some(TextureViewDimension::D2Array),
+            ..TextureViewDescriptor::default()
+        });
+        Ok(Self { texture, view, shift, bytes })
+    }
+
+    /// Sends texels from a number on, row by row. `first` must begin a row, so that callers fill it up front to back.
+    pub fn write(&self, device: &Device, first: u64, data: &[u8]) {
+        let row = 1u64 << self.shift;
+        debug_assert_eq!(first % row, 0);
+        let mut at = first;
+        let mut rest = data;
+        while !rest.is_empty() {
+            let texels = rest.len() as u64 / u64::from(self.bytes);
+            let line = (at >> self.shift) & (row - 1);
+            // As many whole rows as the layer has, or else the beginning of one.
+            let rows = (texels >> self.shift).min(row - line);
+            let (width, height) = if rows > 0 { (row, rows) } else { (texels, 1) };
+            let layer = (at >> (2 * self.shift)) as u32;
+            let size = (width * height * u64::from(self.bytes)) as usize;
+            device.queue.write_texture(
+                wgpu::TexelCopyTextureInfo {
+                    texture: &self.texture,
+                    mip_level: 0,
+                    origin: wgpu::Origin3d { x: 0, y: line as u32, z: layer },
+                    aspect: TextureAspect::All,
+                },
+                &rest[..size],
+                TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(width as u32 * self.bytes),
+                    rows_per_image: None,
+                },
+                Extent3d { width: width as u32, height: height as u32, depth_or_array_layers: 1 },
+            );
+            rest = &rest[size..];
+            at += width * height;
+        }
+        device.count(Written::UploadedBytes, data.len() as u64);
+    }
+}

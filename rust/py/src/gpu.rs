@@ -1,0 +1,124 @@
+//! Bindings of the GPU back end.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use nearfar_core::base::Error;
+use nearfar_gpu::{Device, Job, device, truth};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::camera::Camera;
+use crate::errors::to_python;
+use crate::render::{channels, images};
+use crate::run;
+use crate::scene::Scene;
+
+/// Everything that was found: name, back end, kind, driver, why it is refused, largest binding and image.
+#[pyfunction]
+#[expect(clippy::type_complexity, reason = "a row of a table")]
+fn gpu_adapters(py: Python<'_>) -> PyResult<Vec<(String, &'static str, &'static str, String, String, u64, u32)>> {
+    let found = run::short(py, || Ok(device::adapters()))?;
+    let row = |a: nearfar_gpu::AdapterReport| {
+        (a.name, a.backend, a.kind.name(), a.driver, a.refused, a.largest_binding, a.largest_image)
+    };
+    Ok(found.into_iter().map(row).collect())
+}
+
+/// True where an adapter that a wish leaves is more than the processor itself.
+#[pyfunction]
+#[pyo3(signature = (wanted=None))]
+fn gpu_is_hardware(py: Python<'_>, wanted: Option<&str>) -> PyResult<bool> {
+    run::short(py, || Ok(device::is_hardware(wanted)))
+}
+
+/// The device on the best adapter that a wish leaves.
+#[pyclass(frozen, module = "nearfar._core")]
+pub struct GpuDevice(Arc<Device>);
+
+#[pymethods]
+impl GpuDevice {
+    #[new]
+    #[pyo3(signature = (wanted=None))]
+    fn new(py: Python<'_>, wanted: Option<&str>) -> PyResult<Self> {
+        run::short(py, || device::device(wanted)).map(Self)
+    }
+
+    /// Name and back end of its adapter.
+    #[getter]
+    fn label(&self) -> String {
+        self.0.report().label()
+    }
+
+    /// What executes its work.
+    #[getter]
+    fn kind(&self) -> &'static str {
+        self.0.report().kind.name()
+    }
+
+    /// Buffers and textures made, their bytes, bytes sent, and triangles in draw calls.
+    fn counters(&self) -> (u64, u64, u64, u64) {
+        let counters = self.0.counters();
+        (counters.allocations, counters.allocated_bytes, counters.uploaded_bytes, counters.triangles)
+    }
+
+    /// Closes the device as a driver's fault would.
+    fn lose(&self, py: Python<'_>) -> PyResult<()> {
+        run::short(py, || {
+            self.0.lose();
+            Ok(())
+        })
+    }
+
+    /// Begins a frame of a scene.
+    #[pyo3(signature = (scene, camera, *, channels, samples, report=None))]
+    fn truth(
+        &self,
+        py: Python<'_>,
+        scene: &Scene,
+        camera: &Camera,
+        channels: Vec<String>,
+        samples: u32,
+        report: Option<Py<PyAny>>,
+    ) -> PyResult<GpuJob> {
+        let wanted = self::channels(&channels)?;
+        let (scene, camera) = (&scene.0, &camera.0);
+        let job = run::long(py, report, |progress| {
+            truth::begin(&self.0, scene, camera, wanted, samples, progress)
+        })?;
+        Ok(GpuJob::new(job, camera))
+    }
+}
+
+/// A frame under way.
+#[pyclass(frozen, module = "nearfar._core")]
+pub struct GpuJob {
+    job: Mutex<Option<Job>>,
+    shape: (usize, usize),
+}
+
+impl GpuJob {
+    fn new(job: Job, camera: &nearfar_core::camera::Camera) -> Self {
+        Self { job: Mutex::new(Some(job)), shape: (camera.height as usize, camera.width as usize) }
+    }
+}
+
+#[pymethods]
+impl GpuJob {
+    /// Waits for the frame and returns its images by name; once.
+    #[pyo3(signature = (report=None))]
+    fn finish<'py>(&self, py: Python<'py>, report: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyDict>> {
+        let job = self.job.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let Some(job) = job else {
+            return Err(to_python(Error::value("frame", "one that was not read yet", "one that was")));
+        };
+        let frame = run::long(py, report, |progress| job.finish(progress))?;
+        images(py, frame, self.shape)
+    }
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(gpu_adapters, module)?)?;
+    module.add_function(wrap_pyfunction!(gpu_is_hardware, module)?)?;
+    module.add_class::<GpuDevice>()?;
+    module.add_class::<GpuJob>()
+}
