@@ -9,7 +9,7 @@ use nearfar_core::scene::{Aabb, Instance};
 
 use super::slots::BLOCK;
 use super::{Frustum, Kind, Layer, Picture, Set};
-use crate::upload::{CHUNK, InstanceParts, Page, RECORD_WORDS};
+use crate::upload::{CHUNK, InstanceParts, PART_WORDS, Page, RECORD_WORDS};
 
 /// The uniform block `Batch` of `scene.wgsl`.
 #[repr(C)]
@@ -17,6 +17,8 @@ use crate::upload::{CHUNK, InstanceParts, Page, RECORD_WORDS};
 struct BatchBlock {
     records: [u32; 4],
     shifts: [u32; 4],
+    record: [u32; RECORD_WORDS],
+    part: [u32; PART_WORDS],
 }
 
 /// Where a batch's records are.
@@ -33,10 +35,20 @@ pub(super) struct Group {
     pub layer: usize,
     pub page: Arc<Page>,
     pub records: RecordsAt,
-    /// Vertices and instances of each draw call; instances are places in the order.
-    pub draws: Vec<(Range<u32>, Range<u32>)>,
+    pub calls: Vec<Call>,
     /// Where its uniform block is told.
     pub block: usize,
+    /// All pixels of its batch show one record.
+    pub single: bool,
+}
+
+/// A draw call.
+pub(super) struct Call {
+    pub vertices: Range<u32>,
+    /// Places in the order; without a meaning where the block tells the one record.
+    pub instances: Range<u32>,
+    /// Where a uniform block with the call's one record is told.
+    pub single: Option<usize>,
 }
 
 /// Consecutive records of one layer, numbered through the frame.
@@ -75,7 +87,7 @@ impl Plan {
             order: 0..0,
             triangles: 0,
         };
-        let nothing = BatchBlock { records: [0, 0, u32::MAX, 1], shifts: [0; 4] };
+        let nothing = BatchBlock { records: [0, 0, u32::MAX, 1], ..BatchBlock::zeroed() };
         plan.told.extend_from_slice(bytemuck::bytes_of(&nothing));
         let mut order: Vec<u32> = Vec::new();
         for (number, layer) in picture.layers.iter().enumerate() {
@@ -115,7 +127,7 @@ impl Plan {
             self.numbering.push(Numbering { layer: number, first, count, first_in_set });
             let range = first_in_set..first_in_set + count;
             for (page, draws) in visible.remove_within(&range) {
-                self.push(number, layer, (page, records.clone()), (first, count), draws, order);
+                self.push(number, layer, (page, records.clone()), (first, count, first_in_set), draws, order);
             }
         }
     }
@@ -125,25 +137,48 @@ impl Plan {
         layer_number: usize,
         layer: &Layer,
         (page, records): (Arc<Page>, RecordsAt),
-        (first, count): (u32, u32),
+        (first, count, first_in_set): (u32, u32, u32),
         draws: Vec<Drawn>,
         order: &mut Vec<u32>,
     ) {
-        self.align();
+        let shift = layer.tables.materials.texels.shift;
         let block = BatchBlock {
             records: [first, count, page.number as u32, 0],
-            shifts: [layer.tables.materials.texels.shift, 0, 0, 0],
+            shifts: [shift, 0, 0, 0],
+            record: [0; RECORD_WORDS],
+            part: [0; PART_WORDS],
         };
-        let at = self.told.len();
-        self.told.extend_from_slice(bytemuck::bytes_of(&block));
-        let mut calls = Vec::with_capacity(draws.len());
+        let tell_single = |plan: &mut Self, local: u32| {
+            let record = layer.record(first_in_set + local);
+            let part = layer.tables.part_of(&record);
+            plan.tell(&BatchBlock { shifts: [shift, local, 0, 0], record, part, ..block })
+        };
+        let at = if count == 1 { tell_single(self, 0) } else { self.tell(&block) };
+        let (mut calls, mut last) = (Vec::with_capacity(draws.len()), None);
         for Drawn { vertices, records } in draws {
             self.triangles += u64::from(vertices.end - vertices.start) / 3 * records.len() as u64;
+            // Looking a record up for every vertex takes longer than telling it once, where a call has many.
+            if let [local] = records[..]
+                && (count == 1 || vertices.len() > TELLING_PAYS)
+            {
+                let known = if count == 1 { Some(at) } else { last.filter(|(known, _)| *known == local).map(|(_, at)| at) };
+                let block = known.unwrap_or_else(|| tell_single(self, local));
+                last = Some((local, block));
+                calls.push(Call { vertices, instances: 0..1, single: Some(block) });
+                continue;
+            }
             let start = order.len() as u32;
             order.extend(records);
-            calls.push((vertices, start..order.len() as u32));
+            calls.push(Call { vertices, instances: start..order.len() as u32, single: None });
         }
-        self.groups.push(Group { layer: layer_number, page, records, draws: calls, block: at });
+        self.groups.push(Group { layer: layer_number, page, records, calls, block: at, single: count == 1 });
+    }
+
+    fn tell(&mut self, block: &BatchBlock) -> usize {
+        self.align();
+        let at = self.told.len();
+        self.told.extend_from_slice(bytemuck::bytes_of(block));
+        at
     }
 
     /// Has the first batch resolve pixels that show nothing too, where it treats them as they are to be.
@@ -164,6 +199,8 @@ impl Plan {
     }
 }
 
+/// Vertices of a call from which on its record is told.
+const TELLING_PAYS: usize = 3 * 256;
 /// Blocks that a pass takes.
 pub(super) const PASS_BLOCKS: usize = 2;
 

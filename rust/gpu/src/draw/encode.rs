@@ -7,7 +7,6 @@ use wgpu::{
     RenderPassDescriptor, StoreOp,
 };
 
-use super::Kind;
 use super::bindings::{Group, PASS_BLOCKS, Plan, RecordsAt};
 use super::pipelines::{Layouts, RasterKey, ResolveKey};
 use super::slots::{BLOCK, SAMPLES, Slot, Target};
@@ -98,9 +97,15 @@ impl<'a> Bound<'a> {
             // A layer that covers what is before it begins a pass with a depth of its own.
             let same = |n: usize| n == 0 || groups[n].layer == groups[n - 1].layer || !layers[groups[n].layer].covers;
             let count = (0..groups.len()).take_while(|&n| same(n)).count();
-            let keys: Vec<_> = groups[..count].iter().map(|g| raster_key(&layers[g.layer], samples)).collect();
-            let pipelines: Vec<_> =
-                keys.iter().map(|&key| self.device.pipelines.raster(self.device, key)).collect::<Result<_>>()?;
+            let pipeline = |g: &Group, single| {
+                let used = g.calls.iter().any(|call| call.single.is_some() == single);
+                let key = raster_key(&layers[g.layer], single, samples);
+                used.then(|| self.device.pipelines.raster(self.device, key)).transpose()
+            };
+            let pipelines: Vec<_> = groups[..count]
+                .iter()
+                .map(|g| Ok([pipeline(g, false)?, pipeline(g, true)?]))
+                .collect::<Result<_>>()?;
             let mut pass = encoder.begin_render_pass(&RenderPassDescriptor {
                 label: Some("raster"),
                 color_attachments: &[Some(RenderPassColorAttachment {
@@ -119,12 +124,17 @@ impl<'a> Bound<'a> {
                 }),
                 ..RenderPassDescriptor::default()
             });
-            for (n, (group, pipeline)) in groups[..count].iter().zip(&pipelines).enumerate() {
-                pass.set_pipeline(pipeline);
+            for (n, (group, pipelines)) in groups[..count].iter().zip(&pipelines).enumerate() {
                 pass.set_bind_group(0, &self.raster[start + n], &[]);
-                pass.set_bind_group(1, &self.view, &[offset, group.block as u32]);
-                for (vertices, instances) in &group.draws {
-                    pass.draw(vertices.clone(), instances.clone());
+                let mut bound = None;
+                for call in &group.calls {
+                    if bound != Some(call.single) {
+                        let Some(pipeline) = &pipelines[usize::from(call.single.is_some())] else { continue };
+                        pass.set_pipeline(pipeline);
+                        pass.set_bind_group(1, &self.view, &[offset, call.single.unwrap_or(group.block) as u32]);
+                        bound = Some(call.single);
+                    }
+                    pass.draw(call.vertices.clone(), call.instances.clone());
                 }
             }
             start += count;
@@ -134,19 +144,23 @@ impl<'a> Bound<'a> {
     }
 
     fn resolve(&self, encoder: &mut CommandEncoder, kind: PassKind, samples: u32, offset: u32) -> Result<()> {
-        let key = |kind_of_points: Kind| ResolveKey {
+        let key = |kind_of_points, single, layer: Option<&Layer>| ResolveKey {
             kind: kind_of_points,
             mapped: self.picture.map.is_some(),
             color: kind.color,
             surface: kind.surface,
+            single,
+            textured: layer.is_some_and(|layer| layer.tables.materials.textured),
+            colored: layer.is_some_and(|layer| layer.tables.colored),
             samples,
         };
         let layers = &self.picture.layers;
-        let kinds = self.plan.groups.iter().map(|group| layers[group.layer].kind);
-        let pipelines: Vec<_> = kinds
-            .map(|kind| self.device.pipelines.resolve(self.device, key(kind)))
-            .collect::<Result<_>>()?;
-        let missed = self.device.pipelines.resolve(self.device, key(self.picture.missed))?;
+        let resolve = |group: &Group| {
+            let layer = &layers[group.layer];
+            self.device.pipelines.resolve(self.device, key(layer.kind, group.single, Some(layer)))
+        };
+        let pipelines: Vec<_> = self.plan.groups.iter().map(resolve).collect::<Result<_>>()?;
+        let missed = self.device.pipelines.resolve(self.device, key(self.picture.missed, false, None))?;
         let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: Some("resolve"), ..Default::default() });
         let Some(target) = &self.targets[usize::from(kind.multisampled)] else { return Ok(()) };
         let groups = [self.slot.shape.width.div_ceil(8), self.slot.shape.height.div_ceil(8)];
@@ -167,12 +181,13 @@ impl<'a> Bound<'a> {
     }
 }
 
-fn raster_key(layer: &Layer, samples: u32) -> RasterKey {
+fn raster_key(layer: &Layer, single: bool, samples: u32) -> RasterKey {
     RasterKey {
         kind: layer.kind,
         split: layer.split,
         hidden: layer.hidden,
         cutout: layer.scene.has_cutouts(),
+        single,
         samples,
     }
 }

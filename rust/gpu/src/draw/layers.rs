@@ -6,7 +6,7 @@ use glam::DVec3;
 use nearfar_core::base::Buffer;
 use nearfar_core::scene::{Instance, Scene};
 
-use crate::upload::{EnvTexels, SceneTables};
+use crate::upload::{EnvTexels, RECORD_WORDS, SceneTables};
 
 /// How points are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -88,6 +88,15 @@ impl Layer {
             Set::Standing => &self.tables.standing.sources,
             Set::Moving => &self.tables.moving.sources,
         }
+    }
+
+    /// A record of the set.
+    pub fn record(&self, record: u32) -> [u32; RECORD_WORDS] {
+        let set = match self.set {
+            Set::Standing => &self.tables.standing,
+            Set::Moving => &self.tables.moving,
+        };
+        set.record(self.instances(), record as usize)
     }
 
     /// Object of a face of the nth instance of the set.

@@ -28,7 +28,21 @@ pub(super) struct RasterKey {
     pub split: Split,
     pub hidden: bool,
     pub cutout: bool,
+    pub single: bool,
     pub samples: u32,
+}
+
+impl RasterKey {
+    /// Entry points of vertices and fragments.
+    fn entries(&self, writes_depth: bool) -> [&'static str; 2] {
+        let plain = self.split == Split::Whole && !self.hidden && !self.cutout;
+        match (plain, writes_depth) {
+            (true, false) => ["plain_vertex", "plain_fragment"],
+            (true, true) => ["plain_vertex", "plain_fragment_with_depth"],
+            (false, false) => ["vertex", "fragment"],
+            (false, true) => ["vertex", "fragment_with_depth"],
+        }
+    }
 }
 
 /// How a layer's pixels are resolved.
@@ -38,6 +52,9 @@ pub(super) struct ResolveKey {
     pub mapped: bool,
     pub color: bool,
     pub surface: bool,
+    pub single: bool,
+    pub textured: bool,
+    pub colored: bool,
     pub samples: u32,
 }
 
@@ -85,16 +102,17 @@ impl Pipelines {
             ("SPLIT", f64::from(key.split as u32)),
             ("HIDDEN", f64::from(u8::from(key.hidden))),
             ("CUTOUT", f64::from(u8::from(key.cutout))),
+            ("SINGLE", f64::from(u8::from(key.single))),
         ];
         let compilation_options =
             PipelineCompilationOptions { constants: &constants, ..PipelineCompilationOptions::default() };
-        let entry = if device.writes_depth { "fragment_with_depth" } else { "fragment" };
+        let [vertices, fragments] = key.entries(device.writes_depth);
         let pipeline = device.wgpu.create_render_pipeline(&RenderPipelineDescriptor {
             label: Some("raster"),
             layout: Some(&layout),
             vertex: VertexState {
                 module: &module,
-                entry_point: Some("vertex"),
+                entry_point: Some(vertices),
                 compilation_options: compilation_options.clone(),
                 buffers: &[],
             },
@@ -110,7 +128,7 @@ impl Pipelines {
             multisample: MultisampleState { count: key.samples, ..MultisampleState::default() },
             fragment: Some(FragmentState {
                 module: &module,
-                entry_point: Some(entry),
+                entry_point: Some(fragments),
                 compilation_options,
                 targets: &[Some(VISIBLE.into())],
             }),
@@ -145,6 +163,9 @@ impl Pipelines {
             ("MAPPED", f64::from(u8::from(key.mapped))),
             ("COLOR", f64::from(u8::from(key.color))),
             ("SURFACE", f64::from(u8::from(key.surface))),
+            ("SINGLE", f64::from(u8::from(key.single))),
+            ("TEXTURED", f64::from(u8::from(key.textured))),
+            ("COLORED", f64::from(u8::from(key.colored))),
         ];
         let pipeline = device.wgpu.create_compute_pipeline(&ComputePipelineDescriptor {
             label: Some("resolve"),

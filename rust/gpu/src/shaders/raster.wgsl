@@ -14,6 +14,72 @@ override CUTOUT: bool = false;
 
 @group(0) @binding(6) var<storage, read> order: array<u32>;
 
+// What a vertex of a triangle is called and where it is shown.
+struct Corner {
+    local: u32,
+    record: Record,
+    part: Part,
+    vertex: u32,
+    p: vec3<f32>,
+    q: vec3<f32>,
+    position: vec4<f32>,
+}
+
+fn corner_of(number: u32, instance: u32) -> Corner {
+    var local = batch.shifts.y;
+    if !SINGLE {
+        local = order[instance];
+    }
+    let record = record_of(local);
+    let part = part_of(record);
+    let vertex = page[part.faces + number];
+    let p = seen_from_eye(record, part, vertex);
+    let q = shown(p);
+    let at = vec4<f32>(q, 1.0);
+    let position = vec4<f32>(dot(view.clip_x, at), dot(view.clip_y, at), dot(view.clip_z, at), dot(view.clip_w, at));
+    return Corner(local, record, part, vertex, p, q, position);
+}
+
+fn id_of(local: u32, number: u32) -> vec2<u32> {
+    return vec2<u32>(batch.records.x + local, number / 3u);
+}
+
+fn packed(id: vec2<u32>) -> vec4<u32> {
+    return vec4<u32>(id.x & 0xffffu, id.x >> 16u, id.y & 0xffffu, id.y >> 16u);
+}
+
+// OpenGL maps depths from -1..1 and loses what reversed z is for; a fragment's own depth is stored as it is.
+fn own_depth(position: vec4<f32>) -> f32 {
+    return select(position.z, view.eye.w * position.w, view.eye.w > 0.0);
+}
+
+struct WithDepth {
+    @location(0) id: vec4<u32>,
+    @builtin(frag_depth) depth: f32,
+}
+
+// Triangles that are drawn whole carry their number and nothing else.
+struct Plain {
+    @builtin(position) position: vec4<f32>,
+    @location(0) @interpolate(flat) id: vec2<u32>,
+}
+
+@vertex
+fn plain_vertex(@builtin(vertex_index) number: u32, @builtin(instance_index) instance: u32) -> Plain {
+    let corner = corner_of(number, instance);
+    return Plain(corner.position, id_of(corner.local, number));
+}
+
+@fragment
+fn plain_fragment(in: Plain) -> @location(0) vec4<u32> {
+    return packed(in.id);
+}
+
+@fragment
+fn plain_fragment_with_depth(in: Plain) -> WithDepth {
+    return WithDepth(packed(in.id), own_depth(in.position));
+}
+
 struct Vertex {
     @builtin(position) position: vec4<f32>,
     @location(0) @interpolate(flat) id: vec2<u32>,
@@ -28,33 +94,28 @@ struct Vertex {
 
 @vertex
 fn vertex(@builtin(vertex_index) number: u32, @builtin(instance_index) instance: u32) -> Vertex {
-    let local = order[instance];
-    let record = records[local];
-    let part = parts[record.part.x];
-    let vertex = page[part.faces + number];
-    let p = seen_from_eye(record, part, vertex);
-    let q = shown(p);
-    let at = vec4<f32>(q, 1.0);
+    let corner = corner_of(number, instance);
+    let part = corner.part;
     var out: Vertex;
-    out.position = vec4<f32>(dot(view.clip_x, at), dot(view.clip_y, at), dot(view.clip_z, at), dot(view.clip_w, at));
-    let face = number / 3u;
-    out.id = vec2<u32>(batch.records.x + local, face);
-    out.from_center = p + view.offset.xyz;
-    out.from_eye = q;
+    out.position = corner.position;
+    out.id = id_of(corner.local, number);
+    out.from_center = corner.p + view.offset.xyz;
+    out.from_eye = corner.q;
     if SPLIT == OVERLAPPING {
-        let a = seen_from_eye(record, part, corner_number(part, face, 0u));
-        let b = seen_from_eye(record, part, corner_number(part, face, 1u));
-        let c = seen_from_eye(record, part, corner_number(part, face, 2u));
+        let face = number / 3u;
+        let a = seen_from_eye(corner.record, part, corner_number(part, face, 0u));
+        let b = seen_from_eye(corner.record, part, corner_number(part, face, 1u));
+        let c = seen_from_eye(corner.record, part, corner_number(part, face, 2u));
         let size = max(max(length(b - a), length(c - a)), 1e-30);
         out.normal = cross((b - a) / size, (c - a) / size);
     }
     if CUTOUT {
         if part.uvs != NONE {
-            out.uv = uv_of(part, vertex);
+            out.uv = uv_of(part, corner.vertex);
         }
         out.alpha = 1.0;
         if part.colors != NONE {
-            out.alpha = color_of(part, vertex).a;
+            out.alpha = color_of(part, corner.vertex).a;
         }
     }
     return out;
@@ -93,8 +154,7 @@ fn is_drawn(in: Vertex) -> bool {
 }
 
 fn is_solid(in: Vertex) -> bool {
-    let record = records[in.id.x - batch.records.x];
-    let part = parts[record.part.x];
+    let part = part_of(record_of(in.id.x - batch.records.x));
     let material = material_of(part, in.id.y);
     if material.cutoff < 0.0 {
         return true;
@@ -107,10 +167,6 @@ fn is_solid(in: Vertex) -> bool {
     return alpha >= material.cutoff;
 }
 
-fn packed(id: vec2<u32>) -> vec4<u32> {
-    return vec4<u32>(id.x & 0xffffu, id.x >> 16u, id.y & 0xffffu, id.y >> 16u);
-}
-
 @fragment
 fn fragment(in: Vertex) -> @location(0) vec4<u32> {
     if !is_drawn(in) {
@@ -119,16 +175,10 @@ fn fragment(in: Vertex) -> @location(0) vec4<u32> {
     return packed(in.id);
 }
 
-struct WithDepth {
-    @location(0) id: vec4<u32>,
-    @builtin(frag_depth) depth: f32,
-}
-
-// OpenGL maps depths from -1..1 and loses what reversed z is for; a fragment's own depth is stored as it is.
 @fragment
 fn fragment_with_depth(in: Vertex) -> WithDepth {
     if !is_drawn(in) {
         discard;
     }
-    return WithDepth(packed(in.id), select(in.position.z, view.eye.w * in.position.w, view.eye.w > 0.0));
+    return WithDepth(packed(in.id), own_depth(in.position));
 }

@@ -110,7 +110,7 @@ fn is_mine(id: vec2<u32>) -> bool {
     if id.x - batch.records.x >= batch.records.y {
         return false;
     }
-    return parts[records[id.x - batch.records.x].part.x].page == batch.records.z;
+    return part_of(record_of(id.x - batch.records.x)).page == batch.records.z;
 }
 
 fn store(word: u32, value: f32) {
@@ -130,8 +130,8 @@ fn color_of_sample(id: vec2<u32>, ray: Ray) -> vec3<f32> {
     if !is_mine(id) {
         return vec3<f32>(0.0);
     }
-    let record = records[id.x - batch.records.x];
-    let part = parts[record.part.x];
+    let record = record_of(id.x - batch.records.x);
+    let part = part_of(record);
     return surface_color(part, id.y, surface_of(record, part, id.y, ray), ray);
 }
 
@@ -193,8 +193,8 @@ fn resolve(@builtin(global_invocation_id) pixel: vec3<u32>) {
     if !is_mine(id) {
         return;
     }
-    let record = records[id.x - batch.records.x];
-    let part = parts[record.part.x];
+    let record = record_of(id.x - batch.records.x);
+    let part = part_of(record);
     let surface = surface_of(record, part, id.y, ray);
     if COLOR {
         store_color(number, surface_color(part, id.y, surface, ray), adds);

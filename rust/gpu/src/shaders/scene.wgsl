@@ -32,13 +32,6 @@ struct Pass {
     more_outputs: vec4<u32>,
 }
 
-struct Batch {
-    // Number of its first record among all of the frame's, how many there are, the page, whether it writes first.
-    records: vec4<u32>,
-    // Shift of the scene's texels.
-    shifts: vec4<u32>,
-}
-
 struct Record {
     x: vec4<f32>,
     y: vec4<f32>,
@@ -55,6 +48,16 @@ struct Part {
     material: u32,
     page: u32,
     first_face: u32,
+}
+
+struct Batch {
+    // Number of its first record among all of the frame's, how many there are, the page, whether it writes first.
+    records: vec4<u32>,
+    // Shift of the scene's texels, and the number of the one record in the batch where there is only one.
+    shifts: vec4<u32>,
+    // That record and its part.
+    record: Record,
+    part: Part,
 }
 
 struct Material {
@@ -86,6 +89,23 @@ const NONE: u32 = 0xffffffffu;
 @group(0) @binding(5) var texels: texture_2d_array<u32>;
 @group(1) @binding(0) var<uniform> view: Pass;
 @group(1) @binding(1) var<uniform> batch: Batch;
+
+// All faces belong to one record, which the batch tells: nothing is looked up.
+override SINGLE: bool = false;
+
+fn record_of(local: u32) -> Record {
+    if SINGLE {
+        return batch.record;
+    }
+    return records[local];
+}
+
+fn part_of(record: Record) -> Part {
+    if SINGLE {
+        return batch.part;
+    }
+    return parts[record.part.x];
+}
 
 // Place of the nth texel where rows have 2^shift of them and layers 2^shift rows: column, row, layer.
 fn place_of(n: u32, shift: u32) -> vec3<i32> {

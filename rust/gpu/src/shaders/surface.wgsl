@@ -1,5 +1,9 @@
 // Base colours, filtered as `scene::Texture` does it, and the one shading formula.
 
+// The scene has textures, and colours of vertices.
+override TEXTURED: bool = true;
+override COLORED: bool = true;
+
 fn texel_color(n: u32) -> vec4<f32> {
     let at = place_of(n, batch.shifts.x);
     return vec4<f32>(textureLoad(texels, at.xy, at.z, 0)) * (1.0 / 65535.0);
@@ -67,14 +71,17 @@ fn blend_3(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, at: vec2<f32>) -> vec3<f32>
 fn albedo(part: Part, face: u32, at: vec2<f32>, footprint: f32, doubled_area: f32) -> vec3<f32> {
     let material = material_of(part, face);
     var color = material.base_color.rgb;
+    if !(TEXTURED || COLORED) {
+        return color;
+    }
     let corners = vec3<u32>(corner_number(part, face, 0u), corner_number(part, face, 1u), corner_number(part, face, 2u));
-    if part.colors != NONE {
+    if COLORED && part.colors != NONE {
         let a = linear_of(color_of(part, corners.x).rgb);
         let b = linear_of(color_of(part, corners.y).rgb);
         let c = linear_of(color_of(part, corners.z).rgb);
         color *= blend_3(a, b, c, at);
     }
-    if material.texture != NONE && part.uvs != NONE {
+    if TEXTURED && material.texture != NONE && part.uvs != NONE {
         let texture = textures[material.texture];
         let a = uv_of(part, corners.x);
         let b = uv_of(part, corners.y);

@@ -21,6 +21,8 @@ pub(crate) struct MaterialTable {
     pub materials: wgpu::Buffer,
     pub textures: wgpu::Buffer,
     pub texels: Texels,
+    /// Some material has a texture.
+    pub textured: bool,
 }
 
 impl MaterialTable {
@@ -56,6 +58,7 @@ impl MaterialTable {
             materials: device.filled_buffer("materials", &materials, BufferUsages::STORAGE)?,
             textures: device.filled_buffer("textures", &table, BufferUsages::STORAGE)?,
             texels,
+            textured: used.contains(&true),
         })
     }
 }

@@ -10,6 +10,8 @@ use crate::device::Device;
 
 /// Words of a record: three rows of a matrix mesh→scene, and the part.
 pub(crate) const RECORD_WORDS: usize = 16;
+/// Where among them the part stands.
+pub(super) const PART_WORD: usize = 12;
 
 /// Records of instances that never move, as many as one pass may bind.
 pub(crate) struct Records {
@@ -42,6 +44,6 @@ pub(super) fn record_words(instance: &Instance, part: u32) -> [u32; RECORD_WORDS
     for (i, slot) in words.chunks_exact_mut(4).take(3).enumerate() {
         slot.copy_from_slice(&row(i));
     }
-    words[12] = part;
+    words[PART_WORD] = part;
     words
 }

@@ -7,7 +7,7 @@ use nearfar_core::base::Result;
 use nearfar_core::scene::{Instance, InstanceSet, Material, Mesh, Scene, Texture};
 use wgpu::BufferUsages;
 
-use super::records::record_words;
+use super::records::{PART_WORD, RECORD_WORDS, record_words};
 use super::residents::Parts;
 use super::Records;
 use super::materials::MaterialTable;
@@ -15,7 +15,7 @@ use super::pages::Part;
 use crate::device::Device;
 
 /// Words of a part in its table.
-const PART_WORDS: usize = 8;
+pub(crate) const PART_WORDS: usize = 8;
 
 /// What a scene's tables follow from; poses of moving instances are not in them.
 pub(super) struct Key {
@@ -76,6 +76,9 @@ pub(crate) struct SceneTables {
     pub records: Vec<Records>,
     /// Table of all parts.
     pub parts: wgpu::Buffer,
+    part_words: Vec<u32>,
+    /// Some mesh has colours of its vertices.
+    pub colored: bool,
     pub materials: MaterialTable,
 }
 
@@ -95,7 +98,15 @@ impl SceneTables {
         let [standing, moving] = scene.sets().map(|set| SetTables::new(set.instances(), &mut number_of));
         let records = Records::standing(device, &standing.record_words(scene.standing.instances()))?;
         let parts = device.filled_buffer("parts", &words, BufferUsages::STORAGE)?;
-        Ok(Self { standing, moving, records, parts, materials: MaterialTable::new(device, scene)? })
+        let colored = scene.instances().any(|instance| instance.mesh.colors.is_some());
+        let materials = MaterialTable::new(device, scene)?;
+        Ok(Self { standing, moving, records, parts, part_words: words, colored, materials })
+    }
+
+    /// A record's part as its table has it.
+    pub fn part_of(&self, record: &[u32; RECORD_WORDS]) -> [u32; PART_WORDS] {
+        let start = record[PART_WORD] as usize * PART_WORDS;
+        std::array::from_fn(|i| self.part_words[start + i])
     }
 }
 
@@ -116,8 +127,12 @@ impl SetTables {
 
     /// Records of all instances in their present poses.
     pub fn record_words(&self, instances: &[Instance]) -> Vec<u32> {
-        let one = |(&(instance, _), &part): (&(u32, u32), &u32)| record_words(&instances[instance as usize], part);
-        self.sources.iter().zip(&self.parts).flat_map(one).collect()
+        (0..self.parts.len()).flat_map(|record| self.record(instances, record)).collect()
+    }
+
+    /// One of them.
+    pub fn record(&self, instances: &[Instance], record: usize) -> [u32; RECORD_WORDS] {
+        record_words(&instances[self.sources[record].0 as usize], self.parts[record])
     }
 }
 
