@@ -5,10 +5,13 @@
 //! for each pixel and in the wanted channels only, by the tracer's formulas. So pictures of both back ends differ by
 //! rounding alone, and what is hidden costs nothing but its depth.
 
+mod upload;
+pub mod bake;
 pub mod device;
 pub mod draw;
+pub mod reduced;
 pub mod truth;
-mod upload;
 
 pub use device::{AdapterKind, AdapterReport, Counters, Device};
 pub use draw::Job;
+pub use reduced::Reduced;

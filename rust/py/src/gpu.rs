@@ -2,13 +2,16 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
+use glam::DVec3;
 use nearfar_core::base::Error;
-use nearfar_gpu::{Device, Job, device, truth};
+use nearfar_core::render::bake::Bake;
+use nearfar_gpu::{Device, Job, bake, device, truth};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::camera::Camera;
 use crate::errors::to_python;
+use crate::reduce::{Reduced, drawing};
 use crate::render::{channels, images};
 use crate::run;
 use crate::scene::Scene;
@@ -84,6 +87,50 @@ impl GpuDevice {
         let (scene, camera) = (&scene.0, &camera.0);
         let job = run::long(py, report, |progress| {
             truth::begin(&self.0, scene, camera, wanted, samples, progress)
+        })?;
+        Ok(GpuJob::new(job, camera))
+    }
+
+    /// An environment map's channels by name, as `bake` gives them.
+    #[pyo3(signature = (scene, *, center, radius, size, samples, range, object_id, report=None))]
+    #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+    fn bake<'py>(
+        &self,
+        py: Python<'py>,
+        scene: &Scene,
+        center: [f64; 3],
+        radius: f64,
+        size: u32,
+        samples: u32,
+        range: bool,
+        object_id: bool,
+        report: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let settings = Bake { center: DVec3::from_array(center), radius, size, samples, range, object_id };
+        let frame = run::long(py, report, |progress| bake::bake(&self.0, &scene.0, &settings, progress))?;
+        images(py, frame, (6 * size as usize, size as usize))
+    }
+
+    /// Begins a frame of a reduced scene; `scene` is the one that was reduced, in any pose.
+    #[pyo3(signature = (reduced, scene, camera, *, channels, samples, method, mapped, tolerance_px, report=None))]
+    #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+    fn reduced(
+        &self,
+        py: Python<'_>,
+        reduced: &Reduced,
+        scene: &Scene,
+        camera: &Camera,
+        channels: Vec<String>,
+        samples: u32,
+        method: &str,
+        mapped: bool,
+        tolerance_px: f64,
+        report: Option<Py<PyAny>>,
+    ) -> PyResult<GpuJob> {
+        let drawing = drawing(&channels, samples, method, mapped, tolerance_px)?;
+        let (device, scene, camera) = (&self.0, &scene.0, &camera.0);
+        let job = run::long(py, report, |progress| {
+            reduced.on_gpu()?.begin(device, (&reduced.core, scene), camera, &drawing, progress)
         })?;
         Ok(GpuJob::new(job, camera))
     }

@@ -1,5 +1,7 @@
 //! Bindings of `render::bake` and `render::reduced`.
 
+use std::sync::{Arc, Mutex, PoisonError};
+
 use glam::DVec3;
 use nearfar_core::base::Error;
 use nearfar_core::cubemap::EnvironmentMap;
@@ -44,7 +46,41 @@ type Array<'py, T> = Bound<'py, PyArrayDyn<T>>;
 
 /// A reduced scene, ready to be drawn.
 #[pyclass(frozen, module = "nearfar._core")]
-pub struct Reduced(reduced::Reduced);
+pub struct Reduced {
+    pub core: reduced::Reduced,
+    partition: Py<Partition>,
+    /// Gathered when a device draws it for the first time.
+    gpu: Mutex<Option<Arc<nearfar_gpu::Reduced>>>,
+}
+
+impl Reduced {
+    /// The near part as devices draw it.
+    pub fn on_gpu(&self) -> nearfar_core::base::Result<Arc<nearfar_gpu::Reduced>> {
+        let mut gathered = self.gpu.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(gathered) = &*gathered {
+            return Ok(Arc::clone(gathered));
+        }
+        let made = Arc::new(nearfar_gpu::Reduced::new(&self.partition.get().0, &self.core)?);
+        *gathered = Some(Arc::clone(&made));
+        Ok(made)
+    }
+}
+
+/// What a drawing is to be, by its public names.
+pub fn drawing(
+    channels: &[String],
+    samples: u32,
+    method: &str,
+    mapped: bool,
+    tolerance_px: f64,
+) -> PyResult<Drawing> {
+    let method = match method {
+        "vertex" => Method::Vertex,
+        "exact" => Method::Exact,
+        _ => return Err(to_python(Error::value("method", "'vertex' or 'exact'", method))),
+    };
+    Ok(Drawing { channels: self::channels(channels)?, samples, method, mapped, tolerance_px })
+}
 
 #[pymethods]
 impl Reduced {
@@ -55,7 +91,7 @@ impl Reduced {
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python constructor")]
     fn new<'py>(
         py: Python<'py>,
-        partition: &Partition,
+        partition: Py<Partition>,
         morph: &str,
         boundary: f64,
         size: u32,
@@ -79,7 +115,9 @@ impl Reduced {
             }
             None => None,
         };
-        run::long(py, report, |progress| reduced::Reduced::new(&partition.0, join, map, progress)).map(Self)
+        let zones = &partition.get().0;
+        let core = run::long(py, report, |progress| reduced::Reduced::new(zones, join, map, progress))?;
+        Ok(Self { core, partition, gpu: Mutex::default() })
     }
 
     /// Images of a view by name; `scene` is the one that was reduced, in any pose.
@@ -97,27 +135,22 @@ impl Reduced {
         tolerance_px: f64,
         report: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let method = match method {
-            "vertex" => Method::Vertex,
-            "exact" => Method::Exact,
-            _ => return Err(to_python(Error::value("method", "'vertex' or 'exact'", method))),
-        };
-        let drawing = Drawing { channels: self::channels(&channels)?, samples, method, mapped, tolerance_px };
+        let drawing = drawing(&channels, samples, method, mapped, tolerance_px)?;
         let (scene, camera) = (&scene.0, &camera.0);
-        let frame = run::long(py, report, |progress| self.0.render(scene, camera, &drawing, progress))?;
+        let frame = run::long(py, report, |progress| self.core.render(scene, camera, &drawing, progress))?;
         images(py, frame, (camera.height as usize, camera.width as usize))
     }
 
     /// Bytes of the copies of near geometry.
     #[getter]
     fn near_bytes(&self) -> usize {
-        self.0.near_bytes()
+        self.core.near_bytes()
     }
 
     /// Triangles that were traced for the last frame, those that move, vertices seen in opposite directions, and whether
     /// the tolerance was a bound.
     fn last_frame(&self) -> (u64, u64, u64, bool) {
-        let counts = self.0.last_frame();
+        let counts = self.core.last_frame();
         (counts.triangles, counts.moving, counts.opposed, counts.bounded)
     }
 }

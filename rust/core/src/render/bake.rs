@@ -28,25 +28,46 @@ pub struct Bake {
     pub object_id: bool,
 }
 
+impl Bake {
+    /// Fails for settings that no map can be made with.
+    pub fn check(&self, scene: &Scene) -> Result<()> {
+        if !(1..=MAX_SIZE).contains(&self.size) {
+            return Err(Error::value("face_size", format!("1 to {MAX_SIZE} texels"), self.size));
+        }
+        if !(self.radius.is_finite() && self.radius >= 0.0) {
+            return Err(Error::value("radius", "a finite radius of at least 0", self.radius));
+        }
+        check_reach("center", self.center - scene.origin)
+    }
+
+    /// Images of each face.
+    pub fn channels(&self) -> Channels {
+        Channels { color: true, range: self.range, object_id: self.object_id, ..Channels::default() }
+    }
+
+    /// The view of a face.
+    pub fn camera(&self, face: u8) -> Result<Camera> {
+        Camera::new(self.center, DQuat::IDENTITY, Projection::CubeFace(face), self.size, self.size)
+    }
+
+    /// Width at one metre of the two texels by which the map reaches inside the radius.
+    pub fn two_texels(&self) -> f64 {
+        4.0 / f64::from(self.size)
+    }
+}
+
 /// Six faces, one after the other, of what stands; moving objects are never in the map. Geometry is traced where it lies, without copies.
 pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame> {
-    let &Bake { center, radius, size, samples, range, object_id } = settings;
-    if !(1..=MAX_SIZE).contains(&size) {
-        return Err(Error::value("face_size", format!("1 to {MAX_SIZE} texels"), size));
-    }
-    if !(radius.is_finite() && radius >= 0.0) {
-        return Err(Error::value("radius", "a finite radius of at least 0", radius));
-    }
-    check_reach("center", center - scene.origin)?;
-    let channels = Channels { color: true, range, object_id, ..Channels::default() };
-    channels.check_room(6 * u64::from(size).pow(2))?;
+    settings.check(scene)?;
+    let channels = settings.channels();
+    channels.check_room(6 * u64::from(settings.size).pow(2))?;
     let standing = Scene { moving: Default::default(), ..scene.clone() };
     standing.build(progress)?;
-    let beyond = Beyond { scene: &standing, radius, two_texels: 4.0 / f64::from(size) };
+    let beyond = Beyond { scene: &standing, radius: settings.radius, two_texels: settings.two_texels() };
     let mut whole = Frame::default();
     for face in 0..6 {
-        let camera = Camera::new(center, DQuat::IDENTITY, Projection::CubeFace(face), size, size)?;
-        let view = View { camera: &camera, origin: scene.origin, channels, samples };
+        let camera = settings.camera(face)?;
+        let view = View { camera: &camera, origin: scene.origin, channels, samples: settings.samples };
         let part = if standing.has_cutouts() {
             let filter = AlphaFilter { scene: &standing, inner: &beyond };
             draw(&view, &Truth { scene: &standing, filter }, progress)?

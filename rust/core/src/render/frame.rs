@@ -26,7 +26,7 @@ impl Channels {
     }
 
     /// An error where the wanted images of so many pixels do not fit into memory.
-    pub(super) fn check_room(&self, pixels: u64) -> Result<()> {
+    pub fn check_room(&self, pixels: u64) -> Result<()> {
         let wanted = |wanted: bool, bytes: usize| if wanted { bytes as u64 } else { 0 };
         let bytes = wanted(self.color, size_of::<[f32; 3]>())
             + wanted(self.range, size_of::<f32>())

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::DAffine3;
 use rayon::prelude::*;
 
-use super::{Instance, InstanceSet, Mesh, Scene};
+use super::{FaceMap, Instance, InstanceSet, Mesh, Part, Scene, merge};
 use crate::base::{Error, Result};
 
 impl Scene {
@@ -66,6 +66,24 @@ impl Scene {
             let mine = &chosen[first as usize..][..instance.mesh.faces.len()];
             Kept::of(&instance.mesh, |face| mine[face as usize])
         }))
+    }
+
+    /// One mesh of chosen faces (instance and face, those of an instance together) where they stand. The object of each
+    /// is its place in the list.
+    pub fn gathered(&self, chosen: &[(u32, u32)]) -> Result<Mesh> {
+        if chosen.len() > i32::MAX as usize {
+            return Err(Error::value("triangles", "fewer than 2^31 in one mesh", chosen.len()));
+        }
+        let mut first = 0;
+        let parts = chosen.chunk_by(|a, b| a.0 == b.0).map(|run| {
+            let instance = self.instance(run[0].0);
+            let faces: Vec<u32> = run.iter().map(|&(_, face)| face).collect();
+            let mut mesh = instance.mesh.selected(&faces);
+            mesh.objects = FaceMap::PerFace((first..first + run.len() as i32).collect());
+            first += run.len() as i32;
+            Part { mesh: Arc::new(mesh), to_scene: instance.to_scene, object: None }
+        });
+        merge(&parts.collect::<Vec<_>>())
     }
 
     fn subset(&self, keep: impl Fn(i64, &Instance) -> Kept) -> Self {
@@ -146,7 +164,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::scene::{FaceMap, Material};
+    use crate::scene::Material;
 
     /// A row of triangles along x, one for each entry of `objects`, and an instance of the first further up.
     fn row(objects: &[i32]) -> Scene {
@@ -164,6 +182,18 @@ mod tests {
         ];
         let materials = Arc::new(vec![Material::default()]);
         Scene::new(DVec3::ZERO, standing, Vec::new(), materials, Arc::default()).unwrap()
+    }
+
+    #[test]
+    fn gathered_faces_stand_where_they_stood_and_know_their_places() {
+        let scene = row(&[0, 1, 2, 3]);
+        let chosen = [(0, 3), (0, 1), (1, 0)];
+        let mesh = scene.gathered(&chosen).unwrap();
+        for (place, &(instance, face)) in chosen.iter().enumerate() {
+            assert_eq!(mesh.objects.get(place as u32), place as i32);
+            assert_eq!(mesh.corners(place as u32), scene.instance(instance).corners(face));
+        }
+        assert!(scene.gathered(&[]).unwrap().faces.is_empty());
     }
 
     /// Object and corners of every triangle, sorted: what a scene shows, in whatever order.

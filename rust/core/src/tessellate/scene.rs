@@ -11,10 +11,15 @@ use crate::base::{Buffer, Progress, Result};
 use crate::scene::srgb::{linear_from_srgb, srgb_from_linear};
 use crate::scene::{Instance, InstanceSet, Mesh, Scene};
 
-/// The scene with its standing triangles split; what needs no split is shared with the source. The rule's centre is
-/// relative to the scene's origin.
+/// The scene with its standing triangles split, where the rule's tolerance is a bound.
 pub fn tessellate_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(Scene, Counts)> {
     rule.demand()?;
+    split_scene(scene, rule, progress)
+}
+
+/// The scene with its standing triangles split by a rule, bound or not; what needs no split is shared with the source.
+/// The rule's centre is relative to the scene's origin.
+pub fn split_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(Scene, Counts)> {
     let mut counts = Counts { before: scene.triangle_count() as u64, ..Counts::default() };
     let standing = scene.standing.instances();
     let touched = |instance: &&Instance| touches(instance, rule);

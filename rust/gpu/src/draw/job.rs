@@ -187,7 +187,7 @@ impl Job {
         let offset = self.camera.position - self.picture.origin - self.picture.center;
         match kind {
             Kind::AsItIs => Some(Frustum::new(&self.camera, window, eye, 0.0)),
-            Kind::FromCenter => Some(Frustum::new(&self.camera, window, eye - offset, 0.0)),
+            Kind::FromCenter | Kind::FromCenterOnCylinder => Some(Frustum::new(&self.camera, window, eye - offset, 0.0)),
             // Points move by the user's offset at most, where directions are not opposed.
             Kind::Blend if offset.length() < self.picture.radii[0] => {
                 Some(Frustum::new(&self.camera, window, eye, 2.0 * offset.length()))

@@ -19,6 +19,8 @@ pub(crate) enum Kind {
     Cylinder,
     /// Where the centre sees them: moved by the user's offset.
     FromCenter,
+    /// The same, but as far away as they are shown by CloVR's cylinder.
+    FromCenterOnCylinder,
 }
 
 /// Which fragments are drawn, by their distance from the centre's axis.

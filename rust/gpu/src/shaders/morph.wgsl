@@ -4,6 +4,7 @@ const AS_IT_IS: u32 = 0u;
 const BLEND: u32 = 1u;
 const CYLINDER: u32 = 2u;
 const FROM_CENTER: u32 = 3u;
+const FROM_CENTER_ON_CYLINDER: u32 = 4u;
 
 override KIND: u32 = AS_IT_IS;
 
@@ -35,7 +36,7 @@ fn shown(p: vec3<f32>) -> vec3<f32> {
         return p;
     }
     let from_center = p + view.offset.xyz;
-    if KIND == FROM_CENTER {
+    if KIND == FROM_CENTER || KIND == FROM_CENTER_ON_CYLINDER {
         return from_center;
     }
     let rho = length(from_center.xz);
@@ -67,7 +68,7 @@ fn shown(p: vec3<f32>) -> vec3<f32> {
 
 // How far away the user is shown what the centre sees at a distance beyond r2.
 fn far_distance(direction: vec3<f32>, from_center: f32) -> f32 {
-    if KIND != CYLINDER || from_center > 1e30 {
+    if KIND != FROM_CENTER_ON_CYLINDER || from_center > 1e30 {
         return from_center;
     }
     let exit = leave_cylinder(direction, from_center * length(direction.xz));

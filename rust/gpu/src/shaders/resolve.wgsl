@@ -200,13 +200,13 @@ fn resolve(@builtin(global_invocation_id) pixel: vec3<u32>) {
         store_color(number, surface_color(part, id.y, surface, ray), adds);
     }
     if SURFACE {
-        store_surface(number, id, surface);
+        store_surface(number, id, surface, ray);
     }
 }
 
-fn store_surface(number: u32, id: vec2<u32>, surface: Surface) {
+fn store_surface(number: u32, id: vec2<u32>, surface: Surface, ray: Ray) {
     if view.outputs.y != NONE {
-        store(view.outputs.y + number, surface.range);
+        store(view.outputs.y + number, far_distance(ray.direction, surface.range));
     }
     if view.outputs.z != NONE {
         output[view.outputs.z + 2u * number] = id.x;

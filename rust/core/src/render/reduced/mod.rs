@@ -111,6 +111,16 @@ impl Reduced {
         Ok(Self { standing, center: partition.center(), radii, join, map, near, last: Default::default() })
     }
 
+    /// How near and far part are joined.
+    pub fn join(&self) -> Join {
+        self.join
+    }
+
+    /// What surrounds the near part, where anything does.
+    pub fn map(&self) -> Option<&EnvironmentMap> {
+        self.map.as_ref()
+    }
+
     /// Bytes of the copies of near geometry.
     pub fn near_bytes(&self) -> usize {
         self.near.bytes()
@@ -124,12 +134,8 @@ impl Reduced {
 
     /// Draws a view from the user's position, the camera's. `scene` is the reduced one, its moving objects in any pose.
     pub fn render(&self, scene: &Scene, camera: &Camera, drawing: &Drawing, progress: &Progress) -> Result<Frame> {
-        if !Arc::ptr_eq(&scene.standing, &self.standing.standing) {
-            return Err(Error::value("at", "poses of the scene that was reduced", "another scene"));
-        }
-        self.check(camera, drawing)?;
+        self.check(scene, camera, drawing)?;
         let view = View { camera, origin: scene.origin, channels: drawing.channels, samples: drawing.samples };
-        check_reach("position", camera.position - scene.origin)?;
         let center = self.center - scene.origin;
         let [r1, r2] = self.radii;
         let radius = if let Join::Conventional { radius } = self.join { radius } else { r2 };
@@ -169,7 +175,12 @@ impl Reduced {
         }
     }
 
-    fn check(&self, camera: &Camera, drawing: &Drawing) -> Result<()> {
+    /// Fails for what can't be drawn: another scene, parallel rays before a map, channels that were not baked.
+    pub fn check(&self, scene: &Scene, camera: &Camera, drawing: &Drawing) -> Result<()> {
+        if !Arc::ptr_eq(&scene.standing, &self.standing.standing) {
+            return Err(Error::value("at", "poses of the scene that was reduced", "another scene"));
+        }
+        check_reach("position", camera.position - scene.origin)?;
         if drawing.mapped {
             self.check_channels(drawing.channels)?;
         }
@@ -188,11 +199,12 @@ impl Reduced {
     }
 
     /// Radians that the finest pixel covers, for parallel rays as seen from r₂ away.
-    fn pixel_angle(&self, camera: &Camera) -> f64 {
+    pub fn pixel_angle(&self, camera: &Camera) -> f64 {
         camera.least_pixel_angle() / if camera.is_parallel() { self.radii[1] } else { 1.0 }
     }
 
-    fn remember(&self, counts: FrameCounts) {
+    /// Keeps what the last frame took.
+    pub fn remember(&self, counts: FrameCounts) {
         let FrameCounts { triangles, moving, opposed, bounded } = counts;
         for (slot, count) in self.last.iter().zip([triangles, moving, opposed, u64::from(bounded)]) {
             slot.store(count, Ordering::Relaxed);

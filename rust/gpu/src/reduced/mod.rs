@@ -1,0 +1,117 @@
+//! What a thin client shows: near geometry, morphed by the vertex shader, before an environment map.
+
+mod near;
+mod picture;
+
+use std::sync::{Arc, Mutex, PoisonError, Weak};
+
+use glam::DVec3;
+use nearfar_core::base::{Error, Progress, Result};
+use nearfar_core::camera::Camera;
+use nearfar_core::cubemap::EnvironmentMap;
+use nearfar_core::morph::{Kind as MorphKind, Morph};
+use nearfar_core::partition::Partition;
+use nearfar_core::render::reduced::{self, Drawing, FrameCounts, Join, Method};
+use nearfar_core::scene::Scene;
+
+use crate::device::Device;
+use crate::draw::Job;
+use crate::upload::EnvTexels;
+use near::Near;
+
+/// The near part of a reduced scene as a device draws it, and the map on it.
+pub struct Reduced {
+    near: Near,
+    join: Join,
+    center: DVec3,
+    radii: [f64; 2],
+    map: Option<EnvironmentMap>,
+    /// The map on the device that drew last.
+    texels: Mutex<Option<(Weak<Device>, Arc<EnvTexels>)>>,
+}
+
+impl Reduced {
+    /// Gathers the near part of a scene that was reduced; nothing is sent before it is drawn.
+    pub fn new(partition: &Partition, reduced: &reduced::Reduced) -> Result<Self> {
+        let radii = [partition.r1(), partition.r2()];
+        let inside = match reduced.join() {
+            Join::Morph(_) => radii[0],
+            Join::Conventional { radius } => radius,
+        };
+        Ok(Self {
+            near: Near::gather(partition, inside)?,
+            join: reduced.join(),
+            center: partition.center() - partition.scene().origin,
+            radii,
+            map: reduced.map().cloned(),
+            texels: Mutex::default(),
+        })
+    }
+
+    /// Begins a frame of the user at the camera's position. `scene` is the one that was reduced, its moving objects in any
+    /// pose; `reduced` is what the drawing is checked by and remembers what it took.
+    pub fn begin(
+        &self,
+        device: &Arc<Device>,
+        (reduced, scene): (&reduced::Reduced, &Scene),
+        camera: &Camera,
+        drawing: &Drawing,
+        progress: &Progress,
+    ) -> Result<Job> {
+        reduced.check(scene, camera, drawing)?;
+        if drawing.method == Method::Exact && matches!(self.join, Join::Morph(_)) {
+            let expected = "'vertex' on a graphics adapter: rays are bent by the tracer, backend='cpu'";
+            return Err(Error::value("method", expected, "'exact'"));
+        }
+        let user = camera.position - scene.origin;
+        let kind = match self.join {
+            Join::Morph(kind) if user != self.center => Some(kind),
+            _ => None,
+        };
+        let tolerance = drawing.tolerance_px * reduced.pixel_angle(camera);
+        let split = kind.filter(|_| tolerance.is_finite());
+        let bending = match split {
+            Some(kind) => self.near.split((user - self.center).length(), tolerance, kind, progress)?,
+            None => self.near.unsplit(),
+        };
+        let texels = match &self.map {
+            Some(map) if drawing.mapped => Some(self.texels(device, map)?),
+            _ => None,
+        };
+        let moving = scene.moving.triangle_count() as u64;
+        reduced.remember(FrameCounts {
+            triangles: self.near.triangle_count(&bending) + moving,
+            moving,
+            opposed: kind.map_or(Ok(0), |kind| self.opposed(scene, user, kind, &bending.scene))?,
+            bounded: kind.is_none() || bending.bounded,
+        });
+        let picture = self.picture(device, scene, (kind, &bending), texels, drawing.mapped)?;
+        Job::begin(device, picture, camera, drawing.channels, drawing.samples, progress)
+    }
+
+    /// Vertices that user and centre see in opposite directions: none while the user is in the near cylinder.
+    fn opposed(&self, scene: &Scene, user: DVec3, kind: MorphKind, bending: &Scene) -> Result<u64> {
+        let offset = user - self.center;
+        if offset.x.hypot(offset.z) < self.radii[0] {
+            return Ok(0);
+        }
+        let morph = Morph::new(user, self.center, self.radii[0], self.radii[1], kind)?;
+        let opposed = |instance: &nearfar_core::scene::Instance| -> u64 {
+            let corners = (0..instance.mesh.faces.len() as u32).flat_map(|face| instance.corners(face));
+            corners.map(|corner| u64::from(morph.examine(corner.as_dvec3()).opposed)).sum()
+        };
+        Ok(bending.instances().chain(scene.moving.instances()).map(opposed).sum())
+    }
+
+    fn texels(&self, device: &Arc<Device>, map: &EnvironmentMap) -> Result<Arc<EnvTexels>> {
+        let mut known = self.texels.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((owner, texels)) = &*known
+            && std::ptr::eq(owner.as_ptr(), Arc::as_ptr(device))
+        {
+            return Ok(Arc::clone(texels));
+        }
+        let texels = Arc::new(EnvTexels::new(device, Some(map))?);
+        *known = Some((Arc::downgrade(device), Arc::clone(&texels)));
+        Ok(texels)
+    }
+}
