@@ -144,9 +144,9 @@ impl<'a> Bound<'a> {
     }
 
     fn resolve(&self, encoder: &mut CommandEncoder, kind: PassKind, samples: u32, offset: u32) -> Result<()> {
-        let key = |kind_of_points, single, layer: Option<&Layer>| ResolveKey {
+        let key = |kind_of_points, single, first, layer: Option<&Layer>| ResolveKey {
             kind: kind_of_points,
-            mapped: self.picture.map.is_some(),
+            mapped: first && self.picture.map.is_some(),
             color: kind.color,
             surface: kind.surface,
             single,
@@ -157,10 +157,11 @@ impl<'a> Bound<'a> {
         let layers = &self.picture.layers;
         let resolve = |group: &Group| {
             let layer = &layers[group.layer];
-            self.device.pipelines.resolve(self.device, key(layer.kind, group.single, Some(layer)))
+            let first = std::ptr::eq(group, &self.plan.groups[0]) && !self.plan.needs_empty(self.picture);
+            self.device.pipelines.resolve(self.device, key(layer.kind, group.single, first, Some(layer)))
         };
         let pipelines: Vec<_> = self.plan.groups.iter().map(resolve).collect::<Result<_>>()?;
-        let missed = self.device.pipelines.resolve(self.device, key(self.picture.missed, false, None))?;
+        let missed = self.device.pipelines.resolve(self.device, key(self.picture.missed, false, true, None))?;
         let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: Some("resolve"), ..Default::default() });
         let Some(target) = &self.targets[usize::from(kind.multisampled)] else { return Ok(()) };
         let groups = [self.slot.shape.width.div_ceil(8), self.slot.shape.height.div_ceil(8)];
