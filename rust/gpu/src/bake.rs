@@ -36,7 +36,8 @@ pub fn bake(device: &Arc<Device>, scene: &Scene, settings: &Bake, progress: &Pro
         two_texels: settings.two_texels(),
         missed: Kind::AsItIs,
     };
-    let begin = |face| Job::begin(device, picture.clone(), &settings.camera(face)?, channels, settings.samples, progress);
+    let begin =
+        |face| Job::begin(device, picture.clone(), &settings.camera(face)?, channels, settings.samples, progress);
     let mut whole = Frame::default();
     let mut next = Some(begin(0)?);
     for face in 1..=6 {

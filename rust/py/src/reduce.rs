@@ -56,24 +56,18 @@ pub struct Reduced {
 impl Reduced {
     /// The near part as devices draw it.
     pub fn on_gpu(&self) -> nearfar_core::base::Result<Arc<nearfar_gpu::Reduced>> {
-        let mut gathered = self.gpu.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(gathered) = &*gathered {
-            return Ok(Arc::clone(gathered));
+        let gathered = || self.gpu.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = gathered().clone() {
+            return Ok(known);
         }
+        // Not while it is locked: a thread that waits for its share of this may take up another frame.
         let made = Arc::new(nearfar_gpu::Reduced::new(&self.partition.get().0, &self.core)?);
-        *gathered = Some(Arc::clone(&made));
-        Ok(made)
+        Ok(Arc::clone(gathered().get_or_insert(made)))
     }
 }
 
 /// What a drawing is to be, by its public names.
-pub fn drawing(
-    channels: &[String],
-    samples: u32,
-    method: &str,
-    mapped: bool,
-    tolerance_px: f64,
-) -> PyResult<Drawing> {
+pub fn drawing(channels: &[String], samples: u32, method: &str, mapped: bool, tolerance_px: f64) -> PyResult<Drawing> {
     let method = match method {
         "vertex" => Method::Vertex,
         "exact" => Method::Exact,

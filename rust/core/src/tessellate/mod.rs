@@ -17,7 +17,7 @@ mod tests;
 
 pub use arrays::{Arrays, tessellate_arrays};
 pub use rule::{Precision, Rule, Settings};
-pub use scene::{split_scene, tessellate_scene};
+pub use scene::{needs_split, split_scene, tessellate_scene};
 pub use split::Piece;
 
 /// What was done.

@@ -82,6 +82,8 @@ pub struct Rule {
     missing_r1: f64,
     /// By how much points and vertices of a triangle beyond r₂ may lie inside.
     passing_r2: f64,
+    /// Length of edges that need no split, wherever they are.
+    harmless: f64,
     /// By how much a vertex on a radius may miss it: rounding, and what edges dip that are too short to be split.
     rounding: f64,
     holds: bool,
@@ -131,6 +133,9 @@ impl Rule {
             passing_r1,
             missing_r1,
             passing_r2,
+            // A chord across a kink misses it by the change of slope times a quarter of its length; it may cross both.
+            harmless: pitch(narrowest.across + narrowest.along + narrowest.any)
+                .min(2.0 * tolerance / zone.slope(least)),
             rounding: rounding.max(shortest * shortest / (2.0 * r1.max(width))),
             holds: holds && kind == Kind::Blend,
         };
@@ -168,6 +173,11 @@ impl Rule {
             return Err(Error::value("tolerance_px", expected, format!("{:e} radians", self.settings.tolerance)));
         }
         Ok(())
+    }
+
+    /// Length of edges that miss the morph by less than the tolerance wherever they are, also across the radii.
+    pub fn harmless(&self) -> f64 {
+        self.harmless
     }
 
     /// The settings that it was made for.

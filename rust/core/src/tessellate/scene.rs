@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use glam::{DAffine3, Vec3};
+use rayon::prelude::*;
 
 use super::Counts;
 use super::assemble::{Assembled, Budget, NewVertex, assemble};
@@ -48,6 +49,19 @@ pub fn split_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(S
     };
     counts.after = split.triangle_count() as u64;
     Ok((split, counts))
+}
+
+/// True where an instance reaches between the radii with edges that are too long to be left as they are.
+pub fn needs_split(instance: &Instance, rule: &Rule) -> bool {
+    let longest = || {
+        let faces = (0..instance.mesh.faces.len() as u32).into_par_iter();
+        let edge = |face| {
+            let [a, b, c] = instance.corners(face);
+            (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared())
+        };
+        f64::from(faces.map(edge).reduce(|| 0.0, f32::max)).sqrt()
+    };
+    touches(instance, rule) && longest() > rule.harmless()
 }
 
 /// False where an instance's box alone shows that it reaches no point between the radii.

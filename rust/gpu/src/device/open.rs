@@ -41,7 +41,10 @@ impl Device {
             ..DeviceDescriptor::default()
         };
         let (wgpu, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(|error| {
-            Error::Device(format!("{}: can't be opened ({error}); update its driver, or use backend='cpu'", report.label()))
+            Error::Device(format!(
+                "{}: can't be opened ({error}); update its driver, or use backend='cpu'",
+                report.label()
+            ))
         })?;
         let lost = Arc::new(Mutex::new(None));
         let told = Arc::clone(&lost);

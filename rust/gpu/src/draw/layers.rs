@@ -75,12 +75,14 @@ pub(crate) enum Names {
     Of(Arc<Sources>),
 }
 
-/// What a scene's faces were made from. Its moving instances are the other scene's.
+/// What a scene was made from.
 pub(crate) struct Sources {
-    /// Whose faces they were.
+    /// Whose faces and instances they were.
     pub scene: Scene,
     /// Instance and face; objects of the standing meshes are places in this list.
     pub faces: Vec<(u32, u32)>,
+    /// Numbers of the moving instances.
+    pub moving: Vec<u32>,
 }
 
 impl Layer {
@@ -103,31 +105,30 @@ impl Layer {
 
     /// Object of a face of the nth instance of the set.
     pub fn object_of(&self, instance: u32, face: u32) -> i32 {
-        let own = &self.instances()[instance as usize];
-        match (&self.names, self.set) {
-            (Names::Of(sources), Set::Standing) => {
-                let (instance, face) = sources.faces[own.object_of(face) as usize];
-                sources.scene.instance(instance).object_of(face)
-            }
-            _ => own.object_of(face),
+        match self.source(instance, face) {
+            Some((scene, instance, face)) => scene.instance(instance).object_of(face),
+            None => self.instances()[instance as usize].object_of(face),
         }
     }
 
     /// Number of a triangle of the nth instance of the set.
     pub fn triangle_of(&self, instance: u32, face: u32) -> i64 {
-        match (&self.names, self.set) {
-            (Names::Of(sources), Set::Standing) => {
-                let (instance, face) = sources.faces[self.instances()[instance as usize].object_of(face) as usize];
-                sources.scene.triangle_offset(instance) + i64::from(face)
-            }
-            (Names::Of(sources), Set::Moving) => {
-                sources.scene.standing.triangle_count() + self.scene.moving.offset(instance as usize) + i64::from(face)
-            }
-            (Names::Own, Set::Standing) => self.scene.standing.offset(instance as usize) + i64::from(face),
-            (Names::Own, Set::Moving) => {
-                self.scene.standing.triangle_count() + self.scene.moving.offset(instance as usize) + i64::from(face)
-            }
-        }
+        let first = match self.set {
+            Set::Standing => 0,
+            Set::Moving => self.scene.standing.instances().len() as u32,
+        };
+        let (scene, instance, face) = self.source(instance, face).unwrap_or((&self.scene, first + instance, face));
+        scene.triangle_offset(instance) + i64::from(face)
+    }
+
+    /// Whose face it was, where the layer's scene was made from another.
+    fn source(&self, instance: u32, face: u32) -> Option<(&Scene, u32, u32)> {
+        let Names::Of(sources) = &self.names else { return None };
+        let (instance, face) = match self.set {
+            Set::Standing => sources.faces[self.instances()[instance as usize].object_of(face) as usize],
+            Set::Moving => (sources.moving[instance as usize], face),
+        };
+        Some((&sources.scene, instance, face))
     }
 
     fn instances(&self) -> &[Instance] {

@@ -17,7 +17,7 @@ use nearfar_core::scene::Scene;
 use crate::device::Device;
 use crate::draw::Job;
 use crate::upload::EnvTexels;
-use near::Near;
+use near::{Geometry, Near};
 
 /// The near part of a reduced scene as a device draws it, and the map on it.
 pub struct Reduced {
@@ -70,22 +70,24 @@ impl Reduced {
         };
         let tolerance = drawing.tolerance_px * reduced.pixel_angle(camera);
         let split = kind.filter(|_| tolerance.is_finite());
-        let bending = match split {
+        let bent = match split {
             Some(kind) => self.near.split((user - self.center).length(), tolerance, kind, progress)?,
             None => self.near.unsplit(),
         };
+        let moving = self.near.moving(scene, bent.rule.as_ref(), progress)?;
         let texels = match &self.map {
             Some(map) if drawing.mapped => Some(self.texels(device, map)?),
             _ => None,
         };
-        let moving = scene.moving.triangle_count() as u64;
+        let count = |geometry: &Geometry| geometry.scene.triangle_count() as u64;
+        let moved = count(&moving.placed) + moving.split.as_ref().map_or(0, count);
         reduced.remember(FrameCounts {
-            triangles: self.near.triangle_count(&bending) + moving,
-            moving,
-            opposed: kind.map_or(Ok(0), |kind| self.opposed(scene, user, kind, &bending.scene))?,
-            bounded: kind.is_none() || bending.bounded,
+            triangles: self.near.triangle_count(&bent) + moved,
+            moving: moved,
+            opposed: kind.map_or(Ok(0), |kind| self.opposed(scene, user, kind, &bent.geometry.scene))?,
+            bounded: kind.is_none() || bent.rule.as_ref().is_some_and(|rule| rule.holds()),
         });
-        let picture = self.picture(device, scene, (kind, &bending), texels, drawing.mapped)?;
+        let picture = self.picture(device, scene, (kind, &bent.geometry, &moving), texels, drawing.mapped)?;
         Job::begin(device, picture, camera, drawing.channels, drawing.samples, progress)
     }
 
@@ -104,14 +106,14 @@ impl Reduced {
     }
 
     fn texels(&self, device: &Arc<Device>, map: &EnvironmentMap) -> Result<Arc<EnvTexels>> {
-        let mut known = self.texels.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((owner, texels)) = &*known
-            && std::ptr::eq(owner.as_ptr(), Arc::as_ptr(device))
+        let known = || self.texels.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_here = |owner: &Weak<Device>| std::ptr::eq(owner.as_ptr(), Arc::as_ptr(device));
+        if let Some(texels) = known().as_ref().filter(|(owner, _)| is_here(owner)).map(|(_, texels)| Arc::clone(texels))
         {
-            return Ok(Arc::clone(texels));
+            return Ok(texels);
         }
         let texels = Arc::new(EnvTexels::new(device, Some(map))?);
-        *known = Some((Arc::downgrade(device), Arc::clone(&texels)));
+        *known() = Some((Arc::downgrade(device), Arc::clone(&texels)));
         Ok(texels)
     }
 }

@@ -1,4 +1,5 @@
-//! Near triangles as two meshes: those that no morph changes, and those that it bends, split finely enough for it.
+//! Near triangles as two meshes: those that no morph changes, and those that it bends, split finely enough for it. What
+//! moves is placed by its transforms, but for instances between the radii whose edges are too long to be bent at their ends.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -7,7 +8,7 @@ use nearfar_core::base::{Progress, Result};
 use nearfar_core::morph::Kind;
 use nearfar_core::partition::Partition;
 use nearfar_core::scene::{Instance, InstanceSet, Scene};
-use nearfar_core::tessellate::{Precision, Rule, Settings, split_scene};
+use nearfar_core::tessellate::{Precision, Rule, Settings, needs_split, split_scene};
 
 use crate::draw::Sources;
 
@@ -25,9 +26,11 @@ pub(super) struct Near {
     /// The others, as they are in the scene.
     bending: Geometry,
     /// The others after splitting, the last used at the end.
-    split: Mutex<Vec<(Cause, Geometry)>>,
+    split: Mutex<Vec<(Cause, Bent)>>,
+    /// Instances that move and were split, in their last poses.
+    moved: Mutex<Option<Moved>>,
     /// What stands in for standing geometry in layers of moving objects.
-    pub nothing: Arc<InstanceSet>,
+    nothing: Arc<InstanceSet>,
     center: DVec3,
     radii: [f64; 2],
 }
@@ -38,8 +41,28 @@ pub(super) struct Geometry {
     /// One standing mesh.
     pub scene: Scene,
     pub sources: Arc<Sources>,
-    /// The morph of its vertices is as good as the tolerance says.
-    pub bounded: bool,
+}
+
+/// Standing triangles that the morph bends.
+#[derive(Clone)]
+pub(super) struct Bent {
+    pub geometry: Geometry,
+    /// How they were split.
+    pub rule: Option<Arc<Rule>>,
+}
+
+/// What moves, as it is drawn.
+pub(super) struct Moving {
+    /// Placed by transforms.
+    pub placed: Geometry,
+    /// Split where they stand now.
+    pub split: Option<Geometry>,
+}
+
+struct Moved {
+    rule: Arc<Rule>,
+    poses: Vec<(u32, DAffine3)>,
+    geometry: Geometry,
 }
 
 /// What a split follows from: reach and tolerance in steps of √2, so that it stays while users move their heads.
@@ -62,6 +85,7 @@ impl Near {
             fixed: Geometry::of(scene, fixed)?,
             bending: Geometry::of(scene, bending)?,
             split: Mutex::default(),
+            moved: Mutex::default(),
             nothing: Arc::default(),
             center,
             radii: [partition.r1(), partition.r2()],
@@ -69,23 +93,20 @@ impl Near {
     }
 
     /// What the morph bends, as it is.
-    pub fn unsplit(&self) -> Geometry {
-        Geometry { bounded: false, ..self.bending.clone() }
+    pub fn unsplit(&self) -> Bent {
+        Bent { geometry: self.bending.clone(), rule: None }
     }
 
     /// What the morph bends, split for a user this far from the centre and a tolerance in radians.
-    pub fn split(&self, reach: f64, tolerance: f64, kind: Kind, progress: &Progress) -> Result<Geometry> {
+    pub fn split(&self, reach: f64, tolerance: f64, kind: Kind, progress: &Progress) -> Result<Bent> {
         let [r1, r2] = self.radii;
         // The next step outwards, and the next finer tolerance.
         let unit = r1.max(r2 / 16.0);
         let steps = (2.0 * (reach / unit).log2()).ceil().clamp(-40.0, 40.0);
         let finer = (2.0 * tolerance.log2()).floor().clamp(-80.0, 80.0);
         let cause = (steps as i32, finer as i32, kind);
-        let mut known = self.split.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(found) = known.iter().position(|(other, _)| *other == cause) {
-            let entry = known.remove(found);
-            known.push(entry);
-            return Ok(known[known.len() - 1].1.clone());
+        if let Some(bent) = self.known_split(&cause) {
+            return Ok(bent);
         }
         let outwards = unit * (steps / 2.0).exp2();
         let reach = if reach <= BOUNDED * r1 { outwards.min(BOUNDED * r1) } else { outwards.max(reach) };
@@ -93,17 +114,73 @@ impl Near {
             Settings { center: self.center, r1, r2, reach, tolerance: (finer / 2.0).exp2().min(tolerance), kind };
         let rule = Rule::new(&settings, Precision::Single)?;
         let (scene, _) = split_scene(&self.bending.scene, &rule, progress)?;
-        let geometry = Geometry { scene, sources: Arc::clone(&self.bending.sources), bounded: rule.holds() };
+        let geometry = Geometry { scene, sources: Arc::clone(&self.bending.sources) };
+        let bent = Bent { geometry, rule: Some(Arc::new(rule)) };
+        let mut known = self.split.lock().unwrap_or_else(PoisonError::into_inner);
         if known.len() == KEPT {
             known.remove(0);
         }
-        known.push((cause, geometry.clone()));
+        known.push((cause, bent.clone()));
+        Ok(bent)
+    }
+
+    /// Never locked while work is shared out: a thread that waits for its share may take up another frame.
+    fn known_split(&self, cause: &Cause) -> Option<Bent> {
+        let mut known = self.split.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = known.iter().position(|(other, _)| other == cause)?;
+        let entry = known.remove(found);
+        let bent = entry.1.clone();
+        known.push(entry);
+        Some(bent)
+    }
+
+    /// What moves in a pose of the scene; a rule says which edges are too long.
+    pub fn moving(&self, scene: &Scene, rule: Option<&Arc<Rule>>, progress: &Progress) -> Result<Moving> {
+        let first = scene.standing.instances().len() as u32;
+        let all = scene.moving.instances().iter().enumerate().map(|(n, instance)| (first + n as u32, instance));
+        let is_long = |instance: &Instance| rule.is_some_and(|rule| needs_split(instance, rule));
+        let (long, short): (Vec<_>, Vec<_>) = all.partition(|(_, instance)| is_long(instance));
+        let placed = Scene {
+            standing: Arc::clone(&self.nothing),
+            moving: Arc::new(InstanceSet::new(short.iter().map(|(_, instance)| (*instance).clone()).collect())),
+            ..scene.clone()
+        };
+        let moving = short.iter().map(|(number, _)| *number).collect();
+        let sources = Arc::new(Sources { scene: scene.clone(), faces: Vec::new(), moving });
+        let split = match rule {
+            Some(rule) if !long.is_empty() => Some(self.moved(scene, rule, &long, progress)?),
+            _ => None,
+        };
+        Ok(Moving { placed: Geometry { scene: placed, sources }, split })
+    }
+
+    /// Moving instances as standing geometry, split in their present poses.
+    fn moved(
+        &self,
+        scene: &Scene,
+        rule: &Arc<Rule>,
+        long: &[(u32, &Instance)],
+        progress: &Progress,
+    ) -> Result<Geometry> {
+        let poses: Vec<(u32, DAffine3)> = long.iter().map(|(number, instance)| (*number, instance.to_scene)).collect();
+        let is_same = |moved: &&Moved| Arc::ptr_eq(&moved.rule, rule) && moved.poses == poses;
+        let last = || self.moved.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(geometry) = last().as_ref().filter(is_same).map(|moved| moved.geometry.clone()) {
+            return Ok(geometry);
+        }
+        let faces = long.iter().flat_map(|(number, instance)| {
+            let number = *number;
+            (0..instance.mesh.faces.len() as u32).map(move |face| (number, face))
+        });
+        let whole = Geometry::of(scene, faces.collect())?;
+        let geometry = Geometry { scene: split_scene(&whole.scene, rule, progress)?.0, sources: whole.sources };
+        *last() = Some(Moved { rule: Arc::clone(rule), poses, geometry: geometry.clone() });
         Ok(geometry)
     }
 
     /// Triangles that stand and are drawn.
-    pub fn triangle_count(&self, bending: &Geometry) -> u64 {
-        (self.fixed.scene.triangle_count() + bending.scene.triangle_count()) as u64
+    pub fn triangle_count(&self, bent: &Bent) -> u64 {
+        (self.fixed.scene.triangle_count() + bent.geometry.scene.triangle_count()) as u64
     }
 }
 
@@ -113,6 +190,6 @@ impl Geometry {
         let instance = Instance::new(Arc::new(mesh), DAffine3::IDENTITY, None)?;
         let (materials, textures) = (Arc::clone(&scene.materials), Arc::clone(&scene.textures));
         let own = Scene::new(scene.origin, vec![instance], Vec::new(), materials, textures)?;
-        Ok(Self { scene: own, sources: Arc::new(Sources { scene: scene.clone(), faces }), bounded: true })
+        Ok(Self { scene: own, sources: Arc::new(Sources { scene: scene.clone(), faces, moving: Vec::new() }) })
     }
 }

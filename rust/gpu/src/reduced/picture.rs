@@ -8,7 +8,7 @@ use nearfar_core::render::reduced::Join;
 use nearfar_core::scene::Scene;
 
 use super::Reduced;
-use super::near::Geometry;
+use super::near::{Geometry, Moving};
 use crate::device::Device;
 use crate::draw::{Kind, Layer, Names, Picture, Set, Sources, Split};
 use crate::upload::EnvTexels;
@@ -20,7 +20,7 @@ impl Reduced {
         &self,
         device: &Device,
         scene: &Scene,
-        (kind, bending): (Option<MorphKind>, &Geometry),
+        (kind, bending, moving): (Option<MorphKind>, &Geometry, &Moving),
         texels: Option<Arc<EnvTexels>>,
         mapped: bool,
     ) -> Result<Picture> {
@@ -51,12 +51,11 @@ impl Reduced {
             let standing = Scene { moving: Arc::default(), ..scene.clone() };
             layers.push(layer(&standing, Set::Standing, beyond, Split::Beyond, None)?);
         }
-        let moves = !scene.moving.instances().is_empty();
-        let sources = &self.near.fixed.sources;
-        let moving = Scene { standing: Arc::clone(&self.near.nothing), ..scene.clone() };
-        if moves {
-            let hidden = texels.as_ref().is_some_and(|texels| texels.has_range);
-            let one = layer(&moving, Set::Moving, beyond, Split::Beyond, Some(sources))?;
+        let movers = moving.split.iter().map(|split| (split, Set::Standing)).chain([(&moving.placed, Set::Moving)]);
+        let movers: Vec<_> = movers.filter(|(geometry, _)| geometry.scene.triangle_count() > 0).collect();
+        let hidden = texels.as_ref().is_some_and(|texels| texels.has_range);
+        for (geometry, set) in &movers {
+            let one = layer(&geometry.scene, *set, beyond, Split::Beyond, Some(&geometry.sources))?;
             layers.push(Layer { hidden, ..one });
         }
         let covered = !layers.is_empty();
@@ -64,8 +63,8 @@ impl Reduced {
         let first = layer(&fixed.scene, Set::Standing, Kind::AsItIs, Split::Whole, Some(&fixed.sources))?;
         layers.push(Layer { covers: covered, ..first });
         layers.push(layer(&bending.scene, Set::Standing, near, Split::Within, Some(&bending.sources))?);
-        if moves {
-            layers.push(layer(&moving, Set::Moving, near, Split::Within, Some(sources))?);
+        for (geometry, set) in &movers {
+            layers.push(layer(&geometry.scene, *set, near, Split::Within, Some(&geometry.sources))?);
         }
         let [r1, r2] = self.radii;
         Ok(Picture {

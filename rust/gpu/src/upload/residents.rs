@@ -1,14 +1,15 @@
 //! Which meshes lie on the device already, by their identity; those that nobody holds any more are let go.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, PoisonError, Weak};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
 use glam::DVec3;
 use nearfar_core::base::Result;
-use nearfar_core::scene::{Mesh, Scene};
+use nearfar_core::scene::{Material, Mesh, Scene, Texture};
 use wgpu::BufferUsages;
 
+use super::materials::MaterialTable;
 use super::pages::{Part, pack};
 use super::tables::{Key, SceneTables};
 use super::{EnvTexels, Page};
@@ -25,6 +26,36 @@ pub(crate) struct Residents {
     nothing: Mutex<Option<Arc<Nothing>>>,
 }
 
+impl Known {
+    /// Lets go of what nobody holds any more.
+    fn purge(&mut self) {
+        self.scenes.retain(|(key, _)| key.is_alive());
+        self.meshes.retain(|_, (mesh, _)| mesh.strong_count() > 0);
+        self.materials.retain(|(materials, textures, _)| materials.strong_count() > 0 && textures.strong_count() > 0);
+    }
+
+    fn materials_of(&self, scene: &Scene) -> Option<Arc<MaterialTable>> {
+        let is_of = |(materials, textures): (&Weak<Vec<Material>>, &Weak<Vec<Texture>>)| {
+            std::ptr::eq(materials.as_ptr(), Arc::as_ptr(&scene.materials))
+                && std::ptr::eq(textures.as_ptr(), Arc::as_ptr(&scene.textures))
+        };
+        let found = self.materials.iter().find(|(materials, textures, _)| is_of((materials, textures)));
+        found.map(|(.., table)| Arc::clone(table))
+    }
+
+    fn tables_of(&self, scene: &Scene) -> Option<Arc<SceneTables>> {
+        self.scenes.iter().find(|(key, _)| key.is_of(scene)).map(|(_, tables)| Arc::clone(tables))
+    }
+
+    /// Meshes that are not on the device, each once.
+    fn missing_of(&self, scene: &Scene) -> Vec<Arc<Mesh>> {
+        let mut seen = HashSet::new();
+        let meshes = scene.instances().map(|instance| &instance.mesh);
+        let is_new = |mesh: &&Arc<Mesh>| !self.meshes.contains_key(&address(mesh)) && seen.insert(address(mesh));
+        meshes.filter(is_new).cloned().collect()
+    }
+}
+
 /// What stands in where nothing is drawn or looked up.
 pub(crate) struct Nothing {
     pub tables: Arc<SceneTables>,
@@ -36,40 +67,62 @@ pub(crate) struct Nothing {
 struct Known {
     meshes: HashMap<usize, (Weak<Mesh>, Parts)>,
     scenes: Vec<(Key, Arc<SceneTables>)>,
+    /// By their lists' identities: scenes that were made from one share them.
+    materials: Vec<(Weak<Vec<Material>>, Weak<Vec<Texture>>, Arc<MaterialTable>)>,
 }
 
 impl Residents {
     /// A scene's tables: those of any pose of it, whose meshes are the same. What is missing is sent.
+    ///
+    /// Nothing is locked while work is shared out: a thread that waits for its share may take up another frame. Two
+    /// frames that send the same at once keep what came first.
     pub fn scene(&self, device: &Device, scene: &Scene) -> Result<Arc<SceneTables>> {
-        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        known.scenes.retain(|(key, _)| key.is_alive());
-        if let Some((_, tables)) = known.scenes.iter().find(|(key, _)| key.is_of(scene)) {
-            return Ok(Arc::clone(tables));
-        }
-        known.meshes.retain(|_, (mesh, _)| mesh.strong_count() > 0);
-        let mut missing: Vec<Arc<Mesh>> = Vec::new();
-        for mesh in scene.instances().map(|instance| &instance.mesh) {
-            let address = address(mesh);
-            if !known.meshes.contains_key(&address) {
-                missing.push(Arc::clone(mesh));
-                known.meshes.insert(address, (Arc::downgrade(mesh), Parts::default()));
+        let missing = {
+            let mut known = self.known();
+            known.purge();
+            if let Some(tables) = known.tables_of(scene) {
+                return Ok(tables);
             }
-        }
-        let packed = pack(device, &missing, || self.pages.fetch_add(1, Ordering::Relaxed));
-        let packed = match packed {
-            Ok(packed) => packed,
-            Err(error) => {
-                missing.iter().for_each(|mesh| drop(known.meshes.remove(&self::address(mesh))));
-                return Err(error);
-            }
+            known.missing_of(scene)
         };
-        for (mesh, parts) in missing.iter().zip(packed) {
-            known.meshes.insert(address(mesh), (Arc::downgrade(mesh), Arc::new(parts)));
+        let packed = pack(device, &missing, || self.pages.fetch_add(1, Ordering::Relaxed))?;
+        let parts: HashMap<usize, Parts> = {
+            let mut known = self.known();
+            for (mesh, parts) in missing.iter().zip(packed) {
+                known.meshes.entry(address(mesh)).or_insert_with(|| (Arc::downgrade(mesh), Arc::new(parts)));
+            }
+            let of_mesh = |mesh: &Arc<Mesh>| {
+                known.meshes.get(&address(mesh)).map(|(_, parts)| (address(mesh), Arc::clone(parts)))
+            };
+            scene.instances().filter_map(|instance| of_mesh(&instance.mesh)).collect()
+        };
+        let parts_of = |mesh: &Arc<Mesh>| parts.get(&address(mesh)).cloned().unwrap_or_default();
+        let materials = self.materials(device, scene)?;
+        let tables = Arc::new(SceneTables::new(device, scene, materials, parts_of)?);
+        let mut known = self.known();
+        if let Some(earlier) = known.tables_of(scene) {
+            return Ok(earlier);
         }
-        let parts = |mesh: &Arc<Mesh>| known.meshes.get(&address(mesh)).map(|(_, parts)| Arc::clone(parts));
-        let tables = Arc::new(SceneTables::new(device, scene, |mesh| parts(mesh).unwrap_or_default())?);
         known.scenes.push((Key::of(scene), Arc::clone(&tables)));
         Ok(tables)
+    }
+
+    fn materials(&self, device: &Device, scene: &Scene) -> Result<Arc<MaterialTable>> {
+        if let Some(table) = self.known().materials_of(scene) {
+            return Ok(table);
+        }
+        let table = Arc::new(MaterialTable::new(device, scene)?);
+        let mut known = self.known();
+        if let Some(earlier) = known.materials_of(scene) {
+            return Ok(earlier);
+        }
+        let (materials, textures) = (Arc::downgrade(&scene.materials), Arc::downgrade(&scene.textures));
+        known.materials.push((materials, textures, Arc::clone(&table)));
+        Ok(table)
+    }
+
+    fn known(&self) -> MutexGuard<'_, Known> {
+        self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// What stands in where nothing is.
@@ -79,8 +132,9 @@ impl Residents {
             return Ok(Arc::clone(nothing));
         }
         let empty = Scene::new(DVec3::ZERO, Vec::new(), Vec::new(), Arc::default(), Arc::default())?;
+        let materials = Arc::new(MaterialTable::new(device, &empty)?);
         let nothing = Arc::new(Nothing {
-            tables: Arc::new(SceneTables::new(device, &empty, |_| Parts::default())?),
+            tables: Arc::new(SceneTables::new(device, &empty, materials, |_| Parts::default())?),
             page: Page { buffer: device.buffer("page", 0, BufferUsages::STORAGE)?, number: u64::from(u32::MAX) },
             map: EnvTexels::new(device, None)?,
         });

@@ -7,11 +7,11 @@ use nearfar_core::base::Result;
 use nearfar_core::scene::{Instance, InstanceSet, Material, Mesh, Scene, Texture};
 use wgpu::BufferUsages;
 
-use super::records::{PART_WORD, RECORD_WORDS, record_words};
-use super::residents::Parts;
 use super::Records;
 use super::materials::MaterialTable;
 use super::pages::Part;
+use super::records::{PART_WORD, RECORD_WORDS, record_words};
+use super::residents::Parts;
 use crate::device::Device;
 
 /// Words of a part in its table.
@@ -79,11 +79,16 @@ pub(crate) struct SceneTables {
     part_words: Vec<u32>,
     /// Some mesh has colours of its vertices.
     pub colored: bool,
-    pub materials: MaterialTable,
+    pub materials: Arc<MaterialTable>,
 }
 
 impl SceneTables {
-    pub fn new(device: &Device, scene: &Scene, mut parts_of: impl FnMut(&Arc<Mesh>) -> Parts) -> Result<Self> {
+    pub fn new(
+        device: &Device,
+        scene: &Scene,
+        materials: Arc<MaterialTable>,
+        mut parts_of: impl FnMut(&Arc<Mesh>) -> Parts,
+    ) -> Result<Self> {
         let mut words: Vec<u32> = Vec::new();
         let default_material = scene.materials.len() as i32;
         let mut known: HashMap<*const Mesh, (u32, Parts)> = HashMap::new();
@@ -99,7 +104,6 @@ impl SceneTables {
         let records = Records::standing(device, &standing.record_words(scene.standing.instances()))?;
         let parts = device.filled_buffer("parts", &words, BufferUsages::STORAGE)?;
         let colored = scene.instances().any(|instance| instance.mesh.colors.is_some());
-        let materials = MaterialTable::new(device, scene)?;
         Ok(Self { standing, moving, records, parts, part_words: words, colored, materials })
     }
 
