@@ -18,6 +18,9 @@ use crate::device::Device;
 /// A mesh's parts.
 pub(crate) type Parts = Arc<Vec<Part>>;
 
+/// Lists of materials and textures.
+type MaterialKey = (Weak<Vec<Material>>, Weak<Vec<Texture>>);
+
 /// Meshes and scenes on the device.
 #[derive(Default)]
 pub(crate) struct Residents {
@@ -31,16 +34,16 @@ impl Known {
     fn purge(&mut self) {
         self.scenes.retain(|(key, _)| key.is_alive());
         self.meshes.retain(|_, (mesh, _)| mesh.strong_count() > 0);
-        self.materials.retain(|(materials, textures, _)| materials.strong_count() > 0 && textures.strong_count() > 0);
+        let is_alive = |key: &MaterialKey| key.0.strong_count() > 0 && key.1.strong_count() > 0;
+        self.materials.retain(|(key, _)| is_alive(key));
     }
 
     fn materials_of(&self, scene: &Scene) -> Option<Arc<MaterialTable>> {
-        let is_of = |(materials, textures): (&Weak<Vec<Material>>, &Weak<Vec<Texture>>)| {
-            std::ptr::eq(materials.as_ptr(), Arc::as_ptr(&scene.materials))
-                && std::ptr::eq(textures.as_ptr(), Arc::as_ptr(&scene.textures))
+        let is_of = |key: &MaterialKey| {
+            std::ptr::eq(key.0.as_ptr(), Arc::as_ptr(&scene.materials))
+                && std::ptr::eq(key.1.as_ptr(), Arc::as_ptr(&scene.textures))
         };
-        let found = self.materials.iter().find(|(materials, textures, _)| is_of((materials, textures)));
-        found.map(|(.., table)| Arc::clone(table))
+        self.materials.iter().find(|(key, _)| is_of(key)).map(|(_, table)| Arc::clone(table))
     }
 
     fn tables_of(&self, scene: &Scene) -> Option<Arc<SceneTables>> {
@@ -68,7 +71,7 @@ struct Known {
     meshes: HashMap<usize, (Weak<Mesh>, Parts)>,
     scenes: Vec<(Key, Arc<SceneTables>)>,
     /// By their lists' identities: scenes that were made from one share them.
-    materials: Vec<(Weak<Vec<Material>>, Weak<Vec<Texture>>, Arc<MaterialTable>)>,
+    materials: Vec<(MaterialKey, Arc<MaterialTable>)>,
 }
 
 impl Residents {
@@ -117,7 +120,7 @@ impl Residents {
             return Ok(earlier);
         }
         let (materials, textures) = (Arc::downgrade(&scene.materials), Arc::downgrade(&scene.textures));
-        known.materials.push((materials, textures, Arc::clone(&table)));
+        known.materials.push(((materials, textures), Arc::clone(&table)));
         Ok(table)
     }
 
