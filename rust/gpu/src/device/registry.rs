@@ -1,17 +1,22 @@
 //! The adapters of this machine and the devices opened on them, each once in a process.
 
-use std::process;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::atomic::{AtomicPtr, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::{process, ptr};
 
 use nearfar_core::base::{Error, Result};
 use wgpu::{Adapter, Backends, Instance, InstanceDescriptor};
 
 use super::{AdapterKind, AdapterReport, Device};
 
+/// What is known in one process.
+struct Entry {
+    process: u32,
+    registry: Mutex<Registry>,
+}
+
 #[derive(Default)]
 struct Registry {
-    /// A forked child has none of its parent's threads and connections, so it starts anew.
-    process: u32,
     native: Option<Vec<Found>>,
     gl: Option<Vec<Found>>,
 }
@@ -22,7 +27,9 @@ struct Found {
     device: Option<Arc<Device>>,
 }
 
-static REGISTRY: Mutex<Option<Registry>> = Mutex::new(None);
+/// The registry of this process. A forked child has none of its parent's threads and connections, so it starts anew; a
+/// pointer, because a lock that another thread held during the fork would stay locked in the child for ever.
+static CURRENT: AtomicPtr<Entry> = AtomicPtr::new(ptr::null_mut());
 
 /// Everything that was found, best first, with reasons where something can't be used.
 pub fn adapters() -> Vec<AdapterReport> {
@@ -59,13 +66,28 @@ pub fn device(wanted: Option<&str>) -> Result<Arc<Device>> {
 }
 
 fn with_registry<R>(use_it: impl FnOnce(&mut Registry) -> R) -> R {
-    let mut guard: MutexGuard<'_, Option<Registry>> = REGISTRY.lock().unwrap_or_else(PoisonError::into_inner);
-    let mine = guard.as_ref().is_some_and(|registry| registry.process == process::id());
-    if !mine {
-        // What a parent process left can't be closed here: its driver's threads are gone.
-        std::mem::forget(guard.take());
+    use_it(&mut current().registry.lock().unwrap_or_else(PoisonError::into_inner))
+}
+
+fn current() -> &'static Entry {
+    let seen = CURRENT.load(Ordering::Acquire);
+    // SAFETY: CURRENT is null or points to an Entry that was leaked and is never freed.
+    if let Some(entry) = unsafe { seen.as_ref() }
+        && entry.process == process::id()
+    {
+        return entry;
     }
-    use_it(guard.get_or_insert_with(|| Registry { process: process::id(), ..Registry::default() }))
+    let fresh = Box::into_raw(Box::new(Entry { process: process::id(), registry: Mutex::default() }));
+    match CURRENT.compare_exchange(seen, fresh, Ordering::AcqRel, Ordering::Acquire) {
+        // SAFETY: just leaked, never freed. A parent's entry stays leaked in a child: closing its devices would wait
+        // for the driver's threads, which are gone there.
+        Ok(_) => unsafe { &*fresh },
+        Err(winner) => {
+            // SAFETY: ours was never published, and the winner's was leaked by another thread of this process.
+            let (_ours, theirs) = unsafe { (Box::from_raw(fresh), &*winner) };
+            theirs
+        }
+    }
 }
 
 impl Registry {
@@ -112,6 +134,10 @@ fn absence(registry: &mut Registry, wanted: Option<&str>) -> String {
             refused => format!("{} ({refused})", found.report.label()),
         })
         .collect();
+    if let (Some(name), false) = (wanted, seen.is_empty()) {
+        let seen = seen.join(", ");
+        return format!("no graphics adapter '{name}' can be used, found {seen}; select by interface or a part of a name");
+    }
     let what = wanted.map_or("no graphics adapter".to_string(), |name| format!("no graphics adapter '{name}'"));
     let seen = if seen.is_empty() { "found none".to_string() } else { format!("found {}", seen.join(", ")) };
     format!("{what} can be used, {seen}; {INSTALL}")

@@ -1,8 +1,8 @@
 //! Which meshes lie on the device already, by their identity; those that nobody holds any more are let go.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, PoisonError, Weak};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
 use glam::DVec3;
 use nearfar_core::base::Result;
@@ -40,36 +40,37 @@ struct Known {
 
 impl Residents {
     /// A scene's tables: those of any pose of it, whose meshes are the same. What is missing is sent.
+    ///
+    /// Nothing is locked meanwhile: packing runs on the pool, whose threads take up other frames while they wait, which
+    /// would wait for the lock of their own thread. Of two frames that send the same at a time one is let go.
     pub fn scene(&self, device: &Device, scene: &Scene) -> Result<Arc<SceneTables>> {
-        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        known.scenes.retain(|(key, _)| key.is_alive());
-        if let Some((_, tables)) = known.scenes.iter().find(|(key, _)| key.is_of(scene)) {
-            return Ok(Arc::clone(tables));
-        }
-        known.meshes.retain(|_, (mesh, _)| mesh.strong_count() > 0);
-        let mut missing: Vec<Arc<Mesh>> = Vec::new();
-        for mesh in scene.instances().map(|instance| &instance.mesh) {
-            let address = address(mesh);
-            if !known.meshes.contains_key(&address) {
-                missing.push(Arc::clone(mesh));
-                known.meshes.insert(address, (Arc::downgrade(mesh), Parts::default()));
+        device.check()?;
+        let (mut parts, missing) = {
+            let mut known = self.lock();
+            known.scenes.retain(|(key, _)| key.is_alive());
+            if let Some(tables) = known.tables_of(scene) {
+                return Ok(tables);
             }
-        }
-        let packed = pack(device, &missing, || self.pages.fetch_add(1, Ordering::Relaxed));
-        let packed = match packed {
-            Ok(packed) => packed,
-            Err(error) => {
-                missing.iter().for_each(|mesh| drop(known.meshes.remove(&self::address(mesh))));
-                return Err(error);
-            }
+            known.meshes.retain(|_, (mesh, _)| mesh.strong_count() > 0);
+            known.parts_of(scene)
         };
-        for (mesh, parts) in missing.iter().zip(packed) {
-            known.meshes.insert(address(mesh), (Arc::downgrade(mesh), Arc::new(parts)));
+        let packed = pack(device, &missing, || self.pages.fetch_add(1, Ordering::Relaxed))?;
+        parts.extend(missing.iter().map(address).zip(packed.into_iter().map(Arc::new)));
+        let of_mesh = |mesh: &Arc<Mesh>| parts.get(&address(mesh)).map(Arc::clone).unwrap_or_default();
+        let tables = Arc::new(SceneTables::new(device, scene, of_mesh)?);
+        let mut known = self.lock();
+        if let Some(tables) = known.tables_of(scene) {
+            return Ok(tables);
         }
-        let parts = |mesh: &Arc<Mesh>| known.meshes.get(&address(mesh)).map(|(_, parts)| Arc::clone(parts));
-        let tables = Arc::new(SceneTables::new(device, scene, |mesh| parts(mesh).unwrap_or_default())?);
+        for mesh in &missing {
+            known.meshes.insert(address(mesh), (Arc::downgrade(mesh), of_mesh(mesh)));
+        }
         known.scenes.push((Key::of(scene), Arc::clone(&tables)));
         Ok(tables)
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Known> {
+        self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// What stands in where nothing is.
@@ -86,6 +87,26 @@ impl Residents {
         });
         *known = Some(Arc::clone(&nothing));
         Ok(nothing)
+    }
+}
+
+impl Known {
+    fn tables_of(&self, scene: &Scene) -> Option<Arc<SceneTables>> {
+        self.scenes.iter().find(|(key, _)| key.is_of(scene)).map(|(_, tables)| Arc::clone(tables))
+    }
+
+    /// Parts of a scene's meshes that are on the device, by address, and the meshes that are not.
+    fn parts_of(&self, scene: &Scene) -> (HashMap<usize, Parts>, Vec<Arc<Mesh>>) {
+        let (mut parts, mut missing, mut seen) = (HashMap::new(), Vec::new(), HashSet::new());
+        for mesh in scene.instances().map(|instance| &instance.mesh) {
+            if seen.insert(address(mesh)) {
+                match self.meshes.get(&address(mesh)) {
+                    Some((_, known)) => drop(parts.insert(address(mesh), Arc::clone(known))),
+                    None => missing.push(Arc::clone(mesh)),
+                }
+            }
+        }
+        (parts, missing)
     }
 }
 
