@@ -135,12 +135,14 @@ def _quietly(adapter: str | None) -> Iterator[None]:
     silence = looked not in _looked and "XDG_RUNTIME_DIR" not in os.environ and variable not in os.environ
     if silence:
         os.environ[variable] = "1"
+    if not _looked and hasattr(os, "register_at_fork"):
+        os.register_at_fork(after_in_child=_core.gpu_forked)
+    _looked.add(looked)
     try:
         yield
     finally:
         if silence:
             os.environ.pop(variable, None)
-        _looked.add(looked)
 
 
 def _say_software() -> None:

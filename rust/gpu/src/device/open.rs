@@ -100,7 +100,7 @@ impl Device {
 
     pub(super) fn lost_because(&self) -> Option<String> {
         if self.process != process::id() {
-            return Some("it belongs to the process that this one was forked from".to_string());
+            return Some("this process was forked from the one that it belongs to".to_string());
         }
         self.lost.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }

@@ -1,19 +1,12 @@
 //! The adapters of this machine and the devices opened on them, each once in a process.
 
-use std::sync::atomic::{AtomicPtr, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
-use std::{process, ptr};
+use std::process;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use nearfar_core::base::{Error, Result};
 use wgpu::{Adapter, Backends, Instance, InstanceDescriptor};
 
 use super::{AdapterKind, AdapterReport, Device};
-
-/// What is known in one process.
-struct Entry {
-    process: u32,
-    registry: Mutex<Registry>,
-}
 
 #[derive(Default)]
 struct Registry {
@@ -27,12 +20,12 @@ struct Found {
     device: Option<Arc<Device>>,
 }
 
-/// The registry of this process. A forked child has none of its parent's threads and connections, so it starts anew; a
-/// pointer, because a lock that another thread held during the fork would stay locked in the child for ever.
-static CURRENT: AtomicPtr<Entry> = AtomicPtr::new(ptr::null_mut());
+/// The registry, and the process that it belongs to. A forked child has none of the drivers' threads and connections, and
+/// Mesa's OpenGL keeps waiting for them: there, adapters are refused before a lock that may have been held is touched.
+static KNOWN: OnceLock<(u32, Mutex<Registry>)> = OnceLock::new();
 
 /// Everything that was found, best first, with reasons where something can't be used.
-pub fn adapters() -> Vec<AdapterReport> {
+pub fn adapters() -> Result<Vec<AdapterReport>> {
     with_registry(|registry| {
         let mut reports: Vec<AdapterReport> = registry.all().map(|found| found.report.clone()).collect();
         reports.sort_by_key(AdapterReport::rank);
@@ -41,7 +34,7 @@ pub fn adapters() -> Vec<AdapterReport> {
 }
 
 /// True where there is a usable adapter other than the processor itself. OpenGL is looked at last: it takes long.
-pub fn is_hardware(wanted: Option<&str>) -> bool {
+pub fn is_hardware(wanted: Option<&str>) -> Result<bool> {
     let is_one = |found: &Found| found.is_usable(wanted) && found.report.kind != AdapterKind::Software;
     with_registry(|registry| registry.native().iter().any(is_one) || registry.gl().iter().any(is_one))
 }
@@ -62,33 +55,19 @@ pub fn device(wanted: Option<&str>) -> Result<Arc<Device>> {
         let device = Arc::new(Device::open(&found.adapter, found.report.clone())?);
         found.device = Some(device.clone());
         Ok(device)
-    })
+    })?
 }
 
-fn with_registry<R>(use_it: impl FnOnce(&mut Registry) -> R) -> R {
-    use_it(&mut current().registry.lock().unwrap_or_else(PoisonError::into_inner))
+fn with_registry<R>(use_it: impl FnOnce(&mut Registry) -> R) -> Result<R> {
+    let (owner, registry) = KNOWN.get_or_init(|| (process::id(), Mutex::default()));
+    if *owner != process::id() {
+        return Err(Error::Device(FORKED.to_string()));
+    }
+    Ok(use_it(&mut registry.lock().unwrap_or_else(PoisonError::into_inner)))
 }
 
-fn current() -> &'static Entry {
-    let seen = CURRENT.load(Ordering::Acquire);
-    // SAFETY: CURRENT is null or points to an Entry that was leaked and is never freed.
-    if let Some(entry) = unsafe { seen.as_ref() }
-        && entry.process == process::id()
-    {
-        return entry;
-    }
-    let fresh = Box::into_raw(Box::new(Entry { process: process::id(), registry: Mutex::default() }));
-    match CURRENT.compare_exchange(seen, fresh, Ordering::AcqRel, Ordering::Acquire) {
-        // SAFETY: just leaked, never freed. A parent's entry stays leaked in a child: closing its devices would wait
-        // for the driver's threads, which are gone there.
-        Ok(_) => unsafe { &*fresh },
-        Err(winner) => {
-            // SAFETY: ours was never published, and the winner's was leaked by another thread of this process.
-            let (_ours, theirs) = unsafe { (Box::from_raw(fresh), &*winner) };
-            theirs
-        }
-    }
-}
+const FORKED: &str = "graphics drivers do not survive a fork, and this process was forked from one that had loaded them; \
+    start it by multiprocessing's 'spawn' or 'forkserver', or use backend='cpu'";
 
 impl Registry {
     fn native(&mut self) -> &mut Vec<Found> {
