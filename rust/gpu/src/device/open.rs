@@ -30,7 +30,7 @@ pub struct Device {
     pub(crate) slots: Slots,
     pub(super) made: [AtomicU64; 4],
     /// Where it was opened: a forked child has none of its driver's threads.
-    process: u32,
+    pub(super) process: u32,
     lost: Arc<Mutex<Option<String>>>,
 }
 
@@ -99,9 +99,6 @@ impl Device {
     }
 
     pub(super) fn lost_because(&self) -> Option<String> {
-        if self.process != process::id() {
-            return Some("this process was forked from the one that it belongs to".to_string());
-        }
         self.lost.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 

@@ -66,7 +66,8 @@ fn with_registry<R>(use_it: impl FnOnce(&mut Registry) -> R) -> Result<R> {
     Ok(use_it(&mut registry.lock().unwrap_or_else(PoisonError::into_inner)))
 }
 
-const FORKED: &str = "graphics drivers do not survive a fork, and this process was forked from one that had loaded them; \
+/// Why nothing works in a forked child.
+pub(super) const FORKED: &str = "graphics drivers do not survive a fork, and this process was forked from one that had loaded them; \
     start it by multiprocessing's 'spawn' or 'forkserver', or use backend='cpu'";
 
 impl Registry {
