@@ -19,6 +19,7 @@ from support import need
 
 CHECKOUT = Path(__file__).resolve().parent.parent
 CORE = CHECKOUT / "rust" / "core" / "src"
+GPU = CHECKOUT / "rust" / "gpu" / "src"
 BINDINGS = CHECKOUT / "rust" / "py" / "src"
 PACKAGE = CHECKOUT / "python" / "nearfar"
 
@@ -93,7 +94,9 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_frame": {"_camera", "_exr"},
     "_glb": set(),
     "_scene_glb": {"_glb", "_materials", "_names"},
-    "_render": {"_camera", "_frame", "_scene"},
+    "_backend": set(),
+    "_render": {"_backend", "_camera", "_frame", "_scene"},
+    "_path": {"_backend", "_camera", "_frame", "_render", "_scene"},
     "_morph": set(),
     "_tessellate": {"_camera", "_scene"},
     "_bend": {"_morph"},
@@ -112,7 +115,8 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "lod": set(),
     "_bundle": {"_envmap", "_names", "_scene", "_scene_glb"},
     "_reduced": {"_bundle", "_camera", "_envmap", "_frame", "_partition", "_render", "_scene"},
-    "_reduce": {"_bundle", "_envmap", "_frame", "_partition", "_reduced", "_render", "_scene"},
+    "_reduce": {"_backend", "_bundle", "_envmap", "_frame", "_partition", "_reduced", "_render", "_scene"},
+    "gpu": {"_backend", "_camera", "_render", "_scene"},
     "datasets": {"_scene"},
     "hmd": {"_eyes", "_hmd"},
 }

@@ -1,6 +1,6 @@
 """Makes scenes too heavy for a thin VR device light enough to run on it, and says what that costs in image quality."""
 
-from nearfar import datasets, hmd, lod
+from nearfar import datasets, gpu, hmd, lod
 from nearfar._bend import bend_rays, fold_margin
 from nearfar._bounds import bounding_sphere, bounding_spheres, solid_angle
 from nearfar._camera import Camera, CubeFace, Fov, Orthographic
@@ -17,6 +17,7 @@ from nearfar._load_curve import LoadCurve, load_curve
 from nearfar._metrics import object_completion, psnr, rmse
 from nearfar._morph import morph
 from nearfar._partition import Partition, partition, triangle_radii
+from nearfar._path import render_path
 from nearfar._reduce import reduce
 from nearfar._reduced import ReducedScene
 from nearfar._render import render
@@ -64,6 +65,7 @@ __all__ = [
     "envmap_directions",
     "envmap_texels",
     "fold_margin",
+    "gpu",
     "hmd",
     "load_curve",
     "lod",
@@ -76,6 +78,7 @@ __all__ = [
     "range_from_depth",
     "reduce",
     "render",
+    "render_path",
     "rmse",
     "solid_angle",
     "ssim",

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
 
-from nearfar import _bundle, _check, _core, _envmap, _progress, _render
+from nearfar import _backend, _bundle, _check, _core, _envmap, _progress, _render
 from nearfar._envmap import EnvMap
 from nearfar._frame import CHANNELS
 from nearfar._partition import Partition, partition
@@ -82,7 +82,7 @@ def reduce(
     if unknown := wanted - set(_envmap.CHANNELS):
         listed = ", ".join(name for name in CHANNELS if name in unknown)
         raise ValueError(f"channels: expected names of {', '.join(_envmap.CHANNELS)}, got {listed}")
-    _render.check_backend(backend)
+    _backend.device_for(backend, scene)
     half = _half(range_dtype)
     zones = partition(scene, center=center, r1=r1, r2=r2)
     env, rays = _bake(scene, zones, boundary, size, samples, wanted, half)

@@ -11,6 +11,7 @@ import typer
 import nearfar as nf
 from nearfar import _check, _formats
 from nearfar.cli._options import (
+    Backend,
     Center,
     FaceSize,
     Inner,
@@ -20,6 +21,7 @@ from nearfar.cli._options import (
     Outer,
     Samples,
     Up,
+    check_backend,
     open_scene,
     read_point,
 )
@@ -39,12 +41,14 @@ def bake(
     samples: Samples = 1,
     with_range: Annotated[bool, typer.Option("--range", help="Bake distances too.")] = False,
     with_ids: Annotated[bool, typer.Option("--object-id", help="Bake object numbers too.")] = False,
+    backend: Backend = "auto",
     up: Up = "y",
     on_invalid: Invalid = "raise",
     as_json: Json = False,
 ) -> None:
     """Bake what lies beyond r2 into a cube map seen from the centre."""
     _check.radii(r1, r2)
+    check_backend(backend)
     middle = read_point("--center", center)
     check_target(output, ".exr")
     loaded = open_scene(scene, up=up, on_invalid=on_invalid)
@@ -52,7 +56,15 @@ def bake(
     channels = ("color", *(("range",) if with_range else ()), *(("object_id",) if with_ids else ()))
     started = time.perf_counter()
     reduced = nf.reduce(
-        loaded, center=middle, r1=r1, r2=r2, face_size=face_size, samples=samples, channels=channels, morph="none"
+        loaded,
+        center=middle,
+        r1=r1,
+        r2=r2,
+        face_size=face_size,
+        samples=samples,
+        channels=channels,
+        morph="none",
+        backend=backend,
     )
     seconds = time.perf_counter() - started
     if reduced.env is None:

@@ -15,6 +15,7 @@ import nearfar as nf
 from nearfar import _check, _files, _formats
 from nearfar.cli import _comparison, _report
 from nearfar.cli._options import (
+    Backend,
     Center,
     FaceSize,
     Inner,
@@ -26,6 +27,7 @@ from nearfar.cli._options import (
     Samples,
     Size,
     Up,
+    check_backend,
     open_scene,
     read_point,
     read_size,
@@ -86,6 +88,7 @@ def compare(
     min_ssim: Annotated[float | None, typer.Option("--min-ssim", metavar="VALUE")] = None,
     max_discontinuity: Annotated[float | None, typer.Option("--max-discontinuity", metavar="VALUE")] = None,
     max_boundary: Annotated[float | None, typer.Option("--max-boundary-discontinuity", metavar="VALUE")] = None,
+    backend: Backend = "auto",
     up: Up = "y",
     on_invalid: Invalid = "raise",
     as_json: Json = False,
@@ -95,6 +98,7 @@ def compare(
     Ends with status 3 where a threshold is broken.
     """
     _check.radii(r1, r2)
+    check_backend(backend)
     thresholds = [
         Threshold(option, measure, _check.number(option, limit), least)
         for option, measure, limit, least in (
@@ -118,7 +122,7 @@ def compare(
             view = camera(loaded, eye, aim or ahead(eye, place.forward), fov, pixels)
         with clock.step("load curve"):
             curve = nf.load_curve(loaded, center=place.eye)
-        frames, reduced = _frames(loaded, view, place.eye, (r1, r2), face_size, samples, exact, clock)
+        frames, reduced = _frames(loaded, view, place.eye, (r1, r2), face_size, samples, exact, clock, backend)
         with clock.step("measures"):
             maps = {name: nf.discontinuity(frame) for name, frame in frames.items()}
             values = {name: measure(frames, maps, name, place.eye, r2) for name in ("conventional", "continuous")}
@@ -170,14 +174,21 @@ def _frames(
     samples: int,
     exact: bool,
     clock: Clock,
+    backend: str,
 ) -> tuple[dict[str, nf.Frame], nf.ReducedScene]:
     """The three pictures with the points that they show, and the reduced scene."""
     with clock.step("truth"):
-        frames = {"truth": nf.render(scene, view, samples=samples, channels=CHANNELS)}
+        frames = {"truth": nf.render(scene, view, samples=samples, channels=CHANNELS, backend=backend)}
     with clock.step("reduce"):
         # Range, because the discontinuity of far pixels needs to know what they show.
         reduced = nf.reduce(
-            scene, center=center, r1=radii[0], r2=radii[1], face_size=face_size, channels=("color", "range")
+            scene,
+            center=center,
+            r1=radii[0],
+            r2=radii[1],
+            face_size=face_size,
+            channels=("color", "range"),
+            backend=backend,
         )
     how: dict[str, Any] = {"method": "exact", "env": False} if exact else {}
     for name, light in (("conventional", reduced.with_morph("none")), ("continuous", reduced)):

@@ -13,6 +13,7 @@ import nearfar as nf
 from nearfar import _check, _files, _formats
 from nearfar.cli import _report
 from nearfar.cli._options import (
+    Backend,
     Center,
     FaceSize,
     Inner,
@@ -23,6 +24,7 @@ from nearfar.cli._options import (
     Samples,
     Size,
     Up,
+    check_backend,
     open_scene,
     read_point,
     read_size,
@@ -51,12 +53,14 @@ def demo(
     face_size: FaceSize = 1024,
     size: Size = "960x600",
     samples: Samples = 4,
+    backend: Backend = "auto",
     up: Up = "y",
     on_invalid: Invalid = "raise",
     as_json: Json = False,
 ) -> None:
     """Make a scene light: pictures of truth, conventional and continuous, the load curve, and a report."""
     _check.radii(r1, r2)
+    check_backend(backend)
     clock, pixels, middle = Clock(), read_size("--size", size), read_point("--center", center)
     output.parent.mkdir(parents=True, exist_ok=True)
     with _files.atomic_folder(output, marker="report.json") as folder:
@@ -68,7 +72,7 @@ def demo(
         view = camera(loaded, user, ahead(user, place.forward), 90.0, pixels)
         with clock.step("load curve"):
             curve = nf.load_curve(loaded, center=place.eye)
-        pictures, reduced = render_all(loaded, view, place.eye, r1, r2, face_size, samples, clock)
+        pictures, reduced = render_all(loaded, view, place.eye, r1, r2, face_size, samples, clock, backend)
         with clock.step("pictures"):
             _report.save_pictures(folder, pictures)
             plotted = _report.save_curve(folder, curve, r2)
@@ -98,13 +102,22 @@ def demo(
 
 
 def render_all(
-    scene: nf.Scene, view: nf.Camera, center: Point, r1: float, r2: float, face_size: int, samples: int, clock: Clock
+    scene: nf.Scene,
+    view: nf.Camera,
+    center: Point,
+    r1: float,
+    r2: float,
+    face_size: int,
+    samples: int,
+    clock: Clock,
+    backend: str,
 ) -> tuple[dict[str, NDArray[np.uint8]], nf.ReducedScene]:
     """Pictures of the truth, the conventional and the continuous method from the same eye, and the reduced scene."""
     with clock.step("truth"):
-        pictures = {"truth": nf.render(scene, view, samples=samples, channels=("color",)).to_image()}
+        truth = nf.render(scene, view, samples=samples, channels=("color",), backend=backend)
+        pictures = {"truth": truth.to_image()}
     with clock.step("reduce"):
-        reduced = nf.reduce(scene, center=center, r1=r1, r2=r2, face_size=face_size, samples=samples)
+        reduced = nf.reduce(scene, center=center, r1=r1, r2=r2, face_size=face_size, samples=samples, backend=backend)
     # Both methods show the same map: it is baked once.
     conventional = reduced.with_morph("none")
     for name, light in (("conventional", conventional), ("continuous", reduced)):

@@ -1,21 +1,38 @@
-"""`nearfar info`: what a scene holds."""
+"""`nearfar info`: what a scene holds, and which graphics adapters there are."""
 
 from __future__ import annotations
 
 import dataclasses
 import time
-from typing import Any
+from typing import Annotated, Any
+
+import typer
 
 import nearfar as nf
 from nearfar import _formats
-from nearfar.cli._options import Input, Invalid, Json, Up, open_scene
+from nearfar.cli._options import INPUT, Invalid, Json, Up, open_scene
 from nearfar.cli._output import count, metres, show
 
 VERSION = 1
 
 
-def info(scene: Input, up: Up = "y", on_invalid: Invalid = "raise", as_json: Json = False) -> None:
+def info(
+    scene: Annotated[str | None, INPUT] = None,
+    gpu: Annotated[
+        bool, typer.Option("--gpu", help="Say which graphics adapters there are, and why one is not taken.")
+    ] = False,
+    up: Up = "y",
+    on_invalid: Invalid = "raise",
+    as_json: Json = False,
+) -> None:
     """Say what a scene holds: triangles, objects, extent, and what its file had that is not used."""
+    if scene is None:
+        if not gpu:
+            raise typer.BadParameter("expected a scene, or --gpu", param_hint="--input")
+        found = describe_adapters()
+        document = _formats.header("adapters", VERSION) | found
+        show(document, _adapter_rows(found), title="graphics adapters", as_json=as_json)
+        return
     started = time.perf_counter()
     loaded = open_scene(scene, up=up, on_invalid=on_invalid)
     document = describe(loaded, scene, time.perf_counter() - started)
@@ -26,7 +43,44 @@ def info(scene: Input, up: Up = "y", on_invalid: Invalid = "raise", as_json: Jso
         ("origin", metres(document["origin"])),
         ("loaded in", f"{document['seconds']:.2f} s"),
     ]
+    if gpu:
+        document["gpu"] = describe_adapters()
+        rows += _adapter_rows(document["gpu"])
     show(document, rows, title=scene, as_json=as_json)
+
+
+def describe_adapters() -> dict[str, Any]:
+    """Document of what was found and what the back ends take; schema "adapters"."""
+    found = nf.gpu.adapters()
+    taken, why = None, ""
+    try:
+        taken = nf.gpu.selected()
+    except nf.DeviceError as error:
+        why = str(error)
+    if taken is not None and taken.note:
+        why = "only the processor itself was found; install the driver of a graphics card for more"
+    return {
+        "adapters": [dataclasses.asdict(adapter) | {"note": adapter.note} for adapter in found],
+        "gpu": None if taken is None else taken.label,
+        "auto": None if taken is None or taken.note else taken.label,
+        "why": why,
+    }
+
+
+def _adapter_rows(found: dict[str, Any]) -> list[tuple[str, str]]:
+    listed = [
+        (entry["backend"], f"{entry['name']}, {entry['kind']}, {entry['driver']}" + _after(entry["note"]))
+        for entry in found["adapters"]
+    ]
+    return [
+        *listed,
+        ("--backend gpu", found["gpu"] or "nothing"),
+        ("--backend auto", (found["auto"] or "the CPU") + _after(found["why"])),
+    ]
+
+
+def _after(note: str) -> str:
+    return f"; {note}" if note else ""
 
 
 def describe(scene: nf.Scene, source: str, seconds: float) -> dict[str, Any]:

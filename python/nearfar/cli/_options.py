@@ -11,6 +11,7 @@ from typing import Annotated
 import typer
 
 import nearfar as nf
+from nearfar import _check
 
 Point = tuple[float, float, float]
 
@@ -39,15 +40,13 @@ def read_size(option: str, text: str) -> tuple[int, int]:
     return width, height
 
 
-Input = Annotated[
-    str,
-    typer.Option(
-        "-i",
-        "--input",
-        metavar="SCENE",
-        help="Scene file (GLB, glTF, OBJ, PLY, STL …), or city, room or forest, as in city:blocks=4,seed=1.",
-    ),
-]
+INPUT = typer.Option(
+    "-i",
+    "--input",
+    metavar="SCENE",
+    help="Scene file (GLB, glTF, OBJ, PLY, STL …), or city, room or forest, as in city:blocks=4,seed=1.",
+)
+Input = Annotated[str, INPUT]
 Up = Annotated[str, typer.Option("--up", metavar="AXIS", help="The file's upward axis: x, y or z.")]
 Invalid = Annotated[
     str, typer.Option("--on-invalid", metavar="raise|drop", help="What to do with vertices that are not finite.")
@@ -66,7 +65,18 @@ Outer = Annotated[float, typer.Option("--r2", metavar="METRES", help="Radius bey
 FaceSize = Annotated[int, typer.Option("--face-size", metavar="TEXELS", help="Edge of a face of the cube map.")]
 Size = Annotated[str, typer.Option("--size", metavar="WxH", help="Size of a picture in pixels.")]
 Samples = Annotated[int, typer.Option("--samples", metavar="N", help="Colour samples for each pixel.")]
+Backend = Annotated[
+    str,
+    typer.Option(
+        "--backend", metavar="auto|cpu|gpu", help="Where pictures are computed; `nearfar info --gpu` says more."
+    ),
+]
 Json = Annotated[bool, typer.Option("--json", help="Print a JSON document instead of text.")]
+
+
+def check_backend(text: str) -> None:
+    """Refuse other back ends before the work starts."""
+    _check.choice("--backend", text, ("auto", "cpu", "gpu"))
 
 
 def open_scene(text: str, *, up: str = "y", on_invalid: str = "raise") -> nf.Scene:

@@ -12,6 +12,7 @@ import typer
 import nearfar as nf
 from nearfar import _check, _formats
 from nearfar.cli._options import (
+    Backend,
     Center,
     FaceSize,
     Inner,
@@ -23,6 +24,7 @@ from nearfar.cli._options import (
     Samples,
     Size,
     Up,
+    check_backend,
     open_scene,
     read_point,
     read_size,
@@ -59,12 +61,14 @@ def render(
     r1: Inner = 30.0,
     r2: Outer = 50.0,
     face_size: FaceSize = 1024,
+    backend: Backend = "auto",
     up: Up = "y",
     on_invalid: Invalid = "raise",
     as_json: Json = False,
 ) -> None:
     """Render a scene from one eye to a PNG or EXR file."""
     _check.radii(r1, r2)
+    check_backend(backend)
     if method != "truth" and method not in MORPHS:
         raise ValueError(f"--method: expected truth, continuous or conventional, got {method!r}")
     pixels, aim = read_size("--size", size), read_point("--target", target)
@@ -77,10 +81,12 @@ def render(
     started = time.perf_counter()
     if method == "truth":
         channels = ("color", "range", "object_id") if output.suffix.lower() == ".exr" else ("color",)
-        frame = nf.render(loaded, view, samples=samples, channels=channels)
+        frame = nf.render(loaded, view, samples=samples, channels=channels, backend=backend)
     else:
         middle = middle or (place.eye if place else user)
-        reduced = nf.reduce(loaded, center=middle, r1=r1, r2=r2, face_size=face_size, morph=MORPHS[method])
+        reduced = nf.reduce(
+            loaded, center=middle, r1=r1, r2=r2, face_size=face_size, morph=MORPHS[method], backend=backend
+        )
         frame = reduced.render(view, samples=samples, channels=("color",))
     seconds = time.perf_counter() - started
     frame.save(output)

@@ -20,7 +20,7 @@ use crate::scene::Scene;
 #[pyfunction]
 #[expect(clippy::type_complexity, reason = "a row of a table")]
 fn gpu_adapters(py: Python<'_>) -> PyResult<Vec<(String, &'static str, &'static str, String, String, u64, u32)>> {
-    let found = run::short(py, || Ok(device::adapters()))?;
+    let found = run::short(py, device::adapters)?;
     let row = |a: nearfar_gpu::AdapterReport| {
         (a.name, a.backend, a.kind.name(), a.driver, a.refused, a.largest_binding, a.largest_image)
     };
@@ -31,7 +31,13 @@ fn gpu_adapters(py: Python<'_>) -> PyResult<Vec<(String, &'static str, &'static 
 #[pyfunction]
 #[pyo3(signature = (wanted=None))]
 fn gpu_is_hardware(py: Python<'_>, wanted: Option<&str>) -> PyResult<bool> {
-    run::short(py, || Ok(device::is_hardware(wanted)))
+    run::short(py, || device::is_hardware(wanted))
+}
+
+/// Has a forked child end without the exit handlers of drivers.
+#[pyfunction]
+fn gpu_forked() {
+    device::end_without_drivers();
 }
 
 /// The device on the best adapter that a wish leaves.
@@ -164,6 +170,7 @@ impl GpuJob {
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(gpu_adapters, module)?)?;
     module.add_function(wrap_pyfunction!(gpu_is_hardware, module)?)?;
+    module.add_function(wrap_pyfunction!(gpu_forked, module)?)?;
     module.add_class::<GpuDevice>()?;
     module.add_class::<GpuJob>()
 }

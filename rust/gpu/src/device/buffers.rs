@@ -3,9 +3,10 @@
 use std::sync::atomic::Ordering;
 
 use nearfar_core::base::Result;
+use nearfar_core::base::memory::room_for;
 use wgpu::{BufferDescriptor, BufferUsages, Texture, TextureDescriptor};
 
-use super::{Device, Scope};
+use super::{AdapterKind, Device, Scope};
 
 /// What was made and sent since the device was opened.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -82,6 +83,7 @@ impl Device {
     }
 
     pub(crate) fn texture(&self, descriptor: &TextureDescriptor<'_>, bytes: u64) -> Result<Texture> {
+        self.ask_for(bytes)?;
         let scope = Scope::open(self);
         let texture = self.wgpu.create_texture(descriptor);
         scope.close()?;
@@ -90,9 +92,20 @@ impl Device {
         Ok(texture)
     }
 
+    /// Asks the system for memory where the device takes it from there: some drivers close the device for what they are
+    /// refused, and others the process.
+    fn ask_for(&self, bytes: u64) -> Result<()> {
+        match self.report.kind {
+            AdapterKind::Software | AdapterKind::Integrated => room_for(bytes),
+            _ => Ok(()),
+        }
+    }
+
     fn new_buffer(&self, label: &str, bytes: u64, usage: BufferUsages, mapped: bool) -> Result<wgpu::Buffer> {
         // A binding holds one entry of a table at least.
         let size = bytes.next_multiple_of(16).max(256);
+        // OpenGL's mapped buffers are copies.
+        self.ask_for(if mapped { 2 * size } else { size })?;
         let scope = Scope::open(self);
         let descriptor = BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: mapped };
         let buffer = self.wgpu.create_buffer(&descriptor);

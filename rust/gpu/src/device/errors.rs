@@ -4,6 +4,7 @@ use nearfar_core::base::{Error, Result};
 use wgpu::{ErrorFilter, ErrorScopeGuard};
 
 use super::Device;
+use super::registry::FORKED;
 
 /// Catches what wgpu reports while it is open; errors outside of any scope would end the process.
 #[must_use]
@@ -32,8 +33,11 @@ impl<'a> Scope<'a> {
 }
 
 impl Device {
-    /// Fails once the device was lost.
+    /// Fails once the device was lost, and in a forked child.
     pub(crate) fn check(&self) -> Result<()> {
+        if self.process != std::process::id() {
+            return Err(Error::Device(format!("{}: {FORKED}", self.report.label())));
+        }
         match self.lost_because() {
             None => Ok(()),
             Some(reason) => Err(Error::Device(format!(

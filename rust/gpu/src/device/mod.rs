@@ -3,11 +3,13 @@
 mod adapters;
 mod buffers;
 mod errors;
+mod forked;
 mod open;
 mod registry;
 
 pub use adapters::{AdapterKind, AdapterReport};
 pub use buffers::{Counters, Written};
+pub use forked::end_without_drivers;
 pub use open::Device;
 pub use registry::{adapters, device, is_hardware};
 

@@ -1,5 +1,6 @@
 //! An open device: its queue, its limits, and what was made on it.
 
+use std::process;
 use std::sync::atomic::AtomicU64;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
@@ -28,6 +29,8 @@ pub struct Device {
     pub(crate) pipelines: Pipelines,
     pub(crate) slots: Slots,
     pub(super) made: [AtomicU64; 4],
+    /// Where it was opened: a forked child has none of its driver's threads.
+    pub(super) process: u32,
     lost: Arc<Mutex<Option<String>>>,
 }
 
@@ -55,6 +58,11 @@ impl Device {
             };
             *told.lock().unwrap_or_else(PoisonError::into_inner) = Some(reason);
         });
+        // Errors outside of any scope would end the process. After one nothing is known of the device's state.
+        let told = Arc::clone(&lost);
+        wgpu.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            told.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
+        }));
         let shared = matches!(report.kind, AdapterKind::Software | AdapterKind::Integrated);
         let (shares_memory, writes_depth) =
             (shared && wgpu.features().contains(Features::MAPPABLE_PRIMARY_BUFFERS), report.backend == "gl");
@@ -69,6 +77,7 @@ impl Device {
             pipelines: Pipelines::default(),
             slots: Slots::default(),
             made: Default::default(),
+            process: process::id(),
             lost,
         })
     }
@@ -98,6 +107,7 @@ impl Device {
 
     /// Waits for submitted work as long as the caller wants to.
     pub(crate) fn wait(&self, submission: &SubmissionIndex, progress: &Progress) -> Result<()> {
+        self.check()?;
         loop {
             let wait = PollType::Wait { submission_index: Some(submission.clone()), timeout: Some(POLL) };
             match self.wgpu.poll(wait) {

@@ -1,7 +1,7 @@
 //! The adapters of this machine and the devices opened on them, each once in a process.
 
 use std::process;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use nearfar_core::base::{Error, Result};
 use wgpu::{Adapter, Backends, Instance, InstanceDescriptor};
@@ -10,8 +10,6 @@ use super::{AdapterKind, AdapterReport, Device};
 
 #[derive(Default)]
 struct Registry {
-    /// A forked child has none of its parent's threads and connections, so it starts anew.
-    process: u32,
     native: Option<Vec<Found>>,
     gl: Option<Vec<Found>>,
 }
@@ -22,10 +20,12 @@ struct Found {
     device: Option<Arc<Device>>,
 }
 
-static REGISTRY: Mutex<Option<Registry>> = Mutex::new(None);
+/// The registry, and the process that it belongs to. A forked child has none of the drivers' threads and connections, and
+/// Mesa's OpenGL keeps waiting for them: there, adapters are refused before a lock that may have been held is touched.
+static KNOWN: OnceLock<(u32, Mutex<Registry>)> = OnceLock::new();
 
 /// Everything that was found, best first, with reasons where something can't be used.
-pub fn adapters() -> Vec<AdapterReport> {
+pub fn adapters() -> Result<Vec<AdapterReport>> {
     with_registry(|registry| {
         let mut reports: Vec<AdapterReport> = registry.all().map(|found| found.report.clone()).collect();
         reports.sort_by_key(AdapterReport::rank);
@@ -34,7 +34,7 @@ pub fn adapters() -> Vec<AdapterReport> {
 }
 
 /// True where there is a usable adapter other than the processor itself. OpenGL is looked at last: it takes long.
-pub fn is_hardware(wanted: Option<&str>) -> bool {
+pub fn is_hardware(wanted: Option<&str>) -> Result<bool> {
     let is_one = |found: &Found| found.is_usable(wanted) && found.report.kind != AdapterKind::Software;
     with_registry(|registry| registry.native().iter().any(is_one) || registry.gl().iter().any(is_one))
 }
@@ -55,18 +55,20 @@ pub fn device(wanted: Option<&str>) -> Result<Arc<Device>> {
         let device = Arc::new(Device::open(&found.adapter, found.report.clone())?);
         found.device = Some(device.clone());
         Ok(device)
-    })
+    })?
 }
 
-fn with_registry<R>(use_it: impl FnOnce(&mut Registry) -> R) -> R {
-    let mut guard: MutexGuard<'_, Option<Registry>> = REGISTRY.lock().unwrap_or_else(PoisonError::into_inner);
-    let mine = guard.as_ref().is_some_and(|registry| registry.process == process::id());
-    if !mine {
-        // What a parent process left can't be closed here: its driver's threads are gone.
-        std::mem::forget(guard.take());
+fn with_registry<R>(use_it: impl FnOnce(&mut Registry) -> R) -> Result<R> {
+    let (owner, registry) = KNOWN.get_or_init(|| (process::id(), Mutex::default()));
+    if *owner != process::id() {
+        return Err(Error::Device(FORKED.to_string()));
     }
-    use_it(guard.get_or_insert_with(|| Registry { process: process::id(), ..Registry::default() }))
+    Ok(use_it(&mut registry.lock().unwrap_or_else(PoisonError::into_inner)))
 }
+
+/// Why nothing works in a forked child.
+pub(super) const FORKED: &str = "graphics drivers do not survive a fork, and this process was forked from one that had loaded them; \
+    start it by multiprocessing's 'spawn' or 'forkserver', or use backend='cpu'";
 
 impl Registry {
     fn native(&mut self) -> &mut Vec<Found> {
@@ -112,6 +114,10 @@ fn absence(registry: &mut Registry, wanted: Option<&str>) -> String {
             refused => format!("{} ({refused})", found.report.label()),
         })
         .collect();
+    if let (Some(name), false) = (wanted, seen.is_empty()) {
+        let seen = seen.join(", ");
+        return format!("no graphics adapter '{name}' can be used, found {seen}; select by interface or a part of a name");
+    }
     let what = wanted.map_or("no graphics adapter".to_string(), |name| format!("no graphics adapter '{name}'"));
     let seen = if seen.is_empty() { "found none".to_string() } else { format!("found {}", seen.join(", ")) };
     format!("{what} can be used, {seen}; {INSTALL}")

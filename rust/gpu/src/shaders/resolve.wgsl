@@ -23,7 +23,8 @@ struct Ray {
 fn ray_of(pixel: vec2<u32>) -> Ray {
     let at = vec2<f32>(pixel);
     let start = view.start.xyz + at.x * view.start_x.xyz + at.y * view.start_y.xyz;
-    let longer = view.direction.xyz + at.x * view.direction_x.xyz + at.y * view.direction_y.xyz;
+    let rest = view.rest.xyz + at.x * view.rest_x.xyz + at.y * view.rest_y.xyz;
+    let longer = (view.direction.xyz + at.x * view.direction_x.xyz + at.y * view.direction_y.xyz) + rest;
     let secant = length(longer);
     let size = view.footprint.x;
     let footprint = select(vec2<f32>(0.0, size / (secant * sqrt(secant))), vec2<f32>(size, 0.0), view.footprint.y > 0.0);
@@ -43,6 +44,23 @@ struct Surface {
     doubled_area: f32,
 }
 
+// Components across a ray and, third, the distance along it at which its largest component is the point's: the shear of
+// Woop, Benthin, Wald (2013), which the tracer takes too. A corner far along the ray stays small across it, so that
+// products of large faces seen at a slant keep their digits.
+fn along_ray(p: vec3<f32>, direction: vec3<f32>) -> vec3<f32> {
+    let size = abs(direction);
+    var d = direction;
+    var q = p;
+    if size.x >= size.y && size.x >= size.z {
+        d = direction.yzx;
+        q = p.yzx;
+    } else if size.y >= size.z {
+        d = direction.zxy;
+        q = p.zxy;
+    }
+    return vec3<f32>(q.x - d.x / d.z * q.z, q.y - d.y / d.z * q.z, q.z / d.z);
+}
+
 // The point of a face that a ray meets; the nearest point of the face where it passes by, as rasters do by a fraction
 // of a pixel.
 fn surface_of(record: Record, part: Part, face: u32, ray: Ray) -> Surface {
@@ -52,28 +70,22 @@ fn surface_of(record: Record, part: Part, face: u32, ray: Ray) -> Surface {
     let shown_a = shown(a) - ray.start;
     let shown_b = shown(b) - ray.start;
     let shown_c = shown(c) - ray.start;
-    let volumes = vec3<f32>(
-        dot(ray.direction, cross(shown_b, shown_c)),
-        dot(ray.direction, cross(shown_c, shown_a)),
-        dot(ray.direction, cross(shown_a, shown_b)),
+    let along_a = along_ray(shown_a, ray.direction);
+    let along_b = along_ray(shown_b, ray.direction);
+    let along_c = along_ray(shown_c, ray.direction);
+    let areas = vec3<f32>(
+        along_c.x * along_b.y - along_c.y * along_b.x,
+        along_a.x * along_c.y - along_a.y * along_c.x,
+        along_b.x * along_a.y - along_b.y * along_a.x,
     );
-    let sum = volumes.x + volumes.y + volumes.z;
+    let sum = areas.x + areas.y + areas.z;
     var weights = vec3<f32>(1.0, 0.0, 0.0);
     if sum != 0.0 {
-        weights = max(volumes / sum, vec3<f32>(0.0));
+        weights = max(areas / sum, vec3<f32>(0.0));
     }
     weights /= weights.x + weights.y + weights.z;
     let at = weights.yz;
-    let hit = blend_3(shown_a, shown_b, shown_c, at);
-    // The plane's distance is exact where the weights are not: on large faces that are seen at a slant.
-    let shown_size = max(max(length(shown_b - shown_a), length(shown_c - shown_a)), 1e-30);
-    let shown_normal = cross((shown_b - shown_a) / shown_size, (shown_c - shown_a) / shown_size);
-    let along = dot(shown_normal, ray.direction);
-    var range = dot(hit, ray.direction);
-    let inside = min(volumes.x / sum, min(volumes.y / sum, volumes.z / sum)) >= 0.0;
-    if inside && along != 0.0 {
-        range = dot(shown_normal, shown_a) / along;
-    }
+    let range = dot(weights, vec3<f32>(along_a.z, along_b.z, along_c.z));
     let size = max(max(length(b - a), length(c - a)), 1e-30);
     let normal = cross((b - a) / size, (c - a) / size);
     let area = length(normal);

@@ -20,6 +20,10 @@ struct Pass {
     direction: vec4<f32>,
     direction_x: vec4<f32>,
     direction_y: vec4<f32>,
+    // What of the three is finer than a grid on which sums are exact.
+    rest: vec4<f32>,
+    rest_x: vec4<f32>,
+    rest_y: vec4<f32>,
     // Size of a sample's pixel at one metre ahead, 1 for parallel rays, weight of the sample, unused.
     footprint: vec4<f32>,
     // Width and height of the window, samples of the target, whether colour is added to what is there.

@@ -1,7 +1,7 @@
 //! Base colours: a table of materials, a table of textures, and all their levels as texels of linear light.
 
 use half::f16;
-use nearfar_core::base::Result;
+use nearfar_core::base::{Error, Result};
 use nearfar_core::scene::srgb::linear_from_srgb;
 use nearfar_core::scene::{Alpha, Material, Scene, Texture};
 use rayon::prelude::*;
@@ -45,7 +45,9 @@ impl MaterialTable {
             count += size + if has_cutouts { cutout_size } else { 0 };
         }
         let texels = Texels::new(device, "texels", TextureFormat::Rgba16Uint, 8, count)?;
-        let mut all: Vec<[u16; 4]> = Vec::with_capacity(count as usize);
+        let mut all: Vec<[u16; 4]> = Vec::new();
+        let bytes = count * size_of::<[u16; 4]>() as u64;
+        all.try_reserve_exact(count as usize).map_err(|_| Error::Memory { bytes })?;
         for (texture, _) in scene.textures.iter().zip(&used).filter(|(_, used)| **used) {
             push_finest(texture, &mut all);
             push_coarser(texture, false, &mut all);

@@ -4,7 +4,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use nearfar_core::base::Result;
+use nearfar_core::base::{Error, Result};
 use nearfar_core::scene::{Aabb, FaceMap, Mesh};
 use rayon::prelude::*;
 use wgpu::BufferUsages;
@@ -149,10 +149,12 @@ fn fill_page(device: &Device, runs: &[(usize, u32, Run<'_>)], number: u64, parts
         let whole = page.buffer.get_mapped_range_mut(..);
         let mut view = whole.map_err(|error| device.failure(&error))?;
         let mut start = 0u64;
-        let mut words = Vec::new();
+        let mut words: Vec<u32> = Vec::new();
         for (mesh, first_face, run) in runs {
             let (layout, size) = run.layout();
             words.clear();
+            let too_many = |_| Error::Memory { bytes: size * WORD };
+            words.try_reserve_exact(size as usize).map_err(too_many)?;
             run.write(&mut words);
             let at = (start * WORD) as usize;
             view.slice(at..at + words.len() * WORD as usize).copy_from_slice(bytemuck::cast_slice(&words));

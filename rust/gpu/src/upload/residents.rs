@@ -80,6 +80,7 @@ impl Residents {
     /// Nothing is locked while work is shared out: a thread that waits for its share may take up another frame. Two
     /// frames that send the same at once keep what came first.
     pub fn scene(&self, device: &Device, scene: &Scene) -> Result<Arc<SceneTables>> {
+        device.check()?;
         let missing = {
             let mut known = self.known();
             known.purge();

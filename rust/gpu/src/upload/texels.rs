@@ -23,10 +23,12 @@ pub(crate) struct Texels {
 impl Texels {
     /// Room for a number of texels of `bytes` each, at least one.
     pub fn new(device: &Device, label: &str, format: TextureFormat, bytes: u32, count: u64) -> Result<Self> {
-        let side = (count.max(1) as f64).sqrt().ceil() as u64;
+        // OpenGL knows no views: a texture of one layer is no array there.
+        let least = if device.report().backend == "gl" { 2 } else { 1 };
+        let side = (count.max(1).div_ceil(least) as f64).sqrt().ceil() as u64;
         let shift = side.next_power_of_two().ilog2().min(device.limits.max_texture_dimension_2d.ilog2());
         let rows = count.max(1).div_ceil(1 << shift);
-        let layers = rows.div_ceil(1 << shift);
+        let layers = rows.div_ceil(1 << shift).max(least);
         if layers > u64::from(device.limits.max_texture_array_layers) || count > u64::from(u32::MAX) {
             let label = device.report().label();
             let message =

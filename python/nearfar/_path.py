@@ -1,0 +1,125 @@
+"""Pictures along a path: the next one is begun before the last one is read."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import repeat
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from nearfar import _backend, _check, _core
+from nearfar._camera import Camera
+from nearfar._frame import Frame
+from nearfar._render import MAX_SAMPLES, channel_names
+from nearfar._scene import Scene, core_of
+
+Pose = Mapping[str, ArrayLike]
+
+AHEAD = 2
+"""Frames that the device works on at a time: while one is read the next one is drawn."""
+
+
+def render_path(
+    source: Scene,
+    cameras: Iterable[Camera],
+    *,
+    at: Pose | Iterable[Pose] | None = None,
+    channels: Iterable[str] | None = None,
+    samples: int = 1,
+    backend: str = "auto",
+) -> Iterator[Frame]:
+    """Render a scene from one camera after the other.
+
+    Parameters
+    ----------
+    source
+        What is looked at.
+    cameras
+        Any number of views, of any sizes. On a graphics adapter one view is asked for before the frame of the one
+        before it is given.
+    at
+        Poses of dynamic objects, as `Scene.at` takes them: one mapping for all views, or one for each view.
+    channels
+        Images to compute; by default those that `render` computes by default.
+    samples, backend
+        As `render` takes them.
+
+    Yields
+    ------
+    Frame
+        The same as `render` returns for each camera. Closing the generator drops what is under way, and Ctrl-C ends it.
+
+    Raises
+    ------
+    ValueError, TypeError
+        At the call for arguments out of their domains. For what iterators bring when its turn comes: something else
+        than a camera or a pose, and fewer poses than cameras.
+    DeviceError
+        As `render`.
+    """
+    core_of(source)
+    samples = _check.integer("samples", samples, 1, MAX_SAMPLES)
+    wanted = channel_names(("color", "range", "object_id") if channels is None else channels)
+    if isinstance(cameras, Camera) or not isinstance(cameras, Iterable):
+        raise TypeError(f"cameras: expected an iterable of Cameras, got {type(cameras).__name__}")
+    poses = repeat(at) if at is None or isinstance(at, Mapping) else at
+    if isinstance(poses, str) or not isinstance(poses, Iterable):
+        raise TypeError(f"at: expected matrices by name, or one such mapping for each camera, got {type(at).__name__}")
+    _check_known(cameras, poses)
+    views = _views(_posed(source, poses), cameras)
+    settings = {"channels": wanted, "samples": samples}
+    device = _backend.device_for(backend, source, (tuple(wanted), samples))
+    return _traced(views, settings) if device is None else _drawn(device, views, settings)
+
+
+def _check_known(cameras: Iterable[Camera], poses: Iterable[Pose | None]) -> None:
+    """Check what is there already: lists, not iterators."""
+    if not isinstance(cameras, Sequence):
+        return
+    for number, camera in enumerate(cameras):
+        _check_camera(number, camera)
+    if isinstance(poses, Sequence) and len(poses) < len(cameras):
+        raise ValueError(f"at: expected a pose for each of {len(cameras)} cameras, got {len(poses)}")
+
+
+def _check_camera(number: int, camera: Camera) -> None:
+    if not isinstance(camera, Camera):
+        raise TypeError(f"cameras: expected Cameras, got {type(camera).__name__} as number {number}")
+
+
+def _posed(source: Scene, poses: Iterable[Pose | None]) -> Iterator[Scene]:
+    """The scene in each pose; the same object while the pose is."""
+    last, scene = None, source
+    for pose in poses:
+        if pose is not last:
+            last, scene = pose, source if pose is None else source.at(pose)
+        yield scene
+
+
+def _views(scenes: Iterator[Scene], cameras: Iterable[Camera]) -> Iterator[tuple[Scene, Camera]]:
+    for number, camera in enumerate(cameras):
+        _check_camera(number, camera)
+        scene = next(scenes, None)
+        if scene is None:
+            raise ValueError(f"at: expected a pose for each camera, got {number}")
+        yield scene, camera
+
+
+def _traced(views: Iterator[tuple[Scene, Camera]], settings: dict[str, Any]) -> Iterator[Frame]:
+    for scene, camera in views:
+        yield Frame(camera, scene._core.origin, **_core.render_truth(scene._core, camera._core, **settings))
+
+
+def _drawn(device: _core.GpuDevice, views: Iterator[tuple[Scene, Camera]], settings: dict[str, Any]) -> Iterator[Frame]:
+    under_way: list[tuple[Scene, Camera, _core.GpuJob]] = []
+    for scene, camera in views:
+        under_way.append((scene, camera, device.truth(scene._core, camera._core, **settings)))
+        if len(under_way) == AHEAD:
+            yield _finished(*under_way.pop(0))
+    while under_way:
+        yield _finished(*under_way.pop(0))
+
+
+def _finished(scene: Scene, camera: Camera, job: _core.GpuJob) -> Frame:
+    return Frame(camera, scene._core.origin, **job.finish())

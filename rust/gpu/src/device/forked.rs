@@ -1,0 +1,34 @@
+//! How a forked child ends.
+
+/// Has this process end without the exit handlers that its parent's drivers registered. Those of Mesa wait for the
+/// drivers' threads, which a forked child does not have: it would hang or crash after all its work was done.
+pub fn end_without_drivers() {
+    #[cfg(all(target_os = "linux", target_env = "gnu"))]
+    gnu::end_at_once();
+}
+
+#[cfg(all(target_os = "linux", target_env = "gnu"))]
+mod gnu {
+    use std::ffi::{c_int, c_void};
+    use std::ptr;
+
+    unsafe extern "C" {
+        fn on_exit(function: extern "C" fn(c_int, *mut c_void), argument: *mut c_void) -> c_int;
+        fn fflush(stream: *mut c_void) -> c_int;
+        fn _exit(status: c_int) -> !;
+    }
+
+    extern "C" fn leave(status: c_int, _: *mut c_void) {
+        // SAFETY: flushes all of C's streams, as `exit` does after its handlers, and does not come back.
+        unsafe {
+            fflush(ptr::null_mut());
+            _exit(status)
+        }
+    }
+
+    pub fn end_at_once() {
+        // Handlers run in the opposite order: this one before those that were inherited.
+        // SAFETY: a function that is there until the end, and which does not read its argument.
+        unsafe { on_exit(leave, ptr::null_mut()) };
+    }
+}
