@@ -406,6 +406,7 @@ def decode_exr(data: bytes) -> list[_Part]: ...
 
 # gpu ----------------------------------------------------------------------------------------------------------------
 def gpu_adapters() -> list[tuple[str, str, str, str, str, int, int]]: ...
+def gpu_forked() -> None: ...
 def gpu_is_hardware(wanted: str | None = None) -> bool: ...
 
 @final
@@ -424,6 +425,31 @@ class GpuDevice:
         *,
         channels: list[str],
         samples: int,
+        report: _Report | None = None,
+    ) -> GpuJob: ...
+    def bake(
+        self,
+        scene: Scene,
+        *,
+        center: tuple[float, float, float],
+        radius: float,
+        size: int,
+        samples: int,
+        range: bool,  # noqa: A002
+        object_id: bool,
+        report: _Report | None = None,
+    ) -> dict[str, NDArray[Any]]: ...
+    def reduced(
+        self,
+        reduced: Reduced,
+        scene: Scene,
+        camera: Camera,
+        *,
+        channels: list[str],
+        samples: int,
+        method: str,
+        mapped: bool,
+        tolerance_px: float,
         report: _Report | None = None,
     ) -> GpuJob: ...
 

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import repeat
-from typing import Any
 
 from numpy.typing import ArrayLike
 
-from nearfar import _backend, _check, _core
+from nearfar import _core
 from nearfar._camera import Camera
 from nearfar._frame import Frame
-from nearfar._render import MAX_SAMPLES, channel_names
-from nearfar._scene import Scene, core_of
+from nearfar._painter import Painter
+from nearfar._reduced import ReducedScene
+from nearfar._render import painter
+from nearfar._scene import Scene
 
 Pose = Mapping[str, ArrayLike]
 
@@ -21,7 +22,7 @@ AHEAD = 2
 
 
 def render_path(
-    source: Scene,
+    source: Scene | ReducedScene,
     cameras: Iterable[Camera],
     *,
     at: Pose | Iterable[Pose] | None = None,
@@ -29,19 +30,20 @@ def render_path(
     samples: int = 1,
     backend: str = "auto",
 ) -> Iterator[Frame]:
-    """Render a scene from one camera after the other.
+    """Render a scene, or a reduced one, from one camera after the other.
 
     Parameters
     ----------
     source
-        What is looked at.
+        What is looked at. A reduced scene is drawn by its vertices before its map, as `ReducedScene.render` does by
+        default.
     cameras
         Any number of views, of any sizes. On a graphics adapter one view is asked for before the frame of the one
         before it is given.
     at
         Poses of dynamic objects, as `Scene.at` takes them: one mapping for all views, or one for each view.
     channels
-        Images to compute; by default those that `render` computes by default.
+        Images to compute; by default those that the source's `render` computes by default.
     samples, backend
         As `render` takes them.
 
@@ -58,19 +60,23 @@ def render_path(
     DeviceError
         As `render`.
     """
-    core_of(source)
-    samples = _check.integer("samples", samples, 1, MAX_SAMPLES)
-    wanted = channel_names(("color", "range", "object_id") if channels is None else channels)
+    how = painter_of(source, channels, samples)
     if isinstance(cameras, Camera) or not isinstance(cameras, Iterable):
         raise TypeError(f"cameras: expected an iterable of Cameras, got {type(cameras).__name__}")
     poses = repeat(at) if at is None or isinstance(at, Mapping) else at
     if isinstance(poses, str) or not isinstance(poses, Iterable):
         raise TypeError(f"at: expected matrices by name, or one such mapping for each camera, got {type(at).__name__}")
     _check_known(cameras, poses)
-    views = _views(_posed(source, poses), cameras)
-    settings = {"channels": wanted, "samples": samples}
-    device = _backend.device_for(backend, source, (tuple(wanted), samples))
-    return _traced(views, settings) if device is None else _drawn(device, views, settings)
+    views = _views(_posed(how.scene, poses), cameras)
+    device = how.device(backend)
+    return _traced(how, views) if device is None else _drawn(how, device, views)
+
+
+def painter_of(source: Scene | ReducedScene, channels: Iterable[str] | None, samples: int) -> Painter:
+    """How a source is seen; TypeError for what is neither a scene nor a reduced one."""
+    if isinstance(source, ReducedScene):
+        return source._painter(channels, samples)
+    return painter(source, channels, samples)
 
 
 def _check_known(cameras: Iterable[Camera], poses: Iterable[Pose | None]) -> None:
@@ -106,15 +112,16 @@ def _views(scenes: Iterator[Scene], cameras: Iterable[Camera]) -> Iterator[tuple
         yield scene, camera
 
 
-def _traced(views: Iterator[tuple[Scene, Camera]], settings: dict[str, Any]) -> Iterator[Frame]:
+def _traced(how: Painter, views: Iterator[tuple[Scene, Camera]]) -> Iterator[Frame]:
     for scene, camera in views:
-        yield Frame(camera, scene._core.origin, **_core.render_truth(scene._core, camera._core, **settings))
+        yield Frame(camera, scene._core.origin, **how.trace(scene, camera, None))
 
 
-def _drawn(device: _core.GpuDevice, views: Iterator[tuple[Scene, Camera]], settings: dict[str, Any]) -> Iterator[Frame]:
+def _drawn(how: Painter, device: _core.GpuDevice, views: Iterator[tuple[Scene, Camera]]) -> Iterator[Frame]:
     under_way: list[tuple[Scene, Camera, _core.GpuJob]] = []
     for scene, camera in views:
-        under_way.append((scene, camera, device.truth(scene._core, camera._core, **settings)))
+        if how.begin is not None:
+            under_way.append((scene, camera, how.begin(device, scene, camera, None)))
         if len(under_way) == AHEAD:
             yield _finished(*under_way.pop(0))
     while under_way:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
@@ -56,7 +57,7 @@ def reduce(
     range_dtype
         Type of the map's range: float32, or float16 in half the memory and file, off by at most 2⁻¹¹ of the range.
     backend
-        "cpu", or "auto" for the fastest there is.
+        Where the map is baked: "cpu", "gpu" or "auto", as in `render`.
 
     Returns
     -------
@@ -68,7 +69,7 @@ def reduce(
     ValueError, TypeError
         For arguments out of their domains, and for float16 where the map reaches beyond 65,504 m.
     DeviceError
-        For "gpu".
+        As `render`.
 
     References
     ----------
@@ -82,33 +83,43 @@ def reduce(
     if unknown := wanted - set(_envmap.CHANNELS):
         listed = ", ".join(name for name in CHANNELS if name in unknown)
         raise ValueError(f"channels: expected names of {', '.join(_envmap.CHANNELS)}, got {listed}")
-    _backend.device_for(backend, scene)
+    device = _backend.device_for(backend, scene, (tuple(n for n in CHANNELS if n in wanted), samples))
     half = _half(range_dtype)
     zones = partition(scene, center=center, r1=r1, r2=r2)
-    env, rays = _bake(scene, zones, boundary, size, samples, wanted, half)
+    env, rays = _bake(device, scene, zones, boundary, size, samples, wanted, half)
     counts = {name: count for name, count in (zones.summary() | {"rays": rays}).items() if name in _bundle.COUNTS}
     return ReducedScene(scene, zones, env, morph=morph, boundary=boundary, counts=counts)
 
 
 def _bake(
-    scene: Scene, zones: Partition, boundary: str, size: int, samples: int, wanted: set[str], half: bool
+    device: _core.GpuDevice | None,
+    scene: Scene,
+    zones: Partition,
+    boundary: str,
+    size: int,
+    samples: int,
+    wanted: set[str],
+    half: bool,
 ) -> tuple[EnvMap | None, int]:
-    """Bake the far part and count the rays; nothing where nothing is far."""
+    """Bake the far part and count the rays, which a device casts none; nothing where nothing is far."""
     counts = zones.summary()
     if counts["sf"] == 0 and boundary == "r2":
         return None, 0
     moving = scene._core.triangle_count > scene._core.standing_triangle_count
     with _progress.bar("baking") as report:
-        faces, rays = _core.bake(
-            scene._core,
-            center=zones.center,
-            radius=zones.r1 if boundary == "r1" else zones.r2,
-            size=size,
-            samples=samples,
-            range="range" in wanted or moving,
-            object_id="object_id" in wanted,
-            report=report,
-        )
+        settings: Any = {
+            "center": zones.center,
+            "radius": zones.r1 if boundary == "r1" else zones.r2,
+            "size": size,
+            "samples": samples,
+            "range": "range" in wanted or moving,
+            "object_id": "object_id" in wanted,
+            "report": report,
+        }
+        if device is None:
+            faces, rays = _core.bake(scene._core, **settings)
+        else:
+            faces, rays = device.bake(scene._core, **settings), 0
     shaped = {name: image.reshape(6, size, size, *image.shape[2:]) for name, image in faces.items()}
     if half and "range" in shaped:
         shaped["range"] = _envmap.to_half(shaped["range"])

@@ -13,6 +13,7 @@ from nearfar import _bundle, _check, _core, _envmap, _progress, _render
 from nearfar._camera import Camera
 from nearfar._envmap import EnvMap
 from nearfar._frame import Frame
+from nearfar._painter import Painter, Report, check_camera
 from nearfar._partition import Partition, partition
 from nearfar._scene import Scene
 
@@ -92,11 +93,12 @@ class ReducedScene:
         dict
             `triangles` of the scene, `near`, `intermediate`, `nsf` and `sf` as in `Partition.summary`; `drawn`, the
             triangles that a client draws, and `reduction` = triangles / drawn; `map_bytes`, `near_bytes` (copies of
-            near geometry); `rays` and `ranges_computed` while baking; of the last frame `frame_triangles` (after
-            splitting; 0 where the scene's own trees were used), `dynamic_triangles` (moving ones that were looked for;
-            0 where there was no pass for them), `tolerance_held` (whether `tolerance_px` was a bound for "vertex":
-            "blend", and a user within 0.6 r1 of the centre) and `opposed_directions` (vertices that user and centre see
-            in opposite directions, which happens only outside the near cylinder).
+            near geometry); `rays` (0 where a graphics adapter baked) and `ranges_computed` while baking; of the last
+            frame `frame_triangles` (after splitting; 0 where the scene's own trees were used), `dynamic_triangles`
+            (moving ones that were looked for; 0 where there was no pass for them), `tolerance_held` (whether
+            `tolerance_px` was a bound for "vertex": "blend", and a user within 0.6 r1 of the centre) and
+            `opposed_directions` (vertices that user and centre see in opposite directions, which happens only outside
+            the near cylinder).
         """
         counts = self._counts
         triangles, moving, opposed, bounded = self._core.last_frame()
@@ -125,6 +127,7 @@ class ReducedScene:
         method: str = "vertex",
         env: bool = True,
         tolerance_px: float | None = None,
+        backend: str = "auto",
     ) -> Frame:
         """Render what a thin client shows to a user at the camera's position.
 
@@ -152,6 +155,10 @@ class ReducedScene:
             larger ones are split for this frame. A bound where `stats` says `tolerance_held`. Infinity morphs the
             vertices that there are, which bends long triangles wrongly and opens breaks at both radii. For "exact" by
             how many pixels, as large as they are where it passes, a bent ray may miss its curve, by default 0.1.
+        backend
+            "cpu", "gpu" or "auto", as in `render`. On a graphics adapter near triangles are split once for users about
+            as far from the centre, not for each frame, and objects that move are split only where their edges are too
+            long, so that a frame sends a transform for each. "exact" is for the CPU: "auto" leaves it there.
 
         Returns
         -------
@@ -162,11 +169,25 @@ class ReducedScene:
         ------
         ValueError, TypeError
             For arguments out of their domains, for a range or object_id that was not baked, for `env` False where what
-            is far was not saved, and for parallel rays where there is a map or rays are bent, which show what one eye
-            sees.
+            is far was not saved, for parallel rays where there is a map or rays are bent, which show what one eye
+            sees, and for "exact" with "gpu".
+        DeviceError
+            As `render`.
         """
-        if not isinstance(camera, Camera):
-            raise TypeError(f"camera: expected a Camera, got {type(camera).__name__}")
+        check_camera(camera)
+        painter = self._painter(channels, samples, method=method, env=env, tolerance_px=tolerance_px)
+        return painter.paint(self._scene if at is None else self._scene.at(at), camera, backend)
+
+    def _painter(
+        self,
+        channels: Iterable[str] | None,
+        samples: int,
+        *,
+        method: str = "vertex",
+        env: bool = True,
+        tolerance_px: float | None = None,
+    ) -> Painter:
+        """How it is seen; None stands for the default images."""
         _check.choice("method", method, tuple(TOLERANCES))
         if not isinstance(env, bool):
             raise TypeError(f"env: expected True or False, got {type(env).__name__}")
@@ -177,19 +198,22 @@ class ReducedScene:
             TOLERANCES[method] if tolerance_px is None else _check.number("tolerance_px", tolerance_px, finite=False)
         )
         wanted = _render.channel_names(self._default_channels(env) if channels is None else channels)
-        scene = self._scene if at is None else self._scene.at(at)
-        with _progress.bar("rendering") as report:
-            images = self._core.render(
-                scene._core,
-                camera._core,
-                channels=wanted,
-                samples=samples,
-                method=method,
-                mapped=env,
-                tolerance_px=tolerance,
-                report=report,
-            )
-        return Frame(camera, scene._core.origin, **images)
+        settings: Any = {
+            "channels": wanted,
+            "samples": samples,
+            "method": method,
+            "mapped": env,
+            "tolerance_px": tolerance,
+        }
+
+        def trace(scene: Scene, camera: Camera, report: Report) -> dict[str, Any]:
+            return self._core.render(scene._core, camera._core, **settings, report=report)
+
+        def begin(device: _core.GpuDevice, scene: Scene, camera: Camera, report: Report) -> _core.GpuJob:
+            return device.reduced(self._core, scene._core, camera._core, **settings, report=report)
+
+        bends = method == "exact" and self._morph != "none"
+        return Painter(self, self._scene, (tuple(wanted), samples), trace, None if bends else begin)
 
     def with_morph(self, morph: str) -> ReducedScene:
         """Join the same near part and the same map in another way, without baking anew.

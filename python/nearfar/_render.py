@@ -5,10 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from nearfar import _backend, _check, _core, _progress
+from nearfar import _check, _core
 from nearfar._camera import Camera
 from nearfar._frame import CHANNELS, Frame
+from nearfar._painter import Painter, Report, check_camera
 from nearfar._scene import Scene, core_of
+
+DEFAULTS = ("color", "range", "object_id")
+"""Images that are computed where nobody says which."""
 
 MAX_SAMPLES = 1024
 """Most colour samples of a pixel."""
@@ -19,7 +23,7 @@ def render(
     camera: Camera,
     *,
     samples: int = 1,
-    channels: Iterable[str] = ("color", "range", "object_id"),
+    channels: Iterable[str] = DEFAULTS,
     backend: str = "auto",
 ) -> Frame:
     """Render a scene: nothing is simplified, every pixel is exact.
@@ -61,19 +65,23 @@ def render(
     Rays: Woop, Benthin, Wald (2013), watertight. Textures: Williams (1983), trilinear, in linear light. Samples:
     Hammersley (1960). The shading is nearfar's own: albedo × (sky(n) + sun · max(0, n·l)), no shadows.
     """
-    core = core_of(scene)
-    if not isinstance(camera, Camera):
-        raise TypeError(f"camera: expected a Camera, got {type(camera).__name__}")
+    check_camera(camera)
+    return painter(scene, channels, samples).paint(scene, camera, backend)
+
+
+def painter(scene: Scene, channels: Iterable[str] | None, samples: int) -> Painter:
+    """How a scene is seen as it is; None stands for the default images."""
+    core_of(scene)
     samples = _check.integer("samples", samples, 1, MAX_SAMPLES)
-    wanted = channel_names(channels)
-    device = _backend.device_for(backend, scene, (tuple(wanted), samples))
-    with _progress.bar("rendering") as report:
-        settings: Any = {"channels": wanted, "samples": samples, "report": report}
-        if device is None:
-            images = _core.render_truth(core, camera._core, **settings)
-        else:
-            images = device.truth(core, camera._core, **settings).finish(report)
-    return Frame(camera, core.origin, **images)
+    wanted = channel_names(DEFAULTS if channels is None else channels)
+
+    def trace(scene: Scene, camera: Camera, report: Report) -> dict[str, Any]:
+        return _core.render_truth(scene._core, camera._core, channels=wanted, samples=samples, report=report)
+
+    def begin(device: _core.GpuDevice, scene: Scene, camera: Camera, report: Report) -> _core.GpuJob:
+        return device.truth(scene._core, camera._core, channels=wanted, samples=samples, report=report)
+
+    return Painter(scene, scene, (tuple(wanted), samples), trace, begin)
 
 
 def channel_names(channels: Iterable[str]) -> list[str]:

@@ -5,29 +5,31 @@ from __future__ import annotations
 import time
 from collections.abc import Iterable
 
-from nearfar import _backend, _check
+from nearfar import _backend
 from nearfar._camera import Camera
-from nearfar._render import MAX_SAMPLES, channel_names, render
-from nearfar._scene import Scene, core_of
+from nearfar._painter import check_camera
+from nearfar._path import painter_of
+from nearfar._reduced import ReducedScene
+from nearfar._scene import Scene
 
 ROUNDS = 3
 """Pictures that are timed, after one that is not."""
 
 
 def measure(
-    source: Scene, camera: Camera, *, channels: Iterable[str] | None = None, samples: int = 1
+    source: Scene | ReducedScene, camera: Camera, *, channels: Iterable[str] | None = None, samples: int = 1
 ) -> dict[str, float]:
     """Time a picture on the CPU and on the selected adapter, and let "auto" take the faster one from then on.
 
     Parameters
     ----------
     source
-        The scene. What was found holds for this object, as long as it lives, and for pictures with the same channels
-        and samples; scenes made from it are measured by themselves.
+        The scene, or a reduced one. What was found holds for this object, as long as it lives, and for pictures with
+        the same channels and samples; scenes made from it are measured by themselves.
     camera
         A view that stands for those to come, of their size.
     channels
-        Images to compute, by default those that `render` computes by default.
+        Images to compute, by default those that its `render` computes by default.
     samples
         Colour samples of each pixel.
 
@@ -44,16 +46,15 @@ def measure(
     DeviceError
         Where no adapter can be used.
     """
-    core_of(source)
-    samples = _check.integer("samples", samples, 1, MAX_SAMPLES)
-    wanted = channel_names(("color", "range", "object_id") if channels is None else channels)
+    check_camera(camera)
+    painter = painter_of(source, channels, samples)
     label = _backend.opened().label
     taken: dict[str, list[float]] = {"cpu": [], "gpu": []}
     for _ in range(ROUNDS + 1):
         for backend, seconds in taken.items():
             started = time.perf_counter()
-            render(source, camera, channels=wanted, samples=samples, backend=backend)
+            painter.paint(painter.scene, camera, backend)
             seconds.append(time.perf_counter() - started)
     least = {backend: min(seconds[1:]) for backend, seconds in taken.items()}
-    _backend.remember(source, (tuple(wanted), samples), label, least["gpu"] < least["cpu"])
+    _backend.remember(source, painter.work, label, least["gpu"] < least["cpu"])
     return least

@@ -238,7 +238,8 @@ mod tests {
     #[test]
     fn directions_are_as_exact_as_one_rounding() {
         let window = Window { column: 0, row: 0, width: 4000, height: 3000 };
-        let vectors = [DVec3::new(-0.71, 0.63, -1.1), DVec3::new(3.1e-4, 1e-9, 1.7e-4), DVec3::new(-1e-5, -3.3e-4, 0.0)];
+        let vectors =
+            [DVec3::new(-0.71, 0.63, -1.1), DVec3::new(3.1e-4, 1e-9, 1.7e-4), DVec3::new(-1e-5, -3.3e-4, 0.0)];
         let parts = on_grid(vectors, &window);
         for (x, y) in [(0, 0), (1, 1), (1999, 1), (3999, 2999), (77, 2998)] {
             let (x, y) = (x as f32, y as f32);
