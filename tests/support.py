@@ -15,6 +15,7 @@ import jsonschema
 import pytest
 from referencing import Registry, Resource
 
+import nearfar as nf
 from nearfar import _data, _formats
 
 
@@ -65,6 +66,14 @@ def _release() -> str:
     return "" if any(folder.glob("*_core.*")) else "there is no release build; `make setup` makes one"
 
 
+def _adapter(backend: str) -> Callable[[], str]:
+    def missing() -> str:
+        usable = any(adapter.backend == backend and adapter.usable for adapter in nf.gpu.adapters())
+        return "" if usable else f"there is no adapter for {backend}; see scripts/system-packages.sh"
+
+    return missing
+
+
 PARTS: dict[str, Callable[[], str]] = {
     "data": _data_folder,
     "embreex": _module("embreex"),
@@ -79,6 +88,8 @@ PARTS: dict[str, Callable[[], str]] = {
     "release": _release,
     "skimage": _module("skimage"),
     "tokyo": _tokyo,
+    "vulkan": _adapter("vulkan"),
+    "gl": _adapter("gl"),
 }
 """Parts that a system may lack. Each returns why it is missing, or nothing where it is there."""
 

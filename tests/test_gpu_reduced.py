@@ -1,0 +1,231 @@
+"""Reduced scenes and their maps on graphics adapters, against the tracer."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+from numpy.typing import NDArray
+
+import nearfar as nf
+from parity import check_color, check_ids, check_range, edges
+from support import data, need
+
+CENTER = (0.0, 1.7, 0.0)
+CHANNELS = ("color", "range", "object_id")
+ALL = (*CHANNELS, "face_id")
+USERS = {"centre": CENTER, "near": (2.0, 1.9, -1.0), "far": (9.0, 2.5, 6.0)}
+
+
+@pytest.fixture(params=["vulkan", "gl"], autouse=True)
+def _adapter(request: pytest.FixtureRequest) -> Iterator[None]:
+    need(request.param)
+    nf.gpu.select(request.param)
+    yield
+    nf.gpu.select(None)
+
+
+@pytest.fixture(scope="module")
+def city() -> nf.Scene:
+    return nf.datasets.city(blocks=3, detail=1).with_dynamic([f"car_{i}" for i in range(5)])
+
+
+@pytest.fixture(scope="module")
+def poses() -> dict[str, NDArray[np.float64]]:
+    """Cars within r1, across both radii, between them and beyond, some behind houses."""
+    places = [(-3, -8, 0.3), (2, -29, 1.0), (-4, -49.5, 0.2), (3, -70, 2.0), (-40, -60, 0.1)]
+    return {f"car_{i}": placed(x, 0.15, z, turn) for i, (x, z, turn) in enumerate(places)}
+
+
+def placed(x: float, y: float, z: float, turn: float = 0.0) -> NDArray[np.float64]:
+    matrix = trimesh.transformations.rotation_matrix(turn, (0, 1, 0))
+    matrix[:3, 3] = x, y, z
+    return np.asarray(matrix)
+
+
+def view(user: tuple[float, float, float], size: int = 256) -> nf.Camera:
+    target = (user[0] - 1.5, 3.0, user[2] - 40.0)
+    return nf.Camera.look_at(user, target, fov=nf.Fov.symmetric(70), size=(size, size))
+
+
+def both(reduced: nf.ReducedScene, camera: nf.Camera, **settings: object) -> tuple[nf.Frame, nf.Frame]:
+    frames = [reduced.render(camera, backend=backend, **settings) for backend in ("cpu", "gpu")]  # type: ignore[arg-type]
+    return frames[0], frames[1]
+
+
+@pytest.mark.parametrize("user", USERS)
+@pytest.mark.parametrize("morph", ["blend", "cylinder", "none"])
+def test_frames_are_those_of_the_tracer(
+    city: nf.Scene, poses: dict[str, NDArray[np.float64]], morph: str, user: str
+) -> None:
+    reduced = nf.reduce(city, center=CENTER, r1=30, r2=50, face_size=128, morph=morph, channels=CHANNELS, samples=1)
+    for env in (True, False):
+        # The same vertices: what differs is rounding. In a picture that has no map all pixels have faces.
+        cpu, gpu = both(reduced, view(USERS[user]), at=poses, channels=ALL, tolerance_px=np.inf, env=env)
+        check_ids(cpu.require("object_id"), gpu.require("object_id"))
+        check_ids(cpu.require("face_id"), gpu.require("face_id"))
+        check_color(cpu, gpu)
+        check_range(cpu, gpu, worst=1e-3)
+        assert np.array_equal(np.isfinite(cpu.require("range")), np.isfinite(gpu.require("range"))) or user != "centre"
+
+
+@pytest.mark.parametrize("morph", ["blend", "cylinder"])
+def test_split_frames_show_the_same_within_the_tolerance(
+    city: nf.Scene, poses: dict[str, NDArray[np.float64]], morph: str
+) -> None:
+    reduced = nf.reduce(city, center=CENTER, r1=30, r2=50, face_size=128, morph=morph, channels=CHANNELS, samples=1)
+    cpu, gpu = both(reduced, view(USERS["near"]), at=poses, channels=ALL)
+    # Both are split for half a pixel, the device's for a few more users: edges may be apart by a small part of that.
+    check_ids(cpu.require("object_id"), gpu.require("object_id"))
+    check_color(cpu, gpu)
+    assert reduced.stats["tolerance_held"] == (morph == "blend")
+
+
+def test_a_large_mover_is_split_where_it_stands() -> None:
+    """Its corners alone would bend a train of 60 m wrongly by many pixels."""
+    ground = trimesh.creation.box((400, 0.2, 400))
+    train = trimesh.creation.box((60, 3, 2))
+    train.visual.face_colors = np.tile([[200, 60, 40, 255], [40, 90, 200, 255]], (6, 1))
+    assembled = trimesh.Scene()
+    assembled.add_geometry(ground, node_name="ground", geom_name="ground")
+    assembled.add_geometry(train, node_name="train", geom_name="train")
+    scene = nf.Scene.from_trimesh(assembled).with_dynamic(["train"])
+    reduced = nf.reduce(scene, center=CENTER, r1=10, r2=25, face_size=64, channels=CHANNELS)
+    pose = {"train": placed(5, 1.7, -12, 0.2)}
+    cpu, gpu = both(reduced, view((1.5, 2.4, 1.0)), at=pose, channels=ALL)
+    check_ids(cpu.require("face_id"), gpu.require("face_id"), 0.995)
+    bent = reduced.render(view((1.5, 2.4, 1.0)), at=pose, channels=ALL, tolerance_px=np.inf, backend="gpu")
+    assert (bent.require("object_id") != cpu.require("object_id")).mean() > 0.003
+
+
+def test_maps_are_equal_face_by_face(city: nf.Scene) -> None:
+    for r2 in (1.0, 50.0):
+        cpu, gpu = (
+            nf.reduce(city, center=CENTER, r1=0.5, r2=r2, face_size=256, channels=CHANNELS, samples=1, backend=backend)
+            for backend in ("cpu", "gpu")
+        )
+        assert cpu.env is not None
+        assert gpu.env is not None
+        for face in range(6):
+            check_ids(cpu.env.object_id[face], gpu.env.object_id[face])  # type: ignore[index]
+            frames = [
+                nf.Frame(nf.Camera(CENTER, fov=nf.CubeFace(face), size=(256, 256)), color=np.float32(env.color[face]))
+                for env in (cpu.env, gpu.env)
+            ]
+            check_color(*frames)
+            inside = ~edges(cpu.env.object_id[face])  # type: ignore[index]
+            expected, got = cpu.env.range[face][inside], gpu.env.range[face][inside]  # type: ignore[index]
+            finite = np.isfinite(expected) & np.isfinite(got)
+            # An object's own edges are not edges of objects: all but a few texels of a thousand.
+            apart = np.abs(got[finite] - expected[finite]) / expected[finite]
+            assert apart.size == 0 or np.percentile(apart, 99) <= 1e-5
+        assert gpu.stats["rays"] == 0 < cpu.stats["rays"]
+
+
+def test_each_face_looks_its_own_way() -> None:
+    """Six walls of their own colours, each with a dark corner that tells how the face is turned."""
+    walls, marks = [], []
+    for axis in range(3):
+        for sign in (1, -1):
+            out = np.eye(3)[axis] * sign
+            wall = trimesh.creation.box(np.where(np.eye(3)[axis] > 0, 0.1, 40.0))
+            wall.apply_translation(out * 20)
+            color = np.full(4, 255)
+            color[:3] = 60 + 130 * (np.arange(3) == axis) + (60 if sign < 0 else 0)
+            wall.visual.face_colors = color.astype(np.uint8)
+            mark = trimesh.creation.box((4, 4, 4))
+            mark.apply_translation(
+                out * 18 + np.roll(np.eye(3), 1, axis=1)[axis] * 9 + np.roll(np.eye(3), 2, 1)[axis] * 6
+            )
+            mark.visual.face_colors = (10, 10, 10, 255)
+            walls.append(wall)
+            marks.append(mark)
+    scene = nf.Scene.from_trimesh(trimesh.util.concatenate([*walls, *marks]))
+    faces = [
+        nf.reduce(scene, center=(0, 0, 0), r1=1, r2=2, face_size=32, samples=1, backend=backend).env
+        for backend in ("cpu", "gpu")
+    ]
+    assert faces[0] is not None
+    assert faces[1] is not None
+    colors = [np.asarray(env.color, np.float32) for env in faces if env is not None]
+    for one in range(6):
+        for other in range(6):
+            apart = np.abs(colors[0][one] - colors[1][other]).mean()
+            # The same face up to edges; any other one, or a turned one, differs by a wall's colour or by its mark.
+            assert apart < 2e-4 if one == other else apart > 1e-3
+        for turned in (np.rot90(colors[1][one]), colors[1][one][:, ::-1], colors[1][one][::-1]):
+            assert np.abs(colors[0][one] - turned).mean() > 1e-3
+
+
+@pytest.mark.parametrize("boundary", ["r1", "r2"])
+def test_the_conventional_method_breaks_where_it_does_on_the_cpu(city: nf.Scene, boundary: str) -> None:
+    settings = {"morph": "none", "boundary": boundary, "channels": CHANNELS}
+    reduced = nf.reduce(city, center=CENTER, r1=20, r2=40, face_size=128, **settings)  # type: ignore[arg-type]
+    cpu, gpu = both(reduced, view(USERS["near"]), channels=ALL)
+    check_ids(cpu.require("face_id"), gpu.require("face_id"))
+    check_color(cpu, gpu)
+
+
+def test_where_nothing_is_far_the_sky_is_seen() -> None:
+    scene = nf.Scene.from_trimesh(trimesh.creation.box((2, 2, 2)))
+    reduced = nf.reduce(scene, center=(0, 0, 5), r1=30, r2=50)
+    assert reduced.env is None
+    cpu, gpu = both(reduced, nf.Camera((0.5, 0.2, 5), fov=nf.Fov.symmetric(90), size=(64, 64)), channels=ALL)
+    check_ids(cpu.require("face_id"), gpu.require("face_id"))
+    assert np.array_equal(np.isinf(cpu.require("range")), gpu.require("face_id") < 0)
+    check_color(cpu, gpu)
+
+
+def test_a_saved_scene_is_drawn_as_before(city: nf.Scene, tmp_path: Path) -> None:
+    reduced = nf.reduce(city, center=CENTER, r1=15, r2=30, face_size=64, channels=CHANNELS)
+    reduced.save(tmp_path / "light")
+    loaded = nf.ReducedScene.load(tmp_path / "light")
+    camera = view(USERS["near"], 96)
+    before, after = (one.render(camera, backend="gpu") for one in (reduced, loaded))
+    check_ids(before.require("object_id"), after.require("object_id"))
+    check_color(before, after)
+
+
+def test_only_near_geometry_is_touched_and_little_is_sent(
+    city: nf.Scene, poses: dict[str, NDArray[np.float64]]
+) -> None:
+    reduced = nf.reduce(city, center=CENTER, r1=15, r2=30, face_size=64, channels=CHANNELS)
+    cameras = [view((0.8 + 0.02 * i, 1.7, 0.0), 64) for i in range(6)]
+    for frame in nf.render_path(reduced, cameras, at=poses, backend="gpu"):
+        assert frame.camera.size == (64, 64)
+    before = nf.gpu.stats()
+    reduced.render(cameras[0], at=poses, backend="gpu")
+    still = nf.gpu.stats()
+    # Split triangles near the user, and cars twice: within the near part and beyond it.
+    assert 0 < still["triangles"] - before["triangles"] <= reduced.stats["frame_triangles"] + 20_000
+    reduced.render(cameras[3], at=poses, backend="gpu")
+    reduced.render(cameras[3], at=poses | {"car_0": placed(-2.5, 0.15, -9, 0.4)}, backend="gpu")
+    after = nf.gpu.stats()
+    assert after["allocations"] == still["allocations"] == before["allocations"]
+    # A pass, and one car's transform in two passes.
+    assert after["uploaded_bytes"] - still["uploaded_bytes"] < 1500
+
+
+def test_bent_rays_are_for_the_cpu(city: nf.Scene) -> None:
+    reduced = nf.reduce(city, center=CENTER, r1=15, r2=30, face_size=32)
+    camera = view(USERS["near"], 32)
+    with pytest.raises(ValueError, match=r"method: expected 'vertex' with backend='gpu', got 'exact'"):
+        reduced.render(camera, method="exact", backend="gpu")
+    reduced.render(camera, method="exact")
+    with pytest.raises(ValueError, match="channels: expected an environment map with object_id"):
+        reduced.render(camera, channels=("object_id",), backend="gpu")
+    with pytest.raises(ValueError, match="tolerance_px"):
+        reduced.render(camera, tolerance_px=-1, backend="gpu")
+
+
+def test_tokyo_looks_the_same_on_both(tmp_path: Path) -> None:
+    scene = nf.Scene.load(data("city/tokyo23/tokyo_core_lod1.glb"))
+    reduced = nf.reduce(scene, center=CENTER, r1=60, r2=120, face_size=256, channels=CHANNELS, backend="gpu")
+    cpu, gpu = both(reduced, view((3.0, 2.0, 1.0), 512), channels=ALL, tolerance_px=np.inf)
+    check_ids(cpu.require("object_id"), gpu.require("object_id"))
+    check_color(cpu, gpu)
+    # Where a long thin triangle was bent, float64 tells errors of 3e-4 on the CPU and of 2e-4 on the adapter.
+    check_range(cpu, gpu, worst=1e-3)
