@@ -15,12 +15,12 @@ def edges(ids: NDArray[Any]) -> NDArray[np.bool_]:
     height, width = ids.shape
     padded = np.pad(ids, 1, mode="edge")
     shifted = [padded[y : y + height, x : x + width] for y in range(3) for x in range(3)]
-    return np.any([neighbour != ids for neighbour in shifted], axis=0)
+    return np.asarray(np.any([neighbour != ids for neighbour in shifted], axis=0))
 
 
 def codes_apart(reference: nf.Frame, test: nf.Frame) -> NDArray[np.int64]:
     """Greatest difference of a pixel's three sRGB codes."""
-    return np.abs(reference.to_image().astype(int) - test.to_image().astype(int)).max(axis=-1)
+    return np.asarray(np.abs(reference.to_image().astype(int) - test.to_image().astype(int)).max(axis=-1))
 
 
 def check_ids(reference: NDArray[Any], test: NDArray[Any], share: float = 0.999) -> None:

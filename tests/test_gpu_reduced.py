@@ -111,11 +111,9 @@ def test_maps_are_equal_face_by_face(city: nf.Scene) -> None:
         assert gpu.env is not None
         for face in range(6):
             check_ids(cpu.env.object_id[face], gpu.env.object_id[face])  # type: ignore[index]
-            frames = [
-                nf.Frame(nf.Camera(CENTER, fov=nf.CubeFace(face), size=(256, 256)), color=np.float32(env.color[face]))
-                for env in (cpu.env, gpu.env)
-            ]
-            check_color(*frames)
+            camera = nf.Camera(CENTER, fov=nf.CubeFace(face), size=(256, 256))
+            colors = [np.asarray(env.color[face], np.float32) for env in (cpu.env, gpu.env)]
+            check_color(nf.Frame(camera, color=colors[0]), nf.Frame(camera, color=colors[1]))
             inside = ~edges(cpu.env.object_id[face])  # type: ignore[index]
             expected, got = cpu.env.range[face][inside], gpu.env.range[face][inside]  # type: ignore[index]
             finite = np.isfinite(expected) & np.isfinite(got)

@@ -1,0 +1,216 @@
+"""Frames on graphics adapters beside the tracer and pyrender, reduced frames beside full ones, and what a frame moves.
+
+`python benchmarks/gpu.py`. Without a GPU the adapters are the processor itself (lavapipe, llvmpipe). With one, the last
+table gives what a headset's frames take on it.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import time
+import warnings
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+import _tokyo
+import nearfar as nf
+from _harness import Case, compare, describe
+from _measure import machine, table
+from _views import center_for
+from render import view
+
+SIZE = (1024, 1024)
+EYE = (1832, 1920)
+"""Pixels of a headset's eye."""
+CHANNELS = ("color", "range", "object_id")
+NEAR, FAR = 30.0, 50.0
+
+
+def adapters() -> list[str]:
+    return [adapter.backend for adapter in nf.gpu.adapters() if adapter.usable]
+
+
+def on(adapter: str, job: Callable[[], Any]) -> Callable[[], Any]:
+    """The job on an adapter."""
+
+    def selected() -> Any:
+        nf.gpu.select(adapter)
+        return job()
+
+    return selected
+
+
+def drawn_by_pyrender(scene: nf.Scene, camera: nf.Camera) -> list[Case]:
+    """Lit, in one colour, and depth alone; the upload is not counted."""
+    if not importlib.util.find_spec("pyrender"):
+        return []
+    os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
+    vars(np).setdefault("infty", np.inf)  # pyrender 0.1.45 was written for NumPy 1
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        import pyrender as peer
+
+    corners = scene.triangles()
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-20)
+    whole: Any = peer.Scene(ambient_light=(0.3, 0.3, 0.3))
+    flat = corners.reshape(-1, 3)
+    whole.add(peer.Mesh([peer.Primitive(positions=flat, normals=np.repeat(normals, 3, axis=0))]))
+    rays = camera.rays()[1]
+    pose = np.eye(4)
+    right, down = rays[0, -1] - rays[0, 0], rays[-1, 0] - rays[0, 0]
+    pose[:3, 0], pose[:3, 1] = right / np.linalg.norm(right), -down / np.linalg.norm(down)
+    pose[:3, 2] = np.cross(pose[:3, 0], pose[:3, 1])
+    pose[:3, 3] = np.array(camera.position) - scene.origin
+    assert isinstance(camera.fov, nf.Fov)
+    whole.add(peer.PerspectiveCamera(2 * np.arctan(camera.fov.up), 1.0, 1e4, SIZE[0] / SIZE[1]), pose=pose)
+    whole.add(peer.DirectionalLight(intensity=3.0), pose=pose)
+    renderer = peer.OffscreenRenderer(*SIZE)
+    both_sides = peer.RenderFlags.SKIP_CULL_FACES
+    ways = {"lit": both_sides, "flat": both_sides | peer.RenderFlags.FLAT}
+    ways["depth alone"] = both_sides | peer.RenderFlags.DEPTH_ONLY
+    return [Case(f"pyrender, {name}", partial(renderer.render, whole, flags)) for name, flags in ways.items()]
+
+
+def frames(scene: nf.Scene, camera: nf.Camera) -> str:
+    """Colour, range and ids with read-back, the error of ranges against the tracer's."""
+    exact = nf.render(scene, camera, channels=("range", "face_id"), backend="cpu")
+
+    def error(frame: nf.Frame) -> float:
+        other = nf.render(scene, camera, channels=("range", "face_id"), backend="gpu")
+        same = (exact.require("face_id") == other.require("face_id")) & np.isfinite(exact.require("range"))
+        expected, got = exact.require("range")[same], frame.require("range")[same]
+        return float(np.percentile(np.abs(got - expected) / expected, 99.9))
+
+    job = partial(nf.render, scene, camera, channels=CHANNELS, backend="gpu")
+    cases = [Case(f"nearfar, {name}", on(name, job), error, peer=False) for name in adapters()]
+    traced = partial(nf.render, scene, camera, channels=CHANNELS, backend="cpu")
+    cases.append(Case("nearfar, traced", traced, peer=False))
+    title = f"Frames of {scene.triangle_count:,} triangles at {SIZE[0]} x {SIZE[1]}, colour, range and ids"
+    return compare(title, [*cases, *drawn_by_pyrender(scene, camera)], repeat=3, unit="99.9 % of ranges")
+
+
+def seconds(job: Callable[[], Any], rounds: int = 3) -> float:
+    """The least of some rounds, after one that sends what is missing."""
+    job()
+    taken = []
+    for _ in range(rounds):
+        started = time.perf_counter()
+        job()
+        taken.append(time.perf_counter() - started)
+    return min(taken)
+
+
+def whole_city() -> nf.Scene:
+    """Tokyo, or the procedural city where there is no data."""
+    arrays = _tokyo.with_buildings()
+    return nf.datasets.city() if arrays is None else nf.Scene.from_arrays(arrays[0], arrays[1], face_object=arrays[2])
+
+
+def near_and_far(scene: nf.Scene) -> str:
+    """A reduced frame of a scene beside the full one: times and triangles."""
+    center = center_for(scene, FAR)
+    camera = nf.Camera.look_at(
+        np.add(center, (2.0, 0.2, 1.0)), np.add(center, (0.0, 2.0, -40.0)), fov=nf.Fov.symmetric(90), size=SIZE
+    )
+    rows = []
+    for name in adapters():
+        nf.gpu.select(name)
+        started = time.perf_counter()
+        nf.render(scene, camera, backend="gpu")
+        first = time.perf_counter() - started
+        before = nf.gpu.stats()["triangles"]
+        full = seconds(partial(nf.render, scene, camera, backend="gpu"))
+        drawn = (nf.gpu.stats()["triangles"] - before) // 4
+        reduced = nf.reduce(scene, center=center, r1=NEAR, r2=FAR, channels=CHANNELS, backend="gpu")
+        light = seconds(partial(reduced.render, camera, backend="gpu"))
+        triangles = max(reduced.stats["frame_triangles"], 1)
+        rows.append(
+            [name, *(f"{1e3 * value:.0f}" for value in (first, full, light)), f"{full / light:.1f}"]
+            + [f"{drawn:,}", f"{triangles:,}", f"{drawn / triangles:.0f}"]
+        )
+    header = ["adapter", "first ms", "full ms", "reduced ms", "ratio", "triangles in view", "reduced", "ratio"]
+    return table(f"Reduced frames (r2 = {FAR:g} m) of {scene.triangle_count:,} triangles", header, rows)
+
+
+def path(scene: nf.Scene, camera: nf.Camera, count: int = 20) -> str:
+    """Frames one after the other, and with the next one begun before one is read; what a frame makes and sends."""
+    cameras = [
+        nf.Camera(np.add(camera.position, (0.05 * i, 0.0, 0.0)), camera.orientation, fov=camera.fov, size=SIZE)
+        for i in range(count)
+    ]
+    rows = []
+    for name in adapters():
+        nf.gpu.select(name)
+        alone = seconds(lambda: [nf.render(scene, one, backend="gpu") for one in cameras], 2) / count
+        before = nf.gpu.stats()
+        ahead = seconds(
+            lambda: [frame.size for frame in map(_pixels, nf.render_path(scene, cameras, backend="gpu"))], 2
+        )
+        after = nf.gpu.stats()
+        frames_drawn = 3 * count
+        made = after["allocations"] - before["allocations"]
+        sent = (after["uploaded_bytes"] - before["uploaded_bytes"]) / frames_drawn
+        rows.append([name, f"{1e3 * alone:.0f}", f"{1e3 * ahead / count:.0f}", str(made), f"{sent:.0f}"])
+    header = ["adapter", "ms a frame", "ms in a path", f"buffers made in {3 * count} frames", "bytes sent a frame"]
+    return table(f"Paths of {scene.triangle_count:,} triangles", header, rows)
+
+
+def _pixels(frame: nf.Frame) -> Any:
+    return frame.require("color")
+
+
+def headset(scene: nf.Scene) -> str:
+    """Both eyes of a headset, full and reduced, and a map of 6 x 2048 x 2048, where there is a GPU."""
+    hardware = [adapter for adapter in nf.gpu.adapters() if adapter.usable and adapter.kind != "software"]
+    if not hardware:
+        return "No GPU: a headset's frames are not timed on the processor.\n"
+    nf.gpu.select(hardware[0].backend)
+    center = center_for(scene, FAR)
+    target = np.add(center, (0.0, 2.0, -40.0))
+    eyes = [
+        nf.Camera.look_at(np.add(center, (x, 0.0, 0.0)), target, fov=nf.Fov.symmetric(95), size=EYE)
+        for x in (-0.032, 0.032)
+    ]
+    started = time.perf_counter()
+    nf.render(scene, eyes[0], channels=("color",), backend="gpu")
+    first = time.perf_counter() - started
+    reduced = nf.reduce(scene, center=center, r1=NEAR, r2=FAR, face_size=2048, backend="gpu")
+    rows = []
+    for name, source in (("full", scene), ("reduced", reduced)):
+        pairs = list(eyes) * 10
+        both = (
+            seconds(lambda: [_pixels(f) for f in nf.render_path(source, pairs, channels=("color",), backend="gpu")])
+            / 10
+        )
+        kept = nf.gpu.render(source, eyes[0], channels=("color",))
+        kept.read()
+        read = 2 * seconds(kept.read)
+        rows.append([name, f"{1e3 * both:.1f}", f"{1 / both:.0f}", f"{1e3 * (both - read):.1f}", f"{1e3 * read:.1f}"])
+    bake = seconds(lambda: nf.reduce(scene, center=center, r1=NEAR, r2=FAR, face_size=2048, backend="gpu"))
+    text = table(
+        f"2 x {EYE[0]} x {EYE[1]} of {scene.triangle_count:,} triangles on {hardware[0].name}",
+        ["", "ms", "frames a second", "of it drawing", "of it reading"],
+        rows,
+    )
+    return f"{text}\nfirst frame with its upload {first:.2f} s, map of 6 x 2048 x 2048 with 4 samples {bake:.2f} s\n"
+
+
+def main() -> None:
+    print(machine())
+    print(describe())
+    scene = nf.datasets.city(blocks=10, detail=1)
+    camera = view(scene, SIZE)
+    print(frames(scene, camera))
+    print(path(scene, camera))
+    city = whole_city()
+    print(near_and_far(city))
+    print(headset(city))
+
+
+if __name__ == "__main__":
+    main()
