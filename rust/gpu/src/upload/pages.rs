@@ -224,3 +224,62 @@ fn gathered(mesh: &Arc<Mesh>, limit: u64) -> Option<Vec<Arc<Mesh>>> {
     };
     Some(starts.iter().map(piece).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nearfar_core::base::random;
+
+    /// A strip of triangles, each between a vertex and the next two, or between any three.
+    fn mesh(faces: u32, scattered: bool) -> Arc<Mesh> {
+        let count = faces + 2;
+        let positions: Vec<[f32; 3]> = (0..count).map(|i| [i as f32, 0.0, (i % 2) as f32]).collect();
+        let vertex = |face: u32, corner: u32| match scattered {
+            true => random::bits(1, u64::from(face), u64::from(corner)) as u32 % count,
+            false => face + corner,
+        };
+        let faces: Vec<[u32; 3]> = (0..faces).map(|face| [0, 1, 2].map(|corner| vertex(face, corner))).collect();
+        let materials = FaceMap::PerFace((0..faces.len() as i32).collect());
+        Arc::new(Mesh::new(positions.into(), faces.into(), None, None, FaceMap::Uniform(0), materials).unwrap())
+    }
+
+    /// Corners and material of a run's faces, read from its words as a shader reads them.
+    fn read(run: &Run<'_>) -> Vec<([[f32; 3]; 3], u32)> {
+        let mut words = Vec::new();
+        run.write(&mut words);
+        let (layout, size) = run.layout();
+        assert_eq!(words.len() as u64, size);
+        let float = |word: u32| f32::from_bits(words[word as usize]);
+        let vertex = |v: u32| [0, 1, 2].map(|i| float(layout[0] + 3 * v + i));
+        let corner = |face: u32, i: u32| vertex(words[(layout[1] + 3 * face + i) as usize]);
+        let face = |f: u32| ([0, 1, 2].map(|i| corner(f, i)), words[(layout[4] + f) as usize]);
+        (0..run.faces.len() as u32).map(face).collect()
+    }
+
+    #[test]
+    fn runs_hold_every_face_once_and_fit() {
+        let mesh = mesh(1000, false);
+        let all: Vec<_> = (0..1000).map(|face| (mesh.corners(face).map(|p| p.to_array()), face)).collect();
+        for limit in [20_000, 3000, 500, 80] {
+            let runs = runs_of(&mesh, limit).unwrap();
+            assert!(runs.iter().all(|run| run.words() <= limit), "{limit}");
+            assert_eq!(runs.iter().flat_map(read).collect::<Vec<_>>(), all);
+            assert!(gathered(&mesh, limit).is_none());
+        }
+    }
+
+    #[test]
+    fn faces_that_use_vertices_from_all_over_bring_their_own() {
+        let mesh = mesh(1000, true);
+        let limit = 2000;
+        assert!(runs_of(&mesh, limit).is_none());
+        let pieces = gathered(&mesh, limit).unwrap();
+        let read_piece = |piece: &Arc<Mesh>| {
+            let run = Run { mesh: piece, faces: 0..piece.faces.len(), vertices: 0..piece.positions.len() };
+            assert!(run.words() <= limit);
+            read(&run)
+        };
+        let all: Vec<_> = (0..1000).map(|face| (mesh.corners(face).map(|p| p.to_array()), face)).collect();
+        assert_eq!(pieces.iter().flat_map(read_piece).collect::<Vec<_>>(), all);
+    }
+}

@@ -1,0 +1,67 @@
+"""What is larger than an adapter takes at once is drawn in parts, by one definition and without gaps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from parity import check_color, check_ids
+from support import need
+
+
+@pytest.fixture(params=["vulkan", "gl"], autouse=True)
+def adapter(request: pytest.FixtureRequest) -> Iterator[str]:
+    need(request.param)
+    nf.gpu.select(request.param)
+    yield request.param
+    nf.gpu.select(None)
+
+
+def grid(cells: int) -> nf.Scene:
+    """A square of 1 m cells in the ground plane, two triangles each, row by row along +z."""
+    x, z = np.meshgrid(np.arange(cells + 1, dtype=np.float32), np.arange(cells + 1, dtype=np.float32))
+    vertices = np.stack([x, np.zeros_like(x), z], axis=-1).reshape(-1, 3)
+    corner = (np.arange(cells)[:, None] * (cells + 1) + np.arange(cells)).reshape(-1).astype(np.uint32)
+    a, b, c, d = corner, corner + 1, corner + cells + 1, corner + cells + 2
+    faces = np.stack([a, c, b, b, c, d], axis=-1).reshape(-1, 3)
+    return nf.Scene.from_arrays(vertices, faces)
+
+
+def test_a_mesh_larger_than_a_binding_is_drawn_page_by_page(adapter: str) -> None:
+    cells = 2200
+    scene = grid(cells)
+    bound = next(found.largest_binding for found in nf.gpu.adapters() if found.backend == adapter)
+    if scene.triangle_count * 12 <= bound:
+        pytest.skip("this adapter binds all faces at once")
+    size = 300
+    # From above, so that a pixel's place on the ground is known exactly; no pixel's centre lies on an edge.
+    camera = nf.Camera(
+        (cells / 2 + 0.21, 10.0, cells / 2 + 0.13),
+        (-np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)),
+        fov=nf.Orthographic(-1000.0, 1000.0, -1000.0, 1000.0),
+        size=(size, size),
+    )
+    frame = nf.render(scene, camera, channels=("face_id", "range"), backend="gpu")
+    starts = camera.rays()[0]
+    column, row = np.floor(starts[..., 0]).astype(np.int64), np.floor(starts[..., 2]).astype(np.int64)
+    beyond = (starts[..., 0] - column) + (starts[..., 2] - row) > 1
+    expected = 2 * (row * cells + column) + beyond
+    assert np.array_equal(frame.require("face_id"), expected)
+    assert np.allclose(frame.require("range"), 10.0, rtol=1e-6, atol=0)
+
+
+def test_many_instances_and_distinct_meshes() -> None:
+    scene = nf.datasets.forest(seed=3)
+    low, high = scene.bounds
+    eye = (0.0, float(high[1]) + 5.0, float(high[2]))
+    camera = nf.Camera.look_at(eye, (0.0, 0.0, float(low[2]) / 2), fov=nf.Fov.symmetric(70), size=(160, 120))
+    cpu, gpu = (
+        nf.render(scene, camera, channels=("color", "object_id", "face_id"), backend=backend)
+        for backend in ("cpu", "gpu")
+    )
+    check_ids(cpu.require("object_id"), gpu.require("object_id"), 0.995)
+    check_ids(cpu.require("face_id"), gpu.require("face_id"), 0.99)
+    check_color(cpu, gpu, percentile=99.0)
