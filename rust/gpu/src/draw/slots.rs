@@ -50,8 +50,8 @@ pub(super) struct Slot {
     pub told: Told,
 }
 
-/// Samples that every adapter draws.
-pub(super) const SAMPLES: u32 = 4;
+/// Samples of a target that has several.
+pub(crate) const SAMPLES: u32 = 4;
 
 impl Slots {
     /// A slot of a shape, made where none is left.
