@@ -39,7 +39,7 @@ def edges(ids: NDArray[np.int64]) -> NDArray[np.bool_]:
     height, width = ids.shape
     around = np.pad(ids, 1, mode="edge")
     parts = [around[r : r + height, c : c + width] != ids for r in range(3) for c in range(3)]
-    return np.any(parts, axis=0)
+    return np.asarray(np.any(parts, axis=0))
 
 
 def agree(cpu: nf.Frame, gpu: nf.Frame, *, same: float = 0.999) -> NDArray[np.bool_]:

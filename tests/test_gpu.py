@@ -18,9 +18,7 @@ from nearfar.cli._app import run
 from support import need
 from test_gpu_truth import crowd
 
-NO_DRIVERS = {
-    name: "/nonexistent" for name in ("VK_ICD_FILENAMES", "VK_DRIVER_FILES", "__EGL_VENDOR_LIBRARY_FILENAMES")
-}
+NO_DRIVERS = dict.fromkeys(("VK_ICD_FILENAMES", "VK_DRIVER_FILES", "__EGL_VENDOR_LIBRARY_FILENAMES"), "/nonexistent")
 """An environment in which neither Vulkan nor EGL finds a driver."""
 
 SETUP = """
@@ -77,7 +75,7 @@ def test_the_environment_selects_too(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_wrong_selections_are_refused() -> None:
     with pytest.raises(TypeError, match="adapter: expected a back end or a part of a name, got int"):
         nf.gpu.select(3)  # type: ignore[arg-type]
-    with pytest.raises(ValueError, match="adapter: expected .* got nothing"):
+    with pytest.raises(ValueError, match=r"adapter: expected .* got nothing"):
         nf.gpu.select(" ")
 
 

@@ -88,9 +88,7 @@ impl GpuDevice {
     ) -> PyResult<GpuJob> {
         let wanted = self::channels(&channels)?;
         let (scene, camera) = (&scene.0, &camera.0);
-        let job = run::long(py, report, |progress| {
-            truth::begin(&self.0, scene, camera, wanted, samples, progress)
-        })?;
+        let job = run::long(py, report, |progress| truth::begin(&self.0, scene, camera, wanted, samples, progress))?;
         Ok(GpuJob::new(job, camera))
     }
 }

@@ -46,7 +46,10 @@ impl Device {
             ..DeviceDescriptor::default()
         };
         let (wgpu, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(|error| {
-            Error::Device(format!("{}: can't be opened ({error}); update its driver, or use backend='cpu'", report.label()))
+            Error::Device(format!(
+                "{}: can't be opened ({error}); update its driver, or use backend='cpu'",
+                report.label()
+            ))
         })?;
         let lost = Arc::new(Mutex::new(None));
         let told = Arc::clone(&lost);
@@ -113,7 +116,8 @@ impl Device {
         loop {
             let wait = PollType::Wait { submission_index: Some(submission.clone()), timeout: Some(POLL) };
             match self.wgpu.poll(wait) {
-                Ok(_) => return self.check(),
+                // Some drivers come back only when all is done.
+                Ok(_) => return self.check().and_then(|()| progress.check()),
                 Err(PollError::Timeout) => progress.check()?,
                 Err(error) => return Err(Error::Device(format!("{}: {error}", self.report.label()))),
             }

@@ -116,7 +116,9 @@ fn absence(registry: &mut Registry, wanted: Option<&str>) -> String {
         .collect();
     if let (Some(name), false) = (wanted, seen.is_empty()) {
         let seen = seen.join(", ");
-        return format!("no graphics adapter '{name}' can be used, found {seen}; select by interface or a part of a name");
+        return format!(
+            "no graphics adapter '{name}' can be used, found {seen}; select by interface or a part of a name"
+        );
     }
     let what = wanted.map_or("no graphics adapter".to_string(), |name| format!("no graphics adapter '{name}'"));
     let seen = if seen.is_empty() { "found none".to_string() } else { format!("found {}", seen.join(", ")) };

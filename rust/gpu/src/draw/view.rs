@@ -41,12 +41,7 @@ impl Window {
         let mut windows = Vec::new();
         for row in (0..height).step_by(down as usize) {
             for column in (0..width).step_by(across as usize) {
-                windows.push(Self {
-                    column,
-                    row,
-                    width: across.min(width - column),
-                    height: down.min(height - row),
-                });
+                windows.push(Self { column, row, width: across.min(width - column), height: down.min(height - row) });
             }
         }
         windows
@@ -145,9 +140,10 @@ pub(super) fn pass_of(
     let (first, right, down) = (ray(0.0, 0.0), ray(1.0, 0.0), ray(0.0, 1.0));
     let directions = on_grid([first.1, right.1 - first.1, down.1 - first.1], window);
     let wide = |v: DVec3| v.as_vec3().extend(0.0).to_array();
-    let environment = picture.map.as_ref().map_or([0; 4], |map| {
-        [map.size, map.color.shift, map.range.shift, u32::from(map.has_range)]
-    });
+    let environment = picture
+        .map
+        .as_ref()
+        .map_or([0; 4], |map| [map.size, map.color.shift, map.range.shift, u32::from(map.has_range)]);
     let [color, range, ids, position, normal] = *outputs;
     Pass {
         clip: clip_rows(camera, window, sampling, farthest).map(|row| row.as_vec4().to_array()),
@@ -187,10 +183,8 @@ fn on_grid(vectors: [DVec3; 3], window: &Window) -> [(DVec3, DVec3); 3] {
 /// for parallel rays 1 at the image plane and 0 at the farthest depth.
 fn clip_rows(camera: &Camera, window: &Window, sampling: &Sampling, farthest: f64) -> [DVec4; 4] {
     let Axes { right, up, ahead, fov } = Axes::of(camera);
-    let (center, size) = (
-        DVec2::new(fov.left + fov.right, fov.down + fov.up),
-        DVec2::new(fov.right - fov.left, fov.up - fov.down),
-    );
+    let (center, size) =
+        (DVec2::new(fov.left + fov.right, fov.down + fov.up), DVec2::new(fov.right - fov.left, fov.up - fov.down));
     let (x, y, z, w) = if camera.is_parallel() {
         (
             (2.0 * right / size.x).extend(-center.x / size.x),
@@ -244,7 +238,8 @@ mod tests {
     #[test]
     fn directions_are_as_exact_as_one_rounding() {
         let window = Window { column: 0, row: 0, width: 4000, height: 3000 };
-        let vectors = [DVec3::new(-0.71, 0.63, -1.1), DVec3::new(3.1e-4, 1e-9, 1.7e-4), DVec3::new(-1e-5, -3.3e-4, 0.0)];
+        let vectors =
+            [DVec3::new(-0.71, 0.63, -1.1), DVec3::new(3.1e-4, 1e-9, 1.7e-4), DVec3::new(-1e-5, -3.3e-4, 0.0)];
         let parts = on_grid(vectors, &window);
         for (x, y) in [(0, 0), (1, 1), (1999, 1), (3999, 2999), (77, 2998)] {
             let (x, y) = (x as f32, y as f32);
@@ -260,7 +255,8 @@ mod tests {
 
     #[test]
     fn windows_cover_every_pixel_once() {
-        for (width, height, pixels, side) in [(7, 5, 1, 9), (100, 3, 250, 64), (64, 64, 1 << 20, 64), (1, 900, 100, 50)] {
+        for (width, height, pixels, side) in [(7, 5, 1, 9), (100, 3, 250, 64), (64, 64, 1 << 20, 64), (1, 900, 100, 50)]
+        {
             let windows = Window::split(width, height, pixels, side);
             let mut seen = vec![0; (width * height) as usize];
             for window in windows {

@@ -99,18 +99,28 @@ impl Run<'_> {
 }
 
 /// Puts meshes into new pages. One list of parts for each mesh, in order of faces.
-pub(crate) fn pack(device: &Device, meshes: &[Arc<Mesh>], mut next_page: impl FnMut() -> u64) -> Result<Vec<Vec<Part>>> {
+pub(crate) fn pack(
+    device: &Device,
+    meshes: &[Arc<Mesh>],
+    mut next_page: impl FnMut() -> u64,
+) -> Result<Vec<Vec<Part>>> {
     let limit = device.largest_binding() / WORD;
     let own: Vec<Option<Vec<Arc<Mesh>>>> = meshes.iter().map(|mesh| gathered(mesh, limit)).collect();
     let mut runs: Vec<(usize, u32, Run<'_>)> = Vec::new();
     for (number, mesh) in meshes.iter().enumerate() {
         match &own[number] {
-            None => runs.extend(runs_of(mesh, limit).into_iter().flatten().map(|run| (number, run.faces.start as u32, run))),
+            None => {
+                runs.extend(runs_of(mesh, limit).into_iter().flatten().map(|run| (number, run.faces.start as u32, run)))
+            }
             Some(pieces) => {
                 let mut first = 0;
                 for piece in pieces {
                     let count = piece.faces.len();
-                    runs.push((number, first, Run { mesh: piece, faces: 0..count, vertices: 0..piece.positions.len() }));
+                    runs.push((
+                        number,
+                        first,
+                        Run { mesh: piece, faces: 0..count, vertices: 0..piece.positions.len() },
+                    ));
                     first += count as u32;
                 }
             }

@@ -31,7 +31,8 @@ impl Texels {
         let layers = rows.div_ceil(1 << shift).max(least);
         if layers > u64::from(device.limits.max_texture_array_layers) || count > u64::from(u32::MAX) {
             let label = device.report().label();
-            let message = format!("{label}: {count} texels are more than it addresses; try smaller textures, or backend='cpu'");
+            let message =
+                format!("{label}: {count} texels are more than it addresses; try smaller textures, or backend='cpu'");
             return Err(Error::Device(message));
         }
         // OpenGL takes a square texture of six layers for a cube.
