@@ -48,8 +48,8 @@ def agree(cpu: nf.Frame, gpu: nf.Frame, *, same: float = 0.999) -> NDArray[np.bo
     Faces may differ where an edge passes a pixel's centre by 1/256 of a pixel or less, which is how finely rasters
     place corners; and where two faces lie at one depth to six digits, because which of them is nearer is rounding.
     Where they agree, ranges agree to 1e-5: both are within 5e-6 of float64 at the greatest slants in these views; those
-    of parallel rays have the error of coordinates of some metres. Colour is compared in sRGB codes: the levels of textures follow from
-    base-2 logarithms, which adapters may round in the fourth digit.
+    of parallel rays have the error of coordinates of some metres. Colour is compared in sRGB codes: the levels of
+    textures follow from base-2 logarithms, which adapters may round in the fourth digit.
     """
     there, here = cpu.require("face_id"), gpu.require("face_id")
     equal = there == here

@@ -79,8 +79,14 @@ impl Plan {
     /// Plans what a view sees of layers; `passes` blocks of room are left at the beginning.
     pub fn new(picture: &Picture, frusta: impl Fn(Kind) -> Option<Frustum>, passes: usize) -> Self {
         let empty = passes * BLOCK * PASS_BLOCKS;
-        let mut plan =
-            Self { groups: Vec::new(), numbering: Vec::new(), told: vec![0; empty], empty, order: 0..0, triangles: 0 };
+        let mut plan = Self {
+            groups: Vec::new(),
+            numbering: Vec::new(),
+            told: vec![0; empty],
+            empty,
+            order: 0..0,
+            triangles: 0,
+        };
         let nothing = BatchBlock { records: [0, 0, u32::MAX, 1], ..BatchBlock::zeroed() };
         plan.told.extend_from_slice(bytemuck::bytes_of(&nothing));
         let mut order: Vec<u32> = Vec::new();
@@ -155,8 +161,7 @@ impl Plan {
             if let [local] = records[..]
                 && (count == 1 || vertices.len() > TELLING_PAYS)
             {
-                let known =
-                    if count == 1 { Some(at) } else { last.filter(|(known, _)| *known == local).map(|(_, at)| at) };
+                let known = if count == 1 { Some(at) } else { last.filter(|(known, _)| *known == local).map(|(_, at)| at) };
                 let block = known.unwrap_or_else(|| tell_single(self, local));
                 last = Some((local, block));
                 calls.push(Call { vertices, instances: 0..1, single: Some(block) });

@@ -63,16 +63,13 @@ mod tests {
         for projection in [Projection::Perspective(fov), Projection::Orthographic(fov), Projection::CubeFace(1)] {
             let turn = DQuat::from_rotation_y(2.0) * DQuat::from_rotation_x(-0.5);
             let camera = Camera::new(DVec3::new(3.0, 1.0, 2.0), turn, projection, 16, 16).unwrap();
-            let frustum =
-                Frustum::new(&camera, &Window { column: 0, row: 0, width: 16, height: 16 }, camera.position, 0.0);
+            let frustum = Frustum::new(&camera, &Window { column: 0, row: 0, width: 16, height: 16 }, camera.position, 0.0);
             let (mut seen, mut unseen) = (0, 0);
             for n in 0..4000u64 {
                 let draw = |axis: u64| nearfar_core::base::random::uniform(7, n, axis) * 12.0 - 6.0;
                 let point = DVec3::new(draw(0), draw(1), draw(2));
                 let spot = Aabb { min: point.as_vec3(), max: point.as_vec3() };
-                let inside = camera.project(point).is_some_and(|at| {
-                    at.truncate().cmpge(glam::DVec2::ZERO).all() && at.truncate().cmple(glam::DVec2::splat(16.0)).all()
-                });
+                let inside = camera.project(point).is_some_and(|at| at.truncate().cmpge(glam::DVec2::ZERO).all() && at.truncate().cmple(glam::DVec2::splat(16.0)).all());
                 assert!(!inside || frustum.sees(&spot), "{projection:?} {point}");
                 seen += u32::from(inside);
                 unseen += u32::from(!frustum.sees(&spot));

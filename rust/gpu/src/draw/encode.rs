@@ -52,16 +52,12 @@ impl<'a> Bound<'a> {
         let layouts = device.pipelines.layouts(device);
         let told = slot.told.buffer()?;
         let map = picture.map.as_deref().unwrap_or(&nothing.map);
-        let view = group(
-            device,
-            &layouts.view,
-            &[
-                section(told, 0, (PASS_BLOCKS * BLOCK) as u64),
-                section(told, 0, BLOCK as u64),
-                BindingResource::TextureView(&map.color.view),
-                BindingResource::TextureView(&map.range.view),
-            ],
-        );
+        let view = group(device, &layouts.view, &[
+            section(told, 0, (PASS_BLOCKS * BLOCK) as u64),
+            section(told, 0, BLOCK as u64),
+            BindingResource::TextureView(&map.color.view),
+            BindingResource::TextureView(&map.range.view),
+        ]);
         let order = section(told, plan.order.start as u64, plan.order.len().next_multiple_of(4) as u64);
         let raster = |g: &Group| {
             let mut entries = scene(picture, told, g);
@@ -77,11 +73,7 @@ impl<'a> Bound<'a> {
             slot,
             view,
             raster: plan.groups.iter().map(raster).collect(),
-            resolve: plan
-                .groups
-                .iter()
-                .map(|g| group(device, &layouts.resolve_scene, &scene(picture, told, g)))
-                .collect(),
+            resolve: plan.groups.iter().map(|g| group(device, &layouts.resolve_scene, &scene(picture, told, g))).collect(),
             nothing: (empty_scene, plan.empty as u32),
             targets: targets(device, layouts, slot),
         })
@@ -110,8 +102,10 @@ impl<'a> Bound<'a> {
                 let key = raster_key(&layers[g.layer], single, samples);
                 used.then(|| self.device.pipelines.raster(self.device, key)).transpose()
             };
-            let pipelines: Vec<_> =
-                groups[..count].iter().map(|g| Ok([pipeline(g, false)?, pipeline(g, true)?])).collect::<Result<_>>()?;
+            let pipelines: Vec<_> = groups[..count]
+                .iter()
+                .map(|g| Ok([pipeline(g, false)?, pipeline(g, true)?]))
+                .collect::<Result<_>>()?;
             let mut pass = encoder.begin_render_pass(&RenderPassDescriptor {
                 label: Some("raster"),
                 color_attachments: &[Some(RenderPassColorAttachment {
@@ -167,8 +161,7 @@ impl<'a> Bound<'a> {
         };
         let pipelines: Vec<_> = self.plan.groups.iter().map(resolve).collect::<Result<_>>()?;
         let missed = self.device.pipelines.resolve(self.device, key(self.picture.missed, false, None))?;
-        let mut pass =
-            encoder.begin_compute_pass(&ComputePassDescriptor { label: Some("resolve"), ..Default::default() });
+        let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor { label: Some("resolve"), ..Default::default() });
         let Some(target) = &self.targets[usize::from(kind.multisampled)] else { return Ok(()) };
         let groups = [self.slot.shape.width.div_ceil(8), self.slot.shape.height.div_ceil(8)];
         pass.set_bind_group(2, target, &[]);

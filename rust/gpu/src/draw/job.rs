@@ -202,8 +202,7 @@ impl Job {
         if !self.camera.is_parallel() {
             return 1.0;
         }
-        let bounds =
-            self.picture.layers.iter().flat_map(|layer| layer.scene.instances()).map(|instance| instance.bounds);
+        let bounds = self.picture.layers.iter().flat_map(|layer| layer.scene.instances()).map(|instance| instance.bounds);
         let far = |b: Aabb| (b.min.as_dvec3() - eye).abs().max((b.max.as_dvec3() - eye).abs()).length();
         bounds.filter(|bounds| !bounds.is_empty()).map(far).fold(1.0, f64::max) * 1.01
     }
@@ -243,7 +242,13 @@ fn open_buffers(slot: &Slot, bytes: u64) -> Arc<[AtomicU32; 2]> {
 
 /// Which channels are written: colour, range, ids, position, normal.
 fn wanted(channels: Channels) -> [bool; 5] {
-    [channels.color, channels.range, channels.object_id || channels.face_id, channels.position, channels.normal]
+    [
+        channels.color,
+        channels.range,
+        channels.object_id || channels.face_id,
+        channels.position,
+        channels.normal,
+    ]
 }
 
 /// First word of each channel of a window.

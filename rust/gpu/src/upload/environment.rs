@@ -24,8 +24,7 @@ impl EnvTexels {
         let (size, count) = map.map_or((0, 0), |map| (map.size, map.color.len() as u64));
         let color = Texels::new(device, "map's colour", TextureFormat::Rgba16Float, 8, count)?;
         let range = map.and_then(|map| map.range.as_ref());
-        let texels =
-            Texels::new(device, "map's range", TextureFormat::R32Float, 4, range.map_or(0, |r| r.len() as u64))?;
+        let texels = Texels::new(device, "map's range", TextureFormat::R32Float, 4, range.map_or(0, |r| r.len() as u64))?;
         if let Some(map) = map {
             // A few rows at a time: a copy of the whole would double what a large map takes.
             let rows = 1usize << color.shift.max(20);

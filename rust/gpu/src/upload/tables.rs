@@ -7,11 +7,11 @@ use nearfar_core::base::Result;
 use nearfar_core::scene::{Instance, InstanceSet, Material, Mesh, Scene, Texture};
 use wgpu::BufferUsages;
 
+use super::records::{PART_WORD, RECORD_WORDS, record_words};
+use super::residents::Parts;
 use super::Records;
 use super::materials::MaterialTable;
 use super::pages::Part;
-use super::records::{PART_WORD, RECORD_WORDS, record_words};
-use super::residents::Parts;
 use crate::device::Device;
 
 /// Words of a part in its table.
