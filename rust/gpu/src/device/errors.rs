@@ -90,14 +90,14 @@ mod tests {
         for device in devices() {
             let scope = Scope::open(&device);
             let source = ShaderSource::Wgsl("fn broken( {".into());
-            device.wgpu.create_shader_module(ShaderModuleDescriptor { label: None, source });
+            let _ = device.wgpu.create_shader_module(ShaderModuleDescriptor { label: None, source });
             let Err(Error::Device(said)) = scope.close() else { panic!("no error") };
             assert!(
                 said.starts_with(&device.report().label()) && said.contains("refused (") && !said.contains('\n'),
                 "{said}"
             );
             let scope = Scope::open(&device);
-            device.wgpu.create_buffer(&BufferDescriptor {
+            let _ = device.wgpu.create_buffer(&BufferDescriptor {
                 label: None,
                 size: 256,
                 usage: BufferUsages::STORAGE,
