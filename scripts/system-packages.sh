@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # System libraries that some tests use. Building and running nearfar needs none of them.
 #   libegl1, libgl1, libosmesa6   off-screen OpenGL for pyrender, an independent renderer that pictures are compared with
+#   libvulkan1, mesa-vulkan-drivers   graphics adapters in software, which are tested like those of a graphics card
 # As root on Debian or Ubuntu it installs what is missing; elsewhere it prints the line and goes on.
 set -euo pipefail
 
-packages=(libegl1 libgl1 libosmesa6)
+packages=(libegl1 libgl1 libosmesa6 libvulkan1 mesa-vulkan-drivers)
 
 missing=()
 for package in "${packages[@]}"; do

@@ -42,6 +42,14 @@ def _pyrender() -> str:
     return f"pyrender finds no off-screen OpenGL ({', '.join(platforms)}); see scripts/system-packages.sh"
 
 
+def _adapter(name: str) -> Callable[[], str]:
+    def look() -> str:
+        found = [adapter for adapter in nf.gpu.adapters() if adapter.backend == name and adapter.usable]
+        return "" if found else f"there is no graphics adapter behind {name}; see scripts/system-packages.sh"
+
+    return look
+
+
 def _tokyo() -> str:
     """The whole city is made by a tool beside the data."""
     root = _data.root()
@@ -66,19 +74,12 @@ def _release() -> str:
     return "" if any(folder.glob("*_core.*")) else "there is no release build; `make setup` makes one"
 
 
-def _adapter(backend: str) -> Callable[[], str]:
-    def missing() -> str:
-        usable = any(adapter.backend == backend and adapter.usable for adapter in nf.gpu.adapters())
-        return "" if usable else f"there is no adapter for {backend}; see scripts/system-packages.sh"
-
-    return missing
-
-
 PARTS: dict[str, Callable[[], str]] = {
     "data": _data_folder,
     "embreex": _module("embreex"),
     "fork": lambda: "" if hasattr(os, "fork") else "this system cannot fork",
     "git": _git,
+    "gl": _adapter("gl"),
     "linux": lambda: "" if sys.platform == "linux" else "only Linux tells and limits a process's memory",
     "matplotlib": _module("matplotlib"),
     "miniball": _module("miniball"),
@@ -89,7 +90,6 @@ PARTS: dict[str, Callable[[], str]] = {
     "skimage": _module("skimage"),
     "tokyo": _tokyo,
     "vulkan": _adapter("vulkan"),
-    "gl": _adapter("gl"),
 }
 """Parts that a system may lack. Each returns why it is missing, or nothing where it is there."""
 

@@ -387,7 +387,7 @@ def test_reduce_refuses(scene: nf.Scene, wrong: dict[str, object], words: str) -
         nf.reduce(scene, **arguments)  # type: ignore[arg-type]
 
 
-def test_render_refuses(scene: nf.Scene) -> None:
+def test_render_refuses(scene: nf.Scene, monkeypatch: pytest.MonkeyPatch) -> None:
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=8, samples=1)
     view = camera(CENTER, (1, 0, 0))
     for name in ("range", "object_id"):
@@ -401,6 +401,7 @@ def test_render_refuses(scene: nf.Scene) -> None:
         reduced.render(view, at={"wall": np.eye(4)})
     with pytest.raises(TypeError, match="camera: expected a Camera"):
         reduced.render("here")  # type: ignore[arg-type]
+    monkeypatch.setenv("NEARFAR_ADAPTER", "none of this name")
     with pytest.raises(nf.DeviceError):
         nf.reduce(scene, center=CENTER, r1=R1, r2=R2, backend="gpu")
 

@@ -16,14 +16,15 @@ pub(crate) struct Scope<'a> {
 impl<'a> Scope<'a> {
     pub fn open(device: &'a Device) -> Self {
         let filters = [ErrorFilter::Validation, ErrorFilter::Internal, ErrorFilter::OutOfMemory];
-        Self { device, guards: filters.map(|filter| device.wgpu.push_error_scope(filter)) }
+        let mut guards = filters.map(|filter| device.wgpu.push_error_scope(filter));
+        // Scopes close in the opposite order, also where they are dropped because of another error.
+        guards.reverse();
+        Self { device, guards }
     }
 
     /// What was reported, if anything; the loss of the device before all others, which follow from it.
     pub fn close(self) -> Result<()> {
-        // Scopes close in the opposite order.
-        let [validation, internal, memory] = self.guards;
-        let errors = [memory, internal, validation].map(|guard| pollster::block_on(guard.pop()));
+        let errors = self.guards.map(|guard| pollster::block_on(guard.pop()));
         self.device.check()?;
         match errors.into_iter().flatten().next() {
             None => Ok(()),
@@ -68,4 +69,50 @@ impl Device {
 fn one_line(text: &str) -> String {
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     if text.is_empty() { "no reason given".to_string() } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use wgpu::{BufferDescriptor, BufferUsages, ShaderModuleDescriptor, ShaderSource};
+
+    use super::*;
+    use crate::device::{adapters, device};
+
+    fn devices() -> Vec<std::sync::Arc<Device>> {
+        let usable = adapters().unwrap().into_iter().filter(|report| report.refused.is_empty());
+        let mut names: Vec<&str> = usable.map(|report| report.backend).collect();
+        names.dedup();
+        names.into_iter().map(|name| device(Some(name)).unwrap()).collect()
+    }
+
+    #[test]
+    fn a_shader_error_is_a_sentence_and_the_device_lives_on() {
+        for device in devices() {
+            let scope = Scope::open(&device);
+            let source = ShaderSource::Wgsl("fn broken( {".into());
+            let _ = device.wgpu.create_shader_module(ShaderModuleDescriptor { label: None, source });
+            let Err(Error::Device(said)) = scope.close() else { panic!("no error") };
+            assert!(
+                said.starts_with(&device.report().label()) && said.contains("refused (") && !said.contains('\n'),
+                "{said}"
+            );
+            let scope = Scope::open(&device);
+            let _ = device.wgpu.create_buffer(&BufferDescriptor {
+                label: None,
+                size: 256,
+                usage: BufferUsages::STORAGE,
+                mapped_at_creation: false,
+            });
+            scope.close().unwrap();
+        }
+    }
+
+    #[test]
+    fn scopes_that_another_error_leaves_open_close_in_order() {
+        for device in devices() {
+            let outer = Scope::open(&device);
+            drop(Scope::open(&device));
+            outer.close().unwrap();
+        }
+    }
 }

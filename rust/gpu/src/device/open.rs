@@ -9,7 +9,7 @@ use nearfar_core::base::{Error, Progress, Result};
 use wgpu::{Adapter, DeviceDescriptor, DeviceLostReason, Features, Limits, PollError, PollType, SubmissionIndex};
 
 use super::{AdapterKind, AdapterReport};
-use crate::draw::{Pipelines, Slots};
+use crate::draw::{Pipelines, SAMPLES, Slots, VISIBLE};
 use crate::upload::Residents;
 
 /// How long the device is waited for before the caller is asked whether to go on.
@@ -25,6 +25,8 @@ pub struct Device {
     pub(crate) shares_memory: bool,
     /// Depth is written by fragments: OpenGL's own has no reversed z.
     pub(crate) writes_depth: bool,
+    /// Integers of several samples are drawn and read. Mesa's OpenGL says so and reads other numbers than it drew.
+    pub(crate) multisamples: bool,
     pub(crate) residents: Residents,
     pub(crate) pipelines: Pipelines,
     pub(crate) slots: Slots,
@@ -66,6 +68,8 @@ impl Device {
         let shared = matches!(report.kind, AdapterKind::Software | AdapterKind::Integrated);
         let (shares_memory, writes_depth) =
             (shared && wgpu.features().contains(Features::MAPPABLE_PRIMARY_BUFFERS), report.backend == "gl");
+        let flags = adapter.get_texture_format_features(VISIBLE).flags;
+        let multisamples = report.backend != "gl" && flags.sample_count_supported(SAMPLES);
         Ok(Self {
             wgpu,
             queue,
@@ -73,6 +77,7 @@ impl Device {
             limits,
             shares_memory,
             writes_depth,
+            multisamples,
             residents: Residents::default(),
             pipelines: Pipelines::default(),
             slots: Slots::default(),
@@ -111,7 +116,8 @@ impl Device {
         loop {
             let wait = PollType::Wait { submission_index: Some(submission.clone()), timeout: Some(POLL) };
             match self.wgpu.poll(wait) {
-                Ok(_) => return self.check(),
+                // Some drivers come back only when all is done.
+                Ok(_) => return self.check().and_then(|()| progress.check()),
                 Err(PollError::Timeout) => progress.check()?,
                 Err(error) => return Err(Error::Device(format!("{}: {error}", self.report.label()))),
             }

@@ -14,5 +14,5 @@ pub use job::Job;
 
 pub(crate) use cull::Frustum;
 pub(crate) use layers::{Kind, Layer, Names, Picture, Set, Sources, Split};
-pub(crate) use pipelines::Pipelines;
-pub(crate) use slots::Slots;
+pub(crate) use pipelines::{Pipelines, VISIBLE};
+pub(crate) use slots::{SAMPLES, Slots};

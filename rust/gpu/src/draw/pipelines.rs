@@ -17,7 +17,7 @@ use super::{Kind, Split};
 use crate::device::{Device, Scope};
 
 /// What pixels hold before they are resolved: a record and a face in four halves.
-pub(super) const VISIBLE: TextureFormat = TextureFormat::Rgba16Uint;
+pub(crate) const VISIBLE: TextureFormat = TextureFormat::Rgba16Uint;
 /// Depth, reversed.
 pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 

@@ -1,0 +1,78 @@
+"""What tests of graphics adapters share: which adapters, which views, and where two pictures may differ."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar import _backend
+from support import need
+
+ADAPTERS = ("vulkan", "gl")
+
+RENDERED = ("color", "range", "object_id", "face_id", "position", "normal")
+
+
+@contextmanager
+def adapter(name: str) -> Iterator[None]:
+    """An adapter selected for a while; skips or fails as `need` does."""
+    need(name)
+    before = _backend._selected
+    nf.gpu.select(name)
+    try:
+        yield
+    finally:
+        nf.gpu.select(before)
+
+
+def view(eye: Any, target: Any, size: tuple[int, int] = (480, 320), fov: float = 80.0) -> nf.Camera:
+    return nf.Camera.look_at(tuple(eye), tuple(target), fov=nf.Fov.symmetric(fov, size[0] / size[1]), size=size)
+
+
+def edges(ids: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Pixels with another face among their eight neighbours."""
+    height, width = ids.shape
+    around = np.pad(ids, 1, mode="edge")
+    parts = [around[r : r + height, c : c + width] != ids for r in range(3) for c in range(3)]
+    return np.asarray(np.any(parts, axis=0))
+
+
+def agree(cpu: nf.Frame, gpu: nf.Frame, *, same: float = 0.999) -> NDArray[np.bool_]:
+    """Compare frames of both back ends with all images; returns where they show the same face.
+
+    Faces may differ where an edge passes a pixel's centre by 1/256 of a pixel or less, which is how finely rasters
+    place corners; and where two faces lie at one depth to six digits, because which of them is nearer is rounding.
+    Where they agree, ranges agree to 1e-5: both are within 5e-6 of float64 at the greatest slants in these views; those
+    of parallel rays have the error of coordinates of some metres. Colour is compared in sRGB codes: the levels of
+    textures follow from base-2 logarithms, which adapters may round in the fourth digit.
+    """
+    there, here = cpu.require("face_id"), gpu.require("face_id")
+    equal = there == here
+    assert equal.mean() >= same, f"{(~equal).sum()} of {equal.size} faces differ"
+    far, near = cpu.require("range"), gpu.require("range")
+    hits = np.isfinite(far) & np.isfinite(near)
+    coplanar = np.zeros_like(equal)
+    coplanar[hits] = np.abs(far[hits] - near[hits]) <= 1e-6 * far[hits]
+    assert not (~equal & ~edges(there) & ~coplanar).any(), np.argwhere(~equal & ~edges(there) & ~coplanar)
+    np.testing.assert_array_equal(np.isfinite(far)[equal], np.isfinite(near)[equal])
+    hits &= equal
+    np.testing.assert_allclose(near[hits], far[hits], rtol=1e-5, atol=3e-6 if cpu.camera._core.is_parallel else 0.0)
+    np.testing.assert_array_equal(gpu.require("object_id")[equal], cpu.require("object_id")[equal])
+    np.testing.assert_allclose(gpu.require("normal")[hits], cpu.require("normal")[hits], atol=1e-3)
+    reach = 1e-5 * far[hits] + 1e-6 * np.abs(cpu.require("position")[hits]).max(initial=0.0)
+    assert (np.abs(gpu.require("position")[hits] - cpu.require("position")[hits]).max(-1, initial=0.0) <= reach).all()
+    codes = np.abs(cpu.to_image().astype(int) - gpu.to_image()).max(-1)[equal]
+    assert np.percentile(codes, 99.9) <= 2, np.percentile(codes, [50, 99, 99.9, 100])
+    return np.asarray(equal)
+
+
+def both(scene: nf.Scene, camera: nf.Camera, **settings: Any) -> tuple[nf.Frame, nf.Frame]:
+    """The same picture of the CPU and of the selected adapter."""
+    settings = {"channels": RENDERED} | settings
+    cpu, gpu = (nf.render(scene, camera, backend=backend, **settings) for backend in ("cpu", "gpu"))
+    return cpu, gpu

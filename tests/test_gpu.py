@@ -1,0 +1,290 @@
+"""Which adapter works, when none does, what is said of it, and what frames cost in memory and bytes."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+
+import jsonschema
+import numpy as np
+import pytest
+
+import nearfar as nf
+from gpu_cases import ADAPTERS, adapter, both, view
+from nearfar import _backend, _core, _formats
+from nearfar.cli._app import run
+from support import need
+from test_gpu_truth import crowd
+
+NO_DRIVERS = dict.fromkeys(("VK_ICD_FILENAMES", "VK_DRIVER_FILES", "__EGL_VENDOR_LIBRARY_FILENAMES"), "/nonexistent")
+"""An environment in which neither Vulkan nor EGL finds a driver."""
+
+SETUP = """
+import nearfar as nf, numpy as np
+scene = nf.Scene.from_arrays(np.eye(3) - [0.3, 0.3, 2.0], [[0, 1, 2]])
+camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(60), size=(16, 16))
+"""
+
+
+def program(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    """Run a program in a process of its own, without this one's selection."""
+    kept = {
+        name: value for name, value in os.environ.items() if not name.startswith(("XDG_RUNTIME", "NEARFAR_ADAPTER"))
+    }
+    kept |= {"PYTHONPATH": os.pathsep.join(sys.path)} | environment
+    return subprocess.run([sys.executable, "-c", SETUP + code], env=kept, capture_output=True, text=True, timeout=120)
+
+
+# choosing ------------------------------------------------------------------------------------------------------------
+def test_adapters_say_what_they_are() -> None:
+    need("vulkan")
+    found = nf.gpu.adapters()
+    assert [one for one in found if one.backend == "vulkan" and one.usable]
+    for one in found:
+        assert one.label == f"{one.name} ({one.backend})"
+        assert one.usable == (not one.refused)
+        assert bool(one.note) == (not one.usable or one.kind == "software")
+        assert one.largest_binding >= 1 << 27
+        assert one.largest_image >= 4096
+
+
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_an_adapter_is_selected_by_interface_or_a_part_of_its_name(name: str) -> None:
+    with adapter(name):
+        assert nf.gpu.selected().backend == name
+        part = nf.gpu.selected().label[3:].upper()
+        nf.gpu.select(part)
+        assert nf.gpu.selected().backend == name
+        with pytest.raises(nf.DeviceError, match=r"no graphics adapter 'abacus' can be used, found .*\(vulkan|gl\)"):
+            nf.gpu.select("abacus")
+        assert nf.gpu.selected().backend == name
+
+
+def test_the_environment_selects_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    need("gl")
+    monkeypatch.setenv("NEARFAR_ADAPTER", "gl")
+    assert nf.gpu.selected().backend == "gl"
+    with adapter("vulkan"):
+        assert nf.gpu.selected().backend == "vulkan"
+    monkeypatch.setenv("NEARFAR_ADAPTER", " ")
+    assert _backend.wanted() is None
+
+
+def test_wrong_selections_are_refused() -> None:
+    with pytest.raises(TypeError, match="adapter: expected a back end or a part of a name, got int"):
+        nf.gpu.select(3)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match=r"adapter: expected .* got nothing"):
+        nf.gpu.select(" ")
+
+
+def test_only_measuring_lets_auto_take_the_processor_as_an_adapter() -> None:
+    need("vulkan")
+    if _backend.is_hardware(None):
+        pytest.skip("there is an adapter that auto takes")
+    camera, scene = view((0, 0, 1), (0, 0, -6), size=(64, 48)), crowd()
+    work = (("color",), 1)
+    with adapter("vulkan"):
+        assert _backend.device_for("auto", scene, work) is None
+        seconds = nf.gpu.measure(scene, camera, channels=["color"])
+        assert set(seconds) == {"cpu", "gpu"}
+        assert min(seconds.values()) > 0.0
+        taken = _backend.device_for("auto", scene, work)
+        assert (taken is not None) == (seconds["gpu"] < seconds["cpu"])
+        for faster in (True, False):
+            _backend.remember(scene, work, nf.gpu.selected().label, faster)
+            assert (_backend.device_for("auto", scene, work) is not None) == faster
+            # Other work and other scenes were not measured.
+            assert _backend.device_for("auto", scene, (("range",), 1)) is None
+            assert _backend.device_for("auto", crowd(), work) is None
+    with pytest.raises(TypeError, match="scene: expected a Scene"):
+        nf.gpu.measure(None, camera)  # type: ignore[arg-type]
+
+
+def test_measurements_live_as_long_as_their_scene() -> None:
+    before = len(_backend._faster)
+    scene = crowd()
+    _backend.remember(scene, (("color",), 1), "one", True)
+    assert len(_backend._faster) == before + 1
+    del scene
+    assert len(_backend._faster) == before
+
+
+# saying --------------------------------------------------------------------------------------------------------------
+def test_auto_says_once_that_there_is_only_the_processor() -> None:
+    need("vulkan")
+    if _backend.is_hardware(None):
+        pytest.skip("there is an adapter that auto takes")
+    done = program("for _ in range(3): nf.render(scene, camera)")
+    assert done.returncode == 0, done.stderr
+    # Not a word of Mesa's either, with XDG_RUNTIME_DIR unset.
+    assert done.stderr.count("\n") == 1
+    assert done.stderr.startswith("rendering on the CPU: the processor itself is the only graphics adapter found")
+    assert "install the driver of a graphics card" in done.stderr
+    silent = program("nf.render(scene, camera, backend='cpu'); nf.render(scene, camera, backend='gpu')")
+    assert (silent.returncode, silent.stderr) == (0, "")
+
+
+def test_the_variable_that_silences_mesa_is_not_left_behind() -> None:
+    need("vulkan")
+    done = program("import os; nf.gpu.adapters(); print('NODEVICE_SELECT' in os.environ)")
+    assert done.stdout == "False\n"
+
+
+def test_importing_looks_for_nothing() -> None:
+    done = program("import sys; print('logging' in sys.modules, nf._backend._looked)", **NO_DRIVERS)
+    assert done.stdout == "False set()\n", done.stderr
+
+
+def test_without_drivers_auto_renders_and_gpu_says_what_to_install() -> None:
+    need("linux")
+    code = """
+frames = [nf.render(scene, camera) for _ in range(2)]
+assert nf.gpu.adapters() == []
+for call in (lambda: nf.render(scene, camera, backend="gpu"), nf.gpu.stats, lambda: nf.gpu.measure(scene, camera)):
+    try:
+        call()
+    except nf.DeviceError as error:
+        print(error)
+"""
+    done = program(code, **NO_DRIVERS)
+    assert done.returncode == 0, done.stderr
+    sentences = done.stdout.splitlines()
+    assert len(sentences) == 3
+    for sentence in [*sentences, done.stderr]:
+        assert "no graphics adapter can be used, found none; install a Vulkan driver, such as" in sentence
+        assert "mesa-vulkan-drivers and libvulkan1" in sentence
+    assert done.stderr.startswith("rendering on the CPU: ")
+    assert done.stderr.count("\n") == 1
+
+
+def test_a_name_that_nothing_has_is_said_by_auto_too() -> None:
+    need("vulkan")
+    done = program("nf.render(scene, camera)", NEARFAR_ADAPTER="abacus")
+    assert done.returncode == 0
+    assert "no graphics adapter 'abacus' can be used, found" in done.stderr
+
+
+# the command line ----------------------------------------------------------------------------------------------------
+def test_info_lists_adapters(capsys: pytest.CaptureFixture[str]) -> None:
+    need("vulkan")
+    assert run(["info", "--gpu", "--json"]) == 0
+    alone = json.loads(capsys.readouterr().out)
+    for name in ("header", "adapters"):
+        jsonschema.validate(alone, _formats.load_schema(name))
+    assert [one["backend"] for one in alone["adapters"]] == [one.backend for one in nf.gpu.adapters()]
+    assert alone["gpu"] == nf.gpu.selected().label
+    assert run(["info", "-i", "city:blocks=2,detail=0", "--gpu", "--json"]) == 0
+    besides = json.loads(capsys.readouterr().out)
+    jsonschema.validate(besides, _formats.load_schema("info"))
+    assert besides["gpu"] == {name: alone[name] for name in ("adapters", "gpu", "auto", "why")}
+    assert run(["info", "--gpu"]) == 0
+    assert nf.gpu.selected().name[:8] in capsys.readouterr().out
+
+
+def test_info_says_why_there_is_none() -> None:
+    need("linux")
+    code = "from nearfar.cli._app import run; raise SystemExit(run(['info', '--gpu', '--json']))"
+    done = program(code, **NO_DRIVERS)
+    assert done.returncode == 0, done.stderr
+    said = json.loads(done.stdout)
+    jsonschema.validate(said, _formats.load_schema("adapters"))
+    assert (said["adapters"], said["gpu"], said["auto"]) == ([], None, None)
+    assert "install a Vulkan driver" in said["why"]
+
+
+@pytest.mark.parametrize("backend", ["cpu", "gpu"])
+def test_commands_take_a_back_end(backend: str, tmp_path: object, capsys: pytest.CaptureFixture[str]) -> None:
+    need("vulkan")
+    arguments = [
+        "render",
+        "-i",
+        "city:blocks=2,detail=0",
+        "-o",
+        f"{tmp_path}/a.png",
+        "--size",
+        "32x24",
+        "--samples",
+        "1",
+    ]
+    assert run([*arguments, "--backend", backend]) == 0, capsys.readouterr().err
+    assert run([*arguments, "--backend", "cuda"]) == 1
+    assert "--backend: expected one of 'auto', 'cpu', 'gpu', got 'cuda'" in capsys.readouterr().err
+
+
+# memory and bytes ----------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_a_thousand_frames_make_nothing_anew(name: str) -> None:
+    need("linux")
+    scene = crowd(("one_7",))
+    pose = np.eye(4)
+
+    def resident() -> int:
+        with open("/proc/self/statm") as statm:
+            return int(statm.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+    def frames(count: int) -> None:
+        for number in range(count):
+            pose[0, 3] = 0.01 * number
+            eye = (0.001 * number, 1.3, 1.0)
+            nf.render(scene.at({"one_7": pose}), view(eye, (0, 0, -6), size=(32, 24)), backend="gpu")
+
+    with adapter(name):
+        frames(100)
+        before, memory = nf.gpu.stats(), resident()
+        frames(1000)
+        after = nf.gpu.stats()
+        assert after["allocations"] == before["allocations"]
+        assert after["allocated_bytes"] == before["allocated_bytes"]
+        # A leak of the frame's own 32 × 24 × 24 bytes would be 18 MB.
+        assert resident() - memory < 6 << 20
+
+
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_what_stays_is_not_sent_again(name: str) -> None:
+    scene, camera = crowd(("one_7",)), view((0, 1.3, 1.0), (0, 0, -6), size=(64, 48))
+    pose = np.eye(4)
+    with adapter(name):
+        for number in range(3):
+            pose[0, 3] = 0.1 * number
+            nf.render(scene.at({"one_7": pose}), camera, backend="gpu")
+        sent = nf.gpu.stats()["uploaded_bytes"]
+        nf.render(scene.at({"one_7": pose}), camera, backend="gpu")
+        assert nf.gpu.stats()["uploaded_bytes"] == sent
+        pose[0, 3] = 0.7
+        nf.render(scene.at({"one_7": pose}), camera, backend="gpu")
+        # Three rows of a matrix, in the record of the batch and that of the draw.
+        assert 0 < nf.gpu.stats()["uploaded_bytes"] - sent <= 300
+
+
+def test_images_larger_than_a_window_are_whole() -> None:
+    """All channels of 5,000 × 3,000 pixels are 720 MB, and one binding has 128 MiB on adapters in software."""
+    need("vulkan")
+    need("linux")
+    scene, camera = crowd(), view((0, 1.3, 1.0), (0, 0, -6), size=(5000, 3000))
+    with adapter("vulkan"):
+        assert nf.gpu.selected().largest_binding < 48 * 5000 * 3000
+        cpu, gpu = both(scene, camera, channels=("face_id", "range"))
+        same = cpu.require("face_id") == gpu.require("face_id")
+        assert same.mean() > 0.9999
+        near, far = gpu.require("range")[same], cpu.require("range")[same]
+        # Some pixels of fifteen million see a face nearly edge on.
+        np.testing.assert_allclose(near, far, rtol=5e-5)
+        whole = nf.render(scene, camera, channels=("color", "range", "object_id", "position", "normal"), backend="gpu")
+        # Other channels, other windows: rays are rounded once more or less.
+        assert np.isclose(whole.require("range"), gpu.require("range"), rtol=5e-5).mean() > 0.9999
+        missed = ~np.isfinite(whole.require("range"))
+        assert missed.any()
+        assert np.isnan(whole.require("normal")[missed]).all()
+        assert np.isfinite(whole.require("position")[~missed]).all()
+
+
+def test_the_core_refuses_a_frame_that_was_read() -> None:
+    need("vulkan")
+    device = _core.GpuDevice("vulkan")
+    camera = view((0, 0, 1), (0, 0, -6), size=(8, 8))
+    job = device.truth(crowd()._core, camera._core, channels=["range"], samples=1)
+    assert job.finish()["range"].shape == (8, 8)
+    with pytest.raises(ValueError, match="frame: expected one that was not read yet"):
+        job.finish()

@@ -1,0 +1,222 @@
+"""What goes wrong with adapters ends in a sentence, and the next picture is right."""
+
+from __future__ import annotations
+
+import os
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from gpu_cases import ADAPTERS, adapter, view
+from nearfar import _backend
+from support import need
+from test_gpu import program
+from test_gpu_truth import crowd
+
+CAMERA = view((0, 1.3, 1.0), (0, 0, -6), size=(96, 64))
+
+
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_a_device_lost_between_frames_is_opened_again(name: str) -> None:
+    scene = crowd()
+    with adapter(name):
+        before = nf.render(scene, CAMERA, backend="gpu")
+        device = _backend.opened()
+        device.lose()
+        after = nf.render(scene, CAMERA, backend="gpu")
+        np.testing.assert_array_equal(after.require("color"), before.require("color"))
+        # A new device holds nothing: the scene was sent again.
+        assert nf.gpu.stats()["uploaded_bytes"] > 1000
+        with pytest.raises(nf.DeviceError, match="the device was lost"):
+            device.truth(scene._core, CAMERA._core, channels=["range"], samples=1)
+
+
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_a_device_lost_during_a_frame_says_what_to_try(name: str) -> None:
+    scene = crowd()
+    with adapter(name):
+        label = nf.gpu.selected().label
+        frames = nf.render_path(scene, [CAMERA] * 4, backend="gpu")
+        first = next(frames)
+        _backend.opened().lose()
+        with pytest.raises(nf.DeviceError) as caught:
+            next(frames)
+        assert str(caught.value).startswith(label)
+        assert "the next call opens it again, backend='cpu' needs none" in str(caught.value)
+        with pytest.raises(StopIteration):
+            next(frames)
+        again = nf.render(scene, CAMERA, backend="gpu")
+        np.testing.assert_array_equal(again.require("color"), first.require("color"))
+
+
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_a_device_lost_in_another_thread_while_frames_are_drawn(name: str) -> None:
+    """At any moment: each frame is right or a DeviceError."""
+    scene, stop = crowd(), threading.Event()
+    with adapter(name):
+        right = nf.render(scene, CAMERA, backend="gpu").require("color")
+
+        def lose() -> None:
+            while not stop.wait(0.03):
+                _backend.opened().lose()
+
+        thread = threading.Thread(target=lose)
+        thread.start()
+        drawn = 0
+        try:
+            end = time.monotonic() + 2.0
+            while time.monotonic() < end or not drawn:
+                try:
+                    frame = nf.render(scene, CAMERA, backend="gpu")
+                except nf.DeviceError:
+                    continue
+                np.testing.assert_array_equal(frame.require("color"), right)
+                drawn += 1
+                assert time.monotonic() < end + 60.0
+        finally:
+            stop.set()
+            thread.join()
+        np.testing.assert_array_equal(nf.render(scene, CAMERA, backend="gpu").require("color"), right)
+
+
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_two_threads_draw_one_scene_at_once(name: str) -> None:
+    """Also when it is sent: neither waits for a lock that its own thread holds."""
+    with adapter(name):
+        for _ in range(5):
+            scene = crowd()
+            got: list[nf.Frame] = []
+
+            def draw(scene: nf.Scene = scene, got: list[nf.Frame] = got) -> None:
+                got.extend(nf.render(scene, CAMERA, backend="gpu") for _ in range(3))
+
+            threads = [threading.Thread(target=draw) for _ in range(4)]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join(60.0)
+                assert not thread.is_alive()
+            assert len(got) == 12
+            for frame in got:
+                np.testing.assert_array_equal(frame.require("color"), got[0].require("color"))
+
+
+OUT_OF_MEMORY = """
+import resource, sys
+nf.gpu.select({name!r})
+small = nf.render(scene, camera, backend="gpu")
+large = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(60), size=(4096, 4096))
+count = 2_000_000
+points = np.random.default_rng(0).random((count, 3), dtype=np.float32)
+faces = (np.arange(3 * count, dtype=np.uint32) % count).reshape(-1, 3)
+heavy = nf.Scene.from_arrays(points, faces)
+used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+caught = 0
+for room in range(0, 420, 30):
+    resource.setrlimit(resource.RLIMIT_AS, (used + (room << 20), resource.RLIM_INFINITY))
+    try:
+        if {what!r} == "image":
+            nf.render(scene, large, channels=("range",), samples=4, backend="gpu")
+        else:
+            nf.render(heavy, camera, backend="gpu")
+    except (nf.DeviceError, MemoryError) as error:
+        caught += 1
+    resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+    again = nf.render(scene, camera, backend="gpu")
+    np.testing.assert_array_equal(again.color, small.color)
+print(caught)
+"""
+
+
+@pytest.mark.parametrize("name", ADAPTERS)
+@pytest.mark.parametrize("what", ["image", "scene"])
+def test_without_memory_there_is_an_error_and_the_next_frame_is_right(name: str, what: str) -> None:
+    need("linux")
+    need(name)
+    done = program(OUT_OF_MEMORY.format(name=name, what=what))
+    assert done.returncode == 0, done.stderr[-2000:]
+    assert int(done.stdout) >= 3
+
+
+FORK = """
+import os, sys, time
+nf.gpu.select({name!r})
+before = nf.render(scene, camera, backend="gpu")
+frames = nf.render_path(scene, [camera] * 3, backend="gpu")
+next(frames)
+child = os.fork()
+if child == 0:
+    for call in (lambda: next(frames), lambda: nf.render(scene, camera, backend="gpu"), nf.gpu.adapters):
+        try:
+            call()
+            print("drawn", flush=True)
+        except nf.DeviceError as error:
+            print(error, flush=True)
+    nf.render(scene, camera, backend="auto")
+    # Through the exit handlers of everything that the parent had loaded.
+    sys.exit(7)
+for _ in range(600):
+    ended, status = os.waitpid(child, os.WNOHANG)
+    if ended:
+        break
+    time.sleep(0.1)
+else:
+    os.kill(child, 9)
+    raise SystemExit("the child hangs")
+assert os.waitstatus_to_exitcode(status) == 7, status
+# The parent goes on.
+assert len(list(frames)) == 2
+np.testing.assert_array_equal(nf.render(scene, camera, backend="gpu").color, before.color)
+"""
+
+
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_a_forked_child_is_refused_and_ends(name: str) -> None:
+    need("fork")
+    need(name)
+    done = program(FORK.format(name=name))
+    assert done.returncode == 0, done.stderr
+    sentences = done.stdout.splitlines()
+    assert len(sentences) == 3
+    for sentence in sentences:
+        assert "graphics drivers do not survive a fork" in sentence
+        assert "'spawn' or 'forkserver', or use backend='cpu'" in sentence
+    # And "auto" says the same once before it takes the CPU.
+    assert done.stderr.startswith("rendering on the CPU: graphics drivers do not survive a fork")
+
+
+def test_a_spawned_child_draws() -> None:
+    need("vulkan")
+    code = """
+import multiprocessing, sys
+sys.path.insert(0, {folder!r})
+from test_gpu_faults import drawn_in_a_child
+if __name__ == "__main__":
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        print(pool.apply(drawn_in_a_child))
+"""
+    done = program(code.format(folder=os.path.dirname(__file__)))
+    assert done.stdout.strip() == "True", done.stderr
+
+
+def drawn_in_a_child() -> bool:
+    nf.gpu.select("vulkan")
+    return bool(np.isfinite(nf.render(crowd(), CAMERA, backend="gpu").require("range")).any())
+
+
+def test_a_child_forked_before_draws() -> None:
+    """Nothing was loaded yet."""
+    need("fork")
+    need("vulkan")
+    code = """
+import os
+child = os.fork()
+nf.gpu.select("vulkan")
+nf.render(scene, camera, backend="gpu")
+raise SystemExit(0 if child == 0 else os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+"""
+    done = program(code)
+    assert done.returncode == 0, done.stderr

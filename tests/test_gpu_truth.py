@@ -1,0 +1,214 @@
+"""Ground truth of graphics adapters shows what the tracer's does, and both agree with float64."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import nearfar as nf
+import render_oracle as oracle
+from gpu_cases import ADAPTERS, adapter, agree, both, view
+from nearfar._camera import Projection
+from nearfar._scene import SceneBuilder
+from render_oracle import Surface
+from support import data
+from test_render import PROJECTIONS, QUAD, build, noise, quad, room
+
+
+@pytest.fixture(params=ADAPTERS, autouse=True)
+def _adapter(request: pytest.FixtureRequest) -> Iterator[None]:
+    with adapter(request.param):
+        yield
+
+
+@pytest.fixture(scope="module")
+def city() -> nf.Scene:
+    return nf.datasets.city(blocks=3, detail=1)
+
+
+@pytest.mark.parametrize("eye", [(0.0, 1.7, 0.0), (50.0, 80.0, 60.0)])
+def test_the_procedural_city_is_the_same(city: nf.Scene, eye: tuple[float, float, float]) -> None:
+    agree(*both(city, view(eye, (20, 5, -40))))
+
+
+@pytest.mark.parametrize(
+    ("name", "eye", "target"),
+    [
+        ("city/tokyo23/tokyo_core_lod1.glb", (115, 1.7, 192.15), (200, 30, 100)),
+        ("city/tokyo23/tokyo_core_lod1.glb", (115, 300, 192), (400, 0, -200)),
+        # From outside, where coplanar faces lie beside each other, and from within.
+        ("interior/garage/garage.gltf", (0, 1.4, 7.8), (0, 1.4, 0)),
+        ("interior/garage/garage.gltf", (0, 1.4, 0.3), (1, 1.5, 0.7)),
+        ("objects/gltf/FlightHelmet/FlightHelmet.gltf", (0, 0.36, 0.75), (0, 0.36, 0)),
+    ],
+)
+def test_scenes_from_files_are_the_same(
+    name: str, eye: tuple[float, float, float], target: tuple[float, float, float]
+) -> None:
+    # From outside the garage is mostly edges and surfaces that lie in each other.
+    agree(*both(nf.Scene.load(data(name)), view(eye, target)), same=0.998 if eye[2] == 7.8 else 0.999)
+
+
+def test_ranges_are_as_exact_as_the_tracers(city: nf.Scene) -> None:
+    """Planes in float64 along float64 rays: adapters err at most half as much again as the tracer, on slants too."""
+    camera = view((0, 1.7, 0), (20, 5, -40), size=(480, 320))
+    cpu, gpu = both(city, camera)
+    equal = agree(cpu, gpu)
+    hits = equal & np.isfinite(cpu.require("range"))
+    corners = city.triangles()[cpu.require("face_id")[hits]].astype(np.float64) + city.origin
+    rays = oracle.view(camera)
+    inside = hits.ravel()
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    ahead = np.einsum("ij,ij->i", normal, rays.directions[inside])
+    exact = np.einsum("ij,ij->i", normal, corners[:, 0] - rays.origins[inside]) / ahead
+    errors = [np.abs(frame.require("range")[hits] - exact) / exact for frame in (cpu, gpu)]
+    traced, drawn = (np.percentile(error, [50, 99, 99.9, 100]) for error in errors)
+    assert (drawn <= 1.5 * traced).all(), (traced, drawn)
+
+
+@pytest.mark.parametrize("fov", PROJECTIONS, ids=lambda fov: f"{type(fov).__name__}{getattr(fov, 'face', '')}")
+def test_every_projection_and_kind_of_surface(fov: Projection) -> None:
+    """A room with a repeated texture, colours of vertices and a cut-out leaf; brute force in float64 beside it."""
+    surfaces = room()
+    turn = (0.0, 0.0, 0.0, 1.0) if isinstance(fov, nf.CubeFace) else (0.1, 0.2, -0.1, 0.9695359714832659)
+    camera = nf.Camera(
+        (0.31, 0.17, 0.43), turn, fov=fov, size=(64, 48) if not isinstance(fov, nf.CubeFace) else (48, 48)
+    )
+    cpu, gpu = both(build(surfaces), camera)
+    # Some hundred pixels along the holes of a leaf of noise are on their edges.
+    agree(cpu, gpu, same=0.995)
+    exact = oracle.cast(surfaces, oracle.view(camera))
+    same = exact.face_id.reshape(48, -1) == gpu.require("face_id")
+    assert same.mean() >= 0.995
+    # As far as the tracer's own test: levels of textures and corners' colours are rounded to float32.
+    np.testing.assert_allclose(gpu.require("color")[same], exact.color.reshape(48, -1, 3)[same], atol=2e-3)
+
+
+def test_cube_faces_look_where_they_should() -> None:
+    """Six walls of six colours about the eye."""
+    colors = [(1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (0, 1, 1), (1, 0, 1)]
+    walls = []
+    for axis, sign in [(a, s) for a in range(3) for s in (1, -1)]:
+        middle = np.zeros(3)
+        middle[axis] = 2.0 * sign
+        right, up = (np.roll((0.0, 2.0, 0.0), axis), np.roll((0.0, 0.0, 2.0), axis))
+        walls.append(Surface(quad(middle, right, up), QUAD, (*colors[2 * axis + (sign < 0)], 1.0)))
+    scene = build(walls)
+    for face in range(6):
+        frame = nf.render(scene, nf.Camera((0, 0, 0), fov=nf.CubeFace(face), size=(16, 16)), backend="gpu")
+        assert (frame.require("object_id") == face).all()
+        lit = frame.require("color").reshape(-1, 3).max(0) > 0
+        np.testing.assert_array_equal(lit, np.array(colors[face]) > 0)
+
+
+def test_images_on_a_wall_keep_their_sides() -> None:
+    """One texel of each colour in a quarter of the picture: nothing is mirrored or turned."""
+    texture = np.zeros((2, 2, 4), np.uint8)
+    texture[..., 3] = 255
+    texture[0, 0, 0] = texture[0, 1, 1] = texture[1, 0, 2] = 255
+    uvs = np.array([[0.0, 0.0], [1, 0], [1, 1], [0, 1]])
+    wall = Surface(quad((0, 0, -1), (1, 0, 0), (0, 1, 0)), QUAD, (1, 1, 1, 1), None, uvs, texture)
+    camera = nf.Camera((0, 0, 0), fov=nf.Fov(-1, 1, -1, 1), size=(64, 64))
+    cpu, gpu = both(build([wall]), camera)
+    agree(cpu, gpu)
+    color = gpu.require("color")
+    assert np.argmax(color[16, 16]) == 0
+    assert np.argmax(color[16, 48]) == 1
+    assert np.argmax(color[48, 16]) == 2
+
+
+def crowd(dynamic: tuple[str, ...] = ()) -> nf.Scene:
+    """A mesh placed many times, some mirrored, over a ground."""
+    builder = SceneBuilder()
+    texture = noise(16, 16, 4, seed=5)
+    material = builder.material((1, 0.8, 0.6, 1), texture)
+    corners = np.array([[0, 0, 0], [1, 0, 0.2], [0.1, 1.5, 0], [0.2, 0.3, 0.9]], np.float32)
+    faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
+    shape = builder.mesh(corners, faces, material=material, uvs=corners[:, :2] * 2)
+    places = np.tile(np.eye(4), (25, 1, 1))
+    for number, place in enumerate(places):
+        angle = 0.7 * number
+        place[:3, :3] = [[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]]
+        place[:3, :3] *= 1.0 + 0.02 * number
+        place[:3, 3] = (2.0 * (number % 5) - 4, -1.0, -2.0 * (number // 5) - 3)
+        if number % 3 == 0:
+            place[:3, 0] *= -1.0
+    builder.place_many(shape, places, "one")
+    builder.instance(
+        builder.mesh(quad((0, -1, -8), (9, 0, 0), (0, 0, -9)), QUAD, material=builder.material()), name="g"
+    )
+    return builder.build(dynamic)
+
+
+def test_instances_mirrored_ones_and_moving_ones() -> None:
+    camera = view((0.2, 1.3, 1.0), (0, 0, -6))
+    standing = crowd()
+    agree(*both(standing, camera))
+    moving = crowd(("one_7", "one_12"))
+    agree(*both(moving, camera))
+    for step in range(3):
+        pose = np.eye(4)
+        pose[:3, 3] = (0.5 * step - 1.0, 0.4, -2.5 - step)
+        cpu, gpu = both(moving.at({"one_7": pose}), camera)
+        agree(cpu, gpu)
+        shown = gpu.require("object_id") == moving.object_names.index("one_7")
+        assert shown.sum() > 100
+
+
+def test_far_from_zero_nothing_is_lost() -> None:
+    surfaces = room()
+    shift = np.array([1e6, 2e6, -3e6])
+    for surface in surfaces:
+        surface.vertices = surface.vertices + shift
+    builder = SceneBuilder()
+    for number, surface in enumerate(surfaces):
+        builder.instance(builder.mesh(surface.vertices, surface.faces), name=str(number))
+    scene = builder.build()
+    assert np.abs(scene.origin).max() > 1e6
+    agree(*both(scene, nf.Camera(tuple(shift + 0.3), fov=nf.Fov(-1, 1, -1, 1), size=(96, 96))), same=0.995)
+
+
+def test_cameras_inside_of_things_and_views_of_nothing() -> None:
+    inside = SceneBuilder()
+    for size in (0.02, 1.0, 400.0):
+        box = room()[0]
+        inside.instance(inside.mesh(size / 8 * box.vertices, box.faces), name=f"{size}")
+    scene = inside.build()
+    for eye in ((0.0, 0.001, 0.0), (0.9, 0.1, 0.0), (0.0, 0.01, 0.0), (3000.0, 10.0, 0.0)):
+        agree(*both(scene, view(eye, (eye[0] + 1.0, eye[1] + 0.1, 0.5))))
+    away = both(scene, view((3000, 10, 0), (4000, 10, 0)))
+    agree(*away)
+    assert not np.isfinite(away[1].require("range")).any()
+
+
+def test_an_empty_scene_is_all_sky() -> None:
+    empty = nf.Scene.from_arrays(np.zeros((0, 3)), np.zeros((0, 3), np.uint32))
+    cpu, gpu = both(empty, view((0, 0, 0), (0, 0.3, -1)))
+    assert agree(cpu, gpu).all()
+    np.testing.assert_allclose(gpu.require("color"), cpu.require("color"), atol=1e-6)
+    assert np.isnan(gpu.require("normal")).all()
+    assert (gpu.require("object_id") == -1).all()
+
+
+@pytest.mark.parametrize("samples", [2, 4, 16])
+def test_antialiasing_tends_to_the_same_picture(city: nf.Scene, samples: int) -> None:
+    """The tracer's places are the same but for the hardware's own four, where edges differ a little."""
+    cpu, gpu = both(city, view((0, 1.7, 0), (20, 5, -40)), samples=samples)
+    difference = np.abs(cpu.to_image().astype(int) - gpu.to_image()).max(-1)
+    plain = nf.render(city, cpu.camera, backend="cpu").to_image().astype(int)
+    aliased = np.abs(cpu.to_image().astype(int) - plain).max(-1)
+    limit = 0.5 if samples == 4 else 0.05
+    assert difference.mean() <= limit * aliased.mean(), (difference.mean(), aliased.mean())
+
+
+def test_channels_are_the_same_alone(city: nf.Scene) -> None:
+    camera = view((50, 80, 60), (0, 0, 0), size=(97, 61))
+    whole = nf.render(
+        city, camera, channels=("color", "range", "object_id", "face_id", "position", "normal"), backend="gpu"
+    )
+    for name in whole.channels:
+        alone: NDArray[np.float64] = nf.render(city, camera, channels=(name,), backend="gpu").require(name)
+        np.testing.assert_array_equal(alone, whole.require(name))

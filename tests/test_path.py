@@ -1,0 +1,171 @@
+"""Pictures along a path are those of single calls, two are under way at a time, and any end is a clean one."""
+
+from __future__ import annotations
+
+import itertools
+import os
+import signal
+import threading
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from gpu_cases import ADAPTERS, adapter, view
+from support import need
+from test_gpu_truth import crowd
+
+CAMERAS = [view((0.2 * step, 1.3, 1.0), (0, 0, -6), size=(64 + 8 * (step % 2), 48)) for step in range(5)]
+IMAGES = ("color", "range", "object_id")
+
+
+def equal(one: nf.Frame, other: nf.Frame) -> None:
+    assert one.camera == other.camera
+    assert one.channels == other.channels
+    for name in one.channels:
+        np.testing.assert_array_equal(one.require(name), other.require(name))
+
+
+def pose(x: float) -> np.ndarray:
+    matrix = np.eye(4)
+    matrix[:3, 3] = (x, 0.3, -3.0)
+    return matrix
+
+
+@pytest.fixture(params=["cpu", *ADAPTERS])
+def backend(request: pytest.FixtureRequest) -> Iterator[str]:
+    if request.param == "cpu":
+        yield "cpu"
+        return
+    with adapter(request.param):
+        yield "gpu"
+
+
+def test_frames_are_those_of_single_calls(backend: str) -> None:
+    scene = crowd()
+    frames = nf.render_path(scene, CAMERAS, backend=backend)
+    for camera, frame in zip(CAMERAS, frames, strict=True):
+        equal(frame, nf.render(scene, camera, backend=backend))
+    (frame,) = nf.render_path(scene, iter(CAMERAS[:1]), channels=("range",), samples=4, backend=backend)
+    equal(frame, nf.render(scene, CAMERAS[0], channels=("range",), samples=4, backend=backend))
+    assert list(nf.render_path(scene, [], backend=backend)) == []
+
+
+def test_objects_move_along_the_path(backend: str) -> None:
+    scene = crowd(("one_7",))
+    poses = [{"one_7": pose(0.3 * step)} for step in range(5)]
+    frames = list(nf.render_path(scene, CAMERAS, at=iter(poses), backend=backend))
+    for camera, placed, frame in zip(CAMERAS, poses, frames, strict=True):
+        equal(frame, nf.render(scene.at(placed), camera, channels=IMAGES, backend=backend))
+    fixed = list(nf.render_path(scene, CAMERAS, at=poses[3], backend=backend))
+    equal(fixed[0], nf.render(scene.at(poses[3]), CAMERAS[0], backend=backend))
+
+
+def test_one_camera_is_asked_for_ahead() -> None:
+    asked = []
+
+    def cameras() -> Iterator[nf.Camera]:
+        for number, camera in enumerate(CAMERAS):
+            asked.append(number)
+            yield camera
+
+    with adapter("vulkan"):
+        frames = nf.render_path(crowd(), cameras(), backend="gpu")
+        assert asked == []
+        next(frames)
+        assert asked == [0, 1]
+        next(frames)
+        assert asked == [0, 1, 2]
+        assert len(list(frames)) == 3
+
+
+def test_an_end_in_the_middle_drops_what_is_under_way(backend: str) -> None:
+    scene = crowd()
+    frames = nf.render_path(scene, itertools.repeat(CAMERAS[0]), backend=backend)
+    first = [next(frames) for _ in range(3)]
+    frames.close()  # type: ignore[attr-defined]  # a generator
+    with pytest.raises(StopIteration):
+        next(frames)
+    equal(first[0], nf.render(scene, CAMERAS[0], backend=backend))
+
+
+@pytest.mark.parametrize(
+    ("error", "words", "arguments"),
+    [
+        (TypeError, "scene: expected a Scene, got int", {"source": 3}),
+        (TypeError, "cameras: expected an iterable of Cameras, got Camera", {"cameras": CAMERAS[0]}),
+        (TypeError, "cameras: expected an iterable of Cameras, got int", {"cameras": 3}),
+        (TypeError, "cameras: expected Cameras, got str as number 1", {"cameras": [CAMERAS[0], "here"]}),
+        (ValueError, "at: expected a pose for each of 5 cameras, got 1", {"at": [{}]}),
+        (TypeError, "at: expected matrices by name, or one such mapping for each camera, got str", {"at": "here"}),
+        (TypeError, "at: expected matrices by name, or one such mapping for each camera, got int", {"at": 3}),
+        (ValueError, "channels: expected one of", {"channels": ["colour"]}),
+        (ValueError, "samples: expected a whole number from 1 to 1024, got 0", {"samples": 0}),
+        (ValueError, "backend: expected one of", {"backend": "cuda"}),
+    ],
+)
+def test_arguments_are_checked_at_the_call(error: type[Exception], words: str, arguments: dict[str, Any]) -> None:
+    given: dict[str, Any] = {"source": crowd(), "cameras": CAMERAS, "backend": "cpu"} | arguments
+    with pytest.raises(error, match=words):
+        nf.render_path(given.pop("source"), given.pop("cameras"), **given)
+
+
+def test_what_iterators_bring_is_checked_when_it_comes(backend: str) -> None:
+    scene = crowd(("one_7",))
+    ahead = 2 if backend == "gpu" else 1
+    for arguments, error, words in (
+        ({"cameras": iter([*CAMERAS[:2], "here"])}, TypeError, "cameras: expected Cameras, got str as number 2"),
+        ({"cameras": iter(CAMERAS), "at": iter([{}, {}])}, ValueError, "at: expected a pose for each camera, got 2"),
+        ({"cameras": CAMERAS, "at": iter([{}, {}, {"abacus": pose(0)}])}, ValueError, "poses"),
+    ):
+        given: dict[str, Any] = dict(arguments)
+        frames = nf.render_path(scene, given.pop("cameras"), backend=backend, **given)
+        for _ in range(3 - ahead):
+            next(frames)
+        with pytest.raises(error, match=words):
+            list(frames)
+
+
+def interrupted(frames: Iterator[nf.Frame], seconds: float) -> float:
+    """Seconds from a Ctrl-C to its exception."""
+    sent = []
+
+    def press() -> None:
+        sent.append(time.monotonic())
+        signal.raise_signal(signal.SIGINT) if os.name == "nt" else os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(seconds, press)
+    timer.start()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            for _ in frames:
+                pass
+        return time.monotonic() - sent[0]
+    finally:
+        timer.join()
+
+
+def test_a_long_path_ends_with_control_c(backend: str) -> None:
+    need("linux")
+    scene = crowd()
+    # The machine's other work decides how long an answer takes; a frame of these takes some milliseconds.
+    assert interrupted(nf.render_path(scene, itertools.repeat(CAMERAS[0]), backend=backend), 0.5) < 5.0
+    equal(next(nf.render_path(scene, CAMERAS, backend=backend)), nf.render(scene, CAMERAS[0], backend=backend))
+
+
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_a_long_frame_ends_with_control_c(name: str) -> None:
+    need("linux")
+    scene, camera = crowd(), view((0, 1.3, 1.0), (0, 0, -6), size=(1920, 1080))
+    with adapter(name):
+        nf.render(scene, camera, backend="gpu")
+        started = time.monotonic()
+        frames = nf.render_path(scene, itertools.repeat(camera), samples=1024, channels=("color",), backend="gpu")
+        waited = interrupted(frames, 1.0)
+        # Between two of 128 submissions the caller is looked at.
+        assert waited < 10.0
+        assert time.monotonic() - started < 15.0
+        assert np.isfinite(nf.render(scene, CAMERAS[0], backend="gpu").require("color")).all()
