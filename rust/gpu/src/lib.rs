@@ -5,10 +5,11 @@
 //! for each pixel and in the wanted channels only, by the tracer's formulas. So pictures of both back ends differ by
 //! rounding alone, and what is hidden costs nothing but its depth.
 
+pub mod compute;
 pub mod device;
 pub mod draw;
 pub mod truth;
 mod upload;
 
 pub use device::{AdapterKind, AdapterReport, Counters, Device};
-pub use draw::Job;
+pub use draw::{DeviceFrame, Job};

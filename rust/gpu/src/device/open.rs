@@ -8,6 +8,7 @@ use nearfar_core::base::{Error, Progress, Result};
 use wgpu::{Adapter, DeviceDescriptor, DeviceLostReason, Features, Limits, PollError, PollType, SubmissionIndex};
 
 use super::{AdapterKind, AdapterReport};
+use crate::compute::Kernels;
 use crate::draw::{Pipelines, Slots};
 use crate::upload::Residents;
 
@@ -27,6 +28,7 @@ pub struct Device {
     pub(crate) residents: Residents,
     pub(crate) pipelines: Pipelines,
     pub(crate) slots: Slots,
+    pub(crate) kernels: Kernels,
     pub(super) made: [AtomicU64; 4],
     lost: Arc<Mutex<Option<String>>>,
 }
@@ -65,6 +67,7 @@ impl Device {
             residents: Residents::default(),
             pipelines: Pipelines::default(),
             slots: Slots::default(),
+            kernels: Kernels::default(),
             made: Default::default(),
             lost,
         })
