@@ -15,7 +15,7 @@ import jsonschema
 import pytest
 from referencing import Registry, Resource
 
-from nearfar import _data, _formats
+from nearfar import _core, _data, _formats
 
 
 def _module(name: str) -> Callable[[], str]:
@@ -39,6 +39,14 @@ def _pyrender() -> str:
             os.environ["PYOPENGL_PLATFORM"] = platform
             return ""
     return f"pyrender finds no off-screen OpenGL ({', '.join(platforms)}); see scripts/system-packages.sh"
+
+
+def _adapter(name: str) -> Callable[[], str]:
+    def look() -> str:
+        found = [adapter for adapter in _core.gpu_adapters() if adapter[1] == name and not adapter[4]]
+        return "" if found else f"there is no graphics adapter behind {name}; see scripts/system-packages.sh"
+
+    return look
 
 
 def _tokyo() -> str:
@@ -70,6 +78,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "embreex": _module("embreex"),
     "fork": lambda: "" if hasattr(os, "fork") else "this system cannot fork",
     "git": _git,
+    "gl": _adapter("gl"),
     "linux": lambda: "" if sys.platform == "linux" else "only Linux tells and limits a process's memory",
     "matplotlib": _module("matplotlib"),
     "miniball": _module("miniball"),
@@ -79,6 +88,7 @@ PARTS: dict[str, Callable[[], str]] = {
     "release": _release,
     "skimage": _module("skimage"),
     "tokyo": _tokyo,
+    "vulkan": _adapter("vulkan"),
 }
 """Parts that a system may lack. Each returns why it is missing, or nothing where it is there."""
 

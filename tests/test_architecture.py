@@ -20,6 +20,7 @@ from support import need
 CHECKOUT = Path(__file__).resolve().parent.parent
 CORE = CHECKOUT / "rust" / "core" / "src"
 BINDINGS = CHECKOUT / "rust" / "py" / "src"
+GPU = CHECKOUT / "rust" / "gpu" / "src"
 PACKAGE = CHECKOUT / "python" / "nearfar"
 
 # What each stage may use, in the order of the data flow. A name that is missing here fails: adding a stage is a
@@ -115,6 +116,7 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_reduce": {"_bundle", "_envmap", "_frame", "_partition", "_reduced", "_render", "_scene"},
     "datasets": {"_scene"},
     "hmd": {"_eyes", "_hmd"},
+    "gpu": {"_camera", "_frame", "_morph", "_render", "_scene"},
 }
 
 # Lines of a file. Above the first number a file is listed, above the second it fails.
@@ -186,7 +188,7 @@ def test_the_core_has_no_python_files_or_clock() -> None:
 
 def test_kernels_do_not_panic_on_purpose() -> None:
     wrong = []
-    for path in [*rust_files(CORE), *rust_files(BINDINGS)]:
+    for path in [*rust_files(CORE), *rust_files(GPU), *rust_files(BINDINGS)]:
         if not is_rust_test(path):
             # Strings are stripped, so that `.expect("…")` reads `.expect()`, and Progress has a method of that name.
             found = re.findall(r"\.unwrap\(\)|\.expect\(\)|\bpanic!|\bunreachable!", rust_code(path))

@@ -403,3 +403,67 @@ _Part = tuple[str, dict[str, NDArray[Any]], dict[str, str | tuple[float, float, 
 
 def encode_exr(parts: list[_Part]) -> bytes: ...
 def decode_exr(data: bytes) -> list[_Part]: ...
+
+# gpu ----------------------------------------------------------------------------------------------------------------
+def gpu_adapters() -> list[tuple[str, str, str, str, str, int, int]]: ...
+def gpu_is_hardware(wanted: str | None = None) -> bool: ...
+
+@final
+class GpuDevice:
+    def __new__(cls, wanted: str | None = None) -> GpuDevice: ...
+    @property
+    def label(self) -> str: ...
+    @property
+    def kind(self) -> str: ...
+    def counters(self) -> tuple[int, int, int, int]: ...
+    def lose(self) -> None: ...
+    def truth(
+        self,
+        scene: Scene,
+        camera: Camera,
+        *,
+        channels: list[str],
+        samples: int,
+        report: _Report | None = None,
+    ) -> GpuJob: ...
+
+@final
+class GpuJob:
+    def finish(self, report: _Report | None = None) -> dict[str, NDArray[Any]]: ...
+
+# gpu_compute --------------------------------------------------------------------------------------------------------
+@final
+class GpuFrame:
+    @property
+    def label(self) -> str: ...
+    def read(self, report: _Report | None = None) -> dict[str, NDArray[Any]]: ...
+
+def gpu_keep(job: GpuJob, report: _Report | None = None) -> GpuFrame: ...
+def gpu_similarity(
+    reference: GpuFrame, test: GpuFrame, *, window: str, size: int, sigma: float, full: bool
+) -> tuple[float, NDArray[np.float32] | None]: ...
+def gpu_discontinuity(
+    frame: GpuFrame,
+    *,
+    camera: Camera,
+    epsilon: float,
+    min_distance: float,
+    report: _Report | None = None,
+) -> NDArray[np.float32]: ...
+def gpu_morph(
+    device: GpuDevice,
+    points: NDArray[np.float32],
+    shown: NDArray[np.float32],
+    *,
+    user: tuple[float, float, float],
+    center: tuple[float, float, float],
+    r1: float,
+    r2: float,
+    kind: str,
+) -> None: ...
+def gpu_cube_lookup(
+    device: GpuDevice,
+    maps: tuple[NDArray[np.float32], NDArray[np.float32]],
+    directions: NDArray[np.float32],
+    filter: str,  # noqa: A002
+) -> None: ...

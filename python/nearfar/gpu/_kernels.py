@@ -45,8 +45,8 @@ def ssim(
     Returns
     -------
     float or (float, NDArray)
-        The mean, at most 1: 1 exactly for equal pictures, and the same bits whenever it is taken on one device. Where no
-        window lies within the picture, all count. With `full` also the map, (H, W) float32. Both are computed in
+        The mean, at most 1: 1 exactly for equal pictures, and the same bits whenever it is taken on one device. Where
+        no window lies within the picture, all count. With `full` also the map, (H, W) float32. Both are computed in
         float32 about local means; the mean differs from float64's by less than 1e-6, the map by less than 2e-5.
 
     Raises
@@ -92,8 +92,8 @@ def discontinuity(
     -------
     NDArray
         (H, W) float32, NaN where `nearfar.discontinuity` gives it. Places in the truth are computed in float32, whose
-        rounding is some 1e-7 of the picture's width, and pairs whose distance is ε but for that may count or not: values
-        differ by less than 1e-3 (1 + |δ|) from those of `nearfar.discontinuity` where points have hundreds of
+        rounding is some 1e-7 of the picture's width, and pairs whose distance is ε but for that may count or not:
+        values differ by less than 1e-3 (1 + |δ|) from those of `nearfar.discontinuity` where points have hundreds of
         neighbours, and more where they have few. Places more than 10⁵ pixels beside the picture are rounded to pixels.
 
     Raises

@@ -147,10 +147,8 @@ fn check(device: &Device, [width, height]: [u32; 2]) -> Result<()> {
 /// Rows that take a point to its place in the truth, and the limits.
 fn told(frame: &DeviceFrame, truth: &Camera, around: Neighbourhood, [first, cells]: [u32; 2], cell: f64) -> Told {
     let Axes { right, up, ahead, fov } = Axes::of(truth);
-    let (across, down) = (
-        f64::from(truth.width) / (fov.right - fov.left),
-        f64::from(truth.height) / (fov.up - fov.down),
-    );
+    let (across, down) =
+        (f64::from(truth.width) / (fov.right - fov.left), f64::from(truth.height) / (fov.up - fov.down));
     let eye = truth.position - frame.origin();
     let eye_high = eye.as_vec3();
     let wide = |v: DVec4| v.as_vec4().to_array();

@@ -104,7 +104,11 @@ pub fn lookup(
         0 => Ok(()),
         last => {
             let index = directions.len() - last as usize;
-            Err(Error::value("directions", "finite vectors other than zero", format!("something else at index {index}")))
+            Err(Error::value(
+                "directions",
+                "finite vectors other than zero",
+                format!("something else at index {index}"),
+            ))
         }
     }
 }
@@ -126,7 +130,9 @@ fn check(device: &Device, map: &Map<'_>, directions: usize, room: usize) -> Resu
     let (bytes, most) = (size_of_val(map.values) as u64, device.largest_binding());
     if bytes > most {
         let label = device.report().label();
-        return Err(Error::Device(format!("{label}: faces of {bytes} bytes, {most} can be read at a time; use nearfar.cube_lookup")));
+        return Err(Error::Device(format!(
+            "{label}: faces of {bytes} bytes, {most} can be read at a time; use nearfar.cube_lookup"
+        )));
     }
     Ok(())
 }

@@ -41,7 +41,8 @@ pub fn morph(
     };
     let out = (bytemuck::cast_slice_mut(shown), size_of::<[f32; 3]>());
     stream(device, points, out, progress, |work, input, results, rows| {
-        let told = device.filled_buffer("morph", bytemuck::cast_slice(&[told(morph, rows.len())]), BufferUsages::UNIFORM)?;
+        let told =
+            device.filled_buffer("morph", bytemuck::cast_slice(&[told(morph, rows.len())]), BufferUsages::UNIFORM)?;
         let resources = [(0, told.as_entire_binding()), (1, input.binding()), (2, results.binding())];
         work.run(&program, &resources, groups(rows.len() as u32))
     })

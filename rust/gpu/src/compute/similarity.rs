@@ -116,7 +116,11 @@ fn weights(window: &Window) -> Result<Vec<f64>> {
 fn check(reference: &DeviceFrame, test: &DeviceFrame) -> Result<[u32; 2]> {
     if !std::ptr::eq(&**reference.device(), &**test.device()) {
         let label = |frame: &DeviceFrame| frame.device().report().label();
-        return Err(Error::value("test", format!("a frame on {}", label(reference)), format!("one on {}", label(test))));
+        return Err(Error::value(
+            "test",
+            format!("a frame on {}", label(reference)),
+            format!("one on {}", label(test)),
+        ));
     }
     let size = |frame: &DeviceFrame| [frame.camera().width, frame.camera().height];
     let (expected, got) = (size(reference), size(test));

@@ -77,14 +77,27 @@ impl DeviceFrame {
         let pixels = done.window.pixels();
         progress.expect(pixels as u64);
         let mut frame = Frame::new(self.channels, pixels)?;
-        let _alone = self.device.kernels.alone();
-        let readable = done.slot.readable();
-        open(&self.device, readable, done.slot.shape.bytes.next_multiple_of(8), wgpu::MapMode::Read, progress)?;
-        let copied = read::copy(&self.device, done, &self.picture, self.camera.width, &mut frame);
-        readable.unmap();
-        copied?;
+        read::place(&self.words(done, progress)?, done, &self.picture, self.camera.width, &mut frame);
         progress.report(pixels as u64)?;
         Ok(frame)
+    }
+
+    /// The output as it is. Copied at once by this thread alone: where it waits for others, it may be given work that
+    /// wants to be alone as well.
+    fn words(&self, done: &Submitted, progress: &Progress) -> Result<Vec<u32>> {
+        let (readable, room) = (done.slot.readable(), done.slot.shape.bytes.next_multiple_of(8));
+        let _alone = self.device.kernels.alone();
+        open(&self.device, readable, room, wgpu::MapMode::Read, progress)?;
+        let words = match readable.get_mapped_range(..room) {
+            Ok(view) => {
+                let mut words = vec![0; view.len() / size_of::<u32>()];
+                bytemuck::cast_slice_mut(&mut words).copy_from_slice(&view);
+                Ok(words)
+            }
+            Err(error) => Err(self.device.failure(&error)),
+        };
+        readable.unmap();
+        words
     }
 
     /// Linear colour, three words for each pixel.

@@ -11,17 +11,16 @@ use super::layers::Layer;
 use crate::device::Device;
 
 /// Copies a window into its place in a frame of `width` pixels a row.
-pub(super) fn copy(
-    device: &Device,
-    done: &Submitted,
-    picture: &Picture,
-    width: u32,
-    frame: &mut Frame,
-) -> Result<()> {
-    let window = &done.window;
+pub(super) fn copy(device: &Device, done: &Submitted, picture: &Picture, width: u32, frame: &mut Frame) -> Result<()> {
     let view = done.slot.readable().get_mapped_range(..done.slot.shape.bytes.next_multiple_of(8));
     let view = view.map_err(|error| device.failure(&error))?;
-    let words: &[u32] = bytemuck::cast_slice(&view);
+    place(bytemuck::cast_slice(&view), done, picture, width, frame);
+    Ok(())
+}
+
+/// Puts a window's words into its place in a frame of `width` pixels a row.
+pub(super) fn place(words: &[u32], done: &Submitted, picture: &Picture, width: u32, frame: &mut Frame) {
+    let window = &done.window;
     let section = |channel: usize, each: usize| {
         let start = done.outputs[channel] as usize;
         &words[start..start + each * window.pixels()]
@@ -46,17 +45,24 @@ pub(super) fn copy(
     let names = Names { picture, numbering: &done.numbering };
     if !frame.object_id.is_empty() {
         let values: &[[u32; 2]] = bytemuck::cast_slice(section(2, 2));
-        rows(&mut frame.object_id, place(0), stride, columns, window.height)
-            .zip(values.par_chunks(columns))
-            .for_each(|(to, from)| names.fill(to, from, |layer, instance, face| layer.object_of(instance, face), |n| names.far_object(n), -1));
+        rows(&mut frame.object_id, place(0), stride, columns, window.height).zip(values.par_chunks(columns)).for_each(
+            |(to, from)| {
+                names.fill(
+                    to,
+                    from,
+                    |layer, instance, face| layer.object_of(instance, face),
+                    |n| names.far_object(n),
+                    -1,
+                )
+            },
+        );
     }
     if !frame.face_id.is_empty() {
         let values: &[[u32; 2]] = bytemuck::cast_slice(section(2, 2));
-        rows(&mut frame.face_id, place(0), stride, columns, window.height)
-            .zip(values.par_chunks(columns))
-            .for_each(|(to, from)| names.fill(to, from, |layer, instance, face| layer.triangle_of(instance, face), |_| -1, -1));
+        rows(&mut frame.face_id, place(0), stride, columns, window.height).zip(values.par_chunks(columns)).for_each(
+            |(to, from)| names.fill(to, from, |layer, instance, face| layer.triangle_of(instance, face), |_| -1, -1),
+        );
     }
-    Ok(())
 }
 
 /// The parts of an image's rows that a window covers.
