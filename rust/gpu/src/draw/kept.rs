@@ -77,7 +77,7 @@ impl DeviceFrame {
         let pixels = done.window.pixels();
         progress.expect(pixels as u64);
         let mut frame = Frame::new(self.channels, pixels)?;
-        read::place(&self.words(done, progress)?, done, &self.picture, self.camera.width, &mut frame);
+        read::fill(&self.words(done, progress)?, done, &self.picture, self.camera.width, &mut frame);
         progress.report(pixels as u64)?;
         Ok(frame)
     }

@@ -11,15 +11,21 @@ use super::layers::Layer;
 use crate::device::Device;
 
 /// Copies a window into its place in a frame of `width` pixels a row.
-pub(super) fn copy(device: &Device, done: &Submitted, picture: &Picture, width: u32, frame: &mut Frame) -> Result<()> {
+pub(super) fn copy(
+    device: &Device,
+    done: &Submitted,
+    picture: &Picture,
+    width: u32,
+    frame: &mut Frame,
+) -> Result<()> {
     let view = done.slot.readable().get_mapped_range(..done.slot.shape.bytes.next_multiple_of(8));
     let view = view.map_err(|error| device.failure(&error))?;
-    place(bytemuck::cast_slice(&view), done, picture, width, frame);
+    fill(bytemuck::cast_slice(&view), done, picture, width, frame);
     Ok(())
 }
 
 /// Puts a window's words into its place in a frame of `width` pixels a row.
-pub(super) fn place(words: &[u32], done: &Submitted, picture: &Picture, width: u32, frame: &mut Frame) {
+pub(super) fn fill(words: &[u32], done: &Submitted, picture: &Picture, width: u32, frame: &mut Frame) {
     let window = &done.window;
     let section = |channel: usize, each: usize| {
         let start = done.outputs[channel] as usize;
@@ -45,23 +51,15 @@ pub(super) fn place(words: &[u32], done: &Submitted, picture: &Picture, width: u
     let names = Names { picture, numbering: &done.numbering };
     if !frame.object_id.is_empty() {
         let values: &[[u32; 2]] = bytemuck::cast_slice(section(2, 2));
-        rows(&mut frame.object_id, place(0), stride, columns, window.height).zip(values.par_chunks(columns)).for_each(
-            |(to, from)| {
-                names.fill(
-                    to,
-                    from,
-                    |layer, instance, face| layer.object_of(instance, face),
-                    |n| names.far_object(n),
-                    -1,
-                )
-            },
-        );
+        rows(&mut frame.object_id, place(0), stride, columns, window.height)
+            .zip(values.par_chunks(columns))
+            .for_each(|(to, from)| names.fill(to, from, |layer, instance, face| layer.object_of(instance, face), |n| names.far_object(n), -1));
     }
     if !frame.face_id.is_empty() {
         let values: &[[u32; 2]] = bytemuck::cast_slice(section(2, 2));
-        rows(&mut frame.face_id, place(0), stride, columns, window.height).zip(values.par_chunks(columns)).for_each(
-            |(to, from)| names.fill(to, from, |layer, instance, face| layer.triangle_of(instance, face), |_| -1, -1),
-        );
+        rows(&mut frame.face_id, place(0), stride, columns, window.height)
+            .zip(values.par_chunks(columns))
+            .for_each(|(to, from)| names.fill(to, from, |layer, instance, face| layer.triangle_of(instance, face), |_| -1, -1));
     }
 }
 
