@@ -130,8 +130,10 @@ def near_and_far(scene: nf.Scene) -> str:
         light = seconds(partial(reduced.render, camera, backend="gpu"))
         triangles = max(reduced.stats["frame_triangles"], 1)
         rows.append(
-            [name, *(f"{1e3 * value:.0f}" for value in (first, full, light)), f"{full / light:.1f}"]
-            + [f"{drawn:,}", f"{triangles:,}", f"{drawn / triangles:.0f}"]
+            [
+                *(name, *(f"{1e3 * value:.0f}" for value in (first, full, light)), f"{full / light:.1f}"),
+                *(f"{drawn:,}", f"{triangles:,}", f"{drawn / triangles:.0f}"),
+            ]
         )
     header = ["adapter", "first ms", "full ms", "reduced ms", "ratio", "triangles in view", "reduced", "ratio"]
     return table(f"Reduced frames (r2 = {FAR:g} m) of {scene.triangle_count:,} triangles", header, rows)

@@ -34,7 +34,7 @@ def view(eye: Any, target: Any, size: tuple[int, int] = (480, 320), fov: float =
     return nf.Camera.look_at(tuple(eye), tuple(target), fov=nf.Fov.symmetric(fov, size[0] / size[1]), size=size)
 
 
-def edges(ids: NDArray[np.int64]) -> NDArray[np.bool_]:
+def edges(ids: NDArray[Any]) -> NDArray[np.bool_]:
     """Pixels with another face among their eight neighbours."""
     height, width = ids.shape
     around = np.pad(ids, 1, mode="edge")
@@ -66,7 +66,7 @@ def agree(cpu: nf.Frame, gpu: nf.Frame, *, same: float = 0.999) -> NDArray[np.bo
     np.testing.assert_allclose(gpu.require("normal")[hits], cpu.require("normal")[hits], atol=1e-3)
     reach = 1e-5 * far[hits] + 1e-6 * np.abs(cpu.require("position")[hits]).max(initial=0.0)
     assert (np.abs(gpu.require("position")[hits] - cpu.require("position")[hits]).max(-1, initial=0.0) <= reach).all()
-    codes = np.abs(cpu.to_image().astype(int) - gpu.to_image()).max(-1)[equal]
+    codes = codes_apart(cpu, gpu)[equal]
     assert np.percentile(codes, 99.9) <= 2, np.percentile(codes, [50, 99, 99.9, 100])
     return np.asarray(equal)
 
@@ -76,3 +76,33 @@ def both(scene: nf.Scene, camera: nf.Camera, **settings: Any) -> tuple[nf.Frame,
     settings = {"channels": RENDERED} | settings
     cpu, gpu = (nf.render(scene, camera, backend=backend, **settings) for backend in ("cpu", "gpu"))
     return cpu, gpu
+
+
+def codes_apart(reference: nf.Frame, test: nf.Frame) -> NDArray[np.int64]:
+    """Greatest difference of a pixel's three sRGB codes."""
+    return np.asarray(np.abs(reference.to_image().astype(int) - test.to_image().astype(int)).max(axis=-1))
+
+
+def check_ids(reference: NDArray[Any], test: NDArray[Any], share: float = 0.999) -> None:
+    """Numbers are equal but for a share of pixels, and every other one lies at an edge of one of the pictures."""
+    differ = reference != test
+    assert differ.mean() <= 1 - share, f"{differ.sum()} of {differ.size} differ"
+    assert not (differ & ~edges(reference) & ~edges(test)).any()
+
+
+def check_range(reference: nf.Frame, test: nf.Frame, *, tolerance: float = 1e-5, worst: float = 1e-4) -> None:
+    """Where both show one face, all but a thousandth show it as far away, relative to the distance, and none is off.
+
+    The exceptions are large faces seen at a slant and slivers, where float32 has no more digits on either back end.
+    """
+    same = (reference.face_id == test.face_id) & (reference.require("face_id") >= 0)
+    expected, got = reference.require("range")[same], test.require("range")[same]
+    apart = np.abs(got - expected) / expected
+    if apart.size:
+        assert np.percentile(apart, 99.9) <= tolerance
+        assert apart.max() <= worst, f"{apart.max()} at {np.argmax(apart)} of {apart.size}"
+
+
+def check_color(reference: nf.Frame, test: nf.Frame, codes: int = 2, percentile: float = 99.9) -> None:
+    """All but a share of pixels have colours that nobody tells apart."""
+    assert np.percentile(codes_apart(reference, test), percentile) <= codes

@@ -48,14 +48,16 @@ RUST_STAGES: dict[str, set[str]] = {
 
 # The same for the GPU back end: of other crates it uses the core alone.
 GPU_MODULES: dict[str, set[str]] = {
-    "device": {"draw", "upload"},
+    "device": {"compute", "draw", "upload"},
     "upload": {"device"},
     "draw": {"device", "upload"},
     "truth": {"device", "draw"},
     "bake": {"device", "draw"},
     "reduced": {"device", "draw", "upload"},
+    "compute": {"device", "draw"},
 }
-"""A device owns what is kept on it between frames: tables of `upload`, pipelines and slots of `draw`."""
+"""A device owns what is kept on it between frames: tables of `upload`, pipelines and slots of `draw`, programs
+of `compute`."""
 
 POLICIES = {
     "_check",
@@ -128,7 +130,7 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_reduced": {"_bundle", "_camera", "_envmap", "_frame", "_painter", "_partition", "_render", "_scene"},
     "_reduce": {"_backend", "_bundle", "_envmap", "_frame", "_partition", "_reduced", "_render", "_scene"},
     "_path": {"_camera", "_frame", "_painter", "_reduced", "_render", "_scene"},
-    "gpu": {"_backend", "_camera", "_painter", "_path", "_reduced", "_scene"},
+    "gpu": {"_backend", "_camera", "_frame", "_morph", "_painter", "_path", "_reduced", "_scene"},
     "datasets": {"_scene"},
     "hmd": {"_eyes", "_hmd"},
 }

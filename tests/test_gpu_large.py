@@ -8,16 +8,13 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from parity import check_color, check_ids
-from support import need
+from gpu_cases import ADAPTERS, adapter, check_color, check_ids
 
 
-@pytest.fixture(params=["vulkan", "gl"], autouse=True)
-def adapter(request: pytest.FixtureRequest) -> Iterator[str]:
-    need(request.param)
-    nf.gpu.select(request.param)
-    yield request.param
-    nf.gpu.select(None)
+@pytest.fixture(params=ADAPTERS, autouse=True)
+def backend(request: pytest.FixtureRequest) -> Iterator[str]:
+    with adapter(request.param):
+        yield request.param
 
 
 def grid(cells: int) -> nf.Scene:
@@ -30,10 +27,10 @@ def grid(cells: int) -> nf.Scene:
     return nf.Scene.from_arrays(vertices, faces)
 
 
-def test_a_mesh_larger_than_a_binding_is_drawn_page_by_page(adapter: str) -> None:
+def test_a_mesh_larger_than_a_binding_is_drawn_page_by_page(backend: str) -> None:
     cells = 2200
     scene = grid(cells)
-    bound = next(found.largest_binding for found in nf.gpu.adapters() if found.backend == adapter)
+    bound = next(found.largest_binding for found in nf.gpu.adapters() if found.backend == backend)
     # Three words for each face, and as many for half as many vertices.
     if 18 * scene.triangle_count <= bound:
         pytest.skip("this adapter binds the whole mesh")

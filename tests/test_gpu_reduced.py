@@ -11,8 +11,8 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from parity import check_color, check_ids, check_range, edges
-from support import data, need
+from gpu_cases import ADAPTERS, adapter, check_color, check_ids, check_range, edges
+from support import data
 
 CENTER = (0.0, 1.7, 0.0)
 CHANNELS = ("color", "range", "object_id")
@@ -20,12 +20,10 @@ ALL = (*CHANNELS, "face_id")
 USERS = {"centre": CENTER, "near": (2.0, 1.9, -1.0), "far": (9.0, 2.5, 6.0)}
 
 
-@pytest.fixture(params=["vulkan", "gl"], autouse=True)
+@pytest.fixture(params=ADAPTERS, autouse=True)
 def _adapter(request: pytest.FixtureRequest) -> Iterator[None]:
-    need(request.param)
-    nf.gpu.select(request.param)
-    yield
-    nf.gpu.select(None)
+    with adapter(request.param):
+        yield
 
 
 @pytest.fixture(scope="module")

@@ -456,3 +456,40 @@ class GpuDevice:
 @final
 class GpuJob:
     def finish(self, report: _Report | None = None) -> dict[str, NDArray[Any]]: ...
+
+# gpu_compute --------------------------------------------------------------------------------------------------------
+@final
+class GpuFrame:
+    @property
+    def label(self) -> str: ...
+    def read(self, report: _Report | None = None) -> dict[str, NDArray[Any]]: ...
+
+def gpu_keep(job: GpuJob, report: _Report | None = None) -> GpuFrame: ...
+def gpu_similarity(
+    reference: GpuFrame, test: GpuFrame, *, window: str, size: int, sigma: float, full: bool
+) -> tuple[float, NDArray[np.float32] | None]: ...
+def gpu_discontinuity(
+    frame: GpuFrame,
+    *,
+    camera: Camera,
+    epsilon: float,
+    min_distance: float,
+    report: _Report | None = None,
+) -> NDArray[np.float32]: ...
+def gpu_morph(
+    device: GpuDevice,
+    points: NDArray[np.float32],
+    shown: NDArray[np.float32],
+    *,
+    user: tuple[float, float, float],
+    center: tuple[float, float, float],
+    r1: float,
+    r2: float,
+    kind: str,
+) -> None: ...
+def gpu_cube_lookup(
+    device: GpuDevice,
+    maps: tuple[NDArray[np.float32], NDArray[np.float32]],
+    directions: NDArray[np.float32],
+    filter: str,  # noqa: A002
+) -> None: ...

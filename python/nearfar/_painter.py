@@ -27,12 +27,14 @@ class Painter:
     """Images and samples."""
     trace: Callable[[Scene, Camera, Report], dict[str, Any]]
     """Make a picture's images on the CPU."""
-    begin: Callable[[_core.GpuDevice, Scene, Camera, Report], _core.GpuJob] | None
-    """Begin a picture on a device; None for what only the CPU does."""
+    begin: Callable[[_core.GpuDevice, Scene, Camera, Report], _core.GpuJob]
+    """Begin a picture on a device."""
+    bends: bool = False
+    """Rays are bent, which is done on the CPU alone."""
 
     def device(self, backend: str) -> _core.GpuDevice | None:
         """Choose where pictures are made: see `_backend.device_for`. What only the CPU does, "auto" leaves to it."""
-        if self.begin is None:
+        if self.bends:
             if _backend.check(backend) == "gpu":
                 raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
             return None
@@ -42,7 +44,7 @@ class Painter:
         """Make one picture."""
         device = self.device(backend)
         with _progress.bar("rendering") as report:
-            if device is None or self.begin is None:
+            if device is None:
                 images = self.trace(scene, camera, report)
             else:
                 images = self.begin(device, scene, camera, report).finish(report)

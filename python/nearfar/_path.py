@@ -120,8 +120,7 @@ def _traced(how: Painter, views: Iterator[tuple[Scene, Camera]]) -> Iterator[Fra
 def _drawn(how: Painter, device: _core.GpuDevice, views: Iterator[tuple[Scene, Camera]]) -> Iterator[Frame]:
     under_way: list[tuple[Scene, Camera, _core.GpuJob]] = []
     for scene, camera in views:
-        if how.begin is not None:
-            under_way.append((scene, camera, how.begin(device, scene, camera, None)))
+        under_way.append((scene, camera, how.begin(device, scene, camera, None)))
         if len(under_way) == AHEAD:
             yield _finished(*under_way.pop(0))
     while under_way:

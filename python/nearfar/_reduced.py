@@ -213,7 +213,7 @@ class ReducedScene:
             return device.reduced(self._core, scene._core, camera._core, **settings, report=report)
 
         bends = method == "exact" and self._morph != "none"
-        return Painter(self, self._scene, (tuple(wanted), samples), trace, None if bends else begin)
+        return Painter(self, self._scene, (tuple(wanted), samples), trace, begin, bends=bends)
 
     def with_morph(self, morph: str) -> ReducedScene:
         """Join the same near part and the same map in another way, without baking anew.

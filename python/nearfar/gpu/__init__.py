@@ -1,6 +1,21 @@
-"""Graphics adapters: which there are, which one is used, and whether it is faster than the CPU."""
+"""Graphics adapters: which there are, which one is used, frames that stay on its device, and kernels there."""
 
 from nearfar.gpu._adapters import Adapter, adapters, select, selected, stats
+from nearfar.gpu._frames import DeviceFrame, render
+from nearfar.gpu._kernels import cube_lookup, discontinuity, morph, ssim
 from nearfar.gpu._measure import measure
 
-__all__ = ["Adapter", "adapters", "measure", "select", "selected", "stats"]
+__all__ = [
+    "Adapter",
+    "DeviceFrame",
+    "adapters",
+    "cube_lookup",
+    "discontinuity",
+    "measure",
+    "morph",
+    "render",
+    "select",
+    "selected",
+    "ssim",
+    "stats",
+]

@@ -7,11 +7,12 @@
 
 mod upload;
 pub mod bake;
+pub mod compute;
 pub mod device;
 pub mod draw;
 pub mod reduced;
 pub mod truth;
 
 pub use device::{AdapterKind, AdapterReport, Counters, Device};
-pub use draw::Job;
+pub use draw::{DeviceFrame, Job};
 pub use reduced::Reduced;

@@ -42,7 +42,7 @@ fn gpu_forked() {
 
 /// The device on the best adapter that a wish leaves.
 #[pyclass(frozen, module = "nearfar._core")]
-pub struct GpuDevice(Arc<Device>);
+pub struct GpuDevice(pub(crate) Arc<Device>);
 
 #[pymethods]
 impl GpuDevice {
@@ -144,12 +144,18 @@ impl GpuDevice {
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct GpuJob {
     job: Mutex<Option<Job>>,
-    shape: (usize, usize),
+    pub(crate) shape: (usize, usize),
 }
 
 impl GpuJob {
     fn new(job: Job, camera: &nearfar_core::camera::Camera) -> Self {
         Self { job: Mutex::new(Some(job)), shape: (camera.height as usize, camera.width as usize) }
+    }
+
+    /// The frame, once.
+    pub(crate) fn take(&self) -> PyResult<Job> {
+        let job = self.job.lock().unwrap_or_else(PoisonError::into_inner).take();
+        job.ok_or_else(|| to_python(Error::value("frame", "one that was not read yet", "one that was")))
     }
 }
 
@@ -158,10 +164,7 @@ impl GpuJob {
     /// Waits for the frame and returns its images by name; once.
     #[pyo3(signature = (report=None))]
     fn finish<'py>(&self, py: Python<'py>, report: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyDict>> {
-        let job = self.job.lock().unwrap_or_else(PoisonError::into_inner).take();
-        let Some(job) = job else {
-            return Err(to_python(Error::value("frame", "one that was not read yet", "one that was")));
-        };
+        let job = self.take()?;
         let frame = run::long(py, report, |progress| job.finish(progress))?;
         images(py, frame, self.shape)
     }

@@ -9,6 +9,7 @@ mod cubemap;
 mod errors;
 mod exr;
 mod gpu;
+mod gpu_compute;
 mod lens;
 mod lod;
 mod layout;
@@ -46,5 +47,6 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     lens::register(module)?;
     lod::register(module)?;
     exr::register(module)?;
-    gpu::register(module)
+    gpu::register(module)?;
+    gpu_compute::register(module)
 }

@@ -6,6 +6,7 @@ mod errors;
 mod forked;
 mod open;
 mod registry;
+mod wait;
 
 pub use adapters::{AdapterKind, AdapterReport};
 pub use buffers::{Counters, Written};

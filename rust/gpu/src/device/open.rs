@@ -3,17 +3,14 @@
 use std::process;
 use std::sync::atomic::AtomicU64;
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Duration;
 
-use nearfar_core::base::{Error, Progress, Result};
-use wgpu::{Adapter, DeviceDescriptor, DeviceLostReason, Features, Limits, PollError, PollType, SubmissionIndex};
+use nearfar_core::base::{Error, Result};
+use wgpu::{Adapter, DeviceDescriptor, DeviceLostReason, Features, Limits, PollType};
 
 use super::{AdapterKind, AdapterReport};
+use crate::compute::Kernels;
 use crate::draw::{Pipelines, SAMPLES, Slots, VISIBLE};
 use crate::upload::Residents;
-
-/// How long the device is waited for before the caller is asked whether to go on.
-const POLL: Duration = Duration::from_millis(20);
 
 /// A device with everything that is kept on it between frames.
 pub struct Device {
@@ -30,6 +27,7 @@ pub struct Device {
     pub(crate) residents: Residents,
     pub(crate) pipelines: Pipelines,
     pub(crate) slots: Slots,
+    pub(crate) kernels: Kernels,
     pub(super) made: [AtomicU64; 4],
     /// Where it was opened: a forked child has none of its driver's threads.
     pub(super) process: u32,
@@ -81,6 +79,7 @@ impl Device {
             residents: Residents::default(),
             pipelines: Pipelines::default(),
             slots: Slots::default(),
+            kernels: Kernels::default(),
             made: Default::default(),
             process: process::id(),
             lost,
@@ -108,21 +107,6 @@ impl Device {
 
     pub(super) fn lost_because(&self) -> Option<String> {
         self.lost.lock().unwrap_or_else(PoisonError::into_inner).clone()
-    }
-
-    /// Waits for submitted work as long as the caller wants to.
-    pub(crate) fn wait(&self, submission: &SubmissionIndex, progress: &Progress) -> Result<()> {
-        self.check()?;
-        loop {
-            let wait = PollType::Wait { submission_index: Some(submission.clone()), timeout: Some(POLL) };
-            match self.wgpu.poll(wait) {
-                // Some drivers come back only when all is done.
-                Ok(_) => return self.check().and_then(|()| progress.check()),
-                Err(PollError::Timeout) => progress.check()?,
-                Err(error) => return Err(Error::Device(format!("{}: {error}", self.report.label()))),
-            }
-            self.check()?;
-        }
     }
 
     /// Bytes that one binding, and so one part of a scene or image, may have.

@@ -27,14 +27,14 @@ const BYTES: [u64; 5] = [12, 4, 8, 12, 12];
 
 /// A frame that is being drawn.
 pub struct Job {
-    device: Arc<Device>,
-    picture: Picture,
-    camera: Camera,
-    channels: Channels,
+    pub(super) device: Arc<Device>,
+    pub(super) picture: Picture,
+    pub(super) camera: Camera,
+    pub(super) channels: Channels,
     samples: u32,
-    shape: (u64, u32),
-    waiting: VecDeque<Window>,
-    submitted: VecDeque<Submitted>,
+    pub(super) shape: (u64, u32),
+    pub(super) waiting: VecDeque<Window>,
+    pub(super) submitted: VecDeque<Submitted>,
     frame: Frame,
 }
 
@@ -46,7 +46,7 @@ pub(super) struct Submitted {
     pub numbering: Vec<Numbering>,
     submission: SubmissionIndex,
     /// Buffers that are open again, and those that could not be opened.
-    opened: Arc<[AtomicU32; 2]>,
+    pub opened: Arc<[AtomicU32; 2]>,
 }
 
 impl Job {

@@ -4,6 +4,7 @@ mod bindings;
 mod cull;
 mod encode;
 mod job;
+mod kept;
 mod layers;
 mod pipelines;
 mod read;
@@ -11,8 +12,10 @@ mod slots;
 mod view;
 
 pub use job::Job;
+pub use kept::DeviceFrame;
 
 pub(crate) use cull::Frustum;
 pub(crate) use layers::{Kind, Layer, Names, Picture, Set, Sources, Split};
 pub(crate) use pipelines::{Pipelines, VISIBLE};
 pub(crate) use slots::{SAMPLES, Slots};
+pub(crate) use view::Axes;

@@ -12,10 +12,15 @@ use crate::device::Device;
 
 /// Copies a window into its place in a frame of `width` pixels a row.
 pub(super) fn copy(device: &Device, done: &Submitted, picture: &Picture, width: u32, frame: &mut Frame) -> Result<()> {
-    let window = &done.window;
     let view = done.slot.readable().get_mapped_range(..done.slot.shape.bytes.next_multiple_of(8));
     let view = view.map_err(|error| device.failure(&error))?;
-    let words: &[u32] = bytemuck::cast_slice(&view);
+    fill(bytemuck::cast_slice(&view), done, picture, width, frame);
+    Ok(())
+}
+
+/// Puts a window's words into its place in a frame of `width` pixels a row.
+pub(super) fn fill(words: &[u32], done: &Submitted, picture: &Picture, width: u32, frame: &mut Frame) {
+    let window = &done.window;
     let section = |channel: usize, each: usize| {
         let start = done.outputs[channel] as usize;
         &words[start..start + each * window.pixels()]
@@ -58,7 +63,6 @@ pub(super) fn copy(device: &Device, done: &Submitted, picture: &Picture, width: 
             |(to, from)| names.fill(to, from, |layer, instance, face| layer.triangle_of(instance, face), |_| -1, -1),
         );
     }
-    Ok(())
 }
 
 /// The parts of an image's rows that a window covers.

@@ -92,7 +92,7 @@ impl Sampling {
 }
 
 /// Axes of a view: to the right, upwards and ahead.
-pub(super) struct Axes {
+pub(crate) struct Axes {
     pub right: DVec3,
     pub up: DVec3,
     pub ahead: DVec3,

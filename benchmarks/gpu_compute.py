@@ -1,0 +1,119 @@
+"""Run time against error of the kernels on graphics devices: frames that stay there, long arrays, beside the CPU's."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from _harness import OURS, Case, compare, describe
+from _measure import machine
+from nearfar import _core, gpu
+
+SIZE = (1920, 1080)
+PLACE: dict[str, Any] = {"user": (3.0, 1.0, 2.0), "center": (0.0, 1.7, 0.0), "r1": 30.0, "r2": 50.0}
+
+
+def greatest(found: NDArray[Any], expected: NDArray[Any]) -> float:
+    """Difference of what is known."""
+    apart = np.abs(found.astype(np.float64) - expected)
+    return float(np.nanmax(np.where(found == expected, 0.0, apart)))
+
+
+FEW = slice(100_000)
+
+
+def of_first(found: NDArray[Any], expected: NDArray[Any]) -> float:
+    """Difference of the first rows."""
+    return greatest(found[FEW], expected)
+
+
+def share(found: NDArray[Any], expected: NDArray[Any]) -> float:
+    """How many of the first rows differ."""
+    return float((found[FEW] != expected).mean())
+
+
+def frames(label: str) -> None:
+    """Similarity and discontinuity of two pictures of a city that are drawn on the device."""
+    scene = nf.datasets.city(blocks=4, seed=0)
+    fov = nf.Fov.symmetric(90, SIZE[0] / SIZE[1])
+    views = [nf.Camera.look_at((x, 12, 0), (60, 5, 20), fov=fov, size=SIZE) for x in (0.0, 0.5)]
+    one, other = (gpu.render(scene, view, channels=("color", "position")) for view in views)
+    read = one.read(), other.read()
+    mean, similarities = nf.ssim(*read, full=True)
+    cases = [
+        Case(f"{OURS}, on the device", lambda: gpu.ssim(one, other), lambda found: abs(found - mean), peer=False),
+        Case(
+            f"{OURS}, on the device, with map",
+            lambda: gpu.ssim(one, other, full=True),
+            lambda found: greatest(found[1], similarities),
+            peer=False,
+        ),
+        Case("read back, then CPU", lambda: nf.ssim(one.read(), other.read()), lambda found: abs(found - mean)),
+        Case("CPU alone", lambda: nf.ssim(*read), lambda found: abs(found - mean)),
+        Case("reading both back alone", lambda: (one.read(), other.read())),
+    ]
+    print(compare(f"SSIM of two frames of {SIZE[0]} × {SIZE[1]} pixels, {label}", cases))
+    torn = nf.discontinuity(read[0], views[1])
+    of = functools.partial(greatest, expected=torn)
+    tear: list[tuple[str, Callable[[], Any], bool]] = [
+        (f"{OURS}, on the device", lambda: gpu.discontinuity(one, views[1]), False),
+        ("read back, then CPU", lambda: nf.discontinuity(one.read(), views[1]), True),
+        ("CPU alone", lambda: nf.discontinuity(read[0], views[1]), True),
+    ]
+    title = f"Discontinuity of a frame of {SIZE[0]} × {SIZE[1]} pixels, ε = 17, {label}"
+    print(compare(title, [Case(name, job, of, peer=peer) for name, job, peer in tear]))
+
+
+def arrays(label: str) -> None:
+    """Morph and lookup of 10⁷ rows, sent and read back."""
+    random = np.random.default_rng(0)
+    points = (random.random((10_000_000, 3), np.float32) - np.float32(0.5)) * np.float32(150)
+    for kind in ("blend", "cylinder"):
+        exact = nf.morph(points[FEW].astype(np.float64), **PLACE, kind=kind)
+        cases = [
+            Case(
+                f"{OURS}, device",
+                functools.partial(gpu.morph, points, **PLACE, kind=kind),
+                functools.partial(of_first, expected=exact),
+                peer=False,
+            ),
+            Case(
+                "CPU",
+                functools.partial(nf.morph, points, **PLACE, kind=kind),
+                functools.partial(of_first, expected=exact),
+            ),
+        ]
+        print(compare(f"Morph ({kind}) of 10⁷ float32 points, sent and read back, {label}", cases, repeat=3, unit="m"))
+    faces = random.random((6, 1024, 1024), np.float32)
+    for chosen in ("nearest", "max"):
+        expected = nf.cube_lookup(faces, points[FEW], filter=chosen)
+        cases = [
+            Case(
+                f"{OURS}, device",
+                functools.partial(gpu.cube_lookup, faces, points, filter=chosen),
+                functools.partial(share, expected=expected),
+                peer=False,
+            ),
+            Case("CPU", functools.partial(nf.cube_lookup, faces, points, filter=chosen)),
+        ]
+        title = f"Lookup ({chosen}) of 10⁷ directions in faces of 1024 texels, sent and read back, {label}"
+        print(compare(title, cases, repeat=3, unit="share that differ"))
+
+
+def main() -> None:
+    print(machine())
+    print(describe())
+    for backend in sorted({row[1] for row in _core.gpu_adapters() if not row[4]}, reverse=True):
+        device = _core.GpuDevice(backend)
+        gpu.select(backend)
+        frames(device.label)
+        arrays(device.label)
+
+
+if __name__ == "__main__":
+    main()

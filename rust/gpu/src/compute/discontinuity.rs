@@ -1,0 +1,248 @@
+//! How far neighbours in the true picture are torn apart in a frame: Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6. Points are
+//! binned by their place in the truth, then each looks for neighbours in the nine cells around its own.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{DVec3, DVec4};
+use nearfar_core::base::{Error, Progress, Result};
+use nearfar_core::camera::Camera;
+use nearfar_core::metrics::Neighbourhood;
+use wgpu::{BindingResource, BufferUsages, SubmissionIndex};
+
+use super::memory::{Lent, Results, copy};
+use super::programs::{Program, Work, groups};
+use crate::device::Device;
+use crate::draw::{Axes, DeviceFrame};
+
+/// Pairs that are looked at before the caller is asked whether to go on.
+const PAIRS: f64 = 2e9;
+/// Points of each cell that one call looks at: nine times as many are looped over, of the 65,535 that drivers in software
+/// do before they end a loop.
+const SLICE: u32 = 1 << 12;
+/// Least side of a cell, pixels: smaller ones hold next to nothing.
+const LEAST_CELL: f64 = 4.0;
+
+/// The uniform block `Torn` of `compute_discontinuity.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct Told {
+    x: [f32; 4],
+    y: [f32; 4],
+    ahead: [f32; 4],
+    eye_high: [f32; 4],
+    eye_low: [f32; 4],
+    limits: [f32; 4],
+    size: [u32; 4],
+    grid: [u32; 4],
+    slice: [u32; 4],
+}
+
+/// Room for what is known of points on the way.
+struct Bins<'a> {
+    shifts: Lent<'a>,
+    cells: Lent<'a>,
+    counts: Lent<'a>,
+    starts: Lent<'a>,
+    list: Lent<'a>,
+    points: Lent<'a>,
+}
+
+/// δ for each pixel of a frame with positions, NaN where there is none.
+pub fn discontinuity(
+    frame: &DeviceFrame,
+    truth: &Camera,
+    around: Neighbourhood,
+    progress: &Progress,
+) -> Result<Vec<f32>> {
+    for (argument, value) in [("epsilon", around.epsilon), ("min_distance", around.least)] {
+        if !(1e-6..=1e4).contains(&value) {
+            return Err(Error::value(argument, "from a millionth of a pixel to 10,000 pixels", value));
+        }
+    }
+    let device = &**frame.device();
+    let position = frame.position()?;
+    let [width, height] = [frame.camera().width, frame.camera().height];
+    let pixels = width * height;
+    check(device, [width, height])?;
+    progress.expect(u64::from(pixels));
+    // Longer than ε by more than places up to 10⁵ pixels are rounded, so that no neighbour is left out.
+    let cell = (around.epsilon * 1.001 + 0.05).max(LEAST_CELL);
+    let across = |truth: u32, here: u32| ((f64::from(truth) / cell).ceil() as u32 + 2).clamp(3, here / 2 + 3);
+    let grid = [across(truth.width, width), across(truth.height, height)];
+    let cells = grid[0] * grid[1];
+    let bins = Bins::new(device, u64::from(pixels), u64::from(cells))?;
+    let torn = Results::new(device, 4 * u64::from(pixels))?;
+    let most = Results::new(device, 4)?;
+    let told = |first: u32, count: u32, slice: u32| {
+        let told = told(frame, truth, around, [position.first, cells], cell);
+        let told = Told { grid: [grid[0], grid[1], first, count], slice: [slice, SLICE, 0, 0], ..told };
+        device.filled_buffer("discontinuity", bytemuck::cast_slice(&[told]), BufferUsages::UNIFORM)
+    };
+    let all = told(0, pixels, 0)?;
+    let alone = device.kernels.alone();
+    let mut work = Work::new(device);
+    work.encoder.clear_buffer(&bins.counts, 0, None);
+    let positions = position.buffer.as_entire_binding();
+    bins.place(&mut work, &all, positions, [&torn.on_device, &most.on_device], pixels)?;
+    most.bring(&mut work.encoder);
+    work.submit()?;
+    drop(alone);
+    let most = most.read(progress, |bytes| bytes.first_chunk().copied().map_or(0, u32::from_ne_bytes))?;
+    let slices = || (0..most.max(1)).step_by(SLICE as usize);
+    let mut under_way = UnderWay { device, progress, last: None };
+    for slice in slices() {
+        let mut work = Work::new(device);
+        bins.order(&mut work, &told(0, pixels, slice)?, pixels)?;
+        if slice + SLICE >= most {
+            bins.gather(&mut work, &all, pixels)?;
+        }
+        under_way.submit(work, 0)?;
+    }
+    let few = (PAIRS / (9.0 * f64::from(most.clamp(1, SLICE)))).clamp(4096.0, f64::from(1 << 20)) as u32;
+    for first in (0..pixels).step_by(few as usize) {
+        let count = few.min(pixels - first);
+        for slice in slices() {
+            let mut work = Work::new(device);
+            bins.tear(&mut work, &told(first, count, slice)?, &torn.on_device, count)?;
+            let ends = slice + SLICE >= most;
+            if ends && first + count == pixels {
+                torn.bring(&mut work.encoder);
+            }
+            under_way.submit(work, if ends { count } else { 0 })?;
+        }
+    }
+    let mut image = vec![0.0f32; pixels as usize];
+    torn.read(progress, |bytes| copy(bytemuck::cast_slice_mut(&mut image), bytes))?;
+    Ok(image)
+}
+
+/// Work that was handed in last: there is never more than that and what is encoded.
+struct UnderWay<'a> {
+    device: &'a Device,
+    progress: &'a Progress,
+    last: Option<(SubmissionIndex, u32)>,
+}
+
+impl UnderWay<'_> {
+    /// Hands in work that finishes some points, and waits for what was handed in before.
+    fn submit(&mut self, work: Work<'_>, points: u32) -> Result<()> {
+        if let Some((before, points)) = self.last.replace((work.submit()?, points)) {
+            self.device.wait(&before, self.progress)?;
+            self.progress.report(u64::from(points))?;
+        }
+        Ok(())
+    }
+}
+
+fn check(device: &Device, [width, height]: [u32; 2]) -> Result<()> {
+    let (pixels, most) = (u64::from(width) * u64::from(height), device.largest_binding() / 16);
+    if pixels > most {
+        let label = device.report().label();
+        return Err(Error::Device(format!(
+            "{label}: a frame of {width} × {height} pixels, {most} pixels can be sorted; use nearfar.discontinuity"
+        )));
+    }
+    Ok(())
+}
+
+/// Rows that take a point to its place in the truth, and the limits.
+fn told(frame: &DeviceFrame, truth: &Camera, around: Neighbourhood, [first, cells]: [u32; 2], cell: f64) -> Told {
+    let Axes { right, up, ahead, fov } = Axes::of(truth);
+    let (across, down) =
+        (f64::from(truth.width) / (fov.right - fov.left), f64::from(truth.height) / (fov.up - fov.down));
+    let eye = truth.position - frame.origin();
+    let eye_high = eye.as_vec3();
+    let wide = |v: DVec4| v.as_vec4().to_array();
+    let parallel = if truth.is_parallel() { 1.0 } else { 0.0 };
+    let low: DVec3 = eye - eye_high.as_dvec3();
+    Told {
+        x: wide((right * across).extend(-fov.left * across)),
+        y: wide((-up * down).extend(fov.up * down)),
+        ahead: wide(ahead.extend(parallel)),
+        eye_high: eye_high.extend(0.0).to_array(),
+        eye_low: wide(low.extend(0.0)),
+        limits: [around.epsilon * around.epsilon, around.least * around.least, 1.0 / cell, 0.0].map(|x| x as f32),
+        size: [frame.camera().width, frame.camera().width * frame.camera().height, first, cells],
+        grid: [0; 4],
+        slice: [0; 4],
+    }
+}
+
+impl<'a> Bins<'a> {
+    fn new(device: &'a Device, pixels: u64, cells: u64) -> Result<Self> {
+        Ok(Self {
+            shifts: Lent::scratch(device, 8 * pixels)?,
+            cells: Lent::scratch(device, 8 * pixels)?,
+            counts: Lent::scratch(device, 4 * cells)?,
+            starts: Lent::scratch(device, 4 * (cells + 1))?,
+            list: Lent::scratch(device, 4 * pixels)?,
+            points: Lent::scratch(device, 16 * pixels)?,
+        })
+    }
+
+    /// Puts the pixels of each cell side by side, in any order.
+    fn place(
+        &self,
+        work: &mut Work<'_>,
+        told: &wgpu::Buffer,
+        positions: BindingResource<'_>,
+        [torn, most]: [&Lent<'_>; 2],
+        pixels: u32,
+    ) -> Result<()> {
+        let told = (0, told.as_entire_binding());
+        let cells = (3, self.cells.binding());
+        let [counts, starts] = [(4, self.counts.binding()), (5, self.starts.binding())];
+        let place = [
+            told.clone(),
+            (1, positions),
+            (2, self.shifts.binding()),
+            cells.clone(),
+            counts.clone(),
+            (8, torn.binding()),
+        ];
+        work.run(&program("discontinuity_place"), &place, groups(pixels))?;
+        let add_up = [told.clone(), counts, starts.clone(), (9, most.binding())];
+        work.run(&program("discontinuity_add_up"), &add_up, [1, 1])?;
+        let scatter = [told, cells, starts, (6, self.list.binding())];
+        work.run(&program("discontinuity_scatter"), &scatter, groups(pixels))
+    }
+
+    /// Counts which pixels of a slice of each cell come before.
+    fn order(&self, work: &mut Work<'_>, told: &wgpu::Buffer, pixels: u32) -> Result<()> {
+        let resources = [
+            (0, told.as_entire_binding()),
+            (3, self.cells.binding()),
+            (5, self.starts.binding()),
+            (6, self.list.binding()),
+        ];
+        work.run(&program("discontinuity_order"), &resources, groups(pixels))
+    }
+
+    /// Puts what is known of points where pairs are looked for.
+    fn gather(&self, work: &mut Work<'_>, told: &wgpu::Buffer, pixels: u32) -> Result<()> {
+        let resources = [
+            (0, told.as_entire_binding()),
+            (2, self.shifts.binding()),
+            (3, self.cells.binding()),
+            (5, self.starts.binding()),
+            (7, self.points.binding()),
+        ];
+        work.run(&program("discontinuity_gather"), &resources, groups(pixels))
+    }
+
+    /// Adds the neighbours in a slice of each cell to those of some points.
+    fn tear(&self, work: &mut Work<'_>, told: &wgpu::Buffer, torn: &Lent<'_>, count: u32) -> Result<()> {
+        let resources = [
+            (0, told.as_entire_binding()),
+            (2, self.shifts.binding()),
+            (3, self.cells.binding()),
+            (5, self.starts.binding()),
+            (7, self.points.binding()),
+            (8, torn.binding()),
+        ];
+        work.run(&program("discontinuity_tear"), &resources, groups(count))
+    }
+}
+
+fn program(entry: &'static str) -> Program<'static> {
+    Program { text: &[include_str!("../shaders/compute_discontinuity.wgsl")], entry, constants: &[], group: 0 }
+}

@@ -1,0 +1,141 @@
+//! Buffers of kernels, lent again and again, and the ways to and from the processor.
+
+use std::ops::Deref;
+use std::sync::PoisonError;
+
+use nearfar_core::base::{Progress, Result};
+use rayon::prelude::*;
+use wgpu::{Buffer, BufferUsages, CommandEncoder, MapMode};
+
+use crate::device::{Device, Written};
+
+/// Most buffers, and most bytes of them, that wait for the next call.
+const KEPT: usize = 24;
+const KEPT_BYTES: u64 = 1 << 28;
+/// Bytes that one thread copies at a time.
+const PIECE: usize = 1 << 20;
+
+/// A buffer that goes back to the others once it is dropped. What uses it next comes later in the queue.
+pub(super) struct Lent<'a> {
+    device: &'a Device,
+    buffer: Buffer,
+    usage: BufferUsages,
+    bytes: u64,
+}
+
+impl<'a> Lent<'a> {
+    /// Room for kernels alone.
+    pub fn scratch(device: &'a Device, bytes: u64) -> Result<Self> {
+        Self::new(device, "scratch", bytes, BufferUsages::STORAGE | BufferUsages::COPY_DST)
+    }
+
+    /// Room that the processor fills.
+    pub fn input(device: &'a Device, bytes: u64) -> Result<Self> {
+        let way_in = if device.shares_memory { BufferUsages::MAP_WRITE } else { BufferUsages::COPY_DST };
+        Self::new(device, "input", bytes, BufferUsages::STORAGE | way_in)
+    }
+
+    fn new(device: &'a Device, label: &str, bytes: u64, usage: BufferUsages) -> Result<Self> {
+        let bytes = bytes.next_multiple_of(16).max(256);
+        let fits = |buffer: &Buffer| buffer.usage() == usage && (bytes..=2 * bytes).contains(&buffer.size());
+        let mut spare = device.kernels.spare.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = spare.iter().position(fits).map(|found| spare.remove(found));
+        drop(spare);
+        let buffer = match found {
+            Some(buffer) => buffer,
+            None => device.buffer(label, bytes, usage)?,
+        };
+        Ok(Self { device, buffer, usage, bytes })
+    }
+
+    /// Fills its beginning.
+    pub fn fill(&self, bytes: &[u8], progress: &Progress) -> Result<()> {
+        let length = bytes.len() as u64;
+        self.device.count(Written::UploadedBytes, length);
+        if !self.usage.contains(BufferUsages::MAP_WRITE) {
+            self.device.queue.write_buffer(self, 0, bytes);
+            return Ok(());
+        }
+        let room = length.next_multiple_of(8);
+        self.device.open_buffer(self, room, MapMode::Write, progress)?;
+        let filled = match self.get_mapped_range_mut(..room) {
+            Ok(mut view) => {
+                view.slice(..bytes.len()).copy_from_slice(bytes);
+                Ok(())
+            }
+            Err(error) => Err(self.device.failure(&error)),
+        };
+        self.unmap();
+        filled
+    }
+
+    /// As it is bound: no more of it than was asked for.
+    pub fn binding(&self) -> wgpu::BindingResource<'_> {
+        let size = std::num::NonZeroU64::new(self.bytes);
+        wgpu::BindingResource::Buffer(wgpu::BufferBinding { buffer: self, offset: 0, size })
+    }
+}
+
+impl Deref for Lent<'_> {
+    type Target = Buffer;
+
+    fn deref(&self) -> &Buffer {
+        &self.buffer
+    }
+}
+
+impl Drop for Lent<'_> {
+    fn drop(&mut self) {
+        let mut spare = self.device.kernels.spare.lock().unwrap_or_else(PoisonError::into_inner);
+        spare.push(self.buffer.clone());
+        while spare.len() > KEPT || spare.iter().map(Buffer::size).sum::<u64>() > KEPT_BYTES {
+            spare.remove(0);
+        }
+    }
+}
+
+/// What a kernel writes for the processor.
+pub(super) struct Results<'a> {
+    pub on_device: Lent<'a>,
+    staging: Option<Lent<'a>>,
+    bytes: u64,
+}
+
+impl<'a> Results<'a> {
+    pub fn new(device: &'a Device, bytes: u64) -> Result<Self> {
+        let stays = BufferUsages::STORAGE | BufferUsages::COPY_SRC | BufferUsages::COPY_DST;
+        let read = BufferUsages::MAP_READ;
+        let (usage, passes) = if device.shares_memory { (stays | read, false) } else { (stays, true) };
+        let staging = || Lent::new(device, "read-back", bytes, read | BufferUsages::COPY_DST);
+        Ok(Self {
+            on_device: Lent::new(device, "results", bytes, usage)?,
+            staging: passes.then(staging).transpose()?,
+            bytes,
+        })
+    }
+
+    /// To be encoded behind the kernel.
+    pub fn bring(&self, encoder: &mut CommandEncoder) {
+        if let Some(staging) = &self.staging {
+            encoder.copy_buffer_to_buffer(&self.on_device, 0, staging, 0, self.bytes.next_multiple_of(4));
+        }
+    }
+
+    /// Waits for the results and hands them over.
+    pub fn read<R>(&self, progress: &Progress, take: impl FnOnce(&[u8]) -> R) -> Result<R> {
+        let (device, buffer) = (self.on_device.device, self.staging.as_ref().unwrap_or(&self.on_device));
+        let room = self.bytes.next_multiple_of(8);
+        device.open_buffer(buffer, room, MapMode::Read, progress)?;
+        let taken = match buffer.get_mapped_range(..room) {
+            Ok(view) => Ok(take(&view[..self.bytes as usize])),
+            Err(error) => Err(device.failure(&error)),
+        };
+        buffer.unmap();
+        taken
+    }
+}
+
+/// A copy by all threads.
+pub(super) fn copy(to: &mut [u8], from: &[u8]) {
+    to.par_chunks_mut(PIECE).zip(from.par_chunks(PIECE)).for_each(|(to, from)| to.copy_from_slice(from));
+}

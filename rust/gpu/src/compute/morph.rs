@@ -1,0 +1,67 @@
+//! The morph of long arrays of float32 points.
+
+use bytemuck::{Pod, Zeroable};
+use glam::DVec3;
+use nearfar_core::base::{Progress, Result};
+use nearfar_core::morph::{Kind, Morph};
+use wgpu::BufferUsages;
+
+use super::programs::{Program, groups};
+use super::stream::stream;
+use crate::device::Device;
+
+/// The uniform block `Morph` of `compute_morph.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct Told {
+    center_high: [f32; 4],
+    center_low: [f32; 4],
+    offset: [f32; 4],
+    radii: [f32; 4],
+    count: [u32; 4],
+}
+
+/// Writes where points are shown.
+pub fn morph(
+    device: &Device,
+    morph: &Morph,
+    points: &[[f32; 3]],
+    shown: &mut [[f32; 3]],
+    progress: &Progress,
+) -> Result<()> {
+    device.check()?;
+    let program = Program {
+        text: &[include_str!("../shaders/compute_morph.wgsl")],
+        entry: match morph.kind {
+            Kind::Blend => "morph_blend",
+            Kind::Cylinder => "morph_cylinder",
+        },
+        constants: &[],
+        group: 0,
+    };
+    let out = (bytemuck::cast_slice_mut(shown), size_of::<[f32; 3]>());
+    stream(device, points, out, progress, |work, input, results, rows| {
+        let told =
+            device.filled_buffer("morph", bytemuck::cast_slice(&[told(morph, rows.len())]), BufferUsages::UNIFORM)?;
+        let resources = [(0, told.as_entire_binding()), (1, input.binding()), (2, results.binding())];
+        work.run(&program, &resources, groups(rows.len() as u32))
+    })
+}
+
+fn told(morph: &Morph, points: usize) -> Told {
+    // O as the sum of two numbers: float32 alone would be off by metres at 10⁷ m.
+    let high = morph.center.as_vec3();
+    let low = (morph.center - high.as_dvec3()).as_vec3();
+    let offset: DVec3 = morph.user - morph.center;
+    let wide = |v: DVec3, w: f64| v.as_vec3().extend(w as f32).to_array();
+    // Where both radii are 0 nothing is near: w is 0, and no point stays.
+    let slope = if morph.r2 > 0.0 { 1.0 / (morph.r2 - morph.r1) } else { 0.0 };
+    let stays = if morph.r2 > 0.0 { morph.r1 } else { -1.0 };
+    Told {
+        center_high: high.extend(0.0).to_array(),
+        center_low: low.extend(0.0).to_array(),
+        offset: wide(offset, offset.length_squared()),
+        radii: [stays, morph.r2, slope, offset.x.hypot(offset.z)].map(|x| x as f32),
+        count: [points as u32, 0, 0, 0],
+    }
+}

@@ -1,0 +1,111 @@
+//! Compute shaders, each compiled once on a device, and work that calls them.
+
+use std::sync::{Arc, PoisonError};
+
+use nearfar_core::base::Result;
+use wgpu::{
+    BindGroupDescriptor, BindGroupEntry, BindingResource, CommandEncoder, CommandEncoderDescriptor,
+    ComputePassDescriptor, ComputePipeline, ComputePipelineDescriptor, PipelineCompilationOptions,
+    ShaderModuleDescriptor, ShaderSource, SubmissionIndex,
+};
+
+use super::Kernels;
+use crate::device::{Device, Scope};
+
+/// What tells compiled programs apart: names of entry points are given once.
+pub(super) type Key = (&'static str, Vec<(&'static str, u32)>);
+
+/// Workgroups in a row: what has more takes several rows.
+pub(super) const ROW: u32 = 1 << 15;
+/// Rows, pixels or points of one workgroup.
+pub(super) const GROUP: u32 = 256;
+
+/// An entry point of a shader.
+pub(super) struct Program<'a> {
+    /// The shader's text.
+    pub text: &'a [&'static str],
+    pub entry: &'static str,
+    /// Numbers that are known when it is compiled.
+    pub constants: &'a [(&'static str, u32)],
+    /// The group that it binds.
+    pub group: u32,
+}
+
+impl Kernels {
+    fn pipeline(&self, device: &Device, program: &Program<'_>) -> Result<Arc<ComputePipeline>> {
+        let key = (program.entry, program.constants.to_vec());
+        let mut known = self.pipelines.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(pipeline) = known.get(&key) {
+            return Ok(Arc::clone(pipeline));
+        }
+        let constants = [("ROW", ROW), ("GROUP", GROUP)];
+        let constants = constants.iter().chain(program.constants);
+        let mut text: String = constants.map(|(name, value)| format!("const {name}: u32 = {value}u;\n")).collect();
+        text.extend(program.text.iter().copied());
+        let scope = Scope::open(device);
+        let source = ShaderSource::Wgsl(text.into());
+        let module = device.wgpu.create_shader_module(ShaderModuleDescriptor { label: Some(program.entry), source });
+        let pipeline = device.wgpu.create_compute_pipeline(&ComputePipelineDescriptor {
+            label: Some(program.entry),
+            layout: None,
+            module: &module,
+            entry_point: Some(program.entry),
+            compilation_options: PipelineCompilationOptions::default(),
+            cache: None,
+        });
+        scope.close()?;
+        let pipeline = Arc::new(pipeline);
+        known.insert(key, Arc::clone(&pipeline));
+        Ok(pipeline)
+    }
+}
+
+/// Commands that are handed in at once.
+pub(super) struct Work<'a> {
+    device: &'a Device,
+    pub encoder: CommandEncoder,
+    scope: Scope<'a>,
+}
+
+impl<'a> Work<'a> {
+    pub fn new(device: &'a Device) -> Self {
+        let encoder = device.wgpu.create_command_encoder(&CommandEncoderDescriptor { label: Some("compute") });
+        Self { device, encoder, scope: Scope::open(device) }
+    }
+
+    /// Encodes a program; resources come with their numbers.
+    pub fn run(
+        &mut self,
+        program: &Program<'_>,
+        resources: &[(u32, BindingResource<'_>)],
+        groups: [u32; 2],
+    ) -> Result<()> {
+        let pipeline = self.device.kernels.pipeline(self.device, program)?;
+        let entries: Vec<_> = resources
+            .iter()
+            .map(|(binding, resource)| BindGroupEntry { binding: *binding, resource: resource.clone() })
+            .collect();
+        let layout = pipeline.get_bind_group_layout(program.group);
+        let descriptor = BindGroupDescriptor { label: None, layout: &layout, entries: &entries };
+        let bound = self.device.wgpu.create_bind_group(&descriptor);
+        let descriptor = ComputePassDescriptor { label: Some(program.entry), ..ComputePassDescriptor::default() };
+        let mut pass = self.encoder.begin_compute_pass(&descriptor);
+        pass.set_pipeline(&pipeline);
+        pass.set_bind_group(program.group, &bound, &[]);
+        pass.dispatch_workgroups(groups[0], groups[1], 1);
+        Ok(())
+    }
+
+    /// Hands it in.
+    pub fn submit(self) -> Result<SubmissionIndex> {
+        let submission = self.device.queue.submit([self.encoder.finish()]);
+        self.scope.close()?;
+        Ok(submission)
+    }
+}
+
+/// Workgroups for a number of rows, points or pixels.
+pub(super) fn groups(count: u32) -> [u32; 2] {
+    let groups = count.div_ceil(GROUP).max(1);
+    [groups.min(ROW), groups.div_ceil(ROW)]
+}

@@ -1,0 +1,141 @@
+//! Structural similarity of two frames. Wang, Bovik, Sheikh, Simoncelli (2004), of the sRGB-encoded Rec. 709 luma with a
+//! range of 1, with moments as `metrics::moments` takes them.
+
+use bytemuck::{Pod, Zeroable};
+use nearfar_core::base::{Error, Progress, Result};
+use nearfar_core::metrics::Window;
+use wgpu::BufferUsages;
+
+use super::memory::{Lent, Results, copy};
+use super::programs::{Program, Work, groups};
+use crate::draw::DeviceFrame;
+
+/// Most pixels across a window: what a workgroup sees must fit into 16 KiB.
+pub const MOST_TAPS: usize = 17;
+/// Windows across a workgroup.
+const TILE: u32 = 16;
+/// (k₁ L)² and (k₂ L)² with Wang's k₁ = 0.01, k₂ = 0.03.
+const CONSTANTS: [f64; 2] = [1e-4, 9e-4];
+
+/// The uniform block `Similarity` of `compute_similarity.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct Told {
+    size: [u32; 4],
+    first: [u32; 4],
+    inside: [u32; 4],
+    constants: [f32; 4],
+    weights: [[f32; 4]; 5],
+}
+
+/// How alike two frames are.
+pub struct Compared {
+    /// Over the windows that lie within the picture, or over all where none does.
+    pub mean: f64,
+    /// Around each pixel, where it was wanted.
+    pub map: Option<Vec<f32>>,
+}
+
+/// Compares the colour of two frames of one device and size.
+pub fn similarity(
+    [reference, test]: [&DeviceFrame; 2],
+    window: &Window,
+    full: bool,
+    progress: &Progress,
+) -> Result<Compared> {
+    let device = &**reference.device();
+    let weights = weights(window)?;
+    let size = check(reference, test)?;
+    let pixels = size[0] * size[1];
+    let inside = inside(size, weights.len() as u32);
+    let tiles = size.map(|length| length.div_ceil(TILE));
+    let colors = [reference.color()?, test.color()?];
+    let mut told = Told {
+        size: [size[0], size[1], pixels, tiles[0]],
+        first: [colors[0].first, colors[1].first, 0, 0],
+        inside,
+        constants: [CONSTANTS[0] as f32, CONSTANTS[1] as f32, 0.0, 0.0],
+        weights: [[0.0; 4]; 5],
+    };
+    for (slot, &weight) in told.weights.as_flattened_mut().iter_mut().zip(&weights) {
+        *slot = weight as f32;
+    }
+    let told = device.filled_buffer("similarity", bytemuck::cast_slice(&[told]), BufferUsages::UNIFORM)?;
+    let planes = Lent::scratch(device, 8 * u64::from(pixels))?;
+    let sums = Results::new(device, 4 * u64::from(tiles[0]) * u64::from(tiles[1]))?;
+    let map = full.then(|| Results::new(device, 4 * u64::from(pixels))).transpose()?;
+    let program = |entry| Program {
+        text: &[include_str!("../shaders/compute_similarity.wgsl")],
+        entry,
+        constants: &[],
+        group: 0,
+    };
+    let taps = [("TAPS", weights.len() as u32)];
+    let alone = device.kernels.alone();
+    let mut work = Work::new(device);
+    let luma = [
+        (0, told.as_entire_binding()),
+        (1, colors[0].buffer.as_entire_binding()),
+        (2, colors[1].buffer.as_entire_binding()),
+        (3, planes.binding()),
+    ];
+    work.run(&Program { constants: &taps, ..program("similarity_luma") }, &luma, groups(pixels))?;
+    let mut moments = vec![(0, told.as_entire_binding()), (3, planes.binding()), (4, sums.on_device.binding())];
+    moments.extend(map.as_ref().map(|map| (5, map.on_device.binding())));
+    let entry = if full { "similarity_map" } else { "similarity_sums" };
+    work.run(&Program { constants: &taps, ..program(entry) }, &moments, tiles)?;
+    sums.bring(&mut work.encoder);
+    if let Some(map) = &map {
+        map.bring(&mut work.encoder);
+    }
+    work.submit()?;
+    drop(alone);
+    let lost: f64 = sums.read(progress, |bytes| {
+        let sums: &[f32] = bytemuck::cast_slice(bytes);
+        sums.iter().map(|&sum| f64::from(sum)).sum()
+    })?;
+    let [left, top, right, bottom] = inside.map(f64::from);
+    let map = map.map(|map| {
+        let mut values = vec![0.0f32; pixels as usize];
+        map.read(progress, |bytes| copy(bytemuck::cast_slice_mut(&mut values), bytes)).map(|()| values)
+    });
+    Ok(Compared { mean: 1.0 - lost / ((right - left) * (bottom - top)), map: map.transpose()? })
+}
+
+fn weights(window: &Window) -> Result<Vec<f64>> {
+    match window {
+        Window::Weights(weights) if (1..=MOST_TAPS).contains(&weights.len()) => Ok(weights.clone()),
+        Window::Weights(weights) => {
+            Err(Error::value("size", format!("1 to {MOST_TAPS} pixels across the window"), weights.len()))
+        }
+        Window::Global => Err(Error::value("window", "'gaussian' or 'uniform'", "'global'")),
+    }
+}
+
+/// Width and height of both.
+fn check(reference: &DeviceFrame, test: &DeviceFrame) -> Result<[u32; 2]> {
+    if !std::ptr::eq(&**reference.device(), &**test.device()) {
+        let label = |frame: &DeviceFrame| frame.device().report().label();
+        return Err(Error::value(
+            "test",
+            format!("a frame on {}", label(reference)),
+            format!("one on {}", label(test)),
+        ));
+    }
+    let size = |frame: &DeviceFrame| [frame.camera().width, frame.camera().height];
+    let (expected, got) = (size(reference), size(test));
+    if expected != got {
+        let words = |[width, height]: [u32; 2]| format!("{width} × {height} pixels");
+        return Err(Error::value("test", words(expected), words(got)));
+    }
+    Ok(expected)
+}
+
+/// Where windows count: first column and row, and behind the last.
+fn inside([width, height]: [u32; 2], taps: u32) -> [u32; 4] {
+    if width < taps || height < taps {
+        return [0, 0, width, height];
+    }
+    let (before, after) = (taps / 2, taps - 1 - taps / 2);
+    [before, before, width - after, height - after]
+}

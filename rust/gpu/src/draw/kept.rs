@@ -1,0 +1,138 @@
+//! A frame that stays on the device: kernels read it where it lies, and it comes back when somebody asks.
+
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+
+use glam::DVec3;
+use nearfar_core::base::{Error, Progress, Result};
+use nearfar_core::camera::Camera;
+use nearfar_core::render::{Channels, Frame};
+use wgpu::PollType;
+
+use super::job::Submitted;
+use super::{Job, Picture, read};
+use crate::device::Device;
+
+/// A frame's images as the device holds them. Its slot is lent again once it is dropped.
+pub struct DeviceFrame {
+    device: Arc<Device>,
+    picture: Picture,
+    camera: Camera,
+    channels: Channels,
+    done: Option<Submitted>,
+}
+
+/// Where in a buffer a channel lies.
+pub(crate) struct Section<'a> {
+    pub buffer: &'a wgpu::Buffer,
+    /// Its first word.
+    pub first: u32,
+}
+
+impl Job {
+    /// Leaves the frame on the device. Nothing is waited for: what reads it comes after it in the queue.
+    pub fn keep(mut self, progress: &Progress) -> Result<DeviceFrame> {
+        let whole = self.waiting.is_empty() && self.submitted.len() == 1;
+        let Some(done) = self.submitted.pop_front().filter(|_| whole) else {
+            return Err(self.too_large());
+        };
+        // It was asked for by way of precaution; kernels can't read what is open to the processor.
+        done.slot.readable().unmap();
+        progress.report(done.window.pixels() as u64)?;
+        let Self { device, picture, camera, channels, .. } = self;
+        Ok(DeviceFrame { device, picture, camera, channels, done: Some(done) })
+    }
+
+    fn too_large(&self) -> Error {
+        let (per_pixel, side) = self.shape;
+        let (label, most) = (self.device.report().label(), self.device.largest_binding() / per_pixel.max(1));
+        let Camera { width, height, .. } = self.camera;
+        Error::Device(format!(
+            "{label}: {width} × {height} pixels can't stay on it, {most} in these channels and {side} each way can; \
+             use a smaller size, fewer channels, or backend='cpu'"
+        ))
+    }
+}
+
+impl DeviceFrame {
+    /// Where it is.
+    pub fn device(&self) -> &Arc<Device> {
+        &self.device
+    }
+
+    /// The view.
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// World position that points are relative to.
+    pub fn origin(&self) -> DVec3 {
+        self.picture.origin
+    }
+
+    /// Its images, as the processor has them.
+    pub fn read(&self, progress: &Progress) -> Result<Frame> {
+        let done = self.done()?;
+        let pixels = done.window.pixels();
+        progress.expect(pixels as u64);
+        let mut frame = Frame::new(self.channels, pixels)?;
+        read::fill(&self.words(done, progress)?, done, &self.picture, self.camera.width, &mut frame);
+        progress.report(pixels as u64)?;
+        Ok(frame)
+    }
+
+    /// The output as it is. Copied at once by this thread alone: where it waits for others, it may be given work that
+    /// wants to be alone as well.
+    fn words(&self, done: &Submitted, progress: &Progress) -> Result<Vec<u32>> {
+        let (readable, room) = (done.slot.readable(), done.slot.shape.bytes.next_multiple_of(8));
+        let _alone = self.device.kernels.alone();
+        self.device.open_buffer(readable, room, wgpu::MapMode::Read, progress)?;
+        let words = match readable.get_mapped_range(..room) {
+            Ok(view) => {
+                let mut words = vec![0; view.len() / size_of::<u32>()];
+                bytemuck::cast_slice_mut(&mut words).copy_from_slice(&view);
+                Ok(words)
+            }
+            Err(error) => Err(self.device.failure(&error)),
+        };
+        readable.unmap();
+        words
+    }
+
+    /// Linear colour, three words for each pixel.
+    pub(crate) fn color(&self) -> Result<Section<'_>> {
+        self.section(0, "color")
+    }
+
+    /// Points relative to the origin, three words for each pixel.
+    pub(crate) fn position(&self) -> Result<Section<'_>> {
+        self.section(3, "position")
+    }
+
+    fn section(&self, channel: usize, name: &str) -> Result<Section<'_>> {
+        let done = self.done()?;
+        match done.outputs[channel] {
+            u32::MAX => Err(Error::value("frame", format!("one with {name}"), "one without")),
+            first => Ok(Section { buffer: &done.slot.output, first }),
+        }
+    }
+
+    fn done(&self) -> Result<&Submitted> {
+        self.device.check()?;
+        self.done.as_ref().ok_or_else(|| self.device.failure(&"a frame without a slot"))
+    }
+}
+
+impl Drop for DeviceFrame {
+    fn drop(&mut self) {
+        let Some(done) = self.done.take() else { return };
+        // Answers come with a poll.
+        let polled = self.device.wgpu.poll(PollType::Poll);
+        let [opened, refused] = [0, 1].map(|i: usize| done.opened[i].load(Ordering::Acquire));
+        // Of the two that were asked for, the output was closed again, and may have been so before it was open. The other
+        // one, the way in, must be open for the next frame.
+        if polled.is_ok() && !self.device.is_lost() && opened > 0 && opened + refused == 2 {
+            self.device.slots.give_back(done.slot);
+        }
+    }
+}

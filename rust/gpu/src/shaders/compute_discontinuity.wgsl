@@ -1,0 +1,209 @@
+// Discontinuity, Eq. 5-6 of Popescu, Lee, Choi, Fahmy (2022): points binned by their place in the truth, then every pair
+// of neighbours.
+
+struct Torn {
+    // Image position in the truth of a point relative to its eye: dot(xyz) / depth + w, and depth by the third.
+    x: vec4<f32>,
+    y: vec4<f32>,
+    // w: 1 for parallel rays.
+    ahead: vec4<f32>,
+    // The truth's eye as the sum of two numbers.
+    eye_high: vec4<f32>,
+    eye_low: vec4<f32>,
+    // Squared epsilon, squared least distance, 1 / a cell's side.
+    limits: vec4<f32>,
+    // Width, pixels, first word of positions, cells.
+    size: vec4<u32>,
+    // Cells across and down: those beyond are the first ones again. First point and how many this call takes.
+    grid: vec4<u32>,
+    // Of each cell the points from one number on, and how many: drivers in software end loops after 65,535 turns.
+    slice: vec4<u32>,
+}
+
+@group(0) @binding(0) var<uniform> told: Torn;
+@group(0) @binding(1) var<storage, read> frame: array<u32>;
+// From each pixel to its point's place in the truth; later the sum over its neighbours, and how many these are.
+@group(0) @binding(2) var<storage, read_write> shifts: array<vec2<f32>>;
+// Cell of each pixel's point, and its number there: first as it came, then in order of pixels.
+@group(0) @binding(3) var<storage, read_write> cells: array<vec2<u32>>;
+@group(0) @binding(4) var<storage, read_write> counts: array<atomic<u32>>;
+// Of each cell, and behind the last.
+@group(0) @binding(5) var<storage, read_write> starts: array<u32>;
+// Pixels, cell by cell.
+@group(0) @binding(6) var<storage, read_write> list: array<u32>;
+// Pixel's centre and shift, cell by cell, in order of pixels.
+@group(0) @binding(7) var<storage, read_write> points: array<vec4<f32>>;
+@group(0) @binding(8) var<storage, read_write> torn: array<u32>;
+// Most points of a cell.
+@group(0) @binding(9) var<storage, read_write> most: array<u32>;
+
+const NONE: u32 = 0xffffffffu;
+const NAN: u32 = 0x7fc00000u;
+const EXPONENT: u32 = 0x7f800000u;
+// Pixels from which on no neighbours are looked for.
+const FARTHEST: f32 = 1e7;
+
+fn number_of(group: vec3<u32>, local: u32) -> u32 {
+    return (group.y * ROW + group.x) * GROUP + local;
+}
+
+fn center_of(pixel: u32) -> vec2<f32> {
+    return vec2<f32>(f32(pixel % told.size.x), f32(pixel / told.size.x)) + 0.5;
+}
+
+// Told by bits: compilers may assume that there are numbers only.
+fn is_finite(bits: u32) -> bool {
+    return (bits & EXPONENT) != EXPONENT;
+}
+
+@compute @workgroup_size(GROUP)
+fn discontinuity_place(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    let pixel = number_of(group, local);
+    if pixel >= told.size.y {
+        return;
+    }
+    torn[pixel] = NAN;
+    cells[pixel] = vec2<u32>(NONE, 0u);
+    let at = told.size.z + 3u * pixel;
+    let words = vec3<u32>(frame[at], frame[at + 1u], frame[at + 2u]);
+    if !(is_finite(words.x) && is_finite(words.y) && is_finite(words.z)) {
+        return;
+    }
+    let from_eye = (bitcast<vec3<f32>>(words) - told.eye_high.xyz) - told.eye_low.xyz;
+    let depth = dot(from_eye, told.ahead.xyz);
+    if depth <= 0.0 {
+        return;
+    }
+    let by = select(depth, 1.0, told.ahead.w > 0.0);
+    let place = vec2<f32>(dot(from_eye, told.x.xyz), dot(from_eye, told.y.xyz)) / by + vec2<f32>(told.x.w, told.y.w);
+    let bits = bitcast<vec2<u32>>(place);
+    if !is_finite(bits.x) || !is_finite(bits.y) || max(abs(place.x), abs(place.y)) >= FARTHEST {
+        return;
+    }
+    shifts[pixel] = place - center_of(pixel);
+    let cell = vec2<i32>(floor(place * told.limits.z));
+    let wrapped = wrap(cell.x, told.grid.x) + told.grid.x * wrap(cell.y, told.grid.y);
+    cells[pixel] = vec2<u32>(wrapped, atomicAdd(&counts[wrapped], 1u));
+}
+
+// OpenGL's remainders of negative numbers may be anything.
+fn wrap(i: i32, length: u32) -> u32 {
+    return select(u32(i) % length, length - 1u - u32(-1 - i) % length, i < 0);
+}
+
+var<workgroup> parts: array<u32, GROUP>;
+var<workgroup> fullest: array<u32, GROUP>;
+
+// Where each cell's points begin: one workgroup, each of whose threads adds up a run of cells.
+@compute @workgroup_size(GROUP)
+fn discontinuity_add_up(@builtin(local_invocation_index) local: u32) {
+    let run = (told.size.w + GROUP - 1u) / GROUP;
+    let first = min(local * run, told.size.w);
+    let last = min(first + run, told.size.w);
+    var sum = 0u;
+    var full = 0u;
+    for (var cell = first; cell < last; cell++) {
+        let count = atomicLoad(&counts[cell]);
+        sum += count;
+        full = max(full, count);
+    }
+    parts[local] = sum;
+    fullest[local] = full;
+    workgroupBarrier();
+    if local == 0u {
+        var before = 0u;
+        for (var i = 0u; i < GROUP; i++) {
+            let own = parts[i];
+            parts[i] = before;
+            before += own;
+            full = max(full, fullest[i]);
+        }
+        most[0] = full;
+        starts[told.size.w] = before;
+    }
+    workgroupBarrier();
+    var start = parts[local];
+    for (var cell = first; cell < last; cell++) {
+        starts[cell] = start;
+        start += atomicLoad(&counts[cell]);
+    }
+}
+
+@compute @workgroup_size(GROUP)
+fn discontinuity_scatter(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    let pixel = number_of(group, local);
+    if pixel < told.size.y && cells[pixel].x != NONE {
+        list[starts[cells[pixel].x] + cells[pixel].y] = pixel;
+    }
+}
+
+// The order in which points came to their cell is chance; by their pixels it is always one, and so are sums.
+@compute @workgroup_size(GROUP)
+fn discontinuity_order(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    let number = number_of(group, local);
+    if number >= starts[told.size.w] {
+        return;
+    }
+    let pixel = list[number];
+    let cell = cells[pixel].x;
+    var before = select(cells[pixel].y, 0u, told.slice.x == 0u);
+    let slice = slice_of(cell);
+    for (var other = slice.x; other < slice.y; other++) {
+        before += select(0u, 1u, list[other] < pixel);
+    }
+    cells[pixel].y = before;
+}
+
+// First point of a cell's slice, and the one behind its last.
+fn slice_of(cell: u32) -> vec2<u32> {
+    let end = starts[cell + 1u];
+    let first = min(starts[cell] + told.slice.x, end);
+    return vec2<u32>(first, min(first + told.slice.y, end));
+}
+
+@compute @workgroup_size(GROUP)
+fn discontinuity_gather(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    let pixel = number_of(group, local);
+    if pixel < told.size.y && cells[pixel].x != NONE {
+        points[starts[cells[pixel].x] + cells[pixel].y] = vec4<f32>(center_of(pixel), shifts[pixel]);
+    }
+}
+
+@compute @workgroup_size(GROUP)
+fn discontinuity_tear(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    let number = number_of(group, local);
+    if number >= told.grid.w || told.grid.z + number >= starts[told.size.w] {
+        return;
+    }
+    let own = told.grid.z + number;
+    let point = points[own];
+    let pixel = u32(point.y) * told.size.x + u32(point.x);
+    let cell = vec2<u32>(cells[pixel].x % told.grid.x, cells[pixel].x / told.grid.x);
+    // Sum, and how many.
+    var found = vec2<f32>(0.0);
+    if told.slice.x > 0u {
+        found = shifts[pixel];
+    }
+    for (var i = 0u; i < 9u; i++) {
+        // From the one before to the one behind, around the grid's end.
+        let beside = (cell + told.grid.xy - 1u + vec2<u32>(i % 3u, i / 3u)) % told.grid.xy;
+        let slice = slice_of(beside.x + told.grid.x * beside.y);
+        // A cell at a time, so that long sums lose no digits.
+        var part = vec2<f32>(0.0);
+        for (var other = slice.x; other < slice.y; other++) {
+            let there = points[other];
+            let apart = there.xy - point.xy;
+            let truly = apart + (there.zw - point.zw);
+            let shown = dot(apart, apart);
+            let truth = dot(truly, truly);
+            if truth < told.limits.x && other != own {
+                part += vec2<f32>(sqrt(shown / max(truth, told.limits.y)) - 1.0, 1.0);
+            }
+        }
+        found += part;
+    }
+    shifts[pixel] = found;
+    if found.y > 0.0 {
+        torn[pixel] = bitcast<u32>(found.x / found.y);
+    }
+}

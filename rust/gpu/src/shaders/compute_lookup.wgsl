@@ -1,0 +1,105 @@
+// Ranges of a cube map along directions: the texel, or the least or greatest of those that `taps_of` finds.
+
+struct Lookup {
+    // Texels across a face, values of a texel.
+    map: vec4<u32>,
+    // Directions, and how many there are from the first of these on.
+    rows: vec4<u32>,
+}
+
+@group(2) @binding(0) var<uniform> lookup: Lookup;
+@group(2) @binding(1) var<storage, read> faces: array<u32>;
+@group(2) @binding(2) var<storage, read> directions: array<f32>;
+@group(2) @binding(3) var<storage, read_write> values: array<u32>;
+@group(2) @binding(4) var<storage, read_write> wrong: atomic<u32>;
+
+// Weights below this may be rounding.
+const NEGLIGIBLE: f32 = 1e-10;
+const EXPONENT: u32 = 0x7f800000u;
+const SIGN: u32 = 0x80000000u;
+
+fn number_of(group: vec3<u32>, local: u32) -> u32 {
+    return (group.y * ROW + group.x) * GROUP + local;
+}
+
+fn direction_of(number: u32) -> vec3<f32> {
+    return vec3<f32>(directions[3u * number], directions[3u * number + 1u], directions[3u * number + 2u]);
+}
+
+// What is zero or not finite is told by bits: compilers may assume that there are numbers only.
+fn is_wrong(d: vec3<f32>) -> bool {
+    let bits = bitcast<vec3<u32>>(d) & vec3<u32>(~SIGN);
+    return all(bits == vec3<u32>(0u)) || any(bits >= vec3<u32>(EXPONENT));
+}
+
+fn note(number: u32) {
+    atomicMax(&wrong, lookup.rows.y - number);
+}
+
+// Numbers whose order is that of the floats with these bits.
+fn ordered(bits: u32) -> u32 {
+    return select(bits | SIGN, ~bits, (bits & SIGN) != 0u);
+}
+
+fn bits_of(order: u32) -> u32 {
+    return select(~order, order & ~SIGN, (order & SIGN) != 0u);
+}
+
+fn extreme(number: u32, greatest: bool) {
+    let d = direction_of(number);
+    if is_wrong(d) {
+        note(number);
+        return;
+    }
+    let channels = lookup.map.y;
+    let taps = taps_of(d, lookup.map.x);
+    for (var channel = 0u; channel < channels; channel++) {
+        var found = 0u;
+        var known = false;
+        for (var i = 0u; i < 4u; i++) {
+            let bits = faces[taps.texel[i] * channels + channel];
+            // NaN are skipped: they are what nobody knows.
+            if taps.weight[i] > NEGLIGIBLE && (bits & ~SIGN) <= EXPONENT {
+                let order = ordered(bits);
+                let other = select(min(found, order), max(found, order), greatest);
+                found = select(order, other, known);
+                known = true;
+            }
+        }
+        values[number * channels + channel] = select(0x7fc00000u, bits_of(found), known);
+    }
+}
+
+@compute @workgroup_size(GROUP)
+fn lookup_least(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    let number = number_of(group, local);
+    if number < lookup.rows.x {
+        extreme(number, false);
+    }
+}
+
+@compute @workgroup_size(GROUP)
+fn lookup_greatest(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    let number = number_of(group, local);
+    if number < lookup.rows.x {
+        extreme(number, true);
+    }
+}
+
+@compute @workgroup_size(GROUP)
+fn lookup_nearest(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    let number = number_of(group, local);
+    if number >= lookup.rows.x {
+        return;
+    }
+    let d = direction_of(number);
+    if is_wrong(d) {
+        note(number);
+        return;
+    }
+    let channels = lookup.map.y;
+    let texel = texel_number(d, lookup.map.x);
+    for (var channel = 0u; channel < channels; channel++) {
+        values[number * channels + channel] = faces[texel * channels + channel];
+    }
+}

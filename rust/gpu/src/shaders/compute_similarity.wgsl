@@ -1,0 +1,157 @@
+// Structural similarity in windows of TAPS pixels: first both lumas' sum and difference, then moments tile by tile.
+
+struct Similarity {
+    // Width, height, pixels, tiles across.
+    size: vec4<u32>,
+    // First words of both frames' colour.
+    first: vec4<u32>,
+    // Where windows count: first column and row, and behind the last.
+    inside: vec4<u32>,
+    // c1, c2.
+    constants: vec4<f32>,
+    // Of the window, along one axis.
+    weights: array<vec4<f32>, 5>,
+}
+
+@group(0) @binding(0) var<uniform> told: Similarity;
+@group(0) @binding(1) var<storage, read> reference: array<f32>;
+@group(0) @binding(2) var<storage, read> compared: array<f32>;
+@group(0) @binding(3) var<storage, read_write> planes: array<vec2<f32>>;
+@group(0) @binding(4) var<storage, read_write> sums: array<f32>;
+@group(0) @binding(5) var<storage, read_write> map: array<f32>;
+
+// sRGB (IEC 61966-2-1). Drivers' powers are off by 2^-21; y^12 = x^5 tells by how much, and one step of Newton's method
+// leaves a rounding or two.
+fn encoded(linear: f32) -> f32 {
+    let x = clamp(linear, 0.0, 1.0);
+    if x <= 0.0031308 {
+        return 12.92 * x;
+    }
+    let rough = pow(x, 1.0 / 2.4);
+    let x_squared = x * x;
+    let squared = rough * rough;
+    let fourth = squared * squared;
+    let correction = (x_squared * x_squared * x / (fourth * fourth * fourth) - 1.0) / 12.0;
+    return 1.055 * (rough + rough * correction) - 0.055;
+}
+
+@compute @workgroup_size(GROUP)
+fn similarity_luma(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    let pixel = (group.y * ROW + group.x) * GROUP + local;
+    if pixel >= told.size.z {
+        return;
+    }
+    let a = told.first.x + 3u * pixel;
+    let b = told.first.y + 3u * pixel;
+    let x = vec3<f32>(encoded(reference[a]), encoded(reference[a + 1u]), encoded(reference[a + 2u]));
+    let y = vec3<f32>(encoded(compared[b]), encoded(compared[b + 1u]), encoded(compared[b + 2u]));
+    // Rec. 709.
+    let luma = vec3<f32>(0.2126, 0.7152, 0.0722);
+    planes[pixel] = vec2<f32>(dot(luma, x + y), dot(luma, x - y));
+}
+
+const TILE: u32 = 16u;
+const SIDE: u32 = TILE + TAPS - 1u;
+const MIDDLE: u32 = TAPS / 2u;
+
+// Sum and difference of all that a tile's windows see.
+var<workgroup> around: array<vec2<f32>, SIDE * SIDE>;
+// Means and variances of sum and difference along each row.
+var<workgroup> across: array<vec4<f32>, SIDE * TILE>;
+
+// Where a line continues beyond its ends: d c b a | a b c d | d c b a. OpenGL's remainders of negative numbers may be
+// anything, so windows, which reach less than TAPS beyond, are moved by as many whole lines.
+fn mirror(i: i32, length: i32) -> u32 {
+    let there = (i + 2 * i32(TAPS) * length) % (2 * length);
+    return u32(select(2 * length - 1 - there, there, there < length));
+}
+
+fn weight(k: u32) -> f32 {
+    return told.weights[k / 4u][k % 4u];
+}
+
+// What the windows of this workgroup see.
+fn load(tile: vec2<u32>, local: u32) {
+    for (var i = local; i < SIDE * SIDE; i += TILE * TILE) {
+        let at = vec2<i32>(tile * TILE + vec2<u32>(i % SIDE, i / SIDE)) - i32(MIDDLE);
+        let column = mirror(at.x, i32(told.size.x));
+        let row = mirror(at.y, i32(told.size.y));
+        around[i] = planes[row * told.size.x + column];
+    }
+}
+
+// Moments along rows, about the pixel in the window's middle: what is left to subtract from the mean of squares is small.
+fn pass_along_rows(local: u32) {
+    for (var i = local; i < SIDE * TILE; i += TILE * TILE) {
+        let first = i / TILE * SIDE + i % TILE;
+        let center = around[first + MIDDLE];
+        var mean = vec2<f32>(0.0);
+        var square = vec2<f32>(0.0);
+        for (var k = 0u; k < TAPS; k++) {
+            let away = around[first + k] - center;
+            mean += weight(k) * away;
+            square += weight(k) * away * away;
+        }
+        across[i] = vec4<f32>(center + mean, square - mean * mean);
+    }
+}
+
+// 1 less the similarity of the window around a pixel. Both factors are 1 less something that is never negative and
+// nothing for equal images: D^2 / ((S^2 + D^2)/2 + c1) and var d / ((var s + var d)/2 + c2).
+fn unlikeness(column: u32, row: u32) -> f32 {
+    let center = across[(row + MIDDLE) * TILE + column].xy;
+    var mean = vec2<f32>(0.0);
+    var square = vec2<f32>(0.0);
+    for (var k = 0u; k < TAPS; k++) {
+        let line = across[(row + k) * TILE + column];
+        let away = line.xy - center;
+        mean += weight(k) * away;
+        square += weight(k) * (line.zw + away * away);
+    }
+    let variance = max(square - mean * mean, vec2<f32>(0.0));
+    let level = center + mean;
+    let apart = level.y * level.y;
+    let by_mean = apart / (0.5 * (level.x * level.x + apart) + told.constants.x);
+    let by_contrast = variance.y / (0.5 * (variance.x + variance.y) + told.constants.y);
+    return by_mean + by_contrast - by_mean * by_contrast;
+}
+
+fn measure(tile: vec2<u32>, local: u32) -> f32 {
+    load(tile, local);
+    workgroupBarrier();
+    pass_along_rows(local);
+    workgroupBarrier();
+    return unlikeness(local % TILE, local / TILE);
+}
+
+// Sum over the windows of this workgroup that count, always in one order.
+fn add_up(tile: vec2<u32>, local: u32, value: f32) {
+    let pixel = tile * TILE + vec2<u32>(local % TILE, local / TILE);
+    let counts = all(pixel >= told.inside.xy) && all(pixel < told.inside.zw);
+    around[local] = vec2<f32>(select(0.0, value, counts), 0.0);
+    workgroupBarrier();
+    for (var stride = TILE * TILE / 2u; stride > 0u; stride /= 2u) {
+        if local < stride {
+            around[local] += around[local + stride];
+        }
+        workgroupBarrier();
+    }
+    if local == 0u {
+        sums[tile.y * told.size.w + tile.x] = around[0].x;
+    }
+}
+
+@compute @workgroup_size(TILE, TILE)
+fn similarity_sums(@builtin(workgroup_id) tile: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    add_up(tile.xy, local, measure(tile.xy, local));
+}
+
+@compute @workgroup_size(TILE, TILE)
+fn similarity_map(@builtin(workgroup_id) tile: vec3<u32>, @builtin(local_invocation_index) local: u32) {
+    let value = measure(tile.xy, local);
+    let pixel = tile.xy * TILE + vec2<u32>(local % TILE, local / TILE);
+    if all(pixel < told.size.xy) {
+        map[pixel.y * told.size.x + pixel.x] = 1.0 - value;
+    }
+    add_up(tile.xy, local, value);
+}

@@ -1,0 +1,354 @@
+"""Kernels on the graphics device, against those of the CPU, which have oracles of their own."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+import nearfar as nf
+from gpu_cases import ADAPTERS, adapter
+from nearfar import _core, gpu
+from nearfar._scene import core_of
+from support import need
+from test_reduce import CENTER, camera, street
+
+CHANNELS = ("color", "range", "object_id", "face_id", "position", "normal")
+EPSILON = 2.0**-24
+"""Of a float32 rounding."""
+
+# A fixture of the module's is as good for every example.
+SHARED = settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
+
+
+@pytest.fixture(params=ADAPTERS)
+def device(request: pytest.FixtureRequest) -> Iterator[_core.GpuDevice]:
+    with adapter(request.param):
+        yield _core.GpuDevice(request.param)
+
+
+def view(aside: float = 0.0, size: tuple[int, int] = (96, 60)) -> nf.Camera:
+    return camera(CENTER + np.array([0, 0.2, 7.0 + aside]), (1, -0.03, 0.1), size)
+
+
+# frames ---------------------------------------------------------------------------------------------------------------
+def test_a_kept_frame_is_the_one_that_is_read_back(device: _core.GpuDevice) -> None:
+    scene, shot = street(), view()
+    core = core_of(scene)
+    expected = device.truth(core, shot._core, channels=list(CHANNELS), samples=4).finish()
+    kept = gpu.render(scene, shot, channels=CHANNELS, samples=4)
+    for _ in range(2):
+        frame = kept.read()
+        assert frame.channels == kept.channels == CHANNELS
+        assert frame.origin == core.origin
+        assert frame.camera is kept.camera is shot
+        for name in CHANNELS:
+            np.testing.assert_array_equal(frame.require(name), expected[name])
+    assert repr(kept).startswith("DeviceFrame(96 × 60, color, range, object_id, face_id, position, normal, on ")
+
+
+def test_dropped_frames_lend_their_memory(device: _core.GpuDevice) -> None:
+    scene = street()
+    size = (61, 47)
+
+    def draw() -> gpu.DeviceFrame:
+        return gpu.render(scene, view(size=size), channels=("color", "position"))
+
+    first, second = draw(), draw()
+    before = first.read()
+    gpu.ssim(first, second)
+    np.testing.assert_array_equal(first.read().require("color"), before.require("color"))
+    del first, second
+    made = device.counters()[0]
+    for _ in range(3):
+        frame = draw()
+        frame.read()
+        del frame
+    assert device.counters()[0] == made
+
+
+def test_frames_of_several_windows_are_refused(device: _core.GpuDevice) -> None:
+    across = next(row[6] for row in _core.gpu_adapters() if device.label == f"{row[0]} ({row[1]})")
+    if across + 8 > 1 << 16:
+        pytest.skip("this adapter draws pictures of any size that cameras have")
+    wide = camera(CENTER, (1, 0, 0), (across + 8, 2))
+    with pytest.raises(nf.DeviceError, match=f"{across + 8} × 2 pixels .*{across} each way"):
+        gpu.render(street(), wide)
+
+
+def test_frames_say_what_they_lack(device: _core.GpuDevice) -> None:
+    scene = street()
+    frame, other = gpu.render(scene, view(), channels=("color",)), gpu.render(scene, view(), channels=("range",))
+    with pytest.raises(ValueError, match=r"no color: .*'color', 'range'"):
+        gpu.ssim(frame, other)
+    with pytest.raises(ValueError, match="no position"):
+        gpu.discontinuity(frame)
+    with pytest.raises(ValueError, match="test: expected 96 × 60 pixels, got 32 × 60"):
+        gpu.ssim(frame, gpu.render(scene, view(size=(32, 60)), channels=("color",)))
+    with pytest.raises(TypeError, match="test"):
+        gpu.ssim(frame, frame.read())  # type: ignore[arg-type]
+    for wrong in ({"window": "global"}, {"size": 0}, {"size": 18}, {"sigma": 0}):
+        with pytest.raises(ValueError, match=next(iter(wrong))):
+            gpu.ssim(frame, frame, **wrong)
+    with pytest.raises(TypeError, match="camera"):
+        gpu.render(scene, None)  # type: ignore[arg-type]
+
+
+def test_reading_and_comparing_take_turns(device: _core.GpuDevice) -> None:
+    scene = street()
+    one, other = (gpu.render(scene, view(aside), channels=("color",)) for aside in (0.0, 0.4))
+    expected, picture = gpu.ssim(one, other), one.read().require("color")
+    wrong = []
+
+    def work(first: gpu.DeviceFrame, second: gpu.DeviceFrame) -> None:
+        for _ in range(20):
+            if gpu.ssim(first, second) != expected or not np.array_equal(one.read().require("color"), picture):
+                wrong.append(1)
+
+    threads = [threading.Thread(target=work, args=pair) for pair in ((one, other), (other, one))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert wrong == []
+
+
+# similarity -----------------------------------------------------------------------------------------------------------
+WINDOWS: tuple[dict[str, Any], ...] = (
+    {},
+    {"size": 4},
+    {"size": 17, "sigma": 3.0},
+    {"window": "uniform", "size": 7},
+    {"size": 1},
+)
+
+
+@pytest.mark.parametrize("window", WINDOWS)
+@pytest.mark.parametrize("size", [(96, 60), (33, 17), (16, 16), (9, 40), (3, 2), (1, 1)])
+def test_similarity_is_that_of_the_cpu(device: _core.GpuDevice, window: dict[str, Any], size: tuple[int, int]) -> None:
+    one, other = (gpu.render(street(), view(aside, size), channels=("color",)) for aside in (0.0, 0.4))
+    mean, found = gpu.ssim(one, other, full=True, **window)
+    expected, similarities = nf.ssim(one.read(), other.read(), full=True, **window)
+    # Encoded values are off by 2 roundings of 1, so that σ of the difference is by 1.2e-7 and, over c₂ = 0.03², the
+    # second factor by 2 σd 1.2e-7 / (σ² + c₂) ≤ 4e-6; the first by as much over c₁ = 0.01²: 1.2e-5. Means average
+    # errors of both signs.
+    assert np.abs(found - similarities).max() < 2e-5
+    assert abs(mean - expected) < 1e-6
+    assert gpu.ssim(one, other, **window) == mean == gpu.ssim(other, one, **window)
+
+
+def test_equal_pictures_are_exactly_alike(device: _core.GpuDevice) -> None:
+    one, same = (gpu.render(street(), view(), channels=("color",)) for _ in range(2))
+    for window in WINDOWS:
+        for other in (one, same):
+            mean, found = gpu.ssim(one, other, full=True, **window)
+            assert mean == 1.0
+            assert (found == 1.0).all()
+
+
+# discontinuity --------------------------------------------------------------------------------------------------------
+TRUTHS = {
+    "own": None,
+    "aside": view(0.4),
+    "parallel": nf.Camera(
+        tuple(CENTER), (0, -np.sqrt(0.5), 0, np.sqrt(0.5)), fov=nf.Orthographic(-20, 20, -12, 12), size=(70, 40)
+    ),
+    "cube": nf.Camera(tuple(CENTER), fov=nf.CubeFace(0), size=(64, 64)),
+    "behind": camera(CENTER, (-1, 0, 0), (40, 30)),
+}
+
+
+@pytest.mark.parametrize("name", TRUTHS)
+@pytest.mark.parametrize(("epsilon", "least"), [(17.03, 1.0), (5.01, 0.25), (200.3, 5.0), (1e4, 1.0)])
+def test_discontinuity_is_that_of_the_cpu(device: _core.GpuDevice, name: str, epsilon: float, least: float) -> None:
+    truth = TRUTHS[name]
+    frame = gpu.render(street(), view(), channels=("position",))
+    found = gpu.discontinuity(frame, truth, epsilon=epsilon, min_distance=least)
+    expected = nf.discontinuity(frame.read(), truth, epsilon=epsilon, min_distance=least)
+    np.testing.assert_array_equal(np.isnan(found), np.isnan(expected))
+    # Places are rounded to some 1e-5 pixels, and a pair whose distance is ε to that may count or not: one of dozens.
+    np.testing.assert_allclose(found, expected, rtol=2e-3, atol=2e-3)
+    differs = np.abs(found - expected) > 1e-4 * (1 + np.abs(expected))
+    assert differs.mean() < 0.02
+    again = gpu.discontinuity(frame, truth, epsilon=epsilon, min_distance=least)
+    np.testing.assert_array_equal(again, found)
+
+
+def test_heaps_of_many_points_are_added_up_whole(device: _core.GpuDevice) -> None:
+    # More points in one cell than the turns after which drivers in software end a loop.
+    frame = gpu.render(street(), view(size=(340, 220)), channels=("position",))
+    heap = nf.Camera(view().position, view().orientation, fov=view().fov, size=(2, 2))
+    found = gpu.discontinuity(frame, heap, epsilon=9.0)
+    expected = nf.discontinuity(frame.read(), heap, epsilon=9.0)
+    assert np.isfinite(expected).sum() > 1 << 16
+    # 4,096 terms at a time are added in float32.
+    np.testing.assert_allclose(found, expected, rtol=4096 * EPSILON)
+
+
+def test_discontinuity_checks_its_arguments(device: _core.GpuDevice) -> None:
+    frame = gpu.render(street(), view(), channels=("position",))
+    assert np.isnan(gpu.discontinuity(frame, epsilon=1e-3)).all()
+    for wrong in ({"epsilon": 0}, {"epsilon": 1e-7}, {"epsilon": 2e4}, {"min_distance": 1e-20}):
+        with pytest.raises(ValueError, match=next(iter(wrong))):
+            gpu.discontinuity(frame, **wrong)
+    with pytest.raises(TypeError, match="truth_camera"):
+        gpu.discontinuity(frame, 3)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="frame"):
+        gpu.discontinuity(frame.read())  # type: ignore[arg-type]
+
+
+# morph ----------------------------------------------------------------------------------------------------------------
+def scattered(seed: int, center: NDArray[np.float64], r2: float, count: int) -> NDArray[np.float32]:
+    random = np.random.default_rng(seed)
+    size = r2 * 10 ** random.uniform(-2, 2, (count, 1))
+    return (center + random.normal(size=(count, 3)) * size).astype(np.float32)
+
+
+@SHARED
+@given(
+    st.integers(0, 2**32 - 1),
+    st.floats(1, 1e3),
+    st.floats(1.1, 20),
+    st.sampled_from([0.0, 1e3, 1e6]),
+    st.floats(0, 0.5),
+    st.sampled_from(["blend", "cylinder"]),
+)
+def test_morphed_points_are_within_their_bound(
+    device: _core.GpuDevice, seed: int, r1: float, ratio: float, away: float, share: float, kind: str
+) -> None:
+    r2, center = r1 * ratio, np.array([away, 1.7, -away / 3])
+    step = np.random.default_rng(seed).normal(size=3)
+    offset = step / np.linalg.norm(step) * share * r1
+    points = scattered(seed, center, r2, 500)
+    place: dict[str, Any] = {"user": center + offset, "center": center, "r1": r1, "r2": r2, "kind": kind}
+    found = gpu.morph(points, **place)
+    expected = nf.morph(points.astype(np.float64), **place)
+    apart = np.abs(found - expected).max(axis=1)
+    # A step of the result; beyond it roundings of the formula, which are relative to the user's offset, raised where
+    # the zone between the radii is narrow. The centre itself is rounded to 2⁻⁴⁸ of its size.
+    bound = np.spacing(np.abs(found).max(axis=1)) + EPSILON * (16 + 8 * ratio / (ratio - 1)) * share * r1
+    bound += 2.0**-46 * np.abs(center).max()
+    if kind == "cylinder":
+        # Where the direction leaves the cylinder: some roundings of the distance, raised near the user's own radius.
+        rho = np.hypot(*(points[:, [0, 2]] - center[[0, 2]]).T)
+        distance = np.linalg.norm(points - center, axis=1) + share * r1
+        bound += np.where(rho > r1, EPSILON * 32 * distance * rho / np.maximum(rho - share * r1, 1e-30), 0.0)
+    assert (apart <= bound).all(), (apart / bound).max()
+
+
+def test_points_inside_keep_their_bits_and_unknown_ones_stay_unknown(device: _core.GpuDevice) -> None:
+    points = scattered(1, np.zeros(3), 5.0, 1000)
+    place: dict[str, Any] = {"user": (3, 0.5, 1), "center": (0, 0, 0)}
+    np.testing.assert_array_equal(gpu.morph(points, r1=1e5, r2=2e5, **place), points)
+    points[::7, 1] = np.nan
+    points[::11, 0] = np.nan
+    for kind in ("blend", "cylinder"):
+        found = gpu.morph(points, r1=4, r2=9, kind=kind, **place)
+        np.testing.assert_array_equal(np.isnan(found).any(axis=1), np.isnan(points).any(axis=1))
+    assert gpu.morph(np.empty((0, 3), np.float32), r1=4, r2=9, **place).shape == (0, 3)
+    nothing_near = gpu.morph(points[1:7], r1=0, r2=0, kind="cylinder", **place)
+    np.testing.assert_allclose(nothing_near, nf.morph(points[1:7], r1=0, r2=0, kind="cylinder", **place), rtol=1e-5)
+
+
+def test_long_arrays_are_morphed_in_pieces(device: _core.GpuDevice) -> None:
+    points = scattered(2, np.zeros(3), 20.0, 3_000_001)
+    place: dict[str, Any] = {"user": (3, 0.5, 1), "center": (0, 0, 0), "r1": 10, "r2": 30}
+    # Both are within a step of the truth and what the offset of 3.2 m adds.
+    apart = np.abs(gpu.morph(points, **place) - nf.morph(points, **place)).max(axis=1)
+    assert (apart <= 2 * np.spacing(np.abs(points).max(axis=1) + 4) + EPSILON * 28 * 3.3).all()
+
+
+def test_morph_checks_its_arguments(device: _core.GpuDevice) -> None:
+    points = np.zeros((3, 3), np.float32)
+    place: dict[str, Any] = {"user": (0, 0, 0), "center": (0, 0, 0), "r1": 1, "r2": 2}
+    with pytest.raises(TypeError, match=r"points: expected float32, got float64; nearfar\.morph"):
+        gpu.morph(points.astype(float), **place)
+    with pytest.raises(ValueError, match="points"):
+        gpu.morph(points[:, :2], **place)
+    for name, wrong in (("r1", 3), ("kind", "x"), ("user", (0, 0, np.nan))):
+        with pytest.raises(ValueError, match=name):
+            gpu.morph(points, **{**place, name: wrong})
+
+
+# lookup ---------------------------------------------------------------------------------------------------------------
+def ranges(seed: int, shape: tuple[int, ...]) -> NDArray[np.float32]:
+    random = np.random.default_rng(seed)
+    faces = (random.random(shape) * 100 - 20).astype(np.float32)
+    faces[random.random(shape) < 0.1] = np.inf
+    faces[random.random(shape) < 0.3] = np.nan
+    return faces
+
+
+@SHARED
+@given(st.integers(0, 2**32 - 1), st.integers(1, 40), st.sampled_from(gpu._kernels.FILTERS))
+def test_lookups_are_those_of_the_cpu(device: _core.GpuDevice, seed: int, size: int, chosen: str) -> None:
+    random = np.random.default_rng(seed)
+    faces = ranges(seed, (6, size, size))
+    directions = (random.normal(size=(600, 3)) * 10.0 ** random.integers(-3, 4, (600, 1))).astype(np.float32)
+    found = gpu.cube_lookup(faces, directions, filter=chosen)
+    expected = nf.cube_lookup(faces, directions, filter=chosen)
+    same = (found == expected) | (np.isnan(found) & np.isnan(expected))
+    # Within some roundings of a border between texels, or between their centres, the others may be taken: what lies
+    # beside the direction.
+    assert (~same).mean() < 0.01
+    for n in np.flatnonzero(~same):
+        beside = directions[n] * (1 + 1e-6 * random.normal(size=(200, 3)))
+        others = nf.cube_lookup(faces, beside, filter=chosen)
+        assert np.isnan(found[n]) or (others == found[n]).any() or np.isnan(others).any()
+
+
+@pytest.mark.parametrize("chosen", gpu._kernels.FILTERS)
+def test_lookups_of_edges_corners_and_channels(device: _core.GpuDevice, chosen: str) -> None:
+    # No direction on these axes and diagonals depends on rounding: coordinates are -1, 0 and 1.
+    grid = np.stack(np.meshgrid(*[(-1, 0, 1)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    directions = grid[np.abs(grid).any(axis=1)].astype(np.float32).reshape(2, 13, 3)
+    faces = ranges(5, (6, 5, 5, 3))
+    found = gpu.cube_lookup(faces, directions, filter=chosen)
+    assert found.shape == (2, 13, 3)
+    np.testing.assert_array_equal(found, nf.cube_lookup(faces, directions, filter=chosen))
+    assert gpu.cube_lookup(faces, np.empty((0, 3), np.float32), filter=chosen).shape == (0, 3)
+
+
+def test_lookups_check_their_arguments(device: _core.GpuDevice) -> None:
+    faces, directions = np.zeros((6, 4, 4), np.float32), np.ones((5, 3), np.float32)
+    for wrong in (0.0, np.nan, np.inf):
+        bad = np.ones((2_000_000, 3), np.float32)
+        bad[[1_500_000, 1_900_000]] = 0.0
+        bad[1_500_000, 1] = wrong
+        with pytest.raises(ValueError, match=r"directions: .* at index 1500000"):
+            gpu.cube_lookup(faces, bad)
+    with pytest.raises(ValueError, match="filter"):
+        gpu.cube_lookup(faces, directions, filter="linear")
+    with pytest.raises(ValueError, match=r"faces: expected shape \(6, S, S\)"):
+        gpu.cube_lookup(faces[:5], directions)
+    with pytest.raises(TypeError, match="faces: expected float32"):
+        gpu.cube_lookup(faces.astype(int), directions)
+    with pytest.raises(ValueError, match="directions"):
+        gpu.cube_lookup(faces, directions[:, :2])
+
+
+# loss -----------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("name", ["vulkan", "gl"])
+def test_a_lost_device_is_an_error_and_the_next_one_works(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    need(name)
+    monkeypatch.setenv("NEARFAR_ADAPTER", name)
+    points = scattered(1, np.zeros(3), 5.0, 10)
+    place: dict[str, Any] = {"user": (1, 0, 0), "center": (0, 0, 0), "r1": 2, "r2": 9}
+    frame = gpu.render(street(), view(), channels=("color", "position"))
+    device = _core.GpuDevice(name)
+    device.lose()
+    for job in (frame.read, lambda: gpu.ssim(frame, frame), lambda: gpu.discontinuity(frame)):
+        with pytest.raises(nf.DeviceError, match="lost"):
+            job()
+    with pytest.raises(nf.DeviceError, match="lost"):
+        _core.gpu_morph(device, points, points.copy(), **place, kind="blend")
+    assert gpu.morph(points, **place).shape == (10, 3)
+    again = gpu.render(street(), view(), channels=("color",))
+    with pytest.raises(ValueError, match="test: expected a frame on"):
+        gpu.ssim(again, frame)
