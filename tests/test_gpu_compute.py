@@ -182,7 +182,7 @@ def test_discontinuity_is_that_of_the_cpu(device: _core.GpuDevice, name: str, ep
 
 def test_heaps_of_many_points_are_added_up_whole(device: _core.GpuDevice) -> None:
     # More points in one cell than the turns after which drivers in software end a loop.
-    frame = gpu.render(street(), view(size=(340, 220)), channels=("position",))
+    frame = gpu.render(street(), view(size=(390, 240)), channels=("position",))
     heap = nf.Camera(view().position, view().orientation, fov=view().fov, size=(2, 2))
     found = gpu.discontinuity(frame, heap, epsilon=9.0)
     expected = nf.discontinuity(frame.read(), heap, epsilon=9.0)
