@@ -47,8 +47,10 @@ pub(super) struct Call {
     pub vertices: Range<u32>,
     /// Places in the order; without a meaning where the block tells the one record.
     pub instances: Range<u32>,
-    /// Where a uniform block with the call's one record is told.
-    pub single: Option<usize>,
+    /// Where a uniform block with the call's part and first record is told.
+    pub block: usize,
+    /// That is its only record.
+    pub single: bool,
 }
 
 /// Consecutive records of one layer, numbered through the frame.
@@ -142,29 +144,25 @@ impl Plan {
             record: [0; RECORD_WORDS],
             part: [0; PART_WORDS],
         };
-        let tell_single = |plan: &mut Self, local: u32| {
+        let tell_first = |plan: &mut Self, local: u32| {
             let record = layer.record(first_in_set + local);
             let part = layer.tables.part_of(&record);
             plan.tell(&BatchBlock { shifts: [shift, local, 0, 0], record, part, ..block })
         };
-        let at = if count == 1 { tell_single(self, 0) } else { self.tell(&block) };
+        let at = if count == 1 { tell_first(self, 0) } else { self.tell(&block) };
         let (mut calls, mut last) = (Vec::with_capacity(draws.len()), None);
         for Drawn { vertices, records } in draws {
             self.triangles += u64::from(vertices.end - vertices.start) / 3 * records.len() as u64;
-            // Looking a record up for every vertex takes longer than telling it once, where a call has many.
-            if let [local] = records[..]
-                && (count == 1 || vertices.len() > TELLING_PAYS)
-            {
-                let known =
-                    if count == 1 { Some(at) } else { last.filter(|(known, _)| *known == local).map(|(_, at)| at) };
-                let block = known.unwrap_or_else(|| tell_single(self, local));
-                last = Some((local, block));
-                calls.push(Call { vertices, instances: 0..1, single: Some(block) });
-                continue;
-            }
+            // All records of a call place one part. Looking it up for every vertex takes longer than telling it once.
+            let known =
+                if count == 1 { Some(at) } else { last.filter(|(first, _)| *first == records[0]).map(|(_, at)| at) };
+            let block = known.unwrap_or_else(|| tell_first(self, records[0]));
+            last = Some((records[0], block));
+            let single = records.len() == 1;
             let start = order.len() as u32;
-            order.extend(records);
-            calls.push(Call { vertices, instances: start..order.len() as u32, single: None });
+            order.extend(records.iter().filter(|_| !single));
+            let instances = if single { 0..1 } else { start..order.len() as u32 };
+            calls.push(Call { vertices, instances, block, single });
         }
         self.groups.push(Group { layer: layer_number, page, records, calls, block: at, single: count == 1 });
     }
@@ -194,8 +192,6 @@ impl Plan {
     }
 }
 
-/// Vertices of a call from which on its record is told.
-const TELLING_PAYS: usize = 3 * 256;
 /// Blocks that a pass takes.
 pub(super) const PASS_BLOCKS: usize = 2;
 

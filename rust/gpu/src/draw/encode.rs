@@ -106,7 +106,7 @@ impl<'a> Bound<'a> {
             let same = |n: usize| n == 0 || groups[n].layer == groups[n - 1].layer || !layers[groups[n].layer].covers;
             let count = (0..groups.len()).take_while(|&n| same(n)).count();
             let pipeline = |g: &Group, single| {
-                let used = g.calls.iter().any(|call| call.single.is_some() == single);
+                let used = g.calls.iter().any(|call| call.single == single);
                 let key = raster_key(&layers[g.layer], single, samples);
                 used.then(|| self.device.pipelines.raster(self.device, key)).transpose()
             };
@@ -132,13 +132,16 @@ impl<'a> Bound<'a> {
             });
             for (n, (group, pipelines)) in groups[..count].iter().zip(&pipelines).enumerate() {
                 pass.set_bind_group(0, &self.raster[start + n], &[]);
-                let mut bound = None;
+                let (mut drawn_by, mut bound) = (None, None);
                 for call in &group.calls {
-                    if bound != Some(call.single) {
-                        let Some(pipeline) = &pipelines[usize::from(call.single.is_some())] else { continue };
+                    if drawn_by != Some(call.single) {
+                        let Some(pipeline) = &pipelines[usize::from(call.single)] else { continue };
                         pass.set_pipeline(pipeline);
-                        pass.set_bind_group(1, &self.view, &[offset, call.single.unwrap_or(group.block) as u32]);
-                        bound = Some(call.single);
+                        drawn_by = Some(call.single);
+                    }
+                    if bound != Some(call.block) {
+                        pass.set_bind_group(1, &self.view, &[offset, call.block as u32]);
+                        bound = Some(call.block);
                     }
                     pass.draw(call.vertices.clone(), call.instances.clone());
                 }

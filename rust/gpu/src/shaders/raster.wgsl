@@ -31,7 +31,7 @@ fn corner_of(number: u32, instance: u32) -> Corner {
         local = order[instance];
     }
     let record = record_of(local);
-    let part = part_of(record);
+    let part = batch.part;
     let vertex = page[part.faces + number];
     let p = seen_from_eye(record, part, vertex);
     let q = shown(p);
@@ -154,7 +154,7 @@ fn is_drawn(in: Vertex) -> bool {
 }
 
 fn is_solid(in: Vertex) -> bool {
-    let part = part_of(record_of(in.id.x - batch.records.x));
+    let part = batch.part;
     let material = material_of(part, in.id.y);
     if material.cutoff < 0.0 {
         return true;

@@ -57,9 +57,9 @@ struct Part {
 struct Batch {
     // Number of its first record among all of the frame's, how many there are, the page, whether it writes first.
     records: vec4<u32>,
-    // Shift of the scene's texels, and the number of the one record in the batch where there is only one.
+    // Shift of the scene's texels, and the number of the first record of a call, or of the only one of a batch.
     shifts: vec4<u32>,
-    // That record and its part.
+    // That record, and its part: all records of a call place one part.
     record: Record,
     part: Part,
 }
