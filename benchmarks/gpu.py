@@ -12,13 +12,14 @@ import time
 import warnings
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 import _tokyo
 import nearfar as nf
-from _harness import Case, compare, describe
+from _harness import FOLDER, Case, compare, describe, done
 from _measure import machine, table
 from _views import center_for
 from render import view
@@ -91,7 +92,41 @@ def frames(scene: nf.Scene, camera: nf.Camera) -> str:
     traced = partial(nf.render, scene, camera, channels=CHANNELS, backend="cpu")
     cases.append(Case("nearfar, traced", traced, peer=False))
     title = f"Frames of {scene.triangle_count:,} triangles at {SIZE[0]} x {SIZE[1]}, colour, range and ids"
-    return compare(title, [*cases, *drawn_by_pyrender(scene, camera)], repeat=3, unit="99.9 % of ranges")
+    text = compare(title, [*cases, *drawn_by_pyrender(scene, camera)], repeat=3, unit="99.9 % of ranges")
+    draw(scene, camera, title)
+    return text
+
+
+def draw(scene: nf.Scene, camera: nf.Camera, title: str) -> None:
+    """Keep a picture: a frame, where its faces differ from the tracer's, and what it took beside others."""
+    folder = os.environ.get(FOLDER)
+    if not folder:
+        return
+    import matplotlib as mpl
+
+    mpl.use("Agg")
+    from matplotlib import pyplot as plt
+
+    traced, drawn = (
+        nf.render(scene, camera, channels=("color", "face_id"), backend=backend) for backend in ("cpu", "gpu")
+    )
+    differ = traced.require("face_id") != drawn.require("face_id")
+    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13, 4.2), layout="constrained")
+    left.imshow(drawn.to_image())
+    left.set_title(f"{scene.triangle_count:,} triangles, drawn")
+    middle.imshow(drawn.to_image() // 3 + 160, alpha=0.5)
+    rows, columns = np.nonzero(differ)
+    middle.scatter(columns, rows, s=2, color="red")
+    middle.set_title(f"{differ.sum()} of {differ.size:,} pixels show another face than the tracer's")
+    results = [result for result in done[title].results if result.name != "pyrender, lit"]
+    right.barh([result.name for result in results], [1e3 * result.timing.wall for result in results])
+    lit = [result.timing.wall for result in done[title].results if result.name == "pyrender, lit"]
+    right.set_xlabel("ms a frame" + "".join(f" (pyrender, lit: {1e3 * wall:.0f})" for wall in lit))
+    right.invert_yaxis()
+    for axes in (left, middle):
+        axes.axis("off")
+    figure.savefig(Path(folder) / "gpu.png", dpi=80)
+    plt.close(figure)
 
 
 def seconds(job: Callable[[], Any], rounds: int = 3) -> float:
