@@ -3,10 +3,13 @@ use super::logistic::{self, Line, Room as Evaluated, Samples};
 use super::*;
 use proptest::prelude::*;
 
-/// Residual of the best a and d for given b and c, by the textbook.
+/// Residual of the best a and d for given b and c, by the textbook; of samples that all lie near the left plateau from
+/// p − 1, whose digits p itself would lose.
 fn residual(x: &[f64], y: &[f64], b: f64, c: f64) -> f64 {
     let count = x.len() as f64;
-    let p: Vec<f64> = x.iter().map(|x| 1.0 / (1.0 + (x / c).powf(b))).collect();
+    let u: Vec<f64> = x.iter().map(|x| (x / c).powf(b)).collect();
+    let is_left = u.iter().all(|&u| u < 1.0);
+    let p: Vec<f64> = u.iter().map(|u| if is_left { -u } else { 1.0 } / (1.0 + u)).collect();
     let (mean_p, mean_y) = (p.iter().sum::<f64>() / count, y.iter().sum::<f64>() / count);
     let square: f64 = p.iter().map(|p| (p - mean_p).powi(2)).sum();
     let product: f64 = p.iter().zip(y).map(|(p, y)| (p - mean_p) * (y - mean_y)).sum();
