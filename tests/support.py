@@ -115,6 +115,14 @@ def need(part: str) -> None:
         pytest.skip(f"{part}: {reason}", allow_module_level=True)
 
 
+PEAK = """
+def peak():
+    with open("/proc/self/status") as status:
+        return 1024 * int(next(line for line in status if line.startswith("VmHWM")).split()[1])
+"""
+"""For programs on Linux: the most bytes that they have held. `getrusage` begins with what the parent held."""
+
+
 def printed_by_threads(code: str) -> set[str]:
     """Return what a program prints in processes with one, two and three threads: a single text where they agree."""
     printed = set()

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 import nearfar as nf
 from similarity_oracle import pictures
-from support import need, printed_by_threads
+from support import PEAK, need, printed_by_threads
 from test_reduce import CENTER, camera, street
 
 
@@ -135,8 +135,7 @@ def test_bits_do_not_depend_on_the_number_of_threads() -> None:
     assert len(set(printed_by_threads(BITS))) == 1
 
 
-MEMORY = """
-import resource
+MEMORY = f"""{PEAK}
 import numpy as np
 import nearfar as nf
 random = np.random.default_rng(0)
@@ -146,11 +145,11 @@ random.random(out=a, dtype=np.float32)
 b = a.copy()
 b[::3] *= np.float32(0.9)
 nf.ssim(a[:64, :64], b[:64, :64], data_range=1)
-before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+before = peak()
 nf.ssim(a, b, data_range=1)
 nf.ssim(a, b, data_range=1, mask=a > 0.5)
 nf.rmse(a, b)
-print((resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) * 1024 / a.nbytes)
+print((peak() - before) / a.nbytes)
 """
 
 

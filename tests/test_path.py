@@ -95,7 +95,7 @@ def test_an_end_in_the_middle_drops_what_is_under_way(backend: str) -> None:
 @pytest.mark.parametrize(
     ("error", "words", "arguments"),
     [
-        (TypeError, "scene: expected a Scene, got int", {"source": 3}),
+        (TypeError, "source: expected a Scene or a ReducedScene, got int", {"source": 3}),
         (TypeError, "cameras: expected an iterable of Cameras, got Camera", {"cameras": CAMERAS[0]}),
         (TypeError, "cameras: expected an iterable of Cameras, got int", {"cameras": 3}),
         (TypeError, "cameras: expected Cameras, got str as number 1", {"cameras": [CAMERAS[0], "here"]}),

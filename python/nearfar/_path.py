@@ -63,11 +63,12 @@ def render_path(
     how = painter_of(source, channels, samples)
     if isinstance(cameras, Camera) or not isinstance(cameras, Iterable):
         raise TypeError(f"cameras: expected an iterable of Cameras, got {type(cameras).__name__}")
-    poses = repeat(at) if at is None or isinstance(at, Mapping) else at
+    poses: Iterable[Pose | None] = repeat(None) if at is None or isinstance(at, Mapping) else at
     if isinstance(poses, str) or not isinstance(poses, Iterable):
         raise TypeError(f"at: expected matrices by name, or one such mapping for each camera, got {type(at).__name__}")
     _check_known(cameras, poses)
-    views = _views(_posed(how.scene, poses), cameras)
+    scene = how.scene.at(at) if isinstance(at, Mapping) else how.scene
+    views = _views(_posed(scene, poses), cameras)
     device = how.device(backend)
     return _traced(how, views) if device is None else _drawn(how, device, views)
 
@@ -76,6 +77,8 @@ def painter_of(source: Scene | ReducedScene, channels: Iterable[str] | None, sam
     """How a source is seen; TypeError for what is neither a scene nor a reduced one."""
     if isinstance(source, ReducedScene):
         return source._painter(channels, samples)
+    if not isinstance(source, Scene):
+        raise TypeError(f"source: expected a Scene or a ReducedScene, got {type(source).__name__}")
     return painter(source, channels, samples)
 
 
@@ -95,12 +98,9 @@ def _check_camera(number: int, camera: Camera) -> None:
 
 
 def _posed(source: Scene, poses: Iterable[Pose | None]) -> Iterator[Scene]:
-    """The scene in each pose; the same object while the pose is."""
-    last, scene = None, source
+    """The scene in each pose. A mapping that is changed in place is another pose when its turn comes."""
     for pose in poses:
-        if pose is not last:
-            last, scene = pose, source if pose is None else source.at(pose)
-        yield scene
+        yield source if pose is None else source.at(pose)
 
 
 def _views(scenes: Iterator[Scene], cameras: Iterable[Camera]) -> Iterator[tuple[Scene, Camera]]:
@@ -119,12 +119,22 @@ def _traced(how: Painter, views: Iterator[tuple[Scene, Camera]]) -> Iterator[Fra
 
 def _drawn(how: Painter, device: _core.GpuDevice, views: Iterator[tuple[Scene, Camera]]) -> Iterator[Frame]:
     under_way: list[tuple[Scene, Camera, _core.GpuJob]] = []
-    for scene, camera in views:
-        under_way.append((scene, camera, how.begin(device, scene, camera, None)))
+    wrong: Exception | None = None
+    while wrong is None:
+        try:
+            scene, camera = next(views)
+            under_way.append((scene, camera, how.begin(device, scene, camera, None)))
+        except StopIteration:
+            break
+        except Exception as error:
+            # What was begun before it comes before it.
+            wrong = error
         if len(under_way) == AHEAD:
             yield _finished(*under_way.pop(0))
     while under_way:
         yield _finished(*under_way.pop(0))
+    if wrong is not None:
+        raise wrong
 
 
 def _finished(scene: Scene, camera: Camera, job: _core.GpuJob) -> Frame:

@@ -158,7 +158,8 @@ class ReducedScene:
         backend
             "cpu", "gpu" or "auto", as in `render`. On a graphics adapter near triangles are split once for users about
             as far from the centre, not for each frame, and objects that move are split only where their edges are too
-            long, so that a frame sends a transform for each. "exact" is for the CPU: "auto" leaves it there.
+            long, so that a frame sends a transform for each. The map's colours are half floats there, at most 65,504.
+            "exact" is for the CPU: "auto" leaves it there.
 
         Returns
         -------

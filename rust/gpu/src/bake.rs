@@ -35,6 +35,7 @@ pub fn bake(device: &Arc<Device>, scene: &Scene, settings: &Bake, progress: &Pro
         origin: scene.origin,
         two_texels: settings.two_texels(),
         missed: Kind::AsItIs,
+        multisampled: false,
     };
     let begin =
         |face| Job::begin(device, picture.clone(), &settings.camera(face)?, channels, settings.samples, progress);

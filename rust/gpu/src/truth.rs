@@ -40,6 +40,7 @@ pub fn begin(
         origin: scene.origin,
         two_texels: 0.0,
         missed: Kind::AsItIs,
+        multisampled: true,
     };
     Job::begin(device, picture, camera, channels, samples, progress)
 }

@@ -102,8 +102,10 @@ impl<'a> Bound<'a> {
         let mut first = true;
         while first || start < self.plan.groups.len() {
             let groups = &self.plan.groups[start..];
-            // A layer that covers what is before it begins a pass with a depth of its own.
-            let same = |n: usize| n == 0 || groups[n].layer == groups[n - 1].layer || !layers[groups[n].layer].covers;
+            // A layer that covers what is before it begins a pass with a depth of its own, for itself and for those after
+            // it, also where nothing of it is seen.
+            let section = |n: usize| layers[..=groups[n].layer].iter().filter(|layer| layer.covers).count();
+            let same = |n: usize| section(n) == section(0);
             let count = (0..groups.len()).take_while(|&n| same(n)).count();
             let pipeline = |g: &Group, single| {
                 let used = g.calls.iter().any(|call| call.single == single);

@@ -169,7 +169,7 @@ impl Job {
         if surface {
             passes.push((pass(0, false, true, false), Sampling::CENTER));
         }
-        if self.samples == SAMPLES && self.device.multisamples {
+        if self.samples == SAMPLES && self.device.multisamples && self.picture.multisampled {
             passes.push((pass(passes.len(), true, false, true), Sampling::CENTER));
             return passes;
         }

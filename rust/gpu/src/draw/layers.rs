@@ -158,4 +158,6 @@ pub(crate) struct Picture {
     pub two_texels: f64,
     /// How far pixels without geometry are shown: as points of this kind.
     pub missed: Kind,
+    /// Four samples may be the adapter's own, with each face shaded once: for frames, not for maps, which last.
+    pub multisampled: bool,
 }

@@ -12,8 +12,9 @@ use wgpu::{
 use super::pipelines::{DEPTH, VISIBLE};
 use crate::device::{Device, Written};
 
-/// Slots that wait for frames of their size.
+/// Slots that wait for frames of their size, and bytes of them: the last one waits however large it is.
 const KEPT: usize = 6;
+const KEPT_BYTES: u64 = 1 << 29;
 /// Bytes that what shaders are told is compared by, and that its sections begin at multiples of.
 pub(super) const BLOCK: usize = 256;
 
@@ -30,6 +31,14 @@ pub(super) struct Shape {
     pub multisampled: bool,
     /// Bytes of the output.
     pub bytes: u64,
+}
+
+impl Shape {
+    /// Bytes of all that a slot of this shape holds, but for what shaders are told.
+    fn total_bytes(&self) -> u64 {
+        let samples = 1 + if self.multisampled { u64::from(SAMPLES) } else { 0 };
+        2 * self.bytes + 12 * samples * u64::from(self.width) * u64::from(self.height)
+    }
 }
 
 /// Target of a raster pass.
@@ -69,10 +78,11 @@ impl Slots {
     /// Gives back a slot whose frame is read and whose buffers are as they were.
     pub(super) fn give_back(&self, slot: Slot) {
         let mut slots = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if slots.len() == KEPT {
+        slots.push(slot);
+        let bytes = |slots: &[Slot]| slots.iter().map(|slot| slot.shape.total_bytes()).sum::<u64>();
+        while slots.len() > KEPT || slots.len() > 1 && bytes(&slots) > KEPT_BYTES {
             slots.remove(0);
         }
-        slots.push(slot);
     }
 }
 

@@ -50,7 +50,7 @@ impl Window {
 
 /// Metres from the eye within which nothing is drawn. Reversed floating-point depth is as exact at any distance for any
 /// near plane.
-const NEAR: f64 = 1e-4;
+const NEAR: f64 = 1e-6;
 
 /// The uniform block `Pass` of `scene.wgsl`.
 #[repr(C)]

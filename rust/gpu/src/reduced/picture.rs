@@ -47,15 +47,19 @@ impl Reduced {
             })
         };
         let mut layers = Vec::new();
-        if !mapped && self.map.is_some() {
+        let covered_far = !mapped && self.map.is_some();
+        if covered_far {
             let standing = Scene { moving: Arc::default(), ..scene.clone() };
             layers.push(layer(&standing, Set::Standing, beyond, Split::Beyond, None)?);
         }
         let movers = moving.split.iter().map(|split| (split, Set::Standing)).chain([(&moving.placed, Set::Moving)]);
         let movers: Vec<_> = movers.filter(|(geometry, _)| geometry.scene.triangle_count() > 0).collect();
         let hidden = texels.as_ref().is_some_and(|texels| texels.has_range);
+        // Morphed vertices on both sides of r₂, so that nothing gapes where triangles cross it. Without a map, what stands is
+        // drawn as far away as it is from the centre, so what moves is too.
+        let moved = if kind.is_none() || covered_far { beyond } else { near };
         for (geometry, set) in &movers {
-            let one = layer(&geometry.scene, *set, beyond, Split::Beyond, Some(&geometry.sources))?;
+            let one = layer(&geometry.scene, *set, moved, Split::Beyond, Some(&geometry.sources))?;
             layers.push(Layer { hidden, ..one });
         }
         let covered = !layers.is_empty();
@@ -76,6 +80,7 @@ impl Reduced {
             origin: scene.origin,
             two_texels: 0.0,
             missed: if beyond == Kind::FromCenterOnCylinder { beyond } else { Kind::AsItIs },
+            multisampled: true,
         })
     }
 }

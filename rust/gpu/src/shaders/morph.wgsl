@@ -68,7 +68,7 @@ fn shown(p: vec3<f32>) -> vec3<f32> {
 
 // How far away the user is shown what the centre sees at a distance beyond r2.
 fn far_distance(direction: vec3<f32>, from_center: f32) -> f32 {
-    if KIND != FROM_CENTER_ON_CYLINDER || from_center > 1e30 {
+    if (KIND != CYLINDER && KIND != FROM_CENTER_ON_CYLINDER) || from_center > 1e30 {
         return from_center;
     }
     let exit = leave_cylinder(direction, from_center * length(direction.xz));

@@ -7,7 +7,7 @@ const OVERLAPPING: u32 = 3u;
 
 // Which fragments are drawn, by their distance from the centre's axis.
 override SPLIT: u32 = WHOLE;
-// Fragments behind the map's range are not; what may be hidden is drawn where the centre sees it.
+// Fragments behind the map's range are not.
 override HIDDEN: bool = false;
 // Holes of cut-out materials are not.
 override CUTOUT: bool = false;
@@ -145,7 +145,7 @@ fn is_drawn(in: Vertex) -> bool {
     if HIDDEN {
         let distance = length(in.from_eye);
         let direction = in.from_eye / distance;
-        drawn = drawn && distance <= range_limit(direction);
+        drawn = drawn && distance <= far_distance(direction, range_limit(direction));
     }
     if CUTOUT {
         drawn = drawn && is_solid(in);

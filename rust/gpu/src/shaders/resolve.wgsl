@@ -218,7 +218,9 @@ fn resolve(@builtin(global_invocation_id) pixel: vec3<u32>) {
 
 fn store_surface(number: u32, id: vec2<u32>, surface: Surface, ray: Ray) {
     if view.outputs.y != NONE {
-        store(view.outputs.y + number, far_distance(ray.direction, surface.range));
+        // What is drawn as far away as it is from the centre is shown as far away as the cylinder says.
+        let shown_range = select(surface.range, far_distance(ray.direction, surface.range), KIND == FROM_CENTER_ON_CYLINDER);
+        store(view.outputs.y + number, shown_range);
     }
     if view.outputs.z != NONE {
         output[view.outputs.z + 2u * number] = id.x;

@@ -18,6 +18,9 @@ use crate::device::Device;
 /// A mesh's parts.
 pub(crate) type Parts = Arc<Vec<Part>>;
 
+/// Scenes whose tables are kept: objects that move make a new one for each choice of those between the radii.
+const KEPT: usize = 64;
+
 /// Lists of materials and textures.
 type MaterialKey = (Weak<Vec<Material>>, Weak<Vec<Texture>>);
 
@@ -46,8 +49,20 @@ impl Known {
         self.materials.iter().find(|(key, _)| is_of(key)).map(|(_, table)| Arc::clone(table))
     }
 
-    fn tables_of(&self, scene: &Scene) -> Option<Arc<SceneTables>> {
-        self.scenes.iter().find(|(key, _)| key.is_of(scene)).map(|(_, tables)| Arc::clone(tables))
+    /// A scene's tables, which are then the last that are let go.
+    fn tables_of(&mut self, scene: &Scene) -> Option<Arc<SceneTables>> {
+        let found = self.scenes.iter().position(|(key, _)| key.is_of(scene))?;
+        let entry = self.scenes.remove(found);
+        let tables = Arc::clone(&entry.1);
+        self.scenes.push(entry);
+        Some(tables)
+    }
+
+    fn keep(&mut self, scene: &Scene, tables: &Arc<SceneTables>) {
+        if self.scenes.len() == KEPT {
+            self.scenes.remove(0);
+        }
+        self.scenes.push((Key::of(scene), Arc::clone(tables)));
     }
 
     /// Meshes that are not on the device, each once.
@@ -107,7 +122,7 @@ impl Residents {
         if let Some(earlier) = known.tables_of(scene) {
             return Ok(earlier);
         }
-        known.scenes.push((Key::of(scene), Arc::clone(&tables)));
+        known.keep(scene, &tables);
         Ok(tables)
     }
 

@@ -1,9 +1,9 @@
-//! Morphed near geometry before the map. Pixels are split: a standing fragment is drawn where its unmorphed point lies
-//! within r₂, whatever its triangle reaches, and a moving one beyond r₂ where nothing far hides it.
+//! Morphed near geometry before the map. Pixels are split: a fragment is drawn where its unmorphed point lies within r₂,
+//! whatever its triangle reaches; behind all these a moving one beyond r₂, where nothing far hides it.
 
 use super::super::frame::{Channels, Sample};
 use super::super::surface::Surface;
-use super::super::tiles::{Picture, Spots};
+use super::super::tiles::{PIXELS, Picture, Spots};
 use super::backdrop::{Backdrop, sample_of};
 use super::shown::Shown;
 use crate::camera::Footprint;
@@ -17,10 +17,12 @@ pub(super) struct Bent<'a> {
     pub radius: f64,
 }
 
+/// Fragments within r₂, or moving ones beyond it.
 struct Split<'a> {
     bent: &'a Bent<'a>,
     standing: u32,
     cutouts: bool,
+    beyond: bool,
 }
 
 impl Filter for Split<'_> {
@@ -29,14 +31,16 @@ impl Filter for Split<'_> {
         let Bent { scene, shown, backdrop, radius } = self.bent;
         let piece = shown.piece(candidate.instance, candidate.face);
         let (u, v) = piece.on_face(candidate.u, candidate.v);
-        if !Shown::is_fixed(candidate.instance) {
+        let fixed = Shown::is_fixed(candidate.instance);
+        if self.beyond && (fixed || piece.instance < self.standing) {
+            return false;
+        }
+        if !fixed {
             let [a, b, c] = scene.instance(piece.instance).corners(piece.face).map(|corner| corner.as_dvec3());
             let point = a + (b - a) * f64::from(u) + (c - a) * f64::from(v);
-            let stands = piece.instance < self.standing;
             let from_axis = point - backdrop.center;
-            if from_axis.x.hypot(from_axis.z) > *radius
-                && (stands || candidate.t > backdrop.hides_beyond(ray.direction))
-            {
+            let is_beyond = from_axis.x.hypot(from_axis.z) > *radius;
+            if is_beyond != self.beyond || is_beyond && candidate.t > backdrop.hides_beyond(ray.direction) {
                 return false;
             }
         }
@@ -55,8 +59,20 @@ impl Bent<'_> {
 impl Picture for Bent<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
         let standing = self.scene.standing.instances().len() as u32;
-        let split = Split { bent: self, standing, cutouts: self.scene.has_cutouts() };
-        closest_hits(&self.shown.scene, rays, &split, hits);
+        let split = |beyond| Split { bent: self, standing, cutouts: self.scene.has_cutouts(), beyond };
+        closest_hits(&self.shown.scene, rays, &split(false), hits);
+        if self.shown.moving_triangles() == 0 || !hits.iter().any(Hit::is_miss) {
+            return;
+        }
+        // What lies within r₂ comes before all that lies beyond it, along the bent ray if not by the distance shown.
+        let (mut others, mut found) = ([rays[0]; PIXELS], [Hit::MISS; PIXELS]);
+        for (other, (ray, hit)) in others.iter_mut().zip(rays.iter().zip(hits.iter())) {
+            *other = if hit.is_miss() { *ray } else { Ray { t_max: -1.0, ..*ray } };
+        }
+        closest_hits(&self.shown.scene, &others[..rays.len()], &split(true), &mut found[..rays.len()]);
+        for (hit, found) in hits.iter_mut().zip(found).filter(|(hit, _)| hit.is_miss()) {
+            *hit = found;
+        }
     }
 
     fn color(&self, ray: &Ray, hit: &Hit, footprint: Footprint) -> [f32; 3] {
