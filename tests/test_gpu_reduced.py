@@ -225,3 +225,48 @@ def test_tokyo_looks_the_same_on_both(tmp_path: Path) -> None:
     check_color(cpu, gpu)
     # Where a long thin triangle was bent, float64 tells errors of 3e-4 on the CPU and of 2e-4 on the adapter.
     check_range(cpu, gpu, worst=1e-3)
+
+
+def street_with_a_drone() -> tuple[nf.Scene, dict[str, NDArray[np.float64]]]:
+    """One ground across both radii, a façade within r2, and behind it something that moves beyond r2."""
+    ground = trimesh.creation.box((600, 0.2, 600))
+    facade = trimesh.creation.box((0.5, 60, 80))
+    facade.apply_translation((40, 30, 0))
+    parts = {"ground": ground, "facade": facade, "drone": trimesh.creation.box((4, 4, 4))}
+    assembled = trimesh.Scene()
+    for name, mesh in parts.items():
+        assembled.add_geometry(mesh, node_name=name, geom_name=name)
+    scene = nf.Scene.from_trimesh(assembled).with_dynamic(["drone"])
+    return scene, {"drone": placed(60, 25, 0)}
+
+
+@pytest.mark.parametrize("morph", ["blend", "cylinder", "none"])
+@pytest.mark.parametrize("user", [(-16.0, 1.7, 0.0), (-25.0, 1.7, 3.0)])
+def test_what_moves_beyond_is_hidden_by_all_that_is_near(morph: str, user: tuple[float, float, float]) -> None:
+    """Also where nothing lies wholly within r1, and where the centre is nearer to it than the user is to the wall."""
+    scene, pose = street_with_a_drone()
+    reduced = nf.reduce(scene, center=CENTER, r1=30, r2=50, face_size=64, morph=morph, channels=CHANNELS, samples=1)
+    drone = scene.object_names.index("drone")
+    for target in ((40, 1.7, 0), (60, 25, 0)):
+        camera = nf.Camera.look_at(user, target, fov=nf.Fov.symmetric(60), size=(128, 128))
+        for settings in ({}, {"tolerance_px": np.inf}, {"env": False}):
+            cpu, gpu = both(reduced, camera, at=pose, channels=ALL, **settings)
+            for frame in (cpu, gpu):
+                assert not (frame.require("object_id") == drone).any()
+            check_ids(cpu.require("object_id"), gpu.require("object_id"), 0.998)
+        assert not (reduced.render(camera, at=pose, method="exact").require("object_id") == drone).any()
+
+
+@pytest.mark.parametrize("morph", ["blend", "cylinder"])
+def test_a_mover_across_both_radii_has_no_hole(morph: str) -> None:
+    """Its vertices are bent on both sides of r2, so that the parts that are drawn apart meet."""
+    scene, _ = street_with_a_drone()
+    reduced = nf.reduce(scene, center=CENTER, r1=10, r2=25, face_size=64, morph=morph, channels=CHANNELS, samples=1)
+    wall = np.diag([8.0, 3.0, 1.0, 1.0]) @ np.eye(4)
+    wall[:3, 3] = 18.0, 3.0, -9.0
+    for user in ((1.5, 2.4, 1.0), (30.0, 2.0, 12.0)):
+        camera = nf.Camera.look_at(user, (18, 3, -9), fov=nf.Fov.symmetric(60), size=(160, 160))
+        for tolerance in (np.inf, 0.5):
+            cpu, gpu = both(reduced, camera, at={"drone": wall}, channels=ALL, tolerance_px=tolerance)
+            # Split edges may be apart by a part of a pixel, and user and centre see some of them under large angles.
+            check_ids(cpu.require("object_id"), gpu.require("object_id"), 0.998 if np.isinf(tolerance) else 0.99)

@@ -64,6 +64,25 @@ def test_objects_move_along_the_path(backend: str) -> None:
     equal(fixed[0], nf.render(scene.at(poses[3]), CAMERAS[0], backend=backend))
 
 
+def test_a_pose_that_is_changed_in_place_is_another_one(backend: str) -> None:
+    matrix = pose(0.0)
+
+    def walk() -> Iterator[dict[str, Any]]:
+        for step in range(3):
+            matrix[0, 3] = 0.5 * step
+            yield {"one_7": matrix}
+
+    frames = nf.render_path(crowd(("one_7",)), [CAMERAS[0]] * 3, at=walk(), backend=backend)
+    assert len({frame.require("object_id").tobytes() for frame in frames}) == 3
+
+
+def test_frames_before_a_wrong_camera_come_before_the_error(backend: str) -> None:
+    path = nf.render_path(crowd(), iter([*CAMERAS[:2], 3]), backend=backend)  # type: ignore[arg-type]
+    assert [next(path).camera, next(path).camera] == CAMERAS[:2]
+    with pytest.raises(TypeError, match="cameras: expected Cameras, got int as number 2"):
+        next(path)
+
+
 def test_one_camera_is_asked_for_ahead() -> None:
     asked = []
 

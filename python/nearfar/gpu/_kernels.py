@@ -14,6 +14,9 @@ from nearfar.gpu._frames import DeviceFrame
 
 WINDOWS = ("gaussian", "uniform")
 
+LARGEST = 17
+"""Pixels across a window: what fits into the memory of a group of shaders."""
+
 FILTERS = ("nearest", "min", "max")
 
 
@@ -60,7 +63,7 @@ def ssim(
     Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13.
     """
     _check.choice("window", window, WINDOWS)
-    taps, deviation = _check.integer("size", size, 1, 10_001), _check.positive("sigma", sigma)
+    taps, deviation = _check.integer("size", size, 1, LARGEST), _check.positive("sigma", sigma)
     for name, frame in (("reference", reference), ("test", test)):
         _frame(name, frame).require("color")
     settings: dict[str, Any] = {"window": window, "size": taps, "sigma": deviation}
