@@ -353,3 +353,12 @@ def test_a_lost_device_is_an_error_and_the_next_one_works(name: str, monkeypatch
     for old in ((again, frame), (frame, again)):
         with pytest.raises(nf.DeviceError, match="lost"):
             gpu.ssim(*old)
+
+
+def test_frames_of_two_devices_are_not_compared() -> None:
+    frames = []
+    for name in ADAPTERS:
+        with adapter(name):
+            frames.append(gpu.render(street(), view(), channels=("color",)))
+    with pytest.raises(ValueError, match="test: expected a frame on .* got one on"):
+        gpu.ssim(*frames)
