@@ -98,7 +98,7 @@ def test_only_measuring_lets_auto_take_the_processor_as_an_adapter() -> None:
             # Other work and other scenes were not measured.
             assert _backend.device_for("auto", scene, (("range",), 1)) is None
             assert _backend.device_for("auto", crowd(), work) is None
-    with pytest.raises(TypeError, match="scene: expected a Scene"):
+    with pytest.raises(TypeError, match="source: expected a Scene or a ReducedScene"):
         nf.gpu.measure(None, camera)  # type: ignore[arg-type]
 
 
