@@ -360,5 +360,5 @@ def test_frames_of_two_devices_are_not_compared() -> None:
     for name in ADAPTERS:
         with adapter(name):
             frames.append(gpu.render(street(), view(), channels=("color",)))
-    with pytest.raises(ValueError, match="test: expected a frame on .* got one on"):
+    with pytest.raises(ValueError, match=r"test: expected a frame on .* got one on"):
         gpu.ssim(*frames)
