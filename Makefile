@@ -63,13 +63,13 @@ clean:
 
 # What the package and its demo need.
 .venv/base: .venv/made pyproject.toml scripts/requirements.py
-	$(bin)/python scripts/requirements.py plot > .venv/base.txt
+	$(bin)/python scripts/requirements.py lod plot > .venv/base.txt
 	$(pip) -r .venv/base.txt
 	touch $@
 
 # What the tests and notebooks need. pyrender pins a PyOpenGL that cannot be loaded: it comes without its requirements.
 .venv/test: .venv/base
-	$(bin)/python scripts/requirements.py plot notebook test crosscheck > .venv/test.txt
+	$(bin)/python scripts/requirements.py lod cluster plot notebook test crosscheck > .venv/test.txt
 	$(pip) -r .venv/test.txt
 	$(pip) --no-deps pyrender==0.1.45
 	touch $@

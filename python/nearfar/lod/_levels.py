@@ -1,0 +1,107 @@
+"""Levels of detail of one object: the same thing in fewer and fewer triangles."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._bounds import bounding_sphere
+from nearfar._scene import Scene
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Level:
+    """One level of detail.
+
+    Parameters
+    ----------
+    scene
+        The object in its own frame, with its materials.
+    ratio
+        The share of the base's triangles that was asked for.
+    error
+        Metres: the greatest distance found between its surface and the base's, either way; 0 for the base.
+    mean_error
+        Metres: the mean of these distances, by area.
+    note
+        Why it has more triangles than asked for; empty where it has not.
+    """
+
+    scene: Scene
+    ratio: float = 1.0
+    error: float = 0.0
+    mean_error: float = 0.0
+    note: str = ""
+
+    @property
+    def triangle_count(self) -> int:
+        """Its triangles."""
+        return self.scene.triangle_count
+
+
+class Levels(Sequence[Level]):
+    """Levels of detail of one object, the base first: `simplify` makes them, or they come from files.
+
+    Parameters
+    ----------
+    levels
+        At least one; none has more triangles than the one before it.
+    name
+        Of the object.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For no levels, other things than levels, empty levels, and levels that grow.
+    """
+
+    def __init__(self, levels: Iterable[Level], *, name: str = "object") -> None:
+        self._levels = tuple(levels)
+        if not self._levels:
+            raise ValueError("levels: expected at least one, got none")
+        for number, level in enumerate(self._levels):
+            if not isinstance(level, Level):
+                raise TypeError(f"levels: expected a Level at index {number}, got {type(level).__name__}")
+            if not level.triangle_count:
+                raise ValueError(f"levels: expected triangles in level {number}, got none")
+        counts = [level.triangle_count for level in self._levels]
+        for number, (finer, coarser) in enumerate(itertools.pairwise(counts)):
+            if coarser > finer:
+                raise ValueError(
+                    f"levels: expected no more than {finer} triangles in level {number + 1}, got {coarser}"
+                )
+        self.name = name
+        center, radius = bounding_sphere(_corners(self._levels[0].scene))
+        self.center: NDArray[np.float64] = center
+        """Centre of the base's smallest bounding sphere (3,), metres in the object's frame."""
+        self.radius: float = radius
+        """Its radius, metres."""
+
+    @overload
+    def __getitem__(self, index: int) -> Level: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> Levels: ...
+
+    def __getitem__(self, index: int | slice) -> Level | Levels:
+        """One level, or some as levels of the same object."""
+        if isinstance(index, slice):
+            return Levels(self._levels[index], name=self.name)
+        return self._levels[index]
+
+    def __len__(self) -> int:
+        """How many levels there are."""
+        return len(self._levels)
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{level.triangle_count:,}" for level in self._levels)
+        return f"Levels({self.name!r}: {counts} triangles)"
+
+
+def _corners(scene: Scene) -> NDArray[np.float64]:
+    return scene.triangles().reshape(-1, 3) + scene.origin
