@@ -1,7 +1,10 @@
 """Levels of detail: making them, measuring how good they look over their size, and choosing them."""
 
+from nearfar.lod._export import export
 from nearfar.lod._fit import Curve4PL, fit_4pl
 from nearfar.lod._levels import Level, Levels
 from nearfar.lod._model import LodModel
+from nearfar.lod._place import place
+from nearfar.lod._switch import Switches, switches
 
-__all__ = ["Curve4PL", "Level", "Levels", "LodModel", "fit_4pl"]
+__all__ = ["Curve4PL", "Level", "Levels", "LodModel", "Switches", "export", "fit_4pl", "place", "switches"]

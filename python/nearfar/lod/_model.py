@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar import _check
+from nearfar._camera import Camera, Fov
+from nearfar._hmd import Hmd
 from nearfar.lod._fit import Curve4PL
 from nearfar.lod._levels import Levels
+
+if TYPE_CHECKING:
+    from nearfar.lod._selector import Selector
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
@@ -52,6 +59,49 @@ class LodModel:
     def __len__(self) -> int:
         """How many levels there are, level 0 included."""
         return len(self.triangles)
+
+    def export(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        view: Hmd | Camera | Fov,
+        k: float = 0.27,
+        d: float = 0.90,
+        threshold: str = "anchored",
+    ) -> None:
+        """Write the model for engines, whole or not at all, so that they switch levels where the curves say.
+
+        Parameters
+        ----------
+        path
+            `.glb`: the geometry with `MSFT_lod`, and `MSFT_screencoverage` for the switches: the share of the picture's
+            area that the bounding sphere covers. Programs that don't know the extension show level 0. `.json`: what
+            `save` writes, and `switches`: sizes at which levels take over, in several words (see `switches`). GLB has
+            that document in its first node's `extras.nearfar`. `load` reads both back, bit for bit; of the levels'
+            scenes it keeps triangles, surfaces and normals, all of one object.
+        view, k, d, threshold
+            For what screen and threshold switches are worked out, as `switches` takes them.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For arguments out of their domains, other suffixes, and GLB of models without geometry.
+        OSError
+            Where the file cannot be written.
+
+        References
+        ----------
+        Khronos Group: glTF 2.0, extension MSFT_lod.
+        """
+        from nearfar.lod import _export
+
+        _export.write(self, _check.path("path", path), view=view, k=k, d=d, threshold=threshold)
+
+    def selector(self, mode: str) -> Selector:
+        """What `nearfar.render` chooses levels by where it is given a mode alone: a `Selector` with its defaults."""
+        from nearfar.lod._selector import Selector
+
+        return Selector(mode=mode)
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{count:,}" for count in self.triangles)
