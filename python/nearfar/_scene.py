@@ -15,6 +15,7 @@ from nearfar._assembly import Assembled, Assembly
 from nearfar._geometry import object_count_of, transforms_of
 from nearfar._names import Names, names_of
 from nearfar._report import Report
+from nearfar._scene_parts import core_of_parts, parts_of
 
 if TYPE_CHECKING:
     import trimesh
@@ -312,6 +313,16 @@ class Scene:
 
     def _derived(self, core: _core.Scene, rest: NDArray[np.float64]) -> Scene:
         return Scene(core, self._names, frames=self._frames, rest=rest, dropped=self._dropped, notes=self._notes)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Scenes travel to other processes as arrays; trees are built anew there."""
+        given = self._names.given
+        names = given if isinstance(given, int) else list(given)
+        own = {"frames": self._frames, "rest": self._rest, "dropped": self._dropped, "notes": self._notes}
+        return {"parts": parts_of(self._core), "names": names, "own": own}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        Scene.__init__(self, core_of_parts(state["parts"]), Names(state["names"]), **state["own"])
 
     def __repr__(self) -> str:
         return f"<nearfar.Scene: {self.triangle_count:,} triangles, {len(self._names):,} objects>"

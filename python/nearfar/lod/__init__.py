@@ -2,6 +2,8 @@
 
 from nearfar.lod._fit import Curve4PL, fit_4pl
 from nearfar.lod._levels import Level, Levels
+from nearfar.lod._measure import measure
 from nearfar.lod._model import LodModel
+from nearfar.lod._samples import Samples
 
-__all__ = ["Curve4PL", "Level", "Levels", "LodModel", "fit_4pl"]
+__all__ = ["Curve4PL", "Level", "Levels", "LodModel", "Samples", "fit_4pl", "measure"]
