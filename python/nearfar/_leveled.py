@@ -110,6 +110,11 @@ class LevelTable:
     row_of: NDArray[np.int32]
     """Of each object the row of meshes, −1 where it has none."""
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Meshes travel to other processes as arrays."""
+        meshes = [[_core.mesh_parts(mesh) for mesh in row] for row in self.meshes]
+        return _restored, (self.models, meshes, self.model_of, self.row_of)
+
     def leveled(self, core: _core.Scene, names: Names) -> Leveled:
         """Return the objects with levels that a scene holds, where they are in it."""
         placements, numbers = _core.placements_of(core, self.row_of >= 0)
@@ -124,6 +129,18 @@ class LevelTable:
         scales = np.sqrt(np.linalg.eigvalsh(axes.transpose(0, 2, 1) @ axes)[:, -1]) if len(axes) else np.zeros(0)
         named = tuple(names.all[number] for number in numbers)
         return Leveled(named, numbers.astype(np.int64), self.models, index, centers, sizes * scales)
+
+
+def _restored(
+    models: tuple[Any, ...],
+    parts: list[list[dict[str, Any]]],
+    model_of: NDArray[np.int32],
+    row_of: NDArray[np.int32],
+) -> LevelTable:
+    meshes = tuple(
+        tuple(_core.Mesh(mesh.pop("positions"), mesh.pop("faces"), **mesh) for mesh in map(dict, row)) for row in parts
+    )
+    return LevelTable(models, meshes, _core.Levels([list(row) for row in meshes]), model_of, row_of)
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,6 +16,7 @@ from nearfar._geometry import object_count_of, transforms_of
 from nearfar._leveled import Leveled, LevelTable, given, levels_of, with_levels
 from nearfar._names import Names, names_of
 from nearfar._report import Report
+from nearfar._scene_parts import core_of_parts, parts_of
 
 if TYPE_CHECKING:
     import trimesh
@@ -380,6 +381,22 @@ class Scene:
             notes=self._notes,
             table=table,
         )
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Scenes travel to other processes as arrays; trees are built anew there."""
+        given = self._names.given
+        names = given if isinstance(given, int) else list(given)
+        own = {
+            "frames": self._frames,
+            "rest": self._rest,
+            "dropped": self._dropped,
+            "notes": self._notes,
+            "table": self._table,
+        }
+        return {"parts": parts_of(self._core), "names": names, "own": own}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        Scene.__init__(self, core_of_parts(state["parts"]), Names(state["names"]), **state["own"])
 
     def __repr__(self) -> str:
         return f"<nearfar.Scene: {self.triangle_count:,} triangles, {len(self._names):,} objects>"

@@ -3,8 +3,22 @@
 from nearfar.lod._export import export
 from nearfar.lod._fit import Curve4PL, fit_4pl
 from nearfar.lod._levels import Level, Levels
+from nearfar.lod._measure import measure
 from nearfar.lod._model import LodModel
 from nearfar.lod._place import place
+from nearfar.lod._samples import Samples
 from nearfar.lod._switch import Switches, switches
 
-__all__ = ["Curve4PL", "Level", "Levels", "LodModel", "Switches", "export", "fit_4pl", "place", "switches"]
+__all__ = [
+    "Curve4PL",
+    "Level",
+    "Levels",
+    "LodModel",
+    "Samples",
+    "Switches",
+    "export",
+    "fit_4pl",
+    "measure",
+    "place",
+    "switches",
+]

@@ -64,9 +64,8 @@ def _glb_of(model: LodModel, found: Switches, document: dict[str, Any]) -> bytes
     return encoder.finish(nodes[:1], **_used(nodes))
 
 
-def read_glb(path: str | os.PathLike[str]) -> LodModel:
+def read(target: Path) -> LodModel:
     """Read a GLB that `write` made; FormatError for anything else, OSError where there is no file."""
-    target = _check.path("path", path)
     data = target.read_bytes()
     try:
         return _model(_scene_glb.Decoder(data, Names(1)), target)
