@@ -413,6 +413,35 @@ def fit_4pl(
     report: _Report | None = None,
 ) -> tuple[NDArray[np.float64], NDArray[np.uint8]]: ...
 
+_Eye = tuple[
+    tuple[float, float, float],
+    tuple[float, float, float, float],
+    tuple[float, float, float, float],
+    tuple[float, float, float] | None,
+    float,
+]
+
+def select_levels(
+    models: tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]],
+    model_index: NDArray[np.int64],
+    centers: NDArray[np.float64],
+    radii: NDArray[np.float64],
+    *,
+    previous: NDArray[np.int32] | None,
+    eyes: list[_Eye],
+    line: tuple[float, float],
+    reference: float,
+    off: bool,
+    cull: bool,
+    lens: RadialLens | None,
+    tan_omega: float,
+    exact: bool,
+    acuity: tuple[float, float] | None,
+    hysteresis: float,
+    fade: float,
+    full: bool,
+) -> tuple[NDArray[np.int32], list[NDArray[np.float64]], list[int]]: ...
+
 # exr ----------------------------------------------------------------------------------------------------------------
 _Part = tuple[str, dict[str, NDArray[Any]], dict[str, str | tuple[float, float, float]]]
 

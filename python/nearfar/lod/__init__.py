@@ -7,6 +7,10 @@ from nearfar.lod._measure import measure
 from nearfar.lod._model import LodModel
 from nearfar.lod._place import place
 from nearfar.lod._samples import Samples
+from nearfar.lod._select import select
+from nearfar.lod._selection import Selection
+from nearfar.lod._selector import Selector
+from nearfar.lod._size import acuity, distortion, reference_solid_angle
 from nearfar.lod._switch import Switches, switches
 
 __all__ = [
@@ -15,10 +19,16 @@ __all__ = [
     "Levels",
     "LodModel",
     "Samples",
+    "Selection",
+    "Selector",
     "Switches",
+    "acuity",
+    "distortion",
     "export",
     "fit_4pl",
     "measure",
     "place",
+    "reference_solid_angle",
+    "select",
     "switches",
 ]
