@@ -13,12 +13,14 @@ import jsonschema
 import numpy as np
 import pytest
 import trimesh
+from numpy.typing import NDArray
 
 import nearfar as nf
 from leveled_cases import RED, bytes_of, checkers, frames, model_from, model_of, same_triangles, view
 from nearfar import _glb
 from support import valid
 
+Array = NDArray[np.float64]
 FOV = nf.Fov(-1.2, 0.9, -1.1, 1.0)
 AREA = 2.1 * 2.1
 
@@ -149,25 +151,53 @@ def test_json_says_the_same_in_every_engines_words(model: nf.lod.LodModel, tmp_p
         assert level["screen_height"] == pytest.approx(2 * sine / 2.1, rel=1e-12)
 
 
-@pytest.mark.parametrize("threshold", ["anchored", "literal", "normalized"])
-@pytest.mark.parametrize(("k", "d"), [(0.27, 0.9), (0.24, 0.8), (0.0, 0.95), (0.27, 2.0), (0.1, 0.0)])
-def test_switches_are_where_select_switches(model: nf.lod.LodModel, threshold: str, k: float, d: float) -> None:
-    # Along the axis of a symmetric view with eyes straight at it, engines and `select` mean the same size.
+def switched(model: nf.lod.LodModel, away: Array, found: nf.lod.Switches) -> list[int]:
+    """What engines show of a sphere at distances in radii: the coarsest level whose range has begun."""
+    return [max((i for i in range(1, len(model)) if z >= found.distance[i]), default=0) for z in away]
+
+
+def distances(found: nf.lod.Switches) -> Array:
+    """Distances in radii, some of them just before and after those where levels switch."""
+    ends = found.distance[1:][np.isfinite(found.distance[1:])]
+    return np.unique(np.concatenate([np.geomspace(1.01, 500, 300), ends * 0.999999, ends * 1.000001]))
+
+
+THRESHOLDS = pytest.mark.parametrize("threshold", ["anchored", "literal", "normalized"])
+NUMBERS = pytest.mark.parametrize(("k", "d"), [(0.27, 0.9), (0.24, 0.8), (0.0, 0.95), (0.27, 2.0), (0.1, 0.0)])
+
+
+@THRESHOLDS
+@NUMBERS
+def test_switches_are_where_the_formulas_switch(model: nf.lod.LodModel, threshold: str, k: float, d: float) -> None:
     fov = nf.Fov.symmetric(87, 87 / 90)
-    camera = nf.Camera((0, 0, 0), fov=fov, size=(64, 64))
     found = nf.lod.switches(model, view=fov, k=k, d=d, threshold=threshold)
-    ends = np.concatenate([[np.inf], found.distance[1:]])
-    away = np.unique(
-        np.concatenate([np.geomspace(1.01, 500, 300), *(ends[np.isfinite(ends)] * s for s in (0.999999, 1.000001))])
-    )
+    reference = 2 * math.pi * (1 - math.cos(math.asin(math.tan(math.radians(87 / 2)) / 4)))
+    away = distances(found)
+    sigma = 2 * math.pi * (1 - np.sqrt(1 - 1 / away**2))
+    if threshold == "literal":
+        line = k * sigma + d
+    else:
+        line = d + k * (sigma - reference) / (1 if threshold == "anchored" else reference)
+    scores = model.curves(np.maximum(sigma, model.sigma[0]))
+    enough = (scores >= line) & (sigma <= min(reference, model.sigma[1]))
+    expected = [max((i + 1 for i in np.flatnonzero(column)), default=0) for column in enough.T]
+    assert switched(model, away, found) == expected
+
+
+@THRESHOLDS
+@NUMBERS
+def test_switches_are_where_select_switches(model: nf.lod.LodModel, threshold: str, k: float, d: float) -> None:
+    # Straight ahead in a symmetric view engines and `select` mean the same size.
+    fov = nf.Fov.symmetric(87, 87 / 90)
+    found = nf.lod.switches(model, view=fov, k=k, d=d, threshold=threshold)
+    away = distances(found)
     centers = np.zeros((len(away), 3))
     centers[:, 2] = -away * model.radius
     levels = nf.lod.select(
         [model], np.zeros(len(away), int), centers, np.full(len(away), model.radius),
-        camera=camera, k=k, d=d, threshold=threshold, mode="depth",
+        camera=nf.Camera((0, 0, 0), fov=fov, size=(64, 64)), k=k, d=d, threshold=threshold, mode="depth",
     )  # fmt: skip
-    expected = [max((i for i in range(1, len(model)) if z >= found.distance[i]), default=0) for z in away]
-    assert levels.tolist() == expected
+    assert levels.tolist() == switched(model, away, found)
 
 
 def test_coverage_says_how_much_of_a_picture_a_sphere_covers() -> None:
@@ -178,7 +208,8 @@ def test_coverage_says_how_much_of_a_picture_a_sphere_covers() -> None:
     found = nf.lod.switches(model, view=fov, k=0.0, d=0.9)
     eye = (0.0, 0.0, model.radius * float(found.distance[1]))
     camera = nf.Camera(eye, fov=fov, size=(600, 600))
-    share = np.isfinite(nf.render(geometry(model)[0].scene, camera, channels=("range",), backend="cpu").range).mean()
+    frame = nf.render(geometry(model)[0].scene, camera, channels=("range",), backend="cpu")
+    share = np.isfinite(frame.require("range")).mean()
     assert nf.solid_angle(np.zeros((1, 3)), np.array([model.radius]), eye=eye)[0] == pytest.approx(sigma, rel=1e-9)
     # The disc at the sphere's middle, as engines have it, is smaller than the outline by cos²μ, and facets lose 0.3 %.
     cosine = 1 - 1 / found.distance[1] ** 2

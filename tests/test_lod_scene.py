@@ -262,7 +262,7 @@ def test_any_function_may_choose(models: list[nf.lod.LodModel]) -> None:
 
 WRONG: list[tuple[str, Callable[[nf.Scene, nf.lod.LodModel], Any], type[Exception], str]] = [
     ("unknown object", lambda s, m: s.with_levels({"bell": m}), ValueError, "models: the scene has no object 'bell'"),
-    ("no mapping", lambda s, m: s.with_levels([m]), TypeError, "models: expected models by name"),
+    ("no mapping", lambda s, m: s.with_levels([m]), TypeError, "models: expected models by name"),  # type: ignore[arg-type]
     (
         "no model",
         lambda s, m: s.with_levels({"ball": 3}),
