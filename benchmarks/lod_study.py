@@ -21,6 +21,7 @@ from _study import (
     paired,
     readings,
     shapiro,
+    sixteenth,
     texture,
     wilcoxon,
 )
@@ -124,11 +125,6 @@ def table_of_readings(study: Study) -> str:
         rows.append([label, str(len(first)), *(f"{low:.4f} to {high:.4f}" for low, high in spans), "", "", ""])
     header = ["", "rows", "d", "k", "anchored, far away", "literal, at 1/16", "normalized, far away"]
     return table(f"d and k by choices that could have been made; thresholds for {headset.name}", header, rows)
-
-
-def sixteenth(headset: nf.Hmd) -> float:
-    """Solid angle, in steradians, of a sphere that is a quarter as wide as the picture."""
-    return float(2 * np.pi * (1 - np.cos(np.arcsin(headset.tan_half_angle / 4))))
 
 
 def _test(statistic: float, p: float) -> list[str]:
