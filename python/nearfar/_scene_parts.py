@@ -13,8 +13,11 @@ def parts_of(core: _core.Scene) -> dict[str, Any]:
     """All that is drawn of a scene, in arrays, numbers and containers of them; shared meshes stand once."""
     parts = _core.scene_parts(core)
     first, shared = np.unique(core.mesh_ids(), return_index=True, return_inverse=True)[1:]
+    # By their first use: identities are addresses, whose order is chance.
+    order = np.argsort(first)
     meshes = parts.pop("meshes")
-    return parts | {"meshes": [_core.mesh_parts(meshes[number]) for number in first], "mesh_of": shared}
+    listed = [_core.mesh_parts(meshes[number]) for number in first[order]]
+    return parts | {"meshes": listed, "mesh_of": np.argsort(order)[shared]}
 
 
 def core_of_parts(parts: dict[str, Any]) -> _core.Scene:

@@ -8,6 +8,7 @@ mod levels;
 mod material;
 mod merge;
 mod mesh;
+mod normal;
 pub mod srgb;
 mod texture;
 
@@ -24,6 +25,7 @@ pub use levels::LevelMeshes;
 pub use material::{Alpha, Material, texel_density, texture_level};
 pub use merge::{Part, merge};
 pub use mesh::Mesh;
+pub use normal::facing_normals;
 pub use texture::{Level, Texture};
 
 use crate::base::{Error, Progress, Result, memory::room_for};
