@@ -1,4 +1,5 @@
-//! Levels of detail: curves of four parameters through samples of a level's quality over its size.
+//! Levels of detail: curves of four parameters through samples of a level's quality over its size, and the levels that
+//! are enough by them.
 //!
 //! Liebisch: Perceptual level of detail for head-mounted displays, 2021; y = d + (a−d)/(1+(x/c)^b).
 
@@ -7,6 +8,7 @@ mod fit;
 mod frame;
 mod grid;
 mod logistic;
+mod select;
 mod settle;
 mod steps;
 #[cfg(test)]
@@ -17,6 +19,7 @@ use rayon::prelude::*;
 use crate::base::{Error, Progress, Result};
 pub use fit::{Curve, Status};
 pub use frame::Unfit;
+pub use select::{Acuity, COLUMNS, Counts, Eye, Glass, Line, Model, Objects, Parameters, Rules, View, select};
 
 use fit::Room;
 use frame::Frame;
