@@ -3,5 +3,6 @@
 from nearfar.lod._fit import Curve4PL, fit_4pl
 from nearfar.lod._levels import Level, Levels
 from nearfar.lod._model import LodModel
+from nearfar.lod._simplify import simplify
 
-__all__ = ["Curve4PL", "Level", "Levels", "LodModel", "fit_4pl"]
+__all__ = ["Curve4PL", "Level", "Levels", "LodModel", "fit_4pl", "simplify"]

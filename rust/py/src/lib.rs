@@ -21,6 +21,7 @@ mod reduce;
 mod render;
 mod run;
 mod scene;
+mod simplify;
 mod tessellate;
 mod trace;
 
@@ -46,6 +47,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     bounds::register(module)?;
     lens::register(module)?;
     lod::register(module)?;
+    simplify::register(module)?;
     exr::register(module)?;
     gpu::register(module)?;
     gpu_compute::register(module)

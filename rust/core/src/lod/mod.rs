@@ -1,7 +1,9 @@
-//! Levels of detail: curves of four parameters through samples of a level's quality over its size.
+//! Levels of detail: coarser surfaces, and curves of four parameters through samples of a level's quality over its size.
 //!
 //! Liebisch: Perceptual level of detail for head-mounted displays, 2021; y = d + (a−d)/(1+(x/c)^b).
 
+mod carry;
+mod collapse;
 mod descend;
 mod fit;
 mod frame;
@@ -9,14 +11,18 @@ mod grid;
 mod logistic;
 mod settle;
 mod steps;
+mod surface;
 #[cfg(test)]
 mod tests;
 
 use rayon::prelude::*;
 
 use crate::base::{Error, Progress, Result};
+pub use carry::{Charts, Place};
+pub use collapse::{Vertices, collapse};
 pub use fit::{Curve, Status};
 pub use frame::Unfit;
+pub use surface::{first_alike, pieces};
 
 use fit::Room;
 use frame::Frame;
