@@ -40,6 +40,7 @@ class Surface:
     uvs: Array | None = None
     texture: NDArray[np.uint8] | None = None
     colors: NDArray[np.uint8] | None = None
+    normals: Array | None = None
     levels: list[Array] = field(default_factory=list)
 
 
@@ -236,4 +237,17 @@ def _shade(
         density = np.sqrt(abs(bx * cy - by * cx) / np.linalg.norm(cross))
         level = np.log2(widths / np.sqrt(np.abs(cosine)) * density)
         albedo = albedo * trilinear(surface.levels, _blend(surface.uvs[face], u, v), level)
-    return albedo * irradiance(normals), normals
+    return albedo * irradiance(_smooth(surface, face, u, v, outside, cosine, normals)), normals
+
+
+def _smooth(
+    surface: Surface, face: NDArray[np.int64], u: Array, v: Array, outside: Array, cosine: Array, flat: Array
+) -> Array:
+    """Normals that colours take: between the corners', where zeros are the face's; both sides of a face are alike."""
+    if surface.normals is None or not surface.normals[face].any():
+        return flat
+    corners = surface.normals[face]
+    corners = np.where(corners.any(axis=1, keepdims=True), corners, outside)
+    between = _blend(corners, u, v)
+    between /= np.linalg.norm(between, axis=1, keepdims=True)
+    return np.where(cosine[:, None] > 0, -between, between)

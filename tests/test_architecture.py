@@ -111,7 +111,7 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_painter": {"_backend", "_camera", "_frame", "_scene"},
     "_render": {"_camera", "_frame", "_painter", "_scene"},
     "_morph": set(),
-    "_tessellate": {"_camera", "_scene"},
+    "_tessellate": {"_camera", "_from_trimesh", "_scene"},
     "_bend": {"_morph"},
     "_partition": {"_scene"},
     "_plot": set(),

@@ -34,7 +34,7 @@ def assert_same_pictures(saved: nf.ReducedScene, loaded: nf.ReducedScene, view: 
 
 
 def dressed() -> nf.Scene:
-    """Return a scene with all that a GLB must carry: textures, cut-outs, colours, instances, holders of objects."""
+    """Return a scene with all that a GLB must carry: textures, cut-outs, colours, normals, instances, holders."""
     build = SceneBuilder()
     rng = np.random.default_rng(5)
     leaves = rng.integers(0, 256, (8, 16, 4), dtype=np.uint8)
@@ -55,9 +55,11 @@ def dressed() -> nf.Scene:
             face_object=[0, 1, -1, 0, 1, 1, 0, -1],
             uvs=rng.uniform(-2, 3, (16, 2)) ** 9,
             colors=rng.integers(0, 256, (16, 4), dtype=np.uint8),
+            normals=rng.normal(size=(16, 3)),
         )
     )
-    sign = build.mesh(quad.astype(np.float32), [[0, 1, 2], [0, 2, 3]], material=cut, uvs=quad[:, :2])
+    up = np.array([[0.1, 0.3, 1.0], [0, 0, 0], [0, 1, 1], [0.5, 0, 1]])
+    sign = build.mesh(quad.astype(np.float32), [[0, 1, 2], [0, 2, 3]], material=cut, uvs=quad[:, :2], normals=up)
     turned = np.array([[0, 0, 2, 4], [0, 3, 0, 0.1], [-2, 0, 0, 1 / 3], [0, 0, 0, 1.0]])
     build.place_many(sign, [place(12, 0, 3), turned, place(3, 0, 1) * [[-1], [1], [1], [1]]], "sign")
     for name in ("car", "van"):

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from gpu_cases import ADAPTERS, adapter, check_color, check_ids, check_range, edges
 from support import data
+from test_normals import around
 
 CENTER = (0.0, 1.7, 0.0)
 CHANNELS = ("color", "range", "object_id")
@@ -68,6 +69,17 @@ def test_frames_are_those_of_the_tracer(
         check_color(cpu, gpu)
         check_range(cpu, gpu, worst=1e-3)
         assert np.array_equal(np.isfinite(cpu.require("range")), np.isfinite(gpu.require("range"))) or user != "centre"
+
+
+@pytest.mark.parametrize("tolerance_px", [np.inf, 0.5])
+def test_normals_of_vertices_are_the_same(tolerance_px: float) -> None:
+    center = np.array([3.0, 1.7, -2.0])
+    reduced = nf.reduce(around(center), center=center, r1=15, r2=25, face_size=128, samples=1, channels=CHANNELS)
+    eye = center + np.array([2.0, 0.3, -1.0])
+    camera = nf.Camera.look_at(eye, eye + np.array([1, 0.02, 0.4]), fov=nf.Fov.symmetric(60), size=(192, 192))
+    cpu, gpu = both(reduced, camera, channels=("color", "object_id", "face_id"), tolerance_px=tolerance_px)
+    check_ids(cpu.require("object_id"), gpu.require("object_id"))
+    check_color(cpu, gpu)
 
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder"])

@@ -15,6 +15,7 @@ from nearfar._camera import Projection
 from nearfar._scene import SceneBuilder
 from render_oracle import Surface
 from support import data
+from test_normals import PLACES, ball
 from test_render import PROJECTIONS, QUAD, build, noise, quad, room
 
 
@@ -156,6 +157,29 @@ def test_instances_mirrored_ones_and_moving_ones() -> None:
         agree(cpu, gpu)
         shown = gpu.require("object_id") == moving.object_names.index("one_7")
         assert shown.sum() > 100
+
+
+def test_normals_of_vertices_are_the_same() -> None:
+    """Instances stretched and mirrored, one that moves, vertices without a normal, a flat mesh among them."""
+    vertices, faces = ball(2)
+    some = vertices.copy()
+    some[::7] = 0.0
+    builder = SceneBuilder()
+    meshes = [builder.mesh(vertices, faces, normals=normals) for normals in (vertices, some, None)]
+    for number, place in enumerate([*PLACES.values()] * 3):
+        matrix = place.copy()
+        matrix[:3, 3] += (2.5 * (number % 4) - 3.75, 2.5 * (number // 4) - 2.5, -2.0)
+        builder.instance(meshes[number // 4], matrix, name=f"{number}")
+    scene = builder.build(dynamic=["2"])
+    camera = view((0.5, 1.0, 7.0), (0, 0, -2), size=(240, 160))
+    for shown in (scene, scene.at({"2": np.diag([-0.7, 1.5, 0.9, 1.0])})):
+        cpu, gpu = both(shown, camera)
+        same = agree(cpu, gpu)
+        same &= np.isfinite(cpu.require("range"))
+        # Nothing but directions of normals differs, which follow from weights of corners that are rounded otherwise.
+        np.testing.assert_allclose(gpu.require("color")[same], cpu.require("color")[same], atol=1e-4)
+    many = [frame.require("color") for frame in both(scene, camera, samples=4, channels=("color",))]
+    assert np.abs(many[0] - many[1]).mean() < 2e-3
 
 
 def test_far_from_zero_nothing_is_lost() -> None:

@@ -13,6 +13,7 @@ from nearfar._geometry import (
     ORIGIN_LIMIT,
     colors_of,
     faces_of,
+    normals_of,
     numbers_of,
     positions_of,
     texture_of,
@@ -106,6 +107,7 @@ class Assembly:
         material: int | ArrayLike = 0,
         uvs: ArrayLike | None = None,
         colors: ArrayLike | None = None,
+        normals: ArrayLike | None = None,
         face_object: ArrayLike | None = None,
         copy: bool = False,
     ) -> int:
@@ -123,6 +125,10 @@ class Assembly:
             (V, 2) texture coordinates, v upwards.
         colors
             (V, 3) or (V, 4) uint8, sRGB with linear alpha.
+        normals
+            (V, 3) directions outwards, by which the mesh is shaded: interpolated between corners, normalised, on the
+            viewer's side of the face. Zeros stand for no normal at a vertex: the face's own. C-contiguous float32 of
+            unit length is borrowed like `positions`. None shades faces flat.
         face_object
             Object number of each face (see `objects`), for meshes that hold many objects.
         """
@@ -139,6 +145,7 @@ class Assembly:
             triangles,
             uvs=None if uvs is None else uvs_of("uvs", uvs),
             colors=None if colors is None else colors_of("colors", colors, len(local)),
+            normals=None if normals is None else normals_of("normals", normals, len(local), copy=copy),
             objects=objects,
             materials=self._face_materials(material, count),
         )

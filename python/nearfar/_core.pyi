@@ -30,6 +30,7 @@ class Mesh:
         *,
         uvs: NDArray[np.float32] | None = None,
         colors: NDArray[np.uint8] | None = None,
+        normals: NDArray[np.float32] | None = None,
         objects: _FaceMap,
         materials: _FaceMap,
     ) -> Mesh: ...

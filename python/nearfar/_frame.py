@@ -45,7 +45,8 @@ class Frame:
     position: NDArray[np.float32] | None = field(default=None, repr=False)
     """(H, W, 3) float32, metres: the unmorphed surface point relative to `origin`; NaN where nothing was hit."""
     normal: NDArray[np.float32] | None = field(default=None, repr=False)
-    """(H, W, 3) float32, unit geometric normal towards the viewer; NaN where nothing was hit."""
+    """(H, W, 3) float32, unit normal of the triangle towards the viewer, whatever normals of vertices the colour takes;
+    NaN where nothing was hit."""
 
     def __post_init__(self) -> None:
         width, height = self.camera.size

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nearfar._materials import BaseColor, Materials, colors_of, to_linear
 from nearfar._report import count
@@ -17,8 +18,12 @@ _LINEAR_COLORS = ("glb", "gltf")
 """Formats whose vertex colours trimesh passes on as they are: linear."""
 
 
-def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene) -> Source:
-    """Read a mesh or a scene; names of nodes become objects."""
+_NEAR = 1e-6
+"""By how much normals that trimesh works out may differ from those that it worked out before."""
+
+
+def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, *, fresh: bool = False) -> Source:
+    """Read a mesh or a scene; names of nodes become objects. A fresh one is as a file made it, nothing worked out."""
     import trimesh
 
     if isinstance(loaded, trimesh.Trimesh):
@@ -27,7 +32,7 @@ def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene) -> Source:
         raise TypeError(f"expected a trimesh.Trimesh or trimesh.Scene, got {type(loaded).__name__}")
     materials = Materials()
     meshes = {name: mesh for name, mesh in loaded.geometry.items() if isinstance(mesh, trimesh.Trimesh)}
-    shapes = {name: _shape(mesh, materials) for name, mesh in meshes.items()}
+    shapes = {name: _shape(mesh, materials, fresh=fresh) for name, mesh in meshes.items()}
     other = len(loaded.geometry) - len(shapes)
     notes = [f"{count(other, 'geometry', 'geometries')} without triangles ignored"] if other else []
     return Source(label, shapes, _nodes(loaded, shapes), notes)
@@ -52,8 +57,28 @@ def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> list[Node]:
     return [Node(str(name), world[name], shape) for name, shape in placed if shape in shapes and name in world]
 
 
-def _shape(mesh: trimesh.Trimesh, materials: Materials) -> Shape:
+def given_normals(mesh: trimesh.Trimesh, *, fresh: bool = False) -> NDArray[np.float64] | None:
+    """Vertex normals that a mesh was given; none where it has none, or those that trimesh works out from the faces.
+
+    Both lie in one place, so that only a comparison tells them apart; a fresh mesh has none of the second kind.
+    """
+    from trimesh.geometry import weighted_vertex_normals
+
+    known = mesh._cache["vertex_normals"]
+    if known is None or np.shape(known) != mesh.vertices.shape:
+        return None
+    given: NDArray[np.float64] = np.asarray(known, np.float64)
+    if fresh:
+        return given
+    own = weighted_vertex_normals(
+        vertex_count=len(mesh.vertices), faces=mesh.faces, face_normals=mesh.face_normals, face_angles=mesh.face_angles
+    )
+    return None if np.allclose(given, own, rtol=0.0, atol=_NEAR) else given
+
+
+def _shape(mesh: trimesh.Trimesh, materials: Materials, *, fresh: bool) -> Shape:
     shape = Shape(mesh.vertices.view(np.ndarray), mesh.faces.view(np.ndarray))
+    shape.normals = given_normals(mesh, fresh=fresh)
     visual = mesh.visual
     linear = getattr(getattr(mesh, "source", None), "file_type", None) in _LINEAR_COLORS
     if visual.kind == "texture":

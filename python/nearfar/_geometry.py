@@ -12,6 +12,9 @@ from nearfar import _check
 FARTHEST = 1e30
 """Metres beyond which squares of distances overflow float32's exponents and nothing is drawn."""
 
+_UNIT = 1e-4
+"""By how much the square of a normal's length may miss 1: numbers of four digits are unit."""
+
 ORIGIN_LIMIT = 32_768.0
 """Metres from which on float32 steps exceed 2 mm, so that coordinates are stored relative to an origin."""
 
@@ -64,6 +67,30 @@ def uvs_of(name: str, value: ArrayLike) -> NDArray[np.float32]:
     """Texture coordinates as C-contiguous float32."""
     array: NDArray[np.float32] = _check.array(name, value, columns=2, dtype=np.float32)
     return array
+
+
+def normals_of(name: str, value: ArrayLike, vertex_count: int, *, copy: bool = False) -> NDArray[np.float32]:
+    """Normals of vertices as C-contiguous float32 of unit length; rows of zeros stand for no normal.
+
+    A C-contiguous array of that is borrowed unless `copy`; rows of other lengths are normalised in a copy.
+    """
+    array = _check.array(name, value)
+    if len(array) != vertex_count:
+        raise ValueError(f"{name}: expected shape ({vertex_count}, 3), one row for each vertex, got {array.shape}")
+    # What is not finite the kernel finds.
+    with np.errstate(over="ignore", invalid="ignore"):
+        unit = np.abs(np.einsum("ij,ij->i", array, array) - 1.0) <= _UNIT
+        if not unit.all() and not (unit | (array == 0).all(axis=1)).all():
+            array = _unit(array.astype(np.float64))
+    return _own(np.require(array, np.float32, ["C_CONTIGUOUS", "ALIGNED"]), value, copy)
+
+
+def _unit(rows: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Rows divided by their lengths; those without a length stay zero."""
+    size = np.abs(rows).max(axis=1, keepdims=True)
+    scaled = np.divide(rows, size, out=np.zeros_like(rows), where=size != 0)
+    length = np.linalg.norm(scaled, axis=1, keepdims=True)
+    return np.divide(scaled, length, out=scaled, where=length != 0)
 
 
 def colors_of(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.uint8]:

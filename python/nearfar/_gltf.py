@@ -125,6 +125,9 @@ def _shape(arrays: dict[str, Any], primitive: dict[str, Any], header: dict[str, 
     shape = Shape(vertices, arrays["faces"])
     if _accessor(primitive, "POSITION", header).get("normalized"):
         raise UnusableError("its positions are normalised integers, which are not read: save them as floats")
+    normals = arrays.get("vertex_normals")
+    if normals is not None and np.shape(normals) == np.shape(vertices):
+        shape.normals = np.asarray(normals)
     if visual is not None:
         described = header["materials"][primitive["material"]]
         textured = "baseColorTexture" in described.get("pbrMetallicRoughness", {})
@@ -186,7 +189,4 @@ def _notes(header: dict[str, Any]) -> list[str]:
     ignored["quantised set of texture coordinates"] = sum(
         _component(p, "TEXCOORD_0", header) != _FLOAT for p in primitives
     )
-    notes = [f"{count(number, what)} ignored" for what, number in ignored.items() if number]
-    if normals := sum("NORMAL" in p.get("attributes", {}) for p in primitives):
-        notes.append(f"normals of {count(normals, 'primitive')} unused: shading takes the faces'")
-    return notes
+    return [f"{count(number, what)} ignored" for what, number in ignored.items() if number]

@@ -56,7 +56,8 @@ def _read(label: str, path: Path, data: bytes) -> Source:
     resolver = trimesh.resolvers.FilePathResolver(os.path.abspath(path))
     if kind in ("glb", "gltf"):
         return _gltf.read(label, data, kind, resolver)
-    source = _from_trimesh.read(label, _wavefront(data, resolver) if kind == "obj" else _loaded(data, kind, resolver))
+    loaded = _wavefront(data, resolver) if kind == "obj" else _loaded(data, kind, resolver)
+    source = _from_trimesh.read(label, loaded, fresh=True)
     if kind == "obj":
         source.notes += _wavefront_losses(data, resolver)
     if len(source.nodes) == 1 and source.nodes[0].object in (path.name, "geometry_0", "geometry"):
@@ -72,7 +73,7 @@ def _loaded(data: bytes, kind: str, resolver: Any, **options: bool) -> Any:
 
 
 def _wavefront(data: bytes, resolver: Any) -> Any:
-    """Read OBJ in whatever encoding; objects stay apart, vertices and faces in their order."""
+    """Read OBJ in whatever encoding; objects stay apart, faces in their order, and vertices where each is one thing."""
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         data = data.decode("utf-16").encode()
     else:
@@ -80,6 +81,10 @@ def _wavefront(data: bytes, resolver: Any) -> Any:
             data.decode()
         except UnicodeDecodeError:
             data = data.decode("latin-1").encode()  # knows every byte, and numbers are the same in all of them
+    # Where corners have texture coordinates or normals of their own, one vertex may have several: trimesh gives it the
+    # middle one of their numbers where it keeps the order.
+    if re.search(rb"^[ \t]*v[nt][ \t]", data, re.MULTILINE):
+        return _loaded(data, "obj", resolver, split_objects=True)
     try:
         return _loaded(data, "obj", resolver, split_objects=True, maintain_order=True)
     except IndexError:

@@ -65,7 +65,9 @@ def render(
     References
     ----------
     Rays: Woop, Benthin, Wald (2013), watertight. Textures: Williams (1983), trilinear, in linear light. Samples:
-    Hammersley (1960). The shading is nearfar's own: albedo × (sky(n) + sun · max(0, n·l)), no shadows.
+    Hammersley (1960). The shading is nearfar's own: albedo × (sky(n) + sun · max(0, n·l)), no shadows, n being the
+    triangle's normal or, where its mesh has normals of vertices, what lies between them (Phong 1975), on the viewer's
+    side of the triangle.
     """
     check_camera(camera)
     return painter(scene, channels, samples).paint(scene, camera, backend)

@@ -89,7 +89,8 @@ class Scene:
         Parameters
         ----------
         loaded
-            Its nodes become objects; a lone mesh is called ``object``.
+            Its nodes become objects; a lone mesh is called ``object``. Vertex normals that it was given are taken, but
+            not those that trimesh works out from the faces, so that a box stays a box.
         up, on_invalid
             See `load`.
 

@@ -173,6 +173,8 @@ class _Streams:
             values["TEXCOORD_0"] = parts["uvs"][rows]
         if parts["colors"] is not None:
             values["COLOR_0"] = _linear(parts["colors"][rows])
+        if parts["normals"] is not None:
+            values["NORMAL"] = parts["normals"][rows]
         self._arrays = {name: (array, writer.view(array, "vertices")) for name, array in values.items()}
         positions = values["POSITION"]
         self._extents = [ufunc.reduceat(positions, first[:-1]) for ufunc in (np.minimum, np.maximum)]
@@ -182,6 +184,8 @@ class _Streams:
         start, end = self._first[group], self._first[group + 1]
         accessors = {}
         for name, (array, view) in self._arrays.items():
+            if name == "NORMAL" and not array[start:end].any():
+                continue  # an object without any among others that have them
             extent = [corner[group] for corner in self._extents] if name == "POSITION" else None
             normalized = name == "COLOR_0"
             accessors[name] = self._writer.accessor(view, array[start:end], start, normalized=normalized, extent=extent)
@@ -238,8 +242,10 @@ class _Decoder:
         faces, objects, materials, before = [], [], [], 0
         for number, owner in pieces:
             primitives = self._document["meshes"][number]["primitives"]
-            for name, accessor in primitives[0]["attributes"].items():
-                streams.setdefault(name, []).append(self._reader.array(accessor))
+            attributes = {name: self._reader.array(a) for name, a in primitives[0]["attributes"].items()}
+            flat = np.zeros((len(attributes["POSITION"]), 3), np.float32)
+            for name, values in ({"NORMAL": flat} | attributes).items():
+                streams.setdefault(name, []).append(values)
             for primitive in primitives:
                 corners = self._reader.array(primitive["indices"]).astype(np.uint32).reshape(-1, 3)
                 if corners.size and int(corners.max()) >= len(streams["POSITION"][-1]):
@@ -256,6 +262,7 @@ class _Decoder:
             np.ascontiguousarray(np.concatenate(faces)[rank]),
             uvs=joined.get("TEXCOORD_0"),
             colors=None if colors is None else colors_of(colors, before, linear=True),
+            normals=joined["NORMAL"] if joined["NORMAL"].any() else None,
             objects=np.ascontiguousarray(np.concatenate(objects)[rank]),
             materials=np.ascontiguousarray(np.concatenate(materials)[rank]),
         )

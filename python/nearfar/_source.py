@@ -39,6 +39,8 @@ class Shape:
     uvs: NDArray[Any] | None = None
     colors: NDArray[np.uint8] | None = None
     """sRGB with linear alpha, one for each vertex."""
+    normals: NDArray[Any] | None = None
+    """Outwards, of any length, one for each vertex; rows of zeros or that are not finite count as none."""
     materials: list[BaseColor] = field(default_factory=list)
     """Nothing stands for the plain material."""
     face_material: NDArray[Any] | None = None
@@ -158,7 +160,14 @@ def _add(builder: Assembly, shape: Shape) -> int:
         material=np.array(numbers, np.int32)[shape.face_material] if per_face else numbers[0],
         uvs=shape.uvs if textured else None,
         colors=shape.colors,
+        normals=None if shape.normals is None else _finite(shape.normals),
     )
+
+
+def _finite(normals: NDArray[Any]) -> NDArray[Any]:
+    """Normals with zeros for those that are not finite, which cannot be repaired and are no reason to refuse a file."""
+    good = np.isfinite(normals).all(axis=1, keepdims=True)
+    return normals if good.all() else np.where(good, normals, 0)
 
 
 def _material_notes(shapes: Iterable[Shape]) -> list[str]:

@@ -38,8 +38,9 @@ def tessellate(
     ----------
     mesh
         A `Scene`, or a `trimesh.Trimesh` in its own frame, y up. Attributes are interpolated at new vertices: texture
-        coordinates and numbers linearly, a scene's vertex colours in linear light, whole numbers taken from the nearest
-        corner. Meshes that are placed several times are shared as far as their copies need no split.
+        coordinates and numbers linearly, a scene's vertex colours in linear light, normals to unit length, and whole
+        numbers taken from the nearest corner. Meshes that are placed several times are shared as far as their copies
+        need no split.
     center
         The centre O, metres.
     r1, r2
@@ -114,6 +115,8 @@ def _reach(region: ArrayLike, center: tuple[float, float, float]) -> float:
 def _tessellate_trimesh(mesh: trimesh.Trimesh, settings: dict[str, Any]) -> trimesh.Trimesh:
     import trimesh
 
+    from nearfar._from_trimesh import given_normals
+
     if not isinstance(mesh, trimesh.Trimesh):
         raise TypeError(f"mesh: expected a Scene or a trimesh.Trimesh, got {type(mesh).__name__}")
     vertices = _check.array("mesh.vertices", mesh.vertices.view(np.ndarray), dtype=np.float64, finite=True)
@@ -123,10 +126,12 @@ def _tessellate_trimesh(mesh: trimesh.Trimesh, settings: dict[str, Any]) -> trim
     with _progress.bar("tessellating") as report:
         made = _core.tessellate_arrays(vertices, faces, **settings, report=report)
     corners, weights, sources = faces[made["point_faces"]], made["weights"], made["sources"]
+    normals = given_normals(mesh)
     return trimesh.Trimesh(
         vertices=np.concatenate([vertices, made["points"]]),
         faces=made["faces"],
         process=False,
+        vertex_normals=None if normals is None else _extended_normals(normals, corners, weights),
         visual=_visual(mesh, corners, weights, sources),
         metadata=dict(mesh.metadata),
         vertex_attributes={
@@ -151,6 +156,13 @@ def _visual(mesh: trimesh.Trimesh, corners: NDArray[Any], weights: NDArray[Any],
     if visual.kind == "face":
         return trimesh.visual.ColorVisuals(face_colors=np.asarray(visual.face_colors)[sources])
     return None
+
+
+def _extended_normals(normals: NDArray[Any], corners: NDArray[Any], weights: NDArray[Any]) -> NDArray[Any]:
+    """Normals of the vertices and, of unit length, of the new ones behind them; zero where they cancel out."""
+    mixed = _extended(normals, corners, weights)[len(normals) :]
+    length = np.linalg.norm(mixed, axis=1, keepdims=True)
+    return np.concatenate([normals, np.divide(mixed, length, out=np.zeros_like(mixed), where=length > 0)])
 
 
 def _extended(values: NDArray[Any], corners: NDArray[Any], weights: NDArray[Any]) -> NDArray[Any]:

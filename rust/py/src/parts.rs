@@ -46,6 +46,7 @@ fn mesh_parts<'py>(py: Python<'py>, mesh: &Mesh) -> PyResult<Bound<'py, PyDict>>
     parts.set_item("faces", rows(py, &mesh.faces)?)?;
     parts.set_item("uvs", mesh.uvs.as_ref().map(|uvs: &Buffer<[f32; 2]>| rows(py, uvs)).transpose()?)?;
     parts.set_item("colors", mesh.colors.as_ref().map(|colors| rows(py, colors)).transpose()?)?;
+    parts.set_item("normals", mesh.normals.as_ref().map(|normals| rows(py, normals)).transpose()?)?;
     parts.set_item("objects", per_face(py, &mesh.objects, mesh.faces.len()))?;
     parts.set_item("materials", per_face(py, &mesh.materials, mesh.faces.len()))?;
     Ok(parts)

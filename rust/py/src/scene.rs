@@ -44,20 +44,23 @@ impl FaceMapArgument<'_> {
 #[pymethods]
 impl Mesh {
     #[new]
-    #[pyo3(signature = (positions, faces, *, uvs=None, colors=None, objects, materials))]
+    #[pyo3(signature = (positions, faces, *, uvs=None, colors=None, normals=None, objects, materials))]
+    #[expect(clippy::too_many_arguments, reason = "keywords of a Python class")]
     fn new<'py>(
         py: Python<'py>,
         positions: &Bound<'py, PyArrayDyn<f32>>,
         faces: &Bound<'py, PyArrayDyn<u32>>,
         uvs: Option<&Bound<'py, PyArrayDyn<f32>>>,
         colors: Option<&Bound<'py, PyArrayDyn<u8>>>,
+        normals: Option<&Bound<'py, PyArrayDyn<f32>>>,
         objects: FaceMapArgument<'py>,
         materials: FaceMapArgument<'py>,
     ) -> PyResult<Self> {
         let (positions, faces) = (buffer(positions)?, buffer(faces)?);
         let (uvs, colors) = (uvs.map(buffer).transpose()?, colors.map(buffer).transpose()?);
+        let normals = normals.map(buffer).transpose()?;
         let (objects, materials) = (objects.convert()?, materials.convert()?);
-        run::short(py, || scene::Mesh::new(positions, faces, uvs, colors, objects, materials))
+        run::short(py, || scene::Mesh::new(positions, faces, uvs, colors, objects, materials)?.with_normals(normals))
             .map(|mesh| Self(Arc::new(mesh)))
     }
 

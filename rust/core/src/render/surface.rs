@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use super::shade::irradiance;
 use crate::camera::Footprint;
-use crate::scene::Scene;
+use crate::scene::{Instance, Scene, facing_normals};
 use crate::trace::{Hit, Ray};
 
 /// A point of a surface as a viewer sees it.
@@ -18,7 +18,7 @@ pub struct Surface {
     pub at: (f32, f32),
     /// The point, relative to the scene's origin.
     pub point: Vec3,
-    /// Unit geometric normal, towards the viewer.
+    /// Unit geometric normal, towards the viewer; the colour may take another.
     pub normal: Vec3,
     /// Cosine of the angle between normal and ray, 0..1.
     pub cosine: f32,
@@ -119,11 +119,22 @@ impl Surface {
     /// Linear RGB, for a ray that is `width` metres wide where it arrives (`Footprint::at`).
     #[inline]
     pub fn color(&self, scene: &Scene, width: f32) -> [f32; 3] {
-        let mesh = &scene.instance(self.instance).mesh;
+        let instance = scene.instance(self.instance);
         let footprint = width / self.cosine.max(GRAZING).sqrt();
-        let albedo = scene.albedo(mesh, self.face, self.at, footprint, self.doubled_area);
-        let light = irradiance(self.normal);
+        let albedo = scene.albedo(&instance.mesh, self.face, self.at, footprint, self.doubled_area);
+        let light = irradiance(self.shading_normal(instance));
         std::array::from_fn(|i| albedo[i] * light[i])
+    }
+
+    /// Unit normal that the colour takes: between those of the face's corners, where the mesh has normals. Near a
+    /// silhouette it may point away from the viewer, whom the face itself is turned to.
+    #[inline]
+    fn shading_normal(&self, instance: &Instance) -> Vec3 {
+        let corners = instance.corner_normals(self.face);
+        match corners.and_then(|corners| facing_normals(corners, self.normal)) {
+            Some([a, b, c]) => (a + (b - a) * self.at.0 + (c - a) * self.at.1).normalize_or(self.normal),
+            None => self.normal,
+        }
     }
 
     /// Object of the face.

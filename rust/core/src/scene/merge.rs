@@ -6,6 +6,7 @@ use glam::{DAffine3, Vec3};
 use rayon::prelude::*;
 
 use super::mesh::{TILE, turned};
+use super::normal::place_normals;
 use super::{FaceMap, Mesh};
 use crate::base::{Error, Result};
 
@@ -54,7 +55,11 @@ pub fn merge(parts: &[Part]) -> Result<Mesh> {
     let objects = parts.iter().zip(&uniform).map(|(part, one)| one.as_ref().unwrap_or(&part.mesh.objects));
     let objects = FaceMap::joined(objects.zip(face_counts.iter().copied()));
     let materials = FaceMap::joined(parts.iter().map(|part| &part.mesh.materials).zip(face_counts.iter().copied()));
-    Mesh::new(positions, faces, uvs, colors, objects, materials)
+    let normals = match parts {
+        [only] if only.stands_in_place() => only.mesh.normals.clone(),
+        _ => placed_normals(parts).map(Into::into),
+    };
+    Mesh::new(positions, faces, uvs, colors, objects, materials)?.with_normals(normals)
 }
 
 /// Cuts an array into consecutive pieces of the given lengths.
@@ -82,6 +87,21 @@ fn placed_positions(parts: &[Part]) -> Vec<[f32; 3]> {
         });
     });
     positions
+}
+
+/// Normals of all parts, zero for those without; none where no part has them.
+fn placed_normals(parts: &[Part]) -> Option<Vec<[f32; 3]>> {
+    if parts.iter().all(|part| part.mesh.normals.is_none()) {
+        return None;
+    }
+    let lengths = || parts.iter().map(|part| part.mesh.positions.len());
+    let mut normals = vec![[0.0; 3]; lengths().sum()];
+    parts.par_iter().zip(pieces(&mut normals, lengths())).for_each(|(part, slots)| {
+        if let Some(normals) = &part.mesh.normals {
+            place_normals(&part.to_scene, normals, slots);
+        }
+    });
+    Some(normals)
 }
 
 fn lone_faces(part: &Part) -> crate::base::Buffer<[u32; 3]> {

@@ -26,6 +26,8 @@ pub struct Mesh {
     pub uvs: Option<Buffer<[f32; 2]>>,
     /// Colour of each vertex, sRGB with linear alpha.
     pub colors: Option<Buffer<[u8; 4]>>,
+    /// Unit normal of each vertex, outwards; zero where a vertex has none. See `Self::with_normals`.
+    pub normals: Option<Buffer<[f32; 3]>>,
     /// Object of each face; an instance may override it.
     pub objects: FaceMap,
     /// Material of each face.
@@ -69,14 +71,7 @@ impl Mesh {
         }
         objects.validate("objects", faces.len(), i32::MAX)?;
         materials.validate("materials", faces.len(), i32::MAX)?;
-        let wrong = count_non_finite(&positions);
-        if wrong > 0 {
-            return Err(Error::value(
-                "vertices",
-                "finite coordinates",
-                format!("{wrong} vertices with NaN or infinity"),
-            ));
-        }
+        check_finite("vertices", &positions)?;
         let mesh = Self::unchecked(positions, faces, uvs, colors, objects, materials);
         if mesh.bounds.reach() > REACH as f32 {
             let got = format!("{:e} m", mesh.bounds.reach());
@@ -95,7 +90,21 @@ impl Mesh {
     ) -> Self {
         let bounds = bounds_of(&positions, &faces);
         let bvh = OnceLock::new();
-        Self { positions, faces, uvs, colors, objects, materials, bounds, bvh, building: Mutex::new(()) }
+        let (normals, building) = (None, Mutex::new(()));
+        Self { positions, faces, uvs, colors, normals, objects, materials, bounds, bvh, building }
+    }
+
+    /// The mesh with other normals of its vertices, by which it is shaded; none stands for flat faces.
+    pub fn with_normals(self, normals: Option<Buffer<[f32; 3]>>) -> Result<Self> {
+        if let Some(normals) = &normals {
+            let vertex_count = self.positions.len();
+            if normals.len() != vertex_count {
+                let expected = format!("one row for each of {vertex_count} vertices");
+                return Err(Error::value("normals", expected, normals.len()));
+            }
+            check_finite("normals", normals)?;
+        }
+        Ok(Self { normals, ..self })
     }
 
     /// A mesh of chosen faces, in their order. It shares the vertices' arrays, unless most of them would be left over.
@@ -104,7 +113,8 @@ impl Mesh {
         let (objects, materials) = (self.objects.selected(chosen), self.materials.selected(chosen));
         if faces.len() * 3 >= self.positions.len() {
             let (positions, uvs, colors) = (self.positions.clone(), self.uvs.clone(), self.colors.clone());
-            return Self::unchecked(positions, faces.into(), uvs, colors, objects, materials);
+            let normals = self.normals.clone();
+            return Self { normals, ..Self::unchecked(positions, faces.into(), uvs, colors, objects, materials) };
         }
         let mut used: Vec<u32> = faces.as_flattened().to_vec();
         used.sort_unstable();
@@ -112,21 +122,21 @@ impl Mesh {
         // Every vertex of the faces is in `used`, so the search finds it.
         let renumber = |vertex: u32| used.partition_point(|&other| other < vertex) as u32;
         let faces: Vec<[u32; 3]> = faces.par_iter().map(|face| face.map(renumber)).collect();
-        Self::unchecked(
-            gathered(&self.positions, &used),
-            faces.into(),
-            self.uvs.as_ref().map(|values| gathered(values, &used)),
-            self.colors.as_ref().map(|values| gathered(values, &used)),
-            objects,
-            materials,
-        )
+        let uvs = self.uvs.as_ref().map(|values| gathered(values, &used));
+        let colors = self.colors.as_ref().map(|values| gathered(values, &used));
+        let normals = self.normals.as_ref().map(|values| gathered(values, &used));
+        let positions = gathered(&self.positions, &used);
+        Self { normals, ..Self::unchecked(positions, faces.into(), uvs, colors, objects, materials) }
     }
 
-    /// The mesh with its faces turned inside out, for instances that are mirrored. It shares the vertices' arrays.
+    /// The mesh with its faces turned inside out, for instances that are mirrored. It shares the vertices' arrays: normals
+    /// keep their sides, because a mirror takes what points outwards to what does.
     pub fn turned(&self) -> Self {
         let faces: Vec<[u32; 3]> = self.faces.par_iter().map(turned).collect();
         let (positions, uvs, colors) = (self.positions.clone(), self.uvs.clone(), self.colors.clone());
-        Self::unchecked(positions, faces.into(), uvs, colors, self.objects.clone(), self.materials.clone())
+        let (objects, materials) = (self.objects.clone(), self.materials.clone());
+        let normals = self.normals.clone();
+        Self { normals, ..Self::unchecked(positions, faces.into(), uvs, colors, objects, materials) }
     }
 
     /// Number of faces without an area: two corners at one place, or all three on a line, in exact arithmetic of the
@@ -179,9 +189,12 @@ pub(super) fn turned(face: &[u32; 3]) -> [u32; 3] {
     [face[0], face[2], face[1]]
 }
 
-fn count_non_finite(positions: &[[f32; 3]]) -> usize {
+fn check_finite(argument: &'static str, rows: &[[f32; 3]]) -> Result<()> {
     let is_wrong = |p: &&[f32; 3]| !p.iter().all(|x| x.is_finite());
-    positions.par_chunks(TILE).map(|tile| tile.iter().filter(is_wrong).count()).sum()
+    match rows.par_chunks(TILE).map(|tile| tile.iter().filter(is_wrong).count()).sum::<usize>() {
+        0 => Ok(()),
+        wrong => Err(Error::value(argument, "finite coordinates", format!("{wrong} {argument} with NaN or infinity"))),
+    }
 }
 
 /// Box of all faces. Following faces to their vertices reads memory in disorder, so a large mesh first looks whether the

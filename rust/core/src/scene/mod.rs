@@ -7,6 +7,7 @@ mod instance;
 mod material;
 mod merge;
 mod mesh;
+mod normal;
 pub mod srgb;
 mod texture;
 
@@ -22,6 +23,7 @@ pub use instance::{Instance, InstanceSet};
 pub use material::{Alpha, Material, texel_density, texture_level};
 pub use merge::{Part, merge};
 pub use mesh::Mesh;
+pub use normal::facing_normals;
 pub use texture::{Level, Texture};
 
 use crate::base::{Error, Progress, Result, memory::room_for};

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::{DAffine3, Vec3};
+use glam::{DAffine3, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::Counts;
@@ -10,7 +10,7 @@ use super::assemble::{Assembled, Budget, NewVertex, assemble};
 use super::rule::{Precision, Rule};
 use crate::base::{Buffer, Progress, Result};
 use crate::scene::srgb::{linear_from_srgb, srgb_from_linear};
-use crate::scene::{Instance, InstanceSet, Mesh, Scene};
+use crate::scene::{Instance, InstanceSet, Mesh, Scene, facing_normals};
 
 /// The scene with its standing triangles split, where the rule's tolerance is a bound.
 pub fn tessellate_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(Scene, Counts)> {
@@ -84,7 +84,27 @@ fn mesh_of(instance: &Instance, made: Assembled) -> Result<Mesh> {
     let uvs = mesh.uvs.as_deref().map(|uvs| extended(mesh, uvs, new, interpolated_uv));
     let colors = mesh.colors.as_deref().map(|colors| extended(mesh, colors, new, interpolated_color));
     let (objects, materials) = (mesh.objects.selected(&made.sources), mesh.materials.selected(&made.sources));
-    Mesh::new(positions.into(), made.faces.into(), uvs, colors, objects, materials)
+    let normals = instance.vertex_normals().map(|mut normals| {
+        normals.extend(new.iter().map(|new| interpolated_normal(instance, new)));
+        normals.into()
+    });
+    Mesh::new(positions.into(), made.faces.into(), uvs, colors, objects, materials)?.with_normals(normals)
+}
+
+/// As the shading takes it between corners; none between corners without one.
+fn interpolated_normal(instance: &Instance, new: &NewVertex) -> [f32; 3] {
+    let rows = instance.corner_normals(new.face).unwrap_or_default();
+    let is_plain = |(row, weight): (&Vec3, f64)| *row == Vec3::ZERO || weight == 0.0;
+    if rows.iter().zip(new.weights).all(is_plain) {
+        return [0.0; 3];
+    }
+    let [a, b, c] = instance.corners(new.face).map(|corner| corner.as_dvec3());
+    let plane = (b - a).cross(c - a).normalize_or_zero().as_vec3();
+    // On the rows' side, so that they keep it and the new one has it too.
+    let side = if rows.iter().sum::<Vec3>().dot(plane) < 0.0 { -plane } else { plane };
+    let corners = facing_normals(rows, side).unwrap_or_default();
+    let sum: DVec3 = corners.iter().zip(new.weights).map(|(corner, weight)| corner.as_dvec3() * weight).sum();
+    sum.normalize_or_zero().as_vec3().to_array()
 }
 
 fn extended<T: Copy + Send + Sync + 'static>(

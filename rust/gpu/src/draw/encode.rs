@@ -163,6 +163,7 @@ impl<'a> Bound<'a> {
             single,
             textured: layer.is_some_and(|layer| layer.tables.materials.textured),
             colored: layer.is_some_and(|layer| layer.tables.colored),
+            smooth: layer.is_some_and(|layer| layer.tables.smooth),
             samples,
         };
         let layers = &self.picture.layers;

@@ -55,6 +55,7 @@ pub(super) struct ResolveKey {
     pub single: bool,
     pub textured: bool,
     pub colored: bool,
+    pub smooth: bool,
     pub samples: u32,
 }
 
@@ -166,6 +167,7 @@ impl Pipelines {
             ("SINGLE", f64::from(u8::from(key.single))),
             ("TEXTURED", f64::from(u8::from(key.textured))),
             ("COLORED", f64::from(u8::from(key.colored))),
+            ("SMOOTH", f64::from(u8::from(key.smooth))),
         ];
         let pipeline = device.wgpu.create_compute_pipeline(&ComputePipelineDescriptor {
             label: Some("resolve"),

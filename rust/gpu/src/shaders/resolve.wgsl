@@ -104,10 +104,11 @@ fn surface_of(record: Record, part: Part, face: u32, ray: Ray) -> Surface {
     );
 }
 
-fn surface_color(part: Part, face: u32, surface: Surface, ray: Ray) -> vec3<f32> {
+fn surface_color(record: Record, part: Part, face: u32, surface: Surface, ray: Ray) -> vec3<f32> {
     let width = ray.footprint.x + ray.footprint.y * surface.range;
     let footprint = width / sqrt(max(surface.cosine, 1e-4));
-    return albedo(part, face, surface.at, footprint, surface.doubled_area) * irradiance(surface.normal);
+    let normal = shading_normal(record, part, face, surface.at, surface.normal);
+    return albedo(part, face, surface.at, footprint, surface.doubled_area) * irradiance(normal);
 }
 
 fn missed_color(ray: Ray) -> vec3<f32> {
@@ -144,7 +145,7 @@ fn color_of_sample(id: vec2<u32>, ray: Ray) -> vec3<f32> {
     }
     let record = record_of(id.x - batch.records.x);
     let part = part_of(record);
-    return surface_color(part, id.y, surface_of(record, part, id.y, ray), ray);
+    return surface_color(record, part, id.y, surface_of(record, part, id.y, ray), ray);
 }
 
 // Colour of a pixel's samples, as far as they are this batch's: each face is shaded once, at the pixel's centre.
@@ -209,7 +210,7 @@ fn resolve(@builtin(global_invocation_id) pixel: vec3<u32>) {
     let part = part_of(record);
     let surface = surface_of(record, part, id.y, ray);
     if COLOR {
-        store_color(number, surface_color(part, id.y, surface, ray), adds);
+        store_color(number, surface_color(record, part, id.y, surface, ray), adds);
     }
     if SURFACE {
         store_surface(number, id, surface, ray);

@@ -51,7 +51,7 @@ struct Part {
     materials: u32,
     material: u32,
     page: u32,
-    first_face: u32,
+    normals: u32,
 }
 
 struct Batch {
@@ -137,6 +137,11 @@ fn uv_of(part: Part, vertex: u32) -> vec2<f32> {
 
 fn color_of(part: Part, vertex: u32) -> vec4<f32> {
     return unpack4x8unorm(page[part.colors + vertex]);
+}
+
+fn normal_of(part: Part, vertex: u32) -> vec3<f32> {
+    let at = part.normals + 3u * vertex;
+    return vec3<f32>(bitcast<f32>(page[at]), bitcast<f32>(page[at + 1u]), bitcast<f32>(page[at + 2u]));
 }
 
 fn material_of(part: Part, face: u32) -> Material {

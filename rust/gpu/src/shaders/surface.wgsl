@@ -1,8 +1,9 @@
 // Base colours, filtered as `scene::Texture` does it, and the one shading formula.
 
-// The scene has textures, and colours of vertices.
+// The scene has textures, and colours and normals of vertices.
 override TEXTURED: bool = true;
 override COLORED: bool = true;
+override SMOOTH: bool = true;
 
 fn texel_color(n: u32) -> vec4<f32> {
     let at = place_of(n, batch.shifts.x);
@@ -93,6 +94,39 @@ fn albedo(part: Part, face: u32, at: vec2<f32>, footprint: f32, doubled_area: f3
         color *= texture_color(texture, blend_2(a, b, c, at), level, material.cutoff >= 0.0);
     }
     return color;
+}
+
+// A vector of length 1; zero for zero.
+fn unit(v: vec3<f32>) -> vec3<f32> {
+    let length_squared = dot(v, v);
+    return select(vec3<f32>(0.0), v * inverseSqrt(length_squared), length_squared > 0.0);
+}
+
+// The normal that the colour takes at weights `at` of a face whose own one, towards the viewer, is `normal`. Those of the
+// corners go by the cofactors of the instance's matrix to the side of the face's; see `scene::facing_normals`.
+fn shading_normal(record: Record, part: Part, face: u32, at: vec2<f32>, normal: vec3<f32>) -> vec3<f32> {
+    if !SMOOTH || part.normals == NONE {
+        return normal;
+    }
+    let sizes = max(max(abs(record.x.xyz), abs(record.y.xyz)), abs(record.z.xyz));
+    let scale = 1.0 / max(max(sizes.x, sizes.y), max(sizes.z, 1e-30));
+    let x = record.x.xyz * scale;
+    let y = record.y.xyz * scale;
+    let z = record.z.xyz * scale;
+    let cofactors = transpose(mat3x3<f32>(cross(y, z), cross(z, x), cross(x, y)));
+    var a = unit(cofactors * normal_of(part, corner_number(part, face, 0u)));
+    var b = unit(cofactors * normal_of(part, corner_number(part, face, 1u)));
+    var c = unit(cofactors * normal_of(part, corner_number(part, face, 2u)));
+    let sum = a + b + c;
+    if all(sum == vec3<f32>(0.0)) {
+        return normal;
+    }
+    let side = select(1.0, -1.0, dot(sum, normal) < 0.0);
+    a = select(a * side, normal, all(a == vec3<f32>(0.0)));
+    b = select(b * side, normal, all(b == vec3<f32>(0.0)));
+    c = select(c * side, normal, all(c == vec3<f32>(0.0)));
+    let between = unit(blend_3(a, b, c, at));
+    return select(between, normal, all(between == vec3<f32>(0.0)));
 }
 
 fn irradiance(n: vec3<f32>) -> vec3<f32> {

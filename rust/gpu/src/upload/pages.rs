@@ -33,8 +33,8 @@ pub(crate) struct Part {
     /// First face in the mesh.
     pub first_face: u32,
     pub face_count: u32,
-    /// Where in the page, in words: positions, faces, texture coordinates, colours, materials.
-    pub words: [u32; 5],
+    /// Where in the page, in words: positions, faces, texture coordinates, colours, materials, normals.
+    pub words: [u32; 6],
     /// Material of all faces, where they have one.
     pub material: i32,
     /// Boxes of `CHUNK` faces each, in the mesh's frame.
@@ -51,7 +51,9 @@ struct Run<'a> {
 impl Run<'_> {
     fn words(&self) -> u64 {
         let (vertices, faces) = (self.vertices.len() as u64, self.faces.len() as u64);
-        let per_vertex = 3 + 2 * u64::from(self.mesh.uvs.is_some()) + u64::from(self.mesh.colors.is_some());
+        let [uvs, colors, normals] =
+            [self.mesh.uvs.is_some(), self.mesh.colors.is_some(), self.mesh.normals.is_some()].map(u64::from);
+        let per_vertex = 3 + 2 * uvs + colors + 3 * normals;
         vertices * per_vertex + faces * (3 + u64::from(self.uniform_material().is_none()))
     }
 
@@ -63,7 +65,7 @@ impl Run<'_> {
     }
 
     /// Where its arrays begin, counted from its own beginning, and how many words they are.
-    fn layout(&self) -> ([u32; 5], u64) {
+    fn layout(&self) -> ([u32; 6], u64) {
         let (vertices, faces) = (self.vertices.len() as u32, self.faces.len() as u32);
         let mut at = 3 * vertices + 3 * faces;
         let mut section = |present: bool, words: u32| {
@@ -73,8 +75,9 @@ impl Run<'_> {
         };
         let uvs = section(self.mesh.uvs.is_some(), 2 * vertices);
         let colors = section(self.mesh.colors.is_some(), vertices);
+        let normals = section(self.mesh.normals.is_some(), 3 * vertices);
         let materials = section(self.uniform_material().is_none(), faces);
-        ([0, 3 * vertices, uvs, colors, materials], self.words())
+        ([0, 3 * vertices, uvs, colors, materials, normals], self.words())
     }
 
     fn write(&self, words: &mut Vec<u32>) {
@@ -90,7 +93,10 @@ impl Run<'_> {
             words.extend_from_slice(bytemuck::cast_slice(&uvs[vertices.clone()]));
         }
         if let Some(colors) = &mesh.colors {
-            words.extend(colors[vertices].iter().map(|&color| u32::from_le_bytes(color)));
+            words.extend(colors[vertices.clone()].iter().map(|&color| u32::from_le_bytes(color)));
+        }
+        if let Some(normals) = &mesh.normals {
+            words.extend_from_slice(bytemuck::cast_slice(&normals[vertices]));
         }
         if self.uniform_material().is_none() {
             words.extend(faces.map(|face| mesh.materials.get(face as u32) as u32));
@@ -214,8 +220,8 @@ fn gathered(mesh: &Arc<Mesh>, limit: u64) -> Option<Vec<Arc<Mesh>>> {
     if runs_of(mesh, limit).is_some() {
         return None;
     }
-    // A face brings three vertices at most, with all attributes: 3 × (3 + 2 + 1) + 4 words.
-    let each = (limit / 22).max(1) as usize;
+    // A face brings three vertices at most, with all attributes: 3 × (3 + 2 + 1 + 3) + 4 words.
+    let each = (limit / 31).max(1) as usize;
     let faces = 0..mesh.faces.len() as u32;
     let starts: Vec<u32> = faces.clone().step_by(each).collect();
     let piece = |&start: &u32| {
@@ -230,7 +236,7 @@ mod tests {
     use super::*;
     use nearfar_core::base::random;
 
-    /// A strip of triangles, each between a vertex and the next two, or between any three.
+    /// A strip of triangles, each between a vertex and the next two, or between any three. Normals repeat the positions.
     fn mesh(faces: u32, scattered: bool) -> Arc<Mesh> {
         let count = faces + 2;
         let positions: Vec<[f32; 3]> = (0..count).map(|i| [i as f32, 0.0, (i % 2) as f32]).collect();
@@ -240,7 +246,9 @@ mod tests {
         };
         let faces: Vec<[u32; 3]> = (0..faces).map(|face| [0, 1, 2].map(|corner| vertex(face, corner))).collect();
         let materials = FaceMap::PerFace((0..faces.len() as i32).collect());
-        Arc::new(Mesh::new(positions.into(), faces.into(), None, None, FaceMap::Uniform(0), materials).unwrap())
+        let normals = Some(positions.clone().into());
+        let mesh = Mesh::new(positions.into(), faces.into(), None, None, FaceMap::Uniform(0), materials).unwrap();
+        Arc::new(mesh.with_normals(normals).unwrap())
     }
 
     /// Corners and material of a run's faces, read from its words as a shader reads them.
@@ -250,7 +258,11 @@ mod tests {
         let (layout, size) = run.layout();
         assert_eq!(words.len() as u64, size);
         let float = |word: u32| f32::from_bits(words[word as usize]);
-        let vertex = |v: u32| [0, 1, 2].map(|i| float(layout[0] + 3 * v + i));
+        let vertex = |v: u32| {
+            let [position, normal] = [layout[0], layout[5]].map(|start| [0, 1, 2].map(|i| float(start + 3 * v + i)));
+            assert_eq!(position, normal);
+            position
+        };
         let corner = |face: u32, i: u32| vertex(words[(layout[1] + 3 * face + i) as usize]);
         let face = |f: u32| ([0, 1, 2].map(|i| corner(f, i)), words[(layout[4] + f) as usize]);
         (0..run.faces.len() as u32).map(face).collect()

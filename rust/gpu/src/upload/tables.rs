@@ -79,6 +79,8 @@ pub(crate) struct SceneTables {
     part_words: Vec<u32>,
     /// Some mesh has colours of its vertices.
     pub colored: bool,
+    /// Some mesh has normals of its vertices.
+    pub smooth: bool,
     pub materials: Arc<MaterialTable>,
 }
 
@@ -104,7 +106,8 @@ impl SceneTables {
         let records = Records::standing(device, &standing.record_words(scene.standing.instances()))?;
         let parts = device.filled_buffer("parts", &words, BufferUsages::STORAGE)?;
         let colored = scene.instances().any(|instance| instance.mesh.colors.is_some());
-        Ok(Self { standing, moving, records, parts, part_words: words, colored, materials })
+        let smooth = scene.instances().any(|instance| instance.mesh.normals.is_some());
+        Ok(Self { standing, moving, records, parts, part_words: words, colored, smooth, materials })
     }
 
     /// A record's part as its table has it.
@@ -141,7 +144,7 @@ impl SetTables {
 }
 
 fn part_words(part: &Part, default_material: i32) -> [u32; PART_WORDS] {
-    let [positions, faces, uvs, colors, materials] = part.words;
+    let [positions, faces, uvs, colors, materials, normals] = part.words;
     let material = if part.material < 0 { default_material } else { part.material };
-    [positions, faces, uvs, colors, materials, material as u32, part.page.number as u32, part.first_face]
+    [positions, faces, uvs, colors, materials, material as u32, part.page.number as u32, normals]
 }

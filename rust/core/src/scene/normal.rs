@@ -1,0 +1,162 @@
+//! Normals of vertices where a mesh is placed.
+//!
+//! A normal is a plane's, not an edge's: it goes by the inverse transpose, which a mirror and unequal scales make
+//! differ from the matrix itself. Rows are unit where they stand, so that a merged mesh is shaded as its instances are.
+
+use glam::{DAffine3, DMat3, Vec3};
+use rayon::prelude::*;
+
+use super::mesh::TILE;
+use super::{Instance, Mesh};
+
+/// What takes normals where a mesh is placed, up to their length: the cofactors of the matrix, which a flat one has too.
+pub(super) fn normal_matrix(to_scene: &DAffine3) -> DMat3 {
+    let m = to_scene.matrix3;
+    let cofactors = DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));
+    if m.determinant() < 0.0 { -cofactors } else { cofactors }
+}
+
+/// A normal where its mesh is placed, unit; zero stays zero.
+#[inline]
+fn placed(matrix: &DMat3, normal: [f32; 3]) -> Vec3 {
+    (*matrix * Vec3::from_array(normal).as_dvec3()).normalize_or_zero().as_vec3()
+}
+
+/// Writes normals where their mesh is placed.
+pub(super) fn place_normals(to_scene: &DAffine3, normals: &[[f32; 3]], slots: &mut [[f32; 3]]) {
+    if *to_scene == DAffine3::IDENTITY {
+        slots.copy_from_slice(normals);
+        return;
+    }
+    let matrix = normal_matrix(to_scene);
+    slots.par_chunks_mut(TILE).zip(normals.par_chunks(TILE)).for_each(|(slots, normals)| {
+        slots.iter_mut().zip(normals).for_each(|(slot, &normal)| *slot = placed(&matrix, normal).to_array());
+    });
+}
+
+impl Mesh {
+    /// Normals of a face's corners; none where the mesh has no normals.
+    #[inline]
+    fn corner_normals(&self, face: u32) -> Option<[[f32; 3]; 3]> {
+        let normals = self.normals.as_ref()?;
+        Some(self.faces[face as usize].map(|vertex| normals[vertex as usize]))
+    }
+}
+
+impl Instance {
+    /// Unit normals of a face's corners where they stand, zero for a vertex without one; none where the mesh has no
+    /// normals.
+    #[inline]
+    pub fn corner_normals(&self, face: u32) -> Option<[Vec3; 3]> {
+        let normals = self.mesh.corner_normals(face)?;
+        if self.in_place {
+            return Some(normals.map(|normal| Vec3::from_array(normal).normalize_or_zero()));
+        }
+        let matrix = normal_matrix(&self.to_scene);
+        Some(normals.map(|normal| placed(&matrix, normal)))
+    }
+
+    /// Normals of all vertices where they stand; those of a mesh that stands in place keep their bits.
+    pub fn vertex_normals(&self) -> Option<Vec<[f32; 3]>> {
+        let normals = self.mesh.normals.as_deref()?;
+        let mut slots = vec![[0.0; 3]; normals.len()];
+        place_normals(&self.to_scene, normals, &mut slots);
+        Some(slots)
+    }
+}
+
+/// Normals of a face's corners as a point of the face takes them: on the side of the face's own `normal`, which also
+/// stands in at corners without one; none where no corner has one.
+///
+/// The side is the whole face's, that of the corners' sum: files disagree with the order of their faces' corners, and
+/// poses may be mirrored.
+#[inline]
+pub fn facing_normals(corners: [Vec3; 3], normal: Vec3) -> Option<[Vec3; 3]> {
+    let sum = corners[0] + corners[1] + corners[2];
+    if sum == Vec3::ZERO {
+        return None;
+    }
+    let side = if sum.dot(normal) < 0.0 { -1.0 } else { 1.0 };
+    Some(corners.map(|corner| if corner == Vec3::ZERO { normal } else { corner * side }))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use glam::DVec3;
+
+    use super::*;
+    use crate::base::Buffer;
+    use crate::scene::{FaceMap, Part, merge};
+
+    /// A triangle whose normals lean away from its plane's, the third vertex without one.
+    fn leaning() -> Arc<Mesh> {
+        let positions: Buffer<[f32; 3]> = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].into();
+        let normals = vec![[0.6, 0.0, 0.8], [0.0, -0.6, 0.8], [0.0; 3]];
+        let flat = FaceMap::Uniform(0);
+        let mesh = Mesh::new(positions, vec![[0, 1, 2]].into(), None, None, flat.clone(), flat).unwrap();
+        Arc::new(mesh.with_normals(Some(normals.into())).unwrap())
+    }
+
+    fn slanted() -> DAffine3 {
+        DAffine3::from_scale(DVec3::new(2.0, 0.5, -3.0)) * DAffine3::from_axis_angle(DVec3::ONE.normalize(), 0.7)
+    }
+
+    #[test]
+    fn placed_normals_stay_across_what_they_were_across() {
+        let instance = Instance::new(leaning(), slanted(), None).unwrap();
+        let [a, b, none] = instance.corner_normals(0).unwrap();
+        // Two directions in the plane that each normal belongs to, placed as points are.
+        for (normal, tangents) in [(a, [[0.8, 0.0, -0.6], [0.0, 1.0, 0.0]]), (b, [[1.0, 0.0, 0.0], [0.0, 0.8, 0.6]])] {
+            assert!(normal.is_normalized());
+            for tangent in tangents {
+                let placed = slanted().transform_vector3(DVec3::from_array(tangent)).normalize();
+                assert!(placed.dot(normal.as_dvec3()).abs() < 1e-6, "{tangent:?}");
+            }
+            // Outside stays outside: what lies ahead of the face lies ahead of it still.
+            assert!(slanted().transform_vector3(DVec3::Z).dot(normal.as_dvec3()) > 0.0);
+        }
+        assert_eq!(none, Vec3::ZERO);
+    }
+
+    #[test]
+    fn a_merged_mesh_has_the_normals_of_its_instances() {
+        let part = |to_scene| Part { mesh: leaning(), to_scene, object: None };
+        let flat = Part { mesh: Arc::new(leaning().selected(&[0]).with_normals(None).unwrap()), ..part(slanted()) };
+        let merged = merge(&[part(slanted()), flat, part(DAffine3::IDENTITY)]).unwrap();
+        let instance = Instance::new(leaning(), slanted(), None).unwrap();
+        let expected = instance.corner_normals(0).unwrap().map(|n| n.to_array());
+        let normals = merged.normals.as_deref().unwrap();
+        // The mirrored part's faces are turned, its vertices are not.
+        assert_eq!(normals[..3], expected);
+        assert_eq!(normals[3..6], [[0.0; 3]; 3]);
+        assert_eq!(&normals[6..], leaning().normals.as_deref().unwrap());
+        let lone = merge(&[part(slanted())]).unwrap();
+        assert_eq!(lone.normals.as_deref().unwrap(), expected);
+    }
+
+    #[test]
+    fn flattened_meshes_face_the_way_they_were_flattened() {
+        let flat = DAffine3::from_scale(DVec3::new(1.0, 0.0, 1.0));
+        let merged = merge(&[Part { mesh: leaning(), to_scene: flat, object: None }]).unwrap();
+        assert_eq!(merged.normals.as_deref().unwrap(), [[0.0; 3], [0.0, -1.0, 0.0], [0.0; 3]]);
+    }
+
+    #[test]
+    fn corners_take_the_side_of_their_face() {
+        let corners = [Vec3::new(0.6, 0.0, 0.8), Vec3::ZERO, Vec3::new(0.0, -0.6, 0.8)];
+        let back = facing_normals(corners, Vec3::NEG_Z).unwrap();
+        assert_eq!(back, [-corners[0], Vec3::NEG_Z, -corners[2]]);
+        assert_eq!(facing_normals(corners, Vec3::Z).unwrap(), [corners[0], Vec3::Z, corners[2]]);
+        assert!(facing_normals([Vec3::ZERO; 3], Vec3::Z).is_none());
+    }
+
+    #[test]
+    fn rows_must_fit_and_be_finite() {
+        let mesh = || leaning().selected(&[0]);
+        assert!(mesh().with_normals(Some(vec![[0.0, 0.0, 1.0]; 2].into())).is_err());
+        assert!(mesh().with_normals(Some(vec![[f32::NAN, 0.0, 1.0]; 3].into())).is_err());
+        assert!(mesh().with_normals(None).unwrap().normals.is_none());
+    }
+}

@@ -1,0 +1,437 @@
+"""Normals of vertices: what they are for, where they come from, and that they go wherever their vertices go."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import trimesh
+from numpy.typing import NDArray
+
+import nearfar as nf
+import render_oracle as oracle
+from nearfar import _core, _glb, _load, _scene_glb
+from nearfar._names import Names
+from nearfar._scene import SceneBuilder
+from nearfar._source import Shape
+from render_oracle import Surface
+from support import data
+
+Array = NDArray[Any]
+TURN = trimesh.transformations.rotation_matrix(0.7, (0.3, 1, -0.2))
+PLACES = {
+    "as it is": np.eye(4),
+    "turned": TURN,
+    "unequal": TURN @ np.diag([1.4, 0.5, 0.8, 1.0]) @ TURN.T,
+    "mirrored": TURN @ np.diag([1.2, 0.7, -0.9, 1.0]),
+}
+
+
+def ball(subdivisions: int = 1) -> tuple[Array, Array]:
+    """Vertices of a unit sphere, which are its normals too, and faces."""
+    mesh = trimesh.creation.icosphere(subdivisions)
+    vertices = np.asarray(mesh.vertices) / np.linalg.norm(mesh.vertices, axis=1, keepdims=True)
+    return vertices.astype(np.float32), np.asarray(mesh.faces, np.uint32)
+
+
+def camera(target: Any = (0, 0, 0), distance: float = 4.0, size: int = 61) -> nf.Camera:
+    eye = np.asarray(target, float) + distance * np.array([0.35, 0.45, 0.82])
+    return nf.Camera.look_at(tuple(eye), tuple(target), fov=nf.Fov.symmetric(35), size=(size, size))
+
+
+def scene_of(
+    vertices: Array, faces: Array, normals: Array | None, *places: Array, dynamic: bool = False, **attributes: Any
+) -> nf.Scene:
+    builder = SceneBuilder()
+    mesh = builder.mesh(vertices, faces, normals=normals, copy=True, **attributes)
+    for number, place in enumerate(places or (np.eye(4),)):
+        builder.instance(mesh, place, name=f"ball {number}")
+    return builder.build(dynamic=[f"ball {n}" for n in range(len(places))] if dynamic else ())
+
+
+def placed(vertices: Array, faces: Array, normals: Array, place: Array, **attributes: Any) -> Surface:
+    """The mesh in the world by textbook means, its outside outside."""
+    linear = place[:3, :3]
+    rows = normals @ np.linalg.inv(linear)  # rows times the inverse are columns times the inverse transpose
+    length = np.linalg.norm(rows, axis=1, keepdims=True)
+    rows = np.divide(rows, length, out=np.zeros_like(rows), where=length > 0)
+    order = [0, 2, 1] if np.linalg.det(linear) < 0 else [0, 1, 2]
+    corners = vertices @ linear.T + place[:3, 3]
+    return Surface(corners, faces.astype(np.int64)[:, order], normals=rows, **attributes)
+
+
+def check(scene: nf.Scene, surfaces: list[Surface], view: nf.Camera) -> None:
+    frame = nf.render(scene, view, channels=("color", "normal", "object_id"))
+    expected = oracle.cast(surfaces, oracle.view(view))
+    shape = frame.require("color").shape
+    same = frame.require("object_id") == expected.object_id.reshape(shape[:2])
+    assert same.mean() > 0.999
+    # Weights of corners are rounded by some 1e-6 on small faces, directions of normals change by as much.
+    np.testing.assert_allclose(frame.require("color")[same], expected.color.reshape(shape)[same], atol=2e-5)
+    np.testing.assert_allclose(frame.require("normal")[same], expected.normal.reshape(shape)[same], atol=2e-6)
+
+
+# shading -------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("place", PLACES.values(), ids=PLACES)
+@pytest.mark.parametrize("how", ["merged", "instances", "moving"])
+def test_colours_agree_with_brute_force(place: Array, how: str) -> None:
+    vertices, faces = ball()
+    beside = np.eye(4)
+    beside[:3, 3] = 1.6, -0.4, 0.3
+    places = [place] if how == "merged" else [place, beside @ place]
+    scene = scene_of(vertices, faces, vertices, *places, dynamic=how == "moving")
+    assert scene.report.meshes == 1
+    check(scene, [placed(vertices, faces, vertices.astype(float), matrix) for matrix in places], camera())
+
+
+@pytest.mark.parametrize("lean", [0.5, 2.0, 8.0])
+def test_normals_that_lean_away_from_the_viewer_stay_so(lean: float) -> None:
+    """A quad from all sides; by 8 to 1 its normals lean so far that most viewers see them from behind."""
+    corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], float)
+    normals = corners * lean + [0, 0, 1]
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    faces = np.array([[0, 1, 2], [0, 2, 3]])
+    for eye in [(0, 0, 3), (2.5, 0.4, 0.6), (-1, -2, -0.7), (0.2, 2, 1)]:
+        view = nf.Camera.look_at(eye, (0, 0, 0), fov=nf.Fov.symmetric(50), size=(40, 40))
+        check(scene_of(corners, faces, normals), [Surface(corners, faces, normals=normals)], view)
+
+
+def test_a_few_triangles_are_shaded_as_the_sphere_that_they_stand_for() -> None:
+    vertices, faces = ball(3)
+    eye = camera(distance=20.0).position
+    view = nf.Camera.look_at(eye, (0, 0, 0), fov=nf.Fov.symmetric(6.5), size=(200, 200))
+    scenes = [scene_of(vertices, faces, normals) for normals in (vertices, None)]
+    smooth, flat = (nf.render(scene, view, channels=("color", "position")) for scene in scenes)
+    rays = oracle.view(view)
+    b = np.einsum("ij,ij->i", rays.origins, rays.directions)
+    d = b**2 - (np.einsum("ij,ij->i", rays.origins, rays.origins) - 1.0)
+    points = rays.origins + (-b - np.sqrt(np.maximum(d, 0)))[:, None] * rays.directions
+    cosine = -np.einsum("ij,ij->i", points, rays.directions)
+    inside = (d > 0) & (cosine > 0.5)
+    assert inside.sum() > 10_000
+    exact = 0.8 * oracle.irradiance(points[inside])
+    errors = [np.abs(f.require("color").reshape(-1, 3)[inside] - exact).max(axis=1) for f in (smooth, flat)]
+    # Faces lie below the sphere by at most the sagitta s of their circumscribed circle: rays go on by up to
+    # s / cos, which is s tan across the sphere. Light changes by at most SUN + (SKY_HIGH - SKY_LOW) / 2 = 0.765 for
+    # each radian.
+    corners = vertices[faces].astype(float)
+    sides = [np.linalg.norm(corners[:, i] - corners[:, i - 1], axis=1) for i in range(3)]
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    radius = (sides[0] * sides[1] * sides[2] / (4 * area)).max()
+    sagitta = 1 - np.sqrt(1 - radius**2)
+    assert errors[0].max() <= 0.8 * 0.765 * sagitta * np.tan(np.arccos(0.5)) * 1.1 + 1e-5
+    assert np.median(errors[1]) > 10 * np.median(errors[0])
+    # Between corners on a sphere about zero, normals are the points' own directions: no bound but rounding.
+    hit = smooth.require("position").reshape(-1, 3)[inside]
+    ideal = 0.8 * oracle.irradiance(hit / np.linalg.norm(hit, axis=1, keepdims=True))
+    np.testing.assert_allclose(smooth.require("color").reshape(-1, 3)[inside], ideal, atol=1e-5)
+
+
+def test_zeros_stand_for_the_faces_own_normal() -> None:
+    vertices, faces = ball()
+    flat, zeros = (scene_of(vertices, faces, n) for n in (None, np.zeros_like(vertices)))
+    np.testing.assert_array_equal(*(nf.render(s, camera()).require("color") for s in (flat, zeros)))
+    some = vertices.copy()
+    some[::3] = 0
+    for name in ("as it is", "mirrored"):
+        scene = scene_of(vertices, faces, some, PLACES[name])
+        assert not np.array_equal(
+            nf.render(scene, camera()).require("color"), nf.render(flat, camera()).require("color")
+        )
+    check(scene_of(vertices, faces, some), [placed(vertices, faces, some.astype(float), np.eye(4))], camera())
+
+
+def test_normals_may_point_inwards_as_those_of_files_do() -> None:
+    """Faces are seen from both sides, so which of them their corners' order calls the outside changes nothing."""
+    vertices, faces = ball()
+    reference = nf.render(scene_of(vertices, faces, vertices), camera()).require("color")
+    for other in (scene_of(vertices, faces, -vertices), scene_of(vertices, faces[:, [0, 2, 1]], vertices)):
+        np.testing.assert_allclose(nf.render(other, camera()).require("color"), reference, atol=1e-6)
+
+
+def test_poses_turn_stretch_and_mirror_normals() -> None:
+    vertices, faces = ball()
+    scene = scene_of(vertices, faces, vertices, np.eye(4), dynamic=True)
+    for place in PLACES.values():
+        check(scene.at({"ball 0": place}), [placed(vertices, faces, vertices.astype(float), place)], camera())
+
+
+def test_whether_a_mesh_is_merged_changes_nothing() -> None:
+    vertices, faces = ball()
+    for name, place in PLACES.items():
+        pictures = [
+            nf.render(scene_of(vertices, faces, vertices, place, dynamic=dynamic), camera()).require("color")
+            for dynamic in (False, True)
+        ]
+        # At pixels on edges rounding decides between faces, whose colours are the same there.
+        np.testing.assert_allclose(*pictures, atol=2e-5, err_msg=name)
+
+
+def test_a_part_of_a_scene_keeps_its_normals() -> None:
+    vertices, faces = ball(2)
+    scene = scene_of(vertices, faces, vertices)
+    whole = nf.render(scene, camera(), channels=("color", "face_id"))
+    seen = np.unique(whole.require("face_id"))
+    for triangles in (seen[seen >= 0], seen[seen >= 0][:9]):
+        part = nf.render(scene.subset(triangles=triangles), camera(), channels=("color", "face_id"))
+        same = np.isin(whole.require("face_id"), triangles)
+        np.testing.assert_array_equal(part.require("color")[same], whole.require("color")[same])
+    moved = nf.render(scene.with_dynamic(["ball 0"]), camera())
+    np.testing.assert_array_equal(moved.require("color"), whole.require("color"))
+
+
+def test_meshes_without_normals_stay_flat_among_others() -> None:
+    vertices, faces = ball()
+    builder = SceneBuilder()
+    place = np.eye(4)
+    for x, normals in [(-1.2, vertices), (1.2, None)]:
+        place[0, 3] = x
+        builder.instance(builder.mesh(vertices, faces, normals=normals), place.copy(), name=str(x))
+    scene = builder.build()
+    assert scene.report.meshes == 1
+    shift = np.array([1.2, 0, 0])
+    surfaces = [Surface(vertices - shift, faces, normals=vertices), Surface(vertices + shift, faces)]
+    check(scene, surfaces, camera(distance=6.0))
+
+
+# further stages ------------------------------------------------------------------------------------------------------
+def test_split_triangles_are_shaded_as_whole_ones() -> None:
+    """The middle of two normals is normalised, which turns those between it and the ends a little."""
+    vertices, faces = ball(1)
+    place = np.diag([12.0, 9.0, 12.0, 1.0])
+    place[:3, 3] = 40, 4, 1
+    scene = scene_of(vertices, faces, vertices, place, uvs=vertices[:, :2])
+    wide = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90), size=(1000, 1000))
+    made = nf.tessellate(scene, center=(0, 1.7, 0), r1=30, r2=50, user_region=5.0, tolerance_px=0.5, camera=wide)
+    assert made.triangle_count > 2 * scene.triangle_count
+    (normals,) = (_core.mesh_parts(mesh)["normals"] for mesh in _core.scene_parts(made._core)["meshes"])
+    np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1.0, atol=1e-6)
+    view = nf.Camera.look_at((0, 1.7, 0), (40, 4, 1), fov=nf.Fov.symmetric(50), size=(80, 80))
+    one, other = (nf.render(s, view, channels=("color", "position")) for s in (scene, made))
+    # Normals at the ends of this ball's edges are up to 0.9 apart once stretched: 0.05 of it, times a light of 0.6.
+    np.testing.assert_allclose(one.require("color"), other.require("color"), atol=0.8 * 0.765 * 0.25 * 0.45**2)
+    flat = nf.render(scene_of(vertices, faces, None, place), view).require("color")
+    error = np.abs(one.require("color") - other.require("color")).mean()
+    assert error < 0.02 * np.abs(one.require("color") - flat).mean()
+
+
+def test_a_split_trimesh_keeps_the_normals_that_it_was_given() -> None:
+    corners = np.array([[-80, 0, -80], [-80, 0, 80], [80, 0, 80], [80, 0, -80]], float)
+    normals = corners / 160 + [0, 1, 0]
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90), size=(1000, 1000))
+    settings: dict[str, Any] = {"center": (0, 1.7, 0), "r1": 30, "r2": 50, "user_region": 5.0, "tolerance_px": 0.5}
+    mesh = trimesh.Trimesh(corners, [[0, 1, 2], [0, 2, 3]], vertex_normals=normals, process=False)
+    made = nf.tessellate(mesh, camera=view, **settings)
+    expected = made.vertices / 160 + [0, 1, 0]
+    expected /= np.linalg.norm(expected, axis=1, keepdims=True)
+    # Corners' lengths differ by nothing: the mean of unit normals is the mean of what they were made of.
+    np.testing.assert_allclose(made.vertex_normals, expected, atol=1e-12)
+    plain = nf.tessellate(trimesh.Trimesh(corners, [[0, 1, 2], [0, 2, 3]], process=False), camera=view, **settings)
+    assert "vertex_normals" not in plain._cache.cache
+
+
+def around(center: Array) -> nf.Scene:
+    """Balls near, between the radii and far, over a flat ground."""
+    vertices, faces = ball(2)
+    builder = SceneBuilder()
+    mesh = builder.mesh(vertices, faces, normals=vertices)
+    for number, (distance, scale, side) in enumerate([(6, 1, -0.05), (12, 2, 0.28), (19, 3, 0.6), (33, 5, 0.95)]):
+        place = np.diag([scale, 1.3 * scale, -scale if number % 2 else scale, 1.0])
+        place[:3, 3] = center + np.array([distance, 0.5 * scale, side * distance])
+        builder.instance(mesh, place, name=f"ball {number}")
+    corners = np.array([[-1, 0, -1], [-1, 0, 1], [1, 0, 1], [1, 0, -1]]) * 90.0 + center * [1, 0, 1]
+    builder.instance(builder.mesh(corners, [[0, 1, 2], [0, 2, 3]]), name="ground")
+    return builder.build(dynamic=["ball 1"])
+
+
+@pytest.mark.parametrize("morph", ["blend", "cylinder", "none"])
+@pytest.mark.parametrize("method", ["vertex", "exact"])
+def test_a_user_in_the_centre_of_a_reduced_scene_sees_the_truth(morph: str, method: Any) -> None:
+    center = np.array([3.0, 1.7, -2.0])
+    scene = around(center)
+    channels = ("color", "object_id")
+    reduced = nf.reduce(
+        scene, center=center, r1=15, r2=25, face_size=512, morph=morph, samples=1, channels=("range", *channels)
+    )
+    view = nf.Camera.look_at(center, center + np.array([1, 0.02, 0.4]), fov=nf.Fov.symmetric(60), size=(96, 96))
+    truth = nf.render(scene, view, channels=("range", *channels))
+    shown = reduced.render(view, channels=channels, method=method)
+    near = np.isfinite(truth.require("range")) & (truth.require("range") < 24)
+    near &= (truth.require("object_id") < 3) & (shown.require("object_id") == truth.require("object_id"))
+    assert near.sum() > 300
+    # Split vertices are float32 of some tens of metres, and their weights as exact.
+    np.testing.assert_allclose(shown.require("color")[near], truth.require("color")[near], atol=2e-4)
+    far = truth.require("object_id") == 3
+    assert far.sum() > 100
+    # The map has the colours of its texels' centres: balls beyond it are smooth as well.
+    assert np.median(np.abs(shown.require("color")[far] - truth.require("color")[far])) < 0.01
+
+
+# arrays --------------------------------------------------------------------------------------------------------------
+def parts_of(scene: nf.Scene) -> list[dict[str, Any]]:
+    return [_core.mesh_parts(mesh) for mesh in _core.scene_parts(scene._core)["meshes"]]
+
+
+def test_unit_normals_are_borrowed_and_others_normalised() -> None:
+    vertices, faces = ball()
+    builder = SceneBuilder()
+    unit, kept = vertices.copy(), vertices.copy()
+    builder.mesh(vertices.copy(), faces.copy(), normals=unit)
+    builder.mesh(vertices.copy(), faces.copy(), normals=kept, copy=True)
+    assert not unit.flags.writeable
+    assert kept.flags.writeable
+    long = vertices.astype(np.float64) * np.geomspace(1e-200, 1e200, len(vertices))[:, None]
+    long[3] = 0
+    (parts,) = parts_of(scene_of(vertices, faces, long))
+    expected = np.where(np.arange(len(vertices))[:, None] == 3, 0, vertices)
+    np.testing.assert_allclose(parts["normals"], expected, atol=1e-7)
+    (flat,) = parts_of(scene_of(vertices, faces, None))
+    assert flat["normals"] is None
+
+
+@pytest.mark.parametrize(
+    ("normals", "words"),
+    [
+        (np.zeros((41, 3)), r"normals: expected shape \(42, 3\), one row for each vertex, got \(41, 3\)"),
+        (np.zeros((42, 2)), r"normals: expected shape \(N, 3\), got \(42, 2\)"),
+        (np.full((42, 3), np.nan), "normals: expected finite coordinates, got 42 normals with NaN or infinity"),
+    ],
+)
+def test_normals_that_do_not_fit_are_refused(normals: Array, words: str) -> None:
+    vertices, faces = ball()
+    with pytest.raises(ValueError, match=words):
+        SceneBuilder().mesh(vertices, faces, normals=normals)
+
+
+def test_kernels_refuse_normals_of_other_vertices() -> None:
+    vertices, faces = ball()
+    with pytest.raises(ValueError, match="normals: expected one row for each of 42 vertices, got 41"):
+        _core.Mesh(vertices, faces, normals=vertices[1:].copy(), objects=0, materials=-1)
+
+
+# files ---------------------------------------------------------------------------------------------------------------
+def hard() -> trimesh.Trimesh:
+    """A mesh with normals that nobody could work out from its faces."""
+    vertices, faces = ball(2)
+    rows = vertices + np.random.default_rng(3).normal(scale=0.3, size=vertices.shape)
+    rows /= np.linalg.norm(rows, axis=1, keepdims=True)
+    return trimesh.Trimesh(vertices, faces, vertex_normals=rows, process=False)
+
+
+def shape_of(path: Path) -> Shape:
+    return next(iter(_load._read(str(path), path, path.read_bytes()).shapes.values()))
+
+
+@pytest.mark.parametrize("suffix", ["glb", "obj", "ply"])
+def test_normals_of_files_are_kept(tmp_path: Path, suffix: str) -> None:
+    mesh, path = hard(), tmp_path / f"ball.{suffix}"
+    mesh.export(path)
+    (parts,) = parts_of(nf.Scene.load(path))
+    order = trimesh.proximity.ProximityQuery(mesh).vertex(parts["positions"])[1]
+    # OBJ has eight digits, PLY and GLB float32.
+    np.testing.assert_allclose(parts["normals"], mesh.vertex_normals[order], atol=1e-6)
+    assert nf.Scene.load(path).report.notes == ()
+    plain = trimesh.Trimesh(mesh.vertices, mesh.faces, process=False)
+    plain.export(path, **({"include_normals": False} if suffix == "obj" else {}))
+    (parts,) = parts_of(nf.Scene.load(path))
+    assert parts["normals"] is None
+
+
+def test_corners_of_an_obj_have_normals_and_coordinates_of_their_own(tmp_path: Path) -> None:
+    """A box of eight vertices and six normals: each vertex is three things."""
+    box = trimesh.creation.box()
+    sides, side = np.unique(np.rint(box.face_normals), axis=0, return_inverse=True)
+    lines = [f"v {x} {y} {z}" for x, y, z in box.vertices] + [f"vn {x} {y} {z}" for x, y, z in sides]
+    lines += [f"vt {k / 8} {1 - k / 8}" for k in range(len(sides))]
+    faces = zip(box.faces + 1, side + 1, strict=True)
+    lines += ["f " + " ".join(f"{v}/{k}/{k}" for v in face) for face, k in faces]
+    (tmp_path / "box.obj").write_text("\n".join(["o box", *lines]))
+    scene = nf.Scene.load(tmp_path / "box.obj")
+    np.testing.assert_allclose(scene.triangles(), box.triangles, atol=1e-6)
+    flat = nf.Scene.from_trimesh(box)
+    np.testing.assert_allclose(*(nf.render(s, camera()).require("color") for s in (scene, flat)), atol=1e-6)
+    (parts,) = parts_of(scene)
+    np.testing.assert_allclose(parts["normals"][parts["faces"]], np.repeat(box.face_normals[:, None], 3, 1), atol=1e-6)
+
+
+def test_normals_that_are_no_numbers_count_as_none(tmp_path: Path) -> None:
+    lines = ["v 0 0 0", "v 1 0 0", "v 0 1 0", "vn nan 0 1", "vn 0 0 1", "f 1//1 2//2 3//2"]
+    (tmp_path / "a.obj").write_text("\n".join(lines))
+    (parts,) = parts_of(nf.Scene.load(tmp_path / "a.obj"))
+    np.testing.assert_array_equal(parts["normals"][parts["faces"][0]], [[0, 0, 0], [0, 0, 1], [0, 0, 1]])
+
+
+def test_what_trimesh_works_out_is_not_taken() -> None:
+    box = trimesh.creation.box()
+    for _ in range(2):
+        (parts,) = parts_of(nf.Scene.from_trimesh(box))
+        assert parts["normals"] is None
+        assert box.vertex_normals.shape == (8, 3)  # now it lies where given ones do
+    turned = box.copy()
+    assert turned.vertex_normals.shape == (8, 3)
+    turned.apply_transform(TURN)
+    (parts,) = parts_of(nf.Scene.from_trimesh(turned))
+    assert parts["normals"] is None
+    (parts,) = parts_of(nf.Scene.from_trimesh(hard()))
+    np.testing.assert_allclose(parts["normals"], hard().vertex_normals, atol=1e-7)
+
+
+@pytest.mark.parametrize("name", ["FlightHelmet/FlightHelmet.gltf", "Duck.glb"])
+def test_real_files_are_smooth(name: str) -> None:
+    scene = nf.Scene.load(data(f"objects/gltf/{name}"))
+    assert not [note for note in scene.report.notes if "normals of" in note]
+    for parts in parts_of(scene):
+        lengths = np.linalg.norm(parts["normals"], axis=1)
+        np.testing.assert_allclose(lengths, 1.0, atol=1e-3)
+        corners = parts["positions"][parts["faces"]].astype(np.float64)
+        flat = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        mean = parts["normals"][parts["faces"]].mean(axis=1)
+        # Normals point to the side that the faces' corners go around, but at a few slivers.
+        assert (np.einsum("ij,ij->i", flat, mean) >= 0).mean() > 0.98
+
+
+def test_saved_scenes_have_the_same_normals() -> None:
+    vertices, faces = ball(2)
+    builder = SceneBuilder()
+    rows = hard().vertex_normals.astype(np.float32)
+    rows[5] = 0
+    colors = np.random.default_rng(0).integers(0, 256, (len(vertices), 4), dtype=np.uint8)
+    owner = np.arange(len(faces)) % 3 - 1
+    material = [builder.material((0.2 * n, 0.5, 0.5, 1)) for n in range(3)]
+    builder.objects(["left", "right"])
+    mesh = builder.mesh(
+        vertices, faces, normals=rows, colors=colors, face_object=owner, material=np.arange(len(faces)) % 2
+    )
+    builder.instance(mesh)
+    other = builder.mesh(vertices, faces, normals=rows, material=material[2])
+    plain = builder.mesh(vertices, faces)
+    beside = np.eye(4)
+    for number, handle in enumerate([other, other, plain]):
+        beside[0, 3] = 2.5 * number - 5
+        builder.instance(handle, beside.copy(), name=f"ball {number}")
+    scene = builder.build()
+    encoded = _scene_glb.encode(scene._core, scene.object_names)
+    decoded = _scene_glb.decode(encoded, Names(scene.object_names))
+    before = parts_of(scene)
+    after = [_core.mesh_parts(mesh) for mesh in _core.scene_parts(decoded)["meshes"]]
+    for one, two in zip(before, after, strict=True):
+        for name in ("positions", "normals"):
+            np.testing.assert_array_equal(one[name][one["faces"]], two[name][two["faces"]])
+    loaded = nf.Scene(decoded, Names(scene.object_names))
+    views = [camera(target=(x, 0, 0)) for x in (-4, 0, 2)]
+    for view in views:
+        np.testing.assert_array_equal(*(nf.render(s, view).require("color") for s in (scene, loaded)))
+    # Where an object has none among others that have them, the file says nothing, which is flat in glTF too.
+    document = _glb.Reader(encoded).document
+    with_normals = {
+        node["name"]: "NORMAL" in document["meshes"][node["mesh"]]["primitives"][0]["attributes"]
+        for node in document["nodes"]
+        if "mesh" in node and "name" in node
+    }
+    assert with_normals == {"left": True, "right": True, "ball 0": True, "ball 1": True, "ball 2": False}
+    other_reader = trimesh.load_scene(io.BytesIO(encoded), file_type="glb", process=False)
+    assert sum("vertex_normals" in mesh._cache.cache for mesh in other_reader.geometry.values()) >= 4
