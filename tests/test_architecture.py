@@ -41,7 +41,7 @@ RUST_STAGES: dict[str, set[str]] = {
     "metrics": {"base", "camera"},
     "bounds": {"base"},
     "lens": {"base", "camera", "bounds"},
-    "lod": {"base", "camera", "bounds", "lens"},
+    "lod": {"base", "camera", "bounds", "lens", "trace"},
     "exr": {"base"},
 }
 """The order is that of lib.rs."""
@@ -133,6 +133,7 @@ PYTHON_STAGES: dict[str, set[str]] = {
     "_layouts": {"_cubemap"},
     "_envmap": {"_cubemap", "_exr"},
     "_trace": {"_scene"},
+    "_nearest": {"_scene"},
     "_pictures": {"_frame"},
     "_metrics": {"_frame", "_pictures"},
     "_similarity": {"_frame", "_pictures"},

@@ -16,6 +16,7 @@ from nearfar._lens import ChromaticLens, RadialLens, corrected_solid_angle
 from nearfar._load_curve import LoadCurve, load_curve
 from nearfar._metrics import object_completion, psnr, rmse
 from nearfar._morph import morph
+from nearfar._nearest import Nearest, nearest_points
 from nearfar._partition import Partition, partition, triangle_radii
 from nearfar._path import render_path
 from nearfar._reduce import reduce
@@ -41,6 +42,7 @@ __all__ = [
     "Hits",
     "Hmd",
     "LoadCurve",
+    "Nearest",
     "Orthographic",
     "Partition",
     "RadialLens",
@@ -71,6 +73,7 @@ __all__ = [
     "lod",
     "morph",
     "ms_ssim",
+    "nearest_points",
     "object_completion",
     "partition",
     "psnr",

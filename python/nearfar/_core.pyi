@@ -58,6 +58,8 @@ class Scene:
         material_cutoffs: NDArray[np.float32],
         textures: list[NDArray[np.uint8]],
     ) -> Scene: ...
+    def merged(self) -> Mesh: ...
+    def of_mesh(self, mesh: Mesh) -> Scene: ...
     def posed(self, placements: NDArray[np.float64]) -> Scene: ...
     def with_moving(self, chosen: NDArray[np.bool_]) -> Scene: ...
     def subset_of_objects(self, chosen: NDArray[np.bool_]) -> Scene: ...
@@ -146,6 +148,13 @@ def cast_rays(
     t_max: float,
     report: _Report | None = None,
 ) -> tuple[NDArray[np.float32], NDArray[np.int64], NDArray[np.int32], NDArray[np.float32]]: ...
+def nearest_points(
+    scene: Scene,
+    points: NDArray[np.float32] | NDArray[np.float64],
+    *,
+    facing: NDArray[np.float32] | None = None,
+    report: _Report | None = None,
+) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]: ...
 def instruction_sets() -> list[str]: ...
 def use_instruction_set(name: str) -> None: ...
 
@@ -442,6 +451,27 @@ def select_levels(
     fade: float,
     full: bool,
 ) -> tuple[NDArray[np.int32], list[NDArray[np.float64]], list[int]]: ...
+def first_alike(rows: NDArray[np.uint8]) -> NDArray[np.uint32]: ...
+def pieces(faces: NDArray[np.uint32], vertex_count: int) -> NDArray[np.uint32]: ...
+def carry(
+    positions: NDArray[np.float32],
+    faces: NDArray[np.uint32],
+    corners: NDArray[np.float32],
+    starts: NDArray[np.uint32],
+    *,
+    report: _Report | None = None,
+) -> tuple[NDArray[np.uint32], NDArray[np.float64]]: ...
+def collapse(
+    positions: NDArray[np.float32],
+    attributes: NDArray[np.float32],
+    weights: NDArray[np.float32],
+    is_seam: NDArray[np.bool_],
+    faces: NDArray[np.uint32],
+    *,
+    target: int,
+    loose: bool,
+    report: _Report | None = None,
+) -> tuple[NDArray[np.uint32], float]: ...
 
 # exr ----------------------------------------------------------------------------------------------------------------
 _Part = tuple[str, dict[str, NDArray[Any]], dict[str, str | tuple[float, float, float]]]

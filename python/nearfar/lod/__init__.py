@@ -10,6 +10,7 @@ from nearfar.lod._samples import Samples
 from nearfar.lod._select import select
 from nearfar.lod._selection import Selection
 from nearfar.lod._selector import Selector
+from nearfar.lod._simplify import simplify
 from nearfar.lod._size import acuity, distortion, reference_solid_angle
 from nearfar.lod._switch import Switches, switches
 
@@ -30,5 +31,6 @@ __all__ = [
     "place",
     "reference_solid_angle",
     "select",
+    "simplify",
     "switches",
 ]

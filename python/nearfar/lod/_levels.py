@@ -102,6 +102,17 @@ class Levels(Sequence[Level]):
         counts = ", ".join(f"{level.triangle_count:,}" for level in self._levels)
         return f"Levels({self.name!r}: {counts} triangles)"
 
+    def __str__(self) -> str:
+        """Table of the levels: triangles, the ratio reached beside that asked for, distances from the base, notes."""
+        base = self._levels[0].triangle_count
+        rows = [f"{'level':>5}  {'triangles':>11}  {'ratio':>7}  {'asked':>7}  {'error m':>9}  {'mean m':>9}"]
+        rows += [
+            f"{number:>5}  {level.triangle_count:>11,}  {level.triangle_count / base:>7.4f}  {level.ratio:>7.4f}  "
+            f"{level.error:>9.3g}  {level.mean_error:>9.3g}" + (f"  {level.note}" if level.note else "")
+            for number, level in enumerate(self._levels)
+        ]
+        return "\n".join([f"{self.name}, radius {self.radius:.4g} m", *rows])
+
 
 def _corners(scene: Scene) -> NDArray[np.float64]:
     return scene.triangles().reshape(-1, 3) + scene.origin

@@ -22,6 +22,7 @@ mod reduce;
 mod render;
 mod run;
 mod scene;
+mod simplify;
 mod tessellate;
 mod trace;
 
@@ -48,6 +49,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     bounds::register(module)?;
     lens::register(module)?;
     lod::register(module)?;
+    simplify::register(module)?;
     exr::register(module)?;
     gpu::register(module)?;
     gpu_compute::register(module)

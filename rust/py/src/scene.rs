@@ -157,6 +157,27 @@ impl Scene {
         .map(Self)
     }
 
+    /// All instances as one mesh, relative to the origin.
+    fn merged(&self, py: Python<'_>) -> PyResult<Mesh> {
+        let part = |instance: &Instance| Part {
+            mesh: Arc::clone(&instance.mesh),
+            to_scene: instance.to_scene,
+            object: instance.object,
+        };
+        run::short(py, || scene::merge(&self.0.instances().map(part).collect::<Vec<_>>())).map(|m| Mesh(Arc::new(m)))
+    }
+
+    /// A standing mesh as object 0, with the same origin, materials and textures.
+    fn of_mesh(&self, py: Python<'_>, mesh: &Mesh) -> PyResult<Self> {
+        let mesh = Arc::clone(&mesh.0);
+        run::short(py, || {
+            let standing = vec![Instance::new(mesh, DAffine3::IDENTITY, Some(0))?];
+            let (materials, textures) = (Arc::clone(&self.0.materials), Arc::clone(&self.0.textures));
+            scene::Scene::new(self.0.origin, standing, vec![], materials, textures)
+        })
+        .map(Self)
+    }
+
     /// The same scene with the moving instances placed anew, in their order.
     fn posed<'py>(&self, py: Python<'py>, placements: PyReadonlyArray3<'py, f64>) -> PyResult<Self> {
         let placements = affines(&placements);

@@ -52,6 +52,26 @@ fn cast_rays<'py>(
     Ok((hits.t_hit.into_pyarray(py), hits.triangle_index.into_pyarray(py), hits.object_id.into_pyarray(py), weights))
 }
 
+type Near<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyArray2<f64>>);
+
+/// Distance, triangle and weights of the nearest points of the surface.
+#[pyfunction]
+#[pyo3(signature = (scene, points, *, facing=None, report=None))]
+fn nearest_points<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    points: PointsArgument<'py>,
+    facing: Option<PyReadonlyArray2<'py, f32>>,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Near<'py>> {
+    let points = points.rows()?;
+    let facing = facing.as_ref().map(|rows| rows.as_slice()).transpose()?.map(|rows| rows.as_chunks().0);
+    let found = run::long(py, report, |progress| trace::nearest(&scene.0, points, facing, progress))?;
+    let rows = found.barycentric.len();
+    let weights = found.barycentric.into_flattened().into_pyarray(py).reshape([rows, 2])?;
+    Ok((found.distance.into_pyarray(py), found.triangle_index.into_pyarray(py), weights))
+}
+
 /// Names of the instruction sets that tracing can use here, the best last.
 #[pyfunction]
 fn instruction_sets() -> Vec<&'static str> {
@@ -66,6 +86,7 @@ fn use_instruction_set(name: &str) -> PyResult<()> {
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(cast_rays, module)?)?;
+    module.add_function(wrap_pyfunction!(nearest_points, module)?)?;
     module.add_function(wrap_pyfunction!(instruction_sets, module)?)?;
     module.add_function(wrap_pyfunction!(use_instruction_set, module)?)
 }

@@ -1,8 +1,10 @@
-//! Levels of detail: curves of four parameters through samples of a level's quality over its size, and the levels that
-//! are enough by them.
+//! Levels of detail: coarser surfaces, curves of four parameters through samples of a level's quality over its size, and
+//! the levels that are enough by them.
 //!
 //! Liebisch: Perceptual level of detail for head-mounted displays, 2021; y = d + (a−d)/(1+(x/c)^b).
 
+mod carry;
+mod collapse;
 mod descend;
 mod fit;
 mod frame;
@@ -11,15 +13,19 @@ mod logistic;
 mod select;
 mod settle;
 mod steps;
+mod surface;
 #[cfg(test)]
 mod tests;
 
 use rayon::prelude::*;
 
 use crate::base::{Error, Progress, Result};
+pub use carry::{Charts, Place};
+pub use collapse::{Vertices, collapse};
 pub use fit::{Curve, Status};
 pub use frame::Unfit;
 pub use select::{Acuity, COLUMNS, Counts, Eye, Glass, Line, Model, Objects, Parameters, Rules, View, select};
+pub use surface::{first_alike, pieces};
 
 use fit::Room;
 use frame::Frame;

@@ -8,7 +8,7 @@ use crate::base::{Error, Progress, Result};
 use crate::scene::Scene;
 
 /// Rays handled by one task: fixed, so that groups of neighbours do not depend on the number of threads.
-const TILE: usize = 4096;
+pub(super) const TILE: usize = 4096;
 
 /// Rows of three coordinates in either precision.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +34,7 @@ impl Points<'_> {
     }
 
     #[inline(always)]
-    fn at(&self, row: usize) -> DVec3 {
+    pub(super) fn at(&self, row: usize) -> DVec3 {
         match self {
             Self::Single(rows) => glam::Vec3::from_array(rows[row]).as_dvec3(),
             Self::Double(rows) => DVec3::from_array(rows[row]),
@@ -42,7 +42,7 @@ impl Points<'_> {
     }
 
     /// Number of rows that are wrong, and the first of them.
-    fn find(&self, is_wrong: impl Fn(DVec3) -> bool + Sync) -> Option<(usize, usize)> {
+    pub(super) fn find(&self, is_wrong: impl Fn(DVec3) -> bool + Sync) -> Option<(usize, usize)> {
         let tile = |start: usize| {
             let rows = start..(start + TILE).min(self.len());
             let mut wrong = rows.filter(|&row| is_wrong(self.at(row)));
@@ -101,7 +101,7 @@ pub fn cast(
     }
 }
 
-fn refuse(argument: &'static str, expected: &str, wrong: Option<(usize, usize)>) -> Result<()> {
+pub(super) fn refuse(argument: &'static str, expected: &str, wrong: Option<(usize, usize)>) -> Result<()> {
     match wrong {
         Some((count, first)) => {
             let rows = if count == 1 { "row" } else { "rows" };

@@ -1,10 +1,12 @@
-//! Rays against a scene: nearest hits through both levels of trees.
+//! Rays against a scene: nearest hits through both levels of trees; and nearest points of its surface.
 
 mod alpha;
 mod beam;
 mod cast;
+mod closest;
 mod dispatch;
 mod lanes;
+mod nearest;
 mod packet;
 mod region;
 mod single;
@@ -23,7 +25,9 @@ use lanes::Level;
 pub use crate::scene::REACH;
 pub use alpha::AlphaFilter;
 pub use cast::{Hits, Points, cast};
+pub use closest::{Closest, closest};
 pub use lanes::{instruction_sets, use_instruction_set};
+pub use nearest::{Nearest, nearest};
 pub use region::touches;
 
 /// A segment of a ray in scene space. The direction needs no particular length; `t` is in units of it.

@@ -1,0 +1,148 @@
+"""The object that levels are made of: every part of a scene as one mesh, and what hangs together in it."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _check, _core
+from nearfar._names import Names
+from nearfar._scene import Scene
+from nearfar.lod._normals import smoothed
+
+if TYPE_CHECKING:
+    import trimesh
+
+Array = NDArray[Any]
+
+ATTRIBUTES = ("uvs", "colors", "normals")
+"""What vertices have beside their places."""
+
+_OF_ITS_INSTANCE = -1
+"""Stands for an object number that the mesh leaves to its instance."""
+
+
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """Triangles with the attributes of their vertices."""
+
+    positions: NDArray[np.float32]
+    """(V, 3) relative to the scene's origin."""
+    faces: NDArray[np.uint32]
+    """(F, 3)."""
+    materials: NDArray[np.int32]
+    """(F,) of the scene's materials."""
+    attributes: dict[str, Array] = field(default_factory=dict)
+    """(V, 2) uvs, (V, 4) colors, (V, 3) normals, as far as there are any."""
+
+
+class Base:
+    """One object: its surface, and the scene that its levels take materials and textures from."""
+
+    def __init__(self, mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[str], name: str | None) -> None:
+        scene = _scene_of(mesh)
+        if name is not None and not isinstance(name, str):
+            raise TypeError(f"name: expected a string, got {type(name).__name__}")
+        if not scene.triangle_count:
+            raise ValueError("mesh: expected triangles, got none")
+        self.name = name or _name_of(mesh, scene)
+        self._notes = scene.report.notes
+        self._core = scene._core
+        parts = _core.mesh_parts(self._core.merged())
+        attributes = {key: parts[key] for key in ATTRIBUTES if parts.get(key) is not None}
+        self.surface = Surface(parts["positions"], parts["faces"], parts["materials"], attributes)
+
+    def with_normals(self, kind: str) -> None:
+        """Keep the normals that there are ("keep"), make smooth ones ("smooth") or leave them out ("flat")."""
+        surface = self.surface
+        if kind == "smooth":
+            faces, normals = smoothed(surface.positions, surface.faces, self.places)
+            rows, vertex = np.unique(faces, return_inverse=True)
+            origin = np.empty(len(normals), np.int64)
+            origin[faces.ravel()] = surface.faces.ravel()
+            kept = {key: surface.attributes[key][origin[rows]] for key in surface.attributes if key != "normals"}
+            self.surface = Surface(
+                np.ascontiguousarray(surface.positions[origin[rows]]),
+                np.ascontiguousarray(vertex.reshape(-1, 3), np.uint32),
+                surface.materials,
+                {**kept, "normals": np.ascontiguousarray(normals[rows])},
+            )
+            del self.places
+        elif kind == "flat":
+            kept = {key: value for key, value in surface.attributes.items() if key != "normals"}
+            self.surface = Surface(surface.positions, surface.faces, surface.materials, kept)
+
+    @cached_property
+    def places(self) -> NDArray[np.uint32]:
+        """Of each vertex the first one at its place (V,)."""
+        return first_alike(self.surface.positions)
+
+    @cached_property
+    def scene(self) -> Scene:
+        """The object as it is, as level 0."""
+        return self.scene_of(self.surface)
+
+    def scene_of(self, surface: Surface) -> Scene:
+        """Make a scene of the object's name with another surface; materials and textures are shared."""
+        mesh = _core.Mesh(
+            surface.positions,
+            surface.faces,
+            objects=_OF_ITS_INSTANCE,
+            materials=surface.materials,
+            **surface.attributes,
+        )
+        return Scene(self._core.of_mesh(mesh), Names([self.name]), notes=self._notes)
+
+
+def _scene_of(mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[str]) -> Scene:
+    if isinstance(mesh, Scene):
+        return mesh
+    if isinstance(mesh, str | os.PathLike):
+        return Scene.load(_check.path("mesh", mesh))
+    import trimesh
+
+    if isinstance(mesh, trimesh.Trimesh | trimesh.Scene):
+        return Scene.from_trimesh(mesh)
+    raise TypeError(f"mesh: expected a Scene, a mesh or scene of trimesh, or a path, got {type(mesh).__name__}")
+
+
+def _name_of(mesh: object, scene: Scene) -> str:
+    if len(scene.object_names) == 1:
+        return scene.object_names[0]
+    return Path(mesh).stem if isinstance(mesh, str | os.PathLike) else "object"
+
+
+def first_alike(*columns: Array) -> NDArray[np.uint32]:
+    """Of each row the first with the same numbers; −0 is 0."""
+    rows = [np.ascontiguousarray(column + column.dtype.type(0)) for column in columns]
+    flat = [row.view(np.uint8).reshape(len(row), -1) for row in rows]
+    return _core.first_alike(np.ascontiguousarray(np.concatenate(flat, axis=1)))
+
+
+def charts_of(surface: Surface, *attributes: str) -> tuple[NDArray[np.int64], NDArray[np.uint32]]:
+    """Tell vertices apart by place, some attributes and the material of their faces.
+
+    Returns
+    -------
+    (NDArray, NDArray)
+        A vertex of the surface for each row (N,), and faces (F, 3) by such rows.
+    """
+    first = first_alike(surface.positions, *(surface.attributes[key] for key in attributes))
+    faces = np.ascontiguousarray(first[surface.faces])
+    if not has_many_materials(surface):
+        return np.arange(len(surface.positions)), faces
+    # A vertex may have faces of two materials, so corners are told apart.
+    corners = np.repeat(surface.materials, 3).view(np.uint32)
+    number = first_alike(np.column_stack([faces.ravel(), corners])).reshape(-1, 3)
+    return surface.faces.ravel().astype(np.int64), number
+
+
+def has_many_materials(surface: Surface) -> bool:
+    """Whether faces differ in their material."""
+    return bool((surface.materials != surface.materials[0]).any())

@@ -1,0 +1,60 @@
+"""How far two surfaces are apart: the greatest and the mean distance, both ways."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core, _random
+from nearfar._scene import Scene
+from nearfar.lod._base import Surface
+
+SAMPLES = 20_000
+"""Points of each surface by area: the mean is within a few thousandths of its size."""
+
+_SEED, _PLACE, _FIRST, _SECOND = 7, 0, 1, 2
+
+
+def deviation(
+    base: tuple[Scene, Surface], level: tuple[Scene, Surface], samples: int = SAMPLES
+) -> tuple[float, float]:
+    """Greatest and mean distance, metres.
+
+    The greatest is over all vertices of both surfaces and points spread over their areas, each to the nearest point of
+    the other surface; so it may miss what lies between samples, but never exceeds the true (Hausdorff) distance by more
+    than rounding. The mean is over the spread points alone.
+    """
+    greatest, means = 0.0, []
+    for (_, here), (there, _) in ((base, level), (level, base)):
+        used = here.positions[np.unique(here.faces)]
+        spread = spread_points(here, samples)
+        vertices = _distances(there, used)
+        between = _distances(there, spread)
+        greatest = max(greatest, float(vertices.max(initial=0.0)), float(between.max(initial=0.0)))
+        means.append(float(between.mean()) if len(between) else float(vertices.mean()))
+    return greatest, (means[0] + means[1]) / 2
+
+
+def _distances(scene: Scene, points: NDArray[np.float32] | NDArray[np.float64]) -> NDArray[np.float64]:
+    places = np.ascontiguousarray(points + scene.origin)
+    distance, _, _ = _core.nearest_points(scene._core, places)
+    return distance
+
+
+def spread_points(surface: Surface, count: int) -> NDArray[np.float64]:
+    """Points (count, 3) spread evenly over the area, relative to the surface's zero; none where there is no area.
+
+    One point in each of `count` equal shares of the area in the order of the faces: the same for any machine.
+    """
+    corners = surface.positions[surface.faces].astype(np.float64)
+    one, other = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    ends = np.cumsum(np.linalg.norm(np.cross(one, other), axis=1))
+    if not ends[-1] > 0:
+        return np.zeros((0, 3))
+    index = np.arange(count, dtype=np.uint64)
+    at = (index + _random.uniform(_SEED, _PLACE, index)) * (ends[-1] / count)
+    face = np.minimum(np.searchsorted(ends, at, side="right"), len(ends) - 1)
+    u, v = _random.uniform(_SEED, _FIRST, index), _random.uniform(_SEED, _SECOND, index)
+    beyond = u + v > 1
+    u, v = np.where(beyond, 1 - u, u)[:, None], np.where(beyond, 1 - v, v)[:, None]
+    return np.asarray(corners[face, 0] + u * one[face] + v * other[face])

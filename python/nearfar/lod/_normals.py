@@ -1,0 +1,77 @@
+"""Smooth normals of meshes that have none, with hard edges left hard."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+
+CREASE = np.cos(np.radians(60.0))
+"""Cosine of the angle between two faces from which on the edge between them is hard: a hexagonal prism keeps its edges."""
+
+
+def smoothed(
+    positions: NDArray[np.float32], faces: NDArray[np.uint32], places: NDArray[np.uint32]
+) -> tuple[NDArray[np.int64], NDArray[np.float32]]:
+    """Normals of corners, weighted by the corners' angles; corners meet where the edges between them are smooth.
+
+    Parameters
+    ----------
+    positions, faces
+        (V, 3), (F, 3).
+    places
+        Of each vertex the first at its place (V,).
+
+    Returns
+    -------
+    (NDArray, NDArray)
+        Faces (F, 3) by rows of the normals (N, 3): corners of one row have one vertex and one normal.
+    """
+    corners = positions[faces].astype(np.float64)
+    sides = np.roll(corners, -1, axis=1) - corners
+    units = unit(sides)
+    normal = unit(np.cross(sides[:, 0], -sides[:, 2]))
+    angles = np.arccos(np.clip(-(units * np.roll(units, 1, axis=1)).sum(axis=2), -1, 1))
+    group = _smooth_groups(places[faces], normal)
+    sums = np.zeros((len(group), 3))
+    weighted = (angles[:, :, None] * normal[:, None]).reshape(-1, 3)
+    for axis in range(3):
+        sums[:, axis] = np.bincount(group, weighted[:, axis], len(group))
+    of_corner = unit(sums[group])
+    # Faces without an area have no normal: they are never seen, but a vertex of theirs needs one.
+    of_corner[~of_corner.any(axis=1)] = (0, 1, 0)
+    key = np.column_stack([faces.ravel(), group.astype(np.uint32)])
+    row = _core.first_alike(np.ascontiguousarray(key.astype(np.uint32)).view(np.uint8).reshape(len(key), -1))
+    return row.reshape(-1, 3).astype(np.int64), of_corner.astype(np.float32)
+
+
+def _smooth_groups(faces: NDArray[np.uint32], normal: NDArray[np.float64]) -> NDArray[np.uint32]:
+    """Number of the group of each corner (3 F,); corners at one place are joined over edges that are not hard."""
+    count = len(faces)
+    corner = np.arange(3 * count, dtype=np.uint32).reshape(-1, 3)
+    after = np.roll(corner, -1, axis=1)
+    ends = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2).astype(np.int64)
+    # Corners at the edge's lower and at its upper place.
+    swaps = ends[:, 0] > ends[:, 1]
+    low = np.where(swaps, after.ravel(), corner.ravel())
+    high = np.where(swaps, corner.ravel(), after.ravel())
+    ends.sort(axis=1)
+    order = np.lexsort((ends[:, 1], ends[:, 0]))
+    here, there = order[:-1], order[1:]
+    same = (ends[here] == ends[there]).all(axis=1)
+    here, there = here[same], there[same]
+    smooth = (normal[here // 3] * normal[there // 3]).sum(axis=1) > CREASE
+    here, there = here[smooth], there[smooth]
+    pairs = np.concatenate([np.column_stack([low[here], low[there]]), np.column_stack([high[here], high[there]])])
+    own = corner.ravel()
+    joined = np.concatenate([np.column_stack([pairs, pairs[:, 1]]), np.column_stack([own, own, own])])
+    return _core.pieces(np.ascontiguousarray(joined, np.uint32), 3 * count)[len(pairs) :]
+
+
+def unit(vectors: NDArray[Any]) -> NDArray[np.float64]:
+    """Vectors (…, 3) of length 1; those without a length stay 0."""
+    length = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return np.asarray(np.divide(vectors, length, out=np.zeros(vectors.shape), where=length > 0), np.float64)

@@ -1,0 +1,130 @@
+"""Levels of an object by simplification."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from nearfar import _check, _progress
+from nearfar._scene import Scene
+from nearfar.lod._base import Base, Surface
+from nearfar.lod._collapse import Picks, Quadrics
+from nearfar.lod._deviation import deviation
+from nearfar.lod._levels import Level, Levels
+
+if TYPE_CHECKING:
+    import trimesh
+
+RATIOS = (1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12, 0.08, 0.05, 0.03, 0.02)
+METHODS = ("fast", "meshopt")
+NORMALS = ("keep", "smooth", "flat")
+
+_MISSED = 1.01
+"""Times the triangles asked for from which on a note says so."""
+
+
+def simplify(
+    mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[str],
+    ratios: Iterable[float] = RATIOS,
+    *,
+    method: str = "fast",
+    normals: str = "keep",
+    name: str | None = None,
+) -> Levels:
+    """Make levels of detail of an object: the same surface in fewer and fewer triangles, with its textures.
+
+    Parameters
+    ----------
+    mesh
+        A scene, one of trimesh's meshes or scenes, or a file as `Scene.load` reads it. All of it is one object: parts
+        are placed where they stand and simplified together; they keep their materials, textures, texture coordinates
+        and vertex colours.
+    ratios
+        Shares of the triangles, above 0 and at most 1, in any order. The base itself is always level 0. A level with
+        no fewer triangles than the one before it is left out, and a note there says which ratio that was.
+    method
+        "fast": quadrics by fast-simplification, which moves vertices to where the error is least. Attributes are looked
+        up on the base, each within its own chart, so that seams stay seams; places stay welded, so nothing cracks.
+        "meshopt": meshoptimizer's simplifier, which keeps some of the vertices as they are, with all that they have. It
+        weighs attributes too, and gives up seams of normals and colours where it can't go on otherwise.
+    normals
+        "keep": those of the base, where it has any. "smooth": made for the base, weighted by the corners' angles, hard
+        where faces meet at more than 60°. "flat": none, so that faces are shaded flat.
+    name
+        Of the object; by default the scene's, if that has one object, else the file's, else ``object``.
+
+    Returns
+    -------
+    Levels
+        With the greatest and the mean distance of each level from the base, both ways, found from all vertices and
+        20,000 points of each surface. `Level.note` says where a ratio could not be reached. The same for any number of
+        threads.
+
+    Raises
+    ------
+    ValueError
+        No triangles, ratios out of range, unknown methods.
+    TypeError
+        Other things than meshes.
+    SceneError
+        Meshes that can't be used, such as those with vertices that are not finite.
+    ModuleNotFoundError
+        "fast" without the package fast-simplification, which ``pip install nearfar[lod]`` brings.
+
+    References
+    ----------
+    Garland, Heckbert (1997): Surface simplification using quadric error metrics; open borders and seams are kept by
+    planes across the surface as there. Aspert, Santa-Cruz, Ebrahimi (2002): MESH, for the distances.
+    """
+    shares = _ratios(ratios)
+    _check.choice("method", method, METHODS)
+    _check.choice("normals", normals, NORMALS)
+    base = Base(mesh, name)
+    base.with_normals(normals)
+    simplifier = (Quadrics if method == "fast" else Picks)(base.surface, base.places)
+    levels = [Level(scene=base.scene)]
+    with _progress.bar("simplifying") as report:
+        for number, share in enumerate(shares):
+            report(number, len(shares))
+            surface = simplifier.level(max(1, round(share * levels[0].triangle_count)))
+            _append(levels, _level(base, surface, share), share)
+        report(len(shares), len(shares))
+    return Levels(levels, name=base.name)
+
+
+def _ratios(ratios: Iterable[float]) -> list[float]:
+    """Shares below 1, falling, each once."""
+    if isinstance(ratios, str | bytes) or not isinstance(ratios, Iterable):
+        raise TypeError(f"ratios: expected numbers above 0 and at most 1, got {type(ratios).__name__}")
+    shares = [_check.number(f"ratios[{number}]", ratio) for number, ratio in enumerate(ratios)]
+    for number, share in enumerate(shares):
+        if not 0 < share <= 1:
+            raise ValueError(f"ratios[{number}]: expected a number above 0 and at most 1, got {share}")
+    return sorted({share for share in shares if share < 1}, reverse=True)
+
+
+def _level(base: Base, surface: Surface, share: float) -> Level | None:
+    """Measure a level; none where nothing is left of the surface."""
+    if not len(surface.faces):
+        return None
+    count, wanted = len(surface.faces), max(1, round(share * len(base.surface.faces)))
+    note = "" if count <= max(wanted * _MISSED, wanted + 2) else f"{count:,} triangles instead of {wanted:,}"
+    scene = base.scene_of(surface)
+    error, mean = deviation((base.scene, base.surface), (scene, surface))
+    return Level(scene=scene, ratio=share, error=error, mean_error=mean, note=note)
+
+
+def _append(levels: list[Level], level: Level | None, share: float) -> None:
+    last = levels[-1]
+    if level is not None and level.triangle_count < last.triangle_count:
+        levels.append(level)
+        return
+    why = f"ratio {share:g} can't be reached"
+    levels[-1] = Level(
+        scene=last.scene,
+        ratio=last.ratio,
+        error=last.error,
+        mean_error=last.mean_error,
+        note=f"{last.note}; {why}" if last.note else why,
+    )

@@ -1,0 +1,140 @@
+//! Attributes of a base carried over to a coarser surface.
+//!
+//! Each corner of the coarser surface looks for its nearest point of the base by walking: from the base's face below the
+//! middle of the corner's triangle over faces that share vertices. Vertices are taken with their attributes, so a walk
+//! never crosses a seam, even where both sides of it belong to one chart.
+
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+
+use super::surface::check_faces;
+use crate::base::{Error, Progress, Result};
+use crate::trace::{Closest, closest};
+
+/// Triangles handled by one task.
+const TILE: usize = 1024;
+/// Faces of a second ring that are still looked at where the first has nothing nearer.
+const MOST_SECOND: usize = 256;
+
+/// A surface whose faces hang together by vertices with the same attributes.
+#[derive(Debug)]
+pub struct Charts<'a> {
+    positions: &'a [[f32; 3]],
+    faces: &'a [[u32; 3]],
+    /// Where each vertex's faces start in `around`, and their end.
+    starts: Vec<u32>,
+    around: Vec<u32>,
+}
+
+/// Where a corner of the coarser surface lies on the base.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Place {
+    /// Face of the base.
+    pub face: u32,
+    /// Weights of its second and third corner.
+    pub weights: [f64; 2],
+}
+
+impl<'a> Charts<'a> {
+    /// Lists the faces around each vertex.
+    pub fn new(positions: &'a [[f32; 3]], faces: &'a [[u32; 3]]) -> Result<Self> {
+        check_faces(faces, positions.len())?;
+        let mut starts = vec![0u32; positions.len() + 1];
+        faces.as_flattened().iter().for_each(|&vertex| starts[vertex as usize + 1] += 1);
+        (0..positions.len()).for_each(|vertex| starts[vertex + 1] += starts[vertex]);
+        let mut next = starts.clone();
+        let mut around = vec![0; 3 * faces.len()];
+        for (number, face) in faces.iter().enumerate() {
+            for &vertex in face {
+                around[next[vertex as usize] as usize] = number as u32;
+                next[vertex as usize] += 1;
+            }
+        }
+        Ok(Self { positions, faces, starts, around })
+    }
+
+    fn near(&self, face: u32, goal: DVec3) -> Closest {
+        closest(self.faces[face as usize].map(|v| Vec3::from_array(self.positions[v as usize]).as_dvec3() - goal))
+    }
+
+    fn ring(&self, face: u32) -> impl Iterator<Item = u32> + '_ {
+        let faces = |vertex: u32| self.starts[vertex as usize] as usize..self.starts[vertex as usize + 1] as usize;
+        self.faces[face as usize].into_iter().flat_map(move |vertex| &self.around[faces(vertex)]).copied()
+    }
+
+    /// The face among some that is nearer to the goal than the best; the nearest, and of equals the first.
+    fn nearer(&self, faces: impl Iterator<Item = u32>, goal: DVec3, mut best: Closest) -> Option<(u32, Closest)> {
+        let mut found = None;
+        for face in faces {
+            let near = self.near(face, goal);
+            if near.square < best.square {
+                (best, found) = (near, Some((face, near)));
+            }
+        }
+        found
+    }
+
+    /// Walks from a face to where nothing around is nearer to the goal.
+    fn walk(&self, start: u32, goal: DVec3) -> Place {
+        let (mut face, mut best) = (start, self.near(start, goal));
+        loop {
+            // The second ring sees over ridges.
+            let second = || self.ring(face).flat_map(|other| self.ring(other)).take(MOST_SECOND);
+            let step = self.nearer(self.ring(face), goal, best).or_else(|| self.nearer(second(), goal, best));
+            match step {
+                Some(step) => (face, best) = step,
+                None => return Place { face, weights: [best.u, best.v] },
+            }
+        }
+    }
+
+    /// The place of each corner of triangles (positions relative to the same zero), whose walks begin at `starts`.
+    pub fn places(&self, corners: &[[[f32; 3]; 3]], starts: &[u32], progress: &Progress) -> Result<Vec<[Place; 3]>> {
+        if starts.len() != corners.len() || starts.iter().any(|&face| face as usize >= self.faces.len()) {
+            return Err(Error::value("starts", format!("a face for each of {} triangles", corners.len()), starts.len()));
+        }
+        progress.expect(corners.len() as u64);
+        let mut places = vec![[Place::default(); 3]; corners.len()];
+        let tiles = places.par_chunks_mut(TILE).zip(corners.par_chunks(TILE)).zip(starts.par_chunks(TILE));
+        tiles.try_for_each(|((places, corners), starts)| {
+            for ((places, corners), &start) in places.iter_mut().zip(corners).zip(starts) {
+                *places = corners.map(|corner| self.walk(start, Vec3::from_array(corner).as_dvec3()));
+            }
+            progress.report(corners.len() as u64)
+        })?;
+        Ok(places)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn walks_end_at_the_nearest_point_and_stop_at_seams() {
+        // Two strips of 20 squares side by side along x, apart at z = 1, where they have vertices of their own.
+        let (mut positions, mut faces) = (vec![], vec![]);
+        for strip in 0..2 {
+            for x in 0..21 {
+                let first = positions.len() as u32;
+                positions.push([x as f32, 0.0, strip as f32]);
+                positions.push([x as f32, 0.0, strip as f32 + 1.0]);
+                if x < 20 {
+                    faces.push([first, first + 1, first + 2]);
+                    faces.push([first + 2, first + 1, first + 3]);
+                }
+            }
+        }
+        let charts = Charts::new(&positions, &faces).unwrap();
+        let goal = [17.25, 0.5, 1.5];
+        let found = charts.places(&[[goal; 3], [goal; 3]], &[0, 40], &Progress::new()).unwrap();
+        for (places, z) in found.iter().zip([1.0, 1.5]) {
+            for place in places {
+                let [a, b, c] = faces[place.face as usize].map(|v| Vec3::from_array(positions[v as usize]).as_dvec3());
+                let point = a + (b - a) * place.weights[0] + (c - a) * place.weights[1];
+                assert!((point - DVec3::new(17.25, 0.0, z)).length() < 1e-12, "{point}");
+            }
+        }
+        assert!(charts.places(&[[goal; 3]], &[80], &Progress::new()).is_err());
+    }
+}

@@ -1,0 +1,73 @@
+//! What a surface hangs together by: rows that are alike, and faces that share vertices.
+
+use std::collections::HashMap;
+
+use crate::base::{Error, Result};
+
+/// The first row that each row of `width` bytes is equal to.
+pub fn first_alike(rows: &[u8], width: usize) -> Result<Vec<u32>> {
+    if width == 0 || !rows.len().is_multiple_of(width) || rows.len() / width > u32::MAX as usize {
+        return Err(Error::value("rows", format!("fewer than 2^32 rows of {width} bytes"), rows.len()));
+    }
+    let mut first: HashMap<&[u8], u32> = HashMap::with_capacity(rows.len() / width);
+    Ok(rows.chunks_exact(width).enumerate().map(|(number, row)| *first.entry(row).or_insert(number as u32)).collect())
+}
+
+/// The number of each face's piece, where faces of a piece hang together by vertices; numbers follow the pieces' first
+/// faces.
+pub fn pieces(faces: &[[u32; 3]], vertex_count: usize) -> Result<Vec<u32>> {
+    check_faces(faces, vertex_count)?;
+    let mut parent: Vec<u32> = (0..vertex_count as u32).collect();
+    fn root(parent: &mut [u32], mut vertex: u32) -> u32 {
+        while parent[vertex as usize] != vertex {
+            // Every second step is cut out, so that paths stay short.
+            parent[vertex as usize] = parent[parent[vertex as usize] as usize];
+            vertex = parent[vertex as usize];
+        }
+        vertex
+    }
+    for face in faces {
+        let [a, b, c] = face.map(|vertex| root(&mut parent, vertex));
+        let least = a.min(b).min(c);
+        [a, b, c].into_iter().for_each(|vertex| parent[vertex as usize] = least);
+    }
+    let mut numbers = vec![u32::MAX; vertex_count];
+    let mut count = 0;
+    let piece = |face: &[u32; 3]| {
+        let number = &mut numbers[root(&mut parent, face[0]) as usize];
+        if *number == u32::MAX {
+            *number = count;
+            count += 1;
+        }
+        *number
+    };
+    Ok(faces.iter().map(piece).collect())
+}
+
+/// Fails where a face has a vertex that there is not.
+pub(super) fn check_faces(faces: &[[u32; 3]], vertex_count: usize) -> Result<()> {
+    match faces.as_flattened().iter().find(|&&vertex| vertex as usize >= vertex_count) {
+        Some(vertex) => Err(Error::value("faces", format!("vertex numbers below {vertex_count}"), vertex)),
+        None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_find_the_first_of_their_kind() {
+        assert_eq!(first_alike(&[1, 2, 3, 4, 1, 2, 3, 4], 2), Ok(vec![0, 1, 0, 1]));
+        assert_eq!(first_alike(&[], 4), Ok(vec![]));
+        assert!(first_alike(&[1, 2, 3], 2).is_err() && first_alike(&[], 0).is_err());
+    }
+
+    #[test]
+    fn faces_that_share_a_vertex_are_one_piece() {
+        let faces = [[6, 7, 8], [0, 1, 2], [3, 4, 5], [2, 3, 9]];
+        assert_eq!(pieces(&faces, 10), Ok(vec![0, 1, 1, 1]));
+        assert!(pieces(&faces, 9).is_err());
+        assert_eq!(pieces(&[], 0), Ok(vec![]));
+    }
+}

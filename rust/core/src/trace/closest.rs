@@ -1,0 +1,85 @@
+//! The point of a triangle that is nearest to zero.
+//!
+//! Ericson: Real-time collision detection, 2005, section 5.1.5, sorts the cases by signs of barycentric weights. Those of
+//! slivers are noise, so here the least of the three edges and the plane decides.
+
+use glam::DVec3;
+
+/// Weights of the second and third corner, and the squared distance.
+#[derive(Clone, Copy, Debug)]
+pub struct Closest {
+    /// Weight of the second corner.
+    pub u: f64,
+    /// Weight of the third corner.
+    pub v: f64,
+    /// Squared distance from zero.
+    pub square: f64,
+}
+
+/// Square of the sine below which a triangle is taken for its edges: no point of it is farther from them than 10⁻¹³
+/// of their length.
+const SLIVER: f64 = 1e-26;
+
+/// Weight of the second end and squared distance of an edge's nearest point.
+#[inline(always)]
+fn on_edge(a: DVec3, b: DVec3) -> (f64, f64) {
+    let edge = b - a;
+    let length = edge.length_squared();
+    let along = -a.dot(edge);
+    let t = if along <= 0.0 {
+        0.0
+    } else if along >= length {
+        1.0
+    } else {
+        along / length
+    };
+    // From the nearer end, so that a far one costs no digits.
+    let from = if t > 0.5 { b - edge * (1.0 - t) } else { a + edge * t };
+    (t, from.length_squared())
+}
+
+/// Weights and squared distance within the plane, where the foot of the perpendicular lies in the triangle.
+#[inline(always)]
+fn on_plane([a, b, c]: [DVec3; 3]) -> Option<([f64; 2], f64)> {
+    let (ab, ac) = (b - a, c - a);
+    let normal = ab.cross(ac);
+    let area = normal.length_squared();
+    if area <= SLIVER * (ab.length_squared() * ac.length_squared()) {
+        return None;
+    }
+    let (v, w) = (normal.dot(ac.cross(a)) / area, normal.dot(a.cross(ab)) / area);
+    if v < 0.0 || w < 0.0 || v + w > 1.0 {
+        return None;
+    }
+    let height = normal.dot(a);
+    Some(([v, w], height * height / area))
+}
+
+/// Squared distance of a triangle from zero.
+#[inline(always)]
+pub(super) fn square(corners: [DVec3; 3]) -> f64 {
+    match on_plane(corners) {
+        Some((_, square)) => square,
+        None => {
+            let [a, b, c] = corners;
+            on_edge(a, b).1.min(on_edge(b, c).1).min(on_edge(c, a).1)
+        }
+    }
+}
+
+/// The nearest point of a triangle to zero.
+pub fn closest(corners: [DVec3; 3]) -> Closest {
+    if let Some(([u, v], square)) = on_plane(corners) {
+        return Closest { u, v, square };
+    }
+    let [a, b, c] = corners;
+    let edges = [on_edge(a, b), on_edge(b, c), on_edge(c, a)];
+    let least = (1..3).fold(0, |least, edge| if edges[edge].1 < edges[least].1 { edge } else { least });
+    let (t, square) = edges[least];
+    let (u, v) = match least {
+        0 => (t, 0.0),
+        1 => (1.0 - t, t),
+        _ => (0.0, 1.0 - t),
+    };
+    Closest { u, v, square }
+}

@@ -1,0 +1,236 @@
+//! Nearest points of a scene's surface: branch and bound over both levels of trees.
+//!
+//! Boxes are compared in float32 with bounds that are never too great; distances of triangles are float64 of the
+//! float32 corners, by the plane and the three edges, so that slivers need no care.
+
+use glam::{DVec3, Vec3};
+use rayon::prelude::*;
+
+use super::cast::{Points, TILE, refuse};
+use super::closest::{closest, square};
+use crate::base::{Error, Progress, Result};
+use crate::bvh::{Block, LEAF, NO_CHILD, Node, WIDTH, Wide};
+use crate::scene::{Instance, REACH, Scene};
+
+/// What lies nearest to points, an entry for each.
+#[derive(Debug, Default)]
+pub struct Nearest {
+    /// Metres; infinite where no triangle faces the wanted way.
+    pub distance: Vec<f64>,
+    /// Triangle number in the scene; −1 for none.
+    pub triangle_index: Vec<i64>,
+    /// Weights of the second and third corner; NaN for none.
+    pub barycentric: Vec<[f64; 2]>,
+}
+
+/// The nearest point of the surface for each world position. With `facing`, a direction for each point, only triangles
+/// whose outside is within 90° of it count.
+pub fn nearest(
+    scene: &Scene,
+    points: Points<'_>,
+    facing: Option<&[[f32; 3]]>,
+    progress: &Progress,
+) -> Result<Nearest> {
+    let count = points.len();
+    if let Some(rows) = facing.map(<[_]>::len).filter(|&rows| rows != count) {
+        return Err(Error::value("facing", format!("{count} rows as points has"), rows));
+    }
+    let out_of_reach = |p: DVec3| !p.is_finite() || (p - scene.origin).abs().max_element() > REACH;
+    let reachable = format!("finite coordinates within {REACH:e} m of the scene's origin");
+    refuse("points", &reachable, points.find(out_of_reach))?;
+    scene.build(progress)?;
+    progress.expect(count as u64);
+    let mut found = Nearest {
+        distance: vec![f64::INFINITY; count],
+        triangle_index: vec![-1; count],
+        barycentric: vec![[f64::NAN; 2]; count],
+    };
+    let offsets: Vec<i64> = (0..scene.instance_count() as u32).map(|i| scene.triangle_offset(i)).collect();
+    let tiles = found
+        .distance
+        .par_chunks_mut(TILE)
+        .zip(found.triangle_index.par_chunks_mut(TILE))
+        .zip(found.barycentric.par_chunks_mut(TILE))
+        .enumerate();
+    tiles.try_for_each(|(tile, ((distance, triangle), weights))| {
+        let mut room = Vec::new();
+        let mut last = Found::NOTHING;
+        for row in 0..distance.len() {
+            let at = tile * TILE + row;
+            let facing = facing.map(|rows| Vec3::from_array(rows[at]).as_dvec3());
+            let search = Search { point: points.at(at) - scene.origin, facing, best: Found::NOTHING };
+            last = search.run(scene, last, &mut room);
+            if last.instance == u32::MAX {
+                continue;
+            }
+            let corners = scene.instance(last.instance).corners(last.face);
+            let near = closest(corners.map(|corner| corner.as_dvec3() - (points.at(at) - scene.origin)));
+            distance[row] = near.square.sqrt();
+            triangle[row] = offsets[last.instance as usize] + i64::from(last.face);
+            weights[row] = [near.u, near.v];
+        }
+        progress.report(distance.len() as u64)
+    })?;
+    Ok(found)
+}
+
+/// A triangle and the square of its distance.
+#[derive(Clone, Copy)]
+struct Found {
+    square: f64,
+    instance: u32,
+    face: u32,
+}
+
+impl Found {
+    const NOTHING: Self = Self { square: f64::INFINITY, instance: u32::MAX, face: u32::MAX };
+
+    /// Ties go to the lower (instance, face), so that the answer depends neither on the tree nor on the start.
+    fn is_before(&self, other: &Self) -> bool {
+        self.square < other.square
+            || (self.square == other.square && (self.instance, self.face) < (other.instance, other.face))
+    }
+}
+
+struct Search {
+    /// Relative to the scene's origin.
+    point: DVec3,
+    facing: Option<DVec3>,
+    best: Found,
+}
+
+/// Boxes still to be opened, with their least squared distances.
+type Room = Vec<(f32, u32)>;
+
+/// Where the boxes of a tree stand: the point in their frame, and what its distances shrink by at most in scene space.
+struct Frame {
+    point: Vec3,
+    /// Metres that the rounding of the point to float32 may add to a distance.
+    slack: f32,
+    /// Square of the least factor by which lengths grow into scene space.
+    scale: f64,
+}
+
+impl Frame {
+    fn new(point: DVec3, scale: f64) -> Self {
+        let rounded = point.as_vec3();
+        Self { point: rounded, slack: rounded.abs().max_element() * f32::EPSILON, scale }
+    }
+
+    /// Least squared distances of the children of a node, in the frame's own units; never too great.
+    #[inline(always)]
+    fn squares(&self, node: &Node) -> [f32; WIDTH] {
+        /// Covers the roundings of the sum.
+        const LESS: f32 = 1.0 - 8.0 * f32::EPSILON;
+        let mut squares = [0.0f32; WIDTH];
+        for axis in 0..3 {
+            let (low, high) = (&node.planes[2 * axis], &node.planes[2 * axis + 1]);
+            for slot in 0..WIDTH {
+                let gap = (low[slot] - self.point[axis]).max(self.point[axis] - high[slot]);
+                let gap = (gap - self.slack).max(0.0);
+                squares[slot] += gap * gap;
+            }
+        }
+        squares.map(|square| square * LESS)
+    }
+}
+
+impl Search {
+    fn run(mut self, scene: &Scene, start: Found, room: &mut Room) -> Found {
+        // Neighbours in the list lie near each other as a rule: what was nearest is a good bound to begin with.
+        if start.instance != u32::MAX {
+            self.try_triangle(scene.instance(start.instance).corners(start.face), start.instance, start.face);
+        }
+        let mut first = 0;
+        for set in scene.sets() {
+            if let Some(tlas) = set.tlas() {
+                let frame = Frame::new(self.point, 1.0);
+                self.walk(&tlas.wide, &frame, room, |search, leaf, room| {
+                    if let Some(slot) = tlas.instance(leaf) {
+                        search.enter(&set.instances()[slot as usize], first + slot, room);
+                    }
+                });
+            }
+            first += set.instances().len() as u32;
+        }
+        self.best
+    }
+
+    fn enter(&mut self, instance: &Instance, number: u32, room: &mut Room) {
+        let Some(bvh) = instance.mesh.bvh() else { return };
+        let frame = if instance.in_place {
+            Frame::new(self.point, 1.0)
+        } else {
+            // The least stretch of a map is one over the greatest of its inverse, of which this norm is a bound.
+            let inverse = instance.to_object.matrix3;
+            let columns = [inverse.x_axis, inverse.y_axis, inverse.z_axis];
+            let norm: f64 = columns.iter().map(|column| column.length_squared()).sum();
+            Frame::new(instance.to_object.transform_point3(self.point), (1.0 - 1e-12) / norm)
+        };
+        self.walk(&bvh.wide, &frame, room, |search, leaf, _| {
+            bvh.leaf(leaf).iter().for_each(|block| search.try_block(block, instance, number));
+        });
+    }
+
+    /// Visits leaves that may be as near as the best, the nearest first.
+    #[inline(always)]
+    fn walk(&mut self, tree: &Wide, frame: &Frame, room: &mut Room, leaf: impl Fn(&mut Self, u32, &mut Room)) {
+        if tree.nodes.is_empty() {
+            return;
+        }
+        let base = room.len();
+        room.push((0.0, 0));
+        while room.len() > base {
+            let Some((near, reference)) = room.pop() else { return };
+            if f64::from(near) * frame.scale > self.best.square {
+                continue;
+            }
+            if reference & LEAF != 0 {
+                leaf(self, reference, room);
+                continue;
+            }
+            let node = &tree.nodes[reference as usize];
+            let squares = frame.squares(node);
+            let start = room.len();
+            for (&square, &child) in squares.iter().zip(&node.children) {
+                if child == NO_CHILD || f64::from(square) * frame.scale > self.best.square {
+                    continue;
+                }
+                room.push((square, child));
+                let mut at = room.len() - 1;
+                // Nearer ones on top.
+                while at > start && room[at - 1].0 < square {
+                    room.swap(at - 1, at);
+                    at -= 1;
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn try_block(&mut self, block: &Block, instance: &Instance, number: u32) {
+        for (lane, &face) in block.distinct_faces().iter().enumerate() {
+            let corner = |corner: usize| Vec3::from_array(block.corners[corner].map(|axis| axis[lane]));
+            let corners = if instance.in_place {
+                [corner(0), corner(1), corner(2)]
+            } else {
+                instance.corners(face)
+            };
+            self.try_triangle(corners, number, face);
+        }
+    }
+
+    #[inline(always)]
+    fn try_triangle(&mut self, corners: [Vec3; 3], instance: u32, face: u32) {
+        let corners = corners.map(|corner| corner.as_dvec3() - self.point);
+        if let Some(facing) = self.facing
+            && (corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(facing) <= 0.0
+        {
+            return;
+        }
+        let found = Found { square: square(corners), instance, face };
+        if found.is_before(&self.best) {
+            self.best = found;
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! Bindings of the part of `lod` that makes coarser surfaces.
+
+use nearfar_core::base::Progress;
+use nearfar_core::lod::{self, Charts, Vertices};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
+use numpy::PyUntypedArrayMethods;
+use pyo3::prelude::*;
+
+use crate::run;
+
+/// The first row that each row of bytes is equal to.
+#[pyfunction]
+fn first_alike<'py>(py: Python<'py>, rows: PyReadonlyArray2<'py, u8>) -> PyResult<Bound<'py, PyArray1<u32>>> {
+    let (width, rows) = (rows.shape()[1], rows.as_slice()?);
+    Ok(run::short(py, || lod::first_alike(rows, width))?.into_pyarray(py))
+}
+
+/// The number of each face's piece, where faces hang together by vertices.
+#[pyfunction]
+fn pieces<'py>(
+    py: Python<'py>,
+    faces: PyReadonlyArray2<'py, u32>,
+    vertex_count: usize,
+) -> PyResult<Bound<'py, PyArray1<u32>>> {
+    let faces = faces.as_slice()?.as_chunks().0;
+    Ok(run::short(py, || lod::pieces(faces, vertex_count))?.into_pyarray(py))
+}
+
+/// Faces, and weights of their second and third corner.
+type Places<'py> = (Bound<'py, PyArray1<u32>>, Bound<'py, PyArray2<f64>>);
+
+/// Where corners (T, 3, 3) of triangles lie on a base without crossing seams; rows are 3 T corners.
+#[pyfunction]
+#[pyo3(signature = (positions, faces, corners, starts, *, report=None))]
+fn carry<'py>(
+    py: Python<'py>,
+    positions: PyReadonlyArray2<'py, f32>,
+    faces: PyReadonlyArray2<'py, u32>,
+    corners: PyReadonlyArray3<'py, f32>,
+    starts: PyReadonlyArray1<'py, u32>,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Places<'py>> {
+    let (positions, faces) = (positions.as_slice()?.as_chunks().0, faces.as_slice()?.as_chunks().0);
+    let (corners, starts) = (corners.as_slice()?.as_chunks().0.as_chunks().0, starts.as_slice()?);
+    let places = run::long(py, report, |progress| Charts::new(positions, faces)?.places(corners, starts, progress))?;
+    let places = places.as_flattened();
+    let weights: Vec<f64> = places.iter().flat_map(|place| place.weights).collect();
+    let faces = PyArray1::from_iter(py, places.iter().map(|place| place.face));
+    Ok((faces, PyArray1::from_vec(py, weights).reshape([places.len(), 2])?))
+}
+
+/// Faces that meshoptimizer leaves, and its own estimate of the error as a share of the extent.
+#[pyfunction]
+#[pyo3(signature = (positions, attributes, weights, is_seam, faces, *, target, loose, report=None))]
+#[expect(clippy::too_many_arguments, reason = "what the simplifier weighs, by keyword mostly")]
+fn collapse<'py>(
+    py: Python<'py>,
+    positions: PyReadonlyArray2<'py, f32>,
+    attributes: PyReadonlyArray2<'py, f32>,
+    weights: PyReadonlyArray1<'py, f32>,
+    is_seam: PyReadonlyArray1<'py, bool>,
+    faces: PyReadonlyArray2<'py, u32>,
+    target: usize,
+    loose: bool,
+    report: Option<Py<PyAny>>,
+) -> PyResult<(Bound<'py, PyArray2<u32>>, f32)> {
+    let vertices = Vertices {
+        positions: positions.as_slice()?.as_chunks().0,
+        attributes: attributes.as_slice()?,
+        weights: weights.as_slice()?,
+        is_seam: is_seam.as_slice()?,
+    };
+    let faces = faces.as_slice()?.as_chunks().0;
+    let kernel = |_: &Progress| lod::collapse(vertices, faces, target, loose);
+    let (left, error) = run::long(py, report, kernel)?;
+    let count = left.len();
+    Ok((PyArray1::from_vec(py, left.into_flattened()).reshape([count, 3])?, error))
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(first_alike, module)?)?;
+    module.add_function(wrap_pyfunction!(pieces, module)?)?;
+    module.add_function(wrap_pyfunction!(carry, module)?)?;
+    module.add_function(wrap_pyfunction!(collapse, module)?)
+}
