@@ -129,13 +129,11 @@ def draw_factors(samples: Samples, path: Path) -> None:
 
 def _pattern(material: Material, *, mapped: bool) -> bool:
     """Whether it is dull, with a pattern of this kind or none."""
-    dull = (material.metallic, material.roughness) == (0.0, 1.0)
-    return dull and (material.mapped == mapped or not material.contrast)
+    return material.dull and (material.mapped == mapped or not material.contrast)
 
 
 def _short(material: Material) -> str:
     if not material.contrast:
         return f"m {material.metallic:g}, r {material.roughness:g}"
     pattern = f"{material.frequency:g} {'mapped' if material.mapped else 'solid'}, c {material.contrast:g}"
-    dull = (material.metallic, material.roughness) == (0, 1)
-    return pattern if dull else f"m {material.metallic:g}, r {material.roughness:g}, {pattern}"
+    return pattern if material.dull else f"m {material.metallic:g}, r {material.roughness:g}, {pattern}"
