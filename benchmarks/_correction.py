@@ -13,8 +13,9 @@ from _material import NEUTRAL, Material
 
 Array = NDArray[np.float64]
 
-LEAST = 0.005
-"""1 − SSIM in the neutral material from which a sample counts: below, nobody sees it, and its logarithm is noise."""
+LEAST, MOST = 0.005, 0.4
+"""1 − SSIM in the neutral material between which a sample counts. Below, nobody sees it, and its logarithm is noise; no
+reading of the published threshold chooses a level above, where factors end because pictures have nothing in common."""
 
 NAMES = (
     "metallic",
@@ -38,7 +39,7 @@ KINDS: dict[str, Callable[[Material], bool]] = {
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """One for each object, level, size and material but the neutral one, where 1 − SSIM is at least `LEAST` there."""
+    """One for each object, level, size and material, where 1 − SSIM is from `LEAST` to `MOST` in the neutral one."""
 
     object: NDArray[np.int64]
     material: NDArray[np.int64]
@@ -76,10 +77,10 @@ def collect(scores: Mapping[str, Array], materials: Sequence[Material]) -> Sampl
     rows = []
     for number, found in enumerate(scores.values()):
         far = 1 - found.reshape(-1, len(materials))
-        for one in far[(far[:, neutral] >= LEAST) & (far[:, others] > 0).all(axis=1)]:
+        for one in far[(far[:, neutral] >= LEAST) & (far[:, neutral] <= MOST) & (far[:, others] > 0).all(axis=1)]:
             rows += [(number, n, one[neutral], one[n]) for n in others]
     if not rows:
-        raise ValueError(f"scores: expected some of at most {1 - LEAST} in the neutral material, got none")
+        raise ValueError(f"scores: expected some from {1 - MOST} to {1 - LEAST} in the neutral material, got none")
     table = np.array(rows)
     numbers = table[:, :2].astype(np.int64)
     return Samples(numbers[:, 0], numbers[:, 1], table[:, 2], table[:, 3], tuple(scores), tuple(materials))
