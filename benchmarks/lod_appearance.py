@@ -1,7 +1,8 @@
 """How metal, gloss and patterns change the SSIM of a level, and whether a factor by material can correct for them.
 
 `python benchmarks/lod_appearance.py` takes minutes, with `--quick` well below one. Objects are those of the data
-folder and three procedural ones, which are all where there is none. Plots lie where NEARFAR_BENCH_OUT says.
+folder and three procedural ones. Where these are all, as with `--quick`, they show what is printed, but are too few to
+judge by. Plots lie where NEARFAR_BENCH_OUT says.
 """
 
 from __future__ import annotations
