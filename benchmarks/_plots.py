@@ -48,7 +48,7 @@ def draw_materials(shapes: Mapping[str, Shape], plan: Plan, path: Path) -> None:
     """Draw each object in some materials, and its coarsest level beside it, at the middle size."""
     plt = pyplot()
     others = [material for material in plan.materials if material != NEUTRAL]
-    materials = [NEUTRAL, *others[1 :: max(1, len(others) // 6)]]
+    materials = [NEUTRAL, *others[3 :: max(1, len(others) // 6)]]
     camera = list(_appearance.cameras(plan.sizes[len(plan.sizes) // 2], plan.steps))[plan.steps + 1]
     rows, size = 2 * len(shapes), (1.5 * len(materials), 1.55 * 2 * len(shapes))
     figure, axes = plt.subplots(rows, len(materials), figsize=size, squeeze=False, layout="constrained")
