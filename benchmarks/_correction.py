@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,21 +13,33 @@ from _material import NEUTRAL, Material
 
 Array = NDArray[np.float64]
 
-LEAST = 0.005
-"""1 − SSIM in the neutral material from which a sample counts: below, nobody sees it, and its logarithm is noise."""
+LEAST, MOST = 0.005, 0.4
+"""1 − SSIM in the neutral material between which a sample counts. Below, nobody sees it, and its logarithm is noise; no
+reading of the published threshold chooses a level above, where factors end because pictures have nothing in common."""
 
 NAMES = (
     "metallic",
-    "gloss",
+    "gloss²",
     "metallic × gloss",
+    "metallic × gloss²",
     *(f"contrast{octaves}, {kind}" for kind in ("solid", "mapped") for octaves in ("", " × octaves")),
 )
 """Gloss is 1 − roughness; octaves are those of the pattern's frequency above 4 cycles across the object."""
 
 
+MIXED = "finish and pattern"
+KINDS: dict[str, Callable[[Material], bool]] = {
+    "finish": lambda one: one.contrast == 0,
+    "solid pattern": lambda one: one.contrast > 0 and one.dull and not one.mapped,
+    "mapped pattern": lambda one: one.contrast > 0 and one.dull and one.mapped,
+    MIXED: lambda one: one.contrast > 0 and not one.dull,
+}
+"""Materials by what makes them differ from the neutral one. Mixed ones are predicted from both, and never fitted."""
+
+
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """One for each object, level, size and material but the neutral one, where 1 − SSIM is at least `LEAST` there."""
+    """One for each object, level, size and material, where 1 − SSIM is from `LEAST` to `MOST` in the neutral one."""
 
     object: NDArray[np.int64]
     material: NDArray[np.int64]
@@ -43,11 +55,9 @@ class Samples:
         """Of the factor."""
         return np.log(self.far / self.neutral)
 
-    @property
-    def mixed(self) -> NDArray[np.bool_]:
-        """Whether a sample is of a material that is both patterned and not dull: predicted, never fitted."""
-        both = [one.contrast > 0 and (one.metallic > 0 or one.roughness < 1) for one in self.materials]
-        return np.array(both)[self.material]
+    def of(self, kind: str) -> NDArray[np.bool_]:
+        """Whether a sample is of a kind of `KINDS`."""
+        return np.array([KINDS[kind](one) for one in self.materials])[self.material]
 
     def where(self, mask: NDArray[np.bool_]) -> Samples:
         """Some of them."""
@@ -67,29 +77,30 @@ def collect(scores: Mapping[str, Array], materials: Sequence[Material]) -> Sampl
     rows = []
     for number, found in enumerate(scores.values()):
         far = 1 - found.reshape(-1, len(materials))
-        for one in far[(far[:, neutral] >= LEAST) & (far[:, others] > 0).all(axis=1)]:
+        for one in far[(far[:, neutral] >= LEAST) & (far[:, neutral] <= MOST) & (far[:, others] > 0).all(axis=1)]:
             rows += [(number, n, one[neutral], one[n]) for n in others]
     if not rows:
-        raise ValueError(f"scores: expected some of at most {1 - LEAST} in the neutral material, got none")
+        raise ValueError(f"scores: expected some from {1 - MOST} to {1 - LEAST} in the neutral material, got none")
     table = np.array(rows)
     numbers = table[:, :2].astype(np.int64)
     return Samples(numbers[:, 0], numbers[:, 1], table[:, 2], table[:, 3], tuple(scores), tuple(materials))
 
 
 def features(materials: Sequence[Material]) -> Array:
-    """What the logarithm is linear in, by `NAMES` (M, 7): all 0 for the neutral material, whose factor so is 1."""
+    """What the logarithm is linear in, by `NAMES` (M, 8): all 0 for the neutral material, whose factor so is 1."""
     rows = []
     for one in materials:
         gloss = 1 - one.roughness
         pattern = (one.contrast, one.contrast * np.log2(one.frequency / 4)) if one.contrast else (0.0, 0.0)
         kinds = ((0.0, 0.0), pattern) if one.mapped else (pattern, (0.0, 0.0))
-        rows.append((one.metallic, gloss, one.metallic * gloss, *kinds[0], *kinds[1]))
+        finish = (one.metallic, gloss**2, one.metallic * gloss, one.metallic * gloss**2)
+        rows.append((*finish, *kinds[0], *kinds[1]))
     return np.array(rows)
 
 
 def fit(samples: Samples) -> Array:
     """Coefficients of least squares, over samples that are not mixed, every object with the same weight."""
-    fitted = samples.where(~samples.mixed)
+    fitted = samples.where(~samples.of(MIXED))
     weight = np.sqrt(1 / np.bincount(fitted.object)[fitted.object])
     rows = features(fitted.materials)[fitted.material]
     return np.asarray(np.linalg.lstsq(rows * weight[:, None], fitted.logarithm * weight, rcond=None)[0])
@@ -171,6 +182,7 @@ def cross_validated(samples: Samples, name: str) -> Array:
 def validity(samples: Samples, predicted: Array) -> Validity:
     """Of predicted logarithms."""
     off = samples.logarithm - predicted
-    ssim = samples.far - samples.neutral * np.exp(predicted)
+    # Nothing is less alike than pictures that have nothing in common.
+    ssim = samples.far - np.minimum(samples.neutral * np.exp(predicted), 1.0)
     explained = 1 - float((off**2).sum() / (samples.logarithm**2).sum())
     return Validity(float(np.sqrt((off**2).mean())), float(np.sqrt((ssim**2).mean())), explained)

@@ -60,6 +60,11 @@ class Material:
     triangles, as textures do. Otherwise it fills space, and points have it from where they are."""
 
     @property
+    def dull(self) -> bool:
+        """Neither metallic nor glossy."""
+        return (self.metallic, self.roughness) == (0.0, 1.0)
+
+    @property
     def label(self) -> str:
         """Short, for tables."""
         parts = [f"metallic {self.metallic:g}, roughness {self.roughness:g}"]

@@ -47,9 +47,8 @@ def pyplot() -> Any:
 def draw_materials(shapes: Mapping[str, Shape], plan: Plan, path: Path) -> None:
     """Draw each object in some materials, and its coarsest level beside it, at the middle size."""
     plt = pyplot()
-    # One of each: dull, glossy, metallic, and patterns.
-    wanted = [*range(0, len(plan.materials), max(1, len(plan.materials) // 6))]
-    materials = [plan.materials[n] for n in wanted]
+    others = [material for material in plan.materials if material != NEUTRAL]
+    materials = [NEUTRAL, *others[3 :: max(1, len(others) // 6)]]
     camera = list(_appearance.cameras(plan.sizes[len(plan.sizes) // 2], plan.steps))[plan.steps + 1]
     rows, size = 2 * len(shapes), (1.5 * len(materials), 1.55 * 2 * len(shapes))
     figure, axes = plt.subplots(rows, len(materials), figsize=size, squeeze=False, layout="constrained")
@@ -93,49 +92,56 @@ def draw_scores(scores: Mapping[str, Array], plan: Plan, path: Path) -> None:
 def draw_factors(samples: Samples, path: Path) -> None:
     """Draw each object's mean factor by material with the fitted one, and factors predicted for objects left out."""
     plt = pyplot()
-    figure, axes = plt.subplots(1, 2, figsize=(15, 6.5), width_ratios=(1.5, 1), layout="constrained")
+    layout = [["means", "finish"], ["means", "pattern"]]
+    figure, axes = plt.subplot_mosaic(layout, figsize=(14, 8.5), width_ratios=(1.6, 1), layout="constrained")
     materials = [n for n, material in enumerate(samples.materials) if material != NEUTRAL]
     coefficients = _correction.fit(samples)
-    for number, name in enumerate(samples.objects):
-        color = COLORS[number % len(COLORS)]
-        inside = samples.object == number
-        if inside.any():
-            means = [samples.logarithm[inside & (samples.material == n)].mean() for n in materials]
-            axes[0].plot(np.exp(means), range(len(materials)), "o", color=color, ms=5, alpha=0.8, label=name)
     fitted = [_correction.factor(coefficients, samples.materials[n]) for n in materials]
-    axes[0].plot(fitted, range(len(materials)), "kx", ms=8, label="coefficients")
-    axes[0].set_yticks(range(len(materials)), [_short(samples.materials[n]) for n in materials], fontsize=8)
-    axes[0].invert_yaxis()
-    axes[0].axvline(1.0, color="black", linewidth=0.8)
-    axes[0].set(xscale="log", xlabel="1 − SSIM, times that of the dull material; each object's mean")
-    axes[0].legend(fontsize=8)
-    predicted = _correction.cross_validated(samples, "coefficients")
-    for number in range(len(samples.objects)):
-        inside = samples.object == number
-        color = COLORS[number % len(COLORS)]
-        axes[1].plot(np.exp(predicted[inside]), np.exp(samples.logarithm[inside]), ".", color=color, ms=4, alpha=0.5)
-    low, high = np.exp(samples.logarithm.min()), np.exp(samples.logarithm.max())
-    axes[1].plot([low, high], [low, high], color="black", linewidth=0.8)
-    axes[1].set(xscale="log", yscale="log", xlabel="factor predicted without the object", ylabel="factor measured")
-    for axis in (axes[0].xaxis, axes[1].xaxis, axes[1].yaxis):
-        ticks = [tick for tick in (0.1, 0.2, 0.5, 1, 2, 5, 10) if low / 1.5 < tick < high * 1.5]
-        axis.set_ticks(ticks, [f"{tick:g}" for tick in ticks])
-        axis.set_minor_locator(plt.NullLocator())
-    for each in axes:
-        each.grid(visible=True, alpha=0.3)
+    axes["means"].plot(fitted, range(len(materials)), "kx", ms=9, zorder=3, label="coefficients")
+    predicted = np.exp(_correction.cross_validated(samples, "coefficients"))
+    measured = np.exp(samples.logarithm)
+    finish = samples.of("finish")
+    pattern = samples.of("solid pattern") | samples.of("mapped pattern")
+    for number, name in enumerate(samples.objects):
+        color, inside = COLORS[number % len(COLORS)], samples.object == number
+        if not inside.any():
+            continue
+        means = [np.exp(samples.logarithm[inside & (samples.material == n)].mean()) for n in materials]
+        axes["means"].plot(means, range(len(materials)), "o", color=color, ms=5, alpha=0.8, label=name)
+        for panel, kind in (("finish", finish), ("pattern", pattern)):
+            rows = inside & kind
+            axes[panel].plot(predicted[rows], measured[rows], ".", color=color, ms=4, alpha=0.5)
+    axes["means"].set_yticks(range(len(materials)), [_short(samples.materials[n]) for n in materials], fontsize=8)
+    axes["means"].invert_yaxis()
+    axes["means"].axvline(1.0, color="black", linewidth=0.8)
+    axes["means"].set(xscale="log", xlabel="1 − SSIM, times that of the dull material; each object's mean")
+    axes["means"].legend(fontsize=8)
+    low, high = min(measured.min(), predicted.min()), max(measured.max(), predicted.max())
+    for panel in ("finish", "pattern"):
+        axes[panel].plot([low, high], [low, high], color="black", linewidth=0.8)
+        axes[panel].set(
+            xscale="log", yscale="log", xlabel="predicted without the object", ylabel="measured", title=panel
+        )
+    ticks = [tick for tick in (0.1, 0.2, 0.5, 1, 2, 5, 10) if low / 1.5 < tick < high * 1.5]
+    for each in (
+        axes["means"].xaxis,
+        *(side for p in ("finish", "pattern") for side in (axes[p].xaxis, axes[p].yaxis)),
+    ):
+        each.set_ticks(ticks, [f"{tick:g}" for tick in ticks])
+        each.set_minor_locator(plt.NullLocator())
+    for panel in axes.values():
+        panel.grid(visible=True, alpha=0.3)
     figure.savefig(path, dpi=100)
     plt.close(figure)
 
 
 def _pattern(material: Material, *, mapped: bool) -> bool:
     """Whether it is dull, with a pattern of this kind or none."""
-    dull = (material.metallic, material.roughness) == (0.0, 1.0)
-    return dull and (material.mapped == mapped or not material.contrast)
+    return material.dull and (material.mapped == mapped or not material.contrast)
 
 
 def _short(material: Material) -> str:
     if not material.contrast:
         return f"m {material.metallic:g}, r {material.roughness:g}"
     pattern = f"{material.frequency:g} {'mapped' if material.mapped else 'solid'}, c {material.contrast:g}"
-    dull = (material.metallic, material.roughness) == (0, 1)
-    return pattern if dull else f"m {material.metallic:g}, r {material.roughness:g}, {pattern}"
+    return pattern if material.dull else f"m {material.metallic:g}, r {material.roughness:g}, {pattern}"
