@@ -90,7 +90,8 @@ def _unit(rows: NDArray[np.float64]) -> NDArray[np.float64]:
     size = np.abs(rows).max(axis=1, keepdims=True)
     scaled = np.divide(rows, size, out=np.zeros_like(rows), where=size != 0)
     length = np.linalg.norm(scaled, axis=1, keepdims=True)
-    return np.divide(scaled, length, out=scaled, where=length != 0)
+    unit: NDArray[np.float64] = np.divide(scaled, length, out=scaled, where=length != 0)
+    return unit
 
 
 def colors_of(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.uint8]:
