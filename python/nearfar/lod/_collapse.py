@@ -37,13 +37,13 @@ class Quadrics:
     def __init__(self, surface: Surface, places: NDArray[np.uint32]) -> None:
         self._package = _package()
         self._surface = surface
-        low, high = surface.positions.min(axis=0), surface.positions.max(axis=0)
-        self._middle = (low.astype(np.float64) + high) / 2
-        self._scale = EXTENT / max(float((high - low).max()), np.finfo(np.float32).tiny)
         faces, self._origin = _distinct(places[surface.faces])
         used, welded = np.unique(faces, return_inverse=True)
         self._faces = welded.reshape(-1, 3).astype(np.int32)
-        self._points = (surface.positions[used] - self._middle) * self._scale
+        points = surface.positions[used].astype(np.float64)
+        low, extent = _box(points)
+        self._middle, self._scale = low + extent / 2, EXTENT / extent
+        self._points = (points - self._middle) * self._scale
         _, seams = charts_of(surface, *("uvs",) * ("uvs" in surface.attributes))
         self._fins = fins(self._points, self._faces, seams[self._origin])
 
@@ -189,12 +189,11 @@ class Picks:
     def _weigh(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         surface, weight = self._surface, _Weight()
         columns, weights = [], []
-        low, high = surface.positions.min(axis=0), surface.positions.max(axis=0)
-        extent = max(float((high - low).max()), np.finfo(np.float32).tiny)
+        _, extent = _box(surface.positions[self._vertex].astype(np.float64))
         for key, values in surface.attributes.items():
             rows = values[self._vertex].astype(np.float32)
             if key == "colors":
-                rows, share = rows / 255, weight.colors
+                rows, share = rows / np.float32(255), weight.colors
             elif key == "normals":
                 share = weight.normals
             else:
@@ -224,6 +223,14 @@ class Picks:
             np.ascontiguousarray(self._material[left[:, 0]]),
             {key: np.ascontiguousarray(value[vertex]) for key, value in self._surface.attributes.items()},
         )
+
+
+def _box(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
+    """Least corner and longest side of the box of points; 1 where it has no side."""
+    if not len(points):
+        return np.zeros(3), 1.0
+    low, high = points.min(axis=0), points.max(axis=0)
+    return low, float((high - low).max()) or 1.0
 
 
 def _stretch(surface: Surface) -> float:
