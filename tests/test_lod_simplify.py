@@ -177,6 +177,28 @@ def test_vertex_colors_are_carried(method: str) -> None:
         assert np.abs(arrays["colors"][:, :3] - expected).max() < 8
 
 
+def test_normals_are_carried_made_or_left_out(method: str) -> None:
+    """Those of a sphere are its places; a box's smooth ones are its faces'."""
+    ball = trimesh.creation.icosphere(4)
+    builder = SceneBuilder()
+    builder.instance(builder.mesh(ball.vertices, ball.faces, normals=ball.vertices), name="ball")
+    scene = builder.build()
+    for kind in ("keep", "smooth"):
+        for level in nf.lod.simplify(scene, [0.3, 0.1], method=method, normals=kind):
+            arrays = parts(level.scene)
+            assert np.linalg.norm(arrays["normals"], axis=1) == pytest.approx(1, abs=1e-5)
+            assert np.abs(arrays["normals"] - arrays["positions"]).max() < 0.08
+    assert all(parts(level.scene)["normals"] is None for level in nf.lod.simplify(scene, [0.1], normals="flat"))
+    box = trimesh.creation.box().subdivide().subdivide().subdivide()
+    assert parts(nf.lod.simplify(box, [0.2], method=method)[1].scene)["normals"] is None
+    for level in nf.lod.simplify(box, [0.2, 0.05], method=method, normals="smooth"):
+        arrays = parts(level.scene)
+        corners = level.scene.triangles().astype(float)
+        flat = _normals.unit(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
+        assert np.abs(arrays["normals"][arrays["faces"]] - flat[:, None]).max() < 1e-3
+        assert level.error < 1e-5
+
+
 def test_errors_are_distances_between_surfaces() -> None:
     """Two spheres of one middle, and a plate that is half as wide as the other."""
     inner, outer = (Base(trimesh.creation.icosphere(4, radius=radius)) for radius in (1.0, 1.1))

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar.lod._base import Surface, charts_of
+from nearfar.lod._base import Surface, charts_of, first_alike
 from nearfar.lod._carry import Carrier
 from nearfar.lod._normals import unit
 
@@ -22,6 +22,9 @@ collapse in the order of the list, and a large one would never reach few triangl
 
 FIN = 0.5123
 """Height of a fin over its edge, as a share of the edge; an odd number, so that its apex is no vertex of a lattice."""
+
+_TRIES, _NEAR = 3, 0.005
+"""Runs until a level has its triangles, but for a share of them."""
 
 _ONE_AT_A_TIME = threading.Lock()
 """fast-simplification works in global variables."""
@@ -60,19 +63,21 @@ class Quadrics:
         rest = np.arange(len(points), len(points) + len(apexes), dtype=np.int32)
         both = np.concatenate([points, apexes]), np.concatenate([faces, np.column_stack([feet, rest])])
         wanted = target
-        for _ in range(3):
-            # Fins that are left count too: how many is known after a try.
+        for _ in range(_TRIES):
             moved, roots = self._run(*both, wanted)
-            left = roots[faces]
+            places = (moved / self._scale + self._middle).astype(np.float32)
+            # Flat parts collapse onto corners where a vertex is already: such faces are nothing.
+            left = first_alike(places)[roots][faces]
             kept = np.flatnonzero(_is_triangle(left))
-            standing = int(_is_triangle(roots[both[1][len(faces) :]]).sum())
-            if wanted == target + standing:
+            missing = target - len(kept)
+            # Fins that are left count too: how many is known after a try.
+            if abs(missing) <= _NEAR * target or not 0 < wanted + missing < len(both[1]):
                 break
-            wanted = target + standing
+            wanted += missing
         left = left[kept]
         used, renumbered = np.unique(left, return_inverse=True)
-        places = (moved[used] / self._scale + self._middle).astype(np.float32)
-        return self._carrier.carried(places, renumbered.reshape(-1, 3).astype(np.uint32), self._origin[kept])
+        triangles = np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32)
+        return self._carrier.carried(places[used], triangles, self._origin[kept])
 
     def _run(
         self, points: NDArray[np.float64], faces: NDArray[np.int32], target: int
@@ -154,8 +159,8 @@ def fins(
 class _Weight:
     """How much a difference of 1 in an attribute counts, as a share of the extent."""
 
-    normals: float = 0.5
-    colors: float = 0.5
+    normals: float = 0.1
+    colors: float = 0.1
     uvs: float = 0.5
     """Of what the texture slides over the surface."""
 
@@ -208,13 +213,11 @@ class Picks:
         """Return the surface in about `target` triangles; seams of normals and colours are given up where they must."""
         if target >= len(self._faces):
             return self._surface
-        table, weights = self._weights
-        faces = self._faces
-        for loose in (False, True):
-            with_seams = (self._positions, table, weights, self._is_seam, faces)
-            left, _ = _core.collapse(*with_seams, target=target, loose=loose)
-            if len(left) <= 1.01 * target:
-                break
+        arrays = (self._positions, *self._weights, self._is_seam, self._faces)
+        left, _ = _core.collapse(*arrays, target=target, loose=False)
+        if len(left) > 1.01 * target:
+            loose, _ = _core.collapse(*arrays, target=target, loose=True)
+            left = min(left, loose, key=len)
         used, renumbered = np.unique(left, return_inverse=True)
         vertex = self._vertex[used]
         return Surface(
