@@ -7,6 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 _Report = Callable[[int, int], object]
+_F32 = NDArray[np.float32]
+_F64 = NDArray[np.float64]
+_U32 = NDArray[np.uint32]
 
 # base ---------------------------------------------------------------------------------------------------------------
 class Error(Exception): ...
@@ -134,12 +137,8 @@ def cast_rays(
     report: _Report | None = None,
 ) -> tuple[NDArray[np.float32], NDArray[np.int64], NDArray[np.int32], NDArray[np.float32]]: ...
 def nearest_points(
-    scene: Scene,
-    points: NDArray[np.float32] | NDArray[np.float64],
-    *,
-    facing: NDArray[np.float32] | None = None,
-    report: _Report | None = None,
-) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]: ...
+    scene: Scene, points: _F32 | _F64, *, facing: _F32 | None = None, report: _Report | None = None
+) -> tuple[_F64, NDArray[np.int64], _F64]: ...
 def instruction_sets() -> list[str]: ...
 def use_instruction_set(name: str) -> None: ...
 
@@ -400,34 +399,15 @@ def corrected_solid_angles(
 ) -> NDArray[np.float64]: ...
 
 # lod ----------------------------------------------------------------------------------------------------------------
-def fit_4pl(
-    x: NDArray[np.float64],
-    y: NDArray[np.float64],
-    *,
-    count: int,
-    report: _Report | None = None,
-) -> tuple[NDArray[np.float64], NDArray[np.uint8]]: ...
-def first_alike(rows: NDArray[np.uint8]) -> NDArray[np.uint32]: ...
-def pieces(faces: NDArray[np.uint32], vertex_count: int) -> NDArray[np.uint32]: ...
+def fit_4pl(x: _F64, y: _F64, *, count: int, report: _Report | None = None) -> tuple[_F64, NDArray[np.uint8]]: ...
+def first_alike(rows: NDArray[np.uint8]) -> _U32: ...
+def pieces(faces: _U32, vertex_count: int) -> _U32: ...
 def carry(
-    positions: NDArray[np.float32],
-    faces: NDArray[np.uint32],
-    corners: NDArray[np.float32],
-    starts: NDArray[np.uint32],
-    *,
-    report: _Report | None = None,
-) -> tuple[NDArray[np.uint32], NDArray[np.float64]]: ...
+    positions: _F32, faces: _U32, corners: _F32, starts: _U32, *, report: _Report | None = None
+) -> tuple[_U32, _F64]: ...
 def collapse(
-    positions: NDArray[np.float32],
-    attributes: NDArray[np.float32],
-    weights: NDArray[np.float32],
-    is_seam: NDArray[np.bool_],
-    faces: NDArray[np.uint32],
-    *,
-    target: int,
-    loose: bool,
-    report: _Report | None = None,
-) -> tuple[NDArray[np.uint32], float]: ...
+    positions: _F32, attributes: _F32, weights: _F32, is_seam: NDArray[np.bool_], faces: _U32, target: int, loose: bool
+) -> tuple[_U32, float]: ...
 
 # exr ----------------------------------------------------------------------------------------------------------------
 _Part = tuple[str, dict[str, NDArray[Any]], dict[str, str | tuple[float, float, float]]]

@@ -214,9 +214,9 @@ class Picks:
         if target >= len(self._faces):
             return self._surface
         arrays = (self._positions, *self._weights, self._is_seam, self._faces)
-        left, _ = _core.collapse(*arrays, target=target, loose=False)
+        left, _ = _core.collapse(*arrays, target, False)
         if len(left) > 1.01 * target:
-            loose, _ = _core.collapse(*arrays, target=target, loose=True)
+            loose, _ = _core.collapse(*arrays, target, True)
             left = min(left, loose, key=len)
         used, renumbered = np.unique(left, return_inverse=True)
         vertex = self._vertex[used]

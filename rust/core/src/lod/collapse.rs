@@ -56,7 +56,7 @@ pub fn collapse(
         &adapter,
         vertices.attributes,
         vertices.weights,
-        width * size_of::<f32>(),
+        size_of_val(vertices.weights),
         &locks,
         3 * target,
         f32::MAX,
