@@ -20,7 +20,9 @@ def main() -> None:
     for path in [path for path in every if path.stem in sys.argv[2:]] or every:
         started = time.perf_counter()
         notebook = nbformat.read(path, as_version=4)
-        NotebookClient(notebook, timeout=600, kernel_name="python3").execute()
+        # As an editor does it: a notebook runs in the folder that it lies in.
+        where = {"metadata": {"path": str(path.parent)}}
+        NotebookClient(notebook, timeout=600, kernel_name="python3", resources=where).execute()
         nbformat.write(notebook, folder / path.name)
         print(f"{folder / path.name}: {time.perf_counter() - started:.0f} s", flush=True)
 

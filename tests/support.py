@@ -76,6 +76,8 @@ def _release() -> str:
 
 PARTS: dict[str, Callable[[], str]] = {
     "data": _data_folder,
+    "distributed": _module("distributed"),
+    "fast_simplification": _module("fast_simplification"),
     "embreex": _module("embreex"),
     "fork": lambda: "" if hasattr(os, "fork") else "this system cannot fork",
     "git": _git,

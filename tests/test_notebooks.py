@@ -28,7 +28,7 @@ def cells(path: Path) -> list[dict[str, Any]]:
 
 
 def test_there_are_notebooks_in_the_order_of_the_stages() -> None:
-    assert [path.stem for path in NOTEBOOKS] == ["01_scene", "02_near_far", "03_headset", "04_gpu"]
+    assert [path.stem for path in NOTEBOOKS] == ["01_scene", "02_near_far", "03_headset", "04_gpu", "05_lod_study"]
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)

@@ -70,16 +70,34 @@ def get_or_make(key: str, suffix: str, make: Callable[[Path], None]) -> Path:
     OSError
         Where the folder cannot be written; names it. `NEARFAR_CACHE` chooses another.
     """
-    limit = _limit()
-    path = folder() / key[:2] / f"{key}{suffix}"
+    path = find(key, suffix)
+    return keep(key, suffix, make) if path is None else path
+
+
+def find(key: str, suffix: str) -> Path | None:
+    """Return the kept file for a key, marked as just used; None where there is none."""
+    # A wrong variable is told of even where nothing is made.
+    _limit()
+    path = _place(key, suffix)
     try:
         os.utime(path)
     except (FileNotFoundError, NotADirectoryError):
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with atomic_file(path) as aside:
-            make(aside)
-        _trim(limit, path)
+        return None
     return path
+
+
+def keep(key: str, suffix: str, make: Callable[[Path], None]) -> Path:
+    """Keep a file for a key in place of what was kept for it; arguments, errors and limits as in `get_or_make`."""
+    limit, path = _limit(), _place(key, suffix)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with atomic_file(path) as aside:
+        make(aside)
+    _trim(limit, path)
+    return path
+
+
+def _place(key: str, suffix: str) -> Path:
+    return folder() / key[:2] / f"{key}{suffix}"
 
 
 def _limit() -> int:

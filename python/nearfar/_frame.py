@@ -48,6 +48,10 @@ class Frame:
     """(H, W, 3) float32, unit normal of the triangle towards the viewer, whatever normals of vertices the colour takes;
     NaN where nothing was hit."""
 
+    lod: Any = field(default=None, repr=False)
+    """What was drawn of objects with levels of detail, where `lod` chose some: their `levels` (N,) in the order of
+    `Scene.leveled`, `triangles`, `full_triangles` and the `selection`; else None. Files don't keep it."""
+
     def __post_init__(self) -> None:
         width, height = self.camera.size
         for name in self.channels:

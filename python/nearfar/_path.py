@@ -9,7 +9,9 @@ from numpy.typing import ArrayLike
 
 from nearfar import _core
 from nearfar._camera import Camera
+from nearfar._choice import Choice, Lod, said
 from nearfar._frame import Frame
+from nearfar._leveled import Shown
 from nearfar._painter import Painter
 from nearfar._reduced import ReducedScene
 from nearfar._render import painter
@@ -28,6 +30,7 @@ def render_path(
     at: Pose | Iterable[Pose] | None = None,
     channels: Iterable[str] | None = None,
     samples: int = 1,
+    lod: Lod | None = None,
     backend: str = "auto",
 ) -> Iterator[Frame]:
     """Render a scene, or a reduced one, from one camera after the other.
@@ -46,6 +49,9 @@ def render_path(
         Images to compute; by default those that the source's `render` computes by default.
     samples, backend
         As `render` takes them.
+    lod
+        As `render` takes it, for a scene whose objects have levels. One selector chooses for all views in turn, so that
+        it may keep objects at the levels that they have.
 
     Yields
     ------
@@ -68,7 +74,12 @@ def render_path(
         raise TypeError(f"at: expected matrices by name, or one such mapping for each camera, got {type(at).__name__}")
     _check_known(cameras, poses)
     scene = how.scene.at(at) if isinstance(at, Mapping) else how.scene
-    views = _views(_posed(scene, poses), cameras)
+    choice = None
+    if lod is not None:
+        if isinstance(source, ReducedScene):
+            raise ValueError("lod: expected None for a reduced scene, whose objects have no levels")
+        choice = Choice(scene, lod)
+    views = _views(_posed(scene, poses), cameras, choice)
     device = how.device(backend)
     return _traced(how, views) if device is None else _drawn(how, device, views)
 
@@ -103,27 +114,31 @@ def _posed(source: Scene, poses: Iterable[Pose | None]) -> Iterator[Scene]:
         yield source if pose is None else source.at(pose)
 
 
-def _views(scenes: Iterator[Scene], cameras: Iterable[Camera]) -> Iterator[tuple[Scene, Camera]]:
+View = tuple[Scene, Camera, Shown | None]
+
+
+def _views(scenes: Iterator[Scene], cameras: Iterable[Camera], choice: Choice | None) -> Iterator[View]:
     for number, camera in enumerate(cameras):
         _check_camera(number, camera)
         scene = next(scenes, None)
         if scene is None:
             raise ValueError(f"at: expected a pose for each camera, got {number}")
-        yield scene, camera
+        drawn, shown = (scene, None) if choice is None else choice(scene, camera)
+        yield drawn, camera, shown
 
 
-def _traced(how: Painter, views: Iterator[tuple[Scene, Camera]]) -> Iterator[Frame]:
-    for scene, camera in views:
-        yield Frame(camera, scene._core.origin, **how.trace(scene, camera, None))
+def _traced(how: Painter, views: Iterator[View]) -> Iterator[Frame]:
+    for scene, camera, shown in views:
+        yield said(Frame(camera, scene._core.origin, **how.trace(scene, camera, None)), shown)
 
 
-def _drawn(how: Painter, device: _core.GpuDevice, views: Iterator[tuple[Scene, Camera]]) -> Iterator[Frame]:
-    under_way: list[tuple[Scene, Camera, _core.GpuJob]] = []
+def _drawn(how: Painter, device: _core.GpuDevice, views: Iterator[View]) -> Iterator[Frame]:
+    under_way: list[tuple[View, _core.GpuJob]] = []
     wrong: Exception | None = None
     while wrong is None:
         try:
-            scene, camera = next(views)
-            under_way.append((scene, camera, how.begin(device, scene, camera, None)))
+            view = next(views)
+            under_way.append((view, how.begin(device, *view[:2], None)))
         except StopIteration:
             break
         except Exception as error:
@@ -137,5 +152,6 @@ def _drawn(how: Painter, device: _core.GpuDevice, views: Iterator[tuple[Scene, C
         raise wrong
 
 
-def _finished(scene: Scene, camera: Camera, job: _core.GpuJob) -> Frame:
-    return Frame(camera, scene._core.origin, **job.finish())
+def _finished(view: View, job: _core.GpuJob) -> Frame:
+    scene, camera, shown = view
+    return said(Frame(camera, scene._core.origin, **job.finish()), shown)

@@ -29,6 +29,25 @@ def load_curve(
     return axes
 
 
+def score_curves(
+    ax: Axes | None,
+    sigma: NDArray[np.float64],
+    curves: NDArray[np.float64],
+    labels: list[str],
+    samples: tuple[NDArray[np.float64], NDArray[np.float64]] | None,
+) -> Axes:
+    """Draw curves (K, M) over solid angles (M,), and samples (D,) and (K, D) in their colours; see `LodModel.plot`."""
+    axes = _pyplot().subplots(layout="constrained")[1] if ax is None else ax
+    for number, (curve, label) in enumerate(zip(curves, labels, strict=True)):
+        axes.plot(sigma, curve, color=f"C{number % 10}", label=label)
+        if samples is not None:
+            axes.plot(samples[0], samples[1][number], color=f"C{number % 10}", linestyle="none", marker=".")
+    axes.set(xscale="log", xlabel="solid angle in steradians", ylabel="SSIM")
+    if labels:
+        axes.legend(title="triangles")
+    return axes
+
+
 def _pyplot() -> Any:
     try:
         from matplotlib import pyplot

@@ -7,6 +7,7 @@ from typing import Any
 
 from nearfar import _check, _core
 from nearfar._camera import Camera
+from nearfar._choice import Choice, Lod, said
 from nearfar._frame import CHANNELS, Frame
 from nearfar._painter import Painter, Report, check_camera
 from nearfar._scene import Scene, core_of
@@ -24,9 +25,10 @@ def render(
     *,
     samples: int = 1,
     channels: Iterable[str] = DEFAULTS,
+    lod: Lod | None = None,
     backend: str = "auto",
 ) -> Frame:
-    """Render a scene: nothing is simplified, every pixel is exact.
+    """Render a scene: every pixel is exact, and nothing is simplified but what `lod` says.
 
     Parameters
     ----------
@@ -39,6 +41,12 @@ def render(
         pixel's centre whatever the number.
     channels
         Images to compute, of "color", "range", "object_id", "face_id", "position" and "normal"; see `Frame`.
+    lod
+        Which level of detail the objects show that have some (`Scene.with_levels`); None draws level 0 of all.
+        "off", "depth", "depth+eccentricity" and "fovea" are modes of `nearfar.lod.select` with its defaults; a
+        `nearfar.lod.Selector`, or whatever takes the arguments of `select` and returns levels, decides for this
+        camera, and objects that it says are out of view are not drawn. Levels themselves are given as
+        `Scene.at_levels` takes them. Objects show one level each, never two: fading between levels is left to engines.
     backend
         "cpu" traces rays. "gpu" draws with the graphics adapter that `nearfar.gpu.select` or NEARFAR_ADAPTER names, or
         the best one there is. "auto" does so where that is more than the processor itself, or was measured to be
@@ -70,7 +78,11 @@ def render(
     side of the triangle.
     """
     check_camera(camera)
-    return painter(scene, channels, samples).paint(scene, camera, backend)
+    how = painter(scene, channels, samples)
+    if lod is None:
+        return how.paint(scene, camera, backend)
+    drawn, shown = Choice(scene, lod)(scene, camera)
+    return said(how.paint(drawn, camera, backend), shown)
 
 
 def painter(scene: Scene, channels: Iterable[str] | None, samples: int) -> Painter:

@@ -13,8 +13,10 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _check, _core
 from nearfar._assembly import Assembled, Assembly
 from nearfar._geometry import object_count_of, transforms_of
+from nearfar._leveled import Leveled, LevelTable, given, levels_of, with_levels
 from nearfar._names import Names, names_of
 from nearfar._report import Report
+from nearfar._scene_parts import core_of_parts, parts_of
 
 if TYPE_CHECKING:
     import trimesh
@@ -24,8 +26,8 @@ class Scene:
     """An immutable scene: objects over shared meshes, some of which may move.
 
     An object is a name over faces or instances. What is used once stands in one merged mesh; what is used twice or
-    moves is an instance of a mesh of its own. Scenes made from a scene (`at`, `with_dynamic`, `subset`) share its
-    meshes, textures and search trees. Metres, right-handed, y up.
+    moves is an instance of a mesh of its own. Scenes made from a scene (`at`, `with_dynamic`, `with_levels`, `subset`)
+    share its meshes, textures and search trees. Metres, right-handed, y up.
 
     Make one with `load`, `from_trimesh`, `from_arrays` or `nearfar.datasets`.
     """
@@ -39,6 +41,7 @@ class Scene:
         rest: NDArray[np.float64] | None = None,
         dropped: int = 0,
         notes: tuple[str, ...] = (),
+        table: LevelTable | None = None,
     ) -> None:
         self._core = core
         self._names = names
@@ -46,6 +49,7 @@ class Scene:
         self._rest = core.moving_placements() if rest is None else rest
         self._dropped = dropped
         self._notes = notes
+        self._table = table
 
     @classmethod
     def _from_assembled(cls, parts: Assembled) -> Scene:
@@ -210,7 +214,64 @@ class Scene:
         """
         core = self._core.with_moving(self._names.flags("names", names))
         rest = np.concatenate([self._rest, core.moving_placements()[len(self._rest) :]])
-        return self._derived(core, rest)
+        return self._derived(core, rest, self._table)
+
+    def with_levels(self, models: Mapping[str, Any]) -> Scene:
+        """Return the same scene in which objects have levels of detail; it shows their level 0.
+
+        The levels take the place of what the objects were: they stand where `transform` says, in their own frame, and
+        dynamic objects stay dynamic. Objects of one model share its meshes. See `nearfar.render` for pictures of chosen
+        levels.
+
+        Parameters
+        ----------
+        models
+            A `nearfar.lod.LodModel` with its geometry for each object, by name.
+
+        Raises
+        ------
+        ValueError
+            Unknown names, models without geometry, objects with transforms that are not invertible.
+        TypeError
+            Something else than models by name.
+        """
+        if not isinstance(models, Mapping):
+            raise TypeError(f"models: expected models by name such as {{'tree': model}}, got {type(models).__name__}")
+        numbers = [self._names.number("models", name) for name in models]
+        frames = np.array([self._frame(number) for number in numbers], np.float64).reshape(-1, 4, 4)
+        new = given(self._names, numbers, list(models.values()), frames)
+        core, rest, table = with_levels(self._core, self._rest, self._table, len(self._names), new)
+        return self._derived(core, rest, table)
+
+    @cached_property
+    def leveled(self) -> Leveled | None:
+        """The objects that have levels and the spheres about them where they are now; None where none was given any."""
+        return None if self._table is None else self._table.leveled(self._core, self._names)
+
+    def at_levels(self, levels: ArrayLike | Mapping[str, int]) -> Scene:
+        """Return a scene in which the objects show these levels for good. Meshes and search trees are shared.
+
+        Parameters
+        ----------
+        levels
+            The level of each object (N,) in the order of `leveled`, or levels by name, the others at 0. 0 is the
+            finest, and −1 leaves an object out.
+
+        Raises
+        ------
+        ValueError
+            Levels that objects don't have, other numbers of levels than objects, and scenes without levels.
+        TypeError
+            Levels that are not whole numbers.
+        """
+        leveled, table = self.leveled, self._table
+        if leveled is None or table is None:
+            raise ValueError("levels: expected a scene whose objects have levels, got one without; see with_levels")
+        chosen = levels_of("levels", levels, leveled)
+        by_object = np.zeros(len(self._names), np.int32)
+        by_object[leveled.numbers] = chosen
+        remains = (by_object >= 0)[self._core.moving_objects()]
+        return self._derived(table.core.choose(self._core, table.row_of, by_object), self._rest[remains])
 
     def transform(self, name: str) -> NDArray[np.float64]:
         """Object→world (4, 4) that an object was loaded with: what `at` replaces."""
@@ -242,7 +303,7 @@ class Scene:
             if not len(rows):
                 raise ValueError(f"poses: expected dynamic objects, but '{name}' is not; make it so by with_dynamic")
             placements[rows] = self._posed(f"poses['{name}']", pose, number, self._rest[rows])
-        return self._derived(self._core.posed(placements), self._rest)
+        return self._derived(self._core.posed(placements), self._rest, self._table)
 
     def _posed(self, argument: str, pose: ArrayLike, number: int, rest: NDArray[np.float64]) -> NDArray[np.float64]:
         matrix = transforms_of(argument, pose)
@@ -275,7 +336,7 @@ class Scene:
         objects
             Names of the objects that remain. Object numbers and names stay what they are.
         triangles
-            Triangle numbers, or a mask (T,) of bool.
+            Triangle numbers, or a mask (T,) of bool. What remains has no levels: parts of objects have none.
 
         Raises
         ------
@@ -289,7 +350,7 @@ class Scene:
         owner = self._core.moving_objects()
         if objects is not None:
             flags = self._names.flags("objects", objects)
-            return self._derived(self._core.subset_of_objects(flags), self._rest[flags[owner]])
+            return self._derived(self._core.subset_of_objects(flags), self._rest[flags[owner]], self._table)
         mask = self._triangle_mask(_check.plain("triangles", triangles))  # type: ignore[arg-type]  # not None here
         before = np.concatenate([[0], np.cumsum(mask)])[self._core.triangle_offsets()]
         remains = np.diff(before)[self._core.instance_count - len(owner) :] > 0
@@ -311,8 +372,32 @@ class Scene:
         mask[triangles.astype(np.int64)] = True
         return mask
 
-    def _derived(self, core: _core.Scene, rest: NDArray[np.float64]) -> Scene:
-        return Scene(core, self._names, frames=self._frames, rest=rest, dropped=self._dropped, notes=self._notes)
+    def _derived(self, core: _core.Scene, rest: NDArray[np.float64], table: LevelTable | None = None) -> Scene:
+        return Scene(
+            core,
+            self._names,
+            frames=self._frames,
+            rest=rest,
+            dropped=self._dropped,
+            notes=self._notes,
+            table=table,
+        )
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Scenes travel to other processes as arrays; trees are built anew there."""
+        given = self._names.given
+        names = given if isinstance(given, int) else list(given)
+        own = {
+            "frames": self._frames,
+            "rest": self._rest,
+            "dropped": self._dropped,
+            "notes": self._notes,
+            "table": self._table,
+        }
+        return {"parts": parts_of(self._core), "names": names, "own": own}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        Scene.__init__(self, core_of_parts(state["parts"]), Names(state["names"]), **state["own"])
 
     def __repr__(self) -> str:
         return f"<nearfar.Scene: {self.triangle_count:,} triangles, {len(self._names):,} objects>"

@@ -8,6 +8,7 @@ sorted by object and material.
 from __future__ import annotations
 
 import io
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -28,45 +29,56 @@ _MOST_TEXELS = 1 << 27
 
 def encode(core: _core.Scene, names: tuple[str, ...]) -> bytes:
     """Bytes of a GLB of everything that a scene holds; its origin is the root's translation."""
-    return _Encoder(core, names).encode()
+    return Encoder(core, names).encode()
 
 
-class _Encoder:
-    def __init__(self, core: _core.Scene, names: tuple[str, ...]) -> None:
+class Encoder:
+    """Writes instances of a scene as nodes, and what they need of it."""
+
+    def __init__(self, core: _core.Scene, names: Sequence[str]) -> None:
         self._parts = _core.scene_parts(core)
         self._ids = core.mesh_ids().tolist()
         self._names = names
         self._writer = _glb.Writer()
         self._meshes: list[dict[str, Any]] = []
-        self._nodes: list[dict[str, Any]] = []
+        self.nodes: list[dict[str, Any]] = []
+        """All nodes so far."""
         self._materials: dict[int, int] = {}
         self._written: dict[tuple[int, bool], _Written] = {}
 
     def encode(self) -> bytes:
+        """Bytes of the whole scene."""
         children, standing = [], 0
         for number, mesh in enumerate(self._parts["meshes"]):
             if mesh.face_count:
-                children.append(self._instance(number, mesh))
+                children.append(self.place(number))
                 standing += number < self._parts["standing_count"]
         root: dict[str, Any] = {"name": "nearfar", "extras": {"standing": standing}}
         if any(self._parts["origin"]):
             root["translation"] = list(self._parts["origin"])
         if children:
             root["children"] = children
-        self._nodes.append(root)
+        self.nodes.append(root)
+        return self.finish([len(self.nodes) - 1])
+
+    def finish(self, roots: list[int], **fields: Any) -> bytes:
+        """Bytes of a file that shows the nodes of these numbers, with fields of its document that it has beside."""
+        scene = {"nodes": roots} if roots else {}
         return self._writer.encode(
             {
                 "asset": {"version": "2.0", "generator": f"nearfar {__version__}"},
                 "scene": 0,
-                "scenes": [{"nodes": [len(self._nodes) - 1]}],
-                "nodes": self._nodes,
+                "scenes": [scene],
+                "nodes": self.nodes,
                 "meshes": self._meshes,
                 **self._surfaces(),
+                **fields,
             }
         )
 
-    def _instance(self, number: int, mesh: _core.Mesh) -> int:
-        """Add the nodes of an instance; returns the number of the upper one."""
+    def place(self, number: int) -> int:
+        """Add the nodes of an instance that has faces; returns the number of the upper one."""
+        mesh = self._parts["meshes"][number]
         named = int(self._parts["objects"][number])
         key = (self._ids[number], named == _NO_OBJECT)
         if key not in self._written:
@@ -88,8 +100,8 @@ class _Encoder:
         return self._add(node)
 
     def _add(self, node: dict[str, Any], mesh: int | None = None) -> int:
-        self._nodes.append(node if mesh is None else node | {"mesh": mesh})
-        return len(self._nodes) - 1
+        self.nodes.append(node if mesh is None else node | {"mesh": mesh})
+        return len(self.nodes) - 1
 
     def _mesh(self, mesh: _core.Mesh, *, whole: bool) -> _Written:
         """Write a mesh: a glTF mesh for each object with vertices of its own, or one for the whole."""
@@ -194,39 +206,44 @@ class _Streams:
 
 def decode(data: bytes, names: Names) -> _core.Scene:
     """Read back what `encode` wrote; for anything else the errors of whatever is missing or wrong."""
-    return _Decoder(data, names).decode()
+    return Decoder(data, names).decode()
 
 
-class _Decoder:
+class Decoder:
+    """Reads what `Encoder` wrote."""
+
     def __init__(self, data: bytes, names: Names) -> None:
         self._reader = _glb.Reader(data)
-        self._document = self._reader.document
+        self.document = self._reader.document
+        """All but the arrays."""
         self._names = names
         self._meshes: dict[tuple[Any, ...], _core.Mesh] = {}
 
     def decode(self) -> _core.Scene:
-        nodes = self._document["nodes"]
-        root = nodes[self._document["scenes"][0]["nodes"][0]]
+        """The whole scene."""
+        nodes = self.document["nodes"]
+        root = nodes[self.document["scenes"][0]["nodes"][0]]
         children = [nodes[number] for number in root.get("children", [])]
         placements = np.array([_placement(node) for node in children]).reshape(-1, 3, 4)
         if not np.isfinite(placements).all():
             raise ValueError("expected finite matrices")
         objects = [self._object(node) if "mesh" in node else _NO_OBJECT for node in children]
-        meshes = [self._mesh(node, nodes) for node in children]
+        meshes = [self.mesh(node) for node in children]
         return _core.Scene(
             origin=_check.vector("translation", root.get("translation", (0.0, 0.0, 0.0))),
             meshes=meshes,
             placements=placements,
             objects=np.array(objects, np.int32),
             standing_count=root["extras"]["standing"],
-            **self._surfaces(),
+            **self.surfaces(),
         )
 
     def _object(self, node: dict[str, Any]) -> int:
         return self._names.number("name", node["name"]) if "name" in node else _NO_OBJECT
 
-    def _mesh(self, node: dict[str, Any], nodes: list[dict[str, Any]]) -> _core.Mesh:
+    def mesh(self, node: dict[str, Any]) -> _core.Mesh:
         """Mesh of an instance, the same for equal ones."""
+        nodes = self.document["nodes"]
         if "mesh" in node:
             pieces = [(node["mesh"], _NO_OBJECT)]
         else:
@@ -241,7 +258,7 @@ class _Decoder:
         streams: dict[str, list[NDArray[Any]]] = {}
         faces, objects, materials, before = [], [], [], 0
         for number, owner in pieces:
-            primitives = self._document["meshes"][number]["primitives"]
+            primitives = self.document["meshes"][number]["primitives"]
             attributes = {name: self._reader.array(a) for name, a in primitives[0]["attributes"].items()}
             flat = np.zeros((len(attributes["POSITION"]), 3), np.float32)
             for name, values in ({"NORMAL": flat} | attributes).items():
@@ -267,11 +284,12 @@ class _Decoder:
             materials=np.ascontiguousarray(np.concatenate(materials)[rank]),
         )
 
-    def _surfaces(self) -> dict[str, Any]:
-        materials = self._document.get("materials", [])
+    def surfaces(self) -> dict[str, Any]:
+        """Materials and textures, as `_core.Scene` takes them."""
+        materials = self.document.get("materials", [])
         surfaces = [material["pbrMetallicRoughness"] for material in materials]
         links = [surface.get("baseColorTexture", {"index": -1})["index"] for surface in surfaces]
-        images = self._document.get("images", [])
+        images = self.document.get("images", [])
         return {
             "material_colors": np.array([s["baseColorFactor"] for s in surfaces], np.float32).reshape(-1, 4),
             "material_textures": np.array(links, np.int32),

@@ -1,8 +1,36 @@
 """Levels of detail: making them, measuring how good they look over their size, and choosing them."""
 
+from nearfar.lod._export import export
 from nearfar.lod._fit import Curve4PL, fit_4pl
 from nearfar.lod._levels import Level, Levels
+from nearfar.lod._measure import measure
 from nearfar.lod._model import LodModel
+from nearfar.lod._place import place
+from nearfar.lod._samples import Samples
+from nearfar.lod._select import select
+from nearfar.lod._selection import Selection
+from nearfar.lod._selector import Selector
 from nearfar.lod._simplify import simplify
+from nearfar.lod._size import acuity, distortion, reference_solid_angle
+from nearfar.lod._switch import Switches, switches
 
-__all__ = ["Curve4PL", "Level", "Levels", "LodModel", "fit_4pl", "simplify"]
+__all__ = [
+    "Curve4PL",
+    "Level",
+    "Levels",
+    "LodModel",
+    "Samples",
+    "Selection",
+    "Selector",
+    "Switches",
+    "acuity",
+    "distortion",
+    "export",
+    "fit_4pl",
+    "measure",
+    "place",
+    "reference_solid_angle",
+    "select",
+    "simplify",
+    "switches",
+]

@@ -2,14 +2,25 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar import _check, _plot
+from nearfar._camera import Camera, Fov
+from nearfar._hmd import Hmd
+from nearfar.lod import _lod_file
 from nearfar.lod._fit import Curve4PL
 from nearfar.lod._levels import Levels
+from nearfar.lod._samples import Samples
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from nearfar.lod._selector import Selector
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
@@ -37,6 +48,8 @@ class LodModel:
         The geometry, where it is at hand; as many as `triangles`.
     measured
         How it was measured, in values that JSON has.
+    samples
+        What curves were fitted to; None where nothing was measured.
     """
 
     triangles: NDArray[np.int64]
@@ -48,10 +61,102 @@ class LodModel:
     name: str = "object"
     levels: Levels | None = None
     measured: dict[str, Any] = field(default_factory=dict)
+    samples: Samples | None = None
 
     def __len__(self) -> int:
         """How many levels there are, level 0 included."""
         return len(self.triangles)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write all but the geometry as JSON, whole or not at all: curves, samples, and how they were measured.
+
+        `export` writes the geometry too.
+        """
+        _lod_file.write(_check.path("path", path), self)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> LodModel:
+        """Read what `save` and `export` wrote, bit for bit, and of `.glb` the geometry too.
+
+        FormatError for other files and newer versions, OSError for none.
+        """
+        given = _check.path("path", path)
+        if given.suffix.lower() != ".glb":
+            return cls(**_lod_file.read(given))
+        from nearfar.lod import _export
+
+        return _export.read(given)
+
+    def export(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        view: Hmd | Camera | Fov,
+        k: float = 0.27,
+        d: float = 0.90,
+        threshold: str = "anchored",
+    ) -> None:
+        """Write the model for engines, whole or not at all, so that they switch levels where the curves say.
+
+        Parameters
+        ----------
+        path
+            `.glb`: the geometry with `MSFT_lod`, and `MSFT_screencoverage` for the switches: the share of the picture's
+            area that the bounding sphere covers. Programs that don't know the extension show level 0. `.json`: what
+            `save` writes, and `switches`: sizes at which levels take over, in several words (see `switches`). GLB has
+            that document in its first node's `extras.nearfar`. `load` reads both back, bit for bit; of the levels'
+            scenes it keeps triangles, surfaces and normals, all of one object.
+        view, k, d, threshold
+            For what screen and threshold switches are worked out, as `switches` takes them.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For arguments out of their domains, other suffixes, and GLB of models without geometry.
+        OSError
+            Where the file cannot be written.
+
+        References
+        ----------
+        Khronos Group: glTF 2.0, extension MSFT_lod.
+        """
+        from nearfar.lod import _export
+
+        _export.write(self, _check.path("path", path), view=view, k=k, d=d, threshold=threshold)
+
+    def selector(self, mode: str) -> Selector:
+        """What `nearfar.render` chooses levels by where it is given a mode alone: a `Selector` with its defaults."""
+        from nearfar.lod._selector import Selector
+
+        return Selector(mode=mode)
+
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Draw each level's scores over solid angle, with its curve.
+
+        Parameters
+        ----------
+        ax
+            Axes of matplotlib to draw on; new ones by default.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The axes with the curves.
+
+        Raises
+        ------
+        ImportError
+            Where matplotlib is not installed.
+
+        References
+        ----------
+        Liebisch (2021): Figure 3.3.
+        """
+        low, high = self.sigma
+        sigma = np.geomspace(low, high, 256)
+        curves = self.curves(sigma) if len(self.curves) else np.empty((0, 256))
+        scores = None if self.samples is None else (self.samples.sigma, self.samples.score[1:])
+        return _plot.score_curves(ax, sigma, curves, [f"{count:,}" for count in self.triangles[1:]], scores)
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{count:,}" for count in self.triangles)

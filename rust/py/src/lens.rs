@@ -55,6 +55,12 @@ fn fov([left, right, down, up]: [f64; 4]) -> Fov {
 #[derive(Clone)]
 pub(crate) struct RadialLens(lens::RadialLens);
 
+impl RadialLens {
+    pub(crate) fn inner(&self) -> &lens::RadialLens {
+        &self.0
+    }
+}
+
 /// What a kernel makes of radii.
 fn radii<'py, T: Real + Element>(
     py: Python<'py>,

@@ -11,6 +11,7 @@ mod exr;
 mod gpu;
 mod gpu_compute;
 mod lens;
+mod levels;
 mod lod;
 mod layout;
 mod metrics;
@@ -33,6 +34,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     base::register(module)?;
     scene::register(module)?;
     parts::register(module)?;
+    levels::register(module)?;
     trace::register(module)?;
     camera::register(module)?;
     partition::register(module)?;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DMat3, DVec3};
 use nearfar_core::base::{Buffer, Error, Result};
 use nearfar_core::scene::{self, Alpha, FaceMap, Instance, Material, Part, Texture};
+use numpy::ndarray::ArrayView1;
 use numpy::{
     PyArray1, PyArray2, PyArray3, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3,
 };
@@ -146,13 +147,7 @@ impl Scene {
             .collect();
         let textures = textures.iter().map(texture).collect::<PyResult<_>>()?;
         run::short(py, || {
-            same_length(meshes.len(), &placements, objects.len())?;
-            let mut standing = meshes
-                .into_iter()
-                .zip(placements)
-                .zip(&objects)
-                .map(|((mesh, to_scene), &object)| Instance::new(mesh, to_scene, named(object)))
-                .collect::<Result<Vec<_>>>()?;
+            let mut standing = instances(meshes, placements, objects)?;
             if standing_count > standing.len() {
                 return Err(Error::value("standing_count", "at most the number of instances", standing_count));
             }
@@ -207,6 +202,12 @@ impl Scene {
     fn subset_of_objects<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
         let chosen = chosen.as_slice()?;
         run::short(py, || Ok(self.0.subset_of_objects(chosen))).map(Self)
+    }
+
+    /// All but the chosen objects, a flag for each.
+    fn without_objects<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
+        let chosen = chosen.as_slice()?;
+        run::short(py, || Ok(self.0.without_objects(chosen))).map(Self)
     }
 
     /// Only the chosen triangles, a flag for each.
@@ -303,7 +304,7 @@ fn named(object: i32) -> Option<i32> {
     (object >= 0).then_some(object)
 }
 
-fn affines(placements: &PyReadonlyArray3<'_, f64>) -> Vec<DAffine3> {
+pub(crate) fn affines(placements: &PyReadonlyArray3<'_, f64>) -> Vec<DAffine3> {
     placements
         .as_array()
         .outer_iter()
@@ -312,6 +313,17 @@ fn affines(placements: &PyReadonlyArray3<'_, f64>) -> Vec<DAffine3> {
             DAffine3 { matrix3: DMat3::from_cols(column(0), column(1), column(2)), translation: column(3) }
         })
         .collect()
+}
+
+/// Placed meshes: `placements` are (I, 3, 4) object→scene, `objects` −1 leaves the object to the mesh.
+pub(crate) fn instances(
+    meshes: Vec<Arc<scene::Mesh>>,
+    placements: Vec<DAffine3>,
+    objects: ArrayView1<'_, i32>,
+) -> Result<Vec<Instance>> {
+    same_length(meshes.len(), &placements, objects.len())?;
+    let placed = meshes.into_iter().zip(placements).zip(objects);
+    placed.map(|((mesh, to_scene), &object)| Instance::new(mesh, to_scene, named(object))).collect()
 }
 
 /// Placements (I, 3, 4) of instances.

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 use crate::base::{Error, Progress, Result};
 pub use scan::Real;
-pub use solid_angle::{Seen, each_tile, solid_angles};
+pub use solid_angle::{Seen, check, each_tile, solid_angles};
 
 /// A centre and a radius.
 #[derive(Clone, Copy, Debug, PartialEq)]

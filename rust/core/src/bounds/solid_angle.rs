@@ -55,19 +55,25 @@ pub fn each_tile(
 ) -> Result<()> {
     let tiles = centers.par_chunks(TILE).zip(radii.par_chunks(TILE)).zip(to.par_chunks_mut(TILE)).enumerate();
     tiles.try_for_each(|(number, ((centers, radii), to))| {
-        for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
-            let at = number * TILE + n;
-            if !(DVec3::from_array(*center) - eye).is_finite() {
-                let expected = "finite numbers, and distances from the eye that are";
-                return Err(Error::value("centers", expected, format!("{center:?} at index {at}")));
-            }
-            if !(radius >= 0.0 && radius.is_finite()) {
-                return Err(Error::value("radii", "finite numbers of at least 0", format!("{radius} at index {at}")));
-            }
-        }
+        check(centers, radii, eye, number * TILE)?;
         of(centers, radii, to);
         Ok(())
     })
+}
+
+/// Refuses spheres that are not finite; `first` is the number of the first of these.
+pub fn check(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, first: usize) -> Result<()> {
+    for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
+        let at = first + n;
+        if !(DVec3::from_array(*center) - eye).is_finite() {
+            let expected = "finite numbers, and distances from the eye that are";
+            return Err(Error::value("centers", expected, format!("{center:?} at index {at}")));
+        }
+        if !(radius >= 0.0 && radius.is_finite()) {
+            return Err(Error::value("radii", "finite numbers of at least 0", format!("{radius} at index {at}")));
+        }
+    }
+    Ok(())
 }
 
 /// Solid angles in steradians; 4π where the eye is in or on the sphere.

@@ -199,7 +199,7 @@ fn fixed_point_blocks<const FUSED: bool>(k: &[f64], steps: u32, tile: &mut [f64]
 
 /// The cubics' values of a block, of |x|. Beyond the last interval they mean nothing.
 #[inline(always)]
-fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]) {
+pub(super) fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]) {
     const MANTISSA: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
     let last = table.cubics.len() as u64 - 1;
     let fineness = f64::MANTISSA_DIGITS - 1 - table.shift;

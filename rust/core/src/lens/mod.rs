@@ -10,6 +10,7 @@ mod points;
 mod polynomial;
 mod size;
 mod solve;
+mod stretch;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -25,6 +26,7 @@ use table::Table;
 pub use inverse::Method;
 pub use mesh::{Mesh, warp_mesh};
 pub use size::{Sizes, corrected_solid_angles};
+pub use stretch::Spheres;
 pub use warp::{Filter, Image, Pixel, View, warp};
 
 /// Most coefficients that a lens may have.

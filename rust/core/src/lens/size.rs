@@ -37,15 +37,18 @@ pub fn corrected_solid_angles(sizes: &Sizes<'_>, centers: &[[f64; 3]], radii: &[
     if !(sizes.tan_omega > 0.0 && sizes.tan_omega.is_finite()) {
         return Err(Error::value("lens_radius", "a tangent above 0", sizes.tan_omega));
     }
-    each_tile(centers, radii, sizes.eye, to, |centers, radii, to| {
-        let spheres = centers.chunks(LANES / 2).zip(radii.chunks(LANES / 2));
-        for ((centers, radii), to) in spheres.zip(to.chunks_mut(LANES / 2)) {
-            sizes.of(centers, radii, to);
-        }
-    })
+    each_tile(centers, radii, sizes.eye, to, |centers, radii, to| sizes.each(centers, radii, to))
 }
 
 impl Sizes<'_> {
+    /// What `corrected_solid_angles` says of a few spheres that were checked before.
+    pub fn each(&self, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) {
+        let spheres = centers.chunks(LANES / 2).zip(radii.chunks(LANES / 2));
+        for ((centers, radii), to) in spheres.zip(to.chunks_mut(LANES / 2)) {
+            self.of(centers, radii, to);
+        }
+    }
+
     /// Half a block of spheres, so that both of their edges fill one.
     fn of(&self, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) {
         let mut caps = [const { None }; LANES / 2];
@@ -208,7 +211,7 @@ impl<'a> Cap<'a> {
 }
 
 /// (f(a) − f(b)) / (a − b), from sums of aⁱbʲ.
-fn divided_difference(k: &[f64], a: f64, b: f64) -> f64 {
+pub(super) fn divided_difference(k: &[f64], a: f64, b: f64) -> f64 {
     let (mut sum, mut power, mut total) = (1.0, 1.0, 1.0);
     for c in k {
         for _ in 0..2 {

@@ -1,4 +1,5 @@
-//! Levels of detail: coarser surfaces, and curves of four parameters through samples of a level's quality over its size.
+//! Levels of detail: coarser surfaces, curves of four parameters through samples of a level's quality over its size, and
+//! the levels that are enough by them.
 //!
 //! Liebisch: Perceptual level of detail for head-mounted displays, 2021; y = d + (a−d)/(1+(x/c)^b).
 
@@ -9,6 +10,7 @@ mod fit;
 mod frame;
 mod grid;
 mod logistic;
+mod select;
 mod settle;
 mod steps;
 mod surface;
@@ -22,6 +24,7 @@ pub use carry::{Charts, Place};
 pub use collapse::{Vertices, collapse};
 pub use fit::{Curve, Status};
 pub use frame::Unfit;
+pub use select::{Acuity, COLUMNS, Counts, Eye, Glass, Line, Model, Objects, Parameters, Rules, View, select};
 pub use surface::{first_alike, pieces};
 
 use fit::Room;

@@ -56,6 +56,28 @@ impl Scene {
         })
     }
 
+    /// All but the objects of `chosen`, a flag for each object; faces of no object stay.
+    pub fn without_objects(&self, chosen: &[bool]) -> Self {
+        let stays = |object: i32| !usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true));
+        self.subset(|_, instance| match instance.object {
+            Some(object) if stays(object) => Kept::All,
+            Some(_) => Kept::Faces(Vec::new()),
+            None => Kept::of(&instance.mesh, |face| stays(instance.mesh.objects.get(face))),
+        })
+    }
+
+    /// The same scene and some instances more, which come after those that stand or move already.
+    pub fn with_instances(&self, standing: Vec<Instance>, moving: Vec<Instance>) -> Self {
+        let appended = |old: &Arc<InstanceSet>, new: Vec<Instance>| {
+            if new.is_empty() {
+                return Arc::clone(old);
+            }
+            Arc::new(InstanceSet::new(old.instances().iter().cloned().chain(new).collect()))
+        };
+        let (standing, moving) = (appended(&self.standing, standing), appended(&self.moving, moving));
+        Self { standing, moving, ..self.clone() }
+    }
+
     /// Only the triangles of `chosen`, a flag for each triangle number.
     pub fn subset_of_triangles(&self, chosen: &[bool]) -> Result<Self> {
         if chosen.len() as i64 != self.triangle_count() {
@@ -117,7 +139,7 @@ impl Scene {
 
 impl Instance {
     /// Another mesh in the same place.
-    fn with_mesh(&self, mesh: Arc<Mesh>, object: Option<i32>) -> Self {
+    pub(super) fn with_mesh(&self, mesh: Arc<Mesh>, object: Option<i32>) -> Self {
         let bounds = mesh.bounds().transformed(&self.to_scene);
         Self { mesh, object, bounds, ..self.clone() }
     }

@@ -86,6 +86,18 @@ impl FaceMap {
         }
     }
 
+    /// The map with each value replaced by the one that stands at it in `numbers`; −1 and what lies beyond stay.
+    pub(super) fn renumbered(&self, numbers: &[i32]) -> Self {
+        let number = |&value: &i32| usize::try_from(value).ok().and_then(|at| numbers.get(at)).map_or(value, |&n| n);
+        match self {
+            Self::Uniform(value) => Self::Uniform(number(value)),
+            Self::Ranges { starts, values } => {
+                Self::Ranges { starts: starts.clone(), values: values.iter().map(number).collect() }
+            }
+            Self::PerFace(values) => Self::PerFace(values.iter().map(number).collect()),
+        }
+    }
+
     fn from_runs(runs: impl Iterator<Item = (usize, i32)>, face_count: usize) -> Self {
         let (starts, values): (Vec<u32>, Vec<i32>) = runs.map(|(start, value)| (start as u32, value)).unzip();
         match values[..] {

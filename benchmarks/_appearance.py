@@ -1,0 +1,220 @@
+"""Scores of levels by material: objects, their levels, and masked SSIM over views, sizes and materials."""
+
+from __future__ import annotations
+
+import gzip
+import io
+import itertools
+import zipfile
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from _material import FINER, NEUTRAL, Material, Shape, look, shade
+from _study import sixteenth
+from nearfar import _data
+
+Array = NDArray[np.float64]
+
+METALLIC, ROUGHNESS = (0.0, 0.5, 1.0), (0.25, 0.5, 0.75, 1.0)
+FREQUENCY, CONTRAST = (2.0, 4.0, 8.0, 16.0), (0.5, 1.0)
+MIXED = (Material(1.0, 0.5, 8.0, 0.5, True), Material(0.5, 0.5, 4.0, 1.0, True), Material(0.0, 0.5, 16.0, 0.5))
+"""Metallic or glossy and patterned: not fitted, but predicted."""
+
+
+def patterns(frequencies: Sequence[float], *, mapped: bool) -> tuple[Material, ...]:
+    """Dull materials of all contrasts."""
+    return tuple(
+        Material(frequency=frequency, contrast=contrast, mapped=mapped)
+        for frequency in frequencies
+        for contrast in CONTRAST
+    )
+
+
+HEADSET = nf.hmd.RIFT_S
+_AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (3**-0.5,) * 3)
+_MARGIN = 6
+"""Pixels around the object, so that every window about its silhouette lies within the picture."""
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is scored."""
+
+    ratios: tuple[float, ...] = (0.2, 0.05, 0.0125)
+    sizes: tuple[float, ...] = (1.0, 1 / 8, 1 / 64)
+    """Solid angles, of that at 1/16 of the screen."""
+    steps: int = 6
+    """Views of a turn about each of four axes."""
+    materials: tuple[Material, ...] = (
+        *(Material(metallic, roughness) for metallic in METALLIC for roughness in ROUGHNESS),
+        *patterns(FREQUENCY, mapped=False),
+        *patterns(FREQUENCY, mapped=True),
+        *MIXED,
+    )
+
+
+QUICK = Plan(
+    ratios=(0.2, 0.05),
+    sizes=(1 / 16, 1 / 64),
+    steps=2,
+    materials=(
+        NEUTRAL,
+        *(Material(metallic, roughness) for metallic in METALLIC for roughness in ROUGHNESS[:2]),
+        Material(1.0),
+        *patterns(FREQUENCY[::2], mapped=False),
+        *patterns(FREQUENCY[::2], mapped=True),
+        MIXED[0],
+    ),
+)
+"""Well below a minute, for procedural objects."""
+
+
+# objects --------------------------------------------------------------------------------------------------------------
+def unit(vertices: NDArray[Any], faces: NDArray[Any]) -> Shape:
+    """In a bounding sphere of radius 1 about the origin."""
+    center, radius = nf.bounding_sphere(np.asarray(vertices, np.float64))
+    return Shape(((vertices - center) / radius).astype(np.float32), np.asarray(faces, np.int64))
+
+
+def rock(detail: int = 5) -> Shape:
+    """A ball with bumps of several sizes."""
+    import trimesh
+
+    ball = trimesh.creation.icosphere(subdivisions=detail)
+    at = np.asarray(ball.vertices)
+    bumps = sum(np.sin(2**n * (at @ turn)).prod(axis=1) / 2**n for n, turn in enumerate(_turns(4), start=1))
+    return unit(at * (1 + 0.35 * np.asarray(bumps))[:, None], ball.faces)
+
+
+def knot(around: int = 240, across: int = 40) -> Shape:
+    """A torus knot: a tube that passes before itself."""
+    t = 2 * np.pi * np.arange(around) / around
+    ring = 2 + np.cos(3 * t)
+    path = np.stack([ring * np.cos(2 * t), ring * np.sin(2 * t), np.sin(3 * t)], axis=1)
+    ahead = np.roll(path, -1, axis=0) - np.roll(path, 1, axis=0)
+    side = np.cross(ahead, path)
+    up = np.cross(side, ahead)
+    turn = 2 * np.pi * np.arange(across) / across
+    directions = [vectors / np.linalg.norm(vectors, axis=1, keepdims=True) for vectors in (side, up)]
+    tube = sum(
+        0.45 * wave[None, :, None] * vectors[:, None]
+        for wave, vectors in zip((np.cos(turn), np.sin(turn)), directions, strict=True)
+    )
+    return unit((path[:, None] + np.asarray(tube)).reshape(-1, 3), _rings(around, across))
+
+
+def fluted(detail: int = 5) -> Shape:
+    """An egg with flutes like a column's: creases as made things have them."""
+    import trimesh
+
+    ball = trimesh.creation.icosphere(subdivisions=detail)
+    x, y, z = np.asarray(ball.vertices).T
+    wide = 1 - 0.15 * np.abs(np.sin(6 * np.arctan2(z, x)))
+    return unit(np.stack([wide * x, 1.3 * y, wide * z], axis=1), ball.faces)
+
+
+def _turns(count: int) -> list[Array]:
+    return [np.linalg.qr(np.sin(np.arange(9.0).reshape(3, 3) * (n + 1.7)))[0] for n in range(count)]
+
+
+def _rings(rows: int, columns: int) -> NDArray[np.int64]:
+    """Two faces for each cell of a grid both of whose sides are rings."""
+    i, j = (axis.ravel() for axis in np.mgrid[:rows, :columns])
+    corners = [(i + di) % rows * columns + (j + dj) % columns for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    return np.concatenate([np.stack([corners[n] for n in face], axis=1) for face in ((0, 1, 2), (0, 2, 3))])
+
+
+PROCEDURAL: dict[str, Callable[[], Shape]] = {"rock": rock, "knot": knot, "fluted": fluted}
+
+SCANNED = {
+    "bunny": "objects/bun_zipper.ply",
+    "dragon": "objects/dragon/dragon_vrip_res3.ply.gz",
+    "armadillo": "objects/armadillo.obj",
+    "spot": "objects/spot/spot.zip",
+    "duck": "objects/gltf/Duck.glb",
+    "helmet": "objects/gltf/FlightHelmet/FlightHelmet.gltf",
+}
+
+
+def scanned(name: str) -> Shape | None:
+    """An object of the data folder without its materials, its vertices merged by position; None where it is missing."""
+    import trimesh
+
+    path = _data.find(SCANNED[name])
+    if path is None:
+        return None
+    if path.suffix in (".zip", ".gz"):
+        source, kind = _unpacked(path)
+        mesh = trimesh.load(source, file_type=kind, process=False)
+    else:
+        mesh = trimesh.load(path, process=False)
+    whole = mesh.to_mesh() if isinstance(mesh, trimesh.Scene) else mesh
+    bare = trimesh.Trimesh(np.asarray(whole.vertices), np.asarray(whole.faces), process=False)
+    bare.merge_vertices()
+    bare.update_faces(bare.nondegenerate_faces())
+    bare.remove_unreferenced_vertices()
+    return unit(np.asarray(bare.vertices), bare.faces)
+
+
+def _unpacked(path: Path) -> tuple[io.BytesIO, str]:
+    """The mesh in an archive, and its kind."""
+    if path.suffix == ".gz":
+        return io.BytesIO(gzip.decompress(path.read_bytes())), "ply"
+    with zipfile.ZipFile(path) as archive:
+        inside = next(file for file in archive.namelist() if file.endswith("triangulated.obj"))
+        return io.BytesIO(archive.read(inside)), "obj"
+
+
+def simplified(shape: Shape, ratios: Sequence[float]) -> list[Shape]:
+    """The base and a level for each ratio of its triangles, by positions alone."""
+    import fast_simplification
+
+    levels = [shape]
+    for ratio in ratios:
+        count = max(4, round(ratio * len(shape.faces)))
+        points, faces = fast_simplification.simplify(shape.vertices, shape.faces.astype(np.int32), target_count=count)
+        levels.append(Shape(np.asarray(points, np.float32), np.asarray(faces, np.int64)))
+    return levels
+
+
+# scores ---------------------------------------------------------------------------------------------------------------
+def cameras(size: float, steps: int) -> Iterator[nf.Camera]:
+    """Views of the unit sphere at a solid angle (of that at 1/16 of the screen), just large enough for it."""
+    sine = np.sqrt(1 - (1 - size * sixteenth(HEADSET) / (2 * np.pi)) ** 2)
+    fov = HEADSET.left.fov
+    focal = HEADSET.render_size[0] / (fov.right - fov.left)
+    side = 2 * int(np.ceil(focal * sine / np.sqrt(1 - sine**2)) + _MARGIN)
+    window = nf.Fov.symmetric(float(np.degrees(2 * np.arctan(side / 2 / focal))))
+    for axis, step in itertools.product(np.array(_AXES), range(steps)):
+        start = np.cross(axis, np.roll(axis, 1) + np.array([0.0, 0.0, 0.3]))
+        start /= np.linalg.norm(start)
+        turn = 2 * np.pi * step / steps
+        eye = (np.cos(turn) * start + np.sin(turn) * np.cross(axis, start)) / sine
+        yield nf.Camera.look_at(eye, (0, 0, 0), fov=window, size=(FINER * side, FINER * side), up=axis)
+
+
+def scores(shape: Shape, plan: Plan) -> Array:
+    """SSIM of each level at each size in each material (L, S, M): the 25th percentile over views."""
+    levels = simplified(shape, plan.ratios)
+    found = np.empty((len(levels) - 1, len(plan.sizes), len(plan.materials)))
+    for number, size in enumerate(plan.sizes):
+        views = np.stack([_view(levels, camera, plan.materials) for camera in cameras(size, plan.steps)])
+        found[:, number] = np.percentile(views, 25, axis=0, method="averaged_inverted_cdf")
+    return found
+
+
+def _view(levels: list[Shape], camera: nf.Camera, materials: Sequence[Material]) -> Array:
+    """SSIM of each level in each material from one place (L, M), over the union of both silhouettes."""
+    base, *coarser = (look(level, camera) for level in levels)
+    truth = shade(base, materials)
+    found = np.empty((len(coarser), len(materials)))
+    for row, surface in zip(found, coarser, strict=True):
+        mask = base.silhouette | surface.silhouette
+        row[:] = nf.ssim_pairs(truth, shade(surface, materials), data_range=255, masks=mask)
+    return found

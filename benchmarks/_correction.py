@@ -1,0 +1,188 @@
+"""A factor by material on 1 − SSIM, fitted to scores of levels, and whether it holds for objects left out of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+from _material import NEUTRAL, Material
+
+Array = NDArray[np.float64]
+
+LEAST, MOST = 0.005, 0.4
+"""1 − SSIM in the neutral material between which a sample counts. Below, nobody sees it, and its logarithm is noise; no
+reading of the published threshold chooses a level above, where factors end because pictures have nothing in common."""
+
+NAMES = (
+    "metallic",
+    "gloss²",
+    "metallic × gloss",
+    "metallic × gloss²",
+    *(f"contrast{octaves}, {kind}" for kind in ("solid", "mapped") for octaves in ("", " × octaves")),
+)
+"""Gloss is 1 − roughness; octaves are those of the pattern's frequency above 4 cycles across the object."""
+
+
+MIXED = "finish and pattern"
+KINDS: dict[str, Callable[[Material], bool]] = {
+    "finish": lambda one: one.contrast == 0,
+    "solid pattern": lambda one: one.contrast > 0 and one.dull and not one.mapped,
+    "mapped pattern": lambda one: one.contrast > 0 and one.dull and one.mapped,
+    MIXED: lambda one: one.contrast > 0 and not one.dull,
+}
+"""Materials by what makes them differ from the neutral one. Mixed ones are predicted from both, and never fitted."""
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """One for each object, level, size and material, where 1 − SSIM is from `LEAST` to `MOST` in the neutral one."""
+
+    object: NDArray[np.int64]
+    material: NDArray[np.int64]
+    neutral: Array
+    """1 − SSIM in the neutral material."""
+    far: Array
+    """1 − SSIM in this one."""
+    objects: tuple[str, ...]
+    materials: tuple[Material, ...]
+
+    @property
+    def logarithm(self) -> Array:
+        """Of the factor."""
+        return np.log(self.far / self.neutral)
+
+    def of(self, kind: str) -> NDArray[np.bool_]:
+        """Whether a sample is of a kind of `KINDS`."""
+        return np.array([KINDS[kind](one) for one in self.materials])[self.material]
+
+    def where(self, mask: NDArray[np.bool_]) -> Samples:
+        """Some of them."""
+        return replace(
+            self,
+            object=self.object[mask],
+            material=self.material[mask],
+            neutral=self.neutral[mask],
+            far=self.far[mask],
+        )
+
+
+def collect(scores: Mapping[str, Array], materials: Sequence[Material]) -> Samples:
+    """Samples of scores (L, S, M) by object's name."""
+    neutral = materials.index(NEUTRAL)
+    others = [n for n, material in enumerate(materials) if material != NEUTRAL]
+    rows = []
+    for number, found in enumerate(scores.values()):
+        far = 1 - found.reshape(-1, len(materials))
+        for one in far[(far[:, neutral] >= LEAST) & (far[:, neutral] <= MOST) & (far[:, others] > 0).all(axis=1)]:
+            rows += [(number, n, one[neutral], one[n]) for n in others]
+    if not rows:
+        raise ValueError(f"scores: expected some from {1 - MOST} to {1 - LEAST} in the neutral material, got none")
+    table = np.array(rows)
+    numbers = table[:, :2].astype(np.int64)
+    return Samples(numbers[:, 0], numbers[:, 1], table[:, 2], table[:, 3], tuple(scores), tuple(materials))
+
+
+def features(materials: Sequence[Material]) -> Array:
+    """What the logarithm is linear in, by `NAMES` (M, 8): all 0 for the neutral material, whose factor so is 1."""
+    rows = []
+    for one in materials:
+        gloss = 1 - one.roughness
+        pattern = (one.contrast, one.contrast * np.log2(one.frequency / 4)) if one.contrast else (0.0, 0.0)
+        kinds = ((0.0, 0.0), pattern) if one.mapped else (pattern, (0.0, 0.0))
+        finish = (one.metallic, gloss**2, one.metallic * gloss, one.metallic * gloss**2)
+        rows.append((*finish, *kinds[0], *kinds[1]))
+    return np.array(rows)
+
+
+def fit(samples: Samples) -> Array:
+    """Coefficients of least squares, over samples that are not mixed, every object with the same weight."""
+    fitted = samples.where(~samples.of(MIXED))
+    weight = np.sqrt(1 / np.bincount(fitted.object)[fitted.object])
+    rows = features(fitted.materials)[fitted.material]
+    return np.asarray(np.linalg.lstsq(rows * weight[:, None], fitted.logarithm * weight, rcond=None)[0])
+
+
+def factor(coefficients: Array, material: Material) -> float:
+    """By how much 1 − SSIM of a level is larger than in the neutral material."""
+    return float(np.exp(features([material]) @ coefficients)[0])
+
+
+def intervals(samples: Samples) -> tuple[Array, Array, Array]:
+    """Coefficients and the ends of their 95 % intervals, by leaving out each object in turn.
+
+    Samples of one object resemble each other, so that only objects count as independent.
+    """
+    count = len(samples.objects)
+    every = fit(samples)
+    without = np.array([fit(samples.where(samples.object != number)) for number in range(count)])
+    error = np.sqrt((count - 1) / count * ((without - without.mean(axis=0)) ** 2).sum(axis=0))
+    half = stats.t.ppf(0.975, count - 1) * error
+    return every, every - half, every + half
+
+
+# does it hold for others? ---------------------------------------------------------------------------------------------
+@dataclass(frozen=True)
+class Validity:
+    """How far predictions for an object are off that was left out of the fit."""
+
+    log: float
+    """Root mean square of the logarithm's error."""
+    ssim: float
+    """The same of SSIM's."""
+    explained: float
+    """Share of the squared logarithms that predictions take away: 0 as no correction at all, below 0 worse."""
+
+
+def by_coefficients(train: Samples, test: Samples) -> Array:
+    """Logarithms from the coefficients."""
+    return np.asarray(features(test.materials)[test.material] @ fit(train))
+
+
+def by_material(train: Samples, test: Samples) -> Array:
+    """Logarithms from a number for each material, the best that any formula of the material alone could do.
+
+    Mixed materials get the sum of their parts': the number of their finish and that of their pattern.
+    """
+    means = {NEUTRAL: 0.0}
+    for number, material in enumerate(train.materials):
+        rows = train.material == number
+        if rows.any():
+            of = np.bincount(train.object[rows], minlength=len(train.objects))
+            weight = 1 / of[train.object[rows]]
+            means[material] = float(np.average(train.logarithm[rows], weights=weight))
+    numbers = []
+    for material in test.materials:
+        finish = Material(material.metallic, material.roughness)
+        pattern = replace(material, metallic=0.0, roughness=1.0)
+        numbers.append(means.get(finish, np.nan) + means.get(pattern, np.nan))
+    return np.array(numbers)[test.material]
+
+
+def uncorrected(train: Samples, test: Samples) -> Array:
+    """Zero: every material scored as the neutral one."""
+    return np.zeros(len(test.far) + 0 * len(train.far))
+
+
+MODELS = {"no correction": uncorrected, "coefficients": by_coefficients, "a number for each material": by_material}
+
+
+def cross_validated(samples: Samples, name: str) -> Array:
+    """Logarithm predicted for each sample by what was fitted to all other objects."""
+    predicted = np.empty(len(samples.far))
+    for number in range(len(samples.objects)):
+        inside = samples.object == number
+        predicted[inside] = MODELS[name](samples.where(~inside), samples.where(inside))
+    return predicted
+
+
+def validity(samples: Samples, predicted: Array) -> Validity:
+    """Of predicted logarithms."""
+    off = samples.logarithm - predicted
+    # Nothing is less alike than pictures that have nothing in common.
+    ssim = samples.far - np.minimum(samples.neutral * np.exp(predicted), 1.0)
+    explained = 1 - float((off**2).sum() / (samples.logarithm**2).sum())
+    return Validity(float(np.sqrt((off**2).mean())), float(np.sqrt((ssim**2).mean())), explained)

@@ -1,0 +1,230 @@
+"""Materials of other kinds than nearfar's own diffuse ones: metallic, glossy and patterned surfaces in one colour.
+
+Pictures are shaded from what each ray met, so that one rendering serves any number of materials, and a pattern is
+evaluated at the point itself: no texture coordinates that a simplifier could move.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+
+Array = NDArray[np.float32]
+Image = NDArray[np.uint8]
+Light = tuple[Array, Array, Array]
+"""Of each hit, summed over lights: diffuse, mirrored, and mirrored at grazing angles."""
+
+FINER = 2
+"""Rays across a pixel."""
+
+BASE = 0.5
+"""Reflectance, linear; a pattern's is around it."""
+
+AMBIENT = 0.15
+BACKGROUND = 0.2
+"""Linear, between the dark and the bright sides of things: it hides neither."""
+
+LIGHTS = (((-0.5, 0.7, 0.6), 3.0), ((0.9, 0.1, 0.5), 1.0), ((0.1, 0.6, -0.8), 2.0))
+"""Towards each light, by the camera's right, up and back, and how bright it is. They stay with the camera: the object
+turns before both. Nothing else is mirrored."""
+
+# A pattern's three directions, oblique to all axes about which objects turn, and at right angles to each other.
+_WAVES = np.linalg.qr(np.array([[0.9, 0.3, -0.2], [-0.3, 0.7, 0.6], [0.4, -0.5, 0.8]]))[0].astype(np.float32)
+_MIRRORED = 0.04
+# Linear values to codes by a table of 16-bit steps, as good as the formula to a third of a code in the darkest.
+_LINEAR = np.arange(1 << 16) / ((1 << 16) - 1)
+_CODES = np.round(255 * np.where(_LINEAR <= 0.0031308, 12.92 * _LINEAR, 1.055 * _LINEAR ** (1 / 2.4) - 0.055))
+_CODES = _CODES.astype(np.uint8)
+
+
+@dataclass(frozen=True)
+class Material:
+    """How a surface looks; without arguments it is dull, in one colour: the neutral one."""
+
+    metallic: float = 0.0
+    """0 to 1."""
+    roughness: float = 1.0
+    """Perceptual, 0 to 1, as in glTF 2.0."""
+    frequency: float = 0.0
+    """Of the pattern, in cycles across the bounding sphere."""
+    contrast: float = 0.0
+    """Of the pattern: reflectance goes from BASE (1 − contrast) to BASE (1 + contrast)."""
+    mapped: bool = False
+    """Whether the pattern lies on a sphere around the object and vertices carry where, so that it slides over coarse
+    triangles, as textures do. Otherwise it fills space, and points have it from where they are."""
+
+    @property
+    def dull(self) -> bool:
+        """Neither metallic nor glossy."""
+        return (self.metallic, self.roughness) == (0.0, 1.0)
+
+    @property
+    def label(self) -> str:
+        """Short, for tables."""
+        parts = [f"metallic {self.metallic:g}, roughness {self.roughness:g}"]
+        if self.contrast:
+            parts.append(f"{self.frequency:g} cycles{', mapped' * self.mapped}, contrast {self.contrast:g}")
+        return ", ".join(parts)
+
+
+NEUTRAL = Material()
+
+
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """What the rays of one picture met, `FINER` by `FINER` to a pixel."""
+
+    hit: NDArray[np.bool_]
+    """(FINER H, FINER W)."""
+    position: Array
+    """Of each hit (N, 3), in the object's frame, where the bounding sphere has radius 1."""
+    normal: Array
+    """(N, 3), as of a smooth surface through the vertices."""
+    mapped: Array
+    """(N, 3), the direction from the middle of the object that vertices carry, between them linear."""
+    view: Array
+    """(N, 3), towards the eye."""
+    axes: Array
+    """The camera's right, up and back (3, 3), in rows."""
+
+    @property
+    def silhouette(self) -> NDArray[np.bool_]:
+        """(H, W), true where anything is seen of the object."""
+        height, width = (side // FINER for side in self.hit.shape)
+        return np.asarray(self.hit.reshape(height, FINER, width, FINER).any(axis=(1, 3)))
+
+
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """One mesh, with the smooth normals of its vertices."""
+
+    vertices: Array
+    faces: NDArray[np.int64]
+
+    @functools.cached_property
+    def scene(self) -> nf.Scene:
+        """For rays."""
+        return nf.Scene.from_arrays(self.vertices, self.faces, copy=True)
+
+    @functools.cached_property
+    def normals(self) -> Array:
+        """Of each vertex (V, 3)."""
+        return vertex_normals(self.vertices, self.faces)
+
+
+def vertex_normals(vertices: Array, faces: NDArray[np.int64]) -> Array:
+    """Mean of the normals of the faces around each vertex (V, 3), by area."""
+    corners = vertices[faces]
+    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    sums = np.stack(
+        [np.bincount(faces.ravel(), np.repeat(across[:, axis], 3), len(vertices)) for axis in range(3)], axis=1
+    )
+    length = np.linalg.norm(sums, axis=1, keepdims=True)
+    return (sums / np.where(length > 0, length, 1)).astype(np.float32)
+
+
+def look(shape: Shape, camera: nf.Camera) -> Surface:
+    """What a camera, with FINER times the pixels of the picture, sees of a shape at the origin."""
+    frame = nf.render(shape.scene, camera, channels=("face_id", "position"), backend="cpu")
+    numbers = frame.require("face_id")
+    hit = numbers >= 0
+    position = frame.require("position")[hit].astype(np.float32)
+    faces = shape.faces[numbers[hit]]
+    parts = shape.vertices[faces]
+    # Barycentric coordinates by areas: by edges they would lose digits in slivers.
+    one, two, three = (parts[:, n] - position for n in range(3))
+    weights = np.stack([_length(np.cross(*pair)) for pair in ((two, three), (three, one), (one, two))], axis=1)
+    weights /= np.maximum(weights.sum(axis=1, keepdims=True), np.finfo(np.float32).tiny)
+    normal = _unit(np.einsum("nc,nck->nk", weights, shape.normals[faces]))
+    mapped = np.einsum("nc,nck->nk", weights, _unit(shape.vertices)[faces])
+    eye = np.asarray(camera.position, np.float32)
+    return Surface(hit, position, normal, mapped, _unit(eye - position), _axes(camera))
+
+
+def shade(surface: Surface, materials: Sequence[Material]) -> Image:
+    """One picture for each material (M, H, W), sRGB codes."""
+    light = _light(surface, {one.roughness for one in materials})
+    patterns = {(one.frequency, one.mapped) for one in materials if one.contrast}
+    waves = {one: _pattern(surface.mapped if one[1] else surface.position, one[0]) for one in patterns}
+    height, width = (side // FINER for side in surface.hit.shape)
+    pictures = np.empty((len(materials), height, width), np.uint8)
+    whole = np.empty(surface.hit.shape, np.float32)
+    for picture, material in zip(pictures, materials, strict=True):
+        base: Array | np.float32 = np.float32(BASE)
+        if material.contrast:
+            base = base * (1 + np.float32(material.contrast) * waves[material.frequency, material.mapped])
+        whole.fill(BACKGROUND)
+        whole[surface.hit] = np.minimum(colors(light[material.roughness], base, material.metallic), 1.0)
+        # Slices are summed many times as fast as axes of two.
+        rows = functools.reduce(np.add, (whole[n::FINER] for n in range(FINER)))
+        mean = functools.reduce(np.add, (rows[:, n::FINER] for n in range(FINER))) / FINER**2
+        picture[:] = _CODES[np.round(mean * ((1 << 16) - 1)).astype(np.uint16)]
+    return pictures
+
+
+def colors(light: Light, base: Array | np.float32, metallic: float) -> Array:
+    """Linear colour of each hit, by sums over lights that don't depend on the surface's colour."""
+    diffuse, mirrored, grazing = light
+    straight = (1 - metallic) * np.float32(_MIRRORED) + metallic * base
+    dull = base * np.float32((1 - _MIRRORED) * (1 - metallic))
+    return np.asarray((1 - straight) * (dull * diffuse + grazing) + straight * mirrored + base * np.float32(AMBIENT))
+
+
+def _light(surface: Surface, roughness: Iterable[float]) -> dict[float, Light]:
+    """Sums over lights for each roughness, by glTF's model as pyrender has it.
+
+    With F = f₀ + (1 − f₀) s all that depends on the colour comes out of the sums.
+    """
+    nv = np.clip(np.abs(_dot(surface.normal, surface.view)), 0.001, 1)
+    diffuse = np.zeros(len(nv), np.float32)
+    mirrors = {rough: (np.zeros(len(nv), np.float32), np.zeros(len(nv), np.float32)) for rough in roughness}
+    for direction, bright in LIGHTS:
+        towards = _unit(np.asarray(direction, np.float32) @ surface.axes)
+        half = _unit(surface.view + towards)
+        nl = np.clip(surface.normal @ towards, 0.001, 1)
+        nh = np.clip(_dot(surface.normal, half), 0, 1)
+        away = 1 - np.clip(_dot(surface.view, half), 0, 1)
+        s = away * away * away * away * away
+        diffuse += nl * (1 - s) * np.float32(bright / np.pi)
+        # What all roughness shares of nl D G / (4 nl nv), with a little so that nothing is divided by zero.
+        shared = nl * nl * nv / (4 * nl * nv + 0.001) * np.float32(bright / np.pi)
+        for rough, (straight, grazing) in mirrors.items():
+            rough = max(rough, _MIRRORED)
+            wide, small = np.float32(rough**4), np.float32((rough + 1) ** 2 / 8)
+            narrow = nh * nh * (wide - 1) + 1
+            mirror = shared * wide / (narrow * narrow * (nv * (1 - small) + small) * (nl * (1 - small) + small))
+            straight += mirror
+            grazing += mirror * s
+    return {rough: (diffuse, *both) for rough, both in mirrors.items()}
+
+
+def _pattern(at: Array, frequency: float) -> Array:
+    """Waves along three directions in space (N,), −1 to 1."""
+    waves = np.sin(np.float32(np.pi * frequency) * (_WAVES @ at.T))
+    return np.asarray((waves[0] + waves[1] + waves[2]) / 3)
+
+
+def _axes(camera: nf.Camera) -> Array:
+    x, y, z, w = camera.orientation
+    right = (1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y))
+    up = (2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x))
+    return np.array([right, up, np.cross(right, up)], np.float32)
+
+
+def _dot(one: Array, other: Array) -> Array:
+    return np.asarray(np.einsum("nk,nk->n", one, other))
+
+
+def _length(vectors: Array) -> Array:
+    return np.asarray(np.sqrt(_dot(vectors, vectors)))
+
+
+def _unit(vectors: Array) -> Array:
+    length = np.sqrt(np.einsum("...k,...k->...", vectors, vectors))[..., None]
+    return np.asarray(vectors / np.maximum(length, np.finfo(np.float32).tiny))

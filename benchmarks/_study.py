@@ -1,0 +1,283 @@
+"""The published study of levels of detail: its table, a made-up twin of the same shape, and statistics of either."""
+
+from __future__ import annotations
+
+import csv
+from collections import Counter
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+import nearfar as nf
+from nearfar import _data, _random
+
+FILE = "study/lod_thresholds.csv"
+"""Below the data folder."""
+
+TABULATED = 24
+"""Participants in the thesis' tables: the first ones of 25."""
+
+D, K = 0.90, 0.27
+"""What the thesis recommends; `nearfar.lod.select` begins with them."""
+
+Array = NDArray[np.float64]
+_SEED, _RESAMPLE = 2021, 1
+
+
+@dataclass(frozen=True, eq=False)
+class Study:
+    """A row for each participant, headset and object: the coarsest level that was accepted, its SSIM d, the slope k."""
+
+    participant: NDArray[np.int64]
+    hmd: NDArray[np.str_]
+    object: NDArray[np.str_]
+    level: NDArray[np.int64]
+    d: Array
+    k: Array
+
+    def __len__(self) -> int:
+        """Rows."""
+        return len(self.d)
+
+    def where(self, mask: NDArray[np.bool_]) -> Study:
+        """Rows of a mask."""
+        return Study(*(getattr(self, field.name)[mask] for field in fields(self)))
+
+    def of(self, *, hmd: str | None = None, object: str | None = None) -> Study:  # noqa: A002
+        """Rows of a headset, of an object, or of both."""
+        every = np.ones(len(self), bool)
+        return self.where(
+            (every if hmd is None else self.hmd == hmd) & (every if object is None else self.object == object)
+        )
+
+    def first(self, participants: int) -> Study:
+        """Rows of the first participants."""
+        return self.where(self.participant < participants)
+
+    @property
+    def hmds(self) -> list[str]:
+        """Headsets in alphabetical order."""
+        return sorted(set(self.hmd.tolist()))
+
+    @property
+    def objects(self) -> list[str]:
+        """Objects in the order of their first rows, which is the study's."""
+        return list(dict.fromkeys(self.object.tolist()))
+
+
+def load(path: Path | None = None) -> Study:
+    """Read the table; FileNotFoundError where there is no data folder."""
+    with (path or _data.require(FILE)).open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    columns = {name: [row[name] for row in rows] for name in (field.name for field in fields(Study))}
+    return Study(
+        np.array(columns["participant"], np.int64),
+        np.array(columns["hmd"]),
+        np.array(columns["object"]),
+        np.array(columns["level"], np.int64),
+        np.array(columns["d"], np.float64),
+        np.array(columns["k"], np.float64),
+    )
+
+
+def made_up(participants: int = TABULATED, objects: int = 10, *, gap: float = 0.0) -> Study:
+    """A study whose statistics are known: levels are uniform from 0 to 10, each 0.02 lower in d, and k from −¼ to ¾.
+
+    So the mean of d is 0.9 and its deviation 0.02 √10, the mean of k 0.25 and its deviation 0.25 √2. `gap` is added to
+    d in the headset "vive", which is otherwise like the other: zero has no effect to find.
+    """
+    index = np.arange(participants * objects * 2)
+    hmd = np.where(index % 2 == 0, "rift", "vive")
+    level = _random.integers(_SEED, 2, index, 0, 11)
+    return Study(
+        index // (2 * objects),
+        hmd,
+        np.array([f"object_{number}" for number in index // 2 % objects]),
+        level,
+        np.asarray(1 - 0.02 * level + gap * (hmd == "vive"), np.float64),
+        np.asarray(0.25 * _random.integers(_SEED, 3, index, -1, 4), np.float64),
+    )
+
+
+def sixteenth(headset: nf.Hmd) -> float:
+    """Solid angle, in steradians, of a sphere that is a quarter as wide as the picture."""
+    return float(2 * np.pi * (1 - np.cos(np.arcsin(headset.tan_half_angle / 4))))
+
+
+# what is wrong with it ------------------------------------------------------------------------------------------------
+def odd_rows(study: Study) -> list[tuple[int, float]]:
+    """Rows whose d is not the one that its object and level have elsewhere: their numbers, and the d of the majority.
+
+    A level of an object is one mesh, and its SSIM at 1/16 of the screen is one number, whoever looks at it.
+    """
+    found = []
+    for name in study.objects:
+        for level in np.unique(study.level[study.object == name]).tolist():
+            rows = np.flatnonzero((study.object == name) & (study.level == level))
+            (usual, _), *others = Counter(study.d[rows].tolist()).most_common()
+            if others:
+                found += [(int(row), float(usual)) for row in rows if study.d[row] != usual]
+    return found
+
+
+def mended(study: Study) -> Study:
+    """The same with the d of the majority in odd rows."""
+    d = study.d.copy()
+    for row, usual in odd_rows(study):
+        d[row] = usual
+    return replace(study, d=d)
+
+
+# statistics -----------------------------------------------------------------------------------------------------------
+@dataclass(frozen=True)
+class Moments:
+    """Mean, deviation (of n − 1), skewness and excess kurtosis: plain (g₁, g₂) and adjusted (G₁, G₂), as in SPSS."""
+
+    n: int
+    mean: float
+    deviation: float
+    skewness: float
+    kurtosis: float
+    adjusted_skewness: float
+    adjusted_kurtosis: float
+
+
+def moments(values: Array) -> Moments:
+    """Of one column."""
+    return Moments(
+        len(values),
+        float(values.mean()),
+        float(values.std(ddof=1)),
+        *(float(of(values, bias=bias)) for bias in (True, False) for of in (stats.skew, stats.kurtosis)),
+    )
+
+
+def shapiro(values: Array) -> tuple[float, float]:
+    """W and p of the test of Shapiro and Wilk: a small p says that values are not normal."""
+    found = stats.shapiro(values)
+    return float(found.statistic), float(found.pvalue)
+
+
+def paired(study: Study, column: str, by: str, one: str, other: str) -> tuple[Array, Array]:
+    """A column for two headsets or objects (`by`), in the order of all that else tells rows apart."""
+    rest = "object" if by == "hmd" else "hmd"
+    sides = []
+    for value in (one, other):
+        rows = study.where(getattr(study, by) == value)
+        order = np.lexsort((getattr(rows, rest), rows.participant))
+        sides.append((rows.participant[order], getattr(rows, rest)[order], getattr(rows, column)[order]))
+    if not all(np.array_equal(sides[0][n], sides[1][n]) for n in (0, 1)):
+        raise ValueError(f"study: expected rows in pairs for {one} and {other}")
+    return np.asarray(sides[0][2]), np.asarray(sides[1][2])
+
+
+def by_participant(study: Study, column: str) -> Array:
+    """Mean of a column for each participant."""
+    return np.array([getattr(study, column)[study.participant == who].mean() for who in np.unique(study.participant)])
+
+
+@dataclass(frozen=True)
+class Wilcoxon:
+    """Signed-rank test: the lesser sum of ranks, its p (two-sided), pairs, and those that are equal and don't count."""
+
+    statistic: float
+    p: float
+    pairs: int
+    equal: int
+
+
+def wilcoxon(one: Array, other: Array) -> Wilcoxon:
+    """By the normal approximation with ties, without continuity correction, as SPSS does it."""
+    # Differences of decimals would tell equal ranks apart by their last bit.
+    apart = np.round(one - other, 9)
+    equal = int((apart == 0).sum())
+    if equal == len(apart):
+        return Wilcoxon(0.0, 1.0, len(apart), equal)
+    found = stats.wilcoxon(apart, zero_method="wilcox", correction=False, method="asymptotic")
+    return Wilcoxon(float(found.statistic), float(found.pvalue), len(apart), equal)
+
+
+@dataclass(frozen=True)
+class Correlation:
+    """Kendall's τ-b and Spearman's ρ with their p."""
+
+    tau: float
+    tau_p: float
+    rho: float
+    rho_p: float
+
+
+def correlation(one: Array, other: Array) -> Correlation:
+    """Of two columns; p of τ by the normal approximation, because there are ties."""
+    tau, rho = stats.kendalltau(one, other, method="asymptotic"), stats.spearmanr(one, other)
+    return Correlation(float(tau.statistic), float(tau.pvalue), float(rho.statistic), float(rho.pvalue))
+
+
+def texture(study: Study) -> dict[tuple[str, int], float]:
+    """How many times as far from 1 the SSIM of a level is with a texture as without, by textured object and level.
+
+    The study has two objects twice, the second time in one colour.
+    """
+    found = {}
+    for plain in study.objects:
+        name = plain.removesuffix("_plain")
+        if name == plain or name not in study.objects:
+            continue
+        with_it, without = (study.of(object=which) for which in (name, plain))
+        for level in sorted({*with_it.level.tolist()} & {*without.level.tolist()} - {0}):
+            far = [1 - np.median(part.d[part.level == level]) for part in (with_it, without)]
+            found[name, int(level)] = float(far[0] / far[1])
+    return found
+
+
+# how sure d and k are -------------------------------------------------------------------------------------------------
+def bootstrap(study: Study, column: str, *, objects: bool = False, draws: int = 10_000) -> tuple[float, float]:
+    """95 % interval of a column's mean, participants drawn anew with all of their rows, and objects too on request.
+
+    Rows of one participant, and of one object, resemble each other: single rows drawn anew would say too little.
+    """
+    people, things = np.unique(study.participant), study.objects
+    values = np.array(
+        [
+            [getattr(study, column)[(study.participant == who) & (study.object == what)].mean() for what in things]
+            for who in people
+        ]
+    )
+    index = np.arange(draws * len(people)).reshape(draws, -1)
+    rows = _random.integers(_SEED, _RESAMPLE, index, 0, len(people))
+    if objects:
+        index = np.arange(draws * len(things)).reshape(draws, -1)
+        columns = _random.integers(_SEED, _RESAMPLE + 3, index, 0, len(things))
+        means = np.array([values[np.ix_(row, column)].mean() for row, column in zip(rows, columns, strict=True)])
+    else:
+        means = values.mean(axis=1)[rows].mean(axis=1)
+    low, high = np.percentile(means, [2.5, 97.5])
+    return float(low), float(high)
+
+
+def readings(study: Study) -> dict[str, tuple[float, float, int]]:
+    """d, k and rows by the choices that one could have made; `study` has all participants."""
+    first = study.first(TABULATED)
+    people = np.unique(first.participant)
+    without = [first.where(first.participant != who) for who in people]
+
+    def mean(part: Study) -> tuple[float, float, int]:
+        return float(part.d.mean()), float(part.k.mean()), len(part)
+
+    def other(of: Any) -> tuple[float, float, int]:
+        return float(of(first.d)), float(of(first.k)), len(first)
+
+    found = {f"the first {len(people)} participants": mean(first), "all participants": mean(study)}
+    found |= {f"{hmd} only": mean(first.of(hmd=hmd)) for hmd in first.hmds}
+    found["odd rows mended"] = mean(mended(first))
+    found["without the one whose d matters most"] = max(map(mean, without), key=lambda it: abs(it[0] - first.d.mean()))
+    found["without the one whose k matters most"] = max(map(mean, without), key=lambda it: abs(it[1] - first.k.mean()))
+    found["medians"] = other(np.median)
+    found["means of the middle 80 %"] = other(lambda values: stats.trim_mean(values, 0.1))
+    found["without refusals of any level (level 0)"] = mean(first.where(first.level > 0))
+    found["without k below 0"] = mean(first.where(first.k >= 0))
+    return found

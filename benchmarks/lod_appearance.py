@@ -1,0 +1,121 @@
+"""How metal, gloss and patterns change the SSIM of a level, and whether a factor by material can correct for them.
+
+`python benchmarks/lod_appearance.py` takes minutes, with `--quick` well below one. Objects are those of the data
+folder and three procedural ones. Where these are all, as with `--quick`, they show what is printed, but are too few to
+judge by. Plots lie where NEARFAR_BENCH_OUT says.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+import _appearance
+import _correction
+import _plots
+from _appearance import Plan
+from _correction import Samples, Validity
+from _harness import FOLDER
+from _material import NEUTRAL, Shape
+from _measure import machine, table
+
+Array = NDArray[np.float64]
+
+
+def objects(*, quick: bool) -> dict[str, Shape]:
+    """By name; few and small ones where it is quick."""
+    found = {name: make() for name, make in _appearance.PROCEDURAL.items()}
+    if not quick:
+        scanned = {name: _appearance.scanned(name) for name in _appearance.SCANNED}
+        found |= {name: shape for name, shape in scanned.items() if shape}
+    return found
+
+
+def run(plan: Plan, shapes: Mapping[str, Shape]) -> dict[str, Array]:
+    """Scores (L, S, M) of each object."""
+    return {name: _appearance.scores(shape, plan) for name, shape in shapes.items()}
+
+
+def table_of_factors(samples: Samples) -> str:
+    """Of each material: the factor's mean over objects, and how far single samples lie from it."""
+    rows = []
+    for number, material in enumerate(samples.materials):
+        logs = samples.logarithm[samples.material == number]
+        if material != NEUTRAL:
+            low, middle, high = np.exp(np.percentile(logs, [10, 50, 90]))
+            rows.append([material.label, f"{np.exp(logs.mean()):.2f}", f"{middle:.2f}", f"{low:.2f} to {high:.2f}"])
+    header = ["1 − SSIM, times that of the dull one", "mean", "median", "8 in 10"]
+    return table(f"{len(samples.far):,} samples of {len(samples.objects)} objects", header, rows)
+
+
+def table_of_coefficients(samples: Samples) -> str:
+    """With intervals."""
+    rows = [
+        [name, f"{value:+.3f}", f"{low:+.3f} to {high:+.3f}"]
+        for name, value, low, high in zip(_correction.NAMES, *_correction.intervals(samples), strict=True)
+    ]
+    return table("Logarithm of the factor", ["", "coefficient", "95 %, objects left out in turn"], rows)
+
+
+def validities(samples: Samples) -> dict[tuple[str, str], Validity]:
+    """By kind of material and model, for objects that the model was not fitted to."""
+    predictions = {name: _correction.cross_validated(samples, name) for name in _correction.MODELS}
+    found = {}
+    for kind in _correction.KINDS:
+        inside = samples.of(kind)
+        for name, predicted in predictions.items() if inside.any() else ():
+            found[kind, name] = _correction.validity(samples.where(inside), predicted[inside])
+    return found
+
+
+def table_of_validity(samples: Samples) -> str:
+    """Each model on objects that it has not seen, by kind of material."""
+    rows = [
+        [f"{kind}: {name}", f"{found.log:.3f}", f"{found.ssim:.4f}", f"{found.explained:.2f}"]
+        for (kind, name), found in validities(samples).items()
+    ]
+    header = ["", "RMS error of log factor", "RMS error of SSIM", "explained"]
+    return table("Objects left out of the fit, one by one", header, rows)
+
+
+def verdict(samples: Samples) -> str:
+    """Whether the coefficients help objects that they were not fitted to, in words."""
+    found, lines = validities(samples), []
+    for kind in [kind for kind in _correction.KINDS if (kind, "coefficients") in found]:
+        none, ours, best = (found[kind, name] for name in _correction.MODELS)
+        usable = "a factor" if ours.ssim < none.ssim and ours.log < none.log else "no factor"
+        lines.append(
+            f"- {kind}: {usable}. SSIM is off by {ours.ssim:.4f} with it and {none.ssim:.4f} without, "
+            f"{best.ssim:.4f} with a number for each material.\n"
+        )
+    return "For objects left out of the fit the data carry\n\n" + "".join(lines)
+
+
+def main() -> None:
+    quick = "--quick" in sys.argv[1:]
+    plan = _appearance.QUICK if quick else Plan()
+    print(machine() + "\n")
+    started = time.perf_counter()
+    shapes = objects(quick=quick)
+    scores = run(plan, shapes)
+    samples = _correction.collect(scores, plan.materials)
+    print(f"{len(shapes)} objects, {len(plan.materials)} materials: {time.perf_counter() - started:.0f} s\n")
+    for made in (table_of_factors, table_of_coefficients, table_of_validity, verdict):
+        print(made(samples))
+    folder = os.environ.get(FOLDER)
+    if folder:
+        _plots.draw_materials(shapes, plan, Path(folder) / "lod-appearance-materials.png")
+        _plots.draw_scores(scores, plan, Path(folder) / "lod-appearance-scores.png")
+        _plots.draw_factors(samples, Path(folder) / "lod-appearance-factors.png")
+        for name in ("materials", "scores", "factors"):
+            print(f"![{name}](lod-appearance-{name}.png)\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,303 @@
+"""Time of measuring one object's levels, beside a script that does the same with pyrender and scikit-image.
+
+`python benchmarks/lod_measure.py [--views N] [--distances N …] [FILE]`. Ours does the whole job: 144 views, 16
+distances, 10 levels. The script renders whole frames of base and level for each score, for some views and distances,
+and is scaled by their number, because it takes hours. Curves are compared on all views at those distances: there the
+script renders boxes, of which the first part shows that their scores are those of whole frames. Pictures have one
+sample a pixel and face colours, so that both show the same. The object is a bumpy sphere of 100,488 triangles.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import time
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+import fast_simplification
+import numpy as np
+from numpy.typing import NDArray
+from skimage.color import rgb2gray
+from skimage.metrics import structural_similarity
+
+import nearfar as nf
+from _measure import machine, table
+from nearfar.lod._views import Screen, Stand, turns
+
+os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
+vars(np).setdefault("infty", np.inf)  # pyrender 0.1.45 was written for NumPy 1
+
+Array = NDArray[np.float64]
+RATIOS = (0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05, 0.03, 0.01, 0.005)
+VIEWS, DISTANCES = 144, 16
+ALIKE = 1e-3
+SSIM = {"gaussian_weights": True, "sigma": 1.5, "use_sample_covariance": False, "data_range": 255.0, "full": True}
+
+
+def sphere(rows: int) -> nf.Scene:
+    """Bumps on a sphere: 4 × rows × (rows − 1) triangles."""
+    polar, around = np.linspace(0, np.pi, rows + 1), np.linspace(0, 2 * np.pi, 2 * rows, endpoint=False)
+    theta, phi = (grid.ravel() for grid in np.meshgrid(polar, around, indexing="ij"))
+    way = np.stack([np.sin(theta) * np.cos(phi), np.cos(theta), np.sin(theta) * np.sin(phi)], axis=1)
+    radius = 1 + 0.08 * np.sin(5 * theta) * np.cos(4 * phi) + 0.04 * np.sin(9 * theta + 3 * phi) * np.sin(theta)
+    i, j = (grid.ravel() for grid in np.meshgrid(np.arange(rows), np.arange(2 * rows), indexing="ij"))
+    a, b = i * 2 * rows + j, i * 2 * rows + (j + 1) % (2 * rows)
+    upper, lower = np.stack([a, b, b + 2 * rows], axis=1), np.stack([a, b + 2 * rows, a + 2 * rows], axis=1)
+    return nf.Scene.from_arrays(way * radius[:, None], np.concatenate([upper[i > 0], lower[i < rows - 1]]))
+
+
+def levels_of(scene: nf.Scene) -> nf.lod.Levels:
+    vertices, faces = np.unique(scene.triangles().reshape(-1, 3), axis=0, return_inverse=True)
+    triangles = faces.reshape(-1, 3).astype(np.int32)
+    made = [nf.lod.Level(scene=scene)]
+    for ratio in RATIOS:
+        fewer = fast_simplification.simplify(vertices, triangles, 1 - ratio)
+        made.append(nf.lod.Level(scene=nf.Scene.from_arrays(*fewer), ratio=ratio))
+    return nf.lod.Levels(made)
+
+
+# the script ----------------------------------------------------------------------------------------------------------
+def face_colors(scene: nf.Scene) -> Array:
+    """What our shading makes of each face from outside, as sRGB codes: a picture of it from straight ahead."""
+    corners = scene.triangles().astype(np.float64)
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    length = np.linalg.norm(normals, axis=1, keepdims=True)
+    normals = np.divide(normals, length, out=np.zeros_like(normals), where=length > 0)
+    sky = 0.5 + 0.5 * normals @ (-0.2062843, 0.9282791, 0.3094264)
+    sun = np.maximum(0.0, normals @ (0.5263158, 0.7894737, 0.3157895))
+    low, high = np.array((0.130, 0.135, 0.150)), np.array((0.380, 0.420, 0.480))
+    light = low + (high - low) * sky[:, None] + np.array((0.60, 0.56, 0.50)) * sun[:, None]
+    linear = 0.8 * light
+    return np.asarray(np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055))
+
+
+@contextmanager
+def one_sample() -> Iterator[Any]:
+    """pyrender, whose pictures have four samples a pixel otherwise."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        import pyrender
+        from pyrender import renderer as internals
+
+        storage = internals.glRenderbufferStorageMultisample
+        internals.glRenderbufferStorageMultisample = lambda kind, _, *rest: storage(kind, 0, *rest)
+        try:
+            yield pyrender
+        finally:
+            internals.glRenderbufferStorageMultisample = storage
+
+
+class Clock:
+    """Wall and CPU seconds of parts of the script."""
+
+    def __init__(self) -> None:
+        self.spent: dict[str, Array] = {}
+        self._last = np.zeros(2)
+
+    def start(self) -> None:
+        """From now on."""
+        self._last = np.array([time.perf_counter(), time.process_time()])
+
+    def stop(self, part: str) -> None:
+        """Until now a part was done; from now on another."""
+        now = np.array([time.perf_counter(), time.process_time()])
+        self.spent[part] = self.spent.get(part, np.zeros(2)) + now - self._last
+        self._last = now
+
+
+@dataclass
+class Frame:
+    """What is compared."""
+
+    luma: Array
+    """0 to 255."""
+    shown: NDArray[np.bool_]
+
+
+class Script:
+    """Frames of base and level, and their similarity where either shows the object."""
+
+    def __init__(self, levels: nf.lod.Levels, stand: Stand, pyrender: Any) -> None:
+        self.flags = pyrender.RenderFlags.FLAT
+        self.renderer = pyrender.OffscreenRenderer(*stand.screen.size)
+        self.stand = stand
+
+        class View(pyrender.Camera):  # type: ignore[misc]  # pyrender has no types
+            """Any part of a screen."""
+
+            fov = nf.Fov.symmetric(90)
+
+            def get_projection_matrix(self, width: int | None = None, height: int | None = None) -> Array:
+                left, right, down, up = self.fov.left, self.fov.right, self.fov.down, self.fov.up
+                near, far = 0.1 * levels.radius, 100 * levels.radius
+                return np.array(
+                    [
+                        [2 / (right - left), 0, (right + left) / (right - left), 0],
+                        [0, 2 / (up - down), (up + down) / (up - down), 0],
+                        [0, 0, -(far + near) / (far - near), -2 * far * near / (far - near)],
+                        [0, 0, -1, 0],
+                    ]
+                )
+
+        self.view = View()
+        self.scenes, self.nodes = [], []
+        for level in levels:
+            corners = level.scene.triangles().reshape(-1, 3)
+            colors = np.repeat(np.c_[face_colors(level.scene), np.ones(level.triangle_count)], 3, axis=0)
+            scene = pyrender.Scene(bg_color=(0.0, 0.0, 0.0, 0.0))
+            scene.add(pyrender.Mesh([pyrender.Primitive(positions=corners, color_0=colors.astype(np.float32))]))
+            self.nodes.append(scene.add(self.view))
+            self.scenes.append(scene)
+            self.renderer.render(scene, self.flags)  # sends the mesh
+        speck = levels.center + 1e-9 * levels.radius * np.eye(3)
+        self.nothing = nf.Scene.from_arrays(speck, [[0, 1, 2]])
+
+    def whole(self, number: int, turn: Any) -> nf.Camera:
+        """The whole screen, from where ours sees a box of it."""
+        width, height = self.stand.screen.size
+        x, y = width / 2 * self.stand.screen.pixel, height / 2 * self.stand.screen.pixel
+        own = self.stand.camera(number, turn)
+        return nf.Camera(own.position, own.orientation, fov=nf.Fov(-x, x, -y, y), size=(width, height))
+
+    def frame(self, level: int, camera: nf.Camera, sky: NDArray[np.uint8]) -> Frame:
+        """A level from somewhere, before the sky."""
+        assert isinstance(camera.fov, nf.Fov)
+        x, y, z, w = camera.orientation
+        pose = np.eye(4)
+        pose[:3, :3] = [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+        pose[:3, 3] = camera.position
+        self.view.fov = camera.fov
+        self.renderer.viewport_width, self.renderer.viewport_height = camera.size
+        self.scenes[level].set_pose(self.nodes[level], pose)
+        color, depth = self.renderer.render(self.scenes[level], self.flags)
+        shown = depth > 0
+        return Frame(255.0 * rgb2gray(np.where(shown[..., None], color, sky)), shown)
+
+    def sky(self, camera: nf.Camera) -> NDArray[np.uint8]:
+        """Our background, which pyrender has not; its time is not counted."""
+        return nf.render(self.nothing, camera, channels=["color"], backend="cpu").to_image()
+
+
+def similarity(base: Frame, test: Frame) -> float:
+    either = base.shown | test.shown
+    return float(structural_similarity(base.luma, test.luma, **SSIM)[1][either].mean())
+
+
+def boxed(base: Frame, test: Frame) -> tuple[Frame, Frame]:
+    either = base.shown | test.shown
+    rows, columns = np.flatnonzero(either.any(axis=1)), np.flatnonzero(either.any(axis=0))
+    box = np.s_[max(0, rows[0] - 5) : rows[-1] + 6, max(0, columns[0] - 5) : columns[-1] + 6]
+    return Frame(base.luma[box], base.shown[box]), Frame(test.luma[box], test.shown[box])
+
+
+def by_whole_frames(script: Script, count: int, views: list[Any], numbers: list[int]) -> tuple[Array, Clock]:
+    """Scores (2, K, D, V) of the whole frame and of the object's box in it, one pair of frames after the other."""
+    scores, clock = np.ones((2, count, len(numbers), len(views))), Clock()
+    for d, number in enumerate(numbers):
+        for v, turn in enumerate(views):
+            camera = script.whole(number, turn)
+            sky = script.sky(camera)
+            for level in range(1, count):
+                clock.start()
+                base, test = script.frame(0, camera, sky), script.frame(level, camera, sky)
+                clock.stop("frames")
+                scores[0, level, d, v] = similarity(base, test)
+                clock.stop("whole")
+                scores[1, level, d, v] = similarity(*boxed(base, test))
+                clock.stop("box")
+    return scores, clock
+
+
+def by_boxes(script: Script, count: int, views: list[Any], numbers: list[int]) -> Array:
+    """The same (K, D, V) for many views, in pictures of boxes."""
+    scores = np.ones((count, len(numbers), len(views)))
+    for d, number in enumerate(numbers):
+        for v, turn in enumerate(views):
+            camera = script.stand.camera(number, turn)
+            sky = script.sky(camera)
+            base = script.frame(0, camera, sky)
+            for level in range(1, count):
+                scores[level, d, v] = similarity(base, script.frame(level, camera, sky))
+    return scores
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--views", type=int, default=3)
+    parser.add_argument("--distances", type=int, nargs="+", default=[1, 2, 4, 8, 16])
+    parser.add_argument("file", nargs="?")
+    asked = parser.parse_args()
+    levels = levels_of(nf.Scene.load(asked.file) if asked.file else sphere(159))
+    print(machine())
+    print(levels, flush=True)
+
+    clock = Clock()
+    clock.start()
+    options: dict[str, Any] = {"hmd": nf.hmd.RIFT_S, "samples": 1, "backend": "cpu", "cache": False}
+    ours = nf.lod.measure(levels, **options, views=VIEWS, distances=DISTANCES, step=None, saturated=None)
+    clock.stop("ours")
+    assert ours.samples is not None
+    assert ours.samples.views is not None
+
+    center = (float(levels.center[0]), float(levels.center[1]), float(levels.center[2]))
+    stand = Stand(Screen.of(nf.hmd.RIFT_S, None, None), center, levels.radius, 1.05 * levels.radius)
+    different, shown = turns(VIEWS)
+    chosen = np.linspace(1, VIEWS - 1, asked.views).round().astype(int)
+    with one_sample() as pyrender:
+        script = Script(levels, stand, pyrender)
+        some, seconds = by_whole_frames(script, len(levels), [different[shown[v]] for v in chosen], asked.distances)
+        every = by_boxes(script, len(levels), different, asked.distances)[..., shown]
+    print(times(clock, seconds, some[0].size - some[0, 0].size, (len(levels) - 1) * VIEWS * DISTANCES, levels))
+
+    at = np.array(asked.distances) - 1
+    own, sigma = ours.samples.views[:, at], ours.samples.sigma[at]
+    scores = [percentiles(one) for one in (own, every)]
+    places = np.geomspace(sigma[-1], sigma[0], 100)
+    curves = [nf.lod.fit_4pl(sigma, score[1:])(places) for score in scores]
+    header = ["what", *(f"distance {n}" for n in asked.distances), "all"]
+    rows = [
+        apart("whole frames and their boxes, single views", np.abs(some[0] - some[1]).max(axis=(0, 2))),
+        apart("whole frames and ours, single views", np.abs(some[0] - own[..., chosen]).max(axis=(0, 2))),
+        apart(f"percentiles of {VIEWS} views", np.abs(scores[0] - scores[1]).max(axis=0)),
+    ]
+    print(table("How far scores are apart", header, rows))
+    worst = float(np.abs(curves[0] - curves[1]).max())
+    print(f"curves of {VIEWS} views are apart by {worst:.1e}, at most {ALIKE}: {worst <= ALIKE}")
+
+
+def times(clock: Clock, script: Clock, done: int, job: int, levels: nf.lod.Levels) -> str:
+    """Ours, and the script scaled to the whole job."""
+    ours, parts = clock.spent["ours"], script.spent
+    ways = {
+        "nearfar": (ours, job),
+        "pyrender, scikit-image": (parts["frames"] + parts["whole"], done),
+        "the same, SSIM of the object's box": (parts["frames"] + parts["box"], done),
+        "pyrender's frames alone": (parts["frames"], done),
+    }
+    rows = [
+        [name, *(f"{x:.1f}" for x in spent), f"{count:,} of {job:,}", *(f"{x:.0f}" for x in spent / count * job / ours)]
+        for name, (spent, count) in ways.items()
+    ]
+    header = ["way", "wall s", "CPU s", "scores", "× ours, whole job, wall", "× CPU"]
+    title = f"{levels[0].triangle_count:,} triangles, {len(levels) - 1} levels, {VIEWS} views, {DISTANCES} distances"
+    return table(title, header, rows)
+
+
+def percentiles(scores: NDArray[Any]) -> Array:
+    return np.asarray(np.percentile(scores, 25.0, axis=2, method="averaged_inverted_cdf"), np.float64)
+
+
+def apart(name: str, differences: Array) -> list[str]:
+    return [name, *(f"{x:.1e}" for x in (*differences, differences.max()))]
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,97 @@
+"""What levels of detail cost and save in a frame of a thousand objects: choosing, the scene, its tree, the picture."""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+import trimesh
+from numpy.typing import NDArray
+
+import nearfar as nf
+from _harness import OURS, Case, compare
+from _measure import machine
+
+OBJECTS, RADIUS = 1_000, 20.0
+FINEST, COARSEST = 6, 1
+"""Subdivisions of the models' spheres: 81,920 to 80 triangles."""
+
+
+def model(seed: int) -> nf.lod.LodModel:
+    """A bumpy ball of six levels, with curves that fall the sooner the coarser."""
+    random = np.random.default_rng(seed)
+    axes = random.normal(size=(6, 3))
+    levels = []
+    for subdivisions in range(FINEST, COARSEST - 1, -1):
+        ball = trimesh.creation.icosphere(subdivisions)
+        bumps = 1 + 0.04 * np.sin(6 * ball.vertices @ axes.T).sum(axis=1, keepdims=True)
+        scene = nf.Scene.from_arrays((0.3 * ball.vertices * bumps).astype(np.float32), ball.faces.astype(np.uint32))
+        levels.append(nf.lod.Level(scene=scene))
+    whole = nf.lod.Levels(levels, name=f"model_{seed}")
+    count = len(whole) - 1
+    ones = np.ones(count)
+    middles = 0.5 / 4.0 ** np.arange(count)
+    statuses = np.full(count, "fitted"), np.full(count, "")
+    return nf.lod.LodModel(
+        triangles=np.array([level.triangle_count for level in whole]),
+        curves=nf.lod.Curve4PL(ones, 1.2 * ones, middles, 0.6 * ones, 0 * ones, *statuses),
+        center=whole.center,
+        radius=whole.radius,
+        sigma=(1e-6, 1.0),
+        errors=np.zeros(len(whole)),
+        levels=whole,
+    )
+
+
+def places(random: np.random.Generator) -> NDArray[np.float64]:
+    """Anywhere in a ball, turned anyhow."""
+    matrices = np.tile(np.eye(4), (OBJECTS, 1, 1))
+    for matrix in matrices:
+        matrix[:] = trimesh.transformations.random_rotation_matrix(random.random(3))
+        direction = random.normal(size=3)
+        matrix[:3, 3] = direction / np.linalg.norm(direction) * RADIUS * random.random() ** (1 / 3)
+    return matrices
+
+
+def main() -> None:
+    print(machine())
+    random = np.random.default_rng(0)
+    models = [model(seed) for seed in range(8)]
+    scene = nf.lod.place(models, random.integers(0, len(models), OBJECTS), places(random))
+    camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(87, 87 / 90), size=(640, 660))
+    objects = scene.leveled
+    if objects is None:
+        raise RuntimeError("expected objects with levels")
+    choose = functools.partial(
+        nf.lod.select, objects.models, objects.model_index, objects.centers, objects.radii, camera=camera, mode="depth"
+    )
+    levels = choose()
+    drawn = scene.at_levels(levels)
+    drawn._core.build()
+    print(f"{drawn.triangle_count:,} of {scene.triangle_count:,} triangles, {int((levels >= 0).sum())} objects in view")
+    cases = [
+        Case(f"{OURS}: choose levels", choose, peer=False),
+        Case(f"{OURS}: scene of them", lambda: scene.at_levels(levels), peer=False),
+        Case(f"{OURS}: and its tree", lambda: scene.at_levels(levels)._core.build(), peer=False),
+        Case(
+            f"{OURS}: picture of levels", lambda: nf.render(scene, camera, lod=choose_again, backend="cpu"), peer=False
+        ),
+        Case("picture of level 0", lambda: nf.render(scene, camera, backend="cpu")),
+        Case("scene built anew", lambda: rebuilt(scene, levels)),
+    ]
+    print(compare(f"A frame of {OBJECTS:,} objects", cases, repeat=4))
+
+
+choose_again = functools.partial(nf.lod.select, mode="depth")
+
+
+def rebuilt(scene: nf.Scene, levels: NDArray[np.int32]) -> nf.Scene:
+    """What would be done without shared levels: the chosen triangles as one new scene with a tree of its own."""
+    corners = scene.at_levels(levels).triangles().reshape(-1, 3)
+    whole = nf.Scene.from_arrays(corners, np.arange(len(corners), dtype=np.uint32).reshape(-1, 3))
+    whole._core.build()
+    return whole
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,158 @@
+"""What the published study of levels of detail says: moments, normality, headsets compared, correlations, how sure."""
+
+from __future__ import annotations
+
+import numpy as np
+
+import nearfar as nf
+from _measure import table
+from _study import (
+    FILE,
+    TABULATED,
+    Study,
+    Wilcoxon,
+    bootstrap,
+    by_participant,
+    correlation,
+    load,
+    made_up,
+    moments,
+    odd_rows,
+    paired,
+    readings,
+    shapiro,
+    sixteenth,
+    texture,
+    wilcoxon,
+)
+from nearfar import _data
+
+COLUMNS = ("d", "k")
+
+
+def study_or_twin() -> tuple[Study, str]:
+    """The published one, or the made-up one where there is no data folder, and a line that says which."""
+    if _data.find(FILE):
+        study = load()
+        return study, f"published: {len(study)} rows of {len(np.unique(study.participant))} participants"
+    study = made_up(TABULATED + 1)
+    return study, "made up, of the same shape, because there is no data folder"
+
+
+def table_of_moments(study: Study) -> str:
+    """Table 5.5, and the same by object."""
+    header = ["", "n", "mean", "deviation", "skewness", "kurtosis", "G₁", "G₂"]
+    rows = []
+    for column in COLUMNS:
+        parts = {"both": study} | {hmd: study.of(hmd=hmd) for hmd in study.hmds}
+        parts |= {f"{name}, {hmd}": study.of(hmd=hmd, object=name) for name in study.objects for hmd in study.hmds}
+        for label, part in parts.items():
+            found = moments(getattr(part, column))
+            numbers = (found.mean, found.deviation, found.skewness, found.kurtosis)
+            adjusted = (found.adjusted_skewness, found.adjusted_kurtosis)
+            shown = [f"{number:.4f}" for number in numbers] + [f"{number:.4f}" for number in adjusted]
+            rows.append([f"{column}, {label}", str(found.n), *shown])
+    return table("Moments of d and k (Table 5.5); kurtosis is excess, 0 for the normal", header, rows)
+
+
+def table_of_normality(study: Study) -> str:
+    """Table 5.4."""
+    rows = []
+    for column in COLUMNS:
+        for hmd in study.hmds:
+            part = study.of(hmd=hmd)
+            rows.append([f"{column}, {hmd}, rows", str(len(part)), *_test(*shapiro(getattr(part, column)))])
+            means = by_participant(part, column)
+            rows.append([f"{column}, {hmd}, means of participants", str(len(means)), *_test(*shapiro(means))])
+        one, other = paired(study, column, "hmd", *study.hmds)
+        rows.append([f"{column}, {' − '.join(study.hmds)}", str(len(one)), *_test(*shapiro(one - other))])
+    return table("Normality, Shapiro and Wilk (5.4)", ["", "n", "W", "p"], rows)
+
+
+def table_of_headsets(study: Study) -> str:
+    """Table 5.6, and textured objects against the same in one colour, where the study has both."""
+    rows = []
+    one, other = study.hmds
+    for column in COLUMNS:
+        found = wilcoxon(*paired(study, column, "hmd", one, other))
+        rows.append([f"{column}, {one} and {other}, rows", *_signed(found)])
+        means = (by_participant(study.of(hmd=hmd), column) for hmd in study.hmds)
+        rows.append([f"{column}, {one} and {other}, means of participants", *_signed(wilcoxon(*means))])
+        for name in study.objects:
+            found = wilcoxon(*paired(study.of(object=name), column, "hmd", one, other))
+            rows.append([f"{column}, {one} and {other}, {name}", *_signed(found)])
+        for plain in study.objects:
+            textured = plain.removesuffix("_plain")
+            if textured != plain and textured in study.objects:
+                sides = paired(study, column, "object", textured, plain)
+                means_of = f"means {sides[0].mean():.4f} and {sides[1].mean():.4f}"
+                rows.append([f"{column}, {textured} and {plain}, {means_of}", *_signed(wilcoxon(*sides))])
+    return table("Pairs compared, Wilcoxon's signed ranks (5.6)", ["", "pairs", "equal", "W", "p"], rows)
+
+
+def table_of_correlations(study: Study) -> str:
+    """Table 5.8."""
+    rows = []
+    pairs = {f"d and k, {hmd}": (study.of(hmd=hmd).d, study.of(hmd=hmd).k) for hmd in study.hmds}
+    pairs["d and k, means of participants"] = (by_participant(study, "d"), by_participant(study, "k"))
+    for column in COLUMNS:
+        pairs[f"{column}, {' and '.join(study.hmds)}"] = paired(study, column, "hmd", *study.hmds)
+    for label, (one, other) in pairs.items():
+        found = correlation(one, other)
+        numbers = [f"{found.tau:.4f}", _p(found.tau_p), f"{found.rho:.4f}", _p(found.rho_p)]
+        rows.append([label, str(len(one)), *numbers])
+    return table("Correlations, Kendall's τ-b and Spearman's ρ (5.8)", ["", "n", "τ", "p", "ρ", "p"], rows)
+
+
+def table_of_texture(study: Study) -> str:
+    """The study's own word on appearance: levels of the same object with and without its texture."""
+    found = texture(study)
+    rows = [[f"{name}, level {level}", f"{factor:.2f}"] for (name, level), factor in found.items()]
+    return table("1 − SSIM with a texture, times that without", ["", "factor"], rows)
+
+
+def table_of_readings(study: Study) -> str:
+    """Means of d and k by what could have been chosen, and the thresholds that follow by each reading of y = kx + d."""
+    headset = nf.hmd.RIFT_S
+    sigma = sixteenth(headset)
+    rows = [
+        [label, str(n), *(f"{value:.4f}" for value in (d, k, d - k * sigma, d + k * sigma, d - k))]
+        for label, (d, k, n) in readings(study).items()
+    ]
+    first = study.first(TABULATED)
+    for label, objects in (("95 % over participants", False), ("95 % over participants and objects", True)):
+        spans = [bootstrap(first, column, objects=objects) for column in COLUMNS]
+        rows.append([label, str(len(first)), *(f"{low:.4f} to {high:.4f}" for low, high in spans), "", "", ""])
+    header = ["", "rows", "d", "k", "anchored, far away", "literal, at 1/16", "normalized, far away"]
+    return table(f"d and k by choices that could have been made; thresholds for {headset.name}", header, rows)
+
+
+def _test(statistic: float, p: float) -> list[str]:
+    return [f"{statistic:.4f}", _p(p)]
+
+
+def _signed(found: Wilcoxon) -> list[str]:
+    return [str(found.pairs), str(found.equal), f"{found.statistic:g}", _p(found.p)]
+
+
+def _p(p: float) -> str:
+    return f"{p:.4f}" if p >= 1e-4 else f"{p:.1e}"
+
+
+def main() -> None:
+    study, source = study_or_twin()
+    first = study.first(TABULATED)
+    print(f"The study, {source}; tables use the first {TABULATED}.\n")
+    print(f"mean d = {first.d.mean():.4f}, mean k = {first.k.mean():.4f}\n")
+    for row, usual in odd_rows(study):
+        who, hmd, name, level = (getattr(study, field)[row] for field in ("participant", "hmd", "object", "level"))
+        print(f"odd: participant {who}, {hmd}, {name}, level {level} has d = {study.d[row]}, elsewhere {usual}\n")
+    for made in (table_of_moments, table_of_normality, table_of_headsets, table_of_correlations):
+        print(made(first))
+    if texture(first):
+        print(table_of_texture(first))
+    print(table_of_readings(study))
+
+
+if __name__ == "__main__":
+    main()

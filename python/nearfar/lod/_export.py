@@ -1,0 +1,247 @@
+"""Models and scenes of levels as GLB with `MSFT_lod`: engines switch where the curves say, and we get all back."""
+
+from __future__ import annotations
+
+import os
+import struct
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, SupportsFloat
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _check, _core, _files, _formats, _scene_glb
+from nearfar._camera import Camera, Fov
+from nearfar._errors import FormatError
+from nearfar._hmd import Hmd
+from nearfar._names import Names
+from nearfar._scene import Scene, core_of
+from nearfar.lod import _lod_file
+from nearfar.lod._levels import Level, Levels
+from nearfar.lod._model import LodModel
+from nearfar.lod._place import empty
+from nearfar.lod._switch import Switches, switches
+
+EXTENSION, COVERAGE, OURS = "MSFT_lod", "MSFT_screencoverage", "nearfar"
+_IDENTITY = np.eye(4)
+
+
+def write(
+    model: LodModel,
+    path: Path,
+    *,
+    view: Hmd | Camera | Fov,
+    k: SupportsFloat,
+    d: SupportsFloat,
+    threshold: str,
+) -> None:
+    """Write a model; `LodModel.export` says how."""
+    found = switches(model, view=view, k=k, d=d, threshold=threshold)
+    document = _lod_file.document(model) | {"switches": engine_levels(model, found)}
+    match path.suffix.lower():
+        case ".json":
+            _save(path, _formats.to_json(document).encode())
+        case ".glb":
+            _save(path, _glb_of(model, found, document))
+        case _:
+            raise ValueError(f"path: expected a name ending in .glb or .json, got {os.fspath(path)!r}")
+
+
+def _glb_of(model: LodModel, found: Switches, document: dict[str, Any]) -> bytes:
+    core, levels = _merged(model)
+    names = [model.name, *(f"{model.name}_lod{number}" for number in range(1, len(levels)))]
+    everywhere = np.tile(_IDENTITY[None, :3], (len(levels), 1, 1))
+    objects = np.arange(len(levels), dtype=np.int32)
+    encoder = _scene_glb.Encoder(_core.with_instances(core, levels, everywhere, objects, len(levels)), names)
+    nodes = [encoder.place(number) for number in range(len(levels))]
+    _link(encoder.nodes, nodes, found)
+    kept = [
+        {"ratio": level.ratio, "error": level.error, "mean_error": level.mean_error, "note": level.note}
+        for level in _geometry(model)
+    ]
+    _extras(encoder.nodes[nodes[0]])[OURS] = document | {"geometry": kept}
+    return encoder.finish(nodes[:1], **_used(nodes))
+
+
+def read(target: Path) -> LodModel:
+    """Read a GLB that `write` made; FormatError for anything else, OSError where there is no file."""
+    data = target.read_bytes()
+    try:
+        return _model(_scene_glb.Decoder(data, Names(1)), target)
+    except FormatError:
+        raise
+    except KeyError as error:
+        raise FormatError(f"{target}: expected a model of levels by nearfar: {error} is missing") from None
+    except (ValueError, TypeError, LookupError, AttributeError, StopIteration, RecursionError, struct.error) as error:
+        raise FormatError(f"{target}: damaged: {error or type(error).__name__}") from None
+
+
+def _model(decoder: _scene_glb.Decoder, path: Path) -> LodModel:
+    nodes = decoder.document["nodes"]
+    finest = nodes[decoder.document["scenes"][0]["nodes"][0]]
+    document = finest["extras"][OURS]
+    fields = _lod_file.fields(document, path)
+    chain = [finest, *(nodes[number] for number in finest.get("extensions", {}).get(EXTENSION, {"ids": []})["ids"])]
+    surfaces = decoder.surfaces()
+    kept = document["geometry"]
+    if not len(chain) == len(kept) == len(fields["triangles"]):
+        raise ValueError(f"expected {len(fields['triangles'])} levels, got {len(chain)} nodes")
+    name = fields["name"]
+    levels = [
+        Level(
+            scene=_scene(decoder.mesh(node), surfaces, name),
+            ratio=_check.number("ratio", said["ratio"]),
+            error=_check.number("error", said["error"]),
+            mean_error=_check.number("mean_error", said["mean_error"]),
+            note=str(said["note"]),
+        )
+        for node, said in zip(chain, kept, strict=True)
+    ]
+    return LodModel(**fields, levels=Levels(levels, name=name))
+
+
+def _scene(mesh: _core.Mesh, surfaces: dict[str, Any], name: str) -> Scene:
+    core = _core.Scene(
+        origin=(0.0, 0.0, 0.0),
+        meshes=[mesh],
+        placements=_IDENTITY[None, :3].copy(),
+        objects=np.zeros(1, np.int32),
+        standing_count=1,
+        **surfaces,
+    )
+    return Scene(core, Names((name,)))
+
+
+def export(
+    scene: Scene,
+    path: str | os.PathLike[str],
+    *,
+    view: Hmd | Camera | Fov,
+    k: SupportsFloat = 0.27,
+    d: SupportsFloat = 0.90,
+    threshold: str = "anchored",
+) -> None:
+    """Write a scene whose objects have levels as GLB that engines switch by themselves.
+
+    Each object is a node with its level 0, `MSFT_lod` and `MSFT_screencoverage`; its other levels are nodes outside of
+    the scene that stand in the same place, and share their meshes with other objects of the model. Programs without
+    the extension show level 0. Everything else of the scene is written as it is.
+
+    Parameters
+    ----------
+    scene
+        With levels or without; moving objects where they are now.
+    path
+        Ends in `.glb`. Whole or not at all.
+    view, k, d, threshold
+        As in `switches`, by which coverages are worked out.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For arguments out of their domains.
+    OSError
+        Where the file cannot be written.
+    """
+    core, table, target = core_of(scene), scene._table, _check.path("path", path)
+    if target.suffix.lower() != ".glb":
+        raise ValueError(f"path: expected a name ending in .glb, got {os.fspath(path)!r}")
+    if table is None:
+        _save(target, _scene_glb.encode(core, scene.object_names))
+        return
+    found = [switches(model, view=view, k=k, d=d, threshold=threshold) for model in table.models]
+    chosen = table.row_of >= 0
+    placements, numbers = _core.placements_of(core, chosen)
+    rest = core.without_objects(chosen)
+    # What has no levels comes first, then every object's levels, one instance for each, all standing.
+    rows = [table.meshes[row] for row in table.row_of[numbers].tolist()]
+    counts = np.array([len(row) for row in rows], np.int64)
+    meshes = [mesh for row in rows for mesh in row]
+    whole = _core.with_instances(
+        rest, meshes, np.repeat(placements, counts, axis=0), np.repeat(numbers, counts).astype(np.int32), len(meshes)
+    )
+    _save(target, _placed(whole, rest, scene.object_names, counts, [found[m] for m in table.model_of[numbers]]))
+
+
+def _placed(
+    whole: _core.Scene, rest: _core.Scene, names: Sequence[str], counts: NDArray[np.int64], found: list[Switches]
+) -> bytes:
+    encoder = _scene_glb.Encoder(whole, names)
+    standing = rest.instance_count - len(rest.moving_objects())
+    leveled = int(counts.sum())
+    has_faces = np.diff(whole.triangle_offsets()) > 0
+    others = [*range(standing), *range(standing + leveled, whole.instance_count)]
+    roots = [encoder.place(number) for number in others if has_faces[number]]
+    tops = list(roots)
+    used: dict[str, Any] = {}
+    start = standing
+    for count, switch in zip(counts.tolist(), found, strict=True):
+        nodes = [encoder.place(number) for number in range(start, start + count)]
+        for level, node in enumerate(nodes[1:], 1):
+            encoder.nodes[node]["name"] += f"_lod{level}"
+        _link(encoder.nodes, nodes, switch)
+        used |= _used(nodes)
+        roots.append(nodes[0])
+        tops += nodes
+        start += count
+    for node in tops:
+        _move(encoder.nodes[node], whole.origin)
+    return encoder.finish(roots, **used)
+
+
+def engine_levels(model: LodModel, found: Switches) -> list[dict[str, Any]]:
+    """What engines need of each level, in JSON: sizes at which it takes over in several words, None for never."""
+    return [
+        {
+            "triangles": int(model.triangles[level]),
+            "solid_angle": float(found.solid_angle[level]),
+            "screen_coverage": float(found.screen_coverage[level]),
+            "screen_height": float(found.screen_height[level]),
+            "distance_per_radius": _finite(found.distance[level]),
+        }
+        for level in range(len(model))
+    ]
+
+
+def _finite(value: float) -> float | None:
+    return float(value) if np.isfinite(value) else None
+
+
+def _geometry(model: LodModel) -> Levels:
+    if model.levels is None:
+        raise ValueError(f"model: expected one with the geometry of its levels, got {model.name!r} without")
+    return model.levels
+
+
+def _merged(model: LodModel) -> tuple[_core.Scene, list[_core.Mesh]]:
+    """A scene with the surfaces of all levels, and a mesh for each that uses them."""
+    return _core.with_surfaces(empty(), [level.scene._core for level in _geometry(model)])
+
+
+def _link(nodes: list[dict[str, Any]], chain: list[int], found: Switches) -> None:
+    """Say that nodes are levels of the first."""
+    if len(chain) > 1:
+        nodes[chain[0]]["extensions"] = {EXTENSION: {"ids": chain[1:]}}
+        _extras(nodes[chain[0]])[COVERAGE] = found.coverages()
+
+
+def _move(node: dict[str, Any], origin: tuple[float, float, float]) -> None:
+    """Take a node from where it is relative to the origin to the world."""
+    if any(origin):
+        matrix = node.setdefault("matrix", _IDENTITY.ravel().tolist())
+        matrix[12:15] = [value + shift for value, shift in zip(matrix[12:15], origin, strict=True)]
+
+
+def _extras(node: dict[str, Any]) -> dict[str, Any]:
+    extras: dict[str, Any] = node.setdefault("extras", {})
+    return extras
+
+
+def _used(chain: list[int]) -> dict[str, Any]:
+    return {"extensionsUsed": [EXTENSION]} if len(chain) > 1 else {}
+
+
+def _save(path: Path, data: bytes) -> None:
+    with _files.atomic_file(path) as aside:
+        aside.write_bytes(data)

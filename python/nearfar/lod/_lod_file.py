@@ -1,0 +1,135 @@
+"""Files of what is known about an object's levels: JSON, without geometry."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _check, _files, _formats
+from nearfar._errors import FormatError
+from nearfar.lod._fit import Curve4PL
+from nearfar.lod._samples import Samples
+
+if TYPE_CHECKING:
+    from nearfar.lod._model import LodModel
+
+NAME, VERSION = "lod", 1
+PARAMETERS = ("a", "b", "c", "d", "rms")
+STATUSES = ("fitted", "step", "open", "flat", "unfittable")
+
+
+def write(path: Path, model: LodModel) -> None:
+    """Write a model, whole or not at all; `LodModel.save` says what is in it."""
+    text = _formats.to_json(document(model))
+    with _files.atomic_file(path) as aside:
+        aside.write_text(text, encoding="utf-8")
+
+
+def document(model: LodModel) -> dict[str, Any]:
+    """All of a model but its geometry."""
+    curves = [None, *(_curve(model.curves[number]) for number in range(len(model.curves)))]
+    return _formats.header(NAME, VERSION) | {
+        "name": model.name,
+        "center": [float(x) for x in model.center],
+        "radius": float(model.radius),
+        "sigma": [float(x) for x in model.sigma],
+        "levels": [
+            {"triangles": int(count), "error": float(error), "curve": curve}
+            for count, error, curve in zip(model.triangles, model.errors, curves, strict=True)
+        ],
+        "samples": None if model.samples is None else _samples(model.samples),
+        "measured": model.measured,
+    }
+
+
+def _curve(curve: Curve4PL) -> dict[str, Any]:
+    numbers = {name: _number(getattr(curve, name)) for name in PARAMETERS}
+    return numbers | {"status": curve.status, "reason": curve.reason}
+
+
+def _samples(samples: Samples) -> dict[str, Any]:
+    views = None if samples.views is None else _rows(samples.views)
+    return {"sigma": samples.sigma.tolist(), "score": _rows(samples.score), "views": views}
+
+
+def _number(value: float) -> float | None:
+    """JSON has no NaN."""
+    return None if np.isnan(value) else float(value)
+
+
+def _rows(values: NDArray[Any]) -> Any:
+    """Nested lists; float32 by its shortest digits, which come back the same."""
+    if values.ndim:
+        return [_rows(row) for row in values]
+    return None if np.isnan(values) else float(str(values))
+
+
+def read(path: Path) -> dict[str, Any]:
+    """Fields of a model; FormatError where the file is damaged or too new, OSError where there is none."""
+    return fields(_formats.read_json(path, NAME, VERSION), path)
+
+
+def fields(document: dict[str, Any], path: Path) -> dict[str, Any]:
+    """Fields of a model from what `document` returned; FormatError that names the file where it is something else."""
+    where = os.fspath(path)
+    _formats.check(document, NAME, VERSION, path)
+    try:
+        return _fields(document)
+    except KeyError as error:
+        raise FormatError(f"{where}: damaged: {error} is missing") from None
+    except (ValueError, TypeError, LookupError, AttributeError, ArithmeticError) as error:
+        raise FormatError(f"{where}: damaged: {error or type(error).__name__}") from None
+
+
+def _fields(document: dict[str, Any]) -> dict[str, Any]:
+    levels = document["levels"]
+    least, most = (_check.positive("sigma", value) for value in document["sigma"])
+    samples = document["samples"]
+    if not levels or levels[0]["curve"] is not None:
+        raise ValueError("levels: expected the base first, which has no curve")
+    if least > most:
+        raise ValueError(f"sigma: expected the least first, got {least} and {most}")
+    if not isinstance(document["name"], str) or not isinstance(document["measured"], dict):
+        raise TypeError("expected a name and what was measured")
+    triangles = [_check.integer("triangles", level["triangles"], 1, 2**62) for level in levels]
+    return {
+        "name": document["name"],
+        "center": np.array(_check.vector("center", document["center"])),
+        "radius": _check.positive("radius", document["radius"]),
+        "sigma": (least, most),
+        "triangles": np.array(triangles),
+        "errors": np.array([_check.number("error", level["error"]) for level in levels]),
+        "curves": _curves([level["curve"] for level in levels[1:]]),
+        "samples": None if samples is None else _read_samples(samples, len(levels)),
+        "measured": document["measured"],
+    }
+
+
+def _curves(curves: list[dict[str, Any]]) -> Curve4PL:
+    numbers = {name: _array([curve[name] for curve in curves]) for name in PARAMETERS}
+    statuses = [_check.choice("status", curve["status"], STATUSES) for curve in curves]
+    reasons = [curve["reason"] for curve in curves]
+    if not all(isinstance(reason, str) for reason in reasons):
+        raise TypeError("reason: expected text")
+    return Curve4PL(**numbers, status=np.array(statuses, dtype=np.str_), reason=np.array(reasons, dtype=np.str_))
+
+
+def _read_samples(samples: dict[str, Any], levels: int) -> Samples:
+    sigma, score = _array(samples["sigma"]), _array(samples["score"])
+    if score.shape != (levels, len(sigma)) or sigma.ndim != 1:
+        raise ValueError(f"samples: expected scores of {levels} levels at {len(sigma)} sizes, got {score.shape}")
+    if samples["views"] is None:
+        return Samples(sigma, score)
+    views = _array(samples["views"])
+    if views.shape[:2] != score.shape or views.ndim != 3:
+        raise ValueError(f"samples: expected views of {levels} levels at {len(sigma)} sizes, got {views.shape}")
+    return Samples(sigma, score, views.astype(np.float32))
+
+
+def _array(values: Any) -> NDArray[np.float64]:
+    """Numbers, where None stands for NaN."""
+    return np.array(values, dtype=np.float64)

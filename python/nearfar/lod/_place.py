@@ -1,0 +1,97 @@
+"""Scenes of models that are placed many times."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _check, _core
+from nearfar._geometry import ORIGIN_LIMIT, transforms_of
+from nearfar._leveled import given, with_levels
+from nearfar._names import Names, names_of
+from nearfar._scene import Scene
+from nearfar.lod._model import LodModel
+
+
+def place(
+    models: Sequence[LodModel],
+    model_index: ArrayLike,
+    transforms: ArrayLike,
+    *,
+    names: Sequence[str] | None = None,
+    dynamic: Iterable[str] = (),
+) -> Scene:
+    """Make a scene of models, each placed any number of times. It shows level 0; `nearfar.render` takes `lod`.
+
+    Placements share the meshes of their model's levels, so that a scene needs the memory of its models.
+
+    Parameters
+    ----------
+    models
+        With the geometry of their levels.
+    model_index
+        Which of them each of the N objects is (N,), whole numbers.
+    transforms
+        (N, 4, 4) object→world for column vectors, invertible; mirrors and scales are fine.
+    names
+        Of the objects; by default ``object_0``, ``object_1``, …
+    dynamic
+        Names of objects that `Scene.at` can pose.
+
+    Returns
+    -------
+    Scene
+        Object n is model `model_index[n]` at `transforms[n]`.
+
+    Raises
+    ------
+    ValueError
+        Numbers of models that don't exist, matrices that cannot be used, numbers that don't fit, names that repeat or
+        are unknown, models without geometry.
+    TypeError
+        For other things than models, numbers and names.
+    """
+    if isinstance(models, LodModel) or not isinstance(models, Sequence):
+        raise TypeError(f"models: expected a sequence of LodModels, got {type(models).__name__}")
+    frames = transforms_of("transforms", transforms)
+    if frames.ndim != 3:
+        raise ValueError(f"transforms: expected shape (N, 4, 4), got {frames.shape}")
+    count = len(frames)
+    index = _check.array("model_index", model_index, columns=None, dtype=np.int64)
+    if index.shape != (count,):
+        raise ValueError(f"model_index: expected one for each of {count} transforms, got shape {index.shape}")
+    if count and not 0 <= index.min() <= index.max() < len(models):
+        raise ValueError(f"model_index: expected 0 to {len(models) - 1}, got {index.min()} to {index.max()}")
+    listed = None if names is None else names_of("names", names)
+    if listed is not None and len(listed) != count:
+        raise ValueError(f"names: expected {count}, one for each transform, got {len(listed)}")
+    known = Names(count if listed is None else listed)
+    new = given(known, range(count), [models[number] for number in index.tolist()], frames)
+    core, rest, table = with_levels(empty(_origin(frames)), np.zeros((0, 3, 4)), None, count, new)
+    return Scene(core, known, frames=frames, rest=rest, table=table).with_dynamic(dynamic)
+
+
+def empty(origin: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> _core.Scene:
+    """A scene of nothing."""
+    return _core.Scene(
+        origin=origin,
+        meshes=[],
+        placements=np.zeros((0, 3, 4)),
+        objects=np.zeros(0, np.int32),
+        standing_count=0,
+        material_colors=np.zeros((0, 4), np.float32),
+        material_textures=np.zeros(0, np.int32),
+        material_cutoffs=np.zeros(0, np.float32),
+        textures=[],
+    )
+
+
+def _origin(frames: NDArray[np.float64]) -> tuple[float, float, float]:
+    """What suits the things that are to stand there, as other scenes choose it."""
+    places = frames[:, :3, 3]
+    if not len(places) or np.abs(places).max() < ORIGIN_LIMIT:
+        return 0.0, 0.0, 0.0
+    x, y, z = np.rint((places.min(axis=0) + places.max(axis=0)) / 2).tolist()
+    return x, y, z

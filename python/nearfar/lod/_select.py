@@ -1,0 +1,184 @@
+"""Which level of each object is enough, by its size, the lens and the eye."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._camera import Camera
+from nearfar._lens import RadialLens
+from nearfar.lod._model import LodModel
+from nearfar.lod._selection import Selection
+from nearfar.lod._selector import Selector
+from nearfar.lod._size import ACUITY_LIMIT_DEG, ACUITY_SLOPE
+
+
+@overload
+def select(
+    models: Sequence[LodModel],
+    model_index: ArrayLike,
+    centers: ArrayLike,
+    radii: ArrayLike,
+    *,
+    camera: Camera | Sequence[Camera],
+    lens: RadialLens | None = None,
+    lens_radius: float | None = None,
+    k: float = 0.27,
+    d: float = 0.90,
+    threshold: str = "anchored",
+    mode: str = "depth+eccentricity",
+    reference: float | None = None,
+    cull: bool = True,
+    previous: ArrayLike | None = None,
+    hysteresis: float = 0.0,
+    fade: float = 0.0,
+    gaze: ArrayLike | None = None,
+    acuity_slope: float = ACUITY_SLOPE,
+    acuity_limit_deg: float = ACUITY_LIMIT_DEG,
+    inverse: str = "lut",
+    full: Literal[False] = False,
+) -> NDArray[np.int32]: ...
+
+
+@overload
+def select(
+    models: Sequence[LodModel],
+    model_index: ArrayLike,
+    centers: ArrayLike,
+    radii: ArrayLike,
+    *,
+    camera: Camera | Sequence[Camera],
+    lens: RadialLens | None = None,
+    lens_radius: float | None = None,
+    k: float = 0.27,
+    d: float = 0.90,
+    threshold: str = "anchored",
+    mode: str = "depth+eccentricity",
+    reference: float | None = None,
+    cull: bool = True,
+    previous: ArrayLike | None = None,
+    hysteresis: float = 0.0,
+    fade: float = 0.0,
+    gaze: ArrayLike | None = None,
+    acuity_slope: float = ACUITY_SLOPE,
+    acuity_limit_deg: float = ACUITY_LIMIT_DEG,
+    inverse: str = "lut",
+    full: Literal[True],
+) -> Selection: ...
+
+
+def select(
+    models: Sequence[LodModel],
+    model_index: ArrayLike,
+    centers: ArrayLike,
+    radii: ArrayLike,
+    *,
+    camera: Camera | Sequence[Camera],
+    lens: RadialLens | None = None,
+    lens_radius: float | None = None,
+    k: float = 0.27,
+    d: float = 0.90,
+    threshold: str = "anchored",
+    mode: str = "depth+eccentricity",
+    reference: float | None = None,
+    cull: bool = True,
+    previous: ArrayLike | None = None,
+    hysteresis: float = 0.0,
+    fade: float = 0.0,
+    gaze: ArrayLike | None = None,
+    acuity_slope: float = ACUITY_SLOPE,
+    acuity_limit_deg: float = ACUITY_LIMIT_DEG,
+    inverse: str = "lut",
+    full: bool = False,
+) -> NDArray[np.int32] | Selection:
+    """Choose a level of detail for each object: the coarsest whose score is enough for its size.
+
+    An object of solid angle σ needs a score of f(σ), and level i has the score M_i(σ′): the level is the coarsest i
+    with f(σ) ≤ M_i(σ′), or 0. It is 0 without a question where the eye is in the sphere, where σ is beyond σ₁/₁₆, and
+    where σ or σ′ is beyond what the model was measured at; below what it was measured at, curves keep their value.
+
+    Parameters
+    ----------
+    models
+        What is known of each kind of object.
+    model_index
+        (N,) whole numbers: the model of each object.
+    centers
+        (N, 3), world metres: middles of the objects' bounding spheres.
+    radii
+        (N,) or one, metres, at least 0, scaled as the objects are.
+    camera
+        The eye, with a `Fov` of any shape and orientation; or several, such as a headset's two: then the finer of their
+        answers counts, and only what no eye sees is out of view.
+    lens
+        One without tangential terms, for all eyes; None leaves sizes as they are. Its axis is the eye's line of sight.
+    lens_radius
+        tan ω of the lens, the tangent at which r = 1, such as `Hmd.tan_half_angle`. By default the greatest to the left
+        or right of any eye.
+    k, d
+        How the threshold rises with size, and where it starts.
+    threshold
+        f: "anchored" is d + k (σ − σ₁/₁₆), so that d is what viewers accepted at 1/16 of the screen. "literal" is
+        kσ + d, "normalized" d + k (σ/σ₁/₁₆ − 1).
+    mode
+        "off": level 0 for all, and no work. "depth": σ′ = σ. "depth+eccentricity": σ′ is what the lens leaves of σ
+        (`corrected_solid_angle`). "fovea": what the eye sees of that too, at its angle from the gaze (`acuity`).
+    reference
+        σ₁/₁₆, steradians; by default `reference_solid_angle` of the eye that sees farthest to a side.
+    cull
+        Whether what is out of view gets −1 instead of a level. A sphere that is partly in view never gets it; one
+        beside a corner of the view may keep a level.
+    previous
+        (N,) levels of the frame before, −1 for none.
+    hysteresis
+        In units of the score, 0 to 1: a level coarser than the previous one needs f + hysteresis. Finer levels come at
+        once, so the threshold always holds. From level 0 a coarser one also needs sizes that are smaller than the
+        limits by this share.
+    fade
+        0 to 1: over which share of the way from one level to the next they are blended; see `Selection.shown`. With
+        level i chosen the way is t = (M_i − f) / (M_i − M), M the best score of a coarser level, or M_i − 0.05 where
+        there is none, and the next finer one that is enough has the weight 1 − t/fade. Before sizes become too large
+        for curves, over the last quarter of them, times `fade`, levels run to 0. What is shown is continuous but where
+        the curve of a finer level crosses that of a coarser one and f as well, and where hysteresis holds levels.
+    gaze
+        World direction of the gaze (3,), any length; by default each camera's line of sight. Of "fovea".
+    acuity_slope, acuity_limit_deg
+        The eye's least visible angle, as in `acuity`; pixels are the camera's. The sphere's nearest edge counts.
+    inverse
+        Of the lens: "lut", whose σ′ is within 10⁻⁸ of itself, or "newton", which is `corrected_solid_angle`.
+    full
+        Whether to return all that was computed.
+
+    Returns
+    -------
+    NDArray or Selection
+        (N,) int32 levels, 0 the finest, −1 out of view; with `full` a `Selection`. The same for any number of threads.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For other shapes, numbers that are not finite, radii below 0, and numbers of models and levels that are not.
+
+    References
+    ----------
+    Liebisch (2021), Sec. 4.3–4.5. Guenter, Finch, Drucker, Tan, Snyder (2012) for "fovea".
+    """
+    selector = Selector(
+        k=k,
+        d=d,
+        threshold=threshold,
+        mode=mode,
+        lens=lens,
+        lens_radius=lens_radius,
+        reference=reference,
+        cull=cull,
+        hysteresis=hysteresis,
+        fade=fade,
+        acuity_slope=acuity_slope,
+        acuity_limit_deg=acuity_limit_deg,
+        inverse=inverse,
+    )
+    return selector._chosen(models, model_index, centers, radii, camera, previous, gaze, full)

@@ -1,0 +1,173 @@
+"""What sizes mean: the one that levels are measured from, what a lens leaves of it, and what the eye sees of that."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import SupportsFloat
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _check
+from nearfar._camera import Camera, Fov
+from nearfar._hmd import Hmd
+from nearfar._lens import RadialLens
+
+ACUITY_SLOPE = 0.0275
+"""Degrees by which the least visible angle grows with each degree from the gaze (Guenter et al. 2012)."""
+ACUITY_LIMIT_DEG = 1 / 48
+"""The least visible angle at the gaze, degrees (Guenter et al. 2012)."""
+
+
+def reference_solid_angle(view: Hmd | Camera | Fov) -> float:
+    """Solid angle of a sphere that fills 1/16 of the screen, steradians: levels are measured from it on.
+
+    Parameters
+    ----------
+    view
+        A headset, whose `tan_half_angle` counts, or a camera with a `Fov` or that alone: the larger of left and right.
+
+    Returns
+    -------
+    float
+        σ₁/₁₆ = 2π (1 − cos asin(¼ tan ω)), with ω half the horizontal field of view.
+
+    Raises
+    ------
+    ValueError
+        For views whose tangent is 4 or more: no sphere fills 1/16 of those.
+    TypeError
+        For other things.
+
+    References
+    ----------
+    Liebisch (2021), Sec. 4.3.
+    """
+    sine = half_tangent(view) / 4
+    if sine >= 1:
+        raise ValueError(f"view: expected a tangent to the side below 4, got {4 * sine:g}")
+    # 1 − cos by sin² / (1 + cos), which loses no digits.
+    return 2 * math.pi * sine * sine / (1 + math.sqrt((1 - sine) * (1 + sine)))
+
+
+def acuity(
+    eccentricity_deg: ArrayLike,
+    *,
+    slope: SupportsFloat = ACUITY_SLOPE,
+    limit_deg: SupportsFloat = ACUITY_LIMIT_DEG,
+    pixel_deg: SupportsFloat = 0.0,
+) -> NDArray[np.float64]:
+    """How much smaller things look to the eye away from its gaze, as a linear factor.
+
+    The least angle that is seen grows as ω(e) = m e + ω₀, and what is drawn for e = 0 need not be finer than
+    ω* = max(ω₀, pixel): things at e look like ones of ω*/ω(e) of their size.
+
+    Parameters
+    ----------
+    eccentricity_deg
+        Degrees from the gaze, of any shape; at least 0.
+    slope
+        m, in degrees a degree: 0.022 is conservative and 0.034 the most that their users accepted.
+    limit_deg
+        ω₀, degrees.
+    pixel_deg
+        Degrees that a pixel takes on the axis; 0 for screens finer than the eye.
+
+    Returns
+    -------
+    NDArray
+        float64 in the shape of the eccentricities, 0 to 1. Its square is a solid angle's.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For other numbers.
+
+    References
+    ----------
+    Guenter, Finch, Drucker, Tan, Snyder (2012), Eq. 1.
+    """
+    away = _check.array("eccentricity_deg", eccentricity_deg, columns=None, dtype=np.float64)
+    if not (away >= 0).all():
+        raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {away.min()}")
+    rise, least, pixel = acuity_numbers(slope, limit_deg, pixel_deg)
+    with np.errstate(over="ignore"):
+        return np.asarray(np.minimum(1.0, max(least, pixel) / (rise * away + least)))
+
+
+def distortion(
+    eccentricity_deg: ArrayLike, *, lens: RadialLens, view: Hmd | Camera | Fov, lens_radius: float | None = None
+) -> NDArray[np.float64]:
+    """Which share of its solid angle a lens leaves of a small thing, as `select` counts it: σ′/σ.
+
+    Parameters
+    ----------
+    eccentricity_deg
+        Degrees from the lens's axis, of any shape; at least 0.
+    lens
+        One without tangential terms.
+    view
+        A headset, a camera or a `Fov`, as in `reference_solid_angle`.
+    lens_radius
+        The tangent at which r = 1; by default the view's.
+
+    Returns
+    -------
+    NDArray
+        float64 in the shape of the eccentricities: dα′/dα of α′ = atan(tan ω · f⁻¹(tan α / tan ω)). 1 from 90° on and
+        beyond the lens's domain.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For other numbers and lenses.
+
+    References
+    ----------
+    Liebisch (2021), Eq. 4.10–4.12, where the half angle goes to 0.
+    """
+    away = _check.array("eccentricity_deg", eccentricity_deg, columns=None, dtype=np.float64)
+    if not (away >= 0).all():
+        raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {away.min()}")
+    scale = checked_lens(lens, view, lens_radius)
+    tangent = np.where(away < 90, np.tan(np.radians(np.minimum(away, 89.999999999))), np.nan)
+    r = lens.undistort(tangent / scale, outside="nan")
+    slope = lens.derivative(np.nan_to_num(r), outside="nan")
+    share = (1 + tangent**2) / (1 + (scale * r) ** 2) / slope
+    return np.asarray(np.where(np.isfinite(share), share, 1.0))
+
+
+def half_tangent(view: Hmd | Camera | Fov) -> float:
+    """Tangent of half the horizontal field of view; the larger side of an asymmetric one."""
+    if isinstance(view, Hmd):
+        return view.tan_half_angle
+    fov = view.fov if isinstance(view, Camera) else view
+    if not isinstance(fov, Fov):
+        raise TypeError(f"view: expected a headset, a camera with a Fov, or a Fov, got {type(view).__name__}")
+    return max(abs(fov.left), abs(fov.right))
+
+
+def acuity_numbers(
+    slope: SupportsFloat, limit_deg: SupportsFloat, pixel_deg: SupportsFloat
+) -> tuple[float, float, float]:
+    """The eye's numbers, checked."""
+    rise, pixel = _check.number("slope", slope), _check.number("pixel_deg", pixel_deg)
+    for name, value in (("slope", rise), ("pixel_deg", pixel)):
+        if value < 0:
+            raise ValueError(f"{name}: expected a number of at least 0, got {value}")
+    return rise, _check.positive("limit_deg", limit_deg), pixel
+
+
+def checked_lens(lens: RadialLens, view: Hmd | Camera | Fov, lens_radius: SupportsFloat | None) -> float:
+    """Refuse lenses that have no size to show, and tell tan ω."""
+    if not isinstance(lens, RadialLens):
+        raise TypeError(f"lens: expected a RadialLens, got {type(lens).__name__}")
+    if any(lens.tangential):
+        raise ValueError(f"lens: expected one without tangential terms, got {lens.tangential}")
+    return half_tangent(view) if lens_radius is None else _check.positive("lens_radius", lens_radius)
+
+
+def widest(views: Iterable[Camera]) -> Camera:
+    """The view that sees farthest to a side: both eyes of a headset have one reference and one lens."""
+    return max(views, key=half_tangent)

@@ -1,0 +1,141 @@
+"""At which sizes levels take over, in the words of engines that know no SSIM."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import SupportsFloat
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _check
+from nearfar._camera import Camera, Fov
+from nearfar._hmd import Hmd
+from nearfar.lod._model import LodModel
+from nearfar.lod._size import half_tangent, reference_solid_angle
+
+_STEPS = 1024
+"""Sizes between which a curve is looked at for crossing the threshold: both are monotonic as a rule."""
+
+_HALVINGS = 64
+"""More than float64 has digits."""
+
+
+@dataclass(frozen=True, eq=False)
+class Switches:
+    """Sizes of an object's bounding sphere up to which its K levels are good enough, without a lens.
+
+    All are (K,) float64. Level 0 is for all sizes. A level that is good up to a smaller size than a coarser one is
+    never shown.
+    """
+
+    solid_angle: NDArray[np.float64]
+    """Steradians up to which each level is good enough; 0 for one that never is."""
+    distance: NDArray[np.float64]
+    """The same as the distance to the sphere's middle over its radius: from there on. ∞ for a level that never is."""
+    screen_coverage: NDArray[np.float64]
+    """The same as the share of the picture's area that the sphere covers, 0..1: π r²/z² over the picture's area."""
+    screen_height: NDArray[np.float64]
+    """The same as the sphere's diameter over the picture's height, 0..1."""
+
+    def coverages(self) -> list[float]:
+        """`MSFT_screencoverage`: where each level ends and the next begins; 0 for the last, which has no end."""
+        return [*np.maximum.accumulate(self.screen_coverage[:0:-1])[::-1].tolist(), 0.0]
+
+
+def switches(
+    model: LodModel,
+    *,
+    view: Hmd | Camera | Fov,
+    k: SupportsFloat = 0.27,
+    d: SupportsFloat = 0.90,
+    threshold: str = "anchored",
+) -> Switches:
+    """Work out at which sizes the levels of a model take over.
+
+    A level is shown up to the greatest size to which it stays good enough: SSIM at least f(σ), as `select` has it, for
+    all smaller sizes too. Above σ₁/₁₆, and above what was measured, only level 0 is shown. Of the levels that are good
+    enough the coarsest is shown.
+
+    Parameters
+    ----------
+    model
+        What was measured.
+    view
+        The headset, or a camera or its `Fov`: a screen's reference size and area follow from it. Of a headset's views
+        the left eye's counts, which the right one's mirrors.
+    k, d, threshold
+        The threshold, as in `select`.
+
+    Returns
+    -------
+    Switches
+        For a sphere of half angle μ, sin μ = r/z: σ = 2π(1 − cos μ), distance 1/sin μ, coverage
+        π sin²μ / ((right − left)(up − down)) in tangents, height 2 sin μ/(up − down). So σ(1 − σ/4π) is the area
+        at distance 1 of the disc that engines take a sphere for.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For arguments out of their domains.
+    """
+    fov = _fov(view)
+    sizes = _good_sizes(model, reference_solid_angle(view), _line(view, k, d, threshold))
+    sine = np.sqrt(np.where(sizes < 2 * math.pi, sizes / (2 * math.pi) * (2 - sizes / (2 * math.pi)), 1.0))
+    width, height = fov.right - fov.left, fov.up - fov.down
+    with np.errstate(divide="ignore"):
+        distance = 1 / sine
+    coverage = np.minimum(1.0, math.pi * sine**2 / (width * height))
+    coverage[0] = 1.0
+    tall = np.minimum(1.0, 2 * sine / height)
+    tall[0] = 1.0
+    return Switches(sizes, distance, coverage, tall)
+
+
+def _line(view: Hmd | Camera | Fov, k: SupportsFloat, d: SupportsFloat, threshold: str) -> tuple[float, float]:
+    """Slope and start of f(σ)."""
+    slope, start = _check.number("k", k), _check.number("d", d)
+    reference = reference_solid_angle(view)
+    match _check.choice("threshold", threshold, ("anchored", "literal", "normalized")):
+        case "anchored":
+            return slope, start - slope * reference
+        case "literal":
+            return slope, start
+        case _:
+            return slope / reference, start - slope
+
+
+def _good_sizes(model: LodModel, reference: float, line: tuple[float, float]) -> NDArray[np.float64]:
+    """The size up to which each level is good enough; 4π for level 0."""
+    sizes = np.full(len(model), 4 * math.pi)
+    if len(model) == 1:
+        return sizes
+    least, most = model.sigma
+    most = min(most, reference)
+    slope, start = line
+
+    def is_good(sigma: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """(K − 1, M) for M sizes that all share, or for (K − 1, M)."""
+        good: NDArray[np.bool_] = np.asarray(model.curves(np.maximum(sigma, least)) >= slope * sigma + start)
+        return good
+
+    samples = np.concatenate([[0.0], np.linspace(0, most, _STEPS)[1:], np.geomspace(most * 1e-6, most, _STEPS)])
+    samples = np.unique(np.append(samples, min(least, most)))
+    good = is_good(samples)
+    ends = np.where(good.all(axis=1), len(samples), np.argmin(good, axis=1))
+    low = samples[np.maximum(ends - 1, 0)]
+    high = samples[np.minimum(ends, len(samples) - 1)]
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2
+        inside = is_good(middle[:, None])[:, 0]
+        low, high = np.where(inside, middle, low), np.where(inside, high, middle)
+    sizes[1:] = np.where(ends == 0, 0.0, low)
+    return sizes
+
+
+def _fov(view: Hmd | Camera | Fov) -> Fov:
+    half_tangent(view)  # refuses what is no view
+    fov = view.left.fov if isinstance(view, Hmd) else view.fov if isinstance(view, Camera) else view
+    assert isinstance(fov, Fov)
+    return fov

@@ -1,0 +1,128 @@
+"""From where an object is looked at to be measured, and which part of a headset's picture shows it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _check
+from nearfar._camera import Camera, Fov
+from nearfar._hmd import Hmd
+
+AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 1.0, 1.0))
+"""About which objects turn: x, y, z, and the diagonal of the cube between them, in the object's frame."""
+
+SHARE = 0.25
+"""How much of the screen's width an object covers at first, across: 1/16 of a square screen."""
+
+PADDING = 5
+"""Pixels around an object's box: what windows of 11 pixels reach beyond what they stand on."""
+
+Quaternion = tuple[float, float, float, float]
+
+
+def turns(views: int) -> tuple[list[Quaternion], NDArray[np.intp]]:
+    """Different turns of the object as unit quaternions (x, y, z, w), and which of them each view shows.
+
+    Views go about one axis of `AXES` after the other in equal steps from 0; not turned at all is the same about each.
+    """
+    steps = views // len(AXES)
+    chosen: list[Quaternion] = [(0.0, 0.0, 0.0, 1.0)]
+    shown = []
+    for axis in AXES:
+        length = math.hypot(*axis)
+        shown.append(0)
+        for step in range(1, steps):
+            half = math.pi * step / steps
+            x, y, z = (part / length * math.sin(half) for part in axis)
+            shown.append(len(chosen))
+            chosen.append((x, y, z, math.cos(half)))
+    return chosen, np.array(shown)
+
+
+@dataclass(frozen=True)
+class Screen:
+    """What pictures are taken for: an eye's picture, symmetric about the axis, with square pixels."""
+
+    tan_half_angle: float
+    """Tangent of half the horizontal field of view, ω; the larger side of an asymmetric one."""
+    pixel: float
+    """Tangent that a pixel spans at the axis."""
+    size: tuple[int, int]
+    """Width and height in pixels: nothing beyond it is seen."""
+
+    @classmethod
+    def of(cls, hmd: Hmd | None, fov: Fov | None, size: tuple[int, int] | None) -> Screen:
+        """Of a headset, or of a view and its pixels; TypeError or ValueError for neither and for both."""
+        if hmd is not None:
+            if fov is not None or size is not None:
+                raise ValueError("hmd: expected None beside fov and size, which say the same, got a headset")
+            if not isinstance(hmd, Hmd):
+                raise TypeError(f"hmd: expected an Hmd such as nearfar.hmd.RIFT_S, got {type(hmd).__name__}")
+            return cls._made(hmd.tan_half_angle, hmd.left.fov, hmd.render_size)
+        if fov is None or size is None:
+            raise ValueError("hmd: expected a headset such as nearfar.hmd.RIFT_S, or else both fov and size")
+        if not isinstance(fov, Fov):
+            raise TypeError(f"fov: expected Fov, got {type(fov).__name__}")
+        return cls._made(max(abs(fov.left), abs(fov.right)), fov, _check.size("size", size))
+
+    @classmethod
+    def _made(cls, tangent: float, fov: Fov, size: tuple[int, int]) -> Screen:
+        if not SHARE * tangent < 1.0:
+            degrees = 2.0 * math.degrees(math.atan(1.0 / SHARE))
+            raise ValueError(
+                f"fov: expected less than {degrees:.4g} degrees across, so that an object can cover a sixteenth, "
+                f"got {2.0 * math.degrees(math.atan(tangent)):.4g}"
+            )
+        return cls(tangent, (fov.right - fov.left) / size[0], size)
+
+
+@dataclass(frozen=True)
+class Stand:
+    """Where cameras stand about an object's bounding sphere."""
+
+    screen: Screen
+    center: tuple[float, float, float]
+    radius: float
+    reach: float
+    """Metres from the centre to the farthest corner of any level: coarse ones may leave the sphere."""
+
+    def distance(self, number: int) -> float:
+        """Metres to the centre: to the sphere's nearest point it is `number` times that of the first, 1."""
+        nearest = self.radius / (SHARE * self.screen.tan_half_angle) - self.radius
+        return number * nearest + self.radius
+
+    def sigma(self, number: int) -> float:
+        """Solid angle of the sphere in steradians."""
+        return 4.0 * math.pi * math.sin(0.5 * math.asin(self.radius / self.distance(number))) ** 2
+
+    def box(self, number: int) -> tuple[int, int, int, int]:
+        """First and end column, first and end row of the screen's pixels that show the object, padded for windows."""
+        distance = self.distance(number)
+        inside = self.reach >= distance
+        half = math.inf if inside else self.reach / math.sqrt(distance**2 - self.reach**2) / self.screen.pixel
+        ends = []
+        for length in self.screen.size:
+            reach = min(half + PADDING, length)
+            ends += [max(0, math.floor(length / 2 - reach)), min(length, math.ceil(length / 2 + reach))]
+        return ends[0], ends[1], ends[2], ends[3]
+
+    def camera(self, number: int, turn: Quaternion) -> Camera:
+        """See the turned object: camera and light turn about it the other way, so that it stands still."""
+        first, end, top, bottom = self.box(number)
+        pixel, (width, height) = self.screen.pixel, self.screen.size
+        x, y, z, w = -turn[0], -turn[1], -turn[2], turn[3]
+        # The camera's z axis: (0, 0, 1) turned by the quaternion.
+        back = (2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y))
+        distance = self.distance(number)
+        eye = [middle + distance * part for middle, part in zip(self.center, back, strict=True)]
+        fov = Fov(
+            left=(first - width / 2) * pixel,
+            right=(end - width / 2) * pixel,
+            down=(height / 2 - bottom) * pixel,
+            up=(height / 2 - top) * pixel,
+        )
+        return Camera((eye[0], eye[1], eye[2]), (x, y, z, w), fov=fov, size=(end - first, bottom - top))

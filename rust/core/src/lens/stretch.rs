@@ -1,0 +1,186 @@
+//! σ′/σ of many spheres by the table of f⁻¹ (Liebisch 2021, Eq. 4.10–4.12).
+
+use super::RadialLens;
+use super::inverse::{LANES, cubic_block};
+use super::size::divided_difference;
+use super::table::Table;
+use crate::base::simd::widest;
+
+/// Up to which squares the polynomials below hold.
+const FARTHEST: f64 = 0.2;
+/// atan(√t)/√t and asin(√t)/√t for t of 0..FARTHEST, of least greatest error (Remez): below 2.4·10⁻¹².
+const ATAN: [f64; 8] = [
+    0.999_999_999_997_646_7,
+    -0.333_333_331_825_106,
+    0.199_999_840_516_211_2,
+    -0.142_850_675_441_242_6,
+    0.110_981_110_042_490_5,
+    -0.089_468_182_368_456_89,
+    0.067_810_283_746_563_8,
+    -0.034_460_935_818_881_76,
+];
+const ASIN: [f64; 8] = [
+    0.999_999_999_998_128_6,
+    0.166_666_667_862_746_85,
+    0.074_999_875_266_811_82,
+    0.044_647_780_695_202_01,
+    0.030_287_346_989_447_5,
+    0.023_345_233_781_470_85,
+    0.011_956_386_657_469_75,
+    0.028_520_557_448_714_78,
+];
+
+/// Spheres as an eye sees them, side by side: as many of each number.
+#[derive(Clone, Copy, Debug)]
+pub struct Spheres<'a> {
+    /// Sine of the centre's angle from the lens's axis, at least 0.
+    pub sin_alpha: &'a [f64],
+    /// Its cosine.
+    pub cos_alpha: &'a [f64],
+    /// Sine of half the angle that the sphere takes.
+    pub sin_mu: &'a [f64],
+    /// Its cosine.
+    pub cos_mu: &'a [f64],
+}
+
+impl RadialLens {
+    /// (α⁺ − α⁻) / 2μ of each sphere, within 10⁻⁸ of itself; 1 for those that reach 90° or to where the lens folds.
+    pub fn stretches(&self, tan_omega: f64, spheres: &Spheres<'_>, to: &mut [f64]) {
+        let Some(table) = self.table() else {
+            to.fill(1.0);
+            return;
+        };
+        let blocks = |values: &[f64], first: usize| {
+            let mut block = [0.0; LANES];
+            for (one, other) in block.iter_mut().zip(&values[first..]) {
+                *one = *other;
+            }
+            block
+        };
+        let lens = Bent { k: &self.radial.k, table, scale: tan_omega };
+        for (number, to) in to.chunks_mut(LANES).enumerate() {
+            let first = number * LANES;
+            let Spheres { sin_alpha, cos_alpha, sin_mu, cos_mu } = *spheres;
+            let block = Block {
+                sin_alpha: blocks(sin_alpha, first),
+                cos_alpha: blocks(cos_alpha, first),
+                sin_mu: blocks(sin_mu, first),
+                cos_mu: blocks(cos_mu, first),
+            };
+            let mut ratios = [0.0; LANES];
+            stretch(&lens, &block, &mut ratios);
+            for (n, (to, ratio)) in to.iter_mut().zip(ratios).enumerate() {
+                *to = if ratio > 0.0 { ratio } else { self.stretch_one(tan_omega, &block, n) };
+            }
+        }
+    }
+
+    /// One of a block, by Newton's method.
+    fn stretch_one(&self, tan_omega: f64, block: &Block, n: usize) -> f64 {
+        let (sa, ca, sm, cm) = (block.sin_alpha[n], block.cos_alpha[n], block.sin_mu[n], block.cos_mu[n]);
+        let (cos_far, cos_near) = (ca * cm - sa * sm, ca * cm + sa * sm);
+        if sm == 0.0 {
+            return 1.0;
+        }
+        let far = (sa * cm + ca * sm) / cos_far / tan_omega;
+        let near = (sa * cm - ca * sm) / cos_near / tan_omega;
+        let (a, b) = (self.undistort(far.abs()).copysign(far), self.undistort(near.abs()).copysign(near));
+        if !(a.is_finite() && b.is_finite()) {
+            return 1.0;
+        }
+        let apart = 2.0 * sm * cm / (cos_far * cos_near * tan_omega) / divided_difference(&self.radial.k, a, b);
+        (tan_omega * apart).atan2(1.0 + tan_omega * tan_omega * a * b) / (2.0 * sm.atan2(cm))
+    }
+}
+
+struct Bent<'a> {
+    k: &'a [f64],
+    table: &'a Table,
+    /// tan ω
+    scale: f64,
+}
+
+#[repr(align(64))]
+struct Block {
+    sin_alpha: [f64; LANES],
+    cos_alpha: [f64; LANES],
+    sin_mu: [f64; LANES],
+    cos_mu: [f64; LANES],
+}
+
+widest! {
+    fn stretch(lens: &Bent<'_>, block: &Block, to: &mut [f64; LANES]) = stretch_block;
+}
+
+/// 0 where the table or the polynomials end, for others to settle.
+#[inline(always)]
+fn stretch_block(lens: &Bent<'_>, block: &Block, to: &mut [f64; LANES]) {
+    let Block { sin_alpha, cos_alpha, sin_mu, cos_mu } = block;
+    let (mut far, mut near, mut rise) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+    let (mut good, mut behind) = ([false; LANES], [false; LANES]);
+    for n in 0..LANES {
+        // Edges of the sphere: tan(α ± μ) / tan ω. One division serves both, and their distance.
+        let (one, other) = (cos_alpha[n] * cos_mu[n], sin_alpha[n] * sin_mu[n]);
+        let (cos_far, cos_near) = (one - other, one + other);
+        let (out, in_) = (sin_alpha[n] * cos_mu[n], cos_alpha[n] * sin_mu[n]);
+        let share = 1.0 / (cos_far * cos_near * lens.scale);
+        far[n] = (out + in_) * (cos_near * share);
+        near[n] = (out - in_) * (cos_far * share);
+        rise[n] = 2.0 * lens.scale * cos_mu[n] * share;
+        behind[n] = cos_far <= 0.0;
+        good[n] = (far[n] < lens.table.end) & (sin_mu[n] * sin_mu[n] <= FARTHEST);
+    }
+    let (mut a, mut b) = ([0.0; LANES], [0.0; LANES]);
+    cubic_block(lens.table, &far, &mut a);
+    cubic_block(lens.table, &near, &mut b);
+    for n in 0..LANES {
+        b[n] = b[n].copysign(near[n]);
+    }
+    // f's divided difference between the roots, as in `size`.
+    let (mut sum, mut power, mut total) = ([1.0; LANES], [1.0; LANES], [1.0; LANES]);
+    for &c in lens.k {
+        for n in 0..LANES {
+            power[n] *= b[n];
+            sum[n] = sum[n] * a[n] + power[n];
+            power[n] *= b[n];
+            sum[n] = sum[n] * a[n] + power[n];
+            total[n] += c * sum[n];
+        }
+    }
+    for n in 0..LANES {
+        // tan of half of α⁺ − α⁻, over sin μ, from its sine and cosine times the divided difference.
+        let along = total[n] * (1.0 + lens.scale * lens.scale * (a[n] * b[n]));
+        let across = rise[n] * sin_mu[n];
+        let half = 1.0 / ((along * along + across * across).sqrt() + along);
+        let square = (across * half) * (across * half);
+        let ratio = rise[n] * half * polynomial(&ATAN, square) / polynomial(&ASIN, sin_mu[n] * sin_mu[n]);
+        let ratio = if good[n] & (square <= FARTHEST) { ratio } else { 0.0 };
+        to[n] = if behind[n] { 1.0 } else { ratio };
+    }
+}
+
+#[inline(always)]
+fn polynomial(coefficients: &[f64; 8], t: f64) -> f64 {
+    let mut sum = coefficients[7];
+    let mut n = 7;
+    while n > 0 {
+        n -= 1;
+        sum = sum * t + coefficients[n];
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn polynomials_hold_their_bound() {
+        for step in 1..=10_000 {
+            let t: f64 = FARTHEST * f64::from(step) / 10_000.0;
+            let root = t.sqrt();
+            assert!((polynomial(&ATAN, t) * root / root.atan() - 1.0).abs() < 2.6e-12, "{t}");
+            assert!((polynomial(&ASIN, t) * root / root.asin() - 1.0).abs() < 2.6e-12, "{t}");
+        }
+    }
+}

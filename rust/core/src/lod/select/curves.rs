@@ -1,0 +1,106 @@
+//! What a model's curves say of a size: scores, the level that is enough, and how levels fade over.
+
+use super::{Line, Rules};
+use crate::base::{Error, Result};
+
+/// How the coarsest level falls below f, where no coarser one says it: what `measure` takes for a step between levels.
+const STEP: f64 = 0.05;
+/// Over which share of the greatest size levels run to 0, times the fade.
+const LAST: f64 = 0.25;
+
+/// a, b, c and d of y = d + (a−d)/(1+(x/c)^b).
+pub type Parameters = [f64; 4];
+
+/// Curves of one object's levels but level 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Model<'a> {
+    /// From level 1 on; NaN where a level has none.
+    pub curves: &'a [Parameters],
+    /// Least and greatest solid angle that was measured.
+    pub range: [f64; 2],
+}
+
+/// A size, as it is and as it is seen, and the score that it asks for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Asked {
+    pub sigma: f64,
+    pub seen: f64,
+    pub threshold: f64,
+}
+
+/// y at x ≥ 0: from the plateau that is nearer, so that a far one is never taken off again.
+pub(super) fn score(&[a, b, c, d]: &Parameters, x: f64) -> f64 {
+    let steps = b * if (x / c - 1.0).abs() < 0.5 { ((x - c) / c).ln_1p() } else { x.ln() - c.ln() };
+    let small = (-steps.abs()).exp();
+    let share = small / (1.0 + small);
+    if steps < 0.0 { a + (d - a) * share } else { d + (a - d) * share }
+}
+
+impl Model<'_> {
+    pub(super) fn check(&self, number: usize) -> Result<()> {
+        let [least, greatest] = self.range;
+        if self.curves.is_empty() || (0.0 <= least && least <= greatest) {
+            return Ok(());
+        }
+        let got = format!("{least} and {greatest} at index {number}");
+        Err(Error::value("models", "solid angles of at least 0, the least first", got))
+    }
+
+    /// Above it nothing is asked: −∞ for one level.
+    pub(super) fn limit(&self, reference: f64) -> f64 {
+        if self.curves.is_empty() { f64::NEG_INFINITY } else { self.range[1].min(reference) }
+    }
+
+    /// Score of a level at a size within what was measured.
+    pub(super) fn score(&self, level: usize, seen: f64) -> f64 {
+        match level.checked_sub(1) {
+            None => 1.0,
+            Some(n) => score(&self.curves[n], seen.max(self.range[0])),
+        }
+    }
+
+    /// The coarsest level of at most `most` that is enough.
+    pub(super) fn coarsest(&self, most: usize, asked: &Asked) -> usize {
+        if asked.seen > self.range[1] {
+            return 0;
+        }
+        (1..=most).rev().find(|&level| self.score(level, asked.seen) >= asked.threshold).unwrap_or(0)
+    }
+
+    /// The coarsest level that is enough, but none coarser than the previous one that is only just so.
+    pub(super) fn held(&self, previous: usize, asked: &Asked, rules: &Rules) -> usize {
+        let most = self.curves.len();
+        let share = 1.0 - rules.hysteresis;
+        let too_large = asked.seen > self.range[1] * share || asked.sigma > self.limit(rules.reference) * share;
+        if previous == 0 && too_large {
+            return 0;
+        }
+        let surely = Asked { threshold: asked.threshold + rules.hysteresis, ..*asked };
+        self.coarsest(most, &surely).max(self.coarsest(previous.min(most), asked))
+    }
+
+    /// The level as it fades over to the next finer one.
+    pub(super) fn shown(&self, level: usize, asked: &Asked, rules: &Rules) -> f64 {
+        if level == 0 || rules.fade == 0.0 {
+            return level as f64;
+        }
+        let own = self.score(level, asked.seen);
+        let coarser = (level + 1..=self.curves.len()).map(|other| self.score(other, asked.seen));
+        let next = coarser.filter(|other| !other.is_nan()).reduce(f64::max).unwrap_or(own - STEP);
+        // Held levels may be better than they must be by more than one level.
+        let way = if own > next { ((own - asked.threshold) / (own - next)).clamp(0.0, 1.0) } else { 1.0 };
+        let weight = 1.0 - (way / rules.fade).min(1.0);
+        let finer = self.coarsest(level - 1, asked);
+        let faded = level as f64 - weight * (level - finer) as f64;
+        let left = |size: f64, limit: f64| if limit > 0.0 { 1.0 - size / limit } else { 1.0 };
+        let room = left(asked.sigma, self.limit(rules.reference)).min(left(asked.seen, self.range[1]));
+        let most = self.curves.len() as f64 * (room / (LAST * rules.fade)).clamp(0.0, 1.0);
+        faded.min(most)
+    }
+}
+
+impl Line {
+    pub(super) fn at(&self, sigma: f64) -> f64 {
+        self.level + self.rise * sigma
+    }
+}

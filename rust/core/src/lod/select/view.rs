@@ -1,0 +1,178 @@
+//! What an eye sees of spheres: whether they are in its view, how large they are, and how far from its axis.
+
+use std::f64::consts::PI;
+
+use glam::{DMat3, DVec3};
+
+use super::TILE;
+use crate::base::Result;
+use crate::base::simd::widest;
+use crate::bounds::check;
+use crate::camera::Fov;
+
+/// Spheres side by side.
+const LANES: usize = 32;
+/// Squares of distances outside are not floats, or have few digits.
+const PLAIN: std::ops::Range<f64> = 1e-280..1e280;
+/// By which share of its distance a sphere may lie outside for rounding alone: what is in view is never left out.
+const SLACK: f64 = 1e-14;
+/// σ of what is not in view.
+pub(super) const HIDDEN: f64 = -1.0;
+
+/// An eye's pose and view.
+#[derive(Clone, Copy, Debug)]
+pub struct View {
+    position: DVec3,
+    /// World axes to (right, up, ahead).
+    axes: DMat3,
+    /// Outward normals of the view's sides and its back, in the eye's axes.
+    sides: [[f64; 3]; 5],
+}
+
+impl View {
+    /// From the eye's position, its axes in the world, and the tangents of its view.
+    pub fn new(position: DVec3, axes: DMat3, fov: &Fov) -> Self {
+        let unit = |x: f64, y: f64, ahead: f64| DVec3::new(x, y, ahead).normalize().to_array();
+        let sides = [
+            unit(1.0, 0.0, -fov.right),
+            unit(-1.0, 0.0, fov.left),
+            unit(0.0, 1.0, -fov.up),
+            unit(0.0, -1.0, fov.down),
+            unit(0.0, 0.0, -1.0),
+        ];
+        let turned = DMat3::from_cols(axes.x_axis, axes.y_axis, -axes.z_axis).transpose();
+        Self { position, axes: turned, sides }
+    }
+
+    /// Where the eye is.
+    pub fn position(&self) -> DVec3 {
+        self.position
+    }
+
+    /// Its line of sight, of length 1.
+    pub fn forward(&self) -> DVec3 {
+        self.axes.row(2)
+    }
+
+    /// Writes what is seen of a tile of spheres, of which `first` is the number of the first: those out of view as HIDDEN
+    /// where asked to; those around the eye take 4π.
+    pub(super) fn see(
+        &self,
+        centers: &[[f64; 3]],
+        radii: &[f64],
+        first: usize,
+        cull: bool,
+        to: &mut Sight,
+    ) -> Result<()> {
+        let hidden = if cull { HIDDEN } else { 0.0 };
+        see(self, hidden, centers, radii, to);
+        for n in 0..centers.len() {
+            if to.odd[n] > 0.0 {
+                check(&centers[n..=n], &radii[n..=n], self.position, first + n)?;
+                self.see_one(centers[n], radii[n], hidden, to, n);
+            }
+        }
+        Ok(())
+    }
+
+    /// Of sizes whose squares are not floats.
+    fn see_one(&self, center: [f64; 3], radius: f64, hidden: f64, to: &mut Sight, n: usize) {
+        let offset = DVec3::from_array(center) - self.position;
+        let scale = offset.abs().max_element().max(radius);
+        let scale = if scale > 0.0 { scale } else { 1.0 };
+        let place = (self.axes * (offset / scale)).to_array();
+        (to.sigma[n], [to.sin_alpha[n], to.cos_alpha[n], to.sin_mu[n], to.cos_mu[n]], _) =
+            seen(self, hidden, place, radius / scale);
+    }
+}
+
+/// What is seen of a tile of spheres.
+#[derive(Debug)]
+pub(super) struct Sight {
+    /// σ, HIDDEN or 4π.
+    pub sigma: [f64; TILE],
+    pub sin_alpha: [f64; TILE],
+    pub cos_alpha: [f64; TILE],
+    pub sin_mu: [f64; TILE],
+    pub cos_mu: [f64; TILE],
+    /// 1 where squares are not floats, or nothing is.
+    odd: [f64; TILE],
+}
+
+impl Default for Sight {
+    fn default() -> Self {
+        let [sigma, sin_alpha, cos_alpha, sin_mu, cos_mu, odd] = [[0.0; TILE]; 6];
+        Self { sigma, sin_alpha, cos_alpha, sin_mu, cos_mu, odd }
+    }
+}
+
+widest! {
+    fn see(view: &View, hidden: f64, centers: &[[f64; 3]], radii: &[f64], to: &mut Sight) = see_blocks;
+}
+
+#[inline(always)]
+fn see_blocks(view: &View, hidden: f64, centers: &[[f64; 3]], radii: &[f64], to: &mut Sight) {
+    let eye = view.position.to_array();
+    for first in (0..centers.len().min(TILE)).step_by(LANES) {
+        let many = LANES.min(centers.len() - first);
+        let mut offset = [[0.0; LANES]; 3];
+        let mut radius = [0.0; LANES];
+        let (from, sizes) = (&centers[first..first + many], &radii[first..first + many]);
+        if many == LANES {
+            for n in 0..LANES {
+                offset[0][n] = from[n][0] - eye[0];
+                offset[1][n] = from[n][1] - eye[1];
+                offset[2][n] = from[n][2] - eye[2];
+                radius[n] = sizes[n];
+            }
+        } else {
+            for n in 0..many {
+                for axis in 0..3 {
+                    offset[axis][n] = from[n][axis] - eye[axis];
+                }
+                radius[n] = sizes[n];
+            }
+        }
+        let [sigma, sin_alpha, cos_alpha, sin_mu, cos_mu, odd] =
+            [&mut to.sigma, &mut to.sin_alpha, &mut to.cos_alpha, &mut to.sin_mu, &mut to.cos_mu, &mut to.odd]
+                .map(|values| &mut values[first..first + LANES]);
+        let [x_axis, y_axis, z_axis] = [view.axes.x_axis, view.axes.y_axis, view.axes.z_axis].map(|a| a.to_array());
+        for n in 0..LANES {
+            let (x, y, z) = (offset[0][n], offset[1][n], offset[2][n]);
+            let place = [
+                x_axis[0] * x + y_axis[0] * y + z_axis[0] * z,
+                x_axis[1] * x + y_axis[1] * y + z_axis[1] * z,
+                x_axis[2] * x + y_axis[2] * y + z_axis[2] * z,
+            ];
+            let (own, angles, is_plain) = seen(view, hidden, place, radius[n]);
+            sigma[n] = own;
+            sin_alpha[n] = angles[0];
+            cos_alpha[n] = angles[1];
+            sin_mu[n] = angles[2];
+            cos_mu[n] = angles[3];
+            odd[n] = if is_plain { 0.0 } else { 1.0 };
+        }
+    }
+}
+
+/// σ, the sines and cosines of α and μ, and whether squares were floats, of a sphere at (right, up, ahead).
+#[inline(always)]
+fn seen(view: &View, hidden: f64, place: [f64; 3], radius: f64) -> (f64, [f64; 4], bool) {
+    let [x, y, ahead] = place;
+    let mut outside = f64::NEG_INFINITY;
+    for side in &view.sides {
+        let away = side[0] * x + side[1] * y + side[2] * ahead;
+        outside = if away > outside { away } else { outside };
+    }
+    let square = x * x + y * y;
+    let full = square + ahead * ahead;
+    let distance = full.sqrt();
+    let over = 1.0 / distance;
+    let sin_mu = radius / distance;
+    let cos_mu = ((1.0 - sin_mu) * (1.0 + sin_mu)).sqrt();
+    let own = 2.0 * PI * (sin_mu * sin_mu / (1.0 + cos_mu));
+    let own = if distance > radius { own } else { 4.0 * PI };
+    let is_out = (outside - radius > SLACK * distance) & (hidden < 0.0);
+    let is_plain = (full >= PLAIN.start) & (full <= PLAIN.end) & (radius >= 0.0) & (radius < f64::INFINITY);
+    (if is_out { hidden } else { own }, [square.sqrt() * over, ahead * over, sin_mu, cos_mu], is_plain)
+}

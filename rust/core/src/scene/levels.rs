@@ -1,0 +1,267 @@
+//! Objects shown in more or less detail: every level of a model is a mesh, and instances take the one that was chosen.
+//! Nothing but lists of instances is made for a choice, so that thousands of objects change within a frame.
+
+use std::sync::Arc;
+
+use glam::DAffine3;
+
+use super::{Instance, InstanceSet, Material, Mesh, Part, Scene, Texture, merge};
+use crate::base::{Buffer, Error, Result};
+
+/// Stands for an object without a model, and for a level that is not drawn.
+const NONE: i32 = -1;
+
+/// The meshes of each model, one for each level, level 0 first.
+#[derive(Clone, Debug, Default)]
+pub struct LevelMeshes(pub Vec<Vec<Arc<Mesh>>>);
+
+impl LevelMeshes {
+    /// The mesh of a level; none for a level that is not drawn.
+    fn mesh(&self, model: usize, level: i32) -> Result<Option<&Arc<Mesh>>> {
+        let levels = self.0.get(model).ok_or_else(|| Error::value("models", self.models(), model))?;
+        match usize::try_from(level) {
+            Ok(number) => {
+                let found = levels.get(number);
+                found.map(Some).ok_or_else(|| Error::value("levels", below(levels.len()), level))
+            }
+            Err(_) if level == NONE => Ok(None),
+            Err(_) => Err(Error::value("levels", below(levels.len()), level)),
+        }
+    }
+
+    fn models(&self) -> String {
+        format!("numbers of models below {}", self.0.len())
+    }
+}
+
+fn below(count: usize) -> String {
+    format!("-1 or levels below {count}")
+}
+
+impl Scene {
+    /// The scene with materials and textures of others added to its own, equal ones once, and each of the others as one
+    /// mesh in its own frame whose materials are numbered so.
+    pub fn with_surfaces(&self, others: &[&Self]) -> Result<(Self, Vec<Mesh>)> {
+        let mut surfaces = Surfaces::of(self);
+        let mut meshes = Vec::new();
+        for other in others {
+            let numbers = surfaces.add(other);
+            let from_origin = DAffine3::from_translation(other.origin);
+            let part = |instance: &Instance| Part {
+                mesh: Arc::clone(&instance.mesh),
+                to_scene: from_origin * instance.to_scene,
+                object: instance.object,
+            };
+            let parts: Vec<Part> = other.instances().map(part).collect();
+            let mut mesh = merge(&parts)?;
+            mesh.materials = mesh.materials.renumbered(&numbers);
+            meshes.push(mesh);
+        }
+        Ok((surfaces.into_scene(self)?, meshes))
+    }
+
+    /// The scene with its objects at levels. `models` and `chosen` have a number for each object: which of the `meshes`
+    /// are its levels, −1 for none, and the level that it shows, −1 for an object that is left out.
+    pub fn at_levels(&self, meshes: &LevelMeshes, models: &[i32], chosen: &[i32]) -> Result<Self> {
+        if models.len() != chosen.len() {
+            return Err(Error::value("levels", format!("one for each of {} objects", models.len()), chosen.len()));
+        }
+        let standing = self.standing.at_levels(meshes, models, chosen)?;
+        let moving = self.moving.at_levels(meshes, models, chosen)?;
+        Ok(Self {
+            standing: standing.map_or_else(|| Arc::clone(&self.standing), Arc::new),
+            moving: moving.map_or_else(|| Arc::clone(&self.moving), Arc::new),
+            ..self.clone()
+        })
+    }
+
+    /// The instances of chosen objects, a flag for each object, whose faces all belong to one.
+    pub fn instances_of(&self, chosen: &[bool]) -> impl Iterator<Item = (i32, &Instance)> {
+        let is_chosen = |object: i32| usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true));
+        self.instances().filter_map(move |instance| {
+            instance.object.filter(|&object| is_chosen(object)).map(|object| (object, instance))
+        })
+    }
+}
+
+impl InstanceSet {
+    /// None where every instance stays what it is.
+    fn at_levels(&self, meshes: &LevelMeshes, models: &[i32], chosen: &[i32]) -> Result<Option<Self>> {
+        let mut instances = Vec::with_capacity(self.instances().len());
+        let mut unchanged = true;
+        for instance in self.instances() {
+            let object = instance.object.and_then(|object| usize::try_from(object).ok());
+            let model = object.and_then(|object| models.get(object)).and_then(|&model| usize::try_from(model).ok());
+            let (Some(object), Some(model)) = (object, model) else {
+                instances.push(instance.clone());
+                continue;
+            };
+            match meshes.mesh(model, chosen[object])? {
+                Some(mesh) if Arc::ptr_eq(mesh, &instance.mesh) => instances.push(instance.clone()),
+                Some(mesh) => {
+                    unchanged = false;
+                    instances.push(instance.with_mesh(Arc::clone(mesh), instance.object));
+                }
+                None => unchanged = false,
+            }
+        }
+        Ok((!unchanged).then(|| Self::new(instances)))
+    }
+}
+
+/// Materials and textures of several scenes, each once.
+struct Surfaces {
+    materials: Vec<Material>,
+    /// Image and texels of each texture: textures themselves are made in the end.
+    textures: Vec<Image>,
+    own: (usize, usize),
+}
+
+struct Image {
+    width: u32,
+    height: u32,
+    texels: Buffer<[u8; 4]>,
+}
+
+impl Image {
+    fn of(texture: &Texture) -> Self {
+        Self { width: texture.width, height: texture.height, texels: texture.texels.clone() }
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        let same_size = self.width == other.width && self.height == other.height;
+        same_size && (self.texels.as_ptr() == other.texels.as_ptr() || *self.texels == *other.texels)
+    }
+}
+
+impl Surfaces {
+    fn of(scene: &Scene) -> Self {
+        let textures: Vec<Image> = scene.textures.iter().map(Image::of).collect();
+        Self { materials: scene.materials.to_vec(), own: (scene.materials.len(), textures.len()), textures }
+    }
+
+    /// Adds a scene's surfaces; returns the new number of each of its materials.
+    fn add(&mut self, scene: &Scene) -> Vec<i32> {
+        let links: Vec<u32> = scene.textures.iter().map(|texture| self.texture(Image::of(texture))).collect();
+        let number = |material: &Material| {
+            let texture = material.texture.and_then(|texture| links.get(texture as usize).copied());
+            self.material(Material { texture, ..*material })
+        };
+        scene.materials.iter().map(number).collect()
+    }
+
+    fn texture(&mut self, image: Image) -> u32 {
+        let known = self.textures.iter().position(|other| other.is_same(&image));
+        known.unwrap_or_else(|| {
+            self.textures.push(image);
+            self.textures.len() - 1
+        }) as u32
+    }
+
+    fn material(&mut self, material: Material) -> i32 {
+        let known = self.materials.iter().position(|other| *other == material);
+        known.unwrap_or_else(|| {
+            self.materials.push(material);
+            self.materials.len() - 1
+        }) as i32
+    }
+
+    /// The scene with these surfaces; its own lists, by which devices know them, where nothing was added.
+    fn into_scene(self, scene: &Scene) -> Result<Scene> {
+        let mut result = scene.clone();
+        if self.textures.len() > self.own.1 {
+            let made = self.textures.into_iter().map(|image| Texture::new(image.width, image.height, image.texels));
+            result.textures = Arc::new(made.collect::<Result<_>>()?);
+        }
+        if self.materials.len() > self.own.0 {
+            result.materials = Arc::new(self.materials);
+        }
+        Ok(result)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::scene::FaceMap;
+
+    /// A fan of `count` triangles with one material of a scene's.
+    fn fan(count: u32, material: i32) -> Arc<Mesh> {
+        let rim = (0..=count).map(|i| [f64::from(i).cos() as f32, f64::from(i).sin() as f32, 0.0]);
+        let positions: Vec<[f32; 3]> = std::iter::once([0.0; 3]).chain(rim).collect();
+        let faces: Vec<[u32; 3]> = (1..=count).map(|i| [0, i, i + 1]).collect();
+        let (objects, materials) = (FaceMap::Uniform(-1), FaceMap::Uniform(material));
+        Arc::new(Mesh::new(positions.into(), faces.into(), None, None, objects, materials).unwrap())
+    }
+
+    fn placed(mesh: &Arc<Mesh>, x: f64, object: i32) -> Instance {
+        Instance::new(Arc::clone(mesh), DAffine3::from_translation(DVec3::X * x), Some(object)).unwrap()
+    }
+
+    fn image(code: u8) -> Texture {
+        Texture::new(1, 2, vec![[code; 4]; 2].into()).unwrap()
+    }
+
+    fn scene(standing: Vec<Instance>, materials: Vec<Material>, textures: Vec<Texture>) -> Scene {
+        Scene::new(DVec3::ZERO, standing, Vec::new(), Arc::new(materials), Arc::new(textures)).unwrap()
+    }
+
+    #[test]
+    fn surfaces_are_added_once_and_meshes_speak_of_them() {
+        let red = |texture| Material { base_color: [1.0, 0.0, 0.0, 1.0], texture, alpha: crate::scene::Alpha::Opaque };
+        let own = scene(vec![placed(&fan(2, 0), 0.0, 0)], vec![red(Some(0))], vec![image(7)]);
+        let mesh = fan(3, 1);
+        let other = || scene(vec![placed(&mesh, 0.0, 0)], vec![red(Some(1)), red(Some(0))], vec![image(9), image(7)]);
+        let (joined, meshes) = own.with_surfaces(&[&other(), &other()]).unwrap();
+        assert_eq!(*joined.materials, vec![red(Some(0)), red(Some(1))]);
+        assert_eq!(joined.textures.iter().map(|t| t.texels[0][0]).collect::<Vec<_>>(), [7, 9]);
+        for level in &meshes {
+            // The other's material 1 has the texels that the scene had already.
+            assert_eq!(level.materials.get(2), 1 - 1);
+            assert_eq!(level.positions.as_ptr(), mesh.positions.as_ptr());
+        }
+        let (again, _) = joined.with_surfaces(&[&other()]).unwrap();
+        assert!(Arc::ptr_eq(&again.materials, &joined.materials) && Arc::ptr_eq(&again.textures, &joined.textures));
+    }
+
+    #[test]
+    fn a_level_of_several_placed_meshes_is_one_mesh_in_its_own_frame() {
+        let level =
+            scene(vec![placed(&fan(1, 0), 0.0, 0), placed(&fan(2, 0), 5.0, 1)], vec![Material::default()], vec![]);
+        let far = Scene { origin: DVec3::Y * 1e5, ..level.clone() };
+        let (_, meshes) = scene(vec![], vec![], vec![]).with_surfaces(&[&level, &far]).unwrap();
+        assert_eq!(meshes[0].faces.len(), 3);
+        assert_eq!(meshes[0].corners(1)[0].to_array(), [5.0, 0.0, 0.0]);
+        assert_eq!(meshes[1].corners(1)[0].to_array(), [5.0, 1e5, 0.0]);
+    }
+
+    #[test]
+    fn objects_show_their_levels_and_the_rest_stays() {
+        let (fine, coarse, wall) = (fan(9, 0), fan(2, 0), fan(4, 0));
+        let meshes = LevelMeshes(vec![vec![Arc::clone(&fine), Arc::clone(&coarse)]]);
+        let all = vec![placed(&wall, 0.0, 0), placed(&fine, 1.0, 1), placed(&fine, 2.0, 2), placed(&fine, 3.0, 3)];
+        let whole = scene(all, vec![Material::default()], vec![]);
+        let models = [-1, 0, 0, 0];
+        let shown = whole.at_levels(&meshes, &models, &[-1, 0, 1, -1]).unwrap();
+        let found: Vec<_> =
+            shown.instances().map(|i| (i.object, i.mesh.faces.len(), i.to_scene.translation.x)).collect();
+        assert_eq!(found, [(Some(0), 4, 0.0), (Some(1), 9, 1.0), (Some(2), 2, 2.0)]);
+        assert!(Arc::ptr_eq(&shown.instance(2).mesh, &coarse));
+        assert_eq!(shown.instance(2).bounds, placed(&coarse, 2.0, 2).bounds);
+        let same = whole.at_levels(&meshes, &models, &[5, 0, 0, 0]).unwrap();
+        assert!(Arc::ptr_eq(&same.standing, &whole.standing) && Arc::ptr_eq(&same.moving, &whole.moving));
+    }
+
+    #[test]
+    fn levels_that_do_not_exist_are_refused() {
+        let fine = fan(9, 0);
+        let whole = scene(vec![placed(&fine, 0.0, 0)], vec![Material::default()], vec![]);
+        let meshes = LevelMeshes(vec![vec![fine]]);
+        for (models, chosen) in [(0, 1), (0, -2), (1, 0)] {
+            assert!(whole.at_levels(&meshes, &[models], &[chosen]).is_err());
+        }
+        assert!(whole.at_levels(&meshes, &[0], &[]).is_err());
+    }
+}
