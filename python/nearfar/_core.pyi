@@ -7,6 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 _Report = Callable[[int, int], object]
+_F32 = NDArray[np.float32]
+_F64 = NDArray[np.float64]
+_U32 = NDArray[np.uint32]
+_Point = tuple[float, float, float]
 
 # base ---------------------------------------------------------------------------------------------------------------
 class Error(Exception): ...
@@ -14,30 +18,30 @@ class SceneError(Error): ...
 class FormatError(Error): ...
 class DeviceError(Error): ...
 
-def uniform(seed: int, cell: int, index: NDArray[np.uint64]) -> NDArray[np.float64]: ...
+def uniform(seed: int, cell: int, index: NDArray[np.uint64]) -> _F64: ...
 def thread_count() -> int: ...
 def probe(behaviour: str, report: _Report | None = None) -> None: ...
 
 # scene --------------------------------------------------------------------------------------------------------------
-_FaceMap = int | NDArray[np.int32] | tuple[NDArray[np.uint32], NDArray[np.int32]]
+_FaceMap = int | NDArray[np.int32] | tuple[_U32, NDArray[np.int32]]
 
 @final
 class Mesh:
     def __new__(
         cls,
-        positions: NDArray[np.float32],
-        faces: NDArray[np.uint32],
+        positions: _F32,
+        faces: _U32,
         *,
-        uvs: NDArray[np.float32] | None = None,
+        uvs: _F32 | None = None,
         colors: NDArray[np.uint8] | None = None,
-        normals: NDArray[np.float32] | None = None,
+        normals: _F32 | None = None,
         objects: _FaceMap,
         materials: _FaceMap,
     ) -> Mesh: ...
     @staticmethod
-    def merged(meshes: list[Mesh], placements: NDArray[np.float64], objects: NDArray[np.int32]) -> Mesh: ...
+    def merged(meshes: list[Mesh], placements: _F64, objects: NDArray[np.int32]) -> Mesh: ...
     def turned(self) -> Mesh: ...
-    def bounds(self) -> NDArray[np.float64]: ...
+    def bounds(self) -> _F64: ...
     @property
     def vertex_count(self) -> int: ...
     @property
@@ -48,27 +52,27 @@ class Scene:
     def __new__(
         cls,
         *,
-        origin: tuple[float, float, float],
+        origin: _Point,
         meshes: list[Mesh],
-        placements: NDArray[np.float64],
+        placements: _F64,
         objects: NDArray[np.int32],
         standing_count: int,
-        material_colors: NDArray[np.float32],
+        material_colors: _F32,
         material_textures: NDArray[np.int32],
-        material_cutoffs: NDArray[np.float32],
+        material_cutoffs: _F32,
         textures: list[NDArray[np.uint8]],
     ) -> Scene: ...
     def merged(self) -> Mesh: ...
     def of_mesh(self, mesh: Mesh) -> Scene: ...
-    def posed(self, placements: NDArray[np.float64]) -> Scene: ...
+    def posed(self, placements: _F64) -> Scene: ...
     def with_moving(self, chosen: NDArray[np.bool_]) -> Scene: ...
     def subset_of_objects(self, chosen: NDArray[np.bool_]) -> Scene: ...
     def without_objects(self, chosen: NDArray[np.bool_]) -> Scene: ...
     def subset_of_triangles(self, chosen: NDArray[np.bool_]) -> Scene: ...
-    def moving_placements(self) -> NDArray[np.float64]: ...
+    def moving_placements(self) -> _F64: ...
     def moving_objects(self) -> NDArray[np.int32]: ...
     @property
-    def origin(self) -> tuple[float, float, float]: ...
+    def origin(self) -> _Point: ...
     @property
     def material_count(self) -> int: ...
     @property
@@ -83,8 +87,8 @@ class Scene:
     @property
     def instance_count(self) -> int: ...
     def triangle_offsets(self) -> NDArray[np.int64]: ...
-    def bounds(self) -> NDArray[np.float64]: ...
-    def triangles(self) -> NDArray[np.float32]: ...
+    def bounds(self) -> _F64: ...
+    def triangles(self) -> _F32: ...
 
 @final
 class Levels:
@@ -93,13 +97,9 @@ class Levels:
 
 def with_surfaces(scene: Scene, others: list[Scene]) -> tuple[Scene, list[Mesh]]: ...
 def with_instances(
-    scene: Scene,
-    meshes: list[Mesh],
-    placements: NDArray[np.float64],
-    objects: NDArray[np.int32],
-    standing_count: int,
+    scene: Scene, meshes: list[Mesh], placements: _F64, objects: NDArray[np.int32], standing_count: int
 ) -> Scene: ...
-def placements_of(scene: Scene, chosen: NDArray[np.bool_]) -> tuple[NDArray[np.float64], NDArray[np.int32]]: ...
+def placements_of(scene: Scene, chosen: NDArray[np.bool_]) -> tuple[_F64, NDArray[np.int32]]: ...
 def scene_parts(scene: Scene) -> dict[str, Any]: ...
 def mesh_parts(mesh: Mesh) -> dict[str, Any]: ...
 
@@ -108,7 +108,7 @@ def mesh_parts(mesh: Mesh) -> dict[str, Any]: ...
 class Camera:
     def __new__(
         cls,
-        position: tuple[float, float, float],
+        position: _Point,
         orientation: tuple[float, float, float, float],
         size: tuple[int, int],
         *,
@@ -116,8 +116,8 @@ class Camera:
         bounds: tuple[float, float, float, float] = ...,
         face: int = 0,
     ) -> Camera: ...
-    def project(self, points: NDArray[np.float64]) -> NDArray[np.float64]: ...
-    def rays(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+    def project(self, points: _F64) -> _F64: ...
+    def rays(self) -> tuple[_F64, _F64]: ...
     @property
     def is_parallel(self) -> bool: ...
     @property
@@ -147,35 +147,22 @@ def cast_rays(
     directions: NDArray[np.float32 | np.float64],
     t_max: float,
     report: _Report | None = None,
-) -> tuple[NDArray[np.float32], NDArray[np.int64], NDArray[np.int32], NDArray[np.float32]]: ...
+) -> tuple[_F32, NDArray[np.int64], NDArray[np.int32], _F32]: ...
 def nearest_points(
-    scene: Scene,
-    points: NDArray[np.float32] | NDArray[np.float64],
-    *,
-    facing: NDArray[np.float32] | None = None,
-    report: _Report | None = None,
-) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]: ...
+    scene: Scene, points: _F32 | _F64, *, facing: _F32 | None = None, report: _Report | None = None
+) -> tuple[_F64, NDArray[np.int64], _F64]: ...
 def instruction_sets() -> list[str]: ...
 def use_instruction_set(name: str) -> None: ...
 
 # partition ----------------------------------------------------------------------------------------------------------
 def triangle_radii(
-    vertices: NDArray[np.float32] | NDArray[np.float64],
-    faces: NDArray[np.uint32] | None,
-    center: tuple[float, float, float],
-    report: _Report | None = None,
-) -> NDArray[np.float32] | NDArray[np.float64]: ...
+    vertices: _F32 | _F64, faces: _U32 | None, center: _Point, report: _Report | None = None
+) -> _F32 | _F64: ...
 
 @final
 class Partition:
     def __new__(
-        cls,
-        scene: Scene,
-        *,
-        center: tuple[float, float, float],
-        r1: float,
-        r2: float,
-        report: _Report | None = None,
+        cls, scene: Scene, *, center: _Point, r1: float, r2: float, report: _Report | None = None
     ) -> Partition: ...
     def triangles(self, part: str) -> NDArray[np.int64]: ...
     def counts(self) -> dict[str, int]: ...
@@ -183,11 +170,9 @@ class Partition:
 
 @final
 class LoadCurve:
-    def __new__(
-        cls, scene: Scene, *, center: tuple[float, float, float], report: _Report | None = None
-    ) -> LoadCurve: ...
-    def count(self, r2: NDArray[np.float64]) -> NDArray[np.int64]: ...
-    def radius(self, budget: NDArray[np.int64]) -> NDArray[np.float64]: ...
+    def __new__(cls, scene: Scene, *, center: _Point, report: _Report | None = None) -> LoadCurve: ...
+    def count(self, r2: _F64) -> NDArray[np.int64]: ...
+    def radius(self, budget: NDArray[np.int64]) -> _F64: ...
     @property
     def total(self) -> int: ...
     @property
@@ -195,48 +180,32 @@ class LoadCurve:
 
 # morph --------------------------------------------------------------------------------------------------------------
 def morph(
-    points: NDArray[np.float32] | NDArray[np.float64],
-    shown: NDArray[Any],
-    *,
-    user: tuple[float, float, float],
-    center: tuple[float, float, float],
-    r1: float,
-    r2: float,
-    kind: str,
+    points: _F32 | _F64, shown: NDArray[Any], *, user: _Point, center: _Point, r1: float, r2: float, kind: str
 ) -> int: ...
 
 # bend ---------------------------------------------------------------------------------------------------------------
 def bend_rays(
-    directions: NDArray[np.float64],
+    directions: _F64,
     *,
-    user: tuple[float, float, float],
-    center: tuple[float, float, float],
+    user: _Point,
+    center: _Point,
     r1: float,
     r2: float,
     kind: str,
     tolerance: float,
     report: _Report | None = None,
-) -> tuple[NDArray[np.float64], int]: ...
-def fold_margin(
-    user: tuple[float, float, float], *, center: tuple[float, float, float], r1: float, r2: float, kind: str
-) -> float: ...
+) -> tuple[_F64, int]: ...
+def fold_margin(user: _Point, *, center: _Point, r1: float, r2: float, kind: str) -> float: ...
 
 # tessellate ---------------------------------------------------------------------------------------------------------
 def tessellate_scene(
-    scene: Scene,
-    *,
-    center: tuple[float, float, float],
-    r1: float,
-    r2: float,
-    reach: float,
-    tolerance: float,
-    report: _Report | None = None,
+    scene: Scene, *, center: _Point, r1: float, r2: float, reach: float, tolerance: float, report: _Report | None = None
 ) -> tuple[Scene, dict[str, int]]: ...
 def tessellate_arrays(
-    vertices: NDArray[np.float64],
-    faces: NDArray[np.uint32],
+    vertices: _F64,
+    faces: _U32,
     *,
-    center: tuple[float, float, float],
+    center: _Point,
     r1: float,
     r2: float,
     reach: float,
@@ -252,7 +221,7 @@ def cube_lookup(maps: _InOut, directions: NDArray[Any], filter: str) -> None: ..
 def cube_nearest(maps: _InOut, directions: NDArray[Any]) -> None: ...
 def cube_footprint(maps: _InOut, directions: NDArray[Any], filter: str, radius: float) -> None: ...  # noqa: A002
 def cube_next_level(levels: _InOut, filter: str) -> None: ...  # noqa: A002
-def cube_solid_angles(out: NDArray[np.float64]) -> None: ...
+def cube_solid_angles(out: _F64) -> None: ...
 def convert_envmap(
     pictures: _InOut,
     shapes: tuple[_Shape, _Shape],
@@ -264,25 +233,20 @@ def convert_envmap(
 def convert_envmap_nearest(
     pictures: _InOut, shapes: tuple[_Shape, _Shape], *, report: _Report | None = None
 ) -> None: ...
-def envmap_directions(shape: _Shape, out: NDArray[np.float64]) -> None: ...
+def envmap_directions(shape: _Shape, out: _F64) -> None: ...
 def envmap_texels(shape: _Shape, directions: NDArray[Any], out: NDArray[np.int64]) -> None: ...
 
 # render -------------------------------------------------------------------------------------------------------------
 def render_truth(
-    scene: Scene,
-    camera: Camera,
-    *,
-    channels: list[str],
-    samples: int,
-    report: _Report | None = None,
+    scene: Scene, camera: Camera, *, channels: list[str], samples: int, report: _Report | None = None
 ) -> dict[str, NDArray[Any]]: ...
-def encode_srgb(linear: NDArray[np.float32]) -> NDArray[np.uint8]: ...
+def encode_srgb(linear: _F32) -> NDArray[np.uint8]: ...
 
 # reduce -------------------------------------------------------------------------------------------------------------
 def bake(
     scene: Scene,
     *,
-    center: tuple[float, float, float],
+    center: _Point,
     radius: float,
     size: int,
     samples: int,
@@ -300,8 +264,8 @@ class Reduced:
         morph: str,
         boundary: float,
         size: int = 0,
-        color: NDArray[np.float32] | None = None,
-        range: NDArray[np.float32] | None = None,  # noqa: A002
+        color: _F32 | None = None,
+        range: _F32 | None = None,  # noqa: A002
         object_id: NDArray[np.int32] | None = None,
         report: _Report | None = None,
     ) -> Reduced: ...
@@ -338,29 +302,23 @@ def multiscale(
     references: NDArray[Any], tests: NDArray[Any], *, settings: _Settings, scales: int
 ) -> list[list[list[float]]]: ...
 def discontinuity(
-    position: NDArray[np.float32],
+    position: _F32,
     *,
-    origin: tuple[float, float, float],
+    origin: _Point,
     width: int,
     camera: Camera,
     epsilon: float,
     min_distance: float,
     report: _Report | None = None,
-) -> NDArray[np.float32]: ...
+) -> _F32: ...
 def object_completion(reference: NDArray[np.int32], test: NDArray[np.int32]) -> tuple[float, float] | None: ...
 
 # bounds -------------------------------------------------------------------------------------------------------------
-def bounding_sphere(points: NDArray[np.float32] | NDArray[np.float64], *, method: str) -> list[float]: ...
+def bounding_sphere(points: _F32 | _F64, *, method: str) -> list[float]: ...
 def bounding_spheres(
-    points: NDArray[np.float32] | NDArray[np.float64],
-    offsets: NDArray[np.int64],
-    *,
-    method: str,
-    report: _Report | None = None,
+    points: _F32 | _F64, offsets: NDArray[np.int64], *, method: str, report: _Report | None = None
 ) -> list[list[float]]: ...
-def solid_angles(
-    centers: NDArray[np.float64], radii: NDArray[np.float64], eye: tuple[float, float, float]
-) -> NDArray[np.float64]: ...
+def solid_angles(centers: _F64, radii: _F64, eye: _Point) -> _F64: ...
 
 # lens ---------------------------------------------------------------------------------------------------------------
 _Bounds = tuple[float, float, float, float]
@@ -402,40 +360,21 @@ def warp_mesh(
     cells: tuple[int, int],
     size: tuple[int, int],
     distort: bool,
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.uint32], float]: ...
+) -> tuple[_F64, _F64, _U32, float]: ...
 def corrected_solid_angles(
-    lens: RadialLens,
-    centers: NDArray[np.float64],
-    radii: NDArray[np.float64],
-    *,
-    eye: tuple[float, float, float],
-    forward: tuple[float, float, float],
-    tan_omega: float,
-    exact: bool,
-) -> NDArray[np.float64]: ...
+    lens: RadialLens, centers: _F64, radii: _F64, *, eye: _Point, forward: _Point, tan_omega: float, exact: bool
+) -> _F64: ...
 
 # lod ----------------------------------------------------------------------------------------------------------------
-def fit_4pl(
-    x: NDArray[np.float64],
-    y: NDArray[np.float64],
-    *,
-    count: int,
-    report: _Report | None = None,
-) -> tuple[NDArray[np.float64], NDArray[np.uint8]]: ...
+def fit_4pl(x: _F64, y: _F64, *, count: int, report: _Report | None = None) -> tuple[_F64, NDArray[np.uint8]]: ...
 
-_Eye = tuple[
-    tuple[float, float, float],
-    tuple[float, float, float, float],
-    tuple[float, float, float, float],
-    tuple[float, float, float] | None,
-    float,
-]
+_Eye = tuple[_Point, tuple[float, float, float, float], tuple[float, float, float, float], _Point | None, float]
 
 def select_levels(
-    models: tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]],
+    models: tuple[_F64, NDArray[np.int64], _F64],
     model_index: NDArray[np.int64],
-    centers: NDArray[np.float64],
-    radii: NDArray[np.float64],
+    centers: _F64,
+    radii: _F64,
     *,
     previous: NDArray[np.int32] | None,
     eyes: list[_Eye],
@@ -450,31 +389,18 @@ def select_levels(
     hysteresis: float,
     fade: float,
     full: bool,
-) -> tuple[NDArray[np.int32], list[NDArray[np.float64]], list[int]]: ...
-def first_alike(rows: NDArray[np.uint8]) -> NDArray[np.uint32]: ...
-def pieces(faces: NDArray[np.uint32], vertex_count: int) -> NDArray[np.uint32]: ...
+) -> tuple[NDArray[np.int32], list[_F64], list[int]]: ...
+def first_alike(rows: NDArray[np.uint8]) -> _U32: ...
+def pieces(faces: _U32, vertex_count: int) -> _U32: ...
 def carry(
-    positions: NDArray[np.float32],
-    faces: NDArray[np.uint32],
-    corners: NDArray[np.float32],
-    starts: NDArray[np.uint32],
-    *,
-    report: _Report | None = None,
-) -> tuple[NDArray[np.uint32], NDArray[np.float64]]: ...
+    positions: _F32, faces: _U32, corners: _F32, starts: _U32, *, report: _Report | None = None
+) -> tuple[_U32, _F64]: ...
 def collapse(
-    positions: NDArray[np.float32],
-    attributes: NDArray[np.float32],
-    weights: NDArray[np.float32],
-    is_seam: NDArray[np.bool_],
-    faces: NDArray[np.uint32],
-    *,
-    target: int,
-    loose: bool,
-    report: _Report | None = None,
-) -> tuple[NDArray[np.uint32], float]: ...
+    positions: _F32, attributes: _F32, weights: _F32, is_seam: NDArray[np.bool_], faces: _U32, target: int, loose: bool
+) -> tuple[_U32, float]: ...
 
 # exr ----------------------------------------------------------------------------------------------------------------
-_Part = tuple[str, dict[str, NDArray[Any]], dict[str, str | tuple[float, float, float]]]
+_Part = tuple[str, dict[str, NDArray[Any]], dict[str, str | _Point]]
 
 def encode_exr(parts: list[_Part]) -> bytes: ...
 def decode_exr(data: bytes) -> list[_Part]: ...
@@ -494,19 +420,13 @@ class GpuDevice:
     def counters(self) -> tuple[int, int, int, int]: ...
     def lose(self) -> None: ...
     def truth(
-        self,
-        scene: Scene,
-        camera: Camera,
-        *,
-        channels: list[str],
-        samples: int,
-        report: _Report | None = None,
+        self, scene: Scene, camera: Camera, *, channels: list[str], samples: int, report: _Report | None = None
     ) -> GpuJob: ...
     def bake(
         self,
         scene: Scene,
         *,
-        center: tuple[float, float, float],
+        center: _Point,
         radius: float,
         size: int,
         samples: int,
@@ -542,29 +462,16 @@ class GpuFrame:
 def gpu_keep(job: GpuJob, report: _Report | None = None) -> GpuFrame: ...
 def gpu_similarity(
     reference: GpuFrame, test: GpuFrame, *, window: str, size: int, sigma: float, full: bool
-) -> tuple[float, NDArray[np.float32] | None]: ...
+) -> tuple[float, _F32 | None]: ...
 def gpu_discontinuity(
-    frame: GpuFrame,
-    *,
-    camera: Camera,
-    epsilon: float,
-    min_distance: float,
-    report: _Report | None = None,
-) -> NDArray[np.float32]: ...
+    frame: GpuFrame, *, camera: Camera, epsilon: float, min_distance: float, report: _Report | None = None
+) -> _F32: ...
 def gpu_morph(
-    device: GpuDevice,
-    points: NDArray[np.float32],
-    shown: NDArray[np.float32],
-    *,
-    user: tuple[float, float, float],
-    center: tuple[float, float, float],
-    r1: float,
-    r2: float,
-    kind: str,
+    device: GpuDevice, points: _F32, shown: _F32, *, user: _Point, center: _Point, r1: float, r2: float, kind: str
 ) -> None: ...
 def gpu_cube_lookup(
     device: GpuDevice,
-    maps: tuple[NDArray[np.float32], NDArray[np.float32]],
-    directions: NDArray[np.float32],
+    maps: tuple[_F32, _F32],
+    directions: _F32,
     filter: str,  # noqa: A002
 ) -> None: ...

@@ -45,7 +45,9 @@ class Surface:
 class Base:
     """One object: its surface, and the scene that its levels take materials and textures from."""
 
-    def __init__(self, mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[str], name: str | None) -> None:
+    def __init__(
+        self, mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[str], name: str | None = None
+    ) -> None:
         scene = _scene_of(mesh)
         if name is not None and not isinstance(name, str):
             raise TypeError(f"name: expected a string, got {type(name).__name__}")

@@ -18,8 +18,8 @@ TOLERANCE = {"uvs": 1 / 2048, "colors": 2.0, "normals": 0.02}
 class Carrier:
     """Finds for each corner of a level its place on the base, and takes the attributes from there.
 
-    Triangles of a level descend from faces of the base, and each corner looks from that face on, never across a seam: so
-    it finds its own side of a seam, also where both sides belong to one chart.
+    Triangles of a level descend from faces of the base, and each corner looks from that face on, never across a seam:
+    so it finds its own side of a seam, also where both sides belong to one chart.
     """
 
     def __init__(self, surface: Surface) -> None:
@@ -69,7 +69,6 @@ class Carrier:
 def _stored(key: str, rows: NDArray[np.float64], dtype: np.dtype[Any]) -> NDArray[Any]:
     if key == "normals":
         rows = unit(rows)
-        rows[~rows.any(axis=1)] = (0, 1, 0)
     elif key == "colors":
         rows = np.rint(rows)
     return np.ascontiguousarray(rows, dtype)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar.lod._base import Surface, charts_of
+from nearfar.lod._base import Surface, charts_of, first_alike
 from nearfar.lod._carry import Carrier
 from nearfar.lod._normals import unit
 
@@ -22,6 +22,9 @@ collapse in the order of the list, and a large one would never reach few triangl
 
 FIN = 0.5123
 """Height of a fin over its edge, as a share of the edge; an odd number, so that its apex is no vertex of a lattice."""
+
+_TRIES, _NEAR = 3, 0.005
+"""Runs until a level has its triangles, but for a share of them."""
 
 _ONE_AT_A_TIME = threading.Lock()
 """fast-simplification works in global variables."""
@@ -37,13 +40,13 @@ class Quadrics:
     def __init__(self, surface: Surface, places: NDArray[np.uint32]) -> None:
         self._package = _package()
         self._surface = surface
-        low, high = surface.positions.min(axis=0), surface.positions.max(axis=0)
-        self._middle = (low.astype(np.float64) + high) / 2
-        self._scale = EXTENT / max(float((high - low).max()), np.finfo(np.float32).tiny)
         faces, self._origin = _distinct(places[surface.faces])
         used, welded = np.unique(faces, return_inverse=True)
         self._faces = welded.reshape(-1, 3).astype(np.int32)
-        self._points = (surface.positions[used] - self._middle) * self._scale
+        points = surface.positions[used].astype(np.float64)
+        low, extent = _box(points)
+        self._middle, self._scale = low + extent / 2, EXTENT / extent
+        self._points = (points - self._middle) * self._scale
         _, seams = charts_of(surface, *("uvs",) * ("uvs" in surface.attributes))
         self._fins = fins(self._points, self._faces, seams[self._origin])
 
@@ -60,19 +63,21 @@ class Quadrics:
         rest = np.arange(len(points), len(points) + len(apexes), dtype=np.int32)
         both = np.concatenate([points, apexes]), np.concatenate([faces, np.column_stack([feet, rest])])
         wanted = target
-        for _ in range(3):
-            # Fins that are left count too: how many is known after a try.
+        for _ in range(_TRIES):
             moved, roots = self._run(*both, wanted)
-            left = roots[faces]
+            places = (moved / self._scale + self._middle).astype(np.float32)
+            # Flat parts collapse onto corners where a vertex is already: such faces are nothing.
+            left = first_alike(places)[roots][faces]
             kept = np.flatnonzero(_is_triangle(left))
-            standing = int(_is_triangle(roots[both[1][len(faces) :]]).sum())
-            if wanted == target + standing:
+            missing = target - len(kept)
+            # Fins that are left count too: how many is known after a try.
+            if abs(missing) <= _NEAR * target or not 0 < wanted + missing < len(both[1]):
                 break
-            wanted = target + standing
+            wanted += missing
         left = left[kept]
         used, renumbered = np.unique(left, return_inverse=True)
-        places = (moved[used] / self._scale + self._middle).astype(np.float32)
-        return self._carrier.carried(places, renumbered.reshape(-1, 3).astype(np.uint32), self._origin[kept])
+        triangles = np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32)
+        return self._carrier.carried(places[used], triangles, self._origin[kept])
 
     def _run(
         self, points: NDArray[np.float64], faces: NDArray[np.int32], target: int
@@ -154,8 +159,8 @@ def fins(
 class _Weight:
     """How much a difference of 1 in an attribute counts, as a share of the extent."""
 
-    normals: float = 0.5
-    colors: float = 0.5
+    normals: float = 0.1
+    colors: float = 0.1
     uvs: float = 0.5
     """Of what the texture slides over the surface."""
 
@@ -189,12 +194,11 @@ class Picks:
     def _weigh(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         surface, weight = self._surface, _Weight()
         columns, weights = [], []
-        low, high = surface.positions.min(axis=0), surface.positions.max(axis=0)
-        extent = max(float((high - low).max()), np.finfo(np.float32).tiny)
+        _, extent = _box(surface.positions[self._vertex].astype(np.float64))
         for key, values in surface.attributes.items():
             rows = values[self._vertex].astype(np.float32)
             if key == "colors":
-                rows, share = rows / 255, weight.colors
+                rows, share = rows / np.float32(255), weight.colors
             elif key == "normals":
                 share = weight.normals
             else:
@@ -209,13 +213,11 @@ class Picks:
         """Return the surface in about `target` triangles; seams of normals and colours are given up where they must."""
         if target >= len(self._faces):
             return self._surface
-        table, weights = self._weights
-        faces = self._faces
-        for loose in (False, True):
-            with_seams = (self._positions, table, weights, self._is_seam, faces)
-            left, _ = _core.collapse(*with_seams, target=target, loose=loose)
-            if len(left) <= 1.01 * target:
-                break
+        arrays = (self._positions, *self._weights, self._is_seam, self._faces)
+        left, _ = _core.collapse(*arrays, target, False)
+        if len(left) > 1.01 * target:
+            loose, _ = _core.collapse(*arrays, target, True)
+            left = min(left, loose, key=len)
         used, renumbered = np.unique(left, return_inverse=True)
         vertex = self._vertex[used]
         return Surface(
@@ -224,6 +226,14 @@ class Picks:
             np.ascontiguousarray(self._material[left[:, 0]]),
             {key: np.ascontiguousarray(value[vertex]) for key, value in self._surface.attributes.items()},
         )
+
+
+def _box(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
+    """Least corner and longest side of the box of points; 1 where it has no side."""
+    if not len(points):
+        return np.zeros(3), 1.0
+    low, high = points.min(axis=0), points.max(axis=0)
+    return low, float((high - low).max()) or 1.0
 
 
 def _stretch(surface: Surface) -> float:

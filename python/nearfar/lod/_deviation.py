@@ -15,9 +15,7 @@ SAMPLES = 20_000
 _SEED, _PLACE, _FIRST, _SECOND = 7, 0, 1, 2
 
 
-def deviation(
-    base: tuple[Scene, Surface], level: tuple[Scene, Surface], samples: int = SAMPLES
-) -> tuple[float, float]:
+def deviation(base: tuple[Scene, Surface], level: tuple[Scene, Surface], samples: int = SAMPLES) -> tuple[float, float]:
     """Greatest and mean distance, metres.
 
     The greatest is over all vertices of both surfaces and points spread over their areas, each to the nearest point of

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from nearfar import _core
 
 CREASE = np.cos(np.radians(60.0))
-"""Cosine of the angle between two faces from which on the edge between them is hard: a hexagonal prism keeps its edges."""
+"""Cosine of the angle between two faces from which on the edge between them is hard."""
 
 
 def smoothed(
@@ -40,9 +40,8 @@ def smoothed(
     weighted = (angles[:, :, None] * normal[:, None]).reshape(-1, 3)
     for axis in range(3):
         sums[:, axis] = np.bincount(group, weighted[:, axis], len(group))
+    # Faces without an area have none: zero stands for that.
     of_corner = unit(sums[group])
-    # Faces without an area have no normal: they are never seen, but a vertex of theirs needs one.
-    of_corner[~of_corner.any(axis=1)] = (0, 1, 0)
     key = np.column_stack([faces.ravel(), group.astype(np.uint32)])
     row = _core.first_alike(np.ascontiguousarray(key.astype(np.uint32)).view(np.uint8).reshape(len(key), -1))
     return row.reshape(-1, 3).astype(np.int64), of_corner.astype(np.float32)

@@ -1,9 +1,8 @@
 //! Bindings of the part of `lod` that makes coarser surfaces.
 
-use nearfar_core::base::Progress;
 use nearfar_core::lod::{self, Charts, Vertices};
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
 use numpy::PyUntypedArrayMethods;
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::prelude::*;
 
 use crate::run;
@@ -51,8 +50,7 @@ fn carry<'py>(
 
 /// Faces that meshoptimizer leaves, and its own estimate of the error as a share of the extent.
 #[pyfunction]
-#[pyo3(signature = (positions, attributes, weights, is_seam, faces, *, target, loose, report=None))]
-#[expect(clippy::too_many_arguments, reason = "what the simplifier weighs, by keyword mostly")]
+#[expect(clippy::too_many_arguments, reason = "what the simplifier weighs")]
 fn collapse<'py>(
     py: Python<'py>,
     positions: PyReadonlyArray2<'py, f32>,
@@ -62,7 +60,6 @@ fn collapse<'py>(
     faces: PyReadonlyArray2<'py, u32>,
     target: usize,
     loose: bool,
-    report: Option<Py<PyAny>>,
 ) -> PyResult<(Bound<'py, PyArray2<u32>>, f32)> {
     let vertices = Vertices {
         positions: positions.as_slice()?.as_chunks().0,
@@ -71,8 +68,7 @@ fn collapse<'py>(
         is_seam: is_seam.as_slice()?,
     };
     let faces = faces.as_slice()?.as_chunks().0;
-    let kernel = |_: &Progress| lod::collapse(vertices, faces, target, loose);
-    let (left, error) = run::long(py, report, kernel)?;
+    let (left, error) = run::short(py, || lod::collapse(vertices, faces, target, loose))?;
     let count = left.len();
     Ok((PyArray1::from_vec(py, left.into_flattened()).reshape([count, 3])?, error))
 }

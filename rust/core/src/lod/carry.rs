@@ -57,9 +57,23 @@ impl<'a> Charts<'a> {
         closest(self.faces[face as usize].map(|v| Vec3::from_array(self.positions[v as usize]).as_dvec3() - goal))
     }
 
+    fn around(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
+        self.around[self.starts[vertex as usize] as usize..self.starts[vertex as usize + 1] as usize].iter().copied()
+    }
+
     fn ring(&self, face: u32) -> impl Iterator<Item = u32> + '_ {
-        let faces = |vertex: u32| self.starts[vertex as usize] as usize..self.starts[vertex as usize + 1] as usize;
-        self.faces[face as usize].into_iter().flat_map(move |vertex| &self.around[faces(vertex)]).copied()
+        self.faces[face as usize].into_iter().flat_map(|vertex| self.around(vertex))
+    }
+
+    /// The outline of the faces around a face: vertices of theirs that are not its own.
+    fn outline(&self, face: u32, outline: &mut Vec<u32>) {
+        outline.clear();
+        let own = self.faces[face as usize];
+        let others =
+            self.ring(face).flat_map(|other| self.faces[other as usize]).filter(|vertex| !own.contains(vertex));
+        outline.extend(others.take(MOST_SECOND));
+        outline.sort_unstable();
+        outline.dedup();
     }
 
     /// The face among some that is nearer to the goal than the best; the nearest, and of equals the first.
@@ -75,12 +89,16 @@ impl<'a> Charts<'a> {
     }
 
     /// Walks from a face to where nothing around is nearer to the goal.
-    fn walk(&self, start: u32, goal: DVec3) -> Place {
+    fn walk(&self, start: u32, goal: DVec3, room: &mut Vec<u32>) -> Place {
         let (mut face, mut best) = (start, self.near(start, goal));
         loop {
-            // The second ring sees over ridges.
-            let second = || self.ring(face).flat_map(|other| self.ring(other)).take(MOST_SECOND);
-            let step = self.nearer(self.ring(face), goal, best).or_else(|| self.nearer(second(), goal, best));
+            let mut step = self.nearer(self.ring(face), goal, best);
+            if step.is_none() {
+                // The second ring sees over ridges.
+                self.outline(face, room);
+                let second = room.iter().flat_map(|&vertex| self.around(vertex)).take(MOST_SECOND);
+                step = self.nearer(second, goal, best);
+            }
             match step {
                 Some(step) => (face, best) = step,
                 None => return Place { face, weights: [best.u, best.v] },
@@ -91,14 +109,19 @@ impl<'a> Charts<'a> {
     /// The place of each corner of triangles (positions relative to the same zero), whose walks begin at `starts`.
     pub fn places(&self, corners: &[[[f32; 3]; 3]], starts: &[u32], progress: &Progress) -> Result<Vec<[Place; 3]>> {
         if starts.len() != corners.len() || starts.iter().any(|&face| face as usize >= self.faces.len()) {
-            return Err(Error::value("starts", format!("a face for each of {} triangles", corners.len()), starts.len()));
+            return Err(Error::value(
+                "starts",
+                format!("a face for each of {} triangles", corners.len()),
+                starts.len(),
+            ));
         }
         progress.expect(corners.len() as u64);
         let mut places = vec![[Place::default(); 3]; corners.len()];
         let tiles = places.par_chunks_mut(TILE).zip(corners.par_chunks(TILE)).zip(starts.par_chunks(TILE));
         tiles.try_for_each(|((places, corners), starts)| {
+            let mut room = Vec::new();
             for ((places, corners), &start) in places.iter_mut().zip(corners).zip(starts) {
-                *places = corners.map(|corner| self.walk(start, Vec3::from_array(corner).as_dvec3()));
+                *places = corners.map(|corner| self.walk(start, Vec3::from_array(corner).as_dvec3(), &mut room));
             }
             progress.report(corners.len() as u64)
         })?;

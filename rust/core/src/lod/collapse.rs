@@ -23,12 +23,21 @@ pub struct Vertices<'a> {
 
 /// Chosen faces that remain of a surface, about `target` of them, and the share of its extent that it may be off by.
 /// `loose` gives up the seams of vertices without a flag.
-pub fn collapse(vertices: Vertices<'_>, faces: &[[u32; 3]], target: usize, loose: bool) -> Result<(Vec<[u32; 3]>, f32)> {
+pub fn collapse(
+    vertices: Vertices<'_>,
+    faces: &[[u32; 3]],
+    target: usize,
+    loose: bool,
+) -> Result<(Vec<[u32; 3]>, f32)> {
     let count = vertices.positions.len();
     check_faces(faces, count)?;
     let width = vertices.weights.len();
     if vertices.attributes.len() != count * width || vertices.is_seam.len() != count || width > MOST_ATTRIBUTES {
-        return Err(Error::value("attributes", format!("{width} for each of {count} vertices"), vertices.attributes.len()));
+        return Err(Error::value(
+            "attributes",
+            format!("{width} for each of {count} vertices"),
+            vertices.attributes.len(),
+        ));
     }
     if vertices.positions.as_flattened().iter().chain(vertices.attributes).any(|x| !x.is_finite()) {
         return Err(Error::value("vertices", "finite coordinates and attributes", "NaN or infinity"));
@@ -47,7 +56,7 @@ pub fn collapse(vertices: Vertices<'_>, faces: &[[u32; 3]], target: usize, loose
         &adapter,
         vertices.attributes,
         vertices.weights,
-        width * size_of::<f32>(),
+        size_of_val(vertices.weights),
         &locks,
         3 * target,
         f32::MAX,
@@ -64,8 +73,7 @@ mod tests {
     #[test]
     fn a_plane_becomes_few_triangles_and_keeps_its_outline() {
         let side = 33u32;
-        let positions: Vec<[f32; 3]> =
-            (0..side * side).map(|i| [(i % side) as f32, 0.0, (i / side) as f32]).collect();
+        let positions: Vec<[f32; 3]> = (0..side * side).map(|i| [(i % side) as f32, 0.0, (i / side) as f32]).collect();
         let mut faces = vec![];
         for z in 0..side - 1 {
             for x in 0..side - 1 {

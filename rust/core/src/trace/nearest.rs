@@ -25,12 +25,7 @@ pub struct Nearest {
 
 /// The nearest point of the surface for each world position. With `facing`, a direction for each point, only triangles
 /// whose outside is within 90° of it count.
-pub fn nearest(
-    scene: &Scene,
-    points: Points<'_>,
-    facing: Option<&[[f32; 3]]>,
-    progress: &Progress,
-) -> Result<Nearest> {
+pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, progress: &Progress) -> Result<Nearest> {
     let count = points.len();
     if let Some(rows) = facing.map(<[_]>::len).filter(|&rows| rows != count) {
         return Err(Error::value("facing", format!("{count} rows as points has"), rows));
@@ -211,11 +206,7 @@ impl Search {
     fn try_block(&mut self, block: &Block, instance: &Instance, number: u32) {
         for (lane, &face) in block.distinct_faces().iter().enumerate() {
             let corner = |corner: usize| Vec3::from_array(block.corners[corner].map(|axis| axis[lane]));
-            let corners = if instance.in_place {
-                [corner(0), corner(1), corner(2)]
-            } else {
-                instance.corners(face)
-            };
+            let corners = if instance.in_place { [corner(0), corner(1), corner(2)] } else { instance.corners(face) };
             self.try_triangle(corners, number, face);
         }
     }
