@@ -23,8 +23,8 @@ pub(super) const HIDDEN: f64 = -1.0;
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     position: DVec3,
-    /// World axes to (right, up, ahead).
-    axes: DMat3,
+    /// Directions in the world: to the right, up and ahead.
+    axes: [[f64; 3]; 3],
     /// Outward normals of the view's sides and its back, in the eye's axes.
     sides: [[f64; 3]; 5],
 }
@@ -40,8 +40,8 @@ impl View {
             unit(0.0, -1.0, fov.down),
             unit(0.0, 0.0, -1.0),
         ];
-        let turned = DMat3::from_cols(axes.x_axis, axes.y_axis, -axes.z_axis).transpose();
-        Self { position, axes: turned, sides }
+        let axes = [axes.x_axis, axes.y_axis, -axes.z_axis].map(|axis| axis.to_array());
+        Self { position, axes, sides }
     }
 
     /// Where the eye is.
@@ -51,7 +51,7 @@ impl View {
 
     /// Its line of sight, of length 1.
     pub fn forward(&self) -> DVec3 {
-        self.axes.row(2)
+        DVec3::from_array(self.axes[2])
     }
 
     /// Writes what is seen of a tile of spheres, of which `first` is the number of the first: those out of view as HIDDEN
@@ -80,7 +80,7 @@ impl View {
         let offset = DVec3::from_array(center) - self.position;
         let scale = offset.abs().max_element().max(radius);
         let scale = if scale > 0.0 { scale } else { 1.0 };
-        let place = (self.axes * (offset / scale)).to_array();
+        let place = self.axes.map(|axis| DVec3::from_array(axis).dot(offset / scale));
         (to.sigma[n], [to.sin_alpha[n], to.cos_alpha[n], to.sin_mu[n], to.cos_mu[n]], _) =
             seen(self, hidden, place, radius / scale);
     }
@@ -136,13 +136,13 @@ fn see_blocks(view: &View, hidden: f64, centers: &[[f64; 3]], radii: &[f64], to:
         let [sigma, sin_alpha, cos_alpha, sin_mu, cos_mu, odd] =
             [&mut to.sigma, &mut to.sin_alpha, &mut to.cos_alpha, &mut to.sin_mu, &mut to.cos_mu, &mut to.odd]
                 .map(|values| &mut values[first..first + LANES]);
-        let [x_axis, y_axis, z_axis] = [view.axes.x_axis, view.axes.y_axis, view.axes.z_axis].map(|a| a.to_array());
+        let [right, up, ahead] = view.axes;
         for n in 0..LANES {
             let (x, y, z) = (offset[0][n], offset[1][n], offset[2][n]);
             let place = [
-                x_axis[0] * x + y_axis[0] * y + z_axis[0] * z,
-                x_axis[1] * x + y_axis[1] * y + z_axis[1] * z,
-                x_axis[2] * x + y_axis[2] * y + z_axis[2] * z,
+                right[0] * x + right[1] * y + right[2] * z,
+                up[0] * x + up[1] * y + up[2] * z,
+                ahead[0] * x + ahead[1] * y + ahead[2] * z,
             ];
             let (own, angles, is_plain) = seen(view, hidden, place, radius[n]);
             sigma[n] = own;
