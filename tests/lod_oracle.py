@@ -42,7 +42,7 @@ def usual(count: int = 7, seed: int | None = None) -> nf.lod.LodModel:
     share = np.linspace(0, 1, count) if count > 1 else np.zeros(count)
     rows = np.stack([1 - 0.03 * share, np.ones(count), 0.3 * 0.005**share, 0.6 - 0.5 * share], axis=1)
     if seed is not None:
-        rows *= random.uniform(0.85, 1.15, rows.shape) * [1, 1, 2, 1]
+        rows *= random.uniform(0.85, 1.15, rows.shape) * np.array([1, 1, 2, 1])
         rows[:, 0] = np.minimum(rows[:, 0], 1)
     return model(rows.tolist())
 
@@ -87,10 +87,12 @@ def size(
     if lens is None or not any(lens.k) or mu == 0 or alpha + mu >= mpmath.pi / 2:
         return sigma, sigma, mu
 
+    def value(r: Any) -> Any:
+        return r + sum(mpf(c) * r ** (2 * n + 3) for n, c in enumerate(lens.k))
+
     def shown(angle: Any) -> Any:
         x = mpmath.tan(angle) / tan_omega
         low, high = mpf(0), min(mpf(lens.r_max), abs(x) * 8 + 1)
-        value = lambda r: r + sum(mpf(c) * r ** (2 * n + 3) for n, c in enumerate(lens.k))  # noqa: E731
         if value(high) < abs(x):
             return None
         for _ in range(120):

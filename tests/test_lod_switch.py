@@ -69,10 +69,8 @@ def test_held_levels_are_those_of_two_thresholds() -> None:
         most = np.array([len(one) - 1 for one in models])[index]
         before = random.integers(-1, most + 1).astype(np.int32)
         centers, radii = sized(sigma)
-        found = nf.lod.select(
-            models, index, centers, radii, camera=VIEW, previous=before, hysteresis=band, full=many < count
-        )
-        level = found if isinstance(found, np.ndarray) else found.level
+        options: dict[str, Any] = {"camera": VIEW, "previous": before, "hysteresis": band}
+        level = nf.lod.select(models, index, centers, radii, **options)
         own = nf.solid_angle(centers, radii, eye=(0, 0, 0))
         for n in range(many):
             one = models[index[n]]

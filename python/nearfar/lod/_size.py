@@ -68,7 +68,7 @@ def acuity(
     eccentricity_deg
         Degrees from the gaze, of any shape; at least 0.
     slope
-        m, in degrees a degree: 0.022 is conservative and 0.034 the most that their users accepted.
+        m, in degrees a degree: 0.022 is more careful, 0.034 less.
     limit_deg
         ω₀, degrees.
     pixel_deg

@@ -4,8 +4,6 @@
 
 mod curves;
 mod table;
-#[cfg(test)]
-mod tests;
 mod tile;
 mod view;
 

@@ -239,7 +239,7 @@ fn sort(sight: &Sight, tile: &mut Tile<'_>, left: &mut Left, counts: &mut Counts
         let seen = if tile.level[n] == 0 { SETTLED } else { done };
         class[n] = if sigma[n] == HIDDEN { CULLED } else { seen };
     }
-    let many = |wanted: u8| class.iter().map(|&class| u64::from(class == wanted)).sum::<u64>();
+    let many = |wanted: u8| u64::from(class.iter().map(|&class| u16::from(class == wanted)).sum::<u16>());
     counts.culled += many(CULLED);
     counts.settled += many(SETTLED);
     counts.one_level += many(ONE_LEVEL);

@@ -65,7 +65,15 @@ impl View {
         to: &mut Sight,
     ) -> Result<()> {
         let hidden = if cull { HIDDEN } else { 0.0 };
-        see(self, hidden, centers, radii, to);
+        let (whole, rest) = centers.as_chunks();
+        let (sizes, other) = radii.as_chunks();
+        see(self, hidden, whole, sizes, to, 0);
+        if !rest.is_empty() {
+            let (mut places, mut radii) = ([[0.0; 3]; LANES], [0.0; LANES]);
+            places[..rest.len()].copy_from_slice(rest);
+            radii[..other.len()].copy_from_slice(other);
+            see(self, hidden, &[places], &[radii], to, whole.len());
+        }
         for n in 0..centers.len() {
             if to.odd[n] > 0.0 {
                 check(&centers[n..=n], &radii[n..=n], self.position, first + n)?;
@@ -107,36 +115,44 @@ impl Default for Sight {
 }
 
 widest! {
-    fn see(view: &View, hidden: f64, centers: &[[f64; 3]], radii: &[f64], to: &mut Sight) = see_blocks;
+    fn see(
+        view: &View,
+        hidden: f64,
+        centers: &[[[f64; 3]; LANES]],
+        radii: &[[f64; LANES]],
+        to: &mut Sight,
+        first: usize,
+    ) = see_blocks;
 }
 
+/// Whole blocks, from the block `first` on.
 #[inline(always)]
-fn see_blocks(view: &View, hidden: f64, centers: &[[f64; 3]], radii: &[f64], to: &mut Sight) {
+fn see_blocks(
+    view: &View,
+    hidden: f64,
+    centers: &[[[f64; 3]; LANES]],
+    radii: &[[f64; LANES]],
+    to: &mut Sight,
+    first: usize,
+) {
     let eye = view.position.to_array();
-    for first in (0..centers.len().min(TILE)).step_by(LANES) {
-        let many = LANES.min(centers.len() - first);
+    let [right, up, ahead] = view.axes;
+    let angles = to.sin_alpha.as_chunks_mut().0.iter_mut().zip(to.cos_alpha.as_chunks_mut().0);
+    let sizes = to.sin_mu.as_chunks_mut().0.iter_mut().zip(to.cos_mu.as_chunks_mut().0);
+    let others = to.sigma.as_chunks_mut().0.iter_mut().zip(to.odd.as_chunks_mut().0);
+    let results = angles.zip(sizes).zip(others).skip(first);
+    for ((from, radius), (((sin_alpha, cos_alpha), (sin_mu, cos_mu)), (sigma, odd))) in
+        centers.iter().zip(radii).zip(results)
+    {
         let mut offset = [[0.0; LANES]; 3];
-        let mut radius = [0.0; LANES];
-        let (from, sizes) = (&centers[first..first + many], &radii[first..first + many]);
-        if many == LANES {
-            for n in 0..LANES {
-                offset[0][n] = from[n][0] - eye[0];
-                offset[1][n] = from[n][1] - eye[1];
-                offset[2][n] = from[n][2] - eye[2];
-                radius[n] = sizes[n];
-            }
-        } else {
-            for n in 0..many {
-                for axis in 0..3 {
-                    offset[axis][n] = from[n][axis] - eye[axis];
-                }
-                radius[n] = sizes[n];
-            }
+        for n in 0..LANES {
+            offset[0][n] = from[n][0] - eye[0];
+            offset[1][n] = from[n][1] - eye[1];
+            offset[2][n] = from[n][2] - eye[2];
         }
-        let [sigma, sin_alpha, cos_alpha, sin_mu, cos_mu, odd] =
-            [&mut to.sigma, &mut to.sin_alpha, &mut to.cos_alpha, &mut to.sin_mu, &mut to.cos_mu, &mut to.odd]
-                .map(|values| &mut values[first..first + LANES]);
-        let [right, up, ahead] = view.axes;
+        let (sin_alpha, cos_alpha): (&mut [f64; LANES], &mut [f64; LANES]) = (sin_alpha, cos_alpha);
+        let (sin_mu, cos_mu): (&mut [f64; LANES], &mut [f64; LANES]) = (sin_mu, cos_mu);
+        let (sigma, odd): (&mut [f64; LANES], &mut [f64; LANES]) = (sigma, odd);
         for n in 0..LANES {
             let (x, y, z) = (offset[0][n], offset[1][n], offset[2][n]);
             let place = [
