@@ -173,6 +173,7 @@ fn see_blocks(
 
 /// σ, the sines and cosines of α and μ, and whether squares were floats, of a sphere at (right, up, ahead).
 #[inline(always)]
+#[expect(clippy::manual_range_contains, reason = "ranges have branches, which do not become vectors")]
 fn seen(view: &View, hidden: f64, place: [f64; 3], radius: f64) -> (f64, [f64; 4], bool) {
     let [x, y, ahead] = place;
     let mut outside = f64::NEG_INFINITY;
