@@ -19,7 +19,7 @@ from nearfar.lod._selection import Selection
 from nearfar.lod._size import (
     ACUITY_LIMIT_DEG,
     ACUITY_SLOPE,
-    acuity_numbers,
+    at_least_zero,
     checked_lens,
     reference_solid_angle,
     widest,
@@ -75,8 +75,8 @@ class Selector:
                 raise ValueError(f"{name}: expected a number from 0 to 1, got {share}")
             object.__setattr__(self, name, share)
         object.__setattr__(self, "cull", bool(self.cull))
-        slope, limit, _ = acuity_numbers(self.acuity_slope, self.acuity_limit_deg, 0.0)
-        object.__setattr__(self, "acuity_slope", slope)
+        object.__setattr__(self, "acuity_slope", at_least_zero("acuity_slope", self.acuity_slope))
+        limit = _check.positive("acuity_limit_deg", self.acuity_limit_deg)
         object.__setattr__(self, "acuity_limit_deg", limit)
 
     @overload

@@ -68,7 +68,7 @@ def acuity(
     eccentricity_deg
         Degrees from the gaze, of any shape; at least 0.
     slope
-        m, in degrees a degree: 0.022 is conservative and 0.034 the most that their users accepted.
+        m, in degrees a degree: 0.022 is more careful, 0.034 less.
     limit_deg
         ω₀, degrees.
     pixel_deg
@@ -91,7 +91,8 @@ def acuity(
     away = _check.array("eccentricity_deg", eccentricity_deg, columns=None, dtype=np.float64)
     if not (away >= 0).all():
         raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {away.min()}")
-    rise, least, pixel = acuity_numbers(slope, limit_deg, pixel_deg)
+    rise, pixel = at_least_zero("slope", slope), at_least_zero("pixel_deg", pixel_deg)
+    least = _check.positive("limit_deg", limit_deg)
     with np.errstate(over="ignore"):
         return np.asarray(np.minimum(1.0, max(least, pixel) / (rise * away + least)))
 
@@ -148,15 +149,12 @@ def half_tangent(view: Hmd | Camera | Fov) -> float:
     return max(abs(fov.left), abs(fov.right))
 
 
-def acuity_numbers(
-    slope: SupportsFloat, limit_deg: SupportsFloat, pixel_deg: SupportsFloat
-) -> tuple[float, float, float]:
-    """The eye's numbers, checked."""
-    rise, pixel = _check.number("slope", slope), _check.number("pixel_deg", pixel_deg)
-    for name, value in (("slope", rise), ("pixel_deg", pixel)):
-        if value < 0:
-            raise ValueError(f"{name}: expected a number of at least 0, got {value}")
-    return rise, _check.positive("limit_deg", limit_deg), pixel
+def at_least_zero(name: str, value: SupportsFloat) -> float:
+    """One finite number; ValueError below 0."""
+    given = _check.number(name, value)
+    if given < 0:
+        raise ValueError(f"{name}: expected a number of at least 0, got {given}")
+    return given
 
 
 def checked_lens(lens: RadialLens, view: Hmd | Camera | Fov, lens_radius: SupportsFloat | None) -> float:

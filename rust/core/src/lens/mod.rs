@@ -26,7 +26,7 @@ use table::Table;
 pub use inverse::Method;
 pub use mesh::{Mesh, warp_mesh};
 pub use size::{Sizes, corrected_solid_angles};
-pub use stretch::Spheres;
+pub use stretch::{STRETCHED, Spheres};
 pub use warp::{Filter, Image, Pixel, View, warp};
 
 /// Most coefficients that a lens may have.

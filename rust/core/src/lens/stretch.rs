@@ -6,6 +6,8 @@ use super::size::divided_difference;
 use super::table::Table;
 use crate::base::simd::widest;
 
+/// Spheres of one block.
+pub const STRETCHED: usize = LANES;
 /// Up to which squares the polynomials below hold.
 const FARTHEST: f64 = 0.2;
 /// atan(√t)/√t and asin(√t)/√t for t of 0..FARTHEST, of least greatest error (Remez): below 2.4·10⁻¹².
@@ -30,7 +32,8 @@ const ASIN: [f64; 8] = [
     0.028_520_557_448_714_78,
 ];
 
-/// Spheres as an eye sees them, side by side: as many of each number.
+/// Spheres as an eye sees them, side by side: as many of each number, and whole blocks of STRETCHED, of which the last may
+/// mean nothing in part.
 #[derive(Clone, Copy, Debug)]
 pub struct Spheres<'a> {
     /// Sine of the centre's angle from the lens's axis, at least 0.
@@ -45,28 +48,17 @@ pub struct Spheres<'a> {
 
 impl RadialLens {
     /// (α⁺ − α⁻) / 2μ of each sphere, within 10⁻⁸ of itself; 1 for those that reach 90° or to where the lens folds.
-    pub fn stretches(&self, tan_omega: f64, spheres: &Spheres<'_>, to: &mut [f64]) {
+    pub fn stretches<'a>(&self, tan_omega: f64, spheres: &Spheres<'a>, to: &mut [f64]) {
         let Some(table) = self.table() else {
             to.fill(1.0);
             return;
         };
-        let blocks = |values: &[f64], first: usize| {
-            let mut block = [0.0; LANES];
-            for (one, other) in block.iter_mut().zip(&values[first..]) {
-                *one = *other;
-            }
-            block
-        };
         let lens = Bent { k: &self.radial.k, table, scale: tan_omega };
-        for (number, to) in to.chunks_mut(LANES).enumerate() {
-            let first = number * LANES;
-            let Spheres { sin_alpha, cos_alpha, sin_mu, cos_mu } = *spheres;
-            let block = Block {
-                sin_alpha: blocks(sin_alpha, first),
-                cos_alpha: blocks(cos_alpha, first),
-                sin_mu: blocks(sin_mu, first),
-                cos_mu: blocks(cos_mu, first),
-            };
+        let blocks = |values: &'a [f64]| values.as_chunks::<LANES>().0.iter();
+        let angles = blocks(spheres.sin_alpha).zip(blocks(spheres.cos_alpha));
+        let sizes = blocks(spheres.sin_mu).zip(blocks(spheres.cos_mu));
+        for (((sin_alpha, cos_alpha), (sin_mu, cos_mu)), to) in angles.zip(sizes).zip(to.chunks_mut(LANES)) {
+            let block = Block { sin_alpha, cos_alpha, sin_mu, cos_mu };
             let mut ratios = [0.0; LANES];
             stretch(&lens, &block, &mut ratios);
             for (n, (to, ratio)) in to.iter_mut().zip(ratios).enumerate() {
@@ -76,7 +68,7 @@ impl RadialLens {
     }
 
     /// One of a block, by Newton's method.
-    fn stretch_one(&self, tan_omega: f64, block: &Block, n: usize) -> f64 {
+    fn stretch_one(&self, tan_omega: f64, block: &Block<'_>, n: usize) -> f64 {
         let (sa, ca, sm, cm) = (block.sin_alpha[n], block.cos_alpha[n], block.sin_mu[n], block.cos_mu[n]);
         let (cos_far, cos_near) = (ca * cm - sa * sm, ca * cm + sa * sm);
         if sm == 0.0 {
@@ -100,21 +92,20 @@ struct Bent<'a> {
     scale: f64,
 }
 
-#[repr(align(64))]
-struct Block {
-    sin_alpha: [f64; LANES],
-    cos_alpha: [f64; LANES],
-    sin_mu: [f64; LANES],
-    cos_mu: [f64; LANES],
+struct Block<'a> {
+    sin_alpha: &'a [f64; LANES],
+    cos_alpha: &'a [f64; LANES],
+    sin_mu: &'a [f64; LANES],
+    cos_mu: &'a [f64; LANES],
 }
 
 widest! {
-    fn stretch(lens: &Bent<'_>, block: &Block, to: &mut [f64; LANES]) = stretch_block;
+    fn stretch(lens: &Bent<'_>, block: &Block<'_>, to: &mut [f64; LANES]) = stretch_block;
 }
 
 /// 0 where the table or the polynomials end, for others to settle.
 #[inline(always)]
-fn stretch_block(lens: &Bent<'_>, block: &Block, to: &mut [f64; LANES]) {
+fn stretch_block(lens: &Bent<'_>, block: &Block<'_>, to: &mut [f64; LANES]) {
     let Block { sin_alpha, cos_alpha, sin_mu, cos_mu } = block;
     let (mut far, mut near, mut rise) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     let (mut good, mut behind) = ([false; LANES], [false; LANES]);

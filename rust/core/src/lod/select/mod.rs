@@ -4,8 +4,6 @@
 
 mod curves;
 mod table;
-#[cfg(test)]
-mod tests;
 mod tile;
 mod view;
 
@@ -17,7 +15,7 @@ use rayon::prelude::*;
 use crate::base::{Error, Result};
 use crate::lens::RadialLens;
 pub use curves::{Model, Parameters};
-use table::Table;
+use table::Tables;
 use tile::{Room, Tile};
 pub use view::View;
 
@@ -136,8 +134,8 @@ struct Selection<'a> {
     models: &'a [Model<'a>],
     /// Of each model: the size above which it is not asked.
     limits: Vec<f64>,
-    /// Empty where objects are too few for tables.
-    tables: Vec<Option<Table>>,
+    /// `None` where objects are too few for them.
+    tables: Option<Tables>,
     eyes: &'a [Eye],
     glass: Option<Glass<'a>>,
     rules: Rules,
@@ -156,11 +154,8 @@ pub fn select(
 ) -> Result<Counts> {
     models.iter().enumerate().try_for_each(|(number, model)| model.check(number))?;
     let limits = models.iter().map(|model| model.limit(rules.reference)).collect();
-    let tables = if models.len() * table::WORTH <= to.len() && !eyes.is_empty() {
-        models.par_iter().map(|model| Table::new(model, rules)).collect()
-    } else {
-        Vec::new()
-    };
+    let are_many = models.len() * table::WORTH <= to.len() && !eyes.is_empty();
+    let tables = if are_many { Tables::new(models, rules) } else { None };
     let selection = Selection { models, limits, tables, eyes, glass, rules: *rules };
     let tiles = tiles(objects, to, columns);
     let one = |room: &mut Room, tile: Tile<'_>| selection.tile(room, tile);

@@ -1,83 +1,130 @@
 //! Levels over cells of size: most sizes lie in cells in which one level is the answer throughout.
 
+use rayon::prelude::*;
+
 use super::curves::{Model, Parameters};
-use super::{Line, Rules};
+use super::{Line, Rules, TILE};
 use crate::lod::logistic::exp;
 
-/// Cells over σ, of equal widths because f is a line.
-const SIGMAS: usize = 8;
+/// Cells over σ, of equal widths because f is a line: two to the power of so many.
+const SIGMA_DIGITS: u32 = 3;
+const SIGMAS: u64 = 1 << SIGMA_DIGITS;
+/// By which share of the greatest σ cells are wider, so that none lies beyond the last one.
+const WIDER: f64 = 1e-12;
+const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
 /// Cells over σ′: so many binary digits of its mantissa, and as many octaves at most.
 const DIGITS: u32 = 4;
 const OCTAVES: u64 = 24;
-const SHIFT: u32 = f64::MANTISSA_DIGITS - 1 - DIGITS;
+const SHIFT: u32 = MANTISSA - DIGITS;
 /// Greatest σ′ of a table: more than any.
 const MOST: f64 = 16.0;
 /// Set where the level may be a finer one: then curves decide.
-const UNSURE: u8 = 0x80;
+pub(super) const UNSURE: u8 = 0x80;
 /// From so many objects of a model on, a table is quicker than curves.
 pub(super) const WORTH: usize = 256;
 
-/// A model's levels.
-#[derive(Debug)]
-pub(super) struct Table {
-    /// Levels of cells, σ′ by σ′ for each σ.
+/// Levels of all models, one after the other.
+#[derive(Debug, Default)]
+pub(super) struct Tables {
+    /// Of each model's cells, σ′ by σ′ for each σ.
     cells: Vec<u8>,
-    /// Cells a radian² of σ.
-    fineness: f64,
-    /// Bits of the first cell's σ′, shifted, and the last cell's number.
-    base: u64,
-    last: u64,
+    /// Of each model.
+    heads: Vec<Head>,
 }
 
-impl Table {
-    /// `None` for models with one level or more than bytes can name.
-    pub fn new(model: &Model<'_>, rules: &Rules) -> Option<Self> {
-        let count = model.curves.len();
-        let limit = model.limit(rules.reference);
-        if count == 0 || count >= UNSURE as usize {
-            return None;
+/// Where a model's cells are.
+#[derive(Clone, Copy, Debug)]
+struct Head {
+    /// Nearly 1 over the greatest σ.
+    fineness: f64,
+    /// σ′ above which the level is 0.
+    greatest: f64,
+    /// Where its cells start.
+    first: u32,
+    /// Bits of the first cell's σ′, shifted, and the last cell's number.
+    base: u32,
+    last: u32,
+}
+
+impl Tables {
+    /// `None` where a model has more levels than bytes can name, or there are more cells than can be counted.
+    pub fn new(models: &[Model<'_>], rules: &Rules) -> Option<Self> {
+        let made: Option<Vec<_>> = models.par_iter().map(|model| table(model, rules)).collect();
+        let mut tables = Self::default();
+        for (head, cells) in made? {
+            tables.heads.push(Head { first: u32::try_from(tables.cells.len()).ok()?, ..head });
+            tables.cells.extend(cells);
         }
-        let [least, greatest] = model.range;
-        let top = greatest.min(MOST).to_bits() >> SHIFT;
-        let base = (least.to_bits() >> SHIFT).clamp(top.saturating_sub(OCTAVES << DIGITS), top);
-        let last = top - base;
-        let mut edges: Vec<f64> = (0..=last + 1).map(|n| f64::from_bits((base + n) << SHIFT)).collect();
-        // Smaller ones are in the first cell.
-        edges[0] = edges[0].min(least);
-        let logarithms: Vec<f64> = edges.iter().map(|x| x.ln()).collect();
-        // Least and greatest score of each level in each cell.
-        let mut bounds = vec![[f64::NEG_INFINITY; 2]; count * (last as usize + 1)];
-        let mut scores = vec![0.0; edges.len()];
-        for (curve, bounds) in model.curves.iter().zip(bounds.chunks_exact_mut(last as usize + 1)) {
-            let margin = scored(curve, &logarithms, &mut scores);
-            for (bound, ends) in bounds.iter_mut().zip(scores.windows(2)) {
-                if !margin.is_nan() {
-                    *bound = [ends[0].min(ends[1]) - margin, ends[0].max(ends[1]) + margin];
-                }
-            }
-        }
-        let mut cells = Vec::with_capacity(SIGMAS * (last as usize + 1));
-        for sigma in 0..SIGMAS {
-            let [low, high] = range(&rules.line, limit, sigma);
-            cells.extend((0..=last as usize).map(|cell| level(&bounds, count, cell, low, high)));
-        }
-        Some(Self { cells, fineness: SIGMAS as f64 / limit, base, last })
+        Some(tables)
     }
 
-    /// The level of a size, and whether it surely is: else it is at most that level.
-    #[inline(always)]
-    pub fn level(&self, sigma: f64, seen: f64) -> (usize, bool) {
-        let row = ((sigma * self.fineness) as usize).min(SIGMAS - 1);
-        let cell = (seen.to_bits() >> SHIFT).saturating_sub(self.base).min(self.last);
-        let found = self.cells[row * (self.last as usize + 1) + cell as usize];
-        ((found & !UNSURE) as usize, found < UNSURE)
+    /// The level of each size of some objects, and UNSURE with it where it may be a finer one.
+    #[inline(never)]
+    pub fn look_up(
+        &self,
+        models: &[i64],
+        places: &[u16],
+        sigma: &[f64; TILE],
+        seen: &[f64; TILE],
+        to: &mut [u8; TILE],
+    ) {
+        let (heads, cells) = (&self.heads[..], &self.cells[..]);
+        for (((&place, &sigma), &seen), to) in places.iter().zip(sigma).zip(seen).zip(to) {
+            let Head { fineness, greatest, first, base, last } = heads[models[usize::from(place)] as usize];
+            // The first digits of a number from 1 to below 2.
+            let row = (1.0 + sigma * fineness).to_bits() >> (MANTISSA - SIGMA_DIGITS) & (SIGMAS - 1);
+            let cell = ((seen.to_bits() >> SHIFT) as i64 - i64::from(base)).clamp(0, i64::from(last)) as u64;
+            let found = cells[(u64::from(first) + row * (u64::from(last) + 1) + cell) as usize];
+            *to = if seen > greatest { 0 } else { found };
+        }
     }
+}
+
+/// A model's cells, and what is known of them; those of one level have one for each σ.
+fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
+    let count = model.curves.len();
+    let limit = model.limit(rules.reference);
+    if count == 0 {
+        return Some((Head { fineness: 0.0, greatest: 0.0, first: 0, base: 0, last: 0 }, vec![0; SIGMAS as usize]));
+    }
+    if count >= UNSURE as usize {
+        return None;
+    }
+    let [least, greatest] = model.range;
+    let top = greatest.min(MOST).to_bits() >> SHIFT;
+    let base = (least.min(MOST).to_bits() >> SHIFT).clamp(top.saturating_sub(OCTAVES << DIGITS), top);
+    let last = top - base;
+    let width = last as usize + 1;
+    let mut edges: Vec<f64> = (0..=last + 1).map(|n| f64::from_bits((base + n) << SHIFT)).collect();
+    // Smaller ones are in the first cell.
+    edges[0] = edges[0].min(least);
+    let logarithms: Vec<f64> = edges.iter().map(|x| x.ln()).collect();
+    // Least and greatest score of each level in each cell.
+    let mut bounds = vec![[f64::NEG_INFINITY; 2]; count * width];
+    let mut scores = vec![0.0; edges.len()];
+    for (curve, bounds) in model.curves.iter().zip(bounds.chunks_exact_mut(width)) {
+        let margin = scored(curve, &logarithms, &mut scores);
+        for (bound, ends) in bounds.iter_mut().zip(scores.windows(2)) {
+            if !margin.is_nan() {
+                *bound = [ends[0].min(ends[1]) - margin, ends[0].max(ends[1]) + margin];
+            }
+        }
+    }
+    let mut cells = Vec::with_capacity(SIGMAS as usize * width);
+    for sigma in 0..SIGMAS {
+        let [low, high] = range(&rules.line, limit, sigma);
+        cells.extend((0..width).map(|cell| level(&bounds, count, cell, low, high)));
+    }
+    let fineness = (1.0 - WIDER) / limit;
+    // A limit of 0, or of a few of the smallest floats, has one size.
+    let fineness = if fineness.is_finite() { fineness } else { 0.0 };
+    Some((Head { fineness, greatest, first: 0, base: base as u32, last: last as u32 }, cells))
 }
 
 /// Least and greatest threshold of a cell over σ, and what they are rounded by.
-fn range(line: &Line, limit: f64, cell: usize) -> [f64; 2] {
+fn range(line: &Line, limit: f64, cell: u64) -> [f64; 2] {
     let ends = [cell, cell + 1].map(|n| line.at(limit * n as f64 / SIGMAS as f64));
-    let margin = 1e-14 * (line.level.abs() + (line.rise * limit).abs());
+    let margin = 1e-14 * line.level.abs() + 2.0 * WIDER * (line.rise * limit).abs();
     [ends[0].min(ends[1]) - margin, ends[0].max(ends[1]) + margin]
 }
 

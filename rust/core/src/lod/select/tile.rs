@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::curves::Asked;
+use super::table::UNSURE;
 use super::view::{HIDDEN, Sight};
 use super::{Acuity, COLUMNS, Counts, Eye, Glass, Objects, Selection, TILE, refused};
 use crate::base::Result;
@@ -10,6 +11,8 @@ use crate::lens::{Sizes, Spheres};
 
 /// No eye has seen an object yet.
 const UNSEEN: i32 = -1;
+/// Numbers beside its level.
+const HIDDEN_ROW: [f64; COLUMNS] = [f64::NAN, f64::NAN, f64::NAN, f64::NAN, -1.0];
 
 /// Objects and their results.
 pub(super) struct Tile<'a> {
@@ -27,162 +30,175 @@ pub(super) struct Room {
     left: Box<Left>,
 }
 
-/// Those that are left to be asked for: their places in the tile, and their numbers side by side.
+/// What an eye has to do with an object, in the order of counts.
+const CULLED: u8 = 0;
+const SETTLED: u8 = 1;
+const ONE_LEVEL: u8 = 2;
+const LARGE: u8 = 3;
+const LEFT: u8 = 4;
+
+/// What is known of a tile, and of those that are left to be asked for, side by side.
 struct Left {
+    /// Of each object: the size above which it is not asked for, and what there is to do.
+    limit: [f64; TILE],
+    class: [u8; TILE],
+    /// Of those that are left: their places in the tile, sizes, angles, and the table's answers.
     place: [u16; TILE],
     sigma: [f64; TILE],
-    sin_alpha: [f64; TILE],
-    cos_alpha: [f64; TILE],
-    sin_mu: [f64; TILE],
-    cos_mu: [f64; TILE],
     seen: [f64; TILE],
+    angles: [[f64; TILE]; 4],
+    ratio: [f64; TILE],
+    found: [u8; TILE],
 }
 
 impl Default for Left {
     fn default() -> Self {
-        let [sigma, sin_alpha, cos_alpha, sin_mu, cos_mu, seen] = [[0.0; TILE]; 6];
-        Self { place: [0; TILE], sigma, sin_alpha, cos_alpha, sin_mu, cos_mu, seen }
+        let [limit, sigma, seen, ratio] = [[0.0; TILE]; 4];
+        let [class, found] = [[0; TILE]; 2];
+        Self { limit, class, place: [0; TILE], sigma, seen, angles: [[0.0; TILE]; 4], ratio, found }
+    }
+}
+
+/// Values at some places, side by side.
+fn gather(from: &[f64; TILE], places: &[u16], to: &mut [f64; TILE]) {
+    for (to, &place) in to.iter_mut().zip(places) {
+        *to = from[usize::from(place) % TILE];
     }
 }
 
 impl Selection<'_> {
     pub(super) fn tile(&self, room: &mut Room, mut tile: Tile<'_>) -> Result<Counts> {
-        self.check(&tile)?;
+        let Room { sight, left } = room;
+        self.check(&tile, left)?;
         let mut counts = Counts::default();
         tile.level.fill(if self.eyes.is_empty() { 0 } else { UNSEEN });
         if let Some(columns) = &mut tile.columns {
-            let none = f64::from(tile.level.first().copied().unwrap_or(UNSEEN));
-            let values = [f64::NAN, f64::NAN, f64::NAN, if none < 0.0 { f64::NAN } else { 1.0 }, none];
+            let values = if self.eyes.is_empty() { [f64::NAN, f64::NAN, f64::NAN, 1.0, 0.0] } else { HIDDEN_ROW };
             for (column, value) in columns.iter_mut().zip(values) {
                 column.fill(value);
             }
         }
         for eye in self.eyes {
             let Objects { centers, radii, .. } = tile.objects;
-            eye.view.see(centers, radii, tile.first, self.rules.cull, &mut room.sight)?;
-            let asked = self.sort(&room.sight, &mut tile, &mut room.left, &mut counts);
-            self.sizes(eye, &tile.objects, &mut room.left, asked, &mut counts);
-            self.levels(&room.left, asked, &mut tile, &mut counts);
+            eye.view.see(centers, radii, tile.first, self.rules.cull, sight)?;
+            let asked = sort(sight, &mut tile, left, &mut counts);
+            self.sizes(eye, &tile.objects, sight, left, asked, &mut counts);
+            self.levels(left, asked, &mut tile, &mut counts);
         }
         Ok(counts)
     }
 
-    fn check(&self, tile: &Tile<'_>) -> Result<()> {
-        let count = self.models.len();
-        for (n, &model) in tile.objects.model.iter().enumerate() {
-            if model as u64 >= count as u64 {
-                return Err(refused("model_index", 0, count, model, tile.first + n));
-            }
+    /// Refuses numbers of models and levels that there are not, and looks up the models' limits.
+    #[inline(never)]
+    fn check(&self, tile: &Tile<'_>, left: &mut Left) -> Result<()> {
+        let limits = &self.limits[..];
+        for ((n, &model), to) in tile.objects.model.iter().enumerate().zip(&mut left.limit) {
+            // Negative numbers are large ones.
+            let Some(&limit) = limits.get(model as usize) else {
+                return Err(refused("model_index", 0, limits.len(), model, tile.first + n));
+            };
+            *to = limit;
         }
         let Some(previous) = tile.objects.previous else { return Ok(()) };
         for (n, (&level, &model)) in previous.iter().zip(tile.objects.model).enumerate() {
-            let most = self.models[model as usize].curves.len() as i32;
-            if level < UNSEEN || level > most {
-                return Err(refused("previous", -1, most as usize + 1, level.into(), tile.first + n));
+            let most = self.models[model as usize].curves.len();
+            if i64::from(level) < -1 || i64::from(level) > most as i64 {
+                return Err(refused("previous", -1, most + 1, level.into(), tile.first + n));
             }
         }
         Ok(())
     }
 
-    /// Settles what needs no curve, and tells how many are left.
-    fn sort(&self, sight: &Sight, tile: &mut Tile<'_>, left: &mut Left, counts: &mut Counts) -> usize {
-        let mut asked = 0;
-        for (n, (level, &model)) in tile.level.iter_mut().zip(tile.objects.model).enumerate() {
-            let (sigma, limit) = (sight.sigma[n], self.limits[model as usize]);
-            let is_culled = sigma == HIDDEN;
-            let is_settled = !is_culled & (*level == 0);
-            let is_done = !is_culled & !is_settled & (sigma > limit);
-            let is_one = is_done & (limit == f64::NEG_INFINITY);
-            let is_left = !(is_culled | is_settled | is_done);
-            counts.culled += u64::from(is_culled);
-            counts.settled += u64::from(is_settled);
-            counts.one_level += u64::from(is_one);
-            counts.large += u64::from(is_done & !is_one);
-            if is_done {
-                *level = 0;
-                if let Some(columns) = &mut tile.columns {
-                    let values = [if is_one { f64::NAN } else { sigma }, f64::NAN, f64::NAN, 1.0, 0.0];
-                    for (column, value) in columns.iter_mut().zip(values) {
-                        column[n] = value;
-                    }
-                }
-            }
-            // Written in any case, and kept where it counts: a branch would be guessed wrong every other time.
-            left.place[asked] = n as u16;
-            left.sigma[asked] = sigma;
-            left.sin_alpha[asked] = sight.sin_alpha[n];
-            left.cos_alpha[asked] = sight.cos_alpha[n];
-            left.sin_mu[asked] = sight.sin_mu[n];
-            left.cos_mu[asked] = sight.cos_mu[n];
-            asked += usize::from(is_left);
-        }
-        counts.asked += asked as u64;
-        asked
-    }
-
     /// σ′ of those that are left, and what the eye sees of it.
-    fn sizes(&self, eye: &Eye, objects: &Objects<'_>, left: &mut Left, asked: usize, counts: &mut Counts) {
+    fn sizes(
+        &self,
+        eye: &Eye,
+        objects: &Objects<'_>,
+        sight: &Sight,
+        left: &mut Left,
+        asked: usize,
+        counts: &mut Counts,
+    ) {
+        gather(&sight.sigma, &left.place[..asked], &mut left.sigma);
         left.seen[..asked].copy_from_slice(&left.sigma[..asked]);
         if let Some(glass) = &self.glass {
-            glass.look(eye, objects, left, asked);
+            glass.look(eye, objects, sight, left, asked);
             counts.lens += asked as u64;
         }
         if let Some(acuity) = &eye.acuity {
             for k in 0..asked {
-                let center = DVec3::from_array(objects.centers[usize::from(left.place[k])]) - eye.view.position();
-                let scale = acuity.scale(center, left.sin_mu[k].atan2(left.cos_mu[k]));
+                let n = usize::from(left.place[k]);
+                let center = DVec3::from_array(objects.centers[n]) - eye.view.position();
+                let scale = acuity.scale(center, sight.sin_mu[n].atan2(sight.cos_mu[n]));
                 left.seen[k] *= scale * scale;
             }
         }
     }
 
-    fn levels(&self, left: &Left, asked: usize, tile: &mut Tile<'_>, counts: &mut Counts) {
-        let rules = &self.rules;
+    fn levels(&self, left: &mut Left, asked: usize, tile: &mut Tile<'_>, counts: &mut Counts) {
+        let Some(tables) = &self.tables else {
+            counts.formula += asked as u64;
+            for k in 0..asked {
+                self.ask(left, k, None, tile);
+            }
+            return;
+        };
+        let Left { place, sigma, seen, found, .. } = left;
+        tables.look_up(tile.objects.model, &place[..asked], sigma, seen, found);
+        let previous = tile.objects.previous.filter(|_| self.rules.hysteresis > 0.0);
         for k in 0..asked {
             let n = usize::from(left.place[k]);
-            let number = tile.objects.model[n] as usize;
-            let (sigma, seen) = (left.sigma[k], left.seen[k]);
-            let table = self.tables.get(number).and_then(Option::as_ref);
-            let model = &self.models[number];
-            let question = Asked { sigma, seen, threshold: rules.line.at(sigma) };
-            let previous = tile.objects.previous.and_then(|previous| usize::try_from(previous[n]).ok());
-            let previous = previous.filter(|_| rules.hysteresis > 0.0);
-            let (most, is_sure) = match table {
-                Some(table) if seen <= model.range[1] => table.level(sigma, seen),
-                Some(_) => (0, true),
-                None => (model.curves.len(), false),
-            };
-            // A level of the table that is no coarser than the previous one stands as it is.
-            let is_sure = is_sure && previous.is_none_or(|previous| most <= previous);
-            let level = match previous {
-                _ if is_sure => most,
-                Some(previous) => model.held(previous, &question, rules),
-                None => model.coarsest(most, &question),
-            };
-            counts.table += u64::from(is_sure);
+            let found = left.found[k];
+            // A level that is no coarser than the previous one stands as it is.
+            let is_held = previous.is_some_and(|previous| previous[n] != UNSEEN && i32::from(found) > previous[n]);
+            let is_sure = found < UNSURE && !is_held;
             counts.formula += u64::from(!is_sure);
-            let best = &mut tile.level[n];
-            let is_finer = *best == UNSEEN || (level as i32) < *best;
-            if let Some(columns) = &mut tile.columns {
-                let shown = model.shown(level, &question, rules);
-                if is_finer {
-                    let values = [sigma, seen, question.threshold, model.score(level, seen)];
-                    for (column, value) in columns.iter_mut().zip(values) {
-                        column[n] = value;
-                    }
-                }
-                columns[4][n] = if *best == UNSEEN { shown } else { columns[4][n].min(shown) };
+            counts.table += u64::from(is_sure);
+            if !is_sure || tile.columns.is_some() {
+                self.ask(left, k, Some((found, is_sure)), tile);
+                continue;
             }
+            let (best, level) = (&mut tile.level[n], i32::from(found));
+            *best = if (*best == UNSEEN) | (level < *best) { level } else { *best };
+        }
+    }
+
+    /// Settles one by curves, or says more of it than the level that the table surely has.
+    #[inline(never)]
+    fn ask(&self, left: &Left, k: usize, found: Option<(u8, bool)>, tile: &mut Tile<'_>) {
+        let rules = &self.rules;
+        let n = usize::from(left.place[k]);
+        let model = &self.models[tile.objects.model[n] as usize];
+        let (sigma, seen) = (left.sigma[k], left.seen[k]);
+        let question = Asked { sigma, seen, threshold: rules.line.at(sigma) };
+        let previous = tile.objects.previous.and_then(|previous| usize::try_from(previous[n]).ok());
+        let level = match (found, previous.filter(|_| rules.hysteresis > 0.0)) {
+            (Some((found, true)), _) => usize::from(found),
+            (_, Some(previous)) => model.held(previous, &question, rules),
+            (Some((found, false)), None) => model.coarsest(usize::from(found & !UNSURE), &question),
+            (None, None) => model.coarsest(model.curves.len(), &question),
+        };
+        let best = &mut tile.level[n];
+        let is_finer = *best == UNSEEN || (level as i32) < *best;
+        if let Some(columns) = &mut tile.columns {
+            let shown = model.shown(level, &question, rules);
+            columns[4][n] = if *best == UNSEEN { shown } else { columns[4][n].min(shown) };
             if is_finer {
-                *best = level as i32;
+                let values = [sigma, seen, question.threshold, model.score(level, seen)];
+                for (column, value) in columns.iter_mut().zip(values) {
+                    column[n] = value;
+                }
             }
+        }
+        if is_finer {
+            *best = level as i32;
         }
     }
 }
 
 impl Glass<'_> {
     /// σ′ in place of σ.
-    fn look(&self, eye: &Eye, objects: &Objects<'_>, left: &mut Left, asked: usize) {
+    fn look(&self, eye: &Eye, objects: &Objects<'_>, sight: &Sight, left: &mut Left, asked: usize) {
         if self.exact {
             let (mut centers, mut radii) = ([[0.0; 3]; TILE], [0.0; TILE]);
             for (k, &n) in left.place[..asked].iter().enumerate() {
@@ -198,14 +214,55 @@ impl Glass<'_> {
             sizes.each(&centers[..asked], &radii[..asked], &mut left.seen[..asked]);
             return;
         }
-        let Left { sin_alpha, cos_alpha, sin_mu, cos_mu, seen, .. } = left;
+        let Left { place, seen, angles, ratio, .. } = left;
+        let parts = [&sight.sin_alpha, &sight.cos_alpha, &sight.sin_mu, &sight.cos_mu];
+        for (part, to) in parts.into_iter().zip(&mut *angles) {
+            gather(part, &place[..asked], to);
+        }
+        let [sin_alpha, cos_alpha, sin_mu, cos_mu] = angles;
         let spheres = Spheres { sin_alpha, cos_alpha, sin_mu, cos_mu };
-        let mut ratios = [0.0; TILE];
-        self.lens.stretches(self.tan_omega, &spheres, &mut ratios[..asked]);
-        for (seen, ratio) in seen[..asked].iter_mut().zip(ratios) {
+        self.lens.stretches(self.tan_omega, &spheres, &mut ratio[..asked]);
+        for (seen, ratio) in seen.iter_mut().zip(&ratio[..asked]) {
             *seen *= ratio;
         }
     }
+}
+
+/// Settles what needs no curve, and tells how many are left.
+#[inline(never)]
+fn sort(sight: &Sight, tile: &mut Tile<'_>, left: &mut Left, counts: &mut Counts) -> usize {
+    let count = tile.level.len();
+    let (sigma, limit, class) = (&sight.sigma[..count], &left.limit[..count], &mut left.class[..count]);
+    for n in 0..count {
+        let done = if sigma[n] > limit[n] { LARGE } else { LEFT };
+        let done = if limit[n] == f64::NEG_INFINITY { ONE_LEVEL } else { done };
+        let seen = if tile.level[n] == 0 { SETTLED } else { done };
+        class[n] = if sigma[n] == HIDDEN { CULLED } else { seen };
+    }
+    let many = |wanted: u8| u64::from(class.iter().map(|&class| u16::from(class == wanted)).sum::<u16>());
+    counts.culled += many(CULLED);
+    counts.settled += many(SETTLED);
+    counts.one_level += many(ONE_LEVEL);
+    counts.large += many(LARGE);
+    for (level, &class) in tile.level.iter_mut().zip(&*class) {
+        *level = if (class == ONE_LEVEL) | (class == LARGE) { 0 } else { *level };
+    }
+    if let Some(columns) = &mut tile.columns {
+        for (n, &class) in class.iter().enumerate().filter(|(_, class)| matches!(**class, ONE_LEVEL | LARGE)) {
+            let own = if class == LARGE { sigma[n] } else { f64::NAN };
+            for (column, value) in columns.iter_mut().zip([own, f64::NAN, f64::NAN, 1.0, 0.0]) {
+                column[n] = value;
+            }
+        }
+    }
+    let mut asked = 0;
+    for (n, &class) in class.iter().enumerate() {
+        // Written in any case, and kept where it counts: a branch would be guessed wrong every other time.
+        left.place[asked % TILE] = n as u16;
+        asked += usize::from(class == LEFT);
+    }
+    counts.asked += asked as u64;
+    asked
 }
 
 impl Acuity {

@@ -23,8 +23,8 @@ pub(super) const HIDDEN: f64 = -1.0;
 #[derive(Clone, Copy, Debug)]
 pub struct View {
     position: DVec3,
-    /// World axes to (right, up, ahead).
-    axes: DMat3,
+    /// Directions in the world: to the right, up and ahead.
+    axes: [[f64; 3]; 3],
     /// Outward normals of the view's sides and its back, in the eye's axes.
     sides: [[f64; 3]; 5],
 }
@@ -40,8 +40,8 @@ impl View {
             unit(0.0, -1.0, fov.down),
             unit(0.0, 0.0, -1.0),
         ];
-        let turned = DMat3::from_cols(axes.x_axis, axes.y_axis, -axes.z_axis).transpose();
-        Self { position, axes: turned, sides }
+        let axes = [axes.x_axis, axes.y_axis, -axes.z_axis].map(|axis| axis.to_array());
+        Self { position, axes, sides }
     }
 
     /// Where the eye is.
@@ -51,7 +51,7 @@ impl View {
 
     /// Its line of sight, of length 1.
     pub fn forward(&self) -> DVec3 {
-        self.axes.row(2)
+        DVec3::from_array(self.axes[2])
     }
 
     /// Writes what is seen of a tile of spheres, of which `first` is the number of the first: those out of view as HIDDEN
@@ -65,7 +65,15 @@ impl View {
         to: &mut Sight,
     ) -> Result<()> {
         let hidden = if cull { HIDDEN } else { 0.0 };
-        see(self, hidden, centers, radii, to);
+        let (whole, rest) = centers.as_chunks();
+        let (sizes, other) = radii.as_chunks();
+        see(self, hidden, whole, sizes, to, 0);
+        if !rest.is_empty() {
+            let (mut places, mut radii) = ([[0.0; 3]; LANES], [0.0; LANES]);
+            places[..rest.len()].copy_from_slice(rest);
+            radii[..other.len()].copy_from_slice(other);
+            see(self, hidden, &[places], &[radii], to, whole.len());
+        }
         for n in 0..centers.len() {
             if to.odd[n] > 0.0 {
                 check(&centers[n..=n], &radii[n..=n], self.position, first + n)?;
@@ -80,7 +88,7 @@ impl View {
         let offset = DVec3::from_array(center) - self.position;
         let scale = offset.abs().max_element().max(radius);
         let scale = if scale > 0.0 { scale } else { 1.0 };
-        let place = (self.axes * (offset / scale)).to_array();
+        let place = self.axes.map(|axis| DVec3::from_array(axis).dot(offset / scale));
         (to.sigma[n], [to.sin_alpha[n], to.cos_alpha[n], to.sin_mu[n], to.cos_mu[n]], _) =
             seen(self, hidden, place, radius / scale);
     }
@@ -107,42 +115,50 @@ impl Default for Sight {
 }
 
 widest! {
-    fn see(view: &View, hidden: f64, centers: &[[f64; 3]], radii: &[f64], to: &mut Sight) = see_blocks;
+    fn see(
+        view: &View,
+        hidden: f64,
+        centers: &[[[f64; 3]; LANES]],
+        radii: &[[f64; LANES]],
+        to: &mut Sight,
+        first: usize,
+    ) = see_blocks;
 }
 
+/// Whole blocks, from the block `first` on.
 #[inline(always)]
-fn see_blocks(view: &View, hidden: f64, centers: &[[f64; 3]], radii: &[f64], to: &mut Sight) {
+fn see_blocks(
+    view: &View,
+    hidden: f64,
+    centers: &[[[f64; 3]; LANES]],
+    radii: &[[f64; LANES]],
+    to: &mut Sight,
+    first: usize,
+) {
     let eye = view.position.to_array();
-    for first in (0..centers.len().min(TILE)).step_by(LANES) {
-        let many = LANES.min(centers.len() - first);
+    let [right, up, ahead] = view.axes;
+    let angles = to.sin_alpha.as_chunks_mut().0.iter_mut().zip(to.cos_alpha.as_chunks_mut().0);
+    let sizes = to.sin_mu.as_chunks_mut().0.iter_mut().zip(to.cos_mu.as_chunks_mut().0);
+    let others = to.sigma.as_chunks_mut().0.iter_mut().zip(to.odd.as_chunks_mut().0);
+    let results = angles.zip(sizes).zip(others).skip(first);
+    for ((from, radius), (((sin_alpha, cos_alpha), (sin_mu, cos_mu)), (sigma, odd))) in
+        centers.iter().zip(radii).zip(results)
+    {
         let mut offset = [[0.0; LANES]; 3];
-        let mut radius = [0.0; LANES];
-        let (from, sizes) = (&centers[first..first + many], &radii[first..first + many]);
-        if many == LANES {
-            for n in 0..LANES {
-                offset[0][n] = from[n][0] - eye[0];
-                offset[1][n] = from[n][1] - eye[1];
-                offset[2][n] = from[n][2] - eye[2];
-                radius[n] = sizes[n];
-            }
-        } else {
-            for n in 0..many {
-                for axis in 0..3 {
-                    offset[axis][n] = from[n][axis] - eye[axis];
-                }
-                radius[n] = sizes[n];
-            }
+        for n in 0..LANES {
+            offset[0][n] = from[n][0] - eye[0];
+            offset[1][n] = from[n][1] - eye[1];
+            offset[2][n] = from[n][2] - eye[2];
         }
-        let [sigma, sin_alpha, cos_alpha, sin_mu, cos_mu, odd] =
-            [&mut to.sigma, &mut to.sin_alpha, &mut to.cos_alpha, &mut to.sin_mu, &mut to.cos_mu, &mut to.odd]
-                .map(|values| &mut values[first..first + LANES]);
-        let [x_axis, y_axis, z_axis] = [view.axes.x_axis, view.axes.y_axis, view.axes.z_axis].map(|a| a.to_array());
+        let (sin_alpha, cos_alpha): (&mut [f64; LANES], &mut [f64; LANES]) = (sin_alpha, cos_alpha);
+        let (sin_mu, cos_mu): (&mut [f64; LANES], &mut [f64; LANES]) = (sin_mu, cos_mu);
+        let (sigma, odd): (&mut [f64; LANES], &mut [f64; LANES]) = (sigma, odd);
         for n in 0..LANES {
             let (x, y, z) = (offset[0][n], offset[1][n], offset[2][n]);
             let place = [
-                x_axis[0] * x + y_axis[0] * y + z_axis[0] * z,
-                x_axis[1] * x + y_axis[1] * y + z_axis[1] * z,
-                x_axis[2] * x + y_axis[2] * y + z_axis[2] * z,
+                right[0] * x + right[1] * y + right[2] * z,
+                up[0] * x + up[1] * y + up[2] * z,
+                ahead[0] * x + ahead[1] * y + ahead[2] * z,
             ];
             let (own, angles, is_plain) = seen(view, hidden, place, radius[n]);
             sigma[n] = own;
@@ -157,6 +173,7 @@ fn see_blocks(view: &View, hidden: f64, centers: &[[f64; 3]], radii: &[f64], to:
 
 /// σ, the sines and cosines of α and μ, and whether squares were floats, of a sphere at (right, up, ahead).
 #[inline(always)]
+#[expect(clippy::manual_range_contains, reason = "ranges have branches, which do not become vectors")]
 fn seen(view: &View, hidden: f64, place: [f64; 3], radius: f64) -> (f64, [f64; 4], bool) {
     let [x, y, ahead] = place;
     let mut outside = f64::NEG_INFINITY;

@@ -1,0 +1,140 @@
+"""Run time against error of choosing levels for a million objects, beside NumPy and the time of reading them."""
+
+from __future__ import annotations
+
+import functools
+import os
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from _harness import OURS, Case, Work, compare, describe
+from _measure import machine
+
+Array = NDArray[np.float64]
+
+RIFT_S = nf.RadialLens((0.22, 0.24))
+"""Liebisch (2021)."""
+
+COUNT = 1_000_000
+MODELS = 20
+CAMERA = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(87, 87 / 90), size=(1440, 1600))
+BYTES = 44
+"""Of an object: centre, radius, number of its model, level."""
+
+
+def models() -> list[nf.lod.LodModel]:
+    """Eight levels each, as measured objects have them."""
+    random = np.random.default_rng(0)
+    share = np.linspace(0, 1, 7)
+    made = []
+    for _ in range(MODELS):
+        a, d = 1 - 0.02 * share, 0.6 - 0.5 * share
+        c, b = 0.2 * 0.01**share * random.uniform(0.7, 1.4), np.full(7, random.uniform(0.7, 1.3))
+        curves = nf.lod.Curve4PL(a, b, c, d, 0 * a, np.full(7, "fitted"), np.full(7, ""))
+        triangles = np.geomspace(1e5, 1e2, 8).astype(np.int64)
+        sigma = (1e-4, nf.lod.reference_solid_angle(CAMERA))
+        made.append(
+            nf.lod.LodModel(
+                triangles=triangles, curves=curves, center=np.zeros(3), radius=1.0, sigma=sigma, errors=np.zeros(8)
+            )
+        )
+    return made
+
+
+def scenes() -> dict[str, tuple[Array, Array]]:
+    """Objects that are all in view, and objects all around the eye."""
+    random = np.random.default_rng(1)
+    ahead = random.uniform(1, 60, COUNT)
+    x, y = random.uniform(-0.9, 0.9, (2, COUNT)) * ahead
+    radii = random.uniform(0.02, 0.6, COUNT)
+    return {
+        "all in view": (np.stack([x, y, -ahead], axis=1), radii),
+        "all around": (random.normal(size=(COUNT, 3)) * 20, radii),
+    }
+
+
+def by_numpy(
+    made: list[nf.lod.LodModel], index: NDArray[np.int64], centers: Array, radii: Array, nodes: int
+) -> NDArray[np.int32]:
+    """Straightforward, with an inverse by interpolation (or five steps of the published one)."""
+    assert isinstance(CAMERA.fov, nf.Fov)
+    fov, scale, reference = CAMERA.fov, CAMERA.fov.right, nf.lod.reference_solid_angle(CAMERA)
+    x, y, ahead = centers[:, 0], centers[:, 1], -centers[:, 2]
+    sides = [(x, fov.right), (-x, -fov.left), (y, fov.up), (-y, -fov.down)]
+    visible = ahead > -radii
+    for across, tangent in sides:
+        visible &= (across - tangent * ahead) / np.hypot(1, tangent) <= radii
+    level = np.full(len(radii), -1, np.int32)
+    mine = np.flatnonzero(visible)
+    distance = np.linalg.norm(centers[mine], axis=1)
+    with np.errstate(invalid="ignore"):
+        mu = np.arcsin(np.minimum(radii[mine] / distance, 1))
+        alpha = np.arccos(ahead[mine] / distance)
+        sigma = 4 * np.pi * np.sin(mu / 2) ** 2
+        edges = [np.tan(alpha + mu) / scale, np.tan(alpha - mu) / scale]
+        if nodes:
+            end = 4.0
+            r = np.linspace(0, end, nodes)
+            roots = [np.sign(edge) * np.interp(np.abs(edge), RIFT_S.distort(r), r) for edge in edges]
+        else:
+            roots = [edge.copy() for edge in edges]
+            for root, edge in zip(roots, edges, strict=True):
+                for _ in range(5):
+                    square = root * root
+                    root[:] = edge / (1 + square * (RIFT_S.k[0] + RIFT_S.k[1] * square))
+        stretch = (np.arctan(scale * roots[0]) - np.arctan(scale * roots[1])) / (2 * mu)
+        seen = np.where(alpha + mu < np.pi / 2, sigma * stretch, sigma)
+    wanted = 0.9 + 0.27 * (sigma - reference)
+    chosen = np.zeros(len(mine), np.int32)
+    for number, one in enumerate(made):
+        these = np.flatnonzero(index[mine] == number)
+        size = np.maximum(seen[these], one.sigma[0])
+        for step, (a, b, c, d) in enumerate(zip(*one.curves, strict=True), 1):
+            chosen[these[d + (a - d) / (1 + (size / c) ** b) >= wanted[these]]] = step
+    chosen[sigma > reference] = 0
+    level[mine] = chosen
+    return level
+
+
+def table(title: str, centers: Array, radii: Array) -> str:
+    """Errors are the share of objects whose level is not that of the exact inverse."""
+    made = models()
+    index = np.random.default_rng(2).integers(0, MODELS, COUNT)
+    select = functools.partial(nf.lod.select, made, index, centers, radii, camera=CAMERA, lens=RIFT_S)
+    expected = select(inverse="newton")
+
+    def error(found: NDArray[np.int32]) -> float:
+        return float(np.mean(found != expected))
+
+    cases = [
+        Case(f"{OURS}, lut", select, error, peer=False),
+        Case(f"{OURS}, newton", functools.partial(select, inverse="newton"), error, peer=False),
+        Case(f"{OURS}, depth", functools.partial(select, mode="depth"), peer=False),
+        Case(f"{OURS}, fovea", functools.partial(select, mode="fovea"), peer=False),
+        Case(f"{OURS}, two eyes", functools.partial(select, camera=[CAMERA, CAMERA]), error, peer=False),
+        Case("NumPy, interp over 4,096", lambda: by_numpy(made, index, centers, radii, 4096), error),
+        Case("NumPy, 5 fixed-point steps", lambda: by_numpy(made, index, centers, radii, 0), error),
+        Case("reading (NumPy's max)", lambda: (centers.max(), radii.max(), index.max())),
+    ]
+    text = compare(f"Levels of 10⁶ objects, {title}", cases, work=Work(bytes=BYTES * COUNT), repeat=5)
+    found, exact = (
+        nf.lod.select(made, index, centers, radii, camera=CAMERA, lens=RIFT_S, inverse=inverse, full=True)
+        for inverse in ("lut", "newton")
+    )
+    asked = ~np.isnan(exact.sigma_seen)
+    off = np.abs(found.sigma_seen[asked] / exact.sigma_seen[asked] - 1).max()
+    return f"{text}\nσ′ off by {off:.1e} of itself at most; {found.counts}\n"
+
+
+def main() -> None:
+    print(machine())
+    print(describe())
+    print(f"{os.environ.get('NEARFAR_NUM_THREADS', 'all')} threads; a millisecond is a nanosecond an object")
+    for title, (centers, radii) in scenes().items():
+        print(table(title, centers, radii), flush=True)
+
+
+if __name__ == "__main__":
+    main()

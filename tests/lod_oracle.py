@@ -1,0 +1,159 @@
+"""Choosing levels again, slowly and as the formulas are printed: one object at a time in 40 digits, or all by NumPy."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import mpmath
+import numpy as np
+from mpmath import mpf
+from numpy.typing import NDArray
+
+import nearfar as nf
+
+Array = NDArray[np.float64]
+
+
+def curves(rows: Sequence[Sequence[float]]) -> nf.lod.Curve4PL:
+    """Curves of parameters; NaN for those that could not be fitted."""
+    a, b, c, d = np.array(rows, np.float64).reshape(-1, 4).T
+    status = np.where(np.isnan(a), "unfittable", np.where(a == d, "flat", "fitted"))
+    return nf.lod.Curve4PL(a, b, c, d, 0 * a, status, np.full(len(a), ""))
+
+
+def model(rows: Sequence[Sequence[float]], sigma: tuple[float, float] = (1e-4, 0.18)) -> nf.lod.LodModel:
+    """A model of these curves."""
+    count = len(rows) + 1
+    return nf.lod.LodModel(
+        triangles=np.geomspace(1e5, 1e2, count).astype(np.int64),
+        curves=curves(rows),
+        center=np.zeros(3),
+        radius=1.0,
+        sigma=sigma,
+        errors=np.zeros(count),
+    )
+
+
+def usual(count: int = 7, seed: int | None = None) -> nf.lod.LodModel:
+    """Curves as objects have them, coarser ones below finer ones; with a seed they differ and cross."""
+    random = np.random.default_rng(seed)
+    share = np.linspace(0, 1, count) if count > 1 else np.zeros(count)
+    rows = np.stack([1 - 0.03 * share, np.ones(count), 0.3 * 0.005**share, 0.6 - 0.5 * share], axis=1)
+    if seed is not None:
+        rows *= random.uniform(0.85, 1.15, rows.shape) * np.array([1, 1, 2, 1])
+        rows[:, 0] = np.minimum(rows[:, 0], 1)
+    return model(rows.tolist())
+
+
+def rotation(camera: nf.Camera) -> Array:
+    """Columns are the camera's axes in the world."""
+    x, y, z, w = camera.orientation
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def score(row: Sequence[float], x: Any) -> Any:
+    """y = d + (a − d)/(1 + (x/c)^b)."""
+    a, b, c, d = (mpf(float(value)) for value in row)
+    return d + (a - d) / (1 + (x / c) ** b)
+
+
+def line(threshold: str, k: float, d: float, reference: float, sigma: Any) -> Any:
+    """f(σ) of the three readings."""
+    if threshold == "literal":
+        return k * sigma + d
+    return d + (k * (sigma - reference) if threshold == "anchored" else k * (sigma / reference - 1))
+
+
+def size(
+    center: Array, radius: float, camera: nf.Camera, lens: nf.RadialLens | None, tan_omega: float
+) -> tuple[Any, Any, Any]:
+    """σ, σ′ and μ, by 40 digits; the lens's inverse by halving."""
+    position = [mpf(float(c)) - mpf(float(e)) for c, e in zip(center, camera.position, strict=True)]
+    distance = mpmath.sqrt(sum(v * v for v in position))
+    if distance <= radius:
+        return 4 * mpmath.pi, 4 * mpmath.pi, mpmath.pi
+    mu = mpmath.asin(mpf(radius) / distance)
+    sigma = 2 * mpmath.pi * (1 - mpmath.cos(mu))
+    ahead = -sum(mpf(float(a)) * v for a, v in zip(rotation(camera)[:, 2], position, strict=True))
+    alpha = mpmath.acos(ahead / distance)
+    if lens is None or not any(lens.k) or mu == 0 or alpha + mu >= mpmath.pi / 2:
+        return sigma, sigma, mu
+
+    def value(r: Any) -> Any:
+        return r + sum(mpf(c) * r ** (2 * n + 3) for n, c in enumerate(lens.k))
+
+    def shown(angle: Any) -> Any:
+        x = mpmath.tan(angle) / tan_omega
+        low, high = mpf(0), min(mpf(lens.r_max), abs(x) * 8 + 1)
+        if value(high) < abs(x):
+            return None
+        for _ in range(120):
+            middle = (low + high) / 2
+            low, high = (middle, high) if value(middle) < abs(x) else (low, middle)
+        return mpmath.atan(tan_omega * low) * mpmath.sign(x)
+
+    far, near = shown(alpha + mu), shown(alpha - mu)
+    if far is None or near is None:
+        return sigma, sigma, mu
+    return sigma, sigma * (far - near) / (2 * mu), mu
+
+
+def chosen(
+    model: nf.lod.LodModel,
+    center: Array,
+    radius: float,
+    camera: nf.Camera,
+    *,
+    lens: nf.RadialLens | None = None,
+    k: float = 0.27,
+    d: float = 0.9,
+    threshold: str = "anchored",
+    fovea: tuple[float, float] | None = None,
+    gaze: Array | None = None,
+) -> tuple[int, float]:
+    """The level of an object whether it is in view or not, and how near the decision was."""
+    with mpmath.workdps(40):
+        fov = camera.fov
+        assert isinstance(fov, nf.Fov)
+        tan_omega = max(abs(fov.left), abs(fov.right))
+        reference = 2 * mpmath.pi * (1 - mpmath.cos(mpmath.asin(mpf(tan_omega) / 4)))
+        sigma, seen, mu = size(center, radius, camera, lens, tan_omega)
+        if fovea is not None and mu < mpmath.pi:
+            slope, limit = fovea
+            look = -rotation(camera)[:, 2] if gaze is None else gaze
+            way = center - np.array(camera.position)
+            cosine = float(way @ look / np.linalg.norm(way) / np.linalg.norm(look))
+            away = max(0.0, math.degrees(math.acos(max(-1.0, min(1.0, cosine))) - float(mu)))
+            pitch = max((fov.right - fov.left) / camera.width, (fov.up - fov.down) / camera.height)
+            best = max(limit, math.degrees(math.atan(pitch)))
+            seen = seen * min(1.0, best / (slope * away + limit)) ** 2
+        least, greatest = model.sigma
+        near = min(abs(float(sigma / reference - 1)), abs(float(sigma / greatest - 1)), abs(float(seen / greatest - 1)))
+        if len(model) == 1 or sigma > reference or sigma > greatest or seen > greatest:
+            return 0, near
+        wanted = line(threshold, k, d, reference, sigma)
+        level = 0
+        for number in range(1, len(model)):
+            row = [float(values[number - 1]) for values in model.curves]
+            if not any(math.isnan(value) for value in row):
+                reached = score(row, max(seen, mpf(least)))
+                near = min(near, abs(float(reached - wanted)))
+                level = number if reached >= wanted else level
+        return level, near
+
+
+def distance_to_view(points: Array, fov: nf.Fov) -> Array:
+    """Metres from points in camera axes to the pyramid of a view: its projection on a cone of four rays."""
+    from scipy.optimize import nnls
+
+    corners = [(x, y, -1.0) for x in (fov.left, fov.right) for y in (fov.down, fov.up)]
+    rays = np.array(corners).T
+    return np.array([nnls(rays, point)[1] for point in points])

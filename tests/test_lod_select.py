@@ -1,0 +1,454 @@
+"""Levels against the formulas in 40 digits and by NumPy, views against projections, and cases of nothing to choose."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+import nearfar as nf
+from lod_oracle import chosen, curves, distance_to_view, model, rotation, usual
+from support import printed_by_threads
+
+Array = NDArray[np.float64]
+
+LENS = nf.RadialLens((0.22, 0.24))
+FOV = nf.Fov(-1.0, 0.9, -1.1, 1.05)
+VIEW = nf.Camera((0.5, 1.5, -2.0), fov=FOV, size=(1440, 1600))
+TURNED = nf.Camera.look_at((0.5, 1.5, -2.0), (4.0, 0.5, -9.0), fov=FOV, size=(1440, 1600))
+
+
+def around(count: int, seed: int, camera: nf.Camera, spread: float = 1.1) -> tuple[Array, Array]:
+    """Spheres of very different sizes before an eye, some of them outside of its view."""
+    random = np.random.default_rng(seed)
+    x, y = random.uniform(-spread, spread, (2, count))
+    ahead = np.exp(random.uniform(-1, 4, count))
+    own = np.stack([x * ahead, y * ahead, -ahead], axis=1)
+    radii = ahead * np.exp(random.uniform(-7, -0.5, count))
+    return own @ rotation(camera).T + camera.position, radii
+
+
+def in_view(centers: Array, radii: Array, camera: nf.Camera) -> NDArray[np.bool_]:
+    own = (centers - camera.position) @ rotation(camera)
+    assert isinstance(camera.fov, nf.Fov)
+    return np.asarray(distance_to_view(own, camera.fov) <= radii)
+
+
+# the choice ----------------------------------------------------------------------------------------------------------
+@given(
+    st.integers(0, 2**32 - 1),
+    st.sampled_from(["anchored", "literal", "normalized"]),
+    st.sampled_from(["depth", "depth+eccentricity", "fovea"]),
+    st.sampled_from([(0.22, 0.24), (-0.2,), (), (0.1, -0.03, 0.02)]),
+    st.floats(0, 0.5),
+    st.floats(0.5, 1),
+    st.sampled_from(["lut", "newton"]),
+)
+@settings(max_examples=40)
+def test_levels_are_those_of_the_formulas(
+    seed: int, threshold: str, mode: str, k: tuple[float, ...], slope: float, start: float, inverse: str
+) -> None:
+    models = [usual(), usual(5, seed), usual(1), model([])]
+    centers, radii = around(8, seed, TURNED)
+    index = np.arange(8) % 4
+    gaze = None if seed % 2 else np.random.default_rng(seed).normal(size=3)
+    lens = nf.RadialLens(k)
+    found = nf.lod.select(
+        models,
+        index,
+        centers,
+        radii,
+        camera=TURNED,
+        lens=lens,
+        k=slope,
+        d=start,
+        threshold=threshold,
+        mode=mode,
+        gaze=gaze,
+        cull=False,
+        inverse=inverse,
+    )
+    for n in range(8):
+        level, near = chosen(
+            models[index[n]],
+            centers[n],
+            radii[n],
+            TURNED,
+            lens=None if mode == "depth" else lens,
+            k=slope,
+            d=start,
+            threshold=threshold,
+            fovea=(0.0275, 1 / 48) if mode == "fovea" else None,
+            gaze=gaze,
+        )
+        # 10⁻⁸ of σ′ moves scores by as much at most.
+        assert found[n] == level or near < 1e-8
+
+
+def by_numpy(models: list[nf.lod.LodModel], index: Any, sigma: Array, seen: Array, reference: float) -> tuple[Any, Any]:
+    """Levels of sizes, and how near each decision was."""
+    level, near = np.zeros(len(index), np.int32), np.full(len(index), np.inf)
+    wanted = 0.9 + 0.27 * (sigma - reference)
+    for number, one in enumerate(models):
+        mine = np.flatnonzero(index == number)
+        least, greatest = one.sigma
+        for step in range(1, len(one)):
+            reached = one.curves[step - 1](np.maximum(seen[mine], least))
+            level[mine[reached >= wanted[mine]]] = step
+            near[mine] = np.fmin(near[mine], np.abs(reached - wanted[mine]))
+        level[mine[(sigma[mine] > min(reference, greatest)) | (seen[mine] > greatest)]] = 0
+    return level, near
+
+
+def odd_models() -> list[nf.lod.LodModel]:
+    """Crossing, flat, missing, rising and steep curves, and ones of a narrow range."""
+    nothing = (math.nan,) * 4
+    return [
+        *(usual(6, seed) for seed in range(4)),
+        usual(12),
+        model([(0.95, 1, 0.01, 0.95), nothing, (0.7, 1, 0.01, 0.7)]),
+        model([nothing]),
+        model([(0.2, 2, 0.01, 1.0), (1.0, 0.5, 1e-3, 0.1)]),
+        model([(1.0, 4000.0, 0.02, 0.1), (1.0, 300.0, 0.001, 0.1)]),
+        model([(1.0, 1.0, 0.05, 0.5), (1.0, 1.0, 0.01, 0.2)], (0.003, 0.01)),
+        model([(1.0, 1.0, 0.05, 0.5), (1.0, 1.0, 0.01, 0.2)], (0.0, math.inf)),
+        model([(0.5, 1.0, 0.05, 0.2)], (0.01, 0.01)),
+        model([]),
+    ]
+
+
+def test_tables_decide_like_curves_for_a_million_objects() -> None:
+    models = odd_models()
+    count = 1_000_000
+    random = np.random.default_rng(0)
+    index = random.integers(0, len(models), count)
+    centers, radii = around(count, 1, VIEW, 0.85)
+    reference = nf.lod.reference_solid_angle(VIEW)
+    sigma = nf.solid_angle(centers, radii, eye=VIEW.position)
+    seen = nf.corrected_solid_angle(centers, radii, camera=VIEW, lens=LENS)
+    expected, near = by_numpy(models, index, sigma, seen, reference)
+    found = nf.lod.select(models, index, centers, radii, camera=VIEW, lens=LENS, full=True)
+    assert found.counts["culled"] == 0
+    assert found.counts["table"] > 0.8 * found.counts["asked"] > 0
+    differ = found.level != expected
+    assert not differ[near > 1e-8].any()
+    assert differ.sum() <= 2
+    asked = ~np.isnan(found.sigma_seen)
+    assert asked.sum() == found.counts["asked"] == found.counts["lens"]
+    np.testing.assert_allclose(found.sigma_seen[asked], seen[asked], rtol=1e-8)
+    has_levels = np.array([len(one) > 1 for one in models])[index]
+    np.testing.assert_allclose(found.sigma[has_levels], sigma[has_levels], rtol=1e-14)
+    exact = nf.lod.select(models, index, centers, radii, camera=VIEW, lens=LENS, inverse="newton", full=True)
+    assert np.array_equal(exact.sigma_seen[asked], seen[asked])
+    assert (exact.level != expected).sum() <= 1
+    # Some of them, by curves alone.
+    few = slice(0, 2000)
+    again = nf.lod.select(models, index[few], centers[few], radii[few], camera=VIEW, lens=LENS, full=True)
+    assert again.counts["table"] == 0
+    assert np.array_equal(again.level, found.level[few])
+    for name in ("sigma", "sigma_seen", "threshold", "score"):
+        assert np.array_equal(getattr(again, name), getattr(found, name)[few], equal_nan=True)
+
+
+def test_scores_are_those_of_the_level() -> None:
+    models = odd_models()
+    centers, radii = around(3000, 2, VIEW)
+    index = np.arange(3000) % len(models)
+    found = nf.lod.select(models, index, centers, radii, camera=VIEW, lens=LENS, full=True)
+    for n in np.flatnonzero(found.level > 0):
+        one = models[index[n]]
+        score = one.curves[int(found.level[n]) - 1](max(found.sigma_seen[n], one.sigma[0]))
+        assert found.score[n] == pytest.approx(score, abs=1e-12)
+        assert score >= found.threshold[n] - 1e-12
+    assert (found.score[found.level == 0] == 1).all()
+    assert np.isnan(found.score[found.level < 0]).all()
+    assert np.array_equal(found.shown, found.level)
+    assert len(found) == 3000
+    assert repr(found).startswith("Selection(3000 objects; -1: ")
+
+
+# the view ------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("camera", [VIEW, TURNED, nf.hmd.get("PIMAX_5K_PLUS").camera("left", (0, 1, 0))])
+def test_what_is_culled_is_out_of_view(camera: nf.Camera) -> None:
+    random = np.random.default_rng(3)
+    centers = random.normal(size=(4000, 3)) * 5 + camera.position
+    radii = np.exp(random.uniform(-4, 1, 4000))
+    level = nf.lod.select([usual()], np.zeros(4000, int), centers, radii, camera=camera)
+    visible = in_view(centers, radii, camera)
+    assert (level[visible] >= 0).all()
+    # Planes keep a few beside the corners of the view.
+    assert np.mean(level[~visible] >= 0) < 0.02
+    assert 0.05 < visible.mean() < 0.95
+    alone = nf.lod.select([usual()], np.zeros(4000, int), centers, radii, camera=camera, cull=False)
+    assert np.array_equal(alone[level >= 0], level[level >= 0])
+    assert (alone >= 0).all()
+
+
+def one(center: Any, radius: float, camera: nf.Camera = VIEW, **options: Any) -> Any:
+    """The selection of one sphere at a place in the camera's axes."""
+    place = rotation(camera) @ np.array(center, np.float64) + camera.position
+    return nf.lod.select([usual()], [0], place[None], radius, camera=camera, full=True, **options)
+
+
+def test_around_across_and_behind() -> None:
+    inside = one((0.2, 0.0, -0.1), 0.5)
+    assert (inside.level[0], inside.sigma[0]) == (0, 4 * np.pi)
+    assert one((0.0, 0.0, 0.4), 0.5).level[0] == 0
+    # On the right edge, as far as it is wide: half in view, a little in view, and not.
+    edge = np.array([0.9, 0.0, -1.0]) / math.hypot(0.9, 1)
+    outward = np.array([1.0, 0.0, 0.9]) / math.hypot(0.9, 1)
+    assert one(10 * edge, 0.01).level[0] > 0
+    assert one(10 * edge + 0.0099 * outward, 0.01).level[0] > 0
+    assert one(10 * edge + 0.0101 * outward, 0.01).level[0] == -1
+    # Behind the eye; the second one reaches into the view around its corner.
+    assert one((0, 0, 5), 1.0).level[0] == -1
+    assert one((0, 0, 5), 4.999).level[0] == -1
+    assert one((3.0, 0.0, 0.5), 2.9).level[0] == 0
+    assert one((0, 0, 5), 1.0, cull=False).level[0] == chosen(usual(), np.array([0.5, 1.5, 3.0]), 1.0, VIEW)[0]
+
+
+@pytest.mark.parametrize("scale", [1e-300, 1e-150, 1e-30, 1e30, 1e150, 1e300])
+def test_levels_do_not_hang_on_the_unit(scale: float) -> None:
+    camera = nf.Camera((0, 0, 0), fov=FOV, size=(100, 100))
+    centers, radii = around(400, 4, nf.Camera((0, 0, 0), fov=FOV, size=(100, 100)))
+    expected = nf.lod.select([usual()], np.zeros(400, int), centers, radii, camera=camera, lens=LENS, full=True)
+    found = nf.lod.select(
+        [usual()], np.zeros(400, int), centers * scale, radii * scale, camera=camera, lens=LENS, full=True
+    )
+    assert np.array_equal(found.level, expected.level)
+    np.testing.assert_allclose(found.sigma_seen, expected.sigma_seen, rtol=1e-9)
+
+
+def test_points_and_specks_have_the_coarsest_level_that_is_enough_at_the_least_size() -> None:
+    for radius in (0.0, 1e-200, 1e-9):
+        found = one((0, 0, -3), radius, lens=LENS)
+        assert found.level[0] == chosen(usual(), np.array([0.5, 1.5, -5.0]), radius, VIEW, lens=LENS)[0] > 0
+    hard = one((0, 0, -3), 0.0, d=2.0)
+    assert (hard.level[0], hard.score[0]) == (0, 1)
+
+
+# ranges --------------------------------------------------------------------------------------------------------------
+def test_sizes_beyond_what_was_measured() -> None:
+    # Enough at any size, so that ranges alone decide.
+    good = model([(1.0, 1.0, 1.0, 0.99)], (1e-3, 0.05))
+    reference = nf.lod.reference_solid_angle(VIEW)
+    for sigma, level in ((0.0499, 1), (0.0501, 0), (1e-3, 1), (1e-5, 1)):
+        radius = 5 * math.sin(2 * math.asin(math.sqrt(sigma / (4 * math.pi))))
+        found = nf.lod.select([good], [0], [(0.5, 1.5, -7.0)], radius, camera=VIEW, full=True)
+        assert found.sigma[0] == pytest.approx(sigma, rel=1e-12)
+        assert found.level[0] == level
+    wide = model([(1.0, 1.0, 1.0, 0.99)], (1e-3, 1.0))
+    for share, level in ((0.999, 1), (1.001, 0)):
+        radius = 5 * math.sin(2 * math.asin(math.sqrt(share * reference / (4 * math.pi))))
+        found = nf.lod.select([wide], [0], [(0.5, 1.5, -7.0)], radius, camera=VIEW, full=True)
+        assert (found.level[0], found.counts["large"]) == (level, 1 - level)
+        other = nf.lod.select([wide], [0], [(0.5, 1.5, -7.0)], radius, camera=VIEW, reference=1.01 * reference)
+        assert other[0] == 1
+    # Below the least a curve that goes on to rise, or to fall, stays where it is.
+    for a in (0.0, 1.0):
+        rising = model([(a, 1.0, 1e-4, 0.5)], (1e-3, 0.1))
+        score = rising.curves[0](1e-3)
+        found = nf.lod.select([rising], [0], [(0.5, 1.5, -7.0)], 1e-6, camera=VIEW, k=0.0, d=score - 1e-9, full=True)
+        assert (found.level[0], found.score[0]) == (1, pytest.approx(score))
+        assert nf.lod.select([rising], [0], [(0.5, 1.5, -7.0)], 1e-6, camera=VIEW, k=0.0, d=score + 1e-9)[0] == 0
+
+
+def test_a_lens_may_make_things_larger_than_they_were_measured() -> None:
+    bulging = nf.RadialLens((-0.1,))
+    good = model([(1.0, 1.0, 1.0, 0.99)], (1e-3, 0.02))
+    radius = 5 * math.sin(2 * math.asin(math.sqrt(0.0199 / (4 * math.pi))))
+    place = np.array(VIEW.position) + 5 * np.array([0.6, 0.0, -0.8])
+    found = nf.lod.select([good], [0], place[None], radius, camera=VIEW, lens=bulging, full=True)
+    assert found.sigma[0] < 0.02 < found.sigma_seen[0]
+    assert found.level[0] == 0
+
+
+def test_beyond_the_fold_of_a_lens_sizes_are_their_own() -> None:
+    folded = nf.RadialLens((-0.5,))
+    centers, radii = around(500, 5, VIEW)
+    found = nf.lod.select([usual()], np.zeros(500, int), centers, radii, camera=VIEW, lens=folded, full=True)
+    seen = nf.corrected_solid_angle(centers, radii, camera=VIEW, lens=folded)
+    asked = ~np.isnan(found.sigma_seen)
+    # Beside the fold the inverse is as steep as one likes: tables end before.
+    np.testing.assert_allclose(found.sigma_seen[asked], seen[asked], rtol=1e-8)
+    assert 0 < np.mean(found.sigma_seen[asked] == found.sigma[asked]) < 1
+
+
+# no work -------------------------------------------------------------------------------------------------------------
+def test_no_work_is_done_for_what_has_one_level() -> None:
+    centers, radii = around(3000, 6, VIEW)
+    nothing = {"settled": 0, "large": 0, "asked": 0, "lens": 0, "table": 0, "formula": 0}
+    found = nf.lod.select([model([])], np.zeros(3000, int), centers, radii, camera=VIEW, lens=LENS, full=True)
+    culled = int((found.level < 0).sum())
+    assert found.counts == {"culled": culled, "one_level": 3000 - culled} | nothing
+    assert np.isnan(found.sigma).all()
+    assert (found.level[found.level >= 0] == 0).all()
+    both = nf.lod.select([model([]), usual()], np.arange(3000) % 2, centers, radii, camera=VIEW, lens=LENS, full=True)
+    assert both.counts["one_level"] == (both.level[::2] == 0).sum()
+    assert both.counts["asked"] == (~np.isnan(both.sigma_seen[1::2])).sum() == both.counts["lens"]
+    assert sum(both.counts[name] for name in ("culled", "one_level", "settled", "large", "asked")) == 3000
+    off = nf.lod.select([usual()], np.zeros(3000, int), centers, radii, camera=VIEW, mode="off", full=True)
+    assert set(off.counts.values()) == {0}
+    assert (off.level == 0).all()
+    assert (off.shown == 0).all()
+    assert np.isnan(off.sigma).all()
+    depth = nf.lod.select(
+        [usual()], np.zeros(3000, int), centers, radii, camera=VIEW, lens=LENS, mode="depth", full=True
+    )
+    assert depth.counts["lens"] == 0
+
+
+def test_nothing_is_chosen_of_nothing() -> None:
+    empty = nf.lod.select([], [], np.empty((0, 3)), [], camera=VIEW, full=True)
+    assert empty.level.shape == (0,)
+    assert empty.level.dtype == np.int32
+    assert nf.lod.select([usual()], [], np.empty((0, 3)), 1.0, camera=VIEW).shape == (0,)
+
+
+def test_curves_that_no_level_reaches() -> None:
+    centers, radii = around(2000, 7, VIEW, 0.8)
+    for k, d in ((0.27, 1.5), (1e6, 0.9), (0.0, 1.0 + 1e-9)):
+        strict = nf.lod.select(
+            [usual()], np.zeros(2000, int), centers, radii, camera=VIEW, threshold="literal", k=k, d=d
+        )
+        assert (strict <= 0).all() if k < 1 else (strict == 0).mean() > 0.4
+    lax = nf.lod.select([usual()], np.zeros(2000, int), centers, radii, camera=VIEW, d=-1.0, full=True)
+    assert (lax.level[~np.isnan(lax.sigma_seen)] == 7).all()
+
+
+# eyes ----------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("name", ["PIMAX_5K_PLUS", "VIVE_PRO", "INDEX"])
+def test_the_finer_of_two_eyes_answers_counts(name: str) -> None:
+    hmd = nf.hmd.get(name)
+    head = (0.3, 1.6, 0.2)
+    pose = nf.Camera.look_at(head, (1, 1, -5), fov=FOV, size=(9, 9)).orientation
+    eyes = [hmd.camera(side, head, pose) for side in ("left", "right")]
+    centers, radii = around(4000, 8, nf.Camera(head, pose, fov=FOV, size=(9, 9)), 3)
+    options: dict[str, Any] = {"lens": LENS, "lens_radius": hmd.tan_half_angle, "full": True}
+    options["reference"] = nf.lod.reference_solid_angle(hmd)
+    index = np.arange(4000) % 2
+    models = [usual(), usual(5, 3)]
+    both = nf.lod.select(models, index, centers, radii, camera=eyes, **options)
+    apart = [nf.lod.select(models, index, centers, radii, camera=eye, **options) for eye in eyes]
+    levels = np.array([part.level for part in apart])
+    seen = levels >= 0
+    assert np.array_equal(both.level, np.where(seen.any(axis=0), np.where(seen, levels, 99).min(axis=0), -1))
+    assert (seen[0] != seen[1]).any()
+    assert (levels[0] != levels[1])[seen.all(axis=0)].any()
+    # The numbers are those of the eye that asked for it.
+    first = np.where(levels[0] == both.level, 0, 1)
+    seen_size = np.where(first == 0, apart[0].sigma_seen, apart[1].sigma_seen)
+    chosen = both.level > 0
+    assert np.array_equal(both.sigma_seen[chosen], seen_size[chosen])
+    default = nf.lod.select(models, index, centers, radii, camera=eyes, lens=LENS)
+    assert np.array_equal(default, both.level)
+
+
+# the eye -------------------------------------------------------------------------------------------------------------
+def test_things_away_from_the_gaze_get_coarser_levels() -> None:
+    camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(100), size=(2000, 2000))
+    angles = np.radians(np.linspace(0, 45, 40))
+    centers = 8 * np.stack([np.sin(angles), 0 * angles, -np.cos(angles)], axis=1)
+    index = np.zeros(40, int)
+    plain = nf.lod.select([usual(12)], index, centers, 0.4, camera=camera)
+    ahead = nf.lod.select([usual(12)], index, centers, 0.4, camera=camera, mode="fovea", full=True)
+    assert (np.diff(ahead.level) >= 0).all()
+    assert ahead.level[0] == plain[0]
+    assert ahead.level[-1] > plain[-1]
+    mu = math.asin(0.4 / 8)
+    away = np.degrees(np.maximum(angles - mu, 0))
+    pixel = math.degrees(math.atan(2 * math.tan(math.radians(50)) / 2000))
+    scale = nf.lod.acuity(away, pixel_deg=pixel)
+    np.testing.assert_allclose(ahead.sigma_seen, ahead.sigma * scale**2, rtol=1e-9)
+    # The other way round where the eye looks the other way, and a gaze has no length.
+    aside = nf.lod.select(
+        [usual(12)], index, centers, 0.4, camera=camera, mode="fovea", gaze=1e-200 * centers[-1], full=True
+    )
+    np.testing.assert_allclose(aside.sigma_seen, ahead.sigma_seen[::-1], rtol=1e-9)
+
+
+# errors --------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    ("changed", "error", "message"),
+    [
+        ({"models": usual()}, TypeError, "models: expected a sequence of LodModel, got LodModel"),
+        ({"models": [3]}, TypeError, "models: expected a LodModel at index 0, got int"),
+        ({"models": [model([(1, 1, 1, 0)], (0.2, 0.1))]}, ValueError, "models: .* the least first, got 0.2 and 0.1"),
+        ({"models": []}, ValueError, "model_index: expected no objects where there are no models, got 0 at index 0"),
+        ({"model_index": [1]}, ValueError, "model_index: expected whole numbers from 0 to 0, got 1 at index 0"),
+        ({"model_index": [-1]}, ValueError, "model_index: expected whole numbers from 0 to 0, got -1 at index 0"),
+        ({"model_index": [0, 0]}, ValueError, r"model_index: expected shape \(1,\), got \(2,\)"),
+        ({"model_index": [0.5]}, TypeError, "model_index: expected whole numbers"),
+        ({"centers": [[0, 0, math.nan]]}, ValueError, "centers: expected finite numbers.* at index 0"),
+        ({"centers": [[0, 0, math.inf]]}, ValueError, "centers: expected finite numbers.* at index 0"),
+        ({"centers": [[0, 0]]}, ValueError, "centers: expected shape"),
+        ({"radii": [-1.0]}, ValueError, "radii: expected finite numbers of at least 0, got -1 at index 0"),
+        ({"radii": math.nan}, ValueError, "radii: expected finite numbers of at least 0, got NaN at index 0"),
+        ({"radii": math.inf}, ValueError, "radii: expected finite numbers of at least 0, got inf at index 0"),
+        ({"camera": 3}, TypeError, "camera: expected a Camera or a sequence of them, got int"),
+        ({"camera": []}, ValueError, "camera: expected at least one, got none"),
+        (
+            {"camera": nf.Camera((0, 0, 0), fov=nf.CubeFace(0), size=(8, 8))},
+            TypeError,
+            "camera: expected one with a Fov",
+        ),
+        ({"lens": (0.1,)}, TypeError, "lens: expected a RadialLens, got tuple"),
+        ({"lens": nf.RadialLens((0.1,), (0.1, 0.0))}, ValueError, "lens: expected one without tangential terms"),
+        ({"lens_radius": 0}, ValueError, "lens_radius: expected a number above 0"),
+        ({"reference": -1}, ValueError, "reference: expected a number above 0"),
+        ({"k": math.nan}, ValueError, "k: expected a finite number"),
+        ({"threshold": "exact"}, ValueError, "threshold: expected one of"),
+        ({"mode": "eccentricity"}, ValueError, "mode: expected one of"),
+        ({"inverse": "fixed_point"}, ValueError, "inverse: expected one of"),
+        ({"hysteresis": 1.5}, ValueError, "hysteresis: expected a number from 0 to 1, got 1.5"),
+        ({"fade": -0.5}, ValueError, "fade: expected a number from 0 to 1"),
+        ({"gaze": (0, 0, 0)}, ValueError, "gaze: expected a direction"),
+        ({"acuity_slope": -1}, ValueError, "acuity_slope: expected a number of at least 0"),
+        ({"acuity_limit_deg": 0}, ValueError, "acuity_limit_deg: expected a number above 0"),
+        ({"previous": [8]}, ValueError, "previous: expected whole numbers from -1 to 7, got 8 at index 0"),
+        ({"previous": [-2]}, ValueError, "previous: expected whole numbers from -1 to 7, got -2 at index 0"),
+        ({"previous": [1, 1]}, ValueError, r"previous: expected shape \(1,\)"),
+    ],
+)
+def test_bad_arguments(changed: dict[str, Any], error: type[Exception], message: str) -> None:
+    arguments: dict[str, Any] = {"models": [usual()], "model_index": [0], "centers": [[0.0, 0, -5]], "radii": [1.0]}
+    arguments |= {"camera": VIEW} | changed
+    positional = [arguments.pop(name) for name in ("models", "model_index", "centers", "radii")]
+    with pytest.raises(error, match=message):
+        nf.lod.select(*positional, **arguments)
+
+
+def test_models_whose_curves_are_too_few() -> None:
+    short = usual()
+    object.__setattr__(short, "curves", curves([(1, 1, 1, 0)]))
+    with pytest.raises(ValueError, match="models: expected 7 curves in 'object', got 1"):
+        nf.lod.select([short], [0], [(0, 0, -5)], 1.0, camera=VIEW)
+    single = model([(1.0, 1.0, 1.0, 0.99)])
+    object.__setattr__(single, "curves", curves([(1.0, 1.0, 1.0, 0.99)])[0])
+    assert nf.lod.select([single], [0], [(0, 1, -9)], 0.1, camera=VIEW)[0] == 1
+
+
+BITS = """
+import hashlib
+import numpy as np
+import nearfar as nf
+from lod_oracle import usual
+random = np.random.default_rng(0)
+centers = random.normal(size=(20_000, 3)) * 20
+camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(100), size=(100, 100))
+models = [usual(), usual(5, 1)]
+index = np.arange(20_000) % 2
+found = nf.lod.select(models, index, centers, random.random(20_000), camera=camera, lens=nf.RadialLens((0.2,)),
+                      mode="fovea", fade=0.5, full=True)
+parts = [found.level, found.sigma_seen, found.score, found.shown]
+print(hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexdigest(), found.counts)
+"""
+
+
+def test_bits_do_not_depend_on_the_number_of_threads() -> None:
+    assert len(set(printed_by_threads(BITS))) == 1
