@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._assembly import Assembly
 from nearfar._scene import SceneBuilder
 
 Array = NDArray[np.float64]
@@ -36,6 +35,14 @@ def scene(rows: int, **options: Any) -> nf.Scene:
     return nf.Scene.from_arrays(*ball(rows, **options))
 
 
+def smooth(rows: int) -> nf.Scene:
+    """The same with normals at its vertices, those of the sphere."""
+    builder = SceneBuilder()
+    vertices, faces = ball(rows)
+    builder.instance(builder.mesh(vertices, faces, normals=vertices - (3, -2, 1)), name="smooth")
+    return builder.build()
+
+
 def levels(*rows: int, name: str = "ball") -> nf.lod.Levels:
     """Bumpy spheres of fewer and fewer rows."""
     return nf.lod.Levels([nf.lod.Level(scene=scene(count), error=1 / count) for count in rows], name=name)
@@ -48,7 +55,6 @@ def checkered(rows: int) -> nf.Scene:
     texture = np.dstack([board, board[::-1], np.full_like(board, 120), np.full_like(board, 255)])
     vertices, faces = ball(rows)
     uvs = (vertices[:, :2] - vertices[:, :2].min(axis=0)) / np.ptp(vertices[:, :2], axis=0)
-    assert isinstance(builder, Assembly)
     builder.instance(
         builder.mesh(vertices, faces, material=builder.material((1, 1, 1, 1), texture), uvs=uvs), name="board"
     )

@@ -13,7 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from lod_cases import FOV, SMALL, Array, assert_same, ball, checkered, levels, scene, straightforward, turn
+from lod_cases import FOV, SMALL, Array, assert_same, ball, checkered, levels, scene, smooth, straightforward, turn
 from nearfar.lod import _job, _kept, _scores, _views
 from support import data, need, printed_by_threads
 
@@ -36,6 +36,7 @@ def far_speck() -> nf.Scene:
 def cut(rows: int, name: str) -> nf.lod.Levels:
     scenes = {
         "plain": [scene(rows), scene(rows // 2), scene(rows // 4)],
+        "smooth": [smooth(rows), smooth(rows // 2)],
         "textured": [checkered(rows), checkered(rows // 2)],
         "vanishing": [scene(rows), far_speck()],
         "growing": [scene(rows), nf.Scene.from_arrays(1.4 * (ball(4)[0] - (3, -2, 1)) + (3, -2, 1), ball(4)[1])],
@@ -48,6 +49,7 @@ def cut(rows: int, name: str) -> nf.lod.Levels:
     [
         ("plain", FOV, (128, 128), 1),
         ("plain", nf.Fov(-1.1, 0.9, -0.8, 1.0), (121, 97), 4),
+        ("smooth", FOV, (128, 128), 1),
         ("textured", FOV, (128, 120), 4),
         ("vanishing", FOV, (96, 96), 1),
         ("growing", nf.Fov.symmetric(110), (96, 64), 1),

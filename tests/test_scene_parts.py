@@ -20,7 +20,7 @@ from nearfar._scene_parts import core_of_parts, parts_of
 
 
 def furnished() -> nf.Scene:
-    """Instances of one mesh, a texture that cuts out, vertex colours, a moving object, far from the middle."""
+    """Instances, a texture that cuts out, colours and normals of vertices, a moving object, far from the middle."""
     builder = SceneBuilder()
     random = np.random.default_rng(0)
     texture = random.integers(0, 256, (8, 8, 4)).astype(np.uint8)
@@ -28,7 +28,8 @@ def furnished() -> nf.Scene:
     faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
     uvs = random.uniform(0, 2, (4, 2))
     board = builder.mesh(corners, faces, material=builder.material((1, 1, 1, 1), texture, 0.4), uvs=uvs)
-    tinted = builder.mesh(2 * corners, faces, colors=random.integers(0, 256, (4, 4)).astype(np.uint8))
+    colors = random.integers(0, 256, (4, 4)).astype(np.uint8)
+    tinted = builder.mesh(2 * corners, faces, colors=colors, normals=corners - 0.25)
     for n in range(3):
         place = np.eye(4)
         place[:3, 3] = (1.5 * n - 1 + 50_000, 0.2 * n, -n)

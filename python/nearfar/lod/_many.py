@@ -48,8 +48,11 @@ def over_processes(objects: list[Levels], settings: Settings, workers: int) -> l
 
 def over_cluster(objects: list[Levels], settings: Settings, client: Any) -> list[Done]:
     """Measure objects on a Dask cluster; where one fails, or at Ctrl-C, those that have not begun are called off."""
-    # Results of equal objects are no reason to measure once more, and cached ones are the cache's work.
-    futures = [client.submit(_on_cluster, levels, settings, pure=False) for levels in objects]
+    if not objects:
+        return []
+    # Meshes go to workers by themselves: within a call they would pass through the scheduler.
+    meshes = client.scatter(objects, hash=False)
+    futures = [client.submit(_on_cluster, levels, settings, pure=False) for levels in meshes]
     try:
         with _progress.bar("measuring") as report:
             done = []
@@ -58,7 +61,7 @@ def over_cluster(objects: list[Levels], settings: Settings, client: Any) -> list
                 done.append(future.result())
             return done
     except BaseException:
-        client.cancel(futures)
+        client.cancel([*futures, *meshes])
         raise
 
 

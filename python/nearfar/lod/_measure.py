@@ -168,7 +168,7 @@ def measure(
         raise ValueError("workers: expected None beside a client, which has its own")
     if workers is not None:
         workers = _check.integer("workers", workers, 1, 4096)
-    if client is not None and not (hasattr(client, "submit") and hasattr(client, "cancel")):
+    if client is not None and not all(hasattr(client, name) for name in ("submit", "scatter", "cancel")):
         raise TypeError(f"client: expected a distributed.Client, got {type(client).__name__}")
     names, objects = _objects(levels)
     if client is not None:

@@ -96,8 +96,10 @@ class Stand:
         return number * nearest + self.radius
 
     def sigma(self, number: int) -> float:
-        """Solid angle of the sphere in steradians."""
-        return 4.0 * math.pi * math.sin(0.5 * math.asin(self.radius / self.distance(number))) ** 2
+        """Solid angle of the sphere in steradians; of the first distance σ₁/₁₆, to the last digit."""
+        sine = SHARE * self.screen.tan_half_angle if number == 1 else self.radius / self.distance(number)
+        # 1 − cos by sin² / (1 + cos), which loses no digits.
+        return 2.0 * math.pi * sine * sine / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine)))
 
     def box(self, number: int) -> tuple[int, int, int, int]:
         """First and end column, first and end row of the screen's pixels that show the object, padded for windows."""
