@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -347,3 +348,65 @@ def test_levels_of_several_pieces_are_one() -> None:
         local = geometry(model)[level].scene.triangles().astype(np.float64)
         world = local @ place[0, :3, :3].T + place[0, :3, 3]
         np.testing.assert_allclose(scene.at_levels([level]).triangles(), world, atol=2e-6)
+
+
+def crowd(models: list[nf.lod.LodModel]) -> nf.Scene:
+    """Objects all around the eye, most of them out of view."""
+    rng = np.random.default_rng(15)
+    transforms = frames(60, seed=15)
+    transforms[:, :3, 3] = rng.normal(size=(60, 3)) * 12
+    return nf.lod.place(models, rng.integers(0, 2, 60), transforms)
+
+
+@pytest.mark.parametrize("mode", ["off", "depth", "depth+eccentricity", "fovea"])
+def test_modes_are_those_of_select(models: list[nf.lod.LodModel], mode: str) -> None:
+    scene = crowd(models)
+    objects = leveled(scene)
+    expected = nf.lod.select(
+        objects.models, objects.model_index, objects.centers, objects.radii, camera=view(), mode=mode
+    )
+    frame = nf.render(scene, view(), lod=mode, backend="cpu")
+    assert frame.lod.levels.tolist() == expected.tolist()
+    assert bytes_of(frame) == bytes_of(nf.render(scene.at_levels(expected), view(), backend="cpu"))
+    # What is out of view changes nothing in the picture.
+    everywhere = scene.at_levels(np.maximum(expected, 0))
+    assert bytes_of(frame) == bytes_of(nf.render(everywhere, view(), backend="cpu"))
+    if mode == "off":
+        assert bytes_of(frame) == bytes_of(nf.render(scene, view(), backend="cpu"))
+    else:
+        assert (expected == -1).sum() > 20
+        assert (expected > 0).any()
+        assert frame.lod.triangles < frame.lod.full_triangles / 2
+
+
+def test_selectors_fade_beside_the_picture(models: list[nf.lod.LodModel]) -> None:
+    scene = crowd(models)
+    selector = nf.lod.Selector(mode="depth", fade=0.5, hysteresis=0.02)
+    frame = nf.render(scene, view(), lod=selector, backend="cpu")
+    selection = frame.lod.selection
+    assert isinstance(selection, nf.lod.Selection)
+    assert selection.level.tolist() == frame.lod.levels.tolist()
+    assert (selection.shown <= selection.level).all()
+    cameras = [view((0.0, 0.0, 0.4 * step)) for step in range(4)]
+    objects = leveled(scene)
+    before = None
+    for camera, picture in zip(cameras, nf.render_path(scene, cameras, lod=selector, backend="cpu"), strict=True):
+        where = (objects.models, objects.model_index, objects.centers, objects.radii)
+        before = selector.select(*where, camera=camera, previous=before)
+        assert picture.lod.levels.tolist() == before.tolist()
+
+
+def test_scenes_travel_with_their_levels(models: list[nf.lod.LodModel]) -> None:
+    scene = crowd(models)
+    back = pickle.loads(pickle.dumps(scene))
+    levels = np.arange(60) % 2
+    pictures = [nf.render(s, view(), lod=levels, backend="cpu") for s in (scene, back)]
+    assert bytes_of(pictures[0]) == bytes_of(pictures[1])
+    assert leveled(back).radii.tolist() == leveled(scene).radii.tolist()
+
+
+def test_reduced_scenes_have_no_levels(models: list[nf.lod.LodModel]) -> None:
+    scene = nf.lod.place(models, [0], frames(1, seed=16))
+    reduced = nf.reduce(scene, center=(0, 0, 0), r1=30.0, r2=50.0, face_size=8)
+    with pytest.raises(ValueError, match="lod: expected None for a reduced scene"):
+        nf.render_path(reduced, [view()], lod="depth")

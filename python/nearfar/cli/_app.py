@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 import nearfar as nf
-from nearfar.cli import _bake, _compare, _demo, _info, _partition, _render
+from nearfar.cli import _bake, _compare, _demo, _info, _lod, _partition, _render
 
 INTERRUPTED = 130
 """Status of a command ended by Ctrl-C, as shells give it: 128 and the signal's number."""
@@ -27,6 +27,7 @@ app.command("partition")(_partition.partition)
 app.command("bake")(_bake.bake)
 app.command("render")(_render.render)
 app.command("compare")(_compare.compare)
+app.command("lod")(_lod.lod)
 
 
 def _print_version(wanted: bool) -> None:

@@ -1,0 +1,119 @@
+"""`nearfar lod`: levels of detail of one object, and from which size on each is good enough."""
+
+from __future__ import annotations
+
+import functools
+import time
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+import nearfar as nf
+from nearfar import _formats
+from nearfar.cli._options import Backend, Input, Invalid, Json, Up, check_backend, open_scene
+from nearfar.cli._output import bytes_text, check_target, count, show
+
+VERSION = 1
+
+
+def lod(
+    scene: Input,
+    output: Annotated[
+        Path, typer.Option("-o", "--output", metavar="FILE", help="The model: .glb with its levels, or .json without.")
+    ],
+    hmd: Annotated[
+        str, typer.Option("--hmd", metavar="NAME", help="Headset that levels are measured for: a name or a .json file.")
+    ] = "quest_2",
+    ratios: Annotated[
+        str | None, typer.Option("--ratios", metavar="R,R,…", help="Shares of the triangles, as in 0.5,0.2,0.05.")
+    ] = None,
+    method: Annotated[
+        str, typer.Option("--method", metavar="fast|meshopt", help="What simplifies: see nf.lod.simplify.")
+    ] = "fast",
+    views: Annotated[int, typer.Option("--views", metavar="N", help="Sides that levels are looked at from.")] = 144,
+    distances: Annotated[int, typer.Option("--distances", metavar="N", help="Sizes at which they are.")] = 16,
+    k: Annotated[float, typer.Option("--k", metavar="K", help="Slope of the threshold.")] = 0.27,
+    d: Annotated[float, typer.Option("--d", metavar="D", help="The threshold at 1/16 of the screen.")] = 0.90,
+    threshold: Annotated[
+        str, typer.Option("--threshold", metavar="KIND", help="How it is read: anchored, literal or normalized.")
+    ] = "anchored",
+    backend: Backend = "auto",
+    up: Up = "y",
+    on_invalid: Invalid = "raise",
+    as_json: Json = False,
+) -> None:
+    """Simplify an object, measure how good each level looks over its size, and write what engines switch by."""
+    check_backend(backend)
+    check_target(output, ".glb", ".json")
+    device = headset(hmd)
+    shares = None if ratios is None else read_ratios(ratios)
+    loaded = open_scene(scene, up=up, on_invalid=on_invalid)
+    started = time.perf_counter()
+    name = Path(scene.partition(":")[0]).stem
+    simplify = functools.partial(nf.lod.simplify, loaded, method=method, name=name)
+    levels = simplify() if shares is None else simplify(shares)
+    simplified = time.perf_counter()
+    model = nf.lod.measure(levels, hmd=device, views=views, distances=distances, backend=backend)
+    seconds = {"simplify": simplified - started, "measure": time.perf_counter() - simplified}
+    model.export(output, view=device, k=k, d=d, threshold=threshold)
+    switches = nf.lod.switches(model, view=device, k=k, d=d, threshold=threshold)
+    document = describe(model, switches) | {
+        "source": scene,
+        "file": str(output),
+        "bytes": output.stat().st_size,
+        "hmd": device.name,
+        "seconds": {step: round(value, 3) for step, value in seconds.items()},
+    }
+    rows = [
+        *((f"level {number}", _text(level)) for number, level in enumerate(document["levels"])),
+        ("headset", device.name),
+        ("file", f"{output}, {bytes_text(document['bytes'])}"),
+        *((step, f"{value:.2f} s") for step, value in seconds.items()),
+    ]
+    show(document, rows, title=scene, as_json=as_json)
+
+
+def headset(text: str) -> nf.Hmd:
+    """The headset of a name, in small letters too, or of a file."""
+    return nf.Hmd.load(text) if Path(text).suffix.lower() == ".json" else nf.hmd.get(text.upper())
+
+
+def read_ratios(text: str) -> list[float]:
+    """Read "0.5,0.2"."""
+    try:
+        return [float(part) for part in text.split(",")]
+    except ValueError:
+        raise ValueError(f"--ratios: expected numbers such as 0.5,0.2,0.05, got {text!r}") from None
+
+
+def describe(model: nf.lod.LodModel, switches: nf.lod.Switches) -> dict[str, Any]:
+    """Document of a model's levels; schema "levels"."""
+    statuses = [None, *model.curves.status.tolist()]
+    never = switches.solid_angle == 0
+    geometry = model.levels or ()
+    return _formats.header("levels", VERSION) | {
+        "name": model.name,
+        "radius": float(model.radius),
+        "levels": [
+            {
+                "triangles": int(model.triangles[number]),
+                "error": float(model.errors[number]),
+                "note": geometry[number].note if geometry else "",
+                "curve": statuses[number],
+                "solid_angle": float(switches.solid_angle[number]),
+                "screen_coverage": float(switches.screen_coverage[number]),
+                "distance": None if never[number] else float(switches.distance[number] * model.radius),
+            }
+            for number in range(len(model))
+        ],
+        "screen_coverage": switches.coverages(),
+    }
+
+
+def _text(level: dict[str, Any]) -> str:
+    parts = [f"{count(level['triangles'])} triangles", f"error {level['error']:.3g} m"]
+    if level["curve"] is not None:
+        where = "never" if level["distance"] is None else f"from {level['distance']:.3g} m on"
+        parts.append(f"good enough {where} ({level['screen_coverage']:.2%} of the picture)")
+    return ", ".join(parts) + (f"; {level['note']}" if level["note"] else "")

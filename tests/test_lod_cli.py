@@ -1,0 +1,63 @@
+"""`nearfar lod`: from a mesh to what engines load."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+
+import nearfar as nf
+from test_cli import command, document
+
+QUICK = ("--views", "4", "--distances", "5", "--ratios", "0.3,0.05", "--method", "meshopt", "--backend", "cpu")
+
+
+@pytest.fixture
+def mesh(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "cache"))
+    ball = trimesh.creation.icosphere(3)
+    ball.vertices *= 1 + 0.05 * np.sin(9 * ball.vertices[:, :1])
+    ball.export(tmp_path / "stone.ply")
+    return tmp_path / "stone.ply"
+
+
+def test_a_mesh_becomes_a_model(mesh: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    target = tmp_path / "stone.glb"
+    status, out, err = command(capsys, "lod", "-i", mesh, "-o", target, "--hmd", "rift_s", *QUICK, "--json")
+    assert (status, err) == (0, "")
+    said = document(out, "levels")
+    model = nf.lod.LodModel.load(target)
+    assert said["name"] == model.name == "stone"
+    assert [level["triangles"] for level in said["levels"]] == model.triangles.tolist()
+    assert said["bytes"] == target.stat().st_size
+    found = nf.lod.switches(model, view=nf.hmd.RIFT_S)
+    assert said["screen_coverage"] == found.coverages()
+    assert nf.Scene.load(target).triangle_count == 1280
+    status, out, _ = command(capsys, "lod", "-i", mesh, "-o", tmp_path / "stone.json", *QUICK)
+    assert status == 0
+    assert "1,280 triangles" in out
+    assert nf.lod.LodModel.load(tmp_path / "stone.json").levels is None
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["-o", "OUT/stone.gltf"], "expected a name ending in .glb or .json"),
+        (["-o", "OUT/stone.glb", "--hmd", "rift_x"], "name: expected one of .*RIFT_S"),
+        (["-o", "OUT/stone.glb", "--ratios", "half"], "--ratios: expected numbers"),
+        (["-o", "OUT/stone.glb", "--ratios", "2"], "ratios\\[0\\]: expected a number above 0"),
+        (["-o", "OUT/none/stone.glb"], "cannot be written|No such file"),
+    ],
+)
+def test_mistakes_are_one_sentence(
+    mesh: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], arguments: list[str], message: str
+) -> None:
+    given = [argument.replace("OUT", str(tmp_path)) for argument in arguments]
+    status, out, err = command(capsys, "lod", "-i", mesh, *given)
+    assert (status, out) == (1, "")
+    assert err.count("\n") == 1
+    assert re.search(message, err)
+    assert not list(tmp_path.glob("*.glb"))
