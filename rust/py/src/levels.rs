@@ -10,6 +10,9 @@ use pyo3::prelude::*;
 use crate::run;
 use crate::scene::{Mesh, Scene, affines, instances, rows_of};
 
+/// Placements (K, 3, 4) and objects (K,).
+type Placed<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray1<i32>>);
+
 /// The meshes of models' levels, shared by every scene that shows them.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Levels(LevelMeshes);
@@ -69,11 +72,7 @@ fn with_instances<'py>(
 
 /// Placements (K, 3, 4) and objects (K,) of the instances of chosen objects, a flag for each object.
 #[pyfunction]
-fn placements_of<'py>(
-    py: Python<'py>,
-    scene: &Scene,
-    chosen: PyReadonlyArray1<'py, bool>,
-) -> PyResult<(Bound<'py, PyArray3<f64>>, Bound<'py, PyArray1<i32>>)> {
+fn placements_of<'py>(py: Python<'py>, scene: &Scene, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Placed<'py>> {
     let chosen = chosen.as_slice()?;
     let (objects, found): (Vec<i32>, Vec<&scene::Instance>) = scene.0.instances_of(chosen).unzip();
     Ok((rows_of(py, found)?, PyArray1::from_vec(py, objects)))
