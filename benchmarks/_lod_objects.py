@@ -1,0 +1,154 @@
+"""Objects with levels for scenes as Liebisch (2021) built them: files where the data are, procedural ones anywhere."""
+
+from __future__ import annotations
+
+import functools
+import io
+import zipfile
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import trimesh
+from numpy.typing import NDArray
+from PIL import Image
+
+import nearfar as nf
+from nearfar import _data
+
+RATIOS = (1, 0.5, 0.25, 0.12, 0.06, 0.03, 0.015, 0.007)
+
+FILES = {
+    "bunny": "objects/bun_zipper.ply",
+    "dragon": "objects/dragon/dragon_vrip_res2.ply.gz",
+    "armadillo": "objects/armadillo.obj",
+    "duck": "objects/gltf/Duck.glb",
+    "FlightHelmet": "objects/gltf/FlightHelmet/FlightHelmet.gltf",
+}
+
+
+@dataclass(frozen=True)
+class Headset:
+    """A headset as the thesis' performance tables describe it."""
+
+    name: str
+    degrees: tuple[float, float]
+    """Horizontal and vertical field of view."""
+    lens: nf.RadialLens
+    size: tuple[int, int]
+    """Pixels drawn for an eye."""
+    printed: dict[int, float]
+    """Per cent of triangles that eccentricity saved beyond depth, by the scene's radius in metres."""
+
+    @property
+    def fov(self) -> nf.Fov:
+        """Symmetric tangents."""
+        x, y = (float(np.tan(np.radians(angle) / 2)) for angle in self.degrees)
+        return nf.Fov(-x, x, -y, y)
+
+    def camera(self, yaw: float = 0.0, *, position: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> nf.Camera:
+        """Turned to the left by an angle in radians."""
+        turned = (0.0, float(np.sin(yaw / 2)), 0.0, float(np.cos(yaw / 2)))
+        return nf.Camera(position, turned, fov=self.fov, size=self.size)
+
+
+RIFT_S = Headset(
+    "Rift S", (87, 90), nf.RadialLens((0.22, 0.24)), nf.hmd.RIFT_S.render_size, {10: 29.5, 15: 24, 20: 14, 30: 9}
+)
+VIVE_PRO = Headset(
+    "Vive Pro", (95, 95), nf.RadialLens((0.2063, 0.0576)), nf.hmd.VIVE_PRO.render_size, {10: 22, 15: 19, 20: 11, 30: 9}
+)
+
+
+def sources() -> dict[str, Callable[[], nf.Scene]]:
+    """How to load each object that is at hand."""
+    found: dict[str, Callable[[], nf.Scene]] = {}
+    if packed := _data.find("objects/spot/spot.zip"):
+        found["spot"] = functools.partial(_spot, packed)
+    for name, file in FILES.items():
+        if path := _data.find(file):
+            found[name] = functools.partial(nf.Scene.load, path)
+    return found | {"knot": _knot, "pebble": _pebble}
+
+
+VIEWS = 36
+"""From how many sides objects are measured: a quarter of what `measure` takes if nobody says, and of its time."""
+
+
+def measured(headset: Headset, names: Iterable[str] = ()) -> list[nf.lod.LodModel]:
+    """Levels of the objects and how good they look in a headset; kept in nearfar's cache."""
+    every = sources()
+    chosen = {name: every[name] for name in names or every}
+    levels = [nf.lod.simplify(load(), RATIOS, normals="smooth", name=name) for name, load in chosen.items()]
+    return [nf.lod.measure(each, fov=headset.fov, size=headset.size, views=VIEWS) for each in levels]
+
+
+@dataclass(frozen=True)
+class Crowd:
+    """Objects at random places in a ball about the origin, turned at random."""
+
+    model_index: NDArray[np.int64]
+    transforms: NDArray[np.float64]
+    """Object's frame to world (N, 4, 4)."""
+    centers: NDArray[np.float64]
+    radii: NDArray[np.float64]
+
+
+def crowd(models: list[nf.lod.LodModel], *, size: float, count: int, radius: float = 0.5, seed: int = 0) -> Crowd:
+    """Scatter as many objects of one radius, all within `size` metres."""
+    random = np.random.default_rng(seed)
+    index = random.integers(len(models), size=count)
+    ways = random.normal(size=(count, 3))
+    ways /= np.linalg.norm(ways, axis=1, keepdims=True)
+    centers = ways * (size * random.random((count, 1)) ** (1 / 3))
+    transforms = np.tile(np.eye(4), (count, 1, 1))
+    for n, turn in enumerate(random.normal(size=(count, 4))):
+        model = models[index[n]]
+        transforms[n] = trimesh.transformations.quaternion_matrix(turn)
+        transforms[n, :3, :3] *= radius / model.radius
+        transforms[n, :3, 3] = centers[n] - transforms[n, :3, :3] @ model.center
+    return Crowd(index, transforms, centers, np.full(count, radius))
+
+
+def _spot(packed: Path) -> nf.Scene:
+    """The file names no material: its texture is put on."""
+    with zipfile.ZipFile(packed) as archive:
+        mesh = trimesh.load(io.BytesIO(archive.read("spot/spot_triangulated.obj")), file_type="obj", process=False)
+        image = Image.open(io.BytesIO(archive.read("spot/spot_texture.png"))).convert("RGB")
+    mesh.visual = trimesh.visual.TextureVisuals(uv=mesh.visual.uv, image=image)
+    return nf.Scene.from_trimesh(mesh)
+
+
+def _knot() -> nf.Scene:
+    """A trefoil tube of 96,000 triangles."""
+    around, along = np.meshgrid(np.arange(80), np.arange(600))
+    t, angle = 2 * np.pi * along.ravel() / 600, 2 * np.pi * around.ravel() / 80
+    at = np.stack([np.sin(t) + 2 * np.sin(2 * t), np.cos(t) - 2 * np.cos(2 * t), -np.sin(3 * t)], 1)
+    way = np.stack([np.cos(t) + 4 * np.cos(2 * t), -np.sin(t) + 4 * np.sin(2 * t), -3 * np.cos(3 * t)], 1)
+    way /= np.linalg.norm(way, axis=1, keepdims=True)
+    side = np.cross(way, [0.0, 0.0, 1.0])
+    side /= np.linalg.norm(side, axis=1, keepdims=True)
+    thick = 0.45 * (1 + 0.08 * np.cos(12 * t) * np.cos(3 * angle))
+    points = at + thick[:, None] * (np.cos(angle)[:, None] * side + np.sin(angle)[:, None] * np.cross(way, side))
+    number = np.arange(600 * 80).reshape(600, 80)
+    right, down = np.roll(number, -1, 1), np.roll(number, -1, 0)
+    both = np.roll(right, -1, 0)
+    faces = np.concatenate([np.stack([number, down, right], -1), np.stack([right, down, both], -1)]).reshape(-1, 3)
+    mesh = trimesh.Trimesh(points, faces, process=False)
+    if mesh.volume < 0:
+        mesh.invert()
+    return nf.Scene.from_trimesh(mesh)
+
+
+def _pebble() -> nf.Scene:
+    """A smooth stone of 81,920 triangles with dents of all sizes."""
+    mesh = trimesh.creation.icosphere(subdivisions=6)
+    points = mesh.vertices.view(np.ndarray)
+    random = np.random.default_rng(7)
+    height = np.zeros(len(points))
+    for octave in range(1, 6):
+        for wave in random.normal(size=(6, 3)) * 1.7**octave:
+            height += 0.35 * 0.5**octave * np.sin(points @ wave + random.uniform(0, 6))
+    stone = points * (1 + 0.25 * height[:, None]) * (1.0, 0.7, 0.85)
+    return nf.Scene.from_trimesh(trimesh.Trimesh(stone, mesh.faces, process=False))

@@ -1,0 +1,220 @@
+"""Whether chosen levels look as good as was asked for, behind the lens, and how many triangles other rules need for it.
+
+python benchmarks/lod_quality.py [--quick]
+"""
+
+from __future__ import annotations
+
+import argparse
+import functools
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+import nearfar as nf
+from _lod_objects import RIFT_S, VIVE_PRO, Crowd, Headset, crowd, measured
+from _measure import machine, table
+
+LUMA = np.array([0.2126, 0.7152, 0.0722])
+LEAST_PIXELS = 16
+"""Objects of which less is seen are not scored: a mean over fewer pixels than a window's row says little."""
+TILE_VIEWER_PX = 16.0
+
+Levels = NDArray[np.int32]
+Rule = Callable[[nf.Camera], Levels]
+
+
+@dataclass(frozen=True)
+class Case:
+    """A scene, a headset, and the views that are compared."""
+
+    models: list[nf.lod.LodModel]
+    crowd: Crowd
+    headset: Headset
+    cameras: list[nf.Camera]
+
+    @functools.cached_property
+    def scene(self) -> nf.Scene:
+        """With all levels."""
+        return nf.lod.place(self.models, self.crowd.model_index, self.crowd.transforms)
+
+    @functools.cached_property
+    def truths(self) -> list[View]:
+        """Pictures at full detail."""
+        return [View.of(self, camera, self.in_full(camera)) for camera in self.cameras]
+
+    @property
+    def spheres(self) -> tuple[list[nf.lod.LodModel], NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
+        """What levels are chosen for."""
+        return self.models, self.crowd.model_index, self.crowd.centers, self.crowd.radii
+
+    def by_ours(self, camera: nf.Camera, d: float) -> Levels:
+        """By our rule for a least score."""
+        return nf.lod.select(*self.spheres, camera=camera, lens=self.headset.lens, d=d)
+
+    def in_full(self, camera: nf.Camera) -> Levels:
+        """Level 0 of all that is in view."""
+        return np.minimum(self.by_ours(camera, 0.0), 0)
+
+    def by_screen_error(self, camera: nf.Camera, pixels: float) -> Levels:
+        """The coarsest level whose geometric error, at the sphere's nearest point, covers no more than some pixels."""
+        full = self.in_full(camera)
+        distance = np.linalg.norm(self.crowd.centers - camera.position, axis=1) - self.crowd.radii
+        scale = self.headset.size[1] / (self.headset.fov.up - self.headset.fov.down) / np.maximum(distance, 1e-6)
+        levels = np.zeros_like(full)
+        for number, model in enumerate(self.models):
+            own = self.crowd.model_index == number
+            errors = np.asarray(model.errors)[:, None] * (self.crowd.radii[own] / model.radius * scale[own])
+            levels[own] = len(model) - 1 - np.argmax((errors <= pixels)[::-1], axis=0)
+        return np.where(full < 0, full, levels).astype(np.int32)
+
+    def triangles(self, levels: Levels) -> int:
+        """Of what is in view."""
+        return sum(
+            int(self.models[m].triangles[n]) for m, n in zip(self.crowd.model_index, levels, strict=True) if n >= 0
+        )
+
+
+@dataclass(frozen=True)
+class View:
+    """What the panel of a headset shows."""
+
+    luma: NDArray[np.float64]
+    """8-bit steps."""
+    objects: NDArray[np.int32]
+
+    @staticmethod
+    def of(case: Case, camera: nf.Camera, levels: Levels) -> View:
+        """Draw and warp a view, so that the lens puts it right."""
+        frame = nf.render(case.scene, camera, lod=levels, samples=4, channels=("color", "object_id"))
+        luma, numbers = frame.to_image()[..., :3] @ LUMA, np.asarray(frame.object_id)
+        warp = functools.partial(case.headset.lens.warp, inverse=True, fov=case.headset.fov)
+        height, width = luma.shape
+        rows, columns = np.mgrid[:height, :width].astype(np.float64)
+        places = warp(np.stack([rows, columns], axis=-1), fill=-1.0)
+        inside = np.all(places >= 0, axis=-1)
+        at = np.rint(np.where(inside[..., None], places, 0)).astype(np.int64)
+        objects = np.where(inside, numbers[at[..., 0], at[..., 1]], -1)
+        return View(np.where(inside, warp(luma), 0.0), objects.astype(np.int32))
+
+
+def scores(truth: View, test: View, count: int) -> NDArray[np.float64]:
+    """Masked SSIM of each object (N,): over all pixels that show it in either view; NaN for few."""
+    _, local = nf.ssim(truth.luma, test.luma, data_range=255, full=True)
+    sums, pixels = np.zeros(count), np.zeros(count)
+    either = [
+        (truth.objects, truth.objects >= 0),
+        (test.objects, (test.objects >= 0) & (test.objects != truth.objects)),
+    ]
+    for objects, chosen in either:
+        sums += np.bincount(objects[chosen], local[chosen], minlength=count)
+        pixels += np.bincount(objects[chosen], minlength=count)
+    means: NDArray[np.float64] = np.divide(sums, pixels, out=np.full(count, np.nan), where=pixels >= LEAST_PIXELS)
+    return means
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a rule costs and gives in all views of a case."""
+
+    triangles: int
+    """Of all views."""
+    scores: NDArray[np.float64]
+    """Of all objects in all views that show enough of them."""
+
+    @staticmethod
+    def of(case: Case, rule: Rule) -> Outcome:
+        """Draw every view by a rule."""
+        drawn, found = 0, []
+        for camera, truth in zip(case.cameras, case.truths, strict=True):
+            levels = rule(camera)
+            drawn += case.triangles(levels)
+            found.append(scores(truth, View.of(case, camera, levels), len(levels)))
+        every = np.concatenate(found)
+        return Outcome(drawn, every[np.isfinite(every)])
+
+
+STATISTICS: dict[str, Callable[[NDArray[np.float64]], float]] = {
+    "mean": lambda scores: float(scores.mean()),
+    "5th percentile": lambda scores: float(np.percentile(scores, 5)),
+}
+
+
+def kept(case: Case, mode: str, threshold: str) -> tuple[float, int]:
+    """Share of objects that look at least as good as their threshold, and how many were scored."""
+    good = count = 0
+    how = nf.lod.Selector(lens=case.headset.lens, mode=mode, threshold=threshold)
+    for camera, truth in zip(case.cameras, case.truths, strict=True):
+        chosen = how.select(*case.spheres, camera=camera, full=True)
+        found = scores(truth, View.of(case, camera, chosen.level), len(chosen.level))
+        # Level 0 is as good as full detail by definition, where no threshold was asked.
+        scored = np.isfinite(found) & (chosen.level >= 0)
+        good += int((found[scored] >= np.nan_to_num(chosen.threshold[scored])).sum())
+        count += int(scored.sum())
+    return good / count, count
+
+
+def as_good(case: Case, wanted: float, statistic: Callable[[NDArray[np.float64]], float]) -> tuple[float, Outcome]:
+    """The least d at which our levels are as good as wanted, by halving, and what they cost."""
+    low, high = 0.0, 1.0
+    best = Outcome.of(case, functools.partial(case.by_ours, d=high))
+    for _ in range(9):
+        middle = (low + high) / 2
+        found = Outcome.of(case, functools.partial(case.by_ours, d=middle))
+        if statistic(found.scores) >= wanted:
+            high, best = middle, found
+        else:
+            low = middle
+    return high, best
+
+
+def cases(headset: Headset, *, quick: bool) -> Iterator[tuple[str, Case]]:
+    """Scenes as in the thesis, seen from the middle."""
+    models = measured(headset)
+    for size, count in [(10, 100)] if quick else [(10, 100), (10, 500), (20, 500), (30, 1000)]:
+        views = 2 if quick else 6
+        cameras = [headset.camera(2 * np.pi * n / views) for n in range(views)]
+        yield (
+            f"{size} m, {count}",
+            Case(models, crowd(models, size=size, count=count, seed=size * count), headset, cameras),
+        )
+
+
+def report(headset: Headset, *, quick: bool) -> Iterator[str]:
+    """Both questions for a headset."""
+    right, equal = [], []
+    for name, case in cases(headset, quick=quick):
+        for mode in ("depth", "depth+eccentricity"):
+            row = [f"{100 * share:.1f} of {count}" for share, count in (kept(case, mode, t) for t in THRESHOLDS)]
+            right.append([name, mode, *row])
+        rule = Outcome.of(case, functools.partial(case.by_screen_error, pixels=TILE_VIEWER_PX))
+        for label, statistic in STATISTICS.items():
+            wanted = statistic(rule.scores)
+            d, ours = as_good(case, wanted, statistic)
+            fewer = 100 * (1 - ours.triangles / rule.triangles)
+            equal.append(
+                [name, label, f"{wanted:.4f}", f"{rule.triangles:,}", f"{d:.3f}", f"{ours.triangles:,}", f"{fewer:.1f}"]
+            )
+    title = f"{headset.name}: per cent of objects in view at least as good as their threshold, behind the lens"
+    yield table(title, ["scene", "mode", *THRESHOLDS], right)
+    title = f"{headset.name}: triangles at equal SSIM, beside {TILE_VIEWER_PX:g} px of screen-space error"
+    yield table(title, ["scene", "equal", "SSIM", "triangles, 16 px", "our d", "ours", "fewer %"], equal)
+
+
+THRESHOLDS = ("anchored", "literal", "normalized")
+
+
+def main() -> None:
+    """Print the tables."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="two views of one scene")
+    options = parser.parse_args()
+    print(machine())
+    for headset in (RIFT_S,) if options.quick else (RIFT_S, VIVE_PRO):
+        print("\n".join(report(headset, quick=options.quick)), flush=True)
+
+
+if __name__ == "__main__":
+    main()
