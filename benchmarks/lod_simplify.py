@@ -16,6 +16,7 @@ import fast_simplification
 import numpy as np
 import trimesh
 from numpy.typing import NDArray
+from PIL import Image
 from scipy.spatial import cKDTree
 
 import nearfar as nf
@@ -35,7 +36,7 @@ def knobbly(subdivisions: int) -> trimesh.Trimesh:
     ball = trimesh.creation.icosphere(subdivisions)
     waves = 1 + 0.1 * np.sin(8 * ball.vertices[:, :1]) * np.cos(6 * ball.vertices[:, 1:2])
     ball.vertices = ball.vertices * waves
-    image = trimesh.visual.material.PBRMaterial(baseColorTexture=None)
+    image = trimesh.visual.material.PBRMaterial(baseColorTexture=Image.new("RGB", (8, 8)))
     ball.visual = trimesh.visual.TextureVisuals(uv=ball.vertices[:, :2] / 3 + 0.5, material=image)
     return ball
 

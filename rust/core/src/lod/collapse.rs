@@ -84,7 +84,8 @@ mod tests {
         let is_seam = vec![false; positions.len()];
         let vertices = Vertices { positions: &positions, attributes: &[], weights: &[], is_seam: &is_seam };
         let (found, error) = collapse(vertices, &faces, 2, false).unwrap();
-        assert_eq!((found.len(), error), (2, 0.0));
+        // Its quadrics are float32: 2⁻¹² of the extent is their root's rounding.
+        assert!(found.len() == 2 && error < 1e-3, "{} {error}", found.len());
         let corners = [0, side - 1, side * (side - 1), side * side - 1];
         assert!(corners.iter().all(|corner| found.as_flattened().contains(corner)));
         assert_eq!(collapse(vertices, &faces, faces.len(), false).unwrap().0, faces);
