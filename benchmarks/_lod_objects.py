@@ -17,7 +17,7 @@ from PIL import Image
 import nearfar as nf
 from nearfar import _data
 
-RATIOS = (1, 0.5, 0.25, 0.12, 0.06, 0.03, 0.015, 0.007)
+RATIOS = (1, 0.5, 0.25, 0.12, 0.06, 0.03, 0.015, 0.007, 0.003, 0.0015)
 
 FILES = {
     "bunny": "objects/bun_zipper.ply",
