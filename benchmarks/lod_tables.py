@@ -1,6 +1,6 @@
 """Triangles and time that chosen levels save in scenes built as Liebisch (2021) built them, beside what he printed.
 
-python benchmarks/lod_scenes.py [--quick]
+python benchmarks/lod_tables.py [--quick]
 """
 
 from __future__ import annotations
