@@ -1,6 +1,6 @@
-"""Makes the pictures of the README: `python scripts/pictures.py [city] [tokyo] [curve]`, into docs/.
+"""Makes the pictures of the README: `python scripts/pictures.py [city] [tokyo] [curve] [lod]`, into docs/.
 
-Each shows truth, conventional and continuous method from one eye, and below a part of each enlarged.
+City and Tokyo show truth, conventional and continuous method from one eye, and below a part of each enlarged.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+from lod_picture import draw_lod
 from numpy.typing import NDArray
 from PIL import Image
 
@@ -27,7 +28,7 @@ Box = tuple[float, float, float, float]
 def main() -> None:
     """Make those named, or all."""
     DOCS.mkdir(exist_ok=True)
-    wanted = sys.argv[1:] or ["city", "tokyo", "curve"]
+    wanted = sys.argv[1:] or ["city", "tokyo", "curve", "lod"]
     if "city" in wanted or "curve" in wanted:
         city = nf.datasets.city()
         eye, _ = nf.datasets.street_view()
@@ -41,6 +42,8 @@ def main() -> None:
         center, forward = np.array([115.0, 1.7, 192.15]), np.array([-0.866, 0.15, 0.5])
         aside = center + 8.0 * np.array([0.5, 0.0, 0.866])
         compare("tokyo", tokyo, point(center), point(aside), point(aside + forward), (0.34, 0.1, 0.8, 0.72))
+    if "lod" in wanted:
+        draw_lod(DOCS / "lod.png")
 
 
 def compare(

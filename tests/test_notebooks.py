@@ -28,7 +28,8 @@ def cells(path: Path) -> list[dict[str, Any]]:
 
 
 def test_there_are_notebooks_in_the_order_of_the_stages() -> None:
-    assert [path.stem for path in NOTEBOOKS] == ["01_scene", "02_near_far", "03_headset", "04_gpu", "05_lod_study"]
+    stages = ["01_scene", "02_near_far", "03_headset", "04_gpu", "05_lod_study", "06_lod"]
+    assert [path.stem for path in NOTEBOOKS] == stages
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)

@@ -1,0 +1,105 @@
+"""Makes the picture of levels of detail in docs/: their looks, their scores, and what a turn of the head draws.
+
+The object is Khronos' FlightHelmet (CC0), the headset a Rift S as Liebisch (2021) describes it.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import matplotlib as mpl
+import numpy as np
+import trimesh
+
+import nearfar as nf
+from nearfar import _data
+
+RATIOS = (0.5, 0.25, 0.12, 0.06, 0.03)
+SIZE, LENS = nf.hmd.RIFT_S.render_size, nf.RadialLens((0.22, 0.24))
+FOV = nf.Fov.symmetric(87, np.tan(np.radians(87 / 2)) / np.tan(np.radians(90 / 2)))
+COUNT, BALL, ACROSS = 500, 10.0, 1.0
+FRAMES = 360
+COLORS = {"depth": "#555555", "depth+eccentricity": "#e08a1e", "fovea": "#c8102e"}
+
+
+def draw_lod(path: Path) -> None:
+    """Draw levels above, their curves and triangles by mode below."""
+    mpl.use("agg")
+    from matplotlib import pyplot as plt
+
+    helmet = nf.Scene.load(_data.require("objects/gltf/FlightHelmet/FlightHelmet.gltf"))
+    levels = nf.lod.simplify(helmet, RATIOS, method="meshopt", normals="smooth", name="FlightHelmet")
+    model = nf.lod.measure(levels, fov=FOV, size=SIZE)
+    figure = plt.figure(figsize=(13.3, 7.6), layout="constrained")
+    above, below = figure.subfigures(2, 1, height_ratios=(1, 1.3))
+    _draw_levels(model, above.subplots(1, len(model)))
+    curves, turn = below.subplots(1, 2)
+    _draw_curves(model, curves)
+    _draw_turn(model, turn)
+    figure.savefig(path, dpi=90)
+    plt.close(figure)
+
+
+def _draw_levels(model: nf.lod.LodModel, axes: Any) -> None:
+    """All from one side, and from where on each is good enough."""
+    switch = nf.lod.switches(model, view=FOV)
+    way = np.array([0.55, 0.3, 1.0])
+    eye = model.center + 3.2 * model.radius * way / np.linalg.norm(way)
+    camera = nf.Camera.look_at(eye, model.center, fov=nf.Fov.symmetric(37), size=(360, 360))
+    coarser = np.append(np.minimum.accumulate(switch.distance[::-1])[-2::-1], np.inf)
+    starts = [f"from {far * ACROSS / 2:.1f} m on" for far in switch.distance]
+    words = np.where(switch.distance < coarser, starts, "unused")
+    words[0] = "the object"
+    for axis, level, text in zip(axes, model.levels or (), words, strict=True):
+        axis.imshow(nf.render(level.scene, camera, samples=16, channels=("color",)).to_image())
+        axis.set_title(f"{level.triangle_count:,} triangles, {text}", fontsize=10)
+        axis.axis("off")
+
+
+def _draw_curves(model: nf.lod.LodModel, axis: Any) -> None:
+    """With the score that is enough."""
+    model.plot(axis)
+    sigma = np.geomspace(*model.sigma, 200)
+    axis.plot(sigma, 0.90 + 0.27 * (sigma - nf.lod.reference_solid_angle(FOV)), "k--", label="enough")
+    axis.legend(title="triangles")
+    views = model.measured["views"]
+    axis.set(title=f"SSIM of {views} views, 25th percentile", xlabel="solid angle, sr")
+    axis.grid(alpha=0.3)
+
+
+def _draw_turn(model: nf.lod.LodModel, axis: Any) -> None:
+    """Triangles of objects at random in a ball, in view of an eye in its middle."""
+    random = np.random.default_rng(0)
+    ways = random.normal(size=(COUNT, 3))
+    places = BALL * ways / np.linalg.norm(ways, axis=1, keepdims=True) * random.random((COUNT, 1)) ** (1 / 3)
+    sizes = np.full(COUNT, ACROSS / 2)
+    frames = np.array([trimesh.transformations.random_rotation_matrix(random.random(3)) for _ in range(COUNT)])
+    frames[:, :3, :3] *= ACROSS / 2 / model.radius
+    frames[:, :3, 3] = places - frames[:, :3, :3] @ model.center
+    scene = nf.lod.place([model], np.zeros(COUNT, np.int64), frames)
+    where = scene.leveled
+    if where is None:
+        raise RuntimeError("expected objects with levels")
+    drawn: dict[str, list[int]] = {"level 0 of all": [], **{mode: [] for mode in COLORS}}
+    yaws = np.linspace(0, 360, FRAMES, endpoint=False)
+    for yaw in np.radians(yaws):
+        camera = nf.Camera((0, 0, 0), (0, np.sin(yaw / 2), 0, np.cos(yaw / 2)), fov=FOV, size=SIZE)
+        chosen = np.zeros(COUNT, np.int32)
+        for mode in COLORS:
+            chosen = nf.lod.select(
+                [model], where.model_index, where.centers, sizes, camera=camera, lens=LENS, mode=mode
+            )
+            drawn[mode].append(int(model.triangles[chosen[chosen >= 0]].sum()))
+        drawn["level 0 of all"].append(int(model.triangles[0] * np.count_nonzero(chosen >= 0)))
+    for name, counts in drawn.items():
+        label = f"{name}: {np.mean(counts):,.0f}"
+        axis.semilogy(yaws, counts, color=COLORS.get(name, "#1f5fa8"), label=label)
+        print(f"{label} triangles in view on average")
+    axis.set(
+        title=f"{COUNT} of these, {ACROSS:g} m across, in a ball of {BALL:g} m about the eye",
+        xlabel="yaw, degrees",
+        ylabel="triangles in view",
+    )
+    axis.legend(title="levels by: mean of the turn", loc="upper center", bbox_to_anchor=(0.5, 0.8), ncols=2)
+    axis.grid(alpha=0.3)
