@@ -133,3 +133,9 @@ def test_files_of_others_and_of_the_future_are_refused(model: nf.lod.LodModel, t
         nf.lod.LodModel.load(tmp_path / "none.json")
     with pytest.raises(TypeError, match="path"):
         nf.lod.LodModel.load(3)  # type: ignore[arg-type]
+
+
+def test_saving_refuses_the_suffix_of_geometry(model: nf.lod.LodModel, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=r"path: expected a place for JSON, got .*; `export` writes the geometry"):
+        model.save(tmp_path / "x.glb")
+    assert not list(tmp_path.iterdir())

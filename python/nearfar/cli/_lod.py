@@ -31,6 +31,9 @@ def lod(
     method: Annotated[
         str, typer.Option("--method", metavar="fast|meshopt", help="What simplifies: see nf.lod.simplify.")
     ] = "fast",
+    normals: Annotated[
+        str, typer.Option("--normals", metavar="keep|smooth|flat", help="How levels are shaded: see nf.lod.simplify.")
+    ] = "keep",
     views: Annotated[int, typer.Option("--views", metavar="N", help="Sides that levels are looked at from.")] = 144,
     distances: Annotated[int, typer.Option("--distances", metavar="N", help="Sizes at which they are.")] = 16,
     k: Annotated[float, typer.Option("--k", metavar="K", help="Slope of the threshold.")] = 0.27,
@@ -51,7 +54,7 @@ def lod(
     loaded = open_scene(scene, up=up, on_invalid=on_invalid)
     started = time.perf_counter()
     name = Path(scene.partition(":")[0]).stem
-    simplify = functools.partial(nf.lod.simplify, loaded, method=method, name=name)
+    simplify = functools.partial(nf.lod.simplify, loaded, method=method, normals=normals, name=name)
     levels = simplify() if shares is None else simplify(shares)
     simplified = time.perf_counter()
     model = nf.lod.measure(levels, hmd=device, views=views, distances=distances, backend=backend)

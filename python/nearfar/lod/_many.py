@@ -7,6 +7,7 @@ import multiprocessing
 import os
 import signal
 from collections.abc import Callable
+from concurrent.futures.process import BrokenProcessPool
 from typing import Any
 
 from nearfar import _progress
@@ -39,6 +40,9 @@ def over_processes(objects: list[Levels], settings: Settings, workers: int) -> l
             for number, _ in enumerate(_finished(futures)):
                 report(number, len(objects))
         return [future.result() for future in futures]
+    except BrokenProcessPool:
+        message = "workers: a process ended at once; a script needs `if __name__ == '__main__':` around what it does"
+        raise RuntimeError(message) from None
     except BaseException:
         stop.set()
         raise

@@ -144,6 +144,8 @@ def measure(
     ------
     ValueError, TypeError
         For arguments out of their domains, and for a base that is a single point.
+    RuntimeError
+        Where processes end at once, as in scripts without a guard for `__main__`.
     DeviceError
         As `render`.
 

@@ -70,9 +70,13 @@ class LodModel:
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all but the geometry as JSON, whole or not at all: curves, samples, and how they were measured.
 
-        `export` writes the geometry too.
+        `export` writes the geometry too, as `.glb`: ValueError for that suffix. OSError where the file cannot be
+        written.
         """
-        _lod_file.write(_check.path("path", path), self)
+        target = _check.path("path", path)
+        if target.suffix.lower() == ".glb":
+            raise ValueError(f"path: expected a place for JSON, got {target}; `export` writes the geometry as GLB")
+        _lod_file.write(target, self)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> LodModel:

@@ -103,7 +103,8 @@ def select(
     Parameters
     ----------
     models
-        What is known of each kind of object.
+        What is known of each kind of object, measured on the pixels that are shown: levels that were measured on a
+        coarser screen look worse than their curves say.
     model_index
         (N,) whole numbers: the model of each object.
     centers
@@ -124,8 +125,9 @@ def select(
         f: "anchored" is d + k (σ − σ₁/₁₆), so that d is what viewers accepted at 1/16 of the screen. "literal" is
         kσ + d, "normalized" d + k (σ/σ₁/₁₆ − 1).
     mode
-        "off": level 0 for all, and no work. "depth": σ′ = σ. "depth+eccentricity": σ′ is what the lens leaves of σ
-        (`corrected_solid_angle`). "fovea": what the eye sees of that too, at its angle from the gaze (`acuity`).
+        "off": level 0 for all and no work, so that nothing is culled. "depth": σ′ = σ. "depth+eccentricity": σ′ is
+        what the lens leaves of σ (`corrected_solid_angle`); without a lens that is "depth". "fovea": what the eye sees
+        of that too, at its angle from the gaze (`acuity`).
     reference
         σ₁/₁₆, steradians; by default `reference_solid_angle` of the eye that sees farthest to a side.
     cull
