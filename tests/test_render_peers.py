@@ -11,6 +11,8 @@ import pytest
 import trimesh
 
 import nearfar as nf
+from nearfar import _scene_parts
+from nearfar._names import Names
 from render_oracle import irradiance, rotate
 from support import data, need
 
@@ -55,9 +57,17 @@ def pictures(request: pytest.FixtureRequest) -> Pictures:
     case = CASES[request.param]
     path = data(case.file)
     camera = nf.Camera.look_at(case.eye, case.target, fov=nf.Fov.symmetric(60, SIZE[0] / SIZE[1]), size=SIZE)
-    frame = nf.render(nf.Scene.load(path), camera, channels=("color", "range", "face_id", "normal"))
+    frame = nf.render(flat(nf.Scene.load(path)), camera, channels=("color", "range", "face_id", "normal"))
     color, depth = rasterised(trimesh.load_scene(path, process=False), camera, case)
     return Pictures(frame, depth, color, inside_of_faces(frame.require("face_id")), case.textured)
+
+
+def flat(scene: nf.Scene) -> nf.Scene:
+    """The same without normals of vertices: colours are divided by the light on what the channel `normal` shows."""
+    parts = _scene_parts.parts_of(scene._core)
+    for mesh in parts["meshes"]:
+        mesh["normals"] = None
+    return nf.Scene(_scene_parts.core_of_parts(parts), Names(scene.object_names))
 
 
 def inside_of_faces(faces: np.ndarray) -> np.ndarray:

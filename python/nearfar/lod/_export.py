@@ -6,12 +6,12 @@ import os
 import struct
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, SupportsFloat
+from typing import TYPE_CHECKING, Any, SupportsFloat
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _check, _core, _files, _formats, _scene_glb
+from nearfar import _check, _core, _files, _formats
 from nearfar._camera import Camera, Fov
 from nearfar._errors import FormatError
 from nearfar._hmd import Hmd
@@ -22,6 +22,9 @@ from nearfar.lod._levels import Level, Levels
 from nearfar.lod._model import LodModel
 from nearfar.lod._place import empty
 from nearfar.lod._switch import Switches, switches
+
+if TYPE_CHECKING:
+    from nearfar import _scene_glb
 
 EXTENSION, COVERAGE, OURS = "MSFT_lod", "MSFT_screencoverage", "nearfar"
 _IDENTITY = np.eye(4)
@@ -49,6 +52,9 @@ def write(
 
 
 def _glb_of(model: LodModel, found: Switches, document: dict[str, Any]) -> bytes:
+    # Files alone need an imaging library.
+    from nearfar import _scene_glb
+
     core, levels = _merged(model)
     names = [model.name, *(f"{model.name}_lod{number}" for number in range(1, len(levels)))]
     everywhere = np.tile(_IDENTITY[None, :3], (len(levels), 1, 1))
@@ -66,6 +72,8 @@ def _glb_of(model: LodModel, found: Switches, document: dict[str, Any]) -> bytes
 
 def read(target: Path) -> LodModel:
     """Read a GLB that `write` made; FormatError for anything else, OSError where there is no file."""
+    from nearfar import _scene_glb
+
     data = target.read_bytes()
     try:
         return _model(_scene_glb.Decoder(data, Names(1)), target)
@@ -144,6 +152,8 @@ def export(
     OSError
         Where the file cannot be written.
     """
+    from nearfar import _scene_glb
+
     core, table, target = core_of(scene), scene._table, _check.path("path", path)
     if target.suffix.lower() != ".glb":
         raise ValueError(f"path: expected a name ending in .glb, got {os.fspath(path)!r}")
@@ -167,6 +177,8 @@ def export(
 def _placed(
     whole: _core.Scene, rest: _core.Scene, names: Sequence[str], counts: NDArray[np.int64], found: list[Switches]
 ) -> bytes:
+    from nearfar import _scene_glb
+
     encoder = _scene_glb.Encoder(whole, names)
     standing = rest.instance_count - len(rest.moving_objects())
     leveled = int(counts.sum())
