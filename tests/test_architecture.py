@@ -148,6 +148,7 @@ PYTHON_STAGES: dict[str, set[str]] = {
         "_backend",
         "_bounds",
         "_camera",
+        "_eyes",
         "_frame",
         "_geometry",
         "_glb",

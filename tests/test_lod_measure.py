@@ -415,3 +415,12 @@ def test_bad_levels_are_named() -> None:
             nf.lod.measure(wrong, **SMALL)
     with pytest.raises(ValueError, match="workers: expected None beside a client"):
         nf.lod.measure([own], **SMALL, workers=2, client=object())
+
+
+def test_flat_curves_promise_no_more_than_was_seen() -> None:
+    rows = np.array([[0.87, 0.93, 0.95, 0.94], [0.6, 0.8, 0.93, 0.98]])
+    fitted = nf.lod.fit_4pl(np.array([0.18, 0.06, 0.03, 0.02]), rows)
+    assert fitted.status[0] == "flat"
+    cautious = _job._cautious(fitted, rows)
+    assert (cautious.a[0], cautious.d[0]) == (0.87, 0.87)
+    np.testing.assert_array_equal([*cautious[1]], [*fitted[1]])

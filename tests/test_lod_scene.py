@@ -8,11 +8,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
 from gpu_cases import ADAPTERS, adapter
-from leveled_cases import GREY, RED, ball, bytes_of, checkers, frames, model_from, model_of, same_triangles, view
+from leveled_cases import GREY, RED, SIZE, ball, bytes_of, checkers, frames, model_from, model_of, same_triangles, view
 from nearfar._scene import SceneBuilder
 
 Array = NDArray[np.float64]
@@ -410,3 +411,26 @@ def test_reduced_scenes_have_no_levels(models: list[nf.lod.LodModel]) -> None:
     reduced = nf.reduce(scene, center=(0, 0, 0), r1=30.0, r2=50.0, face_size=8)
     with pytest.raises(ValueError, match="lod: expected None for a reduced scene"):
         nf.render_path(reduced, [view()], lod="depth")
+
+
+def test_levels_of_an_object_of_a_scene_stand_where_it_stands() -> None:
+    source, place = trimesh.Scene(), np.diag([2.0, 1.0, 0.5, 1.0])
+    place[:3, 3] = (4.0, 1.0, -6.0)
+    source.add_geometry(trimesh.creation.icosphere(3), node_name="ball", transform=place)
+    source.add_geometry(trimesh.creation.box(), node_name="box", transform=np.diag([1.0, 2.0, -1.0, 1.0]))
+    scene = nf.Scene.from_trimesh(source).with_dynamic(["ball"])
+    camera = nf.Camera.look_at((0.0, 1.0, 5.0), (2.0, 0.5, -3.0), fov=nf.Fov.symmetric(90), size=SIZE)
+    pose = np.diag([1.0, 1.0, -3.0, 1.0])
+    for start in (scene, scene.at({"ball": pose})):
+        levels = nf.lod.simplify(start.subset(objects=["ball"]), (0.5, 0.1))
+        assert levels.name == "ball"
+        model = nf.lod.measure(
+            levels, fov=nf.Fov.symmetric(90), size=SIZE, views=4, distances=4, samples=1, cache=False
+        )
+        leveled = start.with_levels({"ball": model})
+        assert leveled.leveled is not None
+        np.testing.assert_allclose(leveled.leveled.centers[0], levels.center, atol=1e-6)
+        for pose_now in (start, start.at({"ball": place}), start.at({"ball": pose})):
+            shown = pose_now.with_levels({"ball": model})
+            differ = nf.render(shown, camera).require("color") != nf.render(pose_now, camera).require("color")
+            assert differ.any(axis=-1).mean() < 0.002

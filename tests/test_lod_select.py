@@ -372,6 +372,21 @@ def test_things_away_from_the_gaze_get_coarser_levels() -> None:
     np.testing.assert_allclose(aside.sigma_seen, ahead.sigma_seen[::-1], rtol=1e-9)
 
 
+def test_canted_eyes_look_ahead_together() -> None:
+    head = nf.hmd.PIMAX_5K_PLUS
+    eyes = [head.camera(side, (0.0, 0.0, 0.0)) for side in ("left", "right")]
+    centers = np.array([[0.0, 0.0, -z] for z in (8.0, 10.0, 14.0, 20.0)])
+    index = np.zeros(len(centers), int)
+    chosen = nf.lod.select([usual(12)], index, centers, 1.0, camera=eyes, mode="fovea", full=True)
+    ahead = nf.lod.select([usual(12)], index, centers, 1.0, camera=eyes, mode="fovea", gaze=(0, 0, -1), full=True)
+    np.testing.assert_allclose(chosen.sigma_seen, chosen.sigma, rtol=1e-12)
+    assert np.array_equal(chosen.level, ahead.level)
+    back = nf.Camera((0, 0, 0), (0, 1, 0, 0), fov=eyes[0].fov, size=eyes[0].size)
+    front = nf.Camera((0, 0, 0), fov=eyes[0].fov, size=eyes[0].size)
+    with pytest.raises(ValueError, match="gaze: expected a direction for cameras that look in opposite ones"):
+        nf.lod.select([usual(12)], index, centers, 1.0, camera=[front, back], mode="fovea")
+
+
 # errors --------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize(
     ("changed", "error", "message"),

@@ -373,3 +373,15 @@ def test_the_helmet_keeps_its_materials(method: str) -> None:
         assert set(parts(level.scene)["materials"].tolist()) == used
     assert abs(levels[1].triangle_count / levels[0].triangle_count - 0.25) < 0.005 or levels[1].note
     assert levels[1].error < 0.01 * levels.radius * 2
+
+
+def test_copies_of_faces_may_be_all_that_goes(method: str) -> None:
+    ball = trimesh.creation.icosphere(3)
+    doubled = nf.Scene.from_arrays(ball.vertices, np.concatenate([ball.faces, ball.faces]))
+    levels = nf.lod.simplify(doubled, (0.5, 0.2), method=method)
+    assert levels[0].triangle_count == 2560
+    assert levels[1].triangle_count <= 1280
+    if method == "fast":
+        assert levels[1].triangle_count == 1280
+        assert levels[1].error < 1e-6
+    assert "can't be reached" not in levels[0].note

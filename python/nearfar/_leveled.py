@@ -154,7 +154,7 @@ class Given:
     index: NDArray[np.int64]
     """Which of them each object is given (K,)."""
     frames: NDArray[np.float64]
-    """Transforms of the objects (K, 4, 4), object→world, when they were loaded."""
+    """Where the levels stand (K, 4, 4), their frame→world, when the objects were loaded."""
 
 
 def given(names: Names, numbers: Sequence[int], models: Sequence[object], frames: NDArray[np.float64]) -> Given:
@@ -170,7 +170,17 @@ def given(names: Names, numbers: Sequence[int], models: Sequence[object], frames
     if flat.any():
         name = names.all[numbers[int(np.argmax(flat))]]
         raise ValueError(f"models: expected objects with invertible transforms, got a flat one for '{name}'")
-    return Given(np.array(numbers, np.int64), tuple(distinct.values()), index, frames)
+    own = np.array([model.levels.frame for model in distinct.values()], np.float64).reshape(-1, 4, 4)
+    return Given(np.array(numbers, np.int64), tuple(distinct.values()), index, _placing(frames, own[index]))
+
+
+def _placing(frames: NDArray[np.float64], own: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Levels' frames→world: an object's transform after the levels' frame is taken off; nothing is lost where equal."""
+    placing = np.array([np.linalg.solve(b.T, a.T).T for a, b in zip(frames, own, strict=True)]).reshape(-1, 4, 4)
+    placing[:, 3] = (0, 0, 0, 1)
+    same = (frames == own).all(axis=(1, 2))
+    placing[same] = np.eye(4)
+    return placing
 
 
 def _check_model(argument: str, model: object) -> None:

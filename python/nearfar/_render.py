@@ -43,10 +43,11 @@ def render(
         Images to compute, of "color", "range", "object_id", "face_id", "position" and "normal"; see `Frame`.
     lod
         Which level of detail the objects show that have some (`Scene.with_levels`); None draws level 0 of all.
-        "off", "depth", "depth+eccentricity" and "fovea" are modes of `nearfar.lod.select` with its defaults; a
-        `nearfar.lod.Selector`, or whatever takes the arguments of `select` and returns levels, decides for this
-        camera, and objects that it says are out of view are not drawn. Levels themselves are given as
-        `Scene.at_levels` takes them. Objects show one level each, never two: fading between levels is left to engines.
+        "off", "depth", "depth+eccentricity" and "fovea" are modes of `nearfar.lod.select` with its defaults, without
+        a lens; a `nearfar.lod.Selector`, which may have one, or whatever takes the arguments of `select` and returns
+        levels, decides for this camera, and objects that it says are out of view are not drawn. Levels themselves are
+        given as `Scene.at_levels` takes them. Objects show one level each, never two: fading between levels is left
+        to engines.
     backend
         "cpu" traces rays. "gpu" draws with the graphics adapter that `nearfar.gpu.select` or NEARFAR_ADAPTER names, or
         the best one there is. "auto" does so where that is more than the processor itself, or was measured to be

@@ -322,6 +322,19 @@ class Scene:
         placed[:, :, 3] -= self.origin
         return placed
 
+    def _pose(self, number: int) -> NDArray[np.float64]:
+        """Object→world (4, 4) where an object is now."""
+        rows = np.flatnonzero(self._core.moving_objects() == number)
+        if not len(rows):
+            return self._frame(number).copy()
+        now, rest = (np.vstack([each[rows[0]], [0, 0, 0, 1]]) for each in (self._core.moving_placements(), self._rest))
+        if np.array_equal(now, rest):
+            return self._frame(number).copy()
+        for placement in (now, rest):
+            placement[:3, 3] += self.origin
+        moved: NDArray[np.float64] = now @ np.linalg.solve(rest, self._frame(number))
+        return moved
+
     def _frame(self, number: int) -> NDArray[np.float64]:
         if self._frames is None or number >= len(self._frames):
             return np.eye(4)

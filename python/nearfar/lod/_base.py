@@ -53,7 +53,10 @@ class Base:
             raise TypeError(f"name: expected a string, got {type(name).__name__}")
         if not scene.triangle_count:
             raise ValueError("mesh: expected triangles, got none")
-        self.name = name or _name_of(mesh, scene)
+        only = _only_object(scene)
+        self.name = name or _name_of(mesh, scene, only)
+        self.frame = np.eye(4) if only is None else scene._pose(only)
+        """The object's own frame → the scene's (4, 4)."""
         self._notes = scene.report.notes
         self._core = scene._core
         parts = _core.mesh_parts(self._core.merged())
@@ -114,10 +117,20 @@ def _scene_of(mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[
     raise TypeError(f"mesh: expected a Scene, a mesh or scene of trimesh, or a path, got {type(mesh).__name__}")
 
 
-def _name_of(mesh: object, scene: Scene) -> str:
-    if len(scene.object_names) == 1:
-        return scene.object_names[0]
-    return Path(mesh).stem if isinstance(mesh, str | os.PathLike) else "object"
+def _only_object(scene: Scene) -> int | None:
+    """The number of the object that all triangles belong to, if there is one."""
+    parts = _core.scene_parts(scene._core)
+    owners: set[int] = set()
+    for mesh, number in zip(parts["meshes"], parts["objects"].tolist(), strict=True):
+        if mesh.face_count:
+            owners |= {number} if number >= 0 else set(np.unique(_core.mesh_parts(mesh)["objects"]).tolist())
+    return owners.pop() if len(owners) == 1 and min(owners) >= 0 else None
+
+
+def _name_of(mesh: object, scene: Scene, only: int | None) -> str:
+    if isinstance(mesh, str | os.PathLike):
+        return Path(mesh).stem
+    return "object" if only is None else scene.object_names[only]
 
 
 def first_alike(*columns: Array) -> NDArray[np.uint32]:

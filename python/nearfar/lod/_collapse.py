@@ -43,7 +43,8 @@ class Quadrics:
         faces, self._origin = _distinct(places[surface.faces])
         used, welded = np.unique(faces, return_inverse=True)
         self._faces = welded.reshape(-1, 3).astype(np.int32)
-        points = surface.positions[used].astype(np.float64)
+        self._places = surface.positions[used]
+        points = self._places.astype(np.float64)
         low, extent = _box(points)
         self._middle, self._scale = low + extent / 2, EXTENT / extent
         self._points = (points - self._middle) * self._scale
@@ -56,8 +57,11 @@ class Quadrics:
 
     def level(self, target: int) -> Surface:
         """Return the surface in about `target` triangles, with its attributes."""
-        if target >= len(self._faces):
+        if target >= len(self._surface.faces):
             return self._surface
+        if target >= len(self._faces):
+            # Copies and faces without an area are all that goes.
+            return self._carrier.carried(self._places, self._faces.astype(np.uint32), self._origin)
         points, faces = self._points, self._faces
         apexes, feet = self._fins
         rest = np.arange(len(points), len(points) + len(apexes), dtype=np.int32)

@@ -66,7 +66,8 @@ def _glb_of(model: LodModel, found: Switches, document: dict[str, Any]) -> bytes
         {"ratio": level.ratio, "error": level.error, "mean_error": level.mean_error, "note": level.note}
         for level in _geometry(model)
     ]
-    _extras(encoder.nodes[nodes[0]])[OURS] = document | {"geometry": kept}
+    frame = [] if model.levels is None else model.levels.frame.tolist()
+    _extras(encoder.nodes[nodes[0]])[OURS] = document | {"geometry": kept, "frame": frame}
     return encoder.finish(nodes[:1], **_used(nodes))
 
 
@@ -106,7 +107,7 @@ def _model(decoder: _scene_glb.Decoder, path: Path) -> LodModel:
         )
         for node, said in zip(chain, kept, strict=True)
     ]
-    return LodModel(**fields, levels=Levels(levels, name=name))
+    return LodModel(**fields, levels=Levels(levels, name=name, frame=document["frame"]))
 
 
 def _scene(mesh: _core.Mesh, surfaces: dict[str, Any], name: str) -> Scene:

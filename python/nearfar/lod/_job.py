@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._render import painter
-from nearfar.lod._fit import fit_4pl
+from nearfar.lod._fit import Curve4PL, fit_4pl
 from nearfar.lod._kept import Kept, content
 from nearfar.lod._levels import Levels
 from nearfar.lod._model import LodModel
@@ -166,7 +166,7 @@ class _Job:
         used = np.where(self.used[..., None], self.scores[..., self.shown], np.nan)
         samples = Samples(sigma, score[chosen], used[chosen].astype(np.float32))
         # Levels fall to their curve's plateau, and what is not measured looks no worse than what is.
-        curves = fit_4pl(sigma, samples.filled[1:])
+        curves = _cautious(fit_4pl(sigma, samples.filled[1:]), samples.filled[1:])
         return LodModel(
             triangles=np.array([self.levels[number].triangle_count for number in chosen]),
             curves=curves,
@@ -227,3 +227,12 @@ def _reach(levels: Levels) -> float:
         corners = scene.triangles().reshape(-1, 3) + (scene.origin - levels.center)
         farthest = max(farthest, math.sqrt(float(np.einsum("ij,ij->i", corners, corners).max())))
     return farthest
+
+
+def _cautious(curves: Curve4PL, rows: NDArray[np.float64]) -> Curve4PL:
+    """Flat curves at their row's least score: the mean that was fitted promises more than was seen at some sizes."""
+    if not len(rows):
+        return curves
+    is_flat = curves.status == "flat"
+    least = rows.min(axis=1)
+    return replace(curves, a=np.where(is_flat, least, curves.a), d=np.where(is_flat, least, curves.d))

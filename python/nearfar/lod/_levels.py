@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from typing import overload
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from nearfar._bounds import bounding_sphere
+from nearfar._geometry import transforms_of
 from nearfar._scene import Scene
 
 
@@ -53,6 +54,9 @@ class Levels(Sequence[Level]):
         At least one; none has more triangles than the one before it.
     name
         Of the object.
+    frame
+        (4, 4), the object's own frame → that of the levels' scenes: where a single object of a scene was simplified,
+        the transform that it was loaded with. `Scene.with_levels` takes it off again. By default they are the same.
 
     Raises
     ------
@@ -60,7 +64,7 @@ class Levels(Sequence[Level]):
         For no levels, other things than levels, empty levels, and levels that grow.
     """
 
-    def __init__(self, levels: Iterable[Level], *, name: str = "object") -> None:
+    def __init__(self, levels: Iterable[Level], *, name: str = "object", frame: ArrayLike | None = None) -> None:
         self._levels = tuple(levels)
         if not self._levels:
             raise ValueError("levels: expected at least one, got none")
@@ -76,6 +80,10 @@ class Levels(Sequence[Level]):
                     f"levels: expected no more than {finer} triangles in level {number + 1}, got {coarser}"
                 )
         self.name = name
+        self.frame: NDArray[np.float64] = np.eye(4) if frame is None else transforms_of("frame", frame)
+        """The object's own frame → that of the levels' scenes (4, 4)."""
+        if self.frame.shape != (4, 4) or np.linalg.matrix_rank(self.frame[:3, :3]) < 3:
+            raise ValueError("frame: expected one invertible 4x4 matrix")
         center, radius = bounding_sphere(_corners(self._levels[0].scene))
         self.center: NDArray[np.float64] = center
         """Centre of the base's smallest bounding sphere (3,), metres in the object's frame."""
@@ -91,7 +99,7 @@ class Levels(Sequence[Level]):
     def __getitem__(self, index: int | slice) -> Level | Levels:
         """One level, or some as levels of the same object."""
         if isinstance(index, slice):
-            return Levels(self._levels[index], name=self.name)
+            return Levels(self._levels[index], name=self.name, frame=self.frame)
         return self._levels[index]
 
     def __len__(self) -> int:

@@ -109,7 +109,7 @@ def measure(
     distances
         How many, 1 to 1000. At the first the bounding sphere's solid angle is σ₁/₁₆ = 2π(1−cos(asin(¼ tan ω))), where
         ω is half the horizontal field of view; to the sphere's nearest point the others are 2, 3, … times as far. Fewer
-        than 4 leave curves "unfittable".
+        than 4 leave curves "unfittable", and of fewer than 8 many look "flat": those stay at their least score.
     percentile
         Over the views, 0 to 100, as NumPy's "averaged_inverted_cdf".
     step
@@ -180,7 +180,7 @@ def measure(
     else:
         done = _in_turn(objects, settings)
     models = [
-        replace(model, levels=Levels([own[number] for number in chosen], name=own.name))
+        replace(model, levels=Levels([own[number] for number in chosen], name=own.name, frame=own.frame))
         for own, (model, chosen) in zip(objects, done, strict=True)
     ]
     if isinstance(levels, Levels):

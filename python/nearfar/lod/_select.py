@@ -146,7 +146,8 @@ def select(
         for curves, over the last quarter of them, times `fade`, levels run to 0. What is shown is continuous but where
         the curve of a finer level crosses that of a coarser one and f as well, and where hysteresis holds levels.
     gaze
-        World direction of the gaze (3,), any length; by default each camera's line of sight. Of "fovea".
+        World direction of the gaze (3,), any length; by default the line of sight, of several cameras the mean of
+        theirs. Of "fovea".
     acuity_slope, acuity_limit_deg
         The eye's least visible angle, as in `acuity`; pixels are the camera's. The sphere's nearest edge counts.
     inverse

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _check, _core
 from nearfar._camera import Camera, Fov
+from nearfar._eyes import rotation
 from nearfar._lens import RadialLens
 from nearfar.lod._model import LodModel
 from nearfar.lod._selection import Selection
@@ -147,13 +148,14 @@ class Selector:
         is_lens_used = self.mode in ("depth+eccentricity", "fovea") and self.lens is not None and any(self.lens.k)
         tan_omega = 1.0 if self.lens is None else checked_lens(self.lens, wide, self.lens_radius)
         is_fovea = self.mode == "fovea"
+        look = _gaze(eyes, gaze) if is_fovea or gaze is not None else None
         level, columns, counts = _core.select_levels(
             (curves, firsts, ranges),
             index,
             places,
             sizes,
             previous=before,
-            eyes=[_eye(eye, gaze) for eye in eyes],
+            eyes=[_eye(eye, look) for eye in eyes],
             line=line,
             reference=reference,
             off=self.mode == "off",
@@ -239,14 +241,24 @@ _Eye = tuple[
 ]
 
 
-def _eye(camera: Camera, gaze: ArrayLike | None) -> _Eye:
+def _gaze(eyes: tuple[Camera, ...], gaze: ArrayLike | None) -> tuple[float, float, float]:
+    """What is looked at: the mean of the eyes' lines of sight where nobody says, because eyes may be canted."""
+    if gaze is None:
+        way = np.sum([rotation(eye.orientation) @ (0.0, 0.0, -1.0) for eye in eyes], axis=0)
+        if np.linalg.norm(way) < 1e-6 * len(eyes):
+            raise ValueError("gaze: expected a direction for cameras that look in opposite ones, got None")
+        return (float(way[0]), float(way[1]), float(way[2]))
+    look = _check.vector("gaze", gaze)
+    if not any(look):
+        raise ValueError("gaze: expected a direction, got (0, 0, 0)")
+    return look
+
+
+def _eye(camera: Camera, look: tuple[float, float, float] | None) -> _Eye:
     """Position, orientation, tangents, gaze, and degrees of a pixel on the axis, where they are largest."""
     fov = camera.fov
     if not isinstance(fov, Fov):
         raise TypeError(f"camera: expected one with a Fov, got {type(fov).__name__}")
-    look = None if gaze is None else _check.vector("gaze", gaze)
-    if look is not None and not any(look):
-        raise ValueError("gaze: expected a direction, got (0, 0, 0)")
     pitch = max((fov.right - fov.left) / camera.width, (fov.up - fov.down) / camera.height)
     bounds = (fov.left, fov.right, fov.down, fov.up)
     return camera.position, camera.orientation, bounds, look, math.degrees(math.atan(pitch))

@@ -90,7 +90,7 @@ def simplify(
             surface = simplifier.level(max(1, round(share * levels[0].triangle_count)))
             _append(levels, _level(base, surface, share), share)
         report(len(shares), len(shares))
-    return Levels(levels, name=base.name)
+    return Levels(levels, name=base.name, frame=base.frame)
 
 
 def _ratios(ratios: Iterable[float]) -> list[float]:
