@@ -154,14 +154,14 @@ def test_each_step_keeps_its_coarsest_level() -> None:
 
 
 def test_levels_left_out_are_measured_no_further() -> None:
-    own = levels(40, 38, 36, 10)
-    model = nf.lod.measure(own, **SMALL, step=0.3)
-    whole = nf.lod.measure(own, **SMALL, step=None, saturated=None, cache=False)
+    own, how = levels(40, 38, 36, 10), SMALL | {"distances": 7, "saturated": None}
+    model = nf.lod.measure(own, **how, step=0.3)
+    whole = nf.lod.measure(own, **how, step=None, cache=False)
     assert model.samples is not None
     assert whole.samples is not None
     kept = [list(whole.triangles).index(count) for count in model.triangles]
-    assert 0 in kept
     assert len(kept) < 4
+    assert set(kept) == {0}.union(*(_job.stepped(whole.samples.score[:, size], 0.3) for size in range(4)))
     assert model.levels is not None
     assert [level.triangle_count for level in model.levels] == list(model.triangles)
     np.testing.assert_array_equal(model.errors, whole.errors[kept])
@@ -169,13 +169,13 @@ def test_levels_left_out_are_measured_no_further() -> None:
     np.testing.assert_array_equal(model.samples.score[known], whole.samples.score[kept][known])
     left = model.measured["left_out"]
     assert [one["triangles"] for one in left] == [n for n in whole.triangles if n not in model.triangles]
-    # Five of eight views differ; all levels at the first distance, the others where they are kept.
-    assert whole.measured["scores"] == 5 * 4 * 3
-    assert whole.measured["renders"] == 5 * 4 * 4
-    assert model.measured["scores"] <= 5 * (3 + 3 * (len(kept) - 1))
+    # Five of eight views differ; all levels at the first four distances, the others where they are kept.
+    assert whole.measured["scores"] == 5 * 7 * 3
+    assert whole.measured["renders"] == 5 * 7 * 4
+    assert model.measured["scores"] == 5 * (4 * 3 + 3 * (len(kept) - 1))
     for one in (model, whole):
         done = one.measured
-        assert done["scores"] + done["cached"] + done["skipped"] == 3 * 4 * 8
+        assert done["scores"] + done["cached"] + done["skipped"] == 3 * 7 * 8
 
 
 def test_what_looks_like_the_base_is_measured_no_further() -> None:

@@ -25,6 +25,11 @@ MOST_PIXELS = 1 << 20
 """Of a block of views: two pictures of each are in memory, and Ctrl-C loses one level's scores of it."""
 
 
+STEPPED = 4
+"""Sizes at which levels are kept by steps. SSIM of bumpy things dips where they are smaller, and a level that is enough
+at 1/16 of the screen is not there: without a finer one that is, the base would be shown at all sizes."""
+
+
 @dataclass(frozen=True)
 class Settings:
     """How objects are measured; `measure` says what it means."""
@@ -105,20 +110,22 @@ class _Job:
             self.kept = Kept(contents, (*place, *how), self.scores)
 
     def _measure(self) -> list[int]:
-        """Go from near to far; returns the levels that are kept, which are chosen by the first size."""
-        chosen = wanted = list(range(1, len(self.levels)))
+        """Go from near to far; returns the levels that are kept, which are chosen at the first sizes."""
+        chosen, wanted = {0}, list(range(1, len(self.levels)))
         streaks = np.zeros(len(self.levels), int)
         for size in self.sizes:
             self._fill(size, wanted)
             self.used[wanted, size - 1] = True
             found = self._percentiles(size)
-            if size == 1:
-                chosen = [number for number in stepped(found, self.settings.step) if number]
-                wanted = chosen
+            if size <= STEPPED:
+                # What is measured no further looks like the base.
+                chosen.update(stepped(np.where(self.used[:, size - 1], found, 1.0), self.settings.step))
+            if size == STEPPED:
+                wanted = [number for number in wanted if number in chosen]
             if self.settings.saturated is not None:
                 streaks = np.where(found >= self.settings.saturated, streaks + 1, 0)
                 wanted = [number for number in wanted if streaks[number] < 2 or self.same[number]]
-        return [0, *chosen]
+        return sorted(chosen)
 
     def _percentiles(self, size: int) -> NDArray[np.float64]:
         of_views = self.scores[:, size - 1][:, self.shown]

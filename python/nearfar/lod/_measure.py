@@ -114,8 +114,9 @@ def measure(
         Over the views, 0 to 100, as NumPy's "averaged_inverted_cdf".
     step
         Keep the coarsest of the levels that score at least 1 − step at the first distance, the coarsest of those that
-        score at least 1 − 2 step, and so on; others look no better than a coarser one, and are measured no further. The
-        base always stays. None keeps all.
+        score at least 1 − 2 step, and so on; likewise at the next three, because SSIM of bumpy things may fall as they
+        get smaller. Others look no better than a coarser one, and are measured no further. The base always stays. None
+        keeps all.
     saturated
         A level that scores as much at two distances running is measured no further, and its curve stays where it was.
         None measures all.
