@@ -1,5 +1,7 @@
 //! Levels over cells of size: most sizes lie in cells in which one level is the answer throughout.
 
+use std::hint::select_unpredictable;
+
 use rayon::prelude::*;
 
 use super::curves::{Model, Parameters, score};
@@ -81,7 +83,8 @@ impl Tables {
             let row = small >> (SMALL_DIGITS - SIGMA_DIGITS);
             let cell = ((seen.to_bits() >> SHIFT) as i64 - i64::from(base)).clamp(0, i64::from(last)) as u64;
             let large = SMALLS + row * (u64::from(last) + 1) + cell;
-            let found = cells[(u64::from(first) + if seen <= least { small } else { large }) as usize];
+            // A branch would be guessed wrong every other time.
+            let found = cells[(u64::from(first) + select_unpredictable(seen <= least, small, large)) as usize];
             *to = if seen > greatest { 0 } else { found };
         }
     }
