@@ -24,8 +24,8 @@ BYTES = 44
 """Of an object: centre, radius, number of its model, level."""
 
 
-def models() -> list[nf.lod.LodModel]:
-    """Eight levels each, as measured objects have them."""
+def models(least: float) -> list[nf.lod.LodModel]:
+    """Eight levels each, as measured objects have them, down to a solid angle."""
     random = np.random.default_rng(0)
     share = np.linspace(0, 1, 7)
     made = []
@@ -34,7 +34,7 @@ def models() -> list[nf.lod.LodModel]:
         c, b = 0.2 * 0.01**share * random.uniform(0.7, 1.4), np.full(7, random.uniform(0.7, 1.3))
         curves = nf.lod.Curve4PL(a, b, c, d, 0 * a, np.full(7, "fitted"), np.full(7, ""))
         triangles = np.geomspace(1e5, 1e2, 8).astype(np.int64)
-        sigma = (1e-4, nf.lod.reference_solid_angle(CAMERA))
+        sigma = (least, nf.lod.reference_solid_angle(CAMERA))
         made.append(
             nf.lod.LodModel(
                 triangles=triangles, curves=curves, center=np.zeros(3), radius=1.0, sigma=sigma, errors=np.zeros(8)
@@ -43,15 +43,16 @@ def models() -> list[nf.lod.LodModel]:
     return made
 
 
-def scenes() -> dict[str, tuple[Array, Array]]:
-    """Objects that are all in view, and objects all around the eye."""
+def scenes() -> dict[str, tuple[Array, Array, float]]:
+    """Objects that are all in view, of sizes that were measured and mostly of smaller ones, and all around the eye."""
     random = np.random.default_rng(1)
     ahead = random.uniform(1, 60, COUNT)
     x, y = random.uniform(-0.9, 0.9, (2, COUNT)) * ahead
     radii = random.uniform(0.02, 0.6, COUNT)
     return {
-        "all in view": (np.stack([x, y, -ahead], axis=1), radii),
-        "all around": (random.normal(size=(COUNT, 3)) * 20, radii),
+        "all in view": (np.stack([x, y, -ahead], axis=1), radii, 1e-4),
+        "all in view, smaller than measured": (np.stack([x, y, -ahead], axis=1), radii, 0.01),
+        "all around": (random.normal(size=(COUNT, 3)) * 20, radii, 1e-4),
     }
 
 
@@ -98,9 +99,9 @@ def by_numpy(
     return level
 
 
-def table(title: str, centers: Array, radii: Array) -> str:
+def table(title: str, centers: Array, radii: Array, least: float) -> str:
     """Errors are the share of objects whose level is not that of the exact inverse."""
-    made = models()
+    made = models(least)
     index = np.random.default_rng(2).integers(0, MODELS, COUNT)
     select = functools.partial(nf.lod.select, made, index, centers, radii, camera=CAMERA, lens=RIFT_S)
     expected = select(inverse="newton")
@@ -125,15 +126,21 @@ def table(title: str, centers: Array, radii: Array) -> str:
     )
     asked = ~np.isnan(exact.sigma_seen)
     off = np.abs(found.sigma_seen[asked] / exact.sigma_seen[asked] - 1).max()
-    return f"{text}\nσ′ off by {off:.1e} of itself at most; {found.counts}\n"
+    share = 1 - found.counts["culled"] / COUNT
+    small = np.mean(found.sigma_seen[asked] <= least)
+    decided = found.counts["table"] / found.counts["asked"]
+    return (
+        f"{text}\n{share:.1%} in view; of those asked for {small:.1%} are smaller than measured, and tables decide "
+        f"{decided:.1%}\nσ′ off by {off:.1e} of itself at most; {found.counts}\n"
+    )
 
 
 def main() -> None:
     print(machine())
     print(describe())
     print(f"{os.environ.get('NEARFAR_NUM_THREADS', 'all')} threads; a millisecond is a nanosecond an object")
-    for title, (centers, radii) in scenes().items():
-        print(table(title, centers, radii), flush=True)
+    for title, scene in scenes().items():
+        print(table(title, *scene), flush=True)
 
 
 if __name__ == "__main__":

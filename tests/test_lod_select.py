@@ -90,10 +90,12 @@ def test_levels_are_those_of_the_formulas(
         assert found[n] == level or near < 1e-8
 
 
-def by_numpy(models: list[nf.lod.LodModel], index: Any, sigma: Array, seen: Array, reference: float) -> tuple[Any, Any]:
+def by_numpy(
+    models: list[nf.lod.LodModel], index: Any, sigma: Array, seen: Array, reference: float, k: float = 0.27
+) -> tuple[Any, Any]:
     """Levels of sizes, and how near each decision was."""
     level, near = np.zeros(len(index), np.int32), np.full(len(index), np.inf)
-    wanted = 0.9 + 0.27 * (sigma - reference)
+    wanted = 0.9 + k * (sigma - reference)
     for number, one in enumerate(models):
         mine = np.flatnonzero(index == number)
         least, greatest = one.sigma
@@ -153,6 +155,46 @@ def test_tables_decide_like_curves_for_a_million_objects() -> None:
     assert np.array_equal(again.level, found.level[few])
     for name in ("sigma", "sigma_seen", "threshold", "score"):
         assert np.array_equal(getattr(again, name), getattr(found, name)[few], equal_nan=True)
+
+
+@pytest.mark.parametrize("k", [0.27, 0.0, -3.0, 40.0])
+def test_tables_decide_what_is_smaller_than_it_was_measured(k: float) -> None:
+    least = 0.03
+    range_ = (least, 0.18)
+    nothing = (math.nan,) * 4
+    # At the least, scores that f crosses at smaller sizes, and ones that it crosses nowhere.
+    models = [
+        model([(1.0, 1.0, least, 0.704), (1.0, 1.3, least, 0.698), (1.0, 1.6, least, 0.694)], range_),
+        model([(0.96, 1.0, 0.3, 0.5), nothing, (0.85, 1.0, 0.01, 0.85)], range_),
+        model([(0.7, 2.0, 0.03, 1.0), (1.0, 0.5, 0.001, 0.1)], range_),
+        model([(1.0, 4000.0, least, 0.72)], range_),
+        usual(3),
+        model([]),
+    ]
+    count = 60_000
+    index = np.random.default_rng(9).integers(0, len(models), count)
+    centers, radii = around(count, 9, VIEW, 0.85)
+    radii *= 0.3
+    options: dict[str, Any] = {"camera": VIEW, "lens": LENS, "k": k, "full": True}
+    found = nf.lod.select(models, index, centers, radii, **options)
+    small = found.sigma_seen < least
+    assert small[index < 4].mean() > 0.7
+    assert found.counts["table"] > 0.9 * found.counts["asked"] > 0.7 * count
+    exact = nf.lod.select(models, index, centers, radii, inverse="newton", **options)
+    assert np.array_equal(found.level, exact.level)
+    assert exact.counts["table"] > 0.9 * exact.counts["asked"]
+    for first in range(0, count, 1500):
+        few = slice(first, first + 1500)
+        formula = nf.lod.select(models, index[few], centers[few], radii[few], **options)
+        assert formula.counts["table"] == 0
+        assert np.array_equal(formula.level, found.level[few])
+        assert np.array_equal(formula.score, found.score[few], equal_nan=True)
+    sigma = nf.solid_angle(centers, radii, eye=VIEW.position)
+    seen = nf.corrected_solid_angle(centers, radii, camera=VIEW, lens=LENS)
+    expected, near = by_numpy(models, index, sigma, seen, nf.lod.reference_solid_angle(VIEW), k)
+    assert not (found.level != expected)[near > 1e-8].any()
+    if k == 0.27:
+        assert all(len(np.unique(found.level[small & (index == number)])) > 1 for number in range(2))
 
 
 def test_scores_are_those_of_the_level() -> None:

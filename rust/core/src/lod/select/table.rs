@@ -1,14 +1,19 @@
 //! Levels over cells of size: most sizes lie in cells in which one level is the answer throughout.
 
+use std::hint::select_unpredictable;
+
 use rayon::prelude::*;
 
-use super::curves::{Model, Parameters};
+use super::curves::{Model, Parameters, score};
 use super::{Line, Rules, TILE};
 use crate::lod::logistic::exp;
 
 /// Cells over σ, of equal widths because f is a line: two to the power of so many.
 const SIGMA_DIGITS: u32 = 3;
 const SIGMAS: u64 = 1 << SIGMA_DIGITS;
+/// Finer ones for σ′ up to the least that was measured: there scores are single numbers, and f alone decides.
+const SMALL_DIGITS: u32 = 8;
+const SMALLS: u64 = 1 << SMALL_DIGITS;
 /// By which share of the greatest σ cells are wider, so that none lies beyond the last one.
 const WIDER: f64 = 1e-12;
 const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
@@ -26,7 +31,7 @@ pub(super) const WORTH: usize = 256;
 /// Levels of all models, one after the other.
 #[derive(Debug, Default)]
 pub(super) struct Tables {
-    /// Of each model's cells, σ′ by σ′ for each σ.
+    /// Of each model's cells: each σ of the small ones, then σ′ by σ′ for each σ.
     cells: Vec<u8>,
     /// Of each model.
     heads: Vec<Head>,
@@ -37,6 +42,8 @@ pub(super) struct Tables {
 struct Head {
     /// Nearly 1 over the greatest σ.
     fineness: f64,
+    /// σ′ up to which scores are those of the least.
+    least: f64,
     /// σ′ above which the level is 0.
     greatest: f64,
     /// Where its cells start.
@@ -70,11 +77,14 @@ impl Tables {
     ) {
         let (heads, cells) = (&self.heads[..], &self.cells[..]);
         for (((&place, &sigma), &seen), to) in places.iter().zip(sigma).zip(seen).zip(to) {
-            let Head { fineness, greatest, first, base, last } = heads[models[usize::from(place)] as usize];
+            let Head { fineness, least, greatest, first, base, last } = heads[models[usize::from(place)] as usize];
             // The first digits of a number from 1 to below 2.
-            let row = (1.0 + sigma * fineness).to_bits() >> (MANTISSA - SIGMA_DIGITS) & (SIGMAS - 1);
+            let small = (1.0 + sigma * fineness).to_bits() >> (MANTISSA - SMALL_DIGITS) & (SMALLS - 1);
+            let row = small >> (SMALL_DIGITS - SIGMA_DIGITS);
             let cell = ((seen.to_bits() >> SHIFT) as i64 - i64::from(base)).clamp(0, i64::from(last)) as u64;
-            let found = cells[(u64::from(first) + row * (u64::from(last) + 1) + cell) as usize];
+            let large = SMALLS + row * (u64::from(last) + 1) + cell;
+            // A branch would be guessed wrong every other time.
+            let found = cells[(u64::from(first) + select_unpredictable(seen <= least, small, large)) as usize];
             *to = if seen > greatest { 0 } else { found };
         }
     }
@@ -85,7 +95,8 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
     let count = model.curves.len();
     let limit = model.limit(rules.reference);
     if count == 0 {
-        return Some((Head { fineness: 0.0, greatest: 0.0, first: 0, base: 0, last: 0 }, vec![0; SIGMAS as usize]));
+        let head = Head { fineness: 0.0, least: 0.0, greatest: 0.0, first: 0, base: 0, last: 0 };
+        return Some((head, vec![0; (SMALLS + SIGMAS) as usize]));
     }
     if count >= UNSURE as usize {
         return None;
@@ -96,8 +107,8 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
     let last = top - base;
     let width = last as usize + 1;
     let mut edges: Vec<f64> = (0..=last + 1).map(|n| f64::from_bits((base + n) << SHIFT)).collect();
-    // Smaller ones are in the first cell.
-    edges[0] = edges[0].min(least);
+    // Only what is larger is asked of the first cell, even where octaves end above the least.
+    edges[0] = least;
     let logarithms: Vec<f64> = edges.iter().map(|x| x.ln()).collect();
     // Least and greatest score of each level in each cell.
     let mut bounds = vec![[f64::NEG_INFINITY; 2]; count * width];
@@ -110,20 +121,27 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
             }
         }
     }
-    let mut cells = Vec::with_capacity(SIGMAS as usize * width);
+    // What curves would say, to the bit.
+    let smallest: Vec<_> = model.curves.iter().map(|curve| [score(curve, least); 2]).collect();
+    let mut cells = Vec::with_capacity(SMALLS as usize + SIGMAS as usize * width);
+    cells.extend((0..SMALLS).map(|sigma| {
+        let [low, high] = range(&rules.line, limit, sigma, SMALLS);
+        level(&smallest, count, 0, low, high)
+    }));
     for sigma in 0..SIGMAS {
-        let [low, high] = range(&rules.line, limit, sigma);
+        let [low, high] = range(&rules.line, limit, sigma, SIGMAS);
         cells.extend((0..width).map(|cell| level(&bounds, count, cell, low, high)));
     }
     let fineness = (1.0 - WIDER) / limit;
     // A limit of 0, or of a few of the smallest floats, has one size.
     let fineness = if fineness.is_finite() { fineness } else { 0.0 };
-    Some((Head { fineness, greatest, first: 0, base: base as u32, last: last as u32 }, cells))
+    let (base, last) = (base as u32, last as u32);
+    Some((Head { fineness, least, greatest, first: 0, base, last }, cells))
 }
 
-/// Least and greatest threshold of a cell over σ, and what they are rounded by.
-fn range(line: &Line, limit: f64, cell: u64) -> [f64; 2] {
-    let ends = [cell, cell + 1].map(|n| line.at(limit * n as f64 / SIGMAS as f64));
+/// Least and greatest threshold of one of `count` cells over σ, and what they are rounded by.
+fn range(line: &Line, limit: f64, cell: u64, count: u64) -> [f64; 2] {
+    let ends = [cell, cell + 1].map(|n| line.at(limit * n as f64 / count as f64));
     let margin = 1e-14 * line.level.abs() + 2.0 * WIDER * (line.rise * limit).abs();
     [ends[0].min(ends[1]) - margin, ends[0].max(ends[1]) + margin]
 }
