@@ -79,7 +79,7 @@ VIEWS = 36
 """From how many sides objects are measured: a quarter of what `measure` takes if nobody says, and of its time."""
 
 
-def measured(headset: Headset, names: Iterable[str] = ()) -> list[nf.lod.LodModel]:
+def measured(headset: Headset, names: Iterable[str] = (), *, percentile: float = 25.0) -> list[nf.lod.LodModel]:
     """Levels of the objects and how good they look in a headset; kept in nearfar's cache."""
     every = sources()
     chosen = {name: every[name] for name in names or every}
@@ -87,7 +87,9 @@ def measured(headset: Headset, names: Iterable[str] = ()) -> list[nf.lod.LodMode
         nf.lod.simplify(load(), RATIOS, method="meshopt" if name in BY_MESHOPT else "fast", normals="smooth", name=name)
         for name, load in chosen.items()
     ]
-    return [nf.lod.measure(each, fov=headset.fov, size=headset.size, views=VIEWS) for each in levels]
+    return [
+        nf.lod.measure(each, fov=headset.fov, size=headset.size, views=VIEWS, percentile=percentile) for each in levels
+    ]
 
 
 @dataclass(frozen=True)

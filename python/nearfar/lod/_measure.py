@@ -4,17 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any, overload
 
 from nearfar import _backend, _check, _progress
 from nearfar._camera import Fov
 from nearfar._hmd import Hmd
 from nearfar._render import MAX_SAMPLES
-from nearfar.lod import _many
 from nearfar.lod._job import Settings, measure_one
 from nearfar.lod._levels import Levels
 from nearfar.lod._model import LodModel
 from nearfar.lod._views import AXES, Screen
+
+if TYPE_CHECKING:
+    from nearfar.lod import _many
 
 
 @overload
@@ -174,12 +176,7 @@ def measure(
     if client is not None and not all(hasattr(client, name) for name in ("submit", "scatter", "cancel")):
         raise TypeError(f"client: expected a distributed.Client, got {type(client).__name__}")
     names, objects = _objects(levels)
-    if client is not None:
-        done = _many.over_cluster(objects, settings, client)
-    elif workers is not None:
-        done = _many.over_processes(objects, settings, workers)
-    else:
-        done = _in_turn(objects, settings)
+    done = _spread(objects, settings, workers, client)
     models = [
         replace(model, levels=Levels([own[number] for number in chosen], name=own.name, frame=own.frame))
         for own, (model, chosen) in zip(objects, done, strict=True)
@@ -204,6 +201,17 @@ def _objects(levels: object) -> tuple[list[str] | None, list[Levels]]:
         if not isinstance(own, Levels):
             raise TypeError(f"levels[{place!r}]: expected Levels, got {type(own).__name__}")
     return names, objects
+
+
+def _spread(objects: list[Levels], settings: Settings, workers: int | None, client: Any) -> list[_many.Done]:
+    if client is None and workers is None:
+        return _in_turn(objects, settings)
+    # Processes bring libraries that importing nearfar does without.
+    from nearfar.lod import _many
+
+    if client is not None:
+        return _many.over_cluster(objects, settings, client)
+    return _many.over_processes(objects, settings, workers or 1)
 
 
 def _in_turn(objects: list[Levels], settings: Settings) -> list[_many.Done]:
