@@ -157,3 +157,13 @@ def distance_to_view(points: Array, fov: nf.Fov) -> Array:
     corners = [(x, y, -1.0) for x in (fov.left, fov.right) for y in (fov.down, fov.up)]
     rays = np.array(corners).T
     return np.array([nnls(rays, point)[1] for point in points])
+
+
+def around(count: int, seed: int, camera: nf.Camera, spread: float = 1.1) -> tuple[Array, Array]:
+    """Spheres of very different sizes before an eye, some of them outside of its view."""
+    random = np.random.default_rng(seed)
+    x, y = random.uniform(-spread, spread, (2, count))
+    ahead = np.exp(random.uniform(-1, 4, count))
+    own = np.stack([x * ahead, y * ahead, -ahead], axis=1)
+    radii = ahead * np.exp(random.uniform(-7, -0.5, count))
+    return own @ rotation(camera).T + camera.position, radii

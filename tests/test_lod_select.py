@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from lod_oracle import chosen, curves, distance_to_view, model, rotation, usual
+from lod_oracle import around, chosen, curves, distance_to_view, model, rotation, usual
 from support import printed_by_threads
 
 Array = NDArray[np.float64]
@@ -21,16 +21,6 @@ LENS = nf.RadialLens((0.22, 0.24))
 FOV = nf.Fov(-1.0, 0.9, -1.1, 1.05)
 VIEW = nf.Camera((0.5, 1.5, -2.0), fov=FOV, size=(1440, 1600))
 TURNED = nf.Camera.look_at((0.5, 1.5, -2.0), (4.0, 0.5, -9.0), fov=FOV, size=(1440, 1600))
-
-
-def around(count: int, seed: int, camera: nf.Camera, spread: float = 1.1) -> tuple[Array, Array]:
-    """Spheres of very different sizes before an eye, some of them outside of its view."""
-    random = np.random.default_rng(seed)
-    x, y = random.uniform(-spread, spread, (2, count))
-    ahead = np.exp(random.uniform(-1, 4, count))
-    own = np.stack([x * ahead, y * ahead, -ahead], axis=1)
-    radii = ahead * np.exp(random.uniform(-7, -0.5, count))
-    return own @ rotation(camera).T + camera.position, radii
 
 
 def in_view(centers: Array, radii: Array, camera: nf.Camera) -> NDArray[np.bool_]:
@@ -361,72 +351,6 @@ def test_curves_that_no_level_reaches() -> None:
         assert (strict <= 0).all() if k < 1 else (strict == 0).mean() > 0.4
     lax = nf.lod.select([usual()], np.zeros(2000, int), centers, radii, camera=VIEW, d=-1.0, full=True)
     assert (lax.level[~np.isnan(lax.sigma_seen)] == 7).all()
-
-
-# eyes ----------------------------------------------------------------------------------------------------------------
-@pytest.mark.parametrize("name", ["PIMAX_5K_PLUS", "VIVE_PRO", "INDEX"])
-def test_the_finer_of_two_eyes_answers_counts(name: str) -> None:
-    hmd = nf.hmd.get(name)
-    head = (0.3, 1.6, 0.2)
-    pose = nf.Camera.look_at(head, (1, 1, -5), fov=FOV, size=(9, 9)).orientation
-    eyes = [hmd.camera(side, head, pose) for side in ("left", "right")]
-    centers, radii = around(4000, 8, nf.Camera(head, pose, fov=FOV, size=(9, 9)), 3)
-    options: dict[str, Any] = {"lens": LENS, "lens_radius": hmd.tan_half_angle, "full": True}
-    options["reference"] = nf.lod.reference_solid_angle(hmd)
-    index = np.arange(4000) % 2
-    models = [usual(), usual(5, 3)]
-    both = nf.lod.select(models, index, centers, radii, camera=eyes, **options)
-    apart = [nf.lod.select(models, index, centers, radii, camera=eye, **options) for eye in eyes]
-    levels = np.array([part.level for part in apart])
-    seen = levels >= 0
-    assert np.array_equal(both.level, np.where(seen.any(axis=0), np.where(seen, levels, 99).min(axis=0), -1))
-    assert (seen[0] != seen[1]).any()
-    assert (levels[0] != levels[1])[seen.all(axis=0)].any()
-    # The numbers are those of the eye that asked for it.
-    first = np.where(levels[0] == both.level, 0, 1)
-    seen_size = np.where(first == 0, apart[0].sigma_seen, apart[1].sigma_seen)
-    chosen = both.level > 0
-    assert np.array_equal(both.sigma_seen[chosen], seen_size[chosen])
-    default = nf.lod.select(models, index, centers, radii, camera=eyes, lens=LENS)
-    assert np.array_equal(default, both.level)
-
-
-# the eye -------------------------------------------------------------------------------------------------------------
-def test_things_away_from_the_gaze_get_coarser_levels() -> None:
-    camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(100), size=(2000, 2000))
-    angles = np.radians(np.linspace(0, 45, 40))
-    centers = 8 * np.stack([np.sin(angles), 0 * angles, -np.cos(angles)], axis=1)
-    index = np.zeros(40, int)
-    plain = nf.lod.select([usual(12)], index, centers, 0.4, camera=camera)
-    ahead = nf.lod.select([usual(12)], index, centers, 0.4, camera=camera, mode="fovea", full=True)
-    assert (np.diff(ahead.level) >= 0).all()
-    assert ahead.level[0] == plain[0]
-    assert ahead.level[-1] > plain[-1]
-    mu = math.asin(0.4 / 8)
-    away = np.degrees(np.maximum(angles - mu, 0))
-    pixel = math.degrees(math.atan(2 * math.tan(math.radians(50)) / 2000))
-    scale = nf.lod.acuity(away, pixel_deg=pixel)
-    np.testing.assert_allclose(ahead.sigma_seen, ahead.sigma * scale**2, rtol=1e-9)
-    # The other way round where the eye looks the other way, and a gaze has no length.
-    aside = nf.lod.select(
-        [usual(12)], index, centers, 0.4, camera=camera, mode="fovea", gaze=1e-200 * centers[-1], full=True
-    )
-    np.testing.assert_allclose(aside.sigma_seen, ahead.sigma_seen[::-1], rtol=1e-9)
-
-
-def test_canted_eyes_look_ahead_together() -> None:
-    head = nf.hmd.PIMAX_5K_PLUS
-    eyes = [head.camera(side, (0.0, 0.0, 0.0)) for side in ("left", "right")]
-    centers = np.array([[0.0, 0.0, -z] for z in (8.0, 10.0, 14.0, 20.0)])
-    index = np.zeros(len(centers), int)
-    chosen = nf.lod.select([usual(12)], index, centers, 1.0, camera=eyes, mode="fovea", full=True)
-    ahead = nf.lod.select([usual(12)], index, centers, 1.0, camera=eyes, mode="fovea", gaze=(0, 0, -1), full=True)
-    np.testing.assert_allclose(chosen.sigma_seen, chosen.sigma, rtol=1e-12)
-    assert np.array_equal(chosen.level, ahead.level)
-    back = nf.Camera((0, 0, 0), (0, 1, 0, 0), fov=eyes[0].fov, size=eyes[0].size)
-    front = nf.Camera((0, 0, 0), fov=eyes[0].fov, size=eyes[0].size)
-    with pytest.raises(ValueError, match="gaze: expected a direction for cameras that look in opposite ones"):
-        nf.lod.select([usual(12)], index, centers, 1.0, camera=[front, back], mode="fovea")
 
 
 # errors --------------------------------------------------------------------------------------------------------------
