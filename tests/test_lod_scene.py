@@ -427,6 +427,11 @@ def test_levels_of_an_object_of_a_scene_stand_where_it_stands() -> None:
         model = nf.lod.measure(
             levels, fov=nf.Fov.symmetric(90), size=SIZE, views=4, distances=4, samples=1, cache=False
         )
+        # Placed by hand they are what they are.
+        put = nf.lod.place([model], [0], [np.eye(4)])
+        assert put.leveled is not None
+        np.testing.assert_allclose(put.bounds, levels[0].scene.bounds, atol=1e-5)
+        np.testing.assert_allclose(put.leveled.centers[0], levels.center, atol=1e-6)
         leveled = start.with_levels({"ball": model})
         assert leveled.leveled is not None
         np.testing.assert_allclose(leveled.leveled.centers[0], levels.center, atol=1e-6)

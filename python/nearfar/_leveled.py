@@ -157,8 +157,13 @@ class Given:
     """Where the levels stand (K, 4, 4), their frame→world, when the objects were loaded."""
 
 
-def given(names: Names, numbers: Sequence[int], models: Sequence[object], frames: NDArray[np.float64]) -> Given:
-    """Check models and where they are to stand; errors name the object."""
+def given(
+    names: Names, numbers: Sequence[int], models: Sequence[object], frames: NDArray[np.float64], *, in_place: bool
+) -> Given:
+    """Check models and where they are to stand; errors name the object.
+
+    `in_place` says that frames are those of objects whose place the levels take: the levels' own is taken off.
+    """
     distinct: dict[int, Any] = {}
     for number, model in zip(numbers, models, strict=True):
         if id(model) not in distinct:
@@ -170,8 +175,10 @@ def given(names: Names, numbers: Sequence[int], models: Sequence[object], frames
     if flat.any():
         name = names.all[numbers[int(np.argmax(flat))]]
         raise ValueError(f"models: expected objects with invertible transforms, got a flat one for '{name}'")
-    own = np.array([model.levels.frame for model in distinct.values()], np.float64).reshape(-1, 4, 4)
-    return Given(np.array(numbers, np.int64), tuple(distinct.values()), index, _placing(frames, own[index]))
+    if in_place:
+        own = np.array([model.levels.frame for model in distinct.values()], np.float64).reshape(-1, 4, 4)
+        frames = _placing(frames, own[index])
+    return Given(np.array(numbers, np.int64), tuple(distinct.values()), index, frames)
 
 
 def _placing(frames: NDArray[np.float64], own: NDArray[np.float64]) -> NDArray[np.float64]:

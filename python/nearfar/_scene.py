@@ -239,7 +239,7 @@ class Scene:
             raise TypeError(f"models: expected models by name such as {{'tree': model}}, got {type(models).__name__}")
         numbers = [self._names.number("models", name) for name in models]
         frames = np.array([self._frame(number) for number in numbers], np.float64).reshape(-1, 4, 4)
-        new = given(self._names, numbers, list(models.values()), frames)
+        new = given(self._names, numbers, list(models.values()), frames, in_place=True)
         core, rest, table = with_levels(self._core, self._rest, self._table, len(self._names), new)
         return self._derived(core, rest, table)
 

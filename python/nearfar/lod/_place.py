@@ -34,7 +34,8 @@ def place(
     model_index
         Which of them each of the N objects is (N,), whole numbers.
     transforms
-        (N, 4, 4) object→world for column vectors, invertible; mirrors and scales are fine.
+        (N, 4, 4) for column vectors, invertible, from the frame in which the models' levels, spheres and radii are to
+        the world; mirrors and scales are fine.
     names
         Of the objects; by default ``object_0``, ``object_1``, …
     dynamic
@@ -68,7 +69,7 @@ def place(
     if listed is not None and len(listed) != count:
         raise ValueError(f"names: expected {count}, one for each transform, got {len(listed)}")
     known = Names(count if listed is None else listed)
-    new = given(known, range(count), [models[number] for number in index.tolist()], frames)
+    new = given(known, range(count), [models[number] for number in index.tolist()], frames, in_place=False)
     core, rest, table = with_levels(empty(_origin(frames)), np.zeros((0, 3, 4)), None, count, new)
     return Scene(core, known, frames=frames, rest=rest, table=table).with_dynamic(dynamic)
 
