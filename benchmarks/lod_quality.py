@@ -187,7 +187,7 @@ def cases(headset: Headset, percentile: float, *, quick: bool) -> Iterator[tuple
     """Scenes as in the thesis, seen from the middle."""
     models = measured(headset, percentile=percentile)
     for size, count in [(10, 100)] if quick else [(10, 100), (20, 500)]:
-        views = 2 if quick else 3
+        views = 2
         cameras = [headset.camera(2 * np.pi * n / views) for n in range(views)]
         yield (
             f"{size} m, {count}",
