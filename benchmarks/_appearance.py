@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from _material import FINER, NEUTRAL, Material, Shape, look, shade
-from _study import sixteenth
 from nearfar import _data
 
 Array = NDArray[np.float64]
@@ -186,7 +185,7 @@ def simplified(shape: Shape, ratios: Sequence[float]) -> list[Shape]:
 # scores ---------------------------------------------------------------------------------------------------------------
 def cameras(size: float, steps: int) -> Iterator[nf.Camera]:
     """Views of the unit sphere at a solid angle (of that at 1/16 of the screen), just large enough for it."""
-    sine = np.sqrt(1 - (1 - size * sixteenth(HEADSET) / (2 * np.pi)) ** 2)
+    sine = np.sqrt(1 - (1 - size * nf.lod.reference_solid_angle(HEADSET) / (2 * np.pi)) ** 2)
     fov = HEADSET.left.fov
     focal = HEADSET.render_size[0] / (fov.right - fov.left)
     side = 2 * int(np.ceil(focal * sine / np.sqrt(1 - sine**2)) + _MARGIN)

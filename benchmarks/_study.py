@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
-import nearfar as nf
 from nearfar import _data, _random
 
 FILE = "study/lod_thresholds.csv"
@@ -101,11 +100,6 @@ def made_up(participants: int = TABULATED, objects: int = 10, *, gap: float = 0.
         np.asarray(1 - 0.02 * level + gap * (hmd == "vive"), np.float64),
         np.asarray(0.25 * _random.integers(_SEED, 3, index, -1, 4), np.float64),
     )
-
-
-def sixteenth(headset: nf.Hmd) -> float:
-    """Solid angle, in steradians, of a sphere that is a quarter as wide as the picture."""
-    return float(2 * np.pi * (1 - np.cos(np.arcsin(headset.tan_half_angle / 4))))
 
 
 # what is wrong with it ------------------------------------------------------------------------------------------------

@@ -21,7 +21,6 @@ from _study import (
     paired,
     readings,
     shapiro,
-    sixteenth,
     texture,
     wilcoxon,
 )
@@ -114,7 +113,7 @@ def table_of_texture(study: Study) -> str:
 def table_of_readings(study: Study) -> str:
     """Means of d and k by what could have been chosen, and the thresholds that follow by each reading of y = kx + d."""
     headset = nf.hmd.RIFT_S
-    sigma = sixteenth(headset)
+    sigma = nf.lod.reference_solid_angle(headset)
     rows = [
         [label, str(n), *(f"{value:.4f}" for value in (d, k, d - k * sigma, d + k * sigma, d - k))]
         for label, (d, k, n) in readings(study).items()
