@@ -172,14 +172,15 @@ def _unpacked(path: Path) -> tuple[io.BytesIO, str]:
 
 def simplified(shape: Shape, ratios: Sequence[float]) -> list[Shape]:
     """The base and a level for each ratio of its triangles, by positions alone."""
-    import fast_simplification
+    levels = nf.lod.simplify(nf.Scene.from_arrays(shape.vertices, shape.faces), ratios)
+    return [shape, *(_welded(level.scene) for level in levels[1:])]
 
-    levels = [shape]
-    for ratio in ratios:
-        count = max(4, round(ratio * len(shape.faces)))
-        points, faces = fast_simplification.simplify(shape.vertices, shape.faces.astype(np.int32), target_count=count)
-        levels.append(Shape(np.asarray(points, np.float32), np.asarray(faces, np.int64)))
-    return levels
+
+def _welded(scene: nf.Scene) -> Shape:
+    """A scene's triangles with vertices that they share."""
+    corners = scene.triangles().reshape(-1, 3)
+    vertices, faces = np.unique(corners, axis=0, return_inverse=True)
+    return Shape(vertices, faces.reshape(-1, 3))
 
 
 # scores ---------------------------------------------------------------------------------------------------------------

@@ -17,7 +17,7 @@ from PIL import Image
 import nearfar as nf
 from nearfar import _data
 
-RATIOS = (1, 0.5, 0.25, 0.12, 0.06, 0.03, 0.015, 0.007, 0.003, 0.0015)
+RATIOS = (1, 0.5, 0.25, 0.12, 0.06, 0.03, 0.015, 0.007, 0.003, 0.0015, 0.0007, 0.0003)
 
 FILES = {
     "bunny": "objects/bun_zipper.ply",
@@ -72,24 +72,35 @@ def sources() -> dict[str, Callable[[], nf.Scene]]:
     return found | {"knot": _knot, "pebble": _pebble}
 
 
-BY_MESHOPT = ("dragon", "FlightHelmet")
-"""Of many parts and holes, where the other simplifier ends at a twenty-fifth of the triangles."""
+BY_MESHOPT = ("bunny", "dragon", "FlightHelmet")
+"""Of many parts and holes, where the other simplifier ends earlier."""
 
 VIEWS = 36
 """From how many sides objects are measured: a quarter of what `measure` takes if nobody says, and of its time."""
 
 
-def measured(headset: Headset, names: Iterable[str] = (), *, percentile: float = 25.0) -> list[nf.lod.LodModel]:
-    """Levels of the objects and how good they look in a headset; kept in nearfar's cache."""
+def measured(
+    headset: Headset,
+    names: Iterable[str] = (),
+    *,
+    percentile: float = 25.0,
+    step: float | None = 0.05,
+    wider: int = 1,
+) -> list[nf.lod.LodModel]:
+    """Levels of the objects and how good they look in a headset; kept in nearfar's cache.
+
+    For a screen that is so many times `wider`, with as large pixels, curves begin at larger sizes.
+    """
     every = sources()
     chosen = {name: every[name] for name in names or every}
     levels = [
         nf.lod.simplify(load(), RATIOS, method="meshopt" if name in BY_MESHOPT else "fast", normals="smooth", name=name)
         for name, load in chosen.items()
     ]
-    return [
-        nf.lod.measure(each, fov=headset.fov, size=headset.size, views=VIEWS, percentile=percentile) for each in levels
-    ]
+    fov = nf.Fov(*(wider * side for side in (headset.fov.left, headset.fov.right, headset.fov.down, headset.fov.up)))
+    size = wider * headset.size[0], wider * headset.size[1]
+    how = functools.partial(nf.lod.measure, fov=fov, size=size, distances=16 * wider)
+    return [how(each, views=VIEWS, percentile=percentile, step=step) for each in levels]
 
 
 @dataclass(frozen=True)

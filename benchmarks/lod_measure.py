@@ -18,7 +18,6 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
-import fast_simplification
 import numpy as np
 from numpy.typing import NDArray
 from skimage.color import rgb2gray
@@ -50,16 +49,6 @@ def sphere(rows: int) -> nf.Scene:
     a, b = i * 2 * rows + j, i * 2 * rows + (j + 1) % (2 * rows)
     upper, lower = np.stack([a, b, b + 2 * rows], axis=1), np.stack([a, b + 2 * rows, a + 2 * rows], axis=1)
     return nf.Scene.from_arrays(way * radius[:, None], np.concatenate([upper[i > 0], lower[i < rows - 1]]))
-
-
-def levels_of(scene: nf.Scene) -> nf.lod.Levels:
-    vertices, faces = np.unique(scene.triangles().reshape(-1, 3), axis=0, return_inverse=True)
-    triangles = faces.reshape(-1, 3).astype(np.int32)
-    made = [nf.lod.Level(scene=scene)]
-    for ratio in RATIOS:
-        fewer = fast_simplification.simplify(vertices, triangles, 1 - ratio)
-        made.append(nf.lod.Level(scene=nf.Scene.from_arrays(*fewer), ratio=ratio))
-    return nf.lod.Levels(made)
 
 
 # the script ----------------------------------------------------------------------------------------------------------
@@ -244,7 +233,7 @@ def main() -> None:
     parser.add_argument("--distances", type=int, nargs="+", default=[1, 2, 4, 8, 16])
     parser.add_argument("file", nargs="?")
     asked = parser.parse_args()
-    levels = levels_of(nf.Scene.load(asked.file) if asked.file else sphere(159))
+    levels = nf.lod.simplify(nf.Scene.load(asked.file) if asked.file else sphere(159), RATIOS)
     print(machine())
     print(levels, flush=True)
 

@@ -254,6 +254,21 @@ def test_ratios_that_cannot_be_reached_are_said(method: str) -> None:
     assert "can't be reached" in str(single)
 
 
+def test_meshopt_gives_up_small_parts_where_it_must() -> None:
+    """A large ball among 300 tetrahedra, which can't be made of fewer triangles: only without some of them."""
+    ball, small = trimesh.creation.icosphere(4), trimesh.creation.icosahedron()
+    small.apply_scale(0.01)
+    places = np.random.default_rng(3).uniform(-1, 1, (300, 3)) * (3, 0.2, 0.2) + (0, 2, 0)
+    whole = trimesh.util.concatenate([ball, *(small.copy().apply_translation(place) for place in places)])
+    levels = nf.lod.simplify(whole, [0.5, 0.05, 0.01], method="meshopt")
+    assert [level.triangle_count for level in levels] == pytest.approx([11_120, 5_560, 556, 111], rel=0.02)
+    assert not any(level.note for level in levels)
+    pieces = [level.scene.triangles()[:, :, 1].max(axis=1) for level in levels]
+    # The ball is below 1, all else above 1.7.
+    assert [int((tops > 1.5).sum()) // 4 > 0 for tops in pieces] == [True, True, False, False]
+    assert all((tops < 1.5).sum() > 80 for tops in pieces)
+
+
 def odd_meshes() -> dict[str, tuple[Array, Array]]:
     ball = trimesh.creation.icosphere(3)
     v, f = np.asarray(ball.vertices), np.asarray(ball.faces)

@@ -396,7 +396,7 @@ def carry(
     positions: _F32, faces: _U32, corners: _F32, starts: _U32, *, report: _Report | None = None
 ) -> tuple[_U32, _F64]: ...
 def collapse(
-    positions: _F32, attributes: _F32, weights: _F32, is_seam: NDArray[np.bool_], faces: _U32, target: int, loose: bool
+    positions: _F32, attributes: _F32, weights: _F32, is_seam: NDArray[np.bool_], faces: _U32, target: int, given: str
 ) -> tuple[_U32, float]: ...
 
 # exr ----------------------------------------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 from dataclasses import dataclass
 from functools import cached_property
@@ -25,6 +26,9 @@ FIN = 0.5123
 
 _TRIES, _NEAR = 3, 0.005
 """Runs until a level has its triangles, but for a share of them."""
+
+_REACHED = math.log(1.01)
+"""How far off a number of triangles may be, as the logarithm of a factor."""
 
 _ONE_AT_A_TIME = threading.Lock()
 """fast-simplification works in global variables."""
@@ -214,14 +218,16 @@ class Picks:
         return np.ascontiguousarray(table, np.float32), np.array(weights, np.float32)
 
     def level(self, target: int) -> Surface:
-        """Return the surface in about `target` triangles; seams of normals and colours are given up where they must."""
+        """Return the surface in about `target` triangles, without seams of normals and colours and small parts at need."""
         if target >= len(self._faces):
             return self._surface
         arrays = (self._positions, *self._weights, self._is_seam, self._faces)
-        left, _ = _core.collapse(*arrays, target, False)
-        if len(left) > 1.01 * target:
-            loose, _ = _core.collapse(*arrays, target, True)
-            left = min(left, loose, key=len)
+        left = self._faces
+        for given in ("nothing", "seams", "parts"):
+            found, _ = _core.collapse(*arrays, target, given)
+            left = min(left, found, key=lambda faces: _miss(len(faces), target))
+            if _miss(len(left), target) <= _REACHED:
+                break
         used, renumbered = np.unique(left, return_inverse=True)
         vertex = self._vertex[used]
         return Surface(
@@ -230,6 +236,11 @@ class Picks:
             np.ascontiguousarray(self._material[left[:, 0]]),
             {key: np.ascontiguousarray(value[vertex]) for key, value in self._surface.attributes.items()},
         )
+
+
+def _miss(count: int, target: int) -> float:
+    """By which factor a count is off, as a logarithm; without end for none."""
+    return abs(math.log(count / target)) if count else math.inf
 
 
 def _box(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:

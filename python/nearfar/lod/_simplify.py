@@ -47,7 +47,8 @@ def simplify(
         "fast": quadrics by fast-simplification, which moves vertices to where the error is least. Attributes are looked
         up on the base, each within its own chart, so that seams stay seams; places stay welded, so nothing cracks.
         "meshopt": meshoptimizer's simplifier, which keeps some of the vertices as they are, with all that they have. It
-        weighs attributes too, and gives up seams of normals and colours where it can't go on otherwise.
+        weighs attributes too. Where it can't go on otherwise it gives up seams of normals and colours, and then parts
+        that hang together with nothing else, small ones first.
     normals
         "keep": those of the base, where it has any. "smooth": made for the base, weighted by the corners' angles, hard
         where faces meet at more than 60°. "flat": none, so that faces are shaded flat.

@@ -1,6 +1,7 @@
 //! Bindings of the part of `lod` that makes coarser surfaces.
 
-use nearfar_core::lod::{self, Charts, Vertices};
+use nearfar_core::base::{Error, Result};
+use nearfar_core::lod::{self, Charts, Given, Vertices};
 use numpy::PyUntypedArrayMethods;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::prelude::*;
@@ -48,6 +49,15 @@ fn carry<'py>(
     Ok((faces, PyArray1::from_vec(py, weights).reshape([places.len(), 2])?))
 }
 
+fn giving_up(name: &str) -> Result<Given> {
+    Ok(match name {
+        "nothing" => Given::Nothing,
+        "seams" => Given::Seams,
+        "parts" => Given::Parts,
+        _ => return Err(Error::value("given", "'nothing', 'seams' or 'parts'", format!("'{name}'"))),
+    })
+}
+
 /// Faces that meshoptimizer leaves, and its own estimate of the error as a share of the extent.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "what the simplifier weighs")]
@@ -59,7 +69,7 @@ fn collapse<'py>(
     is_seam: PyReadonlyArray1<'py, bool>,
     faces: PyReadonlyArray2<'py, u32>,
     target: usize,
-    loose: bool,
+    given: &str,
 ) -> PyResult<(Bound<'py, PyArray2<u32>>, f32)> {
     let vertices = Vertices {
         positions: positions.as_slice()?.as_chunks().0,
@@ -68,7 +78,7 @@ fn collapse<'py>(
         is_seam: is_seam.as_slice()?,
     };
     let faces = faces.as_slice()?.as_chunks().0;
-    let (left, error) = run::short(py, || lod::collapse(vertices, faces, target, loose))?;
+    let (left, error) = run::short(py, || lod::collapse(vertices, faces, target, giving_up(given)?))?;
     let count = left.len();
     Ok((PyArray1::from_vec(py, left.into_flattened()).reshape([count, 3])?, error))
 }

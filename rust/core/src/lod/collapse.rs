@@ -21,13 +21,23 @@ pub struct Vertices<'a> {
     pub is_seam: &'a [bool],
 }
 
+/// What may be given up for fewer triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Given {
+    /// Nothing.
+    Nothing,
+    /// The seams of vertices without a flag.
+    Seams,
+    /// These, and parts that hang together with nothing else: the smallest first.
+    Parts,
+}
+
 /// Chosen faces that remain of a surface, about `target` of them, and the share of its extent that it may be off by.
-/// `loose` gives up the seams of vertices without a flag.
 pub fn collapse(
     vertices: Vertices<'_>,
     faces: &[[u32; 3]],
     target: usize,
-    loose: bool,
+    given: Given,
 ) -> Result<(Vec<[u32; 3]>, f32)> {
     let count = vertices.positions.len();
     check_faces(faces, count)?;
@@ -49,7 +59,11 @@ pub fn collapse(
         .map_err(|error| Error::value("vertices", "positions", error))?;
     let flag = |&seam: &bool| if seam { SimplifyVertex::Protect } else { SimplifyVertex::None };
     let locks: Vec<SimplifyVertex> = vertices.is_seam.iter().map(flag).collect();
-    let options = if loose { SimplifyOptions::Permissive } else { SimplifyOptions::None };
+    let options = match given {
+        Given::Nothing => SimplifyOptions::None,
+        Given::Seams => SimplifyOptions::Permissive,
+        Given::Parts => SimplifyOptions::Permissive | SimplifyOptions::Prune,
+    };
     let mut error = 0.0;
     let indices = simplify_with_attributes_and_locks(
         faces.as_flattened(),
@@ -83,12 +97,12 @@ mod tests {
         }
         let is_seam = vec![false; positions.len()];
         let vertices = Vertices { positions: &positions, attributes: &[], weights: &[], is_seam: &is_seam };
-        let (found, error) = collapse(vertices, &faces, 2, false).unwrap();
+        let (found, error) = collapse(vertices, &faces, 2, Given::Nothing).unwrap();
         // Its quadrics are float32: 2⁻¹² of the extent is their root's rounding.
         assert!(found.len() == 2 && error < 1e-3, "{} {error}", found.len());
         let corners = [0, side - 1, side * (side - 1), side * side - 1];
         assert!(corners.iter().all(|corner| found.as_flattened().contains(corner)));
-        assert_eq!(collapse(vertices, &faces, faces.len(), false).unwrap().0, faces);
-        assert!(collapse(Vertices { is_seam: &[], ..vertices }, &faces, 2, false).is_err());
+        assert_eq!(collapse(vertices, &faces, faces.len(), Given::Nothing).unwrap().0, faces);
+        assert!(collapse(Vertices { is_seam: &[], ..vertices }, &faces, 2, Given::Nothing).is_err());
     }
 }

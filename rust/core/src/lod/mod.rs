@@ -21,7 +21,7 @@ use rayon::prelude::*;
 
 use crate::base::{Error, Progress, Result};
 pub use carry::{Charts, Place};
-pub use collapse::{Vertices, collapse};
+pub use collapse::{Given, Vertices, collapse};
 pub use fit::{Curve, Status};
 pub use frame::Unfit;
 pub use select::{Acuity, COLUMNS, Counts, Eye, Glass, Line, Model, Objects, Parameters, Rules, View, select};
