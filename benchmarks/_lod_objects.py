@@ -86,6 +86,7 @@ def measured(
     percentile: float = 25.0,
     step: float | None = 0.05,
     wider: int = 1,
+    views: int = VIEWS,
 ) -> list[nf.lod.LodModel]:
     """Levels of the objects and how good they look in a headset; kept in nearfar's cache.
 
@@ -100,7 +101,7 @@ def measured(
     fov = nf.Fov(*(wider * side for side in (headset.fov.left, headset.fov.right, headset.fov.down, headset.fov.up)))
     size = wider * headset.size[0], wider * headset.size[1]
     how = functools.partial(nf.lod.measure, fov=fov, size=size, distances=16 * wider)
-    return [how(each, views=VIEWS, percentile=percentile, step=step) for each in levels]
+    return [how(each, views=views, percentile=percentile, step=step) for each in levels]
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 """Triangles and time that chosen levels save in scenes built as Liebisch (2021) built them, beside what he printed.
 
-python benchmarks/lod_tables.py [--quick]
+python benchmarks/lod_tables.py [--quick] [--views N] [--backend B]
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _lod_objects import RIFT_S, VIVE_PRO, Crowd, Headset, crowd, measured
+from _lod_objects import RIFT_S, VIEWS, VIVE_PRO, Crowd, Headset, crowd, measured
 from _measure import machine, table
 
 SIZES = (10, 15, 20, 30)
@@ -100,9 +100,8 @@ def times(models: list[nf.lod.LodModel], scene: Crowd, headset: Headset, frames:
     return found
 
 
-def report(headset: Headset, frames: int, counts: tuple[int, ...]) -> Iterator[str]:
+def report(headset: Headset, models: list[nf.lod.LodModel], frames: int, counts: tuple[int, ...]) -> Iterator[str]:
     """Tables for a headset."""
-    models = measured(headset)
     full = np.mean([model.triangles[0] for model in models])
     rows = []
     for size in SIZES:
@@ -127,9 +126,10 @@ def report(headset: Headset, frames: int, counts: tuple[int, ...]) -> Iterator[s
     yield "left, by the falloff of acuity of what the lens left (threshold anchored).\n"
 
 
-def timings(headset: Headset, frames: int, counts: tuple[int, ...], backend: str) -> Iterator[str]:
+def timings(
+    headset: Headset, models: list[nf.lod.LodModel], frames: int, counts: tuple[int, ...], backend: str
+) -> Iterator[str]:
     """Render times for a headset."""
-    models = measured(headset)
     rows = []
     for size in SIZES:
         for count in counts:
@@ -149,13 +149,15 @@ def main() -> None:
     """Print the tables."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="few frames of the smaller scenes")
+    parser.add_argument("--views", type=int, default=VIEWS, help="from how many sides objects are measured")
     parser.add_argument("--backend", default="auto", choices=("auto", "cpu", "gpu"))
     options = parser.parse_args()
     counts, frames = ((100,), 50) if options.quick else (COUNTS, FRAMES)
     print(machine())
     for headset in (RIFT_S, VIVE_PRO):
-        print("\n".join(report(headset, frames, counts)), flush=True)
-        print("\n".join(timings(headset, 4, counts, options.backend)), flush=True)
+        models = measured(headset, views=options.views)
+        print("\n".join(report(headset, models, frames, counts)), flush=True)
+        print("\n".join(timings(headset, models, 4, counts, options.backend)), flush=True)
 
 
 if __name__ == "__main__":

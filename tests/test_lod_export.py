@@ -284,3 +284,19 @@ def test_damaged_files_are_format_errors(glb: Path, tmp_path: Path) -> None:
         path.write_bytes(content)
         with pytest.raises(nf.FormatError, match=name):
             nf.lod.LodModel.load(path)
+
+
+def test_models_and_switches_are_shown_as_tables(model: nf.lod.LodModel) -> None:
+    found = nf.lod.switches(model, view=FOV)
+    head, titles, base, *rows = str(model).splitlines()
+    assert head.startswith("ball, radius ")
+    assert titles.split()[-1] == "curve"
+    assert base.split() == ["0", f"{model.triangles[0]:,}", "0", "1.0000", "1.0000"]
+    ends = model.curves(np.array(model.sigma[::-1]))
+    for n, row in enumerate(rows):
+        number, triangles, _, large, small, status = row.split()
+        assert (int(number), triangles, status) == (n + 1, f"{model.triangles[n + 1]:,}", model.curves.status[n])
+        assert [float(large), float(small)] == pytest.approx(ends[n], abs=5e-5)
+    _, *rows = str(found).splitlines()
+    assert [float(row.split()[2]) for row in rows] == pytest.approx(found.distance, rel=1e-3)
+    assert [float(row.split()[3].rstrip("%")) for row in rows] == pytest.approx(100 * found.screen_coverage, abs=5e-3)

@@ -218,7 +218,7 @@ class Picks:
         return np.ascontiguousarray(table, np.float32), np.array(weights, np.float32)
 
     def level(self, target: int) -> Surface:
-        """Return the surface in about `target` triangles, without seams of normals and colours and small parts at need."""
+        """Return the surface in about `target` triangles; where it must be, without some seams and small parts."""
         if target >= len(self._faces):
             return self._surface
         arrays = (self._positions, *self._weights, self._is_seam, self._faces)

@@ -165,3 +165,20 @@ class LodModel:
     def __repr__(self) -> str:
         counts = ", ".join(f"{count:,}" for count in self.triangles)
         return f"LodModel({self.name!r}: {counts} triangles)"
+
+    def __str__(self) -> str:
+        """Table of the levels: triangles, error, scores at the greatest and the least size, how curves were fitted."""
+        low, high = self.sigma
+        ends = self.curves(np.array([high, low])) if len(self.curves) else np.empty((0, 2))
+        scores = [(1.0, 1.0), *map(tuple, ends.tolist())]
+        status = ["", *self.curves.status.tolist()]
+        rows = [
+            f"{'level':>5}  {'triangles':>11}  {'error m':>9}  {f'{high:.3g} sr':>10}  {f'{low:.3g} sr':>10}  curve"
+        ]
+        rows += [
+            f"{number:>5}  {triangles:>11,}  {error:>9.3g}  {large:>10.4f}  {small:>10.4f}  {status}".rstrip()
+            for number, (triangles, error, (large, small), status) in enumerate(
+                zip(self.triangles.tolist(), self.errors.tolist(), scores, status, strict=True)
+            )
+        ]
+        return "\n".join([f"{self.name}, radius {self.radius:.4g} m", *rows])

@@ -43,6 +43,14 @@ class Switches:
         """`MSFT_screencoverage`: where each level ends and the next begins; 0 for the last, which has no end."""
         return [*np.maximum.accumulate(self.screen_coverage[:0:-1])[::-1].tolist(), 0.0]
 
+    def __str__(self) -> str:
+        """Table of the levels: up to which sizes each is good enough."""
+        rows = [f"{'level':>5}  {'up to sr':>10}  {'from radii':>10}  {'area':>8}  {'height':>8}"]
+        columns = (self.solid_angle, self.distance, self.screen_coverage, self.screen_height)
+        for number, (sigma, distance, area, height) in enumerate(zip(*(c.tolist() for c in columns), strict=True)):
+            rows.append(f"{number:>5}  {sigma:>10.4g}  {distance:>10.4g}  {area:>8.2%}  {height:>8.2%}")
+        return "\n".join(rows)
+
 
 def switches(
     model: LodModel,
@@ -56,7 +64,8 @@ def switches(
 
     A level is shown up to the greatest size to which it stays good enough: SSIM at least f(σ), as `select` has it, for
     all smaller sizes too. Above σ₁/₁₆, and above what was measured, only level 0 is shown. Of the levels that are good
-    enough the coarsest is shown.
+    enough the coarsest is shown. Where a curve falls towards small sizes, `select` shows its level at the large ones
+    all the same, which engines with one size for each level can't: there `switches` is the more careful of both.
 
     Parameters
     ----------
