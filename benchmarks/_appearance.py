@@ -172,7 +172,11 @@ def _unpacked(path: Path) -> tuple[io.BytesIO, str]:
 
 def simplified(shape: Shape, ratios: Sequence[float]) -> list[Shape]:
     """The base and a level for each ratio of its triangles, by positions alone."""
-    levels = nf.lod.simplify(nf.Scene.from_arrays(shape.vertices, shape.faces), ratios)
+    scene = nf.Scene.from_arrays(shape.vertices, shape.faces)
+    levels = nf.lod.simplify(scene, ratios)
+    if len(levels) <= len(ratios):
+        # Of many small parts only this one makes few triangles, without some of them.
+        levels = nf.lod.simplify(scene, ratios, method="meshopt")
     return [shape, *(_welded(level.scene) for level in levels[1:])]
 
 
