@@ -439,3 +439,23 @@ def test_levels_of_an_object_of_a_scene_stand_where_it_stands() -> None:
             shown = pose_now.with_levels({"ball": model})
             differ = nf.render(shown, camera).require("color") != nf.render(pose_now, camera).require("color")
             assert differ.any(axis=-1).mean() < 0.002
+
+
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_meshes_that_come_later_share_a_page(name: str) -> None:
+    """Levels are sent one frame after the other, and cost no more buffers than levels that are there already."""
+    levels = nf.lod.simplify(ball(4), [0.8**n for n in range(1, 13)], method="meshopt")
+    model = model_from([level.scene for level in levels])
+    count = len(model)
+    scene = nf.lod.place([model], [0] * count, frames(count, seed=15))
+    made = []
+    with adapter(name):
+        for shift in range(2):
+            for n in range(count):
+                before = nf.gpu.stats()["allocations"]
+                shown = np.full(count, n) if shift == 0 else np.roll(np.arange(count), n)
+                frame = nf.render(scene, view(), lod=shown, backend="gpu")
+                made.append(nf.gpu.stats()["allocations"] - before)
+        truth = nf.render(scene, view(), lod=shown, backend="cpu")
+    assert made[2:count] == made[count + 2 :]
+    assert np.isclose(frame.require("range"), truth.require("range"), rtol=1e-4).mean() > 0.995

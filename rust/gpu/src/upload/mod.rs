@@ -5,6 +5,7 @@ mod materials;
 mod pages;
 mod records;
 mod residents;
+mod shelf;
 mod tables;
 mod texels;
 

@@ -1,5 +1,5 @@
 //! Meshes as words in pages: buffers no larger than what one pass may bind. Small meshes share a page, large ones are
-//! cut into runs of faces that each bring their vertices along.
+//! cut into runs of faces that each bring their vertices along. Pages have room for meshes that come later.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -9,7 +9,8 @@ use nearfar_core::scene::{Aabb, FaceMap, Mesh};
 use rayon::prelude::*;
 use wgpu::BufferUsages;
 
-use crate::device::{Device, Written};
+use super::shelf::Shelf;
+use crate::device::{Device, Scope, Written};
 
 /// Consecutive faces that are culled together.
 pub(crate) const CHUNK: usize = 4096;
@@ -104,12 +105,8 @@ impl Run<'_> {
     }
 }
 
-/// Puts meshes into new pages. One list of parts for each mesh, in order of faces.
-pub(crate) fn pack(
-    device: &Device,
-    meshes: &[Arc<Mesh>],
-    mut next_page: impl FnMut() -> u64,
-) -> Result<Vec<Vec<Part>>> {
+/// Puts meshes into pages, those with room first. One list of parts for each mesh, in order of faces.
+pub(crate) fn pack(device: &Device, meshes: &[Arc<Mesh>], shelf: &Shelf<Page>) -> Result<Vec<Vec<Part>>> {
     let limit = device.largest_binding() / WORD;
     let own: Vec<Option<Vec<Arc<Mesh>>>> = meshes.iter().map(|mesh| gathered(mesh, limit)).collect();
     let mut runs: Vec<(usize, u32, Run<'_>)> = Vec::new();
@@ -141,42 +138,70 @@ pub(crate) fn pack(
             size <= limit
         });
         let (mine, others) = rest.split_at(fitting.count().max(1));
-        fill_page(device, mine, next_page(), &mut parts)?;
+        place(device, mine, shelf, limit, &mut parts)?;
         rest = others;
     }
     Ok(parts)
 }
 
-fn fill_page(device: &Device, runs: &[(usize, u32, Run<'_>)], number: u64, parts: &mut [Vec<Part>]) -> Result<()> {
-    let bytes = WORD * runs.iter().map(|(_, _, run)| run.words()).sum::<u64>();
-    let buffer = device.mapped_buffer("page", bytes, BufferUsages::STORAGE)?;
-    let page = Arc::new(Page { buffer, number });
-    {
-        let whole = page.buffer.get_mapped_range_mut(..);
-        let mut view = whole.map_err(|error| device.failure(&error))?;
-        let mut start = 0u64;
-        let mut words: Vec<u32> = Vec::new();
-        for (mesh, first_face, run) in runs {
-            let (layout, size) = run.layout();
-            words.clear();
-            let too_many = |_| Error::Memory { bytes: size * WORD };
-            words.try_reserve_exact(size as usize).map_err(too_many)?;
-            run.write(&mut words);
-            let at = (start * WORD) as usize;
-            view.slice(at..at + words.len() * WORD as usize).copy_from_slice(bytemuck::cast_slice(&words));
-            parts[*mesh].push(Part {
-                page: Arc::clone(&page),
-                first_face: *first_face,
-                face_count: run.faces.len() as u32,
-                words: layout.map(|word| if word == NONE { NONE } else { word + start as u32 }),
-                material: run.uniform_material().unwrap_or(-1),
-                chunks: chunk_boxes(run),
-            });
-            start += size;
+/// Writes runs where there is room, or else into a new page.
+fn place(
+    device: &Device,
+    runs: &[(usize, u32, Run<'_>)],
+    shelf: &Shelf<Page>,
+    limit: u64,
+    parts: &mut [Vec<Part>],
+) -> Result<()> {
+    let words: u64 = runs.iter().map(|(_, _, run)| run.words()).sum();
+    if let Some((page, start)) = shelf.take(words) {
+        let scope = Scope::open(device);
+        write(runs, &page, start, parts, |at, bytes| device.queue.write_buffer(&page.buffer, at, bytes))?;
+        scope.close()?;
+    } else {
+        let size = shelf.size_of_new(words, limit);
+        let usage = BufferUsages::STORAGE | BufferUsages::COPY_DST;
+        let buffer = device.mapped_buffer("page", size * WORD, usage)?;
+        let page = Arc::new(Page { buffer, number: shelf.next_number() });
+        {
+            let whole = page.buffer.get_mapped_range_mut(..);
+            let mut view = whole.map_err(|error| device.failure(&error))?;
+            write(runs, &page, 0, parts, |at, bytes| {
+                view.slice(at as usize..at as usize + bytes.len()).copy_from_slice(bytes);
+            })?;
         }
+        page.buffer.unmap();
+        shelf.put(&page, words, size);
     }
-    page.buffer.unmap();
-    device.count(Written::UploadedBytes, bytes);
+    device.count(Written::UploadedBytes, words * WORD);
+    Ok(())
+}
+
+/// Hands out the bytes of runs, one after the other from a word of a page on, and lists their parts.
+fn write(
+    runs: &[(usize, u32, Run<'_>)],
+    page: &Arc<Page>,
+    mut start: u64,
+    parts: &mut [Vec<Part>],
+    mut put: impl FnMut(u64, &[u8]),
+) -> Result<()> {
+    let mut words: Vec<u32> = Vec::new();
+    for (mesh, first_face, run) in runs {
+        let (layout, size) = run.layout();
+        words.clear();
+        let too_many = |_| Error::Memory { bytes: size * WORD };
+        words.try_reserve_exact(size as usize).map_err(too_many)?;
+        run.write(&mut words);
+        put(start * WORD, bytemuck::cast_slice(&words));
+        parts[*mesh].push(Part {
+            page: Arc::clone(page),
+            first_face: *first_face,
+            face_count: run.faces.len() as u32,
+            words: layout.map(|word| if word == NONE { NONE } else { word + start as u32 }),
+            material: run.uniform_material().unwrap_or(-1),
+            chunks: chunk_boxes(run),
+        });
+        start += size;
+    }
     Ok(())
 }
 

@@ -1,7 +1,6 @@
 //! Which meshes lie on the device already, by their identity; those that nobody holds any more are let go.
 
 use std::collections::{HashMap, HashSet};
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
 use glam::DVec3;
@@ -11,6 +10,7 @@ use wgpu::BufferUsages;
 
 use super::materials::MaterialTable;
 use super::pages::{Part, pack};
+use super::shelf::Shelf;
 use super::tables::{Key, SceneTables};
 use super::{EnvTexels, Page};
 use crate::device::Device;
@@ -28,7 +28,7 @@ type MaterialKey = (Weak<Vec<Material>>, Weak<Vec<Texture>>);
 #[derive(Default)]
 pub(crate) struct Residents {
     known: Mutex<Known>,
-    pages: AtomicU64,
+    shelf: Shelf<Page>,
     nothing: Mutex<Option<Arc<Nothing>>>,
 }
 
@@ -104,7 +104,7 @@ impl Residents {
             }
             known.missing_of(scene)
         };
-        let packed = pack(device, &missing, || self.pages.fetch_add(1, Ordering::Relaxed))?;
+        let packed = pack(device, &missing, &self.shelf)?;
         let parts: HashMap<usize, Parts> = {
             let mut known = self.known();
             for (mesh, parts) in missing.iter().zip(packed) {
