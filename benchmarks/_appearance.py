@@ -177,6 +177,8 @@ def simplified(shape: Shape, ratios: Sequence[float]) -> list[Shape]:
     if len(levels) <= len(ratios):
         # Of many small parts only this one makes few triangles, without some of them.
         levels = nf.lod.simplify(scene, ratios, method="meshopt")
+    if len(levels) <= len(ratios):
+        raise ValueError(f"ratios: expected some that can be reached, got {ratios}: {levels}")
     return [shape, *(_welded(level.scene) for level in levels[1:])]
 
 

@@ -217,7 +217,7 @@ def rules(headset: Headset, *, quick: bool) -> str:
     cases = [Case.of(models, headset, size, count) for size, count in chosen]
     ours = [
         (d, Outcome.of(cases, functools.partial(Case.by_ours, d=d)))
-        for d in np.arange(0.0, 1.3, 0.1 if quick else 0.01).tolist()
+        for d in np.arange(0.0, 1.4, 0.1 if quick else 0.01).tolist()
     ]
     rows = []
     for pixels in PIXELS[1::2] if quick else PIXELS:

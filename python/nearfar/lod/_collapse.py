@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import threading
 from dataclasses import dataclass
 from functools import cached_property
@@ -27,8 +26,8 @@ FIN = 0.5123
 _TRIES, _NEAR = 3, 0.005
 """Runs until a level has its triangles, but for a share of them."""
 
-_REACHED = math.log(1.01)
-"""How far off a number of triangles may be, as the logarithm of a factor."""
+_REACHED = 1.01
+"""Times the triangles asked for up to which nothing more is given up."""
 
 _ONE_AT_A_TIME = threading.Lock()
 """fast-simplification works in global variables."""
@@ -225,8 +224,8 @@ class Picks:
         left = self._faces
         for given in ("nothing", "seams", "parts"):
             found, _ = _core.collapse(*arrays, target, given)
-            left = min(left, found, key=lambda faces: _miss(len(faces), target))
-            if _miss(len(left), target) <= _REACHED:
+            left = min(left, found, key=len)
+            if len(found) <= _REACHED * target:
                 break
         used, renumbered = np.unique(left, return_inverse=True)
         vertex = self._vertex[used]
@@ -236,11 +235,6 @@ class Picks:
             np.ascontiguousarray(self._material[left[:, 0]]),
             {key: np.ascontiguousarray(value[vertex]) for key, value in self._surface.attributes.items()},
         )
-
-
-def _miss(count: int, target: int) -> float:
-    """By which factor a count is off, as a logarithm; without end for none."""
-    return abs(math.log(count / target)) if count else math.inf
 
 
 def _box(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:

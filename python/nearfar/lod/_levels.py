@@ -30,7 +30,7 @@ class Level:
     mean_error
         Metres: the mean of these distances, by area.
     note
-        Why it has more triangles than asked for; empty where it has not.
+        Where it has not the triangles that were asked for, how many instead, and which ratios can't be reached.
     """
 
     scene: Scene

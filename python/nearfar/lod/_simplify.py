@@ -20,8 +20,8 @@ RATIOS = (1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12, 0.08, 0.05, 0.03, 0.02)
 METHODS = ("fast", "meshopt")
 NORMALS = ("keep", "smooth", "flat")
 
-_MISSED = 1.01
-"""Times the triangles asked for from which on a note says so."""
+_MISSED = 0.01
+"""The share of the triangles asked for, beyond two, by which a level is off before a note says so."""
 
 
 def simplify(
@@ -48,7 +48,7 @@ def simplify(
         up on the base, each within its own chart, so that seams stay seams; places stay welded, so nothing cracks.
         "meshopt": meshoptimizer's simplifier, which keeps some of the vertices as they are, with all that they have. It
         weighs attributes too. Where it can't go on otherwise it gives up seams of normals and colours, and then parts
-        that hang together with nothing else, small ones first.
+        that hang together with nothing else, small ones first. Small closed parts may go before that, as by "fast".
     normals
         "keep": those of the base, where it has any. "smooth": made for the base, weighted by the corners' angles, hard
         where faces meet at more than 60°. "flat": none, so that faces are shaded flat.
@@ -110,7 +110,8 @@ def _level(base: Base, surface: Surface, share: float) -> Level | None:
     if not len(surface.faces):
         return None
     count, wanted = len(surface.faces), max(1, round(share * len(base.surface.faces)))
-    note = "" if count <= max(wanted * _MISSED, wanted + 2) else f"{count:,} triangles instead of {wanted:,}"
+    is_near = abs(count - wanted) <= max(wanted * _MISSED, 2)
+    note = "" if is_near else f"{count:,} triangles instead of {wanted:,}"
     scene = base.scene_of(surface)
     error, mean = deviation((base.scene, base.surface), (scene, surface))
     return Level(scene=scene, ratio=share, error=error, mean_error=mean, note=note)

@@ -21,14 +21,15 @@ pub struct Vertices<'a> {
     pub is_seam: &'a [bool],
 }
 
-/// What may be given up for fewer triangles.
+/// What may be given up for fewer triangles, beyond what collapsing edges takes: that makes nothing of closed parts too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Given {
     /// Nothing.
     Nothing,
     /// The seams of vertices without a flag.
     Seams,
-    /// These, and parts that hang together with nothing else: the smallest first.
+    /// These, and parts that hang together with nothing else and can't be collapsed, such as those of many borders: the
+    /// smallest first.
     Parts,
 }
 

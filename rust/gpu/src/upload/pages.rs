@@ -154,9 +154,11 @@ fn place(
 ) -> Result<()> {
     let words: u64 = runs.iter().map(|(_, _, run)| run.words()).sum();
     if let Some((page, start)) = shelf.take(words) {
-        let scope = Scope::open(device);
-        write(runs, &page, start, parts, |at, bytes| device.queue.write_buffer(&page.buffer, at, bytes))?;
-        scope.close()?;
+        write(runs, &page, start, parts, |at, bytes| {
+            let scope = Scope::open(device);
+            device.queue.write_buffer(&page.buffer, at, bytes);
+            scope.close()
+        })?;
     } else {
         let size = shelf.size_of_new(words, limit);
         let usage = BufferUsages::STORAGE | BufferUsages::COPY_DST;
@@ -167,6 +169,7 @@ fn place(
             let mut view = whole.map_err(|error| device.failure(&error))?;
             write(runs, &page, 0, parts, |at, bytes| {
                 view.slice(at as usize..at as usize + bytes.len()).copy_from_slice(bytes);
+                Ok(())
             })?;
         }
         page.buffer.unmap();
@@ -182,7 +185,7 @@ fn write(
     page: &Arc<Page>,
     mut start: u64,
     parts: &mut [Vec<Part>],
-    mut put: impl FnMut(u64, &[u8]),
+    mut put: impl FnMut(u64, &[u8]) -> Result<()>,
 ) -> Result<()> {
     let mut words: Vec<u32> = Vec::new();
     for (mesh, first_face, run) in runs {
@@ -191,7 +194,7 @@ fn write(
         let too_many = |_| Error::Memory { bytes: size * WORD };
         words.try_reserve_exact(size as usize).map_err(too_many)?;
         run.write(&mut words);
-        put(start * WORD, bytemuck::cast_slice(&words));
+        put(start * WORD, bytemuck::cast_slice(&words))?;
         parts[*mesh].push(Part {
             page: Arc::clone(page),
             first_face: *first_face,

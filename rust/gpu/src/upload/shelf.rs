@@ -45,17 +45,21 @@ impl<P> Shelf<P> {
     }
 
     /// Words of a new page that begins with some: as many again, or all the room where meshes came before, so that few
-    /// pages hold many meshes and a large scene that stays as it is takes little more than it needs.
+    /// pages hold many meshes. Large pages have no room: a small mesh that came later would keep all of one.
     pub fn size_of_new(&self, words: u64, limit: u64) -> u64 {
+        if words > ROOM {
+            return words;
+        }
         let is_first = self.open().page.strong_count() == 0;
         let room = if is_first { words.clamp(LEAST, ROOM) } else { ROOM };
         (words + room).min(limit.max(words))
     }
 
-    /// Offers what is left of a new page.
+    /// Offers what is left of a new page, where that is more than there is.
     pub fn put(&self, page: &Arc<P>, taken: u64, size: u64) {
         let mut open = self.open();
-        if open.page.strong_count() == 0 || size - taken > open.size - open.taken {
+        let left = if open.page.strong_count() > 0 { open.size - open.taken } else { 0 };
+        if size - taken > left {
             *open = Open { page: Arc::downgrade(page), taken, size };
         }
     }
@@ -86,7 +90,8 @@ mod tests {
     #[test]
     fn many_small_meshes_share_few_pages() {
         assert!(pages_of((0..1000).map(|n| 500 + n), 1 << 25).len() <= 2);
-        assert_eq!(pages_of((0..50).map(|_| 1 << 23), 1 << 23).len(), 50);
+        assert_eq!(pages_of((0..50).map(|_| ROOM), ROOM).len(), 50);
+        assert_eq!(pages_of([ROOM + 1, 1, 1, ROOM + 1, 1].into_iter(), 1 << 25).len(), 3);
     }
 
     #[test]
