@@ -28,8 +28,8 @@ pub enum Given {
     Nothing,
     /// The seams of vertices without a flag.
     Seams,
-    /// These, and parts that hang together with nothing else and can't be collapsed, such as those of many borders: the
-    /// smallest first.
+    /// These, and parts that hang together with nothing else and can't be collapsed, such as those with all corners on
+    /// seams: the smallest first.
     Parts,
 }
 
