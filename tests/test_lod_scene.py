@@ -458,4 +458,5 @@ def test_meshes_that_come_later_share_a_page(name: str) -> None:
                 made.append(nf.gpu.stats()["allocations"] - before)
         truth = nf.render(scene, view(), lod=shown, backend="cpu")
     assert made[2:count] == made[count + 2 :]
-    assert np.isclose(frame.require("range"), truth.require("range"), rtol=1e-4).mean() > 0.995
+    # Ranges are within 1e-5 of the tracer's, where both show the same face: edges differ in one pixel of 200.
+    assert np.isclose(frame.require("range"), truth.require("range"), rtol=1e-5).mean() > 0.995

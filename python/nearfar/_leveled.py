@@ -183,7 +183,8 @@ def given(
 
 def _placing(frames: NDArray[np.float64], own: NDArray[np.float64]) -> NDArray[np.float64]:
     """Levels' frames→world: an object's transform after the levels' frame is taken off; nothing is lost where equal."""
-    placing: NDArray[np.float64] = np.linalg.solve(own.transpose(0, 2, 1), frames.transpose(0, 2, 1)).transpose(0, 2, 1)
+    solved = np.linalg.solve(own.transpose(0, 2, 1), frames.transpose(0, 2, 1))
+    placing = np.array(solved.transpose(0, 2, 1), np.float64)
     placing[:, 3] = (0, 0, 0, 1)
     same = (frames == own).all(axis=(1, 2))
     placing[same] = np.eye(4)
