@@ -1,6 +1,7 @@
 """Runs every benchmark and keeps what each prints, as Markdown, and its plots in a folder, with a report of all.
 
-One after the other, because they measure time: `python scripts/bench.py [FOLDER] [NAME ...]`.
+One after the other, because they measure time: `python scripts/bench.py [FOLDER] [NAME ...]`, where a name is a stage,
+such as `trace`, or one benchmark of it, such as `lod.fit`.
 """
 
 from __future__ import annotations
@@ -15,23 +16,30 @@ CHECKOUT = Path(__file__).resolve().parent.parent
 
 
 def main() -> None:
-    """Run benchmarks/*.py, or those named; leave with status 1 if one fails."""
+    """Run all benchmarks, or those named; leave with status 1 if one fails."""
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else "out/bench")
     folder.mkdir(parents=True, exist_ok=True)
-    every = sorted(path for path in (CHECKOUT / "benchmarks").glob("*.py") if not path.name.startswith("_"))
-    chosen = [path for path in every if path.stem in sys.argv[2:]] or every
-    failed = [path.stem for path in chosen if not run(path, folder)]
-    parts = [(folder / f"{path.stem}.md").read_text(encoding="utf-8") for path in chosen if path.stem not in failed]
+    wanted = set(sys.argv[2:])
+    chosen = [name for name in names() if not wanted or wanted & {name, name.partition(".")[0]}]
+    failed = [name for name in chosen if not run(name, folder)]
+    parts = [(folder / f"{name}.md").read_text(encoding="utf-8") for name in chosen if name not in failed]
     (folder / "report.md").write_text("# Run time against error\n\n" + "\n".join(parts), encoding="utf-8")
     if failed:
         sys.exit(f"benchmarks failed: {', '.join(failed)}")
 
 
-def run(path: Path, folder: Path) -> bool:
+def names() -> list[str]:
+    """Benchmarks as stage.name; files whose names begin with an underscore, and `harness`, only help them."""
+    files = sorted((CHECKOUT / "benchmarks").glob("*/*.py"))
+    runs = [path for path in files if '__name__ == "__main__"' in path.read_text(encoding="utf-8")]
+    return [f"{path.parent.name}.{path.stem}" for path in runs]
+
+
+def run(name: str, folder: Path) -> bool:
     """Run one benchmark; what it prints goes to the terminal and to a file of its name."""
-    print(f"## {path.stem}", flush=True)
+    print(f"## {name}", flush=True)
     started = time.perf_counter()
-    command = [sys.executable, str(path)]
+    command = [sys.executable, "-m", f"benchmarks.{name}"]
     environment = os.environ | {
         "PYTHONUNBUFFERED": "1",
         "NEARFAR_PROGRESS": "0",
@@ -45,7 +53,7 @@ def run(path: Path, folder: Path) -> bool:
             lines.append(line)
     print(f"({time.perf_counter() - started:.0f} s)\n", flush=True)
     if process.returncode == 0:
-        (folder / f"{path.stem}.md").write_text(f"## {path.stem}\n\n{''.join(lines)}", encoding="utf-8")
+        (folder / f"{name}.md").write_text(f"## {name}\n\n{''.join(lines)}", encoding="utf-8")
     return process.returncode == 0
 
 

@@ -13,7 +13,7 @@ import numpy as np
 import trimesh
 
 import nearfar as nf
-from nearfar import _data
+from nearfar._base import data
 
 RATIOS = (0.5, 0.25, 0.12, 0.06, 0.03)
 SIZE, LENS = nf.hmd.RIFT_S.render_size, nf.RadialLens((0.22, 0.24))
@@ -28,7 +28,7 @@ def draw_lod(path: Path) -> None:
     mpl.use("agg")
     from matplotlib import pyplot as plt
 
-    helmet = nf.Scene.load(_data.require("objects/gltf/FlightHelmet/FlightHelmet.gltf"))
+    helmet = nf.Scene.load(data.require("objects/gltf/FlightHelmet/FlightHelmet.gltf"))
     levels = nf.lod.simplify(helmet, RATIOS, method="meshopt", normals="smooth", name="FlightHelmet")
     model = nf.lod.measure(levels, fov=FOV, size=SIZE)
     figure = plt.figure(figsize=(13.3, 7.6), layout="constrained")

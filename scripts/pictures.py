@@ -9,13 +9,13 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from lod_picture import draw_lod
 from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
-from nearfar import _data
+from nearfar._base import data
 from nearfar.cli._report import caption, save_curve
+from scripts.lod_picture import draw_lod
 
 DOCS = Path(__file__).resolve().parent.parent / "docs"
 SIZE = (1440, 900)
@@ -38,7 +38,7 @@ def main() -> None:
         if "curve" in wanted:
             save_curve(DOCS, nf.load_curve(city, center=eye), R2)
     if "tokyo" in wanted:
-        tokyo = nf.Scene.load(_data.require("city/tokyo23/tokyo_core_lod1.glb"))
+        tokyo = nf.Scene.load(data.require("city/tokyo23/tokyo_core_lod1.glb"))
         center, forward = np.array([115.0, 1.7, 192.15]), np.array([-0.866, 0.15, 0.5])
         aside = center + 8.0 * np.array([0.5, 0.0, 0.866])
         compare("tokyo", tokyo, point(center), point(aside), point(aside + forward), (0.34, 0.1, 0.8, 0.72))

@@ -7,7 +7,7 @@ import os
 import pytest
 from hypothesis import HealthCheck, settings
 
-from support import PARTS, required
+from tests.support import PARTS, required
 
 # No deadline: the machine's other work would decide it. The thorough profile is for `make stress`.
 settings.register_profile("fast", deadline=None, max_examples=50, suppress_health_check=[HealthCheck.too_slow])

@@ -9,9 +9,9 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _harness import OURS, Case, Work, compare, describe
-from _measure import machine
-from _peers import sphere_peers
+from benchmarks.bounds._peers import sphere_peers
+from benchmarks.harness.compare import OURS, Case, Work, compare, describe
+from benchmarks.harness.timing import machine
 
 Array = NDArray[np.float64]
 

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _harness import OURS, Case, Work, compare, describe
-from _measure import machine, table
+from benchmarks.harness.compare import OURS, Case, Work, compare, describe
+from benchmarks.harness.timing import machine, table
 
 Array = NDArray[np.float32]
 FOV = nf.hmd.QUEST_2.left.fov

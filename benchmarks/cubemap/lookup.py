@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from scipy.ndimage import map_coordinates
 
 import nearfar as nf
-from _harness import OURS, Case, Work, compare, describe, done, draw
-from _measure import machine, table
+from benchmarks.harness.compare import OURS, Case, Work, compare, describe, done, draw
+from benchmarks.harness.timing import machine, table
 
 Array = NDArray[Any]
 SIZE = 512

@@ -1,7 +1,7 @@
 """Frames on graphics adapters beside the tracer and pyrender, reduced frames beside full ones, and what a frame moves.
 
-`python benchmarks/gpu.py`. Without a GPU the adapters are the processor itself (lavapipe, llvmpipe). With one, the last
-table gives what a headset's frames take on it.
+`python -m benchmarks.gpu.frames`. Without a GPU the adapters are software on the processor (lavapipe, llvmpipe). With
+one, the last table gives the time of a headset's frames on it.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from typing import Any
 
 import numpy as np
 
-import _tokyo
 import nearfar as nf
-from _harness import FOLDER, Case, compare, describe, done
-from _measure import machine, table
-from _views import center_for
-from render import view
+from benchmarks.harness import tokyo
+from benchmarks.harness.compare import FOLDER, Case, compare, describe, done
+from benchmarks.harness.timing import machine, table
+from benchmarks.harness.views import center_for
+from benchmarks.render.truth import view
 
 SIZE = (1024, 1024)
 EYE = (1832, 1920)
@@ -142,7 +142,7 @@ def seconds(job: Callable[[], Any], rounds: int = 3) -> float:
 
 def whole_city() -> nf.Scene:
     """Tokyo, or the procedural city where there is no data."""
-    arrays = _tokyo.with_buildings()
+    arrays = tokyo.with_buildings()
     return nf.datasets.city() if arrays is None else nf.Scene.from_arrays(arrays[0], arrays[1], face_object=arrays[2])
 
 

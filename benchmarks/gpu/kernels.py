@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _harness import OURS, Case, compare, describe
-from _measure import machine
+from benchmarks.harness.compare import OURS, Case, compare, describe
+from benchmarks.harness.timing import machine
 from nearfar import _core, gpu
 
 SIZE = (1920, 1080)

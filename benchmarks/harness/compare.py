@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from _measure import Timing, table
+from benchmarks.harness.timing import Timing, table
 
 FOLDER = "NEARFAR_BENCH_OUT"
 """Where plots are kept; none are made without it. `scripts/bench.py` sets it."""

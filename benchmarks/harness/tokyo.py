@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _cache, _data
+from nearfar._base import cache, data
 
 
 def whole() -> tuple[NDArray[np.float32], NDArray[np.uint32]] | None:
@@ -25,11 +25,11 @@ def with_buildings() -> tuple[NDArray[np.float32], NDArray[np.uint32], NDArray[n
 
 
 def _stored() -> Any:
-    root = _data.root()
+    root = data.root()
     tool = None if root is None else root.parent / "tools" / "tokyo.py"
     if tool is None or not tool.is_file():
         return None
-    return np.load(_cache.get_or_make(_cache.key("benchmark tokyo", 2), ".npz", lambda path: _make(tool, path)))
+    return np.load(cache.get_or_make(cache.key("benchmark tokyo", 2), ".npz", lambda path: _make(tool, path)))
 
 
 def _make(tool: Path, path: Path) -> None:

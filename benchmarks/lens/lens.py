@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _harness import FOLDER, OURS, Case, Work, compare, describe
-from _measure import machine
-from _pictures import draw_lens
+from benchmarks.harness.compare import FOLDER, OURS, Case, Work, compare, describe
+from benchmarks.harness.pictures import draw_lens
+from benchmarks.harness.timing import machine
 
 Array = NDArray[np.float64]
 

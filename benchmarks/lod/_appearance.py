@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _material import FINER, NEUTRAL, Material, Shape, look, shade
-from nearfar import _data
+from benchmarks.lod._material import FINER, NEUTRAL, Material, Shape, look, shade
+from nearfar._base import data
 
 Array = NDArray[np.float64]
 
@@ -145,7 +145,7 @@ def scanned(name: str) -> Shape | None:
     """An object of the data folder without its materials, its vertices merged by position; None where it is missing."""
     import trimesh
 
-    path = _data.find(SCANNED[name])
+    path = data.find(SCANNED[name])
     if path is None:
         return None
     if path.suffix in (".zip", ".gz"):

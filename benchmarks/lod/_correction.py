@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
-from _material import NEUTRAL, Material
+from benchmarks.lod._material import NEUTRAL, Material
 
 Array = NDArray[np.float64]
 

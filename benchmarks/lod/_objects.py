@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
-from nearfar import _data
+from nearfar._base import data
 
 RATIOS = (1, 0.5, 0.25, 0.12, 0.06, 0.03, 0.015, 0.007, 0.003, 0.0015, 0.0007, 0.0003)
 
@@ -64,10 +64,10 @@ VIVE_PRO = Headset(
 def sources() -> dict[str, Callable[[], nf.Scene]]:
     """How to load each object that is at hand."""
     found: dict[str, Callable[[], nf.Scene]] = {}
-    if packed := _data.find("objects/spot/spot.zip"):
+    if packed := data.find("objects/spot/spot.zip"):
         found["spot"] = functools.partial(_spot, packed)
     for name, file in FILES.items():
-        if path := _data.find(file):
+        if path := data.find(file):
             found[name] = functools.partial(nf.Scene.load, path)
     return found | {"knot": _knot, "pebble": _pebble}
 

@@ -10,11 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-import _appearance
-import _correction
-from _appearance import Plan
-from _correction import Samples
-from _material import NEUTRAL, Material, Shape, look, shade
+from benchmarks.lod import _appearance, _correction
+from benchmarks.lod._appearance import Plan
+from benchmarks.lod._correction import Samples
+from benchmarks.lod._material import NEUTRAL, Material, Shape, look, shade
 
 Array = NDArray[np.float64]
 

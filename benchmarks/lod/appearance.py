@@ -1,6 +1,6 @@
 """How metal, gloss and patterns change the SSIM of a level, and whether a factor by material can correct for them.
 
-`python benchmarks/lod_appearance.py` takes minutes, with `--quick` well below one. Objects are those of the data
+`python -m benchmarks.lod.appearance` takes minutes, with `--quick` well below one. Objects are those of the data
 folder and three procedural ones. Where these are all, as with `--quick`, they show what is printed, but are too few to
 judge by. Plots lie where NEARFAR_BENCH_OUT says.
 """
@@ -16,14 +16,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-import _appearance
-import _correction
-import _plots
-from _appearance import Plan
-from _correction import Samples, Validity
-from _harness import FOLDER
-from _material import NEUTRAL, Shape
-from _measure import machine, table
+from benchmarks.harness.compare import FOLDER
+from benchmarks.harness.timing import machine, table
+from benchmarks.lod import _appearance, _correction, _plots
+from benchmarks.lod._appearance import Plan
+from benchmarks.lod._correction import Samples, Validity
+from benchmarks.lod._material import NEUTRAL, Shape
 
 Array = NDArray[np.float64]
 

@@ -12,8 +12,8 @@ import scipy.optimize
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _harness import OURS, Case, compare
-from _measure import machine
+from benchmarks.harness.compare import OURS, Case, compare
+from benchmarks.harness.timing import machine
 
 Array = NDArray[np.float64]
 COUNT = 1_000

@@ -1,6 +1,6 @@
 """Time of measuring one object's levels, beside a script that does the same with pyrender and scikit-image.
 
-`python benchmarks/lod_measure.py [--views N] [--distances N …] [FILE]`. Ours does the whole job: 144 views, 16
+`python -m benchmarks.lod.measure [--views N] [--distances N …] [FILE]`. Ours does the whole job: 144 views, 16
 distances, 10 levels. The script renders whole frames of base and level for each score, for some views and distances,
 and is scaled by their number, because it takes hours. Curves are compared on all views at those distances: there the
 script renders boxes, of which the first part shows that their scores are those of whole frames. Pictures have one
@@ -24,8 +24,8 @@ from skimage.color import rgb2gray
 from skimage.metrics import structural_similarity
 
 import nearfar as nf
-from _measure import machine, table
-from nearfar.lod._views import Screen, Stand, turns
+from benchmarks.harness.timing import machine, table
+from nearfar.lod._measure.views import Screen, Stand, turns
 
 os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
 vars(np).setdefault("infty", np.inf)  # pyrender 0.1.45 was written for NumPy 1

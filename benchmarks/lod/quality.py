@@ -1,6 +1,6 @@
 """Whether chosen levels look as good as was asked for, behind the lens, and how many triangles other rules need for it.
 
-python benchmarks/lod_quality.py [--quick]
+python -m benchmarks.lod.quality [--quick]
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _lod_objects import RIFT_S, VIVE_PRO, Crowd, Headset, crowd, measured
-from _measure import machine, table
+from benchmarks.harness.timing import machine, table
+from benchmarks.lod._objects import RIFT_S, VIVE_PRO, Crowd, Headset, crowd, measured
 
 LUMA = np.array([0.2126, 0.7152, 0.0722])
 LEAST_PIXELS = 16

@@ -9,8 +9,8 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _harness import OURS, Case, compare
-from _measure import machine
+from benchmarks.harness.compare import OURS, Case, compare
+from benchmarks.harness.timing import machine
 
 OBJECTS, RADIUS = 1_000, 20.0
 FINEST, COARSEST = 6, 1

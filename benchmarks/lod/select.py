@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _harness import OURS, Case, Work, compare, describe
-from _measure import machine
+from benchmarks.harness.compare import OURS, Case, Work, compare, describe
+from benchmarks.harness.timing import machine
 
 Array = NDArray[np.float64]
 

@@ -1,6 +1,6 @@
 """Making levels by both simplifiers: time, where it goes, and how far levels are off; nearest points beside peers.
 
-python benchmarks/lod_simplify.py [FILE …]
+python -m benchmarks.lod.simplify [FILE …]
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from PIL import Image
 from scipy.spatial import cKDTree
 
 import nearfar as nf
-from _harness import OURS, Case, compare, describe
-from _measure import machine, table
+from benchmarks.harness.compare import OURS, Case, compare, describe
+from benchmarks.harness.timing import machine, table
 from nearfar import _core
-from nearfar.lod import _carry, _deviation
-from nearfar.lod._base import Base, Surface
-from nearfar.lod._collapse import Quadrics
+from nearfar.lod._simplify import carry, deviation
+from nearfar.lod._simplify.collapse import Quadrics
+from nearfar.lod._simplify.surface import Base, Surface
 
 Array = NDArray[Any]
 RATIOS = (0.5, 0.25, 0.1, 0.05, 0.02)
@@ -60,7 +60,7 @@ def levels(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
     _, radius = nf.bounding_sphere(points)
     for ratio, (places, left) in zip(RATIOS, plain, strict=True):
         surface = Surface(places.astype(np.float32), left.astype(np.uint32), np.zeros(len(left), np.int32))
-        found = _deviation.deviation((base.scene, base.surface), (base.scene_of(surface), surface))
+        found = deviation.deviation((base.scene, base.surface), (base.scene_of(surface), surface))
         error = [f"{value / radius:.2e}" for value in found]
         rows.append(
             [f"fast-simplification as it is, {seconds:.2f} s", f"{ratio:g}", f"{len(left) / len(faces):.3f}", *error]
@@ -79,19 +79,19 @@ def shares(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
     surface = simplifier.level(target)
     ticks.append(time.perf_counter())
     carried: list[float] = []
-    original = _carry.Carrier.carried
+    original = carry.Carrier.carried
 
-    def timed(self: _carry.Carrier, *arguments: Any) -> Surface:
+    def timed(self: carry.Carrier, *arguments: Any) -> Surface:
         started = time.perf_counter()
         result = original(self, *arguments)
         carried.append(time.perf_counter() - started)
         return result
 
-    with patch.object(_carry.Carrier, "carried", timed):
+    with patch.object(carry.Carrier, "carried", timed):
         simplifier.level(target)
     again = time.perf_counter()
     scene = base.scene_of(surface)
-    _deviation.deviation((base.scene, base.surface), (scene, surface))
+    deviation.deviation((base.scene, base.surface), (scene, surface))
     measured = time.perf_counter() - again
     rows = [
         ["preparing, once for all levels", f"{(ticks[1] - ticks[0]) * 1e3:.0f}"],

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 import nearfar as nf
-from _measure import table
-from _study import (
+from benchmarks.harness.timing import table
+from benchmarks.lod.user_study import (
     FILE,
     TABULATED,
     Study,
@@ -24,14 +24,14 @@ from _study import (
     texture,
     wilcoxon,
 )
-from nearfar import _data
+from nearfar._base import data
 
 COLUMNS = ("d", "k")
 
 
 def study_or_twin() -> tuple[Study, str]:
     """The published one, or the made-up one where there is no data folder, and a line that says which."""
-    if _data.find(FILE):
+    if data.find(FILE):
         study = load()
         return study, f"published: {len(study)} rows of {len(np.unique(study.participant))} participants"
     study = made_up(TABULATED + 1)

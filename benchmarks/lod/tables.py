@@ -1,6 +1,6 @@
 """Triangles and time that chosen levels save in scenes built as Liebisch (2021) built them, beside what he printed.
 
-python benchmarks/lod_tables.py [--quick] [--views N] [--backend B]
+python -m benchmarks.lod.tables [--quick] [--views N] [--backend B]
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _lod_objects import RIFT_S, VIEWS, VIVE_PRO, Crowd, Headset, crowd, measured
-from _measure import machine, table
+from benchmarks.harness.timing import machine, table
+from benchmarks.lod._objects import RIFT_S, VIEWS, VIVE_PRO, Crowd, Headset, crowd, measured
 
 SIZES = (10, 15, 20, 30)
 COUNTS = (100, 500, 1000)

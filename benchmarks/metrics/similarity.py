@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from skimage.metrics import peak_signal_noise_ratio, structural_similarity
 
 import nearfar as nf
-from _harness import OURS, Case, Work, compare, describe, done, draw
-from _measure import machine
+from benchmarks.harness.compare import OURS, Case, Work, compare, describe, done, draw
+from benchmarks.harness.timing import machine
 
 Image = NDArray[Any]
 Blur = Callable[[Image], Image]

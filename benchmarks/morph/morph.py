@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _harness import OURS, Case, Work, compare, describe
-from _measure import machine
+from benchmarks.harness.compare import OURS, Case, Work, compare, describe
+from benchmarks.harness.timing import machine
 
 COUNT = 10_000_000
 USER, CENTER, R1, R2 = (3.0, 1.0, 2.0), (0.0, 1.7, 0.0), 30.0, 50.0

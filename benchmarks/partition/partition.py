@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _measure import best, machine, table
-from _tokyo import whole
-from nearfar import _data
+from benchmarks.harness.timing import best, machine, table
+from benchmarks.harness.tokyo import whole
+from nearfar._base import data
 
 R1, R2 = 30.0, 50.0
 RADII = (20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0)
@@ -90,7 +90,7 @@ def main() -> None:
         ("Manhattan core", "city/manhattan_deckgl/manhattan_core.glb"),
         ("Tokyo core", "city/tokyo23/tokyo_core_lod1.glb"),
     ):
-        found = _data.find(path)
+        found = data.find(path)
         if found is not None:
             scenes.append((name, nf.Scene.load(found)))
     city = whole()

@@ -1,6 +1,6 @@
 """A car that drives from near to far: where each method shows it, by how much that jumps, and what hides it.
 
-python benchmarks/dynamic.py [--quick] [--plot out/bench/car_path.png]
+python -m benchmarks.reduce.dynamic [--quick] [--plot out/bench/car_path.png]
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _measure import machine, table
+from benchmarks.harness.timing import machine, table
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 
 import nearfar as nf
-from _measure import best, machine, table
-from nearfar import _data
+from benchmarks.harness.timing import best, machine, table
+from nearfar._base import data
 
 
 def scenes(quick: bool) -> list[tuple[str, nf.Scene]]:
@@ -21,7 +21,7 @@ def scenes(quick: bool) -> list[tuple[str, nf.Scene]]:
         ("FlightHelmet", "objects/gltf/FlightHelmet/FlightHelmet.gltf"),
         ("garage", "interior/garage/garage.gltf"),
     ]:
-        if path := _data.find(file):
+        if path := data.find(file):
             found.append((name, nf.Scene.load(path)))
     return found
 

@@ -1,6 +1,6 @@
 """What the near-far methods cost in image quality: discontinuity, map sizes, and not being at the centre.
 
-python benchmarks/near_far.py [--quick] [--plots FOLDER]
+python -m benchmarks.reduce.quality [--quick] [--plots FOLDER]
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _measure import machine, table
-from _pictures import draw_errors, draw_torn
-from _views import Point, center_for, views
-from nearfar import _data
+from benchmarks.harness.pictures import draw_errors, draw_torn
+from benchmarks.harness.timing import machine, table
+from benchmarks.harness.views import Point, center_for, views
+from nearfar._base import data
 
 VIEWS = 10
 
@@ -53,7 +53,7 @@ def cases(quick: bool) -> Iterator[Case]:
         ("tokyo_core_lod1", "city/tokyo23/tokyo_core_lod1.glb"),
         ("Manhattan", "city/manhattan_deckgl/manhattan_core.glb"),
     ):
-        if not quick and (path := _data.find(file)) is not None:
+        if not quick and (path := data.find(file)) is not None:
             scene = nf.Scene.load(path)
             yield Case(name, scene, center_for(scene, 50.0), 30.0, 50.0)
     city = nf.datasets.city(blocks=3, detail=0) if quick else nf.datasets.city()

@@ -11,16 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _measure import Timing, best, machine, table
-from _tokyo import whole
-from nearfar import _data
+from benchmarks.harness.timing import Timing, best, machine, table
+from benchmarks.harness.tokyo import whole
+from nearfar._base import data
 
 R1, R2 = 30.0, 50.0
 
 
 def city() -> tuple[str, nf.Scene, NDArray[np.float64]]:
     """Return a city and a place in one of its streets."""
-    path = _data.find("city/tokyo23/tokyo_core_lod1.glb")
+    path = data.find("city/tokyo23/tokyo_core_lod1.glb")
     if path is not None:
         return "tokyo_core_lod1", nf.Scene.load(path), np.array([275.0, 1.7, -60.7])
     scene = nf.datasets.city(blocks=12, seed=0, detail=2)

@@ -1,7 +1,7 @@
 """Time of a 1080p frame of ground truth by channels and samples, beside embreex' tracing alone and pyrender.
 
-`python benchmarks/render.py [file …]`; without files the core of Tokyo, or the procedural city where there is no data.
-CPU seconds are those of all threads; error is against 256 samples, root mean square in linear light.
+`python -m benchmarks.render.truth [file …]`; without files the core of Tokyo, or the procedural city where there is no
+data. CPU seconds are those of all threads; error is against 256 samples, root mean square in linear light.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from _measure import Timing, best, machine, table
-from nearfar import _data
+from benchmarks.harness.timing import Timing, best, machine, table
+from nearfar._base import data
 
 SIZE = (1920, 1080)
 CORE = "city/tokyo23/tokyo_core_lod1.glb"
@@ -26,7 +26,7 @@ REPEAT = 3
 
 
 def scenes(files: list[str]) -> dict[str, nf.Scene]:
-    paths = [Path(file) for file in files] or [path for path in [_data.find(CORE)] if path]
+    paths = [Path(file) for file in files] or [path for path in [data.find(CORE)] if path]
     loaded = {path.stem: nf.Scene.load(path) for path in paths}
     return loaded or {"city": nf.datasets.city()}
 

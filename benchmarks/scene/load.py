@@ -11,9 +11,9 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _measure import best, machine, table
-from _tokyo import with_buildings
-from nearfar import _data
+from benchmarks.harness.timing import best, machine, table
+from benchmarks.harness.tokyo import with_buildings
+from nearfar._base import data
 
 FILES = ("city/tokyo23/tokyo_core_lod1.glb", "objects/gltf/FlightHelmet/FlightHelmet.gltf", "objects/armadillo.obj")
 
@@ -30,7 +30,7 @@ def loading() -> None:
     """Seconds from the file to something that can be drawn: trimesh's scene still has 12,408 meshes."""
     rows = []
     for name in FILES:
-        path = _data.find(name)
+        path = data.find(name)
         if path is None:
             print(f"{name} is not there\n")
             continue
@@ -42,7 +42,7 @@ def loading() -> None:
 
 def changing() -> None:
     """Milliseconds to make a scene from a scene."""
-    path = _data.find(FILES[0])
+    path = data.find(FILES[0])
     if path is None:
         return
     scene = nf.Scene.load(path)

@@ -14,8 +14,8 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _measure import best, machine, table
-from nearfar import _data
+from benchmarks.harness.timing import best, machine, table
+from nearfar._base import data
 
 R1, R2, REACH = 30.0, 50.0, 5.0
 VIEW = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 16 / 9), size=(1920, 1080))
@@ -85,7 +85,7 @@ def scenes(quick: bool) -> Iterator[tuple[str, nf.Scene, Array]]:
     city = nf.datasets.city(blocks=4 if quick else 12, seed=0, detail=2)
     low, high = city.bounds
     yield "procedural city", city, np.array([(low[0] + high[0]) / 2, 1.7, (low[2] + high[2]) / 2])
-    path = _data.find("city/tokyo23/tokyo_core_lod1.glb")
+    path = data.find("city/tokyo23/tokyo_core_lod1.glb")
     if path is not None and not quick:
         yield "tokyo_core_lod1", nf.Scene.load(path), np.array([275.0, 1.7, -60.7])
 

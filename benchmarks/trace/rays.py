@@ -1,7 +1,7 @@
 """Rays and search trees beside Embree's, with the same rays in the same run.
 
-python benchmarks/trace.py [--view-size 1920x1080] [--repeat 5]
-"""  # noqa: A005
+python -m benchmarks.trace.rays [--view-size 1920x1080] [--repeat 5]
+"""
 
 from __future__ import annotations
 
@@ -19,8 +19,9 @@ from embreex.mesh_construction import TriangleMesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _measure import best, machine, table
-from nearfar import _core, _data
+from benchmarks.harness.timing import best, machine, table
+from nearfar import _core
+from nearfar._base import data
 
 Array = NDArray[np.float32]
 
@@ -103,7 +104,7 @@ def build(points: Array, faces: NDArray[Any], repeat: int) -> list[str]:
 
 def tokyo() -> tuple[nf.Scene, Array, NDArray[Any], dict[str, Any]] | None:
     """The middle of Tokyo, from a street and from above."""
-    path = _data.find("city/tokyo23/tokyo_core_lod1.glb")
+    path = data.find("city/tokyo23/tokyo_core_lod1.glb")
     if path is None:
         return None
     scene = nf.Scene.load(path)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core, _progress
+from nearfar import _core
+from nearfar._base import check, progress
 from nearfar._morph import KINDS, radii_of
 
 
@@ -56,18 +57,18 @@ def bend_rays(
     ----------
     The inverse of Eq. 1 of Popescu, Lee, Choi, Fahmy (2022), and of Alg. 1 of CloVR (2024).
     """
-    _check.choice("kind", kind, KINDS)
+    check.choice("kind", kind, KINDS)
     near, far = radii_of(r1, r2, kind)
-    rays = np.ascontiguousarray(_check.array("directions", directions), np.float64)
-    with _progress.bar("bending rays") as report:
+    rays = np.ascontiguousarray(check.array("directions", directions), np.float64)
+    with progress.bar("bending rays") as report:
         points, longest = _core.bend_rays(
             rays,
-            user=_check.vector("user", user),
-            center=_check.vector("center", center),
+            user=check.vector("user", user),
+            center=check.vector("center", center),
             r1=near,
             r2=far,
             kind=kind,
-            tolerance=_check.positive("tolerance", tolerance),
+            tolerance=check.positive("tolerance", tolerance),
             report=report,
         )
     return points.reshape(len(rays), longest, 3)
@@ -103,8 +104,8 @@ def fold_margin(user: ArrayLike, *, center: ArrayLike, r1: float, r2: float, kin
     ----------
     Eq. 1–3 of Popescu, Lee, Choi, Fahmy (2022).
     """
-    _check.choice("kind", kind, KINDS)
-    near, far = _check.radii(r1, r2)
+    check.choice("kind", kind, KINDS)
+    near, far = check.radii(r1, r2)
     return _core.fold_margin(
-        _check.vector("user", user), center=_check.vector("center", center), r1=near, r2=far, kind=kind
+        check.vector("user", user), center=check.vector("center", center), r1=near, r2=far, kind=kind
     )

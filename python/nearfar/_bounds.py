@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core, _progress
+from nearfar import _core
+from nearfar._base import check, progress
 
 METHODS = ("exact", "ritter", "average", "minmax", "best")
 
@@ -41,8 +42,8 @@ def bounding_sphere(points: ArrayLike, *, method: str = "exact") -> tuple[NDArra
     Gärtner (1999): the farthest point is added until none lies outside. Ritter (1990). "best" is that of
     Liebisch (2021).
     """
-    _check.choice("method", method, METHODS)
-    *center, radius = _core.bounding_sphere(_check.array("points", points), method=method)
+    check.choice("method", method, METHODS)
+    *center, radius = _core.bounding_sphere(check.array("points", points), method=method)
     return np.array(center), radius
 
 
@@ -68,12 +69,12 @@ def bounding_spheres(
     ValueError, TypeError
         As in `bounding_sphere`, and for offsets that do not rise or lead beyond the points.
     """
-    _check.choice("method", method, METHODS)
-    numbers = _check.array("offsets", offsets, columns=None, dtype=np.int64)
+    check.choice("method", method, METHODS)
+    numbers = check.array("offsets", offsets, columns=None, dtype=np.int64)
     if numbers.ndim != 1 or not len(numbers):
         raise ValueError(f"offsets: expected shape (K + 1,), got {numbers.shape}")
-    with _progress.bar("bounding") as report:
-        rows = _core.bounding_spheres(_check.array("points", points), numbers, method=method, report=report)
+    with progress.bar("bounding") as report:
+        rows = _core.bounding_spheres(check.array("points", points), numbers, method=method, report=report)
     found = np.array(rows, np.float64).reshape(-1, 4)
     return found[:, :3].copy(), found[:, 3].copy()
 
@@ -106,4 +107,4 @@ def solid_angle(centers: ArrayLike, radii: ArrayLike, *, eye: ArrayLike) -> NDAr
     ----------
     Liebisch (2021), Sec. 4.3.
     """
-    return _core.solid_angles(*_check.spheres(centers, radii), _check.vector("eye", eye))
+    return _core.solid_angles(*check.spheres(centers, radii), check.vector("eye", eye))

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core
+from nearfar import _core
+from nearfar._base import check
 
 KINDS = ("blend", "cylinder")
 
@@ -66,15 +67,15 @@ def morph(
     ----------
     Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3; CloVR (2024), Alg. 1, with the brackets that its w lacks.
     """
-    _check.choice("kind", kind, KINDS)
+    check.choice("kind", kind, KINDS)
     near, far = radii_of(r1, r2, kind)
-    given = _check.array("points", points)
-    shown = np.empty_like(given) if out is None else _check.output("out", out, given)
+    given = check.array("points", points)
+    shown = np.empty_like(given) if out is None else check.output("out", out, given)
     _core.morph(
         given,
         shown,
-        user=_check.vector("user", user),
-        center=_check.vector("center", center),
+        user=check.vector("user", user),
+        center=check.vector("center", center),
         r1=near,
         r2=far,
         kind=kind,
@@ -84,6 +85,6 @@ def morph(
 
 def radii_of(r1: float, r2: float, kind: str) -> tuple[float, float]:
     """Radii as floats; both may be 0 for "cylinder"."""
-    if kind == "cylinder" and _check.number("r1", r1) == 0.0 == _check.number("r2", r2):
+    if kind == "cylinder" and check.number("r1", r1) == 0.0 == check.number("r2", r2):
         return 0.0, 0.0
-    return _check.radii(r1, r2)
+    return check.radii(r1, r2)

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core, _progress
-from nearfar._camera import Camera
-from nearfar._scene import Scene
+from nearfar import _core
+from nearfar._base import check, progress
+from nearfar._camera.camera import Camera
+from nearfar._scene.scene import Scene
 
 if TYPE_CHECKING:
     import trimesh
@@ -73,17 +74,17 @@ def tessellate(
     ----------
     Popescu, Lee, Choi, Fahmy (2022) morph vertices; the bound of what that misses is ours.
     """
-    middle = _check.vector("center", center)
-    near, far = _check.radii(r1, r2)
+    middle = check.vector("center", center)
+    near, far = check.radii(r1, r2)
     settings: dict[str, Any] = {
         "center": middle,
         "r1": near,
         "r2": far,
         "reach": _reach(user_region, middle),
-        "tolerance": _check.positive("tolerance_px", tolerance_px) * _pixel_angle(camera),
+        "tolerance": check.positive("tolerance_px", tolerance_px) * _pixel_angle(camera),
     }
     if isinstance(mesh, Scene):
-        with _progress.bar("tessellating") as report:
+        with progress.bar("tessellating") as report:
             core, _counts = _core.tessellate_scene(mesh._core, **settings, report=report)
         return mesh._derived(core, mesh._rest)
     return _tessellate_trimesh(mesh, settings)
@@ -100,11 +101,11 @@ def _pixel_angle(camera: Camera) -> float:
 def _reach(region: ArrayLike, center: tuple[float, float, float]) -> float:
     """Greatest distance of a user from the centre."""
     if np.ndim(region) == 0:
-        reach = _check.number("user_region", cast("float", region))
+        reach = check.number("user_region", cast("float", region))
         if reach < 0.0:
             raise ValueError(f"user_region: expected a radius of at least 0, got {reach}")
         return reach
-    box = _check.array("user_region", region, columns=None, dtype=np.float64, finite=True)
+    box = check.array("user_region", region, columns=None, dtype=np.float64, finite=True)
     if box.shape != (2, 3) or (box[0] > box[1]).any():
         raise ValueError(
             f"user_region: expected a radius or a box (2, 3) of least and greatest corner, got {np.asarray(region)}"
@@ -115,15 +116,15 @@ def _reach(region: ArrayLike, center: tuple[float, float, float]) -> float:
 def _tessellate_trimesh(mesh: trimesh.Trimesh, settings: dict[str, Any]) -> trimesh.Trimesh:
     import trimesh
 
-    from nearfar._from_trimesh import given_normals
+    from nearfar._scene.load_trimesh import given_normals
 
     if not isinstance(mesh, trimesh.Trimesh):
         raise TypeError(f"mesh: expected a Scene or a trimesh.Trimesh, got {type(mesh).__name__}")
-    vertices = _check.array("mesh.vertices", mesh.vertices.view(np.ndarray), dtype=np.float64, finite=True)
-    faces = _check.array("mesh.faces", mesh.faces.view(np.ndarray), dtype=np.uint32)
+    vertices = check.array("mesh.vertices", mesh.vertices.view(np.ndarray), dtype=np.float64, finite=True)
+    faces = check.array("mesh.faces", mesh.faces.view(np.ndarray), dtype=np.uint32)
     if faces.size and int(faces.max()) >= len(vertices):
         raise ValueError(f"mesh.faces: expected vertex numbers below {len(vertices)}, got {faces.max()}")
-    with _progress.bar("tessellating") as report:
+    with progress.bar("tessellating") as report:
         made = _core.tessellate_arrays(vertices, faces, **settings, report=report)
     corners, weights, sources = faces[made["point_faces"]], made["weights"], made["sources"]
     normals = given_normals(mesh)

@@ -17,8 +17,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import nearfar as nf
-from nearfar import _check, _core, _progress, _random
-from support import need
+from nearfar import _core
+from nearfar._base import check, progress, random
+from tests.support import need
 
 WORD = st.integers(0, 2**64 - 1)
 
@@ -27,61 +28,61 @@ WORD = st.integers(0, 2**64 - 1)
 def test_array_keeps_float_types_and_copies_nothing_that_fits() -> None:
     for dtype in (np.float32, np.float64):
         points = np.zeros((4, 3), dtype)
-        assert _check.array("points", points) is points
-    assert _check.array("points", [[1, 2, 3]]).dtype == np.float64
-    assert _check.array("points", np.zeros((2, 3), ">f4")).dtype == np.dtype("=f4")
-    assert _check.array("points", np.zeros((2, 3), np.float16)).dtype == np.float64
+        assert check.array("points", points) is points
+    assert check.array("points", [[1, 2, 3]]).dtype == np.float64
+    assert check.array("points", np.zeros((2, 3), ">f4")).dtype == np.dtype("=f4")
+    assert check.array("points", np.zeros((2, 3), np.float16)).dtype == np.float64
 
 
 def test_array_straightens_strides_and_alignment() -> None:
     columns = np.asfortranarray(np.arange(12.0).reshape(4, 3))
-    straight = _check.array("points", columns)
+    straight = check.array("points", columns)
     assert straight.flags.c_contiguous
     np.testing.assert_array_equal(straight, columns)
     crooked = np.zeros(4 * 3 * 4 + 1, np.uint8)[1:].view(np.float32).reshape(4, 3)
-    assert _check.array("points", crooked).flags.aligned
+    assert check.array("points", crooked).flags.aligned
 
 
 @pytest.mark.parametrize(
     ("error", "words", "call"),
     [
-        (TypeError, "points: expected real numbers, got list of type <U1", lambda: _check.array("points", ["a"])),
-        (TypeError, "points: expected real numbers", lambda: _check.array("points", [[1j, 0, 0]])),
-        (TypeError, "points: expected real numbers, got NoneType", lambda: _check.array("points", None)),  # type: ignore[arg-type]
-        (ValueError, r"points: expected shape \(N, 3\), got \(3,\)", lambda: _check.array("points", [1, 2, 3])),
-        (ValueError, "points: expected rows of equal length", lambda: _check.array("points", [[1, 2], [3]])),
+        (TypeError, "points: expected real numbers, got list of type <U1", lambda: check.array("points", ["a"])),
+        (TypeError, "points: expected real numbers", lambda: check.array("points", [[1j, 0, 0]])),
+        (TypeError, "points: expected real numbers, got NoneType", lambda: check.array("points", None)),  # type: ignore[arg-type]
+        (ValueError, r"points: expected shape \(N, 3\), got \(3,\)", lambda: check.array("points", [1, 2, 3])),
+        (ValueError, "points: expected rows of equal length", lambda: check.array("points", [[1, 2], [3]])),
         (
             ValueError,
             r"got 2 that are not, the first at \(0, 1\)",
-            lambda: _check.array("points", [[0, np.nan, np.inf]], finite=True),
+            lambda: check.array("points", [[0, np.nan, np.inf]], finite=True),
         ),
-        (TypeError, "faces: expected whole numbers", lambda: _check.array("faces", [[0.5, 1, 2]], dtype=np.uint32)),
+        (TypeError, "faces: expected whole numbers", lambda: check.array("faces", [[0.5, 1, 2]], dtype=np.uint32)),
         (
             ValueError,
             "faces: expected whole numbers from 0 to 4294967295, got -1 to 2",
-            lambda: _check.array("faces", [[-1, 1, 2]], dtype=np.uint32),
+            lambda: check.array("faces", [[-1, 1, 2]], dtype=np.uint32),
         ),
-        (ValueError, "center: expected 3 finite numbers", lambda: _check.vector("center", (0, np.nan, 0))),
-        (ValueError, r"center: expected 3 numbers, got shape \(2,\)", lambda: _check.vector("center", (0, 1))),
-        (TypeError, "center: expected real numbers", lambda: _check.vector("center", "abc")),
-        (ValueError, "size: expected a number above 0, got 0.0", lambda: _check.positive("size", 0)),
-        (TypeError, "size: expected a number, got str 'a'", lambda: _check.positive("size", "a")),  # type: ignore[arg-type]
-        (ValueError, "samples: expected a whole number from 1 to 9, got 0", lambda: _check.integer("samples", 0, 1, 9)),
-        (TypeError, "samples: expected a whole number", lambda: _check.integer("samples", 1.5, 1, 9)),  # type: ignore[arg-type]
-        (ValueError, "kind: expected one of 'a', 'b', got 'c'", lambda: _check.choice("kind", "c", ("a", "b"))),
-        (TypeError, "kind: expected a string", lambda: _check.choice("kind", 3, ("a", "b"))),  # type: ignore[arg-type]
-        (TypeError, r"cells: expected two whole numbers, got \(1,\)", lambda: _check.pair("cells", (1,), 1, 9)),  # type: ignore[arg-type]
-        (TypeError, "cells: expected two whole numbers, got 3", lambda: _check.pair("cells", 3, 1, 9)),  # type: ignore[arg-type]
-        (TypeError, r"cells\[1\]: expected a whole number", lambda: _check.pair("cells", (1, 2.0), 1, 9)),  # type: ignore[arg-type]
+        (ValueError, "center: expected 3 finite numbers", lambda: check.vector("center", (0, np.nan, 0))),
+        (ValueError, r"center: expected 3 numbers, got shape \(2,\)", lambda: check.vector("center", (0, 1))),
+        (TypeError, "center: expected real numbers", lambda: check.vector("center", "abc")),
+        (ValueError, "size: expected a number above 0, got 0.0", lambda: check.positive("size", 0)),
+        (TypeError, "size: expected a number, got str 'a'", lambda: check.positive("size", "a")),  # type: ignore[arg-type]
+        (ValueError, "samples: expected a whole number from 1 to 9, got 0", lambda: check.integer("samples", 0, 1, 9)),
+        (TypeError, "samples: expected a whole number", lambda: check.integer("samples", 1.5, 1, 9)),  # type: ignore[arg-type]
+        (ValueError, "kind: expected one of 'a', 'b', got 'c'", lambda: check.choice("kind", "c", ("a", "b"))),
+        (TypeError, "kind: expected a string", lambda: check.choice("kind", 3, ("a", "b"))),  # type: ignore[arg-type]
+        (TypeError, r"cells: expected two whole numbers, got \(1,\)", lambda: check.pair("cells", (1,), 1, 9)),  # type: ignore[arg-type]
+        (TypeError, "cells: expected two whole numbers, got 3", lambda: check.pair("cells", 3, 1, 9)),  # type: ignore[arg-type]
+        (TypeError, r"cells\[1\]: expected a whole number", lambda: check.pair("cells", (1, 2.0), 1, 9)),  # type: ignore[arg-type]
         (
             ValueError,
             r"cells\[0\]: expected a whole number from 1 to 9, got 0",
-            lambda: _check.pair("cells", (0, 2), 1, 9),
+            lambda: check.pair("cells", (0, 2), 1, 9),
         ),
-        (TypeError, r"size: expected \(width, height\) in pixels, got None", lambda: _check.size("size", None)),  # type: ignore[arg-type]
-        (ValueError, "r1: expected less than r2 = 3.0, got 3.0", lambda: _check.radii(3, 3)),
-        (ValueError, "r1: expected a radius of at least 0, got -1.0", lambda: _check.radii(-1, 3)),
-        (ValueError, "r2: expected a finite number, got inf", lambda: _check.radii(1, np.inf)),
+        (TypeError, r"size: expected \(width, height\) in pixels, got None", lambda: check.size("size", None)),  # type: ignore[arg-type]
+        (ValueError, "r1: expected less than r2 = 3.0, got 3.0", lambda: check.radii(3, 3)),
+        (ValueError, "r1: expected a radius of at least 0, got -1.0", lambda: check.radii(-1, 3)),
+        (ValueError, "r2: expected a finite number, got inf", lambda: check.radii(1, np.inf)),
     ],
 )
 def test_wrong_arguments_are_named(error: type[Exception], words: str, call: Callable[[], Any]) -> None:
@@ -90,12 +91,12 @@ def test_wrong_arguments_are_named(error: type[Exception], words: str, call: Cal
 
 
 def test_right_arguments_pass() -> None:
-    assert _check.vector("center", np.array([1, 2, 3])) == (1.0, 2.0, 3.0)
-    assert _check.radii(0, np.float32(0.5)) == (0.0, 0.5)
-    assert _check.integer("samples", np.int64(3), 1, 9) == 3
-    assert _check.pair("cells", np.array([1, 9]), 1, 9) == (1, 9)  # type: ignore[arg-type]
-    assert _check.array("faces", np.array([[0, 1, 2]]), dtype=np.uint32).dtype == np.uint32
-    assert _check.array("faces", [], columns=None, dtype=np.uint32).shape == (0,)
+    assert check.vector("center", np.array([1, 2, 3])) == (1.0, 2.0, 3.0)
+    assert check.radii(0, np.float32(0.5)) == (0.0, 0.5)
+    assert check.integer("samples", np.int64(3), 1, 9) == 3
+    assert check.pair("cells", np.array([1, 9]), 1, 9) == (1, 9)  # type: ignore[arg-type]
+    assert check.array("faces", np.array([[0, 1, 2]]), dtype=np.uint32).dtype == np.uint32
+    assert check.array("faces", [], columns=None, dtype=np.uint32).shape == (0,)
 
 
 def masked(values: Any) -> Any:
@@ -108,8 +109,8 @@ def masked(values: Any) -> Any:
 @pytest.mark.parametrize(
     ("name", "call"),
     [
-        ("points", lambda m: _check.array("points", m(np.zeros((4, 3))))),
-        ("center", lambda m: _check.vector("center", m([0.0, 1.0, 2.0]))),
+        ("points", lambda m: check.array("points", m(np.zeros((4, 3))))),
+        ("center", lambda m: check.vector("center", m([0.0, 1.0, 2.0]))),
         ("triangles", lambda m: nf.Scene.from_arrays(np.eye(3), [[0, 1, 2]]).subset(triangles=m([0]))),
         ("faces", lambda m: nf.cube_lookup(m(np.zeros((6, 4, 4), np.uint8)), [[1.0, 0, 0]])),
         ("values", lambda m: nf.convert_envmap(m(np.zeros((6, 4, 4))), source="cube", target="octahedral", size=8)),
@@ -239,8 +240,8 @@ def test_a_forked_child_computes() -> None:
 
 def test_bars_are_silent_off_a_terminal(capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("NEARFAR_PROGRESS", raising=False)
-    monkeypatch.setattr(_progress, "DELAY", 0.0)
-    with _progress.bar("work") as report:
+    monkeypatch.setattr(progress, "DELAY", 0.0)
+    with progress.bar("work") as report:
         report(1, 2)
     assert capfd.readouterr() == ("", "")
 
@@ -270,12 +271,12 @@ def test_bars_appear_on_a_terminal_only_after_a_while(
 ) -> None:
     terminal = Terminal()
     monkeypatch.setattr(sys, "stderr", terminal)
-    monkeypatch.setattr(_progress, "DELAY", delay)
+    monkeypatch.setattr(progress, "DELAY", delay)
     monkeypatch.setenv("NEARFAR_PROGRESS", switch)
     monkeypatch.setenv("TERM", "xterm")
-    with _progress.bar("baking") as outer:
+    with progress.bar("baking") as outer:
         outer(1, 4)
-        with _progress.bar("inner") as inner:
+        with progress.bar("inner") as inner:
             inner(1, 2)
         outer(4, 4)
     assert ("baking" in terminal.text) == shown
@@ -301,22 +302,22 @@ def oracle(seed: int, cell: int, index: int) -> float:
 
 @given(seed=WORD, cell=WORD, index=st.lists(WORD, max_size=5))
 def test_uniform_equals_the_oracle_exactly(seed: int, cell: int, index: list[int]) -> None:
-    drawn = _random.uniform(seed, cell, np.array(index, np.uint64))
+    drawn = random.uniform(seed, cell, np.array(index, np.uint64))
     assert drawn.tolist() == [oracle(seed, cell, i) for i in index]
 
 
 def test_draws_keep_their_values_for_ever() -> None:
     # Scenes and studies are named by their seeds: a changed mixer would change them all silently.
-    assert _random.integers(0, 0, np.arange(6), 0, 1000).tolist() == [int(oracle(0, 0, i) * 1000) for i in range(6)]
-    assert _random.uniform(0, 0, [[0, 1], [2, 3]]).shape == (2, 2)
+    assert random.integers(0, 0, np.arange(6), 0, 1000).tolist() == [int(oracle(0, 0, i) * 1000) for i in range(6)]
+    assert random.uniform(0, 0, [[0, 1], [2, 3]]).shape == (2, 2)
 
 
 def test_integers_and_choice_cover_their_range_evenly() -> None:
-    count = np.bincount(_random.integers(3, 1, np.arange(60_000), -2, 4) + 2)
+    count = np.bincount(random.integers(3, 1, np.arange(60_000), -2, 4) + 2)
     # Six classes of 10,000: five standard deviations, √(60,000 · 1/6 · 5/6) = 91.
     assert count.shape == (6,)
     assert np.abs(count - 10_000).max() < 5 * 92
-    drawn = _random.choice(3, 2, np.arange(40_000), ["a", "b", "c"], weights=[3, 0, 1])
+    drawn = random.choice(3, 2, np.arange(40_000), ["a", "b", "c"], weights=[3, 0, 1])
     assert "b" not in drawn
     # A quarter of 40,000: five standard deviations, √(40,000 · 1/4 · 3/4) = 87.
     assert abs(int((drawn == "c").sum()) - 10_000) < 5 * 87
@@ -325,11 +326,11 @@ def test_integers_and_choice_cover_their_range_evenly() -> None:
 @pytest.mark.parametrize(
     ("words", "call"),
     [
-        ("seed: expected a whole number from 0", lambda: _random.uniform(-1, 0, [0])),
-        ("index: expected whole numbers from 0", lambda: _random.uniform(0, 0, [-1])),
-        ("high: expected a whole number from 6", lambda: _random.integers(0, 0, [0], 5, 5)),
-        ("options: expected at least one", lambda: _random.choice(0, 0, [0], [])),
-        ("weights: expected 2 numbers", lambda: _random.choice(0, 0, [0], ["a", "b"], weights=[0, 0])),
+        ("seed: expected a whole number from 0", lambda: random.uniform(-1, 0, [0])),
+        ("index: expected whole numbers from 0", lambda: random.uniform(0, 0, [-1])),
+        ("high: expected a whole number from 6", lambda: random.integers(0, 0, [0], 5, 5)),
+        ("options: expected at least one", lambda: random.choice(0, 0, [0], [])),
+        ("weights: expected 2 numbers", lambda: random.choice(0, 0, [0], ["a", "b"], weights=[0, 0])),
     ],
 )
 def test_wrong_draws_are_refused(words: str, call: Callable[[], Any]) -> None:

@@ -14,14 +14,14 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar import _cache, _data, _files, _formats
+from nearfar._base import cache, data, files, formats
 
 
 # files ---------------------------------------------------------------------------------------------------------------
 def test_a_file_appears_whole(tmp_path: Path) -> None:
     target = tmp_path / "picture.png"
     for content in (b"first", b"second"):
-        with _files.atomic_file(target) as aside:
+        with files.atomic_file(target) as aside:
             assert aside.suffix == ".png"
             aside.write_bytes(content)
             assert target.exists() == (content == b"second")
@@ -33,7 +33,7 @@ def test_a_file_appears_whole(tmp_path: Path) -> None:
 def test_an_interrupted_write_leaves_the_old_file_and_nothing_else(tmp_path: Path, error: type[BaseException]) -> None:
     target = tmp_path / "data.bin"
     target.write_bytes(b"old")
-    with pytest.raises(error), _files.atomic_file(target) as aside:
+    with pytest.raises(error), files.atomic_file(target) as aside:
         aside.write_bytes(b"half")
         raise error
     assert target.read_bytes() == b"old"
@@ -43,8 +43,8 @@ def test_an_interrupted_write_leaves_the_old_file_and_nothing_else(tmp_path: Pat
 def test_a_killed_writer_leaves_no_half_file(tmp_path: Path) -> None:
     target = tmp_path / "data.bin"
     code = (
-        "import os, sys; from nearfar import _files\n"
-        "with _files.atomic_file(sys.argv[1]) as aside:\n"
+        "import os, sys; from nearfar._base import files\n"
+        "with files.atomic_file(sys.argv[1]) as aside:\n"
         "    aside.write_bytes(b'half'); os._exit(9)"
     )
     done = subprocess.run([sys.executable, "-c", code, str(target)], timeout=60, check=False)
@@ -54,7 +54,7 @@ def test_a_killed_writer_leaves_no_half_file(tmp_path: Path) -> None:
 
 def test_new_files_have_ordinary_permissions(tmp_path: Path) -> None:
     (tmp_path / "plain").write_bytes(b"")
-    with _files.atomic_file(tmp_path / "ours"):
+    with files.atomic_file(tmp_path / "ours"):
         pass
     assert (tmp_path / "ours").stat().st_mode == (tmp_path / "plain").stat().st_mode
 
@@ -63,7 +63,7 @@ def test_unwritable_places_are_named_before_the_work(tmp_path: Path) -> None:
     (tmp_path / "file").write_bytes(b"")
     worked = False
     for place in (tmp_path / "missing" / "a.png", tmp_path / "file" / "a.png", tmp_path):
-        with pytest.raises(OSError, match=r"cannot be written|is a folder") as caught, _files.atomic_file(place):
+        with pytest.raises(OSError, match=r"cannot be written|is a folder") as caught, files.atomic_file(place):
             worked = True
         assert caught.value.filename == str(place)
         assert not worked
@@ -72,12 +72,12 @@ def test_unwritable_places_are_named_before_the_work(tmp_path: Path) -> None:
 def test_a_folder_appears_whole_and_replaces_only_our_own(tmp_path: Path) -> None:
     target = tmp_path / "scene"
     for content in ("first", "second"):
-        with _files.atomic_folder(target) as aside:
+        with files.atomic_folder(target) as aside:
             (aside / "sub").mkdir()
             (aside / "sub" / "data.txt").write_text(content)
             (aside / "manifest.json").write_text("{}")
         assert (target / "sub" / "data.txt").read_text() == content
-    with pytest.raises(RuntimeError), _files.atomic_folder(target) as aside:
+    with pytest.raises(RuntimeError), files.atomic_folder(target) as aside:
         (aside / "manifest.json").write_text("half")
         raise RuntimeError
     assert (target / "manifest.json").read_text() == "{}"
@@ -88,7 +88,7 @@ def test_a_folder_may_be_the_current_one(tmp_path: Path, monkeypatch: pytest.Mon
     target = tmp_path / "scene"
     target.mkdir()
     monkeypatch.chdir(target)
-    with _files.atomic_folder(".") as aside:
+    with files.atomic_folder(".") as aside:
         (aside / "manifest.json").write_text("{}")
     assert [path.name for path in target.iterdir()] == ["manifest.json"]
 
@@ -96,21 +96,21 @@ def test_a_folder_may_be_the_current_one(tmp_path: Path, monkeypatch: pytest.Mon
 def test_a_folder_with_other_peoples_files_is_refused(tmp_path: Path) -> None:
     home = tmp_path / "home"
     home.mkdir()
-    with _files.atomic_folder(home) as aside:
+    with files.atomic_folder(home) as aside:
         (aside / "letter.txt").write_text("dear")
-    with pytest.raises(FileExistsError, match="holds other files"), _files.atomic_folder(home):
+    with pytest.raises(FileExistsError, match="holds other files"), files.atomic_folder(home):
         pass
     assert (home / "letter.txt").read_text() == "dear"
-    with pytest.raises(NotADirectoryError), _files.atomic_folder(home / "letter.txt"):
+    with pytest.raises(NotADirectoryError), files.atomic_folder(home / "letter.txt"):
         pass
 
 
 # formats -------------------------------------------------------------------------------------------------------------
 def test_a_header_is_read_back_and_fits_its_schema() -> None:
-    header = _formats.header("report", 2, color_space="sRGB", origin=[1.0, 0.0, 2.0])
-    jsonschema.validate(header, _formats.load_schema("header"))
+    header = formats.header("report", 2, color_space="sRGB", origin=[1.0, 0.0, 2.0])
+    jsonschema.validate(header, formats.load_schema("header"))
     assert header["generator"] == f"nearfar {nf.__version__}"
-    assert _formats.check(header, "report", 2, "a.json") is header
+    assert formats.check(header, "report", 2, "a.json") is header
 
 
 @pytest.mark.parametrize(
@@ -125,9 +125,9 @@ def test_a_header_is_read_back_and_fits_its_schema() -> None:
     ],
 )
 def test_foreign_and_newer_documents_are_refused(change: dict[str, Any], words: str) -> None:
-    document = _formats.header("report", 2) | change
+    document = formats.header("report", 2) | change
     with pytest.raises(nf.FormatError, match=words):
-        _formats.check(document, "report", 2, "a.json")
+        formats.check(document, "report", 2, "a.json")
 
 
 @pytest.mark.parametrize("content", [b"", b"[1]", b"{", b"\xff\xfe", b"[" * 100_000])
@@ -135,20 +135,20 @@ def test_damaged_documents_are_refused_by_name(tmp_path: Path, content: bytes) -
     path = tmp_path / "report.json"
     path.write_bytes(content)
     with pytest.raises(nf.FormatError, match=r"report\.json: expected"):
-        _formats.read_json(path, "report", 1)
+        formats.read_json(path, "report", 1)
 
 
 def test_documents_hold_no_nan() -> None:
     with pytest.raises(ValueError, match="JSON"):
-        _formats.to_json({"value": float("nan")})
+        formats.to_json({"value": float("nan")})
 
 
 def test_every_schema_is_a_schema() -> None:
-    for path in (Path(_formats.__file__).parent / "schemas").iterdir():
-        schema = _formats.load_schema(path.name.removesuffix(".schema.json"))
+    for path in (Path(nf.__file__).parent / "schemas").iterdir():
+        schema = formats.load_schema(path.name.removesuffix(".schema.json"))
         jsonschema.Draft202012Validator.check_schema(schema)
     with pytest.raises(ValueError, match="name: expected one of"):
-        _formats.load_schema("nonsense")
+        formats.load_schema("nonsense")
 
 
 # cache ---------------------------------------------------------------------------------------------------------------
@@ -156,12 +156,12 @@ def test_keys_tell_values_apart() -> None:
     parts: list[Any] = [1, 1.0, "1", b"1", True, None, (1,), ((1,),), (1, 1), [], {}, {"a": 1}, {"a": 2}]
     parts += [np.array([1], dtype) for dtype in (np.int32, np.int64, np.float32)] + [np.array([[1]], np.int32)]
     # Lists and tuples are the same value; everything else differs.
-    assert len({_cache.key(part) for part in parts}) == len(parts)
-    assert _cache.key("ab", "c") != _cache.key("a", "bc")
-    assert _cache.key({"a": 1, "b": 2}) == _cache.key({"b": 2, "a": 1})
-    assert _cache.key(np.arange(6).reshape(2, 3).T) == _cache.key(np.ascontiguousarray(np.arange(6).reshape(2, 3).T))
+    assert len({cache.key(part) for part in parts}) == len(parts)
+    assert cache.key("ab", "c") != cache.key("a", "bc")
+    assert cache.key({"a": 1, "b": 2}) == cache.key({"b": 2, "a": 1})
+    assert cache.key(np.arange(6).reshape(2, 3).T) == cache.key(np.ascontiguousarray(np.arange(6).reshape(2, 3).T))
     with pytest.raises(TypeError, match="parts: expected"):
-        _cache.key(object())
+        cache.key(object())
 
 
 def write(size: int) -> Callable[[Path], None]:
@@ -179,25 +179,25 @@ def test_a_result_is_made_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
         made.append(path)
         path.write_bytes(b"result")
 
-    key = _cache.key("algorithm", 1, 0.5)
+    key = cache.key("algorithm", 1, 0.5)
     for _ in range(2):
-        assert _cache.get_or_make(key, ".bin", make).read_bytes() == b"result"
+        assert cache.get_or_make(key, ".bin", make).read_bytes() == b"result"
     assert len(made) == 1
 
 
 def test_the_least_recently_used_goes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path))
     monkeypatch.setenv("NEARFAR_CACHE_MAX_GB", "3e-6")
-    keys = [_cache.key(i) for i in range(4)]
+    keys = [cache.key(i) for i in range(4)]
     paths = []
     for age, key in enumerate(keys[:3]):
-        path = _cache.get_or_make(key, ".bin", write(1000))
+        path = cache.get_or_make(key, ".bin", write(1000))
         os.utime(path, (age, age))
         paths.append(path)
-    _cache.get_or_make(keys[0], ".bin", write(1000))
-    newest = _cache.get_or_make(keys[3], ".bin", write(1000))
+    cache.get_or_make(keys[0], ".bin", write(1000))
+    newest = cache.get_or_make(keys[3], ".bin", write(1000))
     assert [path.exists() for path in (*paths, newest)] == [True, False, True, True]
-    assert _cache.get_or_make(_cache.key("large"), ".bin", write(9000)).exists()
+    assert cache.get_or_make(cache.key("large"), ".bin", write(9000)).exists()
     assert [path.exists() for path in (*paths, newest)] == [False] * 4
 
 
@@ -209,7 +209,7 @@ def test_a_failed_result_is_not_kept(tmp_path: Path, monkeypatch: pytest.MonkeyP
         raise RuntimeError
 
     with pytest.raises(RuntimeError):
-        _cache.get_or_make(_cache.key("fails"), ".bin", fail)
+        cache.get_or_make(cache.key("fails"), ".bin", fail)
     assert [path for path in tmp_path.rglob("*") if path.is_file()] == []
 
 
@@ -217,21 +217,21 @@ def test_a_failed_result_is_not_kept(tmp_path: Path, monkeypatch: pytest.MonkeyP
 def test_a_wrong_bound_is_a_value_error(wrong: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NEARFAR_CACHE_MAX_GB", wrong)
     with pytest.raises(ValueError, match=f"NEARFAR_CACHE_MAX_GB: expected .* got '{wrong}'"):
-        _cache.get_or_make(_cache.key(0), ".bin", write(1))
+        cache.get_or_make(cache.key(0), ".bin", write(1))
 
 
 def test_an_unwritable_cache_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "file").write_bytes(b"")
     monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path / "file"))
     with pytest.raises(OSError, match=str(tmp_path / "file")):
-        _cache.get_or_make(_cache.key(0), ".bin", write(1))
+        cache.get_or_make(cache.key(0), ".bin", write(1))
 
 
 def test_the_platforms_folder_is_the_default(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.delenv("NEARFAR_CACHE")
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr(sys, "platform", "linux")
-    assert _cache.folder() == tmp_path / "nearfar"
+    assert cache.folder() == tmp_path / "nearfar"
 
 
 # data ----------------------------------------------------------------------------------------------------------------
@@ -239,18 +239,18 @@ def test_the_variable_comes_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     (tmp_path / "city").mkdir()
     (tmp_path / "city" / "a.glb").write_bytes(b"")
     monkeypatch.setenv("NEARFAR_DATA", str(tmp_path))
-    assert _data.find("city/a.glb") == tmp_path / "city" / "a.glb"
-    assert _data.find("city/b.glb") is None
+    assert data.find("city/a.glb") == tmp_path / "city" / "a.glb"
+    assert data.find("city/b.glb") is None
     with pytest.raises(FileNotFoundError, match=r"city/b\.glb: expected a data file, but not in"):
-        _data.require("city/b.glb")
+        data.require("city/b.glb")
 
 
 def test_the_nearest_shared_folder_comes_next(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("NEARFAR_DATA", raising=False)
-    monkeypatch.setattr(_data, "__file__", str(tmp_path / "a" / "b" / "package" / "_data.py"))
+    monkeypatch.setattr(data, "__file__", str(tmp_path / "a" / "b" / "package" / "_data.py"))
     monkeypatch.chdir(tmp_path)
     (tmp_path / "a" / "b").mkdir(parents=True)
     (tmp_path / "shared" / "data").mkdir(parents=True)
-    assert _data.root() == tmp_path / "shared" / "data"
+    assert data.root() == tmp_path / "shared" / "data"
     (tmp_path / "a" / "shared" / "data").mkdir(parents=True)
-    assert _data.root() == tmp_path / "a" / "shared" / "data"
+    assert data.root() == tmp_path / "a" / "shared" / "data"

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene import SceneBuilder
-from test_reduce import CENTER, R1, R2, camera, place, rho, street
+from nearfar._scene.scene import SceneBuilder
+from tests.support.reduce_cases import CENTER, R1, R2, camera, place, rho, street
 
 Array = NDArray[np.float64]
 RADII: dict[str, Any] = {"center": CENTER, "r1": R1, "r2": R2}

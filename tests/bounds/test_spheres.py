@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._bounds import METHODS
-from support import need, printed_by_threads
+from tests.support import need, printed_by_threads
 
 Array = NDArray[np.float64]
 Point = list[Fraction]

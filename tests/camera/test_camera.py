@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import nearfar as nf
-from nearfar._camera import Projection
-from render_oracle import CUBE_TABLE, rotate
+from nearfar._camera.camera import Projection
+from tests.support.render_oracle import CUBE_TABLE, rotate
 
 ASYMMETRIC = nf.Fov(-1.1, 0.7, -0.4, 0.9)
 WINDOW = nf.Orthographic(-3.0, 5.0, -2.0, 1.0)

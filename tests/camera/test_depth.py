@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._depth import FORMATS
-from support import printed_by_threads
+from nearfar._camera.depth import FORMATS
+from tests.support import printed_by_threads
 
 Array = NDArray[Any]
 decimal.getcontext().prec = 60

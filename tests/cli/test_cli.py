@@ -7,50 +7,18 @@ import re
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
-import jsonschema
 import numpy as np
 import pytest
-import trimesh
 from numpy.typing import NDArray
 from PIL import Image
 
-from nearfar import _formats
-from nearfar.cli import _place
-from nearfar.cli._app import run
-from support import need
+from nearfar._trace import viewpoint
+from tests.support import need
+from tests.support.cli_cases import city as city
+from tests.support.cli_cases import command, document
 
 SMALL = "city:blocks=3,detail=0"
-
-
-@pytest.fixture(scope="module")
-def city(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A file of a few boxes about a square, so that no command needs a large scene."""
-    path = tmp_path_factory.mktemp("scene") / "boxes.glb"
-    boxes = [trimesh.creation.box((200, 1, 200), trimesh.transformations.translation_matrix((0, -0.5, 0)))]
-    for x in range(-90, 91, 20):
-        for z in range(-90, 91, 20):
-            height = 8 + (x * 7 + z * 3) % 17
-            boxes.append(
-                trimesh.creation.box((8, height, 8), trimesh.transformations.translation_matrix((x, height / 2, z)))
-            )
-    trimesh.Scene(boxes).export(path)
-    return path
-
-
-def command(capsys: pytest.CaptureFixture[str], *arguments: str | Path) -> tuple[int, str, str]:
-    status = run([str(argument) for argument in arguments])
-    printed = capsys.readouterr()
-    return status, printed.out, printed.err
-
-
-def document(text: str, schema: str) -> dict[str, Any]:
-    loaded: dict[str, Any] = json.loads(text)
-    for name in ("header", schema):
-        jsonschema.validate(loaded, _formats.load_schema(name))
-    assert loaded["format"] == f"nearfar.{schema}"
-    return loaded
 
 
 def pixels(path: Path) -> NDArray[np.uint8]:
@@ -211,11 +179,11 @@ def test_the_chosen_place_is_open_ground(city: Path) -> None:
     import nearfar as nf
 
     scene = nf.Scene.load(city)
-    place = _place.choose(scene, str(city))
+    place = viewpoint.choose(scene, str(city))
     # Float32 distances from the sky, 25 m up; the centimetre is what a person would not notice.
-    assert place.eye[1] == pytest.approx(_place.EYE_HEIGHT, abs=0.01)
-    around = _place._view(scene, np.array(place.eye))
-    assert around.min() >= _place.CLEARANCE
+    assert place.eye[1] == pytest.approx(viewpoint.EYE_HEIGHT, abs=0.01)
+    around = viewpoint._view(scene, np.array(place.eye))
+    assert around.min() >= viewpoint.CLEARANCE
     # The view is a quarter turn about the direction, and sees farther than the other three on the whole.
-    turned = np.roll(np.minimum(around, 500.0), 9 - int(np.argmax(_place._ring() @ place.forward)))
+    turned = np.roll(np.minimum(around, 500.0), 9 - int(np.argmax(viewpoint._ring() @ place.forward)))
     assert turned[:19].mean() >= turned[19:].mean()

@@ -14,9 +14,9 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar.cli._app import run
-from support import need, valid
-from test_cli import city as city
-from test_cli import command
+from tests.support import need, valid
+from tests.support.cli_cases import city as city
+from tests.support.cli_cases import command
 
 PLACE = ("--center", "0,1.7,0", "--user", "0,1.7,5", "--target", "90,1,0")
 FAST = ("--size", "192x120", "--samples", "1", "--face-size", "64")

@@ -10,7 +10,7 @@ import pytest
 import trimesh
 
 import nearfar as nf
-from test_cli import command, document
+from tests.support.cli_cases import command, document
 
 QUICK = ("--views", "4", "--distances", "5", "--ratios", "0.3,0.05", "--method", "meshopt", "--backend", "cpu")
 

@@ -12,8 +12,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import nearfar as nf
-from nearfar import _envmap, _exr, _formats
-from support import need, valid
+from nearfar._base import exr, formats
+from nearfar._cubemap import envmap
+from tests.support import need, valid
 
 
 def example(size: int = 4) -> nf.EnvMap:
@@ -46,8 +47,8 @@ def test_maps_survive_files(tmp_path: Path, half: bool) -> None:
 
 def test_maps_say_what_they_are(tmp_path: Path) -> None:
     example().save(tmp_path / "env.exr")
-    document, parts = _exr.read(tmp_path / "env.exr", "envmap", 1)
-    assert tuple(parts) == _envmap.FACES
+    document, parts = exr.read(tmp_path / "env.exr", "envmap", 1)
+    assert tuple(parts) == envmap.FACES
     assert document["center"] == [1.0, 2.5, -1e6]
     assert document["color_space"] == "linear"
     assert document["units"]["length"] == "metre"
@@ -59,7 +60,7 @@ def test_maps_keep_object_names(tmp_path: Path) -> None:
     env = dataclasses.replace(example(), object_names=("Straße", "car", "木"))
     env.save(tmp_path / "env.exr")
     assert nf.EnvMap.load(tmp_path / "env.exr").object_names == ("Straße", "car", "木")
-    document, _ = _exr.read(tmp_path / "env.exr", "envmap", 1)
+    document, _ = exr.read(tmp_path / "env.exr", "envmap", 1)
     assert valid(document, "envmap")
     assert nf.EnvMap(env.center, env.color).object_names == ()
     wrongs: list[Any] = ["car", (1, 2)]
@@ -72,7 +73,7 @@ def test_half_ranges(tmp_path: Path) -> None:
     """Rounded to 11 bits, exact in files, and found by the same lookups."""
     whole = example()
     assert whole.range is not None
-    env = dataclasses.replace(whole, range=_envmap.to_half(np.minimum(whole.range, np.float32(65504))))
+    env = dataclasses.replace(whole, range=envmap.to_half(np.minimum(whole.range, np.float32(65504))))
     env.save(tmp_path / "env.exr")
     back = nf.EnvMap.load(tmp_path / "env.exr")
     assert env.range is not None
@@ -90,17 +91,17 @@ def test_half_ranges(tmp_path: Path) -> None:
 
 @given(st.floats(2**-14, 65504, width=32))
 def test_half_ranges_are_off_by_their_stated_error(metres: float) -> None:
-    rounded = float(_envmap.to_half(np.array([metres], np.float32))[0])
+    rounded = float(envmap.to_half(np.array([metres], np.float32))[0])
     assert abs(rounded - metres) <= 2**-11 * metres
 
 
 def test_half_ranges_keep_infinity_and_refuse_what_they_cannot_hold() -> None:
-    kept = _envmap.to_half(np.array([np.inf, 65504, 0], np.float32))
+    kept = envmap.to_half(np.array([np.inf, 65504, 0], np.float32))
     np.testing.assert_array_equal(kept, np.array([np.inf, 65504, 0], np.float16))
     # 65,505 would round down to what float16 holds: the limit is stated, and it is the same for every number.
     for beyond in (65505, 7e4, 1e30):
         with pytest.raises(ValueError, match=r"range_dtype: expected float32 .* ends at 65,504 m"):
-            _envmap.to_half(np.array([1, beyond, np.inf], np.float32))
+            envmap.to_half(np.array([1, beyond, np.inf], np.float32))
 
 
 @pytest.mark.parametrize("half", [False, True])
@@ -111,13 +112,13 @@ def test_openexr_reads_maps(tmp_path: Path, half: bool) -> None:
     env = example()
     if half:
         assert env.range is not None
-        env = dataclasses.replace(env, range=_envmap.to_half(np.minimum(env.range, np.float32(65504))))
+        env = dataclasses.replace(env, range=envmap.to_half(np.minimum(env.range, np.float32(65504))))
     ranges, numbers = env.range, env.object_id
     assert ranges is not None
     assert numbers is not None
     env.save(tmp_path / "env.exr")
     with OpenEXR.File(str(tmp_path / "env.exr"), separate_channels=True) as file:
-        assert tuple(part.name() for part in file.parts) == _envmap.FACES
+        assert tuple(part.name() for part in file.parts) == envmap.FACES
         for face, part in enumerate(file.parts):
             for axis, name in enumerate("RGB"):
                 np.testing.assert_array_equal(part.channels[name].pixels, env.color[face, ..., axis].astype(np.float16))
@@ -135,17 +136,17 @@ def test_loading_refuses_what_is_no_map(tmp_path: Path) -> None:
     with pytest.raises(nf.FormatError, match=r"env\.exr"):
         nf.EnvMap.load(path)
     parts = {"px": {name: np.zeros((2, 2), np.float32) for name in "RGB"}}
-    _exr.write(path, parts, _formats.header("envmap", _envmap.VERSION + 1, center=[0, 0, 0]))
+    exr.write(path, parts, formats.header("envmap", envmap.VERSION + 1, center=[0, 0, 0]))
     with pytest.raises(nf.FormatError, match="version"):
         nf.EnvMap.load(path)
-    _exr.write(path, parts, _formats.header("envmap", _envmap.VERSION, center=[0, 0, 0]))
+    exr.write(path, parts, formats.header("envmap", envmap.VERSION, center=[0, 0, 0]))
     with pytest.raises(nf.FormatError, match="damaged environment map"):
         nf.EnvMap.load(path)
     face = {name: np.zeros((2, 2), np.float32) for name in "RGB"}
     numbers = {name: np.zeros((2, 2), np.uint32) for name in "RGB"}
     for wrong in (numbers, face | {"object_id": np.ones((2, 2), np.float32)}, face | {"range": numbers["R"]}):
-        header = _formats.header("envmap", _envmap.VERSION, center=[0, 0, 0])
-        _exr.write(path, dict.fromkeys(_envmap.FACES, wrong), header)
+        header = formats.header("envmap", envmap.VERSION, center=[0, 0, 0])
+        exr.write(path, dict.fromkeys(envmap.FACES, wrong), header)
         with pytest.raises(nf.FormatError, match="damaged environment map: expected numbers of kind"):
             nf.EnvMap.load(path)
     nested = path.read_bytes().replace(b'"nearfar.envmap"', b"[" * 16)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from support import printed_by_threads
+from tests.support import printed_by_threads
 
 Array = NDArray[np.float64]
 

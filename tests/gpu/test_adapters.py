@@ -4,37 +4,21 @@ from __future__ import annotations
 
 import json
 import os
-import subprocess
-import sys
 
 import jsonschema
 import numpy as np
 import pytest
 
 import nearfar as nf
-from gpu_cases import ADAPTERS, adapter, both, view
-from nearfar import _backend, _core, _formats
+from nearfar import _core
+from nearfar._base import formats
+from nearfar._render import backend as backends
 from nearfar.cli._app import run
-from support import need
-from test_gpu_truth import crowd
+from tests.support import need
+from tests.support.gpu_cases import ADAPTERS, adapter, both, crowd, program, view
 
 NO_DRIVERS = dict.fromkeys(("VK_ICD_FILENAMES", "VK_DRIVER_FILES", "__EGL_VENDOR_LIBRARY_FILENAMES"), "/nonexistent")
 """An environment in which neither Vulkan nor EGL finds a driver."""
-
-SETUP = """
-import nearfar as nf, numpy as np
-scene = nf.Scene.from_arrays(np.eye(3) - [0.3, 0.3, 2.0], [[0, 1, 2]])
-camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(60), size=(16, 16))
-"""
-
-
-def program(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    """Run a program in a process of its own, without this one's selection."""
-    kept = {
-        name: value for name, value in os.environ.items() if not name.startswith(("XDG_RUNTIME", "NEARFAR_ADAPTER"))
-    }
-    kept |= {"PYTHONPATH": os.pathsep.join(sys.path)} | environment
-    return subprocess.run([sys.executable, "-c", SETUP + code], env=kept, capture_output=True, text=True, timeout=120)
 
 
 # choosing ------------------------------------------------------------------------------------------------------------
@@ -69,7 +53,7 @@ def test_the_environment_selects_too(monkeypatch: pytest.MonkeyPatch) -> None:
     with adapter("vulkan"):
         assert nf.gpu.selected().backend == "vulkan"
     monkeypatch.setenv("NEARFAR_ADAPTER", " ")
-    assert _backend.wanted() is None
+    assert backends.wanted() is None
 
 
 def test_wrong_selections_are_refused() -> None:
@@ -81,40 +65,40 @@ def test_wrong_selections_are_refused() -> None:
 
 def test_only_measuring_lets_auto_take_the_processor_as_an_adapter() -> None:
     need("vulkan")
-    if _backend.is_hardware(None):
+    if backends.is_hardware(None):
         pytest.skip("there is an adapter that auto takes")
     camera, scene = view((0, 0, 1), (0, 0, -6), size=(64, 48)), crowd()
     work = (("color",), 1)
     with adapter("vulkan"):
-        assert _backend.device_for("auto", scene, work) is None
+        assert backends.device_for("auto", scene, work) is None
         seconds = nf.gpu.measure(scene, camera, channels=["color"])
         assert set(seconds) == {"cpu", "gpu"}
         assert min(seconds.values()) > 0.0
-        taken = _backend.device_for("auto", scene, work)
+        taken = backends.device_for("auto", scene, work)
         assert (taken is not None) == (seconds["gpu"] < seconds["cpu"])
         for faster in (True, False):
-            _backend.remember(scene, work, nf.gpu.selected().label, faster)
-            assert (_backend.device_for("auto", scene, work) is not None) == faster
+            backends.remember(scene, work, nf.gpu.selected().label, faster)
+            assert (backends.device_for("auto", scene, work) is not None) == faster
             # Other work and other scenes were not measured.
-            assert _backend.device_for("auto", scene, (("range",), 1)) is None
-            assert _backend.device_for("auto", crowd(), work) is None
+            assert backends.device_for("auto", scene, (("range",), 1)) is None
+            assert backends.device_for("auto", crowd(), work) is None
     with pytest.raises(TypeError, match="source: expected a Scene or a ReducedScene"):
         nf.gpu.measure(None, camera)  # type: ignore[arg-type]
 
 
 def test_measurements_live_as_long_as_their_scene() -> None:
-    before = len(_backend._faster)
+    before = len(backends._faster)
     scene = crowd()
-    _backend.remember(scene, (("color",), 1), "one", True)
-    assert len(_backend._faster) == before + 1
+    backends.remember(scene, (("color",), 1), "one", True)
+    assert len(backends._faster) == before + 1
     del scene
-    assert len(_backend._faster) == before
+    assert len(backends._faster) == before
 
 
 # saying --------------------------------------------------------------------------------------------------------------
 def test_auto_says_once_that_there_is_only_the_processor() -> None:
     need("vulkan")
-    if _backend.is_hardware(None):
+    if backends.is_hardware(None):
         pytest.skip("there is an adapter that auto takes")
     done = program("for _ in range(3): nf.render(scene, camera)")
     assert done.returncode == 0, done.stderr
@@ -172,12 +156,12 @@ def test_info_lists_adapters(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["info", "--gpu", "--json"]) == 0
     alone = json.loads(capsys.readouterr().out)
     for name in ("header", "adapters"):
-        jsonschema.validate(alone, _formats.load_schema(name))
+        jsonschema.validate(alone, formats.load_schema(name))
     assert [one["backend"] for one in alone["adapters"]] == [one.backend for one in nf.gpu.adapters()]
     assert alone["gpu"] == nf.gpu.selected().label
     assert run(["info", "-i", "city:blocks=2,detail=0", "--gpu", "--json"]) == 0
     besides = json.loads(capsys.readouterr().out)
-    jsonschema.validate(besides, _formats.load_schema("info"))
+    jsonschema.validate(besides, formats.load_schema("info"))
     assert besides["gpu"] == {name: alone[name] for name in ("adapters", "gpu", "auto", "why")}
     assert run(["info", "--gpu"]) == 0
     assert nf.gpu.selected().name[:8] in capsys.readouterr().out
@@ -189,7 +173,7 @@ def test_info_says_why_there_is_none() -> None:
     done = program(code, **NO_DRIVERS)
     assert done.returncode == 0, done.stderr
     said = json.loads(done.stdout)
-    jsonschema.validate(said, _formats.load_schema("adapters"))
+    jsonschema.validate(said, formats.load_schema("adapters"))
     assert (said["adapters"], said["gpu"], said["auto"]) == ([], None, None)
     assert "install a Vulkan driver" in said["why"]
 

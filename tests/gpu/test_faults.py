@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import threading
 import time
 
@@ -10,11 +9,9 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from gpu_cases import ADAPTERS, adapter, view
-from nearfar import _backend
-from support import need
-from test_gpu import program
-from test_gpu_truth import crowd
+from nearfar._render import backend as backends
+from tests.support import need
+from tests.support.gpu_cases import ADAPTERS, adapter, crowd, program, view
 
 CAMERA = view((0, 1.3, 1.0), (0, 0, -6), size=(96, 64))
 
@@ -24,7 +21,7 @@ def test_a_device_lost_between_frames_is_opened_again(name: str) -> None:
     scene = crowd()
     with adapter(name):
         before = nf.render(scene, CAMERA, backend="gpu")
-        device = _backend.opened()
+        device = backends.opened()
         device.lose()
         after = nf.render(scene, CAMERA, backend="gpu")
         np.testing.assert_array_equal(after.require("color"), before.require("color"))
@@ -41,7 +38,7 @@ def test_a_device_lost_during_a_frame_says_what_to_try(name: str) -> None:
         label = nf.gpu.selected().label
         frames = nf.render_path(scene, [CAMERA] * 4, backend="gpu")
         first = next(frames)
-        _backend.opened().lose()
+        backends.opened().lose()
         with pytest.raises(nf.DeviceError) as caught:
             next(frames)
         assert str(caught.value).startswith(label)
@@ -61,7 +58,7 @@ def test_a_device_lost_in_another_thread_while_frames_are_drawn(name: str) -> No
 
         def lose() -> None:
             while not stop.wait(0.03):
-                _backend.opened().lose()
+                backends.opened().lose()
 
         thread = threading.Thread(target=lose)
         thread.start()
@@ -191,14 +188,13 @@ def test_a_forked_child_is_refused_and_ends(name: str) -> None:
 def test_a_spawned_child_draws() -> None:
     need("vulkan")
     code = """
-import multiprocessing, sys
-sys.path.insert(0, {folder!r})
-from test_gpu_faults import drawn_in_a_child
+import multiprocessing
+from tests.gpu.test_faults import drawn_in_a_child
 if __name__ == "__main__":
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         print(pool.apply(drawn_in_a_child))
 """
-    done = program(code.format(folder=os.path.dirname(__file__)))
+    done = program(code)
     assert done.stdout.strip() == "True", done.stderr
 
 

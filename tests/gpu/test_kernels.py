@@ -13,11 +13,11 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from gpu_cases import ADAPTERS, adapter
 from nearfar import _core, gpu
-from nearfar._scene import core_of
-from support import need
-from test_reduce import CENTER, camera, street
+from nearfar._scene.scene import core_of
+from tests.support import need
+from tests.support.gpu_cases import ADAPTERS, adapter
+from tests.support.reduce_cases import CENTER, camera, street
 
 CHANNELS = ("color", "range", "object_id", "face_id", "position", "normal")
 EPSILON = 2.0**-24

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from gpu_cases import ADAPTERS, adapter, check_color, check_ids
+from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids
 
 
 @pytest.fixture(params=ADAPTERS, autouse=True)

@@ -11,9 +11,9 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from gpu_cases import ADAPTERS, adapter, check_color, check_ids, check_range, edges
-from support import data
-from test_normals import around
+from tests.support import data
+from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids, check_range, edges
+from tests.support.normal_cases import around
 
 CENTER = (0.0, 1.7, 0.0)
 CHANNELS = ("color", "range", "object_id")

@@ -9,14 +9,14 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-import render_oracle as oracle
-from gpu_cases import ADAPTERS, adapter, agree, both, view
-from nearfar._camera import Projection
-from nearfar._scene import SceneBuilder
-from render_oracle import Surface
-from support import data
-from test_normals import PLACES, ball
-from test_render import PROJECTIONS, QUAD, build, noise, quad, room
+from nearfar._camera.camera import Projection
+from nearfar._scene.scene import SceneBuilder
+from tests.support import data
+from tests.support import render_oracle as oracle
+from tests.support.gpu_cases import ADAPTERS, adapter, agree, both, crowd, view
+from tests.support.normal_cases import PLACES, ball
+from tests.support.render_cases import PROJECTIONS, QUAD, build, quad, room
+from tests.support.render_oracle import Surface
 
 
 @pytest.fixture(params=ADAPTERS, autouse=True)
@@ -119,29 +119,6 @@ def test_images_on_a_wall_keep_their_sides() -> None:
     assert np.argmax(color[16, 16]) == 0
     assert np.argmax(color[16, 48]) == 1
     assert np.argmax(color[48, 16]) == 2
-
-
-def crowd(dynamic: tuple[str, ...] = ()) -> nf.Scene:
-    """A mesh placed many times, some mirrored, over a ground."""
-    builder = SceneBuilder()
-    texture = noise(16, 16, 4, seed=5)
-    material = builder.material((1, 0.8, 0.6, 1), texture)
-    corners = np.array([[0, 0, 0], [1, 0, 0.2], [0.1, 1.5, 0], [0.2, 0.3, 0.9]], np.float32)
-    faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
-    shape = builder.mesh(corners, faces, material=material, uvs=corners[:, :2] * 2)
-    places = np.tile(np.eye(4), (25, 1, 1))
-    for number, place in enumerate(places):
-        angle = 0.7 * number
-        place[:3, :3] = [[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]]
-        place[:3, :3] *= 1.0 + 0.02 * number
-        place[:3, 3] = (2.0 * (number % 5) - 4, -1.0, -2.0 * (number // 5) - 3)
-        if number % 3 == 0:
-            place[:3, 0] *= -1.0
-    builder.place_many(shape, places, "one")
-    builder.instance(
-        builder.mesh(quad((0, -1, -8), (9, 0, 0), (0, 0, -9)), QUAD, material=builder.material()), name="g"
-    )
-    return builder.build(dynamic)
 
 
 def test_instances_mirrored_ones_and_moving_ones() -> None:

@@ -13,8 +13,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import nearfar as nf
-from hmd_cases import eyes
-from support import valid
+from tests.support import valid
+from tests.support.hmd_cases import eyes
 
 
 def optional(strategy: Any) -> Any:

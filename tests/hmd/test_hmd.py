@@ -16,9 +16,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import nearfar as nf
-from hmd_cases import eyes, turns
-from nearfar._eyes import rotation
-from support import data, valid
+from nearfar.hmd._eye import rotation
+from tests.support import data, valid
+from tests.support.hmd_cases import eyes, turns
 
 CONFIGURATIONS = {
     "Vive_Native_R90": "VIVE",

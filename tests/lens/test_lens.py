@@ -17,7 +17,7 @@ from mpmath import mpf
 from numpy.typing import NDArray
 
 import nearfar as nf
-from support import data, printed_by_threads
+from tests.support import data, printed_by_threads
 
 Array = NDArray[np.float64]
 

@@ -13,16 +13,13 @@ import trimesh
 from numpy.typing import NDArray
 from PIL import Image
 
-import _appearance
-import _correction
-import _harness
-import _material
-import lod_appearance
 import nearfar as nf
-from _appearance import QUICK
-from _material import AMBIENT, BASE, FINER, LIGHTS, NEUTRAL, Material, Shape
-from render_oracle import rotate
-from support import need
+from benchmarks.harness import compare
+from benchmarks.lod import _appearance, _correction, _material, appearance
+from benchmarks.lod._appearance import QUICK
+from benchmarks.lod._material import AMBIENT, BASE, FINER, LIGHTS, NEUTRAL, Material, Shape
+from tests.support import need
+from tests.support.render_oracle import rotate
 
 Array = NDArray[np.float64]
 FINISHES = [Material(metallic, roughness) for metallic in (0.0, 0.5, 1.0) for roughness in (0.25, 0.5, 1.0)]
@@ -174,7 +171,7 @@ def test_views_are_turns_about_four_axes_from_where_the_ball_is_as_large_as_aske
 
 @pytest.fixture(scope="module")
 def quick() -> dict[str, Array]:
-    return lod_appearance.run(QUICK, lod_appearance.objects(quick=True))
+    return appearance.run(QUICK, appearance.objects(quick=True))
 
 
 def test_scores_fall_with_fewer_triangles_and_do_not_without_any_loss(quick: dict[str, Array]) -> None:
@@ -229,7 +226,7 @@ def test_a_planted_factor_comes_back() -> None:
     none = _correction.validity(samples, _correction.cross_validated(samples, "no correction"))
     assert none.explained == 0
     assert none.log == pytest.approx(np.sqrt((samples.logarithm**2).mean()))
-    assert lod_appearance.verdict(samples).count(": a factor") == len(_correction.KINDS)
+    assert appearance.verdict(samples).count(": a factor") == len(_correction.KINDS)
 
 
 def test_intervals_cover_a_planted_factor_of_objects_that_differ() -> None:
@@ -245,7 +242,7 @@ def test_objects_that_have_nothing_in_common_are_said_to() -> None:
     samples = _correction.collect(planted(np.zeros(len(KNOWN)), own=0.5), _appearance.Plan().materials)
     found = _correction.validity(samples, _correction.cross_validated(samples, "coefficients"))
     assert found.explained < 0.1
-    assert lod_appearance.verdict(samples).count(": no factor") >= 3
+    assert appearance.verdict(samples).count(": no factor") >= 3
 
 
 def test_the_neutral_material_has_the_factor_one(quick: dict[str, Array]) -> None:
@@ -261,15 +258,15 @@ def test_everything_is_printed_and_drawn(
 ) -> None:
     need("matplotlib")
     monkeypatch.setattr("sys.argv", ["lod_appearance.py", "--quick"])
-    monkeypatch.setenv(_harness.FOLDER, str(tmp_path))
+    monkeypatch.setenv(compare.FOLDER, str(tmp_path))
 
     def before(plan: object, shapes: Any) -> dict[str, Array]:
         assert plan is QUICK
         assert [*shapes] == [*quick]
         return quick
 
-    monkeypatch.setattr(lod_appearance, "run", before)
-    lod_appearance.main()
+    monkeypatch.setattr(appearance, "run", before)
+    appearance.main()
     printed = capsys.readouterr().out
     assert printed.count("### ") == 3
     assert "nan" not in printed

@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from lod_cases import SMALL, assert_same, checkered, levels
-from support import need
+from tests.support import need
+from tests.support.lod_cases import SMALL, assert_same, checkered, levels
 
 
 @pytest.fixture(autouse=True)
@@ -75,14 +75,12 @@ def test_an_object_that_fails_in_a_process_is_told(objects: dict[str, nf.lod.Lev
 
 
 STOPPED = """
-import sys
-sys.path.insert(0, {tests!r})
 import nearfar as nf
-from lod_cases import levels
-from nearfar.lod import _job, _kept
+from nearfar.lod._measure import one_object, score_cache
+from tests.support.lod_cases import levels
 
 # Workers import this module as well.
-_job.MOST_PIXELS, _kept.EVERY = 10_000, 0.1
+one_object.MOST_PIXELS, score_cache.EVERY = 10_000, 0.1
 
 if __name__ == "__main__":
     objects = [levels(40, 20 - n) for n in range(4)]
@@ -98,7 +96,7 @@ def children(process: int) -> list[int]:
 def test_ctrl_c_ends_processes_and_keeps_what_they_did(tmp_path: Path) -> None:
     need("linux")
     script = tmp_path / "many.py"
-    script.write_text(STOPPED.format(tests=os.path.dirname(__file__)))
+    script.write_text(STOPPED)
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path), "NEARFAR_NUM_THREADS": "1"}
     program = subprocess.Popen([sys.executable, str(script)], env=environment, stderr=subprocess.PIPE, text=True)
 

@@ -16,9 +16,9 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from leveled_cases import RED, bytes_of, checkers, frames, model_from, model_of, same_triangles, view
-from nearfar import _glb
-from support import valid
+from nearfar._base import glb as glb_file
+from tests.support import valid
+from tests.support.leveled_cases import RED, bytes_of, checkers, frames, model_from, model_of, same_triangles, view
 
 Array = NDArray[np.float64]
 FOV = nf.Fov(-1.2, 0.9, -1.1, 1.0)
@@ -33,7 +33,7 @@ MSFT_LOD = {
 
 
 def document_of(path: Path) -> dict[str, Any]:
-    return _glb.Reader(path.read_bytes()).document
+    return glb_file.Reader(path.read_bytes()).document
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from lod_oracle import around, usual
+from tests.support.lod_oracle import around, usual
 
 LENS = nf.RadialLens((0.22, 0.24))
 FOV = nf.Fov(-1.0, 0.9, -1.1, 1.05)

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from lod_cases import levels
-from support import valid
+from tests.support import valid
+from tests.support.lod_cases import levels
 
 
 @pytest.fixture(scope="module")

@@ -17,7 +17,7 @@ from hypothesis.extra import numpy as npst
 from numpy.typing import NDArray
 
 import nearfar as nf
-from support import PEAK, need, printed_by_threads
+from tests.support import PEAK, need, printed_by_threads
 
 Array = NDArray[np.float64]
 SIZES = np.geomspace(1e-4, 3, 30)

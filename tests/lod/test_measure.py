@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import signal
 from collections.abc import Iterator
 from pathlib import Path
@@ -13,9 +12,24 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from lod_cases import FOV, SMALL, Array, assert_same, ball, checkered, levels, scene, smooth, straightforward, turn
-from nearfar.lod import _job, _kept, _scores, _views
-from support import data, need, printed_by_threads
+from nearfar.lod._measure import one_object
+from nearfar.lod._measure import scores as level_scores
+from nearfar.lod._measure import views as level_views
+from nearfar.lod._measure.score_cache import SUFFIX
+from tests.support import data, need, printed_by_threads
+from tests.support.lod_cases import (
+    FOV,
+    SMALL,
+    Array,
+    assert_same,
+    ball,
+    checkered,
+    levels,
+    scene,
+    smooth,
+    straightforward,
+    turn,
+)
 
 
 @pytest.fixture(autouse=True)
@@ -99,11 +113,11 @@ def test_scores_are_those_of_scikit_image() -> None:
 
 def test_cameras_go_about_the_object_as_it_turns() -> None:
     views = 24
-    turns, shown = _views.turns(views)
+    turns, shown = level_views.turns(views)
     assert len(shown) == views
     assert len(turns) == views - 3  # not turned at all is the same about each axis
-    screen = _views.Screen.of(None, FOV, (128, 128))
-    stand = _views.Stand(screen, (3.0, -2.0, 1.0), 1.2, 1.2)
+    screen = level_views.Screen.of(None, FOV, (128, 128))
+    stand = level_views.Stand(screen, (3.0, -2.0, 1.0), 1.2, 1.2)
     points = ball(6)[0]
     for view in range(views):
         camera = stand.camera(2, turns[shown[view]])
@@ -137,12 +151,12 @@ def test_pixels_are_those_of_the_headset() -> None:
 
 # which levels are kept, and how far they are measured ----------------------------------------------------------------
 def test_each_step_keeps_its_coarsest_level() -> None:
-    assert _job.stepped(np.array([1.0, 0.99, 0.96, 0.93, 0.80]), 0.05) == [0, 2, 3, 4]
-    assert _job.stepped(np.array([1.0, 0.95, 0.90, 0.85]), 0.05) == [0, 1, 2, 3]  # at a step is above it
-    assert _job.stepped(np.array([1.0, 0.7, 0.9, 0.5]), 0.05) == [0, 2, 3]  # coarser and better
-    assert _job.stepped(np.array([1.0, 0.7, 0.9, 0.5]), None) == [0, 1, 2, 3]
-    assert _job.stepped(np.array([1.0, 1.0, 1.0]), 0.05) == [0, 2]
-    assert _job.stepped(np.array([1.0, -0.2]), 0.05) == [0, 1]
+    assert one_object.stepped(np.array([1.0, 0.99, 0.96, 0.93, 0.80]), 0.05) == [0, 2, 3, 4]
+    assert one_object.stepped(np.array([1.0, 0.95, 0.90, 0.85]), 0.05) == [0, 1, 2, 3]  # at a step is above it
+    assert one_object.stepped(np.array([1.0, 0.7, 0.9, 0.5]), 0.05) == [0, 2, 3]  # coarser and better
+    assert one_object.stepped(np.array([1.0, 0.7, 0.9, 0.5]), None) == [0, 1, 2, 3]
+    assert one_object.stepped(np.array([1.0, 1.0, 1.0]), 0.05) == [0, 2]
+    assert one_object.stepped(np.array([1.0, -0.2]), 0.05) == [0, 1]
     random = np.random.default_rng(0)
     for _ in range(200):
         found = np.concatenate([[1.0], random.uniform(-0.1, 1, random.integers(1, 9))])
@@ -150,7 +164,7 @@ def test_each_step_keeps_its_coarsest_level() -> None:
         for n in range(1, 30):
             above = [k for k in range(1, len(found)) if found[k] >= 1 - 0.05 * n]
             kept |= {max(above)} if above else set()
-        assert _job.stepped(found, 0.05) == sorted(kept)
+        assert one_object.stepped(found, 0.05) == sorted(kept)
 
 
 def test_levels_left_out_are_measured_no_further() -> None:
@@ -161,7 +175,7 @@ def test_levels_left_out_are_measured_no_further() -> None:
     assert whole.samples is not None
     kept = [list(whole.triangles).index(count) for count in model.triangles]
     assert len(kept) < 4
-    assert set(kept) == {0}.union(*(_job.stepped(whole.samples.score[:, size], 0.3) for size in range(4)))
+    assert set(kept) == {0}.union(*(one_object.stepped(whole.samples.score[:, size], 0.3) for size in range(4)))
     assert model.levels is not None
     assert [level.triangle_count for level in model.levels] == list(model.triangles)
     np.testing.assert_array_equal(model.errors, whole.errors[kept])
@@ -203,9 +217,9 @@ def count_renders(monkeypatch: pytest.MonkeyPatch) -> list[int]:
 
     def pictures(scene: nf.Scene, cameras: Any, *rest: Any) -> Any:
         counted.append(len(cameras))
-        return _scores.pictures(scene, cameras, *rest)
+        return level_scores.pictures(scene, cameras, *rest)
 
-    monkeypatch.setattr(_job, "pictures", pictures)
+    monkeypatch.setattr(one_object, "pictures", pictures)
     return counted
 
 
@@ -279,7 +293,7 @@ def test_without_a_cache_nothing_is_kept(tmp_path: Path) -> None:
 
 def test_damaged_scores_are_measured_again(tmp_path: Path) -> None:
     first = nf.lod.measure(levels(12, 6), **SMALL)
-    (kept,) = (tmp_path / "cache").glob(f"??/*{_kept.SUFFIX}")
+    (kept,) = (tmp_path / "cache").glob(f"??/*{SUFFIX}")
     for damage in (b"", b"something else", kept.read_bytes()[:200]):
         kept.write_bytes(damage)
         again = nf.lod.measure(levels(12, 6), **SMALL)
@@ -290,16 +304,16 @@ def test_damaged_scores_are_measured_again(tmp_path: Path) -> None:
 def test_what_was_done_before_ctrl_c_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
     own = levels(16, 8, 4)
     whole = nf.lod.measure(own, **SMALL, step=None, cache=False)
-    monkeypatch.setattr(_job, "MOST_PIXELS", 4000)
+    monkeypatch.setattr(one_object, "MOST_PIXELS", 4000)
     left = [7]
 
     def scores(*given: Any) -> Any:
         left[0] -= 1
         if left[0] == 0:
             signal.raise_signal(signal.SIGINT)
-        return _scores.scores(*given)
+        return level_scores.scores(*given)
 
-    monkeypatch.setattr(_job, "scores", scores)
+    monkeypatch.setattr(one_object, "scores", scores)
     with pytest.raises(KeyboardInterrupt):
         nf.lod.measure(own, **SMALL, step=None)
     resumed = nf.lod.measure(own, **SMALL, step=None)
@@ -310,8 +324,7 @@ def test_what_was_done_before_ctrl_c_is_kept(monkeypatch: pytest.MonkeyPatch) ->
 
 def test_results_do_not_depend_on_the_number_of_threads() -> None:
     code = (
-        f"import sys; sys.path.insert(0, {os.path.dirname(__file__)!r})\n"
-        "import nearfar as nf; from lod_cases import levels\n"
+        "import nearfar as nf; from tests.support.lod_cases import levels\n"
         "model = nf.lod.measure(levels(16, 8), fov=nf.Fov.symmetric(90), size=(256, 256), views=4, distances=4,\n"
         "                       backend='cpu', cache=False)\n"
         "print([x.hex() for x in (*model.samples.score.ravel().tolist(), *model.curves.a.tolist())])"
@@ -421,6 +434,6 @@ def test_flat_curves_promise_no_more_than_was_seen() -> None:
     rows = np.array([[0.87, 0.93, 0.95, 0.94], [0.6, 0.8, 0.93, 0.98]])
     fitted = nf.lod.fit_4pl(np.array([0.18, 0.06, 0.03, 0.02]), rows)
     assert fitted.status[0] == "flat"
-    cautious = _job._cautious(fitted, rows)
+    cautious = one_object._cautious(fitted, rows)
     assert (cautious.a[0], cautious.d[0]) == (0.87, 0.87)
     np.testing.assert_array_equal([*cautious[1]], [*fitted[1]])

@@ -12,9 +12,21 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from gpu_cases import ADAPTERS, adapter
-from leveled_cases import GREY, RED, SIZE, ball, bytes_of, checkers, frames, model_from, model_of, same_triangles, view
-from nearfar._scene import SceneBuilder
+from nearfar._scene.scene import SceneBuilder
+from tests.support.gpu_cases import ADAPTERS, adapter
+from tests.support.leveled_cases import (
+    GREY,
+    RED,
+    SIZE,
+    ball,
+    bytes_of,
+    checkers,
+    frames,
+    model_from,
+    model_of,
+    same_triangles,
+    view,
+)
 
 Array = NDArray[np.float64]
 

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from lod_oracle import around, chosen, curves, distance_to_view, model, rotation, usual
-from support import printed_by_threads
+from tests.support import printed_by_threads
+from tests.support.lod_oracle import around, chosen, curves, distance_to_view, model, rotation, usual
 
 Array = NDArray[np.float64]
 
@@ -418,7 +418,7 @@ BITS = """
 import hashlib
 import numpy as np
 import nearfar as nf
-from lod_oracle import usual
+from tests.support.lod_oracle import usual
 random = np.random.default_rng(0)
 centers = random.normal(size=(20_000, 3)) * 20
 camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(100), size=(100, 100))

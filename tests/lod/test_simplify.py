@@ -15,10 +15,11 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar import _core
-from nearfar._scene import SceneBuilder
-from nearfar.lod import _carry, _deviation, _normals
-from nearfar.lod._base import Base
-from support import data, printed_by_threads
+from nearfar._scene.scene import SceneBuilder
+from nearfar.lod._simplify import carry, deviation
+from nearfar.lod._simplify import normals as smooth_normals
+from nearfar.lod._simplify.surface import Base
+from tests.support import data, printed_by_threads
 
 Array = NDArray[Any]
 METHODS = ("fast", "meshopt")
@@ -194,7 +195,7 @@ def test_normals_are_carried_made_or_left_out(method: str) -> None:
     for level in nf.lod.simplify(box, [0.2, 0.05], method=method, normals="smooth"):
         arrays = parts(level.scene)
         corners = level.scene.triangles().astype(float)
-        flat = _normals.unit(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
+        flat = smooth_normals.unit(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
         assert np.abs(arrays["normals"][arrays["faces"]] - flat[:, None]).max() < 1e-3
         assert level.error < 1e-5
 
@@ -202,12 +203,12 @@ def test_normals_are_carried_made_or_left_out(method: str) -> None:
 def test_errors_are_distances_between_surfaces() -> None:
     """Two spheres of one middle, and a plate that is half as wide as the other."""
     inner, outer = (Base(trimesh.creation.icosphere(4, radius=radius)) for radius in (1.0, 1.1))
-    found = _deviation.deviation((inner.scene, inner.surface), (outer.scene, outer.surface))
+    found = deviation.deviation((inner.scene, inner.surface), (outer.scene, outer.surface))
     assert found[0] == pytest.approx(0.1, abs=0.003)
     assert found[1] == pytest.approx(0.1, abs=0.003)
     square = np.array([[0, 0, 0], [0, 0, 1], [1, 0, 0], [1, 0, 1]])
     one, two = (Base(trimesh.Trimesh(square * (x, 1, 1), [[0, 1, 2], [2, 1, 3]])) for x in (1, 2))
-    greatest, mean = _deviation.deviation((one.scene, one.surface), (two.scene, two.surface))
+    greatest, mean = deviation.deviation((one.scene, one.surface), (two.scene, two.surface))
     # Of the wide one half is off by 0 to 1.
     assert greatest == 1
     assert mean == pytest.approx(0.125, abs=0.002)
@@ -215,7 +216,7 @@ def test_errors_are_distances_between_surfaces() -> None:
 
 def test_spread_points_are_even() -> None:
     surface = Base(trimesh.creation.box((1, 2, 3))).surface
-    points = _deviation.spread_points(surface, 20_000)
+    points = deviation.spread_points(surface, 20_000)
     on = np.abs(np.abs(points) - (0.5, 1, 1.5)) < 1e-6
     assert on.any(axis=1).all()
     shares = np.array([6, 3, 2]) / 11
@@ -227,7 +228,7 @@ def test_smooth_normals_keep_hard_edges() -> None:
     for shape, hard in ((trimesh.creation.box(), True), (trimesh.creation.icosphere(3), False)):
         positions = np.asarray(shape.vertices, np.float32)
         faces = np.asarray(shape.faces, np.uint32)
-        corners, normals = _normals.smoothed(positions, faces, np.arange(len(positions), dtype=np.uint32))
+        corners, normals = smooth_normals.smoothed(positions, faces, np.arange(len(positions), dtype=np.uint32))
         found = normals[corners]
         assert np.allclose(np.linalg.norm(found, axis=2), 1, atol=1e-6)
         if hard:
@@ -240,7 +241,7 @@ def test_smooth_normals_keep_hard_edges() -> None:
 def test_corners_share_a_vertex_where_they_agree() -> None:
     corners = np.array([0, 0, 0, 0, 1, 1], np.uint32)
     values = np.array([[0.0], [5.0], [0.9], [5.5], [np.nan], [1.0]])
-    assert _carry.together(corners, values).tolist() == [0, 1, 0, 1, 4, 5]
+    assert carry.together(corners, values).tolist() == [0, 1, 0, 1, 4, 5]
 
 
 def test_ratios_that_cannot_be_reached_are_said(method: str) -> None:

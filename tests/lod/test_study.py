@@ -9,17 +9,17 @@ import pytest
 from numpy.typing import NDArray
 from scipy.special import ndtr, ndtri
 
-import _study
-import lod_study
-from _study import TABULATED, Study, made_up
-from support import data
+from benchmarks.lod import study as study_benchmark
+from benchmarks.lod import user_study
+from benchmarks.lod.user_study import TABULATED, Study, made_up
+from tests.support import data
 
 Array = NDArray[np.float64]
 
 
 @pytest.fixture(scope="module")
 def study() -> Study:
-    return _study.load(data(_study.FILE)).first(TABULATED)
+    return user_study.load(data(user_study.FILE)).first(TABULATED)
 
 
 @pytest.fixture(scope="module")
@@ -103,7 +103,7 @@ def royston(values: Array) -> tuple[float, float]:
 @pytest.mark.parametrize("hmd", ["rift", "vive"])
 def test_moments_are_those_of_the_formulas(either: Study, column: str, hmd: str) -> None:
     values = getattr(either.of(hmd=hmd), column)
-    n, found = len(values), _study.moments(values)
+    n, found = len(values), user_study.moments(values)
     assert found.n == n == 240
     assert found.mean == pytest.approx(sum(values.tolist()) / n, rel=1e-12)
     away = values - values.mean()
@@ -119,21 +119,21 @@ def test_moments_are_those_of_the_formulas(either: Study, column: str, hmd: str)
 @pytest.mark.parametrize("column", ["d", "k"])
 def test_normality_is_that_of_royston(either: Study, column: str) -> None:
     rows = getattr(either.of(hmd="rift"), column)
-    for values in (rows, _study.by_participant(either.of(hmd="vive"), column)):
+    for values in (rows, user_study.by_participant(either.of(hmd="vive"), column)):
         w, p = royston(values)
         # His polynomials have six or seven digits, and W's distance from 1 a few fewer.
-        found = _study.shapiro(values)
+        found = user_study.shapiro(values)
         assert found[0] == pytest.approx(w, abs=2e-5)
         assert found[1] == pytest.approx(p, rel=5e-3)
 
 
 @pytest.mark.parametrize("column", ["d", "k"])
 def test_signed_ranks_are_those_of_the_formula(either: Study, column: str) -> None:
-    sides = _study.paired(either, column, "hmd", "rift", "vive")
-    means = [_study.by_participant(either.of(hmd=hmd), column) for hmd in ("rift", "vive")]
+    sides = user_study.paired(either, column, "hmd", "rift", "vive")
+    means = [user_study.by_participant(either.of(hmd=hmd), column) for hmd in ("rift", "vive")]
     for one, other in (sides, means):
         statistic, p, ranked = signed_ranks(one, other)
-        found = _study.wilcoxon(one, other)
+        found = user_study.wilcoxon(one, other)
         assert found.statistic == statistic
         assert found.p == pytest.approx(p, rel=1e-9)
         assert (found.pairs, found.pairs - found.equal) == (len(one), len(ranked))
@@ -144,7 +144,7 @@ def test_signed_ranks_are_those_of_the_formula(either: Study, column: str) -> No
 @pytest.mark.parametrize("hmd", ["rift", "vive"])
 def test_correlations_are_those_of_all_pairs(either: Study, hmd: str) -> None:
     part = either.of(hmd=hmd)
-    found = _study.correlation(part.d, part.k)
+    found = user_study.correlation(part.d, part.k)
     tau, p = kendall(part.d, part.k)
     assert found.tau == pytest.approx(tau, rel=1e-9)
     assert found.tau_p == pytest.approx(p, rel=1e-6)
@@ -154,7 +154,7 @@ def test_correlations_are_those_of_all_pairs(either: Study, hmd: str) -> None:
 def test_pairs_are_of_the_same_participant_and_object(either: Study) -> None:
     turn = np.arange(len(either)) * 7 % len(either)
     mixed = Study(*(getattr(either, name)[turn] for name in Study.__dataclass_fields__))
-    for n, side in enumerate(_study.paired(mixed, "level", "hmd", "rift", "vive")):
+    for n, side in enumerate(user_study.paired(mixed, "level", "hmd", "rift", "vive")):
         hmd = ("rift", "vive")[n]
         expected = [
             int(either.level[(either.participant == who) & (either.object == name) & (either.hmd == hmd)][0])
@@ -163,12 +163,12 @@ def test_pairs_are_of_the_same_participant_and_object(either: Study) -> None:
         ]
         assert side.tolist() == expected
     with pytest.raises(ValueError, match="pairs"):
-        _study.paired(either.where(np.arange(len(either)) > 0), "d", "hmd", "rift", "vive")
+        user_study.paired(either.where(np.arange(len(either)) > 0), "d", "hmd", "rift", "vive")
 
 
 # the published one ---------------------------------------------------------------------------------------------------
 def test_the_recommended_d_and_k_are_the_means(study: Study) -> None:
-    assert (round(float(study.d.mean()), 2), round(float(study.k.mean()), 2)) == (_study.D, _study.K)
+    assert (round(float(study.d.mean()), 2), round(float(study.k.mean()), 2)) == (user_study.D, user_study.K)
     assert (study.d.mean(), study.k.mean()) == (pytest.approx(0.901099, abs=1e-6), pytest.approx(0.2734375))
     for hmd, means in {"rift": (0.905087, 0.267708), "vive": (0.897112, 0.279167)}.items():
         part = study.of(hmd=hmd)
@@ -180,11 +180,11 @@ def test_the_table_is_whole_and_nearly_consistent(study: Study) -> None:
     assert len({*zip(study.participant.tolist(), study.hmd.tolist(), study.object.tolist(), strict=True)}) == len(study)
     assert np.array_equal(study.k, np.round(study.k * 4) / 4)
     assert ((study.level == 0) == (study.d == 1)).all()
-    odd = _study.odd_rows(study)
+    odd = user_study.odd_rows(study)
     where = [(study.participant[row], study.hmd[row], study.object[row], study.level[row]) for row, _ in odd]
     assert where == [(22, "vive", "chair", 4), (22, "vive", "falcon", 3)]
-    repaired = _study.mended(study)
-    assert _study.odd_rows(repaired) == []
+    repaired = user_study.mended(study)
+    assert user_study.odd_rows(repaired) == []
     # A coarser level of an object is never nearer to it.
     for name in study.objects:
         part = repaired.of(object=name)
@@ -195,13 +195,13 @@ def test_the_table_is_whole_and_nearly_consistent(study: Study) -> None:
 def test_what_the_study_says(study: Study) -> None:
     """Headsets don't differ, d and k are not normal, and textured objects were accepted at a lower SSIM."""
     for column in ("d", "k"):
-        assert _study.wilcoxon(*_study.paired(study, column, "hmd", "rift", "vive")).p > 0.5
-        assert _study.shapiro(getattr(study, column))[1] < 1e-8
+        assert user_study.wilcoxon(*user_study.paired(study, column, "hmd", "rift", "vive")).p > 0.5
+        assert user_study.shapiro(getattr(study, column))[1] < 1e-8
     for name in ("elephant", "buddha"):
-        textured, plain = _study.paired(study, "d", "object", name, f"{name}_plain")
+        textured, plain = user_study.paired(study, "d", "object", name, f"{name}_plain")
         assert textured.mean() < plain.mean()
-        assert _study.wilcoxon(textured, plain).p < 1e-3
-    assert 1.0 < min(_study.texture(study).values()) < max(_study.texture(study).values()) < 1.4
+        assert user_study.wilcoxon(textured, plain).p < 1e-3
+    assert 1.0 < min(user_study.texture(study).values()) < max(user_study.texture(study).values()) < 1.4
 
 
 # the made-up one -----------------------------------------------------------------------------------------------------
@@ -215,47 +215,47 @@ def test_known_moments_come_back(twin: Study) -> None:
 
 def test_an_effect_is_found_where_there_is_one(twin: Study) -> None:
     def p(study: Study) -> float:
-        return _study.wilcoxon(*_study.paired(study, "d", "hmd", "rift", "vive")).p
+        return user_study.wilcoxon(*user_study.paired(study, "d", "hmd", "rift", "vive")).p
 
     assert p(twin) > 0.05
     assert p(made_up(gap=-0.05)) < 1e-8
-    assert _study.wilcoxon(twin.d, twin.d).p == 1.0
-    assert abs(_study.correlation(twin.d, twin.k).tau) < 0.1
-    assert _study.correlation(twin.d, -twin.level.astype(float)).tau == pytest.approx(1.0)
+    assert user_study.wilcoxon(twin.d, twin.d).p == 1.0
+    assert abs(user_study.correlation(twin.d, twin.k).tau) < 0.1
+    assert user_study.correlation(twin.d, -twin.level.astype(float)).tau == pytest.approx(1.0)
 
 
 def test_odd_rows_are_found_and_mended(twin: Study) -> None:
-    assert _study.odd_rows(twin) == []
+    assert user_study.odd_rows(twin) == []
     row = 77
     before = float(twin.d[row])
     wrong = Study(**{name: getattr(twin, name).copy() for name in Study.__dataclass_fields__})
     wrong.d[row] = before - 0.125
-    assert _study.odd_rows(wrong) == [(row, before)]
-    assert np.array_equal(_study.mended(wrong).d, twin.d)
+    assert user_study.odd_rows(wrong) == [(row, before)]
+    assert np.array_equal(user_study.mended(wrong).d, twin.d)
 
 
 def test_intervals_cover_what_is_known() -> None:
     """Rows that are independent have the interval of the normal; rows of like participants a wider one."""
     twin = made_up()
-    low, high = _study.bootstrap(twin, "d")
+    low, high = user_study.bootstrap(twin, "d")
     assert low < twin.d.mean() < high
     assert (high - low) / (2 * 1.96) == pytest.approx(twin.d.std() / np.sqrt(len(twin)), rel=0.3)
-    assert _study.bootstrap(twin, "d") == (low, high)
+    assert user_study.bootstrap(twin, "d") == (low, high)
     fixed: Any = {name: getattr(twin, name) for name in Study.__dataclass_fields__}
     alike = Study(**(fixed | {"d": twin.d + 0.1 * (twin.participant % 2)}))
-    low, high = _study.bootstrap(alike, "d")
+    low, high = user_study.bootstrap(alike, "d")
     assert (high - low) / (2 * 1.96) == pytest.approx(0.05 / np.sqrt(TABULATED), rel=0.1)
     # Drawing objects anew as well only adds.
-    wide = _study.bootstrap(alike, "d", objects=True, draws=2_000)
+    wide = user_study.bootstrap(alike, "d", objects=True, draws=2_000)
     assert wide[1] - wide[0] > 0.9 * (high - low)
 
 
 def test_everything_is_printed_with_and_without_data(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Any
 ) -> None:
-    lod_study.main()
+    study_benchmark.main()
     monkeypatch.setenv("NEARFAR_DATA", str(tmp_path))
-    lod_study.main()
+    study_benchmark.main()
     printed = capsys.readouterr().out
     assert "made up" in printed
     assert printed.count("### ") >= 10

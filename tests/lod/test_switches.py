@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from lod_oracle import model, usual
+from tests.support.lod_oracle import model, usual
 
 Array = NDArray[np.float64]
 

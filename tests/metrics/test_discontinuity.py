@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from test_reduce import CENTER, R1, R2, camera, street
+from tests.support.reduce_cases import CENTER, R1, R2, camera, street
 
 Array = NDArray[np.float64]
 

@@ -13,9 +13,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import nearfar as nf
-from similarity_oracle import pictures
-from support import PEAK, need, printed_by_threads
-from test_reduce import CENTER, camera, street
+from tests.support import PEAK, need, printed_by_threads
+from tests.support.reduce_cases import CENTER, camera, street
+from tests.support.similarity_oracle import pictures
 
 
 def test_errors_are_their_definition() -> None:
@@ -115,8 +115,8 @@ BITS = """
 import hashlib
 import numpy as np
 import nearfar as nf
-from similarity_oracle import pictures
-from test_reduce import CENTER, camera, street
+from tests.support.similarity_oracle import pictures
+from tests.support.reduce_cases import CENTER, camera, street
 a, b = pictures(301, 203)
 frame = nf.render(street(), camera(CENTER, (1, -0.1, 0.2), (320, 200)), channels=("position",))
 mask = a > 0.5

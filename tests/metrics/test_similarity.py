@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from similarity_oracle import inside, pictures, shrunk, slow_maps, slow_masked, weights
-from support import data, need
+from tests.support import data, need
+from tests.support.similarity_oracle import inside, pictures, shrunk, slow_maps, slow_masked, weights
 
 TYPES: dict[Any, float] = {np.uint8: 255.0, np.uint16: 65535.0, np.float32: 1.0, np.float64: 1.0}
 

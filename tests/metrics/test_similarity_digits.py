@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from similarity_oracle import pictures, slow_maps, slow_masked, weights
+from tests.support.similarity_oracle import pictures, slow_maps, slow_masked, weights
 
 
 def hard_pictures() -> Iterator[tuple[str, NDArray[np.float32], NDArray[np.float32], float]]:

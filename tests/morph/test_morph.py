@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar import _core
-from support import printed_by_threads
+from tests.support import printed_by_threads
 
 R1, R2 = 30.0, 50.0
 

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from support import data, need
+from tests.support import data, need
 
 SETS = ("near", "intermediate", "far", "nsf", "sf")
 

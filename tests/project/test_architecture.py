@@ -15,9 +15,9 @@ import pytest
 
 import nearfar as nf
 from nearfar import _core
-from support import need
+from tests.support import need
 
-CHECKOUT = Path(__file__).resolve().parent.parent
+CHECKOUT = Path(__file__).resolve().parents[2]
 CORE = CHECKOUT / "rust" / "core" / "src"
 GPU = CHECKOUT / "rust" / "gpu" / "src"
 BINDINGS = CHECKOUT / "rust" / "py" / "src"

@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 from PIL import Image
 
-import _harness
-from _harness import Case, Comparison, Limits, Result, Work
-from _measure import Timing
-from support import need
+from benchmarks.harness import compare
+from benchmarks.harness.compare import Case, Comparison, Limits, Result, Work
+from benchmarks.harness.timing import Timing
+from tests.support import need
 
 
 def test_cases_are_timed_and_compared(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     need("matplotlib")
-    monkeypatch.setenv(_harness.FOLDER, str(tmp_path))
+    monkeypatch.setenv(compare.FOLDER, str(tmp_path))
     calls: list[str] = []
 
     def job(name: str, seconds: float, value: float) -> Case:
@@ -28,7 +28,7 @@ def test_cases_are_timed_and_compared(tmp_path: Path, monkeypatch: pytest.Monkey
 
         return Case(name, run, lambda found: abs(found - 1.0), peer=name != "ours")
 
-    text = _harness.compare("A job", [job("ours", 0.002, 1.0), job("a peer", 0.02, 1.5)], repeat=2, unit="m")
+    text = compare.compare("A job", [job("ours", 0.002, 1.0), job("a peer", 0.02, 1.5)], repeat=2, unit="m")
     lines = [line for line in text.splitlines() if line.startswith("|")]
     assert lines[0] == "|  | wall ms | CPU ms | × ours | error, m |"
     ours, peer = (line.split(" | ") for line in lines[2:])
@@ -45,15 +45,15 @@ def test_cases_are_timed_and_compared(tmp_path: Path, monkeypatch: pytest.Monkey
 def test_nothing_is_drawn_unasked_or_without_errors(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     exact = Comparison("exact", [Result("ours", Timing(1.0, 1.0), 0.0, peer=False)], None, "")
     torn = Comparison("torn", [Result("ours", Timing(1.0, 1.0), 0.1, peer=False)], None, "")
-    assert _harness.draw([torn], "torn") is None
-    monkeypatch.setenv(_harness.FOLDER, str(tmp_path))
-    assert _harness.draw([exact], "exact") is None
+    assert compare.draw([torn], "torn") is None
+    monkeypatch.setenv(compare.FOLDER, str(tmp_path))
+    assert compare.draw([exact], "exact") is None
     assert list(tmp_path.iterdir()) == []
 
 
 def test_the_front_holds_what_none_betters() -> None:
     points = [(1.0, 5.0), (2.0, 1.0), (3.0, 1.0), (0.5, 9.0), (4.0, 8.0)]
-    front = [point for point in points if not any(_harness._better(other, point) for other in points)]
+    front = [point for point in points if not any(compare._better(other, point) for other in points)]
     assert sorted(front) == [(0.5, 9.0), (1.0, 5.0), (2.0, 1.0)]
 
 

@@ -12,9 +12,9 @@ from typing import Any
 
 import pytest
 
-from support import need
+from tests.support import need
 
-CHECKOUT = Path(__file__).resolve().parent.parent
+CHECKOUT = Path(__file__).resolve().parents[2]
 NOTEBOOKS = sorted((CHECKOUT / "notebooks").glob("*.ipynb"))
 
 # What a reader waits for a notebook. It is measured with a wide margin, because other work may share the machine.

@@ -20,9 +20,9 @@ import trimesh
 from packaging.requirements import Requirement
 
 import nearfar as nf
-from support import need
+from tests.support import need
 
-CHECKOUT = Path(__file__).resolve().parent.parent
+CHECKOUT = Path(__file__).resolve().parents[2]
 BACKEND = CHECKOUT / "scripts" / "nearfar_build.py"
 
 IMPORT_BACKEND = f"import sys; sys.path.insert(0, {str(BACKEND.parent)!r}); import nearfar_build as b"

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
-CHECKOUT = Path(__file__).resolve().parent.parent
+CHECKOUT = Path(__file__).resolve().parents[2]
 README = CHECKOUT / "README.md"
 
 # A page on a telephone should not wait for its pictures.

@@ -8,8 +8,8 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from _tokyo import whole
-from support import need
+from benchmarks.harness.tokyo import whole
+from tests.support import need
 
 pytestmark = pytest.mark.stress
 

@@ -1,4 +1,4 @@
-"""A car that drives from near to far, measured by benchmarks/dynamic.py: no jump, and hidden alike by both methods."""
+"""A car that drives from near to far: no jump, and hidden alike by both methods (benchmarks/reduce/dynamic.py)."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from dynamic import (
+from benchmarks.reduce.dynamic import (
     CAR,
     CENTER,
     END,

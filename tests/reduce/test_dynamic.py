@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from test_reduce import CENTER, R1, R2, camera, place, street
+from tests.support.reduce_cases import CENTER, R1, R2, camera, place, street
 
 Array = NDArray[np.float64]
 USER = CENTER + np.array([0.0, 0.0, 7.0])

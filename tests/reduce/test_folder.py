@@ -16,10 +16,11 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar import _formats, _scene_glb
-from nearfar._scene import SceneBuilder
-from support import data, need, valid
-from test_reduce import CENTER, R1, R2, camera, place, street
+from nearfar._base import formats
+from nearfar._scene import glb
+from nearfar._scene.scene import SceneBuilder
+from tests.support import data, need, valid
+from tests.support.reduce_cases import CENTER, R1, R2, camera, place, street
 
 METHODS: list[dict[str, Any]] = [{"method": "vertex"}, {"method": "exact"}]
 USER = CENTER + np.array([6.0, 0.2, 3.0])
@@ -97,7 +98,7 @@ def test_everything_that_shading_uses_comes_back_bit_for_bit(tmp_path: Path) -> 
     for how in METHODS:
         for toward in [(1, 0, 0.3), (-1, 0.1, 1), (0.2, 0, -1)]:
             assert_same_pictures(reduced, loaded, camera(USER, toward), **how)
-    again = _scene_glb.decode(_scene_glb.encode(loaded.scene._core, scene.object_names), scene._names)
+    again = glb.decode(glb.encode(loaded.scene._core, scene.object_names), scene._names)
     np.testing.assert_array_equal(again.triangles(), near.triangles())
 
 
@@ -295,7 +296,7 @@ def test_damage_is_a_sentence_about_the_file(name: str, where: float, value: int
 def test_a_wrong_document_is_explained(change: dict[str, Any], word: str, folder: Path, tmp_path: Path) -> None:
     broken = shutil.copytree(folder, tmp_path / "broken")
     document = json.loads((broken / "reduced.json").read_text()) | change
-    (broken / "reduced.json").write_text(_formats.to_json(document))
+    (broken / "reduced.json").write_text(formats.to_json(document))
     with pytest.raises(nf.FormatError, match=word):
         nf.ReducedScene.load(broken)
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar._scene import SceneBuilder
-from support import printed_by_threads
-from test_reduce import CENTER, FOV, R1, R2, Array, box, camera, place, rho, street
+from nearfar._scene.scene import SceneBuilder
+from tests.support import printed_by_threads
+from tests.support.reduce_cases import CENTER, FOV, R1, R2, Array, box, camera, place, rho, street
 
 ALL = ("color", "range", "object_id", "face_id", "position", "normal")
 BAKED = ("color", "range", "object_id")
@@ -73,7 +73,7 @@ def test_holes_are_holes_in_maps_and_near_parts(kind: str) -> None:
 
 
 def test_bytes_of_bakes_and_frames_do_not_depend_on_the_number_of_threads() -> None:
-    code = "import test_reduce_scenes; print(test_reduce_scenes.digest())"
+    code = "from tests.reduce import test_scenes; print(test_scenes.digest())"
     assert printed_by_threads(code) == {digest() + "\n"}
 
 

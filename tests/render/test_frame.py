@@ -9,10 +9,11 @@ import pytest
 from PIL import Image
 
 import nearfar as nf
-from nearfar import _core, _exr
-from nearfar._camera import Projection
-from nearfar._frame import CHANNELS
-from support import valid
+from nearfar import _core
+from nearfar._base import exr
+from nearfar._camera.camera import Projection
+from nearfar._render.frame import CHANNELS
+from tests.support import valid
 
 CAMERA = nf.Camera((1, 2, 3), (0.5, 0.5, -0.5, 0.5), fov=nf.Fov(-1, 0.5, -0.3, 0.7), size=(37, 21))
 
@@ -84,7 +85,7 @@ def test_each_channel_travels_alone(tmp_path: Path, name: str) -> None:
 @pytest.mark.parametrize("projection", PROJECTIONS)
 def test_the_header_fits_its_schema(tmp_path: Path, projection: Projection) -> None:
     full(nf.Camera((1, 2, 3), fov=projection, size=(8, 8))).save(tmp_path / "a.exr")
-    document, _ = _exr.read(tmp_path / "a.exr", "frame", 1)
+    document, _ = exr.read(tmp_path / "a.exr", "frame", 1)
     assert valid(document, "frame")
     assert not valid(document | {"camera": {}}, "frame")
 
@@ -130,11 +131,11 @@ def test_files_that_are_no_frames_are_refused(tmp_path: Path) -> None:
     bad.write_bytes(_core.encode_exr([("frame", {"R": np.zeros((2, 2), np.float32)}, {})]))
     with pytest.raises(nf.FormatError, match=r"bad\.exr: expected a nearfar\.frame"):
         nf.Frame.load(bad)
-    document, parts = _exr.read(good, "frame", 1)
-    _exr.write(bad, parts, document | {"version": 2})
+    document, parts = exr.read(good, "frame", 1)
+    exr.write(bad, parts, document | {"version": 2})
     with pytest.raises(nf.FormatError, match="version 2"):
         nf.Frame.load(bad)
-    _exr.write(bad, parts, document | {"camera": {}})
+    exr.write(bad, parts, document | {"camera": {}})
     with pytest.raises(nf.FormatError, match=r"bad\.exr: damaged frame"):
         nf.Frame.load(bad)
     with pytest.raises(FileNotFoundError):
@@ -148,8 +149,8 @@ def test_parts_of_all_types_come_back_in_order(tmp_path: Path) -> None:
         "unsigned": np.array([[0, 1, 2**31, 2**32 - 1]] * 3, np.uint32),
     }
     parts = dict.fromkeys(("pz", "nx", "only"), images)
-    _exr.write(tmp_path / "a.exr", parts, {"format": "nearfar.test", "version": 1, "center": [1, 2, 3]})
-    document, back = _exr.read(tmp_path / "a.exr", "test", 1)
+    exr.write(tmp_path / "a.exr", parts, {"format": "nearfar.test", "version": 1, "center": [1, 2, 3]})
+    document, back = exr.read(tmp_path / "a.exr", "test", 1)
     assert document["center"] == [1, 2, 3]
     assert list(back) == list(parts)
     for channels in back.values():
@@ -161,11 +162,11 @@ def test_parts_of_all_types_come_back_in_order(tmp_path: Path) -> None:
 def test_images_that_openexr_cannot_hold_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "a.exr"
     with pytest.raises(TypeError, match="float16, float32 or uint32 for 'a'"):
-        _exr.write(path, {"p": {"a": np.zeros((2, 2))}}, {})
+        exr.write(path, {"p": {"a": np.zeros((2, 2))}}, {})
     with pytest.raises(ValueError, match="'b' differs in shape"):
-        _exr.write(path, {"p": {"a": np.zeros((2, 2), np.float32), "b": np.zeros((2, 3), np.float32)}}, {})
+        exr.write(path, {"p": {"a": np.zeros((2, 2), np.float32), "b": np.zeros((2, 3), np.float32)}}, {})
     with pytest.raises(ValueError, match="at least one image"):
-        _exr.write(path, {"p": {}}, {})
+        exr.write(path, {"p": {}}, {})
     with pytest.raises(ValueError, match="ASCII"):
-        _exr.write(path, {"пример": {"a": np.zeros((2, 2), np.float32)}}, {})
+        exr.write(path, {"пример": {"a": np.zeros((2, 2), np.float32)}}, {})
     assert not list(tmp_path.iterdir())

@@ -11,10 +11,10 @@ import pytest
 import trimesh
 
 import nearfar as nf
-from nearfar import _scene_parts
-from nearfar._names import Names
-from render_oracle import irradiance, rotate
-from support import data, need
+from nearfar._scene import serialize
+from nearfar._scene.names import Names
+from tests.support import data, need
+from tests.support.render_oracle import irradiance, rotate
 
 SIZE = (480, 360)
 
@@ -64,10 +64,10 @@ def pictures(request: pytest.FixtureRequest) -> Pictures:
 
 def flat(scene: nf.Scene) -> nf.Scene:
     """The same without normals of vertices: colours are divided by the light on what the channel `normal` shows."""
-    parts = _scene_parts.parts_of(scene._core)
+    parts = serialize.parts_of(scene._core)
     for mesh in parts["meshes"]:
         mesh["normals"] = None
-    return nf.Scene(_scene_parts.core_of_parts(parts), Names(scene.object_names))
+    return nf.Scene(serialize.core_of_parts(parts), Names(scene.object_names))
 
 
 def inside_of_faces(faces: np.ndarray) -> np.ndarray:

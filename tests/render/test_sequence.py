@@ -14,9 +14,8 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from gpu_cases import ADAPTERS, adapter, view
-from support import need
-from test_gpu_truth import crowd
+from tests.support import need
+from tests.support.gpu_cases import ADAPTERS, adapter, crowd, view
 
 CAMERAS = [view((0.2 * step, 1.3, 1.0), (0, 0, -6), size=(64 + 8 * (step % 2), 48)) for step in range(5)]
 IMAGES = ("color", "range", "object_id")

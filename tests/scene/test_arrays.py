@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene import SceneBuilder
-from support import need
+from nearfar._scene.scene import SceneBuilder
+from tests.support import need
 
 
 def soup(count: int, seed: int = 0) -> tuple[NDArray[np.float32], NDArray[np.uint32]]:

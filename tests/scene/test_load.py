@@ -12,8 +12,8 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar import _data
-from support import need
+from nearfar._base import data as data_files
+from tests.support import need
 
 
 def shift(x: float = 0.0, y: float = 0.0, z: float = 0.0) -> NDArray[np.float64]:
@@ -82,7 +82,7 @@ def test_instances_stay_instances_and_nodes_are_objects(tmp_path: Path, town: tr
 
 def test_primitives_of_one_node_are_one_object(tmp_path: Path) -> None:
     need("data")
-    scene = nf.Scene.load(_data.require("interior/garage/garage.gltf"))
+    scene = nf.Scene.load(data_files.require("interior/garage/garage.gltf"))
     assert scene.object_names == ("mesh308615427",)
     assert (scene.triangle_count, scene.report.materials) == (11_358, 17)
 
@@ -101,7 +101,7 @@ DATA = {
 @pytest.mark.parametrize("name", DATA)
 def test_real_files_agree_with_trimesh(name: str) -> None:
     need("data")
-    path = _data.require(name)
+    path = data_files.require(name)
     scene = nf.Scene.load(path)
     assert (scene.triangle_count, len(scene.object_names)) == DATA[name]
     expected = reference_triangles(path)
@@ -118,7 +118,7 @@ def test_real_files_agree_with_trimesh(name: str) -> None:
 
 def test_ten_thousand_nodes_load_in_seconds() -> None:
     need("data")
-    path = _data.require("city/tokyo23/tokyo_core_lod1.glb")
+    path = data_files.require("city/tokyo23/tokyo_core_lod1.glb")
     start = time.perf_counter()
     scene = nf.Scene.load(path)
     # 1.2 s on an idle machine; the limit leaves room for a busy one.
@@ -163,7 +163,7 @@ def test_a_packed_file_is_unpacked(tmp_path: Path) -> None:
 
 def test_the_dragon_comes_packed() -> None:
     need("data")
-    assert nf.Scene.load(_data.require("objects/dragon/dragon_vrip_res3.ply.gz")).triangle_count == 47_794
+    assert nf.Scene.load(data_files.require("objects/dragon/dragon_vrip_res3.ply.gz")).triangle_count == 47_794
 
 
 def test_other_things_than_trimesh_objects_are_refused() -> None:

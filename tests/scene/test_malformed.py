@@ -17,8 +17,8 @@ import trimesh
 from PIL import Image
 
 import nearfar as nf
-from nearfar import _data
-from support import need
+from nearfar._base import data as data_files
+from tests.support import need
 
 LONGEST = 2.0
 """Seconds that any bad file may take."""
@@ -54,7 +54,7 @@ def outcome(path: Path, on_invalid: str = "raise") -> nf.Scene | nf.SceneError:
 
 def test_every_malformed_file_gives_a_scene_or_a_sentence() -> None:
     need("data")
-    files = [path for path in sorted(_data.require("malformed").rglob("*")) if path.is_file()]
+    files = [path for path in sorted(data_files.require("malformed").rglob("*")) if path.is_file()]
     outcome(files[0])  # imports the reader
     tracemalloc.start()
     results = {path.name: (outcome(path), outcome(path, "drop")) for path in files}
@@ -81,14 +81,14 @@ def test_every_malformed_file_gives_a_scene_or_a_sentence() -> None:
 )
 def test_sentences_say_what_is_wrong(name: str, words: str) -> None:
     need("data")
-    result = outcome(_data.require(f"malformed/{name}"))
+    result = outcome(data_files.require(f"malformed/{name}"))
     assert isinstance(result, nf.SceneError)
     assert words in str(result)
 
 
 def test_skins_and_animations_are_reported() -> None:
     need("data")
-    result = outcome(_data.require("malformed/assimp/glTF2/simple_skin/simple_skin.gltf"))
+    result = outcome(data_files.require("malformed/assimp/glTF2/simple_skin/simple_skin.gltf"))
     assert isinstance(result, nf.Scene)
     assert {"1 animation ignored", "1 skin ignored"} <= set(result.report.notes)
 

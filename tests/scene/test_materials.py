@@ -15,17 +15,18 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
-from nearfar import _data, _load
-from nearfar._materials import BaseColor, colors_of, to_linear, to_srgb
-from nearfar._scene import SceneBuilder
-from nearfar._source import Shape, Source
-from support import need
+from nearfar._base import data as data_files
+from nearfar._scene import load
+from nearfar._scene.materials import BaseColor, colors_of, to_linear, to_srgb
+from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.source import Shape, Source
+from tests.support import need
 
 PBR = trimesh.visual.material.PBRMaterial
 
 
 def source_of(path: Path) -> Source:
-    return _load._read(str(path), path, path.read_bytes())
+    return load._read(str(path), path, path.read_bytes())
 
 
 def shape_of(path: Path) -> Shape:
@@ -190,7 +191,7 @@ def test_a_damaged_image_is_reported(tmp_path: Path) -> None:
 
 def test_the_helmet_has_its_textures() -> None:
     need("data")
-    report = nf.Scene.load(_data.require("objects/gltf/FlightHelmet/FlightHelmet.gltf")).report
+    report = nf.Scene.load(data_files.require("objects/gltf/FlightHelmet/FlightHelmet.gltf")).report
     assert (report.textures, report.materials) == (5, 5)
     assert "1 material with blending drawn opaque" in report.notes
 

@@ -12,29 +12,18 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-import render_oracle as oracle
-from nearfar import _core, _glb, _load, _scene_glb
-from nearfar._names import Names
-from nearfar._scene import SceneBuilder
-from nearfar._source import Shape
-from render_oracle import Surface
-from support import data
+from nearfar import _core
+from nearfar._base.glb import Reader
+from nearfar._scene import glb, load
+from nearfar._scene.names import Names
+from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.source import Shape
+from tests.support import data
+from tests.support import render_oracle as oracle
+from tests.support.normal_cases import PLACES, TURN, around, ball
+from tests.support.render_oracle import Surface
 
 Array = NDArray[Any]
-TURN = trimesh.transformations.rotation_matrix(0.7, (0.3, 1, -0.2))
-PLACES = {
-    "as it is": np.eye(4),
-    "turned": TURN,
-    "unequal": TURN @ np.diag([1.4, 0.5, 0.8, 1.0]) @ TURN.T,
-    "mirrored": TURN @ np.diag([1.2, 0.7, -0.9, 1.0]),
-}
-
-
-def ball(subdivisions: int = 1) -> tuple[Array, Array]:
-    """Vertices of a unit sphere, which are its normals too, and faces."""
-    mesh = trimesh.creation.icosphere(subdivisions)
-    vertices = np.asarray(mesh.vertices) / np.linalg.norm(mesh.vertices, axis=1, keepdims=True)
-    return vertices.astype(np.float32), np.asarray(mesh.faces, np.uint32)
 
 
 def camera(target: Any = (0, 0, 0), distance: float = 4.0, size: int = 61) -> nf.Camera:
@@ -233,20 +222,6 @@ def test_a_split_trimesh_keeps_the_normals_that_it_was_given() -> None:
     assert "vertex_normals" not in plain._cache.cache
 
 
-def around(center: Array) -> nf.Scene:
-    """Balls near, between the radii and far, over a flat ground."""
-    vertices, faces = ball(2)
-    builder = SceneBuilder()
-    mesh = builder.mesh(vertices, faces, normals=vertices)
-    for number, (distance, scale, side) in enumerate([(6, 1, -0.05), (12, 2, 0.28), (19, 3, 0.6), (33, 5, 0.95)]):
-        place = np.diag([scale, 1.3 * scale, -scale if number % 2 else scale, 1.0])
-        place[:3, 3] = center + np.array([distance, 0.5 * scale, side * distance])
-        builder.instance(mesh, place, name=f"ball {number}")
-    corners = np.array([[-1, 0, -1], [-1, 0, 1], [1, 0, 1], [1, 0, -1]]) * 90.0 + center * [1, 0, 1]
-    builder.instance(builder.mesh(corners, [[0, 1, 2], [0, 2, 3]]), name="ground")
-    return builder.build(dynamic=["ball 1"])
-
-
 @pytest.mark.parametrize("morph", ["blend", "cylinder", "none"])
 @pytest.mark.parametrize("method", ["vertex", "exact"])
 def test_a_user_in_the_centre_of_a_reduced_scene_sees_the_truth(morph: str, method: Any) -> None:
@@ -322,7 +297,7 @@ def hard() -> trimesh.Trimesh:
 
 
 def shape_of(path: Path) -> Shape:
-    return next(iter(_load._read(str(path), path, path.read_bytes()).shapes.values()))
+    return next(iter(load._read(str(path), path, path.read_bytes()).shapes.values()))
 
 
 @pytest.mark.parametrize("suffix", ["glb", "obj", "ply"])
@@ -413,8 +388,8 @@ def test_saved_scenes_have_the_same_normals() -> None:
         beside[0, 3] = 2.5 * number - 5
         builder.instance(handle, beside.copy(), name=f"ball {number}")
     scene = builder.build()
-    encoded = _scene_glb.encode(scene._core, scene.object_names)
-    decoded = _scene_glb.decode(encoded, Names(scene.object_names))
+    encoded = glb.encode(scene._core, scene.object_names)
+    decoded = glb.decode(encoded, Names(scene.object_names))
     before = parts_of(scene)
     after = [_core.mesh_parts(mesh) for mesh in _core.scene_parts(decoded)["meshes"]]
     for one, two in zip(before, after, strict=True):
@@ -424,7 +399,7 @@ def test_saved_scenes_have_the_same_normals() -> None:
     for x in (-4, 0, 2):
         np.testing.assert_array_equal(colors(loaded, camera((x, 0, 0))), colors(scene, camera((x, 0, 0))))
     # Where an object has none among others that have them, the file says nothing, which is flat in glTF too.
-    document = _glb.Reader(encoded).document
+    document = Reader(encoded).document
     with_normals = {
         node["name"]: "NORMAL" in document["meshes"][node["mesh"]]["primitives"][0]["attributes"]
         for node in document["nodes"]

@@ -14,9 +14,9 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar import _cache
-from nearfar._scene import SceneBuilder
-from nearfar._scene_parts import core_of_parts, parts_of
+from nearfar._base import cache
+from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.serialize import core_of_parts, parts_of
 
 
 def furnished() -> nf.Scene:
@@ -92,13 +92,9 @@ def test_meshes_that_are_shared_travel_once() -> None:
 
 
 def test_hashes_tell_content_and_nothing_else(tmp_path: Path) -> None:
-    key = _cache.key(parts_of(furnished()._core))
-    code = (
-        f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r})\n"
-        "import test_scene_parts as own\n"
-        "print(own._cache.key(own.parts_of(own.furnished()._core)))"
-    )
+    key = cache.key(parts_of(furnished()._core))
+    code = "from tests.scene import test_serialize as own\nprint(own.cache.key(own.parts_of(own.furnished()._core)))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60)
     assert done.stdout.strip() == key
     moved = furnished().at({"board1": np.eye(4)})
-    assert _cache.key(parts_of(moved._core)) != key
+    assert cache.key(parts_of(moved._core)) != key

@@ -16,7 +16,8 @@ import pytest
 from referencing import Registry, Resource
 
 import nearfar as nf
-from nearfar import _data, _formats
+from nearfar._base import data as data_files
+from nearfar._base import formats
 
 
 def _module(name: str) -> Callable[[], str]:
@@ -24,7 +25,7 @@ def _module(name: str) -> Callable[[], str]:
 
 
 def _data_folder() -> str:
-    return "" if _data.root() else "there is no data folder (NEARFAR_DATA, or shared/data above the checkout)"
+    return "" if data_files.root() else "there is no data folder (NEARFAR_DATA, or shared/data above the checkout)"
 
 
 def _pyrender() -> str:
@@ -52,7 +53,7 @@ def _adapter(name: str) -> Callable[[], str]:
 
 def _tokyo() -> str:
     """The whole city is made by a tool beside the data."""
-    root = _data.root()
+    root = data_files.root()
     return (
         "" if root and (root.parent / "tools" / "tokyo.py").is_file() else "there is no tools/tokyo.py beside the data"
     )
@@ -70,7 +71,7 @@ def _git() -> str:
 
 def _release() -> str:
     """A wheel of a tree without a release build would compile everything within a test."""
-    folder = Path(os.environ.get("CARGO_TARGET_DIR", Path(__file__).resolve().parent.parent / "target")) / "release"
+    folder = Path(os.environ.get("CARGO_TARGET_DIR", Path(__file__).resolve().parents[2] / "target")) / "release"
     return "" if any(folder.glob("*_core.*")) else "there is no release build; `make setup` makes one"
 
 
@@ -139,12 +140,12 @@ def printed_by_threads(code: str) -> set[str]:
 
 def valid(document: dict[str, Any], name: str) -> bool:
     """Whether a document fits the schema of a format of ours."""
-    header = Resource.from_contents(_formats.load_schema("header"))
+    header = Resource.from_contents(formats.load_schema("header"))
     registry: Registry[Any] = Registry().with_resource("urn:nearfar:schema:header", header)
-    return bool(jsonschema.Draft202012Validator(_formats.load_schema(name), registry=registry).is_valid(document))
+    return bool(jsonschema.Draft202012Validator(formats.load_schema(name), registry=registry).is_valid(document))
 
 
 def data(relative: str) -> Path:
     """A file below the data folder; skips or fails as `need("data")` does."""
     need("data")
-    return _data.require(relative)
+    return data_files.require(relative)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -10,8 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar import _backend
-from support import need
+from nearfar._render import backend as backends
+from nearfar._scene.scene import SceneBuilder
+from tests.support import need
+from tests.support.render_cases import QUAD, noise, quad
 
 ADAPTERS = ("vulkan", "gl")
 
@@ -22,7 +27,7 @@ RENDERED = ("color", "range", "object_id", "face_id", "position", "normal")
 def adapter(name: str) -> Iterator[None]:
     """An adapter selected for a while; skips or fails as `need` does."""
     need(name)
-    before = _backend._selected
+    before = backends._selected
     nf.gpu.select(name)
     try:
         yield
@@ -106,3 +111,42 @@ def check_range(reference: nf.Frame, test: nf.Frame, *, tolerance: float = 1e-5,
 def check_color(reference: nf.Frame, test: nf.Frame, codes: int = 2, percentile: float = 99.9) -> None:
     """All but a share of pixels have colours that nobody tells apart."""
     assert np.percentile(codes_apart(reference, test), percentile) <= codes
+
+
+def crowd(dynamic: tuple[str, ...] = ()) -> nf.Scene:
+    """A mesh placed many times, some mirrored, over a ground."""
+    builder = SceneBuilder()
+    texture = noise(16, 16, 4, seed=5)
+    material = builder.material((1, 0.8, 0.6, 1), texture)
+    corners = np.array([[0, 0, 0], [1, 0, 0.2], [0.1, 1.5, 0], [0.2, 0.3, 0.9]], np.float32)
+    faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
+    shape = builder.mesh(corners, faces, material=material, uvs=corners[:, :2] * 2)
+    places = np.tile(np.eye(4), (25, 1, 1))
+    for number, place in enumerate(places):
+        angle = 0.7 * number
+        place[:3, :3] = [[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]]
+        place[:3, :3] *= 1.0 + 0.02 * number
+        place[:3, 3] = (2.0 * (number % 5) - 4, -1.0, -2.0 * (number // 5) - 3)
+        if number % 3 == 0:
+            place[:3, 0] *= -1.0
+    builder.place_many(shape, places, "one")
+    builder.instance(
+        builder.mesh(quad((0, -1, -8), (9, 0, 0), (0, 0, -9)), QUAD, material=builder.material()), name="g"
+    )
+    return builder.build(dynamic)
+
+
+SETUP = """
+import nearfar as nf, numpy as np
+scene = nf.Scene.from_arrays(np.eye(3) - [0.3, 0.3, 2.0], [[0, 1, 2]])
+camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(60), size=(16, 16))
+"""
+
+
+def program(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    """Run a program in a process of its own, without this one's selection."""
+    kept = {
+        name: value for name, value in os.environ.items() if not name.startswith(("XDG_RUNTIME", "NEARFAR_ADAPTER"))
+    }
+    kept |= {"PYTHONPATH": os.pathsep.join(sys.path)} | environment
+    return subprocess.run([sys.executable, "-c", SETUP + code], env=kept, capture_output=True, text=True, timeout=120)

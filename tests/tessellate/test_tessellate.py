@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene import SceneBuilder
-from support import printed_by_threads
+from nearfar._scene.scene import SceneBuilder
+from tests.support import printed_by_threads
 
 Array = NDArray[np.float64]
 CENTER = np.array([3.0, 1.7, -2.0])

@@ -9,8 +9,8 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene import SceneBuilder
-from support import printed_by_threads
+from nearfar._scene.scene import SceneBuilder
+from tests.support import printed_by_threads
 
 Array = NDArray[np.float64]
 

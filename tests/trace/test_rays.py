@@ -14,8 +14,9 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar import _core, _data
-from support import need, printed_by_threads
+from nearfar import _core
+from nearfar._base import data
+from tests.support import need, printed_by_threads
 
 SCENES = {
     "tokyo": "city/tokyo23/tokyo_core_lod1.glb",
@@ -29,7 +30,7 @@ Mesh = tuple[NDArray[np.float32], NDArray[np.uint32]]
 def mesh(request: pytest.FixtureRequest) -> Mesh:
     """Vertices that are the same point are one: what is shared shows in the faces."""
     need("data")
-    loaded = trimesh.load_scene(_data.require(SCENES[request.param])).to_geometry()
+    loaded = trimesh.load_scene(data.require(SCENES[request.param])).to_geometry()
     points, inverse = np.unique(np.asarray(loaded.vertices, np.float32), axis=0, return_inverse=True)
     faces = inverse[loaded.faces].astype(np.uint32)
     distinct = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])

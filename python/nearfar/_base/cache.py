@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from nearfar._files import atomic_file
+from nearfar._base.files import atomic_file
 
 
 def folder() -> Path:

@@ -10,9 +10,9 @@ from collections.abc import Callable
 from concurrent.futures.process import BrokenProcessPool
 from typing import Any
 
-from nearfar import _progress
-from nearfar.lod._job import Settings, measure_one
+from nearfar._base import progress
 from nearfar.lod._levels import Levels
+from nearfar.lod._measure.one_object import Settings, measure_one
 from nearfar.lod._model import LodModel
 
 Done = tuple[LodModel, list[int]]
@@ -36,7 +36,7 @@ def over_processes(objects: list[Levels], settings: Settings, workers: int) -> l
     )
     try:
         futures = [pool.submit(_in_worker, levels, settings) for levels in objects]
-        with _progress.bar("measuring") as report:
+        with progress.bar("measuring") as report:
             for number, _ in enumerate(_finished(futures)):
                 report(number, len(objects))
         return [future.result() for future in futures]
@@ -58,7 +58,7 @@ def over_cluster(objects: list[Levels], settings: Settings, client: Any) -> list
     meshes = client.scatter(objects, hash=False)
     futures = [client.submit(_on_cluster, levels, settings, pure=False) for levels in meshes]
     try:
-        with _progress.bar("measuring") as report:
+        with progress.bar("measuring") as report:
             done = []
             for number, future in enumerate(futures):
                 report(number, len(futures))

@@ -9,8 +9,9 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from nearfar import _check, _core, _files, _formats
-from nearfar._errors import FormatError
+from nearfar import _core
+from nearfar._base import check, files, formats
+from nearfar._base.errors import FormatError
 
 ATTRIBUTE = "nearfar"
 """Header attribute of the first part. OpenEXR keeps names such as `version` for itself, hence one document."""
@@ -34,7 +35,7 @@ def write(
     parts
         Channels of each part by the part's name.
     document
-        A header made by `_formats.header`, with whatever else describes the file.
+        A header made by `formats.header`, with whatever else describes the file.
     vectors
         Triples of numbers that every part's header repeats as float32 attributes, for programs that do not read
         `document`.
@@ -47,7 +48,7 @@ def write(
         Where the file cannot be written.
     """
     text = json.dumps(dict(document), allow_nan=False)
-    with _files.atomic_file(path) as aside:
+    with files.atomic_file(path) as aside:
         coded: list[_core._Part] = []
         for name, channels in parts.items():
             first = {} if coded else {ATTRIBUTE: text}
@@ -72,11 +73,11 @@ def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[st
     OSError
         Where the file cannot be read.
     """
-    data = _check.path("path", path).read_bytes()
+    data = check.path("path", path).read_bytes()
     try:
         parts = _core.decode_exr(data)
         document = json.loads(str(parts[0][2].get(ATTRIBUTE, "null"))) if parts else None
     except (FormatError, ValueError, RecursionError) as error:
         raise FormatError(f"{os.fspath(path)}: {error}") from None
-    checked = _formats.check(document, name, version, path)
+    checked = formats.check(document, name, version, path)
     return checked, {part: channels for part, channels, _ in parts}

@@ -7,8 +7,8 @@ import os
 from importlib import resources
 from typing import Any
 
-from nearfar._errors import FormatError
-from nearfar._version import __version__
+from nearfar._base.errors import FormatError
+from nearfar._base.version import __version__
 
 CONVENTIONS: dict[str, Any] = {
     "units": {"length": "metre", "angle": "radian", "time": "second", "size": "byte"},

@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core
+from nearfar import _core
+from nearfar._base import check
 
 _WORD = 2**64 - 1
 
@@ -33,8 +34,8 @@ def uniform(seed: int, cell: int, index: ArrayLike) -> NDArray[np.float64]:
     NDArray[np.float64]
         In the shape of `index`.
     """
-    indices = _check.array("index", index, columns=None, dtype=np.uint64)
-    seed, cell = _check.integer("seed", seed, 0, _WORD), _check.integer("cell", cell, 0, _WORD)
+    indices = check.array("index", index, columns=None, dtype=np.uint64)
+    seed, cell = check.integer("seed", seed, 0, _WORD), check.integer("cell", cell, 0, _WORD)
     return _core.uniform(seed, cell, indices.reshape(-1)).reshape(indices.shape)
 
 
@@ -43,8 +44,8 @@ def integers(seed: int, cell: int, index: ArrayLike, low: int, high: int) -> NDA
 
     The bias of the multiplication is below 2⁻²¹ of one draw, which is why high − low is at most 2³².
     """
-    low = _check.integer("low", low, -(2**62), 2**62)
-    high = _check.integer("high", high, low + 1, low + 2**32)
+    low = check.integer("low", low, -(2**62), 2**62)
+    high = check.integer("high", high, low + 1, low + 2**32)
     return low + np.floor(uniform(seed, cell, index) * (high - low)).astype(np.int64)
 
 
@@ -65,12 +66,12 @@ def choice(
     NDArray
         Shape of `index`, then that of one option.
     """
-    listed = _check.plain("options", options)
+    listed = check.plain("options", options)
     if listed.ndim == 0 or len(listed) == 0:
         raise ValueError(f"options: expected at least one, got shape {listed.shape}")
     if weights is None:
         return np.asarray(listed[integers(seed, cell, index, 0, len(listed))])
-    share = _check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
+    share = check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
     if share.shape != (len(listed),) or share.min() < 0.0 or share.sum() <= 0.0:
         raise ValueError(f"weights: expected {len(listed)} numbers of at least 0 and not all 0, got {share.tolist()}")
     edges = np.cumsum(share)

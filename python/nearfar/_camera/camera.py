@@ -9,8 +9,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core
-from nearfar._twin import WithTwin
+from nearfar import _core
+from nearfar._base import check
+from nearfar._base.pickling import WithTwin
 
 
 @dataclass(frozen=True)
@@ -31,7 +32,7 @@ class Fov:
     @classmethod
     def symmetric(cls, horizontal_deg: float, aspect: float = 1.0) -> Fov:
         """Make a view of a horizontal angle in degrees, below 180; `aspect` is width over height."""
-        angle, aspect = _check.positive("horizontal_deg", horizontal_deg), _check.positive("aspect", aspect)
+        angle, aspect = check.positive("horizontal_deg", horizontal_deg), check.positive("aspect", aspect)
         if angle >= 180.0:
             raise ValueError(f"horizontal_deg: expected less than 180 degrees, got {angle}")
         x = math.tan(math.radians(angle) / 2)
@@ -42,7 +43,7 @@ class Fov:
         """Make a view of four signed angles in radians, in the order of OpenXR's XrFovf; left and down negative."""
         angles = {"left": left, "right": right, "up": up, "down": down}
         for name, angle in angles.items():
-            if abs(_check.number(name, angle)) >= math.pi / 2:
+            if abs(check.number(name, angle)) >= math.pi / 2:
                 raise ValueError(f"{name}: expected an angle between -pi/2 and pi/2 radians, got {angle}")
         return cls(math.tan(left), math.tan(right), math.tan(down), math.tan(up))
 
@@ -67,7 +68,7 @@ class CubeFace:
     face: int
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "face", _check.integer("face", self.face, 0, 5))
+        object.__setattr__(self, "face", check.integer("face", self.face, 0, 5))
 
 
 Projection = Fov | Orthographic | CubeFace
@@ -100,9 +101,9 @@ class Camera(WithTwin):
     size: tuple[int, int] = field(kw_only=True)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "position", _check.vector("position", self.position))
+        object.__setattr__(self, "position", check.vector("position", self.position))
         object.__setattr__(self, "orientation", quaternion(self.orientation))
-        object.__setattr__(self, "size", _check.size("size", self.size))
+        object.__setattr__(self, "size", check.size("size", self.size))
         if not isinstance(self.fov, Projection):
             raise TypeError(f"fov: expected Fov, Orthographic or CubeFace, got {type(self.fov).__name__}")
         if isinstance(self.fov, CubeFace) and self.size[0] != self.size[1]:
@@ -122,8 +123,8 @@ class Camera(WithTwin):
 
         ValueError where eye and target coincide or the line between them runs along `up`.
         """
-        start, end = np.array(_check.vector("eye", eye)), np.array(_check.vector("target", target))
-        upward = np.array(_check.vector("up", up))
+        start, end = np.array(check.vector("eye", eye)), np.array(check.vector("target", target))
+        upward = np.array(check.vector("up", up))
         distance, height = np.linalg.norm(end - start), np.linalg.norm(upward)
         if distance == 0.0:
             raise ValueError(f"target: expected another point than eye, got {tuple(end.tolist())}")
@@ -165,7 +166,7 @@ class Camera(WithTwin):
             the depth along the viewing axis in metres. Rows are NaN for points behind the camera; points outside the
             image have positions outside it.
         """
-        return self._core.project(_check.array("points", points, dtype=np.float64))
+        return self._core.project(check.array("points", points, dtype=np.float64))
 
     def rays(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """World origins in metres and unit directions of the rays through all pixel centres, (H, W, 3) float64 each."""
@@ -183,7 +184,7 @@ class Camera(WithTwin):
 
 def _bounds(name: str, bounds: Fov | Orthographic) -> None:
     for side in ("left", "right", "down", "up"):
-        object.__setattr__(bounds, side, _check.number(f"{name}.{side}", getattr(bounds, side)))
+        object.__setattr__(bounds, side, check.number(f"{name}.{side}", getattr(bounds, side)))
     if bounds.left >= bounds.right:
         raise ValueError(f"{name}: expected left < right, got {bounds.left} and {bounds.right}")
     if bounds.down >= bounds.up:
@@ -191,7 +192,7 @@ def _bounds(name: str, bounds: Fov | Orthographic) -> None:
 
 
 def quaternion(value: ArrayLike) -> tuple[float, float, float, float]:
-    given = _check.array("orientation", value, columns=None, dtype=np.float64, finite=True)
+    given = check.array("orientation", value, columns=None, dtype=np.float64, finite=True)
     if given.shape != (4,):
         raise ValueError(f"orientation: expected a quaternion (x, y, z, w), got shape {given.shape}")
     x, y, z, w = (float(v) for v in given)

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from nearfar import _check, _core
-from nearfar._camera import CubeFace, Orthographic, Projection
+from nearfar import _core
+from nearfar._base import check
+from nearfar._camera.camera import CubeFace, Orthographic, Projection
 
 CLIP_SPACES = ("0..1", "-1..1")
 STORED = ("float32", "float64", "uint16", "uint32")
@@ -63,7 +64,7 @@ def range_from_depth(
     TypeError
         For depth of other types, which does not say what stands for 1.
     """
-    given = _check.plain("depth", depth)
+    given = check.plain("depth", depth)
     # By name, which is the same for any order of bytes.
     if given.dtype.name not in STORED:
         raise TypeError(f"depth: expected {', '.join(STORED[:-1])} or {STORED[-1]}, got {given.dtype}")
@@ -151,9 +152,9 @@ def range_error(
     - float32, standard: t → 1 and h = 2⁻²⁵: x = 2⁻²⁵ z/near grows with the distance; from z = 2²⁵ near on, all is lost.
     - b bits: h = 2⁻ᵇ/2: x = 2⁻⁽ᵇ⁺¹⁾ z/near, reversed or not.
     """
-    given = _check.array("distance", distance, columns=None, dtype=np.float64, finite=True)
+    given = check.array("distance", distance, columns=None, dtype=np.float64, finite=True)
     nearest, farthest = _planes(near, far)
-    _check.choice("depth_format", depth_format, FORMATS)
+    check.choice("depth_format", depth_format, FORMATS)
     if given.size and (given.min() < nearest or given.max() > farthest):
         got = f"{given.min():g} to {given.max():g}"
         raise ValueError(f"distance: expected {nearest:g} to {farthest:g} metres, from near to far, got {got}")
@@ -182,22 +183,22 @@ def _half_step(stored: NDArray[np.float64], depth_format: str) -> NDArray[np.flo
 
 def _images(name: str, values: ArrayLike, dtype: DTypeLike | None) -> tuple[NDArray[Any], tuple[int, ...]]:
     """Values as (N, H, W) of a type that kernels read, and their shape."""
-    images = _check.array(name, values, columns=None, dtype=dtype)
+    images = check.array(name, values, columns=None, dtype=dtype)
     if images.ndim not in (2, 3) or not images.size:
         raise ValueError(f"{name}: expected shape (H, W) or (N, H, W), not empty, got {images.shape}")
-    if max(images.shape[-2:]) > _check.MAX_SIZE:
-        raise ValueError(f"{name}: expected up to {_check.MAX_SIZE} pixels each way, got {images.shape}")
+    if max(images.shape[-2:]) > check.MAX_SIZE:
+        raise ValueError(f"{name}: expected up to {check.MAX_SIZE} pixels each way, got {images.shape}")
     return images.reshape(-1, *images.shape[-2:]), images.shape
 
 
 def _planes(near: float | None, far: float) -> tuple[float, float]:
     if near is None:
         raise ValueError("near: expected the near plane's distance in metres, got None")
-    return _check.positive("near", near), _above("far", far, near)
+    return check.positive("near", near), _above("far", far, near)
 
 
 def _above(name: str, value: float, least: float) -> float:
-    number = _check.number(name, value, finite=False)
+    number = check.number(name, value, finite=False)
     if not number > least:
         raise ValueError(f"{name}: expected a number above near = {least:g}, got {number}")
     return number
@@ -213,7 +214,7 @@ def _buffer(
 ) -> _core.DepthBuffer:
     height, width = shape[-2:]
     if not isinstance(projection, Projection):
-        rows = _check.array("projection", projection, columns=None, dtype=np.float64)
+        rows = check.array("projection", projection, columns=None, dtype=np.float64)
         return _matrix_buffer((width, height), rows, near, far, reverse, depth_range)
     if depth_range is not None:
         raise ValueError(f"depth_range: expected None beside {type(projection).__name__}, got {depth_range!r}")
@@ -246,14 +247,14 @@ def _matrix_buffer(
         raise ValueError(
             "depth_range: expected '0..1' or '-1..1' (OpenGL's) beside a matrix, which does not say it, got None"
         )
-    low = -float(CLIP_SPACES.index(_check.choice("depth_range", depth_range, CLIP_SPACES)))
+    low = -float(CLIP_SPACES.index(check.choice("depth_range", depth_range, CLIP_SPACES)))
     return _core.DepthBuffer.from_matrix(size, rows.tolist(), low)
 
 
 def _parallel_planes(near: float | None, far: float) -> tuple[float, float]:
-    if near is None or not math.isfinite(_check.number("far", far, finite=False)):
+    if near is None or not math.isfinite(check.number("far", far, finite=False)):
         raise ValueError(f"far: expected finite near and far planes for parallel rays, got {near} and {far}")
-    nearest = _check.number("near", near)
+    nearest = check.number("near", near)
     if nearest < 0.0:
         raise ValueError(f"near: expected a number of at least 0, got {nearest}")
     return nearest, _above("far", far, nearest)

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _exr, _formats
-from nearfar._cubemap import FILTERS, cube_lookup
-from nearfar._errors import FormatError
+from nearfar._base import check, exr, formats
+from nearfar._base.errors import FormatError
+from nearfar._cubemap.lookup import FILTERS, cube_lookup
 
 FACES = ("px", "nx", "py", "ny", "pz", "nz")
 """Names of the faces in files."""
@@ -54,13 +54,13 @@ class EnvMap:
     """Names of the objects by number; empty where they are not known."""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "center", _check.vector("center", self.center))
+        object.__setattr__(self, "center", check.vector("center", self.center))
         size = np.shape(self.color)[1] if np.ndim(self.color) == 4 else 0
         for name in CHANNELS:
             values = getattr(self, name)
             if values is None and name != "color":
                 continue
-            own = _check.array(name, values, columns=None, dtype=_kind(name, values)).view()
+            own = check.array(name, values, columns=None, dtype=_kind(name, values)).view()
             expected = (6, size, size, 3) if name == "color" else (6, size, size)
             if size == 0 or own.shape != expected:
                 raise ValueError(f"{name}: expected shape (6, S, S{', 3' * (name == 'color')}), got {own.shape}")
@@ -119,12 +119,12 @@ class EnvMap:
         ValueError
             For a channel that was not baked, and a filter that does not fit it.
         """
-        _check.choice("channel", channel, CHANNELS)
+        check.choice("channel", channel, CHANNELS)
         values = getattr(self, channel)
         if values is None:
             raise ValueError(f"channel: expected one of {', '.join(self.channels)}, which were baked, got {channel!r}")
         default = "linear" if channel == "color" else "nearest"
-        chosen = default if filter is None else _check.choice("filter", filter, FILTERS)
+        chosen = default if filter is None else check.choice("filter", filter, FILTERS)
         if channel == "range" and chosen in ("linear", "cubic"):
             raise ValueError(f"filter: expected 'nearest', 'min' or 'max' for range, got {chosen!r}")
         if channel == "object_id" and chosen != "nearest":
@@ -155,7 +155,7 @@ class EnvMap:
         OSError
             Where the file cannot be written.
         """
-        target = _check.path("path", path)
+        target = check.path("path", path)
         if target.suffix.lower() != ".exr":
             raise ValueError(f"path: expected a name ending in .exr, got {os.fspath(path)!r}")
         brightest = float(np.abs(self.color).max())
@@ -169,7 +169,7 @@ class EnvMap:
                 parts[name]["range"] = self.range[face]
             if self.object_id is not None:
                 parts[name]["object_id"] = self.object_id[face].view(np.uint32)
-        document = _formats.header(
+        document = formats.header(
             "envmap",
             VERSION,
             color_space="linear",
@@ -177,12 +177,12 @@ class EnvMap:
             orientation="Vulkan/WebGPU cube faces",
             object_names=list(self.object_names),
         )
-        _exr.write(target, parts, document, {"center": self.center})
+        exr.write(target, parts, document, {"center": self.center})
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> EnvMap:
         """Read what `save` wrote; FormatError for other files and for newer versions, OSError where it is missing."""
-        document, parts = _exr.read(path, "envmap", VERSION)
+        document, parts = exr.read(path, "envmap", VERSION)
         try:
             faces = [parts[name] for name in FACES]
             color = np.stack([np.stack([face[axis] for axis in "RGB"], axis=-1) for face in faces])

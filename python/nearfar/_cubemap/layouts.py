@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core, _progress
-from nearfar._cubemap import BITS, FILTERS, LIMIT, directions_of, numbers_of
+from nearfar import _core
+from nearfar._base import check, progress
+from nearfar._cubemap.lookup import BITS, FILTERS, LIMIT, directions_of, numbers_of
 
 LAYOUTS = ("cube", "equirectangular", "octahedral")
 
@@ -81,9 +82,9 @@ def convert_envmap(
     ----------
     Cigolle et al. (2014), "A survey of efficient representations for independent unit vectors", for octahedra.
     """
-    _check.choice("source", source, LAYOUTS)
-    _check.choice("filter", filter, FILTERS)
-    samples = _check.integer("samples", samples, 1, 256)
+    check.choice("source", source, LAYOUTS)
+    check.choice("filter", filter, FILTERS)
+    samples = check.integer("samples", samples, 1, 256)
     given = numbers_of("values", values)
     before, after = _given_shape(given, source), _shape("target", target, size)
     count = 3 if source == "cube" else 2
@@ -95,7 +96,7 @@ def convert_envmap(
     rows = np.require(given.reshape(math.prod(given.shape[:count]), channels), None, ["C", "A"])
     out: NDArray[Any] = np.empty((*_array_shape(after), *given.shape[count:]), given.dtype)
     out_rows = out.reshape(math.prod(_array_shape(after)), channels)
-    with _progress.bar("converting") as report:
+    with progress.bar("converting") as report:
         if filter == "nearest":
             bits = BITS[given.itemsize]
             _core.convert_envmap_nearest((rows.view(bits), out_rows.view(bits)), (before, after), report=report)
@@ -175,19 +176,19 @@ def _given_shape(values: NDArray[Any], layout: str) -> tuple[str, int, int]:
 
 def _shape(name: str, layout: str, size: int | tuple[int, int]) -> tuple[str, int, int]:
     """Layout, rows and columns."""
-    _check.choice(name, layout, LAYOUTS)
+    check.choice(name, layout, LAYOUTS)
     limit = LIMIT if layout == "cube" else 2 * LIMIT
     # Arrays of numbers are as good as tuples of them.
     size = size.tolist() if isinstance(size, np.ndarray) else size
     if layout != "equirectangular":
-        edge = _check.integer("size", size, 1, limit)  # type: ignore[arg-type]
+        edge = check.integer("size", size, 1, limit)  # type: ignore[arg-type]
         return layout, edge, edge
     if isinstance(size, tuple | list):
         if len(size) != 2:
             raise ValueError(f"size: expected (H, W), got {len(size)} numbers")
-        height, width = (_check.integer("size", n, 1, limit) for n in size)
+        height, width = (check.integer("size", n, 1, limit) for n in size)
     else:
-        height = _check.integer("size", size, 1, LIMIT)
+        height = check.integer("size", size, 1, LIMIT)
         width = 2 * height
     if width % 2:
         raise ValueError(f"size: expected an even W, got {width}")

@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core
+from nearfar import _core
+from nearfar._base import check
 
 FILTERS = ("nearest", "linear", "cubic", "min", "max")
 
@@ -80,7 +81,7 @@ def cube_lookup(
     ----------
     Keys (1981), "Cubic convolution interpolation for digital image processing", Eq. 4.
     """
-    _check.choice("filter", filter, FILTERS)
+    check.choice("filter", filter, FILTERS)
     angle = None if radius is None else _radius(radius, filter)
     maps = _faces(faces)
     rows, shape = directions_of(directions)
@@ -124,10 +125,10 @@ def cube_mips(faces: ArrayLike, *, filter: str = "mean") -> list[NDArray[Any]]: 
     TypeError
         For values that are not numbers.
     """
-    _check.choice("filter", filter, ("mean", "min", "max"))
-    given = _check.plain("faces", faces)
+    check.choice("filter", filter, ("mean", "min", "max"))
+    given = check.plain("faces", faces)
     given = given.astype(np.float64) if given.dtype.kind == "b" else given
-    levels = [_faces(_check.array("faces", given, columns=None))]
+    levels = [_faces(check.array("faces", given, columns=None))]
     while levels[-1].shape[1] > 1:
         above = levels[-1]
         size = above.shape[1] // 2
@@ -158,7 +159,7 @@ def cube_solid_angles(size: int) -> NDArray[np.float64]:
     ----------
     van Oosterom and Strackee (1983), "The solid angle of a plane triangle", Eq. 8, for the two halves of a texel.
     """
-    size = _check.integer("size", size, 1, LIMIT)
+    size = check.integer("size", size, 1, LIMIT)
     angles = np.empty((size, size))
     _core.cube_solid_angles(angles)
     return angles
@@ -166,7 +167,7 @@ def cube_solid_angles(size: int) -> NDArray[np.float64]:
 
 def directions_of(directions: ArrayLike) -> tuple[NDArray[Any], tuple[int, ...]]:
     """Directions (..., 3) as rows, and the shape (...)."""
-    along = _check.array("directions", directions, columns=None)
+    along = check.array("directions", directions, columns=None)
     if along.ndim == 0 or along.shape[-1] != 3:
         raise ValueError(f"directions: expected shape (..., 3), got {along.shape}")
     return along.reshape(-1, 3), along.shape[:-1]
@@ -174,9 +175,9 @@ def directions_of(directions: ArrayLike) -> tuple[NDArray[Any], tuple[int, ...]]
 
 def numbers_of(name: str, values: ArrayLike) -> NDArray[Any]:
     """Floats as kernels take them, or integers and booleans as they are, in native byte order."""
-    given = _check.plain(name, values)
+    given = check.plain(name, values)
     if given.dtype.kind not in "iub":
-        return _check.array(name, given, columns=None)
+        return check.array(name, given, columns=None)
     return given.astype(given.dtype.newbyteorder("="), copy=False)
 
 
@@ -185,7 +186,7 @@ def _radius(radius: float, chosen: str) -> float:
         raise ValueError(f"radius: expected None with filter {chosen!r}, got {radius}")
     if np.ndim(radius) > 0:
         raise TypeError(f"radius: expected a number, got {type(radius).__name__}")
-    angle = _check.number("radius", radius)
+    angle = check.number("radius", radius)
     if not 0.0 <= angle < math.pi / 2:
         raise ValueError(f"radius: expected radians of at least 0 and below π/2, got {angle}")
     return angle

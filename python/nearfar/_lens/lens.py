@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core
-from nearfar._camera import Camera, Fov
-from nearfar._twin import WithTwin
-from nearfar._warp import WarpMesh, radius_of, warp, warp_mesh
+from nearfar import _core
+from nearfar._base import check
+from nearfar._base.pickling import WithTwin
+from nearfar._camera.camera import Camera, Fov
+from nearfar._lens.warp import WarpMesh, radius_of, warp, warp_mesh
 
 METHODS = ("newton", "fixed_point", "lut")
 
@@ -103,12 +104,12 @@ class RadialLens(WithTwin):
         ValueError
             For radii beyond `r_max` and for NaN, unless `outside` is "nan".
         """
-        values = _check.array("r", r, columns=None)
+        values = check.array("r", r, columns=None)
         return self._core.distort(values.reshape(-1), _refuse(outside)).reshape(values.shape)
 
     def derivative(self, r: ArrayLike, *, outside: str = "raise") -> NDArray[Any]:
         """f′ at radii; arguments and errors as in `distort`. It is 1 on the axis and 0 at `r_max`."""
-        values = _check.array("r", r, columns=None)
+        values = check.array("r", r, columns=None)
         return self._core.derivative(values.reshape(-1), _refuse(outside)).reshape(values.shape)
 
     def undistort(
@@ -141,9 +142,9 @@ class RadialLens(WithTwin):
         ValueError
             For radii that the lens shows nothing at and for NaN, unless `outside` is "nan".
         """
-        _check.choice("method", method, METHODS)
-        steps = _check.integer("iterations", iterations, 0, 1000)
-        values = _check.array("r", r, columns=None)
+        check.choice("method", method, METHODS)
+        steps = check.integer("iterations", iterations, 0, 1000)
+        values = check.array("r", r, columns=None)
         return self._core.undistort(values.reshape(-1), method, steps, _refuse(outside)).reshape(values.shape)
 
     def distort_points(self, points: ArrayLike, *, outside: str = "raise") -> NDArray[Any]:
@@ -161,11 +162,11 @@ class RadialLens(WithTwin):
         NDArray
             (N, 2) in the type of `points`.
         """
-        return self._core.distort_points(_check.array("points", points, columns=2), _refuse(outside))
+        return self._core.distort_points(check.array("points", points, columns=2), _refuse(outside))
 
     def undistort_points(self, points: ArrayLike, *, outside: str = "raise") -> NDArray[Any]:
         """Points that the lens shows at points, the inverse of `distort_points`; arguments and results as there."""
-        return self._core.undistort_points(_check.array("points", points, columns=2), _refuse(outside))
+        return self._core.undistort_points(check.array("points", points, columns=2), _refuse(outside))
 
     def warp(
         self,
@@ -359,7 +360,7 @@ def corrected_solid_angle(
     x, y, z, w = camera.orientation
     return _core.corrected_solid_angles(
         lens._core,
-        *_check.spheres(centers, radii),
+        *check.spheres(centers, radii),
         eye=camera.position,
         # −z turned by the orientation.
         forward=(-2 * (x * z + w * y), -2 * (y * z - w * x), 2 * (x * x + y * y) - 1),
@@ -369,11 +370,11 @@ def corrected_solid_angle(
 
 
 def _coefficients(name: str, value: ArrayLike) -> tuple[float, ...]:
-    given = _check.array(name, value, columns=None, dtype=np.float64, finite=True)
+    given = check.array(name, value, columns=None, dtype=np.float64, finite=True)
     if given.ndim != 1:
         raise ValueError(f"{name}: expected a sequence of numbers, got shape {given.shape}")
     return tuple(float(c) for c in given)
 
 
 def _refuse(outside: str) -> bool:
-    return _check.choice("outside", outside, OUTSIDE) == "raise"
+    return check.choice("outside", outside, OUTSIDE) == "raise"

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core
-from nearfar._camera import Fov
+from nearfar import _core
+from nearfar._base import check
+from nearfar._camera.camera import Fov
 
 FILTERS = ("linear", "cubic")
 
@@ -55,14 +56,14 @@ def warp(
     """Warp a picture by one lens, or by one for each of its channels."""
     picture = _picture(image, len(lenses))
     height, width = picture.shape[:2]
-    _check.choice("filter", filter, FILTERS)
+    check.choice("filter", filter, FILTERS)
     shown = _view(*view, width / height)
     values = picture if picture.ndim == 3 else picture[..., None]
     made = _core.warp(
         lenses,
         values,
         **shown,
-        size=_check.size("size", (width, height) if size is None else size),
+        size=check.size("size", (width, height) if size is None else size),
         distort=not inverse,
         filter=filter,
         fill=_fill(fill, picture.dtype),
@@ -79,16 +80,16 @@ def warp_mesh(
     tolerance_px: float,
 ) -> WarpMesh:
     """Make a mesh of given cells, or of as many as a tolerance needs."""
-    width, height = _check.size("size", size)
+    width, height = check.size("size", size)
     shown = _view(*view, width / height)
-    tolerance = _check.positive("tolerance_px", tolerance_px)
+    tolerance = check.positive("tolerance_px", tolerance_px)
 
     def made(columns: int, rows: int) -> WarpMesh:
         mesh = _core.warp_mesh(lenses, **shown, cells=(columns, rows), size=(width, height), distort=not inverse)
         return _compact(*mesh, size=max(width, height))
 
     if cells is not None:
-        return made(*_check.pair("cells", cells, 1, 4096))
+        return made(*check.pair("cells", cells, 1, 4096))
     left, right, down, up = shown["to_fov"]
     aspect = (up - down) / (right - left)
 
@@ -139,7 +140,7 @@ def _compact(
 
 def radius_of(fov: Fov, lens_radius: float | None) -> float:
     """Tangent at which r = 1: as given, or the larger side of a field of view."""
-    return max(abs(fov.left), abs(fov.right)) if lens_radius is None else _check.positive("lens_radius", lens_radius)
+    return max(abs(fov.left), abs(fov.right)) if lens_radius is None else check.positive("lens_radius", lens_radius)
 
 
 def _view(fov: Fov | None, output_fov: Fov | None, lens_radius: float | None, aspect: float) -> dict[str, Any]:
@@ -156,15 +157,15 @@ def _view(fov: Fov | None, output_fov: Fov | None, lens_radius: float | None, as
 def _fill(fill: float, dtype: np.dtype[Any]) -> float:
     """What pixels of a type can be: NaN and infinities only for floats."""
     if dtype.kind == "f":
-        return _check.number("fill", fill, finite=False)
-    value, most = _check.number("fill", fill), np.iinfo(dtype).max
+        return check.number("fill", fill, finite=False)
+    value, most = check.number("fill", fill), np.iinfo(dtype).max
     if not 0 <= value <= most:
         raise ValueError(f"fill: expected a number from 0 to {most} for {dtype.name}, got {value}")
     return value
 
 
 def _picture(image: ArrayLike, lenses: int) -> NDArray[Any]:
-    picture = _check.plain("image", image)
+    picture = check.plain("image", image)
     if picture.dtype.type not in TYPES:
         names = ", ".join(np.dtype(each).name for each in TYPES)
         raise TypeError(f"image: expected one of {names}, got {picture.dtype}")

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core, _progress
-from nearfar._camera import Camera
-from nearfar._frame import Frame
+from nearfar import _core
+from nearfar._base import check, progress
+from nearfar._camera.camera import Camera
+from nearfar._render.frame import Frame
 
 
 def discontinuity(
@@ -53,14 +54,14 @@ def discontinuity(
     if not isinstance(camera, Camera):
         raise TypeError(f"truth_camera: expected a Camera, got {type(camera).__name__}")
     position = np.ascontiguousarray(frame.require("position"), np.float32)
-    with _progress.bar("measuring discontinuity") as report:
+    with progress.bar("measuring discontinuity") as report:
         flat = _core.discontinuity(
             position.reshape(-1, 3),
             origin=frame.origin,
             width=position.shape[1],
             camera=camera._core,
-            epsilon=_check.positive("epsilon", epsilon),
-            min_distance=_check.positive("min_distance", min_distance),
+            epsilon=check.positive("epsilon", epsilon),
+            min_distance=check.positive("min_distance", min_distance),
             report=report,
         )
     return flat.reshape(position.shape[:2])
@@ -95,8 +96,8 @@ def boundary(frame: Frame, *, center: ArrayLike, radius: float, width: int = 2) 
     """
     if not isinstance(frame, Frame):
         raise TypeError(f"frame: expected a Frame, got {type(frame).__name__}")
-    middle, end = np.array(_check.vector("center", center)), _check.positive("radius", radius)
-    reach = _check.integer("width", width, 1, 1000)
+    middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)
+    reach = check.integer("width", width, 1, 1000)
     away = frame.require("position").astype(np.float64) + np.array(frame.origin) - middle
     rho = np.hypot(away[..., 0], away[..., 2])
     beyond = rho > end

@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from nearfar import _check
-from nearfar._frame import Frame
+from nearfar._base import check
+from nearfar._render.frame import Frame
 
 LUMA = (0.2126, 0.7152, 0.0722)
 """Rec. 709, of sRGB-encoded colour."""
@@ -54,7 +54,7 @@ class Pair(NamedTuple):
         """`data_range`, which is never guessed."""
         if self.data_range is None:
             raise ValueError("data_range: expected the range of the pictures' values, such as 255 for 8 bits, got None")
-        return _check.positive("data_range", self.data_range)
+        return check.positive("data_range", self.data_range)
 
 
 def pair(reference: ArrayLike | Frame, test: ArrayLike | Frame, data_range: float | None = None) -> Pair:
@@ -102,7 +102,7 @@ def luma(frame: Frame) -> NDArray[np.float64]:
 
 def mask_of(mask: ArrayLike, name: str = "mask") -> NDArray[np.uint8]:
     """Which pixels a mask names, as bytes; TypeError for anything but true and false or whole numbers."""
-    given = _check.plain(name, mask)
+    given = check.plain(name, mask)
     if given.dtype.kind not in "biu":
         raise TypeError(f"{name}: expected true and false, got {given.dtype}")
     named: NDArray[np.uint8] = _readable((given if given.dtype.kind == "b" else given != 0).view(np.uint8), np.uint8)
@@ -111,7 +111,7 @@ def mask_of(mask: ArrayLike, name: str = "mask") -> NDArray[np.uint8]:
 
 def numbers(name: str, value: ArrayLike) -> NDArray[Any]:
     """An array of real numbers or of true and false; ValueError or TypeError otherwise."""
-    given = _check.plain(name, value)
+    given = check.plain(name, value)
     if given.dtype.kind not in "biuf":
         raise TypeError(f"{name}: expected real numbers, got {type(value).__name__} of type {given.dtype}")
     return given

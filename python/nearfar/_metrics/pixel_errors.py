@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core, _pictures
-from nearfar._frame import Frame
+from nearfar import _core
+from nearfar._base import check
+from nearfar._metrics import inputs
+from nearfar._render.frame import Frame
 
 
 def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
@@ -34,7 +36,7 @@ def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
     TypeError
         For values that are not numbers, and for a frame beside an array.
     """
-    return math.sqrt(_mean_squared_error(_pictures.pair(reference, test)))
+    return math.sqrt(_mean_squared_error(inputs.pair(reference, test)))
 
 
 def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: float | None = None) -> float:
@@ -58,7 +60,7 @@ def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: f
     ValueError, TypeError
         As in `rmse`, and without a positive `data_range` for arrays.
     """
-    pair = _pictures.pair(reference, test, data_range)
+    pair = inputs.pair(reference, test, data_range)
     peak = pair.extent()
     error = _mean_squared_error(pair)
     return math.inf if error == 0.0 else 20.0 * math.log10(peak) - 10.0 * math.log10(error)
@@ -87,15 +89,15 @@ def object_completion(reference_ids: ArrayLike, test_ids: ArrayLike) -> tuple[fl
     ----------
     CloVR (2024), Eq. 1–2.
     """
-    reference = _check.array("reference_ids", reference_ids, columns=None, dtype=np.int32)
-    test = _check.array("test_ids", test_ids, columns=None, dtype=np.int32)
+    reference = check.array("reference_ids", reference_ids, columns=None, dtype=np.int32)
+    test = check.array("test_ids", test_ids, columns=None, dtype=np.int32)
     if reference.shape != test.shape:
         raise ValueError(f"test_ids: expected shape {reference.shape}, got {test.shape}")
     found = _core.object_completion(reference.ravel(), test.ravel())
     return (math.nan, math.nan) if found is None else found
 
 
-def _mean_squared_error(pair: _pictures.Pair) -> float:
+def _mean_squared_error(pair: inputs.Pair) -> float:
     rows = [_rows(picture) for picture in (pair.reference, pair.test)]
     error = _core.mean_squared_errors(*rows)[0]
     if not math.isfinite(error):

@@ -9,9 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core, _pictures, _progress
-from nearfar._frame import Frame
-from nearfar._pictures import Pair
+from nearfar import _core
+from nearfar._base import check, progress
+from nearfar._metrics import inputs
+from nearfar._metrics.inputs import Pair
+from nearfar._render.frame import Frame
 
 WINDOWS = ("gaussian", "uniform", "global")
 
@@ -54,9 +56,9 @@ class Window(NamedTuple):
         masked: bool = False,
     ) -> Window:
         """ValueError or TypeError for what is out of its domain."""
-        _check.choice("window", window, WINDOWS)
-        _check.choice("convention", convention, CONVENTIONS)
-        _check.choice("masking", masking, MASKINGS)
+        check.choice("window", window, WINDOWS)
+        check.choice("convention", convention, CONVENTIONS)
+        check.choice("masking", masking, MASKINGS)
         least = 2 if convention == "skimage" and window != "global" else 1
         if masking == "windows" and not masked:
             raise ValueError("masking: expected a mask with 'windows', got none")
@@ -65,10 +67,10 @@ class Window(NamedTuple):
             raise ValueError(f"masking: expected 'mean' with convention={convention!r}, which {reason}, got 'windows'")
         return cls(
             window,
-            _check.integer("size", size, least, 10_001),
-            _check.positive("sigma", sigma),
-            _check.positive("k1", k1),
-            _check.positive("k2", k2),
+            check.integer("size", size, least, 10_001),
+            check.positive("sigma", sigma),
+            check.positive("k1", k1),
+            check.positive("k2", k2),
             convention,
         )
 
@@ -161,7 +163,7 @@ def ssim(
     Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13. Masked windows: Knutsson, Westin (1993).
     """
     wanted = Window.checked(window, size, sigma, k1, k2, convention, masking, masked=mask is not None)
-    pair = _pictures.pair(reference, test, data_range)
+    pair = inputs.pair(reference, test, data_range)
     if pair.reference.ndim not in (2, 3):
         raise ValueError(f"reference: expected shape (H, W) or (H, W, C), got {pair.reference.shape}")
     channels = _channels_first(pair)
@@ -215,14 +217,14 @@ def ssim_pairs(
         As in `ssim`, and for axes that do not broadcast.
     """
     wanted = Window.checked(window, size, sigma, k1, k2, convention, masking, masked=masks is not None)
-    first, second = _pictures.stack(references, tests, NAMES)
+    first, second = inputs.stack(references, tests, NAMES)
     for name, array in (("references", first), ("tests", second)):
         if array.ndim < 2 or 0 in array.shape[-2:]:
             raise ValueError(f"{name}: expected shape (..., H, W) with at least one pixel, got {array.shape}")
     if first.shape[-2:] != second.shape[-2:]:
         raise ValueError(f"tests: expected pictures of {first.shape[-2:]} pixels, got {second.shape[-2:]}")
     factor = wanted.shrink(*first.shape[-2:])
-    named = None if masks is None else _pictures.mask_of(masks, "masks")
+    named = None if masks is None else inputs.mask_of(masks, "masks")
     if named is not None and named.shape[-2:] != first.shape[-2:]:
         raise ValueError(f"masks: expected pictures of {first.shape[-2:]} pixels, got shape {named.shape}")
     named = None if named is None else named[..., ::factor, ::factor]
@@ -282,10 +284,10 @@ def ms_ssim(
     Wang, Simoncelli, Bovik (2003), Eq. 7.
     """
     wanted = Window.checked(window, size, sigma, k1, k2)
-    exponents = _check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
+    exponents = check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
     if exponents.ndim != 1 or not len(exponents) or (exponents < 0.0).any():
         raise ValueError(f"weights: expected numbers of at least 0, one for each scale, got {weights!r}")
-    pair = _pictures.pair(reference, test, data_range)
+    pair = inputs.pair(reference, test, data_range)
     if pair.reference.ndim not in (2, 3):
         raise ValueError(f"reference: expected shape (H, W) or (H, W, C), got {pair.reference.shape}")
     channels = _channels_first(pair)
@@ -325,7 +327,7 @@ def visual_continuity(frames: Iterable[ArrayLike | Frame], *, data_range: float 
     for frame in frames:
         # Frames are converted once, not for both of their neighbours; others are copied, because whoever makes them may
         # write the next one into the same memory.
-        current: Any = _pictures.luma(frame) if isinstance(frame, Frame) else np.array(_check.plain("frames", frame))
+        current: Any = inputs.luma(frame) if isinstance(frame, Frame) else np.array(check.plain("frames", frame))
         extent = 1.0 if data_range is None and isinstance(frame, Frame) else data_range
         if last is not None:
             yield ssim(last, current, data_range=extent, window="global")
@@ -341,7 +343,7 @@ def _channels_first(pair: Pair) -> Pair:
 
 def _masks(mask: ArrayLike, shape: tuple[int, ...], window: Window) -> NDArray[np.uint8]:
     """One mask for all channels, of the size of what is compared."""
-    named = _pictures.mask_of(mask)
+    named = inputs.mask_of(mask)
     if named.shape != shape[-2:]:
         raise ValueError(f"mask: expected shape {shape[-2:]}, got {named.shape}")
     factor = window.shrink(*named.shape)
@@ -366,5 +368,5 @@ def _compare(
 
     if pair.reference.size < _LONG:
         return run(None)
-    with _progress.bar("comparing pictures") as report:
+    with progress.bar("comparing pictures") as report:
         return run(report)

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any, SupportsFloat, SupportsIndex, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core, _plot, _progress
-from nearfar._scene import Scene, core_of
+from nearfar import _core
+from nearfar._base import check, plot, progress
+from nearfar._scene.scene import Scene, core_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -63,7 +64,7 @@ class LoadCurve:
         TypeError
             For values that are not numbers.
         """
-        radii = _check.array("r2", r2, columns=None, dtype=np.float64)
+        radii = check.array("r2", r2, columns=None, dtype=np.float64)
         counts = self._core.count(radii.reshape(-1)).reshape(radii.shape)
         return counts if counts.ndim else int(counts)
 
@@ -92,7 +93,7 @@ class LoadCurve:
         TypeError
             For values that are not whole numbers.
         """
-        budgets = _check.array("budget", budget, columns=None, dtype=np.int64)
+        budgets = check.array("budget", budget, columns=None, dtype=np.int64)
         radii = self._core.radius(budgets.reshape(-1)).reshape(budgets.shape)
         return radii if radii.ndim else float(radii)
 
@@ -123,7 +124,7 @@ class LoadCurve:
             raise ValueError("load curve: expected a scene with standing triangles, got none")
         farthest = self._farthest()
         radii = np.geomspace(min(1.0, farthest / 2.0), 1.1 * farthest, SAMPLES)
-        return _plot.load_curve(ax, radii, np.asarray(self.count(radii)), self.triangle_count, published=published)
+        return plot.load_curve(ax, radii, np.asarray(self.count(radii)), self.triangle_count, published=published)
 
     def _farthest(self) -> float:
         """Distance of the farthest triangle; 1 m where all of them lie on the axis."""
@@ -161,7 +162,7 @@ def load_curve(scene: Scene, *, center: ArrayLike) -> LoadCurve:
     ----------
     Popescu, Lee, Choi, Fahmy (2022): triangles within r2 of a Manhattan, which `LoadCurve.plot` marks.
     """
-    middle = _check.vector("center", center)
+    middle = check.vector("center", center)
     core = core_of(scene)
-    with _progress.bar("load curve") as report:
+    with progress.bar("load curve") as report:
         return LoadCurve(_core.LoadCurve(core, center=middle, report=report), middle)

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core, _progress
-from nearfar._scene import Scene, core_of
+from nearfar import _core
+from nearfar._base import check, progress
+from nearfar._scene.scene import Scene, core_of
 
 
 def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, center: ArrayLike) -> NDArray[Any]:
@@ -44,16 +45,16 @@ def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, cente
     Popescu, Lee, Choi, Fahmy (2022): ρ of Eq. 1, measured for triangles instead of vertices, because a large
     triangle around the axis has all of its vertices far away.
     """
-    axis = _check.vector("center", center)
+    axis = check.vector("center", center)
     if faces is None:
-        corners = _check.array("vertices", vertices, columns=None)
+        corners = check.array("vertices", vertices, columns=None)
         if corners.ndim != 3 or corners.shape[1:] != (3, 3):
             raise ValueError(f"vertices: expected shape (F, 3, 3) where faces is None, got {corners.shape}")
         rows, indices = corners.reshape(-1, 3), None
     else:
-        rows = _check.array("vertices", vertices)
-        indices = _check.array("faces", faces, dtype=np.uint32)
-    with _progress.bar("triangle radii") as report:
+        rows = check.array("vertices", vertices)
+        indices = check.array("faces", faces, dtype=np.uint32)
+    with progress.bar("triangle radii") as report:
         return _core.triangle_radii(rows, indices, axis, report)
 
 
@@ -128,7 +129,7 @@ class Partition:
 
     def validate(self) -> None:
         """Measure every triangle anew, without boxes and shortcuts; SceneError where one is in a wrong zone."""
-        with _progress.bar("validate partition") as report:
+        with progress.bar("validate partition") as report:
             self._core.validate(report)
 
     def __repr__(self) -> str:
@@ -167,8 +168,8 @@ def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float) -> Parti
     ----------
     Popescu, Lee, Choi, Fahmy (2022): near, intermediate and far region; by triangle instead of by vertex.
     """
-    near, far = _check.radii(r1, r2)
-    middle = _check.vector("center", center)
-    with _progress.bar("partition") as report:
+    near, far = check.radii(r1, r2)
+    middle = check.vector("center", center)
+    with progress.bar("partition") as report:
         core = _core.Partition(core_of(scene), center=middle, r1=near, r2=far, report=report)
     return Partition(core, middle, near, far)

@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _check, _files, _formats
-from nearfar._envmap import EnvMap
-from nearfar._errors import FormatError
-from nearfar._names import Names
-from nearfar._scene import Scene
+from nearfar._base import check, files, formats
+from nearfar._base.errors import FormatError
+from nearfar._cubemap.envmap import EnvMap
+from nearfar._scene.names import Names
+from nearfar._scene.scene import Scene
 
 NAME, VERSION = "reduced", 1
 NEAR, FAR, DOCUMENT = "near.glb", "far.exr", "reduced.json"
@@ -43,11 +43,11 @@ class Bundle:
 
 def save(path: str | os.PathLike[str], bundle: Bundle, *, half: bool) -> None:
     """Write a folder, whole or not at all; `ReducedScene.save` says what is in it."""
-    from nearfar import _scene_glb  # which needs Pillow
+    from nearfar._scene import glb
 
-    near, target = bundle.near, _check.path("path", path)
+    near, target = bundle.near, check.path("path", path)
     names = near._names.given
-    document = _formats.header(
+    document = formats.header(
         NAME,
         VERSION,
         origin=near.origin.tolist(),
@@ -62,11 +62,11 @@ def save(path: str | os.PathLike[str], bundle: Bundle, *, half: bool) -> None:
         moving=_moving(near),
         object_names=names if isinstance(names, int) else list(names),
     )
-    with _files.atomic_folder(target, marker=DOCUMENT) as folder:
-        (folder / NEAR).write_bytes(_scene_glb.encode(near._core, near.object_names))
+    with files.atomic_folder(target, marker=DOCUMENT) as folder:
+        (folder / NEAR).write_bytes(glb.encode(near._core, near.object_names))
         if bundle.env is not None:
             bundle.env.save(folder / FAR, half=half)
-        (folder / DOCUMENT).write_text(_formats.to_json(document), encoding="utf-8")
+        (folder / DOCUMENT).write_text(formats.to_json(document), encoding="utf-8")
 
 
 def _moving(scene: Scene) -> list[dict[str, Any]]:
@@ -84,20 +84,20 @@ def _moving(scene: Scene) -> list[dict[str, Any]]:
 
 def load(path: str | os.PathLike[str]) -> Bundle:
     """Read a folder; FormatError where a file of it is damaged or too new, OSError where one is missing."""
-    from nearfar import _scene_glb
+    from nearfar._scene import glb
 
-    folder = _check.path("path", path)
-    document = _formats.read_json(folder / DOCUMENT, NAME, VERSION)
+    folder = check.path("path", path)
+    document = formats.read_json(folder / DOCUMENT, NAME, VERSION)
     with _explained(folder / DOCUMENT):
         given = document["object_names"]
         names = Names(given if isinstance(given, int) else tuple(given))
-        center = _check.vector("center", document["center"])
-        near_radius, far_radius = _check.radii(document["r1"], document["r2"])
-        counts = {name: _check.integer(name, document["counts"][name], 0, 2**62) for name in COUNTS}
+        center = check.vector("center", document["center"])
+        near_radius, far_radius = check.radii(document["r1"], document["r2"])
+        counts = {name: check.integer(name, document["counts"][name], 0, 2**62) for name in COUNTS}
         has_map = document["files"]["far"] is not None
     data = (folder / NEAR).read_bytes()
     with _explained(folder / NEAR):
-        core = _scene_glb.decode(data, names)
+        core = glb.decode(data, names)
     with _explained(folder / DOCUMENT):
         frames, rest = _frames(document["moving"], names, core.moving_placements())
         near = Scene(core, names, frames=frames, rest=rest)
@@ -107,8 +107,8 @@ def load(path: str | os.PathLike[str]) -> Bundle:
             center,
             near_radius,
             far_radius,
-            _check.choice("morph", document["morph"], ("blend", "cylinder", "none")),
-            _check.choice("boundary", document["boundary"], ("r1", "r2")),
+            check.choice("morph", document["morph"], ("blend", "cylinder", "none")),
+            check.choice("boundary", document["boundary"], ("r1", "r2")),
             counts,
         )
 

@@ -8,12 +8,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
 
-from nearfar import _backend, _bundle, _check, _core, _envmap, _progress, _render
-from nearfar._envmap import EnvMap
-from nearfar._frame import CHANNELS
-from nearfar._partition import Partition, partition
-from nearfar._reduced import ReducedScene, check_morph
-from nearfar._scene import Scene, core_of
+from nearfar import _core
+from nearfar._base import check, progress
+from nearfar._cubemap import envmap
+from nearfar._cubemap.envmap import EnvMap
+from nearfar._partition.partition import Partition, partition
+from nearfar._reduce import folder
+from nearfar._reduce.reduced_scene import ReducedScene, check_morph
+from nearfar._render import backend as backends
+from nearfar._render import truth
+from nearfar._render.frame import CHANNELS
+from nearfar._scene.scene import Scene, core_of
 
 
 def reduce(
@@ -76,18 +81,18 @@ def reduce(
     Popescu, Lee, Choi, Fahmy (2022): Eq. 1–3 and figure 1. "cylinder" is Alg. 1 of CloVR (2024).
     """
     core_of(scene)
-    check_morph(morph, _check.choice("boundary", boundary, ("r1", "r2")))
-    size = _check.integer("face_size", face_size, 1, 16384)
-    samples = _check.integer("samples", samples, 1, _render.MAX_SAMPLES)
-    wanted = set(_render.channel_names(channels))
-    if unknown := wanted - set(_envmap.CHANNELS):
+    check_morph(morph, check.choice("boundary", boundary, ("r1", "r2")))
+    size = check.integer("face_size", face_size, 1, 16384)
+    samples = check.integer("samples", samples, 1, truth.MAX_SAMPLES)
+    wanted = set(truth.channel_names(channels))
+    if unknown := wanted - set(envmap.CHANNELS):
         listed = ", ".join(name for name in CHANNELS if name in unknown)
-        raise ValueError(f"channels: expected names of {', '.join(_envmap.CHANNELS)}, got {listed}")
-    device = _backend.device_for(backend, scene, (tuple(n for n in CHANNELS if n in wanted), samples))
+        raise ValueError(f"channels: expected names of {', '.join(envmap.CHANNELS)}, got {listed}")
+    device = backends.device_for(backend, scene, (tuple(n for n in CHANNELS if n in wanted), samples))
     half = _half(range_dtype)
     zones = partition(scene, center=center, r1=r1, r2=r2)
     env, rays = _bake(device, scene, zones, boundary, size, samples, wanted, half)
-    counts = {name: count for name, count in (zones.summary() | {"rays": rays}).items() if name in _bundle.COUNTS}
+    counts = {name: count for name, count in (zones.summary() | {"rays": rays}).items() if name in folder.COUNTS}
     return ReducedScene(scene, zones, env, morph=morph, boundary=boundary, counts=counts)
 
 
@@ -106,7 +111,7 @@ def _bake(
     if counts["sf"] == 0 and boundary == "r2":
         return None, 0
     moving = scene._core.triangle_count > scene._core.standing_triangle_count
-    with _progress.bar("baking") as report:
+    with progress.bar("baking") as report:
         settings: Any = {
             "center": zones.center,
             "radius": zones.r1 if boundary == "r1" else zones.r2,
@@ -122,7 +127,7 @@ def _bake(
             faces, rays = device.bake(scene._core, **settings), 0
     shaped = {name: image.reshape(6, size, size, *image.shape[2:]) for name, image in faces.items()}
     if half and "range" in shaped:
-        shaped["range"] = _envmap.to_half(shaped["range"])
+        shaped["range"] = envmap.to_half(shaped["range"])
     names = scene.object_names if "object_id" in shaped else ()
     return EnvMap(zones.center, **shaped, object_names=names), rays
 

@@ -9,13 +9,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _bundle, _check, _core, _envmap, _progress, _render
-from nearfar._camera import Camera
-from nearfar._envmap import EnvMap
-from nearfar._frame import Frame
-from nearfar._painter import Painter, Report, check_camera
-from nearfar._partition import Partition, partition
-from nearfar._scene import Scene
+from nearfar import _core
+from nearfar._base import check, progress
+from nearfar._camera.camera import Camera
+from nearfar._cubemap import envmap
+from nearfar._cubemap.envmap import EnvMap
+from nearfar._partition.partition import Partition, partition
+from nearfar._reduce import folder
+from nearfar._render import truth
+from nearfar._render.frame import Frame
+from nearfar._render.renderer import Painter, Report, check_camera
+from nearfar._scene.scene import Scene
 
 MORPHS = ("blend", "cylinder", "none")
 
@@ -46,7 +50,7 @@ class ReducedScene:
         radius = zones.r1 if boundary == "r1" else zones.r2
         channels = {} if env is None else {name: _rows(getattr(env, name)) for name in env.channels}
         size = 0 if env is None else env.face_size
-        with _progress.bar("gathering near geometry") as report:
+        with progress.bar("gathering near geometry") as report:
             self._core = _core.Reduced(zones._core, morph=morph, boundary=radius, size=size, **channels, report=report)
 
     @property
@@ -189,16 +193,16 @@ class ReducedScene:
         tolerance_px: float | None = None,
     ) -> Painter:
         """How it is seen; None stands for the default images."""
-        _check.choice("method", method, tuple(TOLERANCES))
+        check.choice("method", method, tuple(TOLERANCES))
         if not isinstance(env, bool):
             raise TypeError(f"env: expected True or False, got {type(env).__name__}")
         if not (env or self._is_whole or self._env is None):
             raise ValueError("env: expected True for a loaded scene, whose far geometry was not saved, got False")
-        samples = _check.integer("samples", samples, 1, _render.MAX_SAMPLES)
+        samples = check.integer("samples", samples, 1, truth.MAX_SAMPLES)
         tolerance = (
-            TOLERANCES[method] if tolerance_px is None else _check.number("tolerance_px", tolerance_px, finite=False)
+            TOLERANCES[method] if tolerance_px is None else check.number("tolerance_px", tolerance_px, finite=False)
         )
-        wanted = _render.channel_names(self._default_channels(env) if channels is None else channels)
+        wanted = truth.channel_names(self._default_channels(env) if channels is None else channels)
         settings: Any = {
             "channels": wanted,
             "samples": samples,
@@ -262,7 +266,7 @@ class ReducedScene:
         if self._is_whole:
             near = near.subset(triangles=zones.nsf if self._boundary == "r2" else self._drawn_at_r1())
         settings = (self.center, self.r1, self.r2, self._morph, self._boundary)
-        _bundle.save(path, _bundle.Bundle(near, self._env, *settings, self._counts), half=half)
+        folder.save(path, folder.Bundle(near, self._env, *settings, self._counts), half=half)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> ReducedScene:
@@ -278,7 +282,7 @@ class ReducedScene:
         OSError
             Where a file is missing.
         """
-        saved = _bundle.load(path)
+        saved = folder.load(path)
         return cls(
             saved.near,
             partition(saved.near, center=saved.center, r1=saved.r1, r2=saved.r2),
@@ -295,7 +299,7 @@ class ReducedScene:
         return np.union1d(self._partition.near, moving)
 
     def _default_channels(self, env: bool) -> tuple[str, ...]:
-        return self._env.channels if env and self._env is not None else _envmap.CHANNELS
+        return self._env.channels if env and self._env is not None else envmap.CHANNELS
 
     def __repr__(self) -> str:
         stats = self.stats
@@ -307,7 +311,7 @@ class ReducedScene:
 
 def check_morph(morph: str, boundary: str) -> None:
     """ValueError for a morph that is none, and one that a map from r1 does not reach."""
-    _check.choice("morph", morph, MORPHS)
+    check.choice("morph", morph, MORPHS)
     if boundary == "r1" and morph != "none":
         raise ValueError(f"boundary: expected 'r2' with morph={morph!r}, got 'r1', which only morph='none' knows")
 

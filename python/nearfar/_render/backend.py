@@ -7,8 +7,9 @@ import os
 import weakref
 from collections.abc import Iterator
 
-from nearfar import _check, _core
-from nearfar._errors import DeviceError
+from nearfar import _core
+from nearfar._base import check as checks
+from nearfar._base.errors import DeviceError
 
 BACKENDS = ("auto", "cpu", "gpu")
 VARIABLE = "NEARFAR_ADAPTER"
@@ -27,7 +28,7 @@ _faster: weakref.WeakKeyDictionary[object, dict[tuple[str, Work], bool]] = weakr
 
 def check(backend: str) -> str:
     """Refuse unknown back ends: TypeError or ValueError."""
-    return _check.choice("backend", backend, BACKENDS)
+    return checks.choice("backend", backend, BACKENDS)
 
 
 def device_for(backend: str, source: object, work: Work | None = None) -> _core.GpuDevice | None:

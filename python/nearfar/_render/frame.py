@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _core, _exr, _files, _formats
-from nearfar._camera import Camera, CubeFace, Fov, Orthographic
-from nearfar._errors import FormatError
+from nearfar import _core
+from nearfar._base import exr, files, formats
+from nearfar._base.errors import FormatError
+from nearfar._camera.camera import Camera, CubeFace, Fov, Orthographic
 
 CHANNELS = ("color", "range", "object_id", "face_id", "position", "normal")
 """All images that a frame may hold."""
@@ -102,17 +103,17 @@ class Frame:
             from PIL import Image
 
             image = Image.fromarray(self.to_image())
-            with _files.atomic_file(path) as aside:
+            with files.atomic_file(path) as aside:
                 image.save(aside, format="PNG")
         elif suffix == ".exr":
-            _exr.write(path, {"frame": _exr_channels(self)}, _document(self))
+            exr.write(path, {"frame": _exr_channels(self)}, _document(self))
         else:
             raise ValueError(f"path: expected a name ending in .png or .exr, got {os.fspath(path)!r}")
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Frame:
         """Read what `save` wrote as `.exr`; FormatError for other files and for newer versions."""
-        document, parts = _exr.read(path, "frame", VERSION)
+        document, parts = exr.read(path, "frame", VERSION)
         try:
             channels = parts["frame"]
             camera, origin = _camera(document["camera"]), document["origin"]
@@ -146,7 +147,7 @@ def _exr_channels(frame: Frame) -> dict[str, NDArray[Any]]:
     return channels
 
 
-def _image(name: str, channels: _exr.Channels) -> NDArray[Any] | None:
+def _image(name: str, channels: exr.Channels) -> NDArray[Any] | None:
     """An image from channels; None where they do not hold it."""
     if name in _AXES:
         axes = _AXES[name]
@@ -168,7 +169,7 @@ def _document(frame: Frame) -> dict[str, Any]:
         "bounds": [getattr(fov, side.name) for side in fields(fov)],
         "size": camera.size,
     }
-    return _formats.header("frame", VERSION, origin=list(frame.origin), color_space="linear", camera=view)
+    return formats.header("frame", VERSION, origin=list(frame.origin), color_space="linear", camera=view)
 
 
 def _camera(document: dict[str, Any]) -> Camera:

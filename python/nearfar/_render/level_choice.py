@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nearfar._camera import Camera
-from nearfar._frame import Frame
-from nearfar._leveled import Leveled, Selector, Shown, levels_of
-from nearfar._scene import Scene
+from nearfar._camera.camera import Camera
+from nearfar._render.frame import Frame
+from nearfar._scene.levels import Leveled, Selector, Shown, levels_of
+from nearfar._scene.scene import Scene
 
 Lod = str | Selector | Callable[..., Any] | ArrayLike | Mapping[str, int]
 """A mode, what chooses, or levels as `Scene.at_levels` takes them."""

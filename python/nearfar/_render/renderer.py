@@ -6,10 +6,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from nearfar import _backend, _core, _progress
-from nearfar._camera import Camera
-from nearfar._frame import Frame
-from nearfar._scene import Scene
+from nearfar import _core
+from nearfar._base import progress
+from nearfar._camera.camera import Camera
+from nearfar._render import backend as backends
+from nearfar._render.frame import Frame
+from nearfar._scene.scene import Scene
 
 Report = Callable[[int, int], None] | None
 """Takes how much is done and how much there is."""
@@ -23,7 +25,7 @@ class Painter:
     """What measurements are kept for."""
     scene: Scene
     """What is seen, as it was given."""
-    work: _backend.Work
+    work: backends.Work
     """Images and samples."""
     trace: Callable[[Scene, Camera, Report], dict[str, Any]]
     """Make a picture's images on the CPU."""
@@ -33,17 +35,17 @@ class Painter:
     """Rays are bent, which is done on the CPU alone."""
 
     def device(self, backend: str) -> _core.GpuDevice | None:
-        """Choose where pictures are made: see `_backend.device_for`. What only the CPU does, "auto" leaves to it."""
+        """Choose where pictures are made: see `backends.device_for`. What only the CPU does, "auto" leaves to it."""
         if self.bends:
-            if _backend.check(backend) == "gpu":
+            if backends.check(backend) == "gpu":
                 raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
             return None
-        return _backend.device_for(backend, self.source, self.work)
+        return backends.device_for(backend, self.source, self.work)
 
     def paint(self, scene: Scene, camera: Camera, backend: str) -> Frame:
         """Make one picture."""
         device = self.device(backend)
-        with _progress.bar("rendering") as report:
+        with progress.bar("rendering") as report:
             if device is None:
                 images = self.trace(scene, camera, report)
             else:

@@ -8,14 +8,14 @@ from itertools import repeat
 from numpy.typing import ArrayLike
 
 from nearfar import _core
-from nearfar._camera import Camera
-from nearfar._choice import Choice, Lod, said
-from nearfar._frame import Frame
-from nearfar._leveled import Shown
-from nearfar._painter import Painter
-from nearfar._reduced import ReducedScene
-from nearfar._render import painter
-from nearfar._scene import Scene
+from nearfar._camera.camera import Camera
+from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar._render.frame import Frame
+from nearfar._render.level_choice import Choice, Lod, said
+from nearfar._render.renderer import Painter
+from nearfar._render.truth import painter
+from nearfar._scene.levels import Shown
+from nearfar._scene.scene import Scene
 
 Pose = Mapping[str, ArrayLike]
 

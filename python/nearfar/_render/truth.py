@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from nearfar import _check, _core
-from nearfar._camera import Camera
-from nearfar._choice import Choice, Lod, said
-from nearfar._frame import CHANNELS, Frame
-from nearfar._painter import Painter, Report, check_camera
-from nearfar._scene import Scene, core_of
+from nearfar import _core
+from nearfar._base import check
+from nearfar._camera.camera import Camera
+from nearfar._render.frame import CHANNELS, Frame
+from nearfar._render.level_choice import Choice, Lod, said
+from nearfar._render.renderer import Painter, Report, check_camera
+from nearfar._scene.scene import Scene, core_of
 
 DEFAULTS = ("color", "range", "object_id")
 """Images that are computed where nobody says which."""
@@ -89,7 +90,7 @@ def render(
 def painter(scene: Scene, channels: Iterable[str] | None, samples: int) -> Painter:
     """How a scene is seen as it is; None stands for the default images."""
     core_of(scene)
-    samples = _check.integer("samples", samples, 1, MAX_SAMPLES)
+    samples = check.integer("samples", samples, 1, MAX_SAMPLES)
     wanted = channel_names(DEFAULTS if channels is None else channels)
 
     def trace(scene: Scene, camera: Camera, report: Report) -> dict[str, Any]:
@@ -107,7 +108,7 @@ def channel_names(channels: Iterable[str]) -> list[str]:
         raise TypeError(f"channels: expected a sequence of names such as ({channels!r},), got the string {channels!r}")
     if not isinstance(channels, Iterable):
         raise TypeError(f"channels: expected a sequence of names, got {type(channels).__name__}")
-    names = {_check.choice("channels", name, CHANNELS) for name in channels}
+    names = {check.choice("channels", name, CHANNELS) for name in channels}
     if not names:
         raise ValueError(f"channels: expected at least one of {', '.join(CHANNELS)}, got none")
     return [name for name in CHANNELS if name in names]

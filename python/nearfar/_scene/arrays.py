@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check
+from nearfar._base import check
 
 FARTHEST = 1e30
 """Metres beyond which squares of distances overflow float32's exponents and nothing is drawn."""
@@ -25,7 +25,7 @@ def positions_of(name: str, value: ArrayLike, *, copy: bool = False) -> tuple[ND
     Float32 keeps its bits and has base 0; a C-contiguous array of it is borrowed unless `copy`. Float64 beyond
     32,768 m is stored relative to the centre of its box, so that no digits are lost.
     """
-    array = _check.array(name, value)
+    array = check.array(name, value)
     base = np.zeros(3)
     if array.dtype == np.float32:
         return _own(array, value, copy), base
@@ -42,12 +42,12 @@ def positions_of(name: str, value: ArrayLike, *, copy: bool = False) -> tuple[ND
 
 def faces_of(name: str, value: ArrayLike, *, copy: bool = False) -> NDArray[np.uint32]:
     """Triangles as C-contiguous uint32, borrowed where they are that already and not `copy`."""
-    return _own(_check.array(name, value, dtype=np.uint32), value, copy)
+    return _own(check.array(name, value, dtype=np.uint32), value, copy)
 
 
 def numbers_of(name: str, value: ArrayLike, count: int, limit: int, *, copy: bool = False) -> NDArray[np.int32]:
     """One number below `limit` for each of `count` faces, or -1 for none, as C-contiguous int32."""
-    array = _check.array(name, value, columns=None, dtype=np.int32)
+    array = check.array(name, value, columns=None, dtype=np.int32)
     if array.shape != (count,):
         raise ValueError(f"{name}: expected one number for each of {count} faces, got shape {array.shape}")
     if array.size:
@@ -59,13 +59,13 @@ def numbers_of(name: str, value: ArrayLike, count: int, limit: int, *, copy: boo
 
 def object_count_of(name: str, value: ArrayLike) -> int:
     """Objects that the numbers of faces speak of: the greatest number and one."""
-    array = _check.array(name, value, columns=None, dtype=np.int32)
+    array = check.array(name, value, columns=None, dtype=np.int32)
     return int(array.max()) + 1 if array.size else 0
 
 
 def uvs_of(name: str, value: ArrayLike) -> NDArray[np.float32]:
     """Texture coordinates as C-contiguous float32."""
-    array: NDArray[np.float32] = _check.array(name, value, columns=2, dtype=np.float32)
+    array: NDArray[np.float32] = check.array(name, value, columns=2, dtype=np.float32)
     return array
 
 
@@ -74,7 +74,7 @@ def normals_of(name: str, value: ArrayLike, vertex_count: int, *, copy: bool = F
 
     A C-contiguous array of that is borrowed unless `copy`; rows of other lengths are normalised in a copy.
     """
-    array = _check.array(name, value)
+    array = check.array(name, value)
     if len(array) != vertex_count:
         raise ValueError(f"{name}: expected shape ({vertex_count}, 3), one row for each vertex, got {array.shape}")
     # What is not finite the kernel finds.
@@ -96,7 +96,7 @@ def _unit(rows: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def colors_of(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.uint8]:
     """Take sRGB colours with linear alpha as C-contiguous uint8; three channels become opaque."""
-    array = _check.plain(name, value)
+    array = check.plain(name, value)
     if array.dtype != np.uint8:
         raise TypeError(f"{name}: expected uint8 sRGB colours, got {array.dtype}")
     if array.shape not in {(vertex_count, 3), (vertex_count, 4)}:
@@ -108,7 +108,7 @@ def colors_of(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.uint
 
 def texture_of(name: str, value: ArrayLike) -> NDArray[np.uint8]:
     """Take an sRGB image with linear alpha (H, W, 4), rows from the top, as C-contiguous uint8."""
-    array = _check.plain(name, value)
+    array = check.plain(name, value)
     if array.dtype != np.uint8 or array.ndim != 3 or array.shape[2] != 4 or 0 in array.shape:
         raise ValueError(f"{name}: expected a uint8 image (H, W, 4), got {array.dtype} {array.shape}")
     return np.require(array, np.uint8, ["C_CONTIGUOUS", "ALIGNED"])
@@ -116,7 +116,7 @@ def texture_of(name: str, value: ArrayLike) -> NDArray[np.uint8]:
 
 def transforms_of(name: str, value: ArrayLike) -> NDArray[np.float64]:
     """Matrices object→world (K, 4, 4) or one (4, 4) as float64; finite, the last row 0 0 0 1."""
-    array: NDArray[np.float64] = _check.array(name, value, columns=None, dtype=np.float64, finite=True)
+    array: NDArray[np.float64] = check.array(name, value, columns=None, dtype=np.float64, finite=True)
     if array.ndim not in (2, 3) or array.shape[-2:] != (4, 4):
         raise ValueError(f"{name}: expected a 4x4 matrix object→world, got shape {array.shape}")
     if array.size and np.abs(array).max() > FARTHEST:

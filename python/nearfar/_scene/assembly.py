@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._geometry import (
+from nearfar._scene.arrays import (
     ORIGIN_LIMIT,
     colors_of,
     faces_of,

@@ -16,10 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from nearfar import _check, _core, _glb
-from nearfar._materials import colors_of, to_linear
-from nearfar._names import Names
-from nearfar._version import __version__
+from nearfar import _core
+from nearfar._base import check, glb
+from nearfar._base.version import __version__
+from nearfar._scene.materials import colors_of, to_linear
+from nearfar._scene.names import Names
 
 _IDENTITY = np.eye(4)[:3]
 _NO_OBJECT = -1
@@ -39,7 +40,7 @@ class Encoder:
         self._parts = _core.scene_parts(core)
         self._ids = core.mesh_ids().tolist()
         self._names = names
-        self._writer = _glb.Writer()
+        self._writer = glb.Writer()
         self._meshes: list[dict[str, Any]] = []
         self.nodes: list[dict[str, Any]] = []
         """All nodes so far."""
@@ -177,7 +178,7 @@ class _Streams:
     """Vertices in the order of the groups that use them."""
 
     def __init__(
-        self, writer: _glb.Writer, parts: dict[str, Any], rows: NDArray[np.int64], first: NDArray[np.int64]
+        self, writer: glb.Writer, parts: dict[str, Any], rows: NDArray[np.int64], first: NDArray[np.int64]
     ) -> None:
         self._writer, self._first = writer, first.tolist()
         values: dict[str, NDArray[Any]] = {"POSITION": parts["positions"][rows]}
@@ -213,7 +214,7 @@ class Decoder:
     """Reads what `Encoder` wrote."""
 
     def __init__(self, data: bytes, names: Names) -> None:
-        self._reader = _glb.Reader(data)
+        self._reader = glb.Reader(data)
         self.document = self._reader.document
         """All but the arrays."""
         self._names = names
@@ -230,7 +231,7 @@ class Decoder:
         objects = [self._object(node) if "mesh" in node else _NO_OBJECT for node in children]
         meshes = [self.mesh(node) for node in children]
         return _core.Scene(
-            origin=_check.vector("translation", root.get("translation", (0.0, 0.0, 0.0))),
+            origin=check.vector("translation", root.get("translation", (0.0, 0.0, 0.0))),
             meshes=meshes,
             placements=placements,
             objects=np.array(objects, np.int32),

@@ -9,8 +9,9 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core
-from nearfar._names import Names
+from nearfar import _core
+from nearfar._base import check
+from nearfar._scene.names import Names
 
 
 @runtime_checkable
@@ -208,9 +209,9 @@ def levels_of(argument: str, levels: ArrayLike | Mapping[str, int], leveled: Lev
             raise ValueError(f"{argument}: expected names of objects with levels, got {unknown[0]!r}")
         chosen = np.zeros(len(leveled), np.int64)
         for name, level in levels.items():
-            chosen[place[name]] = _check.integer(f"{argument}['{name}']", level, -1, 2**31 - 1)
+            chosen[place[name]] = check.integer(f"{argument}['{name}']", level, -1, 2**31 - 1)
     else:
-        chosen = _check.array(argument, levels, columns=None, dtype=np.int64)
+        chosen = check.array(argument, levels, columns=None, dtype=np.int64)
     if chosen.shape != (len(leveled),):
         raise ValueError(
             f"{argument}: expected one for each of {len(leveled)} objects with levels, got shape {chosen.shape}"

@@ -17,10 +17,11 @@ from typing import Any
 
 import numpy as np
 
-from nearfar import _check, _from_trimesh, _gltf
-from nearfar._assembly import Assembled
-from nearfar._errors import SceneError
-from nearfar._source import Source, UnusableError, assemble
+from nearfar._base import check
+from nearfar._base.errors import SceneError
+from nearfar._scene import load_gltf, load_trimesh
+from nearfar._scene.assembly import Assembled
+from nearfar._scene.source import Source, UnusableError, assemble
 
 _MOST_UNPACKED = 4 << 30
 """Bytes that a .gz may unpack to."""
@@ -28,8 +29,8 @@ _MOST_UNPACKED = 4 << 30
 
 def load(path: str | os.PathLike[str], *, up: str, on_invalid: str) -> Assembled:
     """Load a file; `nearfar.Scene.load` says how."""
-    _check.choice("up", up, ("x", "y", "z"))
-    _check.choice("on_invalid", on_invalid, ("raise", "drop"))
+    check.choice("up", up, ("x", "y", "z"))
+    check.choice("on_invalid", on_invalid, ("raise", "drop"))
     path = Path(path)
     data = path.read_bytes()  # a missing file, a directory and missing rights are the system's own errors
     label = os.fspath(path)
@@ -55,9 +56,9 @@ def _read(label: str, path: Path, data: bytes) -> Source:
         raise UnusableError("it is empty")
     resolver = trimesh.resolvers.FilePathResolver(os.path.abspath(path))
     if kind in ("glb", "gltf"):
-        return _gltf.read(label, data, kind, resolver)
+        return load_gltf.read(label, data, kind, resolver)
     loaded = _wavefront(data, resolver) if kind == "obj" else _loaded(data, kind, resolver)
-    source = _from_trimesh.read(label, loaded, fresh=True)
+    source = load_trimesh.read(label, loaded, fresh=True)
     if kind == "obj":
         source.notes += _wavefront_losses(data, resolver)
     if len(source.nodes) == 1 and source.nodes[0].object in (path.name, "geometry_0", "geometry"):

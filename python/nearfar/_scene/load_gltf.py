@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from nearfar._materials import Materials, colors_of
-from nearfar._report import count
-from nearfar._source import Node, Shape, Source, UnusableError, world_transforms
+from nearfar._scene.materials import Materials, colors_of
+from nearfar._scene.report import count
+from nearfar._scene.source import Node, Shape, Source, UnusableError, world_transforms
 
 _TRIANGLES, _STRIP = 4, 5
 _FLOAT = 5126

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._materials import BaseColor, Materials, colors_of, to_linear
-from nearfar._report import count
-from nearfar._source import Node, Shape, Source, world_transforms
+from nearfar._scene.materials import BaseColor, Materials, colors_of, to_linear
+from nearfar._scene.report import count
+from nearfar._scene.source import Node, Shape, Source, world_transforms
 
 if TYPE_CHECKING:
     import trimesh

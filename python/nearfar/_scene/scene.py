@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core
-from nearfar._assembly import Assembled, Assembly
-from nearfar._geometry import object_count_of, transforms_of
-from nearfar._leveled import Leveled, LevelTable, given, levels_of, with_levels
-from nearfar._names import Names, names_of
-from nearfar._report import Report
-from nearfar._scene_parts import core_of_parts, parts_of
+from nearfar import _core
+from nearfar._base import check
+from nearfar._scene.arrays import object_count_of, transforms_of
+from nearfar._scene.assembly import Assembled, Assembly
+from nearfar._scene.levels import Leveled, LevelTable, given, levels_of, with_levels
+from nearfar._scene.names import Names, names_of
+from nearfar._scene.report import Report
+from nearfar._scene.serialize import core_of_parts, parts_of
 
 if TYPE_CHECKING:
     import trimesh
@@ -80,9 +81,9 @@ class Scene:
         OSError
             A file that cannot be opened.
         """
-        from nearfar import _load
+        from nearfar._scene import load
 
-        return cls._from_assembled(_load.load(path, up=up, on_invalid=on_invalid))
+        return cls._from_assembled(load.load(path, up=up, on_invalid=on_invalid))
 
     @classmethod
     def from_trimesh(
@@ -105,10 +106,11 @@ class Scene:
         TypeError
             Anything else than a mesh or a scene.
         """
-        from nearfar import _from_trimesh, _source
+        from nearfar._scene import load_trimesh
+        from nearfar._scene import source as sources
 
-        source = _from_trimesh.read("trimesh object", loaded)
-        return cls._from_assembled(_source.assemble(source, up=up, on_invalid=on_invalid))
+        source = load_trimesh.read("trimesh object", loaded)
+        return cls._from_assembled(sources.assemble(source, up=up, on_invalid=on_invalid))
 
     @classmethod
     def from_arrays(
@@ -364,7 +366,7 @@ class Scene:
         if objects is not None:
             flags = self._names.flags("objects", objects)
             return self._derived(self._core.subset_of_objects(flags), self._rest[flags[owner]], self._table)
-        mask = self._triangle_mask(_check.plain("triangles", triangles))  # type: ignore[arg-type]  # not None here
+        mask = self._triangle_mask(check.plain("triangles", triangles))  # type: ignore[arg-type]  # not None here
         before = np.concatenate([[0], np.cumsum(mask)])[self._core.triangle_offsets()]
         remains = np.diff(before)[self._core.instance_count - len(owner) :] > 0
         return self._derived(self._core.subset_of_triangles(mask), self._rest[remains])

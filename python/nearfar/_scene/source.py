@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _check
-from nearfar._assembly import Assembled, Assembly
-from nearfar._errors import SceneError
-from nearfar._materials import PLAIN, UNCOLORED, BaseColor
-from nearfar._report import count
+from nearfar._base import check
+from nearfar._base.errors import SceneError
+from nearfar._scene.assembly import Assembled, Assembly
+from nearfar._scene.materials import PLAIN, UNCOLORED, BaseColor
+from nearfar._scene.report import count
 
 _UP = {
     "x": np.array([[0.0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
@@ -80,8 +80,8 @@ def world_transforms(
 
 def assemble(source: Source, *, up: str, on_invalid: str) -> Assembled:
     """Put a scene's parts together: one pass over the source's meshes."""
-    _check.choice("up", up, _UP)
-    _check.choice("on_invalid", on_invalid, ("raise", "drop"))
+    check.choice("up", up, _UP)
+    check.choice("on_invalid", on_invalid, ("raise", "drop"))
     nodes, flaws = _usable_nodes(source)
     used = {node.shape for node in nodes}
     shapes = {name: shape for name, shape in source.shapes.items() if name in used}

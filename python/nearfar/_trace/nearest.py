@@ -7,8 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core, _progress
-from nearfar._scene import Scene, core_of
+from nearfar import _core
+from nearfar._base import check, progress
+from nearfar._scene.scene import Scene, core_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,9 +62,9 @@ def nearest_points(scene: Scene, points: ArrayLike, *, facing: ArrayLike | None 
     Roussopoulos, Kelley, Vincent (1995): Nearest neighbor queries, for the search. Ericson (2005).
     """
     core = core_of(scene)
-    places = _check.array("points", points)
-    directions = None if facing is None else _check.array("facing", facing, dtype=np.float32, finite=True)
+    places = check.array("points", points)
+    directions = None if facing is None else check.array("facing", facing, dtype=np.float32, finite=True)
     if directions is not None and directions.shape != places.shape:
         raise ValueError(f"facing: expected shape {places.shape} as points has, got {directions.shape}")
-    with _progress.bar("looking for nearest points") as report:
+    with progress.bar("looking for nearest points") as report:
         return Nearest(*_core.nearest_points(core, places, facing=directions, report=report))

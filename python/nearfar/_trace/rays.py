@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core, _progress
-from nearfar._scene import Scene, core_of
+from nearfar import _core
+from nearfar._base import check, progress
+from nearfar._scene.scene import Scene, core_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,12 +86,12 @@ def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max:
     Meister, Bittner (2018): Parallel locally-ordered clustering for bounding volume hierarchy construction.
     """
     core = core_of(scene)
-    rays = _check.array("directions", directions)
-    starts = _check.plain("origins", origins)
-    starts = _check.array("origins", starts[None] if starts.shape == (3,) else starts)
+    rays = check.array("directions", directions)
+    starts = check.plain("origins", origins)
+    starts = check.array("origins", starts[None] if starts.shape == (3,) else starts)
     if len(starts) != len(rays) and np.ndim(origins) != 1:
         raise ValueError(f"origins: expected shape (3,) or {rays.shape} as directions has, got {starts.shape}")
-    limit = float(np.inf) if t_max == np.inf else _check.positive("t_max", t_max)
-    with _progress.bar("casting rays") as report:
+    limit = float(np.inf) if t_max == np.inf else check.positive("t_max", t_max)
+    with progress.bar("casting rays") as report:
         t_hit, triangle_index, object_id, barycentric = _core.cast_rays(core, starts, rays, limit, report)
     return Hits(t_hit, triangle_index, object_id, barycentric, starts, rays)

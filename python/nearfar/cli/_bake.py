@@ -9,7 +9,8 @@ from typing import Annotated
 import typer
 
 import nearfar as nf
-from nearfar import _check, _formats
+from nearfar._base import check, formats
+from nearfar._trace.viewpoint import choose
 from nearfar.cli._options import (
     Backend,
     Center,
@@ -26,7 +27,6 @@ from nearfar.cli._options import (
     read_point,
 )
 from nearfar.cli._output import bytes_text, check_target, count, metres, show
-from nearfar.cli._place import choose
 
 VERSION = 1
 
@@ -47,7 +47,7 @@ def bake(
     as_json: Json = False,
 ) -> None:
     """Bake what lies beyond r2 into a cube map seen from the centre."""
-    _check.radii(r1, r2)
+    check.radii(r1, r2)
     check_backend(backend)
     middle = read_point("--center", center)
     check_target(output, ".exr")
@@ -70,7 +70,7 @@ def bake(
     if reduced.env is None:
         raise ValueError(f"r2: expected less, there is nothing beyond {r2:g} m to bake")
     reduced.env.save(output)
-    document = _formats.header("bake", VERSION, color_space="linear") | {
+    document = formats.header("bake", VERSION, color_space="linear") | {
         "source": scene,
         "file": str(output),
         "center": list(middle),

@@ -12,8 +12,10 @@ import typer
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar import _check, _files, _formats
-from nearfar.cli import _comparison, _report
+from nearfar._base import check as checks
+from nearfar._base import files, formats
+from nearfar._trace.viewpoint import Place, ahead, choose, open_direction, walk
+from nearfar.cli import _comparison_page, _report
 from nearfar.cli._options import (
     Backend,
     Center,
@@ -34,7 +36,6 @@ from nearfar.cli._options import (
 )
 from nearfar.cli._output import Clock, count, metres, show
 from nearfar.cli._partition import curve_points
-from nearfar.cli._place import Place, ahead, choose, open_direction, walk
 from nearfar.cli._render import camera
 
 VERSION = 1
@@ -97,10 +98,10 @@ def compare(
 
     Ends with status 3 where a threshold is broken.
     """
-    _check.radii(r1, r2)
+    checks.radii(r1, r2)
     check_backend(backend)
     thresholds = [
-        Threshold(option, measure, _check.number(option, limit), least)
+        Threshold(option, measure, checks.number(option, limit), least)
         for option, measure, limit, least in (
             ("--min-psnr", "psnr", min_psnr, True),
             ("--min-ssim", "ssim", min_ssim, True),
@@ -111,9 +112,9 @@ def compare(
     ]
     pixels, middle = read_size("--size", size), read_point("--center", center)
     eye, aim = read_point("--user", user), read_point("--target", target)
-    beside, clock = _check.positive("--distance", distance), Clock()
+    beside, clock = checks.positive("--distance", distance), Clock()
     output.parent.mkdir(parents=True, exist_ok=True)
-    with _files.atomic_folder(output, marker="compare.json") as folder:
+    with files.atomic_folder(output, marker="compare.json") as folder:
         with clock.step("scene"):
             loaded = open_scene(scene, up=up, on_invalid=on_invalid)
         with clock.step("place"):
@@ -130,10 +131,10 @@ def compare(
             _report.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
             plotted = _report.save_curve(folder, curve, r2)
             if plotted:
-                _comparison.save_heat_maps(folder, {name: maps[name] for name in values})
+                _comparison_page.save_heat_maps(folder, {name: maps[name] for name in values})
         margin = nf.fold_margin(eye, center=place.eye, r1=r1, r2=r2)
         checked = [threshold.check(values["continuous"]) for threshold in thresholds]
-        document = _formats.header("compare", VERSION, origin=[float(v) for v in loaded.origin], color_space="sRGB") | {
+        document = formats.header("compare", VERSION, origin=[float(v) for v in loaded.origin], color_space="sRGB") | {
             "source": scene,
             "triangles": int(loaded.triangle_count),
             "triangles_left": int(reduced.stats["drawn"]),
@@ -153,7 +154,7 @@ def compare(
             "seconds": clock.seconds,
             "files": sorted([path.name for path in folder.iterdir()] + ["compare.json", "report.html", "report.md"]),
         }
-        _comparison.save(folder, document)
+        _comparison_page.save(folder, document)
     if not plotted:
         typer.echo("nearfar: left plots out, because matplotlib is not installed", err=True)
     show(document, _rows(document, output), title=scene, as_json=as_json)
@@ -219,8 +220,8 @@ def measure(
 def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     pictures = document["pictures"]
     both = [
-        (label, " → ".join(_comparison.text(pictures[name][key]) for name in ("conventional", "continuous")))
-        for key, label in _comparison.MEASURES.items()
+        (label, " → ".join(_comparison_page.text(pictures[name][key]) for name in ("conventional", "continuous")))
+        for key, label in _comparison_page.MEASURES.items()
     ]
     return [
         ("triangles", f"{count(document['triangles'])} → {count(document['triangles_left'])}"),

@@ -10,7 +10,8 @@ import typer
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar import _check, _files, _formats
+from nearfar._base import check, files, formats
+from nearfar._trace.viewpoint import Place, ahead, choose, open_direction, walk
 from nearfar.cli import _report
 from nearfar.cli._options import (
     Backend,
@@ -31,7 +32,6 @@ from nearfar.cli._options import (
 )
 from nearfar.cli._output import Clock, bytes_text, count, metres, show
 from nearfar.cli._partition import curve_points
-from nearfar.cli._place import Place, ahead, choose, open_direction, walk
 from nearfar.cli._render import camera
 
 VERSION = 1
@@ -59,11 +59,11 @@ def demo(
     as_json: Json = False,
 ) -> None:
     """Make a scene light: pictures of truth, conventional and continuous, the load curve, and a report."""
-    _check.radii(r1, r2)
+    check.radii(r1, r2)
     check_backend(backend)
     clock, pixels, middle = Clock(), read_size("--size", size), read_point("--center", center)
     output.parent.mkdir(parents=True, exist_ok=True)
-    with _files.atomic_folder(output, marker="report.json") as folder:
+    with files.atomic_folder(output, marker="report.json") as folder:
         with clock.step("scene"):
             loaded = open_scene(scene, up=up, on_invalid=on_invalid)
         with clock.step("place"):
@@ -131,7 +131,7 @@ def describe(
 ) -> dict[str, Any]:
     """Document of a demo; schema "report", less the settings."""
     left = int(reduced.stats["drawn"])
-    return _formats.header("report", VERSION, origin=[float(v) for v in scene.origin], color_space="sRGB") | {
+    return formats.header("report", VERSION, origin=[float(v) for v in scene.origin], color_space="sRGB") | {
         "source": source,
         "triangles": int(scene.triangle_count),
         "triangles_left": left,

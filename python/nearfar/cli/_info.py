@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import typer
 
 import nearfar as nf
-from nearfar import _formats
+from nearfar._base import formats
 from nearfar.cli._options import INPUT, Invalid, Json, Up, open_scene
 from nearfar.cli._output import count, metres, show
 
@@ -30,7 +30,7 @@ def info(
         if not gpu:
             raise typer.BadParameter("expected a scene, or --gpu", param_hint="--input")
         found = describe_adapters()
-        document = _formats.header("adapters", VERSION) | found
+        document = formats.header("adapters", VERSION) | found
         show(document, _adapter_rows(found), title="graphics adapters", as_json=as_json)
         return
     started = time.perf_counter()
@@ -85,7 +85,7 @@ def _after(note: str) -> str:
 
 def describe(scene: nf.Scene, source: str, seconds: float) -> dict[str, Any]:
     """Document of a scene; schema "info"."""
-    return _formats.header("info", VERSION, origin=[float(value) for value in scene.origin]) | {
+    return formats.header("info", VERSION, origin=[float(value) for value in scene.origin]) | {
         "source": source,
         "triangles": int(scene.triangle_count),
         "objects": len(scene.object_names),

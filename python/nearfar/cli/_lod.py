@@ -10,7 +10,7 @@ from typing import Annotated, Any
 import typer
 
 import nearfar as nf
-from nearfar import _formats
+from nearfar._base import formats
 from nearfar.cli._options import Backend, Input, Invalid, Json, Up, check_backend, open_scene
 from nearfar.cli._output import bytes_text, check_target, count, show
 
@@ -95,7 +95,7 @@ def describe(model: nf.lod.LodModel, switches: nf.lod.Switches) -> dict[str, Any
     statuses = [None, *model.curves.status.tolist()]
     never = switches.solid_angle == 0
     geometry = model.levels or ()
-    return _formats.header("levels", VERSION) | {
+    return formats.header("levels", VERSION) | {
         "name": model.name,
         "radius": float(model.radius),
         "levels": [

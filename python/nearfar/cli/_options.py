@@ -11,7 +11,7 @@ from typing import Annotated
 import typer
 
 import nearfar as nf
-from nearfar import _check
+from nearfar._base import check
 
 Point = tuple[float, float, float]
 
@@ -76,7 +76,7 @@ Json = Annotated[bool, typer.Option("--json", help="Print a JSON document instea
 
 def check_backend(text: str) -> None:
     """Refuse other back ends before the work starts."""
-    _check.choice("--backend", text, ("auto", "cpu", "gpu"))
+    check.choice("--backend", text, ("auto", "cpu", "gpu"))
 
 
 def open_scene(text: str, *, up: str = "y", on_invalid: str = "raise") -> nf.Scene:

@@ -11,7 +11,7 @@ from typing import Any
 
 import typer
 
-from nearfar import _files, _formats
+from nearfar._base import files, formats
 
 
 @dataclass
@@ -31,7 +31,7 @@ class Clock:
 def show(document: dict[str, Any], rows: Iterable[tuple[str, str]], *, title: str, as_json: bool) -> None:
     """Print a document on standard output: as JSON, or its rows as a table."""
     if as_json:
-        typer.echo(_formats.to_json(document), nl=False)
+        typer.echo(formats.to_json(document), nl=False)
         return
     from rich import box
     from rich.console import Console
@@ -49,7 +49,7 @@ def check_target(path: Path, *suffixes: str) -> None:
     """Refuse a place that cannot be written, or a name of another kind, before the work starts."""
     if path.suffix.lower() not in suffixes:
         raise ValueError(f"{path}: expected a name ending in {' or '.join(suffixes)}")
-    with contextlib.suppress(_Tried), _files.atomic_file(path):
+    with contextlib.suppress(_Tried), files.atomic_file(path):
         raise _Tried
 
 
@@ -59,8 +59,8 @@ class _Tried(Exception):  # noqa: N818
 
 def write_json(path: Path, document: dict[str, Any]) -> None:
     """Write a document whole or not at all."""
-    with _files.atomic_file(path) as aside:
-        aside.write_text(_formats.to_json(document), encoding="utf-8")
+    with files.atomic_file(path) as aside:
+        aside.write_text(formats.to_json(document), encoding="utf-8")
 
 
 def count(value: int) -> str:

@@ -8,10 +8,10 @@ from typing import Annotated, Any
 import typer
 
 import nearfar as nf
-from nearfar import _check, _formats
+from nearfar._base import check, formats
+from nearfar._trace.viewpoint import choose
 from nearfar.cli._options import Center, Inner, Input, Invalid, Json, Outer, Point, Up, open_scene, read_point
 from nearfar.cli._output import check_target, count, metres, show, write_json
-from nearfar.cli._place import choose
 
 VERSION = 1
 
@@ -36,7 +36,7 @@ def partition(
     as_json: Json = False,
 ) -> None:
     """Split a scene near-far and say how light it becomes, at these radii and along the load curve."""
-    _check.radii(r1, r2)
+    check.radii(r1, r2)
     if output:
         check_target(output, ".json")
     loaded = open_scene(scene, up=up, on_invalid=on_invalid)
@@ -61,7 +61,7 @@ def describe(scene: nf.Scene, source: str, center: Point, r1: float, r2: float) 
     """Document of a partition; schema "partition"."""
     parts = nf.partition(scene, center=center, r1=r1, r2=r2)
     curve = nf.load_curve(scene, center=center)
-    return _formats.header("partition", VERSION, origin=[float(value) for value in scene.origin]) | {
+    return formats.header("partition", VERSION, origin=[float(value) for value in scene.origin]) | {
         "source": source,
         "center": list(center),
         "r1": r1,

@@ -10,7 +10,8 @@ from typing import Annotated
 import typer
 
 import nearfar as nf
-from nearfar import _check, _formats
+from nearfar._base import check, formats
+from nearfar._trace.viewpoint import choose, open_direction
 from nearfar.cli._options import (
     Backend,
     Center,
@@ -30,7 +31,6 @@ from nearfar.cli._options import (
     read_size,
 )
 from nearfar.cli._output import bytes_text, check_target, metres, show
-from nearfar.cli._place import choose, open_direction
 
 VERSION = 1
 
@@ -67,7 +67,7 @@ def render(
     as_json: Json = False,
 ) -> None:
     """Render a scene from one eye to a PNG or EXR file."""
-    _check.radii(r1, r2)
+    check.radii(r1, r2)
     check_backend(backend)
     if method != "truth" and method not in MORPHS:
         raise ValueError(f"--method: expected truth, continuous or conventional, got {method!r}")
@@ -90,7 +90,7 @@ def render(
         frame = reduced.render(view, samples=samples, channels=("color",))
     seconds = time.perf_counter() - started
     frame.save(output)
-    document = _formats.header("render", VERSION, color_space="sRGB" if output.suffix == ".png" else "linear") | {
+    document = formats.header("render", VERSION, color_space="sRGB" if output.suffix == ".png" else "linear") | {
         "source": scene,
         "file": str(output),
         "bytes": output.stat().st_size,

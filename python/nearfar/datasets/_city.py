@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from nearfar import _check
-from nearfar._scene import Scene
+from nearfar._base import check
+from nearfar._scene.scene import Scene
 from nearfar.datasets import _ground as streets
 from nearfar.datasets import _layout as layout
 from nearfar.datasets._buildings import Kind, building
@@ -51,9 +51,9 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2) -> Scene:
     ValueError
         For numbers out of range.
     """
-    blocks = _check.integer("blocks", blocks, 1, _MOST_BLOCKS)
-    seed = _check.integer("seed", seed, 0, _SEEDS - 1)
-    detail = _check.integer("detail", detail, 0, 3)
+    blocks = check.integer("blocks", blocks, 1, _MOST_BLOCKS)
+    seed = check.integer("seed", seed, 0, _SEEDS - 1)
+    detail = check.integer("detail", detail, 0, 3)
     stage, grid = Stage(), Grid.of(blocks)
     stage.once(streets.ground(grid, seed, detail), "ground")
     built = layout.plots(grid, seed)

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _check
-from nearfar._scene import Scene
+from nearfar._base import check
+from nearfar._scene.scene import Scene
 from nearfar.datasets import _vegetation as vegetation
 from nearfar.datasets._draw import Draw, Floats, turn
 from nearfar.datasets._palette import material, materials
@@ -85,9 +85,9 @@ def forest(trees: int = 6000, seed: int = 0, detail: int = 2) -> Scene:
     ValueError
         For numbers out of range.
     """
-    trees = _check.integer("trees", trees, 1, _MOST_TREES)
-    seed = _check.integer("seed", seed, 0, 2**63 - 1)
-    detail = _check.integer("detail", detail, 0, 3)
+    trees = check.integer("trees", trees, 1, _MOST_TREES)
+    seed = check.integer("seed", seed, 0, 2**63 - 1)
+    detail = check.integer("detail", detail, 0, 3)
     stage, land = Stage(), Land.of(trees, seed)
     stage.once(_surface(land, detail), "land")
     _plant(stage, land, trees, seed, detail)

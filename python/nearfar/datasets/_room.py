@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from nearfar import _check
-from nearfar._scene import Scene
+from nearfar._base import check
+from nearfar._scene.scene import Scene
 from nearfar.datasets import _facade as facade
 from nearfar.datasets import _furnishings as furnishings
 from nearfar.datasets import _textures as textures
@@ -48,8 +48,8 @@ def room(seed: int = 0, detail: int = 2) -> Scene:
     ValueError
         For numbers out of range.
     """
-    seed = _check.integer("seed", seed, 0, 2**63 - 1)
-    detail = _check.integer("detail", detail, 0, 3)
+    seed = check.integer("seed", seed, 0, 2**63 - 1)
+    detail = check.integer("detail", detail, 0, 3)
     stage = Stage()
     stage.once(_shell(), "walls")
     stage.once(_frames(), "windows")

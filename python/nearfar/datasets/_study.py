@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _check
-from nearfar._scene import Scene
+from nearfar._base import check
+from nearfar._scene.scene import Scene
 from nearfar.datasets._draw import Draw
 from nearfar.datasets._palette import material, materials
 from nearfar.datasets._shapes import Soup, boxes, quads, sphere, triangles
@@ -89,7 +89,7 @@ class SphereTask:
 
     def position(self, t: float) -> NDArray[np.float64]:
         """Return where the ball's middle is after `t` seconds, (3,); it rests before it starts and after it lands."""
-        time = min(max(_check.number("t", t), 0.0), self.duration)
+        time = min(max(check.number("t", t), 0.0), self.duration)
         fall = np.array([0.0, 0.5 * _GRAVITY * time * time, 0.0])
         return np.asarray(np.array(self.start) + time * np.array(self.velocity) - fall)
 
@@ -193,8 +193,8 @@ def sphere_task(seed: int = 0, boxes: int = 7) -> tuple[Scene, SphereTask]:
 
 def _row(name: str, seed: int, count: int, stream: int, spacing: float) -> tuple[Draw, NDArray[np.float64], int]:
     """Random numbers, places along x about the middle, and which of them is the answer."""
-    seed = _check.integer("seed", seed, 0, 2**63 - 1)
-    count = _check.integer(name, count, 2, _MOST)
+    seed = check.integer("seed", seed, 0, 2**63 - 1)
+    count = check.integer(name, count, 2, _MOST)
     draw = Draw(seed, stream)
     places = np.asarray(spacing * (np.arange(count) - 0.5 * (count - 1)), np.float64)
     return draw, places, int(draw.integers(1, count)[0])

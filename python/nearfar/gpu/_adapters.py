@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from nearfar import _backend
+from nearfar._render import backend as backends
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ def adapters() -> list[Adapter]:
     """
     return [
         Adapter(name, backend, kind, driver, not refused, refused, largest_binding, largest_image)
-        for name, backend, kind, driver, refused, largest_binding, largest_image in _backend.adapters()
+        for name, backend, kind, driver, refused, largest_binding, largest_image in backends.adapters()
     ]
 
 
@@ -65,7 +65,7 @@ def selected() -> Adapter:
     DeviceError
         Where no adapter can be used; says what was found and what to install.
     """
-    label = _backend.opened().label
+    label = backends.opened().label
     return next(adapter for adapter in adapters() if adapter.label == label)
 
 
@@ -91,8 +91,8 @@ def select(adapter: str | None) -> None:
         if not adapter.strip():
             raise ValueError("adapter: expected a back end or a part of a name, got nothing; None selects the best one")
         adapter = adapter.strip()
-        _backend.opened(adapter)
-    _backend.select(adapter)
+        backends.opened(adapter)
+    backends.select(adapter)
 
 
 def stats() -> dict[str, int]:
@@ -110,4 +110,4 @@ def stats() -> dict[str, int]:
         Where no adapter can be used.
     """
     names = ("allocations", "allocated_bytes", "uploaded_bytes", "triangles")
-    return dict(zip(names, _backend.opened().counters(), strict=True))
+    return dict(zip(names, backends.opened().counters(), strict=True))

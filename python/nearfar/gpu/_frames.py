@@ -6,13 +6,15 @@ from collections.abc import Iterable, Mapping
 
 from numpy.typing import ArrayLike
 
-from nearfar import _backend, _core, _progress
-from nearfar._camera import Camera
-from nearfar._frame import CHANNELS, Frame
-from nearfar._painter import check_camera
-from nearfar._path import painter_of
-from nearfar._reduced import ReducedScene
-from nearfar._scene import Scene
+from nearfar import _core
+from nearfar._base import progress
+from nearfar._camera.camera import Camera
+from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar._render import backend as backends
+from nearfar._render.frame import CHANNELS, Frame
+from nearfar._render.renderer import check_camera
+from nearfar._render.sequence import painter_of
+from nearfar._scene.scene import Scene
 
 
 class DeviceFrame:
@@ -46,7 +48,7 @@ class DeviceFrame:
 
     def read(self) -> Frame:
         """Read the images back; each time anew. DeviceError where the device was lost."""
-        with _progress.bar("reading a frame") as report:
+        with progress.bar("reading a frame") as report:
             images = self._core.read(report)
         return Frame(self._camera, self._origin, **images)
 
@@ -95,7 +97,7 @@ def render(
     check_camera(camera)
     painter = painter_of(source, channels, samples)
     scene = painter.scene if at is None else painter.scene.at(at)
-    device = _backend.opened()
-    with _progress.bar("drawing") as report:
+    device = backends.opened()
+    with progress.bar("drawing") as report:
         core = _core.gpu_keep(painter.begin(device, scene, camera, report))
     return DeviceFrame(core, camera, scene._core.origin, painter.work[0])

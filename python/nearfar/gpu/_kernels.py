@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _backend, _check, _core, _progress
-from nearfar._camera import Camera
+from nearfar import _core
+from nearfar._base import check, progress
+from nearfar._camera.camera import Camera
 from nearfar._morph import KINDS, radii_of
+from nearfar._render import backend as backends
 from nearfar.gpu._frames import DeviceFrame
 
 WINDOWS = ("gaussian", "uniform")
@@ -62,8 +64,8 @@ def ssim(
     ----------
     Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13.
     """
-    _check.choice("window", window, WINDOWS)
-    taps, deviation = _check.integer("size", size, 1, LARGEST), _check.positive("sigma", sigma)
+    check.choice("window", window, WINDOWS)
+    taps, deviation = check.integer("size", size, 1, LARGEST), check.positive("sigma", sigma)
     for name, frame in (("reference", reference), ("test", test)):
         _frame(name, frame).require("color")
     settings: dict[str, Any] = {"window": window, "size": taps, "sigma": deviation}
@@ -113,12 +115,12 @@ def discontinuity(
     camera = frame.camera if truth_camera is None else truth_camera
     if not isinstance(camera, Camera):
         raise TypeError(f"truth_camera: expected a Camera, got {type(camera).__name__}")
-    with _progress.bar("measuring discontinuity") as report:
+    with progress.bar("measuring discontinuity") as report:
         flat = _core.gpu_discontinuity(
             frame._core,
             camera=camera._core,
-            epsilon=_check.positive("epsilon", epsilon),
-            min_distance=_check.positive("min_distance", min_distance),
+            epsilon=check.positive("epsilon", epsilon),
+            min_distance=check.positive("min_distance", min_distance),
             report=report,
         )
     width, height = frame.camera.size
@@ -155,13 +157,13 @@ def morph(
     ----------
     Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3; CloVR (2024), Alg. 1.
     """
-    _check.choice("kind", kind, KINDS)
+    check.choice("kind", kind, KINDS)
     near, far = radii_of(r1, r2, kind)
     given = _single("points", points, "nearfar.morph")
-    rows = _check.array("points", given)
+    rows = check.array("points", given)
     shown = np.empty_like(rows)
-    place = {"user": _check.vector("user", user), "center": _check.vector("center", center)}
-    _core.gpu_morph(_backend.opened(), rows, shown, **place, r1=near, r2=far, kind=kind)
+    place = {"user": check.vector("user", user), "center": check.vector("center", center)}
+    _core.gpu_morph(backends.opened(), rows, shown, **place, r1=near, r2=far, kind=kind)
     return shown
 
 
@@ -195,7 +197,7 @@ def cube_lookup(
     DeviceError
         For faces that are too large to be read at a time, and where the device was lost or has no memory left.
     """
-    _check.choice("filter", filter, FILTERS)
+    check.choice("filter", filter, FILTERS)
     maps = np.require(_single("faces", faces, "nearfar.cube_lookup"), None, ["C", "A"])
     if maps.ndim not in (3, 4) or maps.shape[0] != 6 or maps.shape[1] != maps.shape[2] or maps.shape[1] == 0:
         raise ValueError(f"faces: expected shape (6, S, S) or (6, S, S, C), got {maps.shape}")
@@ -204,7 +206,7 @@ def cube_lookup(
         raise ValueError(f"directions: expected shape (..., 3), got {along.shape}")
     rows, deep = along.reshape(-1, 3), maps.reshape(*maps.shape[:3], -1) if maps.ndim == 4 else maps[..., None]
     values = np.empty((len(rows), deep.shape[3]), np.float32)
-    _core.gpu_cube_lookup(_backend.opened(), (np.ascontiguousarray(deep), values), rows, filter)
+    _core.gpu_cube_lookup(backends.opened(), (np.ascontiguousarray(deep), values), rows, filter)
     return values.reshape(along.shape[:-1] + maps.shape[3:])
 
 
@@ -216,7 +218,7 @@ def _frame(name: str, frame: DeviceFrame) -> DeviceFrame:
 
 def _single(name: str, values: ArrayLike, other: str) -> NDArray[Any]:
     """An array of float32 in native byte order; others would lose digits or take twice the way."""
-    given = _check.plain(name, values)
+    given = check.plain(name, values)
     if given.dtype.newbyteorder("=") != np.float32:
         raise TypeError(f"{name}: expected float32, got {given.dtype}; {other} takes other numbers")
     return given.astype(np.float32, copy=False)

@@ -5,12 +5,12 @@ from __future__ import annotations
 import time
 from collections.abc import Iterable
 
-from nearfar import _backend
-from nearfar._camera import Camera
-from nearfar._painter import check_camera
-from nearfar._path import painter_of
-from nearfar._reduced import ReducedScene
-from nearfar._scene import Scene
+from nearfar._camera.camera import Camera
+from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar._render import backend as backends
+from nearfar._render.renderer import check_camera
+from nearfar._render.sequence import painter_of
+from nearfar._scene.scene import Scene
 
 ROUNDS = 3
 """Pictures that are timed, after one that is not."""
@@ -48,7 +48,7 @@ def measure(
     """
     check_camera(camera)
     painter = painter_of(source, channels, samples)
-    label = _backend.opened().label
+    label = backends.opened().label
     taken: dict[str, list[float]] = {"cpu": [], "gpu": []}
     for _ in range(ROUNDS + 1):
         for backend, seconds in taken.items():
@@ -56,5 +56,5 @@ def measure(
             painter.paint(painter.scene, camera, backend)
             seconds.append(time.perf_counter() - started)
     least = {backend: min(seconds[1:]) for backend, seconds in taken.items()}
-    _backend.remember(source, painter.work, label, least["gpu"] < least["cpu"])
+    backends.remember(source, painter.work, label, least["gpu"] < least["cpu"])
     return least

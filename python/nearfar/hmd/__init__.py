@@ -8,8 +8,8 @@ from __future__ import annotations
 import functools
 from importlib import resources
 
-from nearfar._eyes import Eye, TotalFov
-from nearfar._hmd import Hmd
+from nearfar.hmd._eye import Eye, TotalFov
+from nearfar.hmd._hmd import Hmd
 
 __all__ = ["CARDBOARD_LENSES", "Eye", "Hmd", "TotalFov", "get", "names"]
 

@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check
-from nearfar._camera import Fov, quaternion, quaternion_from_axes
+from nearfar._base import check
+from nearfar._camera.camera import Fov, quaternion, quaternion_from_axes
 
 # Matrices are printed with six digits: rows are off by a millionth, and nothing else is a rotation.
 ROTATION_TOLERANCE = 1e-4
@@ -37,7 +37,7 @@ class Eye:
     def __post_init__(self) -> None:
         if not isinstance(self.fov, Fov):
             raise TypeError(f"fov: expected Fov, got {type(self.fov).__name__}")
-        object.__setattr__(self, "position", _check.vector("position", self.position))
+        object.__setattr__(self, "position", check.vector("position", self.position))
         object.__setattr__(self, "orientation", quaternion(self.orientation))
 
     @classmethod
@@ -46,7 +46,7 @@ class Eye:
 
         ValueError where the first three columns are no rotation.
         """
-        rows = _check.array("eye_to_head", eye_to_head, columns=4, dtype=np.float64, finite=True)
+        rows = check.array("eye_to_head", eye_to_head, columns=4, dtype=np.float64, finite=True)
         if len(rows) != 3:
             raise ValueError(f"eye_to_head: expected shape (3, 4), got {rows.shape}")
         axes = rows[:, :3]

@@ -8,11 +8,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
-from nearfar import _files, _formats
-from nearfar._camera import Fov
-from nearfar._errors import FormatError
-from nearfar._eyes import Eye
-from nearfar._lens import RadialLens
+from nearfar._base import files, formats
+from nearfar._base.errors import FormatError
+from nearfar._camera.camera import Fov
+from nearfar._lens.lens import RadialLens
+from nearfar.hmd._eye import Eye
 
 FORMAT, VERSION = "hmd", 1
 SIDES = ("left", "right", "down", "up")
@@ -29,8 +29,8 @@ def write(path: Path, fields: dict[str, Any]) -> None:
 
 def save(path: Path, content: dict[str, Any]) -> None:
     """Write JSON whole or not at all."""
-    with _files.atomic_file(path) as aside:
-        aside.write_text(_formats.to_json(content), encoding="utf-8")
+    with files.atomic_file(path) as aside:
+        aside.write_text(formats.to_json(content), encoding="utf-8")
 
 
 def document(fields: dict[str, Any]) -> dict[str, Any]:
@@ -39,12 +39,12 @@ def document(fields: dict[str, Any]) -> dict[str, Any]:
     names = ("name", "render_size", "panel_size", "refresh_hz", "lens", "lens_radius", "triangle_budget")
     rest = {name: fields[name] for name in (*names, "hidden_area_percent", "sources")}
     rest["lens"] = list(rest["lens"].k) if rest["lens"] else None
-    return _formats.header(FORMAT, VERSION) | {"name": rest.pop("name"), "eyes": eyes} | rest
+    return formats.header(FORMAT, VERSION) | {"name": rest.pop("name"), "eyes": eyes} | rest
 
 
 def fields(content: dict[str, Any], where: str) -> dict[str, Any]:
     """Return a headset's fields by name from a document of ours."""
-    _formats.check(content, FORMAT, VERSION, where)
+    formats.check(content, FORMAT, VERSION, where)
     read = Reader(content, where)
     found: dict[str, Any] = {"name": read.text("name")}
     for side in ("left", "right"):

@@ -11,10 +11,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nearfar import _check, _hmd_file, _hmdq
-from nearfar._camera import Camera, quaternion
-from nearfar._eyes import Eye, TotalFov, rotation, total_fov, turned
-from nearfar._lens import RadialLens
+from nearfar._base import check
+from nearfar._camera.camera import Camera, quaternion
+from nearfar._lens.lens import RadialLens
+from nearfar.hmd import _file, _hmdq
+from nearfar.hmd._eye import Eye, TotalFov, rotation, total_fov, turned
 
 EYES = ("left", "right")
 FORMATS = ("nearfar", "hmdq")
@@ -73,19 +74,19 @@ class Hmd:
         for side in EYES:
             if not isinstance(getattr(self, side), Eye):
                 raise TypeError(f"{side}: expected Eye, got {type(getattr(self, side)).__name__}")
-        _set(self, "render_size", _check.pair("render_size", self.render_size, 1, _check.MAX_SIZE))
+        _set(self, "render_size", check.pair("render_size", self.render_size, 1, check.MAX_SIZE))
         if self.panel_size is not None:
-            _set(self, "panel_size", _check.pair("panel_size", self.panel_size, 1, _check.MAX_SIZE))
+            _set(self, "panel_size", check.pair("panel_size", self.panel_size, 1, check.MAX_SIZE))
         if self.refresh_hz is not None:
-            _set(self, "refresh_hz", _check.positive("refresh_hz", self.refresh_hz))
+            _set(self, "refresh_hz", check.positive("refresh_hz", self.refresh_hz))
         self._check_lens()
         if self.triangle_budget is not None:
-            least, most = _check.pair("triangle_budget", self.triangle_budget, 1, 1 << 40)
+            least, most = check.pair("triangle_budget", self.triangle_budget, 1, 1 << 40)
             if least > most:
                 raise ValueError(f"triangle_budget: expected the least number first, got {self.triangle_budget}")
             _set(self, "triangle_budget", (least, most))
         if self.hidden_area_percent is not None:
-            hidden = _check.number("hidden_area_percent", self.hidden_area_percent)
+            hidden = check.number("hidden_area_percent", self.hidden_area_percent)
             if not 0.0 <= hidden <= 100.0:
                 raise ValueError(f"hidden_area_percent: expected 0 to 100, got {hidden}")
             _set(self, "hidden_area_percent", hidden)
@@ -107,7 +108,7 @@ class Hmd:
             if any(self.lens.tangential):
                 raise ValueError(f"lens: expected one without tangential terms, got {self.lens.tangential}")
         if self.lens_radius is not None:
-            _set(self, "lens_radius", _check.positive("lens_radius", self.lens_radius))
+            _set(self, "lens_radius", check.positive("lens_radius", self.lens_radius))
 
     @property
     def ipd(self) -> float:
@@ -142,16 +143,16 @@ class Hmd:
         The pose is a world position in metres and a unit quaternion (x, y, z, w) that turns head axes into world axes.
         `size` is the render size if not given.
         """
-        chosen: Eye = getattr(self, _check.choice("eye", eye, EYES))
+        chosen: Eye = getattr(self, check.choice("eye", eye, EYES))
         head = quaternion(orientation)
-        moved = np.array(_check.vector("position", position)) + rotation(head) @ np.array(chosen.position)
+        moved = np.array(check.vector("position", position)) + rotation(head) @ np.array(chosen.position)
         place = (float(moved[0]), float(moved[1]), float(moved[2]))
         way = turned(chosen.orientation, head)
         return Camera(place, way, fov=chosen.fov, size=self.render_size if size is None else size)
 
     def with_ipd(self, ipd: float) -> Hmd:
         """Return the headset for eyes so many metres apart, about the same middle."""
-        wanted, one, other = _check.positive("ipd", ipd), np.array(self.left.position), np.array(self.right.position)
+        wanted, one, other = check.positive("ipd", ipd), np.array(self.left.position), np.array(self.right.position)
         if self.ipd == 0.0:
             raise ValueError("ipd: expected eyes that are apart already, which say in which direction")
         half = (other - one) * (0.5 * wanted / self.ipd)
@@ -165,9 +166,9 @@ class Hmd:
         `format` is "nearfar", which comes back bit for bit, or "hmdq": the geometry for hmdq's viewer hmdv, without
         what that has no place for (panel, lens, hidden area, budget, sources).
         """
-        _check.choice("format", format, FORMATS)
-        write = _hmd_file.write if format == "nearfar" else _hmdq.write
-        write(_check.path("path", path), self._fields())
+        check.choice("format", format, FORMATS)
+        write = _file.write if format == "nearfar" else _hmdq.write
+        write(check.path("path", path), self._fields())
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], *, runtime: str | None = None) -> Hmd:
@@ -178,22 +179,22 @@ class Hmd:
         FormatError for other files, naming the file and the key; ValueError for a runtime beside a file of ours;
         OSError where there is none.
         """
-        place = _check.path("path", path)
+        place = check.path("path", path)
         if runtime is not None:
-            _check.choice("runtime", runtime, _hmdq.RUNTIMES)
+            check.choice("runtime", runtime, _hmdq.RUNTIMES)
         return cls._from_json(place.read_bytes(), os.fspath(place), runtime=runtime)
 
     @classmethod
     def _from_json(cls, text: bytes, where: str, *, runtime: str | None = None) -> Hmd:
         """Read a headset from the bytes of a file of either format; `where` names them in messages."""
-        document = _hmd_file.parse(text, where)
+        document = _file.parse(text, where)
         if _hmdq.is_one(document):
             fields = _hmdq.fields(document, where, runtime)
         else:
-            fields = _hmd_file.fields(document, where)
+            fields = _file.fields(document, where)
             if runtime is not None:
                 raise ValueError(f"runtime: expected None for {where}, which is no file of hmdq's, got {runtime!r}")
-        return _hmd_file.built(where, lambda: cls(**fields))
+        return _file.built(where, lambda: cls(**fields))
 
     def _fields(self) -> dict[str, Any]:
         return {name: getattr(self, name) for name in self.__dataclass_fields__}

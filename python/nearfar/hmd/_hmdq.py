@@ -7,11 +7,11 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from nearfar._camera import Fov
-from nearfar._errors import FormatError
-from nearfar._eyes import Eye, total_fov
-from nearfar._hmd_file import Reader, finite, save
-from nearfar._version import __version__
+from nearfar._base.errors import FormatError
+from nearfar._base.version import __version__
+from nearfar._camera.camera import Fov
+from nearfar.hmd._eye import Eye, total_fov
+from nearfar.hmd._file import Reader, finite, save
 
 RUNTIMES = ("openvr", "oculus", "oculus_max")
 SIDES = {"left": "Left", "right": "Right"}

@@ -1,18 +1,18 @@
 """Levels of detail: making them, measuring how good they look over their size, and choosing them."""
 
 from nearfar.lod._export import export
-from nearfar.lod._fit import Curve4PL, fit_4pl
 from nearfar.lod._levels import Level, Levels
-from nearfar.lod._measure import measure
+from nearfar.lod._measure.fit import Curve4PL, fit_4pl
+from nearfar.lod._measure.measure import measure
+from nearfar.lod._measure.samples import Samples
 from nearfar.lod._model import LodModel
 from nearfar.lod._place import place
-from nearfar.lod._samples import Samples
-from nearfar.lod._select import select
-from nearfar.lod._selection import Selection
-from nearfar.lod._selector import Selector
-from nearfar.lod._simplify import simplify
-from nearfar.lod._size import acuity, distortion, reference_solid_angle
-from nearfar.lod._switch import Switches, switches
+from nearfar.lod._select.select import select
+from nearfar.lod._select.selection import Selection
+from nearfar.lod._select.selector import Selector
+from nearfar.lod._select.size import acuity, distortion, reference_solid_angle
+from nearfar.lod._select.switches import Switches, switches
+from nearfar.lod._simplify.simplify import simplify
 
 __all__ = [
     "Curve4PL",

@@ -11,20 +11,21 @@ from typing import TYPE_CHECKING, Any, SupportsFloat
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _check, _core, _files, _formats
-from nearfar._camera import Camera, Fov
-from nearfar._errors import FormatError
-from nearfar._hmd import Hmd
-from nearfar._names import Names
-from nearfar._scene import Scene, core_of
-from nearfar.lod import _lod_file
+from nearfar import _core
+from nearfar._base import check, files, formats
+from nearfar._base.errors import FormatError
+from nearfar._camera.camera import Camera, Fov
+from nearfar._scene.names import Names
+from nearfar._scene.scene import Scene, core_of
+from nearfar.hmd._hmd import Hmd
+from nearfar.lod import _file
 from nearfar.lod._levels import Level, Levels
 from nearfar.lod._model import LodModel
 from nearfar.lod._place import empty
-from nearfar.lod._switch import Switches, switches
+from nearfar.lod._select.switches import Switches, switches
 
 if TYPE_CHECKING:
-    from nearfar import _scene_glb
+    from nearfar._scene import glb
 
 EXTENSION, COVERAGE, OURS = "MSFT_lod", "MSFT_screencoverage", "nearfar"
 _IDENTITY = np.eye(4)
@@ -41,10 +42,10 @@ def write(
 ) -> None:
     """Write a model; `LodModel.export` says how."""
     found = switches(model, view=view, k=k, d=d, threshold=threshold)
-    document = _lod_file.document(model) | {"switches": engine_levels(model, found)}
+    document = _file.document(model) | {"switches": engine_levels(model, found)}
     match path.suffix.lower():
         case ".json":
-            _save(path, _formats.to_json(document).encode())
+            _save(path, formats.to_json(document).encode())
         case ".glb":
             _save(path, _glb_of(model, found, document))
         case _:
@@ -53,13 +54,13 @@ def write(
 
 def _glb_of(model: LodModel, found: Switches, document: dict[str, Any]) -> bytes:
     # Files alone need an imaging library.
-    from nearfar import _scene_glb
+    from nearfar._scene import glb
 
     core, levels = _merged(model)
     names = [model.name, *(f"{model.name}_lod{number}" for number in range(1, len(levels)))]
     everywhere = np.tile(_IDENTITY[None, :3], (len(levels), 1, 1))
     objects = np.arange(len(levels), dtype=np.int32)
-    encoder = _scene_glb.Encoder(_core.with_instances(core, levels, everywhere, objects, len(levels)), names)
+    encoder = glb.Encoder(_core.with_instances(core, levels, everywhere, objects, len(levels)), names)
     nodes = [encoder.place(number) for number in range(len(levels))]
     _link(encoder.nodes, nodes, found)
     kept = [
@@ -73,11 +74,11 @@ def _glb_of(model: LodModel, found: Switches, document: dict[str, Any]) -> bytes
 
 def read(target: Path) -> LodModel:
     """Read a GLB that `write` made; FormatError for anything else, OSError where there is no file."""
-    from nearfar import _scene_glb
+    from nearfar._scene import glb
 
     data = target.read_bytes()
     try:
-        return _model(_scene_glb.Decoder(data, Names(1)), target)
+        return _model(glb.Decoder(data, Names(1)), target)
     except FormatError:
         raise
     except KeyError as error:
@@ -86,11 +87,11 @@ def read(target: Path) -> LodModel:
         raise FormatError(f"{target}: damaged: {error or type(error).__name__}") from None
 
 
-def _model(decoder: _scene_glb.Decoder, path: Path) -> LodModel:
+def _model(decoder: glb.Decoder, path: Path) -> LodModel:
     nodes = decoder.document["nodes"]
     finest = nodes[decoder.document["scenes"][0]["nodes"][0]]
     document = finest["extras"][OURS]
-    fields = _lod_file.fields(document, path)
+    fields = _file.fields(document, path)
     chain = [finest, *(nodes[number] for number in finest.get("extensions", {}).get(EXTENSION, {"ids": []})["ids"])]
     surfaces = decoder.surfaces()
     kept = document["geometry"]
@@ -100,9 +101,9 @@ def _model(decoder: _scene_glb.Decoder, path: Path) -> LodModel:
     levels = [
         Level(
             scene=_scene(decoder.mesh(node), surfaces, name),
-            ratio=_check.number("ratio", said["ratio"]),
-            error=_check.number("error", said["error"]),
-            mean_error=_check.number("mean_error", said["mean_error"]),
+            ratio=check.number("ratio", said["ratio"]),
+            error=check.number("error", said["error"]),
+            mean_error=check.number("mean_error", said["mean_error"]),
             note=str(said["note"]),
         )
         for node, said in zip(chain, kept, strict=True)
@@ -153,13 +154,13 @@ def export(
     OSError
         Where the file cannot be written.
     """
-    from nearfar import _scene_glb
+    from nearfar._scene import glb
 
-    core, table, target = core_of(scene), scene._table, _check.path("path", path)
+    core, table, target = core_of(scene), scene._table, check.path("path", path)
     if target.suffix.lower() != ".glb":
         raise ValueError(f"path: expected a name ending in .glb, got {os.fspath(path)!r}")
     if table is None:
-        _save(target, _scene_glb.encode(core, scene.object_names))
+        _save(target, glb.encode(core, scene.object_names))
         return
     found = [switches(model, view=view, k=k, d=d, threshold=threshold) for model in table.models]
     chosen = table.row_of >= 0
@@ -178,9 +179,9 @@ def export(
 def _placed(
     whole: _core.Scene, rest: _core.Scene, names: Sequence[str], counts: NDArray[np.int64], found: list[Switches]
 ) -> bytes:
-    from nearfar import _scene_glb
+    from nearfar._scene import glb
 
-    encoder = _scene_glb.Encoder(whole, names)
+    encoder = glb.Encoder(whole, names)
     standing = rest.instance_count - len(rest.moving_objects())
     leveled = int(counts.sum())
     has_faces = np.diff(whole.triangle_offsets()) > 0
@@ -256,5 +257,5 @@ def _used(chain: list[int]) -> dict[str, Any]:
 
 
 def _save(path: Path, data: bytes) -> None:
-    with _files.atomic_file(path) as aside:
+    with files.atomic_file(path) as aside:
         aside.write_bytes(data)

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _check, _files, _formats
-from nearfar._errors import FormatError
-from nearfar.lod._fit import Curve4PL
-from nearfar.lod._samples import Samples
+from nearfar._base import check, files, formats
+from nearfar._base.errors import FormatError
+from nearfar.lod._measure.fit import Curve4PL
+from nearfar.lod._measure.samples import Samples
 
 if TYPE_CHECKING:
     from nearfar.lod._model import LodModel
@@ -24,15 +24,15 @@ STATUSES = ("fitted", "step", "open", "flat", "unfittable")
 
 def write(path: Path, model: LodModel) -> None:
     """Write a model, whole or not at all; `LodModel.save` says what is in it."""
-    text = _formats.to_json(document(model))
-    with _files.atomic_file(path) as aside:
+    text = formats.to_json(document(model))
+    with files.atomic_file(path) as aside:
         aside.write_text(text, encoding="utf-8")
 
 
 def document(model: LodModel) -> dict[str, Any]:
     """All of a model but its geometry."""
     curves = [None, *(_curve(model.curves[number]) for number in range(len(model.curves)))]
-    return _formats.header(NAME, VERSION) | {
+    return formats.header(NAME, VERSION) | {
         "name": model.name,
         "center": [float(x) for x in model.center],
         "radius": float(model.radius),
@@ -70,13 +70,13 @@ def _rows(values: NDArray[Any]) -> Any:
 
 def read(path: Path) -> dict[str, Any]:
     """Fields of a model; FormatError where the file is damaged or too new, OSError where there is none."""
-    return fields(_formats.read_json(path, NAME, VERSION), path)
+    return fields(formats.read_json(path, NAME, VERSION), path)
 
 
 def fields(document: dict[str, Any], path: Path) -> dict[str, Any]:
     """Fields of a model from what `document` returned; FormatError that names the file where it is something else."""
     where = os.fspath(path)
-    _formats.check(document, NAME, VERSION, path)
+    formats.check(document, NAME, VERSION, path)
     try:
         return _fields(document)
     except KeyError as error:
@@ -87,7 +87,7 @@ def fields(document: dict[str, Any], path: Path) -> dict[str, Any]:
 
 def _fields(document: dict[str, Any]) -> dict[str, Any]:
     levels = document["levels"]
-    least, most = (_check.positive("sigma", value) for value in document["sigma"])
+    least, most = (check.positive("sigma", value) for value in document["sigma"])
     samples = document["samples"]
     if not levels or levels[0]["curve"] is not None:
         raise ValueError("levels: expected the base first, which has no curve")
@@ -95,14 +95,14 @@ def _fields(document: dict[str, Any]) -> dict[str, Any]:
         raise ValueError(f"sigma: expected the least first, got {least} and {most}")
     if not isinstance(document["name"], str) or not isinstance(document["measured"], dict):
         raise TypeError("expected a name and what was measured")
-    triangles = [_check.integer("triangles", level["triangles"], 1, 2**62) for level in levels]
+    triangles = [check.integer("triangles", level["triangles"], 1, 2**62) for level in levels]
     return {
         "name": document["name"],
-        "center": np.array(_check.vector("center", document["center"])),
-        "radius": _check.positive("radius", document["radius"]),
+        "center": np.array(check.vector("center", document["center"])),
+        "radius": check.positive("radius", document["radius"]),
         "sigma": (least, most),
         "triangles": np.array(triangles),
-        "errors": np.array([_check.number("error", level["error"]) for level in levels]),
+        "errors": np.array([check.number("error", level["error"]) for level in levels]),
         "curves": _curves([level["curve"] for level in levels[1:]]),
         "samples": None if samples is None else _read_samples(samples, len(levels)),
         "measured": document["measured"],
@@ -111,7 +111,7 @@ def _fields(document: dict[str, Any]) -> dict[str, Any]:
 
 def _curves(curves: list[dict[str, Any]]) -> Curve4PL:
     numbers = {name: _array([curve[name] for curve in curves]) for name in PARAMETERS}
-    statuses = [_check.choice("status", curve["status"], STATUSES) for curve in curves]
+    statuses = [check.choice("status", curve["status"], STATUSES) for curve in curves]
     reasons = [curve["reason"] for curve in curves]
     if not all(isinstance(reason, str) for reason in reasons):
         raise TypeError("reason: expected text")

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._bounds import bounding_sphere
-from nearfar._geometry import transforms_of
-from nearfar._scene import Scene
+from nearfar._scene.arrays import transforms_of
+from nearfar._scene.scene import Scene
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

@@ -9,18 +9,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _check, _plot
-from nearfar._camera import Camera, Fov
-from nearfar._hmd import Hmd
-from nearfar.lod import _lod_file
-from nearfar.lod._fit import Curve4PL
+from nearfar._base import check, plot
+from nearfar._camera.camera import Camera, Fov
+from nearfar.hmd._hmd import Hmd
+from nearfar.lod import _file
 from nearfar.lod._levels import Levels
-from nearfar.lod._samples import Samples
+from nearfar.lod._measure.fit import Curve4PL
+from nearfar.lod._measure.samples import Samples
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from nearfar.lod._selector import Selector
+    from nearfar.lod._select.selector import Selector
 
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
@@ -73,10 +73,10 @@ class LodModel:
         `export` writes the geometry too, as `.glb`: ValueError for that suffix. OSError where the file cannot be
         written.
         """
-        target = _check.path("path", path)
+        target = check.path("path", path)
         if target.suffix.lower() == ".glb":
             raise ValueError(f"path: expected a place for JSON, got {target}; `export` writes the geometry as GLB")
-        _lod_file.write(target, self)
+        _file.write(target, self)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> LodModel:
@@ -84,9 +84,9 @@ class LodModel:
 
         FormatError for other files and newer versions, OSError for none.
         """
-        given = _check.path("path", path)
+        given = check.path("path", path)
         if given.suffix.lower() != ".glb":
-            return cls(**_lod_file.read(given))
+            return cls(**_file.read(given))
         from nearfar.lod import _export
 
         return _export.read(given)
@@ -126,11 +126,11 @@ class LodModel:
         """
         from nearfar.lod import _export
 
-        _export.write(self, _check.path("path", path), view=view, k=k, d=d, threshold=threshold)
+        _export.write(self, check.path("path", path), view=view, k=k, d=d, threshold=threshold)
 
     def selector(self, mode: str) -> Selector:
         """What `nearfar.render` chooses levels by where it is given a mode alone: a `Selector` with its defaults."""
-        from nearfar.lod._selector import Selector
+        from nearfar.lod._select.selector import Selector
 
         return Selector(mode=mode)
 
@@ -160,7 +160,7 @@ class LodModel:
         sigma = np.geomspace(low, high, 256)
         curves = self.curves(sigma) if len(self.curves) else np.empty((0, 256))
         scores = None if self.samples is None else (self.samples.sigma, self.samples.score[1:])
-        return _plot.score_curves(ax, sigma, curves, [f"{count:,}" for count in self.triangles[1:]], scores)
+        return plot.score_curves(ax, sigma, curves, [f"{count:,}" for count in self.triangles[1:]], scores)
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{count:,}" for count in self.triangles)

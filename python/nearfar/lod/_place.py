@@ -7,11 +7,12 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core
-from nearfar._geometry import ORIGIN_LIMIT, transforms_of
-from nearfar._leveled import given, with_levels
-from nearfar._names import Names, names_of
-from nearfar._scene import Scene
+from nearfar import _core
+from nearfar._base import check
+from nearfar._scene.arrays import ORIGIN_LIMIT, transforms_of
+from nearfar._scene.levels import given, with_levels
+from nearfar._scene.names import Names, names_of
+from nearfar._scene.scene import Scene
 from nearfar.lod._model import LodModel
 
 
@@ -60,7 +61,7 @@ def place(
     if frames.ndim != 3:
         raise ValueError(f"transforms: expected shape (N, 4, 4), got {frames.shape}")
     count = len(frames)
-    index = _check.array("model_index", model_index, columns=None, dtype=np.int64)
+    index = check.array("model_index", model_index, columns=None, dtype=np.int64)
     if index.shape != (count,):
         raise ValueError(f"model_index: expected one for each of {count} transforms, got shape {index.shape}")
     if count and not 0 <= index.min() <= index.max() < len(models):

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nearfar import _check, _core, _progress
+from nearfar import _core
+from nearfar._base import check, progress
 
 # Status and reason by the kernel's number.
 _OUTCOMES = (
@@ -98,7 +99,7 @@ class Curve4PL:
             float64, of the shape of x; (K, M) for K curves. NaN where a curve is unfittable. Plateaus far outside the
             samples cost no digits, which the formula as written would lose.
         """
-        places = _check.array("x", x, columns=None, dtype=np.float64)
+        places = check.array("x", x, columns=None, dtype=np.float64)
         if (places < 0).any():
             raise ValueError(f"x: expected numbers of at least 0, got {np.nanmin(places)}")
         a, b, c, d = self
@@ -177,8 +178,8 @@ def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:
     ----------
     Liebisch (2021), who fits it to SSIM over solid angles. Golub, Pereyra (1973): a and d follow from b and c.
     """
-    places = _check.array("x", x, columns=None, dtype=np.float64)
-    values = _check.array("y", y, columns=None, dtype=np.float64)
+    places = check.array("x", x, columns=None, dtype=np.float64)
+    values = check.array("y", y, columns=None, dtype=np.float64)
     if values.ndim not in (1, 2):
         raise ValueError(f"y: expected shape (N,) or (K, N), got {values.shape}")
     if places.ndim == 2 and values.ndim == 1 and places.shape[1:] == values.shape:
@@ -188,7 +189,7 @@ def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:
         raise ValueError(f"x: expected shape {shapes}, as y has, got {places.shape}")
     rows, count = (1, *values.shape)[-2:]
     if count:
-        with _progress.bar("fitting") as report:
+        with progress.bar("fitting") as report:
             table, outcomes = _core.fit_4pl(places.ravel(), values.ravel(), count=count, report=report)
     else:
         table, outcomes = np.full((rows, 5), np.nan), np.full(rows, _TOO_FEW, np.uint8)

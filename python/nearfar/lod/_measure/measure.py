@@ -6,17 +6,18 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, overload
 
-from nearfar import _backend, _check, _progress
-from nearfar._camera import Fov
-from nearfar._hmd import Hmd
-from nearfar._render import MAX_SAMPLES
-from nearfar.lod._job import Settings, measure_one
+from nearfar._base import check, progress
+from nearfar._camera.camera import Fov
+from nearfar._render import backend as backends
+from nearfar._render.truth import MAX_SAMPLES
+from nearfar.hmd._hmd import Hmd
 from nearfar.lod._levels import Levels
+from nearfar.lod._measure.one_object import Settings, measure_one
+from nearfar.lod._measure.views import AXES, Screen
 from nearfar.lod._model import LodModel
-from nearfar.lod._views import AXES, Screen
 
 if TYPE_CHECKING:
-    from nearfar.lod import _many
+    from nearfar._base import distribute
 
 
 @overload
@@ -158,13 +159,13 @@ def measure(
     """
     settings = Settings(
         screen=Screen.of(hmd, fov, size),
-        views=_check.integer("views", views, len(AXES), 1 << 20),
-        distances=_check.integer("distances", distances, 1, 1000),
+        views=check.integer("views", views, len(AXES), 1 << 20),
+        distances=check.integer("distances", distances, 1, 1000),
         percentile=_within("percentile", percentile, 0.0, 100.0),
-        step=None if step is None else _check.positive("step", step),
+        step=None if step is None else check.positive("step", step),
         saturated=None if saturated is None else _within("saturated", saturated, -1.0, 1.0),
-        samples=_check.integer("samples", samples, 1, MAX_SAMPLES),
-        backend=_backend.check(backend),
+        samples=check.integer("samples", samples, 1, MAX_SAMPLES),
+        backend=backends.check(backend),
         cache=_flag("cache", cache),
     )
     if settings.views % len(AXES):
@@ -172,7 +173,7 @@ def measure(
     if workers is not None and client is not None:
         raise ValueError("workers: expected None beside a client, which has its own")
     if workers is not None:
-        workers = _check.integer("workers", workers, 1, 4096)
+        workers = check.integer("workers", workers, 1, 4096)
     if client is not None and not all(hasattr(client, name) for name in ("submit", "scatter", "cancel")):
         raise TypeError(f"client: expected a distributed.Client, got {type(client).__name__}")
     names, objects = _objects(levels)
@@ -203,19 +204,19 @@ def _objects(levels: object) -> tuple[list[str] | None, list[Levels]]:
     return names, objects
 
 
-def _spread(objects: list[Levels], settings: Settings, workers: int | None, client: Any) -> list[_many.Done]:
+def _spread(objects: list[Levels], settings: Settings, workers: int | None, client: Any) -> list[distribute.Done]:
     if client is None and workers is None:
         return _in_turn(objects, settings)
     # Processes bring libraries that importing nearfar does without.
-    from nearfar.lod import _many
+    from nearfar._base import distribute
 
     if client is not None:
-        return _many.over_cluster(objects, settings, client)
-    return _many.over_processes(objects, settings, workers or 1)
+        return distribute.over_cluster(objects, settings, client)
+    return distribute.over_processes(objects, settings, workers or 1)
 
 
-def _in_turn(objects: list[Levels], settings: Settings) -> list[_many.Done]:
-    with _progress.bar("measuring") as report:
+def _in_turn(objects: list[Levels], settings: Settings) -> list[distribute.Done]:
+    with progress.bar("measuring") as report:
         done = []
         for number, levels in enumerate(objects):
 
@@ -228,7 +229,7 @@ def _in_turn(objects: list[Levels], settings: Settings) -> list[_many.Done]:
 
 
 def _within(name: str, value: float, low: float, high: float) -> float:
-    given = _check.number(name, value)
+    given = check.number(name, value)
     if not low <= given <= high:
         raise ValueError(f"{name}: expected a number from {low:g} to {high:g}, got {given}")
     return given

@@ -10,14 +10,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._render import painter
-from nearfar.lod._fit import Curve4PL, fit_4pl
-from nearfar.lod._kept import Kept, content
+from nearfar._render.truth import painter
 from nearfar.lod._levels import Levels
+from nearfar.lod._measure.fit import Curve4PL, fit_4pl
+from nearfar.lod._measure.samples import Samples
+from nearfar.lod._measure.score_cache import Kept, content
+from nearfar.lod._measure.scores import Pictures, pictures, scores
+from nearfar.lod._measure.views import AXES, Screen, Stand, turns
 from nearfar.lod._model import LodModel
-from nearfar.lod._samples import Samples
-from nearfar.lod._scores import Pictures, pictures, scores
-from nearfar.lod._views import AXES, Screen, Stand, turns
 
 Report = Callable[[int, int], None]
 

@@ -10,10 +10,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _cache
-from nearfar._scene import Scene
-from nearfar._scene_parts import parts_of
-from nearfar._version import __version__
+from nearfar._base import cache
+from nearfar._base.version import __version__
+from nearfar._scene.scene import Scene
+from nearfar._scene.serialize import parts_of
 
 VERSION = 1
 """Of the way levels are measured."""
@@ -26,7 +26,7 @@ EVERY = 5.0
 
 def content(scene: Scene) -> str:
     """Hash of all that is drawn of a scene."""
-    return _cache.key("scene", parts_of(scene._core))
+    return cache.key("scene", parts_of(scene._core))
 
 
 class Kept:
@@ -45,7 +45,7 @@ class Kept:
     def __init__(self, contents: Sequence[str], settings: Iterable[object], scores: NDArray[np.float64]) -> None:
         settings = tuple(settings)
         base = contents[0]
-        self._keys = [_cache.key("lod.measure", VERSION, __version__, base, own, settings) for own in contents]
+        self._keys = [cache.key("lod.measure", VERSION, __version__, base, own, settings) for own in contents]
         self._scores = scores
         self._further: dict[int, NDArray[np.float64]] = {}
         self._saved = time.monotonic()
@@ -54,7 +54,7 @@ class Kept:
         self._known = scores.copy()
 
     def _load(self, number: int) -> None:
-        path = _cache.find(self._keys[number], SUFFIX)
+        path = cache.find(self._keys[number], SUFFIX)
         if path is None:
             return
         try:
@@ -80,7 +80,7 @@ class Kept:
             own = self._scores[number]
             if np.array_equal(own, self._known[number], equal_nan=True):
                 continue
-            _cache.keep(self._keys[number], SUFFIX, partial(self._write, number))
+            cache.keep(self._keys[number], SUFFIX, partial(self._write, number))
             self._known[number] = own
         self._saved = time.monotonic()
 

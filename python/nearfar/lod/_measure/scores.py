@@ -8,11 +8,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._camera import Camera
-from nearfar._path import render_path
-from nearfar._pictures import LUMA
-from nearfar._scene import Scene
-from nearfar._similarity import ssim_pairs
+from nearfar._camera.camera import Camera
+from nearfar._metrics.inputs import LUMA
+from nearfar._metrics.similarity import ssim_pairs
+from nearfar._render.sequence import render_path
+from nearfar._scene.scene import Scene
 
 
 class Pictures(NamedTuple):

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _check
-from nearfar._camera import Camera, Fov
-from nearfar._hmd import Hmd
+from nearfar._base import check
+from nearfar._camera.camera import Camera, Fov
+from nearfar.hmd._hmd import Hmd
 
 AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 1.0, 1.0))
 """About which objects turn: x, y, z, and the diagonal of the cube between them, in the object's frame."""
@@ -67,7 +67,7 @@ class Screen:
             raise ValueError("hmd: expected a headset such as nearfar.hmd.RIFT_S, or else both fov and size")
         if not isinstance(fov, Fov):
             raise TypeError(f"fov: expected Fov, got {type(fov).__name__}")
-        return cls._made(max(abs(fov.left), abs(fov.right)), fov, _check.size("size", size))
+        return cls._made(max(abs(fov.left), abs(fov.right)), fov, check.size("size", size))
 
     @classmethod
     def _made(cls, tangent: float, fov: Fov, size: tuple[int, int]) -> Screen:

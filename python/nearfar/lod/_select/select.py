@@ -8,12 +8,12 @@ from typing import Literal, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar._camera import Camera
-from nearfar._lens import RadialLens
+from nearfar._camera.camera import Camera
+from nearfar._lens.lens import RadialLens
 from nearfar.lod._model import LodModel
-from nearfar.lod._selection import Selection
-from nearfar.lod._selector import Selector
-from nearfar.lod._size import ACUITY_LIMIT_DEG, ACUITY_SLOPE
+from nearfar.lod._select.selection import Selection
+from nearfar.lod._select.selector import Selector
+from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE
 
 
 @overload

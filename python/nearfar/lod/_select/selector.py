@@ -11,13 +11,14 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check, _core
-from nearfar._camera import Camera, Fov
-from nearfar._eyes import rotation
-from nearfar._lens import RadialLens
+from nearfar import _core
+from nearfar._base import check
+from nearfar._camera.camera import Camera, Fov
+from nearfar._lens.lens import RadialLens
+from nearfar.hmd._eye import rotation
 from nearfar.lod._model import LodModel
-from nearfar.lod._selection import Selection
-from nearfar.lod._size import (
+from nearfar.lod._select.selection import Selection
+from nearfar.lod._select.size import (
     ACUITY_LIMIT_DEG,
     ACUITY_SLOPE,
     at_least_zero,
@@ -61,23 +62,23 @@ class Selector:
 
     def __post_init__(self) -> None:
         for name in ("k", "d"):
-            object.__setattr__(self, name, _check.number(name, getattr(self, name)))
-        _check.choice("threshold", self.threshold, THRESHOLDS)
-        _check.choice("mode", self.mode, MODES)
-        _check.choice("inverse", self.inverse, INVERSES)
+            object.__setattr__(self, name, check.number(name, getattr(self, name)))
+        check.choice("threshold", self.threshold, THRESHOLDS)
+        check.choice("mode", self.mode, MODES)
+        check.choice("inverse", self.inverse, INVERSES)
         if self.lens is not None:
             checked_lens(self.lens, Fov(-1, 1, -1, 1), self.lens_radius)
         for name in ("lens_radius", "reference"):
             if getattr(self, name) is not None:
-                object.__setattr__(self, name, _check.positive(name, getattr(self, name)))
+                object.__setattr__(self, name, check.positive(name, getattr(self, name)))
         for name in ("hysteresis", "fade"):
-            share = _check.number(name, getattr(self, name))
+            share = check.number(name, getattr(self, name))
             if not 0 <= share <= 1:
                 raise ValueError(f"{name}: expected a number from 0 to 1, got {share}")
             object.__setattr__(self, name, share)
         object.__setattr__(self, "cull", bool(self.cull))
         object.__setattr__(self, "acuity_slope", at_least_zero("acuity_slope", self.acuity_slope))
-        limit = _check.positive("acuity_limit_deg", self.acuity_limit_deg)
+        limit = check.positive("acuity_limit_deg", self.acuity_limit_deg)
         object.__setattr__(self, "acuity_limit_deg", limit)
 
     @overload
@@ -135,7 +136,7 @@ class Selector:
         full: bool,
     ) -> NDArray[np.int32] | Selection:
         curves, firsts, ranges = _collected(models)
-        places, sizes = _check.spheres(centers, radii)
+        places, sizes = check.spheres(centers, radii)
         index = _column("model_index", model_index, np.int64, len(places))
         before = None if previous is None else _column("previous", previous, np.int32, len(places))
         eyes = _eyes(camera)
@@ -184,7 +185,7 @@ class Selector:
 
 def _column(name: str, value: ArrayLike, dtype: type[np.integer], count: int) -> NDArray[Any]:
     """(N,) whole numbers."""
-    numbers = _check.array(name, value, columns=None, dtype=dtype)
+    numbers = check.array(name, value, columns=None, dtype=dtype)
     if numbers.shape != (count,):
         raise ValueError(f"{name}: expected shape ({count},), got {numbers.shape}")
     return numbers
@@ -248,7 +249,7 @@ def _gaze(eyes: tuple[Camera, ...], gaze: ArrayLike | None) -> tuple[float, floa
         if np.linalg.norm(way) < 1e-6 * len(eyes):
             raise ValueError("gaze: expected a direction for cameras that look in opposite ones, got None")
         return (float(way[0]), float(way[1]), float(way[2]))
-    look = _check.vector("gaze", gaze)
+    look = check.vector("gaze", gaze)
     if not any(look):
         raise ValueError("gaze: expected a direction, got (0, 0, 0)")
     return look

@@ -9,10 +9,10 @@ from typing import SupportsFloat
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar import _check
-from nearfar._camera import Camera, Fov
-from nearfar._hmd import Hmd
-from nearfar._lens import RadialLens
+from nearfar._base import check
+from nearfar._camera.camera import Camera, Fov
+from nearfar._lens.lens import RadialLens
+from nearfar.hmd._hmd import Hmd
 
 ACUITY_SLOPE = 0.0275
 """Degrees by which the least visible angle grows with each degree from the gaze (Guenter et al. 2012)."""
@@ -88,11 +88,11 @@ def acuity(
     ----------
     Guenter, Finch, Drucker, Tan, Snyder (2012), Eq. 1.
     """
-    away = _check.array("eccentricity_deg", eccentricity_deg, columns=None, dtype=np.float64)
+    away = check.array("eccentricity_deg", eccentricity_deg, columns=None, dtype=np.float64)
     if not (away >= 0).all():
         raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {away.min()}")
     rise, pixel = at_least_zero("slope", slope), at_least_zero("pixel_deg", pixel_deg)
-    least = _check.positive("limit_deg", limit_deg)
+    least = check.positive("limit_deg", limit_deg)
     with np.errstate(over="ignore"):
         return np.asarray(np.minimum(1.0, max(least, pixel) / (rise * away + least)))
 
@@ -128,7 +128,7 @@ def distortion(
     ----------
     Liebisch (2021), Eq. 4.10–4.12, where the half angle goes to 0.
     """
-    away = _check.array("eccentricity_deg", eccentricity_deg, columns=None, dtype=np.float64)
+    away = check.array("eccentricity_deg", eccentricity_deg, columns=None, dtype=np.float64)
     if not (away >= 0).all():
         raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {away.min()}")
     scale = checked_lens(lens, view, lens_radius)
@@ -151,7 +151,7 @@ def half_tangent(view: Hmd | Camera | Fov) -> float:
 
 def at_least_zero(name: str, value: SupportsFloat) -> float:
     """One finite number; ValueError below 0."""
-    given = _check.number(name, value)
+    given = check.number(name, value)
     if given < 0:
         raise ValueError(f"{name}: expected a number of at least 0, got {given}")
     return given
@@ -163,7 +163,7 @@ def checked_lens(lens: RadialLens, view: Hmd | Camera | Fov, lens_radius: Suppor
         raise TypeError(f"lens: expected a RadialLens, got {type(lens).__name__}")
     if any(lens.tangential):
         raise ValueError(f"lens: expected one without tangential terms, got {lens.tangential}")
-    return half_tangent(view) if lens_radius is None else _check.positive("lens_radius", lens_radius)
+    return half_tangent(view) if lens_radius is None else check.positive("lens_radius", lens_radius)
 
 
 def widest(views: Iterable[Camera]) -> Camera:

@@ -9,11 +9,11 @@ from typing import SupportsFloat
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _check
-from nearfar._camera import Camera, Fov
-from nearfar._hmd import Hmd
+from nearfar._base import check
+from nearfar._camera.camera import Camera, Fov
+from nearfar.hmd._hmd import Hmd
 from nearfar.lod._model import LodModel
-from nearfar.lod._size import half_tangent, reference_solid_angle
+from nearfar.lod._select.size import half_tangent, reference_solid_angle
 
 _STEPS = 1024
 """Sizes between which a curve is looked at for crossing the threshold: both are monotonic as a rule."""
@@ -104,9 +104,9 @@ def switches(
 
 def _line(view: Hmd | Camera | Fov, k: SupportsFloat, d: SupportsFloat, threshold: str) -> tuple[float, float]:
     """Slope and start of f(σ)."""
-    slope, start = _check.number("k", k), _check.number("d", d)
+    slope, start = check.number("k", k), check.number("d", d)
     reference = reference_solid_angle(view)
-    match _check.choice("threshold", threshold, ("anchored", "literal", "normalized")):
+    match check.choice("threshold", threshold, ("anchored", "literal", "normalized")):
         case "anchored":
             return slope, start - slope * reference
         case "literal":

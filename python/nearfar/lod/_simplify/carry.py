@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar.lod._base import Surface, charts_of
-from nearfar.lod._normals import unit
+from nearfar.lod._simplify.normals import unit
+from nearfar.lod._simplify.surface import Surface, charts_of
 
 TOLERANCE = {"uvs": 1 / 2048, "colors": 2.0, "normals": 0.02}
 """Differences up to which corners at one place share a vertex: half a texel of 1024, two steps of 8 bits, a degree."""

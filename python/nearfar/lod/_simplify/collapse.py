@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar.lod._base import Surface, charts_of, first_alike
-from nearfar.lod._carry import Carrier
-from nearfar.lod._normals import unit
+from nearfar.lod._simplify.carry import Carrier
+from nearfar.lod._simplify.normals import unit
+from nearfar.lod._simplify.surface import Surface, charts_of, first_alike
 
 EXTENT = 100.0
 """Size of what fast-simplification sees. Its thresholds are absolute: of a small thing the first would let everything

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _core, _random
-from nearfar._scene import Scene
-from nearfar.lod._base import Surface
+from nearfar import _core
+from nearfar._base import random
+from nearfar._scene.scene import Scene
+from nearfar.lod._simplify.surface import Surface
 
 SAMPLES = 20_000
 """Points of each surface by area: the mean is within a few thousandths of its size."""
@@ -50,9 +51,9 @@ def spread_points(surface: Surface, count: int) -> NDArray[np.float64]:
     if not ends[-1] > 0:
         return np.zeros((0, 3))
     index = np.arange(count, dtype=np.uint64)
-    at = (index + _random.uniform(_SEED, _PLACE, index)) * (ends[-1] / count)
+    at = (index + random.uniform(_SEED, _PLACE, index)) * (ends[-1] / count)
     face = np.minimum(np.searchsorted(ends, at, side="right"), len(ends) - 1)
-    u, v = _random.uniform(_SEED, _FIRST, index), _random.uniform(_SEED, _SECOND, index)
+    u, v = random.uniform(_SEED, _FIRST, index), random.uniform(_SEED, _SECOND, index)
     beyond = u + v > 1
     u, v = np.where(beyond, 1 - u, u)[:, None], np.where(beyond, 1 - v, v)[:, None]
     return np.asarray(corners[face, 0] + u * one[face] + v * other[face])

@@ -6,12 +6,12 @@ import os
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from nearfar import _check, _progress
-from nearfar._scene import Scene
-from nearfar.lod._base import Base, Surface
-from nearfar.lod._collapse import Picks, Quadrics
-from nearfar.lod._deviation import deviation
+from nearfar._base import check, progress
+from nearfar._scene.scene import Scene
 from nearfar.lod._levels import Level, Levels
+from nearfar.lod._simplify.collapse import Picks, Quadrics
+from nearfar.lod._simplify.deviation import deviation
+from nearfar.lod._simplify.surface import Base, Surface
 
 if TYPE_CHECKING:
     import trimesh
@@ -79,13 +79,13 @@ def simplify(
     planes across the surface as there. Aspert, Santa-Cruz, Ebrahimi (2002): MESH, for the distances.
     """
     shares = _ratios(ratios)
-    _check.choice("method", method, METHODS)
-    _check.choice("normals", normals, NORMALS)
+    check.choice("method", method, METHODS)
+    check.choice("normals", normals, NORMALS)
     base = Base(mesh, name)
     base.with_normals(normals)
     simplifier = (Quadrics if method == "fast" else Picks)(base.surface, base.places)
     levels = [Level(scene=base.scene)]
-    with _progress.bar("simplifying") as report:
+    with progress.bar("simplifying") as report:
         for number, share in enumerate(shares):
             report(number, len(shares))
             surface = simplifier.level(max(1, round(share * levels[0].triangle_count)))
@@ -98,7 +98,7 @@ def _ratios(ratios: Iterable[float]) -> list[float]:
     """Shares below 1, falling, each once."""
     if isinstance(ratios, str | bytes) or not isinstance(ratios, Iterable):
         raise TypeError(f"ratios: expected numbers above 0 and at most 1, got {type(ratios).__name__}")
-    shares = [_check.number(f"ratios[{number}]", ratio) for number, ratio in enumerate(ratios)]
+    shares = [check.number(f"ratios[{number}]", ratio) for number, ratio in enumerate(ratios)]
     for number, share in enumerate(shares):
         if not 0 < share <= 1:
             raise ValueError(f"ratios[{number}]: expected a number above 0 and at most 1, got {share}")

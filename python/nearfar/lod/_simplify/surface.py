@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar import _check, _core
-from nearfar._names import Names
-from nearfar._scene import Scene
-from nearfar.lod._normals import smoothed
+from nearfar import _core
+from nearfar._base import check
+from nearfar._scene.names import Names
+from nearfar._scene.scene import Scene
+from nearfar.lod._simplify.normals import smoothed
 
 if TYPE_CHECKING:
     import trimesh
@@ -109,7 +110,7 @@ def _scene_of(mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[
     if isinstance(mesh, Scene):
         return mesh
     if isinstance(mesh, str | os.PathLike):
-        return Scene.load(_check.path("mesh", mesh))
+        return Scene.load(check.path("mesh", mesh))
     import trimesh
 
     if isinstance(mesh, trimesh.Trimesh | trimesh.Scene):

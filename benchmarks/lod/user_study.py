@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
-from nearfar import _data, _random
+from nearfar._base import data, random
 
 FILE = "study/lod_thresholds.csv"
 """Below the data folder."""
@@ -70,7 +70,7 @@ class Study:
 
 def load(path: Path | None = None) -> Study:
     """Read the table; FileNotFoundError where there is no data folder."""
-    with (path or _data.require(FILE)).open(encoding="utf-8", newline="") as file:
+    with (path or data.require(FILE)).open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     columns = {name: [row[name] for row in rows] for name in (field.name for field in fields(Study))}
     return Study(
@@ -91,14 +91,14 @@ def made_up(participants: int = TABULATED, objects: int = 10, *, gap: float = 0.
     """
     index = np.arange(participants * objects * 2)
     hmd = np.where(index % 2 == 0, "rift", "vive")
-    level = _random.integers(_SEED, 2, index, 0, 11)
+    level = random.integers(_SEED, 2, index, 0, 11)
     return Study(
         index // (2 * objects),
         hmd,
         np.array([f"object_{number}" for number in index // 2 % objects]),
         level,
         np.asarray(1 - 0.02 * level + gap * (hmd == "vive"), np.float64),
-        np.asarray(0.25 * _random.integers(_SEED, 3, index, -1, 4), np.float64),
+        np.asarray(0.25 * random.integers(_SEED, 3, index, -1, 4), np.float64),
     )
 
 
@@ -242,10 +242,10 @@ def bootstrap(study: Study, column: str, *, objects: bool = False, draws: int = 
         ]
     )
     index = np.arange(draws * len(people)).reshape(draws, -1)
-    rows = _random.integers(_SEED, _RESAMPLE, index, 0, len(people))
+    rows = random.integers(_SEED, _RESAMPLE, index, 0, len(people))
     if objects:
         index = np.arange(draws * len(things)).reshape(draws, -1)
-        columns = _random.integers(_SEED, _RESAMPLE + 3, index, 0, len(things))
+        columns = random.integers(_SEED, _RESAMPLE + 3, index, 0, len(things))
         means = np.array([values[np.ix_(row, column)].mean() for row, column in zip(rows, columns, strict=True)])
     else:
         means = values.mean(axis=1)[rows].mean(axis=1)

@@ -13,11 +13,11 @@ from tempfile import TemporaryDirectory
 import numpy as np
 from numpy.typing import NDArray
 
-from _harness import Case
+from benchmarks.harness.compare import Case
 
 FOLDER = Path(__file__).resolve().parent / "peers"
 
-CHECKOUT = FOLDER.parent.parent
+CHECKOUT = FOLDER.parents[2]
 
 
 @contextmanager

@@ -1,0 +1,1 @@
+"""Benchmarks by stage, run from the checkout: `python -m benchmarks.<stage>.<name>`."""

@@ -1,0 +1,1 @@
+"""Policies that every stage keeps: argument checks, errors, files and formats, cache, progress, random numbers."""

@@ -1,0 +1,1 @@
+"""Image quality: similarity, pixel errors, discontinuity, and the comparison of methods."""

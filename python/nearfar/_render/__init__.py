@@ -1,0 +1,1 @@
+"""Pictures: frames and their channels, the choice between CPU and GPU, ground truth, sequences, baking."""

@@ -1,0 +1,1 @@
+"""Levels measured: SSIM over size, and the curves through it."""

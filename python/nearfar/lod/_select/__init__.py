@@ -1,0 +1,1 @@
+"""Levels chosen by size, lens and gaze, and the sizes at which engines switch."""
