@@ -12,6 +12,7 @@ from nearfar._cubemap.layouts import convert_envmap, envmap_directions, envmap_t
 from nearfar._cubemap.lookup import cube_lookup, cube_mips, cube_solid_angles
 from nearfar._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
 from nearfar._lens.warp import WarpMesh
+from nearfar._metrics.comparison import Comparison, compare
 from nearfar._metrics.discontinuity import boundary, discontinuity
 from nearfar._metrics.pixel_errors import object_completion, psnr, rmse
 from nearfar._metrics.similarity import ms_ssim, ssim, ssim_pairs, visual_continuity
@@ -23,6 +24,7 @@ from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._render.frame import Frame
 from nearfar._render.sequence import render_path
 from nearfar._render.truth import render
+from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.scene import Scene
 from nearfar._tessellate import tessellate
 from nearfar._trace.nearest import Nearest, nearest_points
@@ -32,6 +34,7 @@ from nearfar.hmd._hmd import Hmd
 __all__ = [
     "Camera",
     "ChromaticLens",
+    "Comparison",
     "CubeFace",
     "DeviceError",
     "EnvMap",
@@ -48,6 +51,7 @@ __all__ = [
     "RadialLens",
     "ReducedScene",
     "Scene",
+    "SceneBuilder",
     "SceneError",
     "WarpMesh",
     "__version__",
@@ -56,6 +60,7 @@ __all__ = [
     "bounding_sphere",
     "bounding_spheres",
     "cast_rays",
+    "compare",
     "convert_envmap",
     "corrected_solid_angle",
     "cube_lookup",

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.builder import SceneBuilder
 from tests.support.reduce_cases import CENTER, R1, R2, camera, place, rho, street
 
 Array = NDArray[np.float64]

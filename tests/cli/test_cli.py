@@ -179,7 +179,7 @@ def test_the_chosen_place_is_open_ground(city: Path) -> None:
     import nearfar as nf
 
     scene = nf.Scene.load(city)
-    place = viewpoint.choose(scene, str(city))
+    place = viewpoint.find(scene)
     # Float32 distances from the sky, 25 m up; the centimetre is what a person would not notice.
     assert place.eye[1] == pytest.approx(viewpoint.EYE_HEIGHT, abs=0.01)
     around = viewpoint._view(scene, np.array(place.eye))

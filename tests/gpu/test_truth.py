@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._camera.camera import Projection
-from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.builder import SceneBuilder
 from tests.support import data
 from tests.support import render_oracle as oracle
 from tests.support.gpu_cases import ADAPTERS, adapter, agree, both, crowd, view

@@ -12,7 +12,7 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.builder import SceneBuilder
 from tests.support.gpu_cases import ADAPTERS, adapter
 from tests.support.leveled_cases import (
     GREY,

@@ -15,7 +15,7 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar import _core
-from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.builder import SceneBuilder
 from nearfar.lod._simplify import carry, deviation
 from nearfar.lod._simplify import normals as smooth_normals
 from nearfar.lod._simplify.surface import Base

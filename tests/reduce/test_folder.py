@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._base import formats
 from nearfar._scene import glb
-from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.builder import SceneBuilder
 from tests.support import data, need, valid
 from tests.support.reduce_cases import CENTER, R1, R2, camera, place, street
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.builder import SceneBuilder
 from tests.support.reduce_cases import CENTER, R1, R2, SIZE, Array, box, camera, place, rho, street
 
 

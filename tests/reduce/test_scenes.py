@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.builder import SceneBuilder
 from tests.support import printed_by_threads
 from tests.support.reduce_cases import CENTER, FOV, R1, R2, Array, box, camera, place, rho, street
 

@@ -17,8 +17,8 @@ from PIL import Image
 import nearfar as nf
 from nearfar._base import data as data_files
 from nearfar._scene import load
+from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.materials import BaseColor, colors_of, to_linear, to_srgb
-from nearfar._scene.scene import SceneBuilder
 from nearfar._scene.source import Shape, Source
 from tests.support import need
 

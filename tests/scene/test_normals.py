@@ -15,8 +15,8 @@ import nearfar as nf
 from nearfar import _core
 from nearfar._base.glb import Reader
 from nearfar._scene import glb, load
+from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.names import Names
-from nearfar._scene.scene import SceneBuilder
 from nearfar._scene.source import Shape
 from tests.support import data
 from tests.support import render_oracle as oracle

@@ -15,7 +15,7 @@ import pytest
 
 import nearfar as nf
 from nearfar._base import cache
-from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.serialize import core_of_parts, parts_of
 
 

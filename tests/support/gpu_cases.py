@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._render import backend as backends
-from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.builder import SceneBuilder
 from tests.support import need
 from tests.support.render_cases import QUAD, noise, quad
 

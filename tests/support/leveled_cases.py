@@ -9,7 +9,7 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.builder import SceneBuilder
 
 SIZE = (160, 120)
 RED, GREY = (0.8, 0.1, 0.1, 1.0), (0.8, 0.8, 0.8, 1.0)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.builder import SceneBuilder
 
 Array = NDArray[np.float64]
 

@@ -9,7 +9,7 @@ import trimesh
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.builder import SceneBuilder
 
 Array = NDArray[Any]
 TURN = trimesh.transformations.rotation_matrix(0.7, (0.3, 1, -0.2))

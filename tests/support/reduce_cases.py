@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.builder import SceneBuilder
 
 CENTER = np.array([3.0, 1.7, -2.0])
 

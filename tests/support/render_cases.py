@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 import nearfar as nf
 from nearfar._camera.camera import Projection
-from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.builder import SceneBuilder
 from tests.support.render_oracle import Surface
 
 WIDE = nf.Fov(-1.2, 0.8, -0.5, 0.9)

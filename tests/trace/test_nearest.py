@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._scene.scene import SceneBuilder
+from nearfar._scene.builder import SceneBuilder
 from tests.support import printed_by_threads
 
 Array = NDArray[np.float64]

@@ -129,3 +129,20 @@ def transforms_of(name: str, value: ArrayLike) -> NDArray[np.float64]:
 def _own(array: NDArray[Any], given: ArrayLike, copy: bool) -> NDArray[Any]:
     """Copy what is still the caller's memory, if wanted."""
     return array.copy() if copy and isinstance(given, np.ndarray) and np.may_share_memory(array, given) else array
+
+
+def triangle_mask(triangles: NDArray[Any], count: int) -> NDArray[np.bool_]:
+    """Mask (count,) of triangles that are given as numbers or as a mask."""
+    if triangles.dtype == bool:
+        if triangles.shape != (count,):
+            raise ValueError(f"triangles: expected a mask of shape ({count},), got {triangles.shape}")
+        return np.ascontiguousarray(triangles)
+    if triangles.size and (triangles.dtype.kind not in "iu" or triangles.ndim != 1):
+        raise TypeError(f"triangles: expected a list of numbers or a mask, got {triangles.dtype} {triangles.shape}")
+    if triangles.size and (int(triangles.min()) < 0 or int(triangles.max()) >= count):
+        raise ValueError(
+            f"triangles: expected numbers from 0 to {count - 1}, got {triangles.min()} to {triangles.max()}"
+        )
+    mask = np.zeros(count, bool)
+    mask[triangles.astype(np.int64)] = True
+    return mask

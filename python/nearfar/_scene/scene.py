@@ -12,10 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check
-from nearfar._scene.arrays import object_count_of, transforms_of
+from nearfar._scene.arrays import object_count_of, triangle_mask
 from nearfar._scene.assembly import Assembled, Assembly
 from nearfar._scene.levels import Leveled, LevelTable, given, levels_of, with_levels
 from nearfar._scene.names import Names, names_of
+from nearfar._scene.poses import checked_pose, current_pose, placements_in
 from nearfar._scene.report import Report
 from nearfar._scene.serialize import core_of_parts, parts_of
 
@@ -148,7 +149,7 @@ class Scene:
         TypeError
             Values that are not numbers, and names that are not strings.
         """
-        builder = SceneBuilder()
+        builder = Assembly()
         names = None if object_names is None else names_of("object_names", object_names)
         if face_object is None:
             builder.objects(names or ["object_0"])
@@ -157,7 +158,7 @@ class Scene:
         else:
             builder.objects(object_count_of("face_object", face_object) if names is None else names)
             builder.instance(builder.mesh(vertices, faces, face_object=face_object, copy=copy))
-        return builder.build()
+        return cls._from_assembled(builder.assemble())
 
     @property
     def triangle_count(self) -> int:
@@ -304,38 +305,17 @@ class Scene:
             rows = np.flatnonzero(owner == number)
             if not len(rows):
                 raise ValueError(f"poses: expected dynamic objects, but '{name}' is not; make it so by with_dynamic")
-            placements[rows] = self._posed(f"poses['{name}']", pose, number, self._rest[rows])
+            matrix = checked_pose(f"poses['{name}']", pose)
+            placements[rows] = placements_in(matrix, self._frame(number), self._rest[rows], self.origin)
         return self._derived(self._core.posed(placements), self._rest, self._table)
-
-    def _posed(self, argument: str, pose: ArrayLike, number: int, rest: NDArray[np.float64]) -> NDArray[np.float64]:
-        matrix = transforms_of(argument, pose)
-        if matrix.shape != (4, 4):
-            raise ValueError(f"{argument}: expected one 4x4 matrix object→world, got shape {matrix.shape}")
-        if np.linalg.matrix_rank(matrix[:3, :3]) < 3:
-            raise ValueError(f"{argument}: expected an invertible matrix, got determinant {np.linalg.det(matrix):g}")
-        frame = self._frame(number)
-        if np.array_equal(matrix, frame):
-            return rest
-        world = rest.copy()
-        world[:, :, 3] += self.origin
-        # mesh→world becomes pose · load⁻¹ · (mesh→world when loaded); solved first, so that equal factors cancel.
-        local = np.linalg.solve(frame, np.concatenate([world, np.tile([[[0.0, 0, 0, 1]]], (len(world), 1, 1))], axis=1))
-        placed: NDArray[np.float64] = (matrix @ local)[:, :3]
-        placed[:, :, 3] -= self.origin
-        return placed
 
     def _pose(self, number: int) -> NDArray[np.float64]:
         """Object→world (4, 4) where an object is now."""
         rows = np.flatnonzero(self._core.moving_objects() == number)
+        frame = self._frame(number)
         if not len(rows):
-            return self._frame(number).copy()
-        now, rest = (np.vstack([each[rows[0]], [0, 0, 0, 1]]) for each in (self._core.moving_placements(), self._rest))
-        if np.array_equal(now, rest):
-            return self._frame(number).copy()
-        for placement in (now, rest):
-            placement[:3, 3] += self.origin
-        moved: NDArray[np.float64] = now @ np.linalg.solve(rest, self._frame(number))
-        return moved
+            return frame.copy()
+        return current_pose(frame, self._core.moving_placements()[rows[0]], self._rest[rows[0]], self.origin)
 
     def _frame(self, number: int) -> NDArray[np.float64]:
         if self._frames is None or number >= len(self._frames):
@@ -366,26 +346,11 @@ class Scene:
         if objects is not None:
             flags = self._names.flags("objects", objects)
             return self._derived(self._core.subset_of_objects(flags), self._rest[flags[owner]], self._table)
-        mask = self._triangle_mask(check.plain("triangles", triangles))  # type: ignore[arg-type]  # not None here
+        assert triangles is not None
+        mask = triangle_mask(check.plain("triangles", triangles), self.triangle_count)
         before = np.concatenate([[0], np.cumsum(mask)])[self._core.triangle_offsets()]
         remains = np.diff(before)[self._core.instance_count - len(owner) :] > 0
         return self._derived(self._core.subset_of_triangles(mask), self._rest[remains])
-
-    def _triangle_mask(self, triangles: NDArray[Any]) -> NDArray[np.bool_]:
-        count = self.triangle_count
-        if triangles.dtype == bool:
-            if triangles.shape != (count,):
-                raise ValueError(f"triangles: expected a mask of shape ({count},), got {triangles.shape}")
-            return np.ascontiguousarray(triangles)
-        if triangles.size and (triangles.dtype.kind not in "iu" or triangles.ndim != 1):
-            raise TypeError(f"triangles: expected a list of numbers or a mask, got {triangles.dtype} {triangles.shape}")
-        if triangles.size and (int(triangles.min()) < 0 or int(triangles.max()) >= count):
-            raise ValueError(
-                f"triangles: expected numbers from 0 to {count - 1}, got {triangles.min()} to {triangles.max()}"
-            )
-        mask = np.zeros(count, bool)
-        mask[triangles.astype(np.int64)] = True
-        return mask
 
     def _derived(self, core: _core.Scene, rest: NDArray[np.float64], table: LevelTable | None = None) -> Scene:
         return Scene(
@@ -423,17 +388,3 @@ def core_of(scene: Scene) -> _core.Scene:
     if not isinstance(scene, Scene):
         raise TypeError(f"scene: expected a Scene, got {type(scene).__name__}")
     return scene._core
-
-
-class SceneBuilder(Assembly):
-    """Puts a scene together from materials, meshes and their placements; loading and the datasets go through it."""
-
-    def build(self, dynamic: Iterable[str] = ()) -> Scene:
-        """Make the scene.
-
-        Parameters
-        ----------
-        dynamic
-            Names of objects that `Scene.at` can pose; they keep meshes of their own.
-        """
-        return Scene._from_assembled(self.assemble(dynamic))

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar._scene.scene import Scene, SceneBuilder
+from nearfar._scene.builder import SceneBuilder
+from nearfar._scene.scene import Scene
 from nearfar.datasets import _palette
 from nearfar.datasets._draw import Floats, turn
 from nearfar.datasets._shapes import Indexed, Soup, weld
