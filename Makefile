@@ -17,9 +17,9 @@ export PYO3_PYTHON := $(CURDIR)/$(bin)/python
 help:
 	@awk '/^# /{text = substr($$0, 3)} /^[a-z]+:/{sub(":.*", ""); if (text) printf "%-10s %s\n", $$0, text} !/^# /{text = ""}' Makefile
 
-# The main job on the procedural city: pictures, load curve and a report in out/demo.
+# The main job on the procedural city: near.glb, far.exr, pictures, load curve and a report in out/demo.
 demo: .venv/built
-	$(bin)/nearfar demo -o $(OUT)/demo
+	$(bin)/nearfar reduce -i city -o $(OUT)/demo
 
 # Everything that must pass: formatting, lints, types, Rust tests, Python tests.
 test: lint

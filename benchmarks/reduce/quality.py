@@ -63,16 +63,9 @@ def cases(quick: bool) -> Iterator[Case]:
 
 def measures(truth: nf.Frame, frame: nf.Frame, case: Case) -> list[float]:
     """Mean and 99th percentile of discontinuity, its absolute mean along the boundary, PSNR and SSIM."""
-    torn = nf.discontinuity(frame)
-    edge = nf.boundary(frame, center=case.center, radius=case.r2) & ~np.isnan(torn)
-    along = float(np.abs(torn[edge]).mean()) if edge.any() else np.nan
-    return [
-        float(np.nanmean(torn)),
-        float(np.nanpercentile(torn, 99)),
-        along,
-        nf.psnr(truth, frame),
-        nf.ssim(truth, frame),
-    ]
+    found = nf.compare(truth, frame, center=case.center, radius=case.r2)
+    torn = [np.nan if v is None else v for v in (found.discontinuity, found.discontinuity_p99, found.boundary)]
+    return [*torn, found.psnr, found.ssim]
 
 
 def discontinuity(case: Case, size: tuple[int, int], plots: Path | None) -> str:

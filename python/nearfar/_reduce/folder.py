@@ -27,8 +27,8 @@ COUNTS = ("triangles", "near", "intermediate", "nsf", "nsf_at_r1", "sf", "rays")
 
 
 @dataclass(frozen=True)
-class Bundle:
-    """What a folder holds."""
+class Contents:
+    """The parts of a reduced scene that a folder keeps."""
 
     near: Scene
     env: EnvMap | None
@@ -41,31 +41,31 @@ class Bundle:
     """`COUNTS` of the scene that was reduced."""
 
 
-def save(path: str | os.PathLike[str], bundle: Bundle, *, half: bool) -> None:
+def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> None:
     """Write a folder, whole or not at all; `ReducedScene.save` says what is in it."""
     from nearfar._scene import glb
 
-    near, target = bundle.near, check.path("path", path)
+    near, target = contents.near, check.path("path", path)
     names = near._names.given
     document = formats.header(
         NAME,
         VERSION,
         origin=near.origin.tolist(),
         color_space="linear",
-        center=list(bundle.center),
-        r1=bundle.r1,
-        r2=bundle.r2,
-        morph=bundle.morph,
-        boundary=bundle.boundary,
-        files={"near": NEAR, "far": None if bundle.env is None else FAR},
-        counts=bundle.counts,
+        center=list(contents.center),
+        r1=contents.r1,
+        r2=contents.r2,
+        morph=contents.morph,
+        boundary=contents.boundary,
+        files={"near": NEAR, "far": None if contents.env is None else FAR},
+        counts=contents.counts,
         moving=_moving(near),
         object_names=names if isinstance(names, int) else list(names),
     )
     with files.atomic_folder(target, marker=DOCUMENT) as folder:
         (folder / NEAR).write_bytes(glb.encode(near._core, near.object_names))
-        if bundle.env is not None:
-            bundle.env.save(folder / FAR, half=half)
+        if contents.env is not None:
+            contents.env.save(folder / FAR, half=half)
         (folder / DOCUMENT).write_text(formats.to_json(document), encoding="utf-8")
 
 
@@ -82,7 +82,7 @@ def _moving(scene: Scene) -> list[dict[str, Any]]:
     ]
 
 
-def load(path: str | os.PathLike[str]) -> Bundle:
+def load(path: str | os.PathLike[str]) -> Contents:
     """Read a folder; FormatError where a file of it is damaged or too new, OSError where one is missing."""
     from nearfar._scene import glb
 
@@ -101,7 +101,7 @@ def load(path: str | os.PathLike[str]) -> Bundle:
     with _explained(folder / DOCUMENT):
         frames, rest = _frames(document["moving"], names, core.moving_placements())
         near = Scene(core, names, frames=frames, rest=rest)
-        return Bundle(
+        return Contents(
             near,
             EnvMap.load(folder / FAR) if has_map else None,
             center,

@@ -266,7 +266,7 @@ class ReducedScene:
         if self._is_whole:
             near = near.subset(triangles=zones.nsf if self._boundary == "r2" else self._drawn_at_r1())
         settings = (self.center, self.r1, self.r2, self._morph, self._boundary)
-        folder.save(path, folder.Bundle(near, self._env, *settings, self._counts), half=half)
+        folder.save(path, folder.Contents(near, self._env, *settings, self._counts), half=half)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> ReducedScene:

@@ -1,4 +1,4 @@
-"""Where to stand when nobody says so: open ground near the middle, looking where there is most to see."""
+"""Viewpoints that are chosen by casting rays: open ground near a scene's middle, facing its longest view."""
 
 from __future__ import annotations
 
@@ -7,16 +7,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-import nearfar as nf
-from nearfar.cli._options import Point
+from nearfar._scene.scene import Scene
+from nearfar._trace.rays import cast_rays
+
+Point = tuple[float, float, float]
 
 EYE_HEIGHT = 1.7
 """Metres above the ground: a standing person's eyes."""
 
-ROOM = 3.0
-"""Metres: in smaller scenes, which are things and not places, an eye's height is a part of the scene's."""
+SMALLEST_PLACE = 3.0
+"""Metres across: smaller scenes are things, not places, and an eye's height is a share of the scene's."""
 
-COMPARED = 40
+MOST_COMPARED = 40
 """Open places that are compared."""
 
 BLOCK = 64
@@ -33,8 +35,8 @@ CLEARANCE = 3.0
 
 
 @dataclass(frozen=True)
-class Place:
-    """A place to stand."""
+class Viewpoint:
+    """An eye and the direction that it faces."""
 
     eye: Point
     """World position in metres."""
@@ -42,19 +44,13 @@ class Place:
     """Horizontal unit direction with the longest open view."""
 
 
-def choose(scene: nf.Scene, source: str) -> Place:
-    """Find an open place near the middle of the scene; procedural scenes know theirs.
+def find(scene: Scene) -> Viewpoint:
+    """Find an open place near the middle of a scene.
 
     A place is open if nothing stands within `CLEARANCE` of a person's eyes, half of the directions see at least ten
-    metres far (less in small scenes) and a quarter of them see something. Of the first `COMPARED` such places, those
-    under the sky before those under a roof, the one with the widest view is taken.
+    metres far (less in small scenes) and a quarter of them see something. Of the first `MOST_COMPARED` such places,
+    those under the sky before those under a roof, the one with the widest view is taken.
     """
-    views = {"city": nf.datasets.street_view, "room": nf.datasets.room_view}
-    name = source.partition(":")[0]
-    if name in views:
-        known, target = views[name]()
-        ahead = np.array([target[0] - known[0], 0.0, target[2] - known[2]])
-        return Place(known, _point(ahead / np.linalg.norm(ahead)))
     eyes = _candidates(scene)
     far = min(10.0, 0.25 * float(np.hypot(*(scene.bounds[1] - scene.bounds[0])[[0, 2]] / 2.0)))
     open_places: list[tuple[float, Point]] = []
@@ -64,29 +60,40 @@ def choose(scene: nf.Scene, source: str) -> Place:
         meets = (seen < 10.0 * far).mean(axis=1) >= 0.25
         is_open = is_free & meets & (np.median(seen, axis=1) >= far)
         open_places += [(float(seen[n].mean()), _point(block[n])) for n in np.flatnonzero(is_open)]
-        if len(open_places) >= COMPARED:
+        if len(open_places) >= MOST_COMPARED:
             break
-    best = max(open_places[:COMPARED])[1] if open_places else _point(eyes[0])
-    return Place(best, open_direction(scene, best))
+    best = max(open_places[:MOST_COMPARED])[1] if open_places else _point(eyes[0])
+    return facing_open(scene, best)
 
 
-def walk(scene: nf.Scene, place: Place, distance: float) -> Point:
+def facing_open(scene: Scene, eye: Point) -> Viewpoint:
+    """An eye that faces the longest open view."""
+    return Viewpoint(eye, open_direction(scene, eye))
+
+
+def facing(eye: Point, target: Point) -> Viewpoint:
+    """An eye that faces a target, level."""
+    ahead = np.array([target[0] - eye[0], 0.0, target[2] - eye[2]])
+    return Viewpoint(eye, _point(ahead / np.linalg.norm(ahead)))
+
+
+def beside(scene: Scene, viewpoint: Viewpoint, distance: float) -> Point:
     """Where the user stands: up to `distance` metres beside the centre, on the wider side and off its walls.
 
     Steps to the side show what the methods do to the picture; steps along the view hardly change it.
     """
-    right = np.array([-place.forward[2], 0.0, place.forward[0]])
-    free = nf.cast_rays(scene, np.tile(place.eye, (2, 1)), np.stack([right, -right])).t_hit
+    right = np.array([-viewpoint.forward[2], 0.0, viewpoint.forward[0]])
+    free = cast_rays(scene, np.tile(viewpoint.eye, (2, 1)), np.stack([right, -right])).t_hit
     side = right if free[0] >= free[1] else -right
-    return _point(np.array(place.eye) + min(distance, 0.6 * float(free.max())) * side)
+    return _point(np.array(viewpoint.eye) + min(distance, 0.6 * float(free.max())) * side)
 
 
-def ahead(eye: Point, forward: Point) -> Point:
-    """A point to look at, a little above the horizon: a level view is half road."""
-    return _point(np.array(eye) + np.array(forward) + np.array([0.0, 0.15, 0.0]))
+def ahead(eye: Point, forward: Point, *, rise: float = 0.15) -> Point:
+    """A point to look at: a metre ahead and `rise` metres above the eye, because a level view is half road."""
+    return _point(np.array(eye) + np.array(forward) + np.array([0.0, rise, 0.0]))
 
 
-def _candidates(scene: nf.Scene) -> NDArray[np.float64]:
+def _candidates(scene: Scene) -> NDArray[np.float64]:
     """Eyes above the ground of a grid, nearest to the middle first: those seen from above, then those from below.
 
     Where rays meet nothing, the ground is the lowest height of the scene, because cities often come without any.
@@ -98,18 +105,18 @@ def _candidates(scene: nf.Scene) -> NDArray[np.float64]:
     grid = np.stack(np.meshgrid(axis, axis, indexing="ij"), axis=-1).reshape(-1, 2)
     grid = grid[np.argsort(np.hypot(*grid.T), kind="stable")]
     x, z = (grid * np.minimum(half * 0.6, 150.0)[[0, 2]] + middle[[0, 2]]).T
-    eye_height = EYE_HEIGHT if 2.0 * half.max() >= ROOM else 1.2 * half[1]
+    eye_height = EYE_HEIGHT if 2.0 * half.max() >= SMALLEST_PLACE else 1.2 * half[1]
     eyes = []
     for start, sign in ((high[1] + 1.0, -1.0), (low[1] - 1.0, 1.0)):
         origins = np.column_stack([x, np.full(len(x), start), z])
-        way = nf.cast_rays(scene, origins, np.tile([0.0, sign, 0.0], (len(x), 1))).t_hit.astype(np.float64)
+        way = cast_rays(scene, origins, np.tile([0.0, sign, 0.0], (len(x), 1))).t_hit.astype(np.float64)
         ground = np.where(np.isfinite(way), start + sign * np.where(np.isfinite(way), way, 0.0), low[1])
         level = ground <= np.percentile(ground, 10.0) + 2.0
         eyes.append(np.column_stack([x, ground + eye_height, z])[level])
     return np.concatenate(eyes)
 
 
-def open_direction(scene: nf.Scene, eye: Point) -> Point:
+def open_direction(scene: Scene, eye: Point) -> Point:
     """Horizontal direction in which a field of view of a quarter turn sees farthest on the whole."""
     view = np.minimum(_view(scene, np.asarray(eye)), 500.0)
     quarter = DIRECTIONS // 4
@@ -125,15 +132,15 @@ def _ring() -> NDArray[np.float64]:
     return np.column_stack([np.sin(angle), np.zeros(DIRECTIONS), -np.cos(angle)])
 
 
-def _view(scene: nf.Scene, eye: NDArray[np.float64]) -> NDArray[np.float64]:
+def _view(scene: Scene, eye: NDArray[np.float64]) -> NDArray[np.float64]:
     distances: NDArray[np.float64] = _views(scene, eye[None])[0]
     return distances
 
 
-def _views(scene: nf.Scene, eyes: NDArray[np.float64]) -> NDArray[np.float64]:
+def _views(scene: Scene, eyes: NDArray[np.float64]) -> NDArray[np.float64]:
     """Distances (N, DIRECTIONS) to what each of N eyes sees around it."""
     origins, directions = np.repeat(eyes, DIRECTIONS, axis=0), np.tile(_ring(), (len(eyes), 1))
-    return nf.cast_rays(scene, origins, directions).t_hit.reshape(-1, DIRECTIONS).astype(np.float64)
+    return cast_rays(scene, origins, directions).t_hit.reshape(-1, DIRECTIONS).astype(np.float64)
 
 
 def _point(values: NDArray[np.float64]) -> Point:

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 import nearfar as nf
-from nearfar.cli import _bake, _compare, _demo, _info, _lod, _partition, _render
+from nearfar.cli import _bake, _compare, _info, _lod, _partition, _reduce, _render
 
 INTERRUPTED = 130
 """Status of a command ended by Ctrl-C, as shells give it: 128 and the signal's number."""
@@ -21,10 +21,11 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
 )
-app.command("demo")(_demo.demo)
+app.command("demo")(_reduce.demo)
 app.command("info")(_info.info)
 app.command("partition")(_partition.partition)
 app.command("bake")(_bake.bake)
+app.command("reduce")(_reduce.reduce)
 app.command("render")(_render.render)
 app.command("compare")(_compare.compare)
 app.command("lod")(_lod.lod)

@@ -10,7 +10,6 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, formats
-from nearfar._trace.viewpoint import choose
 from nearfar.cli._options import (
     Backend,
     Center,
@@ -27,6 +26,7 @@ from nearfar.cli._options import (
     read_point,
 )
 from nearfar.cli._output import bytes_text, check_target, count, metres, show
+from nearfar.cli._viewpoint import choose
 
 VERSION = 1
 

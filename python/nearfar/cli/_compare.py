@@ -7,15 +7,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
 
-import numpy as np
 import typer
-from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._base import check as checks
 from nearfar._base import files, formats
-from nearfar._trace.viewpoint import Place, ahead, choose, open_direction, walk
-from nearfar.cli import _comparison_page, _report
+from nearfar._trace import viewpoint
+from nearfar.cli import _comparison_page, _report_page
+from nearfar.cli._methods import METHODS, Setting, render_all
 from nearfar.cli._options import (
     Backend,
     Center,
@@ -25,7 +24,6 @@ from nearfar.cli._options import (
     Invalid,
     Json,
     Outer,
-    Point,
     Samples,
     Size,
     Up,
@@ -37,13 +35,12 @@ from nearfar.cli._options import (
 from nearfar.cli._output import Clock, count, metres, show
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
+from nearfar.cli._viewpoint import choose
 
 VERSION = 1
 
 BROKEN = 3
 """Status of a comparison that broke a threshold. 1 is an error, 2 a wrong command line."""
-
-CHANNELS = ("color", "position")
 
 
 @dataclass(frozen=True)
@@ -112,26 +109,41 @@ def compare(
     ]
     pixels, middle = read_size("--size", size), read_point("--center", center)
     eye, aim = read_point("--user", user), read_point("--target", target)
-    beside, clock = checks.positive("--distance", distance), Clock()
+    away, clock = checks.positive("--distance", distance), Clock()
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="compare.json") as folder:
         with clock.step("scene"):
             loaded = open_scene(scene, up=up, on_invalid=on_invalid)
         with clock.step("place"):
-            place = Place(middle, open_direction(loaded, middle)) if middle else choose(loaded, scene)
-            eye = eye or walk(loaded, place, beside)
-            view = camera(loaded, eye, aim or ahead(eye, place.forward), fov, pixels)
+            place = choose(loaded, scene, middle)
+            eye = eye or viewpoint.beside(loaded, place, away)
+            view = camera(loaded, eye, aim or viewpoint.ahead(eye, place.forward), fov, pixels)
         with clock.step("load curve"):
             curve = nf.load_curve(loaded, center=place.eye)
-        frames, reduced = _frames(loaded, view, place.eye, (r1, r2), face_size, samples, exact, clock, backend)
+        setting = Setting(
+            view,
+            place.eye,
+            r1,
+            r2,
+            face_size,
+            samples,
+            backend,
+            channels=("color", "position"),
+            # The discontinuity of far pixels needs the points that they show.
+            baked=("color", "range"),
+            how={"method": "exact", "env": False} if exact else None,
+        )
+        frames, reduced = render_all(loaded, setting, clock)
         with clock.step("measures"):
-            maps = {name: nf.discontinuity(frame) for name, frame in frames.items()}
-            values = {name: measure(frames, maps, name, place.eye, r2) for name in ("conventional", "continuous")}
+            measured = {
+                name: nf.compare(frames["truth"], frames[name], center=place.eye, radius=r2) for name in METHODS
+            }
+            values = {name: _document(comparison) for name, comparison in measured.items()}
         with clock.step("pictures"):
-            _report.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
-            plotted = _report.save_curve(folder, curve, r2)
+            _report_page.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
+            plotted = _report_page.save_curve(folder, curve, r2)
             if plotted:
-                _comparison_page.save_heat_maps(folder, {name: maps[name] for name in values})
+                _comparison_page.save_heat_maps(folder, {name: found.torn for name, found in measured.items()})
         margin = nf.fold_margin(eye, center=place.eye, r1=r1, r2=r2)
         checked = [threshold.check(values["continuous"]) for threshold in thresholds]
         document = formats.header("compare", VERSION, origin=[float(v) for v in loaded.origin], color_space="sRGB") | {
@@ -166,61 +178,27 @@ def compare(
         raise typer.Exit(BROKEN)
 
 
-def _frames(
-    scene: nf.Scene,
-    view: nf.Camera,
-    center: Point,
-    radii: tuple[float, float],
-    face_size: int,
-    samples: int,
-    exact: bool,
-    clock: Clock,
-    backend: str,
-) -> tuple[dict[str, nf.Frame], nf.ReducedScene]:
-    """The three pictures with the points that they show, and the reduced scene."""
-    with clock.step("truth"):
-        frames = {"truth": nf.render(scene, view, samples=samples, channels=CHANNELS, backend=backend)}
-    with clock.step("reduce"):
-        # Range, because the discontinuity of far pixels needs to know what they show.
-        reduced = nf.reduce(
-            scene,
-            center=center,
-            r1=radii[0],
-            r2=radii[1],
-            face_size=face_size,
-            channels=("color", "range"),
-            backend=backend,
-        )
-    how: dict[str, Any] = {"method": "exact", "env": False} if exact else {}
-    for name, light in (("conventional", reduced.with_morph("none")), ("continuous", reduced)):
-        with clock.step(name):
-            frames[name] = light.render(view, samples=samples, channels=CHANNELS, **how)
-    return frames, reduced
-
-
-def measure(
-    frames: dict[str, nf.Frame], maps: dict[str, NDArray[np.float32]], name: str, center: Point, r2: float
-) -> dict[str, Any]:
-    """Measures of a picture against the truth; None where the picture does not show what is measured."""
-    truth, frame, torn = frames["truth"], frames[name], maps[name]
-    edge = nf.boundary(frame, center=center, radius=r2) & ~np.isnan(torn)
-    known = torn[~np.isnan(torn)]
-    psnr = nf.psnr(truth, frame)
+def _document(measured: nf.Comparison) -> dict[str, Any]:
+    """Measures as the report keeps them: rounded, without the picture."""
     return {
-        "psnr": round(psnr, 4) if np.isfinite(psnr) else None,
-        "ssim": round(nf.ssim(truth, frame), 6),
-        "rmse": round(nf.rmse(truth, frame), 6),
-        "discontinuity": round(float(known.mean()), 6) if known.size else None,
-        "discontinuity_p99": round(float(np.percentile(known, 99)), 6) if known.size else None,
-        "boundary": round(float(np.abs(torn[edge]).mean()), 6) if edge.any() else None,
-        "boundary_pixels": int(edge.sum()),
+        "psnr": round(measured.psnr, 4) if math.isfinite(measured.psnr) else None,
+        "ssim": round(measured.ssim, 6),
+        "rmse": round(measured.rmse, 6),
+        "discontinuity": _rounded(measured.discontinuity),
+        "discontinuity_p99": _rounded(measured.discontinuity_p99),
+        "boundary": _rounded(measured.boundary),
+        "boundary_pixels": measured.boundary_pixels,
     }
+
+
+def _rounded(value: float | None) -> float | None:
+    return None if value is None else round(value, 6)
 
 
 def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     pictures = document["pictures"]
     both = [
-        (label, " → ".join(_comparison_page.text(pictures[name][key]) for name in ("conventional", "continuous")))
+        (label, " → ".join(_comparison_page.text(pictures[name][key]) for name in METHODS))
         for key, label in _comparison_page.MEASURES.items()
     ]
     return [

@@ -9,9 +9,9 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, formats
-from nearfar._trace.viewpoint import choose
 from nearfar.cli._options import Center, Inner, Input, Invalid, Json, Outer, Point, Up, open_scene, read_point
 from nearfar.cli._output import check_target, count, metres, show, write_json
+from nearfar.cli._viewpoint import choose
 
 VERSION = 1
 

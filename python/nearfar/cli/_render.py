@@ -11,7 +11,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, formats
-from nearfar._trace.viewpoint import choose, open_direction
+from nearfar._trace import viewpoint
 from nearfar.cli._options import (
     Backend,
     Center,
@@ -31,6 +31,7 @@ from nearfar.cli._options import (
     read_size,
 )
 from nearfar.cli._output import bytes_text, check_target, metres, show
+from nearfar.cli._viewpoint import choose
 
 VERSION = 1
 
@@ -112,8 +113,7 @@ def render(
 def camera(scene: nf.Scene, eye: Point, target: Point | None, fov: float, size: tuple[int, int]) -> nf.Camera:
     """A level view along the longest open sight line, or towards `target`; `fov` in degrees across the width."""
     if target is None:
-        forward = open_direction(scene, eye)
-        target = (eye[0] + forward[0], eye[1] + forward[1], eye[2] + forward[2])
+        target = viewpoint.ahead(eye, viewpoint.open_direction(scene, eye), rise=0.0)
     if not 0.0 < fov < 180.0 or not math.isfinite(fov):
         raise ValueError(f"--fov: expected degrees between 0 and 180, got {fov:g}")
     width, height = size

@@ -1,4 +1,4 @@
-"""The files of `nearfar demo`: pictures side by side, the load curve, and the report in two forms."""
+"""The report of `nearfar reduce`: pictures side by side, the load curve, and the report in two forms."""
 
 from __future__ import annotations
 
