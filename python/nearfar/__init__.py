@@ -7,6 +7,7 @@ from nearfar._bend import bend_rays, fold_margin
 from nearfar._bounds import bounding_sphere, bounding_spheres, solid_angle
 from nearfar._camera.camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._camera.depth import depth_from_range, range_error, range_from_depth
+from nearfar._camera.shot import Shot
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._cubemap.layouts import convert_envmap, envmap_directions, envmap_texels
 from nearfar._cubemap.lookup import cube_lookup, cube_mips, cube_solid_angles
@@ -22,6 +23,7 @@ from nearfar._partition.partition import Partition, partition, triangle_radii
 from nearfar._reduce.reduce import reduce
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._render.frame import Frame
+from nearfar._render.renderable import Renderable
 from nearfar._render.sequence import render_path
 from nearfar._render.truth import render
 from nearfar._scene.builder import SceneBuilder
@@ -50,9 +52,11 @@ __all__ = [
     "Partition",
     "RadialLens",
     "ReducedScene",
+    "Renderable",
     "Scene",
     "SceneBuilder",
     "SceneError",
+    "Shot",
     "WarpMesh",
     "__version__",
     "bend_rays",

@@ -12,7 +12,7 @@ import nearfar as nf
 from nearfar import _core
 from nearfar._base import exr
 from nearfar._camera.camera import Projection
-from nearfar._render.frame import CHANNELS
+from nearfar._render.channels import CHANNELS
 from tests.support import valid
 
 CAMERA = nf.Camera((1, 2, 3), (0.5, 0.5, -0.5, 0.5), fov=nf.Fov(-1, 0.5, -0.3, 0.7), size=(37, 21))

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar._render.frame import CHANNELS
+from nearfar._render.channels import CHANNELS
 from tests.support import need, printed_by_threads
 from tests.support import render_oracle as oracle
 from tests.support.render_cases import PROJECTIONS, QUAD, WIDE, build, quad, room

@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
 
-from nearfar import _core
-from nearfar._base import check, progress
+from nearfar._base import check
 from nearfar._cubemap import envmap
 from nearfar._cubemap.envmap import EnvMap
-from nearfar._partition.partition import Partition, partition
+from nearfar._partition.partition import partition
 from nearfar._reduce import folder
-from nearfar._reduce.reduced_scene import ReducedScene, check_morph
+from nearfar._reduce.drawing import check_morph
+from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._render import backend as backends
-from nearfar._render import truth
-from nearfar._render.frame import CHANNELS
+from nearfar._render.bake import bake, is_half
+from nearfar._render.channels import CHANNELS, MAX_SAMPLES, channel_names
 from nearfar._scene.scene import Scene, core_of
 
 
@@ -83,61 +82,20 @@ def reduce(
     core_of(scene)
     check_morph(morph, check.choice("boundary", boundary, ("r1", "r2")))
     size = check.integer("face_size", face_size, 1, 16384)
-    samples = check.integer("samples", samples, 1, truth.MAX_SAMPLES)
-    wanted = set(truth.channel_names(channels))
+    samples = check.integer("samples", samples, 1, MAX_SAMPLES)
+    wanted = set(channel_names(channels))
     if unknown := wanted - set(envmap.CHANNELS):
         listed = ", ".join(name for name in CHANNELS if name in unknown)
         raise ValueError(f"channels: expected names of {', '.join(envmap.CHANNELS)}, got {listed}")
     device = backends.device_for(backend, scene, (tuple(n for n in CHANNELS if n in wanted), samples))
-    half = _half(range_dtype)
+    half = is_half("range_dtype", range_dtype)
     zones = partition(scene, center=center, r1=r1, r2=r2)
-    env, rays = _bake(device, scene, zones, boundary, size, samples, wanted, half)
+    env: EnvMap | None = None
+    rays = 0
+    if zones.summary()["sf"] > 0 or boundary == "r1":
+        radius = zones.r1 if boundary == "r1" else zones.r2
+        env, rays = bake(
+            scene, zones.center, radius, size=size, samples=samples, channels=wanted, half=half, device=device
+        )
     counts = {name: count for name, count in (zones.summary() | {"rays": rays}).items() if name in folder.COUNTS}
     return ReducedScene(scene, zones, env, morph=morph, boundary=boundary, counts=counts)
-
-
-def _bake(
-    device: _core.GpuDevice | None,
-    scene: Scene,
-    zones: Partition,
-    boundary: str,
-    size: int,
-    samples: int,
-    wanted: set[str],
-    half: bool,
-) -> tuple[EnvMap | None, int]:
-    """Bake the far part and count the rays, which a device casts none; nothing where nothing is far."""
-    counts = zones.summary()
-    if counts["sf"] == 0 and boundary == "r2":
-        return None, 0
-    moving = scene._core.triangle_count > scene._core.standing_triangle_count
-    with progress.bar("baking") as report:
-        settings: Any = {
-            "center": zones.center,
-            "radius": zones.r1 if boundary == "r1" else zones.r2,
-            "size": size,
-            "samples": samples,
-            "range": "range" in wanted or moving,
-            "object_id": "object_id" in wanted,
-            "report": report,
-        }
-        if device is None:
-            faces, rays = _core.bake(scene._core, **settings)
-        else:
-            faces, rays = device.bake(scene._core, **settings), 0
-    shaped = {name: image.reshape(6, size, size, *image.shape[2:]) for name, image in faces.items()}
-    if half and "range" in shaped:
-        shaped["range"] = envmap.to_half(shaped["range"])
-    names = scene.object_names if "object_id" in shaped else ()
-    return EnvMap(zones.center, **shaped, object_names=names), rays
-
-
-def _half(range_dtype: DTypeLike) -> bool:
-    """Whether ranges are 16-bit."""
-    try:
-        wanted = np.dtype(range_dtype)
-    except TypeError:
-        raise TypeError(f"range_dtype: expected float32 or float16, got {range_dtype!r}") from None
-    if wanted not in (np.float16, np.float32):
-        raise ValueError(f"range_dtype: expected float32 or float16, got {wanted}")
-    return wanted == np.float16

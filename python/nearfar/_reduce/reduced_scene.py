@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import os
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -10,21 +11,21 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import check, progress
+from nearfar._base import progress
 from nearfar._camera.camera import Camera
+from nearfar._camera.shot import Shot
 from nearfar._cubemap import envmap
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import Partition, partition
 from nearfar._reduce import folder
-from nearfar._render import truth
+from nearfar._reduce.drawing import Drawing, check_morph, morphed
+from nearfar._render import backend as backends
 from nearfar._render.frame import Frame
-from nearfar._render.renderer import Painter, Report, check_camera
+from nearfar._render.level_choice import Lod
+from nearfar._render.renderable import Images, Report
+from nearfar._render.renderer import Renderer
+from nearfar._scene.levels import Leveled, levels_of
 from nearfar._scene.scene import Scene
-
-MORPHS = ("blend", "cylinder", "none")
-
-TOLERANCES = {"vertex": 0.5, "exact": 0.1}
-"""Pixels, for each method of rendering."""
 
 
 class ReducedScene:
@@ -47,6 +48,9 @@ class ReducedScene:
     ) -> None:
         self._scene, self._partition, self._env = scene, zones, env
         self._morph, self._boundary, self._counts, self._is_whole = morph, boundary, counts, is_whole
+        self._unposed, self._poses = scene, dict[str, ArrayLike]()
+        self._drawing = Drawing()
+        self._at_levels: tuple[NDArray[np.int64], ReducedScene] | None = None
         radius = zones.r1 if boundary == "r1" else zones.r2
         channels = {} if env is None else {name: _rows(getattr(env, name)) for name in env.channels}
         size = 0 if env is None else env.face_size
@@ -106,11 +110,10 @@ class ReducedScene:
         """
         counts = self._counts
         triangles, moving, opposed, bounded = self._core.last_frame()
-        drawn = counts["nsf" if self._boundary == "r2" else "nsf_at_r1"]
         return {
             **{name: counts[name] for name in ("triangles", "near", "intermediate", "nsf", "sf")},
-            "drawn": drawn,
-            "reduction": counts["triangles"] / max(drawn, 1),
+            "drawn": self.triangle_count,
+            "reduction": counts["triangles"] / max(self.triangle_count, 1),
             "map_bytes": 0 if self._env is None else self._env.nbytes,
             "near_bytes": self._core.near_bytes,
             "rays": counts["rays"],
@@ -126,8 +129,10 @@ class ReducedScene:
         camera: Camera,
         *,
         at: Mapping[str, ArrayLike] | None = None,
+        user: ArrayLike | None = None,
         samples: int = 1,
         channels: Iterable[str] | None = None,
+        lod: Lod | None = None,
         method: str = "vertex",
         env: bool = True,
         tolerance_px: float | None = None,
@@ -142,12 +147,17 @@ class ReducedScene:
         at
             Poses of moving objects, as in `Scene.at`. They are seen wherever they are, never in the map; beyond the
             near part in the direction in which the centre sees them, where nothing in the map is nearer.
+        user
+            World position (3,) of the eye U that near geometry is bent for; by default the camera's.
         samples
             Colour samples of each pixel; all other images are taken at the pixel's centre.
         channels
             Images to compute, as in `render`; by default colour, and range and object_id where far pixels have them.
             Far pixels have the channels that were baked, the point of the map's range as position, face_id −1 and
             no normal. `range` is the displayed distance, `position` and `normal` are unmorphed.
+        lod
+            Levels of detail of near objects, as `nearfar.render` takes it, for scenes whose objects have some. What is
+            far is in the map, at the levels that were baked. When levels change, near geometry is gathered anew.
         method
             "vertex": the morph moves vertices, as a vertex shader would. "exact": every pixel shows what its bent ray
             (`bend_rays`) meets in the unmorphed scene.
@@ -179,46 +189,119 @@ class ReducedScene:
         DeviceError
             As `render`.
         """
-        check_camera(camera)
-        painter = self._painter(channels, samples, method=method, env=env, tolerance_px=tolerance_px)
-        return painter.paint(self._scene if at is None else self._scene.at(at), camera, backend)
+        drawn = self._drawn_by(Drawing.checked(method, env, tolerance_px))
+        if backends.check(backend) == "gpu" and "gpu" not in drawn.backends:
+            raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
+        renderer = Renderer(drawn, channels, samples, lod)
+        (frame,) = renderer.frames(renderer.shot([camera], user), at, renderer.device(backend, self))
+        return frame
 
-    def _painter(
-        self,
-        channels: Iterable[str] | None,
-        samples: int,
-        *,
-        method: str = "vertex",
-        env: bool = True,
-        tolerance_px: float | None = None,
-    ) -> Painter:
-        """How it is seen; None stands for the default images."""
-        check.choice("method", method, tuple(TOLERANCES))
-        if not isinstance(env, bool):
-            raise TypeError(f"env: expected True or False, got {type(env).__name__}")
-        if not (env or self._is_whole or self._env is None):
+    @property
+    def origin(self) -> NDArray[np.float64]:
+        """World position (3,) that `Frame.position` is relative to: the scene's."""
+        return self._scene.origin
+
+    @property
+    def default_channels(self) -> tuple[str, ...]:
+        """Images that are computed where nobody says which: those that far pixels have."""
+        if self._env is None or not self._drawing.env:
+            return envmap.CHANNELS
+        return self._env.channels
+
+    @property
+    def backends(self) -> tuple[str, ...]:
+        """Where pictures can be made: rays are bent on the CPU alone."""
+        bends = self._drawing.method == "exact" and self._morph != "none"
+        return ("cpu",) if bends else ("cpu", "gpu")
+
+    @property
+    def triangle_count(self) -> int:
+        """Triangles that a client draws."""
+        return self._counts["nsf" if self._boundary == "r2" else "nsf_at_r1"]
+
+    def at(self, poses: Mapping[str, ArrayLike]) -> ReducedScene:
+        """Return the same reduced scene with dynamic objects in other places, as `Scene.at` does."""
+        posed = copy.copy(self)
+        posed._scene, posed._poses = self._scene.at(poses), {**self._poses, **poses}
+        return posed
+
+    def at_levels(self, levels: ArrayLike | Mapping[str, int]) -> ReducedScene:
+        """Return the same reduced scene with near objects at these levels of detail, before the same map.
+
+        Parameters
+        ----------
+        levels
+            As `Scene.at_levels` takes them. Objects that are far are in the map, at the levels that were baked.
+
+        Raises
+        ------
+        ValueError, TypeError
+            As `Scene.at_levels`.
+        """
+        leveled = self._scene.leveled
+        if leveled is None:
+            raise ValueError("lod: expected a scene whose objects have levels, got one without; see Scene.with_levels")
+        chosen = levels_of("levels", levels, leveled)
+        if self._at_levels is None or not np.array_equal(self._at_levels[0], chosen):
+            scene = self._unposed.at_levels(chosen)
+            zones = partition(scene, center=self.center, r1=self.r1, r2=self.r2)
+            self._at_levels = chosen, self._with(scene, zones, self._counts | zones.summary())
+        left_out = {name for name, level in zip(leveled.names, chosen.tolist(), strict=True) if level < 0}
+        poses = {name: pose for name, pose in self._poses.items() if name not in left_out}
+        found = self._at_levels[1]
+        return found.at(poses) if poses else found
+
+    def shown_to(self, user: ArrayLike) -> Leveled | None:
+        """Objects that have levels, where a user at a world position (3,) sees them: the morph moves their spheres."""
+        leveled = self._scene.leveled
+        if leveled is None or self._morph == "none":
+            return leveled
+        return morphed(leveled, user, center=self.center, r1=self.r1, r2=self.r2, kind=self._morph)
+
+    def trace(self, shot: Shot, report: Report = None) -> list[Images]:
+        """Trace the pictures of a shot, one for each camera."""
+        return [
+            self._core.render(self._scene._core, camera._core, **self._settings(shot, camera), report=report)
+            for camera in shot.cameras
+        ]
+
+    def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> list[_core.GpuJob]:
+        """Begin the pictures of a shot on a graphics device, one for each camera."""
+        return [
+            device.reduced(self._core, self._scene._core, camera._core, **self._settings(shot, camera), report=report)
+            for camera in shot.cameras
+        ]
+
+    def _settings(self, shot: Shot, camera: Camera) -> dict[str, Any]:
+        if not (self._drawing.env or self._is_whole or self._env is None):
             raise ValueError("env: expected True for a loaded scene, whose far geometry was not saved, got False")
-        samples = check.integer("samples", samples, 1, truth.MAX_SAMPLES)
-        tolerance = (
-            TOLERANCES[method] if tolerance_px is None else check.number("tolerance_px", tolerance_px, finite=False)
-        )
-        wanted = truth.channel_names(self._default_channels(env) if channels is None else channels)
-        settings: Any = {
-            "channels": wanted,
-            "samples": samples,
-            "method": method,
-            "mapped": env,
-            "tolerance_px": tolerance,
+        return {
+            "channels": list(shot.channels),
+            "samples": shot.samples,
+            "method": self._drawing.method,
+            "mapped": self._drawing.env,
+            "tolerance_px": self._drawing.tolerance,
         }
 
-        def trace(scene: Scene, camera: Camera, report: Report) -> dict[str, Any]:
-            return self._core.render(scene._core, camera._core, **settings, report=report)
+    def _drawn_by(self, drawing: Drawing) -> ReducedScene:
+        drawn = copy.copy(self)
+        drawn._drawing = drawing
+        return drawn
 
-        def begin(device: _core.GpuDevice, scene: Scene, camera: Camera, report: Report) -> _core.GpuJob:
-            return device.reduced(self._core, scene._core, camera._core, **settings, report=report)
-
-        bends = method == "exact" and self._morph != "none"
-        return Painter(self, self._scene, (tuple(wanted), samples), trace, begin, bends=bends)
+    def _with(
+        self, scene: Scene, zones: Partition, counts: dict[str, int], *, morph: str | None = None
+    ) -> ReducedScene:
+        """The same map around other near geometry, or joined to it in another way."""
+        reduced = ReducedScene(
+            scene,
+            zones,
+            self._env,
+            morph=self._morph if morph is None else morph,
+            boundary=self._boundary,
+            counts=counts,
+            is_whole=self._is_whole,
+        )
+        return reduced._drawn_by(self._drawing)
 
     def with_morph(self, morph: str) -> ReducedScene:
         """Join the same near part and the same map in another way, without baking anew.
@@ -234,15 +317,7 @@ class ReducedScene:
             For other names, and for a morph that this map does not reach.
         """
         check_morph(morph, self._boundary)
-        return ReducedScene(
-            self._scene,
-            self._partition,
-            self._env,
-            morph=morph,
-            boundary=self._boundary,
-            counts=self._counts,
-            is_whole=self._is_whole,
-        )
+        return self._with(self._scene, self._partition, self._counts, morph=morph)
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
         """Write a folder that other programs read, whole or not at all.
@@ -298,22 +373,12 @@ class ReducedScene:
         moving = np.arange(self._scene._core.standing_triangle_count, self._scene.triangle_count)
         return np.union1d(self._partition.near, moving)
 
-    def _default_channels(self, env: bool) -> tuple[str, ...]:
-        return self._env.channels if env and self._env is not None else envmap.CHANNELS
-
     def __repr__(self) -> str:
         stats = self.stats
         return (
             f"ReducedScene({self._morph!r}, r1={self.r1:g}, r2={self.r2:g}: {stats['drawn']:,} of "
             f"{stats['triangles']:,} triangles, map of {stats['map_bytes']:,} bytes)"
         )
-
-
-def check_morph(morph: str, boundary: str) -> None:
-    """ValueError for a morph that is none, and one that a map from r1 does not reach."""
-    check.choice("morph", morph, MORPHS)
-    if boundary == "r1" and morph != "none":
-        raise ValueError(f"boundary: expected 'r2' with morph={morph!r}, got 'r1', which only morph='none' knows")
 
 
 def _rows(channel: Any) -> Any:

@@ -14,9 +14,7 @@ from nearfar import _core
 from nearfar._base import exr, files, formats
 from nearfar._base.errors import FormatError
 from nearfar._camera.camera import Camera, CubeFace, Fov, Orthographic
-
-CHANNELS = ("color", "range", "object_id", "face_id", "position", "normal")
-"""All images that a frame may hold."""
+from nearfar._render.channels import CHANNELS
 
 VERSION = 1
 """Of the EXR files that frames are saved as."""

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import repeat
 
 from numpy.typing import ArrayLike
 
 from nearfar import _core
 from nearfar._camera.camera import Camera
-from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar._camera.shot import Shot
 from nearfar._render.frame import Frame
-from nearfar._render.level_choice import Choice, Lod, said
-from nearfar._render.renderer import Painter
-from nearfar._render.truth import painter
+from nearfar._render.level_choice import Lod
+from nearfar._render.renderable import Job, Renderable
+from nearfar._render.renderer import Renderer, collected, finished
 from nearfar._scene.levels import Shown
-from nearfar._scene.scene import Scene
 
 Pose = Mapping[str, ArrayLike]
 
@@ -24,7 +24,7 @@ AHEAD = 2
 
 
 def render_path(
-    source: Scene | ReducedScene,
+    source: Renderable,
     cameras: Iterable[Camera],
     *,
     at: Pose | Iterable[Pose] | None = None,
@@ -33,7 +33,7 @@ def render_path(
     lod: Lod | None = None,
     backend: str = "auto",
 ) -> Iterator[Frame]:
-    """Render a scene, or a reduced one, from one camera after the other.
+    """Render a scene, a reduced scene or another renderable from one camera after the other.
 
     Parameters
     ----------
@@ -50,8 +50,8 @@ def render_path(
     samples, backend
         As `render` takes them.
     lod
-        As `render` takes it, for a scene whose objects have levels. One selector chooses for all views in turn, so that
-        it may keep objects at the levels that they have.
+        As `render` takes it, for scenes and reduced scenes whose objects have levels. One selector chooses for all
+        views in turn, so that it may keep objects at the levels that they have.
 
     Yields
     ------
@@ -66,31 +66,18 @@ def render_path(
     DeviceError
         As `render`.
     """
-    how = painter_of(source, channels, samples)
     if isinstance(cameras, Camera) or not isinstance(cameras, Iterable):
         raise TypeError(f"cameras: expected an iterable of Cameras, got {type(cameras).__name__}")
     poses: Iterable[Pose | None] = repeat(None) if at is None or isinstance(at, Mapping) else at
     if isinstance(poses, str) or not isinstance(poses, Iterable):
         raise TypeError(f"at: expected matrices by name, or one such mapping for each camera, got {type(at).__name__}")
+    renderer = Renderer(source, channels, samples, lod)
     _check_known(cameras, poses)
-    scene = how.scene.at(at) if isinstance(at, Mapping) else how.scene
-    choice = None
-    if lod is not None:
-        if isinstance(source, ReducedScene):
-            raise ValueError("lod: expected None for a reduced scene, whose objects have no levels")
-        choice = Choice(scene, lod)
-    views = _views(_posed(scene, poses), cameras, choice)
-    device = how.device(backend)
-    return _traced(how, views) if device is None else _drawn(how, device, views)
-
-
-def painter_of(source: Scene | ReducedScene, channels: Iterable[str] | None, samples: int) -> Painter:
-    """How a source is seen; TypeError for what is neither a scene nor a reduced one."""
-    if isinstance(source, ReducedScene):
-        return source._painter(channels, samples)
-    if not isinstance(source, Scene):
-        raise TypeError(f"source: expected a Scene or a ReducedScene, got {type(source).__name__}")
-    return painter(source, channels, samples)
+    if isinstance(at, Mapping):
+        renderer.source = source.at(at)
+    views = _views(renderer, cameras, iter(poses))
+    device = renderer.device(backend, source)
+    return (view.trace() for view in views) if device is None else _drawn(device, views)
 
 
 def _check_known(cameras: Iterable[Camera], poses: Iterable[Pose | None]) -> None:
@@ -108,50 +95,54 @@ def _check_camera(number: int, camera: Camera) -> None:
         raise TypeError(f"cameras: expected Cameras, got {type(camera).__name__} as number {number}")
 
 
-def _posed(source: Scene, poses: Iterable[Pose | None]) -> Iterator[Scene]:
-    """The scene in each pose. A mapping that is changed in place is another pose when its turn comes."""
-    for pose in poses:
-        yield source if pose is None else source.at(pose)
+@dataclass(frozen=True)
+class _View:
+    """One camera of the sequence: the source as it is drawn for it."""
+
+    drawn: Renderable
+    shot: Shot
+    shown: Shown | None
+
+    def trace(self) -> Frame:
+        (frame,) = collected(self.drawn, self.shot, self.drawn.trace(self.shot), self.shown)
+        return frame
+
+    def begin(self, device: _core.GpuDevice) -> Sequence[Job]:
+        return self.drawn.begin(device, self.shot)
+
+    def finish(self, jobs: Sequence[Job]) -> Frame:
+        (frame,) = finished(self.drawn, self.shot, jobs, self.shown)
+        return frame
 
 
-View = tuple[Scene, Camera, Shown | None]
-
-
-def _views(scenes: Iterator[Scene], cameras: Iterable[Camera], choice: Choice | None) -> Iterator[View]:
+def _views(renderer: Renderer, cameras: Iterable[Camera], poses: Iterator[Pose | None]) -> Iterator[_View]:
     for number, camera in enumerate(cameras):
         _check_camera(number, camera)
-        scene = next(scenes, None)
-        if scene is None:
-            raise ValueError(f"at: expected a pose for each camera, got {number}")
-        drawn, shown = (scene, None) if choice is None else choice(scene, camera)
-        yield drawn, camera, shown
+        try:
+            pose = next(poses)
+        except StopIteration:
+            raise ValueError(f"at: expected a pose for each camera, got {number}") from None
+        shot = renderer.shot([camera])
+        drawn, shown = renderer.drawn(shot, pose)
+        yield _View(drawn, shot, shown)
 
 
-def _traced(how: Painter, views: Iterator[View]) -> Iterator[Frame]:
-    for scene, camera, shown in views:
-        yield said(Frame(camera, scene._core.origin, **how.trace(scene, camera, None)), shown)
-
-
-def _drawn(how: Painter, device: _core.GpuDevice, views: Iterator[View]) -> Iterator[Frame]:
-    under_way: list[tuple[View, _core.GpuJob]] = []
+def _drawn(device: _core.GpuDevice, views: Iterator[_View]) -> Iterator[Frame]:
+    under_way: list[tuple[_View, Sequence[Job]]] = []
     wrong: Exception | None = None
     while wrong is None:
         try:
             view = next(views)
-            under_way.append((view, how.begin(device, *view[:2], None)))
+            under_way.append((view, view.begin(device)))
         except StopIteration:
             break
         except Exception as error:
-            # What was begun before it comes before it.
+            # Pictures that were begun before the error come before it.
             wrong = error
         if len(under_way) == AHEAD:
-            yield _finished(*under_way.pop(0))
-    while under_way:
-        yield _finished(*under_way.pop(0))
+            view, jobs = under_way.pop(0)
+            yield view.finish(jobs)
+    for view, jobs in under_way:
+        yield view.finish(jobs)
     if wrong is not None:
         raise wrong
-
-
-def _finished(view: View, job: _core.GpuJob) -> Frame:
-    scene, camera, shown = view
-    return said(Frame(camera, scene._core.origin, **job.finish()), shown)

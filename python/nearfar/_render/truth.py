@@ -1,47 +1,56 @@
-"""Ground truth: pictures of a scene as it is."""
+"""Pictures of a source as it is: ground truth for scenes."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any
+import math
+from collections.abc import Iterable, Mapping
 
-from nearfar import _core
-from nearfar._base import check
+from numpy.typing import ArrayLike
+
 from nearfar._camera.camera import Camera
-from nearfar._render.frame import CHANNELS, Frame
-from nearfar._render.level_choice import Choice, Lod, said
-from nearfar._render.renderer import Painter, Report, check_camera
-from nearfar._scene.scene import Scene, core_of
-
-DEFAULTS = ("color", "range", "object_id")
-"""Images that are computed where nobody says which."""
-
-MAX_SAMPLES = 1024
-"""Most colour samples of a pixel."""
+from nearfar._render.frame import Frame
+from nearfar._render.level_choice import Lod
+from nearfar._render.renderable import Renderable
+from nearfar._render.renderer import Renderer
 
 
 def render(
-    scene: Scene,
+    source: Renderable,
     camera: Camera,
     *,
+    at: Mapping[str, ArrayLike] | None = None,
+    user: ArrayLike | None = None,
+    t_min: float = 0.0,
+    t_max: float = math.inf,
     samples: int = 1,
-    channels: Iterable[str] = DEFAULTS,
+    channels: Iterable[str] | None = None,
     lod: Lod | None = None,
     backend: str = "auto",
 ) -> Frame:
-    """Render a scene: every pixel is exact, and nothing is simplified but what `lod` says.
+    """Render a scene, or anything else that is a `Renderable`.
+
+    Of a scene every pixel is exact, and nothing is simplified but what `lod` says. A reduced scene is drawn as
+    `ReducedScene.render` draws it by default.
 
     Parameters
     ----------
-    scene
-        What is looked at.
+    source
+        The scene, reduced scene, or other renderable.
     camera
-        From where; any projection.
+        The view; any projection.
+    at
+        Poses of dynamic objects, as `Scene.at` takes them.
+    user
+        World position (3,) of the eye that a reduced scene is bent for; by default the camera's. A scene is the same
+        for every user.
+    t_min, t_max
+        Metres along each pixel's ray between which surfaces are seen; what lies nearer or farther is not there.
     samples
         Colour samples of each pixel, spread evenly over its square, 1 to 1024. All other images are taken at the
         pixel's centre whatever the number.
     channels
-        Images to compute, of "color", "range", "object_id", "face_id", "position" and "normal"; see `Frame`.
+        Images to compute, of "color", "range", "object_id", "face_id", "position" and "normal"; see `Frame`. By
+        default colour, range and object_id of a scene, and of a reduced scene those that its map has.
     lod
         Which level of detail the objects show that have some (`Scene.with_levels`); None draws level 0 of all.
         "off", "depth", "depth+eccentricity" and "fovea" are modes of `nearfar.lod.select` with its defaults, without
@@ -79,36 +88,7 @@ def render(
     triangle's normal or, where its mesh has normals of vertices, what lies between them (Phong 1975), on the viewer's
     side of the triangle.
     """
-    check_camera(camera)
-    how = painter(scene, channels, samples)
-    if lod is None:
-        return how.paint(scene, camera, backend)
-    drawn, shown = Choice(scene, lod)(scene, camera)
-    return said(how.paint(drawn, camera, backend), shown)
-
-
-def painter(scene: Scene, channels: Iterable[str] | None, samples: int) -> Painter:
-    """How a scene is seen as it is; None stands for the default images."""
-    core_of(scene)
-    samples = check.integer("samples", samples, 1, MAX_SAMPLES)
-    wanted = channel_names(DEFAULTS if channels is None else channels)
-
-    def trace(scene: Scene, camera: Camera, report: Report) -> dict[str, Any]:
-        return _core.render_truth(scene._core, camera._core, channels=wanted, samples=samples, report=report)
-
-    def begin(device: _core.GpuDevice, scene: Scene, camera: Camera, report: Report) -> _core.GpuJob:
-        return device.truth(scene._core, camera._core, channels=wanted, samples=samples, report=report)
-
-    return Painter(scene, scene, (tuple(wanted), samples), trace, begin)
-
-
-def channel_names(channels: Iterable[str]) -> list[str]:
-    """Return the names of wanted images, each once and in the order of `CHANNELS`; ValueError for unknown ones."""
-    if isinstance(channels, str):
-        raise TypeError(f"channels: expected a sequence of names such as ({channels!r},), got the string {channels!r}")
-    if not isinstance(channels, Iterable):
-        raise TypeError(f"channels: expected a sequence of names, got {type(channels).__name__}")
-    names = {check.choice("channels", name, CHANNELS) for name in channels}
-    if not names:
-        raise ValueError(f"channels: expected at least one of {', '.join(CHANNELS)}, got none")
-    return [name for name in CHANNELS if name in names]
+    renderer = Renderer(source, channels, samples, lod)
+    shot = renderer.shot([camera], user, t_min, t_max)
+    (frame,) = renderer.frames(shot, at, renderer.device(backend))
+    return frame

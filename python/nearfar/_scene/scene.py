@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check
+from nearfar._camera.shot import Shot
 from nearfar._scene.arrays import object_count_of, triangle_mask
 from nearfar._scene.assembly import Assembled, Assembly
 from nearfar._scene.levels import Leveled, LevelTable, given, levels_of, with_levels
@@ -161,6 +162,16 @@ class Scene:
         return cls._from_assembled(builder.assemble())
 
     @property
+    def default_channels(self) -> tuple[str, ...]:
+        """Images that `nearfar.render` computes where nobody says which."""
+        return ("color", "range", "object_id")
+
+    @property
+    def backends(self) -> tuple[str, ...]:
+        """Where pictures can be made."""
+        return ("cpu", "gpu")
+
+    @property
     def triangle_count(self) -> int:
         """Triangles of all instances."""
         return self._core.triangle_count
@@ -251,6 +262,10 @@ class Scene:
         """The objects that have levels and the spheres about them where they are now; None where none was given any."""
         return None if self._table is None else self._table.leveled(self._core, self._names)
 
+    def shown_to(self, user: ArrayLike) -> Leveled | None:
+        """`leveled`, which is the same for every user at a world position (3,)."""
+        return self.leveled
+
     def at_levels(self, levels: ArrayLike | Mapping[str, int]) -> Scene:
         """Return a scene in which the objects show these levels for good. Meshes and search trees are shared.
 
@@ -322,6 +337,24 @@ class Scene:
             return np.eye(4)
         frame: NDArray[np.float64] = self._frames[number]
         return frame
+
+    def trace(self, shot: Shot, report: Callable[[int, int], None] | None = None) -> list[dict[str, NDArray[Any]]]:
+        """Trace the pictures of a shot, one for each camera; `nearfar.render` makes frames of them."""
+        return [
+            _core.render_truth(
+                self._core, camera._core, channels=list(shot.channels), samples=shot.samples, report=report
+            )
+            for camera in shot.cameras
+        ]
+
+    def begin(
+        self, device: _core.GpuDevice, shot: Shot, report: Callable[[int, int], None] | None = None
+    ) -> list[_core.GpuJob]:
+        """Begin the pictures of a shot on a graphics device, one for each camera."""
+        return [
+            device.truth(self._core, camera._core, channels=list(shot.channels), samples=shot.samples, report=report)
+            for camera in shot.cameras
+        ]
 
     def subset(self, *, objects: Iterable[str] | None = None, triangles: ArrayLike | None = None) -> Scene:
         """Return a scene of only some objects or some triangles.

@@ -7,14 +7,13 @@ from collections.abc import Iterable, Mapping
 from numpy.typing import ArrayLike
 
 from nearfar import _core
-from nearfar._base import progress
+from nearfar._base import check, progress
 from nearfar._camera.camera import Camera
-from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._render import backend as backends
-from nearfar._render.frame import CHANNELS, Frame
-from nearfar._render.renderer import check_camera
-from nearfar._render.sequence import painter_of
-from nearfar._scene.scene import Scene
+from nearfar._render.channels import CHANNELS
+from nearfar._render.frame import Frame
+from nearfar._render.renderable import Renderable
+from nearfar._render.renderer import Renderer
 
 
 class DeviceFrame:
@@ -64,7 +63,7 @@ class DeviceFrame:
 
 
 def render(
-    source: Scene | ReducedScene,
+    source: Renderable,
     camera: Camera,
     *,
     at: Mapping[str, ArrayLike] | None = None,
@@ -94,10 +93,12 @@ def render(
     DeviceError
         Where no adapter can be used, and for pictures that are too large to be held in one piece.
     """
-    check_camera(camera)
-    painter = painter_of(source, channels, samples)
-    scene = painter.scene if at is None else painter.scene.at(at)
-    device = backends.opened()
+    renderer = Renderer(source, channels, samples)
+    shot = renderer.shot([camera])
+    drawn, _ = renderer.drawn(shot, at)
     with progress.bar("drawing") as report:
-        core = _core.gpu_keep(painter.begin(device, scene, camera, report))
-    return DeviceFrame(core, camera, scene._core.origin, painter.work[0])
+        (job,) = drawn.begin(backends.opened(), shot, report)
+        if not isinstance(job, _core.GpuJob):
+            raise TypeError(f"source: expected one whose pictures a device can keep, got {type(source).__name__}")
+        core = _core.gpu_keep(job)
+    return DeviceFrame(core, camera, check.vector("origin", drawn.origin), renderer.channels)

@@ -6,18 +6,16 @@ import time
 from collections.abc import Iterable
 
 from nearfar._camera.camera import Camera
-from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._render import backend as backends
-from nearfar._render.renderer import check_camera
-from nearfar._render.sequence import painter_of
-from nearfar._scene.scene import Scene
+from nearfar._render.renderable import Renderable
+from nearfar._render.renderer import Renderer
 
 ROUNDS = 3
 """Pictures that are timed, after one that is not."""
 
 
 def measure(
-    source: Scene | ReducedScene, camera: Camera, *, channels: Iterable[str] | None = None, samples: int = 1
+    source: Renderable, camera: Camera, *, channels: Iterable[str] | None = None, samples: int = 1
 ) -> dict[str, float]:
     """Time a picture on the CPU and on the selected adapter, and let "auto" take the faster one from then on.
 
@@ -46,15 +44,15 @@ def measure(
     DeviceError
         Where no adapter can be used.
     """
-    check_camera(camera)
-    painter = painter_of(source, channels, samples)
+    renderer = Renderer(source, channels, samples)
+    shot = renderer.shot([camera])
     label = backends.opened().label
     taken: dict[str, list[float]] = {"cpu": [], "gpu": []}
     for _ in range(ROUNDS + 1):
         for backend, seconds in taken.items():
             started = time.perf_counter()
-            painter.paint(painter.scene, camera, backend)
+            renderer.frames(shot, None, renderer.device(backend))
             seconds.append(time.perf_counter() - started)
     least = {backend: min(seconds[1:]) for backend, seconds in taken.items()}
-    backends.remember(source, painter.work, label, least["gpu"] < least["cpu"])
+    backends.remember(source, renderer.work, label, least["gpu"] < least["cpu"])
     return least

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, overload
 from nearfar._base import check, progress
 from nearfar._camera.camera import Fov
 from nearfar._render import backend as backends
-from nearfar._render.truth import MAX_SAMPLES
+from nearfar._render.channels import MAX_SAMPLES
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod._levels import Levels
 from nearfar.lod._measure.one_object import Settings, measure_one

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._render.truth import painter
+from nearfar._render.renderer import Renderer
 from nearfar.lod._levels import Levels
 from nearfar.lod._measure.fit import Curve4PL, fit_4pl
 from nearfar.lod._measure.samples import Samples
@@ -97,7 +97,7 @@ class _Job:
     def _begin(self) -> None:
         """Settle where pictures are made, once for all levels, and what is known already."""
         base = self.levels[0].scene
-        device = painter(base, ("color", "range"), self.settings.samples).device(self.settings.backend)
+        device = Renderer(base, ("color", "range"), self.settings.samples).device(self.settings.backend)
         if device is not None:
             self.backend, self.device = "gpu", device.label
         contents = [content(level.scene) for level in self.levels]
