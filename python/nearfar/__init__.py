@@ -1,37 +1,39 @@
 """Makes scenes too heavy for a thin VR device light enough to run on it, and says what that costs in image quality."""
 
-from nearfar import datasets, gpu, hmd, lod
+# In the order of the pipeline, which is not the alphabet's.
+# ruff: noqa: I001
 from nearfar._base.errors import DeviceError, Error, FormatError, SceneError
 from nearfar._base.version import __version__
-from nearfar._bend import bend_rays, fold_margin
-from nearfar._bounds import bounding_sphere, bounding_spheres, solid_angle
 from nearfar._camera.camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._camera.depth import depth_from_range, range_error, range_from_depth
 from nearfar._camera.shot import Shot
+from nearfar._scene.builder import SceneBuilder
+from nearfar._scene.scene import Scene
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._cubemap.layouts import convert_envmap, envmap_directions, envmap_texels
 from nearfar._cubemap.lookup import cube_lookup, cube_mips, cube_solid_angles
-from nearfar._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
-from nearfar._lens.warp import WarpMesh
-from nearfar._metrics.comparison import Comparison, compare
-from nearfar._metrics.discontinuity import boundary, discontinuity
-from nearfar._metrics.pixel_errors import object_completion, psnr, rmse
-from nearfar._metrics.similarity import ms_ssim, ssim, ssim_pairs, visual_continuity
-from nearfar._morph import morph
+from nearfar._trace.nearest import Nearest, nearest_points
+from nearfar._trace.rays import Hits, cast_rays
 from nearfar._partition.load_curve import LoadCurve, load_curve
 from nearfar._partition.partition import Partition, partition, triangle_radii
-from nearfar._reduce.reduce import reduce
-from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar._morph import morph
+from nearfar._bend import bend_rays, fold_margin
+from nearfar._tessellate import tessellate
+from nearfar._bounds import bounding_sphere, bounding_spheres, solid_angle
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Renderable
 from nearfar._render.sequence import render_path
 from nearfar._render.truth import render
-from nearfar._scene.builder import SceneBuilder
-from nearfar._scene.scene import Scene
-from nearfar._tessellate import tessellate
-from nearfar._trace.nearest import Nearest, nearest_points
-from nearfar._trace.rays import Hits, cast_rays
+from nearfar._reduce.reduce import reduce
+from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar._metrics.comparison import Comparison, compare
+from nearfar._metrics.discontinuity import boundary, discontinuity
+from nearfar._metrics.pixel_errors import object_completion, psnr, rmse
+from nearfar._metrics.similarity import ms_ssim, ssim, ssim_pairs, visual_continuity
+from nearfar._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
+from nearfar._lens.warp import WarpMesh
 from nearfar.hmd._hmd import Hmd
+from nearfar import datasets, hmd, gpu, lod
 
 __all__ = [
     "Camera",

@@ -82,7 +82,7 @@ def test_only_measuring_lets_auto_take_the_processor_as_an_adapter() -> None:
             # Other work and other scenes were not measured.
             assert backends.device_for("auto", scene, (("range",), 1)) is None
             assert backends.device_for("auto", crowd(), work) is None
-    with pytest.raises(TypeError, match="source: expected a Scene or a ReducedScene"):
+    with pytest.raises(TypeError, match="source: expected a Scene, a ReducedScene"):
         nf.gpu.measure(None, camera)  # type: ignore[arg-type]
 
 
@@ -117,7 +117,7 @@ def test_the_variable_that_silences_mesa_is_not_left_behind() -> None:
 
 
 def test_importing_looks_for_nothing() -> None:
-    done = program("import sys; print('logging' in sys.modules, nf._backend._looked)", **NO_DRIVERS)
+    done = program("import sys; print('logging' in sys.modules, nf._render.backend._looked)", **NO_DRIVERS)
     assert done.stdout == "False set()\n", done.stderr
 
 

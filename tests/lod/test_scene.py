@@ -418,13 +418,6 @@ def test_scenes_travel_with_their_levels(models: list[nf.lod.LodModel]) -> None:
     assert leveled(back).radii.tolist() == leveled(scene).radii.tolist()
 
 
-def test_reduced_scenes_have_no_levels(models: list[nf.lod.LodModel]) -> None:
-    scene = nf.lod.place(models, [0], frames(1, seed=16))
-    reduced = nf.reduce(scene, center=(0, 0, 0), r1=30.0, r2=50.0, face_size=8)
-    with pytest.raises(ValueError, match="lod: expected None for a reduced scene"):
-        nf.render_path(reduced, [view()], lod="depth")
-
-
 def test_levels_of_an_object_of_a_scene_stand_where_it_stands() -> None:
     source, place = trimesh.Scene(), np.diag([2.0, 1.0, 0.5, 1.0])
     place[:3, 3] = (4.0, 1.0, -6.0)

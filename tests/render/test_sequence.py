@@ -113,7 +113,7 @@ def test_an_end_in_the_middle_drops_what_is_under_way(backend: str) -> None:
 @pytest.mark.parametrize(
     ("error", "words", "arguments"),
     [
-        (TypeError, "source: expected a Scene or a ReducedScene, got int", {"source": 3}),
+        (TypeError, "source: expected a Scene, a ReducedScene or another Renderable, got int", {"source": 3}),
         (TypeError, "cameras: expected an iterable of Cameras, got Camera", {"cameras": CAMERAS[0]}),
         (TypeError, "cameras: expected an iterable of Cameras, got int", {"cameras": 3}),
         (TypeError, "cameras: expected Cameras, got str as number 1", {"cameras": [CAMERAS[0], "here"]}),

@@ -75,7 +75,8 @@ class Renderable(Protocol):
         raise ValueError(f"backend: expected 'cpu' for {type(self).__name__}, which no graphics adapter draws")
 
 
-def check_renderable(source: object) -> None:
+def check_renderable(argument: str, source: object) -> None:
     """Refuse what can't be rendered: TypeError."""
     if not isinstance(source, Renderable):
-        raise TypeError(f"source: expected a Scene, a ReducedScene or another Renderable, got {type(source).__name__}")
+        expected = "a Scene, a ReducedScene or another Renderable"
+        raise TypeError(f"{argument}: expected {expected}, got {type(source).__name__}")

@@ -23,9 +23,15 @@ class Renderer:
     """How frames of one source are made. It remembers the levels that the last shot showed."""
 
     def __init__(
-        self, source: Renderable, channels: Iterable[str] | None, samples: int, lod: Lod | None = None
+        self,
+        source: Renderable,
+        channels: Iterable[str] | None,
+        samples: int,
+        lod: Lod | None = None,
+        *,
+        argument: str = "source",
     ) -> None:
-        check_renderable(source)
+        check_renderable(argument, source)
         self.source = source
         self.samples = check.integer("samples", samples, 1, MAX_SAMPLES)
         self.channels = channel_names(source.default_channels if channels is None else channels)

@@ -15,7 +15,7 @@ from nearfar._render.renderer import Renderer
 
 
 def render(
-    source: Renderable,
+    scene: Renderable,
     camera: Camera,
     *,
     at: Mapping[str, ArrayLike] | None = None,
@@ -34,7 +34,7 @@ def render(
 
     Parameters
     ----------
-    source
+    scene
         The scene, reduced scene, or other renderable.
     camera
         The view; any projection.
@@ -88,7 +88,7 @@ def render(
     triangle's normal or, where its mesh has normals of vertices, what lies between them (Phong 1975), on the viewer's
     side of the triangle.
     """
-    renderer = Renderer(source, channels, samples, lod)
+    renderer = Renderer(scene, channels, samples, lod, argument="scene")
     shot = renderer.shot([camera], user, t_min, t_max)
     (frame,) = renderer.frames(shot, at, renderer.device(backend))
     return frame

@@ -15,6 +15,7 @@ from nearfar._scene.arrays import (
     faces_of,
     normals_of,
     numbers_of,
+    object_count_of,
     positions_of,
     texture_of,
     transforms_of,
@@ -321,3 +322,18 @@ class Assembly:
             if objects[0:1] != _OWN_OBJECTS:
                 frames[objects[::-1]] = matrices[::-1]
         return frames if len(frames) and (frames != np.eye(4)).any() else None
+
+
+def one_mesh(
+    vertices: ArrayLike, faces: ArrayLike, face_object: ArrayLike | None, names: Sequence[str] | None, *, copy: bool
+) -> Assembled:
+    """A scene of one mesh, whose faces belong to one object or to those that `face_object` numbers."""
+    assembly = Assembly()
+    if face_object is None:
+        assembly.objects(names or ["object_0"])
+        mesh = assembly.mesh(vertices, faces, copy=copy)
+        assembly.instance(mesh, name=names[0] if names else "object_0")
+    else:
+        assembly.objects(object_count_of("face_object", face_object) if names is None else names)
+        assembly.instance(assembly.mesh(vertices, faces, face_object=face_object, copy=copy))
+    return assembly.assemble()

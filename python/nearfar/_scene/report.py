@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
+from nearfar import _core
+
 
 @dataclass(frozen=True)
 class Report:
@@ -29,6 +33,22 @@ class Report:
     """Faces left out because of non-finite or missing vertices (``on_invalid="drop"``)."""
     notes: tuple[str, ...] = ()
     """What of the source is ignored or drawn otherwise, a sentence each."""
+
+    @classmethod
+    def of(cls, core: _core.Scene, objects: int, dynamic: int, dropped: int, notes: tuple[str, ...]) -> Report:
+        """Count a scene's parts."""
+        return cls(
+            triangles=core.triangle_count,
+            meshes=len(np.unique(core.mesh_ids())),
+            instances=core.instance_count,
+            objects=objects,
+            dynamic=dynamic,
+            materials=core.material_count,
+            textures=core.texture_count,
+            degenerate_faces=core.degenerate_count(),
+            dropped_faces=dropped,
+            notes=notes,
+        )
 
     def __str__(self) -> str:
         counts = [

@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check
 from nearfar._camera.shot import Shot
-from nearfar._scene.arrays import object_count_of, triangle_mask
-from nearfar._scene.assembly import Assembled, Assembly
+from nearfar._scene.arrays import triangle_mask
+from nearfar._scene.assembly import Assembled, one_mesh
 from nearfar._scene.levels import Leveled, LevelTable, given, levels_of, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.poses import checked_pose, current_pose, placements_in
@@ -150,16 +150,8 @@ class Scene:
         TypeError
             Values that are not numbers, and names that are not strings.
         """
-        builder = Assembly()
         names = None if object_names is None else names_of("object_names", object_names)
-        if face_object is None:
-            builder.objects(names or ["object_0"])
-            mesh = builder.mesh(vertices, faces, copy=copy)
-            builder.instance(mesh, name=names[0] if names else "object_0")
-        else:
-            builder.objects(object_count_of("face_object", face_object) if names is None else names)
-            builder.instance(builder.mesh(vertices, faces, face_object=face_object, copy=copy))
-        return cls._from_assembled(builder.assemble())
+        return cls._from_assembled(one_mesh(vertices, faces, face_object, names, copy=copy))
 
     @property
     def default_channels(self) -> tuple[str, ...]:
@@ -197,20 +189,7 @@ class Scene:
     @cached_property
     def report(self) -> Report:
         """What the scene holds, and what of its source was dropped or is not drawn."""
-        core = self._core
-        ids = core.mesh_ids()
-        return Report(
-            triangles=core.triangle_count,
-            meshes=len(np.unique(ids)),
-            instances=core.instance_count,
-            objects=len(self._names),
-            dynamic=len(self._rest),
-            materials=core.material_count,
-            textures=core.texture_count,
-            degenerate_faces=core.degenerate_count(),
-            dropped_faces=self._dropped,
-            notes=self._notes,
-        )
+        return Report.of(self._core, len(self._names), len(self._rest), self._dropped, self._notes)
 
     def triangles(self) -> NDArray[np.float32]:
         """Corners of all triangles (T, 3, 3), relative to `origin`; for exchange with other tools."""
@@ -398,16 +377,10 @@ class Scene:
 
     def __getstate__(self) -> dict[str, Any]:
         """Scenes travel to other processes as arrays; trees are built anew there."""
-        given = self._names.given
+        given, own = self._names.given, ("frames", "rest", "dropped", "notes", "table")
         names = given if isinstance(given, int) else list(given)
-        own = {
-            "frames": self._frames,
-            "rest": self._rest,
-            "dropped": self._dropped,
-            "notes": self._notes,
-            "table": self._table,
-        }
-        return {"parts": parts_of(self._core), "names": names, "own": own}
+        settings = {name: getattr(self, f"_{name}") for name in own}
+        return {"parts": parts_of(self._core), "names": names, "own": settings}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         Scene.__init__(self, core_of_parts(state["parts"]), Names(state["names"]), **state["own"])

@@ -1,0 +1,148 @@
+"""Rules of ARCHITECTURE.md for the Python package: which stage may use which, no circles between files, small rooms."""
+
+from __future__ import annotations
+
+import ast
+import statistics
+import subprocess
+from pathlib import Path
+
+from tests.support import need
+from tests.support.python_modules import circles, uses
+
+CHECKOUT = Path(__file__).resolve().parents[2]
+PACKAGE = CHECKOUT / "python" / "nearfar"
+
+# Stages in the order of the data flow, and the earlier ones that each uses besides `_base`. A missing name fails:
+# another dependency is a decision.
+STAGES: dict[str, set[str]] = {
+    "_base": set(),
+    "_camera": set(),
+    "_scene": {"_camera"},
+    "datasets": {"_scene"},
+    "_cubemap": set(),
+    "_trace": {"_scene"},
+    "_partition": {"_scene"},
+    "_morph": set(),
+    "_bend": {"_morph"},
+    "_tessellate": {"_camera", "_scene"},
+    "_bounds": set(),
+    "_render": {"_camera", "_cubemap", "_scene"},
+    "_reduce": {"_camera", "_cubemap", "_morph", "_partition", "_render", "_scene"},
+    "_metrics": {"_camera", "_render"},
+    "_lens": {"_camera"},
+    "hmd": {"_camera", "_lens"},
+    "gpu": {"_camera", "_morph", "_render"},
+    "lod": {"_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "_trace", "hmd"},
+}
+
+PRIVATE_TO_COMMANDS = {"nearfar._trace.viewpoint", "nearfar._metrics.comparison"}
+"""Modules that the command line uses besides the public names and the policies of `_base`."""
+
+# Each stage's tests, benchmarks and page; a reason in the place of benchmarks where there is nothing to time.
+ROOMS = {
+    "base": "policies, which compute nothing",
+    "datasets": "scenes to test with",
+    "scene": "",
+    "camera": "",
+    "cubemap": "",
+    "trace": "",
+    "partition": "",
+    "morph": "",
+    "bend": "",
+    "tessellate": "",
+    "bounds": "",
+    "render": "",
+    "reduce": "",
+    "metrics": "",
+    "lens": "",
+    "hmd": "profiles of headsets, which are read once",
+    "gpu": "",
+    "lod": "",
+    "cli": "calls of the other stages",
+}
+
+MOST_ENTRIES = 24
+"""Files and folders in python/nearfar: what a reader takes in at a glance."""
+
+MEDIAN_LINES, MOST_LINES = 150, 400
+"""Lines of a Python file of the package; the stub may be longer while the extension is one module."""
+
+
+def stage_of(module: str) -> str:
+    return module.partition(".")[2].partition(".")[0]
+
+
+def test_no_file_uses_itself_through_others() -> None:
+    assert circles(uses(PACKAGE)) == []
+
+
+def test_stages_use_only_what_they_may() -> None:
+    wrong = []
+    for module, used in uses(PACKAGE).items():
+        stage = stage_of(module)
+        if stage != "cli":
+            assert stage in STAGES, f"{module} is a new stage: say above what it may use"
+            may = STAGES[stage] | {"_base", stage}
+            wrong += [f"{module} uses {name}" for name in sorted(used) if stage_of(name) not in may]
+    assert wrong == []
+
+
+def test_stages_depend_one_way() -> None:
+    order = list(STAGES)
+    later = {name: set(order[place + 1 :]) for place, name in enumerate(order)}
+    assert {(name, used) for name in order for used in STAGES[name] & later[name]} == set()
+
+
+def test_the_command_line_uses_only_the_public_face() -> None:
+    wrong = []
+    for path in sorted((PACKAGE / "cli").glob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and node.module and node.module.startswith("nearfar._"):
+                names = {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
+                if not node.module.startswith("nearfar._base") and not names & PRIVATE_TO_COMMANDS:
+                    wrong.append(f"{path.name}: {node.module}")
+    assert wrong == []
+
+
+def test_the_package_opens_in_the_order_of_the_pipeline() -> None:
+    lines = (PACKAGE / "__init__.py").read_text(encoding="utf-8").splitlines()
+    opened = [stage_of(line.split()[1]) for line in lines if line.startswith("from nearfar.")]
+    order = list(STAGES)
+    assert opened == sorted(opened, key=order.index)
+
+
+def tracked(folder: Path) -> list[Path]:
+    need("git")
+    listed = subprocess.run(["git", "ls-files", folder], cwd=CHECKOUT, capture_output=True, text=True, check=True)
+    return [path for line in listed.stdout.splitlines() if (path := CHECKOUT / line).is_file()]
+
+
+def test_the_package_is_small_rooms() -> None:
+    files = tracked(PACKAGE)
+    assert len({path.relative_to(PACKAGE).parts[0] for path in files}) <= MOST_ENTRIES
+    lines = {path: path.read_text(encoding="utf-8").count("\n") for path in files if path.suffix == ".py"}
+    assert statistics.median(lines.values()) < MEDIAN_LINES
+    assert {path.name: count for path, count in lines.items() if count > MOST_LINES} == {}
+
+
+def test_every_stage_has_its_tests_benchmarks_and_page() -> None:
+    stages = {stage.strip("_") for stage in STAGES} | {"cli"}
+    assert stages == set(ROOMS), "a new stage needs its rooms"
+    for stage, why_no_benchmark in ROOMS.items():
+        assert list((CHECKOUT / "tests" / stage).glob("test_*.py")), f"{stage} has no tests"
+        assert (CHECKOUT / "docs" / f"{stage}.md").is_file(), f"{stage} has no page"
+        runs = [path for path in (CHECKOUT / "benchmarks" / stage).glob("*.py") if not path.name.startswith("_")]
+        assert bool(runs) != bool(why_no_benchmark), f"{stage}: expected a benchmark, or the reason why there is none"
+    folders = {path.name for path in (CHECKOUT / "tests").iterdir() if any(path.glob("test_*.py"))}
+    assert folders <= set(ROOMS) | {"project", "vectors"}
+
+
+def test_no_test_imports_a_test() -> None:
+    wrong = []
+    for path in sorted((CHECKOUT / "tests").rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            modules = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+            modules += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+            wrong += [f"{path.relative_to(CHECKOUT)}: {name}" for name in modules if ".test_" in name]
+    assert wrong == []

@@ -1,0 +1,109 @@
+"""Which file of a Python package uses which other one, read from the imports alone."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+Graph = dict[str, set[str]]
+"""Modules by dotted name, and the modules that each uses."""
+
+
+def uses(package: Path) -> Graph:
+    """Return the graph of a package's files.
+
+    An import counts to the file that defines the name, through any number of re-exports. Imports inside functions and
+    under TYPE_CHECKING count. An `__init__.py` that defines nothing only documents and re-exports: it is left out.
+    """
+    return _Package(package).graph()
+
+
+class _Package:
+    def __init__(self, folder: Path) -> None:
+        self.name = folder.name
+        paths = {_dotted(path, folder.parent): path for path in sorted(folder.rglob("*.py"))}
+        self.trees = {module: ast.parse(path.read_text(encoding="utf-8")) for module, path in paths.items()}
+        self.folders = {module for module, path in paths.items() if path.name == "__init__.py"}
+        self.defined = {module: set(_definitions(tree)) for module, tree in self.trees.items()}
+        self.imported = {module: dict(_names(tree)) for module, tree in self.trees.items()}
+
+    def graph(self) -> Graph:
+        counted = [module for module in self.trees if module not in self.folders or self.defined[module]]
+        return {module: set(self._used(module)) & set(counted) - {module} for module in counted}
+
+    def _used(self, module: str) -> Iterator[str]:
+        tree = self.trees[module]
+        aliases: set[str] = set()
+        for node in ast.walk(tree):
+            if isinstance(node, ast.ImportFrom) and node.module and self._is_ours(node.module):
+                yield from (self.definer(node.module, alias.name) for alias in node.names)
+            elif isinstance(node, ast.Import):
+                aliases |= {a.asname or a.name for a in node.names if a.name == self.name}
+                yield from (alias.name for alias in node.names if alias.name in self.trees)
+        # `import package as p` and then `p.name`.
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id in aliases:
+                yield self.definer(self.name, node.attr)
+
+    def _is_ours(self, module: str) -> bool:
+        return module.partition(".")[0] == self.name
+
+    def definer(self, module: str, name: str) -> str:
+        """The module that defines what another one offers under a name."""
+        if module not in self.trees or name in self.defined[module]:
+            return module
+        if name in self.imported[module] and self.imported[module][name] != (module, name):
+            return self.definer(*self.imported[module][name])
+        # A folder's other names are its files, the compiled module among them.
+        return f"{module}.{name}" if module in self.folders else module
+
+
+def _dotted(path: Path, root: Path) -> str:
+    parts = path.relative_to(root).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def _definitions(tree: ast.Module) -> Iterator[str]:
+    for node in tree.body:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef | ast.AsyncFunctionDef):
+            yield node.name
+        elif isinstance(node, ast.Assign | ast.AnnAssign | ast.AugAssign):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            names = (n.id for target in targets for n in ast.walk(target) if isinstance(n, ast.Name))
+            yield from (name for name in names if name != "__all__")
+
+
+def _names(tree: ast.Module) -> Iterator[tuple[str, tuple[str, str]]]:
+    """Names that the module's own `from` imports bind: where each comes from."""
+    for node in tree.body:
+        if isinstance(node, ast.ImportFrom) and node.module:
+            yield from ((alias.asname or alias.name, (node.module, alias.name)) for alias in node.names)
+
+
+def circles(graph: Graph) -> list[list[str]]:
+    """Sets of two or more files each of which uses, directly or not, every other one (Tarjan 1972)."""
+    order: dict[str, int] = {}
+    lowest: dict[str, int] = {}
+    path: list[str] = []
+    found: list[list[str]] = []
+
+    def visit(file: str) -> None:
+        order[file] = lowest[file] = len(order)
+        path.append(file)
+        for used in sorted(graph.get(file, ())):
+            if used not in order:
+                visit(used)
+                lowest[file] = min(lowest[file], lowest[used])
+            elif used in path:
+                lowest[file] = min(lowest[file], order[used])
+        if lowest[file] == order[file]:
+            component = path[path.index(file) :]
+            del path[path.index(file) :]
+            if len(component) > 1:
+                found.append(sorted(component))
+
+    for file in sorted(graph):
+        if file not in order:
+            visit(file)
+    return found
