@@ -8,7 +8,7 @@ use std::time::Duration;
 use nearfar_core::base::{Progress, Result, pool};
 use pyo3::prelude::*;
 
-use crate::errors::{from_panic, to_python};
+use super::errors::{from_panic, to_python};
 
 /// How often a waiting caller looks at signals and reports progress.
 const POLL: Duration = Duration::from_millis(50);

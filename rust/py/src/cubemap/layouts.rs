@@ -5,11 +5,12 @@ use nearfar_core::cubemap::{self, Grid, Layout, Number, Picture};
 use numpy::{Element, PyReadonlyArray2, PyReadwriteArray1, PyReadwriteArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
-use crate::cubemap::{Directions, along, filter};
-use crate::run;
+use super::directions::{along, filter};
+use crate::convert::arrays::Points;
+use crate::convert::run;
 
 /// Layout, rows (of one face) and columns.
-type Shape = (String, u32, u32);
+pub(crate) type Shape = (String, u32, u32);
 
 fn grid((layout, height, width): &Shape) -> Result<Grid> {
     let layout = match layout.as_str() {
@@ -23,14 +24,14 @@ fn grid((layout, height, width): &Shape) -> Result<Grid> {
 
 /// Values (N, C) of a picture and those (M, C) of another one.
 #[derive(FromPyObject)]
-enum Pictures<'py> {
+pub(crate) enum Pictures<'py> {
     Single((PyReadonlyArray2<'py, f32>, PyReadwriteArray2<'py, f32>)),
     Double((PyReadonlyArray2<'py, f64>, PyReadwriteArray2<'py, f64>)),
 }
 
 /// The same for anything that is copied, by its bytes.
 #[derive(FromPyObject)]
-enum Bits<'py> {
+pub(crate) enum PictureBits<'py> {
     One((PyReadonlyArray2<'py, u8>, PyReadwriteArray2<'py, u8>)),
     Two((PyReadonlyArray2<'py, u16>, PyReadwriteArray2<'py, u16>)),
     Four((PyReadonlyArray2<'py, u32>, PyReadwriteArray2<'py, u32>)),
@@ -69,7 +70,7 @@ fn copied<T: Element + Copy + Send + Sync>(
 /// Writes a picture in another layout; `shapes` are those of both.
 #[pyfunction]
 #[pyo3(signature = (pictures, shapes, *, filter, samples, report=None))]
-fn convert_envmap(
+pub(crate) fn convert_envmap(
     py: Python<'_>,
     mut pictures: Pictures<'_>,
     shapes: [Shape; 2],
@@ -86,42 +87,35 @@ fn convert_envmap(
 /// The same by the nearest texel.
 #[pyfunction]
 #[pyo3(signature = (pictures, shapes, *, report=None))]
-fn convert_envmap_nearest(
+pub(crate) fn convert_envmap_nearest(
     py: Python<'_>,
-    mut pictures: Bits<'_>,
+    mut pictures: PictureBits<'_>,
     shapes: [Shape; 2],
     report: Option<Py<PyAny>>,
 ) -> PyResult<()> {
     match &mut pictures {
-        Bits::One(pictures) => copied(py, pictures, &shapes, report),
-        Bits::Two(pictures) => copied(py, pictures, &shapes, report),
-        Bits::Four(pictures) => copied(py, pictures, &shapes, report),
-        Bits::Eight(pictures) => copied(py, pictures, &shapes, report),
+        PictureBits::One(pictures) => copied(py, pictures, &shapes, report),
+        PictureBits::Two(pictures) => copied(py, pictures, &shapes, report),
+        PictureBits::Four(pictures) => copied(py, pictures, &shapes, report),
+        PictureBits::Eight(pictures) => copied(py, pictures, &shapes, report),
     }
 }
 
 /// Writes the directions (N, 3) of all texel centres.
 #[pyfunction]
-fn envmap_directions(py: Python<'_>, shape: Shape, mut out: PyReadwriteArray2<'_, f64>) -> PyResult<()> {
+pub(crate) fn envmap_directions(py: Python<'_>, shape: Shape, mut out: PyReadwriteArray2<'_, f64>) -> PyResult<()> {
     let rows = out.as_slice_mut()?.as_chunks_mut::<3>().0;
     run::short(py, || cubemap::grid_directions(grid(&shape)?, rows))
 }
 
 /// Writes the number of the texel that each direction (N, 3) passes through.
 #[pyfunction]
-fn envmap_texels(
+pub(crate) fn envmap_texels(
     py: Python<'_>,
     shape: Shape,
-    directions: Directions<'_>,
+    directions: Points<'_>,
     mut out: PyReadwriteArray1<'_, i64>,
 ) -> PyResult<()> {
     let out = out.as_slice_mut()?;
     along!(directions, rows => run::short(py, || cubemap::grid_texels(grid(&shape)?, rows, out)))
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(convert_envmap, module)?)?;
-    module.add_function(wrap_pyfunction!(convert_envmap_nearest, module)?)?;
-    module.add_function(wrap_pyfunction!(envmap_directions, module)?)?;
-    module.add_function(wrap_pyfunction!(envmap_texels, module)?)
 }

@@ -1,71 +1,39 @@
-//! Bindings of `cubemap`.
+//! Bindings of `cubemap`: values of a cube's faces along directions, and its coarser levels.
 
-use nearfar_core::base::{Error, Result};
-use nearfar_core::cubemap::{self, Faces, Filter, Number, Reduction};
-use numpy::{Element, PyReadonlyArray2, PyReadonlyArray4, PyReadwriteArray2, PyReadwriteArray4, PyUntypedArrayMethods};
+use nearfar_core::base::Error;
+use nearfar_core::cubemap::{self, Faces, Number, Reduction};
+use numpy::{Element, PyReadonlyArray4, PyReadwriteArray2, PyReadwriteArray4, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
-use crate::errors::to_python;
-use crate::run;
-
-#[derive(FromPyObject)]
-pub(crate) enum Directions<'py> {
-    Single(PyReadonlyArray2<'py, f32>),
-    Double(PyReadonlyArray2<'py, f64>),
-}
+use super::directions::{along, filter};
+use crate::convert::arrays::Points;
+use crate::convert::errors::to_python;
+use crate::convert::run;
 
 /// Faces (6, S, S, C) and the values (N, C) to be written, of one type.
 #[derive(FromPyObject)]
-enum Maps<'py> {
+pub(crate) enum Maps<'py> {
     Single((PyReadonlyArray4<'py, f32>, PyReadwriteArray2<'py, f32>)),
     Double((PyReadonlyArray4<'py, f64>, PyReadwriteArray2<'py, f64>)),
 }
 
 /// The same for anything that is copied, by its bytes.
 #[derive(FromPyObject)]
-enum Bits<'py> {
+pub(crate) enum MapBits<'py> {
     One((PyReadonlyArray4<'py, u8>, PyReadwriteArray2<'py, u8>)),
     Two((PyReadonlyArray4<'py, u16>, PyReadwriteArray2<'py, u16>)),
     Four((PyReadonlyArray4<'py, u32>, PyReadwriteArray2<'py, u32>)),
     Eight((PyReadonlyArray4<'py, u64>, PyReadwriteArray2<'py, u64>)),
 }
 
-pub(crate) fn filter(name: &str) -> Result<Filter> {
-    match name {
-        "linear" => Ok(Filter::Linear),
-        "cubic" => Ok(Filter::Cubic),
-        "min" => Ok(Filter::Min),
-        "max" => Ok(Filter::Max),
-        _ => Err(Error::value("filter", "'linear', 'cubic', 'min' or 'max'", format!("'{name}'"))),
-    }
-}
-
 fn faces<'a, T: Element + Copy>(array: &'a PyReadonlyArray4<'_, T>) -> PyResult<(&'a [T], u32, usize)> {
     Ok((array.as_slice()?, u32::try_from(array.shape()[1]).unwrap_or(u32::MAX), array.shape()[3]))
 }
 
-/// Calls a kernel with the rows of directions, whatever their type.
-macro_rules! along {
-    ($directions:expr, $rows:ident => $call:expr) => {
-        match &$directions {
-            Directions::Single(array) => {
-                let $rows = array.as_slice()?.as_chunks::<3>().0;
-                $call
-            }
-            Directions::Double(array) => {
-                let $rows = array.as_slice()?.as_chunks::<3>().0;
-                $call
-            }
-        }
-    };
-}
-
-pub(crate) use along;
-
 fn look<T: Number + Element>(
     py: Python<'_>,
     (maps, out): &mut (PyReadonlyArray4<'_, T>, PyReadwriteArray2<'_, T>),
-    directions: &Directions<'_>,
+    directions: &Points<'_>,
     name: &str,
 ) -> PyResult<()> {
     let (values, size, channels) = faces(maps)?;
@@ -78,7 +46,7 @@ fn look<T: Number + Element>(
 fn pick<T: Element + Copy + Send + Sync>(
     py: Python<'_>,
     (maps, out): &mut (PyReadonlyArray4<'_, T>, PyReadwriteArray2<'_, T>),
-    directions: &Directions<'_>,
+    directions: &Points<'_>,
 ) -> PyResult<()> {
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
@@ -87,7 +55,7 @@ fn pick<T: Element + Copy + Send + Sync>(
 
 /// Filtered values along directions (N, 3).
 #[pyfunction]
-fn cube_lookup(py: Python<'_>, mut maps: Maps<'_>, directions: Directions<'_>, filter: &str) -> PyResult<()> {
+pub(crate) fn cube_lookup(py: Python<'_>, mut maps: Maps<'_>, directions: Points<'_>, filter: &str) -> PyResult<()> {
     match &mut maps {
         Maps::Single(maps) => look(py, maps, &directions, filter),
         Maps::Double(maps) => look(py, maps, &directions, filter),
@@ -96,21 +64,21 @@ fn cube_lookup(py: Python<'_>, mut maps: Maps<'_>, directions: Directions<'_>, f
 
 /// The texels that directions (N, 3) pass through.
 #[pyfunction]
-fn cube_nearest(py: Python<'_>, mut maps: Bits<'_>, directions: Directions<'_>) -> PyResult<()> {
+pub(crate) fn cube_nearest(py: Python<'_>, mut maps: MapBits<'_>, directions: Points<'_>) -> PyResult<()> {
     match &mut maps {
-        Bits::One(maps) => pick(py, maps, &directions),
-        Bits::Two(maps) => pick(py, maps, &directions),
-        Bits::Four(maps) => pick(py, maps, &directions),
-        Bits::Eight(maps) => pick(py, maps, &directions),
+        MapBits::One(maps) => pick(py, maps, &directions),
+        MapBits::Two(maps) => pick(py, maps, &directions),
+        MapBits::Four(maps) => pick(py, maps, &directions),
+        MapBits::Eight(maps) => pick(py, maps, &directions),
     }
 }
 
 /// The least or greatest of the texels that cones of an angle about directions (N, 3) touch.
 #[pyfunction]
-fn cube_footprint(
+pub(crate) fn cube_footprint(
     py: Python<'_>,
     mut maps: Maps<'_>,
-    directions: Directions<'_>,
+    directions: Points<'_>,
     filter: &str,
     radius: f64,
 ) -> PyResult<()> {
@@ -123,7 +91,7 @@ fn cube_footprint(
 fn touch<T: Number + Element>(
     py: Python<'_>,
     (maps, out): &mut (PyReadonlyArray4<'_, T>, PyReadwriteArray2<'_, T>),
-    directions: &Directions<'_>,
+    directions: &Points<'_>,
     name: &str,
     radius: f64,
 ) -> PyResult<()> {
@@ -136,17 +104,17 @@ fn touch<T: Number + Element>(
 
 /// Faces (6, S, S, C) and those of the next level.
 #[derive(FromPyObject)]
-enum Levels<'py> {
+pub(crate) enum LevelPair<'py> {
     Single((PyReadonlyArray4<'py, f32>, PyReadwriteArray4<'py, f32>)),
     Double((PyReadonlyArray4<'py, f64>, PyReadwriteArray4<'py, f64>)),
 }
 
 /// Writes the next level of a cube map.
 #[pyfunction]
-fn cube_next_level(py: Python<'_>, mut levels: Levels<'_>, filter: &str) -> PyResult<()> {
+pub(crate) fn cube_next_level(py: Python<'_>, mut levels: LevelPair<'_>, filter: &str) -> PyResult<()> {
     match &mut levels {
-        Levels::Single(levels) => reduce(py, levels, filter),
-        Levels::Double(levels) => reduce(py, levels, filter),
+        LevelPair::Single(levels) => reduce(py, levels, filter),
+        LevelPair::Double(levels) => reduce(py, levels, filter),
     }
 }
 
@@ -168,16 +136,8 @@ fn reduce<T: Number + Element>(
 
 /// Writes the solid angle of each texel of a face (S, S) in steradians.
 #[pyfunction]
-fn cube_solid_angles(py: Python<'_>, mut out: PyReadwriteArray2<'_, f64>) -> PyResult<()> {
+pub(crate) fn cube_solid_angles(py: Python<'_>, mut out: PyReadwriteArray2<'_, f64>) -> PyResult<()> {
     let size = u32::try_from(out.shape()[0]).unwrap_or(u32::MAX);
     let out = out.as_slice_mut()?;
     run::short(py, || cubemap::solid_angles(size, out))
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(cube_lookup, module)?)?;
-    module.add_function(wrap_pyfunction!(cube_nearest, module)?)?;
-    module.add_function(wrap_pyfunction!(cube_footprint, module)?)?;
-    module.add_function(wrap_pyfunction!(cube_next_level, module)?)?;
-    module.add_function(wrap_pyfunction!(cube_solid_angles, module)?)
 }

@@ -1,56 +1,22 @@
-//! Bindings of the GPU back end's kernels.
+//! Kernels of the GPU back end.
 
 use nearfar_core::base::{Error, Result};
 use nearfar_core::metrics::{Neighbourhood, Window};
 use nearfar_core::morph::Morph;
-use nearfar_gpu::DeviceFrame;
 use nearfar_gpu::compute::{self, Filter, Map};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2, PyReadonlyArray4, PyReadwriteArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
 
+use super::device::GpuDevice;
+use super::frame::GpuFrame;
 use crate::camera::Camera;
-use crate::gpu::{GpuDevice, GpuJob};
+use crate::convert::run;
 use crate::morph::kind;
-use crate::render::images;
-use crate::run;
-
-/// A frame that stays on the device.
-#[pyclass(frozen, module = "nearfar._core")]
-pub struct GpuFrame {
-    frame: DeviceFrame,
-    shape: (usize, usize),
-}
-
-#[pymethods]
-impl GpuFrame {
-    /// Name and back end of the adapter that holds it.
-    #[getter]
-    fn label(&self) -> String {
-        self.frame.device().report().label()
-    }
-
-    /// Its images by name.
-    #[pyo3(signature = (report=None))]
-    fn read<'py>(&self, py: Python<'py>, report: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyDict>> {
-        let frame = run::long(py, report, |progress| self.frame.read(progress))?;
-        images(py, frame, self.shape)
-    }
-}
-
-/// Leaves a frame under way on its device; once.
-#[pyfunction]
-#[pyo3(signature = (job, report=None))]
-fn gpu_keep(py: Python<'_>, job: &GpuJob, report: Option<Py<PyAny>>) -> PyResult<GpuFrame> {
-    let taken = job.take()?;
-    let frame = run::long(py, report, |progress| taken.keep(progress))?;
-    Ok(GpuFrame { frame, shape: job.shape })
-}
 
 /// Mean similarity of two frames, and its map, flat, where it is wanted.
 #[pyfunction]
 #[pyo3(signature = (reference, test, *, window, size, sigma, full))]
-fn gpu_similarity<'py>(
+pub(crate) fn gpu_similarity<'py>(
     py: Python<'py>,
     reference: &GpuFrame,
     test: &GpuFrame,
@@ -73,7 +39,7 @@ fn gpu_similarity<'py>(
 /// Discontinuity of each pixel of a frame, flat.
 #[pyfunction]
 #[pyo3(signature = (frame, *, camera, epsilon, min_distance, report=None))]
-fn gpu_discontinuity<'py>(
+pub(crate) fn gpu_discontinuity<'py>(
     py: Python<'py>,
     frame: &GpuFrame,
     camera: &Camera,
@@ -90,7 +56,7 @@ fn gpu_discontinuity<'py>(
 #[pyfunction]
 #[pyo3(signature = (device, points, shown, *, user, center, r1, r2, kind))]
 #[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
-fn gpu_morph(
+pub(crate) fn gpu_morph(
     py: Python<'_>,
     device: &GpuDevice,
     points: PyReadonlyArray2<'_, f32>,
@@ -119,7 +85,7 @@ fn filter(name: &str) -> Result<Filter> {
 
 /// Writes values of a cube map along directions.
 #[pyfunction]
-fn gpu_cube_lookup(
+pub(crate) fn gpu_cube_lookup(
     py: Python<'_>,
     device: &GpuDevice,
     maps: (PyReadonlyArray4<'_, f32>, PyReadwriteArray2<'_, f32>),
@@ -131,13 +97,4 @@ fn gpu_cube_lookup(
     let map = Map { values: faces.as_slice()?, size, channels };
     let (rows, to) = (directions.as_slice()?.as_chunks::<3>().0, out.as_slice_mut()?);
     run::long(py, None, |progress| compute::lookup(&device.0, map, rows, self::filter(filter)?, to, progress))
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<GpuFrame>()?;
-    module.add_function(wrap_pyfunction!(gpu_keep, module)?)?;
-    module.add_function(wrap_pyfunction!(gpu_similarity, module)?)?;
-    module.add_function(wrap_pyfunction!(gpu_discontinuity, module)?)?;
-    module.add_function(wrap_pyfunction!(gpu_morph, module)?)?;
-    module.add_function(wrap_pyfunction!(gpu_cube_lookup, module)?)
 }

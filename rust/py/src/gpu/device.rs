@@ -1,25 +1,27 @@
-//! Bindings of the GPU back end.
+//! Adapters and devices of the GPU back end, and the frames that they draw.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use glam::DVec3;
-use nearfar_core::base::Error;
 use nearfar_core::render::bake::Bake;
-use nearfar_gpu::{Device, Job, bake, device, truth};
+use nearfar_gpu::render::{bake, truth};
+use nearfar_gpu::{Device, device};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use super::frame::GpuJob;
 use crate::camera::Camera;
-use crate::errors::to_python;
-use crate::reduce::{Reduced, drawing};
-use crate::render::{channels, images};
-use crate::run;
+use crate::convert::run;
+use crate::render::frame::{channels, images};
+use crate::render::reduced::{Reduced, drawing};
 use crate::scene::Scene;
 
 /// Everything that was found: name, back end, kind, driver, why it is refused, largest binding and image.
 #[pyfunction]
 #[expect(clippy::type_complexity, reason = "a row of a table")]
-fn gpu_adapters(py: Python<'_>) -> PyResult<Vec<(String, &'static str, &'static str, String, String, u64, u32)>> {
+pub(crate) fn gpu_adapters(
+    py: Python<'_>,
+) -> PyResult<Vec<(String, &'static str, &'static str, String, String, u64, u32)>> {
     let found = run::short(py, device::adapters)?;
     let row = |a: nearfar_gpu::AdapterReport| {
         (a.name, a.backend, a.kind.name(), a.driver, a.refused, a.largest_binding, a.largest_image)
@@ -30,13 +32,13 @@ fn gpu_adapters(py: Python<'_>) -> PyResult<Vec<(String, &'static str, &'static 
 /// True where an adapter that a wish leaves is more than the processor itself.
 #[pyfunction]
 #[pyo3(signature = (wanted=None))]
-fn gpu_is_hardware(py: Python<'_>, wanted: Option<&str>) -> PyResult<bool> {
+pub(crate) fn gpu_is_hardware(py: Python<'_>, wanted: Option<&str>) -> PyResult<bool> {
     run::short(py, || device::is_hardware(wanted))
 }
 
 /// Has a forked child end without the exit handlers of drivers.
 #[pyfunction]
-fn gpu_forked() {
+pub(crate) fn gpu_forked() {
     device::end_without_drivers();
 }
 
@@ -138,42 +140,4 @@ impl GpuDevice {
         })?;
         Ok(GpuJob::new(job, camera))
     }
-}
-
-/// A frame under way.
-#[pyclass(frozen, module = "nearfar._core")]
-pub struct GpuJob {
-    job: Mutex<Option<Job>>,
-    pub(crate) shape: (usize, usize),
-}
-
-impl GpuJob {
-    fn new(job: Job, camera: &nearfar_core::camera::Camera) -> Self {
-        Self { job: Mutex::new(Some(job)), shape: (camera.height as usize, camera.width as usize) }
-    }
-
-    /// The frame, once.
-    pub(crate) fn take(&self) -> PyResult<Job> {
-        let job = self.job.lock().unwrap_or_else(PoisonError::into_inner).take();
-        job.ok_or_else(|| to_python(Error::value("frame", "one that was not read yet", "one that was")))
-    }
-}
-
-#[pymethods]
-impl GpuJob {
-    /// Waits for the frame and returns its images by name; once.
-    #[pyo3(signature = (report=None))]
-    fn finish<'py>(&self, py: Python<'py>, report: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyDict>> {
-        let job = self.take()?;
-        let frame = run::long(py, report, |progress| job.finish(progress))?;
-        images(py, frame, self.shape)
-    }
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(gpu_adapters, module)?)?;
-    module.add_function(wrap_pyfunction!(gpu_is_hardware, module)?)?;
-    module.add_function(wrap_pyfunction!(gpu_forked, module)?)?;
-    module.add_class::<GpuDevice>()?;
-    module.add_class::<GpuJob>()
 }

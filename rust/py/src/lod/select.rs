@@ -1,55 +1,13 @@
-//! Bindings of `lod`.
+//! Bindings of `lod`: levels of objects by their size in the picture.
 
 use glam::{DMat3, DQuat, DVec3};
-use nearfar_core::base::Progress;
 use nearfar_core::camera::Fov;
-use nearfar_core::lod::{self, Acuity, Counts, Curve, Eye, Glass, Line, Model, Objects, Rules, Status, Unfit, View};
-use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use nearfar_core::lod::{self, Acuity, Counts, Eye, Glass, Line, Model, Objects, Rules, View};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
+use crate::convert::run;
 use crate::lens::RadialLens;
-use crate::run;
-
-/// The row of the table of outcomes in `nearfar.lod`.
-fn code(status: Status) -> u8 {
-    match status {
-        Status::Fitted => 0,
-        Status::Step => 1,
-        Status::Open => 2,
-        Status::Constant => 3,
-        Status::Flat => 4,
-        Status::Unfit(Unfit::TooFew) => 5,
-        Status::Unfit(Unfit::Negative) => 6,
-        Status::Unfit(Unfit::Overflow) => 7,
-    }
-}
-
-/// Samples from which on fits may take more than a few milliseconds.
-const LONG: usize = 10_000;
-
-/// Rows of numbers, and a code for each.
-type Fits<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u8>>);
-
-/// Rows of a, b, c, d and rms, and what became of each curve.
-#[pyfunction]
-#[pyo3(signature = (x, y, *, count, report=None))]
-fn fit_4pl<'py>(
-    py: Python<'py>,
-    x: PyReadonlyArray1<'py, f64>,
-    y: PyReadonlyArray1<'py, f64>,
-    count: usize,
-    report: Option<Py<PyAny>>,
-) -> PyResult<Fits<'py>> {
-    let (x, y) = (x.as_slice()?, y.as_slice()?);
-    let curves = if y.len() < LONG {
-        run::short(py, || lod::fit_4pl(x, y, count, &Progress::new()))
-    } else {
-        run::long(py, report, |progress| lod::fit_4pl(x, y, count, progress))
-    }?;
-    let rows: Vec<f64> = curves.iter().flat_map(|&Curve { a, b, c, d, rms, .. }| [a, b, c, d, rms]).collect();
-    let table = PyArray1::from_vec(py, rows).reshape([curves.len(), 5])?;
-    Ok((table, PyArray1::from_iter(py, curves.iter().map(|curve| code(curve.status)))))
-}
 
 /// Curves of all models (N, 4), where each model's start and end, and least and greatest sizes (M, 2).
 type Models<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i64>, PyReadonlyArray2<'py, f64>);
@@ -86,14 +44,14 @@ fn listed(counts: &Counts) -> Vec<u64> {
 }
 
 /// Levels of objects, numbers beside them where wanted, and what was done.
-type Levels<'py> = (Bound<'py, PyArray1<i32>>, Vec<Bound<'py, PyArray1<f64>>>, Vec<u64>);
+type Selected<'py> = (Bound<'py, PyArray1<i32>>, Vec<Bound<'py, PyArray1<f64>>>, Vec<u64>);
 
 /// The level of each object that is enough for its size.
 #[pyfunction]
 #[pyo3(signature = (models, model_index, centers, radii, *, previous, eyes, line, reference, off, cull, lens, tan_omega,
     exact, acuity, hysteresis, fade, full))]
 #[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
-fn select_levels<'py>(
+pub(crate) fn select_levels<'py>(
     py: Python<'py>,
     models: Models<'py>,
     model_index: PyReadonlyArray1<'py, i64>,
@@ -112,7 +70,7 @@ fn select_levels<'py>(
     hysteresis: f64,
     fade: f64,
     full: bool,
-) -> PyResult<Levels<'py>> {
+) -> PyResult<Selected<'py>> {
     let models = self::models(&models)?;
     let objects = Objects {
         model: model_index.as_slice()?,
@@ -138,9 +96,4 @@ fn select_levels<'py>(
     let counts = run::short(py, || lod::select(&models, &objects, &eyes, glass, &rules, to, beside))?;
     drop(writes);
     Ok((level, columns, listed(&counts)))
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(fit_4pl, module)?)?;
-    module.add_function(wrap_pyfunction!(select_levels, module)?)
 }

@@ -1,4 +1,4 @@
-//! Bindings of the part of `lod` that makes coarser surfaces.
+//! Bindings of `lod`: coarser surfaces.
 
 use nearfar_core::base::{Error, Result};
 use nearfar_core::lod::{self, Charts, Given, Vertices};
@@ -6,18 +6,21 @@ use numpy::PyUntypedArrayMethods;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::prelude::*;
 
-use crate::run;
+use crate::convert::run;
 
 /// The first row that each row of bytes is equal to.
 #[pyfunction]
-fn first_alike<'py>(py: Python<'py>, rows: PyReadonlyArray2<'py, u8>) -> PyResult<Bound<'py, PyArray1<u32>>> {
+pub(crate) fn first_alike<'py>(
+    py: Python<'py>,
+    rows: PyReadonlyArray2<'py, u8>,
+) -> PyResult<Bound<'py, PyArray1<u32>>> {
     let (width, rows) = (rows.shape()[1], rows.as_slice()?);
     Ok(run::short(py, || lod::first_alike(rows, width))?.into_pyarray(py))
 }
 
 /// The number of each face's piece, where faces hang together by vertices.
 #[pyfunction]
-fn pieces<'py>(
+pub(crate) fn pieces<'py>(
     py: Python<'py>,
     faces: PyReadonlyArray2<'py, u32>,
     vertex_count: usize,
@@ -32,7 +35,7 @@ type Places<'py> = (Bound<'py, PyArray1<u32>>, Bound<'py, PyArray2<f64>>);
 /// Where corners (T, 3, 3) of triangles lie on a base without crossing seams; rows are 3 T corners.
 #[pyfunction]
 #[pyo3(signature = (positions, faces, corners, starts, *, report=None))]
-fn carry<'py>(
+pub(crate) fn carry<'py>(
     py: Python<'py>,
     positions: PyReadonlyArray2<'py, f32>,
     faces: PyReadonlyArray2<'py, u32>,
@@ -61,7 +64,7 @@ fn giving_up(name: &str) -> Result<Given> {
 /// Faces that meshoptimizer leaves, and its own estimate of the error as a share of the extent.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "what the simplifier weighs")]
-fn collapse<'py>(
+pub(crate) fn collapse<'py>(
     py: Python<'py>,
     positions: PyReadonlyArray2<'py, f32>,
     attributes: PyReadonlyArray2<'py, f32>,
@@ -81,11 +84,4 @@ fn collapse<'py>(
     let (left, error) = run::short(py, || lod::collapse(vertices, faces, target, giving_up(given)?))?;
     let count = left.len();
     Ok((PyArray1::from_vec(py, left.into_flattened()).reshape([count, 3])?, error))
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(first_alike, module)?)?;
-    module.add_function(wrap_pyfunction!(pieces, module)?)?;
-    module.add_function(wrap_pyfunction!(carry, module)?)?;
-    module.add_function(wrap_pyfunction!(collapse, module)?)
 }

@@ -1,46 +1,22 @@
-//! Bindings of `render::bake` and `render::reduced`.
+//! Bindings of `render::reduced`.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use glam::DVec3;
 use nearfar_core::base::Error;
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::morph::Kind;
-use nearfar_core::render::bake::{self, Bake};
 use nearfar_core::render::reduced::{self, Drawing, Join, Method};
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arrays::{buffer, flat_buffer};
+use super::frame::{channels, images};
 use crate::camera::Camera;
-use crate::errors::to_python;
+use crate::convert::arrays::{buffer, flat_buffer};
+use crate::convert::errors::to_python;
+use crate::convert::run;
 use crate::partition::Partition;
-use crate::render::{channels, images};
-use crate::run;
 use crate::scene::Scene;
-
-/// An environment map's channels by name: colour (6, S, S, 3), and range and object_id (6, S, S) where wanted; and the
-/// number of rays.
-#[pyfunction(name = "bake")]
-#[pyo3(signature = (scene, *, center, radius, size, samples, range, object_id, report=None))]
-#[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
-fn bake_map<'py>(
-    py: Python<'py>,
-    scene: &Scene,
-    center: [f64; 3],
-    radius: f64,
-    size: u32,
-    samples: u32,
-    range: bool,
-    object_id: bool,
-    report: Option<Py<PyAny>>,
-) -> PyResult<(Bound<'py, PyDict>, u64)> {
-    let settings = Bake { center: DVec3::from_array(center), radius, size, samples, range, object_id };
-    let frame = run::long(py, report, |progress| bake::bake(&scene.0, &settings, progress))?;
-    let side = size as usize;
-    Ok((images(py, frame, (6 * side, side))?, bake::rays(&settings)))
-}
 
 type Array<'py, T> = Bound<'py, PyArrayDyn<T>>;
 
@@ -66,7 +42,7 @@ impl Reduced {
     }
 }
 
-/// What a drawing is to be, by its public names.
+/// Settings of a drawing by their public names.
 pub fn drawing(channels: &[String], samples: u32, method: &str, mapped: bool, tolerance_px: f64) -> PyResult<Drawing> {
     let method = match method {
         "vertex" => Method::Vertex,
@@ -147,9 +123,4 @@ impl Reduced {
         let counts = self.core.last_frame();
         (counts.triangles, counts.moving, counts.opposed, counts.bounded)
     }
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(bake_map, module)?)?;
-    module.add_class::<Reduced>()
 }

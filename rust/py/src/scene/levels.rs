@@ -7,8 +7,10 @@ use nearfar_core::scene::{self, LevelMeshes};
 use numpy::{PyArray1, PyArray3, PyReadonlyArray1, PyReadonlyArray3};
 use pyo3::prelude::*;
 
-use crate::run;
-use crate::scene::{Mesh, Scene, affines, instances, rows_of};
+use super::mesh::Mesh;
+use super::placements::{affines, instances, rows_of};
+use super::scene::Scene;
+use crate::convert::run;
 
 /// Placements (K, 3, 4) and objects (K,).
 type Placed<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray1<i32>>);
@@ -41,7 +43,11 @@ impl Levels {
 
 /// A scene with others' materials and textures added to its own, and each of the others as one mesh that uses them.
 #[pyfunction]
-fn with_surfaces(py: Python<'_>, scene: &Scene, others: Vec<PyRef<'_, Scene>>) -> PyResult<(Scene, Vec<Mesh>)> {
+pub(crate) fn with_surfaces(
+    py: Python<'_>,
+    scene: &Scene,
+    others: Vec<PyRef<'_, Scene>>,
+) -> PyResult<(Scene, Vec<Mesh>)> {
     let others: Vec<&scene::Scene> = others.iter().map(|other| &other.0).collect();
     let (joined, meshes) = run::short(py, || scene.0.with_surfaces(&others))?;
     Ok((Scene(joined), meshes.into_iter().map(|mesh| Mesh(Arc::new(mesh))).collect()))
@@ -49,7 +55,7 @@ fn with_surfaces(py: Python<'_>, scene: &Scene, others: Vec<PyRef<'_, Scene>>) -
 
 /// A scene with more instances, of which the first `standing_count` stand; see `Scene` for the arrays.
 #[pyfunction]
-fn with_instances<'py>(
+pub(crate) fn with_instances<'py>(
     py: Python<'py>,
     scene: &Scene,
     meshes: Vec<PyRef<'py, Mesh>>,
@@ -72,15 +78,12 @@ fn with_instances<'py>(
 
 /// Placements (K, 3, 4) and objects (K,) of the instances of chosen objects, a flag for each object.
 #[pyfunction]
-fn placements_of<'py>(py: Python<'py>, scene: &Scene, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Placed<'py>> {
+pub(crate) fn placements_of<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    chosen: PyReadonlyArray1<'py, bool>,
+) -> PyResult<Placed<'py>> {
     let chosen = chosen.as_slice()?;
     let (objects, found): (Vec<i32>, Vec<&scene::Instance>) = scene.0.instances_of(chosen).unzip();
     Ok((rows_of(py, found)?, PyArray1::from_vec(py, objects)))
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<Levels>()?;
-    module.add_function(wrap_pyfunction!(with_surfaces, module)?)?;
-    module.add_function(wrap_pyfunction!(with_instances, module)?)?;
-    module.add_function(wrap_pyfunction!(placements_of, module)?)
 }

@@ -1,4 +1,4 @@
-//! What a scene is made of, as arrays: copies, for files.
+//! Parts of a scene as arrays: copies, for files.
 
 use std::sync::Arc;
 
@@ -8,11 +8,13 @@ use numpy::{Element, PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::scene::{Mesh, Scene, rows_of};
+use super::mesh::Mesh;
+use super::placements::rows_of;
+use super::scene::Scene;
 
 /// The arguments of `Scene`, by name.
 #[pyfunction]
-fn scene_parts<'py>(py: Python<'py>, scene: &Scene) -> PyResult<Bound<'py, PyDict>> {
+pub(crate) fn scene_parts<'py>(py: Python<'py>, scene: &Scene) -> PyResult<Bound<'py, PyDict>> {
     let scene = &scene.0;
     let instances: Vec<&Instance> = scene.instances().collect();
     let meshes = instances.iter().map(|instance| Py::new(py, Mesh(Arc::clone(&instance.mesh))));
@@ -39,7 +41,7 @@ fn scene_parts<'py>(py: Python<'py>, scene: &Scene) -> PyResult<Bound<'py, PyDic
 
 /// The arguments of `Mesh`, by name; objects and materials are one number for each face.
 #[pyfunction]
-fn mesh_parts<'py>(py: Python<'py>, mesh: &Mesh) -> PyResult<Bound<'py, PyDict>> {
+pub(crate) fn mesh_parts<'py>(py: Python<'py>, mesh: &Mesh) -> PyResult<Bound<'py, PyDict>> {
     let mesh = &mesh.0;
     let parts = PyDict::new(py);
     parts.set_item("positions", rows(py, &mesh.positions)?)?;
@@ -58,9 +60,4 @@ fn rows<'py, T: Element, const N: usize>(py: Python<'py>, values: &[[T; N]]) -> 
 
 fn per_face<'py>(py: Python<'py>, map: &FaceMap, faces: usize) -> Bound<'py, PyArray1<i32>> {
     PyArray1::from_iter(py, (0..faces as u32).map(|face| map.get(face)))
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(scene_parts, module)?)?;
-    module.add_function(wrap_pyfunction!(mesh_parts, module)?)
 }

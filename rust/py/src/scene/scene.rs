@@ -1,111 +1,20 @@
-//! Bindings of `scene`.
+//! Bindings of `scene::Scene`.
 
 use std::sync::Arc;
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DVec3};
 use nearfar_core::base::{Buffer, Error, Result};
-use nearfar_core::scene::{self, Alpha, FaceMap, Instance, Material, Part, Texture};
-use numpy::ndarray::ArrayView1;
+use nearfar_core::scene::{self, Alpha, Instance, Material, Part, Texture};
 use numpy::{
     PyArray1, PyArray2, PyArray3, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3,
 };
 use pyo3::prelude::*;
 
-use crate::arrays::{buffer, flat_buffer};
-use crate::errors::to_python;
-use crate::run;
-
-/// Triangles with their attributes, sharing the arrays' memory.
-#[pyclass(frozen, module = "nearfar._core")]
-pub struct Mesh(pub Arc<scene::Mesh>);
-
-#[derive(FromPyObject)]
-enum FaceMapArgument<'py> {
-    Uniform(i32),
-    PerFace(Bound<'py, PyArrayDyn<i32>>),
-    Ranges((Bound<'py, PyArrayDyn<u32>>, Bound<'py, PyArrayDyn<i32>>)),
-}
-
-impl FaceMapArgument<'_> {
-    fn convert(&self) -> PyResult<FaceMap> {
-        Ok(match self {
-            Self::Uniform(value) => FaceMap::Uniform(*value),
-            Self::PerFace(values) => {
-                let values = flat_buffer(values)?;
-                let count = values.len();
-                FaceMap::PerFace(values).compacted(count)
-            }
-            Self::Ranges((starts, values)) => {
-                FaceMap::Ranges { starts: flat_buffer(starts)?, values: flat_buffer(values)? }
-            }
-        })
-    }
-}
-
-#[pymethods]
-impl Mesh {
-    #[new]
-    #[pyo3(signature = (positions, faces, *, uvs=None, colors=None, normals=None, objects, materials))]
-    #[expect(clippy::too_many_arguments, reason = "keywords of a Python class")]
-    fn new<'py>(
-        py: Python<'py>,
-        positions: &Bound<'py, PyArrayDyn<f32>>,
-        faces: &Bound<'py, PyArrayDyn<u32>>,
-        uvs: Option<&Bound<'py, PyArrayDyn<f32>>>,
-        colors: Option<&Bound<'py, PyArrayDyn<u8>>>,
-        normals: Option<&Bound<'py, PyArrayDyn<f32>>>,
-        objects: FaceMapArgument<'py>,
-        materials: FaceMapArgument<'py>,
-    ) -> PyResult<Self> {
-        let (positions, faces) = (buffer(positions)?, buffer(faces)?);
-        let (uvs, colors) = (uvs.map(buffer).transpose()?, colors.map(buffer).transpose()?);
-        let normals = normals.map(buffer).transpose()?;
-        let (objects, materials) = (objects.convert()?, materials.convert()?);
-        run::short(py, || scene::Mesh::new(positions, faces, uvs, colors, objects, materials)?.with_normals(normals))
-            .map(|mesh| Self(Arc::new(mesh)))
-    }
-
-    /// One mesh of many, standing where the `placements` (I, 3, 4) say; `objects` −1 leaves the object to the mesh.
-    #[staticmethod]
-    fn merged<'py>(
-        py: Python<'py>,
-        meshes: Vec<PyRef<'py, Self>>,
-        placements: PyReadonlyArray3<'py, f64>,
-        objects: PyReadonlyArray1<'py, i32>,
-    ) -> PyResult<Self> {
-        let meshes: Vec<Arc<scene::Mesh>> = meshes.iter().map(|mesh| Arc::clone(&mesh.0)).collect();
-        let (placements, objects) = (affines(&placements), objects.as_array());
-        run::short(py, || {
-            same_length(meshes.len(), &placements, objects.len())?;
-            let part = |((mesh, to_scene), &object): ((_, _), &i32)| Part { mesh, to_scene, object: named(object) };
-            let parts: Vec<Part> = meshes.into_iter().zip(placements).zip(&objects).map(part).collect();
-            scene::merge(&parts)
-        })
-        .map(|mesh| Self(Arc::new(mesh)))
-    }
-
-    /// The mesh with its faces turned inside out, sharing the vertices.
-    fn turned(&self, py: Python<'_>) -> PyResult<Self> {
-        run::short(py, || Ok(self.0.turned())).map(|mesh| Self(Arc::new(mesh)))
-    }
-
-    /// Box of all faces (2, 3) in the mesh's own frame, inverted infinities without faces.
-    fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let bounds = self.0.bounds();
-        let rows = [bounds.min, bounds.max].map(|corner| corner.as_dvec3().to_array().to_vec());
-        Ok(PyArray2::from_vec2(py, &rows)?)
-    }
-
-    #[getter]
-    fn vertex_count(&self) -> usize {
-        self.0.positions.len()
-    }
-
-    #[getter]
-    fn face_count(&self) -> usize {
-        self.0.faces.len()
-    }
-}
+use super::mesh::Mesh;
+use super::placements::{affines, instances, rows_of};
+use crate::convert::arrays::buffer;
+use crate::convert::errors::to_python;
+use crate::convert::run;
 
 /// Meshes placed in the world.
 #[pyclass(frozen, module = "nearfar._core")]
@@ -293,61 +202,9 @@ impl Scene {
     }
 }
 
-fn same_length(meshes: usize, placements: &[DAffine3], objects: usize) -> Result<()> {
-    if meshes != placements.len() || objects != placements.len() {
-        return Err(Error::value("placements", "one for each mesh and object", placements.len()));
-    }
-    Ok(())
-}
-
-fn named(object: i32) -> Option<i32> {
-    (object >= 0).then_some(object)
-}
-
-pub(crate) fn affines(placements: &PyReadonlyArray3<'_, f64>) -> Vec<DAffine3> {
-    placements
-        .as_array()
-        .outer_iter()
-        .map(|m| {
-            let column = |j: usize| DVec3::new(m[[0, j]], m[[1, j]], m[[2, j]]);
-            DAffine3 { matrix3: DMat3::from_cols(column(0), column(1), column(2)), translation: column(3) }
-        })
-        .collect()
-}
-
-/// Placed meshes: `placements` are (I, 3, 4) object→scene, `objects` −1 leaves the object to the mesh.
-pub(crate) fn instances(
-    meshes: Vec<Arc<scene::Mesh>>,
-    placements: Vec<DAffine3>,
-    objects: ArrayView1<'_, i32>,
-) -> Result<Vec<Instance>> {
-    same_length(meshes.len(), &placements, objects.len())?;
-    let placed = meshes.into_iter().zip(placements).zip(objects);
-    placed.map(|((mesh, to_scene), &object)| Instance::new(mesh, to_scene, named(object))).collect()
-}
-
-/// Placements (I, 3, 4) of instances.
-pub(crate) fn rows_of<'py, 'a>(
-    py: Python<'py>,
-    instances: impl IntoIterator<Item = &'a Instance>,
-) -> PyResult<Bound<'py, PyArray3<f64>>> {
-    let rows = instances.into_iter().flat_map(|instance| {
-        let (m, t) = (instance.to_scene.matrix3.transpose(), instance.to_scene.translation);
-        [(m.x_axis, t.x), (m.y_axis, t.y), (m.z_axis, t.z)]
-    });
-    let flat: Vec<f64> = rows.flat_map(|(row, t)| [row.x, row.y, row.z, t]).collect();
-    let count = flat.len() / 12;
-    PyArray1::from_vec(py, flat).reshape([count, 3, 4])
-}
-
 fn texture(array: &Bound<'_, PyArrayDyn<u8>>) -> PyResult<Texture> {
     let (height, width, _): (u32, u32, u32) = array.getattr("shape")?.extract()?;
     let rows = array.call_method1("reshape", (-1, 4))?;
     let texels: Buffer<[u8; 4]> = buffer(rows.cast::<PyArrayDyn<u8>>()?)?;
     Texture::new(width, height, texels).map_err(to_python)
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<Mesh>()?;
-    module.add_class::<Scene>()
 }
