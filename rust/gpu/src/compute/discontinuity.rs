@@ -78,7 +78,7 @@ pub fn discontinuity(
         device.filled_buffer("discontinuity", bytemuck::cast_slice(&[told]), BufferUsages::UNIFORM)
     };
     let all = told(0, pixels, 0)?;
-    let alone = device.kernels.alone();
+    let alone = frame.alone();
     let mut work = Work::new(device);
     work.encoder.clear_buffer(&bins.counts, 0, None);
     let positions = position.buffer.as_entire_binding();

@@ -1,7 +1,7 @@
 //! Buffers of kernels, lent again and again, and the ways to and from the processor.
 
 use std::ops::Deref;
-use std::sync::PoisonError;
+use std::sync::{Mutex, PoisonError};
 
 use nearfar_core::base::{Progress, Result};
 use rayon::prelude::*;
@@ -9,11 +9,15 @@ use wgpu::{Buffer, BufferUsages, CommandEncoder, MapMode};
 
 use crate::device::{Device, Written};
 
-/// Most buffers, and most bytes of them, that wait for the next call.
-const KEPT: usize = 24;
-const KEPT_BYTES: u64 = 1 << 28;
+/// Buffers that wait for the next call, at most, and bytes of them.
+const MAX_SPARE_BUFFERS: usize = 24;
+const MAX_SPARE_BYTES: u64 = 1 << 28;
 /// Bytes that one thread copies at a time.
-const PIECE: usize = 1 << 20;
+const COPY_BYTES: usize = 1 << 20;
+
+/// Buffers of a device that no kernel uses.
+#[derive(Default)]
+struct SpareBuffers(Mutex<Vec<Buffer>>);
 
 /// A buffer that goes back to the others once it is dropped. What uses it next comes later in the queue.
 pub(super) struct Lent<'a> {
@@ -38,7 +42,7 @@ impl<'a> Lent<'a> {
     fn new(device: &'a Device, label: &str, bytes: u64, usage: BufferUsages) -> Result<Self> {
         let bytes = bytes.next_multiple_of(16).max(256);
         let fits = |buffer: &Buffer| buffer.usage() == usage && (bytes..=2 * bytes).contains(&buffer.size());
-        let mut spare = device.kernels.spare.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut spare = device.state::<SpareBuffers>().0.lock().unwrap_or_else(PoisonError::into_inner);
         let found = spare.iter().position(fits).map(|found| spare.remove(found));
         drop(spare);
         let buffer = match found {
@@ -86,15 +90,15 @@ impl Deref for Lent<'_> {
 
 impl Drop for Lent<'_> {
     fn drop(&mut self) {
-        let mut spare = self.device.kernels.spare.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut spare = self.device.state::<SpareBuffers>().0.lock().unwrap_or_else(PoisonError::into_inner);
         spare.push(self.buffer.clone());
-        while spare.len() > KEPT || spare.iter().map(Buffer::size).sum::<u64>() > KEPT_BYTES {
+        while spare.len() > MAX_SPARE_BUFFERS || spare.iter().map(Buffer::size).sum::<u64>() > MAX_SPARE_BYTES {
             spare.remove(0);
         }
     }
 }
 
-/// What a kernel writes for the processor.
+/// Room for the results of a kernel, which the processor reads.
 pub(super) struct Results<'a> {
     pub on_device: Lent<'a>,
     staging: Option<Lent<'a>>,
@@ -137,5 +141,5 @@ impl<'a> Results<'a> {
 
 /// A copy by all threads.
 pub(super) fn copy(to: &mut [u8], from: &[u8]) {
-    to.par_chunks_mut(PIECE).zip(from.par_chunks(PIECE)).for_each(|(to, from)| to.copy_from_slice(from));
+    to.par_chunks_mut(COPY_BYTES).zip(from.par_chunks(COPY_BYTES)).for_each(|(to, from)| to.copy_from_slice(from));
 }

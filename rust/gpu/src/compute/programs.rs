@@ -1,6 +1,7 @@
 //! Compute shaders, each compiled once on a device, and work that calls them.
 
-use std::sync::{Arc, PoisonError};
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use nearfar_core::base::Result;
 use wgpu::{
@@ -9,11 +10,7 @@ use wgpu::{
     ShaderModuleDescriptor, ShaderSource, SubmissionIndex,
 };
 
-use super::Kernels;
 use crate::device::{Device, Scope};
-
-/// What tells compiled programs apart: names of entry points are given once.
-pub(super) type Key = (&'static str, Vec<(&'static str, u32)>);
 
 /// Workgroups in a row: what has more takes several rows.
 pub(super) const ROW: u32 = 1 << 15;
@@ -31,10 +28,16 @@ pub(super) struct Program<'a> {
     pub group: u32,
 }
 
-impl Kernels {
+/// Programs that were compiled on a device, by entry point and constants: names of entry points are unique.
+#[derive(Default)]
+struct Programs(Mutex<HashMap<ProgramKey, Arc<ComputePipeline>>>);
+
+type ProgramKey = (&'static str, Vec<(&'static str, u32)>);
+
+impl Programs {
     fn pipeline(&self, device: &Device, program: &Program<'_>) -> Result<Arc<ComputePipeline>> {
         let key = (program.entry, program.constants.to_vec());
-        let mut known = self.pipelines.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(pipeline) = known.get(&key) {
             return Ok(Arc::clone(pipeline));
         }
@@ -80,7 +83,7 @@ impl<'a> Work<'a> {
         resources: &[(u32, BindingResource<'_>)],
         groups: [u32; 2],
     ) -> Result<()> {
-        let pipeline = self.device.kernels.pipeline(self.device, program)?;
+        let pipeline = self.device.state::<Programs>().pipeline(self.device, program)?;
         let entries: Vec<_> = resources
             .iter()
             .map(|(binding, resource)| BindGroupEntry { binding: *binding, resource: resource.clone() })

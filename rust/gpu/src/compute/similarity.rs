@@ -71,7 +71,7 @@ pub fn similarity(
         group: 0,
     };
     let taps = [("TAPS", weights.len() as u32)];
-    let alone = device.kernels.alone();
+    let alone = reference.alone();
     let mut work = Work::new(device);
     let luma = [
         (0, told.as_entire_binding()),

@@ -1,8 +1,8 @@
-//! What adapters there are, which can be used, and in which order they are taken.
+//! Adapters: which can be used, and in which order they are taken.
 
 use wgpu::{Adapter, Backend, DeviceType, DownlevelFlags, TextureFormat, TextureUsages};
 
-/// What executes an adapter's work.
+/// The kind of processor that executes an adapter's work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum AdapterKind {
     /// A card with memory of its own.
@@ -37,7 +37,7 @@ pub struct AdapterReport {
     pub name: String,
     /// "vulkan", "metal", "dx12" or "gl".
     pub backend: &'static str,
-    /// What executes its work.
+    /// The kind of processor that executes its work.
     pub kind: AdapterKind,
     /// Driver and version.
     pub driver: String,
@@ -49,6 +49,10 @@ pub struct AdapterReport {
     pub largest_image: u32,
 }
 
+/// Format of targets that hold the visible faces: a record and a face in four halves. Every adapter in use draws it.
+pub(crate) const VISIBLE: TextureFormat = TextureFormat::Rgba16Uint;
+/// Samples of a pixel of targets that have several.
+pub(crate) const SAMPLES: u32 = 4;
 /// Storage buffers that a pass binds.
 const STORAGE_BUFFERS: u32 = 8;
 
@@ -102,7 +106,7 @@ fn backend_name(backend: Backend) -> &'static str {
     }
 }
 
-/// What an adapter lacks.
+/// Features that an adapter lacks, as a sentence; none where it has all.
 fn refusal(adapter: &Adapter) -> Option<String> {
     let needed = DownlevelFlags::COMPUTE_SHADERS | DownlevelFlags::VERTEX_STORAGE | DownlevelFlags::FRAGMENT_STORAGE;
     let missing = needed - adapter.get_downlevel_capabilities().flags;
@@ -114,7 +118,7 @@ fn refusal(adapter: &Adapter) -> Option<String> {
         let count = limits.max_storage_buffers_per_shader_stage;
         return Some(format!("it binds {count} storage buffers, {STORAGE_BUFFERS} are needed"));
     }
-    let usages = adapter.get_texture_format_features(TextureFormat::Rgba16Uint).allowed_usages;
+    let usages = adapter.get_texture_format_features(VISIBLE).allowed_usages;
     let wanted = TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING;
     (!usages.contains(wanted)).then(|| "it draws no 64-bit integers".to_string())
 }

@@ -3,6 +3,7 @@
 mod adapters;
 mod buffers;
 mod errors;
+mod extensions;
 mod forked;
 mod open;
 mod registry;
@@ -14,4 +15,5 @@ pub use forked::end_without_drivers;
 pub use open::Device;
 pub use registry::{adapters, device, is_hardware};
 
+pub(crate) use adapters::{SAMPLES, VISIBLE};
 pub(crate) use errors::Scope;

@@ -1,4 +1,4 @@
-//! An open device: its queue, its limits, and what was made on it.
+//! An open device: its queue, its limits, and the state that is kept on it.
 
 use std::process;
 use std::sync::atomic::AtomicU64;
@@ -7,12 +7,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 use nearfar_core::base::{Error, Result};
 use wgpu::{Adapter, DeviceDescriptor, DeviceLostReason, Features, Limits, PollType};
 
-use super::{AdapterKind, AdapterReport};
-use crate::compute::Kernels;
-use crate::draw::{Pipelines, SAMPLES, Slots, VISIBLE};
-use crate::upload::Residents;
+use super::adapters::{AdapterKind, AdapterReport, SAMPLES, VISIBLE};
+use super::extensions::Extensions;
 
-/// A device with everything that is kept on it between frames.
+/// A device with the state that is kept on it between frames.
 pub struct Device {
     pub(crate) wgpu: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
@@ -24,10 +22,7 @@ pub struct Device {
     pub(crate) writes_depth: bool,
     /// Integers of several samples are drawn and read. Mesa's OpenGL says so and reads other numbers than it drew.
     pub(crate) multisamples: bool,
-    pub(crate) residents: Residents,
-    pub(crate) pipelines: Pipelines,
-    pub(crate) slots: Slots,
-    pub(crate) kernels: Kernels,
+    extensions: Extensions,
     pub(super) made: [AtomicU64; 4],
     /// Where it was opened: a forked child has none of its driver's threads.
     pub(super) process: u32,
@@ -50,18 +45,18 @@ impl Device {
             ))
         })?;
         let lost = Arc::new(Mutex::new(None));
-        let told = Arc::clone(&lost);
+        let reason_of_loss = Arc::clone(&lost);
         wgpu.set_device_lost_callback(move |reason, message| {
             let reason = match reason {
                 DeviceLostReason::Destroyed => "it was closed".to_string(),
                 _ => message,
             };
-            *told.lock().unwrap_or_else(PoisonError::into_inner) = Some(reason);
+            *reason_of_loss.lock().unwrap_or_else(PoisonError::into_inner) = Some(reason);
         });
         // Errors outside of any scope would end the process. After one nothing is known of the device's state.
-        let told = Arc::clone(&lost);
+        let reason_of_loss = Arc::clone(&lost);
         wgpu.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
-            told.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
+            reason_of_loss.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
         }));
         let shared = matches!(report.kind, AdapterKind::Software | AdapterKind::Integrated);
         let (shares_memory, writes_depth) =
@@ -76,10 +71,7 @@ impl Device {
             shares_memory,
             writes_depth,
             multisamples,
-            residents: Residents::default(),
-            pipelines: Pipelines::default(),
-            slots: Slots::default(),
-            kernels: Kernels::default(),
+            extensions: Extensions::default(),
             made: Default::default(),
             process: process::id(),
             lost,
@@ -89,6 +81,11 @@ impl Device {
     /// The adapter that it was opened on.
     pub fn report(&self) -> &AdapterReport {
         &self.report
+    }
+
+    /// The value of a type that a module keeps on the device, made on first use.
+    pub(crate) fn state<T: Default + Send + Sync + 'static>(&self) -> &T {
+        self.extensions.get()
     }
 
     /// True once it can't be used any more.

@@ -1,4 +1,4 @@
-//! What a view can't see is not drawn: instances and runs of faces by their boxes.
+//! Culling: whether a view can see a box.
 
 use glam::{DVec3, DVec4, Vec3};
 use nearfar_core::camera::Camera;
@@ -6,7 +6,7 @@ use nearfar_core::scene::Aabb;
 
 use super::view::{Axes, Window};
 
-/// Half-spaces around what a view sees: normal and offset, relative to the scene's origin.
+/// Half-spaces that bound a view: normal and offset, relative to the scene's origin.
 #[derive(Clone, Debug)]
 pub(crate) struct Frustum {
     planes: Vec<DVec4>,

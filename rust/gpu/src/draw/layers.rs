@@ -1,4 +1,4 @@
-//! What a picture is made of: sets of instances, each shown in one way.
+//! A picture's layers: sets of instances, each shown in one way.
 
 use std::sync::Arc;
 
@@ -6,35 +6,8 @@ use glam::DVec3;
 use nearfar_core::base::Buffer;
 use nearfar_core::scene::{Instance, Scene};
 
+use super::style::{Cut, Displacement, Parameters, Style};
 use crate::upload::{EnvTexels, RECORD_WORDS, SceneTables};
-
-/// How points are shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Kind {
-    /// Where they are.
-    AsItIs,
-    /// Morphed by the blend of 2022.
-    Blend,
-    /// Morphed by CloVR's cylinder.
-    Cylinder,
-    /// Where the centre sees them: moved by the user's offset.
-    FromCenter,
-    /// The same, but as far away as they are shown by CloVR's cylinder.
-    FromCenterOnCylinder,
-}
-
-/// Which fragments are drawn, by their distance from the centre's axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Split {
-    /// All.
-    Whole,
-    /// Those within the radius.
-    Within,
-    /// Those beyond it.
-    Beyond,
-    /// Those beyond it, and as much within as two texels of a map reach.
-    Overlapping,
-}
 
 /// Half of a scene's instances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,30 +27,21 @@ pub(crate) struct Layer {
     pub tables: Arc<SceneTables>,
     /// Which of them.
     pub set: Set,
-    /// How they are shown.
-    pub kind: Kind,
-    /// Which of their fragments.
-    pub split: Split,
-    /// What the map's range hides is left out.
-    pub hidden: bool,
+    /// Where their points are shown.
+    pub style: Style,
+    /// Which of their fragments are drawn.
+    pub cut: Cut,
+    /// How far from their places they are shown; none where that has no bound, so that nothing is culled.
+    pub displacement: Option<Displacement>,
     /// Nothing drawn before it hides it: depth begins anew.
     pub covers: bool,
-    /// What its faces are called.
-    pub names: Names,
+    /// Faces of another scene that its faces were made from, which have the numbers of objects and triangles.
+    pub sources: Option<Arc<Sources>>,
 }
 
-/// Numbers of objects and triangles.
-#[derive(Clone)]
-pub(crate) enum Names {
-    /// As the layer's scene has them.
-    Own,
-    /// Of faces made from those of another scene.
-    Of(Arc<Sources>),
-}
-
-/// What a scene was made from.
+/// Faces and instances that a scene was made from.
 pub(crate) struct Sources {
-    /// Whose faces and instances they were.
+    /// Whose they were.
     pub scene: Scene,
     /// Instance and face; objects of the standing meshes are places in this list.
     pub faces: Vec<(u32, u32)>,
@@ -86,11 +50,24 @@ pub(crate) struct Sources {
 }
 
 impl Layer {
+    /// Instances that are shown where they are, in front of what was drawn before.
+    pub fn plain(scene: Scene, tables: Arc<SceneTables>, set: Set) -> Self {
+        Self {
+            scene,
+            tables,
+            set,
+            style: Style::PLAIN,
+            cut: Cut::NONE,
+            displacement: Some(Displacement::NONE),
+            covers: false,
+            sources: None,
+        }
+    }
     /// For each record of the set, its instance and first face.
-    pub fn sources(&self) -> &[(u32, u32)] {
+    pub fn record_faces(&self) -> &[(u32, u32)] {
         match self.set {
-            Set::Standing => &self.tables.standing.sources,
-            Set::Moving => &self.tables.moving.sources,
+            Set::Standing => &self.tables.standing.record_faces,
+            Set::Moving => &self.tables.moving.record_faces,
         }
     }
 
@@ -123,7 +100,7 @@ impl Layer {
 
     /// Whose face it was, where the layer's scene was made from another.
     fn source(&self, instance: u32, face: u32) -> Option<(&Scene, u32, u32)> {
-        let Names::Of(sources) = &self.names else { return None };
+        let sources = self.sources.as_ref()?;
         let (instance, face) = match self.set {
             Set::Standing => sources.faces[self.instances()[instance as usize].object_of(face) as usize],
             Set::Moving => (sources.moving[instance as usize], face),
@@ -139,25 +116,43 @@ impl Layer {
     }
 }
 
-/// A picture to be taken from any camera.
+/// A picture to be taken by a camera.
 #[derive(Clone)]
 pub(crate) struct Picture {
     /// In order of drawing.
     pub layers: Vec<Layer>,
-    /// What is seen where nothing is drawn; the sky without a map.
-    pub map: Option<Arc<EnvTexels>>,
-    /// Objects of the map's texels, where it has them.
-    pub far_objects: Option<Buffer<i32>>,
-    /// The centre O relative to the scenes' origin.
-    pub center: DVec3,
-    /// r₁, r₂ and the radius where pixels are split.
-    pub radii: [f64; 3],
+    /// Numbers that the layers' styles and cuts read.
+    pub parameters: Parameters,
+    /// What is seen where nothing is drawn; the sky without one.
+    pub backdrop: Option<Backdrop>,
+    /// How far away the backdrop is shown.
+    pub backdrop_style: Style,
     /// World position of the scenes' origin.
     pub origin: DVec3,
-    /// Tangent of two texels, for `Split::Overlapping`.
-    pub two_texels: f64,
-    /// How far pixels without geometry are shown: as points of this kind.
-    pub missed: Kind,
     /// Four samples may be the adapter's own, with each face shaded once: for frames, not for maps, which last.
     pub multisampled: bool,
+}
+
+/// An environment map behind everything that is drawn.
+#[derive(Clone)]
+pub(crate) struct Backdrop {
+    pub texels: Arc<EnvTexels>,
+    /// Objects of its texels, where it has them.
+    pub objects: Option<Buffer<i32>>,
+    /// Where it was taken, relative to the scenes' origin.
+    pub center: DVec3,
+}
+
+impl Picture {
+    /// Layers that need no parameters, before the sky.
+    pub fn plain(layers: Vec<Layer>, origin: DVec3) -> Self {
+        Self {
+            layers,
+            parameters: Parameters::default(),
+            backdrop: None,
+            backdrop_style: Style::PLAIN,
+            origin,
+            multisampled: true,
+        }
+    }
 }

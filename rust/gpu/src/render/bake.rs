@@ -2,13 +2,16 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
 use nearfar_core::base::{Progress, Result};
 use nearfar_core::render::Frame;
 use nearfar_core::render::bake::Bake;
 use nearfar_core::scene::Scene;
 
+use super::near_far::{NearFar, Zone};
 use crate::device::Device;
-use crate::draw::{Job, Kind, Layer, Names, Picture, Set, Split};
+use crate::draw::{Job, Layer, Picture, Set};
+use crate::upload::Residents;
 
 /// Six faces, one after the other, of what stands; the next one is drawn while one is read.
 pub fn bake(device: &Arc<Device>, scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame> {
@@ -16,27 +19,13 @@ pub fn bake(device: &Arc<Device>, scene: &Scene, settings: &Bake, progress: &Pro
     let channels = settings.channels();
     channels.check_room(6 * u64::from(settings.size).pow(2))?;
     let standing = Scene { moving: Default::default(), ..scene.clone() };
-    let layer = Layer {
-        tables: device.residents.scene(device, &standing)?,
-        scene: standing,
-        set: Set::Standing,
-        kind: Kind::AsItIs,
-        split: if settings.radius > 0.0 { Split::Overlapping } else { Split::Whole },
-        hidden: false,
-        covers: false,
-        names: Names::Own,
-    };
-    let picture = Picture {
-        layers: vec![layer],
-        map: None,
-        far_objects: None,
-        center: settings.center - scene.origin,
-        radii: [0.0, 0.0, settings.radius],
-        origin: scene.origin,
-        two_texels: settings.two_texels(),
-        missed: Kind::AsItIs,
-        multisampled: false,
-    };
+    let tables = device.state::<Residents>().scene(device, &standing)?;
+    let cut = if settings.radius > 0.0 { Zone::Overlapping } else { Zone::Whole }.cut();
+    let layer = Layer { cut, ..Layer::plain(standing, tables, Set::Standing) };
+    let near_far =
+        NearFar { offset: DVec3::ZERO, radii: [0.0; 2], split: settings.radius, two_texels: settings.two_texels() };
+    let picture =
+        Picture { parameters: near_far.parameters(), multisampled: false, ..Picture::plain(vec![layer], scene.origin) };
     let begin =
         |face| Job::begin(device, picture.clone(), &settings.camera(face)?, channels, settings.samples, progress);
     let mut whole = Frame::default();

@@ -1,5 +1,6 @@
-//! Pictures of the stages of `nearfar_core::render`, drawn by a device.
+//! The pictures of `nearfar_core::render`, drawn by a device.
 
+pub mod truth;
+mod near_far;
 pub mod bake;
 pub mod reduced;
-pub mod truth;

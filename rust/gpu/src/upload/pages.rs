@@ -42,6 +42,9 @@ pub(crate) struct Part {
     pub chunks: Arc<[Aabb]>,
 }
 
+/// A mesh's parts, in order of faces.
+pub(crate) type Parts = Arc<Vec<Part>>;
+
 /// Faces of a mesh and the vertices that they lie among.
 struct Run<'a> {
     mesh: &'a Mesh,

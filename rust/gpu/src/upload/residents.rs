@@ -1,4 +1,4 @@
-//! Which meshes lie on the device already, by their identity; those that nobody holds any more are let go.
+//! Meshes and scenes that lie on the device, by their identity; those that nobody holds any more are let go.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
@@ -8,15 +8,12 @@ use nearfar_core::base::Result;
 use nearfar_core::scene::{Material, Mesh, Scene, Texture};
 use wgpu::BufferUsages;
 
+use super::environment::EnvTexels;
 use super::materials::MaterialTable;
-use super::pages::{Part, pack};
+use super::pages::{Page, Parts, pack};
 use super::shelf::Shelf;
 use super::tables::{Key, SceneTables};
-use super::{EnvTexels, Page};
 use crate::device::Device;
-
-/// A mesh's parts.
-pub(crate) type Parts = Arc<Vec<Part>>;
 
 /// Scenes whose tables are kept: objects that move make a new one for each choice of those between the radii.
 const KEPT: usize = 64;
@@ -29,7 +26,7 @@ type MaterialKey = (Weak<Vec<Material>>, Weak<Vec<Texture>>);
 pub(crate) struct Residents {
     known: Mutex<Known>,
     shelf: Shelf<Page>,
-    nothing: Mutex<Option<Arc<Nothing>>>,
+    placeholders: Mutex<Option<Arc<Placeholders>>>,
 }
 
 impl Known {
@@ -74,8 +71,8 @@ impl Known {
     }
 }
 
-/// What stands in where nothing is drawn or looked up.
-pub(crate) struct Nothing {
+/// Empty tables and maps, bound where nothing is drawn or looked up.
+pub(crate) struct Placeholders {
     pub tables: Arc<SceneTables>,
     pub page: Page,
     pub map: EnvTexels,
@@ -144,21 +141,21 @@ impl Residents {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// What stands in where nothing is.
-    pub fn nothing(&self, device: &Device) -> Result<Arc<Nothing>> {
-        let mut known = self.nothing.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(nothing) = &*known {
-            return Ok(Arc::clone(nothing));
+    /// The device's placeholders.
+    pub fn placeholders(&self, device: &Device) -> Result<Arc<Placeholders>> {
+        let mut known = self.placeholders.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(made) = &*known {
+            return Ok(Arc::clone(made));
         }
         let empty = Scene::new(DVec3::ZERO, Vec::new(), Vec::new(), Arc::default(), Arc::default())?;
         let materials = Arc::new(MaterialTable::new(device, &empty)?);
-        let nothing = Arc::new(Nothing {
+        let made = Arc::new(Placeholders {
             tables: Arc::new(SceneTables::new(device, &empty, materials, |_| Parts::default())?),
             page: Page { buffer: device.buffer("page", 0, BufferUsages::STORAGE)?, number: u64::from(u32::MAX) },
             map: EnvTexels::new(device, None)?,
         });
-        *known = Some(Arc::clone(&nothing));
-        Ok(nothing)
+        *known = Some(Arc::clone(&made));
+        Ok(made)
     }
 }
 

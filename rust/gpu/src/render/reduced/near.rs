@@ -13,11 +13,11 @@ use nearfar_core::tessellate::{Precision, Rule, Settings, needs_split, split_sce
 use crate::draw::Sources;
 
 /// Splits that are kept: a user who walks to and fro across a step finds both.
-const KEPT: usize = 3;
+const MAX_SPLITS: usize = 3;
 /// Share of r₁ within which a user's error has a bound (0.6, less what triangles may pass r₁ by).
-const BOUNDED: f64 = 0.59;
+const MAX_BOUNDED_REACH: f64 = 0.59;
 /// Share of r₂ by which points may miss the radius and be taken for points of it: more than any rule that splits does.
-const ON_RADIUS: f64 = 1.0 / 8192.0;
+const RADIUS_TOLERANCE: f64 = 1.0 / 8192.0;
 
 /// Near geometry of a reduced scene.
 pub(super) struct Near {
@@ -29,8 +29,8 @@ pub(super) struct Near {
     split: Mutex<Vec<(Cause, Bent)>>,
     /// Instances that move and were split, in their last poses.
     moved: Mutex<Option<Moved>>,
-    /// What stands in for standing geometry in layers of moving objects.
-    nothing: Arc<InstanceSet>,
+    /// No standing instances, for layers of moving objects.
+    no_instances: Arc<InstanceSet>,
     center: DVec3,
     radii: [f64; 2],
 }
@@ -51,7 +51,7 @@ pub(super) struct Bent {
     pub rule: Option<Arc<Rule>>,
 }
 
-/// What moves, as it is drawn.
+/// Moving objects as they are drawn.
 pub(super) struct Moving {
     /// Placed by transforms.
     pub placed: Geometry,
@@ -65,7 +65,7 @@ struct Moved {
     geometry: Geometry,
 }
 
-/// What a split follows from: reach and tolerance in steps of √2, so that it stays while users move their heads.
+/// The causes of a split: reach and tolerance in steps of √2, so that it stays while users move their heads.
 type Cause = (i32, i32, Kind);
 
 impl Near {
@@ -74,7 +74,7 @@ impl Near {
         let scene = partition.scene();
         let center = partition.center() - scene.origin;
         let standing = scene.standing.instances().len() as u32;
-        let least = radius - partition.r2() * ON_RADIUS;
+        let least = radius - partition.r2() * RADIUS_TOLERANCE;
         let inside = |&(instance, face): &(u32, u32)| {
             let rho = |p: Vec3| (f64::from(p.x) - center.x).hypot(f64::from(p.z) - center.z);
             scene.instance(instance).corners(face).into_iter().all(|corner| rho(corner) < least)
@@ -86,18 +86,18 @@ impl Near {
             bending: Geometry::of(scene, bending)?,
             split: Mutex::default(),
             moved: Mutex::default(),
-            nothing: Arc::default(),
+            no_instances: Arc::default(),
             center,
             radii: [partition.r1(), partition.r2()],
         })
     }
 
-    /// What the morph bends, as it is.
+    /// Triangles that the morph bends, as they are.
     pub fn unsplit(&self) -> Bent {
         Bent { geometry: self.bending.clone(), rule: None }
     }
 
-    /// What the morph bends, split for a user this far from the centre and a tolerance in radians.
+    /// Triangles that the morph bends, split for a user this far from the centre and a tolerance in radians.
     pub fn split(&self, reach: f64, tolerance: f64, kind: Kind, progress: &Progress) -> Result<Bent> {
         let [r1, r2] = self.radii;
         // The next step outwards, and the next finer tolerance.
@@ -109,7 +109,8 @@ impl Near {
             return Ok(bent);
         }
         let outwards = unit * (steps / 2.0).exp2();
-        let reach = if reach <= BOUNDED * r1 { outwards.min(BOUNDED * r1) } else { outwards.max(reach) };
+        let reach =
+            if reach <= MAX_BOUNDED_REACH * r1 { outwards.min(MAX_BOUNDED_REACH * r1) } else { outwards.max(reach) };
         let settings =
             Settings { center: self.center, r1, r2, reach, tolerance: (finer / 2.0).exp2().min(tolerance), kind };
         let rule = Rule::new(&settings, Precision::Single)?;
@@ -117,7 +118,7 @@ impl Near {
         let geometry = Geometry { scene, sources: Arc::clone(&self.bending.sources) };
         let bent = Bent { geometry, rule: Some(Arc::new(rule)) };
         let mut known = self.split.lock().unwrap_or_else(PoisonError::into_inner);
-        if known.len() == KEPT {
+        if known.len() == MAX_SPLITS {
             known.remove(0);
         }
         known.push((cause, bent.clone()));
@@ -134,14 +135,14 @@ impl Near {
         Some(bent)
     }
 
-    /// What moves in a pose of the scene; a rule says which edges are too long.
+    /// Moving objects in a pose of the scene; a rule says which edges are too long.
     pub fn moving(&self, scene: &Scene, rule: Option<&Arc<Rule>>, progress: &Progress) -> Result<Moving> {
         let first = scene.standing.instances().len() as u32;
         let all = scene.moving.instances().iter().enumerate().map(|(n, instance)| (first + n as u32, instance));
         let is_long = |instance: &Instance| rule.is_some_and(|rule| needs_split(instance, rule));
         let (long, short): (Vec<_>, Vec<_>) = all.partition(|(_, instance)| is_long(instance));
         let placed = Scene {
-            standing: Arc::clone(&self.nothing),
+            standing: Arc::clone(&self.no_instances),
             moving: Arc::new(InstanceSet::new(short.iter().map(|(_, instance)| (*instance).clone()).collect())),
             ..scene.clone()
         };

@@ -1,7 +1,7 @@
 //! A frame that stays on the device: kernels read it where it lies, and it comes back when somebody asks.
 
-use std::sync::Arc;
 use std::sync::atomic::Ordering;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use glam::DVec3;
 use nearfar_core::base::{Error, Progress, Result};
@@ -9,8 +9,11 @@ use nearfar_core::camera::Camera;
 use nearfar_core::render::{Channels, Frame};
 use wgpu::PollType;
 
-use super::job::Submitted;
-use super::{Job, Picture, read};
+use super::job::Job;
+use super::layers::Picture;
+use super::read;
+use super::slots::Slots;
+use super::submitted::Submitted;
 use crate::device::Device;
 
 /// A frame's images as the device holds them. Its slot is lent again once it is dropped.
@@ -19,10 +22,14 @@ pub struct DeviceFrame {
     picture: Picture,
     camera: Camera,
     channels: Channels,
-    done: Option<Submitted>,
+    window: Option<Submitted>,
 }
 
-/// Where in a buffer a channel lies.
+/// A device's lock of its frames.
+#[derive(Default)]
+struct Alone(Mutex<()>);
+
+/// A channel's place in a buffer.
 pub(crate) struct Section<'a> {
     pub buffer: &'a wgpu::Buffer,
     /// Its first word.
@@ -32,19 +39,19 @@ pub(crate) struct Section<'a> {
 impl Job {
     /// Leaves the frame on the device. Nothing is waited for: what reads it comes after it in the queue.
     pub fn keep(mut self, progress: &Progress) -> Result<DeviceFrame> {
-        let whole = self.waiting.is_empty() && self.submitted.len() == 1;
-        let Some(done) = self.submitted.pop_front().filter(|_| whole) else {
+        let is_whole = self.waiting.is_empty() && self.submitted.len() == 1;
+        let Some(window) = self.submitted.pop_front().filter(|_| is_whole) else {
             return Err(self.too_large());
         };
         // It was asked for by way of precaution; kernels can't read what is open to the processor.
-        done.slot.readable().unmap();
-        progress.report(done.window.pixels() as u64)?;
+        window.slot.readable().unmap();
+        progress.report(window.window.pixels() as u64)?;
         let Self { device, picture, camera, channels, .. } = self;
-        Ok(DeviceFrame { device, picture, camera, channels, done: Some(done) })
+        Ok(DeviceFrame { device, picture, camera, channels, window: Some(window) })
     }
 
     fn too_large(&self) -> Error {
-        let (per_pixel, side) = self.shape;
+        let (per_pixel, side) = self.limits;
         let (label, most) = (self.device.report().label(), self.device.largest_binding() / per_pixel.max(1));
         let Camera { width, height, .. } = self.camera;
         Error::Device(format!(
@@ -60,7 +67,7 @@ impl DeviceFrame {
         &self.device
     }
 
-    /// The view.
+    /// The camera that took it.
     pub fn camera(&self) -> &Camera {
         &self.camera
     }
@@ -72,20 +79,25 @@ impl DeviceFrame {
 
     /// Its images, as the processor has them.
     pub fn read(&self, progress: &Progress) -> Result<Frame> {
-        let done = self.done()?;
-        let pixels = done.window.pixels();
+        let submitted = self.submitted()?;
+        let pixels = submitted.window.pixels();
         progress.expect(pixels as u64);
         let mut frame = Frame::new(self.channels, pixels)?;
-        read::fill(&self.words(done, progress)?, done, &self.picture, self.camera.width, &mut frame);
+        read::fill(&self.words(submitted, progress)?, submitted, &self.picture, self.camera.width, &mut frame);
         progress.report(pixels as u64)?;
         Ok(frame)
     }
 
+    /// Held while a frame is open to the processor, and while work that reads one is submitted: never both.
+    pub(crate) fn alone(&self) -> MutexGuard<'_, ()> {
+        self.device.state::<Alone>().0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// The output as it is. Copied at once by this thread alone: where it waits for others, it may be given work that
     /// wants to be alone as well.
-    fn words(&self, done: &Submitted, progress: &Progress) -> Result<Vec<u32>> {
-        let (readable, room) = (done.slot.readable(), done.slot.shape.bytes.next_multiple_of(8));
-        let _alone = self.device.kernels.alone();
+    fn words(&self, submitted: &Submitted, progress: &Progress) -> Result<Vec<u32>> {
+        let (readable, room) = (submitted.slot.readable(), submitted.slot.shape.bytes.next_multiple_of(8));
+        let _alone = self.alone();
         self.device.open_buffer(readable, room, wgpu::MapMode::Read, progress)?;
         let words = match readable.get_mapped_range(..room) {
             Ok(view) => {
@@ -110,29 +122,29 @@ impl DeviceFrame {
     }
 
     fn section(&self, channel: usize, name: &str) -> Result<Section<'_>> {
-        let done = self.done()?;
-        match done.outputs[channel] {
+        let submitted = self.submitted()?;
+        match submitted.outputs[channel] {
             u32::MAX => Err(Error::value("frame", format!("one with {name}"), "one without")),
-            first => Ok(Section { buffer: &done.slot.output, first }),
+            first => Ok(Section { buffer: &submitted.slot.output, first }),
         }
     }
 
-    fn done(&self) -> Result<&Submitted> {
+    fn submitted(&self) -> Result<&Submitted> {
         self.device.check()?;
-        self.done.as_ref().ok_or_else(|| self.device.failure(&"a frame without a slot"))
+        self.window.as_ref().ok_or_else(|| self.device.failure(&"a frame without a slot"))
     }
 }
 
 impl Drop for DeviceFrame {
     fn drop(&mut self) {
-        let Some(done) = self.done.take() else { return };
+        let Some(submitted) = self.window.take() else { return };
         // Answers come with a poll.
         let polled = self.device.wgpu.poll(PollType::Poll);
-        let [opened, refused] = [0, 1].map(|i: usize| done.opened[i].load(Ordering::Acquire));
-        // Of the two that were asked for, the output was closed again, and may have been so before it was open. The other
-        // one, the way in, must be open for the next frame.
+        let [opened, refused] = [0, 1].map(|i: usize| submitted.opened[i].load(Ordering::Acquire));
+        // Of the two that were asked for, the output was closed again, and may have been so before it was open. The
+        // inputs must be open for the next frame.
         if polled.is_ok() && !self.device.is_lost() && opened > 0 && opened + refused == 2 {
-            self.device.slots.give_back(done.slot);
+            self.device.state::<Slots>().give_back(submitted.slot);
         }
     }
 }
