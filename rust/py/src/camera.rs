@@ -127,7 +127,7 @@ impl DepthBuffer {
         }
     }
 
-    /// What a buffer holds at distances from the eye, (N, H, W).
+    /// A buffer's values at distances from the eye, (N, H, W).
     fn depths(&self, py: Python<'_>, ranges: Reals<'_>) -> PyResult<Py<PyAny>> {
         match &ranges {
             Reals::Single(ranges) => self.depths_of(py, ranges),

@@ -61,7 +61,7 @@ impl RadialLens {
     }
 }
 
-/// What a kernel makes of radii.
+/// An array that a kernel fills from radii.
 fn radii<'py, T: Real + Element>(
     py: Python<'py>,
     from: &PyReadonlyArray1<'py, T>,
@@ -74,7 +74,7 @@ fn radii<'py, T: Real + Element>(
     to.into_py_any(py)
 }
 
-/// What a kernel makes of points.
+/// An array that a kernel fills from points.
 fn points<'py, T: Real + Element>(
     py: Python<'py>,
     from: &PyReadonlyArray2<'py, T>,
@@ -157,8 +157,8 @@ impl RadialLens {
     }
 }
 
-fn lenses(given: &[PyRef<'_, RadialLens>]) -> Vec<lens::RadialLens> {
-    given.iter().map(|lens| lens.0.clone()).collect()
+fn lenses(lenses: &[PyRef<'_, RadialLens>]) -> Vec<lens::RadialLens> {
+    lenses.iter().map(|lens| lens.0.clone()).collect()
 }
 
 fn warped<'py, P: Pixel + Element>(

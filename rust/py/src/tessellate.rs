@@ -14,7 +14,7 @@ fn settings(center: [f64; 3], r1: f64, r2: f64, reach: f64, tolerance: f64) -> S
     Settings { center: DVec3::from_array(center), r1, r2, reach, tolerance, kind: Kind::Blend }
 }
 
-/// A scene with its standing triangles split, and what was done by name.
+/// A scene with its standing triangles split, and counts of the work by name.
 #[pyfunction]
 #[pyo3(signature = (scene, *, center, r1, r2, reach, tolerance, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]

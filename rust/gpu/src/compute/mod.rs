@@ -1,4 +1,4 @@
-//! Kernels on what lies on the device: frames that were not read back, and long arrays.
+//! Kernels on frames that stay on the device, and on long arrays.
 
 mod discontinuity;
 mod lookup;
@@ -9,6 +9,6 @@ mod similarity;
 mod stream;
 
 pub use discontinuity::discontinuity;
-pub use lookup::{Filter, Map, lookup};
+pub use lookup::{CubeMap, Filter, lookup};
 pub use morph::morph;
-pub use similarity::{Compared, MOST_TAPS, similarity};
+pub use similarity::{MAX_TAPS, Similarity, similarity};

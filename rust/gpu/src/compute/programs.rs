@@ -12,7 +12,7 @@ use wgpu::{
 
 use crate::device::{Device, Scope};
 
-/// Workgroups in a row: what has more takes several rows.
+/// Workgroups in a row of a dispatch; more of them take several rows.
 pub(super) const ROW: u32 = 1 << 15;
 /// Rows, pixels or points of one workgroup.
 pub(super) const GROUP: u32 = 256;
@@ -63,7 +63,7 @@ impl Programs {
     }
 }
 
-/// Commands that are handed in at once.
+/// Commands that are submitted at once.
 pub(super) struct Work<'a> {
     device: &'a Device,
     pub encoder: CommandEncoder,
@@ -76,7 +76,7 @@ impl<'a> Work<'a> {
         Self { device, encoder, scope: Scope::open(device) }
     }
 
-    /// Encodes a program; resources come with their numbers.
+    /// Encodes a program; resources come with their binding numbers.
     pub fn run(
         &mut self,
         program: &Program<'_>,
@@ -99,7 +99,7 @@ impl<'a> Work<'a> {
         Ok(())
     }
 
-    /// Hands it in.
+    /// Submits the commands.
     pub fn submit(self) -> Result<SubmissionIndex> {
         let submission = self.device.queue.submit([self.encoder.finish()]);
         self.scope.close()?;

@@ -18,7 +18,7 @@ pub enum AdapterKind {
 }
 
 impl AdapterKind {
-    /// As users read it.
+    /// The name that users read.
     pub fn name(self) -> &'static str {
         match self {
             Self::Discrete => "discrete",
@@ -33,7 +33,7 @@ impl AdapterKind {
 /// An adapter that was found.
 #[derive(Clone, Debug)]
 pub struct AdapterReport {
-    /// As its driver calls it.
+    /// The driver's name for it.
     pub name: String,
     /// "vulkan", "metal", "dx12" or "gl".
     pub backend: &'static str,
@@ -43,9 +43,9 @@ pub struct AdapterReport {
     pub driver: String,
     /// Why it can't be used; empty where it can.
     pub refused: String,
-    /// Bytes that one kernel may read at a time: what is larger is drawn in parts.
+    /// Bytes that one binding may have: larger scenes and images are drawn in parts.
     pub largest_binding: u64,
-    /// Pixels across that one picture may have: what is larger is drawn in parts.
+    /// Pixels across that one picture may have: larger ones are drawn in parts.
     pub largest_image: u32,
 }
 
@@ -77,18 +77,18 @@ impl AdapterReport {
         }
     }
 
-    /// Name and back end, as messages and users name it.
+    /// Name and back end, by which messages and users name it.
     pub fn label(&self) -> String {
         format!("{} ({})", self.name, self.backend)
     }
 
-    /// True where a user who wrote this means the adapter: its back end, or a part of its name.
+    /// True where the text is its back end or a part of its name.
     pub fn answers_to(&self, wanted: &str) -> bool {
         let wanted = wanted.to_lowercase();
         self.backend == wanted || self.label().to_lowercase().contains(&wanted)
     }
 
-    /// Sorts what should be taken first to the front.
+    /// Sort key: the adapter with the least one is taken first.
     pub(super) fn rank(&self) -> (bool, AdapterKind, usize) {
         let order = ["metal", "vulkan", "dx12", "gl"];
         let backend = order.iter().position(|&name| name == self.backend).unwrap_or(order.len());

@@ -1,4 +1,5 @@
-//! State that other modules keep on a device between frames, one value of each type, so that a device knows none of them.
+//! State that other modules keep on a device between frames, one value of each type, so that a device knows none of
+//! them.
 
 use std::any::Any;
 use std::sync::OnceLock;

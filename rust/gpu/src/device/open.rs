@@ -20,11 +20,11 @@ pub struct Device {
     pub(crate) shares_memory: bool,
     /// Depth is written by fragments: OpenGL's own has no reversed z.
     pub(crate) writes_depth: bool,
-    /// Integers of several samples are drawn and read. Mesa's OpenGL says so and reads other numbers than it drew.
+    /// Integer targets of several samples work. Mesa's OpenGL reports them and reads other numbers than it drew.
     pub(crate) multisamples: bool,
     extensions: Extensions,
     pub(super) made: [AtomicU64; 4],
-    /// Where it was opened: a forked child has none of its driver's threads.
+    /// Process that opened it: a forked child has none of its driver's threads.
     pub(super) process: u32,
     lost: Arc<Mutex<Option<String>>>,
 }
@@ -53,7 +53,7 @@ impl Device {
             };
             *reason_of_loss.lock().unwrap_or_else(PoisonError::into_inner) = Some(reason);
         });
-        // Errors outside of any scope would end the process. After one nothing is known of the device's state.
+        // Errors outside of any scope would end the process. After such an error the device's state is unknown.
         let reason_of_loss = Arc::clone(&lost);
         wgpu.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             reason_of_loss.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
@@ -88,12 +88,12 @@ impl Device {
         self.extensions.get()
     }
 
-    /// True once it can't be used any more.
+    /// True once the device is unusable.
     pub fn is_lost(&self) -> bool {
         self.lost_because().is_some()
     }
 
-    /// Closes the device as a driver's fault would, so that what follows can be tried.
+    /// Closes the device as a driver's fault would, so that recovery can be tested.
     pub fn lose(&self) {
         self.wgpu.destroy();
         // The callback comes with the next poll.
@@ -106,9 +106,9 @@ impl Device {
         self.lost.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// Bytes that one binding, and so one part of a scene or image, may have.
+    /// Bytes that one binding may have, and so one part of a scene or image.
     pub(crate) fn largest_binding(&self) -> u64 {
-        // A page is addressed by 32-bit numbers of words; 2³⁰ bytes are plenty and leave drivers room.
+        // A page is addressed by 32-bit numbers of words; 2³⁰ bytes suffice and leave room for drivers.
         self.report.largest_binding.min(1 << 30)
     }
 }

@@ -1,4 +1,4 @@
-//! A frame that stays on the device: kernels read it where it lies, and it comes back when somebody asks.
+//! A frame that stays on the device: kernels read it there, and it is copied to the processor on request.
 
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -10,19 +10,19 @@ use nearfar_core::render::{Channels, Frame};
 use wgpu::PollType;
 
 use super::job::Job;
-use super::layers::Picture;
+use super::picture::Picture;
 use super::read;
 use super::slots::Slots;
 use super::submitted::Submitted;
 use crate::device::Device;
 
-/// A frame's images as the device holds them. Its slot is lent again once it is dropped.
+/// A frame's images on the device. Its slot is used again once it is dropped.
 pub struct DeviceFrame {
     device: Arc<Device>,
     picture: Picture,
     camera: Camera,
     channels: Channels,
-    window: Option<Submitted>,
+    submitted: Option<Submitted>,
 }
 
 /// A device's lock of its frames.
@@ -37,17 +37,17 @@ pub(crate) struct Section<'a> {
 }
 
 impl Job {
-    /// Leaves the frame on the device. Nothing is waited for: what reads it comes after it in the queue.
+    /// Leaves the frame on the device without waiting: kernels that read it come after it in the queue.
     pub fn keep(mut self, progress: &Progress) -> Result<DeviceFrame> {
         let is_whole = self.waiting.is_empty() && self.submitted.len() == 1;
-        let Some(window) = self.submitted.pop_front().filter(|_| is_whole) else {
+        let Some(submitted) = self.submitted.pop_front().filter(|_| is_whole) else {
             return Err(self.too_large());
         };
-        // It was asked for by way of precaution; kernels can't read what is open to the processor.
-        window.slot.readable().unmap();
-        progress.report(window.window.pixels() as u64)?;
+        // The output was asked for in case it is read; kernels can't read it while it is open to the processor.
+        submitted.slot.readable().unmap();
+        progress.report(submitted.window.pixels() as u64)?;
         let Self { device, picture, camera, channels, .. } = self;
-        Ok(DeviceFrame { device, picture, camera, channels, window: Some(window) })
+        Ok(DeviceFrame { device, picture, camera, channels, submitted: Some(submitted) })
     }
 
     fn too_large(&self) -> Error {
@@ -62,7 +62,7 @@ impl Job {
 }
 
 impl DeviceFrame {
-    /// Where it is.
+    /// The device that holds it.
     pub fn device(&self) -> &Arc<Device> {
         &self.device
     }
@@ -77,7 +77,7 @@ impl DeviceFrame {
         self.picture.origin
     }
 
-    /// Its images, as the processor has them.
+    /// Its images, copied to the processor.
     pub fn read(&self, progress: &Progress) -> Result<Frame> {
         let submitted = self.submitted()?;
         let pixels = submitted.window.pixels();
@@ -88,13 +88,14 @@ impl DeviceFrame {
         Ok(frame)
     }
 
-    /// Held while a frame is open to the processor, and while work that reads one is submitted: never both.
+    /// A lock that is held while a frame is open to the processor, and while work that reads one is submitted: never
+    /// both at a time.
     pub(crate) fn alone(&self) -> MutexGuard<'_, ()> {
         self.device.state::<Alone>().0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The output as it is. Copied at once by this thread alone: where it waits for others, it may be given work that
-    /// wants to be alone as well.
+    /// The output's words, copied by this thread alone: a thread that waits inside rayon may run another task, which
+    /// may need the same lock.
     fn words(&self, submitted: &Submitted, progress: &Progress) -> Result<Vec<u32>> {
         let (readable, room) = (submitted.slot.readable(), submitted.slot.shape.bytes.next_multiple_of(8));
         let _alone = self.alone();
@@ -131,13 +132,13 @@ impl DeviceFrame {
 
     fn submitted(&self) -> Result<&Submitted> {
         self.device.check()?;
-        self.window.as_ref().ok_or_else(|| self.device.failure(&"a frame without a slot"))
+        self.submitted.as_ref().ok_or_else(|| self.device.failure(&"a frame without a slot"))
     }
 }
 
 impl Drop for DeviceFrame {
     fn drop(&mut self) {
-        let Some(submitted) = self.window.take() else { return };
+        let Some(submitted) = self.submitted.take() else { return };
         // Answers come with a poll.
         let polled = self.device.wgpu.poll(PollType::Poll);
         let [opened, refused] = [0, 1].map(|i: usize| submitted.opened[i].load(Ordering::Acquire));

@@ -8,7 +8,8 @@ use wgpu::{
 };
 
 use super::inputs::BLOCK;
-use super::layers::{Layer, Picture};
+use super::layers::Layer;
+use super::picture::Picture;
 use super::pipelines::{Layouts, Pipelines, RasterKey, ResolveKey};
 use super::plan::{Group, PASS_BLOCKS, Plan, RecordsAt};
 use super::slots::{Slot, Target};
@@ -16,7 +17,7 @@ use super::style::Style;
 use crate::device::{Device, SAMPLES};
 use crate::upload::{Page, Placeholders, SceneTables};
 
-/// Clears the ids of what is visible: four halves of ones.
+/// Clear colour of the visible faces: four halves of ones.
 const NOTHING: Color = Color { r: 65535.0, g: 65535.0, b: 65535.0, a: 65535.0 };
 
 /// One pass over a window.
@@ -29,7 +30,7 @@ pub(super) struct PassKind {
     pub multisampled: bool,
 }
 
-/// Everything bound for a frame.
+/// A frame's bind groups.
 pub(super) struct Bound<'a> {
     device: &'a Device,
     picture: &'a Picture,
@@ -106,8 +107,8 @@ impl<'a> Bound<'a> {
         let mut first = true;
         while first || start < self.plan.groups.len() {
             let groups = &self.plan.groups[start..];
-            // A layer that covers what is before it begins a pass with a depth of its own, for itself and for those after
-            // it, also where nothing of it is seen.
+            // A layer that covers the ones before it begins a pass with a new depth buffer, for itself and for those
+            // after it, even where nothing of it is visible.
             let section = |n: usize| layers[..=groups[n].layer].iter().filter(|layer| layer.covers).count();
             let same = |n: usize| section(n) == section(0);
             let count = (0..groups.len()).take_while(|&n| same(n)).count();

@@ -1,9 +1,9 @@
-//! Numbers that shaders read for a frame, of which only those are sent that differ from the last frame's.
+//! Numbers that shaders read for a frame. Only those that differ from the last frame's are sent.
 
 use nearfar_core::base::Result;
 use wgpu::{BufferUsages, MapMode};
 
-use crate::device::{Device, Written};
+use crate::device::{Counted, Device};
 
 /// Bytes that offsets of uniform blocks are multiples of.
 pub(super) const BLOCK: usize = 256;
@@ -18,7 +18,7 @@ pub(super) struct ShaderInputs {
 }
 
 impl ShaderInputs {
-    /// Sends what differs from the last frame's.
+    /// Sends the bytes that differ from the last frame's.
     pub fn send(&mut self, device: &Device, encoder: &mut wgpu::CommandEncoder, bytes: Vec<u8>) -> Result<()> {
         let size = (bytes.len() as u64).next_multiple_of(BLOCK as u64).next_power_of_two();
         if self.buffers.as_ref().is_none_or(|(buffer, _)| buffer.size() < size) {
@@ -41,7 +41,7 @@ impl ShaderInputs {
         for range in changed {
             let (start, length) = (range.start as u64, range.len() as u64);
             encoder.copy_buffer_to_buffer(staging, start, buffer, start, length);
-            device.count(Written::UploadedBytes, length);
+            device.count(Counted::UploadedBytes, length);
         }
         self.on_device = bytes;
         Ok(())

@@ -13,18 +13,19 @@ use wgpu::{CommandEncoderDescriptor, SubmissionIndex};
 use super::cull::Frustum;
 use super::encode::{Bound, PassKind};
 use super::inputs::BLOCK;
-use super::layers::{Layer, Picture};
+use super::layers::Layer;
+use super::picture::Picture;
 use super::plan::{PASS_BLOCKS, Plan};
 use super::read;
 use super::slots::{Shape, Slots};
 use super::submitted::{Submitted, open_buffers};
 use super::view::{Outputs, Sampling, Window, eye_of, pass_of};
-use crate::device::{Device, SAMPLES, Scope, Written};
+use crate::device::{Counted, Device, SAMPLES, Scope};
 use crate::upload::Residents;
 
 /// Windows in flight at a time.
 const WINDOWS_AHEAD: usize = 2;
-/// Passes in one submission: between two, the caller is asked whether to go on.
+/// Passes in one submission: between two, the caller may cancel.
 const PASSES_PER_SUBMISSION: usize = 8;
 /// Bytes of a pixel's channels: colour, range, ids, position, normal.
 const CHANNEL_BYTES: [u64; 5] = [12, 4, 8, 12, 12];
@@ -44,7 +45,7 @@ pub struct Job {
 }
 
 impl Job {
-    /// Begins a frame: what is missing on the device must be there already.
+    /// Begins a frame; the layers' scenes are on the device already.
     pub(crate) fn begin(
         device: &Arc<Device>,
         picture: Picture,
@@ -121,7 +122,7 @@ impl Job {
             let at = pass.number * PASS_BLOCKS * BLOCK;
             plan.inputs[at..at + size_of_val(&block)].copy_from_slice(bytemuck::bytes_of(&block));
         }
-        device.count(Written::Triangles, plan.triangles * passes.len() as u64);
+        device.count(Counted::Triangles, plan.triangles * passes.len() as u64);
         let mut slot = device.state::<Slots>().take(device, shape)?;
         let placeholders = device.state::<Residents>().placeholders(device)?;
         let scope = Scope::open(device);
@@ -176,7 +177,7 @@ impl Job {
         passes
     }
 
-    /// Bounds of the points of a layer that may be seen; none where boxes don't tell that.
+    /// Half-spaces that visible points of a layer lie in; none where its displacement has no bound.
     fn frustum(&self, layer: &Layer, window: &Window) -> Option<Frustum> {
         let eye = eye_of(&self.camera, &self.picture);
         layer.displacement.map(|moved| Frustum::new(&self.camera, window, eye - moved.shift, moved.slack))
@@ -195,7 +196,7 @@ impl Job {
     }
 }
 
-/// Which channels are written: colour, range, ids, position, normal.
+/// Flags of the wanted channels: colour, range, ids, position, normal.
 fn wanted(channels: Channels) -> [bool; 5] {
     [channels.color, channels.range, channels.object_id || channels.face_id, channels.position, channels.normal]
 }

@@ -1,13 +1,11 @@
-//! A picture's layers: sets of instances, each shown in one way.
+//! Layers: sets of instances, each shown in one way.
 
 use std::sync::Arc;
 
-use glam::DVec3;
-use nearfar_core::base::Buffer;
 use nearfar_core::scene::{Instance, Scene};
 
-use super::style::{Cut, Displacement, Parameters, Style};
-use crate::upload::{EnvTexels, RECORD_WORDS, SceneTables};
+use super::style::{Cut, Displacement, Style};
+use crate::upload::{RECORD_WORDS, SceneTables};
 
 /// Half of a scene's instances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,11 +19,11 @@ pub(crate) enum Set {
 /// Instances that are drawn in one way.
 #[derive(Clone)]
 pub(crate) struct Layer {
-    /// Whose instances.
+    /// The scene with the instances.
     pub scene: Scene,
-    /// The same on the device.
+    /// The scene on the device.
     pub tables: Arc<SceneTables>,
-    /// Which of them.
+    /// The half of its instances that is drawn.
     pub set: Set,
     /// Where their points are shown.
     pub style: Style,
@@ -33,15 +31,15 @@ pub(crate) struct Layer {
     pub cut: Cut,
     /// How far from their places they are shown; none where that has no bound, so that nothing is culled.
     pub displacement: Option<Displacement>,
-    /// Nothing drawn before it hides it: depth begins anew.
+    /// It hides all layers before it: the depth buffer is cleared.
     pub covers: bool,
-    /// Faces of another scene that its faces were made from, which have the numbers of objects and triangles.
+    /// Faces of another scene that the layer's faces were made from: images hold their objects and triangles.
     pub sources: Option<Arc<Sources>>,
 }
 
 /// Faces and instances that a scene was made from.
 pub(crate) struct Sources {
-    /// Whose they were.
+    /// The scene that they belong to.
     pub scene: Scene,
     /// Instance and face; objects of the standing meshes are places in this list.
     pub faces: Vec<(u32, u32)>,
@@ -50,7 +48,7 @@ pub(crate) struct Sources {
 }
 
 impl Layer {
-    /// Instances that are shown where they are, in front of what was drawn before.
+    /// Instances that are shown where they are, with all their fragments.
     pub fn plain(scene: Scene, tables: Arc<SceneTables>, set: Set) -> Self {
         Self {
             scene,
@@ -63,6 +61,7 @@ impl Layer {
             sources: None,
         }
     }
+
     /// For each record of the set, its instance and first face.
     pub fn record_faces(&self) -> &[(u32, u32)] {
         match self.set {
@@ -98,7 +97,7 @@ impl Layer {
         scene.triangle_offset(instance) + i64::from(face)
     }
 
-    /// Whose face it was, where the layer's scene was made from another.
+    /// The face that one was made from, where the layer's scene was made from another.
     fn source(&self, instance: u32, face: u32) -> Option<(&Scene, u32, u32)> {
         let sources = self.sources.as_ref()?;
         let (instance, face) = match self.set {
@@ -112,47 +111,6 @@ impl Layer {
         match self.set {
             Set::Standing => self.scene.standing.instances(),
             Set::Moving => self.scene.moving.instances(),
-        }
-    }
-}
-
-/// A picture to be taken by a camera.
-#[derive(Clone)]
-pub(crate) struct Picture {
-    /// In order of drawing.
-    pub layers: Vec<Layer>,
-    /// Numbers that the layers' styles and cuts read.
-    pub parameters: Parameters,
-    /// What is seen where nothing is drawn; the sky without one.
-    pub backdrop: Option<Backdrop>,
-    /// How far away the backdrop is shown.
-    pub backdrop_style: Style,
-    /// World position of the scenes' origin.
-    pub origin: DVec3,
-    /// Four samples may be the adapter's own, with each face shaded once: for frames, not for maps, which last.
-    pub multisampled: bool,
-}
-
-/// An environment map behind everything that is drawn.
-#[derive(Clone)]
-pub(crate) struct Backdrop {
-    pub texels: Arc<EnvTexels>,
-    /// Objects of its texels, where it has them.
-    pub objects: Option<Buffer<i32>>,
-    /// Where it was taken, relative to the scenes' origin.
-    pub center: DVec3,
-}
-
-impl Picture {
-    /// Layers that need no parameters, before the sky.
-    pub fn plain(layers: Vec<Layer>, origin: DVec3) -> Self {
-        Self {
-            layers,
-            parameters: Parameters::default(),
-            backdrop: None,
-            backdrop_style: Style::PLAIN,
-            origin,
-            multisampled: true,
         }
     }
 }

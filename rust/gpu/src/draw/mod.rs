@@ -6,6 +6,7 @@ mod encode;
 mod inputs;
 mod job;
 mod layers;
+mod picture;
 mod pipelines;
 mod plan;
 mod read;
@@ -18,6 +19,7 @@ mod visible;
 pub use device_frame::DeviceFrame;
 pub use job::Job;
 
-pub(crate) use layers::{Backdrop, Layer, Picture, Set, Sources};
+pub(crate) use layers::{Layer, Set, Sources};
+pub(crate) use picture::{Backdrop, Picture};
 pub(crate) use style::{Cut, Displacement, Parameters, Snippet, Style};
 pub(crate) use view::Axes;

@@ -1,4 +1,4 @@
-//! Shaders and pipelines, each compiled once on a device, and what their bindings look like.
+//! Shaders and pipelines, each compiled once on a device, and the layouts of their bindings.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -19,7 +19,7 @@ use crate::device::{Device, Scope, VISIBLE};
 /// Depth, reversed.
 pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 
-/// How a layer is rasterised.
+/// Settings of a layer's raster pipeline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct RasterKey {
     pub style: Style,
@@ -42,7 +42,7 @@ impl RasterKey {
     }
 }
 
-/// How a layer's pixels are resolved.
+/// Settings of a layer's resolve pipeline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct ResolveKey {
     pub style: Style,
@@ -56,7 +56,7 @@ pub(super) struct ResolveKey {
     pub samples: u32,
 }
 
-/// Everything compiled on a device.
+/// Pipelines of a device.
 #[derive(Default)]
 pub(crate) struct Pipelines {
     layouts: OnceLock<Layouts>,
@@ -65,7 +65,7 @@ pub(crate) struct Pipelines {
     resolves: Mutex<HashMap<ResolveKey, Arc<ComputePipeline>>>,
 }
 
-/// Shapes of the bind groups.
+/// Layouts of the bind groups.
 pub(super) struct Layouts {
     /// A scene's tables and the order of its records.
     pub raster_scene: BindGroupLayout,
@@ -96,8 +96,8 @@ impl Pipelines {
             immediate_size: 0,
         });
         let constants = [
-            ("STYLE", f64::from(key.style.0.way)),
-            ("CUT", f64::from(key.cut.snippet.way)),
+            ("STYLE", f64::from(key.style.0.variant)),
+            ("CUT", f64::from(key.cut.snippet.variant)),
             ("FACE_NORMALS", f64::from(u8::from(key.cut.face_normals))),
             ("CUTOUT", f64::from(u8::from(key.cutout))),
             ("SINGLE", f64::from(u8::from(key.single))),
@@ -118,7 +118,7 @@ impl Pipelines {
             depth_stencil: Some(DepthStencilState {
                 format: DEPTH,
                 depth_write_enabled: Some(true),
-                // Of equal depths the first drawn stays: the lower triangle, as in the tracer.
+                // Of equal depths the first one drawn stays, which is the lower triangle, as in the tracer.
                 depth_compare: Some(CompareFunction::Greater),
                 stencil: wgpu::StencilState::default(),
                 bias: wgpu::DepthBiasState::default(),
@@ -157,7 +157,7 @@ impl Pipelines {
             immediate_size: 0,
         });
         let constants = [
-            ("STYLE", f64::from(key.style.0.way)),
+            ("STYLE", f64::from(key.style.0.variant)),
             ("MAPPED", f64::from(u8::from(key.mapped))),
             ("COLOR", f64::from(u8::from(key.color))),
             ("SURFACE", f64::from(u8::from(key.surface))),

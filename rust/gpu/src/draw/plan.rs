@@ -7,7 +7,8 @@ use bytemuck::{Pod, Zeroable};
 
 use super::cull::Frustum;
 use super::inputs::BLOCK;
-use super::layers::{Layer, Picture, Set};
+use super::layers::{Layer, Set};
+use super::picture::Picture;
 use super::visible::{Drawn, Visible};
 use crate::upload::{PART_WORDS, Page, RECORD_WORDS, Records};
 
@@ -21,7 +22,7 @@ struct BatchBlock {
     part: [u32; PART_WORDS],
 }
 
-/// Where a batch's records are.
+/// The place of a batch's records.
 #[derive(Clone)]
 pub(super) enum RecordsAt {
     /// In a buffer of their own.
@@ -30,7 +31,7 @@ pub(super) enum RecordsAt {
     Inputs(Range<usize>),
 }
 
-/// Triangles of one page placed by one batch of records, drawn in a layer's way.
+/// Triangles of one page that one batch of a layer's records places.
 pub(super) struct Group {
     pub layer: usize,
     pub page: Arc<Page>,
@@ -45,15 +46,15 @@ pub(super) struct Group {
 /// A draw call.
 pub(super) struct Call {
     pub vertices: Range<u32>,
-    /// Places in the order; without a meaning where the block has the one record.
+    /// Places in the order of records; unused where the block has the only record.
     pub instances: Range<u32>,
     /// Where a uniform block with the call's part and first record stands among the inputs.
     pub block: usize,
-    /// That is its only record.
+    /// The first record is the only one.
     pub single: bool,
 }
 
-/// Consecutive records of one layer, numbered through the frame.
+/// Consecutive records of one layer and their numbers in the frame.
 #[derive(Clone, Debug)]
 pub(super) struct Numbering {
     pub layer: usize,
@@ -72,13 +73,13 @@ pub(super) struct Plan {
     pub inputs: Vec<u8>,
     /// Where the block of a batch without records stands among them: it resolves pixels that show nothing.
     pub empty: usize,
-    /// Places of the order.
+    /// The order of records, among the inputs.
     pub order: Range<usize>,
     pub triangles: u64,
 }
 
 impl Plan {
-    /// Plans what a view sees of layers; `passes` blocks of room are left at the beginning.
+    /// Plans the visible part of the layers; the inputs begin with room for the blocks of `passes` passes.
     pub fn new(picture: &Picture, frustum: impl Fn(&Layer) -> Option<Frustum>, passes: usize) -> Self {
         let empty = passes * BLOCK * PASS_BLOCKS;
         let mut plan = Self {
@@ -180,7 +181,7 @@ impl Plan {
         at
     }
 
-    /// Has the first batch resolve pixels that show nothing too, where it treats them as they are to be.
+    /// Lets the first batch resolve pixels that show nothing too, where its style is the backdrop's.
     fn let_first_write(&mut self, picture: &Picture) {
         if let Some(first) =
             self.groups.first().filter(|first| picture.layers[first.layer].style == picture.backdrop_style)
@@ -190,7 +191,7 @@ impl Plan {
         }
     }
 
-    /// Whether pixels that show nothing need a batch of their own.
+    /// True where pixels that show nothing need a batch of their own.
     pub fn needs_empty(&self, picture: &Picture) -> bool {
         self.groups.first().is_none_or(|first| picture.layers[first.layer].style != picture.backdrop_style)
     }

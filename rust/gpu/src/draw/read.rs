@@ -1,10 +1,11 @@
-//! The output as a frame's images: one copy, and numbers of faces that become numbers of the scene.
+//! The output as a frame's images: copies, and numbers of records and faces replaced by the scene's.
 
 use nearfar_core::base::Result;
 use nearfar_core::render::Frame;
 use rayon::prelude::*;
 
-use super::layers::{Layer, Picture};
+use super::layers::Layer;
+use super::picture::Picture;
 use super::plan::Numbering;
 use super::submitted::Submitted;
 use crate::device::Device;
@@ -32,7 +33,7 @@ pub(super) fn fill(words: &[u32], submitted: &Submitted, picture: &Picture, widt
     };
     let (columns, stride) = (window.width as usize, width as usize);
     let first = window.row as usize * stride + window.column as usize;
-    // Rows of the window: where they go, and where they come from.
+    // First pixel of a row of the window in the frame.
     let place = |image_row: usize| first + image_row * stride;
     let vectors = [(0, &mut frame.color), (3, &mut frame.position), (4, &mut frame.normal)];
     for (channel, image) in vectors.into_iter().filter(|(_, image)| !image.is_empty()) {

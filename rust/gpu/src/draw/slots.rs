@@ -1,5 +1,5 @@
-//! Targets and buffers of frames in flight. A frame takes a slot that fits and gives it back, so that steady work makes
-//! nothing anew.
+//! Targets and buffers of frames in flight. A frame takes a slot that fits and gives it back, so that steady frames
+//! allocate nothing.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -46,13 +46,13 @@ pub(super) struct Target {
     pub depth: TextureView,
 }
 
-/// One frame's own memory on the device.
+/// The memory of one window in flight.
 pub(super) struct Slot {
     pub shape: Shape,
     pub single: Target,
     pub multisampled: Option<Target>,
     pub output: wgpu::Buffer,
-    /// Where the output is read; none where it can be read itself.
+    /// The copy that the processor reads; none where it can read the output itself.
     pub staging: Option<wgpu::Buffer>,
     /// Numbers that shaders read.
     pub inputs: ShaderInputs,

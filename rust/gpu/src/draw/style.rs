@@ -4,22 +4,22 @@ use std::hash::{Hash, Hasher};
 
 use glam::DVec3;
 
-/// Vectors of a technique's own in the uniform block of a pass.
+/// Numbers of a technique in the uniform block of a pass.
 pub(crate) type Parameters = [[f32; 4]; 4];
 
-/// WGSL that stands among the shaders of `draw`, and a number by which it takes one of its ways.
+/// WGSL that is compiled together with the shaders of `draw`, and the variant of it that is used.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Snippet {
-    /// Tells snippets apart, with the number.
+    /// Identity of the text.
     pub name: &'static str,
     pub text: &'static str,
-    /// The override `STYLE` or `CUT`.
-    pub way: u32,
+    /// Value of the override `STYLE` or `CUT`.
+    pub variant: u32,
 }
 
 impl PartialEq for Snippet {
     fn eq(&self, other: &Self) -> bool {
-        (self.name, self.way) == (other.name, other.way)
+        (self.name, self.variant) == (other.name, other.variant)
     }
 }
 
@@ -27,7 +27,7 @@ impl Eq for Snippet {}
 
 impl Hash for Snippet {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        (self.name, self.way).hash(state);
+        (self.name, self.variant).hash(state);
     }
 }
 
@@ -38,11 +38,11 @@ pub(crate) struct Style(pub Snippet);
 
 impl Style {
     /// Points are shown where they are.
-    pub const PLAIN: Self = Self(Snippet { name: "plain", text: include_str!("../shaders/plain.wgsl"), way: 0 });
+    pub const PLAIN: Self = Self(Snippet { name: "plain", text: include_str!("../shaders/plain.wgsl"), variant: 0 });
 }
 
-/// Which fragments are drawn. The snippet defines `cut_place` (for each vertex, what `is_kept` gets interpolated) and
-/// `is_kept`, by the override `CUT`: see `whole.wgsl`.
+/// Which fragments are drawn. The snippet defines `cut_place` (a vector of each vertex, interpolated for `is_kept`) and
+/// `is_kept` (of a fragment), by the override `CUT`: see `whole.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Cut {
     pub snippet: Snippet,
@@ -53,17 +53,17 @@ pub(crate) struct Cut {
 impl Cut {
     /// All fragments are drawn.
     pub const NONE: Self = Self {
-        snippet: Snippet { name: "whole", text: include_str!("../shaders/whole.wgsl"), way: 0 },
+        snippet: Snippet { name: "whole", text: include_str!("../shaders/whole.wgsl"), variant: 0 },
         face_normals: false,
     };
 }
 
-/// How far from their places points are shown at most, so that boxes tell what is out of sight.
+/// A bound on how far from their places points are shown, for culling by boxes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Displacement {
-    /// By this much all of them,
+    /// The shift of all points.
     pub shift: DVec3,
-    /// and by at most so many metres in any direction.
+    /// Metres by which points may lie elsewhere, in any direction.
     pub slack: f64,
 }
 

@@ -5,7 +5,7 @@ use glam::{DMat3, DVec2, DVec3, DVec4};
 use nearfar_core::camera::{Camera, Fov, Projection};
 use nearfar_core::cubemap::direction_from_face;
 
-use super::layers::Picture;
+use super::picture::Picture;
 use super::style::Parameters;
 
 /// A part of an image that is drawn at once.
@@ -49,8 +49,7 @@ impl Window {
     }
 }
 
-/// Metres from the eye within which nothing is drawn. Reversed floating-point depth is as exact at any distance for any
-/// near plane.
+/// Distance of the near plane in metres. The precision of reversed floating-point depth does not depend on it.
 const NEAR: f64 = 1e-6;
 
 /// The uniform block `Pass` of `scene.wgsl`.
@@ -83,7 +82,7 @@ pub(super) struct Sampling {
     pub scale: f64,
     /// Its share of the pixel's colour.
     pub weight: f32,
-    /// It is added to what is there.
+    /// Its colour is added to that of the samples before.
     pub adds: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Draws of the instances and runs of faces that a view sees.
+//! Draw calls of the visible instances and runs of faces.
 
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;

@@ -13,7 +13,7 @@ use crate::device::Device;
 use crate::draw::{Job, Layer, Picture, Set};
 use crate::upload::Residents;
 
-/// Six faces, one after the other, of what stands; the next one is drawn while one is read.
+/// Six faces of the standing instances, one after the other; each is read while the next one is drawn.
 pub fn bake(device: &Arc<Device>, scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame> {
     settings.check(scene)?;
     let channels = settings.channels();

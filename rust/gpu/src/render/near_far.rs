@@ -1,4 +1,4 @@
-//! The near–far method as shaders have it: where points are shown, and which fragments belong to a zone.
+//! The near–far method in shaders: styles that morph points, and cuts at the radii of its zones.
 
 use glam::DVec3;
 use nearfar_core::morph::Kind;
@@ -8,7 +8,7 @@ use crate::draw::{Cut, Displacement, Parameters, Snippet, Style};
 const MORPH: &str = include_str!("../shaders/morph.wgsl");
 const ZONES: &str = include_str!("../shaders/zones.wgsl");
 
-/// Where points are shown; ways of `morph.wgsl`.
+/// Where points are shown: variants of `morph.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Shown {
     /// Where they are.
@@ -17,7 +17,7 @@ pub(super) enum Shown {
     Blend = 1,
     /// Morphed by CloVR's cylinder.
     Cylinder = 2,
-    /// Where the centre sees them: moved by the user's offset.
+    /// As the centre sees them: moved by the user's offset from it.
     FromCenter = 3,
     /// The same, but as far away as they are shown by CloVR's cylinder.
     FromCenterOnCylinder = 4,
@@ -33,11 +33,11 @@ impl From<Kind> for Shown {
 }
 
 impl Shown {
-    /// The style of layers.
+    /// The style of a layer.
     pub fn style(self) -> Style {
         match self {
             Self::AsItIs => Style::PLAIN,
-            _ => Style(Snippet { name: "morph", text: MORPH, way: self as u32 }),
+            _ => Style(Snippet { name: "morph", text: MORPH, variant: self as u32 }),
         }
     }
 
@@ -46,7 +46,7 @@ impl Shown {
         match self {
             Self::AsItIs => Some(Displacement::NONE),
             Self::FromCenter | Self::FromCenterOnCylinder => Some(Displacement { shift: offset, slack: 0.0 }),
-            // Points move by the user's offset at most, where directions are not opposed.
+            // Points move at most by the user's offset, where user and centre don't see them in opposite directions.
             Self::Blend if offset.length() < r1 => {
                 Some(Displacement { shift: DVec3::ZERO, slack: 2.0 * offset.length() })
             }
@@ -55,7 +55,7 @@ impl Shown {
     }
 }
 
-/// Fragments by their distance from the centre's axis; ways of `zones.wgsl`.
+/// Fragments by their distance from the centre's axis: variants of `zones.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Zone {
     /// All.
@@ -71,19 +71,19 @@ pub(super) enum Zone {
 }
 
 impl Zone {
-    /// The cut of layers.
+    /// The cut of a layer.
     pub fn cut(self) -> Cut {
         match self {
             Self::Whole => Cut::NONE,
             _ => Cut {
-                snippet: Snippet { name: "zones", text: ZONES, way: self as u32 },
+                snippet: Snippet { name: "zones", text: ZONES, variant: self as u32 },
                 face_normals: self == Self::Overlapping,
             },
         }
     }
 }
 
-/// Numbers of the method.
+/// Lengths that define the zones.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NearFar {
     /// The user's position relative to the centre O.

@@ -11,7 +11,7 @@ use crate::device::Device;
 use crate::draw::{Job, Layer, Picture, Set};
 use crate::upload::Residents;
 
-/// Begins a frame of a scene; what of it is not on the device is sent first.
+/// Begins a frame of a scene; meshes and materials that the device lacks are sent first.
 pub fn begin(
     device: &Arc<Device>,
     scene: &Scene,

@@ -1,4 +1,4 @@
-// The style of the near-far method: the morph of Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and of CloVR (2024), Alg. 1.
+// The style of the near-far method: the morph of Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, or of CloVR (2024), Alg. 1.
 //
 // Parameters: from the centre to the eye, and the tangent of two texels; r1, r2, the radius where pixels are split, and
 // 1 / (r2 - r1).

@@ -1,6 +1,6 @@
 // Which face each pixel shows: a record and a face of its part. All else is computed once for each pixel afterwards.
 
-// The way in which fragments are cut, and whether the cut reads the face's normal.
+// The variant of the cut, and whether it reads the face's normal.
 override CUT: u32 = 0u;
 override FACE_NORMALS: bool = false;
 // Holes of cut-out materials are not drawn.

@@ -18,7 +18,7 @@ struct Pass {
     direction: vec4<f32>,
     direction_x: vec4<f32>,
     direction_y: vec4<f32>,
-    // What of the three is finer than a grid on which sums are exact.
+    // The remainders of the three, finer than a grid on which sums are exact.
     rest: vec4<f32>,
     rest_x: vec4<f32>,
     rest_y: vec4<f32>,
@@ -94,7 +94,7 @@ const NONE: u32 = 0xffffffffu;
 @group(1) @binding(0) var<uniform> view: Pass;
 @group(1) @binding(1) var<uniform> batch: Batch;
 
-// The way in which the style shows points.
+// The variant of the style.
 override STYLE: u32 = 0u;
 // All faces belong to one record, which the batch tells: nothing is looked up.
 override SINGLE: bool = false;

@@ -1,4 +1,4 @@
-//! What lies on the device between frames: meshes by their identity, materials and textures, instances as transforms.
+//! Scenes on the device between frames: meshes by their identity, materials and textures, instances as transforms.
 
 mod environment;
 mod materials;

@@ -15,7 +15,7 @@ use crate::device::Device;
 /// Words of a part in its table.
 pub(crate) const PART_WORDS: usize = 8;
 
-/// What a scene's tables follow from; poses of moving instances are not in them.
+/// Parts of a scene that its tables are made from; poses of moving instances are not in them.
 pub(super) struct Key {
     standing: Weak<InstanceSet>,
     materials: Weak<Vec<Material>>,
@@ -49,7 +49,7 @@ impl Key {
     }
 }
 
-/// Where an instance's parts stand in its set's records.
+/// An instance's parts and their records in its set.
 #[derive(Clone, Debug)]
 pub(crate) struct InstanceParts {
     /// First record; one for each part, in order.
@@ -75,9 +75,9 @@ pub(crate) struct SceneTables {
     /// Table of all parts.
     pub parts: wgpu::Buffer,
     part_words: Vec<u32>,
-    /// Some mesh has colours of its vertices.
+    /// Some mesh has vertex colours.
     pub colored: bool,
-    /// Some mesh has normals of its vertices.
+    /// Some mesh has vertex normals.
     pub smooth: bool,
     pub materials: Arc<MaterialTable>,
 }

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use super::errors::{from_panic, to_python};
 
 /// How often a waiting caller looks at signals and reports progress.
-const POLL: Duration = Duration::from_millis(50);
+const POLL_INTERVAL: Duration = Duration::from_millis(50);
 
 /// Runs a kernel of milliseconds on the pool with the interpreter released.
 pub fn short<R: Send>(py: Python<'_>, kernel: impl FnOnce() -> Result<R> + Send) -> PyResult<R> {
@@ -40,7 +40,7 @@ pub fn long<R: Send>(
             });
             let mut raised = None;
             let outcome = loop {
-                match receiver.recv_timeout(POLL) {
+                match receiver.recv_timeout(POLL_INTERVAL) {
                     Ok(outcome) => break Some(outcome),
                     Err(RecvTimeoutError::Disconnected) => break None,
                     Err(RecvTimeoutError::Timeout) if raised.is_none() => {

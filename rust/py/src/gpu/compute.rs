@@ -3,7 +3,7 @@
 use nearfar_core::base::{Error, Result};
 use nearfar_core::metrics::{Neighbourhood, Window};
 use nearfar_core::morph::Morph;
-use nearfar_gpu::compute::{self, Filter, Map};
+use nearfar_gpu::compute::{self, CubeMap, Filter};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2, PyReadonlyArray4, PyReadwriteArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -94,7 +94,7 @@ pub(crate) fn gpu_cube_lookup(
 ) -> PyResult<()> {
     let (faces, mut out) = maps;
     let [size, channels] = [faces.shape()[1], faces.shape()[3]].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
-    let map = Map { values: faces.as_slice()?, size, channels };
+    let map = CubeMap { values: faces.as_slice()?, size, channels };
     let (rows, to) = (directions.as_slice()?.as_chunks::<3>().0, out.as_slice_mut()?);
     run::long(py, None, |progress| compute::lookup(&device.0, map, rows, self::filter(filter)?, to, progress))
 }

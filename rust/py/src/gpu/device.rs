@@ -60,7 +60,7 @@ impl GpuDevice {
         self.0.report().label()
     }
 
-    /// What executes its work.
+    /// The kind of processor that executes its work.
     #[getter]
     fn kind(&self) -> &'static str {
         self.0.report().kind.name()

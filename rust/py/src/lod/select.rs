@@ -34,8 +34,8 @@ fn eye((position, orientation, [left, right, down, up], gaze, pixel): EyeParts, 
 }
 
 /// Of length 1, however long it was.
-fn direction(given: DVec3) -> DVec3 {
-    (given / given.abs().max_element()).normalize()
+fn direction(vector: DVec3) -> DVec3 {
+    (vector / vector.abs().max_element()).normalize()
 }
 
 fn listed(counts: &Counts) -> Vec<u64> {
@@ -43,7 +43,7 @@ fn listed(counts: &Counts) -> Vec<u64> {
     vec![culled, one_level, settled, large, asked, lens, table, formula]
 }
 
-/// Levels of objects, numbers beside them where wanted, and what was done.
+/// Levels of objects, numbers beside them where wanted, and counts of the work.
 type Selected<'py> = (Bound<'py, PyArray1<i32>>, Vec<Bound<'py, PyArray1<f64>>>, Vec<u64>);
 
 /// The level of each object that is enough for its size.

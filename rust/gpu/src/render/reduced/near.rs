@@ -1,5 +1,5 @@
-//! Near triangles as two meshes: those that no morph changes, and those that it bends, split finely enough for it. What
-//! moves is placed by its transforms, but for instances between the radii whose edges are too long to be bent at their ends.
+//! Near triangles as two meshes: those that no morph changes, and those that it bends, split finely enough for it.
+//! Moving instances are placed by their transforms; those between the radii whose edges are too long are split.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -14,18 +14,19 @@ use crate::draw::Sources;
 
 /// Splits that are kept: a user who walks to and fro across a step finds both.
 const MAX_SPLITS: usize = 3;
-/// Share of r₁ within which a user's error has a bound (0.6, less what triangles may pass r₁ by).
+/// Share of r₁ within which the error of a user's picture has a bound: 0.6, less how far triangles may pass r₁.
 const MAX_BOUNDED_REACH: f64 = 0.59;
-/// Share of r₂ by which points may miss the radius and be taken for points of it: more than any rule that splits does.
+/// Share of r₂ by which a point may miss a radius and still count as lying on it: more than rounding by a splitting
+/// rule.
 const RADIUS_TOLERANCE: f64 = 1.0 / 8192.0;
 
 /// Near geometry of a reduced scene.
 pub(super) struct Near {
-    /// All corners inside the radius.
+    /// Triangles with all corners inside the radius.
     pub fixed: Geometry,
-    /// The others, as they are in the scene.
+    /// The other triangles, as they are in the scene.
     bending: Geometry,
-    /// The others after splitting, the last used at the end.
+    /// The other triangles after splitting, the last used at the end.
     split: Mutex<Vec<(Cause, Bent)>>,
     /// Instances that move and were split, in their last poses.
     moved: Mutex<Option<Moved>>,
@@ -35,7 +36,7 @@ pub(super) struct Near {
     radii: [f64; 2],
 }
 
-/// Triangles to be drawn and what they were made from.
+/// Triangles to be drawn, and the faces that they were made from.
 #[derive(Clone)]
 pub(super) struct Geometry {
     /// One standing mesh.
@@ -47,7 +48,7 @@ pub(super) struct Geometry {
 #[derive(Clone)]
 pub(super) struct Bent {
     pub geometry: Geometry,
-    /// How they were split.
+    /// The rule that split them.
     pub rule: Option<Arc<Rule>>,
 }
 
@@ -125,7 +126,8 @@ impl Near {
         Ok(bent)
     }
 
-    /// Never locked while work is shared out: a thread that waits for its share may take up another frame.
+    /// No lock is held during parallel work: a thread that waits inside rayon may run another frame, which needs the
+    /// same.
     fn known_split(&self, cause: &Cause) -> Option<Bent> {
         let mut known = self.split.lock().unwrap_or_else(PoisonError::into_inner);
         let found = known.iter().position(|(other, _)| other == cause)?;

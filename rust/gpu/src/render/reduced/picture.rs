@@ -1,4 +1,4 @@
-//! Layers of a reduced frame: what lies beyond the near part, then the near part, which covers it.
+//! Layers of a reduced frame: objects beyond the near part, then the near part, which covers them.
 
 use std::sync::Arc;
 
@@ -49,8 +49,8 @@ impl View<'_> {
         let movers: Vec<_> = movers.filter(|(geometry, _)| geometry.scene.triangle_count() > 0).collect();
         let has_range = self.texels.as_ref().is_some_and(|texels| texels.has_range);
         let zone = if has_range { Zone::BeyondAndUnhidden } else { Zone::Beyond };
-        // Morphed vertices on both sides of r₂, so that nothing gapes where triangles cross it. Without a map, what stands is
-        // drawn as far away as it is from the centre, so what moves is too.
+        // Morphed vertices on both sides of r₂, so that nothing gapes where triangles cross it. Without a map, what
+        // stands is drawn as far away as it is from the centre, so what moves is too.
         let moved = if self.kind.is_none() || covered_far { beyond } else { near };
         for (geometry, set) in &movers {
             layers.push(self.near_layer(device, geometry, *set, moved, zone)?);

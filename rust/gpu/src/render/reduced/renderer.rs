@@ -18,7 +18,7 @@ use crate::draw::Job;
 use crate::render::near_far::NearFar;
 use crate::upload::EnvTexels;
 
-/// The near part of a reduced scene as a device draws it, and the map on it.
+/// The near part of a reduced scene as devices draw it, and its map on the last device.
 pub struct Reduced {
     near: Near,
     join: Join,
@@ -47,8 +47,8 @@ impl Reduced {
         })
     }
 
-    /// Begins a frame of the user at the camera's position. `scene` is the one that was reduced, its moving objects in any
-    /// pose; `reduced` is what the drawing is checked by and remembers what it took.
+    /// Begins a frame of the user at the camera's position. `scene` is the one that was reduced, its moving objects in
+    /// any pose; `reduced` checks the drawing and records its counts.
     pub fn begin(
         &self,
         device: &Arc<Device>,
