@@ -5,14 +5,12 @@
 //! for each pixel and in the wanted channels only, by the tracer's formulas. So pictures of both back ends differ by
 //! rounding alone, and what is hidden costs nothing but its depth.
 
-mod upload;
-pub mod bake;
-pub mod compute;
 pub mod device;
+mod upload;
 pub mod draw;
-pub mod reduced;
-pub mod truth;
+pub mod render;
+pub mod compute;
 
 pub use device::{AdapterKind, AdapterReport, Counters, Device};
 pub use draw::{DeviceFrame, Job};
-pub use reduced::Reduced;
+pub use render::reduced::Reduced;

@@ -7,12 +7,12 @@ use nearfar_core::base::{Error, Progress, Result, pool, random};
 use numpy::{PyArray1, PyReadonlyArray1, ToPyArray};
 use pyo3::prelude::*;
 
-use crate::errors::to_python;
-use crate::run;
+use crate::convert::errors::to_python;
+use crate::convert::run;
 
 /// Float64 in [0, 1) for each index.
 #[pyfunction]
-fn uniform<'py>(
+pub(crate) fn uniform<'py>(
     py: Python<'py>,
     seed: u64,
     cell: u64,
@@ -25,7 +25,7 @@ fn uniform<'py>(
 
 /// Number of threads of the pool.
 #[pyfunction]
-fn thread_count() -> PyResult<usize> {
+pub(crate) fn thread_count() -> PyResult<usize> {
     pool::thread_count().map_err(to_python)
 }
 
@@ -33,7 +33,7 @@ fn thread_count() -> PyResult<usize> {
 /// "wait" runs until it is cancelled, "panic" panics on a thread of the pool, "value" fails as a kernel fails.
 #[pyfunction]
 #[pyo3(signature = (behaviour, report=None))]
-fn probe(py: Python<'_>, behaviour: &str, report: Option<Py<PyAny>>) -> PyResult<()> {
+pub(crate) fn probe(py: Python<'_>, behaviour: &str, report: Option<Py<PyAny>>) -> PyResult<()> {
     run::long(py, report, |progress| behave(behaviour, progress))
 }
 
@@ -46,10 +46,4 @@ fn behave(behaviour: &str, progress: &Progress) -> Result<()> {
         "panic" => std::panic::panic_any("asked to panic"),
         other => Err(Error::value("behaviour", "'wait' or 'panic'", format!("'{other}'"))),
     }
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(uniform, module)?)?;
-    module.add_function(wrap_pyfunction!(thread_count, module)?)?;
-    module.add_function(wrap_pyfunction!(probe, module)?)
 }

@@ -6,9 +6,9 @@ use nearfar_core::morph::Morph;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-use crate::errors::to_python;
+use crate::convert::errors::to_python;
+use crate::convert::run;
 use crate::morph::kind;
-use crate::run;
 
 fn morph(user: [f64; 3], center: [f64; 3], r1: f64, r2: f64, name: &str) -> PyResult<Morph> {
     let make = || Morph::new(DVec3::from_array(user), DVec3::from_array(center), r1, r2, kind(name)?);
@@ -19,7 +19,7 @@ fn morph(user: [f64; 3], center: [f64; 3], r1: f64, r2: f64, name: &str) -> PyRe
 #[pyfunction]
 #[pyo3(signature = (directions, *, user, center, r1, r2, kind, tolerance, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
-fn bend_rays<'py>(
+pub(crate) fn bend_rays<'py>(
     py: Python<'py>,
     directions: PyReadonlyArray2<'py, f64>,
     user: [f64; 3],
@@ -39,12 +39,14 @@ fn bend_rays<'py>(
 /// Metres left before the picture folds.
 #[pyfunction]
 #[pyo3(signature = (user, *, center, r1, r2, kind))]
-fn fold_margin(py: Python<'_>, user: [f64; 3], center: [f64; 3], r1: f64, r2: f64, kind: &str) -> PyResult<f64> {
+pub(crate) fn fold_margin(
+    py: Python<'_>,
+    user: [f64; 3],
+    center: [f64; 3],
+    r1: f64,
+    r2: f64,
+    kind: &str,
+) -> PyResult<f64> {
     let morph = morph(user, center, r1, r2, kind)?;
     run::short(py, || bend::margin(&morph))
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(bend_rays, module)?)?;
-    module.add_function(wrap_pyfunction!(fold_margin, module)?)
 }

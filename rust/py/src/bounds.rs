@@ -5,9 +5,9 @@ use nearfar_core::bounds::{self, Method, Sphere};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
-use crate::arrays::Points;
-use crate::errors::to_python;
-use crate::run;
+use crate::convert::arrays::Points;
+use crate::convert::errors::to_python;
+use crate::convert::run;
 
 fn method(name: &str) -> Result<Method> {
     match name {
@@ -28,7 +28,7 @@ fn row(sphere: &Sphere) -> [f64; 4] {
 /// Centre and radius of the sphere about each group of points.
 #[pyfunction]
 #[pyo3(signature = (points, offsets, *, method, report=None))]
-fn bounding_spheres(
+pub(crate) fn bounding_spheres(
     py: Python<'_>,
     points: Points<'_>,
     offsets: PyReadonlyArray1<'_, i64>,
@@ -53,7 +53,7 @@ fn bounding_spheres(
 /// Centre and radius of the sphere about points.
 #[pyfunction]
 #[pyo3(signature = (points, *, method))]
-fn bounding_sphere(py: Python<'_>, points: Points<'_>, method: &str) -> PyResult<[f64; 4]> {
+pub(crate) fn bounding_sphere(py: Python<'_>, points: Points<'_>, method: &str) -> PyResult<[f64; 4]> {
     let method = self::method(method).map_err(to_python)?;
     let sphere = match &points {
         Points::Single(points) => {
@@ -70,7 +70,7 @@ fn bounding_sphere(py: Python<'_>, points: Points<'_>, method: &str) -> PyResult
 
 /// Solid angles of spheres in steradians.
 #[pyfunction]
-fn solid_angles<'py>(
+pub(crate) fn solid_angles<'py>(
     py: Python<'py>,
     centers: PyReadonlyArray2<'py, f64>,
     radii: PyReadonlyArray1<'py, f64>,
@@ -81,10 +81,4 @@ fn solid_angles<'py>(
     let (centers, radii, into) = (centers.as_slice()?.as_chunks::<3>().0, radii.as_slice()?, write.as_slice_mut()?);
     run::short(py, || bounds::solid_angles(centers, radii, eye.into(), into))?;
     Ok(to)
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(bounding_sphere, module)?)?;
-    module.add_function(wrap_pyfunction!(bounding_spheres, module)?)?;
-    module.add_function(wrap_pyfunction!(solid_angles, module)?)
 }

@@ -8,8 +8,8 @@ use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
-use crate::errors::to_python;
-use crate::run;
+use crate::convert::errors::to_python;
+use crate::convert::run;
 
 /// A checked view.
 #[pyclass(frozen, module = "nearfar._core")]
@@ -82,7 +82,7 @@ impl Camera {
 
 /// How a depth buffer's values become distances.
 #[pyclass(frozen, module = "nearfar._core")]
-struct DepthBuffer(camera::DepthBuffer);
+pub(crate) struct DepthBuffer(camera::DepthBuffer);
 
 #[derive(FromPyObject)]
 enum Values<'py> {
@@ -127,7 +127,7 @@ impl DepthBuffer {
         }
     }
 
-    /// What a buffer holds at distances from the eye, (N, H, W).
+    /// A buffer's values at distances from the eye, (N, H, W).
     fn depths(&self, py: Python<'_>, ranges: Reals<'_>) -> PyResult<Py<PyAny>> {
         match &ranges {
             Reals::Single(ranges) => self.depths_of(py, ranges),
@@ -157,9 +157,4 @@ impl DepthBuffer {
         drop(write);
         found.into_py_any(py)
     }
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<Camera>()?;
-    module.add_class::<DepthBuffer>()
 }

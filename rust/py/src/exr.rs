@@ -6,7 +6,7 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::run;
+use crate::convert::run;
 
 #[derive(FromPyObject)]
 enum ChannelArgument<'py> {
@@ -52,7 +52,7 @@ impl ChannelArgument<'_> {
 /// A file's bytes. A part is (name, channels, attributes): dictionaries of (H, W) float16, float32 or uint32 arrays,
 /// and of texts and triples of numbers.
 #[pyfunction]
-fn encode_exr<'py>(
+pub(crate) fn encode_exr<'py>(
     py: Python<'py>,
     parts: Vec<(String, Bound<'py, PyDict>, Bound<'py, PyDict>)>,
 ) -> PyResult<Bound<'py, PyBytes>> {
@@ -66,7 +66,7 @@ type DecodedPart<'py> = (String, Bound<'py, PyDict>, Bound<'py, PyDict>);
 
 /// The parts of a file's bytes, as `encode_exr` takes them.
 #[pyfunction]
-fn decode_exr<'py>(py: Python<'py>, data: &[u8]) -> PyResult<Vec<DecodedPart<'py>>> {
+pub(crate) fn decode_exr<'py>(py: Python<'py>, data: &[u8]) -> PyResult<Vec<DecodedPart<'py>>> {
     let parts = run::short(py, || exr::decode(data))?;
     parts.into_iter().map(|part| decoded(py, part)).collect()
 }
@@ -114,9 +114,4 @@ fn decoded<'py>(py: Python<'py>, part: Part) -> PyResult<DecodedPart<'py>> {
 
 fn image<T: numpy::Element>(py: Python<'_>, values: Vec<T>, shape: [usize; 2]) -> PyResult<Bound<'_, PyArray2<T>>> {
     PyArray1::from_vec(py, values).reshape(shape)
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(encode_exr, module)?)?;
-    module.add_function(wrap_pyfunction!(decode_exr, module)?)
 }

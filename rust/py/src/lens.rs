@@ -11,9 +11,9 @@ use numpy::{
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 
-use crate::arrays::Points;
-use crate::errors::to_python;
-use crate::run;
+use crate::convert::arrays::Points;
+use crate::convert::errors::to_python;
+use crate::convert::run;
 
 #[derive(FromPyObject)]
 enum Radii<'py> {
@@ -22,7 +22,7 @@ enum Radii<'py> {
 }
 
 #[derive(FromPyObject)]
-enum Picture<'py> {
+pub(crate) enum Picture<'py> {
     Byte(PyReadonlyArray3<'py, u8>),
     Short(PyReadonlyArray3<'py, u16>),
     Single(PyReadonlyArray3<'py, f32>),
@@ -61,7 +61,7 @@ impl RadialLens {
     }
 }
 
-/// What a kernel makes of radii.
+/// An array that a kernel fills from radii.
 fn radii<'py, T: Real + Element>(
     py: Python<'py>,
     from: &PyReadonlyArray1<'py, T>,
@@ -74,7 +74,7 @@ fn radii<'py, T: Real + Element>(
     to.into_py_any(py)
 }
 
-/// What a kernel makes of points.
+/// An array that a kernel fills from points.
 fn points<'py, T: Real + Element>(
     py: Python<'py>,
     from: &PyReadonlyArray2<'py, T>,
@@ -157,8 +157,8 @@ impl RadialLens {
     }
 }
 
-fn lenses(given: &[PyRef<'_, RadialLens>]) -> Vec<lens::RadialLens> {
-    given.iter().map(|lens| lens.0.clone()).collect()
+fn lenses(lenses: &[PyRef<'_, RadialLens>]) -> Vec<lens::RadialLens> {
+    lenses.iter().map(|lens| lens.0.clone()).collect()
 }
 
 fn warped<'py, P: Pixel + Element>(
@@ -184,7 +184,7 @@ fn warped<'py, P: Pixel + Element>(
 #[pyfunction]
 #[pyo3(signature = (lenses, picture, *, from_fov, to_fov, tan_omega, size, distort, filter, fill))]
 #[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
-fn warp<'py>(
+pub(crate) fn warp<'py>(
     py: Python<'py>,
     lenses: Vec<PyRef<'py, RadialLens>>,
     picture: Picture<'py>,
@@ -213,7 +213,7 @@ type MeshArrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray3<f64>>, Bo
 #[pyfunction]
 #[pyo3(signature = (lenses, *, from_fov, to_fov, tan_omega, cells, size, distort))]
 #[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
-fn warp_mesh<'py>(
+pub(crate) fn warp_mesh<'py>(
     py: Python<'py>,
     lenses: Vec<PyRef<'py, RadialLens>>,
     from_fov: [f64; 4],
@@ -240,7 +240,7 @@ fn warp_mesh<'py>(
 #[pyfunction]
 #[pyo3(signature = (lens, centers, radii, *, eye, forward, tan_omega, exact))]
 #[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
-fn corrected_solid_angles<'py>(
+pub(crate) fn corrected_solid_angles<'py>(
     py: Python<'py>,
     lens: PyRef<'py, RadialLens>,
     centers: PyReadonlyArray2<'py, f64>,
@@ -257,11 +257,4 @@ fn corrected_solid_angles<'py>(
     let sizes = Sizes { lens, eye: eye.into(), forward: DVec3::from_array(forward).normalize(), tan_omega, exact };
     run::short(py, || lens::corrected_solid_angles(&sizes, centers, radii, into))?;
     Ok(to)
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<RadialLens>()?;
-    module.add_function(wrap_pyfunction!(warp, module)?)?;
-    module.add_function(wrap_pyfunction!(warp_mesh, module)?)?;
-    module.add_function(wrap_pyfunction!(corrected_solid_angles, module)?)
 }

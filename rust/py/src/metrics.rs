@@ -12,12 +12,12 @@ use numpy::{
 use pyo3::prelude::*;
 
 use crate::camera::Camera;
-use crate::errors::to_python;
-use crate::run;
+use crate::convert::errors::to_python;
+use crate::convert::run;
 
 /// Images of any type, the last two axes of a stack; steps between values are whole and not negative.
 #[derive(FromPyObject)]
-enum Images<'py> {
+pub(crate) enum Images<'py> {
     Bytes(PyReadonlyArrayDyn<'py, u8>),
     Shorts(PyReadonlyArrayDyn<'py, u16>),
     Floats(PyReadonlyArrayDyn<'py, f32>),
@@ -63,7 +63,7 @@ fn stacks<'a, T: Element + Pixel>(
 
 /// Mean of squared differences of each pair of images.
 #[pyfunction]
-fn mean_squared_errors(py: Python<'_>, references: Images<'_>, tests: Images<'_>) -> PyResult<Vec<f64>> {
+pub(crate) fn mean_squared_errors(py: Python<'_>, references: Images<'_>, tests: Images<'_>) -> PyResult<Vec<f64>> {
     with_arrays!(&references, &tests, (a, b) => {
         let stacks = stacks(a, b, None)?;
         run::short(py, || stacks.mean_squared_errors())
@@ -108,7 +108,7 @@ fn compared<'py, P: Source<Real: Source<Real = P::Real> + Element> + Element>(
 /// Sums of similarity and of pixels for each pair, and the maps, of `map_shape`, where they are wanted.
 #[pyfunction]
 #[pyo3(signature = (references, tests, *, settings, masks=None, map_shape=None, report=None))]
-fn similarity<'py>(
+pub(crate) fn similarity<'py>(
     py: Python<'py>,
     references: Images<'py>,
     tests: Images<'py>,
@@ -126,7 +126,7 @@ fn similarity<'py>(
 /// Means of similarity and of its second factor for each pair at each of `scales`.
 #[pyfunction]
 #[pyo3(signature = (references, tests, *, settings, scales))]
-fn multiscale(
+pub(crate) fn multiscale(
     py: Python<'_>,
     references: Images<'_>,
     tests: Images<'_>,
@@ -144,7 +144,7 @@ fn multiscale(
 #[pyfunction]
 #[pyo3(signature = (position, *, origin, width, camera, epsilon, min_distance, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
-fn discontinuity<'py>(
+pub(crate) fn discontinuity<'py>(
     py: Python<'py>,
     position: PyReadonlyArray2<'py, f32>,
     origin: [f64; 3],
@@ -164,19 +164,11 @@ fn discontinuity<'py>(
 
 /// Shares of objects and of their pixels that are visible; none without objects.
 #[pyfunction]
-fn object_completion(
+pub(crate) fn object_completion(
     py: Python<'_>,
     reference: PyReadonlyArray1<'_, i32>,
     test: PyReadonlyArray1<'_, i32>,
 ) -> PyResult<Option<(f64, f64)>> {
     let (reference, test) = (reference.as_slice()?, test.as_slice()?);
     run::short(py, || Ok(metrics::object_completion(reference, test)))
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(mean_squared_errors, module)?)?;
-    module.add_function(wrap_pyfunction!(similarity, module)?)?;
-    module.add_function(wrap_pyfunction!(multiscale, module)?)?;
-    module.add_function(wrap_pyfunction!(discontinuity, module)?)?;
-    module.add_function(wrap_pyfunction!(object_completion, module)?)
 }

@@ -6,12 +6,12 @@ use nearfar_core::morph::{Kind, Morph};
 use numpy::PyReadwriteArray2;
 use pyo3::prelude::*;
 
-use crate::arrays::Points;
-use crate::errors::to_python;
-use crate::run;
+use crate::convert::arrays::Points;
+use crate::convert::errors::to_python;
+use crate::convert::run;
 
 #[derive(FromPyObject)]
-enum Shown<'py> {
+pub(crate) enum Shown<'py> {
     Single(PyReadwriteArray2<'py, f32>),
     Double(PyReadwriteArray2<'py, f64>),
 }
@@ -28,7 +28,7 @@ pub(crate) fn kind(name: &str) -> Result<Kind> {
 #[pyfunction]
 #[pyo3(signature = (points, shown, *, user, center, r1, r2, kind))]
 #[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
-fn morph<'py>(
+pub(crate) fn morph<'py>(
     py: Python<'py>,
     points: Points<'py>,
     shown: Shown<'py>,
@@ -50,8 +50,4 @@ fn morph<'py>(
         }
         _ => Err(to_python(Error::value("out", "the type of points", "another one"))),
     }
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(morph, module)?)
 }

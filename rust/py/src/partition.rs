@@ -8,14 +8,9 @@ use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::run;
+use crate::convert::arrays::Points;
+use crate::convert::run;
 use crate::scene::Scene;
-
-#[derive(FromPyObject)]
-enum Vertices<'py> {
-    Single(PyReadonlyArray2<'py, f32>),
-    Double(PyReadonlyArray2<'py, f64>),
-}
 
 fn measure<'py, T: Coordinate + Element>(
     py: Python<'py>,
@@ -38,16 +33,16 @@ fn measure<'py, T: Coordinate + Element>(
 /// Least and greatest distance (F, 2) of triangles from a vertical axis, in the vertices' type.
 #[pyfunction]
 #[pyo3(signature = (vertices, faces, center, report=None))]
-fn triangle_radii<'py>(
+pub(crate) fn triangle_radii<'py>(
     py: Python<'py>,
-    vertices: Vertices<'py>,
+    vertices: Points<'py>,
     faces: Option<PyReadonlyArray2<'py, u32>>,
     center: [f64; 3],
     report: Option<Py<PyAny>>,
 ) -> PyResult<Py<PyAny>> {
     match &vertices {
-        Vertices::Single(vertices) => measure(py, vertices, faces.as_ref(), center, report),
-        Vertices::Double(vertices) => measure(py, vertices, faces.as_ref(), center, report),
+        Points::Single(vertices) => measure(py, vertices, faces.as_ref(), center, report),
+        Points::Double(vertices) => measure(py, vertices, faces.as_ref(), center, report),
     }
 }
 
@@ -156,10 +151,4 @@ impl LoadCurve {
     fn moving(&self) -> i64 {
         self.0.moving()
     }
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(triangle_radii, module)?)?;
-    module.add_class::<Partition>()?;
-    module.add_class::<LoadCurve>()
 }

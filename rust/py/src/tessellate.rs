@@ -7,18 +7,18 @@ use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::run;
+use crate::convert::run;
 use crate::scene::Scene;
 
 fn settings(center: [f64; 3], r1: f64, r2: f64, reach: f64, tolerance: f64) -> Settings {
     Settings { center: DVec3::from_array(center), r1, r2, reach, tolerance, kind: Kind::Blend }
 }
 
-/// A scene with its standing triangles split, and what was done by name.
+/// A scene with its standing triangles split, and counts of the work by name.
 #[pyfunction]
 #[pyo3(signature = (scene, *, center, r1, r2, reach, tolerance, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
-fn tessellate_scene<'py>(
+pub(crate) fn tessellate_scene<'py>(
     py: Python<'py>,
     scene: &Scene,
     center: [f64; 3],
@@ -46,7 +46,7 @@ fn tessellate_scene<'py>(
 #[pyfunction]
 #[pyo3(signature = (vertices, faces, *, center, r1, r2, reach, tolerance, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
-fn tessellate_arrays<'py>(
+pub(crate) fn tessellate_arrays<'py>(
     py: Python<'py>,
     vertices: PyReadonlyArray2<'py, f64>,
     faces: PyReadonlyArray2<'py, u32>,
@@ -74,9 +74,4 @@ fn tessellate_arrays<'py>(
 fn rows_of<T: numpy::Element>(py: Python<'_>, rows: Vec<[T; 3]>) -> PyResult<Bound<'_, PyArray2<T>>> {
     let count = rows.len();
     rows.into_flattened().into_pyarray(py).reshape([count, 3])
-}
-
-pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(tessellate_scene, module)?)?;
-    module.add_function(wrap_pyfunction!(tessellate_arrays, module)?)
 }

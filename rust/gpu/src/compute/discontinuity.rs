@@ -1,5 +1,6 @@
-//! How far neighbours in the true picture are torn apart in a frame: Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6. Points are
-//! binned by their place in the truth, then each looks for neighbours in the nine cells around its own.
+//! Discontinuity: how far neighbours in the true picture are torn apart in a frame: Popescu, Lee, Choi, Fahmy (2022),
+//! Eq. 5–6. Points are binned by their place in the truth, then each looks for neighbours in the nine cells around its
+//! own.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, DVec4};
@@ -8,23 +9,23 @@ use nearfar_core::camera::Camera;
 use nearfar_core::metrics::Neighbourhood;
 use wgpu::{BindingResource, BufferUsages, SubmissionIndex};
 
-use super::memory::{Lent, Results, copy};
+use super::memory::{LentBuffer, Results, copy};
 use super::programs::{Program, Work, groups};
 use crate::device::Device;
 use crate::draw::{Axes, DeviceFrame};
 
-/// Pairs that are looked at before the caller is asked whether to go on.
-const PAIRS: f64 = 2e9;
-/// Points of each cell that one call looks at: nine times as many are looped over, of the 65,535 that drivers in software
-/// do before they end a loop.
-const SLICE: u32 = 1 << 12;
-/// Least side of a cell, pixels: smaller ones hold next to nothing.
-const LEAST_CELL: f64 = 4.0;
+/// Pairs in one submission: between two, the caller may cancel.
+const PAIRS_PER_SUBMISSION: f64 = 2e9;
+/// Points of each cell that one call looks at. Its loop takes nine times as many turns; software drivers end loops
+/// after 65,535.
+const POINTS_PER_SLICE: u32 = 1 << 12;
+/// Least side of a cell in pixels: smaller ones hold few points.
+const MIN_CELL_PX: f64 = 4.0;
 
 /// The uniform block `Torn` of `compute_discontinuity.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
-struct Told {
+struct TornBlock {
     x: [f32; 4],
     y: [f32; 4],
     ahead: [f32; 4],
@@ -36,14 +37,14 @@ struct Told {
     slice: [u32; 4],
 }
 
-/// Room for what is known of points on the way.
+/// Points sorted by cells of their place in the truth.
 struct Bins<'a> {
-    shifts: Lent<'a>,
-    cells: Lent<'a>,
-    counts: Lent<'a>,
-    starts: Lent<'a>,
-    list: Lent<'a>,
-    points: Lent<'a>,
+    shifts: LentBuffer<'a>,
+    cells: LentBuffer<'a>,
+    counts: LentBuffer<'a>,
+    starts: LentBuffer<'a>,
+    list: LentBuffer<'a>,
+    points: LentBuffer<'a>,
 }
 
 /// δ for each pixel of a frame with positions, NaN where there is none.
@@ -64,21 +65,22 @@ pub fn discontinuity(
     let pixels = width * height;
     check(device, [width, height])?;
     progress.expect(u64::from(pixels));
-    // Longer than ε by more than places up to 10⁵ pixels are rounded, so that no neighbour is left out.
-    let cell = (around.epsilon * 1.001 + 0.05).max(LEAST_CELL);
+    // Longer than ε by more than the rounding of places up to 10⁵ pixels, so that no neighbour is missed.
+    let cell = (around.epsilon * 1.001 + 0.05).max(MIN_CELL_PX);
     let across = |truth: u32, here: u32| ((f64::from(truth) / cell).ceil() as u32 + 2).clamp(3, here / 2 + 3);
     let grid = [across(truth.width, width), across(truth.height, height)];
     let cells = grid[0] * grid[1];
     let bins = Bins::new(device, u64::from(pixels), u64::from(cells))?;
     let torn = Results::new(device, 4 * u64::from(pixels))?;
     let most = Results::new(device, 4)?;
-    let told = |first: u32, count: u32, slice: u32| {
-        let told = told(frame, truth, around, [position.first, cells], cell);
-        let told = Told { grid: [grid[0], grid[1], first, count], slice: [slice, SLICE, 0, 0], ..told };
-        device.filled_buffer("discontinuity", bytemuck::cast_slice(&[told]), BufferUsages::UNIFORM)
+    let uniform = |first: u32, count: u32, slice: u32| {
+        let block = torn_block(frame, truth, around, [position.first, cells], cell);
+        let block =
+            TornBlock { grid: [grid[0], grid[1], first, count], slice: [slice, POINTS_PER_SLICE, 0, 0], ..block };
+        device.filled_buffer("discontinuity", bytemuck::cast_slice(&[block]), BufferUsages::UNIFORM)
     };
-    let all = told(0, pixels, 0)?;
-    let alone = device.kernels.alone();
+    let all = uniform(0, pixels, 0)?;
+    let alone = frame.alone();
     let mut work = Work::new(device);
     work.encoder.clear_buffer(&bins.counts, 0, None);
     let positions = position.buffer.as_entire_binding();
@@ -87,23 +89,24 @@ pub fn discontinuity(
     work.submit()?;
     drop(alone);
     let most = most.read(progress, |bytes| bytes.first_chunk().copied().map_or(0, u32::from_ne_bytes))?;
-    let slices = || (0..most.max(1)).step_by(SLICE as usize);
+    let slices = || (0..most.max(1)).step_by(POINTS_PER_SLICE as usize);
     let mut under_way = UnderWay { device, progress, last: None };
     for slice in slices() {
         let mut work = Work::new(device);
-        bins.order(&mut work, &told(0, pixels, slice)?, pixels)?;
-        if slice + SLICE >= most {
+        bins.order(&mut work, &uniform(0, pixels, slice)?, pixels)?;
+        if slice + POINTS_PER_SLICE >= most {
             bins.gather(&mut work, &all, pixels)?;
         }
         under_way.submit(work, 0)?;
     }
-    let few = (PAIRS / (9.0 * f64::from(most.clamp(1, SLICE)))).clamp(4096.0, f64::from(1 << 20)) as u32;
+    let few = (PAIRS_PER_SUBMISSION / (9.0 * f64::from(most.clamp(1, POINTS_PER_SLICE))))
+        .clamp(4096.0, f64::from(1 << 20)) as u32;
     for first in (0..pixels).step_by(few as usize) {
         let count = few.min(pixels - first);
         for slice in slices() {
             let mut work = Work::new(device);
-            bins.tear(&mut work, &told(first, count, slice)?, &torn.on_device, count)?;
-            let ends = slice + SLICE >= most;
+            bins.tear(&mut work, &uniform(first, count, slice)?, &torn.on_device, count)?;
+            let ends = slice + POINTS_PER_SLICE >= most;
             if ends && first + count == pixels {
                 torn.bring(&mut work.encoder);
             }
@@ -115,7 +118,7 @@ pub fn discontinuity(
     Ok(image)
 }
 
-/// Work that was handed in last: there is never more than that and what is encoded.
+/// The last submission: at most one is under way while the next is encoded.
 struct UnderWay<'a> {
     device: &'a Device,
     progress: &'a Progress,
@@ -123,7 +126,7 @@ struct UnderWay<'a> {
 }
 
 impl UnderWay<'_> {
-    /// Hands in work that finishes some points, and waits for what was handed in before.
+    /// Submits work that finishes some points, and waits for the submission before.
     fn submit(&mut self, work: Work<'_>, points: u32) -> Result<()> {
         if let Some((before, points)) = self.last.replace((work.submit()?, points)) {
             self.device.wait(&before, self.progress)?;
@@ -145,7 +148,13 @@ fn check(device: &Device, [width, height]: [u32; 2]) -> Result<()> {
 }
 
 /// Rows that take a point to its place in the truth, and the limits.
-fn told(frame: &DeviceFrame, truth: &Camera, around: Neighbourhood, [first, cells]: [u32; 2], cell: f64) -> Told {
+fn torn_block(
+    frame: &DeviceFrame,
+    truth: &Camera,
+    around: Neighbourhood,
+    [first, cells]: [u32; 2],
+    cell: f64,
+) -> TornBlock {
     let Axes { right, up, ahead, fov } = Axes::of(truth);
     let (across, down) =
         (f64::from(truth.width) / (fov.right - fov.left), f64::from(truth.height) / (fov.up - fov.down));
@@ -154,7 +163,7 @@ fn told(frame: &DeviceFrame, truth: &Camera, around: Neighbourhood, [first, cell
     let wide = |v: DVec4| v.as_vec4().to_array();
     let parallel = if truth.is_parallel() { 1.0 } else { 0.0 };
     let low: DVec3 = eye - eye_high.as_dvec3();
-    Told {
+    TornBlock {
         x: wide((right * across).extend(-fov.left * across)),
         y: wide((-up * down).extend(fov.up * down)),
         ahead: wide(ahead.extend(parallel)),
@@ -170,29 +179,29 @@ fn told(frame: &DeviceFrame, truth: &Camera, around: Neighbourhood, [first, cell
 impl<'a> Bins<'a> {
     fn new(device: &'a Device, pixels: u64, cells: u64) -> Result<Self> {
         Ok(Self {
-            shifts: Lent::scratch(device, 8 * pixels)?,
-            cells: Lent::scratch(device, 8 * pixels)?,
-            counts: Lent::scratch(device, 4 * cells)?,
-            starts: Lent::scratch(device, 4 * (cells + 1))?,
-            list: Lent::scratch(device, 4 * pixels)?,
-            points: Lent::scratch(device, 16 * pixels)?,
+            shifts: LentBuffer::scratch(device, 8 * pixels)?,
+            cells: LentBuffer::scratch(device, 8 * pixels)?,
+            counts: LentBuffer::scratch(device, 4 * cells)?,
+            starts: LentBuffer::scratch(device, 4 * (cells + 1))?,
+            list: LentBuffer::scratch(device, 4 * pixels)?,
+            points: LentBuffer::scratch(device, 16 * pixels)?,
         })
     }
 
-    /// Puts the pixels of each cell side by side, in any order.
+    /// Lists the pixels of each cell, in any order.
     fn place(
         &self,
         work: &mut Work<'_>,
-        told: &wgpu::Buffer,
+        uniform: &wgpu::Buffer,
         positions: BindingResource<'_>,
-        [torn, most]: [&Lent<'_>; 2],
+        [torn, most]: [&LentBuffer<'_>; 2],
         pixels: u32,
     ) -> Result<()> {
-        let told = (0, told.as_entire_binding());
+        let uniform = (0, uniform.as_entire_binding());
         let cells = (3, self.cells.binding());
         let [counts, starts] = [(4, self.counts.binding()), (5, self.starts.binding())];
         let place = [
-            told.clone(),
+            uniform.clone(),
             (1, positions),
             (2, self.shifts.binding()),
             cells.clone(),
@@ -200,16 +209,16 @@ impl<'a> Bins<'a> {
             (8, torn.binding()),
         ];
         work.run(&program("discontinuity_place"), &place, groups(pixels))?;
-        let add_up = [told.clone(), counts, starts.clone(), (9, most.binding())];
+        let add_up = [uniform.clone(), counts, starts.clone(), (9, most.binding())];
         work.run(&program("discontinuity_add_up"), &add_up, [1, 1])?;
-        let scatter = [told, cells, starts, (6, self.list.binding())];
+        let scatter = [uniform, cells, starts, (6, self.list.binding())];
         work.run(&program("discontinuity_scatter"), &scatter, groups(pixels))
     }
 
-    /// Counts which pixels of a slice of each cell come before.
-    fn order(&self, work: &mut Work<'_>, told: &wgpu::Buffer, pixels: u32) -> Result<()> {
+    /// Counts, for each pixel, those of a slice of its cell that come before it.
+    fn order(&self, work: &mut Work<'_>, uniform: &wgpu::Buffer, pixels: u32) -> Result<()> {
         let resources = [
-            (0, told.as_entire_binding()),
+            (0, uniform.as_entire_binding()),
             (3, self.cells.binding()),
             (5, self.starts.binding()),
             (6, self.list.binding()),
@@ -217,10 +226,10 @@ impl<'a> Bins<'a> {
         work.run(&program("discontinuity_order"), &resources, groups(pixels))
     }
 
-    /// Puts what is known of points where pairs are looked for.
-    fn gather(&self, work: &mut Work<'_>, told: &wgpu::Buffer, pixels: u32) -> Result<()> {
+    /// Puts the points of each cell side by side.
+    fn gather(&self, work: &mut Work<'_>, uniform: &wgpu::Buffer, pixels: u32) -> Result<()> {
         let resources = [
-            (0, told.as_entire_binding()),
+            (0, uniform.as_entire_binding()),
             (2, self.shifts.binding()),
             (3, self.cells.binding()),
             (5, self.starts.binding()),
@@ -230,9 +239,9 @@ impl<'a> Bins<'a> {
     }
 
     /// Adds the neighbours in a slice of each cell to those of some points.
-    fn tear(&self, work: &mut Work<'_>, told: &wgpu::Buffer, torn: &Lent<'_>, count: u32) -> Result<()> {
+    fn tear(&self, work: &mut Work<'_>, uniform: &wgpu::Buffer, torn: &LentBuffer<'_>, count: u32) -> Result<()> {
         let resources = [
-            (0, told.as_entire_binding()),
+            (0, uniform.as_entire_binding()),
             (2, self.shifts.binding()),
             (3, self.cells.binding()),
             (5, self.starts.binding()),

@@ -5,12 +5,12 @@ use nearfar_core::base::{Error, Progress, Result};
 use nearfar_core::cubemap::MAX_SIZE;
 use wgpu::BufferUsages;
 
-use super::memory::{Lent, Results};
+use super::memory::{LentBuffer, Results};
 use super::programs::{Program, groups};
 use super::stream::stream;
 use crate::device::Device;
 
-/// Which of the texels around a direction.
+/// A choice among the texels around a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Filter {
     /// The one that it passes through.
@@ -23,7 +23,7 @@ pub enum Filter {
 
 /// Six faces of `size`² texels of `channels` values each.
 #[derive(Clone, Copy, Debug)]
-pub struct Map<'a> {
+pub struct CubeMap<'a> {
     /// Their values.
     pub values: &'a [f32],
     /// Texels across a face.
@@ -32,13 +32,13 @@ pub struct Map<'a> {
     pub channels: u32,
 }
 
-/// Most values of a texel: drivers in software end loops after 65,535 turns.
-const MOST_CHANNELS: usize = 1 << 12;
+/// Values of a texel at most: drivers in software end loops after 65,535 turns.
+const MAX_CHANNELS: usize = 1 << 12;
 
 /// The uniform block `Lookup` of `compute_lookup.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
-struct Told {
+struct LookupBlock {
     map: [u32; 4],
     rows: [u32; 4],
 }
@@ -46,7 +46,7 @@ struct Told {
 /// Writes the map's values along directions of any length; fails at the first that is zero or not finite.
 pub fn lookup(
     device: &Device,
-    map: Map<'_>,
+    map: CubeMap<'_>,
     directions: &[[f32; 3]],
     filter: Filter,
     out: &mut [f32],
@@ -71,7 +71,7 @@ pub fn lookup(
         constants: &[],
         group: 2,
     };
-    let faces = Lent::input(device, size_of_val(map.values) as u64)?;
+    let faces = LentBuffer::input(device, size_of_val(map.values) as u64)?;
     faces.fill(bytemuck::cast_slice(map.values), progress)?;
     let wrong = Results::new(device, 4)?;
     let out = (bytemuck::cast_slice_mut(out), 4 * map.channels as usize);
@@ -80,14 +80,14 @@ pub fn lookup(
         if !std::mem::replace(&mut cleared, true) {
             work.encoder.clear_buffer(&wrong.on_device, 0, Some(4));
         }
-        let told = Told {
+        let block = LookupBlock {
             map: [map.size, map.channels, 0, 0],
-            // Counted from the end, so that the greatest number is that of the first.
+            // Counted from the end, so that the greatest number is that of the first wrong direction.
             rows: [rows.len() as u32, (directions.len() - rows.start) as u32, 0, 0],
         };
-        let told = device.filled_buffer("lookup", bytemuck::cast_slice(&[told]), BufferUsages::UNIFORM)?;
+        let uniform = device.filled_buffer("lookup", bytemuck::cast_slice(&[block]), BufferUsages::UNIFORM)?;
         let resources = [
-            (0, told.as_entire_binding()),
+            (0, uniform.as_entire_binding()),
             (1, faces.binding()),
             (2, input.binding()),
             (3, results.binding()),
@@ -113,7 +113,7 @@ pub fn lookup(
     }
 }
 
-fn check(device: &Device, map: &Map<'_>, directions: usize, room: usize) -> Result<()> {
+fn check(device: &Device, map: &CubeMap<'_>, directions: usize, room: usize) -> Result<()> {
     if !(1..=MAX_SIZE).contains(&map.size) {
         return Err(Error::value("faces", format!("1 to {MAX_SIZE} texels across a face"), map.size));
     }
@@ -121,8 +121,8 @@ fn check(device: &Device, map: &Map<'_>, directions: usize, room: usize) -> Resu
     if map.values.len() != 6 * size * size * channels || room != directions * channels {
         return Err(Error::value("faces", format!("{} values", 6 * size * size * channels), map.values.len()));
     }
-    if channels > MOST_CHANNELS {
-        return Err(Error::value("faces", format!("up to {MOST_CHANNELS} values of a texel"), channels));
+    if channels > MAX_CHANNELS {
+        return Err(Error::value("faces", format!("up to {MAX_CHANNELS} values of a texel"), channels));
     }
     if u32::try_from(directions).is_err() {
         return Err(Error::value("directions", "fewer than 2³²", directions));

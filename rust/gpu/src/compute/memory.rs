@@ -1,30 +1,34 @@
-//! Buffers of kernels, lent again and again, and the ways to and from the processor.
+//! Buffers of kernels, which are used again, and copies to and from the processor.
 
 use std::ops::Deref;
-use std::sync::PoisonError;
+use std::sync::{Mutex, PoisonError};
 
 use nearfar_core::base::{Progress, Result};
 use rayon::prelude::*;
 use wgpu::{Buffer, BufferUsages, CommandEncoder, MapMode};
 
-use crate::device::{Device, Written};
+use crate::device::{Counted, Device};
 
-/// Most buffers, and most bytes of them, that wait for the next call.
-const KEPT: usize = 24;
-const KEPT_BYTES: u64 = 1 << 28;
+/// Buffers that wait for the next call, at most, and bytes of them.
+const MAX_SPARE_BUFFERS: usize = 24;
+const MAX_SPARE_BYTES: u64 = 1 << 28;
 /// Bytes that one thread copies at a time.
-const PIECE: usize = 1 << 20;
+const COPY_BYTES: usize = 1 << 20;
 
-/// A buffer that goes back to the others once it is dropped. What uses it next comes later in the queue.
-pub(super) struct Lent<'a> {
+/// Buffers of a device that no kernel uses.
+#[derive(Default)]
+struct SpareBuffers(Mutex<Vec<Buffer>>);
+
+/// A buffer that goes back to the spare ones once it is dropped. Its next use comes later in the queue.
+pub(super) struct LentBuffer<'a> {
     device: &'a Device,
     buffer: Buffer,
     usage: BufferUsages,
     bytes: u64,
 }
 
-impl<'a> Lent<'a> {
-    /// Room for kernels alone.
+impl<'a> LentBuffer<'a> {
+    /// Room that only kernels use.
     pub fn scratch(device: &'a Device, bytes: u64) -> Result<Self> {
         Self::new(device, "scratch", bytes, BufferUsages::STORAGE | BufferUsages::COPY_DST)
     }
@@ -38,7 +42,7 @@ impl<'a> Lent<'a> {
     fn new(device: &'a Device, label: &str, bytes: u64, usage: BufferUsages) -> Result<Self> {
         let bytes = bytes.next_multiple_of(16).max(256);
         let fits = |buffer: &Buffer| buffer.usage() == usage && (bytes..=2 * bytes).contains(&buffer.size());
-        let mut spare = device.kernels.spare.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut spare = device.state::<SpareBuffers>().0.lock().unwrap_or_else(PoisonError::into_inner);
         let found = spare.iter().position(fits).map(|found| spare.remove(found));
         drop(spare);
         let buffer = match found {
@@ -51,7 +55,7 @@ impl<'a> Lent<'a> {
     /// Fills its beginning.
     pub fn fill(&self, bytes: &[u8], progress: &Progress) -> Result<()> {
         let length = bytes.len() as u64;
-        self.device.count(Written::UploadedBytes, length);
+        self.device.count(Counted::UploadedBytes, length);
         if !self.usage.contains(BufferUsages::MAP_WRITE) {
             self.device.queue.write_buffer(self, 0, bytes);
             return Ok(());
@@ -69,14 +73,14 @@ impl<'a> Lent<'a> {
         filled
     }
 
-    /// As it is bound: no more of it than was asked for.
+    /// A binding of as many bytes as were asked for.
     pub fn binding(&self) -> wgpu::BindingResource<'_> {
         let size = std::num::NonZeroU64::new(self.bytes);
         wgpu::BindingResource::Buffer(wgpu::BufferBinding { buffer: self, offset: 0, size })
     }
 }
 
-impl Deref for Lent<'_> {
+impl Deref for LentBuffer<'_> {
     type Target = Buffer;
 
     fn deref(&self) -> &Buffer {
@@ -84,20 +88,20 @@ impl Deref for Lent<'_> {
     }
 }
 
-impl Drop for Lent<'_> {
+impl Drop for LentBuffer<'_> {
     fn drop(&mut self) {
-        let mut spare = self.device.kernels.spare.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut spare = self.device.state::<SpareBuffers>().0.lock().unwrap_or_else(PoisonError::into_inner);
         spare.push(self.buffer.clone());
-        while spare.len() > KEPT || spare.iter().map(Buffer::size).sum::<u64>() > KEPT_BYTES {
+        while spare.len() > MAX_SPARE_BUFFERS || spare.iter().map(Buffer::size).sum::<u64>() > MAX_SPARE_BYTES {
             spare.remove(0);
         }
     }
 }
 
-/// What a kernel writes for the processor.
+/// Room for the results of a kernel, which the processor reads.
 pub(super) struct Results<'a> {
-    pub on_device: Lent<'a>,
-    staging: Option<Lent<'a>>,
+    pub on_device: LentBuffer<'a>,
+    staging: Option<LentBuffer<'a>>,
     bytes: u64,
 }
 
@@ -106,22 +110,22 @@ impl<'a> Results<'a> {
         let stays = BufferUsages::STORAGE | BufferUsages::COPY_SRC | BufferUsages::COPY_DST;
         let read = BufferUsages::MAP_READ;
         let (usage, passes) = if device.shares_memory { (stays | read, false) } else { (stays, true) };
-        let staging = || Lent::new(device, "read-back", bytes, read | BufferUsages::COPY_DST);
+        let staging = || LentBuffer::new(device, "read-back", bytes, read | BufferUsages::COPY_DST);
         Ok(Self {
-            on_device: Lent::new(device, "results", bytes, usage)?,
+            on_device: LentBuffer::new(device, "results", bytes, usage)?,
             staging: passes.then(staging).transpose()?,
             bytes,
         })
     }
 
-    /// To be encoded behind the kernel.
+    /// Encodes the copy to the processor; call it after the kernel is encoded.
     pub fn bring(&self, encoder: &mut CommandEncoder) {
         if let Some(staging) = &self.staging {
             encoder.copy_buffer_to_buffer(&self.on_device, 0, staging, 0, self.bytes.next_multiple_of(4));
         }
     }
 
-    /// Waits for the results and hands them over.
+    /// Waits for the results and calls `take` with them.
     pub fn read<R>(&self, progress: &Progress, take: impl FnOnce(&[u8]) -> R) -> Result<R> {
         let (device, buffer) = (self.on_device.device, self.staging.as_ref().unwrap_or(&self.on_device));
         let room = self.bytes.next_multiple_of(8);
@@ -137,5 +141,5 @@ impl<'a> Results<'a> {
 
 /// A copy by all threads.
 pub(super) fn copy(to: &mut [u8], from: &[u8]) {
-    to.par_chunks_mut(PIECE).zip(from.par_chunks(PIECE)).for_each(|(to, from)| to.copy_from_slice(from));
+    to.par_chunks_mut(COPY_BYTES).zip(from.par_chunks(COPY_BYTES)).for_each(|(to, from)| to.copy_from_slice(from));
 }

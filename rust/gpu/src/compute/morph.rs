@@ -13,7 +13,7 @@ use crate::device::Device;
 /// The uniform block `Morph` of `compute_morph.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
-struct Told {
+struct MorphBlock {
     center_high: [f32; 4],
     center_low: [f32; 4],
     offset: [f32; 4],
@@ -41,14 +41,14 @@ pub fn morph(
     };
     let out = (bytemuck::cast_slice_mut(shown), size_of::<[f32; 3]>());
     stream(device, points, out, progress, |work, input, results, rows| {
-        let told =
-            device.filled_buffer("morph", bytemuck::cast_slice(&[told(morph, rows.len())]), BufferUsages::UNIFORM)?;
-        let resources = [(0, told.as_entire_binding()), (1, input.binding()), (2, results.binding())];
+        let block = morph_block(morph, rows.len());
+        let uniform = device.filled_buffer("morph", bytemuck::cast_slice(&[block]), BufferUsages::UNIFORM)?;
+        let resources = [(0, uniform.as_entire_binding()), (1, input.binding()), (2, results.binding())];
         work.run(&program, &resources, groups(rows.len() as u32))
     })
 }
 
-fn told(morph: &Morph, points: usize) -> Told {
+fn morph_block(morph: &Morph, points: usize) -> MorphBlock {
     // O as the sum of two numbers: float32 alone would be off by metres at 10⁷ m.
     let high = morph.center.as_vec3();
     let low = (morph.center - high.as_dvec3()).as_vec3();
@@ -57,7 +57,7 @@ fn told(morph: &Morph, points: usize) -> Told {
     // Where both radii are 0 nothing is near: w is 0, and no point stays.
     let slope = if morph.r2 > 0.0 { 1.0 / (morph.r2 - morph.r1) } else { 0.0 };
     let stays = if morph.r2 > 0.0 { morph.r1 } else { -1.0 };
-    Told {
+    MorphBlock {
         center_high: high.extend(0.0).to_array(),
         center_low: low.extend(0.0).to_array(),
         offset: wide(offset, offset.length_squared()),

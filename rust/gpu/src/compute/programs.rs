@@ -1,6 +1,7 @@
 //! Compute shaders, each compiled once on a device, and work that calls them.
 
-use std::sync::{Arc, PoisonError};
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use nearfar_core::base::Result;
 use wgpu::{
@@ -9,13 +10,9 @@ use wgpu::{
     ShaderModuleDescriptor, ShaderSource, SubmissionIndex,
 };
 
-use super::Kernels;
 use crate::device::{Device, Scope};
 
-/// What tells compiled programs apart: names of entry points are given once.
-pub(super) type Key = (&'static str, Vec<(&'static str, u32)>);
-
-/// Workgroups in a row: what has more takes several rows.
+/// Workgroups in a row of a dispatch; more of them take several rows.
 pub(super) const ROW: u32 = 1 << 15;
 /// Rows, pixels or points of one workgroup.
 pub(super) const GROUP: u32 = 256;
@@ -31,10 +28,16 @@ pub(super) struct Program<'a> {
     pub group: u32,
 }
 
-impl Kernels {
+/// Programs that were compiled on a device, by entry point and constants: names of entry points are unique.
+#[derive(Default)]
+struct Programs(Mutex<HashMap<ProgramKey, Arc<ComputePipeline>>>);
+
+type ProgramKey = (&'static str, Vec<(&'static str, u32)>);
+
+impl Programs {
     fn pipeline(&self, device: &Device, program: &Program<'_>) -> Result<Arc<ComputePipeline>> {
         let key = (program.entry, program.constants.to_vec());
-        let mut known = self.pipelines.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(pipeline) = known.get(&key) {
             return Ok(Arc::clone(pipeline));
         }
@@ -60,7 +63,7 @@ impl Kernels {
     }
 }
 
-/// Commands that are handed in at once.
+/// Commands that are submitted at once.
 pub(super) struct Work<'a> {
     device: &'a Device,
     pub encoder: CommandEncoder,
@@ -73,14 +76,14 @@ impl<'a> Work<'a> {
         Self { device, encoder, scope: Scope::open(device) }
     }
 
-    /// Encodes a program; resources come with their numbers.
+    /// Encodes a program; resources come with their binding numbers.
     pub fn run(
         &mut self,
         program: &Program<'_>,
         resources: &[(u32, BindingResource<'_>)],
         groups: [u32; 2],
     ) -> Result<()> {
-        let pipeline = self.device.kernels.pipeline(self.device, program)?;
+        let pipeline = self.device.state::<Programs>().pipeline(self.device, program)?;
         let entries: Vec<_> = resources
             .iter()
             .map(|(binding, resource)| BindGroupEntry { binding: *binding, resource: resource.clone() })
@@ -96,7 +99,7 @@ impl<'a> Work<'a> {
         Ok(())
     }
 
-    /// Hands it in.
+    /// Submits the commands.
     pub fn submit(self) -> Result<SubmissionIndex> {
         let submission = self.device.queue.submit([self.encoder.finish()]);
         self.scope.close()?;

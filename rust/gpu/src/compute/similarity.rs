@@ -1,26 +1,26 @@
-//! Structural similarity of two frames. Wang, Bovik, Sheikh, Simoncelli (2004), of the sRGB-encoded Rec. 709 luma with a
-//! range of 1, with moments as `metrics::moments` takes them.
+//! Structural similarity of two frames. Wang, Bovik, Sheikh, Simoncelli (2004), of the sRGB-encoded Rec. 709 luma with
+//! a range of 1, with moments as `metrics::moments` takes them.
 
 use bytemuck::{Pod, Zeroable};
 use nearfar_core::base::{Error, Progress, Result};
 use nearfar_core::metrics::Window;
 use wgpu::BufferUsages;
 
-use super::memory::{Lent, Results, copy};
+use super::memory::{LentBuffer, Results, copy};
 use super::programs::{Program, Work, groups};
 use crate::draw::DeviceFrame;
 
-/// Most pixels across a window: what a workgroup sees must fit into 16 KiB.
-pub const MOST_TAPS: usize = 17;
-/// Windows across a workgroup.
+/// Pixels across a window at most: the pixels that a workgroup reads must fit into 16 KiB.
+pub const MAX_TAPS: usize = 17;
+/// Pixels across a workgroup's tile.
 const TILE: u32 = 16;
 /// (k₁ L)² and (k₂ L)² with Wang's k₁ = 0.01, k₂ = 0.03.
-const CONSTANTS: [f64; 2] = [1e-4, 9e-4];
+const C1_C2: [f64; 2] = [1e-4, 9e-4];
 
 /// The uniform block `Similarity` of `compute_similarity.wgsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
-struct Told {
+struct SimilarityBlock {
     size: [u32; 4],
     first: [u32; 4],
     inside: [u32; 4],
@@ -28,8 +28,8 @@ struct Told {
     weights: [[f32; 4]; 5],
 }
 
-/// How alike two frames are.
-pub struct Compared {
+/// Structural similarity of two frames.
+pub struct Similarity {
     /// Over the windows that lie within the picture, or over all where none does.
     pub mean: f64,
     /// Around each pixel, where it was wanted.
@@ -42,7 +42,7 @@ pub fn similarity(
     window: &Window,
     full: bool,
     progress: &Progress,
-) -> Result<Compared> {
+) -> Result<Similarity> {
     let device = &**reference.device();
     let weights = weights(window)?;
     let size = check(reference, test)?;
@@ -50,18 +50,18 @@ pub fn similarity(
     let inside = inside(size, weights.len() as u32);
     let tiles = size.map(|length| length.div_ceil(TILE));
     let colors = [reference.color()?, test.color()?];
-    let mut told = Told {
+    let mut block = SimilarityBlock {
         size: [size[0], size[1], pixels, tiles[0]],
         first: [colors[0].first, colors[1].first, 0, 0],
         inside,
-        constants: [CONSTANTS[0] as f32, CONSTANTS[1] as f32, 0.0, 0.0],
+        constants: [C1_C2[0] as f32, C1_C2[1] as f32, 0.0, 0.0],
         weights: [[0.0; 4]; 5],
     };
-    for (slot, &weight) in told.weights.as_flattened_mut().iter_mut().zip(&weights) {
+    for (slot, &weight) in block.weights.as_flattened_mut().iter_mut().zip(&weights) {
         *slot = weight as f32;
     }
-    let told = device.filled_buffer("similarity", bytemuck::cast_slice(&[told]), BufferUsages::UNIFORM)?;
-    let planes = Lent::scratch(device, 8 * u64::from(pixels))?;
+    let uniform = device.filled_buffer("similarity", bytemuck::cast_slice(&[block]), BufferUsages::UNIFORM)?;
+    let planes = LentBuffer::scratch(device, 8 * u64::from(pixels))?;
     let sums = Results::new(device, 4 * u64::from(tiles[0]) * u64::from(tiles[1]))?;
     let map = full.then(|| Results::new(device, 4 * u64::from(pixels))).transpose()?;
     let program = |entry| Program {
@@ -71,16 +71,16 @@ pub fn similarity(
         group: 0,
     };
     let taps = [("TAPS", weights.len() as u32)];
-    let alone = device.kernels.alone();
+    let alone = reference.alone();
     let mut work = Work::new(device);
     let luma = [
-        (0, told.as_entire_binding()),
+        (0, uniform.as_entire_binding()),
         (1, colors[0].buffer.as_entire_binding()),
         (2, colors[1].buffer.as_entire_binding()),
         (3, planes.binding()),
     ];
     work.run(&Program { constants: &taps, ..program("similarity_luma") }, &luma, groups(pixels))?;
-    let mut moments = vec![(0, told.as_entire_binding()), (3, planes.binding()), (4, sums.on_device.binding())];
+    let mut moments = vec![(0, uniform.as_entire_binding()), (3, planes.binding()), (4, sums.on_device.binding())];
     moments.extend(map.as_ref().map(|map| (5, map.on_device.binding())));
     let entry = if full { "similarity_map" } else { "similarity_sums" };
     work.run(&Program { constants: &taps, ..program(entry) }, &moments, tiles)?;
@@ -90,7 +90,7 @@ pub fn similarity(
     }
     work.submit()?;
     drop(alone);
-    let lost: f64 = sums.read(progress, |bytes| {
+    let loss: f64 = sums.read(progress, |bytes| {
         let sums: &[f32] = bytemuck::cast_slice(bytes);
         sums.iter().map(|&sum| f64::from(sum)).sum()
     })?;
@@ -99,14 +99,14 @@ pub fn similarity(
         let mut values = vec![0.0f32; pixels as usize];
         map.read(progress, |bytes| copy(bytemuck::cast_slice_mut(&mut values), bytes)).map(|()| values)
     });
-    Ok(Compared { mean: 1.0 - lost / ((right - left) * (bottom - top)), map: map.transpose()? })
+    Ok(Similarity { mean: 1.0 - loss / ((right - left) * (bottom - top)), map: map.transpose()? })
 }
 
 fn weights(window: &Window) -> Result<Vec<f64>> {
     match window {
-        Window::Weights(weights) if (1..=MOST_TAPS).contains(&weights.len()) => Ok(weights.clone()),
+        Window::Weights(weights) if (1..=MAX_TAPS).contains(&weights.len()) => Ok(weights.clone()),
         Window::Weights(weights) => {
-            Err(Error::value("size", format!("1 to {MOST_TAPS} pixels across the window"), weights.len()))
+            Err(Error::value("size", format!("1 to {MAX_TAPS} pixels across the window"), weights.len()))
         }
         Window::Global => Err(Error::value("window", "'gaussian' or 'uniform'", "'global'")),
     }
@@ -134,7 +134,7 @@ fn check(reference: &DeviceFrame, test: &DeviceFrame) -> Result<[u32; 2]> {
     Ok(expected)
 }
 
-/// Where windows count: first column and row, and behind the last.
+/// The pixels whose windows count: first column and row, and one past the last.
 fn inside([width, height]: [u32; 2], taps: u32) -> [u32; 4] {
     if width < taps || height < taps {
         return [0, 0, width, height];

@@ -5,29 +5,29 @@ use std::ops::Range;
 
 use nearfar_core::base::{Progress, Result};
 
-use super::memory::{Lent, Results, copy};
+use super::memory::{LentBuffer, Results, copy};
 use super::programs::Work;
 use crate::device::Device;
 
-/// Bytes of a piece's rows: enough that a call costs nothing, few enough that several are under way.
-const PIECE: u64 = 1 << 24;
+/// Bytes of a piece's rows: so many that the cost of a call is small, so few that several pieces are under way.
+const PIECE_BYTES: u64 = 1 << 24;
 /// Pieces under way.
-const AHEAD: usize = 2;
+const PIECES_AHEAD: usize = 2;
 
 /// Runs rows through a kernel: `encode` gets work, input, results, and the piece's rows. Rows are of 4-byte words.
 pub(super) fn stream<'a>(
     device: &'a Device,
-    given: &[[f32; 3]],
+    points: &[[f32; 3]],
     (out, row_bytes): (&mut [u8], usize),
     progress: &Progress,
-    mut encode: impl FnMut(&mut Work<'a>, &Lent<'_>, &Lent<'_>, Range<usize>) -> Result<()>,
+    mut encode: impl FnMut(&mut Work<'a>, &LentBuffer<'_>, &LentBuffer<'_>, Range<usize>) -> Result<()>,
 ) -> Result<()> {
     let widest = row_bytes.max(size_of::<[f32; 3]>()) as u64;
-    let rows = (PIECE.min(device.largest_binding()) / widest).max(1) as usize;
+    let rows = (PIECE_BYTES.min(device.largest_binding()) / widest).max(1) as usize;
     let mut under_way: VecDeque<Piece<'_, '_>> = VecDeque::new();
-    progress.expect(given.len() as u64);
-    for (n, (from, to)) in given.chunks(rows).zip(out.chunks_mut(rows * row_bytes)).enumerate() {
-        let input = Lent::input(device, size_of_val(from) as u64)?;
+    progress.expect(points.len() as u64);
+    for (n, (from, to)) in points.chunks(rows).zip(out.chunks_mut(rows * row_bytes)).enumerate() {
+        let input = LentBuffer::input(device, size_of_val(from) as u64)?;
         input.fill(bytemuck::cast_slice(from), progress)?;
         let results = Results::new(device, to.len() as u64)?;
         let mut work = Work::new(device);
@@ -35,7 +35,7 @@ pub(super) fn stream<'a>(
         results.bring(&mut work.encoder);
         work.submit()?;
         under_way.push_back(Piece { results, to, _input: input });
-        if under_way.len() == AHEAD
+        if under_way.len() == PIECES_AHEAD
             && let Some(first) = under_way.pop_front()
         {
             first.end(progress, row_bytes)?;
@@ -47,7 +47,7 @@ pub(super) fn stream<'a>(
 struct Piece<'a, 'b> {
     results: Results<'a>,
     to: &'b mut [u8],
-    _input: Lent<'a>,
+    _input: LentBuffer<'a>,
 }
 
 impl Piece<'_, '_> {

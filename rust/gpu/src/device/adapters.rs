@@ -1,8 +1,8 @@
-//! What adapters there are, which can be used, and in which order they are taken.
+//! Adapters: which can be used, and in which order they are taken.
 
 use wgpu::{Adapter, Backend, DeviceType, DownlevelFlags, TextureFormat, TextureUsages};
 
-/// What executes an adapter's work.
+/// The kind of processor that executes an adapter's work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum AdapterKind {
     /// A card with memory of its own.
@@ -18,7 +18,7 @@ pub enum AdapterKind {
 }
 
 impl AdapterKind {
-    /// As users read it.
+    /// The name that users read.
     pub fn name(self) -> &'static str {
         match self {
             Self::Discrete => "discrete",
@@ -33,22 +33,26 @@ impl AdapterKind {
 /// An adapter that was found.
 #[derive(Clone, Debug)]
 pub struct AdapterReport {
-    /// As its driver calls it.
+    /// The driver's name for it.
     pub name: String,
     /// "vulkan", "metal", "dx12" or "gl".
     pub backend: &'static str,
-    /// What executes its work.
+    /// The kind of processor that executes its work.
     pub kind: AdapterKind,
     /// Driver and version.
     pub driver: String,
     /// Why it can't be used; empty where it can.
     pub refused: String,
-    /// Bytes that one kernel may read at a time: what is larger is drawn in parts.
+    /// Bytes that one binding may have: larger scenes and images are drawn in parts.
     pub largest_binding: u64,
-    /// Pixels across that one picture may have: what is larger is drawn in parts.
+    /// Pixels across that one picture may have: larger ones are drawn in parts.
     pub largest_image: u32,
 }
 
+/// Format of targets that hold the visible faces: a record and a face in four halves. Every adapter in use draws it.
+pub(crate) const VISIBLE: TextureFormat = TextureFormat::Rgba16Uint;
+/// Samples of a pixel of targets that have several.
+pub(crate) const SAMPLES: u32 = 4;
 /// Storage buffers that a pass binds.
 const STORAGE_BUFFERS: u32 = 8;
 
@@ -73,18 +77,18 @@ impl AdapterReport {
         }
     }
 
-    /// Name and back end, as messages and users name it.
+    /// Name and back end, by which messages and users name it.
     pub fn label(&self) -> String {
         format!("{} ({})", self.name, self.backend)
     }
 
-    /// True where a user who wrote this means the adapter: its back end, or a part of its name.
+    /// True where the text is its back end or a part of its name.
     pub fn answers_to(&self, wanted: &str) -> bool {
         let wanted = wanted.to_lowercase();
         self.backend == wanted || self.label().to_lowercase().contains(&wanted)
     }
 
-    /// Sorts what should be taken first to the front.
+    /// Sort key: the adapter with the least one is taken first.
     pub(super) fn rank(&self) -> (bool, AdapterKind, usize) {
         let order = ["metal", "vulkan", "dx12", "gl"];
         let backend = order.iter().position(|&name| name == self.backend).unwrap_or(order.len());
@@ -102,7 +106,7 @@ fn backend_name(backend: Backend) -> &'static str {
     }
 }
 
-/// What an adapter lacks.
+/// Features that an adapter lacks, as a sentence; none where it has all.
 fn refusal(adapter: &Adapter) -> Option<String> {
     let needed = DownlevelFlags::COMPUTE_SHADERS | DownlevelFlags::VERTEX_STORAGE | DownlevelFlags::FRAGMENT_STORAGE;
     let missing = needed - adapter.get_downlevel_capabilities().flags;
@@ -114,7 +118,7 @@ fn refusal(adapter: &Adapter) -> Option<String> {
         let count = limits.max_storage_buffers_per_shader_stage;
         return Some(format!("it binds {count} storage buffers, {STORAGE_BUFFERS} are needed"));
     }
-    let usages = adapter.get_texture_format_features(TextureFormat::Rgba16Uint).allowed_usages;
+    let usages = adapter.get_texture_format_features(VISIBLE).allowed_usages;
     let wanted = TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING;
     (!usages.contains(wanted)).then(|| "it draws no 64-bit integers".to_string())
 }

@@ -1,4 +1,4 @@
-//! Buffers and textures, counted, so that anybody can see what a frame makes anew.
+//! Buffers and textures, and counters of what was allocated and sent: a steady frame allocates nothing.
 
 use std::sync::atomic::Ordering;
 
@@ -8,7 +8,7 @@ use wgpu::{BufferDescriptor, BufferUsages, Texture, TextureDescriptor};
 
 use super::{AdapterKind, Device, Scope};
 
-/// What was made and sent since the device was opened.
+/// Allocations and transfers since the device was opened.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counters {
     /// Buffers and textures.
@@ -21,9 +21,9 @@ pub struct Counters {
     pub triangles: u64,
 }
 
-/// What a counter counts.
+/// The quantity that a counter counts.
 #[derive(Clone, Copy, Debug)]
-pub enum Written {
+pub(crate) enum Counted {
     /// Buffers and textures.
     Allocations,
     /// Their bytes.
@@ -35,14 +35,14 @@ pub enum Written {
 }
 
 impl Device {
-    /// What was made and sent so far.
+    /// Counts so far.
     pub fn counters(&self) -> Counters {
         let [allocations, allocated_bytes, uploaded_bytes, triangles] =
             [0, 1, 2, 3].map(|i: usize| self.made[i].load(Ordering::Relaxed));
         Counters { allocations, allocated_bytes, uploaded_bytes, triangles }
     }
 
-    pub(crate) fn count(&self, what: Written, amount: u64) {
+    pub(crate) fn count(&self, what: Counted, amount: u64) {
         self.made[what as usize].fetch_add(amount, Ordering::Relaxed);
     }
 
@@ -64,7 +64,7 @@ impl Device {
             self.write_mapped(&buffer, bytes)?;
         }
         buffer.unmap();
-        self.count(Written::UploadedBytes, bytes.len() as u64);
+        self.count(Counted::UploadedBytes, bytes.len() as u64);
         Ok(buffer)
     }
 
@@ -87,13 +87,13 @@ impl Device {
         let scope = Scope::open(self);
         let texture = self.wgpu.create_texture(descriptor);
         scope.close()?;
-        self.count(Written::Allocations, 1);
-        self.count(Written::AllocatedBytes, bytes);
+        self.count(Counted::Allocations, 1);
+        self.count(Counted::AllocatedBytes, bytes);
         Ok(texture)
     }
 
-    /// Asks the system for memory where the device takes it from there: some drivers close the device for what they are
-    /// refused, and others the process.
+    /// Checks that the system has memory where the device uses the system's: after a failed allocation some drivers
+    /// close the device, and others end the process.
     fn ask_for(&self, bytes: u64) -> Result<()> {
         match self.report.kind {
             AdapterKind::Software | AdapterKind::Integrated => room_for(bytes),
@@ -102,7 +102,7 @@ impl Device {
     }
 
     fn new_buffer(&self, label: &str, bytes: u64, usage: BufferUsages, mapped: bool) -> Result<wgpu::Buffer> {
-        // A binding holds one entry of a table at least.
+        // A binding must hold at least one entry of a table.
         let size = bytes.next_multiple_of(16).max(256);
         // OpenGL's mapped buffers are copies.
         self.ask_for(if mapped { 2 * size } else { size })?;
@@ -110,8 +110,8 @@ impl Device {
         let descriptor = BufferDescriptor { label: Some(label), size, usage, mapped_at_creation: mapped };
         let buffer = self.wgpu.create_buffer(&descriptor);
         scope.close()?;
-        self.count(Written::Allocations, 1);
-        self.count(Written::AllocatedBytes, size);
+        self.count(Counted::Allocations, 1);
+        self.count(Counted::AllocatedBytes, size);
         Ok(buffer)
     }
 }

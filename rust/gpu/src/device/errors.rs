@@ -6,7 +6,7 @@ use wgpu::{ErrorFilter, ErrorScopeGuard};
 use super::Device;
 use super::registry::FORKED;
 
-/// Catches what wgpu reports while it is open; errors outside of any scope would end the process.
+/// Catches errors that wgpu reports while the scope is open; errors outside of any scope would end the process.
 #[must_use]
 pub(crate) struct Scope<'a> {
     device: &'a Device,
@@ -17,12 +17,12 @@ impl<'a> Scope<'a> {
     pub fn open(device: &'a Device) -> Self {
         let filters = [ErrorFilter::Validation, ErrorFilter::Internal, ErrorFilter::OutOfMemory];
         let mut guards = filters.map(|filter| device.wgpu.push_error_scope(filter));
-        // Scopes close in the opposite order, also where they are dropped because of another error.
+        // Scopes must close in the opposite order, even when they are dropped because of another error.
         guards.reverse();
         Self { device, guards }
     }
 
-    /// What was reported, if anything; the loss of the device before all others, which follow from it.
+    /// The reported error, if any; the loss of the device before all others, which follow from it.
     pub fn close(self) -> Result<()> {
         let errors = self.guards.map(|guard| pollster::block_on(guard.pop()));
         self.device.check()?;
@@ -51,16 +51,16 @@ impl Device {
 
     fn error(&self, error: &wgpu::Error) -> Error {
         let label = self.report.label();
-        let said = one_line(&error.to_string());
+        let reason = one_line(&error.to_string());
         Error::Device(match error {
             wgpu::Error::OutOfMemory { .. } => {
-                format!("{label}: out of memory ({said}); try a smaller scene, image or face_size, or backend='cpu'")
+                format!("{label}: out of memory ({reason}); try a smaller scene, image or face_size, or backend='cpu'")
             }
             wgpu::Error::Validation { .. } => {
-                format!("{label}: refused ({said}); update its driver, or use backend='cpu'")
+                format!("{label}: refused ({reason}); update its driver, or use backend='cpu'")
             }
             wgpu::Error::Internal { .. } => {
-                format!("{label}: failed ({said}); update its driver, or use backend='cpu'")
+                format!("{label}: failed ({reason}); update its driver, or use backend='cpu'")
             }
         })
     }
@@ -91,10 +91,12 @@ mod tests {
             let scope = Scope::open(&device);
             let source = ShaderSource::Wgsl("fn broken( {".into());
             let _ = device.wgpu.create_shader_module(ShaderModuleDescriptor { label: None, source });
-            let Err(Error::Device(said)) = scope.close() else { panic!("no error") };
+            let Err(Error::Device(message)) = scope.close() else { panic!("no error") };
             assert!(
-                said.starts_with(&device.report().label()) && said.contains("refused (") && !said.contains('\n'),
-                "{said}"
+                message.starts_with(&device.report().label())
+                    && message.contains("refused (")
+                    && !message.contains('\n'),
+                "{message}"
             );
             let scope = Scope::open(&device);
             let _ = device.wgpu.create_buffer(&BufferDescriptor {

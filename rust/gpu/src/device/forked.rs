@@ -1,6 +1,6 @@
-//! How a forked child ends.
+//! The exit of a forked child.
 
-/// Has this process end without the exit handlers that its parent's drivers registered. Those of Mesa wait for the
+/// Makes this process exit without the exit handlers that its parent's drivers registered. Those of Mesa wait for the
 /// drivers' threads, which a forked child does not have: it would hang or crash after all its work was done.
 pub fn end_without_drivers() {
     #[cfg(all(target_os = "linux", target_env = "gnu"))]
@@ -19,7 +19,7 @@ mod gnu {
     }
 
     extern "C" fn leave(status: c_int, _: *mut c_void) {
-        // SAFETY: flushes all of C's streams, as `exit` does after its handlers, and does not come back.
+        // SAFETY: flushes all of C's streams, as `exit` does after its handlers, and does not return.
         unsafe {
             fflush(ptr::null_mut());
             _exit(status)
@@ -27,8 +27,8 @@ mod gnu {
     }
 
     pub fn end_at_once() {
-        // Handlers run in the opposite order: this one before those that were inherited.
-        // SAFETY: a function that is there until the end, and which does not read its argument.
+        // Handlers run in the opposite order of registration: this one before the inherited ones.
+        // SAFETY: the function exists until the process ends, and does not read its argument.
         unsafe { on_exit(leave, ptr::null_mut()) };
     }
 }

@@ -1,17 +1,20 @@
-//! Adapters, the device that is opened on one, and what is kept on it between frames.
+//! Adapters, the device that is opened on one, and the state that is kept on it between frames.
 
 mod adapters;
 mod buffers;
 mod errors;
+mod extensions;
 mod forked;
 mod open;
 mod registry;
 mod wait;
 
 pub use adapters::{AdapterKind, AdapterReport};
-pub use buffers::{Counters, Written};
+pub use buffers::Counters;
 pub use forked::end_without_drivers;
 pub use open::Device;
 pub use registry::{adapters, device, is_hardware};
 
+pub(crate) use adapters::{SAMPLES, VISIBLE};
+pub(crate) use buffers::Counted;
 pub(crate) use errors::Scope;

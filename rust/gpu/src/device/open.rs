@@ -1,4 +1,4 @@
-//! An open device: its queue, its limits, and what was made on it.
+//! An open device: its queue, its limits, and the state that is kept on it.
 
 use std::process;
 use std::sync::atomic::AtomicU64;
@@ -7,12 +7,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 use nearfar_core::base::{Error, Result};
 use wgpu::{Adapter, DeviceDescriptor, DeviceLostReason, Features, Limits, PollType};
 
-use super::{AdapterKind, AdapterReport};
-use crate::compute::Kernels;
-use crate::draw::{Pipelines, SAMPLES, Slots, VISIBLE};
-use crate::upload::Residents;
+use super::adapters::{AdapterKind, AdapterReport, SAMPLES, VISIBLE};
+use super::extensions::Extensions;
 
-/// A device with everything that is kept on it between frames.
+/// A device with the state that is kept on it between frames.
 pub struct Device {
     pub(crate) wgpu: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
@@ -22,14 +20,11 @@ pub struct Device {
     pub(crate) shares_memory: bool,
     /// Depth is written by fragments: OpenGL's own has no reversed z.
     pub(crate) writes_depth: bool,
-    /// Integers of several samples are drawn and read. Mesa's OpenGL says so and reads other numbers than it drew.
+    /// Integer targets of several samples work. Mesa's OpenGL reports them and reads other numbers than it drew.
     pub(crate) multisamples: bool,
-    pub(crate) residents: Residents,
-    pub(crate) pipelines: Pipelines,
-    pub(crate) slots: Slots,
-    pub(crate) kernels: Kernels,
+    extensions: Extensions,
     pub(super) made: [AtomicU64; 4],
-    /// Where it was opened: a forked child has none of its driver's threads.
+    /// Process that opened it: a forked child has none of its driver's threads.
     pub(super) process: u32,
     lost: Arc<Mutex<Option<String>>>,
 }
@@ -50,18 +45,18 @@ impl Device {
             ))
         })?;
         let lost = Arc::new(Mutex::new(None));
-        let told = Arc::clone(&lost);
+        let reason_of_loss = Arc::clone(&lost);
         wgpu.set_device_lost_callback(move |reason, message| {
             let reason = match reason {
                 DeviceLostReason::Destroyed => "it was closed".to_string(),
                 _ => message,
             };
-            *told.lock().unwrap_or_else(PoisonError::into_inner) = Some(reason);
+            *reason_of_loss.lock().unwrap_or_else(PoisonError::into_inner) = Some(reason);
         });
-        // Errors outside of any scope would end the process. After one nothing is known of the device's state.
-        let told = Arc::clone(&lost);
+        // Errors outside of any scope would end the process. After such an error the device's state is unknown.
+        let reason_of_loss = Arc::clone(&lost);
         wgpu.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
-            told.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
+            reason_of_loss.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
         }));
         let shared = matches!(report.kind, AdapterKind::Software | AdapterKind::Integrated);
         let (shares_memory, writes_depth) =
@@ -76,10 +71,7 @@ impl Device {
             shares_memory,
             writes_depth,
             multisamples,
-            residents: Residents::default(),
-            pipelines: Pipelines::default(),
-            slots: Slots::default(),
-            kernels: Kernels::default(),
+            extensions: Extensions::default(),
             made: Default::default(),
             process: process::id(),
             lost,
@@ -91,12 +83,17 @@ impl Device {
         &self.report
     }
 
-    /// True once it can't be used any more.
+    /// The value of a type that a module keeps on the device, made on first use.
+    pub(crate) fn state<T: Default + Send + Sync + 'static>(&self) -> &T {
+        self.extensions.get()
+    }
+
+    /// True once the device is unusable.
     pub fn is_lost(&self) -> bool {
         self.lost_because().is_some()
     }
 
-    /// Closes the device as a driver's fault would, so that what follows can be tried.
+    /// Closes the device as a driver's fault would, so that recovery can be tested.
     pub fn lose(&self) {
         self.wgpu.destroy();
         // The callback comes with the next poll.
@@ -109,9 +106,9 @@ impl Device {
         self.lost.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// Bytes that one binding, and so one part of a scene or image, may have.
+    /// Bytes that one binding may have, and so one part of a scene or image.
     pub(crate) fn largest_binding(&self) -> u64 {
-        // A page is addressed by 32-bit numbers of words; 2³⁰ bytes are plenty and leave drivers room.
+        // A page is addressed by 32-bit numbers of words; 2³⁰ bytes suffice and leave room for drivers.
         self.report.largest_binding.min(1 << 30)
     }
 }

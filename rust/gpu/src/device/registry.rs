@@ -20,11 +20,12 @@ struct Found {
     device: Option<Arc<Device>>,
 }
 
-/// The registry, and the process that it belongs to. A forked child has none of the drivers' threads and connections, and
-/// Mesa's OpenGL keeps waiting for them: there, adapters are refused before a lock that may have been held is touched.
+/// The registry, and the process that it belongs to. A forked child has none of the drivers' threads and connections,
+/// and Mesa's OpenGL waits for them forever: there, adapters are refused before a lock is taken that may have been
+/// held.
 static KNOWN: OnceLock<(u32, Mutex<Registry>)> = OnceLock::new();
 
-/// Everything that was found, best first, with reasons where something can't be used.
+/// All adapters, best first, with reasons where one can't be used.
 pub fn adapters() -> Result<Vec<AdapterReport>> {
     with_registry(|registry| {
         let mut reports: Vec<AdapterReport> = registry.all().map(|found| found.report.clone()).collect();
@@ -33,16 +34,17 @@ pub fn adapters() -> Result<Vec<AdapterReport>> {
     })
 }
 
-/// True where there is a usable adapter other than the processor itself. OpenGL is looked at last: it takes long.
+/// True where there is a usable adapter other than the processor itself. OpenGL is searched last, because that takes
+/// longest.
 pub fn is_hardware(wanted: Option<&str>) -> Result<bool> {
     let is_one = |found: &Found| found.is_usable(wanted) && found.report.kind != AdapterKind::Software;
     with_registry(|registry| registry.native().iter().any(is_one) || registry.gl().iter().any(is_one))
 }
 
-/// The device on the best adapter that a user's wish leaves, opened on first use and again after it was lost.
+/// The device on the best adapter among the `wanted` ones, opened on first use and again after it was lost.
 pub fn device(wanted: Option<&str>) -> Result<Arc<Device>> {
     with_registry(|registry| {
-        // A native software adapter is better than OpenGL's, hardware behind OpenGL is better than both.
+        // A native software adapter is preferred to OpenGL's, and hardware behind OpenGL to both.
         let decided = registry.native().iter().any(|f| f.is_usable(wanted) && f.report.kind != AdapterKind::Software);
         if !decided {
             registry.gl();
@@ -66,7 +68,7 @@ fn with_registry<R>(use_it: impl FnOnce(&mut Registry) -> R) -> Result<R> {
     Ok(use_it(&mut registry.lock().unwrap_or_else(PoisonError::into_inner)))
 }
 
-/// Why nothing works in a forked child.
+/// Message for forked children.
 pub(super) const FORKED: &str = "graphics drivers do not survive a fork, and this process was forked from one that had loaded them; \
     start it by multiprocessing's 'spawn' or 'forkserver', or use backend='cpu'";
 
@@ -105,7 +107,7 @@ fn find(backends: Backends) -> Vec<Found> {
     adapters.into_iter().map(found).collect()
 }
 
-/// Why there is no device, and what to install.
+/// Message where no adapter can be used: the reason, and what to install.
 fn absence(registry: &mut Registry, wanted: Option<&str>) -> String {
     let seen: Vec<String> = registry
         .all()

@@ -1,4 +1,4 @@
-//! Waiting for the device, as long as the caller wants to.
+//! Waiting for the device until the caller cancels.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -9,17 +9,17 @@ use wgpu::{Buffer, MapMode, PollError, PollType, SubmissionIndex};
 
 use super::Device;
 
-/// How long the device is waited for before the caller is asked whether to go on.
-const POLL: Duration = Duration::from_millis(20);
+/// Time between two checks whether the caller has cancelled.
+const POLL_INTERVAL: Duration = Duration::from_millis(20);
 
 impl Device {
-    /// Waits for submitted work as long as the caller wants to.
+    /// Waits for submitted work, or until the caller cancels.
     pub(crate) fn wait(&self, submission: &SubmissionIndex, progress: &Progress) -> Result<()> {
         self.check()?;
         loop {
-            let wait = PollType::Wait { submission_index: Some(submission.clone()), timeout: Some(POLL) };
+            let wait = PollType::Wait { submission_index: Some(submission.clone()), timeout: Some(POLL_INTERVAL) };
             match self.wgpu.poll(wait) {
-                // Some drivers come back only when all is done.
+                // Some drivers return only when all work is complete.
                 Ok(_) => return self.check().and_then(|()| progress.check()),
                 Err(PollError::Timeout) => progress.check()?,
                 Err(error) => return Err(Error::Device(format!("{}: {error}", self.report.label()))),
@@ -28,18 +28,18 @@ impl Device {
         }
     }
 
-    /// Waits until the beginning of a buffer is open to the processor; on failure it is closed.
+    /// Waits until the beginning of a buffer is mapped for the processor; on failure it is unmapped.
     pub(crate) fn open_buffer(&self, buffer: &Buffer, bytes: u64, mode: MapMode, progress: &Progress) -> Result<()> {
         let answer = Arc::new(AtomicU32::new(0));
-        let told = Arc::clone(&answer);
-        buffer.map_async(mode, ..bytes, move |result| told.store(1 + u32::from(result.is_err()), Ordering::Release));
+        let written = Arc::clone(&answer);
+        buffer.map_async(mode, ..bytes, move |result| written.store(1 + u32::from(result.is_err()), Ordering::Release));
         let answered = || match answer.load(Ordering::Acquire) {
             0 => None,
             1 => Some(Ok(())),
             _ => Some(Err(self.failure(&"its memory could not be read; use backend='cpu'"))),
         };
         loop {
-            let wait = PollType::Wait { submission_index: None, timeout: Some(POLL) };
+            let wait = PollType::Wait { submission_index: None, timeout: Some(POLL_INTERVAL) };
             let polled = match self.wgpu.poll(wait) {
                 Ok(_) | Err(PollError::Timeout) => self.check().and_then(|()| progress.check()),
                 Err(error) => Err(Error::Device(format!("{}: {error}", self.report.label()))),

@@ -1,4 +1,4 @@
-//! What a view can't see is not drawn: instances and runs of faces by their boxes.
+//! Culling: whether a view can see a box.
 
 use glam::{DVec3, DVec4, Vec3};
 use nearfar_core::camera::Camera;
@@ -6,14 +6,14 @@ use nearfar_core::scene::Aabb;
 
 use super::view::{Axes, Window};
 
-/// Half-spaces around what a view sees: normal and offset, relative to the scene's origin.
+/// Half-spaces that bound a view: normal and offset, relative to the scene's origin.
 #[derive(Clone, Debug)]
 pub(crate) struct Frustum {
     planes: Vec<DVec4>,
 }
 
 impl Frustum {
-    /// Of a window of a camera whose eye is at a place relative to the scene's origin; `slack` metres wider on all sides.
+    /// The frustum of a camera's window, `slack` metres wider on all sides; `eye` is relative to the scene's origin.
     pub fn new(camera: &Camera, window: &Window, eye: DVec3, slack: f64) -> Self {
         let Axes { right, up, ahead, fov } = Axes::of(camera);
         let fov = window.part_of(camera, &fov);
@@ -44,7 +44,7 @@ impl Frustum {
         self.planes.iter().all(|plane| {
             let pick = |i: usize| if plane[i] > 0.0 { high[i] } else { low[i] };
             let farthest = Vec3::new(pick(0), pick(1), pick(2)).as_dvec3();
-            // A rounding of the corner's own size, so that nothing at the edge is lost.
+            // The corner's rounding error, so that nothing at the edge is lost.
             let slack = 1e-6 * farthest.abs().max_element();
             plane.truncate().dot(farthest) + plane.w + slack >= 0.0
         })

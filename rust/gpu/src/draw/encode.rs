@@ -7,14 +7,17 @@ use wgpu::{
     RenderPassDescriptor, StoreOp,
 };
 
-use super::bindings::{Group, PASS_BLOCKS, Plan, RecordsAt};
-use super::pipelines::{Layouts, RasterKey, ResolveKey};
-use super::slots::{BLOCK, SAMPLES, Slot, Target};
-use super::{Layer, Picture};
-use crate::device::Device;
-use crate::upload::{Nothing, Page, SceneTables};
+use super::inputs::BLOCK;
+use super::layers::Layer;
+use super::picture::Picture;
+use super::pipelines::{Layouts, Pipelines, RasterKey, ResolveKey};
+use super::plan::{Group, PASS_BLOCKS, Plan, RecordsAt};
+use super::slots::{Slot, Target};
+use super::style::Style;
+use crate::device::{Device, SAMPLES};
+use crate::upload::{Page, Placeholders, SceneTables};
 
-/// Clears the ids of what is visible: four halves of ones.
+/// Clear colour of the visible faces: four halves of ones.
 const NOTHING: Color = Color { r: 65535.0, g: 65535.0, b: 65535.0, a: 65535.0 };
 
 /// One pass over a window.
@@ -27,7 +30,7 @@ pub(super) struct PassKind {
     pub multisampled: bool,
 }
 
-/// Everything bound for a frame.
+/// A frame's bind groups.
 pub(super) struct Bound<'a> {
     device: &'a Device,
     picture: &'a Picture,
@@ -36,40 +39,42 @@ pub(super) struct Bound<'a> {
     view: BindGroup,
     raster: Vec<BindGroup>,
     resolve: Vec<BindGroup>,
-    nothing: (BindGroup, u32),
+    /// Bind group and block of the batch without records.
+    empty: (BindGroup, u32),
     targets: [Option<BindGroup>; 2],
 }
 
 impl<'a> Bound<'a> {
-    /// None before the slot was told anything.
+    /// None before the slot has inputs.
     pub fn new(
         device: &'a Device,
         picture: &'a Picture,
         plan: &'a Plan,
         slot: &'a Slot,
-        nothing: &'a Nothing,
+        placeholders: &'a Placeholders,
     ) -> Option<Self> {
-        let layouts = device.pipelines.layouts(device);
-        let told = slot.told.buffer()?;
-        let map = picture.map.as_deref().unwrap_or(&nothing.map);
+        let layouts = device.state::<Pipelines>().layouts(device);
+        let inputs = slot.inputs.buffer()?;
+        let map = picture.backdrop.as_ref().map_or(&placeholders.map, |backdrop| &backdrop.texels);
         let view = group(
             device,
             &layouts.view,
             &[
-                section(told, 0, (PASS_BLOCKS * BLOCK) as u64),
-                section(told, 0, BLOCK as u64),
+                section(inputs, 0, (PASS_BLOCKS * BLOCK) as u64),
+                section(inputs, 0, BLOCK as u64),
                 BindingResource::TextureView(&map.color.view),
                 BindingResource::TextureView(&map.range.view),
             ],
         );
-        let order = section(told, plan.order.start as u64, plan.order.len().next_multiple_of(4) as u64);
+        let order = section(inputs, plan.order.start as u64, plan.order.len().next_multiple_of(4) as u64);
         let raster = |g: &Group| {
-            let mut entries = scene(picture, told, g);
+            let mut entries = scene(picture, inputs, g);
             entries.push(order.clone());
             group(device, &layouts.raster_scene, &entries)
         };
-        let records = nothing.tables.parts.as_entire_binding();
-        let empty_scene = group(device, &layouts.resolve_scene, &tables(&nothing.tables, &nothing.page, records));
+        let records = placeholders.tables.parts.as_entire_binding();
+        let empty_scene =
+            group(device, &layouts.resolve_scene, &tables(&placeholders.tables, &placeholders.page, records));
         Some(Self {
             device,
             picture,
@@ -80,9 +85,9 @@ impl<'a> Bound<'a> {
             resolve: plan
                 .groups
                 .iter()
-                .map(|g| group(device, &layouts.resolve_scene, &scene(picture, told, g)))
+                .map(|g| group(device, &layouts.resolve_scene, &scene(picture, inputs, g)))
                 .collect(),
-            nothing: (empty_scene, plan.empty as u32),
+            empty: (empty_scene, plan.empty as u32),
             targets: targets(device, layouts, slot),
         })
     }
@@ -102,15 +107,15 @@ impl<'a> Bound<'a> {
         let mut first = true;
         while first || start < self.plan.groups.len() {
             let groups = &self.plan.groups[start..];
-            // A layer that covers what is before it begins a pass with a depth of its own, for itself and for those after
-            // it, also where nothing of it is seen.
+            // A layer that covers the ones before it begins a pass with a new depth buffer, for itself and for those
+            // after it, even where nothing of it is visible.
             let section = |n: usize| layers[..=groups[n].layer].iter().filter(|layer| layer.covers).count();
             let same = |n: usize| section(n) == section(0);
             let count = (0..groups.len()).take_while(|&n| same(n)).count();
             let pipeline = |g: &Group, single| {
                 let used = g.calls.iter().any(|call| call.single == single);
                 let key = raster_key(&layers[g.layer], single, samples);
-                used.then(|| self.device.pipelines.raster(self.device, key)).transpose()
+                used.then(|| self.device.state::<Pipelines>().raster(self.device, key)).transpose()
             };
             let pipelines: Vec<_> =
                 groups[..count].iter().map(|g| Ok([pipeline(g, false)?, pipeline(g, true)?])).collect::<Result<_>>()?;
@@ -155,9 +160,9 @@ impl<'a> Bound<'a> {
     }
 
     fn resolve(&self, encoder: &mut CommandEncoder, kind: PassKind, samples: u32, offset: u32) -> Result<()> {
-        let key = |kind_of_points, single, first, layer: Option<&Layer>| ResolveKey {
-            kind: kind_of_points,
-            mapped: first && self.picture.map.is_some(),
+        let key = |style: Style, single, first, layer: Option<&Layer>| ResolveKey {
+            style,
+            mapped: first && self.picture.backdrop.is_some(),
             color: kind.color,
             surface: kind.surface,
             single,
@@ -170,10 +175,13 @@ impl<'a> Bound<'a> {
         let resolve = |group: &Group| {
             let layer = &layers[group.layer];
             let first = std::ptr::eq(group, &self.plan.groups[0]) && !self.plan.needs_empty(self.picture);
-            self.device.pipelines.resolve(self.device, key(layer.kind, group.single, first, Some(layer)))
+            self.device.state::<Pipelines>().resolve(self.device, key(layer.style, group.single, first, Some(layer)))
         };
         let pipelines: Vec<_> = self.plan.groups.iter().map(resolve).collect::<Result<_>>()?;
-        let missed = self.device.pipelines.resolve(self.device, key(self.picture.missed, false, true, None))?;
+        let missed = self
+            .device
+            .state::<Pipelines>()
+            .resolve(self.device, key(self.picture.backdrop_style, false, true, None))?;
         let mut pass =
             encoder.begin_compute_pass(&ComputePassDescriptor { label: Some("resolve"), ..Default::default() });
         let Some(target) = &self.targets[usize::from(kind.multisampled)] else { return Ok(()) };
@@ -186,7 +194,7 @@ impl<'a> Bound<'a> {
             pass.dispatch_workgroups(groups[0], groups[1], 1);
         };
         if self.plan.needs_empty(self.picture) {
-            dispatch(&missed, &self.nothing.0, self.nothing.1);
+            dispatch(&missed, &self.empty.0, self.empty.1);
         }
         for ((group, pipeline), scene) in self.plan.groups.iter().zip(&pipelines).zip(&self.resolve) {
             dispatch(pipeline, scene, group.block as u32);
@@ -196,14 +204,7 @@ impl<'a> Bound<'a> {
 }
 
 fn raster_key(layer: &Layer, single: bool, samples: u32) -> RasterKey {
-    RasterKey {
-        kind: layer.kind,
-        split: layer.split,
-        hidden: layer.hidden,
-        cutout: layer.scene.has_cutouts(),
-        single,
-        samples,
-    }
+    RasterKey { style: layer.style, cut: layer.cut, cutout: layer.scene.has_cutouts(), single, samples }
 }
 
 fn targets(device: &Device, layouts: &Layouts, slot: &Slot) -> [Option<BindGroup>; 2] {
@@ -214,10 +215,10 @@ fn targets(device: &Device, layouts: &Layouts, slot: &Slot) -> [Option<BindGroup
     [Some(target(0, &slot.single)), slot.multisampled.as_ref().map(|several| target(1, several))]
 }
 
-fn scene<'a>(picture: &'a Picture, told: &'a wgpu::Buffer, group: &'a Group) -> Vec<BindingResource<'a>> {
+fn scene<'a>(picture: &'a Picture, inputs: &'a wgpu::Buffer, group: &'a Group) -> Vec<BindingResource<'a>> {
     let records = match &group.records {
         RecordsAt::Buffer(buffer) => buffer.as_entire_binding(),
-        RecordsAt::Told(range) => section(told, range.start as u64, range.len() as u64),
+        RecordsAt::Inputs(range) => section(inputs, range.start as u64, range.len() as u64),
     };
     tables(&picture.layers[group.layer].tables, &group.page, records)
 }

@@ -2,28 +2,33 @@
 
 use std::collections::VecDeque;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, Ordering};
 
 use nearfar_core::base::{Error, Progress, Result};
 use nearfar_core::camera::Camera;
 use nearfar_core::render::tiles::{MAX_SAMPLES, sample_offsets};
 use nearfar_core::render::{Channels, Frame};
 use nearfar_core::scene::Aabb;
-use wgpu::{CommandEncoderDescriptor, MapMode, SubmissionIndex};
+use wgpu::{CommandEncoderDescriptor, SubmissionIndex};
 
-use super::bindings::{Numbering, PASS_BLOCKS, Plan};
+use super::cull::Frustum;
 use super::encode::{Bound, PassKind};
-use super::slots::{BLOCK, SAMPLES, Shape, Slot};
+use super::inputs::BLOCK;
+use super::layers::Layer;
+use super::picture::Picture;
+use super::plan::{PASS_BLOCKS, Plan};
+use super::read;
+use super::slots::{Shape, Slots};
+use super::submitted::{Submitted, open_buffers};
 use super::view::{Outputs, Sampling, Window, eye_of, pass_of};
-use super::{Frustum, Kind, Picture, read};
-use crate::device::{Device, Scope, Written};
+use crate::device::{Counted, Device, SAMPLES, Scope};
+use crate::upload::Residents;
 
 /// Windows in flight at a time.
-const AHEAD: usize = 2;
-/// Passes in one submission: between two, the caller is asked whether to go on.
-const PASSES: usize = 8;
+const WINDOWS_AHEAD: usize = 2;
+/// Passes in one submission: between two, the caller may cancel.
+const PASSES_PER_SUBMISSION: usize = 8;
 /// Bytes of a pixel's channels: colour, range, ids, position, normal.
-const BYTES: [u64; 5] = [12, 4, 8, 12, 12];
+const CHANNEL_BYTES: [u64; 5] = [12, 4, 8, 12, 12];
 
 /// A frame that is being drawn.
 pub struct Job {
@@ -32,25 +37,15 @@ pub struct Job {
     pub(super) camera: Camera,
     pub(super) channels: Channels,
     samples: u32,
-    pub(super) shape: (u64, u32),
+    /// Bytes of a pixel's wanted channels, and the most pixels that a window may have across.
+    pub(super) limits: (u64, u32),
     pub(super) waiting: VecDeque<Window>,
     pub(super) submitted: VecDeque<Submitted>,
     frame: Frame,
 }
 
-/// A window that the device works on.
-pub(super) struct Submitted {
-    pub window: Window,
-    pub slot: Slot,
-    pub outputs: Outputs,
-    pub numbering: Vec<Numbering>,
-    submission: SubmissionIndex,
-    /// Buffers that are open again, and those that could not be opened.
-    pub opened: Arc<[AtomicU32; 2]>,
-}
-
 impl Job {
-    /// Begins a frame: what is missing on the device must be there already.
+    /// Begins a frame; the layers' scenes are on the device already.
     pub(crate) fn begin(
         device: &Arc<Device>,
         picture: Picture,
@@ -70,7 +65,8 @@ impl Job {
         }
         let pixels = u64::from(camera.width) * u64::from(camera.height);
         let frame = Frame::new(channels, pixels as usize)?;
-        let per_pixel: u64 = wanted(channels).iter().zip(BYTES).map(|(&wanted, bytes)| u64::from(wanted) * bytes).sum();
+        let per_pixel: u64 =
+            wanted(channels).iter().zip(CHANNEL_BYTES).map(|(&wanted, bytes)| u64::from(wanted) * bytes).sum();
         let most = (device.largest_binding() / per_pixel.max(1)).max(1);
         let side = device.limits.max_texture_dimension_2d;
         progress.expect(pixels);
@@ -80,7 +76,7 @@ impl Job {
             camera: *camera,
             channels,
             samples,
-            shape: (per_pixel, side),
+            limits: (per_pixel, side),
             waiting: Window::split(camera.width, camera.height, most, side).into(),
             submitted: VecDeque::new(),
             frame,
@@ -91,20 +87,20 @@ impl Job {
 
     /// Waits for the frame's windows, submits those that are left, and returns the images.
     pub fn finish(mut self, progress: &Progress) -> Result<Frame> {
-        while let Some(done) = self.submitted.pop_front() {
-            self.device.wait(&done.submission, progress)?;
-            done.await_opening(&self.device, progress)?;
-            read::copy(&self.device, &done, &self.picture, self.camera.width, &mut self.frame)?;
-            done.slot.readable().unmap();
-            progress.report(done.window.pixels() as u64)?;
-            self.device.slots.give_back(done.slot);
+        while let Some(submitted) = self.submitted.pop_front() {
+            self.device.wait(&submitted.submission, progress)?;
+            submitted.await_opening(&self.device, progress)?;
+            read::copy(&self.device, &submitted, &self.picture, self.camera.width, &mut self.frame)?;
+            submitted.slot.readable().unmap();
+            progress.report(submitted.window.pixels() as u64)?;
+            self.device.state::<Slots>().give_back(submitted.slot);
             self.submit_ahead(progress)?;
         }
         Ok(self.frame)
     }
 
     fn submit_ahead(&mut self, progress: &Progress) -> Result<()> {
-        while self.submitted.len() < AHEAD {
+        while self.submitted.len() < WINDOWS_AHEAD {
             let Some(window) = self.waiting.pop_front() else { break };
             let submitted = self.submit(window, progress)?;
             self.submitted.push_back(submitted);
@@ -117,27 +113,27 @@ impl Job {
         let outputs = layout(self.channels, &window);
         let passes = self.passes();
         let multisampled = passes.iter().any(|(pass, _)| pass.multisampled);
-        let bytes = self.shape.0 * window.pixels() as u64;
+        let bytes = self.limits.0 * window.pixels() as u64;
         let shape = Shape { width: window.width, height: window.height, multisampled, bytes };
-        let mut plan = Plan::new(picture, |kind| self.frustum(kind, &window), passes.len());
+        let mut plan = Plan::new(picture, |layer| self.frustum(layer, &window), passes.len());
         let farthest = self.farthest();
         for (pass, sampling) in &passes {
-            let told = pass_of(picture, &self.camera, &window, sampling, &outputs, farthest);
+            let block = pass_of(picture, &self.camera, &window, sampling, &outputs, farthest);
             let at = pass.number * PASS_BLOCKS * BLOCK;
-            plan.told[at..at + size_of_val(&told)].copy_from_slice(bytemuck::bytes_of(&told));
+            plan.inputs[at..at + size_of_val(&block)].copy_from_slice(bytemuck::bytes_of(&block));
         }
-        device.count(Written::Triangles, plan.triangles * passes.len() as u64);
-        let mut slot = device.slots.take(device, shape)?;
-        let nothing = device.residents.nothing(device)?;
+        device.count(Counted::Triangles, plan.triangles * passes.len() as u64);
+        let mut slot = device.state::<Slots>().take(device, shape)?;
+        let placeholders = device.state::<Residents>().placeholders(device)?;
         let scope = Scope::open(device);
         let encoder = || device.wgpu.create_command_encoder(&CommandEncoderDescriptor { label: Some("frame") });
         let mut commands = encoder();
-        slot.told.tell(device, &mut commands, std::mem::take(&mut plan.told))?;
-        let Some(bound) = Bound::new(device, picture, &plan, &slot, &nothing) else {
+        slot.inputs.send(device, &mut commands, std::mem::take(&mut plan.inputs))?;
+        let Some(bound) = Bound::new(device, picture, &plan, &slot, &placeholders) else {
             return Err(device.failure(&"a slot without buffers"));
         };
         let mut last: Option<SubmissionIndex> = None;
-        for (n, chunk) in passes.chunks(PASSES).enumerate() {
+        for (n, chunk) in passes.chunks(PASSES_PER_SUBMISSION).enumerate() {
             if n > 0 {
                 let submission = device.queue.submit([std::mem::replace(&mut commands, encoder()).finish()]);
                 if let Some(before) = last.replace(submission) {
@@ -181,21 +177,10 @@ impl Job {
         passes
     }
 
-    /// What of a kind of points may be seen; none where that can't be told by boxes.
-    fn frustum(&self, kind: Kind, window: &Window) -> Option<Frustum> {
+    /// Half-spaces that visible points of a layer lie in; none where its displacement has no bound.
+    fn frustum(&self, layer: &Layer, window: &Window) -> Option<Frustum> {
         let eye = eye_of(&self.camera, &self.picture);
-        let offset = self.camera.position - self.picture.origin - self.picture.center;
-        match kind {
-            Kind::AsItIs => Some(Frustum::new(&self.camera, window, eye, 0.0)),
-            Kind::FromCenter | Kind::FromCenterOnCylinder => {
-                Some(Frustum::new(&self.camera, window, eye - offset, 0.0))
-            }
-            // Points move by the user's offset at most, where directions are not opposed.
-            Kind::Blend if offset.length() < self.picture.radii[0] => {
-                Some(Frustum::new(&self.camera, window, eye, 2.0 * offset.length()))
-            }
-            Kind::Blend | Kind::Cylinder => None,
-        }
+        layer.displacement.map(|moved| Frustum::new(&self.camera, window, eye - moved.shift, moved.slack))
     }
 
     /// Depth of the farthest point along parallel rays.
@@ -211,39 +196,7 @@ impl Job {
     }
 }
 
-impl Submitted {
-    /// Waits until the output can be read and the way in is open again.
-    fn await_opening(&self, device: &Device, progress: &Progress) -> Result<()> {
-        loop {
-            let [opened, failed] = [0, 1].map(|i: usize| self.opened[i].load(Ordering::Acquire));
-            if failed > 0 {
-                return Err(device.failure(&"its memory could not be read; use backend='cpu'"));
-            }
-            if opened == 2 {
-                return Ok(());
-            }
-            device.wait(&self.submission, progress)?;
-            progress.check()?;
-        }
-    }
-}
-
-/// Asks for the output and the way in; what comes of it is counted.
-fn open_buffers(slot: &Slot, bytes: u64) -> Arc<[AtomicU32; 2]> {
-    let opened: Arc<[AtomicU32; 2]> = Arc::default();
-    let count = |opened: &Arc<[AtomicU32; 2]>| {
-        let opened = Arc::clone(opened);
-        move |ok: bool| {
-            opened[usize::from(!ok)].fetch_add(1, Ordering::Release);
-        }
-    };
-    let read = count(&opened);
-    slot.readable().map_async(MapMode::Read, ..bytes.next_multiple_of(8), move |result| read(result.is_ok()));
-    slot.told.open_again(count(&opened));
-    opened
-}
-
-/// Which channels are written: colour, range, ids, position, normal.
+/// Flags of the wanted channels: colour, range, ids, position, normal.
 fn wanted(channels: Channels) -> [bool; 5] {
     [channels.color, channels.range, channels.object_id || channels.face_id, channels.position, channels.normal]
 }
@@ -252,7 +205,7 @@ fn wanted(channels: Channels) -> [bool; 5] {
 fn layout(channels: Channels, window: &Window) -> Outputs {
     let mut at = 0;
     let mut outputs = [u32::MAX; 5];
-    for ((slot, wanted), bytes) in outputs.iter_mut().zip(wanted(channels)).zip(BYTES) {
+    for ((slot, wanted), bytes) in outputs.iter_mut().zip(wanted(channels)).zip(CHANNEL_BYTES) {
         if wanted {
             *slot = at;
             at += (bytes / 4) as u32 * window.pixels() as u32;

@@ -1,40 +1,11 @@
-//! What a picture is made of: sets of instances, each shown in one way.
+//! Layers: sets of instances, each shown in one way.
 
 use std::sync::Arc;
 
-use glam::DVec3;
-use nearfar_core::base::Buffer;
 use nearfar_core::scene::{Instance, Scene};
 
-use crate::upload::{EnvTexels, RECORD_WORDS, SceneTables};
-
-/// How points are shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Kind {
-    /// Where they are.
-    AsItIs,
-    /// Morphed by the blend of 2022.
-    Blend,
-    /// Morphed by CloVR's cylinder.
-    Cylinder,
-    /// Where the centre sees them: moved by the user's offset.
-    FromCenter,
-    /// The same, but as far away as they are shown by CloVR's cylinder.
-    FromCenterOnCylinder,
-}
-
-/// Which fragments are drawn, by their distance from the centre's axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Split {
-    /// All.
-    Whole,
-    /// Those within the radius.
-    Within,
-    /// Those beyond it.
-    Beyond,
-    /// Those beyond it, and as much within as two texels of a map reach.
-    Overlapping,
-}
+use super::style::{Cut, Displacement, Style};
+use crate::upload::{RECORD_WORDS, SceneTables};
 
 /// Half of a scene's instances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,36 +19,27 @@ pub(crate) enum Set {
 /// Instances that are drawn in one way.
 #[derive(Clone)]
 pub(crate) struct Layer {
-    /// Whose instances.
+    /// The scene with the instances.
     pub scene: Scene,
-    /// The same on the device.
+    /// The scene on the device.
     pub tables: Arc<SceneTables>,
-    /// Which of them.
+    /// The half of its instances that is drawn.
     pub set: Set,
-    /// How they are shown.
-    pub kind: Kind,
-    /// Which of their fragments.
-    pub split: Split,
-    /// What the map's range hides is left out.
-    pub hidden: bool,
-    /// Nothing drawn before it hides it: depth begins anew.
+    /// Where their points are shown.
+    pub style: Style,
+    /// Which of their fragments are drawn.
+    pub cut: Cut,
+    /// How far from their places they are shown; none where that has no bound, so that nothing is culled.
+    pub displacement: Option<Displacement>,
+    /// It hides all layers before it: the depth buffer is cleared.
     pub covers: bool,
-    /// What its faces are called.
-    pub names: Names,
+    /// Faces of another scene that the layer's faces were made from: images hold their objects and triangles.
+    pub sources: Option<Arc<Sources>>,
 }
 
-/// Numbers of objects and triangles.
-#[derive(Clone)]
-pub(crate) enum Names {
-    /// As the layer's scene has them.
-    Own,
-    /// Of faces made from those of another scene.
-    Of(Arc<Sources>),
-}
-
-/// What a scene was made from.
+/// Faces and instances that a scene was made from.
 pub(crate) struct Sources {
-    /// Whose faces and instances they were.
+    /// The scene that they belong to.
     pub scene: Scene,
     /// Instance and face; objects of the standing meshes are places in this list.
     pub faces: Vec<(u32, u32)>,
@@ -86,11 +48,25 @@ pub(crate) struct Sources {
 }
 
 impl Layer {
+    /// Instances that are shown where they are, with all their fragments.
+    pub fn plain(scene: Scene, tables: Arc<SceneTables>, set: Set) -> Self {
+        Self {
+            scene,
+            tables,
+            set,
+            style: Style::PLAIN,
+            cut: Cut::NONE,
+            displacement: Some(Displacement::NONE),
+            covers: false,
+            sources: None,
+        }
+    }
+
     /// For each record of the set, its instance and first face.
-    pub fn sources(&self) -> &[(u32, u32)] {
+    pub fn record_faces(&self) -> &[(u32, u32)] {
         match self.set {
-            Set::Standing => &self.tables.standing.sources,
-            Set::Moving => &self.tables.moving.sources,
+            Set::Standing => &self.tables.standing.record_faces,
+            Set::Moving => &self.tables.moving.record_faces,
         }
     }
 
@@ -121,9 +97,9 @@ impl Layer {
         scene.triangle_offset(instance) + i64::from(face)
     }
 
-    /// Whose face it was, where the layer's scene was made from another.
+    /// The face that one was made from, where the layer's scene was made from another.
     fn source(&self, instance: u32, face: u32) -> Option<(&Scene, u32, u32)> {
-        let Names::Of(sources) = &self.names else { return None };
+        let sources = self.sources.as_ref()?;
         let (instance, face) = match self.set {
             Set::Standing => sources.faces[self.instances()[instance as usize].object_of(face) as usize],
             Set::Moving => (sources.moving[instance as usize], face),
@@ -137,27 +113,4 @@ impl Layer {
             Set::Moving => self.scene.moving.instances(),
         }
     }
-}
-
-/// A picture to be taken from any camera.
-#[derive(Clone)]
-pub(crate) struct Picture {
-    /// In order of drawing.
-    pub layers: Vec<Layer>,
-    /// What is seen where nothing is drawn; the sky without a map.
-    pub map: Option<Arc<EnvTexels>>,
-    /// Objects of the map's texels, where it has them.
-    pub far_objects: Option<Buffer<i32>>,
-    /// The centre O relative to the scenes' origin.
-    pub center: DVec3,
-    /// r₁, r₂ and the radius where pixels are split.
-    pub radii: [f64; 3],
-    /// World position of the scenes' origin.
-    pub origin: DVec3,
-    /// Tangent of two texels, for `Split::Overlapping`.
-    pub two_texels: f64,
-    /// How far pixels without geometry are shown: as points of this kind.
-    pub missed: Kind,
-    /// Four samples may be the adapter's own, with each face shaded once: for frames, not for maps, which last.
-    pub multisampled: bool,
 }

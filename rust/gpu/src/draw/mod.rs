@@ -1,21 +1,25 @@
-//! Frames: what is drawn in which order, where it goes, and how it comes back.
+//! Frames: sets of instances drawn in order, each in its style, and the images that come back.
 
-mod bindings;
 mod cull;
+mod device_frame;
 mod encode;
+mod inputs;
 mod job;
-mod kept;
 mod layers;
+mod picture;
 mod pipelines;
+mod plan;
 mod read;
 mod slots;
+mod style;
+mod submitted;
 mod view;
+mod visible;
 
+pub use device_frame::DeviceFrame;
 pub use job::Job;
-pub use kept::DeviceFrame;
 
-pub(crate) use cull::Frustum;
-pub(crate) use layers::{Kind, Layer, Names, Picture, Set, Sources, Split};
-pub(crate) use pipelines::{Pipelines, VISIBLE};
-pub(crate) use slots::{SAMPLES, Slots};
+pub(crate) use layers::{Layer, Set, Sources};
+pub(crate) use picture::{Backdrop, Picture};
+pub(crate) use style::{Cut, Displacement, Parameters, Snippet, Style};
 pub(crate) use view::Axes;

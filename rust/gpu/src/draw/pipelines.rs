@@ -1,4 +1,4 @@
-//! Shaders and pipelines, each compiled once on a device, and what their bindings look like.
+//! Shaders and pipelines, each compiled once on a device, and the layouts of their bindings.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -13,20 +13,17 @@ use wgpu::{
     VertexState,
 };
 
-use super::{Kind, Split};
-use crate::device::{Device, Scope};
+use super::style::{Cut, Style};
+use crate::device::{Device, Scope, VISIBLE};
 
-/// What pixels hold before they are resolved: a record and a face in four halves.
-pub(crate) const VISIBLE: TextureFormat = TextureFormat::Rgba16Uint;
 /// Depth, reversed.
 pub(super) const DEPTH: TextureFormat = TextureFormat::Depth32Float;
 
-/// How a layer is rasterised.
+/// Settings of a layer's raster pipeline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct RasterKey {
-    pub kind: Kind,
-    pub split: Split,
-    pub hidden: bool,
+    pub style: Style,
+    pub cut: Cut,
     pub cutout: bool,
     pub single: bool,
     pub samples: u32,
@@ -35,7 +32,7 @@ pub(super) struct RasterKey {
 impl RasterKey {
     /// Entry points of vertices and fragments.
     fn entries(&self, writes_depth: bool) -> [&'static str; 2] {
-        let plain = self.split == Split::Whole && !self.hidden && !self.cutout;
+        let plain = self.cut == Cut::NONE && !self.cutout;
         match (plain, writes_depth) {
             (true, false) => ["plain_vertex", "plain_fragment"],
             (true, true) => ["plain_vertex", "plain_fragment_with_depth"],
@@ -45,10 +42,10 @@ impl RasterKey {
     }
 }
 
-/// How a layer's pixels are resolved.
+/// Settings of a layer's resolve pipeline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct ResolveKey {
-    pub kind: Kind,
+    pub style: Style,
     pub mapped: bool,
     pub color: bool,
     pub surface: bool,
@@ -59,7 +56,7 @@ pub(super) struct ResolveKey {
     pub samples: u32,
 }
 
-/// Everything compiled on a device.
+/// Pipelines of a device.
 #[derive(Default)]
 pub(crate) struct Pipelines {
     layouts: OnceLock<Layouts>,
@@ -68,13 +65,13 @@ pub(crate) struct Pipelines {
     resolves: Mutex<HashMap<ResolveKey, Arc<ComputePipeline>>>,
 }
 
-/// Shapes of the bind groups.
+/// Layouts of the bind groups.
 pub(super) struct Layouts {
     /// A scene's tables and the order of its records.
     pub raster_scene: BindGroupLayout,
     /// A scene's tables.
     pub resolve_scene: BindGroupLayout,
-    /// Pass, batch and map.
+    /// Pass, batch and environment map.
     pub view: BindGroupLayout,
     /// Visible faces, of one sample or several, and the output.
     pub target: [BindGroupLayout; 2],
@@ -92,16 +89,16 @@ impl Pipelines {
         }
         let layouts = self.layouts(device);
         let scope = Scope::open(device);
-        let module = self.module(device, &raster_source());
+        let module = self.module(device, &raster_source(key.style, key.cut));
         let layout = device.wgpu.create_pipeline_layout(&PipelineLayoutDescriptor {
             label: Some("raster"),
             bind_group_layouts: &[Some(&layouts.raster_scene), Some(&layouts.view)],
             immediate_size: 0,
         });
         let constants = [
-            ("KIND", f64::from(key.kind as u32)),
-            ("SPLIT", f64::from(key.split as u32)),
-            ("HIDDEN", f64::from(u8::from(key.hidden))),
+            ("STYLE", f64::from(key.style.0.variant)),
+            ("CUT", f64::from(key.cut.snippet.variant)),
+            ("FACE_NORMALS", f64::from(u8::from(key.cut.face_normals))),
             ("CUTOUT", f64::from(u8::from(key.cutout))),
             ("SINGLE", f64::from(u8::from(key.single))),
         ];
@@ -121,7 +118,7 @@ impl Pipelines {
             depth_stencil: Some(DepthStencilState {
                 format: DEPTH,
                 depth_write_enabled: Some(true),
-                // Of equal depths the first drawn stays: the lower triangle, as in the tracer.
+                // Of equal depths the first one drawn stays, which is the lower triangle, as in the tracer.
                 depth_compare: Some(CompareFunction::Greater),
                 stencil: wgpu::StencilState::default(),
                 bias: wgpu::DepthBiasState::default(),
@@ -149,7 +146,7 @@ impl Pipelines {
         }
         let layouts = self.layouts(device);
         let scope = Scope::open(device);
-        let module = self.module(device, &resolve_source(key.samples));
+        let module = self.module(device, &resolve_source(key.style, key.samples));
         let layout = device.wgpu.create_pipeline_layout(&PipelineLayoutDescriptor {
             label: Some("resolve"),
             bind_group_layouts: &[
@@ -160,7 +157,7 @@ impl Pipelines {
             immediate_size: 0,
         });
         let constants = [
-            ("KIND", f64::from(key.kind as u32)),
+            ("STYLE", f64::from(key.style.0.variant)),
             ("MAPPED", f64::from(u8::from(key.mapped))),
             ("COLOR", f64::from(u8::from(key.color))),
             ("SURFACE", f64::from(u8::from(key.surface))),
@@ -197,24 +194,23 @@ impl Pipelines {
 }
 
 const SCENE: &str = include_str!("../shaders/scene.wgsl");
-const MORPH: &str = include_str!("../shaders/morph.wgsl");
 const CUBE: &str = include_str!("../shaders/cube.wgsl");
 const SURFACE: &str = include_str!("../shaders/surface.wgsl");
 const RASTER: &str = include_str!("../shaders/raster.wgsl");
 const RESOLVE: &str = include_str!("../shaders/resolve.wgsl");
 
-fn raster_source() -> String {
-    [&shading_constants()[..], SCENE, MORPH, CUBE, SURFACE, RASTER].concat()
+fn raster_source(style: Style, cut: Cut) -> String {
+    [&shading_constants()[..], SCENE, CUBE, SURFACE, style.0.text, cut.snippet.text, RASTER].concat()
 }
 
-fn resolve_source(samples: u32) -> String {
+fn resolve_source(style: Style, samples: u32) -> String {
     let (texture, index) = if samples > 1 { ("multisampled_2d", "i32(sample_index)") } else { ("2d", "0") };
     let load = format!(
         "const SAMPLES: u32 = {samples}u;\n@group(2) @binding(0) var visible: texture_{texture}<u32>;\n\
          fn load_visible(pixel: vec2<u32>, sample_index: u32) -> vec4<u32> {{ \
          return textureLoad(visible, vec2<i32>(pixel), {index}); }}\n"
     );
-    [&shading_constants()[..], SCENE, MORPH, CUBE, SURFACE, &load, RESOLVE].concat()
+    [&shading_constants()[..], SCENE, CUBE, SURFACE, style.0.text, &load, RESOLVE].concat()
 }
 
 /// The shading formula's numbers, written once for all renderers.

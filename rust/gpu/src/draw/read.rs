@@ -1,33 +1,39 @@
-//! The output as a frame's images: one copy, and numbers of faces that become numbers of the scene.
+//! The output as a frame's images: copies, and numbers of records and faces replaced by the scene's.
 
 use nearfar_core::base::Result;
 use nearfar_core::render::Frame;
 use rayon::prelude::*;
 
-use super::Picture;
-use super::bindings::Numbering;
-use super::job::Submitted;
 use super::layers::Layer;
+use super::picture::Picture;
+use super::plan::Numbering;
+use super::submitted::Submitted;
 use crate::device::Device;
 
 /// Copies a window into its place in a frame of `width` pixels a row.
-pub(super) fn copy(device: &Device, done: &Submitted, picture: &Picture, width: u32, frame: &mut Frame) -> Result<()> {
-    let view = done.slot.readable().get_mapped_range(..done.slot.shape.bytes.next_multiple_of(8));
+pub(super) fn copy(
+    device: &Device,
+    submitted: &Submitted,
+    picture: &Picture,
+    width: u32,
+    frame: &mut Frame,
+) -> Result<()> {
+    let view = submitted.slot.readable().get_mapped_range(..submitted.slot.shape.bytes.next_multiple_of(8));
     let view = view.map_err(|error| device.failure(&error))?;
-    fill(bytemuck::cast_slice(&view), done, picture, width, frame);
+    fill(bytemuck::cast_slice(&view), submitted, picture, width, frame);
     Ok(())
 }
 
 /// Puts a window's words into its place in a frame of `width` pixels a row.
-pub(super) fn fill(words: &[u32], done: &Submitted, picture: &Picture, width: u32, frame: &mut Frame) {
-    let window = &done.window;
+pub(super) fn fill(words: &[u32], submitted: &Submitted, picture: &Picture, width: u32, frame: &mut Frame) {
+    let window = &submitted.window;
     let section = |channel: usize, each: usize| {
-        let start = done.outputs[channel] as usize;
+        let start = submitted.outputs[channel] as usize;
         &words[start..start + each * window.pixels()]
     };
     let (columns, stride) = (window.width as usize, width as usize);
     let first = window.row as usize * stride + window.column as usize;
-    // Rows of the window: where they go, and where they come from.
+    // First pixel of a row of the window in the frame.
     let place = |image_row: usize| first + image_row * stride;
     let vectors = [(0, &mut frame.color), (3, &mut frame.position), (4, &mut frame.normal)];
     for (channel, image) in vectors.into_iter().filter(|(_, image)| !image.is_empty()) {
@@ -42,16 +48,16 @@ pub(super) fn fill(words: &[u32], done: &Submitted, picture: &Picture, width: u3
             .zip(values.par_chunks(columns))
             .for_each(|(to, from)| to.copy_from_slice(from));
     }
-    let names = Names { picture, numbering: &done.numbering };
+    let numbers = FaceNumbers { picture, numbering: &submitted.numbering };
     if !frame.object_id.is_empty() {
         let values: &[[u32; 2]] = bytemuck::cast_slice(section(2, 2));
         rows(&mut frame.object_id, place(0), stride, columns, window.height).zip(values.par_chunks(columns)).for_each(
             |(to, from)| {
-                names.fill(
+                numbers.fill(
                     to,
                     from,
                     |layer, instance, face| layer.object_of(instance, face),
-                    |n| names.far_object(n),
+                    |n| numbers.far_object(n),
                     -1,
                 )
             },
@@ -60,7 +66,7 @@ pub(super) fn fill(words: &[u32], done: &Submitted, picture: &Picture, width: u3
     if !frame.face_id.is_empty() {
         let values: &[[u32; 2]] = bytemuck::cast_slice(section(2, 2));
         rows(&mut frame.face_id, place(0), stride, columns, window.height).zip(values.par_chunks(columns)).for_each(
-            |(to, from)| names.fill(to, from, |layer, instance, face| layer.triangle_of(instance, face), |_| -1, -1),
+            |(to, from)| numbers.fill(to, from, |layer, instance, face| layer.triangle_of(instance, face), |_| -1, -1),
         );
     }
 }
@@ -78,13 +84,13 @@ fn rows<T: Send>(
     rows.map(move |row| &mut row[column..column + columns])
 }
 
-/// What numbers of records stand for.
-struct Names<'a> {
+/// Numbers of the scene by numbers of a frame's records.
+struct FaceNumbers<'a> {
     picture: &'a Picture,
     numbering: &'a [Numbering],
 }
 
-impl Names<'_> {
+impl FaceNumbers<'_> {
     /// Numbers of a row's pixels; neighbours mostly show one face.
     fn fill<T: Copy>(
         &self,
@@ -100,7 +106,7 @@ impl Names<'_> {
                 let [record, face] = id;
                 let value = match self.locate(record) {
                     Some((layer, record)) => {
-                        let (instance, first_face) = layer.sources()[record as usize];
+                        let (instance, first_face) = layer.record_faces()[record as usize];
                         of_face(layer, instance, first_face + face)
                     }
                     None if face != u32::MAX => of_texel(face),
@@ -121,7 +127,7 @@ impl Names<'_> {
     }
 
     fn far_object(&self, texel: u32) -> i32 {
-        let objects = self.picture.far_objects.as_ref();
+        let objects = self.picture.backdrop.as_ref().and_then(|backdrop| backdrop.objects.as_ref());
         objects.and_then(|objects| objects.get(texel as usize)).copied().unwrap_or(-1)
     }
 }

@@ -1,11 +1,12 @@
-//! Cameras as numbers for shaders: windows of an image, and what a pass is told.
+//! Cameras as numbers for shaders: windows of an image, and the uniform block of a pass.
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec2, DVec3, DVec4};
 use nearfar_core::camera::{Camera, Fov, Projection};
 use nearfar_core::cubemap::direction_from_face;
 
-use super::Picture;
+use super::picture::Picture;
+use super::style::Parameters;
 
 /// A part of an image that is drawn at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,8 +49,7 @@ impl Window {
     }
 }
 
-/// Metres from the eye within which nothing is drawn. Reversed floating-point depth is as exact at any distance for any
-/// near plane.
+/// Distance of the near plane in metres. The precision of reversed floating-point depth does not depend on it.
 const NEAR: f64 = 1e-6;
 
 /// The uniform block `Pass` of `scene.wgsl`.
@@ -58,8 +58,7 @@ const NEAR: f64 = 1e-6;
 pub(super) struct Pass {
     clip: [[f32; 4]; 4],
     eye: [f32; 4],
-    offset: [f32; 4],
-    radii: [f32; 4],
+    backdrop: [f32; 4],
     start: [[f32; 4]; 3],
     direction: [[f32; 4]; 3],
     direction_rest: [[f32; 4]; 3],
@@ -68,12 +67,13 @@ pub(super) struct Pass {
     environment: [u32; 4],
     outputs: [u32; 4],
     more_outputs: [u32; 4],
+    parameters: Parameters,
 }
 
 /// Bytes of an image's channels in the output: the first word of each, or `u32::MAX`.
 pub(super) type Outputs = [u32; 5];
 
-/// What differs between the passes of one window.
+/// The sample that a pass takes of each pixel of a window.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sampling {
     /// Where in its pixel a sample lies.
@@ -82,7 +82,7 @@ pub(super) struct Sampling {
     pub scale: f64,
     /// Its share of the pixel's colour.
     pub weight: f32,
-    /// It is added to what is there.
+    /// Its colour is added to that of the samples before.
     pub adds: bool,
 }
 
@@ -120,7 +120,7 @@ pub(super) fn eye_of(camera: &Camera, picture: &Picture) -> DVec3 {
     (camera.position - picture.origin).as_vec3().as_dvec3()
 }
 
-/// What a pass over a window is told. `farthest` is the depth of all that is drawn, for parallel rays.
+/// The uniform block of a pass over a window. `farthest` is the depth of all that is drawn, for parallel rays.
 pub(super) fn pass_of(
     picture: &Picture,
     camera: &Camera,
@@ -131,9 +131,8 @@ pub(super) fn pass_of(
 ) -> Pass {
     let eye = eye_of(camera, picture);
     let near = if camera.is_parallel() { 0.0 } else { NEAR };
-    let offset = camera.position - picture.origin - picture.center;
-    let [r1, r2, split] = picture.radii;
-    let slope = if r2 > r1 { 1.0 / (r2 - r1) } else { 0.0 };
+    let taken_at = picture.backdrop.as_ref().map_or(DVec3::ZERO, |backdrop| backdrop.center);
+    let from_backdrop = camera.position - picture.origin - taken_at;
     // Rays of the window's pixel (0, 0) through the sample's place, and their steps.
     let place = DVec2::new(f64::from(window.column) + sampling.offset[0], f64::from(window.row) + sampling.offset[1]);
     let ray = |x: f64, y: f64| camera.ray(place.x + x, place.y + y);
@@ -141,15 +140,15 @@ pub(super) fn pass_of(
     let directions = on_grid([first.1, right.1 - first.1, down.1 - first.1], window);
     let wide = |v: DVec3| v.as_vec3().extend(0.0).to_array();
     let environment = picture
-        .map
+        .backdrop
         .as_ref()
+        .map(|backdrop| &backdrop.texels)
         .map_or([0; 4], |map| [map.size, map.color.shift, map.range.shift, u32::from(map.has_range)]);
     let [color, range, ids, position, normal] = *outputs;
     Pass {
         clip: clip_rows(camera, window, sampling, farthest).map(|row| row.as_vec4().to_array()),
         eye: eye.as_vec3().extend(near as f32).to_array(),
-        offset: offset.as_vec3().extend(picture.two_texels as f32).to_array(),
-        radii: [r1, r2, split, slope].map(|x| x as f32),
+        backdrop: wide(from_backdrop),
         start: [first.0, right.0 - first.0, down.0 - first.0].map(wide),
         direction: directions.map(|(grid, _)| wide(grid)),
         direction_rest: directions.map(|(_, rest)| wide(rest)),
@@ -163,6 +162,7 @@ pub(super) fn pass_of(
         environment,
         outputs: [color, range, ids, position],
         more_outputs: [normal, 0, 0, 0],
+        parameters: picture.parameters,
     }
 }
 

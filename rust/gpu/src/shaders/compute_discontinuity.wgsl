@@ -20,7 +20,7 @@ struct Torn {
     slice: vec4<u32>,
 }
 
-@group(0) @binding(0) var<uniform> told: Torn;
+@group(0) @binding(0) var<uniform> settings: Torn;
 @group(0) @binding(1) var<storage, read> frame: array<u32>;
 // From each pixel to its point's place in the truth; later the sum over its neighbours, and how many these are.
 @group(0) @binding(2) var<storage, read_write> shifts: array<vec2<f32>>;
@@ -48,10 +48,10 @@ fn number_of(group: vec3<u32>, local: u32) -> u32 {
 }
 
 fn center_of(pixel: u32) -> vec2<f32> {
-    return vec2<f32>(f32(pixel % told.size.x), f32(pixel / told.size.x)) + 0.5;
+    return vec2<f32>(f32(pixel % settings.size.x), f32(pixel / settings.size.x)) + 0.5;
 }
 
-// Told by bits: compilers may assume that there are numbers only.
+// Decided by bits: compilers may assume that there are numbers only.
 fn is_finite(bits: u32) -> bool {
     return (bits & EXPONENT) != EXPONENT;
 }
@@ -59,30 +59,30 @@ fn is_finite(bits: u32) -> bool {
 @compute @workgroup_size(GROUP)
 fn discontinuity_place(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let pixel = number_of(group, local);
-    if pixel >= told.size.y {
+    if pixel >= settings.size.y {
         return;
     }
     torn[pixel] = NAN;
     cells[pixel] = vec2<u32>(NONE, 0u);
-    let at = told.size.z + 3u * pixel;
+    let at = settings.size.z + 3u * pixel;
     let words = vec3<u32>(frame[at], frame[at + 1u], frame[at + 2u]);
     if !(is_finite(words.x) && is_finite(words.y) && is_finite(words.z)) {
         return;
     }
-    let from_eye = (bitcast<vec3<f32>>(words) - told.eye_high.xyz) - told.eye_low.xyz;
-    let depth = dot(from_eye, told.ahead.xyz);
+    let from_eye = (bitcast<vec3<f32>>(words) - settings.eye_high.xyz) - settings.eye_low.xyz;
+    let depth = dot(from_eye, settings.ahead.xyz);
     if depth <= 0.0 {
         return;
     }
-    let by = select(depth, 1.0, told.ahead.w > 0.0);
-    let place = vec2<f32>(dot(from_eye, told.x.xyz), dot(from_eye, told.y.xyz)) / by + vec2<f32>(told.x.w, told.y.w);
+    let by = select(depth, 1.0, settings.ahead.w > 0.0);
+    let place = vec2<f32>(dot(from_eye, settings.x.xyz), dot(from_eye, settings.y.xyz)) / by + vec2<f32>(settings.x.w, settings.y.w);
     let bits = bitcast<vec2<u32>>(place);
     if !is_finite(bits.x) || !is_finite(bits.y) || max(abs(place.x), abs(place.y)) >= FARTHEST {
         return;
     }
     shifts[pixel] = place - center_of(pixel);
-    let cell = vec2<i32>(floor(place * told.limits.z));
-    let wrapped = wrap(cell.x, told.grid.x) + told.grid.x * wrap(cell.y, told.grid.y);
+    let cell = vec2<i32>(floor(place * settings.limits.z));
+    let wrapped = wrap(cell.x, settings.grid.x) + settings.grid.x * wrap(cell.y, settings.grid.y);
     cells[pixel] = vec2<u32>(wrapped, atomicAdd(&counts[wrapped], 1u));
 }
 
@@ -97,9 +97,9 @@ var<workgroup> fullest: array<u32, GROUP>;
 // Where each cell's points begin: one workgroup, each of whose threads adds up a run of cells.
 @compute @workgroup_size(GROUP)
 fn discontinuity_add_up(@builtin(local_invocation_index) local: u32) {
-    let run = (told.size.w + GROUP - 1u) / GROUP;
-    let first = min(local * run, told.size.w);
-    let last = min(first + run, told.size.w);
+    let run = (settings.size.w + GROUP - 1u) / GROUP;
+    let first = min(local * run, settings.size.w);
+    let last = min(first + run, settings.size.w);
     var sum = 0u;
     var full = 0u;
     for (var cell = first; cell < last; cell++) {
@@ -119,7 +119,7 @@ fn discontinuity_add_up(@builtin(local_invocation_index) local: u32) {
             full = max(full, fullest[i]);
         }
         most[0] = full;
-        starts[told.size.w] = before;
+        starts[settings.size.w] = before;
     }
     workgroupBarrier();
     var start = parts[local];
@@ -132,7 +132,7 @@ fn discontinuity_add_up(@builtin(local_invocation_index) local: u32) {
 @compute @workgroup_size(GROUP)
 fn discontinuity_scatter(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let pixel = number_of(group, local);
-    if pixel < told.size.y && cells[pixel].x != NONE {
+    if pixel < settings.size.y && cells[pixel].x != NONE {
         list[starts[cells[pixel].x] + cells[pixel].y] = pixel;
     }
 }
@@ -141,12 +141,12 @@ fn discontinuity_scatter(@builtin(workgroup_id) group: vec3<u32>, @builtin(local
 @compute @workgroup_size(GROUP)
 fn discontinuity_order(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let number = number_of(group, local);
-    if number >= starts[told.size.w] {
+    if number >= starts[settings.size.w] {
         return;
     }
     let pixel = list[number];
     let cell = cells[pixel].x;
-    var before = select(cells[pixel].y, 0u, told.slice.x == 0u);
+    var before = select(cells[pixel].y, 0u, settings.slice.x == 0u);
     let slice = slice_of(cell);
     for (var other = slice.x; other < slice.y; other++) {
         before += select(0u, 1u, list[other] < pixel);
@@ -157,14 +157,14 @@ fn discontinuity_order(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_i
 // First point of a cell's slice, and the one behind its last.
 fn slice_of(cell: u32) -> vec2<u32> {
     let end = starts[cell + 1u];
-    let first = min(starts[cell] + told.slice.x, end);
-    return vec2<u32>(first, min(first + told.slice.y, end));
+    let first = min(starts[cell] + settings.slice.x, end);
+    return vec2<u32>(first, min(first + settings.slice.y, end));
 }
 
 @compute @workgroup_size(GROUP)
 fn discontinuity_gather(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let pixel = number_of(group, local);
-    if pixel < told.size.y && cells[pixel].x != NONE {
+    if pixel < settings.size.y && cells[pixel].x != NONE {
         points[starts[cells[pixel].x] + cells[pixel].y] = vec4<f32>(center_of(pixel), shifts[pixel]);
     }
 }
@@ -172,22 +172,22 @@ fn discontinuity_gather(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_
 @compute @workgroup_size(GROUP)
 fn discontinuity_tear(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let number = number_of(group, local);
-    if number >= told.grid.w || told.grid.z + number >= starts[told.size.w] {
+    if number >= settings.grid.w || settings.grid.z + number >= starts[settings.size.w] {
         return;
     }
-    let own = told.grid.z + number;
+    let own = settings.grid.z + number;
     let point = points[own];
-    let pixel = u32(point.y) * told.size.x + u32(point.x);
-    let cell = vec2<u32>(cells[pixel].x % told.grid.x, cells[pixel].x / told.grid.x);
+    let pixel = u32(point.y) * settings.size.x + u32(point.x);
+    let cell = vec2<u32>(cells[pixel].x % settings.grid.x, cells[pixel].x / settings.grid.x);
     // Sum, and how many.
     var found = vec2<f32>(0.0);
-    if told.slice.x > 0u {
+    if settings.slice.x > 0u {
         found = shifts[pixel];
     }
     for (var i = 0u; i < 9u; i++) {
         // From the one before to the one behind, around the grid's end.
-        let beside = (cell + told.grid.xy - 1u + vec2<u32>(i % 3u, i / 3u)) % told.grid.xy;
-        let slice = slice_of(beside.x + told.grid.x * beside.y);
+        let beside = (cell + settings.grid.xy - 1u + vec2<u32>(i % 3u, i / 3u)) % settings.grid.xy;
+        let slice = slice_of(beside.x + settings.grid.x * beside.y);
         // A cell at a time, so that long sums lose no digits.
         var part = vec2<f32>(0.0);
         for (var other = slice.x; other < slice.y; other++) {
@@ -196,8 +196,8 @@ fn discontinuity_tear(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_in
             let truly = apart + (there.zw - point.zw);
             let shown = dot(apart, apart);
             let truth = dot(truly, truly);
-            if truth < told.limits.x && other != own {
-                part += vec2<f32>(sqrt(shown / max(truth, told.limits.y)) - 1.0, 1.0);
+            if truth < settings.limits.x && other != own {
+                part += vec2<f32>(sqrt(shown / max(truth, settings.limits.y)) - 1.0, 1.0);
             }
         }
         found += part;

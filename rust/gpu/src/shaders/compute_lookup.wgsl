@@ -26,7 +26,7 @@ fn direction_of(number: u32) -> vec3<f32> {
     return vec3<f32>(directions[3u * number], directions[3u * number + 1u], directions[3u * number + 2u]);
 }
 
-// What is zero or not finite is told by bits: compilers may assume that there are numbers only.
+// Zero and numbers that are not finite are found by bits: compilers may assume that there are numbers only.
 fn is_wrong(d: vec3<f32>) -> bool {
     let bits = bitcast<vec3<u32>>(d) & vec3<u32>(~SIGN);
     return all(bits == vec3<u32>(0u)) || any(bits >= vec3<u32>(EXPONENT));

@@ -13,7 +13,7 @@ struct Morph {
 }
 
 @group(0) @binding(0) var<uniform> morph: Morph;
-@group(0) @binding(1) var<storage, read> given: array<f32>;
+@group(0) @binding(1) var<storage, read> points: array<f32>;
 @group(0) @binding(2) var<storage, read_write> moved: array<f32>;
 
 // Squares beyond this come near to float32's end.
@@ -26,7 +26,7 @@ fn number_of(group: vec3<u32>, local: u32) -> u32 {
 }
 
 fn point_of(number: u32) -> vec3<f32> {
-    return vec3<f32>(given[3u * number], given[3u * number + 1u], given[3u * number + 2u]);
+    return vec3<f32>(points[3u * number], points[3u * number + 1u], points[3u * number + 2u]);
 }
 
 fn store(number: u32, point: vec3<f32>) {

@@ -13,7 +13,7 @@ struct Similarity {
     weights: array<vec4<f32>, 5>,
 }
 
-@group(0) @binding(0) var<uniform> told: Similarity;
+@group(0) @binding(0) var<uniform> settings: Similarity;
 @group(0) @binding(1) var<storage, read> reference: array<f32>;
 @group(0) @binding(2) var<storage, read> compared: array<f32>;
 @group(0) @binding(3) var<storage, read_write> planes: array<vec2<f32>>;
@@ -38,11 +38,11 @@ fn encoded(linear: f32) -> f32 {
 @compute @workgroup_size(GROUP)
 fn similarity_luma(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let pixel = (group.y * ROW + group.x) * GROUP + local;
-    if pixel >= told.size.z {
+    if pixel >= settings.size.z {
         return;
     }
-    let a = told.first.x + 3u * pixel;
-    let b = told.first.y + 3u * pixel;
+    let a = settings.first.x + 3u * pixel;
+    let b = settings.first.y + 3u * pixel;
     let x = vec3<f32>(encoded(reference[a]), encoded(reference[a + 1u]), encoded(reference[a + 2u]));
     let y = vec3<f32>(encoded(compared[b]), encoded(compared[b + 1u]), encoded(compared[b + 2u]));
     // Rec. 709.
@@ -67,16 +67,16 @@ fn mirror(i: i32, length: i32) -> u32 {
 }
 
 fn weight(k: u32) -> f32 {
-    return told.weights[k / 4u][k % 4u];
+    return settings.weights[k / 4u][k % 4u];
 }
 
-// What the windows of this workgroup see.
+// Pixels that the windows of this workgroup see.
 fn load(tile: vec2<u32>, local: u32) {
     for (var i = local; i < SIDE * SIDE; i += TILE * TILE) {
         let at = vec2<i32>(tile * TILE + vec2<u32>(i % SIDE, i / SIDE)) - i32(MIDDLE);
-        let column = mirror(at.x, i32(told.size.x));
-        let row = mirror(at.y, i32(told.size.y));
-        around[i] = planes[row * told.size.x + column];
+        let column = mirror(at.x, i32(settings.size.x));
+        let row = mirror(at.y, i32(settings.size.y));
+        around[i] = planes[row * settings.size.x + column];
     }
 }
 
@@ -111,8 +111,8 @@ fn unlikeness(column: u32, row: u32) -> f32 {
     let variance = max(square - mean * mean, vec2<f32>(0.0));
     let level = center + mean;
     let apart = level.y * level.y;
-    let by_mean = apart / (0.5 * (level.x * level.x + apart) + told.constants.x);
-    let by_contrast = variance.y / (0.5 * (variance.x + variance.y) + told.constants.y);
+    let by_mean = apart / (0.5 * (level.x * level.x + apart) + settings.constants.x);
+    let by_contrast = variance.y / (0.5 * (variance.x + variance.y) + settings.constants.y);
     return by_mean + by_contrast - by_mean * by_contrast;
 }
 
@@ -127,7 +127,7 @@ fn measure(tile: vec2<u32>, local: u32) -> f32 {
 // Sum over the windows of this workgroup that count, always in one order.
 fn add_up(tile: vec2<u32>, local: u32, value: f32) {
     let pixel = tile * TILE + vec2<u32>(local % TILE, local / TILE);
-    let counts = all(pixel >= told.inside.xy) && all(pixel < told.inside.zw);
+    let counts = all(pixel >= settings.inside.xy) && all(pixel < settings.inside.zw);
     around[local] = vec2<f32>(select(0.0, value, counts), 0.0);
     workgroupBarrier();
     for (var stride = TILE * TILE / 2u; stride > 0u; stride /= 2u) {
@@ -137,7 +137,7 @@ fn add_up(tile: vec2<u32>, local: u32, value: f32) {
         workgroupBarrier();
     }
     if local == 0u {
-        sums[tile.y * told.size.w + tile.x] = around[0].x;
+        sums[tile.y * settings.size.w + tile.x] = around[0].x;
     }
 }
 
@@ -150,8 +150,8 @@ fn similarity_sums(@builtin(workgroup_id) tile: vec3<u32>, @builtin(local_invoca
 fn similarity_map(@builtin(workgroup_id) tile: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let value = measure(tile.xy, local);
     let pixel = tile.xy * TILE + vec2<u32>(local % TILE, local / TILE);
-    if all(pixel < told.size.xy) {
-        map[pixel.y * told.size.x + pixel.x] = 1.0 - value;
+    if all(pixel < settings.size.xy) {
+        map[pixel.y * settings.size.x + pixel.x] = 1.0 - value;
     }
     add_up(tile.xy, local, value);
 }

@@ -3,9 +3,6 @@
 @group(1) @binding(2) var map_color: texture_2d_array<f32>;
 @group(1) @binding(3) var map_range: texture_2d_array<f32>;
 
-// Share of its range by which a fragment may lie behind the map before it counts as hidden.
-const BIAS: f32 = 4e-3;
-
 struct Taps {
     texel: vec4<u32>,
     weight: vec4<f32>,
@@ -138,14 +135,4 @@ fn environment_color(d: vec3<f32>) -> vec3<f32> {
     let taps = taps_of(d, view.environment.x);
     return taps.weight.x * map_color_of(taps.texel.x) + taps.weight.y * map_color_of(taps.texel.y)
         + taps.weight.z * map_color_of(taps.texel.z) + taps.weight.w * map_color_of(taps.texel.w);
-}
-
-// How far from the centre something beyond the near part may be before the map hides it.
-fn range_limit(d: vec3<f32>) -> f32 {
-    let taps = taps_of(d, view.environment.x);
-    let farthest = max(
-        max(map_range_of(taps.texel.x), map_range_of(taps.texel.y)),
-        max(map_range_of(taps.texel.z), map_range_of(taps.texel.w)),
-    );
-    return farthest * (1.0 + BIAS);
 }

@@ -1,17 +1,17 @@
-// Where a point is shown: the morph of Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and of CloVR (2024), Alg. 1.
+// The style of the near-far method: the morph of Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, or of CloVR (2024), Alg. 1.
+//
+// Parameters: from the centre to the eye, and the tangent of two texels; r1, r2, the radius where pixels are split, and
+// 1 / (r2 - r1).
 
-const AS_IT_IS: u32 = 0u;
 const BLEND: u32 = 1u;
 const CYLINDER: u32 = 2u;
 const FROM_CENTER: u32 = 3u;
 const FROM_CENTER_ON_CYLINDER: u32 = 4u;
 
-override KIND: u32 = AS_IT_IS;
-
 // Distance from the eye along a unit direction to where it leaves the cylinder of radius rho about the centre's axis;
 // negative where it starts outside or never leaves. The larger root in the form that does not cancel.
 fn leave_cylinder(direction: vec3<f32>, rho: f32) -> f32 {
-    let start = view.offset.xz;
+    let start = view.parameters[0].xz;
     let start_rho = length(start);
     let a = dot(direction.xz, direction.xz);
     if rho <= start_rho || a == 0.0 {
@@ -32,21 +32,18 @@ fn leave_cylinder(direction: vec3<f32>, rho: f32) -> f32 {
 
 // Where a point relative to the eye is shown, relative to the eye.
 fn shown(p: vec3<f32>) -> vec3<f32> {
-    if KIND == AS_IT_IS {
-        return p;
-    }
-    let from_center = p + view.offset.xyz;
-    if KIND == FROM_CENTER || KIND == FROM_CENTER_ON_CYLINDER {
+    let from_center = p + view.parameters[0].xyz;
+    if STYLE == FROM_CENTER || STYLE == FROM_CENTER_ON_CYLINDER {
         return from_center;
     }
     let rho = length(from_center.xz);
-    if rho <= view.radii.x {
+    if rho <= view.parameters[1].x {
         return p;
     }
-    if rho >= view.radii.y && KIND == BLEND {
+    if rho >= view.parameters[1].y && STYLE == BLEND {
         return from_center;
     }
-    let w = clamp((view.radii.y - rho) * view.radii.w, 0.0, 1.0);
+    let w = clamp((view.parameters[1].y - rho) * view.parameters[1].w, 0.0, 1.0);
     let by_user = length(p);
     let by_center = length(from_center);
     let user_direction = p / max(by_user, 1e-30);
@@ -57,7 +54,7 @@ fn shown(p: vec3<f32>) -> vec3<f32> {
         direction = mixed / size;
     }
     var distance = w * by_user + (1.0 - w) * by_center;
-    if KIND == CYLINDER {
+    if STYLE == CYLINDER {
         let exit = leave_cylinder(direction, rho);
         if exit >= 0.0 {
             distance = exit;
@@ -67,10 +64,18 @@ fn shown(p: vec3<f32>) -> vec3<f32> {
 }
 
 // How far away the user is shown what the centre sees at a distance beyond r2.
-fn far_distance(direction: vec3<f32>, from_center: f32) -> f32 {
-    if (KIND != CYLINDER && KIND != FROM_CENTER_ON_CYLINDER) || from_center > 1e30 {
+fn backdrop_range(direction: vec3<f32>, from_center: f32) -> f32 {
+    if (STYLE != CYLINDER && STYLE != FROM_CENTER_ON_CYLINDER) || from_center > 1e30 {
         return from_center;
     }
     let exit = leave_cylinder(direction, from_center * length(direction.xz));
     return select(from_center, exit, exit >= 0.0);
+}
+
+// A surface that is drawn as far away as it is from the centre is shown as far away as the cylinder says.
+fn shown_range(direction: vec3<f32>, range: f32) -> f32 {
+    if STYLE == FROM_CENTER_ON_CYLINDER {
+        return backdrop_range(direction, range);
+    }
+    return range;
 }

@@ -1,20 +1,14 @@
 // Which face each pixel shows: a record and a face of its part. All else is computed once for each pixel afterwards.
 
-const WHOLE: u32 = 0u;
-const WITHIN: u32 = 1u;
-const BEYOND: u32 = 2u;
-const OVERLAPPING: u32 = 3u;
-
-// Which fragments are drawn, by their distance from the centre's axis.
-override SPLIT: u32 = WHOLE;
-// Fragments behind the map's range are not.
-override HIDDEN: bool = false;
-// Holes of cut-out materials are not.
+// The variant of the cut, and whether it reads the face's normal.
+override CUT: u32 = 0u;
+override FACE_NORMALS: bool = false;
+// Holes of cut-out materials are not drawn.
 override CUTOUT: bool = false;
 
 @group(0) @binding(6) var<storage, read> order: array<u32>;
 
-// What a vertex of a triangle is called and where it is shown.
+// A vertex of a triangle: its record, and where it is and is shown.
 struct Corner {
     local: u32,
     record: Record,
@@ -83,9 +77,9 @@ fn plain_fragment_with_depth(in: Plain) -> WithDepth {
 struct Vertex {
     @builtin(position) position: vec4<f32>,
     @location(0) @interpolate(flat) id: vec2<u32>,
-    // Before the morph, from the centre.
-    @location(1) from_center: vec3<f32>,
-    // After it, from the eye.
+    // As the cut says.
+    @location(1) place: vec3<f32>,
+    // Where it is shown, from the eye.
     @location(2) from_eye: vec3<f32>,
     @location(3) @interpolate(flat) normal: vec3<f32>,
     @location(4) uv: vec2<f32>,
@@ -99,9 +93,9 @@ fn vertex(@builtin(vertex_index) number: u32, @builtin(instance_index) instance:
     var out: Vertex;
     out.position = corner.position;
     out.id = id_of(corner.local, number);
-    out.from_center = corner.p + view.offset.xyz;
+    out.place = cut_place(corner.p);
     out.from_eye = corner.q;
-    if SPLIT == OVERLAPPING {
+    if FACE_NORMALS {
         let face = number / 3u;
         let a = seen_from_eye(corner.record, part, corner_number(part, face, 0u));
         let b = seen_from_eye(corner.record, part, corner_number(part, face, 1u));
@@ -121,32 +115,8 @@ fn vertex(@builtin(vertex_index) number: u32, @builtin(instance_index) instance:
     return out;
 }
 
-// How much the distance from the axis grows along a surface when the direction from the centre turns by two texels.
-fn reach(from_center: vec3<f32>, normal: vec3<f32>) -> f32 {
-    let direction = normalize(from_center);
-    let flat_part = vec3<f32>(direction.x, 0.0, direction.z);
-    let away = flat_part / max(length(flat_part), 1e-30);
-    let slant = dot(away, direction) / dot(normal, direction);
-    return length(away - normal * slant) * length(from_center) * view.offset.w;
-}
-
 fn is_drawn(in: Vertex) -> bool {
-    let rho = length(in.from_center.xz);
-    var drawn = true;
-    if SPLIT == WITHIN {
-        drawn = rho <= view.radii.z;
-    }
-    if SPLIT == BEYOND {
-        drawn = rho > view.radii.z;
-    }
-    if SPLIT == OVERLAPPING {
-        drawn = rho >= view.radii.z || rho + reach(in.from_center, in.normal) >= view.radii.z;
-    }
-    if HIDDEN {
-        let distance = length(in.from_eye);
-        let direction = in.from_eye / distance;
-        drawn = drawn && distance <= far_distance(direction, range_limit(direction));
-    }
+    var drawn = is_kept(in.place, in.from_eye, in.normal);
     if CUTOUT {
         drawn = drawn && is_solid(in);
     }

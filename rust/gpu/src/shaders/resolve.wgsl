@@ -36,7 +36,7 @@ struct Surface {
     at: vec2<f32>,
     // Along the ray.
     range: f32,
-    // From the eye, before the morph.
+    // From the eye, where it is.
     point: vec3<f32>,
     // Towards the viewer.
     normal: vec3<f32>,
@@ -219,9 +219,7 @@ fn resolve(@builtin(global_invocation_id) pixel: vec3<u32>) {
 
 fn store_surface(number: u32, id: vec2<u32>, surface: Surface, ray: Ray) {
     if view.outputs.y != NONE {
-        // What is drawn as far away as it is from the centre is shown as far away as the cylinder says.
-        let shown_range = select(surface.range, far_distance(ray.direction, surface.range), KIND == FROM_CENTER_ON_CYLINDER);
-        store(view.outputs.y + number, shown_range);
+        store(view.outputs.y + number, shown_range(ray.direction, surface.range));
     }
     if view.outputs.z != NONE {
         output[view.outputs.z + 2u * number] = id.x;
@@ -235,7 +233,7 @@ fn store_surface(number: u32, id: vec2<u32>, surface: Surface, ray: Ray) {
     }
 }
 
-// What a pixel without a face shows: the map's range, and its texel in place of a face.
+// A pixel without a face: the map's range, and the number of its texel in place of a face.
 fn store_miss(number: u32, ray: Ray) {
     let infinite = bitcast<f32>(0x7f800000u + view.window.w * 0u);
     let nan = bitcast<f32>(0x7fc00000u + view.window.w * 0u);
@@ -248,7 +246,7 @@ fn store_miss(number: u32, ray: Ray) {
         }
     }
     if view.outputs.y != NONE {
-        store(view.outputs.y + number, far_distance(ray.direction, range));
+        store(view.outputs.y + number, backdrop_range(ray.direction, range));
     }
     if view.outputs.z != NONE {
         output[view.outputs.z + 2u * number] = NONE;
@@ -257,7 +255,7 @@ fn store_miss(number: u32, ray: Ray) {
     if view.outputs.w != NONE {
         var point = vec3<f32>(nan);
         if range < 1e30 {
-            point = view.eye.xyz - view.offset.xyz + range * ray.direction;
+            point = view.eye.xyz - view.backdrop.xyz + range * ray.direction;
         }
         store_3(view.outputs.w + 3u * number, point);
     }

@@ -8,10 +8,8 @@ struct Pass {
     clip_w: vec4<f32>,
     // The eye relative to the scene's origin; w: distance of the near plane, 0 for parallel rays.
     eye: vec4<f32>,
-    // From the centre to the eye; w: tangent of two texels, by which far geometry reaches inside the radius.
-    offset: vec4<f32>,
-    // r1, r2, the radius where pixels are split, 1 / (r2 - r1).
-    radii: vec4<f32>,
+    // From where the environment map was taken to the eye.
+    backdrop: vec4<f32>,
     // Where the ray of pixel (0, 0) starts relative to the eye, and its change from pixel to pixel.
     start: vec4<f32>,
     start_x: vec4<f32>,
@@ -20,7 +18,7 @@ struct Pass {
     direction: vec4<f32>,
     direction_x: vec4<f32>,
     direction_y: vec4<f32>,
-    // What of the three is finer than a grid on which sums are exact.
+    // The remainders of the three, finer than a grid on which sums are exact.
     rest: vec4<f32>,
     rest_x: vec4<f32>,
     rest_y: vec4<f32>,
@@ -34,6 +32,8 @@ struct Pass {
     outputs: vec4<u32>,
     // First word of normals.
     more_outputs: vec4<u32>,
+    // Numbers that the style and the cut read.
+    parameters: array<vec4<f32>, 4>,
 }
 
 struct Record {
@@ -94,6 +94,8 @@ const NONE: u32 = 0xffffffffu;
 @group(1) @binding(0) var<uniform> view: Pass;
 @group(1) @binding(1) var<uniform> batch: Batch;
 
+// The variant of the style.
+override STYLE: u32 = 0u;
 // All faces belong to one record, which the batch tells: nothing is looked up.
 override SINGLE: bool = false;
 

@@ -1,4 +1,4 @@
-//! An environment map as texels: colour, and range where the map has it. Texels are numbered as the map's are.
+//! An environment map as texels: colour, and range where the map has it. Texels have the map's numbers.
 
 use half::f16;
 use nearfar_core::base::Result;
@@ -10,7 +10,7 @@ use super::Texels;
 use super::materials::half_rgba;
 use crate::device::Device;
 
-/// A map on the device.
+/// An environment map on the device.
 pub(crate) struct EnvTexels {
     pub size: u32,
     pub color: Texels,
@@ -27,7 +27,7 @@ impl EnvTexels {
         let texels =
             Texels::new(device, "map's range", TextureFormat::R32Float, 4, range.map_or(0, |r| r.len() as u64))?;
         if let Some(map) = map {
-            // A few rows at a time: a copy of the whole would double what a large map takes.
+            // A few rows at a time: a copy of the whole would double the memory of a large map.
             let rows = 1usize << color.shift.max(20);
             for (n, part) in map.color.chunks(rows).enumerate() {
                 let halves: Vec<[f16; 4]> = part.par_iter().map(|&rgb| half_rgba(rgb)).collect();

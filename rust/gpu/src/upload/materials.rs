@@ -13,7 +13,7 @@ use crate::device::Device;
 /// Words of a material and of a texture in their tables.
 const MATERIAL_WORDS: usize = 8;
 const TEXTURE_WORDS: usize = 8;
-/// A material without a texture.
+/// The texture number of a material without a texture.
 const NONE: u32 = u32::MAX;
 
 /// Materials and textures of a scene.
@@ -27,7 +27,7 @@ pub(crate) struct MaterialTable {
 
 impl MaterialTable {
     pub fn new(device: &Device, scene: &Scene) -> Result<Self> {
-        // The last one is for faces that have none.
+        // The last material is for faces that have none.
         let materials: Vec<u32> =
             scene.materials.iter().chain([&Material::default()]).flat_map(material_words).collect();
         let has_cutouts = scene.has_cutouts();
@@ -85,7 +85,8 @@ fn levels_size(texture: &Texture) -> u64 {
     sum
 }
 
-/// The image itself in steps of 1/65535 of linear light, with its alpha: at the darkest codes a fortieth of a step.
+/// The image itself in steps of 1/65535 of linear light, with its alpha: a fortieth of the step between the darkest
+/// codes.
 fn push_finest(texture: &Texture, all: &mut Vec<[u16; 4]>) {
     let linear = linear_from_srgb().map(|x| (x * 65535.0 + 0.5) as u16);
     let texel = |&[r, g, b, a]: &[u8; 4]| {
@@ -101,7 +102,7 @@ fn push_coarser(texture: &Texture, cutout: bool, all: &mut Vec<[u16; 4]>) {
     }
 }
 
-/// Linear light as half floats; what is brighter than they reach stays the brightest of them.
+/// Linear light as half floats, clamped to their greatest finite value.
 pub(super) fn half_rgba([r, g, b]: [f32; 3]) -> [f16; 4] {
     let half = |x: f32| f16::from_f32(x.min(65504.0));
     [half(r), half(g), half(b), f16::ONE]

@@ -1,4 +1,4 @@
-//! What lies on the device between frames: meshes by their identity, materials and textures, instances as transforms.
+//! Scenes on the device between frames: meshes by their identity, materials and textures, instances as transforms.
 
 mod environment;
 mod materials;
@@ -12,6 +12,6 @@ mod texels;
 pub(crate) use environment::EnvTexels;
 pub(crate) use pages::{CHUNK, Page};
 pub(crate) use records::{RECORD_WORDS, Records};
-pub(crate) use residents::{Nothing, Residents};
+pub(crate) use residents::{Placeholders, Residents};
 pub(crate) use tables::{InstanceParts, PART_WORDS, SceneTables};
 pub(crate) use texels::Texels;

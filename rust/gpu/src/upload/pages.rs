@@ -1,5 +1,5 @@
-//! Meshes as words in pages: buffers no larger than what one pass may bind. Small meshes share a page, large ones are
-//! cut into runs of faces that each bring their vertices along. Pages have room for meshes that come later.
+//! Meshes as words in pages: buffers no larger than one binding. Small meshes share a page; large ones are cut into
+//! runs of faces, each with its vertices. Pages have room for meshes that come later.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -10,11 +10,11 @@ use rayon::prelude::*;
 use wgpu::BufferUsages;
 
 use super::shelf::Shelf;
-use crate::device::{Device, Scope, Written};
+use crate::device::{Counted, Device, Scope};
 
-/// Consecutive faces that are culled together.
+/// Number of consecutive faces that are culled together.
 pub(crate) const CHUNK: usize = 4096;
-/// No such attribute.
+/// Place of an attribute that a mesh lacks.
 pub(crate) const NONE: u32 = u32::MAX;
 /// Bytes of a word.
 const WORD: u64 = 4;
@@ -23,7 +23,7 @@ const WORD: u64 = 4;
 #[derive(Debug)]
 pub(crate) struct Page {
     pub buffer: wgpu::Buffer,
-    /// Tells pages apart in sets.
+    /// Identity of the page.
     pub number: u64,
 }
 
@@ -41,6 +41,9 @@ pub(crate) struct Part {
     /// Boxes of `CHUNK` faces each, in the mesh's frame.
     pub chunks: Arc<[Aabb]>,
 }
+
+/// A mesh's parts, in order of faces.
+pub(crate) type Parts = Arc<Vec<Part>>;
 
 /// Faces of a mesh and the vertices that they lie among.
 struct Run<'a> {
@@ -65,7 +68,7 @@ impl Run<'_> {
         }
     }
 
-    /// Where its arrays begin, counted from its own beginning, and how many words they are.
+    /// First words of its arrays, counted from its own first word, and the number of words.
     fn layout(&self) -> ([u32; 6], u64) {
         let (vertices, faces) = (self.vertices.len() as u32, self.faces.len() as u32);
         let mut at = 3 * vertices + 3 * faces;
@@ -105,7 +108,7 @@ impl Run<'_> {
     }
 }
 
-/// Puts meshes into pages, those with room first. One list of parts for each mesh, in order of faces.
+/// Writes meshes to pages, first to those with room. Returns a list of parts for each mesh, in order of faces.
 pub(crate) fn pack(device: &Device, meshes: &[Arc<Mesh>], shelf: &Shelf<Page>) -> Result<Vec<Vec<Part>>> {
     let limit = device.largest_binding() / WORD;
     let own: Vec<Option<Vec<Arc<Mesh>>>> = meshes.iter().map(|mesh| gathered(mesh, limit)).collect();
@@ -175,11 +178,11 @@ fn place(
         page.buffer.unmap();
         shelf.put(&page, words, size);
     }
-    device.count(Written::UploadedBytes, words * WORD);
+    device.count(Counted::UploadedBytes, words * WORD);
     Ok(())
 }
 
-/// Hands out the bytes of runs, one after the other from a word of a page on, and lists their parts.
+/// Calls `put` with the bytes of each run, one after the other from the word `start` of a page, and lists their parts.
 fn write(
     runs: &[(usize, u32, Run<'_>)],
     page: &Arc<Page>,
@@ -218,7 +221,8 @@ fn chunk_boxes(run: &Run<'_>) -> Arc<[Aabb]> {
     faces.par_chunks(CHUNK).map(of_chunk).collect::<Vec<_>>().into()
 }
 
-/// Runs of faces that each fit into a page with the span of vertices that they use; none where spans are too wide.
+/// Runs of faces that each fit into a page together with the vertices between their least and greatest one; none where
+/// those are too many.
 fn runs_of(mesh: &Mesh, limit: u64) -> Option<Vec<Run<'_>>> {
     let whole = Run { mesh, faces: 0..mesh.faces.len(), vertices: 0..mesh.positions.len() };
     if mesh.faces.is_empty() {
@@ -242,13 +246,12 @@ fn runs_of(mesh: &Mesh, limit: u64) -> Option<Vec<Run<'_>>> {
     })
 }
 
-/// The mesh as several with vertices of their own, where its faces use vertices from all over it; none where that is
-/// not needed.
+/// The mesh as several with vertices of their own, where `runs_of` finds none; none where it finds some.
 fn gathered(mesh: &Arc<Mesh>, limit: u64) -> Option<Vec<Arc<Mesh>>> {
     if runs_of(mesh, limit).is_some() {
         return None;
     }
-    // A face brings three vertices at most, with all attributes: 3 × (3 + 2 + 1 + 3) + 4 words.
+    // A face has at most three vertices of its own, with all attributes: 3 × (3 + 2 + 1 + 3) + 4 words.
     let each = (limit / 31).max(1) as usize;
     let faces = 0..mesh.faces.len() as u32;
     let starts: Vec<u32> = faces.clone().step_by(each).collect();
@@ -264,7 +267,8 @@ mod tests {
     use super::*;
     use nearfar_core::base::random;
 
-    /// A strip of triangles, each between a vertex and the next two, or between any three. Normals repeat the positions.
+    /// A strip of triangles, each between a vertex and the next two, or between any three. Normals repeat the
+    /// positions.
     fn mesh(faces: u32, scattered: bool) -> Arc<Mesh> {
         let count = faces + 2;
         let positions: Vec<[f32; 3]> = (0..count).map(|i| [i as f32, 0.0, (i % 2) as f32]).collect();

@@ -10,10 +10,10 @@ use crate::device::Device;
 
 /// Words of a record: three rows of a matrix mesh→scene, and the part.
 pub(crate) const RECORD_WORDS: usize = 16;
-/// Where among them the part stands.
+/// Place of the part among them.
 pub(super) const PART_WORD: usize = 12;
 
-/// Records of instances that never move, as many as one pass may bind.
+/// Records of instances that never move, no more than fit into one binding.
 pub(crate) struct Records {
     pub buffer: Arc<wgpu::Buffer>,
     /// First record of the set.
@@ -22,7 +22,7 @@ pub(crate) struct Records {
 }
 
 impl Records {
-    /// Sends records in as many buffers as their number asks for.
+    /// Sends records in as many buffers as they need.
     pub fn standing(device: &Device, words: &[u32]) -> Result<Vec<Self>> {
         let most = device.largest_binding() as usize / (4 * RECORD_WORDS);
         let mut first = 0;

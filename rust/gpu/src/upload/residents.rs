@@ -1,4 +1,4 @@
-//! Which meshes lie on the device already, by their identity; those that nobody holds any more are let go.
+//! Meshes and scenes that lie on the device, by their identity; those that are no longer referenced are dropped.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
@@ -8,18 +8,15 @@ use nearfar_core::base::Result;
 use nearfar_core::scene::{Material, Mesh, Scene, Texture};
 use wgpu::BufferUsages;
 
+use super::environment::EnvTexels;
 use super::materials::MaterialTable;
-use super::pages::{Part, pack};
+use super::pages::{Page, Parts, pack};
 use super::shelf::Shelf;
 use super::tables::{Key, SceneTables};
-use super::{EnvTexels, Page};
 use crate::device::Device;
 
-/// A mesh's parts.
-pub(crate) type Parts = Arc<Vec<Part>>;
-
-/// Scenes whose tables are kept: objects that move make a new one for each choice of those between the radii.
-const KEPT: usize = 64;
+/// Scenes whose tables are kept at most: moving objects can make a new scene for each pose.
+const MAX_SCENES: usize = 64;
 
 /// Lists of materials and textures.
 type MaterialKey = (Weak<Vec<Material>>, Weak<Vec<Texture>>);
@@ -29,11 +26,11 @@ type MaterialKey = (Weak<Vec<Material>>, Weak<Vec<Texture>>);
 pub(crate) struct Residents {
     known: Mutex<Known>,
     shelf: Shelf<Page>,
-    nothing: Mutex<Option<Arc<Nothing>>>,
+    placeholders: Mutex<Option<Arc<Placeholders>>>,
 }
 
 impl Known {
-    /// Lets go of what nobody holds any more.
+    /// Drops tables whose scenes, meshes or materials no longer exist.
     fn purge(&mut self) {
         self.scenes.retain(|(key, _)| key.is_alive());
         self.meshes.retain(|_, (mesh, _)| mesh.strong_count() > 0);
@@ -49,7 +46,7 @@ impl Known {
         self.materials.iter().find(|(key, _)| is_of(key)).map(|(_, table)| Arc::clone(table))
     }
 
-    /// A scene's tables, which are then the last that are let go.
+    /// A scene's tables, which then are the last to be dropped.
     fn tables_of(&mut self, scene: &Scene) -> Option<Arc<SceneTables>> {
         let found = self.scenes.iter().position(|(key, _)| key.is_of(scene))?;
         let entry = self.scenes.remove(found);
@@ -59,7 +56,7 @@ impl Known {
     }
 
     fn keep(&mut self, scene: &Scene, tables: &Arc<SceneTables>) {
-        if self.scenes.len() == KEPT {
+        if self.scenes.len() == MAX_SCENES {
             self.scenes.remove(0);
         }
         self.scenes.push((Key::of(scene), Arc::clone(tables)));
@@ -74,8 +71,8 @@ impl Known {
     }
 }
 
-/// What stands in where nothing is drawn or looked up.
-pub(crate) struct Nothing {
+/// Empty tables and maps, bound where nothing is drawn or looked up.
+pub(crate) struct Placeholders {
     pub tables: Arc<SceneTables>,
     pub page: Page,
     pub map: EnvTexels,
@@ -90,10 +87,10 @@ struct Known {
 }
 
 impl Residents {
-    /// A scene's tables: those of any pose of it, whose meshes are the same. What is missing is sent.
+    /// A scene's tables, shared by all of its poses. Meshes and materials that the device lacks are sent.
     ///
-    /// Nothing is locked while work is shared out: a thread that waits for its share may take up another frame. Two
-    /// frames that send the same at once keep what came first.
+    /// No lock is held during parallel work: a thread that waits inside rayon may run another frame, which needs the
+    /// same lock. Where two frames send the same at once, the first result is kept.
     pub fn scene(&self, device: &Device, scene: &Scene) -> Result<Arc<SceneTables>> {
         device.check()?;
         let missing = {
@@ -144,21 +141,21 @@ impl Residents {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// What stands in where nothing is.
-    pub fn nothing(&self, device: &Device) -> Result<Arc<Nothing>> {
-        let mut known = self.nothing.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(nothing) = &*known {
-            return Ok(Arc::clone(nothing));
+    /// The device's placeholders.
+    pub fn placeholders(&self, device: &Device) -> Result<Arc<Placeholders>> {
+        let mut known = self.placeholders.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(made) = &*known {
+            return Ok(Arc::clone(made));
         }
         let empty = Scene::new(DVec3::ZERO, Vec::new(), Vec::new(), Arc::default(), Arc::default())?;
         let materials = Arc::new(MaterialTable::new(device, &empty)?);
-        let nothing = Arc::new(Nothing {
+        let made = Arc::new(Placeholders {
             tables: Arc::new(SceneTables::new(device, &empty, materials, |_| Parts::default())?),
             page: Page { buffer: device.buffer("page", 0, BufferUsages::STORAGE)?, number: u64::from(u32::MAX) },
             map: EnvTexels::new(device, None)?,
         });
-        *known = Some(Arc::clone(&nothing));
-        Ok(nothing)
+        *known = Some(Arc::clone(&made));
+        Ok(made)
     }
 }
 

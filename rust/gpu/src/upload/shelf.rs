@@ -1,16 +1,15 @@
-//! Room that is left in pages, so that meshes which come later share one: each page that a frame shows is resolved by
-//! a pass over the whole picture.
+//! Free room in pages, so that meshes that come later share one: each visible page costs a pass over the whole picture.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
 /// Words of room that a page has at most beyond what it begins with: 16 MiB.
-const ROOM: u64 = 1 << 22;
+const MAX_ROOM_WORDS: u64 = 1 << 22;
 
-/// And at least, but for pages as large as they may be: 4 MiB.
-const LEAST: u64 = 1 << 20;
+/// Words of room that it has at least, but for pages as large as they may be: 4 MiB.
+const MIN_ROOM_WORDS: u64 = 1 << 20;
 
-/// The page with room, which lives as long as something in it is held.
+/// The page with room, which lives as long as a mesh in it is referenced.
 pub(crate) struct Shelf<P> {
     pages: AtomicU64,
     open: Mutex<Open<P>>,
@@ -47,11 +46,11 @@ impl<P> Shelf<P> {
     /// Words of a new page that begins with some: as many again, or all the room where meshes came before, so that few
     /// pages hold many meshes. Large pages have no room: a small mesh that came later would keep all of one.
     pub fn size_of_new(&self, words: u64, limit: u64) -> u64 {
-        if words > ROOM {
+        if words > MAX_ROOM_WORDS {
             return words;
         }
         let is_first = self.open().page.strong_count() == 0;
-        let room = if is_first { words.clamp(LEAST, ROOM) } else { ROOM };
+        let room = if is_first { words.clamp(MIN_ROOM_WORDS, MAX_ROOM_WORDS) } else { MAX_ROOM_WORDS };
         (words + room).min(limit.max(words))
     }
 
@@ -79,7 +78,7 @@ mod tests {
         for words in sizes {
             if shelf.take(words).is_none() {
                 let (page, size) = (Arc::new(()), shelf.size_of_new(words, limit));
-                assert!((words..=limit).contains(&size) && size <= words + ROOM);
+                assert!((words..=limit).contains(&size) && size <= words + MAX_ROOM_WORDS);
                 shelf.put(&page, words, size);
                 pages.push(page);
             }
@@ -90,8 +89,8 @@ mod tests {
     #[test]
     fn many_small_meshes_share_few_pages() {
         assert!(pages_of((0..1000).map(|n| 500 + n), 1 << 25).len() <= 2);
-        assert_eq!(pages_of((0..50).map(|_| ROOM), ROOM).len(), 50);
-        assert_eq!(pages_of([ROOM + 1, 1, 1, ROOM + 1, 1].into_iter(), 1 << 25).len(), 3);
+        assert_eq!(pages_of((0..50).map(|_| MAX_ROOM_WORDS), MAX_ROOM_WORDS).len(), 50);
+        assert_eq!(pages_of([MAX_ROOM_WORDS + 1, 1, 1, MAX_ROOM_WORDS + 1, 1].into_iter(), 1 << 25).len(), 3);
     }
 
     #[test]

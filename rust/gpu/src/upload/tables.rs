@@ -7,17 +7,15 @@ use nearfar_core::base::Result;
 use nearfar_core::scene::{Instance, InstanceSet, Material, Mesh, Scene, Texture};
 use wgpu::BufferUsages;
 
-use super::Records;
 use super::materials::MaterialTable;
-use super::pages::Part;
-use super::records::{PART_WORD, RECORD_WORDS, record_words};
-use super::residents::Parts;
+use super::pages::{Part, Parts};
+use super::records::{PART_WORD, RECORD_WORDS, Records, record_words};
 use crate::device::Device;
 
 /// Words of a part in its table.
 pub(crate) const PART_WORDS: usize = 8;
 
-/// What a scene's tables follow from; poses of moving instances are not in them.
+/// Parts of a scene that its tables are made from; poses of moving instances are not in them.
 pub(super) struct Key {
     standing: Weak<InstanceSet>,
     materials: Weak<Vec<Material>>,
@@ -51,7 +49,7 @@ impl Key {
     }
 }
 
-/// Where an instance's parts stand in its set's records.
+/// An instance's parts and their records in its set.
 #[derive(Clone, Debug)]
 pub(crate) struct InstanceParts {
     /// First record; one for each part, in order.
@@ -62,8 +60,8 @@ pub(crate) struct InstanceParts {
 /// The instances of a set, standing or moving.
 pub(crate) struct SetTables {
     pub instances: Vec<InstanceParts>,
-    /// Number of a set's instance and first face of the part, for each record.
-    pub sources: Arc<Vec<(u32, u32)>>,
+    /// For each record, the number of its instance in the set and the first face of its part.
+    pub record_faces: Arc<Vec<(u32, u32)>>,
     /// Part number of each record.
     parts: Vec<u32>,
 }
@@ -77,9 +75,9 @@ pub(crate) struct SceneTables {
     /// Table of all parts.
     pub parts: wgpu::Buffer,
     part_words: Vec<u32>,
-    /// Some mesh has colours of its vertices.
+    /// Some mesh has vertex colours.
     pub colored: bool,
-    /// Some mesh has normals of its vertices.
+    /// Some mesh has vertex normals.
     pub smooth: bool,
     pub materials: Arc<MaterialTable>,
 }
@@ -119,17 +117,17 @@ impl SceneTables {
 
 impl SetTables {
     fn new(instances: &[Instance], number_of: &mut impl FnMut(&Arc<Mesh>) -> (u32, Parts)) -> Self {
-        let (mut placed, mut sources, mut numbers) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut placed, mut record_faces, mut numbers) = (Vec::new(), Vec::new(), Vec::new());
         for (number, instance) in instances.iter().enumerate() {
             let (first, parts) = number_of(&instance.mesh);
-            let first_record = sources.len() as u32;
+            let first_record = record_faces.len() as u32;
             for (i, part) in parts.iter().enumerate() {
-                sources.push((number as u32, part.first_face));
+                record_faces.push((number as u32, part.first_face));
                 numbers.push(first + i as u32);
             }
             placed.push(InstanceParts { first_record, parts });
         }
-        Self { instances: placed, sources: Arc::new(sources), parts: numbers }
+        Self { instances: placed, record_faces: Arc::new(record_faces), parts: numbers }
     }
 
     /// Records of all instances in their present poses.
@@ -139,7 +137,7 @@ impl SetTables {
 
     /// One of them.
     pub fn record(&self, instances: &[Instance], record: usize) -> [u32; RECORD_WORDS] {
-        record_words(&instances[self.sources[record].0 as usize], self.parts[record])
+        record_words(&instances[self.record_faces[record].0 as usize], self.parts[record])
     }
 }
 

@@ -9,7 +9,7 @@ use wgpu::{
     TextureView, TextureViewDescriptor, TextureViewDimension,
 };
 
-use crate::device::{Device, Written};
+use crate::device::{Counted, Device};
 
 /// Texels by number, of one format.
 pub(crate) struct Texels {
@@ -91,6 +91,6 @@ impl Texels {
             rest = &rest[size..];
             at += width * height;
         }
-        device.count(Written::UploadedBytes, data.len() as u64);
+        device.count(Counted::UploadedBytes, data.len() as u64);
     }
 }

@@ -1,0 +1,56 @@
+//! State that other modules keep on a device between frames, one value of each type, so that a device knows none of
+//! them.
+
+use std::any::Any;
+use std::sync::OnceLock;
+
+/// A list that only grows: values are made on first use and stay where they are, so that no lock is held while they are
+/// used.
+#[derive(Default)]
+pub(super) struct Extensions(OnceLock<Box<Extension>>);
+
+struct Extension {
+    value: Box<dyn Any + Send + Sync>,
+    rest: Extensions,
+}
+
+impl Extensions {
+    /// The value of a type.
+    pub fn get<T: Default + Send + Sync + 'static>(&self) -> &T {
+        let mut rest = self;
+        loop {
+            // Another thread may have made a value of another type here meanwhile: then the next place is looked at.
+            let make = || Box::new(Extension { value: Box::<T>::default(), rest: Extensions::default() });
+            let extension = rest.0.get_or_init(make);
+            if let Some(value) = extension.value.downcast_ref() {
+                return value;
+            }
+            rest = &extension.rest;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+    use std::thread;
+
+    use super::Extensions;
+
+    #[test]
+    fn threads_share_one_value_of_each_type() {
+        let extensions = Extensions::default();
+        thread::scope(|scope| {
+            for _ in 0..8 {
+                scope.spawn(|| {
+                    for _ in 0..100 {
+                        extensions.get::<AtomicU32>().fetch_add(1, Ordering::Relaxed);
+                        extensions.get::<AtomicU64>().fetch_add(2, Ordering::Relaxed);
+                    }
+                });
+            }
+        });
+        assert_eq!(extensions.get::<AtomicU32>().load(Ordering::Relaxed), 800);
+        assert_eq!(extensions.get::<AtomicU64>().load(Ordering::Relaxed), 1600);
+    }
+}

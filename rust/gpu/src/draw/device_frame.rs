@@ -1,0 +1,151 @@
+//! A frame that stays on the device: kernels read it there, and it is copied to the processor on request.
+
+use std::sync::atomic::Ordering;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use glam::DVec3;
+use nearfar_core::base::{Error, Progress, Result};
+use nearfar_core::camera::Camera;
+use nearfar_core::render::{Channels, Frame};
+use wgpu::PollType;
+
+use super::job::Job;
+use super::picture::Picture;
+use super::read;
+use super::slots::Slots;
+use super::submitted::Submitted;
+use crate::device::Device;
+
+/// A frame's images on the device. Its slot is used again once it is dropped.
+pub struct DeviceFrame {
+    device: Arc<Device>,
+    picture: Picture,
+    camera: Camera,
+    channels: Channels,
+    submitted: Option<Submitted>,
+}
+
+/// A device's lock of its frames.
+#[derive(Default)]
+struct Alone(Mutex<()>);
+
+/// A channel's place in a buffer.
+pub(crate) struct Section<'a> {
+    pub buffer: &'a wgpu::Buffer,
+    /// Its first word.
+    pub first: u32,
+}
+
+impl Job {
+    /// Leaves the frame on the device without waiting: kernels that read it come after it in the queue.
+    pub fn keep(mut self, progress: &Progress) -> Result<DeviceFrame> {
+        let is_whole = self.waiting.is_empty() && self.submitted.len() == 1;
+        let Some(submitted) = self.submitted.pop_front().filter(|_| is_whole) else {
+            return Err(self.too_large());
+        };
+        // The output was asked for in case it is read; kernels can't read it while it is open to the processor.
+        submitted.slot.readable().unmap();
+        progress.report(submitted.window.pixels() as u64)?;
+        let Self { device, picture, camera, channels, .. } = self;
+        Ok(DeviceFrame { device, picture, camera, channels, submitted: Some(submitted) })
+    }
+
+    fn too_large(&self) -> Error {
+        let (per_pixel, side) = self.limits;
+        let (label, most) = (self.device.report().label(), self.device.largest_binding() / per_pixel.max(1));
+        let Camera { width, height, .. } = self.camera;
+        Error::Device(format!(
+            "{label}: {width} × {height} pixels can't stay on it, {most} in these channels and {side} each way can; \
+             use a smaller size, fewer channels, or backend='cpu'"
+        ))
+    }
+}
+
+impl DeviceFrame {
+    /// The device that holds it.
+    pub fn device(&self) -> &Arc<Device> {
+        &self.device
+    }
+
+    /// The camera that took it.
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// World position that points are relative to.
+    pub fn origin(&self) -> DVec3 {
+        self.picture.origin
+    }
+
+    /// Its images, copied to the processor.
+    pub fn read(&self, progress: &Progress) -> Result<Frame> {
+        let submitted = self.submitted()?;
+        let pixels = submitted.window.pixels();
+        progress.expect(pixels as u64);
+        let mut frame = Frame::new(self.channels, pixels)?;
+        read::fill(&self.words(submitted, progress)?, submitted, &self.picture, self.camera.width, &mut frame);
+        progress.report(pixels as u64)?;
+        Ok(frame)
+    }
+
+    /// A lock that is held while a frame is open to the processor, and while work that reads one is submitted: never
+    /// both at a time.
+    pub(crate) fn alone(&self) -> MutexGuard<'_, ()> {
+        self.device.state::<Alone>().0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The output's words, copied by this thread alone: a thread that waits inside rayon may run another task, which
+    /// may need the same lock.
+    fn words(&self, submitted: &Submitted, progress: &Progress) -> Result<Vec<u32>> {
+        let (readable, room) = (submitted.slot.readable(), submitted.slot.shape.bytes.next_multiple_of(8));
+        let _alone = self.alone();
+        self.device.open_buffer(readable, room, wgpu::MapMode::Read, progress)?;
+        let words = match readable.get_mapped_range(..room) {
+            Ok(view) => {
+                let mut words = vec![0; view.len() / size_of::<u32>()];
+                bytemuck::cast_slice_mut(&mut words).copy_from_slice(&view);
+                Ok(words)
+            }
+            Err(error) => Err(self.device.failure(&error)),
+        };
+        readable.unmap();
+        words
+    }
+
+    /// Linear colour, three words for each pixel.
+    pub(crate) fn color(&self) -> Result<Section<'_>> {
+        self.section(0, "color")
+    }
+
+    /// Points relative to the origin, three words for each pixel.
+    pub(crate) fn position(&self) -> Result<Section<'_>> {
+        self.section(3, "position")
+    }
+
+    fn section(&self, channel: usize, name: &str) -> Result<Section<'_>> {
+        let submitted = self.submitted()?;
+        match submitted.outputs[channel] {
+            u32::MAX => Err(Error::value("frame", format!("one with {name}"), "one without")),
+            first => Ok(Section { buffer: &submitted.slot.output, first }),
+        }
+    }
+
+    fn submitted(&self) -> Result<&Submitted> {
+        self.device.check()?;
+        self.submitted.as_ref().ok_or_else(|| self.device.failure(&"a frame without a slot"))
+    }
+}
+
+impl Drop for DeviceFrame {
+    fn drop(&mut self) {
+        let Some(submitted) = self.submitted.take() else { return };
+        // Answers come with a poll.
+        let polled = self.device.wgpu.poll(PollType::Poll);
+        let [opened, refused] = [0, 1].map(|i: usize| submitted.opened[i].load(Ordering::Acquire));
+        // Of the two that were asked for, the output was closed again, and may have been so before it was open. The
+        // inputs must be open for the next frame.
+        if polled.is_ok() && !self.device.is_lost() && opened > 0 && opened + refused == 2 {
+            self.device.state::<Slots>().give_back(submitted.slot);
+        }
+    }
+}

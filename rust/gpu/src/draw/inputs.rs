@@ -1,0 +1,96 @@
+//! Numbers that shaders read for a frame. Only those that differ from the last frame's are sent.
+
+use nearfar_core::base::Result;
+use wgpu::{BufferUsages, MapMode};
+
+use crate::device::{Counted, Device};
+
+/// Bytes that offsets of uniform blocks are multiples of.
+pub(super) const BLOCK: usize = 256;
+
+/// A frame's numbers for shaders: uniform blocks, records of moving instances and the order of records.
+#[derive(Default)]
+pub(super) struct ShaderInputs {
+    /// The buffer on the device, and the mapped one that changes pass through.
+    buffers: Option<(wgpu::Buffer, wgpu::Buffer)>,
+    /// Bytes that the device has already.
+    on_device: Vec<u8>,
+}
+
+impl ShaderInputs {
+    /// Sends the bytes that differ from the last frame's.
+    pub fn send(&mut self, device: &Device, encoder: &mut wgpu::CommandEncoder, bytes: Vec<u8>) -> Result<()> {
+        let size = (bytes.len() as u64).next_multiple_of(BLOCK as u64).next_power_of_two();
+        if self.buffers.as_ref().is_none_or(|(buffer, _)| buffer.size() < size) {
+            let usage = BufferUsages::UNIFORM | BufferUsages::STORAGE | BufferUsages::COPY_DST;
+            let buffer = device.buffer("inputs", size, usage)?;
+            let staging = device.mapped_buffer("changes", size, BufferUsages::MAP_WRITE | BufferUsages::COPY_SRC)?;
+            self.buffers = Some((buffer, staging));
+            self.on_device.clear();
+        }
+        let Some((buffer, staging)) = &self.buffers else { return Ok(()) };
+        let changed = changes(&self.on_device, &bytes);
+        if !changed.is_empty() {
+            let view = staging.get_mapped_range_mut(..bytes.len().next_multiple_of(8) as u64);
+            let mut view = view.map_err(|error| device.failure(&error))?;
+            for range in &changed {
+                view.slice(range.clone()).copy_from_slice(&bytes[range.clone()]);
+            }
+        }
+        staging.unmap();
+        for range in changed {
+            let (start, length) = (range.start as u64, range.len() as u64);
+            encoder.copy_buffer_to_buffer(staging, start, buffer, start, length);
+            device.count(Counted::UploadedBytes, length);
+        }
+        self.on_device = bytes;
+        Ok(())
+    }
+
+    /// The buffer on the device.
+    pub fn buffer(&self) -> Option<&wgpu::Buffer> {
+        self.buffers.as_ref().map(|(buffer, _)| buffer)
+    }
+
+    /// Asks for the mapped buffer to be open again once the device has finished; the answer comes with its next poll.
+    pub fn reopen(&self, answer: impl FnOnce(bool) + Send + 'static) {
+        match &self.buffers {
+            Some((_, staging)) => staging.map_async(MapMode::Write, .., move |result| answer(result.is_ok())),
+            None => answer(true),
+        }
+    }
+}
+
+/// Runs of pieces that differ.
+fn changes(before: &[u8], bytes: &[u8]) -> Vec<std::ops::Range<usize>> {
+    const PIECE_BYTES: usize = 16;
+    let mut runs: Vec<std::ops::Range<usize>> = Vec::new();
+    for start in (0..bytes.len()).step_by(PIECE_BYTES) {
+        let end = (start + PIECE_BYTES).min(bytes.len());
+        if before.get(start..end) == Some(&bytes[start..end]) {
+            continue;
+        }
+        match runs.last_mut() {
+            Some(run) if run.end == start => run.end = end,
+            _ => runs.push(start..end),
+        }
+    }
+    runs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::changes;
+
+    #[test]
+    fn only_what_changed_is_sent() {
+        let before = vec![0u8; 100];
+        assert_eq!(changes(&before, &before), []);
+        assert_eq!(changes(&[], &before).first(), Some(&(0..100)));
+        let mut bytes = before.clone();
+        bytes[17] = 1;
+        bytes[40] = 1;
+        bytes[99] = 1;
+        assert_eq!(changes(&before, &bytes), [16..48, 96..100]);
+    }
+}

@@ -1,0 +1,205 @@
+//! A frame's batches: the draw calls of each, and the blocks of numbers that shaders read for them.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use bytemuck::{Pod, Zeroable};
+
+use super::cull::Frustum;
+use super::inputs::BLOCK;
+use super::layers::{Layer, Set};
+use super::picture::Picture;
+use super::visible::{Drawn, Visible};
+use crate::upload::{PART_WORDS, Page, RECORD_WORDS, Records};
+
+/// The uniform block `Batch` of `scene.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+struct BatchBlock {
+    records: [u32; 4],
+    shifts: [u32; 4],
+    record: [u32; RECORD_WORDS],
+    part: [u32; PART_WORDS],
+}
+
+/// The place of a batch's records.
+#[derive(Clone)]
+pub(super) enum RecordsAt {
+    /// In a buffer of their own.
+    Buffer(Arc<wgpu::Buffer>),
+    /// Among the frame's inputs.
+    Inputs(Range<usize>),
+}
+
+/// Triangles of one page that one batch of a layer's records places.
+pub(super) struct Group {
+    pub layer: usize,
+    pub page: Arc<Page>,
+    pub records: RecordsAt,
+    pub calls: Vec<Call>,
+    /// Where its uniform block stands among the inputs.
+    pub block: usize,
+    /// All pixels of its batch show one record.
+    pub single: bool,
+}
+
+/// A draw call.
+pub(super) struct Call {
+    pub vertices: Range<u32>,
+    /// Places in the order of records; unused where the block has the only record.
+    pub instances: Range<u32>,
+    /// Where a uniform block with the call's part and first record stands among the inputs.
+    pub block: usize,
+    /// The first record is the only one.
+    pub single: bool,
+}
+
+/// Consecutive records of one layer and their numbers in the frame.
+#[derive(Clone, Debug)]
+pub(super) struct Numbering {
+    pub layer: usize,
+    /// Its first number in the frame.
+    pub first: u32,
+    pub count: u32,
+    /// Its first record in the layer's set.
+    pub first_in_set: u32,
+}
+
+/// All that a frame draws, and its inputs.
+pub(super) struct Plan {
+    pub groups: Vec<Group>,
+    pub numbering: Vec<Numbering>,
+    /// Bytes that shaders read; blocks of passes stand first.
+    pub inputs: Vec<u8>,
+    /// Where the block of a batch without records stands among them: it resolves pixels that show nothing.
+    pub empty: usize,
+    /// The order of records, among the inputs.
+    pub order: Range<usize>,
+    pub triangles: u64,
+}
+
+impl Plan {
+    /// Plans the visible part of the layers; the inputs begin with room for the blocks of `passes` passes.
+    pub fn new(picture: &Picture, frustum: impl Fn(&Layer) -> Option<Frustum>, passes: usize) -> Self {
+        let empty = passes * BLOCK * PASS_BLOCKS;
+        let mut plan = Self {
+            groups: Vec::new(),
+            numbering: Vec::new(),
+            inputs: vec![0; empty],
+            empty,
+            order: 0..0,
+            triangles: 0,
+        };
+        let nothing = BatchBlock { records: [0, 0, u32::MAX, 1], ..BatchBlock::zeroed() };
+        plan.inputs.extend_from_slice(bytemuck::bytes_of(&nothing));
+        let mut order: Vec<u32> = Vec::new();
+        for (number, layer) in picture.layers.iter().enumerate() {
+            plan.add(number, layer, frustum(layer).as_ref(), &mut order);
+        }
+        plan.let_first_write(picture);
+        plan.align();
+        let start = plan.inputs.len();
+        order.push(0);
+        plan.inputs.extend_from_slice(bytemuck::cast_slice(&order));
+        plan.order = start..plan.inputs.len();
+        plan
+    }
+
+    fn add(&mut self, number: usize, layer: &Layer, frustum: Option<&Frustum>, order: &mut Vec<u32>) {
+        let (set, instances) = match layer.set {
+            Set::Standing => (&layer.tables.standing, layer.scene.standing.instances()),
+            Set::Moving => (&layer.tables.moving, layer.scene.moving.instances()),
+        };
+        let batches: Vec<(RecordsAt, u32, u32)> = match layer.set {
+            Set::Standing => {
+                let one = |r: &Records| (RecordsAt::Buffer(Arc::clone(&r.buffer)), r.first, r.count);
+                layer.tables.records.iter().map(one).collect()
+            }
+            Set::Moving if instances.is_empty() => Vec::new(),
+            Set::Moving => {
+                self.align();
+                let (words, start) = (set.record_words(instances), self.inputs.len());
+                self.inputs.extend_from_slice(bytemuck::cast_slice(&words));
+                let count = (words.len() / RECORD_WORDS) as u32;
+                vec![(RecordsAt::Inputs(start..self.inputs.len()), 0, count)]
+            }
+        };
+        let mut visible = Visible::new(instances, &set.instances, frustum);
+        for (records, first_in_set, count) in batches {
+            let first = self.numbering.last().map_or(0, |last| last.first + last.count);
+            self.numbering.push(Numbering { layer: number, first, count, first_in_set });
+            let range = first_in_set..first_in_set + count;
+            for (page, draws) in visible.remove_within(&range) {
+                self.push(number, layer, (page, records.clone()), (first, count, first_in_set), draws, order);
+            }
+        }
+    }
+
+    fn push(
+        &mut self,
+        layer_number: usize,
+        layer: &Layer,
+        (page, records): (Arc<Page>, RecordsAt),
+        (first, count, first_in_set): (u32, u32, u32),
+        draws: Vec<Drawn>,
+        order: &mut Vec<u32>,
+    ) {
+        let shift = layer.tables.materials.texels.shift;
+        let block = BatchBlock {
+            records: [first, count, page.number as u32, 0],
+            shifts: [shift, 0, 0, 0],
+            record: [0; RECORD_WORDS],
+            part: [0; PART_WORDS],
+        };
+        let push_first = |plan: &mut Self, local: u32| {
+            let record = layer.record(first_in_set + local);
+            let part = layer.tables.part_of(&record);
+            plan.push_block(&BatchBlock { shifts: [shift, local, 0, 0], record, part, ..block })
+        };
+        let at = if count == 1 { push_first(self, 0) } else { self.push_block(&block) };
+        let (mut calls, mut last) = (Vec::with_capacity(draws.len()), None);
+        for Drawn { vertices, records } in draws {
+            self.triangles += u64::from(vertices.end - vertices.start) / 3 * records.len() as u64;
+            // All records of a call place one part. Looking it up for every vertex takes longer than sending it once.
+            let known =
+                if count == 1 { Some(at) } else { last.filter(|(first, _)| *first == records[0]).map(|(_, at)| at) };
+            let block = known.unwrap_or_else(|| push_first(self, records[0]));
+            last = Some((records[0], block));
+            let single = records.len() == 1;
+            let start = order.len() as u32;
+            order.extend(records.iter().filter(|_| !single));
+            let instances = if single { 0..1 } else { start..order.len() as u32 };
+            calls.push(Call { vertices, instances, block, single });
+        }
+        self.groups.push(Group { layer: layer_number, page, records, calls, block: at, single: count == 1 });
+    }
+
+    fn push_block(&mut self, block: &BatchBlock) -> usize {
+        self.align();
+        let at = self.inputs.len();
+        self.inputs.extend_from_slice(bytemuck::bytes_of(block));
+        at
+    }
+
+    /// Lets the first batch resolve pixels that show nothing too, where its style is the backdrop's.
+    fn let_first_write(&mut self, picture: &Picture) {
+        if let Some(first) =
+            self.groups.first().filter(|first| picture.layers[first.layer].style == picture.backdrop_style)
+        {
+            let flag = first.block + 3 * size_of::<u32>();
+            self.inputs[flag..flag + size_of::<u32>()].copy_from_slice(bytemuck::bytes_of(&1u32));
+        }
+    }
+
+    /// True where pixels that show nothing need a batch of their own.
+    pub fn needs_empty(&self, picture: &Picture) -> bool {
+        self.groups.first().is_none_or(|first| picture.layers[first.layer].style != picture.backdrop_style)
+    }
+
+    fn align(&mut self) {
+        self.inputs.resize(self.inputs.len().next_multiple_of(BLOCK), 0);
+    }
+}
+
+/// Blocks that a pass takes.
+pub(super) const PASS_BLOCKS: usize = 2;

@@ -1,0 +1,78 @@
+//! Draw calls of the visible instances and runs of faces.
+
+use std::collections::{BTreeMap, HashMap};
+use std::ops::Range;
+use std::sync::Arc;
+
+use nearfar_core::scene::{Aabb, Instance};
+
+use super::cull::Frustum;
+use crate::upload::{CHUNK, InstanceParts, Page};
+
+/// Vertices of a part and the records, in their batch, that place them.
+pub(super) struct Drawn {
+    pub vertices: Range<u32>,
+    pub records: Vec<u32>,
+}
+
+/// The visible part of a set: draws by record and part.
+pub(super) struct Visible {
+    /// Records of each part and run of vertices, in order of their first appearance.
+    calls: Vec<(Arc<Page>, Range<u32>, Vec<u32>)>,
+}
+
+impl Visible {
+    /// Instances of a set and runs of their faces that a frustum sees; all of them without one.
+    pub fn new(instances: &[Instance], placed: &[InstanceParts], frustum: Option<&Frustum>) -> Self {
+        let sees = |bounds: &Aabb| frustum.is_none_or(|frustum| frustum.sees(bounds));
+        let mut calls: Vec<(Arc<Page>, Range<u32>, Vec<u32>)> = Vec::new();
+        // Whole parts of meshes that are placed many times are drawn with one call.
+        let mut whole: HashMap<(u64, u32), usize> = HashMap::new();
+        for (instance, InstanceParts { first_record, parts }) in instances.iter().zip(placed) {
+            if instance.mesh.faces.is_empty() || !sees(&instance.bounds) {
+                continue;
+            }
+            for (i, part) in parts.iter().enumerate() {
+                let record = first_record + i as u32;
+                let end = 3 * part.face_count;
+                if part.chunks.len() == 1 {
+                    let call = *whole.entry((part.page.number, part.words[1])).or_insert_with(|| {
+                        calls.push((Arc::clone(&part.page), 0..end, Vec::new()));
+                        calls.len() - 1
+                    });
+                    calls[call].2.push(record);
+                    continue;
+                }
+                let mut run: Option<Range<u32>> = None;
+                for (n, bounds) in part.chunks.iter().enumerate() {
+                    let placed = if instance.in_place { *bounds } else { bounds.transformed(&instance.to_scene) };
+                    let start = (3 * n * CHUNK) as u32;
+                    let stop = end.min(start + (3 * CHUNK) as u32);
+                    match (&mut run, sees(&placed)) {
+                        (Some(run), true) if run.end == start => run.end = stop,
+                        (_, true) => {
+                            let before = run.replace(start..stop);
+                            calls.extend(before.map(|run| (Arc::clone(&part.page), run, vec![record])));
+                        }
+                        _ => {}
+                    }
+                }
+                calls.extend(run.map(|run| (Arc::clone(&part.page), run, vec![record])));
+            }
+        }
+        Self { calls }
+    }
+
+    /// Draws of the records in a range, page by page, their records counted from the range's start.
+    pub fn remove_within(&mut self, range: &Range<u32>) -> Vec<(Arc<Page>, Vec<Drawn>)> {
+        let mut pages: BTreeMap<u64, (Arc<Page>, Vec<Drawn>)> = BTreeMap::new();
+        for (page, vertices, records) in &mut self.calls {
+            let mine: Vec<u32> = records.iter().filter(|r| range.contains(r)).map(|r| r - range.start).collect();
+            if !mine.is_empty() {
+                let drawn = Drawn { vertices: vertices.clone(), records: mine };
+                pages.entry(page.number).or_insert_with(|| (Arc::clone(page), Vec::new())).1.push(drawn);
+            }
+        }
+        pages.into_values().collect()
+    }
+}

@@ -1,0 +1,109 @@
+//! The near–far method in shaders: styles that morph points, and cuts at the radii of its zones.
+
+use glam::DVec3;
+use nearfar_core::morph::Kind;
+
+use crate::draw::{Cut, Displacement, Parameters, Snippet, Style};
+
+const MORPH: &str = include_str!("../shaders/morph.wgsl");
+const ZONES: &str = include_str!("../shaders/zones.wgsl");
+
+/// Where points are shown: variants of `morph.wgsl`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Shown {
+    /// Where they are.
+    AsItIs = 0,
+    /// Morphed by the blend of 2022.
+    Blend = 1,
+    /// Morphed by CloVR's cylinder.
+    Cylinder = 2,
+    /// As the centre sees them: moved by the user's offset from it.
+    FromCenter = 3,
+    /// The same, but as far away as they are shown by CloVR's cylinder.
+    FromCenterOnCylinder = 4,
+}
+
+impl From<Kind> for Shown {
+    fn from(kind: Kind) -> Self {
+        match kind {
+            Kind::Blend => Self::Blend,
+            Kind::Cylinder => Self::Cylinder,
+        }
+    }
+}
+
+impl Shown {
+    /// The style of a layer.
+    pub fn style(self) -> Style {
+        match self {
+            Self::AsItIs => Style::PLAIN,
+            _ => Style(Snippet { name: "morph", text: MORPH, variant: self as u32 }),
+        }
+    }
+
+    /// How far points are moved for a user at an offset from the centre; none where that has no bound.
+    pub fn displacement(self, offset: DVec3, r1: f64) -> Option<Displacement> {
+        match self {
+            Self::AsItIs => Some(Displacement::NONE),
+            Self::FromCenter | Self::FromCenterOnCylinder => Some(Displacement { shift: offset, slack: 0.0 }),
+            // Points move at most by the user's offset, where user and centre don't see them in opposite directions.
+            Self::Blend if offset.length() < r1 => {
+                Some(Displacement { shift: DVec3::ZERO, slack: 2.0 * offset.length() })
+            }
+            Self::Blend | Self::Cylinder => None,
+        }
+    }
+}
+
+/// Fragments by their distance from the centre's axis: variants of `zones.wgsl`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Zone {
+    /// All.
+    Whole = 0,
+    /// Those within the radius.
+    Within = 1,
+    /// Those beyond it.
+    Beyond = 2,
+    /// Those beyond it that the map's range does not hide.
+    BeyondAndUnhidden = 3,
+    /// Those beyond it, and as much within as two texels of a map reach.
+    Overlapping = 4,
+}
+
+impl Zone {
+    /// The cut of a layer.
+    pub fn cut(self) -> Cut {
+        match self {
+            Self::Whole => Cut::NONE,
+            _ => Cut {
+                snippet: Snippet { name: "zones", text: ZONES, variant: self as u32 },
+                face_normals: self == Self::Overlapping,
+            },
+        }
+    }
+}
+
+/// Lengths that define the zones.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NearFar {
+    /// The user's position relative to the centre O.
+    pub offset: DVec3,
+    /// r₁ and r₂.
+    pub radii: [f64; 2],
+    /// Radius where pixels are split.
+    pub split: f64,
+    /// Tangent of two texels of the map, for `Zone::Overlapping`.
+    pub two_texels: f64,
+}
+
+impl NearFar {
+    /// As `morph.wgsl` and `zones.wgsl` read them.
+    pub fn parameters(&self) -> Parameters {
+        let [r1, r2] = self.radii;
+        let slope = if r2 > r1 { 1.0 / (r2 - r1) } else { 0.0 };
+        let mut parameters = Parameters::default();
+        parameters[0] = self.offset.as_vec3().extend(self.two_texels as f32).to_array();
+        parameters[1] = [r1, r2, self.split, slope].map(|x| x as f32);
+        parameters
+    }
+}

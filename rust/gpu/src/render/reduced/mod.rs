@@ -1,0 +1,7 @@
+//! Reduced scenes: near geometry, morphed by the vertex shader, before an environment map.
+
+mod near;
+mod picture;
+mod renderer;
+
+pub use renderer::Reduced;

@@ -1,0 +1,198 @@
+//! Near triangles as two meshes: those that no morph changes, and those that it bends, split finely enough for it.
+//! Moving instances are placed by their transforms; those between the radii whose edges are too long are split.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use glam::{DAffine3, DVec3, Vec3};
+use nearfar_core::base::{Progress, Result};
+use nearfar_core::morph::Kind;
+use nearfar_core::partition::Partition;
+use nearfar_core::scene::{Instance, InstanceSet, Scene};
+use nearfar_core::tessellate::{Precision, Rule, Settings, needs_split, split_scene};
+
+use crate::draw::Sources;
+
+/// Splits that are kept: a user who walks to and fro across a step finds both.
+const MAX_SPLITS: usize = 3;
+/// Share of r₁ within which the error of a user's picture has a bound: 0.6, less how far triangles may pass r₁.
+const MAX_BOUNDED_REACH: f64 = 0.59;
+/// Share of r₂ by which a point may miss a radius and still count as lying on it: more than rounding by a splitting
+/// rule.
+const RADIUS_TOLERANCE: f64 = 1.0 / 8192.0;
+
+/// Near geometry of a reduced scene.
+pub(super) struct Near {
+    /// Triangles with all corners inside the radius.
+    pub fixed: Geometry,
+    /// The other triangles, as they are in the scene.
+    bending: Geometry,
+    /// The other triangles after splitting, the last used at the end.
+    split: Mutex<Vec<(Cause, Bent)>>,
+    /// Instances that move and were split, in their last poses.
+    moved: Mutex<Option<Moved>>,
+    /// No standing instances, for layers of moving objects.
+    no_instances: Arc<InstanceSet>,
+    center: DVec3,
+    radii: [f64; 2],
+}
+
+/// Triangles to be drawn, and the faces that they were made from.
+#[derive(Clone)]
+pub(super) struct Geometry {
+    /// One standing mesh.
+    pub scene: Scene,
+    pub sources: Arc<Sources>,
+}
+
+/// Standing triangles that the morph bends.
+#[derive(Clone)]
+pub(super) struct Bent {
+    pub geometry: Geometry,
+    /// The rule that split them.
+    pub rule: Option<Arc<Rule>>,
+}
+
+/// Moving objects as they are drawn.
+pub(super) struct Moving {
+    /// Placed by transforms.
+    pub placed: Geometry,
+    /// Split where they stand now.
+    pub split: Option<Geometry>,
+}
+
+struct Moved {
+    rule: Arc<Rule>,
+    poses: Vec<(u32, DAffine3)>,
+    geometry: Geometry,
+}
+
+/// The causes of a split: reach and tolerance in steps of √2, so that it stays while users move their heads.
+type Cause = (i32, i32, Kind);
+
+impl Near {
+    /// Sorts the near triangles by whether they lie inside a radius.
+    pub fn gather(partition: &Partition, radius: f64) -> Result<Self> {
+        let scene = partition.scene();
+        let center = partition.center() - scene.origin;
+        let standing = scene.standing.instances().len() as u32;
+        let least = radius - partition.r2() * RADIUS_TOLERANCE;
+        let inside = |&(instance, face): &(u32, u32)| {
+            let rho = |p: Vec3| (f64::from(p.x) - center.x).hypot(f64::from(p.z) - center.z);
+            scene.instance(instance).corners(face).into_iter().all(|corner| rho(corner) < least)
+        };
+        let nsf = partition.nsf().take_while(|&(instance, _)| instance < standing);
+        let (fixed, bending): (Vec<_>, Vec<_>) = nsf.partition(inside);
+        Ok(Self {
+            fixed: Geometry::of(scene, fixed)?,
+            bending: Geometry::of(scene, bending)?,
+            split: Mutex::default(),
+            moved: Mutex::default(),
+            no_instances: Arc::default(),
+            center,
+            radii: [partition.r1(), partition.r2()],
+        })
+    }
+
+    /// Triangles that the morph bends, as they are.
+    pub fn unsplit(&self) -> Bent {
+        Bent { geometry: self.bending.clone(), rule: None }
+    }
+
+    /// Triangles that the morph bends, split for a user this far from the centre and a tolerance in radians.
+    pub fn split(&self, reach: f64, tolerance: f64, kind: Kind, progress: &Progress) -> Result<Bent> {
+        let [r1, r2] = self.radii;
+        // The next step outwards, and the next finer tolerance.
+        let unit = r1.max(r2 / 16.0);
+        let steps = (2.0 * (reach / unit).log2()).ceil().clamp(-40.0, 40.0);
+        let finer = (2.0 * tolerance.log2()).floor().clamp(-80.0, 80.0);
+        let cause = (steps as i32, finer as i32, kind);
+        if let Some(bent) = self.known_split(&cause) {
+            return Ok(bent);
+        }
+        let outwards = unit * (steps / 2.0).exp2();
+        let reach =
+            if reach <= MAX_BOUNDED_REACH * r1 { outwards.min(MAX_BOUNDED_REACH * r1) } else { outwards.max(reach) };
+        let settings =
+            Settings { center: self.center, r1, r2, reach, tolerance: (finer / 2.0).exp2().min(tolerance), kind };
+        let rule = Rule::new(&settings, Precision::Single)?;
+        let (scene, _) = split_scene(&self.bending.scene, &rule, progress)?;
+        let geometry = Geometry { scene, sources: Arc::clone(&self.bending.sources) };
+        let bent = Bent { geometry, rule: Some(Arc::new(rule)) };
+        let mut known = self.split.lock().unwrap_or_else(PoisonError::into_inner);
+        if known.len() == MAX_SPLITS {
+            known.remove(0);
+        }
+        known.push((cause, bent.clone()));
+        Ok(bent)
+    }
+
+    /// No lock is held during parallel work: a thread that waits inside rayon may run another frame, which needs the
+    /// same.
+    fn known_split(&self, cause: &Cause) -> Option<Bent> {
+        let mut known = self.split.lock().unwrap_or_else(PoisonError::into_inner);
+        let found = known.iter().position(|(other, _)| other == cause)?;
+        let entry = known.remove(found);
+        let bent = entry.1.clone();
+        known.push(entry);
+        Some(bent)
+    }
+
+    /// Moving objects in a pose of the scene; a rule says which edges are too long.
+    pub fn moving(&self, scene: &Scene, rule: Option<&Arc<Rule>>, progress: &Progress) -> Result<Moving> {
+        let first = scene.standing.instances().len() as u32;
+        let all = scene.moving.instances().iter().enumerate().map(|(n, instance)| (first + n as u32, instance));
+        let is_long = |instance: &Instance| rule.is_some_and(|rule| needs_split(instance, rule));
+        let (long, short): (Vec<_>, Vec<_>) = all.partition(|(_, instance)| is_long(instance));
+        let placed = Scene {
+            standing: Arc::clone(&self.no_instances),
+            moving: Arc::new(InstanceSet::new(short.iter().map(|(_, instance)| (*instance).clone()).collect())),
+            ..scene.clone()
+        };
+        let moving = short.iter().map(|(number, _)| *number).collect();
+        let sources = Arc::new(Sources { scene: scene.clone(), faces: Vec::new(), moving });
+        let split = match rule {
+            Some(rule) if !long.is_empty() => Some(self.moved(scene, rule, &long, progress)?),
+            _ => None,
+        };
+        Ok(Moving { placed: Geometry { scene: placed, sources }, split })
+    }
+
+    /// Moving instances as standing geometry, split in their present poses.
+    fn moved(
+        &self,
+        scene: &Scene,
+        rule: &Arc<Rule>,
+        long: &[(u32, &Instance)],
+        progress: &Progress,
+    ) -> Result<Geometry> {
+        let poses: Vec<(u32, DAffine3)> = long.iter().map(|(number, instance)| (*number, instance.to_scene)).collect();
+        let is_same = |moved: &&Moved| Arc::ptr_eq(&moved.rule, rule) && moved.poses == poses;
+        let last = || self.moved.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(geometry) = last().as_ref().filter(is_same).map(|moved| moved.geometry.clone()) {
+            return Ok(geometry);
+        }
+        let faces = long.iter().flat_map(|(number, instance)| {
+            let number = *number;
+            (0..instance.mesh.faces.len() as u32).map(move |face| (number, face))
+        });
+        let whole = Geometry::of(scene, faces.collect())?;
+        let geometry = Geometry { scene: split_scene(&whole.scene, rule, progress)?.0, sources: whole.sources };
+        *last() = Some(Moved { rule: Arc::clone(rule), poses, geometry: geometry.clone() });
+        Ok(geometry)
+    }
+
+    /// Triangles that stand and are drawn.
+    pub fn triangle_count(&self, bent: &Bent) -> u64 {
+        (self.fixed.scene.triangle_count() + bent.geometry.scene.triangle_count()) as u64
+    }
+}
+
+impl Geometry {
+    fn of(scene: &Scene, faces: Vec<(u32, u32)>) -> Result<Self> {
+        let mesh = scene.gathered(&faces)?;
+        let instance = Instance::new(Arc::new(mesh), DAffine3::IDENTITY, None)?;
+        let (materials, textures) = (Arc::clone(&scene.materials), Arc::clone(&scene.textures));
+        let own = Scene::new(scene.origin, vec![instance], Vec::new(), materials, textures)?;
+        Ok(Self { scene: own, sources: Arc::new(Sources { scene: scene.clone(), faces, moving: Vec::new() }) })
+    }
+}

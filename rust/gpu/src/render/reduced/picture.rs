@@ -1,0 +1,94 @@
+//! Layers of a reduced frame: objects beyond the near part, then the near part, which covers them.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+use nearfar_core::base::Result;
+use nearfar_core::cubemap::EnvironmentMap;
+use nearfar_core::morph::Kind;
+use nearfar_core::scene::Scene;
+
+use super::near::{Geometry, Moving};
+use crate::device::Device;
+use crate::draw::{Backdrop, Layer, Picture, Set};
+use crate::render::near_far::{NearFar, Shown, Zone};
+use crate::upload::{EnvTexels, Residents};
+
+/// A reduced scene as a user sees it.
+pub(super) struct View<'a> {
+    /// The scene that was reduced, its moving objects in a pose.
+    pub scene: &'a Scene,
+    /// The centre relative to the scene's origin.
+    pub center: DVec3,
+    pub near_far: NearFar,
+    /// How points are morphed; none where they are shown where they are.
+    pub kind: Option<Kind>,
+    /// Near triangles that no morph changes, those that it bends, and those that move.
+    pub near: [&'a Geometry; 2],
+    pub moving: &'a Moving,
+    pub map: Option<&'a EnvironmentMap>,
+    /// The map on the device, where the far part is taken from it.
+    pub texels: Option<Arc<EnvTexels>>,
+    /// False where the far part is drawn from the centre instead of taken from the map.
+    pub mapped: bool,
+}
+
+impl View<'_> {
+    /// The frame's layers before the map.
+    pub fn picture(&self, device: &Device) -> Result<Picture> {
+        let near = self.kind.map_or(Shown::AsItIs, Shown::from);
+        let beyond = if self.kind == Some(Kind::Cylinder) { Shown::FromCenterOnCylinder } else { Shown::FromCenter };
+        let mut layers = Vec::new();
+        let covered_far = !self.mapped && self.map.is_some();
+        if covered_far {
+            let standing = Scene { moving: Arc::default(), ..self.scene.clone() };
+            layers.push(self.layer(device, &standing, Set::Standing, beyond, Zone::Beyond)?);
+        }
+        let split = self.moving.split.iter().map(|split| (split, Set::Standing));
+        let movers = split.chain([(&self.moving.placed, Set::Moving)]);
+        let movers: Vec<_> = movers.filter(|(geometry, _)| geometry.scene.triangle_count() > 0).collect();
+        let has_range = self.texels.as_ref().is_some_and(|texels| texels.has_range);
+        let zone = if has_range { Zone::BeyondAndUnhidden } else { Zone::Beyond };
+        // Morphed vertices on both sides of r₂, so that nothing gapes where triangles cross it. Without a map, what
+        // stands is drawn as far away as it is from the centre, so what moves is too.
+        let moved = if self.kind.is_none() || covered_far { beyond } else { near };
+        for (geometry, set) in &movers {
+            layers.push(self.near_layer(device, geometry, *set, moved, zone)?);
+        }
+        let covers = !layers.is_empty();
+        let [fixed, bending] = self.near;
+        let first = self.near_layer(device, fixed, Set::Standing, Shown::AsItIs, Zone::Whole)?;
+        layers.push(Layer { covers, ..first });
+        layers.push(self.near_layer(device, bending, Set::Standing, near, Zone::Within)?);
+        for (geometry, set) in &movers {
+            layers.push(self.near_layer(device, geometry, *set, near, Zone::Within)?);
+        }
+        let backdrop = |texels: &Arc<EnvTexels>| Backdrop {
+            texels: Arc::clone(texels),
+            objects: self.map.and_then(|map| map.object_id.clone()),
+            center: self.center,
+        };
+        let missed = if beyond == Shown::FromCenterOnCylinder { beyond } else { Shown::AsItIs };
+        Ok(Picture {
+            parameters: self.near_far.parameters(),
+            backdrop: self.texels.as_ref().map(backdrop),
+            backdrop_style: missed.style(),
+            ..Picture::plain(layers, self.scene.origin)
+        })
+    }
+
+    fn layer(&self, device: &Device, scene: &Scene, set: Set, shown: Shown, zone: Zone) -> Result<Layer> {
+        let tables = device.state::<Residents>().scene(device, scene)?;
+        Ok(Layer {
+            style: shown.style(),
+            cut: zone.cut(),
+            displacement: shown.displacement(self.near_far.offset, self.near_far.radii[0]),
+            ..Layer::plain(scene.clone(), tables, set)
+        })
+    }
+
+    fn near_layer(&self, device: &Device, geometry: &Geometry, set: Set, shown: Shown, zone: Zone) -> Result<Layer> {
+        let layer = self.layer(device, &geometry.scene, set, shown, zone)?;
+        Ok(Layer { sources: Some(Arc::clone(&geometry.sources)), ..layer })
+    }
+}

@@ -1,0 +1,131 @@
+//! Frames of a reduced scene.
+
+use std::sync::{Arc, Mutex, PoisonError, Weak};
+
+use glam::DVec3;
+use nearfar_core::base::{Error, Progress, Result};
+use nearfar_core::camera::Camera;
+use nearfar_core::cubemap::EnvironmentMap;
+use nearfar_core::morph::{Kind, Morph};
+use nearfar_core::partition::Partition;
+use nearfar_core::render::reduced::{self, Drawing, FrameCounts, Join, Method};
+use nearfar_core::scene::{Instance, Scene};
+
+use super::near::{Geometry, Near};
+use super::picture::View;
+use crate::device::Device;
+use crate::draw::Job;
+use crate::render::near_far::NearFar;
+use crate::upload::EnvTexels;
+
+/// The near part of a reduced scene as devices draw it, and its map on the last device.
+pub struct Reduced {
+    near: Near,
+    join: Join,
+    center: DVec3,
+    radii: [f64; 2],
+    map: Option<EnvironmentMap>,
+    /// The map on the device that drew last.
+    texels: Mutex<Option<(Weak<Device>, Arc<EnvTexels>)>>,
+}
+
+impl Reduced {
+    /// Gathers the near part of a scene that was reduced; nothing is sent before it is drawn.
+    pub fn new(partition: &Partition, reduced: &reduced::Reduced) -> Result<Self> {
+        let radii = [partition.r1(), partition.r2()];
+        let inside = match reduced.join() {
+            Join::Morph(_) => radii[0],
+            Join::Conventional { radius } => radius,
+        };
+        Ok(Self {
+            near: Near::gather(partition, inside)?,
+            join: reduced.join(),
+            center: partition.center() - partition.scene().origin,
+            radii,
+            map: reduced.map().cloned(),
+            texels: Mutex::default(),
+        })
+    }
+
+    /// Begins a frame of the user at the camera's position. `scene` is the one that was reduced, its moving objects in
+    /// any pose; `reduced` checks the drawing and records its counts.
+    pub fn begin(
+        &self,
+        device: &Arc<Device>,
+        (reduced, scene): (&reduced::Reduced, &Scene),
+        camera: &Camera,
+        drawing: &Drawing,
+        progress: &Progress,
+    ) -> Result<Job> {
+        reduced.check(scene, camera, drawing)?;
+        if drawing.method == Method::Exact && matches!(self.join, Join::Morph(_)) {
+            let expected = "'vertex' on a graphics adapter: rays are bent by the tracer, backend='cpu'";
+            return Err(Error::value("method", expected, "'exact'"));
+        }
+        let user = camera.position - scene.origin;
+        let kind = match self.join {
+            Join::Morph(kind) if user != self.center => Some(kind),
+            _ => None,
+        };
+        let tolerance = drawing.tolerance_px * reduced.pixel_angle(camera);
+        let bent = match kind.filter(|_| tolerance.is_finite()) {
+            Some(kind) => self.near.split((user - self.center).length(), tolerance, kind, progress)?,
+            None => self.near.unsplit(),
+        };
+        let moving = self.near.moving(scene, bent.rule.as_ref(), progress)?;
+        let texels = match &self.map {
+            Some(map) if drawing.mapped => Some(self.texels(device, map)?),
+            _ => None,
+        };
+        let count = |geometry: &Geometry| geometry.scene.triangle_count() as u64;
+        let moved = count(&moving.placed) + moving.split.as_ref().map_or(0, count);
+        reduced.remember(FrameCounts {
+            triangles: self.near.triangle_count(&bent) + moved,
+            moving: moved,
+            opposed: kind.map_or(Ok(0), |kind| self.opposed(scene, user, kind, &bent.geometry.scene))?,
+            bounded: kind.is_none() || bent.rule.as_ref().is_some_and(|rule| rule.holds()),
+        });
+        let split = match self.join {
+            Join::Conventional { radius } => radius,
+            Join::Morph(_) => self.radii[1],
+        };
+        let view = View {
+            scene,
+            center: self.center,
+            near_far: NearFar { offset: user - self.center, radii: self.radii, split, two_texels: 0.0 },
+            kind,
+            near: [&self.near.fixed, &bent.geometry],
+            moving: &moving,
+            map: self.map.as_ref(),
+            texels,
+            mapped: drawing.mapped,
+        };
+        Job::begin(device, view.picture(device)?, camera, drawing.channels, drawing.samples, progress)
+    }
+
+    /// Vertices that user and centre see in opposite directions: none while the user is in the near cylinder.
+    fn opposed(&self, scene: &Scene, user: DVec3, kind: Kind, bending: &Scene) -> Result<u64> {
+        let offset = user - self.center;
+        if offset.x.hypot(offset.z) < self.radii[0] {
+            return Ok(0);
+        }
+        let morph = Morph::new(user, self.center, self.radii[0], self.radii[1], kind)?;
+        let opposed = |instance: &Instance| -> u64 {
+            let corners = (0..instance.mesh.faces.len() as u32).flat_map(|face| instance.corners(face));
+            corners.map(|corner| u64::from(morph.examine(corner.as_dvec3()).opposed)).sum()
+        };
+        Ok(bending.instances().chain(scene.moving.instances()).map(opposed).sum())
+    }
+
+    fn texels(&self, device: &Arc<Device>, map: &EnvironmentMap) -> Result<Arc<EnvTexels>> {
+        let known = || self.texels.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_here = |owner: &Weak<Device>| std::ptr::eq(owner.as_ptr(), Arc::as_ptr(device));
+        if let Some(texels) = known().as_ref().filter(|(owner, _)| is_here(owner)).map(|(_, texels)| Arc::clone(texels))
+        {
+            return Ok(texels);
+        }
+        let texels = Arc::new(EnvTexels::new(device, Some(map))?);
+        *known() = Some((Arc::downgrade(device), Arc::clone(&texels)));
+        Ok(texels)
+    }
+}

@@ -1,0 +1,78 @@
+//! Runs kernels without the interpreter: short ones in place, long ones watched for signals.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::Duration;
+
+use nearfar_core::base::{Progress, Result, pool};
+use pyo3::prelude::*;
+
+use super::errors::{from_panic, to_python};
+
+/// How often a waiting caller looks at signals and reports progress.
+const POLL_INTERVAL: Duration = Duration::from_millis(50);
+
+/// Runs a kernel of milliseconds on the pool with the interpreter released.
+pub fn short<R: Send>(py: Python<'_>, kernel: impl FnOnce() -> Result<R> + Send) -> PyResult<R> {
+    py.detach(|| catch_unwind(AssertUnwindSafe(|| pool::install(kernel).and_then(|result| result))))
+        .map_err(|payload| from_panic(payload.as_ref()))?
+        .map_err(to_python)
+}
+
+/// Runs a long kernel on the pool. Every 50 ms the calling thread polls signals and calls `report(done, total)`;
+/// an exception from either cancels the kernel and is raised once it has stopped.
+pub fn long<R: Send>(
+    py: Python<'_>,
+    report: Option<Py<PyAny>>,
+    kernel: impl FnOnce(&Progress) -> Result<R> + Send,
+) -> PyResult<R> {
+    let progress = Progress::new();
+    let (result, raised) = py.detach(|| {
+        let (sender, receiver) = channel();
+        thread::scope(|scope| {
+            let progress = &progress;
+            scope.spawn(move || {
+                let outcome =
+                    catch_unwind(AssertUnwindSafe(|| pool::install(|| kernel(progress)).and_then(|result| result)));
+                // The receiver outlives this thread: it waits for the outcome.
+                let _ = sender.send(outcome);
+            });
+            let mut raised = None;
+            let outcome = loop {
+                match receiver.recv_timeout(POLL_INTERVAL) {
+                    Ok(outcome) => break Some(outcome),
+                    Err(RecvTimeoutError::Disconnected) => break None,
+                    Err(RecvTimeoutError::Timeout) if raised.is_none() => {
+                        if let Err(error) = Python::attach(|py| look(py, report.as_ref(), progress)) {
+                            progress.cancel();
+                            raised = Some(error);
+                        }
+                    }
+                    Err(RecvTimeoutError::Timeout) => {}
+                }
+            };
+            (outcome, raised)
+        })
+    });
+    if let Some(error) = raised {
+        return Err(error);
+    }
+    match result {
+        Some(Ok(Ok(value))) => {
+            look(py, report.as_ref(), &progress)?;
+            Ok(value)
+        }
+        Some(Ok(Err(error))) => Err(to_python(error)),
+        Some(Err(payload)) => Err(from_panic(payload.as_ref())),
+        None => Err(from_panic(&"a kernel ended without an outcome")),
+    }
+}
+
+fn look(py: Python<'_>, report: Option<&Py<PyAny>>, progress: &Progress) -> PyResult<()> {
+    py.check_signals()?;
+    match report {
+        Some(report) => report.call1(py, progress.state()).map(drop),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,121 @@
+//! Bindings of `cubemap`: pictures of all directions in three layouts.
+
+use nearfar_core::base::{Error, Result};
+use nearfar_core::cubemap::{self, Grid, Layout, Number, Picture};
+use numpy::{Element, PyReadonlyArray2, PyReadwriteArray1, PyReadwriteArray2, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+
+use super::directions::{along, filter};
+use crate::convert::arrays::Points;
+use crate::convert::run;
+
+/// Layout, rows (of one face) and columns.
+pub(crate) type Shape = (String, u32, u32);
+
+fn grid((layout, height, width): &Shape) -> Result<Grid> {
+    let layout = match layout.as_str() {
+        "cube" => Layout::Cube,
+        "equirectangular" => Layout::Equirectangular,
+        "octahedral" => Layout::Octahedral,
+        _ => return Err(Error::value("layout", "'cube', 'equirectangular' or 'octahedral'", format!("'{layout}'"))),
+    };
+    Grid::new(layout, *height, *width)
+}
+
+/// Values (N, C) of a picture and those (M, C) of another one.
+#[derive(FromPyObject)]
+pub(crate) enum Pictures<'py> {
+    Single((PyReadonlyArray2<'py, f32>, PyReadwriteArray2<'py, f32>)),
+    Double((PyReadonlyArray2<'py, f64>, PyReadwriteArray2<'py, f64>)),
+}
+
+/// The same for anything that is copied, by its bytes.
+#[derive(FromPyObject)]
+pub(crate) enum PictureBits<'py> {
+    One((PyReadonlyArray2<'py, u8>, PyReadwriteArray2<'py, u8>)),
+    Two((PyReadonlyArray2<'py, u16>, PyReadwriteArray2<'py, u16>)),
+    Four((PyReadonlyArray2<'py, u32>, PyReadwriteArray2<'py, u32>)),
+    Eight((PyReadonlyArray2<'py, u64>, PyReadwriteArray2<'py, u64>)),
+}
+
+fn filtered<T: Number + Element>(
+    py: Python<'_>,
+    (values, out): &mut (PyReadonlyArray2<'_, T>, PyReadwriteArray2<'_, T>),
+    shapes: &[Shape; 2],
+    settings: (&str, u32),
+    report: Option<Py<PyAny>>,
+) -> PyResult<()> {
+    let channels = values.shape()[1];
+    let (values, out) = (values.as_slice()?, out.as_slice_mut()?);
+    run::long(py, report, |progress| {
+        let picture = Picture::new(grid(&shapes[0])?, values, channels)?;
+        cubemap::convert(picture, grid(&shapes[1])?, filter(settings.0)?, settings.1, out, progress)
+    })
+}
+
+fn copied<T: Element + Copy + Send + Sync>(
+    py: Python<'_>,
+    (values, out): &mut (PyReadonlyArray2<'_, T>, PyReadwriteArray2<'_, T>),
+    shapes: &[Shape; 2],
+    report: Option<Py<PyAny>>,
+) -> PyResult<()> {
+    let channels = values.shape()[1];
+    let (values, out) = (values.as_slice()?, out.as_slice_mut()?);
+    run::long(py, report, |progress| {
+        let picture = Picture::new(grid(&shapes[0])?, values, channels)?;
+        cubemap::convert_nearest(picture, grid(&shapes[1])?, out, progress)
+    })
+}
+
+/// Writes a picture in another layout; `shapes` are those of both.
+#[pyfunction]
+#[pyo3(signature = (pictures, shapes, *, filter, samples, report=None))]
+pub(crate) fn convert_envmap(
+    py: Python<'_>,
+    mut pictures: Pictures<'_>,
+    shapes: [Shape; 2],
+    filter: &str,
+    samples: u32,
+    report: Option<Py<PyAny>>,
+) -> PyResult<()> {
+    match &mut pictures {
+        Pictures::Single(pictures) => filtered(py, pictures, &shapes, (filter, samples), report),
+        Pictures::Double(pictures) => filtered(py, pictures, &shapes, (filter, samples), report),
+    }
+}
+
+/// The same by the nearest texel.
+#[pyfunction]
+#[pyo3(signature = (pictures, shapes, *, report=None))]
+pub(crate) fn convert_envmap_nearest(
+    py: Python<'_>,
+    mut pictures: PictureBits<'_>,
+    shapes: [Shape; 2],
+    report: Option<Py<PyAny>>,
+) -> PyResult<()> {
+    match &mut pictures {
+        PictureBits::One(pictures) => copied(py, pictures, &shapes, report),
+        PictureBits::Two(pictures) => copied(py, pictures, &shapes, report),
+        PictureBits::Four(pictures) => copied(py, pictures, &shapes, report),
+        PictureBits::Eight(pictures) => copied(py, pictures, &shapes, report),
+    }
+}
+
+/// Writes the directions (N, 3) of all texel centres.
+#[pyfunction]
+pub(crate) fn envmap_directions(py: Python<'_>, shape: Shape, mut out: PyReadwriteArray2<'_, f64>) -> PyResult<()> {
+    let rows = out.as_slice_mut()?.as_chunks_mut::<3>().0;
+    run::short(py, || cubemap::grid_directions(grid(&shape)?, rows))
+}
+
+/// Writes the number of the texel that each direction (N, 3) passes through.
+#[pyfunction]
+pub(crate) fn envmap_texels(
+    py: Python<'_>,
+    shape: Shape,
+    directions: Points<'_>,
+    mut out: PyReadwriteArray1<'_, i64>,
+) -> PyResult<()> {
+    let out = out.as_slice_mut()?;
+    along!(directions, rows => run::short(py, || cubemap::grid_texels(grid(&shape)?, rows, out)))
+}

@@ -1,0 +1,143 @@
+//! Bindings of `cubemap`: values of a cube's faces along directions, and its coarser levels.
+
+use nearfar_core::base::Error;
+use nearfar_core::cubemap::{self, Faces, Number, Reduction};
+use numpy::{Element, PyReadonlyArray4, PyReadwriteArray2, PyReadwriteArray4, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+
+use super::directions::{along, filter};
+use crate::convert::arrays::Points;
+use crate::convert::errors::to_python;
+use crate::convert::run;
+
+/// Faces (6, S, S, C) and the values (N, C) to be written, of one type.
+#[derive(FromPyObject)]
+pub(crate) enum Maps<'py> {
+    Single((PyReadonlyArray4<'py, f32>, PyReadwriteArray2<'py, f32>)),
+    Double((PyReadonlyArray4<'py, f64>, PyReadwriteArray2<'py, f64>)),
+}
+
+/// The same for anything that is copied, by its bytes.
+#[derive(FromPyObject)]
+pub(crate) enum MapBits<'py> {
+    One((PyReadonlyArray4<'py, u8>, PyReadwriteArray2<'py, u8>)),
+    Two((PyReadonlyArray4<'py, u16>, PyReadwriteArray2<'py, u16>)),
+    Four((PyReadonlyArray4<'py, u32>, PyReadwriteArray2<'py, u32>)),
+    Eight((PyReadonlyArray4<'py, u64>, PyReadwriteArray2<'py, u64>)),
+}
+
+fn faces<'a, T: Element + Copy>(array: &'a PyReadonlyArray4<'_, T>) -> PyResult<(&'a [T], u32, usize)> {
+    Ok((array.as_slice()?, u32::try_from(array.shape()[1]).unwrap_or(u32::MAX), array.shape()[3]))
+}
+
+fn look<T: Number + Element>(
+    py: Python<'_>,
+    (maps, out): &mut (PyReadonlyArray4<'_, T>, PyReadwriteArray2<'_, T>),
+    directions: &Points<'_>,
+    name: &str,
+) -> PyResult<()> {
+    let (values, size, channels) = faces(maps)?;
+    let out = out.as_slice_mut()?;
+    along!(*directions, rows => run::short(py, || {
+        cubemap::lookup(Faces::new(values, size, channels)?, rows, filter(name)?, out)
+    }))
+}
+
+fn pick<T: Element + Copy + Send + Sync>(
+    py: Python<'_>,
+    (maps, out): &mut (PyReadonlyArray4<'_, T>, PyReadwriteArray2<'_, T>),
+    directions: &Points<'_>,
+) -> PyResult<()> {
+    let (values, size, channels) = faces(maps)?;
+    let out = out.as_slice_mut()?;
+    along!(*directions, rows => run::short(py, || cubemap::nearest(Faces::new(values, size, channels)?, rows, out)))
+}
+
+/// Filtered values along directions (N, 3).
+#[pyfunction]
+pub(crate) fn cube_lookup(py: Python<'_>, mut maps: Maps<'_>, directions: Points<'_>, filter: &str) -> PyResult<()> {
+    match &mut maps {
+        Maps::Single(maps) => look(py, maps, &directions, filter),
+        Maps::Double(maps) => look(py, maps, &directions, filter),
+    }
+}
+
+/// The texels that directions (N, 3) pass through.
+#[pyfunction]
+pub(crate) fn cube_nearest(py: Python<'_>, mut maps: MapBits<'_>, directions: Points<'_>) -> PyResult<()> {
+    match &mut maps {
+        MapBits::One(maps) => pick(py, maps, &directions),
+        MapBits::Two(maps) => pick(py, maps, &directions),
+        MapBits::Four(maps) => pick(py, maps, &directions),
+        MapBits::Eight(maps) => pick(py, maps, &directions),
+    }
+}
+
+/// The least or greatest of the texels that cones of an angle about directions (N, 3) touch.
+#[pyfunction]
+pub(crate) fn cube_footprint(
+    py: Python<'_>,
+    mut maps: Maps<'_>,
+    directions: Points<'_>,
+    filter: &str,
+    radius: f64,
+) -> PyResult<()> {
+    match &mut maps {
+        Maps::Single(maps) => touch(py, maps, &directions, filter, radius),
+        Maps::Double(maps) => touch(py, maps, &directions, filter, radius),
+    }
+}
+
+fn touch<T: Number + Element>(
+    py: Python<'_>,
+    (maps, out): &mut (PyReadonlyArray4<'_, T>, PyReadwriteArray2<'_, T>),
+    directions: &Points<'_>,
+    name: &str,
+    radius: f64,
+) -> PyResult<()> {
+    let (values, size, channels) = faces(maps)?;
+    let out = out.as_slice_mut()?;
+    along!(*directions, rows => run::short(py, || {
+        cubemap::footprint(Faces::new(values, size, channels)?, rows, radius, filter(name)?, out)
+    }))
+}
+
+/// Faces (6, S, S, C) and those of the next level.
+#[derive(FromPyObject)]
+pub(crate) enum LevelPair<'py> {
+    Single((PyReadonlyArray4<'py, f32>, PyReadwriteArray4<'py, f32>)),
+    Double((PyReadonlyArray4<'py, f64>, PyReadwriteArray4<'py, f64>)),
+}
+
+/// Writes the next level of a cube map.
+#[pyfunction]
+pub(crate) fn cube_next_level(py: Python<'_>, mut levels: LevelPair<'_>, filter: &str) -> PyResult<()> {
+    match &mut levels {
+        LevelPair::Single(levels) => reduce(py, levels, filter),
+        LevelPair::Double(levels) => reduce(py, levels, filter),
+    }
+}
+
+fn reduce<T: Number + Element>(
+    py: Python<'_>,
+    (maps, out): &mut (PyReadonlyArray4<'_, T>, PyReadwriteArray4<'_, T>),
+    filter: &str,
+) -> PyResult<()> {
+    let reduction = match filter {
+        "mean" => Reduction::Mean,
+        "min" => Reduction::Min,
+        "max" => Reduction::Max,
+        _ => return Err(to_python(Error::value("filter", "'mean', 'min' or 'max'", format!("'{filter}'")))),
+    };
+    let (values, size, channels) = faces(maps)?;
+    let out = out.as_slice_mut()?;
+    run::short(py, || cubemap::next_level(Faces::new(values, size, channels)?, reduction, out))
+}
+
+/// Writes the solid angle of each texel of a face (S, S) in steradians.
+#[pyfunction]
+pub(crate) fn cube_solid_angles(py: Python<'_>, mut out: PyReadwriteArray2<'_, f64>) -> PyResult<()> {
+    let size = u32::try_from(out.shape()[0]).unwrap_or(u32::MAX);
+    let out = out.as_slice_mut()?;
+    run::short(py, || cubemap::solid_angles(size, out))
+}

@@ -1,0 +1,5 @@
+//! Bindings of `cubemap`.
+
+pub mod directions;
+pub mod layouts;
+pub mod lookup;

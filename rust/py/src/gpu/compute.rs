@@ -1,0 +1,100 @@
+//! Kernels of the GPU back end.
+
+use nearfar_core::base::{Error, Result};
+use nearfar_core::metrics::{Neighbourhood, Window};
+use nearfar_core::morph::Morph;
+use nearfar_gpu::compute::{self, CubeMap, Filter};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2, PyReadonlyArray4, PyReadwriteArray2, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+
+use super::device::GpuDevice;
+use super::frame::GpuFrame;
+use crate::camera::Camera;
+use crate::convert::run;
+use crate::morph::kind;
+
+/// Mean similarity of two frames, and its map, flat, where it is wanted.
+#[pyfunction]
+#[pyo3(signature = (reference, test, *, window, size, sigma, full))]
+pub(crate) fn gpu_similarity<'py>(
+    py: Python<'py>,
+    reference: &GpuFrame,
+    test: &GpuFrame,
+    window: &str,
+    size: usize,
+    sigma: f64,
+    full: bool,
+) -> PyResult<(f64, Option<Bound<'py, PyArray1<f32>>>)> {
+    let compared = run::long(py, None, |progress| {
+        let window = match window {
+            "gaussian" => Window::gaussian(size, sigma),
+            "uniform" => Window::uniform(size),
+            _ => return Err(Error::value("window", "'gaussian' or 'uniform'", format!("'{window}'"))),
+        };
+        compute::similarity([&reference.frame, &test.frame], &window, full, progress)
+    })?;
+    Ok((compared.mean, compared.map.map(|map| map.into_pyarray(py))))
+}
+
+/// Discontinuity of each pixel of a frame, flat.
+#[pyfunction]
+#[pyo3(signature = (frame, *, camera, epsilon, min_distance, report=None))]
+pub(crate) fn gpu_discontinuity<'py>(
+    py: Python<'py>,
+    frame: &GpuFrame,
+    camera: &Camera,
+    epsilon: f64,
+    min_distance: f64,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyArray1<f32>>> {
+    let around = Neighbourhood { epsilon, least: min_distance };
+    let map = run::long(py, report, |progress| compute::discontinuity(&frame.frame, &camera.0, around, progress))?;
+    Ok(map.into_pyarray(py))
+}
+
+/// Writes morphed points.
+#[pyfunction]
+#[pyo3(signature = (device, points, shown, *, user, center, r1, r2, kind))]
+#[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
+pub(crate) fn gpu_morph(
+    py: Python<'_>,
+    device: &GpuDevice,
+    points: PyReadonlyArray2<'_, f32>,
+    mut shown: PyReadwriteArray2<'_, f32>,
+    user: [f64; 3],
+    center: [f64; 3],
+    r1: f64,
+    r2: f64,
+    kind: &str,
+) -> PyResult<()> {
+    let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, shown.as_slice_mut()?.as_chunks_mut::<3>().0);
+    run::long(py, None, |progress| {
+        let morph = Morph::new(user.into(), center.into(), r1, r2, self::kind(kind)?)?;
+        compute::morph(&device.0, &morph, rows, to, progress)
+    })
+}
+
+fn filter(name: &str) -> Result<Filter> {
+    match name {
+        "nearest" => Ok(Filter::Nearest),
+        "min" => Ok(Filter::Min),
+        "max" => Ok(Filter::Max),
+        _ => Err(Error::value("filter", "'nearest', 'min' or 'max'", format!("'{name}'"))),
+    }
+}
+
+/// Writes values of a cube map along directions.
+#[pyfunction]
+pub(crate) fn gpu_cube_lookup(
+    py: Python<'_>,
+    device: &GpuDevice,
+    maps: (PyReadonlyArray4<'_, f32>, PyReadwriteArray2<'_, f32>),
+    directions: PyReadonlyArray2<'_, f32>,
+    filter: &str,
+) -> PyResult<()> {
+    let (faces, mut out) = maps;
+    let [size, channels] = [faces.shape()[1], faces.shape()[3]].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
+    let map = CubeMap { values: faces.as_slice()?, size, channels };
+    let (rows, to) = (directions.as_slice()?.as_chunks::<3>().0, out.as_slice_mut()?);
+    run::long(py, None, |progress| compute::lookup(&device.0, map, rows, self::filter(filter)?, to, progress))
+}

@@ -1,0 +1,143 @@
+//! Adapters and devices of the GPU back end, and the frames that they draw.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+use nearfar_core::render::bake::Bake;
+use nearfar_gpu::render::{bake, truth};
+use nearfar_gpu::{Device, device};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use super::frame::GpuJob;
+use crate::camera::Camera;
+use crate::convert::run;
+use crate::render::frame::{channels, images};
+use crate::render::reduced::{Reduced, drawing};
+use crate::scene::Scene;
+
+/// Everything that was found: name, back end, kind, driver, why it is refused, largest binding and image.
+#[pyfunction]
+#[expect(clippy::type_complexity, reason = "a row of a table")]
+pub(crate) fn gpu_adapters(
+    py: Python<'_>,
+) -> PyResult<Vec<(String, &'static str, &'static str, String, String, u64, u32)>> {
+    let found = run::short(py, device::adapters)?;
+    let row = |a: nearfar_gpu::AdapterReport| {
+        (a.name, a.backend, a.kind.name(), a.driver, a.refused, a.largest_binding, a.largest_image)
+    };
+    Ok(found.into_iter().map(row).collect())
+}
+
+/// True where an adapter that a wish leaves is more than the processor itself.
+#[pyfunction]
+#[pyo3(signature = (wanted=None))]
+pub(crate) fn gpu_is_hardware(py: Python<'_>, wanted: Option<&str>) -> PyResult<bool> {
+    run::short(py, || device::is_hardware(wanted))
+}
+
+/// Has a forked child end without the exit handlers of drivers.
+#[pyfunction]
+pub(crate) fn gpu_forked() {
+    device::end_without_drivers();
+}
+
+/// The device on the best adapter that a wish leaves.
+#[pyclass(frozen, module = "nearfar._core")]
+pub struct GpuDevice(pub(crate) Arc<Device>);
+
+#[pymethods]
+impl GpuDevice {
+    #[new]
+    #[pyo3(signature = (wanted=None))]
+    fn new(py: Python<'_>, wanted: Option<&str>) -> PyResult<Self> {
+        run::short(py, || device::device(wanted)).map(Self)
+    }
+
+    /// Name and back end of its adapter.
+    #[getter]
+    fn label(&self) -> String {
+        self.0.report().label()
+    }
+
+    /// The kind of processor that executes its work.
+    #[getter]
+    fn kind(&self) -> &'static str {
+        self.0.report().kind.name()
+    }
+
+    /// Buffers and textures made, their bytes, bytes sent, and triangles in draw calls.
+    fn counters(&self) -> (u64, u64, u64, u64) {
+        let counters = self.0.counters();
+        (counters.allocations, counters.allocated_bytes, counters.uploaded_bytes, counters.triangles)
+    }
+
+    /// Closes the device as a driver's fault would.
+    fn lose(&self, py: Python<'_>) -> PyResult<()> {
+        run::short(py, || {
+            self.0.lose();
+            Ok(())
+        })
+    }
+
+    /// Begins a frame of a scene.
+    #[pyo3(signature = (scene, camera, *, channels, samples, report=None))]
+    fn truth(
+        &self,
+        py: Python<'_>,
+        scene: &Scene,
+        camera: &Camera,
+        channels: Vec<String>,
+        samples: u32,
+        report: Option<Py<PyAny>>,
+    ) -> PyResult<GpuJob> {
+        let wanted = self::channels(&channels)?;
+        let (scene, camera) = (&scene.0, &camera.0);
+        let job = run::long(py, report, |progress| truth::begin(&self.0, scene, camera, wanted, samples, progress))?;
+        Ok(GpuJob::new(job, camera))
+    }
+
+    /// An environment map's channels by name, as `bake` gives them.
+    #[pyo3(signature = (scene, *, center, radius, size, samples, range, object_id, report=None))]
+    #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+    fn bake<'py>(
+        &self,
+        py: Python<'py>,
+        scene: &Scene,
+        center: [f64; 3],
+        radius: f64,
+        size: u32,
+        samples: u32,
+        range: bool,
+        object_id: bool,
+        report: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let settings = Bake { center: DVec3::from_array(center), radius, size, samples, range, object_id };
+        let frame = run::long(py, report, |progress| bake::bake(&self.0, &scene.0, &settings, progress))?;
+        images(py, frame, (6 * size as usize, size as usize))
+    }
+
+    /// Begins a frame of a reduced scene; `scene` is the one that was reduced, in any pose.
+    #[pyo3(signature = (reduced, scene, camera, *, channels, samples, method, mapped, tolerance_px, report=None))]
+    #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+    fn reduced(
+        &self,
+        py: Python<'_>,
+        reduced: &Reduced,
+        scene: &Scene,
+        camera: &Camera,
+        channels: Vec<String>,
+        samples: u32,
+        method: &str,
+        mapped: bool,
+        tolerance_px: f64,
+        report: Option<Py<PyAny>>,
+    ) -> PyResult<GpuJob> {
+        let drawing = drawing(&channels, samples, method, mapped, tolerance_px)?;
+        let (device, scene, camera) = (&self.0, &scene.0, &camera.0);
+        let job = run::long(py, report, |progress| {
+            reduced.on_gpu()?.begin(device, (&reduced.core, scene), camera, &drawing, progress)
+        })?;
+        Ok(GpuJob::new(job, camera))
+    }
+}

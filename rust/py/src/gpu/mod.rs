@@ -1,0 +1,5 @@
+//! Bindings of the GPU back end.
+
+pub mod compute;
+pub mod device;
+pub mod frame;

@@ -1,0 +1,49 @@
+//! Bindings of `lod`: curves fitted to samples of SSIM.
+
+use nearfar_core::base::Progress;
+use nearfar_core::lod::{self, Curve, Status, Unfit};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use pyo3::prelude::*;
+
+use crate::convert::run;
+
+/// The row of the table of outcomes in `nearfar.lod`.
+fn code(status: Status) -> u8 {
+    match status {
+        Status::Fitted => 0,
+        Status::Step => 1,
+        Status::Open => 2,
+        Status::Constant => 3,
+        Status::Flat => 4,
+        Status::Unfit(Unfit::TooFew) => 5,
+        Status::Unfit(Unfit::Negative) => 6,
+        Status::Unfit(Unfit::Overflow) => 7,
+    }
+}
+
+/// Samples from which on fits may take more than a few milliseconds.
+const LONG: usize = 10_000;
+
+/// Rows of numbers, and a code for each.
+type Fits<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u8>>);
+
+/// Rows of a, b, c, d and rms, and what became of each curve.
+#[pyfunction]
+#[pyo3(signature = (x, y, *, count, report=None))]
+pub(crate) fn fit_4pl<'py>(
+    py: Python<'py>,
+    x: PyReadonlyArray1<'py, f64>,
+    y: PyReadonlyArray1<'py, f64>,
+    count: usize,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Fits<'py>> {
+    let (x, y) = (x.as_slice()?, y.as_slice()?);
+    let curves = if y.len() < LONG {
+        run::short(py, || lod::fit_4pl(x, y, count, &Progress::new()))
+    } else {
+        run::long(py, report, |progress| lod::fit_4pl(x, y, count, progress))
+    }?;
+    let rows: Vec<f64> = curves.iter().flat_map(|&Curve { a, b, c, d, rms, .. }| [a, b, c, d, rms]).collect();
+    let table = PyArray1::from_vec(py, rows).reshape([curves.len(), 5])?;
+    Ok((table, PyArray1::from_iter(py, curves.iter().map(|curve| code(curve.status)))))
+}

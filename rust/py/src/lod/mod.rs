@@ -1,0 +1,5 @@
+//! Bindings of `lod`.
+
+pub mod fit;
+pub mod select;
+pub mod simplify;

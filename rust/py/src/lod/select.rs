@@ -1,0 +1,99 @@
+//! Bindings of `lod`: levels of objects by their size in the picture.
+
+use glam::{DMat3, DQuat, DVec3};
+use nearfar_core::camera::Fov;
+use nearfar_core::lod::{self, Acuity, Counts, Eye, Glass, Line, Model, Objects, Rules, View};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+
+use crate::convert::run;
+use crate::lens::RadialLens;
+
+/// Curves of all models (N, 4), where each model's start and end, and least and greatest sizes (M, 2).
+type Models<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i64>, PyReadonlyArray2<'py, f64>);
+
+fn models<'a>((curves, firsts, ranges): &'a Models<'_>) -> PyResult<Vec<Model<'a>>> {
+    let curves = curves.as_slice()?.as_chunks::<4>().0;
+    let pairs = firsts.as_slice()?.windows(2).zip(ranges.as_slice()?.as_chunks::<2>().0);
+    let model = |(ends, range): (&[i64], &[f64; 2])| Model {
+        curves: curves.get(ends[0] as usize..ends[1] as usize).unwrap_or_default(),
+        range: *range,
+    };
+    Ok(pairs.map(model).collect())
+}
+
+/// Position, orientation, tangents of the view, gaze, and degrees of a pixel.
+type EyeParts = ([f64; 3], [f64; 4], [f64; 4], Option<[f64; 3]>, f64);
+
+fn eye((position, orientation, [left, right, down, up], gaze, pixel): EyeParts, acuity: Option<(f64, f64)>) -> Eye {
+    let axes = DMat3::from_quat(DQuat::from_array(orientation).normalize());
+    let view = View::new(position.into(), axes, &Fov { left, right, down, up });
+    let gaze = gaze.map_or(view.forward(), |gaze| direction(gaze.into()));
+    let acuity = acuity.map(|(slope, limit)| Acuity { gaze, slope, limit, best: pixel.max(limit) });
+    Eye { view, acuity }
+}
+
+/// Of length 1, however long it was.
+fn direction(vector: DVec3) -> DVec3 {
+    (vector / vector.abs().max_element()).normalize()
+}
+
+fn listed(counts: &Counts) -> Vec<u64> {
+    let Counts { culled, one_level, settled, large, asked, lens, table, formula } = *counts;
+    vec![culled, one_level, settled, large, asked, lens, table, formula]
+}
+
+/// Levels of objects, numbers beside them where wanted, and counts of the work.
+type Selected<'py> = (Bound<'py, PyArray1<i32>>, Vec<Bound<'py, PyArray1<f64>>>, Vec<u64>);
+
+/// The level of each object that is enough for its size.
+#[pyfunction]
+#[pyo3(signature = (models, model_index, centers, radii, *, previous, eyes, line, reference, off, cull, lens, tan_omega,
+    exact, acuity, hysteresis, fade, full))]
+#[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
+pub(crate) fn select_levels<'py>(
+    py: Python<'py>,
+    models: Models<'py>,
+    model_index: PyReadonlyArray1<'py, i64>,
+    centers: PyReadonlyArray2<'py, f64>,
+    radii: PyReadonlyArray1<'py, f64>,
+    previous: Option<PyReadonlyArray1<'py, i32>>,
+    eyes: Vec<EyeParts>,
+    line: (f64, f64),
+    reference: f64,
+    off: bool,
+    cull: bool,
+    lens: Option<PyRef<'py, RadialLens>>,
+    tan_omega: f64,
+    exact: bool,
+    acuity: Option<(f64, f64)>,
+    hysteresis: f64,
+    fade: f64,
+    full: bool,
+) -> PyResult<Selected<'py>> {
+    let models = self::models(&models)?;
+    let objects = Objects {
+        model: model_index.as_slice()?,
+        centers: centers.as_slice()?.as_chunks::<3>().0,
+        radii: radii.as_slice()?,
+        previous: previous.as_ref().map(|previous| previous.as_slice()).transpose()?,
+    };
+    let eyes: Vec<Eye> = if off { Vec::new() } else { eyes.into_iter().map(|parts| eye(parts, acuity)).collect() };
+    let glass = lens.as_ref().map(|lens| Glass { lens: lens.inner(), tan_omega, exact });
+    let rules = Rules { line: Line { level: line.0, rise: line.1 }, reference, cull, hysteresis, fade };
+
+    let count = radii.len();
+    let level = PyArray1::<i32>::zeros(py, count, false);
+    let columns: Vec<_> =
+        (0..if full { lod::COLUMNS } else { 0 }).map(|_| PyArray1::<f64>::zeros(py, count, false)).collect();
+    let mut write = level.readwrite();
+    let mut writes: Vec<_> = columns.iter().map(|column| column.readwrite()).collect();
+    let mut slices = Vec::new();
+    for column in &mut writes {
+        slices.push(column.as_slice_mut()?);
+    }
+    let (to, beside) = (write.as_slice_mut()?, slices.try_into().ok());
+    let counts = run::short(py, || lod::select(&models, &objects, &eyes, glass, &rules, to, beside))?;
+    drop(writes);
+    Ok((level, columns, listed(&counts)))
+}

@@ -1,0 +1,87 @@
+//! Bindings of `lod`: coarser surfaces.
+
+use nearfar_core::base::{Error, Result};
+use nearfar_core::lod::{self, Charts, Given, Vertices};
+use numpy::PyUntypedArrayMethods;
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
+use pyo3::prelude::*;
+
+use crate::convert::run;
+
+/// The first row that each row of bytes is equal to.
+#[pyfunction]
+pub(crate) fn first_alike<'py>(
+    py: Python<'py>,
+    rows: PyReadonlyArray2<'py, u8>,
+) -> PyResult<Bound<'py, PyArray1<u32>>> {
+    let (width, rows) = (rows.shape()[1], rows.as_slice()?);
+    Ok(run::short(py, || lod::first_alike(rows, width))?.into_pyarray(py))
+}
+
+/// The number of each face's piece, where faces hang together by vertices.
+#[pyfunction]
+pub(crate) fn pieces<'py>(
+    py: Python<'py>,
+    faces: PyReadonlyArray2<'py, u32>,
+    vertex_count: usize,
+) -> PyResult<Bound<'py, PyArray1<u32>>> {
+    let faces = faces.as_slice()?.as_chunks().0;
+    Ok(run::short(py, || lod::pieces(faces, vertex_count))?.into_pyarray(py))
+}
+
+/// Faces, and weights of their second and third corner.
+type Places<'py> = (Bound<'py, PyArray1<u32>>, Bound<'py, PyArray2<f64>>);
+
+/// Where corners (T, 3, 3) of triangles lie on a base without crossing seams; rows are 3 T corners.
+#[pyfunction]
+#[pyo3(signature = (positions, faces, corners, starts, *, report=None))]
+pub(crate) fn carry<'py>(
+    py: Python<'py>,
+    positions: PyReadonlyArray2<'py, f32>,
+    faces: PyReadonlyArray2<'py, u32>,
+    corners: PyReadonlyArray3<'py, f32>,
+    starts: PyReadonlyArray1<'py, u32>,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Places<'py>> {
+    let (positions, faces) = (positions.as_slice()?.as_chunks().0, faces.as_slice()?.as_chunks().0);
+    let (corners, starts) = (corners.as_slice()?.as_chunks().0.as_chunks().0, starts.as_slice()?);
+    let places = run::long(py, report, |progress| Charts::new(positions, faces)?.places(corners, starts, progress))?;
+    let places = places.as_flattened();
+    let weights: Vec<f64> = places.iter().flat_map(|place| place.weights).collect();
+    let faces = PyArray1::from_iter(py, places.iter().map(|place| place.face));
+    Ok((faces, PyArray1::from_vec(py, weights).reshape([places.len(), 2])?))
+}
+
+fn giving_up(name: &str) -> Result<Given> {
+    Ok(match name {
+        "nothing" => Given::Nothing,
+        "seams" => Given::Seams,
+        "parts" => Given::Parts,
+        _ => return Err(Error::value("given", "'nothing', 'seams' or 'parts'", format!("'{name}'"))),
+    })
+}
+
+/// Faces that meshoptimizer leaves, and its own estimate of the error as a share of the extent.
+#[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "what the simplifier weighs")]
+pub(crate) fn collapse<'py>(
+    py: Python<'py>,
+    positions: PyReadonlyArray2<'py, f32>,
+    attributes: PyReadonlyArray2<'py, f32>,
+    weights: PyReadonlyArray1<'py, f32>,
+    is_seam: PyReadonlyArray1<'py, bool>,
+    faces: PyReadonlyArray2<'py, u32>,
+    target: usize,
+    given: &str,
+) -> PyResult<(Bound<'py, PyArray2<u32>>, f32)> {
+    let vertices = Vertices {
+        positions: positions.as_slice()?.as_chunks().0,
+        attributes: attributes.as_slice()?,
+        weights: weights.as_slice()?,
+        is_seam: is_seam.as_slice()?,
+    };
+    let faces = faces.as_slice()?.as_chunks().0;
+    let (left, error) = run::short(py, || lod::collapse(vertices, faces, target, giving_up(given)?))?;
+    let count = left.len();
+    Ok((PyArray1::from_vec(py, left.into_flattened()).reshape([count, 3])?, error))
+}

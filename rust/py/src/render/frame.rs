@@ -1,0 +1,70 @@
+//! Bindings of `render::Frame`: its images by name, and their sRGB codes.
+
+use nearfar_core::render::{Channels, Frame};
+use nearfar_core::scene::srgb::srgb_from_linear;
+use numpy::{Element, PyArray, PyArray1, PyArrayMethods, PyReadonlyArrayDyn};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use rayon::prelude::*;
+
+use crate::convert::run;
+
+/// The wanted images, by their public names.
+pub fn channels(names: &[String]) -> PyResult<Channels> {
+    let mut channels = Channels::default();
+    for name in names {
+        match name.as_str() {
+            "color" => channels.color = true,
+            "range" => channels.range = true,
+            "object_id" => channels.object_id = true,
+            "face_id" => channels.face_id = true,
+            "position" => channels.position = true,
+            "normal" => channels.normal = true,
+            _ => return Err(PyValueError::new_err(format!("channels: unknown channel '{name}'"))),
+        }
+    }
+    Ok(channels)
+}
+
+/// The images of a frame by their public names, (height, width) or (height, width, 3).
+pub fn images<'py>(py: Python<'py>, frame: Frame, (height, width): (usize, usize)) -> PyResult<Bound<'py, PyDict>> {
+    let images = PyDict::new(py);
+    let vectors = [("color", frame.color), ("position", frame.position), ("normal", frame.normal)];
+    for (name, image) in vectors.into_iter().filter(|(_, image)| !image.is_empty()) {
+        images.set_item(name, array(py, image.into_flattened(), [height, width, 3])?)?;
+    }
+    if !frame.range.is_empty() {
+        images.set_item("range", array(py, frame.range, [height, width])?)?;
+    }
+    if !frame.object_id.is_empty() {
+        images.set_item("object_id", array(py, frame.object_id, [height, width])?)?;
+    }
+    if !frame.face_id.is_empty() {
+        images.set_item("face_id", array(py, frame.face_id, [height, width])?)?;
+    }
+    Ok(images)
+}
+
+fn array<T: Element, const N: usize>(
+    py: Python<'_>,
+    values: Vec<T>,
+    shape: [usize; N],
+) -> PyResult<Bound<'_, PyArray<T, numpy::ndarray::Dim<[usize; N]>>>>
+where
+    numpy::ndarray::Dim<[usize; N]>: numpy::ndarray::Dimension,
+    [usize; N]: numpy::ndarray::IntoDimension<Dim = numpy::ndarray::Dim<[usize; N]>>,
+{
+    PyArray1::from_vec(py, values).reshape(shape)
+}
+
+/// sRGB codes of linear values, in one dimension.
+#[pyfunction]
+pub(crate) fn encode_srgb<'py>(
+    py: Python<'py>,
+    linear: PyReadonlyArrayDyn<'py, f32>,
+) -> PyResult<Bound<'py, PyArray1<u8>>> {
+    let linear = linear.as_slice()?;
+    let codes = run::short(py, || Ok(linear.par_iter().map(|&x| srgb_from_linear(x)).collect::<Vec<u8>>()))?;
+    Ok(PyArray1::from_vec(py, codes))
+}

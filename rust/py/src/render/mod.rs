@@ -1,0 +1,6 @@
+//! Bindings of `render`.
+
+pub mod bake;
+pub mod frame;
+pub mod reduced;
+pub mod truth;

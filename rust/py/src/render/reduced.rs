@@ -1,0 +1,126 @@
+//! Bindings of `render::reduced`.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use nearfar_core::base::Error;
+use nearfar_core::cubemap::EnvironmentMap;
+use nearfar_core::morph::Kind;
+use nearfar_core::render::reduced::{self, Drawing, Join, Method};
+use numpy::PyArrayDyn;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use super::frame::{channels, images};
+use crate::camera::Camera;
+use crate::convert::arrays::{buffer, flat_buffer};
+use crate::convert::errors::to_python;
+use crate::convert::run;
+use crate::partition::Partition;
+use crate::scene::Scene;
+
+type Array<'py, T> = Bound<'py, PyArrayDyn<T>>;
+
+/// A reduced scene, ready to be drawn.
+#[pyclass(frozen, module = "nearfar._core")]
+pub struct Reduced {
+    pub core: reduced::Reduced,
+    partition: Py<Partition>,
+    /// Gathered when a device draws it for the first time.
+    gpu: Mutex<Option<Arc<nearfar_gpu::Reduced>>>,
+}
+
+impl Reduced {
+    /// The near part as devices draw it.
+    pub fn on_gpu(&self) -> nearfar_core::base::Result<Arc<nearfar_gpu::Reduced>> {
+        let gathered = || self.gpu.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = gathered().clone() {
+            return Ok(known);
+        }
+        // Not while it is locked: a thread that waits for its share of this may take up another frame.
+        let made = Arc::new(nearfar_gpu::Reduced::new(&self.partition.get().0, &self.core)?);
+        Ok(Arc::clone(gathered().get_or_insert(made)))
+    }
+}
+
+/// Settings of a drawing by their public names.
+pub fn drawing(channels: &[String], samples: u32, method: &str, mapped: bool, tolerance_px: f64) -> PyResult<Drawing> {
+    let method = match method {
+        "vertex" => Method::Vertex,
+        "exact" => Method::Exact,
+        _ => return Err(to_python(Error::value("method", "'vertex' or 'exact'", method))),
+    };
+    Ok(Drawing { channels: self::channels(channels)?, samples, method, mapped, tolerance_px })
+}
+
+#[pymethods]
+impl Reduced {
+    /// `morph` is "blend", "cylinder" or "none"; `boundary` is where the near part of the latter ends. The map's channels
+    /// are rows: (6 S S, 3), (6 S S,), (6 S S,).
+    #[new]
+    #[pyo3(signature = (partition, *, morph, boundary, size=0, color=None, range=None, object_id=None, report=None))]
+    #[expect(clippy::too_many_arguments, reason = "keywords of a Python constructor")]
+    fn new<'py>(
+        py: Python<'py>,
+        partition: Py<Partition>,
+        morph: &str,
+        boundary: f64,
+        size: u32,
+        color: Option<Array<'py, f32>>,
+        range: Option<Array<'py, f32>>,
+        object_id: Option<Array<'py, i32>>,
+        report: Option<Py<PyAny>>,
+    ) -> PyResult<Self> {
+        let join = match morph {
+            "blend" => Join::Morph(Kind::Blend),
+            "cylinder" => Join::Morph(Kind::Cylinder),
+            "none" => Join::Conventional { radius: boundary },
+            _ => return Err(to_python(Error::value("morph", "'blend', 'cylinder' or 'none'", morph))),
+        };
+        let map = match &color {
+            Some(color) => {
+                let color = buffer(color)?;
+                let range = range.as_ref().map(flat_buffer).transpose()?;
+                let object_id = object_id.as_ref().map(flat_buffer).transpose()?;
+                Some(EnvironmentMap::new(size, color, range, object_id).map_err(to_python)?)
+            }
+            None => None,
+        };
+        let zones = &partition.get().0;
+        let core = run::long(py, report, |progress| reduced::Reduced::new(zones, join, map, progress))?;
+        Ok(Self { core, partition, gpu: Mutex::default() })
+    }
+
+    /// Images of a view by name; `scene` is the one that was reduced, in any pose.
+    #[pyo3(signature = (scene, camera, *, channels, samples, method, mapped, tolerance_px, report=None))]
+    #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+    fn render<'py>(
+        &self,
+        py: Python<'py>,
+        scene: &Scene,
+        camera: &Camera,
+        channels: Vec<String>,
+        samples: u32,
+        method: &str,
+        mapped: bool,
+        tolerance_px: f64,
+        report: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let drawing = drawing(&channels, samples, method, mapped, tolerance_px)?;
+        let (scene, camera) = (&scene.0, &camera.0);
+        let frame = run::long(py, report, |progress| self.core.render(scene, camera, &drawing, progress))?;
+        images(py, frame, (camera.height as usize, camera.width as usize))
+    }
+
+    /// Bytes of the copies of near geometry.
+    #[getter]
+    fn near_bytes(&self) -> usize {
+        self.core.near_bytes()
+    }
+
+    /// Triangles that were traced for the last frame, those that move, vertices seen in opposite directions, and whether
+    /// the tolerance was a bound.
+    fn last_frame(&self) -> (u64, u64, u64, bool) {
+        let counts = self.core.last_frame();
+        (counts.triangles, counts.moving, counts.opposed, counts.bounded)
+    }
+}

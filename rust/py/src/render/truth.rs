@@ -1,0 +1,27 @@
+//! Bindings of `render::truth`.
+
+use nearfar_core::render::truth;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use super::frame::{channels, images};
+use crate::camera::Camera;
+use crate::convert::run;
+use crate::scene::Scene;
+
+/// Ground truth of a view.
+#[pyfunction]
+#[pyo3(signature = (scene, camera, *, channels, samples, report=None))]
+pub(crate) fn render_truth<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    camera: &Camera,
+    channels: Vec<String>,
+    samples: u32,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let wanted = self::channels(&channels)?;
+    let (scene, camera) = (&scene.0, &camera.0);
+    let frame = run::long(py, report, |progress| truth::render(scene, camera, wanted, samples, progress))?;
+    images(py, frame, (camera.height as usize, camera.width as usize))
+}

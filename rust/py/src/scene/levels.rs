@@ -1,0 +1,89 @@
+//! Bindings of `scene::levels`.
+
+use std::sync::Arc;
+
+use nearfar_core::base::Error;
+use nearfar_core::scene::{self, LevelMeshes};
+use numpy::{PyArray1, PyArray3, PyReadonlyArray1, PyReadonlyArray3};
+use pyo3::prelude::*;
+
+use super::mesh::Mesh;
+use super::placements::{affines, instances, rows_of};
+use super::scene::Scene;
+use crate::convert::run;
+
+/// Placements (K, 3, 4) and objects (K,).
+type Placed<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray1<i32>>);
+
+/// The meshes of models' levels, shared by every scene that shows them.
+#[pyclass(frozen, module = "nearfar._core")]
+pub struct Levels(LevelMeshes);
+
+#[pymethods]
+impl Levels {
+    /// For each model a mesh for each level, level 0 first.
+    #[new]
+    fn new(models: Vec<Vec<PyRef<'_, Mesh>>>) -> Self {
+        let shared = |mesh: &PyRef<'_, Mesh>| Arc::clone(&mesh.0);
+        Self(LevelMeshes(models.iter().map(|levels| levels.iter().map(shared).collect()).collect()))
+    }
+
+    /// The scene with its objects at levels: `models` and `chosen` have a number for each object, −1 for none.
+    fn choose<'py>(
+        &self,
+        py: Python<'py>,
+        scene: &Scene,
+        models: PyReadonlyArray1<'py, i32>,
+        chosen: PyReadonlyArray1<'py, i32>,
+    ) -> PyResult<Scene> {
+        let (models, chosen) = (models.as_slice()?, chosen.as_slice()?);
+        run::short(py, || scene.0.at_levels(&self.0, models, chosen)).map(Scene)
+    }
+}
+
+/// A scene with others' materials and textures added to its own, and each of the others as one mesh that uses them.
+#[pyfunction]
+pub(crate) fn with_surfaces(
+    py: Python<'_>,
+    scene: &Scene,
+    others: Vec<PyRef<'_, Scene>>,
+) -> PyResult<(Scene, Vec<Mesh>)> {
+    let others: Vec<&scene::Scene> = others.iter().map(|other| &other.0).collect();
+    let (joined, meshes) = run::short(py, || scene.0.with_surfaces(&others))?;
+    Ok((Scene(joined), meshes.into_iter().map(|mesh| Mesh(Arc::new(mesh))).collect()))
+}
+
+/// A scene with more instances, of which the first `standing_count` stand; see `Scene` for the arrays.
+#[pyfunction]
+pub(crate) fn with_instances<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    meshes: Vec<PyRef<'py, Mesh>>,
+    placements: PyReadonlyArray3<'py, f64>,
+    objects: PyReadonlyArray1<'py, i32>,
+    standing_count: usize,
+) -> PyResult<Scene> {
+    let meshes = meshes.iter().map(|mesh| Arc::clone(&mesh.0)).collect();
+    let (placements, objects) = (affines(&placements), objects.as_array());
+    run::short(py, || {
+        let mut standing = instances(meshes, placements, objects)?;
+        if standing_count > standing.len() {
+            return Err(Error::value("standing_count", "at most the number of instances", standing_count));
+        }
+        let moving = standing.split_off(standing_count);
+        Ok(scene.0.with_instances(standing, moving))
+    })
+    .map(Scene)
+}
+
+/// Placements (K, 3, 4) and objects (K,) of the instances of chosen objects, a flag for each object.
+#[pyfunction]
+pub(crate) fn placements_of<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    chosen: PyReadonlyArray1<'py, bool>,
+) -> PyResult<Placed<'py>> {
+    let chosen = chosen.as_slice()?;
+    let (objects, found): (Vec<i32>, Vec<&scene::Instance>) = scene.0.instances_of(chosen).unzip();
+    Ok((rows_of(py, found)?, PyArray1::from_vec(py, objects)))
+}

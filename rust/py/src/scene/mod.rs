@@ -1,0 +1,11 @@
+//! Bindings of `scene`.
+
+pub mod levels;
+pub mod mesh;
+pub mod parts;
+pub mod placements;
+#[expect(clippy::module_inception, reason = "the file of the class Scene")]
+pub mod scene;
+
+pub use mesh::Mesh;
+pub use scene::Scene;

@@ -1,0 +1,60 @@
+//! Instances as arrays: placements (I, 3, 4) object→scene and objects (I,).
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3};
+use nearfar_core::base::{Error, Result};
+use nearfar_core::scene::{Instance, Mesh};
+use numpy::ndarray::ArrayView1;
+use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray3};
+use pyo3::prelude::*;
+
+/// Fails where there isn't one placement and one object for each mesh.
+pub(crate) fn same_length(meshes: usize, placements: &[DAffine3], objects: usize) -> Result<()> {
+    if meshes != placements.len() || objects != placements.len() {
+        return Err(Error::value("placements", "one for each mesh and object", placements.len()));
+    }
+    Ok(())
+}
+
+/// An object's number, or none below 0.
+pub(crate) fn named(object: i32) -> Option<i32> {
+    (object >= 0).then_some(object)
+}
+
+/// Transforms of placements (I, 3, 4).
+pub(crate) fn affines(placements: &PyReadonlyArray3<'_, f64>) -> Vec<DAffine3> {
+    placements
+        .as_array()
+        .outer_iter()
+        .map(|m| {
+            let column = |j: usize| DVec3::new(m[[0, j]], m[[1, j]], m[[2, j]]);
+            DAffine3 { matrix3: DMat3::from_cols(column(0), column(1), column(2)), translation: column(3) }
+        })
+        .collect()
+}
+
+/// Placed meshes: `placements` are (I, 3, 4) object→scene, `objects` −1 leaves the object to the mesh.
+pub(crate) fn instances(
+    meshes: Vec<Arc<Mesh>>,
+    placements: Vec<DAffine3>,
+    objects: ArrayView1<'_, i32>,
+) -> Result<Vec<Instance>> {
+    same_length(meshes.len(), &placements, objects.len())?;
+    let placed = meshes.into_iter().zip(placements).zip(objects);
+    placed.map(|((mesh, to_scene), &object)| Instance::new(mesh, to_scene, named(object))).collect()
+}
+
+/// Placements (I, 3, 4) of instances.
+pub(crate) fn rows_of<'py, 'a>(
+    py: Python<'py>,
+    instances: impl IntoIterator<Item = &'a Instance>,
+) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    let rows = instances.into_iter().flat_map(|instance| {
+        let (m, t) = (instance.to_scene.matrix3.transpose(), instance.to_scene.translation);
+        [(m.x_axis, t.x), (m.y_axis, t.y), (m.z_axis, t.z)]
+    });
+    let flat: Vec<f64> = rows.flat_map(|(row, t)| [row.x, row.y, row.z, t]).collect();
+    let count = flat.len() / 12;
+    PyArray1::from_vec(py, flat).reshape([count, 3, 4])
+}

@@ -1,0 +1,210 @@
+//! Bindings of `scene::Scene`.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DVec3};
+use nearfar_core::base::{Buffer, Error, Result};
+use nearfar_core::scene::{self, Alpha, Instance, Material, Part, Texture};
+use numpy::{
+    PyArray1, PyArray2, PyArray3, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3,
+};
+use pyo3::prelude::*;
+
+use super::mesh::Mesh;
+use super::placements::{affines, instances, rows_of};
+use crate::convert::arrays::buffer;
+use crate::convert::errors::to_python;
+use crate::convert::run;
+
+/// Meshes placed in the world.
+#[pyclass(frozen, module = "nearfar._core")]
+pub struct Scene(pub scene::Scene);
+
+#[pymethods]
+impl Scene {
+    /// `placements` are (I, 3, 4) object→scene, relative to the origin, standing instances first; `objects` −1 leaves
+    /// the object to the mesh; a material's texture is −1 for none, its cutoff NaN for opaque.
+    #[new]
+    #[pyo3(signature = (*, origin, meshes, placements, objects, standing_count, material_colors, material_textures,
+                        material_cutoffs, textures))]
+    #[expect(clippy::too_many_arguments, reason = "a scene's parts, by keyword only")]
+    fn new<'py>(
+        py: Python<'py>,
+        origin: [f64; 3],
+        meshes: Vec<PyRef<'py, Mesh>>,
+        placements: PyReadonlyArray3<'py, f64>,
+        objects: PyReadonlyArray1<'py, i32>,
+        standing_count: usize,
+        material_colors: PyReadonlyArray2<'py, f32>,
+        material_textures: PyReadonlyArray1<'py, i32>,
+        material_cutoffs: PyReadonlyArray1<'py, f32>,
+        textures: Vec<Bound<'py, PyArrayDyn<u8>>>,
+    ) -> PyResult<Self> {
+        let meshes: Vec<Arc<scene::Mesh>> = meshes.iter().map(|mesh| Arc::clone(&mesh.0)).collect();
+        let (placements, objects) = (affines(&placements), objects.as_array());
+        let (colors, links) = (material_colors.as_array(), material_textures.as_array());
+        let cutoffs = material_cutoffs.as_array();
+        let materials = colors
+            .outer_iter()
+            .zip(links)
+            .zip(cutoffs)
+            .map(|((color, &texture), &cutoff)| Material {
+                base_color: std::array::from_fn(|i| color[i]),
+                texture: u32::try_from(texture).ok(),
+                alpha: if cutoff.is_nan() { Alpha::Opaque } else { Alpha::Mask { cutoff } },
+            })
+            .collect();
+        let textures = textures.iter().map(texture).collect::<PyResult<_>>()?;
+        run::short(py, || {
+            let mut standing = instances(meshes, placements, objects)?;
+            if standing_count > standing.len() {
+                return Err(Error::value("standing_count", "at most the number of instances", standing_count));
+            }
+            let moving = standing.split_off(standing_count);
+            scene::Scene::new(DVec3::from_array(origin), standing, moving, Arc::new(materials), Arc::new(textures))
+        })
+        .map(Self)
+    }
+
+    /// All instances as one mesh, relative to the origin.
+    fn merged(&self, py: Python<'_>) -> PyResult<Mesh> {
+        let part = |instance: &Instance| Part {
+            mesh: Arc::clone(&instance.mesh),
+            to_scene: instance.to_scene,
+            object: instance.object,
+        };
+        run::short(py, || scene::merge(&self.0.instances().map(part).collect::<Vec<_>>())).map(|m| Mesh(Arc::new(m)))
+    }
+
+    /// A standing mesh as object 0, with the same origin, materials and textures.
+    fn of_mesh(&self, py: Python<'_>, mesh: &Mesh) -> PyResult<Self> {
+        let mesh = Arc::clone(&mesh.0);
+        run::short(py, || {
+            let standing = vec![Instance::new(mesh, DAffine3::IDENTITY, Some(0))?];
+            let (materials, textures) = (Arc::clone(&self.0.materials), Arc::clone(&self.0.textures));
+            scene::Scene::new(self.0.origin, standing, vec![], materials, textures)
+        })
+        .map(Self)
+    }
+
+    /// The same scene with the moving instances placed anew, in their order.
+    fn posed<'py>(&self, py: Python<'py>, placements: PyReadonlyArray3<'py, f64>) -> PyResult<Self> {
+        let placements = affines(&placements);
+        run::short(py, || {
+            let moving = self.0.moving.instances();
+            if placements.len() != moving.len() {
+                return Err(Error::value("placements", format!("{} matrices", moving.len()), placements.len()));
+            }
+            let place = |(old, to_scene): (&Instance, DAffine3)| old.placed(to_scene);
+            moving.iter().zip(placements).map(place).collect::<Result<Vec<_>>>().map(|moving| self.0.posed(moving))
+        })
+        .map(Self)
+    }
+
+    /// The same scene in which also the chosen objects, a flag for each, move.
+    fn with_moving<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
+        let chosen = chosen.as_slice()?;
+        run::short(py, || self.0.with_moving(chosen)).map(Self)
+    }
+
+    /// Only the chosen objects, a flag for each.
+    fn subset_of_objects<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
+        let chosen = chosen.as_slice()?;
+        run::short(py, || Ok(self.0.subset_of_objects(chosen))).map(Self)
+    }
+
+    /// All but the chosen objects, a flag for each.
+    fn without_objects<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
+        let chosen = chosen.as_slice()?;
+        run::short(py, || Ok(self.0.without_objects(chosen))).map(Self)
+    }
+
+    /// Only the chosen triangles, a flag for each.
+    fn subset_of_triangles<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
+        let chosen = chosen.as_slice()?;
+        run::short(py, || self.0.subset_of_triangles(chosen)).map(Self)
+    }
+
+    /// Where the moving instances are (M, 3, 4), relative to the origin.
+    fn moving_placements<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
+        rows_of(py, self.0.moving.instances())
+    }
+
+    /// Objects of the moving instances.
+    fn moving_objects<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i32>> {
+        PyArray1::from_iter(py, self.0.moving.instances().iter().map(|instance| instance.object.unwrap_or(-1)))
+    }
+
+    #[getter]
+    fn origin(&self) -> (f64, f64, f64) {
+        self.0.origin.into()
+    }
+
+    #[getter]
+    fn material_count(&self) -> usize {
+        self.0.materials.len()
+    }
+
+    #[getter]
+    fn texture_count(&self) -> usize {
+        self.0.textures.len()
+    }
+
+    /// Faces of the distinct meshes without an area.
+    fn degenerate_count(&self, py: Python<'_>) -> PyResult<usize> {
+        run::short(py, || Ok(self.0.degenerate_count()))
+    }
+
+    /// Identities of the instances' meshes, in order: equal numbers are one mesh in memory.
+    fn mesh_ids<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u64>> {
+        let ids: Vec<u64> = self.0.instances().map(|instance| Arc::as_ptr(&instance.mesh).addr() as u64).collect();
+        PyArray1::from_vec(py, ids)
+    }
+
+    /// Builds all trees now instead of at the first ray.
+    #[pyo3(signature = (report=None))]
+    fn build(&self, py: Python<'_>, report: Option<Py<PyAny>>) -> PyResult<()> {
+        run::long(py, report, |progress| self.0.build(progress))
+    }
+
+    #[getter]
+    fn triangle_count(&self) -> i64 {
+        self.0.triangle_count()
+    }
+
+    #[getter]
+    fn standing_triangle_count(&self) -> i64 {
+        self.0.standing.triangle_count()
+    }
+
+    #[getter]
+    fn instance_count(&self) -> usize {
+        self.0.instance_count()
+    }
+
+    /// Triangles before each instance, and their total last.
+    fn triangle_offsets<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
+        let count = self.0.instance_count() as u32;
+        PyArray1::from_iter(py, (0..=count).map(|number| self.0.triangle_offset(number)))
+    }
+
+    /// World box (2, 3), inverted infinities for an empty scene.
+    fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let bounds = run::short(py, || Ok(self.0.bounds()))?;
+        let world = |corner: glam::Vec3| (corner.as_dvec3() + self.0.origin).to_array().to_vec();
+        Ok(PyArray2::from_vec2(py, &[world(bounds.min), world(bounds.max)])?)
+    }
+
+    /// Corners of all triangles (T, 3, 3), relative to the origin.
+    fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
+        let flat = run::short(py, || self.0.triangles())?;
+        PyArray1::from_vec(py, flat).reshape([self.0.triangle_count() as usize, 3, 3])
+    }
+}
+
+fn texture(array: &Bound<'_, PyArrayDyn<u8>>) -> PyResult<Texture> {
+    let (height, width, _): (u32, u32, u32) = array.getattr("shape")?.extract()?;
+    let rows = array.call_method1("reshape", (-1, 4))?;
+    let texels: Buffer<[u8; 4]> = buffer(rows.cast::<PyArrayDyn<u8>>()?)?;
+    Texture::new(width, height, texels).map_err(to_python)
+}
