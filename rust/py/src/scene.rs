@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
-use nearfar_core::base::{Buffer, Error, Result};
-use nearfar_core::scene::{self, Alpha, FaceMap, Instance, Material, Part, Texture};
+use nearfar_core::base::{Buffer, Error, FaceMap, Result};
+use nearfar_core::scene::{self, Alpha, Instance, Material, Part, Texture};
 use numpy::ndarray::ArrayView1;
 use numpy::{
     PyArray1, PyArray2, PyArray3, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3,

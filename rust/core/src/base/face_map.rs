@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::base::{Buffer, Error, Result};
+use super::{Buffer, Error, Result};
 
 /// Least mean length of a run for which ranges pay: their look-up is a binary search, against one load of 4 bytes a face,
 /// a small part of the face's 12 bytes and its share of the tree.
@@ -87,7 +87,7 @@ impl FaceMap {
     }
 
     /// The map with each value replaced by the one that stands at it in `numbers`; −1 and what lies beyond stay.
-    pub(super) fn renumbered(&self, numbers: &[i32]) -> Self {
+    pub(crate) fn renumbered(&self, numbers: &[i32]) -> Self {
         let number = |&value: &i32| usize::try_from(value).ok().and_then(|at| numbers.get(at)).map_or(value, |&n| n);
         match self {
             Self::Uniform(value) => Self::Uniform(number(value)),

@@ -1,32 +1,17 @@
-//! The morph per pixel: the curve of points that it shows in one direction.
-//!
-//! The directions from user and centre to a point and the line between both are coplanar, so that the points shown in a
-//! direction d form a plane curve P(s) = U + s d + y(s) e, with v = O−U, e the unit vector of v⊥ = v − (v·d) d, and y
-//! in [0, |v⊥|] the root of w y/|P−U| + (1−w)(y−|v⊥|)/|P−O|: what the blend of both directions (Eq. 1) has across d.
-//! It leaves U along d, ends on the parallel ray from O, and is the same for both kinds of the morph.
-
-mod fold;
-#[cfg(test)]
-mod tests;
+//! The curve of points that the morph shows in one direction, and its polyline.
 
 use glam::{DVec2, DVec3};
 
-use crate::base::{Error, Progress, Result, memory::room_for};
 use crate::morph::Morph;
-use rayon::prelude::*;
-
-pub use fold::margin;
 
 /// Steps of the root's search at most: bisection alone needs as many as a float64 has digits.
 const STEPS: usize = 80;
 /// Halvings of a stretch of the curve at most, beyond those of a chord's length that the tolerance asks for.
 const SPARE: u32 = 8;
 /// Chords of a stretch at most, times the root of the tolerance. Where the picture folds curves jump, and no chord is flat.
-const MOST: f64 = 64.0;
+pub(super) const MOST: f64 = 64.0;
 /// Chords that end so many times as far away as they begin are long.
 const LONG: f64 = 4.0;
-/// Radians: the least tolerance, which takes some thousand points.
-const LEAST_TOLERANCE: f64 = 1e-9;
 /// Where an upright curve is cut, in radii.
 const HIGHEST: f64 = 1e4;
 /// A chord is tried at some of its points. Where it misses this share of the tolerance, it may miss all of it between.
@@ -252,44 +237,6 @@ impl<'a> Curve<'a> {
         }
         points
     }
-}
-
-/// Polylines of many rays, padded with NaN to the longest: (rows × `longest` points, `longest`). Directions of any length.
-pub fn bend_rays(
-    morph: &Morph,
-    directions: &[[f64; 3]],
-    tolerance: f64,
-    progress: &Progress,
-) -> Result<(Vec<[f64; 3]>, usize)> {
-    if !(tolerance.is_finite() && tolerance >= LEAST_TOLERANCE) {
-        return Err(Error::value("tolerance", format!("at least {LEAST_TOLERANCE:e} radians"), tolerance));
-    }
-    let unit = |row: &[f64; 3]| {
-        // Scaled first: squares of lengths overflow long before lengths do.
-        let d = DVec3::from_array(*row);
-        let longest = d.abs().max_element();
-        (longest > 0.0 && d.is_finite()).then(|| (d / longest).normalize())
-    };
-    if let Some(row) = directions.iter().position(|row| unit(row).is_none()) {
-        let expected = "finite directions with a length above zero";
-        return Err(Error::value("directions", expected, format!("{:?} at index {row}", directions[row])));
-    }
-    progress.expect(directions.len() as u64);
-    let bend = |rows: &[[f64; 3]]| {
-        let lines: Vec<Vec<DVec3>> =
-            rows.iter().filter_map(unit).map(|unit| Curve::new(morph, unit).polyline(tolerance)).collect();
-        progress.report(rows.len() as u64)?;
-        Ok(lines)
-    };
-    let lines: Vec<Vec<Vec<DVec3>>> = directions.par_chunks(1024).map(bend).collect::<Result<_>>()?;
-    let longest = lines.iter().flatten().map(Vec::len).max().unwrap_or(1);
-    room_for((directions.len() * longest * size_of::<[f64; 3]>()) as u64)?;
-    let mut padded = Vec::with_capacity(directions.len() * longest);
-    for line in lines.iter().flatten() {
-        padded.extend(line.iter().map(|point| point.to_array()));
-        padded.resize(padded.len() + longest - line.len(), [f64::NAN; 3]);
-    }
-    Ok((padded, longest))
 }
 
 /// The horizontal part.

@@ -1,24 +1,14 @@
-//! Trees of boxes: one over a mesh's triangles, one over a scene's instances. Built by obvhs, walked by `trace`.
-
-mod blocks;
-mod groups;
-mod wide;
+//! Both kinds of trees, built by obvhs and converted to eight-wide ones.
 
 use glam::Vec3;
 use obvhs::aabb;
 use obvhs::bvh2::{Bvh2, leaf_collapser::collapse, reinsertion::ReinsertionOptimizer};
 use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 
-use crate::base::{Progress, Result};
-use crate::scene::Aabb;
-
-pub use groups::Faces;
-
-pub(crate) use blocks::Block;
-use blocks::leaf_blocks;
-use groups::Groups;
-use wide::{Content, Slot};
-pub(crate) use wide::{LEAF, NO_CHILD, Node, WIDTH, Wide};
+use super::blocks::{self, Block, leaf_blocks};
+use super::groups::{Faces, Groups};
+use super::wide::{Content, LEAF, Slot, Wide};
+use crate::base::{Aabb, Progress, Result};
 
 /// A tree over the triangles of one mesh.
 pub struct Bvh {

@@ -1,38 +1,12 @@
-//! Cameras: where from, which way, and how directions fall on pixels.
-
-mod depth;
+//! Views: position, orientation, projection and pixels.
 
 use glam::{DMat3, DQuat, DVec3};
 use rayon::prelude::*;
 
+use super::cube_face::direction_from_face;
+use super::projection::{Fov, Projection};
+use super::rays::Rays;
 use crate::base::{Error, Result, memory::room_for};
-use crate::cubemap::direction_from_face;
-pub use depth::{Depth, DepthBuffer, Planes, Real};
-
-/// Four bounds of a view: tangents of the half angles for a perspective view, metres for an orthographic one.
-/// Left and down are negative in the symmetric case; asymmetric is the general one.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fov {
-    /// Leftmost x.
-    pub left: f64,
-    /// Rightmost x.
-    pub right: f64,
-    /// Lowest y.
-    pub down: f64,
-    /// Highest y.
-    pub up: f64,
-}
-
-/// How a view's directions fall on its image.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Projection {
-    /// Pinhole; bounds are tangents.
-    Perspective(Fov),
-    /// Parallel rays along the viewing direction; bounds are metres.
-    Orthographic(Fov),
-    /// Face 0..6 of a cube map (+x −x +y −y +z −z) in world axes; the orientation is not used.
-    CubeFace(u8),
-}
 
 /// A view: position in the scene's world, orientation camera→world, looking along −z with y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -171,87 +145,6 @@ impl Camera {
     /// True where all rays are parallel.
     pub fn is_parallel(&self) -> bool {
         matches!(self.projection, Projection::Orthographic(_))
-    }
-}
-
-/// The rays of a view as functions of the image position.
-#[derive(Clone, Copy, Debug)]
-pub struct Rays {
-    start: DVec3,
-    start_steps: [DVec3; 2],
-    direction: DVec3,
-    direction_steps: [DVec3; 2],
-    parallel: bool,
-    pixel_size: f64,
-}
-
-/// How wide a pixel is across its ray, by the distance along the ray.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Footprint {
-    /// Metres at the ray's start.
-    pub width: f32,
-    /// Metres for each metre of the ray.
-    pub spread: f32,
-}
-
-impl Footprint {
-    /// Metres across the ray at a distance.
-    #[inline]
-    pub fn at(&self, distance: f32) -> f32 {
-        self.width + self.spread * distance
-    }
-}
-
-impl Rays {
-    /// Start (relative to the camera's position) and unit direction through image position (x, y).
-    #[inline]
-    pub fn at(&self, x: f64, y: f64) -> (DVec3, DVec3) {
-        let start = self.start + self.start_steps[0] * x + self.start_steps[1] * y;
-        (start, self.longer(x, y).normalize())
-    }
-
-    /// Footprint of a square of `scale` pixels a side at image position (x, y). A pixel of size p at one metre ahead,
-    /// seen at angle θ off the axis, covers the solid angle p² cos³ θ; the footprint is its root.
-    #[inline]
-    pub fn footprint(&self, x: f64, y: f64, scale: f64) -> Footprint {
-        let size = (self.pixel_size * scale) as f32;
-        if self.parallel {
-            return Footprint { width: size, spread: 0.0 };
-        }
-        let secant = self.longer(x, y).as_vec3().length();
-        Footprint { width: 0.0, spread: size / (secant * secant.sqrt()) }
-    }
-
-    /// Least angle between neighbouring pixels' rays at image position (x, y), radians: away from the axis, where a
-    /// tangent of the angle θ grows with 1/cos² θ. For perspective views.
-    #[inline]
-    pub fn pixel_angle(&self, x: f64, y: f64) -> f64 {
-        self.pixel_size / self.longer(x, y).length_squared()
-    }
-
-    #[inline]
-    fn longer(&self, x: f64, y: f64) -> DVec3 {
-        self.direction + self.direction_steps[0] * x + self.direction_steps[1] * y
-    }
-}
-
-impl Fov {
-    /// Point of the image plane at fractions (s, t) from the left and the top.
-    #[inline]
-    fn at(&self, s: f64, t: f64) -> glam::DVec2 {
-        glam::DVec2::new(self.left + (self.right - self.left) * s, self.up + (self.down - self.up) * t)
-    }
-
-    fn area(&self) -> f64 {
-        (self.right - self.left) * (self.up - self.down)
-    }
-
-    fn validate(&self) -> Result<()> {
-        let finite = [self.left, self.right, self.down, self.up].iter().all(|x| x.is_finite() && x.abs() < 1e9);
-        if finite && self.left < self.right && self.down < self.up {
-            return Ok(());
-        }
-        Err(Error::value("fov", "bounds within ±1e9 with left < right and down < up", format!("{self:?}")))
     }
 }
 

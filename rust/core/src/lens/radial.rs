@@ -1,49 +1,24 @@
-//! Lenses of headsets: where a radial polynomial shows what, and back.
-//!
-//! r_d = f(r) = r (1 + k₁r² + k₂r⁴ + …) with r = tan α / tan ω: ω is half the horizontal field of view, so that r = 1
-//! at the screen's edge (Liebisch 2021, Eq. 4.10). Lenses that are not quite centred add Brown's tangential terms.
-
-mod exact;
-mod inverse;
-mod mesh;
-mod points;
-mod polynomial;
-mod size;
-mod solve;
-mod stretch;
-mod table;
-#[cfg(test)]
-mod tests;
-mod warp;
+//! A lens: its polynomial, where it folds, and the table of its inverse.
 
 use std::sync::OnceLock;
 
+use super::reach::reach;
+use super::solve::{FARTHEST, Radial};
+use super::table::Table;
 use crate::base::error::number;
 use crate::base::{Error, Result};
-use solve::Radial;
-use table::Table;
-
-pub use inverse::Method;
-pub use mesh::{Mesh, warp_mesh};
-pub use size::{Sizes, corrected_solid_angles};
-pub use stretch::{STRETCHED, Spheres};
-pub use warp::{Filter, Image, Pixel, View, warp};
 
 /// Most coefficients that a lens may have.
 const MOST: usize = 64;
 /// Radii at which the first term may be as large as r itself: powers of them stay floats.
 const UNITS: std::ops::Range<f64> = 1e-30..1e30;
-/// Greatest radius that is shown or looked for, and greatest coefficient: fourth derivatives, and halves of products, do
-/// not overflow.
-const FARTHEST: f64 = 1e290;
-
 /// A lens.
 #[derive(Clone, Debug)]
 pub struct RadialLens {
-    radial: Radial,
-    tangential: [f64; 2],
+    pub(super) radial: Radial,
+    pub(super) tangential: [f64; 2],
     /// Radius of the disc that `points` serves: r_max, or less with tangential terms.
-    reach: f64,
+    pub(super) reach: f64,
     table: OnceLock<Table>,
 }
 
@@ -64,7 +39,7 @@ impl RadialLens {
             let expected = format!("terms that reach r at radii from {:e} to {:e}", UNITS.start, UNITS.end);
             return Err(Error::value("k", expected, format!("{:e}", radial.unit)));
         }
-        let reach = points::reach(&radial, tangential);
+        let reach = reach(&radial, tangential);
         Ok(Self { radial, tangential, reach, table: OnceLock::new() })
     }
 
@@ -99,7 +74,7 @@ impl RadialLens {
     }
 
     /// Made on first use. Lenses that change nothing have none.
-    fn table(&self) -> Option<&Table> {
+    pub(super) fn table(&self) -> Option<&Table> {
         (!self.radial.k.is_empty()).then(|| self.table.get_or_init(|| Table::new(&self.radial)))
     }
 }

@@ -1,13 +1,4 @@
-//! The morph that joins near geometry, seen from the user's eye, to a far environment seen from the centre.
-//!
-//! Popescu, Lee, Choi, Fahmy: the continuous near–far partitioning of 2022, Eq. 1–3 (`Kind::Blend`); and the same
-//! group's CloVR of 2024, Alg. 1 (`Kind::Cylinder`), whose printed w lacks the brackets.
-
-mod blend;
-mod cylinder;
-mod stream;
-#[cfg(test)]
-mod tests;
+//! The morph of one point.
 
 use glam::{DVec2, DVec3};
 
@@ -36,7 +27,7 @@ pub struct Morph {
     /// Where along the direction.
     pub kind: Kind,
     /// U − O.
-    offset: DVec3,
+    pub(super) offset: DVec3,
 }
 
 /// Where a point is shown, and how that came about.
@@ -116,19 +107,6 @@ impl Morph {
         }
         let rho = from_center * DVec2::new(direction.x, direction.z).length();
         leave_cylinder(self.offset, direction, rho).unwrap_or(from_center)
-    }
-
-    /// Morphs float32 points: half a float32 step of the answer and 2⁻²⁴ (6 + 3 r₂/(r₂−r₁)) |U−O| from the exact
-    /// answer at most, where the directions are not opposed. Inside r₁ they keep their bits; beyond r₂ they are
-    /// U + P − O, rounded once.
-    /// Points with NaN give NaN. Returns the number of opposed points. Both slices have one length.
-    pub fn apply_all_f32(&self, points: &[[f32; 3]], shown: &mut [[f32; 3]]) -> u64 {
-        stream::apply_all(self, points, shown)
-    }
-
-    /// The same for float64 points, where each step is a float64 one.
-    pub fn apply_all_f64(&self, points: &[[f64; 3]], shown: &mut [[f64; 3]]) -> u64 {
-        stream::apply_all(self, points, shown)
     }
 }
 

@@ -1,117 +1,13 @@
-//! Which triangles stay geometry and which become part of the environment map.
-//!
-//! A triangle's zone follows from its least distance ρ from the vertical axis through the centre: near (≤ r₁),
-//! intermediate (≤ r₂) or far. Standing triangles that reach beyond r₂ are baked, all others are drawn; those that
-//! straddle r₂ are in both parts, and pixels are split there. Distances are measured in float64 and rounded once to
-//! float32, the precision of the geometry, so that `triangle_radii`, `Partition` and `LoadCurve` agree about every
-//! triangle.
-
-mod arrays;
-mod classify;
-mod load_curve;
-mod radii;
-#[cfg(test)]
-mod tests;
-mod validate;
+//! A scene divided at two radii, with its counts.
 
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::axis::{axis_in, check_center};
+use super::classify::Ruler;
+use super::zone::{Class, Faces, Zone};
 use crate::base::{Error, Progress, Result};
 use crate::scene::Scene;
-
-pub use arrays::triangle_radii;
-pub use load_curve::LoadCurve;
-pub use radii::{Coordinate, radii_of};
-
-use classify::Ruler;
-
-/// Zone of a triangle, and whether it crosses r₂.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Zone {
-    /// Least ρ ≤ r₁, and all of it within r₂.
-    Near,
-    /// Least ρ ≤ r₁, and part of it beyond r₂.
-    NearStraddling,
-    /// r₁ < least ρ ≤ r₂, and all of it within r₂.
-    Intermediate,
-    /// r₁ < least ρ ≤ r₂, and part of it beyond r₂.
-    IntermediateStraddling,
-    /// All of it beyond r₂.
-    Far,
-}
-
-impl Zone {
-    /// Least ρ ≤ r₁.
-    pub fn is_near(self) -> bool {
-        matches!(self, Self::Near | Self::NearStraddling)
-    }
-
-    /// On both sides of r₂.
-    pub fn is_straddling(self) -> bool {
-        matches!(self, Self::NearStraddling | Self::IntermediateStraddling)
-    }
-}
-
-/// Zones of an instance's triangles.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Class {
-    /// All are [`Zone::Near`].
-    Near,
-    /// All are [`Zone::Intermediate`].
-    Intermediate,
-    /// All are [`Zone::Far`].
-    Far,
-    /// Looked at one by one.
-    Mixed(Mixed),
-}
-
-/// Zones of the triangles of an instance that its box does not decide.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Mixed {
-    /// Faces that are not far, ascending; all others are.
-    pub faces: Vec<u32>,
-    /// Zone of each of them.
-    pub zones: Vec<Zone>,
-    /// Faces whose radii were needed: the others are far by their coordinates alone.
-    pub measured: u32,
-}
-
-/// Faces of an instance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Faces<'a> {
-    /// Every one.
-    All,
-    /// These, ascending.
-    Some(&'a [u32]),
-}
-
-/// One of the sets that a partition names.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
-    /// Least ρ ≤ r₁.
-    Near,
-    /// r₁ < least ρ ≤ r₂.
-    Intermediate,
-    /// Least ρ > r₂.
-    Far,
-    /// What is drawn as geometry: near, intermediate, and everything that moves.
-    Nsf,
-    /// What is baked: standing triangles that reach beyond r₂.
-    Sf,
-}
-
-impl Part {
-    fn holds(self, zone: Zone, moving: bool) -> bool {
-        match self {
-            Self::Near => zone.is_near(),
-            Self::Intermediate => !zone.is_near() && zone != Zone::Far,
-            Self::Far => zone == Zone::Far,
-            Self::Nsf => moving || zone != Zone::Far,
-            Self::Sf => !moving && (zone == Zone::Far || zone.is_straddling()),
-        }
-    }
-}
 
 /// Numbers of triangles and instances.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -243,11 +139,11 @@ impl Partition {
         }
     }
 
-    fn is_moving(&self, instance: usize) -> bool {
+    pub(super) fn is_moving(&self, instance: usize) -> bool {
         instance >= self.scene.standing.instances().len()
     }
 
-    fn count(&self) -> Counts {
+    pub(super) fn count(&self) -> Counts {
         let mut counts = Counts { triangles: self.scene.triangle_count(), ..Counts::default() };
         for (number, class) in self.classes.iter().enumerate() {
             let triangles = self.scene.instance(number as u32).mesh.faces.len() as i64;
@@ -288,14 +184,4 @@ impl Partition {
         }
         counts
     }
-}
-
-fn check_center(center: DVec3) -> Result<()> {
-    if center.is_finite() { Ok(()) } else { Err(Error::value("center", "three finite numbers", center)) }
-}
-
-/// (x, z) of the axis in the frame of a scene's geometry.
-fn axis_in(scene: &Scene, center: DVec3) -> [f64; 2] {
-    let local = center - scene.origin;
-    [local.x, local.z]
 }

@@ -1,16 +1,4 @@
-//! What is looked at: meshes shared between instances, objects as names over faces or instances, base colours.
-
-mod bounds;
-mod edit;
-mod face_map;
-mod instance;
-mod levels;
-mod material;
-mod merge;
-mod mesh;
-mod normal;
-pub mod srgb;
-mod texture;
+//! The scene itself: what stands and what moves in the world, with its materials and textures.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -18,17 +6,11 @@ use std::sync::Arc;
 use glam::DVec3;
 use rayon::prelude::*;
 
-pub use bounds::{Aabb, REACH};
-pub use face_map::FaceMap;
-pub use instance::{Instance, InstanceSet};
-pub use levels::LevelMeshes;
-pub use material::{Alpha, Material, texel_density, texture_level};
-pub use merge::{Part, merge};
-pub use mesh::Mesh;
-pub use normal::facing_normals;
-pub use texture::{Level, Texture};
-
-use crate::base::{Error, Progress, Result, memory::room_for};
+use super::instance::{Instance, InstanceSet};
+use super::material::Material;
+use super::mesh::{self, Mesh};
+use super::texture::Texture;
+use crate::base::{Aabb, Error, Progress, Result, memory::room_for};
 
 /// An immutable scene. Copies share meshes, textures and trees; only instance lists differ.
 ///

@@ -1,39 +1,11 @@
-//! Rays against a scene: nearest hits through both levels of trees; and nearest points of its surface.
-
-mod alpha;
-mod beam;
-mod cast;
-mod closest;
-mod dispatch;
-mod lanes;
-mod nearest;
-mod packet;
-mod region;
-mod single;
-mod slab;
-#[cfg(test)]
-mod tests;
-mod triangle;
-
-use std::slice;
+//! Rays, hits, and the filters that decide which intersections count.
 
 use glam::Vec3;
-
-use crate::scene::Scene;
-use lanes::Level;
-
-pub use crate::scene::REACH;
-pub use alpha::AlphaFilter;
-pub use cast::{Hits, Points, cast};
-pub use closest::{Closest, closest};
-pub use lanes::{instruction_sets, use_instruction_set};
-pub use nearest::{Nearest, nearest};
-pub use region::touches;
 
 /// A segment of a ray in scene space. The direction needs no particular length; `t` is in units of it.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// Start, relative to the scene's origin and no farther from it than `REACH`.
+    /// Start, relative to the scene's origin and no farther from it than `base::REACH`.
     pub origin: Vec3,
     /// Direction, finite and not zero.
     pub direction: Vec3,
@@ -68,7 +40,7 @@ impl Hit {
     }
 
     /// Ties go to the lower (instance, face), so that the answer depends neither on the tree nor on the order of visits.
-    fn is_before(&self, other: &Self) -> bool {
+    pub(super) fn is_before(&self, other: &Self) -> bool {
         self.t < other.t || (self.t == other.t && (self.instance, self.face) < (other.instance, other.face))
     }
 }
@@ -92,21 +64,4 @@ impl Filter for All {
     fn accepts(&self, _ray: &Ray, _candidate: &Hit) -> bool {
         true
     }
-}
-
-/// The nearest hit. The scene must have been built (`Scene::build`).
-pub fn closest_hit(scene: &Scene, ray: &Ray, filter: &impl Filter) -> Hit {
-    let mut hit = [Hit::MISS];
-    closest_hits(scene, slice::from_ref(ray), filter, &mut hit);
-    hit[0]
-}
-
-/// Nearest hits of many rays; neighbours in the slice are assumed to be coherent.
-pub fn closest_hits(scene: &Scene, rays: &[Ray], filter: &impl Filter, hits: &mut [Hit]) {
-    dispatch::closest_hits(Level::current(), scene, rays, filter, hits);
-}
-
-/// True where a ray hits anything within its segment.
-pub fn any_hits(scene: &Scene, rays: &[Ray], filter: &impl Filter, hits: &mut [bool]) {
-    dispatch::any_hits(Level::current(), scene, rays, filter, hits);
 }

@@ -5,7 +5,8 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use bytemuck::{Pod, Zeroable};
-use nearfar_core::scene::{Aabb, Instance};
+use nearfar_core::base::Aabb;
+use nearfar_core::scene::Instance;
 
 use super::slots::BLOCK;
 use super::{Frustum, Kind, Layer, Picture, Set};

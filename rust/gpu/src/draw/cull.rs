@@ -1,8 +1,8 @@
 //! What a view can't see is not drawn: instances and runs of faces by their boxes.
 
 use glam::{DVec3, DVec4, Vec3};
+use nearfar_core::base::Aabb;
 use nearfar_core::camera::Camera;
-use nearfar_core::scene::Aabb;
 
 use super::view::{Axes, Window};
 

@@ -1,21 +1,10 @@
-//! Depth buffers: what their values say about the distance from the eye.
-//!
-//! A perspective view's buffer holds t, which 1/z is linear in: 1/z = (1 − t)/z₀ + t/z₁ with z the distance along the
-//! viewing axis and z₀, z₁ its values where the buffer is 0 and 1: the near and the far plane, or the far and the near
-//! one where z is reversed. 1/z₀ or 1/z₁ is 0 for a far plane at infinity. A parallel view's z itself is linear in t.
-//! Both terms of the sums are positive, so nothing cancels: z is as exact as t is. The distance from the eye is
-//! z √(1 + x² + y²) with the tangents x, y of the pixel's centre.
-
-mod block;
-#[cfg(test)]
-mod tests;
+//! The buffer of a view or of a projection matrix.
 
 use rayon::prelude::*;
 
-use super::{Fov, Projection};
+use super::super::projection::{Fov, Projection};
+use super::block::{BLOCK, Depth, Line, Real};
 use crate::base::{Error, Result, number};
-use block::{BLOCK, Line};
-pub use block::{Depth, Real};
 
 /// Results of a block of a row from a column on; true where one of them is NaN, because its value is refused.
 type Kernel<T, U> = fn(&Line, i32, &[T; BLOCK], &mut [U; BLOCK]) -> bool;

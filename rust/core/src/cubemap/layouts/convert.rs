@@ -1,78 +1,19 @@
-//! From one layout to another, and lookups in layouts without faces.
+//! Pictures from one layout to another, and the directions and texels of a layout.
 
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::blocks::{BLOCK, LEAST_WEIGHT, Lanes, Streamed, keys};
-use super::faces::{Faces, Number, is_known};
+use super::super::faces::Faces;
+use super::super::lookup::{
+    BLOCK, Filter, Lanes, Number, Sampler, Surface, cube_sampler, in_blocks, in_tiles, is_wrong,
+};
 use super::flat;
 use super::layout::{Grid, Layout, Rows};
-use super::lookup::{Filter, in_blocks, in_tiles, is_wrong};
-use super::sampler::Sampler;
+use super::picture::{Picture, flat_sampler};
 use crate::base::{Error, Progress, Real, Result, memory::room_for};
 
 /// Texels whose directions are made and looked up together.
 const SEGMENT: usize = 512;
-
-/// A picture of all directions.
-#[derive(Clone, Copy, Debug)]
-pub struct Picture<'a, T> {
-    pub(super) grid: Grid,
-    pub(super) values: &'a [T],
-    pub(super) channels: usize,
-}
-
-impl<'a, T> Picture<'a, T> {
-    /// Checks that the values fill the grid.
-    pub fn new(grid: Grid, values: &'a [T], channels: usize) -> Result<Self> {
-        let expected = grid.texels() * channels;
-        if values.len() != expected {
-            return Err(Error::value("values", format!("{expected} values"), values.len()));
-        }
-        Ok(Self { grid, values, channels })
-    }
-}
-
-impl<T: Number> Picture<'_, T> {
-    /// Writes the value along a direction (finite, not zero) in a layout without faces.
-    pub(super) fn sample(&self, d: DVec3, filter: Filter, out: &mut [T]) {
-        let p = self.grid.position(d) - 0.5;
-        let before = p.floor();
-        let (s, t) = (p.x - before.x, p.y - before.y);
-        let (across, down) =
-            if filter == Filter::Cubic { (keys(s), keys(t)) } else { ([0.0, 1.0 - s, s, 0.0], [0.0, 1.0 - t, t, 0.0]) };
-        let least = if matches!(filter, Filter::Min | Filter::Max) { LEAST_WEIGHT } else { 0.0 };
-        let mut taps = [(0usize, 0.0f64); 16];
-        let mut count = 0;
-        for (row, y) in (before.y as i64 - 1..).zip(down) {
-            for (column, x) in (before.x as i64 - 1..).zip(across) {
-                // Those without weight are left out, because 0 times infinity is NaN.
-                if (x * y).abs() > least {
-                    taps[count] = (self.grid.wrapped(row, column) * self.channels, x * y);
-                    count += 1;
-                }
-            }
-        }
-        for (channel, value) in out.iter_mut().enumerate() {
-            let texels = taps[..count].iter().map(|&(start, weight)| (self.values[start + channel], weight));
-            *value = match filter {
-                Filter::Min => first(texels, |one, other| one < other),
-                Filter::Max => first(texels, |one, other| one > other),
-                _ => T::narrow(texels.map(|(texel, weight)| texel.wide() * weight).sum()),
-            };
-        }
-    }
-}
-
-/// The value that comes before all others, NaN where all are.
-fn first<T: Number>(texels: impl Iterator<Item = (T, f64)>, before: impl Fn(T, T) -> bool) -> T {
-    texels.fold(
-        T::narrow(f64::NAN),
-        |chosen, (texel, _)| {
-            if before(texel, chosen) || !is_known(chosen) { texel } else { chosen }
-        },
-    )
-}
 
 /// Writes a picture in another layout. Each texel is looked up at `samples`² places, evenly spread, of which the mean is
 /// taken, or the least or greatest.
@@ -90,15 +31,25 @@ pub fn convert<T: Number>(
         return Ok(());
     }
     let rows = Rows::new(target, samples)?;
-    // What each thread holds below.
+    // The arrays that each thread holds in `resample`.
     room_for(((size_of::<T>() + size_of::<f64>()) * SEGMENT * channels * rayon::current_num_threads()) as u64)?;
-    let source = match picture.grid.layout {
-        Layout::Cube => {
-            let faces = Faces::new(picture.values, picture.grid.width, channels)?;
-            Sampler::cube(faces, filter, target.texels().saturating_mul(rows.samples() as usize))?
-        }
-        _ => Sampler::flat(picture, filter),
-    };
+    if picture.grid.layout == Layout::Cube {
+        let faces = Faces::new(picture.values, picture.grid.width, channels)?;
+        let count = target.texels().saturating_mul(rows.samples() as usize);
+        return resample(&cube_sampler(faces, filter, count)?, target, &rows, out, progress);
+    }
+    resample(&flat_sampler(picture, filter), target, &rows, out, progress)
+}
+
+/// Writes all texels of a layout.
+fn resample<T: Number, S: Surface<T> + Sync>(
+    source: &Sampler<'_, T, S>,
+    target: Grid,
+    rows: &Rows,
+    out: &mut [T],
+    progress: &Progress,
+) -> Result<()> {
+    let &Sampler { channels, filter, .. } = source;
     // A row of many samples takes minutes.
     progress.expect(u64::from(target.rows()) * (target.width as usize).div_ceil(SEGMENT) as u64);
     out.par_chunks_mut(target.width as usize * channels).zip(0..target.rows()).try_for_each(|(out, row)| {

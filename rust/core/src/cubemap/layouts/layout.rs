@@ -11,9 +11,10 @@ use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
-use super::flat::{equirectangular, octahedral};
-use super::{MAX_SIZE, direction_from_face, texel_from_direction};
+use super::super::texels::{MAX_SIZE, texel_from_direction};
+use super::projections::{equirectangular, octahedral};
 use crate::base::{Error, Result, memory::room_for};
+use crate::camera::direction_from_face;
 
 /// How directions are laid out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Lookups in blocks: what the compiler turns into vectors. Texels are gathered between these kernels, one by one,
 //! because gathering instructions are no faster and on some machines much slower.
 
-use super::faces::is_known;
+use super::super::faces::is_known;
 use crate::base::Real;
 use crate::base::simd::widest;
 
@@ -111,7 +111,7 @@ impl Pierced {
 
 /// The whole part of `position`, kept within `low..=high`; `low` for NaN.
 #[inline(always)]
-pub(super) fn whole(position: f64, low: f64, high: f64) -> f64 {
+pub(in crate::cubemap) fn whole(position: f64, low: f64, high: f64) -> f64 {
     let raised = if position > low { position } else { low };
     let kept = if raised < high { raised } else { high };
     let nearest = (kept + UNITS) - UNITS;
@@ -120,7 +120,7 @@ pub(super) fn whole(position: f64, low: f64, high: f64) -> f64 {
 
 /// A whole number of at most 32 bits: texels have such numbers.
 #[inline(always)]
-pub(super) fn index(number: f64) -> u32 {
+pub(in crate::cubemap) fn index(number: f64) -> u32 {
     (number + UNITS).to_bits() as u32
 }
 
@@ -285,8 +285,8 @@ fn halve_extreme<T: Real, const GREATEST: bool>(above: &[T], below: &[T], out: &
     }
 }
 
-/// The kernels of a precision.
-pub trait Streamed: Real {
+/// Numbers that lookups read: float32 and float64, with their kernels.
+pub trait Number: Real {
     /// Number of the texel that each direction passes through; how many directions are zero or not finite.
     fn find_texels(directions: &[[Self; 3]; BLOCK], size: u32, texel: &mut Lanes<u32>) -> u32;
     /// Between which texels each direction lies; how many directions are zero or not finite.
@@ -307,7 +307,7 @@ pub trait Streamed: Real {
     fn halve(above: &[Self], below: &[Self], weights: [&[f64]; 2], out: &mut [Self]);
 }
 
-macro_rules! streamed {
+macro_rules! number {
     ($float:ty, $module:ident) => {
         mod $module {
             use super::*;
@@ -332,7 +332,7 @@ macro_rules! streamed {
             widest! {
                 fn highest(above: &[$float], below: &[$float], out: &mut [$float]) = halve_extreme::<$float, true>;
             }
-            impl Streamed for $float {
+            impl Number for $float {
                 fn halve_least(above: &[Self], below: &[Self], out: &mut [Self]) {
                     lowest(above, below, out);
                 }
@@ -365,5 +365,5 @@ macro_rules! streamed {
     };
 }
 
-streamed!(f32, single);
-streamed!(f64, double);
+number!(f32, single);
+number!(f64, double);

@@ -8,7 +8,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
 
-use super::along_face;
+use crate::camera::along_face;
 
 /// Added to the square of the sine, so that rounding (a few units of 2.2e-16 in products of numbers below 2) loses no
 /// texel: a cone is wider by half of this over its angle, and by 6.4e-8 at most.

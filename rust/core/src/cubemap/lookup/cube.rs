@@ -1,72 +1,71 @@
 //! Values of a cube map along many directions.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use glam::DVec3;
-use rayon::prelude::*;
 
-use super::blocks::{BLOCK, Lanes};
-use super::faces::{Faces, Number, refuse};
-use super::sampler::Sampler;
+use super::super::faces::{Faces, is_known};
+use super::blocks::{BLOCK, Inner, LEAST_WEIGHT, Lanes, Number, Placed};
+use super::cubic::Rim;
+use super::filter::Filter;
+use super::sampler::{Sampler, Surface};
+use super::taps::Taps;
+use super::tiles::{in_blocks, in_tiles};
 use crate::base::{Real, Result};
 
-/// Directions handled by one task.
-pub(super) const TILE: usize = 1 << 13;
-
-/// How texels around a direction become one value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Filter {
-    /// Seamless bilinear.
-    Linear,
-    /// Seamless bicubic.
-    Cubic,
-    /// The least of the texels that `Linear` would mix.
-    Min,
-    /// The greatest of the texels that `Linear` would mix.
-    Max,
+/// Six faces, and what cubic filters read beyond their edges.
+pub(in crate::cubemap) struct Cube<'a, T> {
+    faces: Faces<'a, T>,
+    rim: Rim<'a, T>,
 }
 
-/// Runs a kernel over directions block by block, the last one filled up; the kernel says how many of its directions
-/// are zero or not finite, and the index of the first one comes back.
-pub(super) fn in_blocks<T, D: Real>(
-    directions: &[[D; 3]],
-    out: &mut [T],
-    channels: usize,
-    mut kernel: impl FnMut(&[[D; 3]; BLOCK], &mut [T]) -> u32,
-) -> Option<usize> {
-    let (full, rest) = directions.as_chunks::<BLOCK>();
-    let (out_full, out_rest) = out.split_at_mut(full.len() * BLOCK * channels);
-    let mut wrong = 0;
-    for (block, out) in full.iter().zip(out_full.chunks_exact_mut(BLOCK * channels)) {
-        wrong += kernel(block, out);
-    }
-    if let Some(&first) = rest.first() {
-        let mut block = [first; BLOCK];
-        block[..rest.len()].copy_from_slice(rest);
-        wrong += kernel(&block, out_rest);
-    }
-    if wrong == 0 { None } else { directions.iter().position(is_wrong) }
+/// Prepares for about `count` lookups in a cube.
+pub(in crate::cubemap) fn cube_sampler<T: Number>(
+    faces: Faces<'_, T>,
+    filter: Filter,
+    count: usize,
+) -> Result<Sampler<'_, T, Cube<'_, T>>> {
+    // A table of the texels beyond edges pays where more would be looked up than it holds.
+    let many = filter == Filter::Cubic && count > (faces.size as usize).pow(2);
+    let cube = Cube { faces, rim: Rim::new(faces, many)? };
+    Ok(Sampler::new((faces.values, faces.size, faces.channels), faces.size, filter, cube))
 }
 
-/// Runs a kernel over tiles of directions on the current pool; fails at the first direction that it finds wrong.
-pub(super) fn in_tiles<T: Send, D: Number>(
-    directions: &[[D; 3]],
-    out: &mut [T],
-    channels: usize,
-    kernel: impl Fn(&[[D; 3]], &mut [T]) -> Option<usize> + Sync,
-) -> Result<()> {
-    if channels == 0 {
-        return refuse(directions.iter().position(is_wrong).unwrap_or(usize::MAX));
+impl<T: Number> Surface<T> for Cube<'_, T> {
+    fn find_places<D: Number>(&self, block: &[[D; 3]; BLOCK], [before, after]: [u32; 2], placed: &mut Placed) -> u32 {
+        D::find_places(block, self.faces.size, Inner::new(self.faces.size, before, after), placed)
     }
-    let wrong = AtomicUsize::new(usize::MAX);
-    out.par_chunks_mut(TILE * channels).zip(directions.par_chunks(TILE)).enumerate().for_each(
-        |(tile, (out, directions))| {
-            if let Some(index) = kernel(directions, out) {
-                wrong.fetch_min(tile * TILE + index, Ordering::Relaxed);
-            }
-        },
-    );
-    refuse(wrong.into_inner())
+
+    fn sample(&self, d: DVec3, filter: Filter, out: &mut [T]) {
+        if filter == Filter::Cubic {
+            return self.rim.sample(d, out);
+        }
+        let taps = Taps::new(d, self.faces.size);
+        let rows = taps.texel.map(|number| self.faces.texel(number));
+        for (channel, value) in out.iter_mut().enumerate() {
+            let texels = rows.map(|row| row[channel]);
+            *value = match filter {
+                Filter::Min => extreme(texels, &taps, |a, b| a < b),
+                Filter::Max => extreme(texels, &taps, |a, b| a > b),
+                _ => mean(texels, &taps),
+            };
+        }
+    }
+}
+
+/// Weighted mean. Texels without weight are left out, because 0 times infinity is NaN.
+fn mean<T: Real>(texels: [T; 4], taps: &Taps) -> T {
+    let term = |i: usize| if taps.weight[i] > 0.0 { texels[i].wide() * taps.weight[i] } else { 0.0 };
+    T::narrow((term(0) + term(1)) + (term(2) + term(3)))
+}
+
+/// The texel that comes before all others that have weight, NaN where all of these are.
+fn extreme<T: Real>(texels: [T; 4], taps: &Taps, before: impl Fn(T, T) -> bool) -> T {
+    let mut chosen = T::narrow(f64::NAN);
+    for (&texel, &weight) in texels.iter().zip(&taps.weight) {
+        if weight > LEAST_WEIGHT && (!is_known(chosen) || before(texel, chosen)) {
+            chosen = texel;
+        }
+    }
+    chosen
 }
 
 /// The map's value along each direction of any length, as many as faces have channels. Fails at a direction that is
@@ -78,7 +77,7 @@ pub fn lookup<T: Number, D: Number>(
     out: &mut [T],
 ) -> Result<()> {
     faces.check_out(out, directions.len())?;
-    let sampler = Sampler::cube(faces, filter, directions.len())?;
+    let sampler = cube_sampler(faces, filter, directions.len())?;
     in_tiles(directions, out, faces.channels, |directions, out| sampler.sample(directions, out))
 }
 
@@ -120,10 +119,4 @@ fn nearest_of<T: Copy, D: Number, const CHANNELS: usize>(
         }
         wrong
     })
-}
-
-/// Whether a direction is zero or not finite.
-pub(super) fn is_wrong<D: Real>(d: &[D; 3]) -> bool {
-    let d = DVec3::from_array(d.map(Real::wide));
-    !d.is_finite() || d == DVec3::ZERO
 }

@@ -8,11 +8,12 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::blocks::keys;
-use super::faces::{Faces, Number};
+use super::super::faces::Faces;
+use super::super::texels::{center_of, texel_from_direction};
+use super::blocks::{Number, keys};
 use super::taps::descending;
-use super::{along_face, center_of, direction_from_face, texel_from_direction};
 use crate::base::{Result, memory::room_for};
+use crate::camera::{along_face, direction_from_face};
 
 /// How far faces are continued, in texels.
 const DEPTH: i32 = 2;
@@ -240,7 +241,7 @@ mod tests {
             (1.7 * d.x - 0.6 * d.y).sin() + 0.8 * (2.1 * d.z + d.y).cos()
         };
         let worst = |size: u32| {
-            let directions = super::super::tests::centers(size);
+            let directions = crate::cubemap::tests::centers(size);
             let values: Vec<f64> = directions.into_iter().map(|d| f(DVec3::from_array(d))).collect();
             let faces = Faces::new(&values, size, 1).unwrap();
             let mut worst = 0.0f64;

@@ -3,9 +3,11 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::super::faces::{Faces, is_known};
+use super::blocks::Number;
 use super::cone::{Cone, Rows};
-use super::faces::{Faces, Number, is_known, refuse};
-use super::lookup::{Filter, is_wrong};
+use super::filter::Filter;
+use super::tiles::{is_wrong, refuse};
 use crate::base::{Error, Real, Result, memory::room_for};
 
 /// Texels across a cone from which on a level of halved size pays.

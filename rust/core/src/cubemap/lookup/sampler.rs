@@ -2,75 +2,50 @@
 
 use glam::DVec3;
 
-use super::blocks::{self, BLOCK, Inner, LEAST_WEIGHT, Lanes, Placed};
-use super::convert::Picture;
-use super::cubic::Rim;
-use super::faces::{Faces, Number, is_known};
-use super::flat;
-use super::lookup::{Filter, in_blocks};
-use super::taps::Taps;
-use crate::base::{Real, Result};
+use super::blocks::{self, BLOCK, Lanes, Number, Placed};
+use super::filter::Filter;
+use super::tiles::in_blocks;
+use crate::base::Real;
+
+/// A picture of all directions, as a sampler sees it.
+pub(in crate::cubemap) trait Surface<T> {
+    /// Between which texels the directions of a block lie, for a filter of that reach. Returns how many directions are zero
+    /// or not finite.
+    fn find_places<D: Number>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], placed: &mut Placed) -> u32;
+
+    /// Writes the value along one direction (finite, not zero), which blocks must agree with.
+    fn sample(&self, d: DVec3, filter: Filter, out: &mut [T]);
+}
 
 /// Lookups in one picture with one filter.
-pub(super) struct Sampler<'a, T> {
+pub(in crate::cubemap) struct Sampler<'a, T, S> {
     values: &'a [T],
     /// Texels of a row.
     width: usize,
-    channels: usize,
-    filter: Filter,
+    pub(in crate::cubemap) channels: usize,
+    pub(in crate::cubemap) filter: Filter,
     /// Whether there are directions for which the filter crosses no edge.
     has_inside: bool,
-    whole: Whole<'a, T>,
+    surface: S,
 }
 
-/// What seams need to know.
-enum Whole<'a, T> {
-    Cube(Faces<'a, T>, Rim<'a, T>),
-    Flat(Picture<'a, T>),
-}
-
-/// How many texels a filter reaches before and after the one above and to the left of a direction.
-fn reach(filter: Filter) -> [u32; 2] {
-    if filter == Filter::Cubic { [1, 2] } else { [0, 1] }
-}
-
-impl<'a, T: Number> Sampler<'a, T> {
-    /// Prepares for about `count` lookups in a cube.
-    pub fn cube(faces: Faces<'a, T>, filter: Filter, count: usize) -> Result<Self> {
-        // What lies beyond edges is worth a table where more would be looked up than it holds.
-        let many = filter == Filter::Cubic && count > (faces.size as usize).pow(2);
-        let (values, width, channels) = (faces.values, faces.size as usize, faces.channels);
-        let has_inside = faces.size > reach(filter)[0] + reach(filter)[1];
-        let whole = Whole::Cube(faces, Rim::new(faces, many)?);
-        Ok(Self { values, width, channels, filter, has_inside, whole })
+impl<'a, T: Number, S: Surface<T>> Sampler<'a, T, S> {
+    /// Texels whose rows are `width` long, in squares of `edge` at least, and the surface that they cover.
+    pub(in crate::cubemap) fn new(
+        (values, width, channels): (&'a [T], u32, usize),
+        edge: u32,
+        filter: Filter,
+        surface: S,
+    ) -> Self {
+        let [before, after] = filter.reach();
+        Self { values, width: width as usize, channels, filter, has_inside: edge > before + after, surface }
     }
 
-    /// Prepares for lookups in a layout without faces.
-    pub fn flat(picture: Picture<'a, T>, filter: Filter) -> Self {
-        let (values, width, channels) = (picture.values, picture.grid.width as usize, picture.channels);
-        let has_inside = picture.grid.width.min(picture.grid.height) > reach(filter)[0] + reach(filter)[1];
-        Self { values, width, channels, filter, has_inside, whole: Whole::Flat(picture) }
-    }
-
-    /// Writes values along directions; the index of the first one that is zero or not finite. Layouts without faces
-    /// take it that there is none, and that lengths are moderate.
-    pub fn sample<D: Number>(&self, directions: &[[D; 3]], out: &mut [T]) -> Option<usize> {
+    /// Writes values along directions; the index of the first one that is zero or not finite.
+    pub(in crate::cubemap) fn sample<D: Number>(&self, directions: &[[D; 3]], out: &mut [T]) -> Option<usize> {
         let mut placed = Placed::new();
         in_blocks(directions, out, self.channels, |block, out| {
-            let wrong = match &self.whole {
-                Whole::Cube(faces, _) => {
-                    let [before, after] = reach(self.filter);
-                    D::find_places(block, faces.size, Inner::new(faces.size, before, after), &mut placed)
-                }
-                Whole::Flat(picture) => {
-                    let mut wide = [[0.0; 3]; BLOCK];
-                    for (wide, d) in wide.iter_mut().zip(block) {
-                        *wide = d.map(Real::wide);
-                    }
-                    flat::find_places(&wide, picture.grid, reach(self.filter), &mut placed);
-                    0
-                }
-            };
+            let wrong = self.surface.find_places(block, self.filter.reach(), &mut placed);
             if wrong == 0 {
                 if self.has_inside {
                     self.inside(&placed, out);
@@ -150,46 +125,10 @@ impl<'a, T: Number> Sampler<'a, T> {
             for lane in (0..8).filter(|&lane| flags[lane] != 0).map(|lane| 8 * eight + lane) {
                 // Blocks at the end are not full.
                 let Some(values) = out.chunks_exact_mut(self.channels).nth(lane) else { return };
-                self.one(DVec3::from_array(block[lane].map(Real::wide)), values);
+                self.surface.sample(DVec3::from_array(block[lane].map(Real::wide)), self.filter, values);
             }
         }
     }
-
-    /// Writes the value along one direction (finite, not zero): what blocks must agree with.
-    fn one(&self, d: DVec3, out: &mut [T]) {
-        let faces = match &self.whole {
-            Whole::Flat(picture) => return picture.sample(d, self.filter, out),
-            Whole::Cube(_, rim) if self.filter == Filter::Cubic => return rim.sample(d, out),
-            Whole::Cube(faces, _) => faces,
-        };
-        let taps = Taps::new(d, faces.size);
-        let rows = taps.texel.map(|number| faces.texel(number));
-        for (channel, value) in out.iter_mut().enumerate() {
-            let texels = rows.map(|row| row[channel]);
-            *value = match self.filter {
-                Filter::Min => extreme(texels, &taps, |a, b| a < b),
-                Filter::Max => extreme(texels, &taps, |a, b| a > b),
-                _ => mean(texels, &taps),
-            };
-        }
-    }
-}
-
-/// Weighted mean. Texels without weight are left out, because 0 times infinity is NaN.
-fn mean<T: Real>(texels: [T; 4], taps: &Taps) -> T {
-    let term = |i: usize| if taps.weight[i] > 0.0 { texels[i].wide() * taps.weight[i] } else { 0.0 };
-    T::narrow((term(0) + term(1)) + (term(2) + term(3)))
-}
-
-/// The texel that comes before all others that have weight, NaN where all of these are.
-fn extreme<T: Real>(texels: [T; 4], taps: &Taps, before: impl Fn(T, T) -> bool) -> T {
-    let mut chosen = T::narrow(f64::NAN);
-    for (&texel, &weight) in texels.iter().zip(&taps.weight) {
-        if weight > LEAST_WEIGHT && (!is_known(chosen) || before(texel, chosen)) {
-            chosen = texel;
-        }
-    }
-    chosen
 }
 
 /// Writes channels from `first` on, of as many directions as `out` has room for.

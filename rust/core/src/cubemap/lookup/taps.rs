@@ -8,7 +8,8 @@
 
 use glam::DVec3;
 
-use super::texel_from_direction;
+use super::super::texels::{center_of, texel_from_direction};
+use crate::camera::face_from_direction;
 
 /// Up to four texels and their weights, which add up to 1. Unused ones have weight 0 and a valid number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +24,7 @@ impl Taps {
     /// The taps of a direction of any length (finite, not zero) in faces of `size` texels.
     #[inline]
     pub fn new(d: DVec3, size: u32) -> Self {
-        let (face, u, v) = super::face_from_direction(d);
+        let (face, u, v) = face_from_direction(d);
         // Half a texel in units of u and v: texel centres lie within ±(1 − half).
         let half = 1.0 / f64::from(size);
         if u.abs() > 1.0 - half || v.abs() > 1.0 - half {
@@ -62,7 +63,7 @@ impl Taps {
         let along = m[2] * (1.0 - s * half);
         if along <= row {
             let (index, t) = below(along, size);
-            let (low, high) = (super::center_of(index, size), super::center_of((index + 1).min(size - 1), size));
+            let (low, high) = (center_of(index, size), center_of((index + 1).min(size - 1), size));
             return Self {
                 texel: [texel(1.0, row, low), texel(1.0, row, high), texel(row, 1.0, low), texel(row, 1.0, high)],
                 weight: [(1.0 - s) * (1.0 - t), (1.0 - s) * t, s * (1.0 - t), s * t],
@@ -100,8 +101,8 @@ pub(super) fn descending(size: DVec3) -> [usize; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::direction_from_texel;
     use super::*;
+    use crate::cubemap::direction_from_texel;
     use proptest::prelude::*;
 
     fn filtered(d: DVec3, size: u32, f: impl Fn(DVec3) -> f64) -> f64 {

@@ -3,8 +3,9 @@
 
 use std::ops::Range;
 
+use super::super::exponential::exp;
 use super::descend::{LEAST_RISE, TAIL};
-use super::logistic::{self, LANES, Line};
+use super::logistic::{LANES, Line};
 use crate::base::simd::widest;
 
 /// Columns of one step of the product.
@@ -180,11 +181,11 @@ fn exp_all_kernel(values: &mut [f64]) {
     let (packs, rest) = values.as_chunks_mut::<LANES>();
     for pack in packs {
         for value in pack {
-            *value = logistic::exp(*value);
+            *value = exp(*value);
         }
     }
     for value in rest {
-        *value = logistic::exp(*value);
+        *value = exp(*value);
     }
 }
 

@@ -1,34 +1,10 @@
-//! Levels of detail: coarser surfaces, curves of four parameters through samples of a level's quality over its size, and
-//! the levels that are enough by them.
-//!
-//! Liebisch: Perceptual level of detail for head-mounted displays, 2021; y = d + (a−d)/(1+(x/c)^b).
-
-mod carry;
-mod collapse;
-mod descend;
-mod fit;
-mod frame;
-mod grid;
-mod logistic;
-mod select;
-mod settle;
-mod steps;
-mod surface;
-#[cfg(test)]
-mod tests;
+//! Curves through many rows of samples.
 
 use rayon::prelude::*;
 
+use super::curve::{Curve, Room, fit};
+use super::frame::{Frame, Unfit};
 use crate::base::{Error, Progress, Result};
-pub use carry::{Charts, Place};
-pub use collapse::{Given, Vertices, collapse};
-pub use fit::{Curve, Status};
-pub use frame::Unfit;
-pub use select::{Acuity, COLUMNS, Counts, Eye, Glass, Line, Model, Objects, Parameters, Rules, View, select};
-pub use surface::{first_alike, pieces};
-
-use fit::Room;
-use frame::Frame;
 
 /// Curves of one task.
 const TASK: usize = 16;
@@ -52,9 +28,9 @@ pub fn fit_4pl(x: &[f64], y: &[f64], count: usize, progress: &Progress) -> Resul
             let x = if shared.is_some() { x } else { &x[row..row + count] };
             let is_whole = |frame: &Frame| frame.order.iter().all(|&n| y[n].is_finite());
             *curve = match &shared {
-                Some(Ok(frame)) if is_whole(frame) => fit::fit(frame, y, &mut room),
+                Some(Ok(frame)) if is_whole(frame) => fit(frame, y, &mut room),
                 _ => match Frame::new(x, |n| x[n].is_finite() && y[n].is_finite()) {
-                    Ok(frame) => fit::fit(&frame, y, &mut room),
+                    Ok(frame) => fit(&frame, y, &mut room),
                     Err(why) => Curve::unfit(why),
                 },
             };

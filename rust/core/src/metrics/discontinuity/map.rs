@@ -1,26 +1,13 @@
-//! How far neighbours in the true picture are torn apart. Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6:
-//! with p₀ the place of a pixel's scene point in the truth, and N_p the pixels q ≠ p with |p₀(q) − p₀(p)| < ε,
-//! δ(p) = mean over N_p of |p − q| / |p₀(p) − p₀(q)| − 1.
-
-mod pairs;
-mod points;
+//! The map of δ over a frame.
 
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::neighbourhood::Neighbourhood;
+use super::pairs::Sums;
+use super::points::{BANDS, Points};
 use crate::base::{Error, Progress, Result};
 use crate::camera::Camera;
-use pairs::Sums;
-use points::{BANDS, Points};
-
-/// Which pixels are compared.
-#[derive(Clone, Copy, Debug)]
-pub struct Neighbourhood {
-    /// ε: pixels of the truth within which points are neighbours.
-    pub epsilon: f64,
-    /// Distances in the truth below this, its resolution, are raised to it. Pixels.
-    pub least: f64,
-}
 
 /// Bands of points that one task takes: as many as its pairs reach beyond them.
 const GROUP: usize = BANDS;

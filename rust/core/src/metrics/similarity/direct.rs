@@ -2,9 +2,9 @@
 //! any values whose squares float64 holds; it takes ten times as long as passes along rows and columns, and is done where
 //! one level for many windows does not serve.
 
+use super::super::pair::Pair;
+use super::super::plane::{Part, Plane, Real, mirror};
 use super::measure::Source;
-use super::plane::{Part, Plane, Real, mirror};
-use super::similarity::Pair;
 use crate::base::simd::widest;
 
 /// Windows side by side.

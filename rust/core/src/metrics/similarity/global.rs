@@ -2,10 +2,11 @@
 
 use rayon::prelude::*;
 
+use super::super::pair::Pair;
+use super::super::plane::{Part, Plane, Real};
+use super::counted::{Counted, Mask, Sums};
 use super::direct::measured;
 use super::measure::{Measured, Source};
-use super::plane::{Part, Plane, Real};
-use super::similarity::{Counted, Mask, Pair, Sums};
 
 /// Pixels of one task, and of a row at once: fixed, so that sums do not depend on the number of threads.
 const TASK: usize = 1 << 14;

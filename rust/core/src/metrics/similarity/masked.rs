@@ -3,11 +3,12 @@
 
 use rayon::prelude::*;
 
+use super::super::pair::Pair;
+use super::super::plane::{Part, Plane, Real};
+use super::super::vectors::{LANES, lanes};
+use super::counted::Sums;
 use super::direct::Patch;
 use super::measure::{Measure, Measurement, Source};
-use super::plane::{Part, Plane, Real};
-use super::similarity::{Pair, Sums};
-use super::vectors::{LANES, lanes};
 use crate::base::simd::fused_kernels;
 
 /// Rows of one task: fixed, so that sums do not depend on the number of threads.

@@ -5,8 +5,8 @@
 //! what is left to subtract is at most the variance over the middle's weight (one of the values averaged is the middle
 //! itself), so that the relative error is a few roundings over that weight, at any level.
 
-use super::plane::Real;
-use super::vectors::{LANES, lanes};
+use super::super::plane::Real;
+use super::super::vectors::{LANES, lanes};
 use crate::base::simd::fused_kernels;
 
 /// Most windows of a row that are taken together: with those of a window's rows they stay in the first-level cache.

@@ -3,9 +3,12 @@
 
 use rayon::prelude::*;
 
+use super::super::pair::Pair;
+use super::super::plane::{Pixel, Plane, Real, mirror};
+use super::counted::Counted;
 use super::measure::Source;
-use super::plane::{Pixel, Plane, Real, mirror};
-use super::similarity::{Counted, Pair, Similarity, Window, similarity};
+use super::ssim::similarity;
+use super::window::{Similarity, Window};
 use crate::base::{Error, Result};
 
 /// Both images of a pair made smaller.

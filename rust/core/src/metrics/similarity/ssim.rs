@@ -1,161 +1,13 @@
-//! Structural similarity. Wang, Bovik, Sheikh, Simoncelli: Image quality assessment: from error visibility to structural
-//! similarity, 2004: weighted means, variances and covariance in a window that moves over both images.
-//!
-//! With s = x + y and d = x − y, σx² + σy² = (σs² + σd²)/2 and 2 σxy = (σs² − σd²)/2: four moments instead of five, and
-//! both factors of the measure are 1 less something that is never negative and nothing for equal images.
+//! Similarity of a pair by any window.
 
-use std::ops::Range;
-
+use super::super::pair::Pair;
+use super::counted::{Counted, Mask, Sums};
 use super::global::global;
 use super::masked::Masked;
 use super::measure::Source;
-use super::plane::{Part, Plane, Real};
+use super::window::{Similarity, Window};
 use super::windows::Windows;
 use crate::base::{Error, Result};
-
-/// What is averaged around each pixel.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Window {
-    /// Separable weights, the same from both ends, that sum to 1; an even number of them reaches one pixel further up
-    /// and left.
-    Weights(Vec<f64>),
-    /// The whole image at once.
-    Global,
-}
-
-impl Window {
-    /// A Gaussian of σ pixels, cut off at `size` pixels.
-    pub fn gaussian(size: usize, sigma: f64) -> Self {
-        let middle = (size as f64 - 1.0) / 2.0;
-        let nearest = if size.is_multiple_of(2) { 0.25 } else { 0.0 };
-        // Less the least exponent, so that something is left however narrow it is.
-        let weight = |i: usize| match (i as f64 - middle).powi(2) - nearest {
-            0.0 => 1.0,
-            farther => (-0.5 * farther / sigma / sigma).exp(),
-        };
-        let weights: Vec<f64> = (0..size).map(weight).collect();
-        let sum: f64 = weights.iter().sum();
-        Self::Weights(weights.into_iter().map(|weight| weight / sum).collect())
-    }
-
-    /// All `size` pixels alike.
-    pub fn uniform(size: usize) -> Self {
-        Self::Weights(vec![1.0 / size as f64; size])
-    }
-}
-
-/// Constants of the measure: (k₁ L)² and (k₂ L)² keep it defined where means or variances vanish.
-#[derive(Clone, Copy, Debug)]
-pub struct Similarity {
-    /// For the means.
-    pub c1: f64,
-    /// For the variances.
-    pub c2: f64,
-}
-
-/// Two images to be compared.
-#[derive(Clone, Copy)]
-pub struct Pair<'a, P> {
-    /// One of them.
-    pub reference: Plane<'a, P>,
-    /// The other one, of the same size.
-    pub test: Plane<'a, P>,
-}
-
-impl<'a, P: Source> Pair<'a, P> {
-    /// Two images of one size.
-    pub fn new(reference: Plane<'a, P>, test: Plane<'a, P>) -> Result<Self> {
-        reference.expect_size("test", [test.height, test.width])?;
-        Ok(Self { reference, test })
-    }
-
-    /// Sum and difference of both along neighbouring pixels of a row, less their levels.
-    #[inline]
-    pub(super) fn load(&self, row: usize, columns: Range<usize>, levels: [P::Real; 2], [s, d]: [&mut [P::Real]; 2]) {
-        let Self { reference, test } = self;
-        match (reference.run(row, columns.clone()), test.run(row, columns.clone())) {
-            (Some(x), Some(y)) => P::sum_and_difference(x, y, levels, s, d),
-            _ => self.gather(row, columns, levels, [s, d]),
-        }
-    }
-
-    /// The same in any precision and for any columns.
-    pub(super) fn gather<R: Real>(
-        &self,
-        row: usize,
-        columns: impl Iterator<Item = usize>,
-        levels: [R; 2],
-        [s, d]: [&mut [R]; 2],
-    ) {
-        for ((s, d), column) in s.iter_mut().zip(d).zip(columns) {
-            let x = R::narrow(self.reference.at(row, column).wide()) - levels[0];
-            let y = R::narrow(self.test.at(row, column).wide()) - levels[1];
-            (*s, *d) = (x + y, x - y);
-        }
-    }
-
-    /// About the means of both in a part, or of what a mask names of it.
-    pub(super) fn levels(&self, part: &Part, mask: Option<&Plane<'_, u8>>) -> [f64; 2] {
-        [&self.reference, &self.test].map(|image| image.level(part, mask))
-    }
-
-    /// The squared difference of one pixel.
-    #[inline(always)]
-    pub(super) fn square(&self, row: usize, column: usize) -> f64 {
-        let difference = self.reference.at(row, column).wide() - self.test.at(row, column).wide();
-        difference * difference
-    }
-}
-
-/// Sums over the pixels that count.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Sums {
-    /// Of the measure.
-    pub similarity: f64,
-    /// Of its second factor alone, which compares contrast and structure; 0 where it is not wanted.
-    pub contrast: f64,
-    /// Pixels that count.
-    pub pixels: f64,
-}
-
-impl Sums {
-    pub(super) fn and(self, other: Self) -> Self {
-        Self {
-            similarity: self.similarity + other.similarity,
-            contrast: self.contrast + other.contrast,
-            pixels: self.pixels + other.pixels,
-        }
-    }
-}
-
-/// Which windows count: those within the image, or all, and of these those that a mask names.
-#[derive(Clone, Copy)]
-pub struct Counted<'a> {
-    /// Whether windows that reach beyond the image count too.
-    pub all: bool,
-    /// Of the image's size; anything but 0 names a pixel.
-    pub mask: Option<Mask<'a>>,
-    /// Whether the sum of the second factor is wanted.
-    pub contrast: bool,
-}
-
-/// What a mask limits.
-#[derive(Clone, Copy)]
-pub enum Mask<'a> {
-    /// The mean: windows around other pixels do not count.
-    Mean(Plane<'a, u8>),
-    /// What windows see as well: other pixels, and those outside of the image, have no weight (normalised convolution).
-    Windows(Plane<'a, u8>),
-}
-
-impl<'a> Mask<'a> {
-    /// The pixels that it names.
-    pub(super) fn plane(&self) -> &Plane<'a, u8> {
-        match self {
-            Self::Mean(plane) | Self::Windows(plane) => plane,
-        }
-    }
-}
 
 /// Sums of the similarity of windows, and where wanted its map: rows of the image's width. Outside of images these are
 /// mirrored. Without a map only windows that count are looked at.
@@ -185,8 +37,8 @@ pub fn similarity<P: Source>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::plane::Plane;
     use super::*;
+    use crate::metrics::Plane;
 
     fn plane(values: &[f64]) -> Plane<'_, f64> {
         Plane::new(values, [5, 7], [7, 1]).unwrap()

@@ -1,8 +1,11 @@
 //! Similarity against its definition, window by window; and both forms of each kernel against each other.
 
 use super::moments::{COLUMNS, Kernels, Moments, across, down};
-use super::similarity::{Counted, Mask, Pair, Similarity, Window, similarity};
 use super::*;
+use crate::metrics::Stacks;
+use crate::metrics::pair::Pair;
+use crate::metrics::plane::{self, Plane};
+use crate::metrics::vectors::LANES;
 use proptest::prelude::*;
 
 const CONSTANTS: Similarity = Similarity { c1: 1e-4, c2: 9e-4 };
@@ -85,7 +88,7 @@ proptest! {
     ) {
         let Window::Weights(weights) = Window::gaussian(11, 1.5) else { unreachable!() };
         let line: Vec<f64> = line.iter().map(|value| value + level).collect();
-        let blocks = COLUMNS / vectors::LANES;
+        let blocks = COLUMNS / LANES;
         let (mut fast, mut slow) = (Moments::default(), Moments::default());
         Kernels::across(&line, &weights, &mut fast, blocks);
         across::<f64, false>(&line, &weights, &mut slow, blocks);

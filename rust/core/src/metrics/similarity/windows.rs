@@ -2,12 +2,13 @@
 
 use rayon::prelude::*;
 
+use super::super::pair::Pair;
+use super::super::plane::{Part, Real, mirror};
+use super::super::vectors::LANES;
+use super::counted::{Counted, Mask, Sums};
 use super::direct::Patch;
 use super::measure::{Measure, Measured, Row, Source};
 use super::moments::{COLUMNS, Kernels, Moments};
-use super::plane::{Part, Real, mirror};
-use super::similarity::{Counted, Mask, Pair, Sums};
-use super::vectors::LANES;
 use crate::base::simd::prefetch;
 
 /// Rows of one task: fixed, so that sums do not depend on the number of threads.

@@ -1,30 +1,21 @@
-//! What a thin client shows: near geometry, morphed for the user's position, before an environment map.
-
-mod backdrop;
-mod bent;
-mod corner;
-mod exact;
-mod lattice;
-mod moving;
-mod shown;
-mod straight;
+//! A reduced scene: near geometry, its join with the map, and the frames that it draws.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
 
-use super::frame::{Channels, Frame};
-use super::tiles::{View, check_reach, draw};
+use super::super::frame::{Channels, Frame};
+use super::super::tiles::{View, check_reach, draw};
+use super::backdrop::{Backdrop, Far};
+use super::shown::NearGeometry;
+use super::{bent, exact, straight};
 use crate::base::{Error, Progress, Result};
 use crate::camera::Camera;
 use crate::cubemap::EnvironmentMap;
 use crate::morph::{Kind, Morph};
 use crate::partition::Partition;
 use crate::scene::Scene;
-
-use backdrop::{Backdrop, Far};
-use shown::NearGeometry;
 
 /// How near and far part are joined.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,64 +1,11 @@
-//! A few float32 side by side, in the widest form that the processor has.
-//!
-//! Every operation is defined bit for bit, so that a kernel written once over `Lanes` gives the same answer on any
-//! instruction set: plain IEEE arithmetic, never a fused multiply-add, and the x86 meaning of `min` and `max`.
-
-mod array;
-#[cfg(target_arch = "x86_64")]
-mod x86;
+//! The instruction sets that this processor has, and the one in use.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::base::{Error, Result};
-
-pub(crate) use array::Portable;
 #[cfg(target_arch = "x86_64")]
-pub(crate) use x86::{Avx2, Avx512};
-
-/// An instruction set. A value of this type proves that the processor has it.
-pub(crate) trait Isa: Copy {
-    /// One ray against the triangles of a block.
-    type Four: Lanes<Self>;
-    /// One ray against the children of a node.
-    type Eight: Lanes<Self>;
-    /// A group of rays against one box or triangle.
-    type Group: Lanes<Self>;
-}
-
-/// `N` float32. Masks are bits, the lowest for the first lane.
-pub(crate) trait Lanes<I>: Copy {
-    /// Number of lanes.
-    const N: usize;
-    /// The same number in all lanes.
-    fn splat(isa: I, x: f32) -> Self;
-    /// The first `N` of a slice.
-    fn load(isa: I, from: &[f32]) -> Self;
-    /// Writes to the first `N` of a slice.
-    fn store(self, to: &mut [f32]);
-    /// Sum.
-    fn add(self, other: Self) -> Self;
-    /// Difference.
-    fn sub(self, other: Self) -> Self;
-    /// Product.
-    fn mul(self, other: Self) -> Self;
-    /// Quotient.
-    fn div(self, other: Self) -> Self;
-    /// `self < other ? self : other`.
-    fn min(self, other: Self) -> Self;
-    /// `self > other ? self : other`.
-    fn max(self, other: Self) -> Self;
-    /// `self < other`; false for NaN.
-    fn lt(self, other: Self) -> u32;
-    /// `self <= other`; false for NaN.
-    fn le(self, other: Self) -> u32;
-    /// `self == other`; false for NaN.
-    fn eq(self, other: Self) -> u32;
-    /// Lanes of `self` where the mask is set, else of `other`.
-    fn select(self, mask: u32, other: Self) -> Self;
-    /// Absolute value.
-    fn abs(self) -> Self;
-}
+use super::x86::{Avx2, Avx512};
+use crate::base::{Error, Result};
 
 /// The instruction sets that there are kernels for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -123,6 +70,3 @@ pub fn use_instruction_set(name: &str) -> Result<()> {
     CHOSEN.store(found, Ordering::Relaxed);
     Ok(())
 }
-
-#[cfg(test)]
-mod tests;

@@ -1,0 +1,16 @@
+//! Spheres about points: the smallest one, and cheaper ones that are larger; how much of the sight they take.
+
+mod approximate;
+mod bounding;
+mod exact;
+mod scan;
+mod solid_angle;
+mod sphere;
+mod support;
+#[cfg(test)]
+mod tests;
+
+pub use bounding::{bounding_sphere, bounding_spheres};
+pub use scan::Real;
+pub use solid_angle::{Seen, check, each_tile, solid_angles};
+pub use sphere::{Method, Sphere};

@@ -1,0 +1,13 @@
+//! Cameras: position, orientation and projection of a view; its rays; depth buffers; the orientation of cube faces.
+
+mod cube_face;
+mod depth;
+mod projection;
+mod rays;
+mod view;
+
+pub use cube_face::{along_face, direction_from_face, face_from_direction};
+pub use depth::{Depth, DepthBuffer, Planes, Real};
+pub use projection::{Fov, Projection};
+pub use rays::{Footprint, Rays};
+pub use view::{Camera, MAX_SIZE};

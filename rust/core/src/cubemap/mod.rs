@@ -1,0 +1,20 @@
+//! Cube maps: six square faces of texels. `lookup` reads them along directions and cones, `layouts` converts them to and from
+//! pictures without faces; here is what both need, and how texels are made fewer.
+
+mod environment;
+mod faces;
+mod layouts;
+mod lookup;
+mod mips;
+mod solid;
+#[cfg(test)]
+mod tests;
+mod texels;
+
+pub use environment::EnvironmentMap;
+pub use faces::Faces;
+pub use layouts::{Grid, Layout, Picture, convert, convert_nearest, grid_directions, grid_texels};
+pub use lookup::{Filter, Number, Taps, footprint, lookup, nearest};
+pub use mips::{Reduction, next_level, next_size};
+pub use solid::solid_angles;
+pub use texels::{MAX_SIZE, center_of, direction_from_texel, texel_from_direction};

@@ -1,0 +1,26 @@
+//! Lenses of headsets: where a radial polynomial shows what, and back.
+//!
+//! r_d = f(r) = r (1 + k₁r² + k₂r⁴ + …) with r = tan α / tan ω: ω is half the horizontal field of view, so that r = 1
+//! at the screen's edge (Liebisch 2021, Eq. 4.10). Lenses that are not quite centred add Brown's tangential terms.
+
+mod exact;
+mod inverse;
+mod mesh;
+mod points;
+mod polynomial;
+mod radial;
+mod reach;
+mod size;
+mod solve;
+mod stretch;
+mod table;
+#[cfg(test)]
+mod tests;
+mod warp;
+
+pub use inverse::Method;
+pub use mesh::{Mesh, warp_mesh};
+pub use radial::RadialLens;
+pub use size::{Sizes, corrected_solid_angles};
+pub use stretch::{STRETCHED, Spheres};
+pub use warp::{Filter, Image, Pixel, View, warp};

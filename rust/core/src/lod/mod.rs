@@ -1,0 +1,13 @@
+//! Levels of detail: `simplify` makes coarser surfaces, `fit` puts curves of four parameters through samples of a level's
+//! quality over its size, `select` chooses each object's level by them.
+//!
+//! Liebisch: Perceptual level of detail for head-mounted displays, 2021; y = d + (a−d)/(1+(x/c)^b).
+
+mod exponential;
+mod fit;
+mod select;
+mod simplify;
+
+pub use fit::{Curve, Status, Unfit, fit_4pl};
+pub use select::{Acuity, COLUMNS, Counts, Eye, Glass, Line, Model, Objects, Parameters, Rules, View, select};
+pub use simplify::{Charts, Given, Place, Vertices, collapse, first_alike, pieces};

@@ -1,0 +1,17 @@
+//! Which level of each object is enough (Liebisch 2021, Sec. 4.3–4.5), for many objects and few eyes.
+//!
+//! The view first, then sizes, then the lens for those that are left, then a table of levels, then curves.
+
+mod assign;
+mod curves;
+mod objects;
+mod rules;
+mod table;
+mod tile;
+mod view;
+
+pub use assign::select;
+pub use curves::{Model, Parameters};
+pub use objects::{COLUMNS, Counts, Objects};
+pub use rules::{Acuity, Glass, Line, Rules};
+pub use view::{Eye, View};

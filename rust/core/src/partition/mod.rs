@@ -1,0 +1,24 @@
+//! Which triangles stay geometry and which become part of the environment map.
+//!
+//! A triangle's zone follows from its least distance ρ from the vertical axis through the centre: near (≤ r₁),
+//! intermediate (≤ r₂) or far. Standing triangles that reach beyond r₂ are baked, all others are drawn; those that
+//! straddle r₂ are in both parts, and pixels are split there. Distances are measured in float64 and rounded once to
+//! float32, the precision of the geometry, so that `triangle_radii`, `Partition` and `LoadCurve` agree about every
+//! triangle.
+
+mod arrays;
+mod axis;
+mod classify;
+mod divide;
+mod load_curve;
+mod radii;
+#[cfg(test)]
+mod tests;
+mod validate;
+mod zone;
+
+pub use arrays::triangle_radii;
+pub use divide::{Counts, Partition};
+pub use load_curve::LoadCurve;
+pub use radii::{Coordinate, radii_of};
+pub use zone::{Class, Faces, Mixed, Part, Zone};

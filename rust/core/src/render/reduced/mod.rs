@@ -1,0 +1,13 @@
+//! What a thin client shows: near geometry, morphed for the user's position, before an environment map.
+
+mod backdrop;
+mod bent;
+mod corner;
+mod exact;
+mod lattice;
+mod moving;
+mod reduced_scene;
+mod shown;
+mod straight;
+
+pub use reduced_scene::{Drawing, FrameCounts, Join, Method, Reduced};

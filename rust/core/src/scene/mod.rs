@@ -1,0 +1,23 @@
+//! Scenes: meshes shared between instances, objects as names over faces or instances, base colours.
+
+mod albedo;
+mod edit;
+mod instance;
+mod levels;
+mod material;
+mod merge;
+mod mesh;
+mod normal;
+pub mod srgb;
+mod texture;
+mod world;
+
+pub use albedo::{texel_density, texture_level};
+pub use instance::{Instance, InstanceSet};
+pub use levels::LevelMeshes;
+pub use material::{Alpha, Material};
+pub use merge::{Part, merge};
+pub use mesh::Mesh;
+pub use normal::facing_normals;
+pub use texture::{Level, Texture};
+pub use world::Scene;

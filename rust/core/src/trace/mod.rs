@@ -1,0 +1,26 @@
+//! Rays against a scene: nearest hits through both levels of trees; and nearest points of its surface.
+
+mod alpha;
+mod beam;
+mod cast;
+mod closest;
+mod dispatch;
+mod lanes;
+mod nearest;
+mod packet;
+mod ray;
+mod region;
+mod single;
+mod slab;
+#[cfg(test)]
+mod tests;
+mod triangle;
+
+pub use alpha::AlphaFilter;
+pub use cast::{Hits, Points, cast};
+pub use closest::{Closest, closest};
+pub use dispatch::{any_hits, closest_hit, closest_hits};
+pub use lanes::{instruction_sets, use_instruction_set};
+pub use nearest::{Nearest, nearest};
+pub use ray::{All, Filter, Hit, Ray};
+pub use region::touches;
