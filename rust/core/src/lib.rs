@@ -10,18 +10,18 @@
 //! Conventions: metres, radians; right-handed, y up, cameras look along −z; row 0 on top.
 
 pub mod base;
-pub mod scene;
 pub mod bvh;
-pub mod cubemap;
+pub mod scene;
 pub mod camera;
+pub mod cubemap;
 pub mod trace;
 pub mod partition;
 pub mod morph;
 pub mod bend;
 pub mod tessellate;
 pub mod render;
+pub mod exr;
 pub mod metrics;
 pub mod bounds;
 pub mod lens;
 pub mod lod;
-pub mod exr;

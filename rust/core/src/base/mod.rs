@@ -1,7 +1,9 @@
-//! What every stage stands on: errors, threads, progress, random numbers, shared arrays.
+//! The ground of every stage: errors, threads, progress, random numbers, shared arrays, boxes, numbers of faces.
 
+pub mod aabb;
 pub mod buffer;
 pub mod error;
+pub mod face_map;
 pub mod memory;
 pub mod pool;
 pub mod progress;
@@ -9,7 +11,9 @@ pub mod random;
 pub mod real;
 pub(crate) mod simd;
 
+pub use aabb::{Aabb, REACH};
 pub use buffer::Buffer;
 pub use error::{Error, Result, number};
+pub use face_map::FaceMap;
 pub use progress::Progress;
 pub use real::Real;

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::on_ground;
+use super::curve::on_ground;
 use crate::base::{Error, Result};
 use crate::morph::{Kind, Morph};
 

@@ -1,6 +1,9 @@
-use super::*;
-use crate::morph::Kind;
+use glam::DVec3;
 use proptest::prelude::*;
+
+use super::curve::MOST;
+use super::*;
+use crate::morph::{Kind, Morph};
 
 fn morph(user: [f64; 3]) -> Morph {
     Morph::new(DVec3::from_array(user), DVec3::new(3.0, 1.7, -2.0), 30.0, 50.0, Kind::Blend).unwrap()

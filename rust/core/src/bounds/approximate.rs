@@ -1,7 +1,7 @@
 //! Spheres that cost a pass or two.
 
-use super::Sphere;
 use super::scan::{Cloud, Real};
+use super::sphere::Sphere;
 
 /// About the mean of the points.
 pub(super) fn average<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {

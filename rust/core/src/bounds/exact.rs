@@ -5,8 +5,8 @@
 
 use glam::DVec3;
 
-use super::Sphere;
 use super::scan::{Cloud, Real, farthest_of};
+use super::sphere::Sphere;
 use super::support::Support;
 
 /// Points up to which none are put aside.

@@ -1,102 +1,16 @@
 //! Spheres about points: the smallest one, and cheaper ones that are larger; how much of the sight they take.
 
 mod approximate;
+mod bounding;
 mod exact;
 mod scan;
 mod solid_angle;
+mod sphere;
 mod support;
 #[cfg(test)]
 mod tests;
 
-use glam::DVec3;
-use rayon::prelude::*;
-
-use crate::base::{Error, Progress, Result};
+pub use bounding::{bounding_sphere, bounding_spheres};
 pub use scan::Real;
 pub use solid_angle::{Seen, check, each_tile, solid_angles};
-
-/// A centre and a radius.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sphere {
-    /// Its centre.
-    pub center: DVec3,
-    /// Its radius, at least 0.
-    pub radius: f64,
-}
-
-/// How a sphere about points is found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// The smallest one.
-    Exact,
-    /// Two far points, and then every point that lies outside. Ritter: An efficient bounding sphere, 1990.
-    Ritter,
-    /// About the mean of the points.
-    Average,
-    /// About the middle of their box.
-    MinMax,
-    /// The smaller of the last two, as Liebisch (2021) has it.
-    Best,
-}
-
-/// Extents from which on squares overflow or vanish: points are scaled by a power of two first.
-const PLAIN: std::ops::Range<f64> = 1e-140..1e140;
-
-/// The sphere about points; none of them is outside by more than the rounding of the radius.
-pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: Method) -> Result<Sphere> {
-    let cloud = scan::Cloud::new(points)?;
-    let extent = cloud.extent();
-    if extent == 0.0 {
-        return Ok(Sphere { center: cloud.origin, radius: 0.0 });
-    }
-    if PLAIN.contains(&extent) {
-        return Ok(cloud.placed(&of(&cloud, method)));
-    }
-    // Exact but for denormals, and those are made large.
-    let exponent = extent.log2().floor().clamp(-1000.0, 1000.0);
-    let scale = (-exponent).exp2();
-    let scaled: Vec<[f64; 3]> = points.iter().map(|point| (cloud.at(point) * scale).to_array()).collect();
-    let small = scan::Cloud::new(&scaled)?;
-    let sphere = small.placed(&of(&small, method));
-    let center = cloud.origin + sphere.center / scale;
-    // Distances have no squares here: by how much the centre was rounded is added to the radius.
-    let moved = ((center - cloud.origin) - sphere.center / scale).abs().max_element();
-    Ok(Sphere { center, radius: sphere.radius / scale + 2.0 * moved })
-}
-
-/// In the cloud's own frame.
-fn of<T: Real>(cloud: &scan::Cloud<'_, T>, method: Method) -> Sphere {
-    match method {
-        Method::Exact => exact::smallest(cloud),
-        Method::Ritter => approximate::ritter(cloud),
-        Method::Average => approximate::average(cloud),
-        Method::MinMax => approximate::min_max(cloud),
-        Method::Best => approximate::best(cloud),
-    }
-}
-
-/// The spheres about groups of points; group n is `points[offsets[n]..offsets[n + 1]]`.
-pub fn bounding_spheres<T: Real>(
-    points: &[[T; 3]],
-    offsets: &[i64],
-    method: Method,
-    progress: &Progress,
-) -> Result<Vec<Sphere>> {
-    let group = |n: usize| {
-        let range = usize::try_from(offsets[n]).ok().zip(usize::try_from(offsets[n + 1]).ok());
-        let group = range.and_then(|(from, to)| points.get(from..to)).filter(|group| !group.is_empty());
-        group.ok_or_else(|| {
-            let expected = format!("numbers that rise from one to the next, from 0 to {}", points.len());
-            Error::value("offsets", expected, format!("{} and {} at index {n}", offsets[n], offsets[n + 1]))
-        })
-    };
-    let count = offsets.len().saturating_sub(1);
-    (0..count).try_for_each(|n| group(n).map(drop))?;
-    progress.expect(count as u64);
-    let sphere = |n: usize| {
-        let sphere = bounding_sphere(group(n)?, method)?;
-        progress.report(1)?;
-        Ok(sphere)
-    };
-    (0..count).into_par_iter().map(sphere).collect()
-}
+pub use sphere::{Method, Sphere};

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::Sphere;
+use super::sphere::Sphere;
 use crate::base::simd::{prefetch, widest};
 use crate::base::{Error, Result};
 

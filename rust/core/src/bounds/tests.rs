@@ -1,5 +1,7 @@
-use super::*;
+use glam::DVec3;
 use proptest::prelude::*;
+
+use super::*;
 
 /// The least sphere of all those that two to four of the points determine and that hold all.
 fn slowly(points: &[[f64; 3]]) -> f64 {

@@ -3,8 +3,7 @@
 use glam::Vec3;
 
 use super::wide::{Content, LEAF, Slot, WIDTH};
-use crate::base::{Error, Result};
-use crate::scene::Aabb;
+use crate::base::{Aabb, Error, Result};
 
 /// Triangles of a block.
 pub(crate) const LANES: usize = 4;

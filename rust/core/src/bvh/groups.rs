@@ -6,8 +6,7 @@
 use rayon::prelude::*;
 
 use crate::base::random::bits;
-use crate::base::{Progress, Result};
-use crate::scene::{Aabb, FaceMap};
+use crate::base::{Aabb, FaceMap, Progress, Result};
 
 const TILE: usize = 1 << 16;
 

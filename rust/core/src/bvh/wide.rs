@@ -2,7 +2,7 @@
 
 use obvhs::bvh2::Bvh2;
 
-use crate::scene::Aabb;
+use crate::base::Aabb;
 
 /// Number of children of a node.
 pub(crate) const WIDTH: usize = 8;

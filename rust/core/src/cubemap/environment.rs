@@ -2,7 +2,9 @@
 
 use glam::{DVec3, Vec3};
 
-use super::{Faces, Taps, texel_from_direction};
+use super::faces::Faces;
+use super::lookup::Taps;
+use super::texels::texel_from_direction;
 use crate::base::{Buffer, Error, Result};
 
 /// A cube map of the surroundings of a point. Channels that are not needed are not there.

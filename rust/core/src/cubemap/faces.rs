@@ -1,7 +1,7 @@
 //! Six faces of numbers.
 
-use super::{MAX_SIZE, blocks::Streamed};
-use crate::base::{Error, Real, Result};
+use super::texels::MAX_SIZE;
+use crate::base::{Error, Result};
 
 /// Six faces of `size`² texels of `channels` values each.
 #[derive(Debug)]
@@ -53,22 +53,10 @@ pub(super) fn check_size(size: u32) -> Result<()> {
     Err(Error::value("faces", format!("1 to {MAX_SIZE} texels across a face"), size))
 }
 
-/// The first direction that is zero or not finite as an error, if there is one.
-pub(super) fn refuse(wrong: usize) -> Result<()> {
-    if wrong == usize::MAX {
-        return Ok(());
-    }
-    Err(Error::value("directions", "finite vectors other than zero", format!("something else at index {wrong}")))
-}
-
-/// Whether a number is not NaN. Where the least or greatest is asked for, NaN are skipped: they are what nobody knows.
+/// Whether a number is not NaN. The least and the greatest skip NaN, which stands for an
+/// unknown value.
 #[inline(always)]
 #[allow(clippy::eq_op)]
 pub(super) fn is_known<T: PartialEq + Copy>(value: T) -> bool {
     value == value
 }
-
-/// What lookups ask of numbers: they come in blocks.
-pub trait Number: Real + Streamed {}
-impl Number for f32 {}
-impl Number for f64 {}

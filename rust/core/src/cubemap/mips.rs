@@ -5,7 +5,8 @@
 
 use rayon::prelude::*;
 
-use super::faces::{Faces, Number, is_known};
+use super::faces::{Faces, is_known};
+use super::lookup::Number;
 use super::solid::{edge_of, edges, row_of_angles, solid_angle};
 use crate::base::{Error, Result};
 

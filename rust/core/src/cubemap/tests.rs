@@ -3,6 +3,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::base::random::uniform;
+use crate::camera::{direction_from_face, face_from_direction};
 
 fn random_directions(count: u64, seed: u64) -> Vec<[f64; 3]> {
     let mut directions: Vec<[f64; 3]> =
@@ -114,8 +115,8 @@ fn a_table_of_what_lies_beyond_edges_changes_no_bit() {
     let faces = Faces::new(&values, size, 5).unwrap();
     let directions = random_directions(64, 4);
     let [mut alone, mut tabled] = [vec![0.0; 64 * 5], vec![0.0; 64 * 5]];
-    sampler::Sampler::cube(faces, Filter::Cubic, 0).unwrap().sample(&directions, &mut alone);
-    sampler::Sampler::cube(faces, Filter::Cubic, 1000).unwrap().sample(&directions, &mut tabled);
+    lookup::cube_sampler(faces, Filter::Cubic, 0).unwrap().sample(&directions, &mut alone);
+    lookup::cube_sampler(faces, Filter::Cubic, 1000).unwrap().sample(&directions, &mut tabled);
     assert_eq!(alone, tabled);
 }
 

@@ -6,8 +6,9 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use rayon::prelude::*;
 
 use super::exact::{two_product, two_sum};
+use super::radial::RadialLens;
+use super::solve::FARTHEST;
 use super::table::Table;
-use super::{FARTHEST, RadialLens};
 use crate::base::error::number;
 use crate::base::simd::fused_kernels;
 use crate::base::{Error, Real, Result};

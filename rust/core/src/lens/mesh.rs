@@ -1,7 +1,8 @@
 //! The mesh with which a runtime warps its pictures: exact at its vertices, and linear between them.
 
 use super::polynomial::{derivative, range};
-use super::{RadialLens, View};
+use super::radial::RadialLens;
+use super::warp::View;
 use crate::base::{Error, Result};
 
 /// Most parts in which a cell's radii are looked at.

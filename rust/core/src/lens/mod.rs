@@ -8,6 +8,8 @@ mod inverse;
 mod mesh;
 mod points;
 mod polynomial;
+mod radial;
+mod reach;
 mod size;
 mod solve;
 mod stretch;
@@ -16,90 +18,9 @@ mod table;
 mod tests;
 mod warp;
 
-use std::sync::OnceLock;
-
-use crate::base::error::number;
-use crate::base::{Error, Result};
-use solve::Radial;
-use table::Table;
-
 pub use inverse::Method;
 pub use mesh::{Mesh, warp_mesh};
+pub use radial::RadialLens;
 pub use size::{Sizes, corrected_solid_angles};
 pub use stretch::{STRETCHED, Spheres};
 pub use warp::{Filter, Image, Pixel, View, warp};
-
-/// Most coefficients that a lens may have.
-const MOST: usize = 64;
-/// Radii at which the first term may be as large as r itself: powers of them stay floats.
-const UNITS: std::ops::Range<f64> = 1e-30..1e30;
-/// Greatest radius that is shown or looked for, and greatest coefficient: fourth derivatives, and halves of products, do
-/// not overflow.
-const FARTHEST: f64 = 1e290;
-
-/// A lens.
-#[derive(Clone, Debug)]
-pub struct RadialLens {
-    radial: Radial,
-    tangential: [f64; 2],
-    /// Radius of the disc that `points` serves: r_max, or less with tangential terms.
-    reach: f64,
-    table: OnceLock<Table>,
-}
-
-impl RadialLens {
-    /// From k₁, k₂, … and p₁, p₂ of Brown's model (0 for a centred lens).
-    pub fn new(k: &[f64], tangential: [f64; 2]) -> Result<Self> {
-        if let Some(bad) = k.iter().find(|c| c.is_nan() || c.abs() > FARTHEST) {
-            return Err(Error::value("k", format!("coefficients of at most {}", number(FARTHEST)), number(*bad)));
-        }
-        if k.len() > MOST {
-            return Err(Error::value("k", format!("at most {MOST} coefficients"), k.len()));
-        }
-        if !tangential.iter().all(|p| p.is_finite()) {
-            return Err(Error::value("tangential", "two finite numbers", format!("{tangential:?}")));
-        }
-        let radial = Radial::new(k);
-        if radial.unit.is_finite() && !UNITS.contains(&radial.unit) {
-            let expected = format!("terms that reach r at radii from {:e} to {:e}", UNITS.start, UNITS.end);
-            return Err(Error::value("k", expected, format!("{:e}", radial.unit)));
-        }
-        let reach = points::reach(&radial, tangential);
-        Ok(Self { radial, tangential, reach, table: OnceLock::new() })
-    }
-
-    /// Radius at which f folds, f′ = 0; +∞ where it never does.
-    pub fn r_max(&self) -> f64 {
-        self.radial.r_max
-    }
-
-    /// Radius of the disc in which no two points fall on one: r_max, or less with tangential terms.
-    pub fn reach(&self) -> f64 {
-        self.reach
-    }
-
-    /// f(r) for 0 ≤ r ≤ r_max.
-    pub fn distort(&self, r: f64) -> f64 {
-        self.radial.distort(r)
-    }
-
-    /// f(r_max), or the greatest radius that is looked for.
-    pub fn x_max(&self) -> f64 {
-        self.radial.x_max
-    }
-
-    /// The r ≥ 0 with f(r) = x; NaN beyond f(r_max).
-    pub fn undistort(&self, x: f64) -> f64 {
-        if x <= self.radial.x_max { self.radial.undistort(x) } else { f64::NAN }
-    }
-
-    /// Greatest error of `Method::Table` as a share of r, and up to which x that table goes: beyond, Newton's method takes over.
-    pub fn table_bound(&self) -> (f64, f64) {
-        self.table().map_or((0.0, f64::INFINITY), |table| (table.bound, table.end))
-    }
-
-    /// Made on first use. Lenses that change nothing have none.
-    fn table(&self) -> Option<&Table> {
-        (!self.radial.k.is_empty()).then(|| self.table.get_or_init(|| Table::new(&self.radial)))
-    }
-}

@@ -8,8 +8,8 @@ use glam::{DMat2, DVec2};
 use rayon::prelude::*;
 
 use super::inverse::LANES;
-use super::solve::Radial;
-use super::{RadialLens, polynomial};
+use super::polynomial;
+use super::radial::RadialLens;
 use crate::base::simd::widest;
 use crate::base::{Error, Real, Result};
 
@@ -21,28 +21,6 @@ pub(super) const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
 const STEPS: u32 = 40;
 /// Parts of that way.
 const PARTS: u32 = 64;
-
-/// Radius of the largest disc in which a lens is known to map no two points to one.
-///
-/// A map of a convex set is one to one where the symmetric part of its Jacobian is positive. Here the radial part has the
-/// eigenvalues f(r)/r and f′(r), and the tangential part, 4 (p₁y + p₂x) ± 2|p|r, is never below −6|p|r.
-pub(super) fn reach(radial: &Radial, tangential: [f64; 2]) -> f64 {
-    let p = tangential[0].hypot(tangential[1]);
-    if p == 0.0 {
-        return radial.r_max;
-    }
-    let less = |of_square: &[f64]| {
-        let mut in_r = vec![0.0; (2 * of_square.len()).max(2)];
-        for (n, c) in of_square.iter().enumerate() {
-            in_r[2 * n] = *c;
-        }
-        in_r[1] = -6.0 * p;
-        polynomial::first_zero(&in_r).unwrap_or(f64::INFINITY)
-    };
-    let mut factor = vec![1.0];
-    factor.extend(&radial.k);
-    less(&factor).min(less(&radial.slope))
-}
 
 /// Points of a task, apart: x, y, and the radii that become factors.
 #[repr(align(64))]

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use super::RadialLens;
 use super::inverse::LANES;
+use super::radial::RadialLens;
 use crate::base::{Error, Result};
 use crate::bounds::{Seen, each_tile};
 

@@ -1,8 +1,11 @@
 //! One root of f(r) = x at a time: Newton's method inside a bracket that holds the root, so that it cannot leave it.
 
 use super::exact::residual;
-use super::{FARTHEST, polynomial};
+use super::polynomial;
 
+/// Greatest radius that is shown or looked for, and greatest coefficient: fourth derivatives, and halves of products, do
+/// not overflow.
+pub(super) const FARTHEST: f64 = 1e290;
 /// Steps after which halving takes turns with Newton's method.
 const PATIENCE: u32 = 20;
 

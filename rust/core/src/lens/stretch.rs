@@ -1,7 +1,7 @@
 //! σ′/σ of many spheres by the table of f⁻¹ (Liebisch 2021, Eq. 4.10–4.12).
 
-use super::RadialLens;
 use super::inverse::{LANES, cubic_block};
+use super::radial::RadialLens;
 use super::size::divided_difference;
 use super::table::Table;
 use crate::base::simd::widest;

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::RadialLens;
 use super::points::{TILE, Tile};
+use super::radial::RadialLens;
 use crate::base::Result;
 use crate::base::simd::widest;
 use crate::camera::Fov;

@@ -2,10 +2,9 @@
 
 use rayon::prelude::*;
 
-use super::measure::Source;
+use super::pair::Pair;
 use super::plane::Plane;
-use super::scales::{Shrunk, multiscale};
-use super::similarity::{Counted, Mask, Pair, Similarity, Sums, Window, similarity};
+use super::similarity::{Counted, Mask, Shrunk, Similarity, Source, Sums, Window, multiscale, similarity};
 use super::squares::mean_squared_error;
 use crate::base::{Error, Progress, Result};
 

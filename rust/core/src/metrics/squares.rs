@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::measure::Source;
-use super::similarity::Pair;
+use super::pair::Pair;
+use super::pixel_rows::PixelRows;
 
 /// Pixels that one task sums up: fixed, so that sums do not depend on the number of threads, and few enough for the
 /// sums of whole numbers.
@@ -13,7 +13,7 @@ const TILE: usize = 1 << 14;
 const ALONE: usize = 1 << 22;
 
 /// Mean of the squared differences of two images, in float64; exact for whole numbers.
-pub fn mean_squared_error<P: Source>(pair: &Pair<'_, P>) -> f64 {
+pub fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>) -> f64 {
     let (height, width) = (pair.reference.height, pair.reference.width);
     let run = |row: usize, first: usize| {
         let end = width.min(first + TILE);

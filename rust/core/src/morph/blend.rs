@@ -7,8 +7,8 @@
 //! Both terms are of the size of |v|, so that rounding is relative to the user's offset, not to the distance. Points
 //! near a radius, near the user or near opposition leave n or the choice of zone in doubt.
 
-use super::Morph;
-use super::stream::{BLOCK, Lanes, Real, gather, scatter};
+use super::lanes::{BLOCK, Lanes, Real, gather, scatter};
+use super::point::Morph;
 
 /// A float32 weight w loses a factor r₂/(r₂−r₁) of its digits: beyond this everything is done in float64.
 const STEEPEST: f64 = 16.0;

@@ -1,8 +1,8 @@
 //! The block kernel of `Kind::Cylinder`, and of whatever the blend's cannot do in the points' precision: the scalar
 //! form in float64, without its branches. Points whose directions are nearly opposed are in doubt.
 
-use super::stream::{BLOCK, Lanes, Real, gather, scatter};
-use super::{Kind, Morph};
+use super::lanes::{BLOCK, Lanes, Real, gather, scatter};
+use super::point::{Kind, Morph};
 
 /// A blend of unit vectors below this length is left to the scalar form.
 const SHORT: f64 = 1e-6;

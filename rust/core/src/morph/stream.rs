@@ -1,84 +1,21 @@
 //! The morph of long arrays: blocks of points run through kernels that the compiler turns into vectors; what these
 //! leave in doubt is morphed point by point.
 
-use std::ops::{Add, Div, Mul, Sub};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::{Kind, Morph, blend, cylinder};
+use super::lanes::{BLOCK, Real};
+use super::point::{Kind, Morph};
+use super::{blend, cylinder};
 use crate::base::simd::{prefetch, widest};
 
 /// Points of one task.
 const TILE: usize = 1 << 14;
-/// Points that share a decision; their temporaries stay in the first-level cache.
-pub(super) const BLOCK: usize = 64;
 /// Blocks from the one at work to the one that is asked of memory: a block is hundreds of instructions, behind which
 /// the next one's loads would wait. It saves a fifth of the time.
 const AHEAD: usize = 4;
-
-/// Float32 or float64.
-pub(super) trait Real:
-    Copy + PartialOrd + Send + Sync + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
-{
-    const ZERO: Self;
-    const ONE: Self;
-    /// Relative error of squared distances that two roundings of each coordinate can cause, generously.
-    const DOUBT: f64;
-    /// Squares of lengths within these bounds neither overflow nor lose digits.
-    const LENGTHS: [f64; 2];
-    fn root(self) -> Self;
-    fn wide(self) -> f64;
-    fn narrow(value: f64) -> Self;
-}
-
-macro_rules! real {
-    ($float:ty, $doubt:expr, $lengths:expr) => {
-        impl Real for $float {
-            const ZERO: Self = 0.0;
-            const ONE: Self = 1.0;
-            const DOUBT: f64 = $doubt;
-            const LENGTHS: [f64; 2] = $lengths;
-            #[inline(always)]
-            fn root(self) -> Self {
-                self.sqrt()
-            }
-            #[inline(always)]
-            fn wide(self) -> f64 {
-                f64::from(self)
-            }
-            #[inline(always)]
-            fn narrow(value: f64) -> Self {
-                value as Self
-            }
-        }
-    };
-}
-
-real!(f32, 1e-6, [1e-3, 1e8]);
-real!(f64, 2e-15, [1e-50, 1e50]);
-
-/// Coordinates of a block by axis.
-pub(super) type Lanes<T> = [[T; BLOCK]; 3];
-
-#[inline(always)]
-pub(super) fn gather<T: Real>(points: &[[T; 3]; BLOCK]) -> Lanes<T> {
-    let mut lanes = [[T::ZERO; BLOCK]; 3];
-    for (i, point) in points.iter().enumerate() {
-        lanes[0][i] = point[0];
-        lanes[1][i] = point[1];
-        lanes[2][i] = point[2];
-    }
-    lanes
-}
-
-#[inline(always)]
-pub(super) fn scatter<T: Real>(lanes: &Lanes<T>, points: &mut [[T; 3]; BLOCK]) {
-    for (i, point) in points.iter_mut().enumerate() {
-        *point = [lanes[0][i], lanes[1][i], lanes[2][i]];
-    }
-}
 
 /// The block kernels of a precision, compiled for each width of vectors. They return a bit for each point in doubt.
 pub(super) trait Streamed: Real {
@@ -110,8 +47,23 @@ macro_rules! streamed {
 streamed!(f32, blend_f32, cylinder_f32);
 streamed!(f64, blend_f64, cylinder_f64);
 
+impl Morph {
+    /// Morphs float32 points: half a float32 step of the answer and 2⁻²⁴ (6 + 3 r₂/(r₂−r₁)) |U−O| from the exact
+    /// answer at most, where the directions are not opposed. Inside r₁ they keep their bits; beyond r₂ they are
+    /// U + P − O, rounded once.
+    /// Points with NaN give NaN. Returns the number of opposed points. Both slices have one length.
+    pub fn apply_all_f32(&self, points: &[[f32; 3]], shown: &mut [[f32; 3]]) -> u64 {
+        apply_all(self, points, shown)
+    }
+
+    /// The same for float64 points, where each step is a float64 one.
+    pub fn apply_all_f64(&self, points: &[[f64; 3]], shown: &mut [[f64; 3]]) -> u64 {
+        apply_all(self, points, shown)
+    }
+}
+
 /// Morphs all points in tiles on the current pool; the number of opposed ones.
-pub(super) fn apply_all<T: Streamed>(morph: &Morph, points: &[[T; 3]], shown: &mut [[T; 3]]) -> u64 {
+fn apply_all<T: Streamed>(morph: &Morph, points: &[[T; 3]], shown: &mut [[T; 3]]) -> u64 {
     assert_eq!(points.len(), shown.len(), "as many results as points");
     if morph.offset == DVec3::ZERO {
         // From the centre nothing moves.

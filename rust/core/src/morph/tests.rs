@@ -2,7 +2,8 @@ use glam::DVec3;
 use proptest::prelude::*;
 
 use super::blend::{Constants, block};
-use super::stream::{BLOCK, Streamed};
+use super::lanes::BLOCK;
+use super::stream::Streamed;
 use super::{Kind, Morph};
 
 fn blend(user: DVec3, center: DVec3) -> Morph {

@@ -2,8 +2,9 @@
 
 use rayon::prelude::*;
 
-use super::radii::{Indexed, Soup, Triangles, measure};
-use super::{Class, Coordinate, Part, Partition, Zone};
+use super::divide::Partition;
+use super::radii::{Coordinate, Indexed, Soup, Triangles, measure};
+use super::zone::{Class, Part, Zone};
 use crate::base::{Error, Progress, Result};
 
 /// Triangles of one task.

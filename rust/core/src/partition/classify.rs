@@ -3,9 +3,9 @@
 use rayon::prelude::*;
 
 use super::radii::{Indexed, Soup, Triangles, measure, placed};
-use super::{Class, Mixed, Zone};
-use crate::base::{Progress, Result};
-use crate::scene::{Aabb, Instance};
+use super::zone::{Class, Mixed, Zone};
+use crate::base::{Aabb, Progress, Result};
+use crate::scene::Instance;
 
 /// Faces of one task.
 const TILE: usize = 1 << 15;

@@ -3,8 +3,8 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::axis::{axis_in, check_center};
 use super::radii::{Indexed, Soup, measure, placed};
-use super::{axis_in, check_center};
 use crate::base::{Error, Progress, Result};
 use crate::scene::{Instance, Scene};
 

@@ -4,8 +4,8 @@ use glam::{DAffine3, DVec3};
 use proptest::prelude::*;
 
 use super::{LoadCurve, Part, Partition};
-use crate::base::{Error, Progress};
-use crate::scene::{FaceMap, Instance, Mesh, Scene};
+use crate::base::{Error, FaceMap, Progress};
+use crate::scene::{Instance, Mesh, Scene};
 
 /// Triangles with corners on a coarse grid, so that touching the axis, collinear and coincident corners are common.
 fn triangles(count: usize) -> impl Strategy<Value = Vec<[[f32; 3]; 3]>> {

@@ -2,9 +2,11 @@
 
 use rayon::prelude::*;
 
+use super::axis::axis_in;
 use super::classify::Ruler;
+use super::divide::Partition;
 use super::radii::radii_of;
-use super::{Class, Partition, Zone, axis_in};
+use super::zone::{Class, Zone};
 use crate::base::{Error, Progress, Result};
 
 impl Partition {

@@ -128,8 +128,9 @@ impl Beyond<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::base::FaceMap;
     use crate::cubemap::EnvironmentMap;
-    use crate::scene::{FaceMap, Instance, Mesh};
+    use crate::scene::{Instance, Mesh};
     use glam::DAffine3;
     use std::sync::Arc;
 

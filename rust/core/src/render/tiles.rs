@@ -8,9 +8,9 @@ use rayon::prelude::*;
 
 use super::frame::{Band, Channels, Frame, Sample};
 use super::surface::add;
-use crate::base::{Error, Progress, Result};
+use crate::base::{Error, Progress, REACH, Result};
 use crate::camera::{Camera, Footprint, Rays};
-use crate::trace::{Hit, REACH, Ray};
+use crate::trace::{Hit, Ray};
 
 /// Pixels on a tile's side: 64 neighbouring rays.
 pub(super) const TILE: usize = 8;

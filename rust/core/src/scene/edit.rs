@@ -6,8 +6,11 @@ use std::sync::Arc;
 use glam::DAffine3;
 use rayon::prelude::*;
 
-use super::{FaceMap, Instance, InstanceSet, Mesh, Part, Scene, merge};
-use crate::base::{Error, Result};
+use super::instance::{Instance, InstanceSet};
+use super::merge::{Part, merge};
+use super::mesh::Mesh;
+use super::world::Scene;
+use crate::base::{Error, FaceMap, Result};
 
 impl Scene {
     /// The same scene in which also the objects of `chosen` (a flag for each object) move. Faces of merged meshes become

@@ -4,8 +4,8 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use glam::{DAffine3, Vec3};
 
-use super::{Aabb, Mesh, REACH};
-use crate::base::{Error, Progress, Result};
+use super::mesh::Mesh;
+use crate::base::{Aabb, Error, Progress, REACH, Result};
 use crate::bvh::Tlas;
 
 /// A mesh and where it stands. Positions are relative to the scene's origin.

@@ -5,7 +5,12 @@ use std::sync::Arc;
 
 use glam::DAffine3;
 
-use super::{Instance, InstanceSet, Material, Mesh, Part, Scene, Texture, merge};
+use super::instance::{Instance, InstanceSet};
+use super::material::Material;
+use super::merge::{Part, merge};
+use super::mesh::Mesh;
+use super::texture::Texture;
+use super::world::Scene;
 use crate::base::{Buffer, Error, Result};
 
 /// Stands for an object without a model, and for a level that is not drawn.
@@ -185,7 +190,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::scene::FaceMap;
+    use crate::base::FaceMap;
 
     /// A fan of `count` triangles with one material of a scene's.
     fn fan(count: u32, material: i32) -> Arc<Mesh> {

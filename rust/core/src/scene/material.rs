@@ -1,8 +1,5 @@
 //! Base colours: all of a surface that the shading formula uses.
 
-use super::srgb::linear_from_srgb;
-use super::{Mesh, Scene, Texture};
-
 /// What happens where the base colour's alpha is below 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Alpha {
@@ -30,91 +27,5 @@ impl Default for Material {
     /// The light grey of scenes that say nothing.
     fn default() -> Self {
         Self { base_color: [0.8, 0.8, 0.8, 1.0], texture: None, alpha: Alpha::Opaque }
-    }
-}
-
-/// Level of the texture for a footprint on the surface (metres) and the texture's density there (texels per metre):
-/// log₂ of the texels across the footprint.
-///
-/// A footprint's width on a surface is the ray's width across its direction, divided by √cos of the angle between
-/// normal and ray: the geometric mean of the ellipse's axes, which neither blurs streets nor lets them flicker.
-#[inline]
-pub fn texture_level(footprint: f32, density: f32) -> f32 {
-    (footprint * density).log2()
-}
-
-/// Texels per metre on a face: the root of its area in the texture over its area in the scene, both doubled.
-#[inline]
-pub fn texel_density(texture: &Texture, uvs: [[f32; 2]; 3], doubled_area: f32) -> f32 {
-    let [a, b, c] = uvs;
-    let (b, c) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
-    let texels = (b[0] * c[1] - b[1] * c[0]).abs() * texture.width as f32 * texture.height as f32;
-    (texels / doubled_area).sqrt()
-}
-
-/// Value at weights (u, v) of the second and third corner.
-#[inline]
-fn interpolate<const N: usize>([a, b, c]: [[f32; N]; 3], (u, v): (f32, f32)) -> [f32; N] {
-    std::array::from_fn(|i| a[i] + (b[i] - a[i]) * u + (c[i] - a[i]) * v)
-}
-
-impl Mesh {
-    fn corner_uvs(&self, face: u32) -> Option<[[f32; 2]; 3]> {
-        let uvs = self.uvs.as_ref()?;
-        Some(self.faces[face as usize].map(|vertex| uvs[vertex as usize]))
-    }
-
-    fn corner_colors(&self, face: u32) -> Option<[[u8; 4]; 3]> {
-        let colors = self.colors.as_ref()?;
-        Some(self.faces[face as usize].map(|vertex| colors[vertex as usize]))
-    }
-}
-
-impl Scene {
-    /// Material of a face of a mesh; the default one where it has none.
-    #[inline]
-    pub fn material_of(&self, mesh: &Mesh, face: u32) -> Material {
-        let number = usize::try_from(mesh.materials.get(face)).ok();
-        number.and_then(|number| self.materials.get(number)).copied().unwrap_or_default()
-    }
-
-    /// True where a material is cut out, so that rays need `trace::AlphaFilter`.
-    pub fn has_cutouts(&self) -> bool {
-        self.materials.iter().any(|material| material.alpha != Alpha::Opaque)
-    }
-
-    /// Linear base colour at weights (u, v) of a face: factor × texture × vertex colour. `footprint` is its width on
-    /// the surface in metres, `doubled_area` twice the area of the face as placed, in square metres.
-    pub fn albedo(&self, mesh: &Mesh, face: u32, at: (f32, f32), footprint: f32, doubled_area: f32) -> [f32; 3] {
-        let material = self.material_of(mesh, face);
-        let [r, g, b, _] = material.base_color;
-        let mut albedo = [r, g, b];
-        if let Some(colors) = mesh.corner_colors(face) {
-            let linear = linear_from_srgb();
-            let color = interpolate(colors.map(|[r, g, b, _]| [r, g, b].map(|code| linear[usize::from(code)])), at);
-            (0..3).for_each(|i| albedo[i] *= color[i]);
-        }
-        if let (Some(texture), Some(uvs)) = (material.texture, mesh.corner_uvs(face)) {
-            let texture = &self.textures[texture as usize];
-            let level = texture_level(footprint, texel_density(texture, uvs, doubled_area));
-            let color = texture.color(interpolate(uvs, at), level, material.alpha != Alpha::Opaque);
-            (0..3).for_each(|i| albedo[i] *= color[i]);
-        }
-        albedo
-    }
-
-    /// False where a cut-out material leaves a hole at weights (u, v) of a face. The texture is read at its finest
-    /// level, so that a hole has the same shape at every distance.
-    pub fn is_solid(&self, mesh: &Mesh, face: u32, at: (f32, f32)) -> bool {
-        let material = self.material_of(mesh, face);
-        let Alpha::Mask { cutoff } = material.alpha else { return true };
-        let mut alpha = material.base_color[3];
-        if let Some(colors) = mesh.corner_colors(face) {
-            alpha *= interpolate(colors.map(|color| [f32::from(color[3]) / 255.0]), at)[0];
-        }
-        if let (Some(texture), Some(uvs)) = (material.texture, mesh.corner_uvs(face)) {
-            alpha *= self.textures[texture as usize].alpha(interpolate(uvs, at));
-        }
-        alpha >= cutoff
     }
 }

@@ -5,10 +5,9 @@ use std::sync::Arc;
 use glam::{DAffine3, Vec3};
 use rayon::prelude::*;
 
-use super::mesh::{TILE, turned};
+use super::mesh::{Mesh, TILE, turned};
 use super::normal::place_normals;
-use super::{FaceMap, Mesh};
-use crate::base::{Error, Result};
+use crate::base::{Error, FaceMap, Result};
 
 /// A mesh on its way into a merged one.
 #[derive(Clone, Debug)]

@@ -5,8 +5,7 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 use glam::Vec3;
 use rayon::prelude::*;
 
-use super::{Aabb, FaceMap, REACH};
-use crate::base::{Buffer, Error, Progress, Result};
+use crate::base::{Aabb, Buffer, Error, FaceMap, Progress, REACH, Result};
 use crate::bvh::{Bvh, Faces};
 
 /// Faces or vertices handled by one task: fixed, so that reductions do not depend on the number of threads.

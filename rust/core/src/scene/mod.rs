@@ -1,8 +1,7 @@
-//! What is looked at: meshes shared between instances, objects as names over faces or instances, base colours.
+//! Scenes: meshes shared between instances, objects as names over faces or instances, base colours.
 
-mod bounds;
+mod albedo;
 mod edit;
-mod face_map;
 mod instance;
 mod levels;
 mod material;
@@ -11,176 +10,14 @@ mod mesh;
 mod normal;
 pub mod srgb;
 mod texture;
+mod world;
 
-use std::collections::HashSet;
-use std::sync::Arc;
-
-use glam::DVec3;
-use rayon::prelude::*;
-
-pub use bounds::{Aabb, REACH};
-pub use face_map::FaceMap;
+pub use albedo::{texel_density, texture_level};
 pub use instance::{Instance, InstanceSet};
 pub use levels::LevelMeshes;
-pub use material::{Alpha, Material, texel_density, texture_level};
+pub use material::{Alpha, Material};
 pub use merge::{Part, merge};
 pub use mesh::Mesh;
 pub use normal::facing_normals;
 pub use texture::{Level, Texture};
-
-use crate::base::{Error, Progress, Result, memory::room_for};
-
-/// An immutable scene. Copies share meshes, textures and trees; only instance lists differ.
-///
-/// Instances are numbered with the standing ones first, then the moving ones, and triangles in that order.
-#[derive(Clone, Debug)]
-pub struct Scene {
-    /// World position of the float32 geometry's zero.
-    pub origin: DVec3,
-    /// Instances that never move.
-    pub standing: Arc<InstanceSet>,
-    /// Instances that may be posed anew.
-    pub moving: Arc<InstanceSet>,
-    /// Base colours, numbered by the meshes' material maps.
-    pub materials: Arc<Vec<Material>>,
-    /// Textures, numbered by the materials.
-    pub textures: Arc<Vec<Texture>>,
-}
-
-impl Scene {
-    /// Puts a scene together and checks its numbers.
-    pub fn new(
-        origin: DVec3,
-        standing: Vec<Instance>,
-        moving: Vec<Instance>,
-        materials: Arc<Vec<Material>>,
-        textures: Arc<Vec<Texture>>,
-    ) -> Result<Self> {
-        if !origin.is_finite() {
-            return Err(Error::value("origin", "three finite numbers", origin));
-        }
-        let texture_count = textures.len();
-        if let Some(wrong) = materials.iter().filter_map(|m| m.texture).find(|&t| t as usize >= texture_count) {
-            return Err(Error::value("materials", format!("texture numbers below {texture_count}"), wrong));
-        }
-        for mesh in distinct_meshes(standing.iter().chain(&moving)) {
-            mesh.materials.validate("materials", mesh.faces.len(), materials.len() as i32)?;
-        }
-        if standing.len() + moving.len() > u32::MAX as usize - 1 {
-            return Err(Error::value("instances", "fewer than 2^32 - 1", standing.len() + moving.len()));
-        }
-        let (standing, moving) = (Arc::new(InstanceSet::new(standing)), Arc::new(InstanceSet::new(moving)));
-        Ok(Self { origin, standing, moving, materials, textures })
-    }
-
-    /// The same scene with its moving instances in other places.
-    pub fn posed(&self, moving: Vec<Instance>) -> Self {
-        Self { moving: Arc::new(InstanceSet::new(moving)), ..self.clone() }
-    }
-
-    /// Both sets: standing, moving.
-    pub fn sets(&self) -> [&InstanceSet; 2] {
-        [&self.standing, &self.moving]
-    }
-
-    /// All instances in number order.
-    pub fn instances(&self) -> impl Iterator<Item = &Instance> {
-        self.standing.instances().iter().chain(self.moving.instances())
-    }
-
-    /// An instance by its number.
-    #[inline]
-    pub fn instance(&self, number: u32) -> &Instance {
-        let standing = self.standing.instances();
-        match standing.get(number as usize) {
-            Some(instance) => instance,
-            None => &self.moving.instances()[number as usize - standing.len()],
-        }
-    }
-
-    /// Number of instances, standing and moving.
-    pub fn instance_count(&self) -> usize {
-        self.standing.instances().len() + self.moving.instances().len()
-    }
-
-    /// Triangles before an instance.
-    pub fn triangle_offset(&self, number: u32) -> i64 {
-        let standing = self.standing.instances().len();
-        match (number as usize).checked_sub(standing) {
-            None => self.standing.offset(number as usize),
-            Some(moving) => self.standing.triangle_count() + self.moving.offset(moving),
-        }
-    }
-
-    /// Triangles of all instances.
-    pub fn triangle_count(&self) -> i64 {
-        self.standing.triangle_count() + self.moving.triangle_count()
-    }
-
-    /// The instance and face of a triangle number.
-    pub fn locate(&self, triangle: i64) -> Option<(u32, u32)> {
-        let standing = self.standing.triangle_count();
-        if triangle < standing {
-            return self.standing.locate(triangle).map(|(instance, face)| (instance as u32, face));
-        }
-        let (instance, face) = self.moving.locate(triangle - standing)?;
-        Some(((instance + self.standing.instances().len()) as u32, face))
-    }
-
-    /// Builds all trees that rays need; each is built once and shared by every copy of the scene.
-    pub fn build(&self, progress: &Progress) -> Result<()> {
-        self.sets().into_iter().try_for_each(|set| set.build(progress))
-    }
-
-    /// Corners of all triangles in number order, nine floats each, relative to the origin. For exchange, not for kernels.
-    pub fn triangles(&self) -> Result<Vec<f32>> {
-        room_for(self.triangle_count() as u64 * 9 * size_of::<f32>() as u64)?;
-        let mut flat = vec![0.0; self.triangle_count() as usize * 9];
-        let mut rest = &mut flat[..];
-        for instance in self.instances() {
-            let (mine, others) = rest.split_at_mut(instance.mesh.faces.len() * 9);
-            mine.par_chunks_mut(9).enumerate().for_each(|(face, corners)| {
-                for (slot, corner) in corners.chunks_exact_mut(3).zip(instance.corners(face as u32)) {
-                    slot.copy_from_slice(&corner.to_array());
-                }
-            });
-            rest = others;
-        }
-        Ok(flat)
-    }
-
-    /// Faces without an area, each mesh counted once.
-    pub fn degenerate_count(&self) -> usize {
-        distinct_meshes(self.instances()).map(Mesh::degenerate_count).sum()
-    }
-
-    /// Tight box of all placed triangles, relative to the origin.
-    pub fn bounds(&self) -> Aabb {
-        let mut tight = Aabb::EMPTY;
-        for instance in self.instances() {
-            // A loose box that is inside already cannot hold a vertex that is outside.
-            if tight.union(&instance.bounds) == tight {
-                continue;
-            }
-            if instance.in_place {
-                tight = tight.union(&instance.bounds);
-                continue;
-            }
-            let faces = instance.mesh.faces.par_chunks(mesh::TILE).enumerate();
-            let tile_bounds = |(tile, faces): (usize, &[[u32; 3]])| {
-                let mut bounds = Aabb::EMPTY;
-                let first = tile * mesh::TILE;
-                let corners = (first..first + faces.len()).flat_map(|face| instance.corners(face as u32));
-                corners.for_each(|corner| bounds.extend(corner));
-                bounds
-            };
-            tight = tight.union(&faces.map(tile_bounds).reduce(|| Aabb::EMPTY, |a, b| a.union(&b)));
-        }
-        tight
-    }
-}
-
-fn distinct_meshes<'a>(instances: impl Iterator<Item = &'a Instance>) -> impl Iterator<Item = &'a Mesh> {
-    let mut seen = HashSet::new();
-    instances.map(|instance| &*instance.mesh).filter(move |&mesh| seen.insert(std::ptr::from_ref(mesh)))
-}
+pub use world::Scene;

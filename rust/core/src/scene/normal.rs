@@ -6,8 +6,8 @@
 use glam::{DAffine3, DMat3, Vec3};
 use rayon::prelude::*;
 
-use super::mesh::TILE;
-use super::{Instance, Mesh};
+use super::instance::Instance;
+use super::mesh::{Mesh, TILE};
 
 /// What takes normals where a mesh is placed, up to their length: the cofactors of the matrix, which a flat one has too.
 pub(super) fn normal_matrix(to_scene: &DAffine3) -> DMat3 {
@@ -87,8 +87,8 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::base::Buffer;
-    use crate::scene::{FaceMap, Part, merge};
+    use crate::base::{Buffer, FaceMap};
+    use crate::scene::{Part, merge};
 
     /// A triangle whose normals lean away from its plane's, the third vertex without one.
     fn leaning() -> Arc<Mesh> {

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::Counts;
 use super::assemble::{Budget, assemble};
+use super::counts::Counts;
 use super::rule::{Precision, Rule};
 use crate::base::{Progress, Result};
 

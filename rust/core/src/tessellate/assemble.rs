@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::Counts;
+use super::counts::Counts;
 use super::rule::{Precision, Rule};
 use super::split::Piece;
 use crate::base::{Error, Progress, Result, memory::room_for};

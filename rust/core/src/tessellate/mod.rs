@@ -9,6 +9,7 @@
 mod bound;
 mod arrays;
 mod assemble;
+mod counts;
 mod rule;
 mod scene;
 mod split;
@@ -16,19 +17,7 @@ mod split;
 mod tests;
 
 pub use arrays::{Arrays, tessellate_arrays};
+pub use counts::Counts;
 pub use rule::{Precision, Rule, Settings};
 pub use scene::{needs_split, split_scene, tessellate_scene};
 pub use split::Piece;
-
-/// What was done.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counts {
-    /// Triangles of the source.
-    pub before: u64,
-    /// Triangles of the result.
-    pub after: u64,
-    /// Triangles of the source that were looked at: the others lie within r₁ or beyond r₂, or move.
-    pub examined: u64,
-    /// Triangles of the source that were split.
-    pub split: u64,
-}

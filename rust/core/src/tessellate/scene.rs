@@ -5,8 +5,8 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3, Vec3};
 use rayon::prelude::*;
 
-use super::Counts;
 use super::assemble::{Assembled, Budget, NewVertex, assemble};
+use super::counts::Counts;
 use super::rule::{Precision, Rule};
 use crate::base::{Buffer, Progress, Result};
 use crate::scene::srgb::{linear_from_srgb, srgb_from_linear};

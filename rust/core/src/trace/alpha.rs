@@ -1,6 +1,6 @@
 //! Cut-out materials: rays pass through their holes.
 
-use super::{Filter, Hit, Ray};
+use super::ray::{Filter, Hit, Ray};
 use crate::scene::Scene;
 
 /// Leaves out the holes of cut-out materials; what is solid is up to `inner`.

@@ -4,9 +4,9 @@ use std::mem::MaybeUninit;
 
 use super::lanes::{Isa, Lanes};
 use super::packet::{Loader, Packet, RAYS};
+use super::ray::{Filter, Hit, Ray};
 use super::single::{self, Local, Search};
 use super::triangle::{self, Crossing};
-use super::{Filter, Hit, Ray};
 use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
 use crate::scene::{Instance, InstanceSet};
 

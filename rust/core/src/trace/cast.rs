@@ -3,8 +3,10 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::{All, AlphaFilter, Filter, Hit, REACH, Ray, closest_hits};
-use crate::base::{Error, Progress, Result};
+use super::alpha::AlphaFilter;
+use super::dispatch::closest_hits;
+use super::ray::{All, Filter, Hit, Ray};
+use crate::base::{Error, Progress, REACH, Result};
 use crate::scene::Scene;
 
 /// Rays handled by one task: fixed, so that groups of neighbours do not depend on the number of threads.

@@ -1,13 +1,32 @@
-//! Chooses the kernels for the instruction set.
+//! Hits of many rays, by the kernels for the processor's instruction set.
+
+use std::slice;
 
 use super::beam::{self, Quest};
 #[cfg(target_arch = "x86_64")]
 use super::lanes::{Avx2, Avx512};
-use super::lanes::{Isa, Level};
+use super::lanes::{Isa, Level, Portable};
 use super::packet::{Packet, RAYS};
+use super::ray::{Filter, Hit, Ray};
 use super::single::{Search, walk_set};
-use super::{Filter, Hit, Ray};
 use crate::scene::{InstanceSet, Scene};
+
+/// The nearest hit. The scene must have been built (`Scene::build`).
+pub fn closest_hit(scene: &Scene, ray: &Ray, filter: &impl Filter) -> Hit {
+    let mut hit = [Hit::MISS];
+    closest_hits(scene, slice::from_ref(ray), filter, &mut hit);
+    hit[0]
+}
+
+/// Nearest hits of many rays; neighbours in the slice are assumed to be coherent.
+pub fn closest_hits(scene: &Scene, rays: &[Ray], filter: &impl Filter, hits: &mut [Hit]) {
+    closest_hits_with(Level::current(), scene, rays, filter, hits);
+}
+
+/// True where a ray hits anything within its segment.
+pub fn any_hits(scene: &Scene, rays: &[Ray], filter: &impl Filter, hits: &mut [bool]) {
+    any_hits_with(Level::current(), scene, rays, filter, hits);
+}
 
 /// One function for each instruction set around a kernel that is generic over it: what is inlined into them is
 /// compiled with their instructions.
@@ -33,13 +52,13 @@ macro_rules! kernels {
                 }
             }
             let _ = level;
-            $kernel(super::lanes::Portable, scene, rays, filter, out);
+            $kernel(Portable, scene, rays, filter, out);
         }
     };
 }
 
-kernels!(closest_hits, closest, Hit);
-kernels!(any_hits, any, bool);
+kernels!(closest_hits_with, closest, Hit);
+kernels!(any_hits_with, any, bool);
 
 #[inline(always)]
 fn closest<I: Isa, F: Filter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, hits: &mut [Hit]) {

@@ -8,6 +8,7 @@ mod dispatch;
 mod lanes;
 mod nearest;
 mod packet;
+mod ray;
 mod region;
 mod single;
 mod slab;
@@ -15,98 +16,11 @@ mod slab;
 mod tests;
 mod triangle;
 
-use std::slice;
-
-use glam::Vec3;
-
-use crate::scene::Scene;
-use lanes::Level;
-
-pub use crate::scene::REACH;
 pub use alpha::AlphaFilter;
 pub use cast::{Hits, Points, cast};
 pub use closest::{Closest, closest};
+pub use dispatch::{any_hits, closest_hit, closest_hits};
 pub use lanes::{instruction_sets, use_instruction_set};
 pub use nearest::{Nearest, nearest};
+pub use ray::{All, Filter, Hit, Ray};
 pub use region::touches;
-
-/// A segment of a ray in scene space. The direction needs no particular length; `t` is in units of it.
-#[derive(Clone, Copy, Debug)]
-pub struct Ray {
-    /// Start, relative to the scene's origin and no farther from it than `REACH`.
-    pub origin: Vec3,
-    /// Direction, finite and not zero.
-    pub direction: Vec3,
-    /// Least parameter that counts as a hit.
-    pub t_min: f32,
-    /// Greatest parameter that counts as a hit.
-    pub t_max: f32,
-}
-
-/// Where a ray meets a triangle: the point is (1−u−v) a + u b + v c.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
-    /// Parameter along the ray; infinite for a miss.
-    pub t: f32,
-    /// Weight of the second corner.
-    pub u: f32,
-    /// Weight of the third corner.
-    pub v: f32,
-    /// Instance in the scene; `u32::MAX` for a miss.
-    pub instance: u32,
-    /// Face in the instance's mesh.
-    pub face: u32,
-}
-
-impl Hit {
-    /// Nothing was hit.
-    pub const MISS: Self = Self { t: f32::INFINITY, u: 0.0, v: 0.0, instance: u32::MAX, face: u32::MAX };
-
-    /// True where nothing was hit.
-    pub fn is_miss(&self) -> bool {
-        self.instance == u32::MAX
-    }
-
-    /// Ties go to the lower (instance, face), so that the answer depends neither on the tree nor on the order of visits.
-    fn is_before(&self, other: &Self) -> bool {
-        self.t < other.t || (self.t == other.t && (self.instance, self.face) < (other.instance, other.face))
-    }
-}
-
-/// Decides which intersections count: cut-out materials, pixels split at a radius.
-pub trait Filter: Sync {
-    /// True where every intersection counts, so that nobody needs to ask.
-    const ACCEPTS_ALL: bool = false;
-
-    /// True where the candidate is a hit.
-    fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool;
-}
-
-/// Everything counts.
-pub struct All;
-
-impl Filter for All {
-    const ACCEPTS_ALL: bool = true;
-
-    #[inline(always)]
-    fn accepts(&self, _ray: &Ray, _candidate: &Hit) -> bool {
-        true
-    }
-}
-
-/// The nearest hit. The scene must have been built (`Scene::build`).
-pub fn closest_hit(scene: &Scene, ray: &Ray, filter: &impl Filter) -> Hit {
-    let mut hit = [Hit::MISS];
-    closest_hits(scene, slice::from_ref(ray), filter, &mut hit);
-    hit[0]
-}
-
-/// Nearest hits of many rays; neighbours in the slice are assumed to be coherent.
-pub fn closest_hits(scene: &Scene, rays: &[Ray], filter: &impl Filter, hits: &mut [Hit]) {
-    dispatch::closest_hits(Level::current(), scene, rays, filter, hits);
-}
-
-/// True where a ray hits anything within its segment.
-pub fn any_hits(scene: &Scene, rays: &[Ray], filter: &impl Filter, hits: &mut [bool]) {
-    dispatch::any_hits(Level::current(), scene, rays, filter, hits);
-}

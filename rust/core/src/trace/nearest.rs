@@ -8,9 +8,9 @@ use rayon::prelude::*;
 
 use super::cast::{Points, TILE, refuse};
 use super::closest::{closest, square};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Error, Progress, REACH, Result};
 use crate::bvh::{Block, LEAF, NO_CHILD, Node, WIDTH, Wide};
-use crate::scene::{Instance, REACH, Scene};
+use crate::scene::{Instance, Scene};
 
 /// What lies nearest to points, an entry for each.
 #[derive(Debug, Default)]

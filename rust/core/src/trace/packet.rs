@@ -6,10 +6,10 @@
 //! would keep, and what is computed for a ray is what `single` computes, so both find the same bits.
 
 use super::lanes::{Isa, Lanes};
+use super::ray::{Hit, Ray};
 use super::triangle::Shear;
-use super::{Hit, Ray};
+use crate::base::Aabb;
 use crate::bvh::Node;
-use crate::scene::Aabb;
 
 /// Rays of a packet at most: a tile of 8×8 pixels.
 pub(crate) const RAYS: usize = 64;

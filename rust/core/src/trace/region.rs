@@ -1,7 +1,8 @@
 //! Whether anything is in a box: work that a region does not need is not done.
 
+use crate::base::Aabb;
 use crate::bvh::{LEAF, NO_CHILD, Node, WIDTH, Wide};
-use crate::scene::{Aabb, Instance, InstanceSet, Scene};
+use crate::scene::{Instance, InstanceSet, Scene};
 
 /// False where no triangle of a scene reaches into a box. True may be a neighbour: leaves and placed instances are taken
 /// by their boxes. The scene must have been built.
@@ -60,8 +61,8 @@ fn overlaps(node: &Node, region: &Aabb) -> [bool; WIDTH] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::Progress;
-    use crate::scene::{FaceMap, Mesh};
+    use crate::base::{FaceMap, Progress};
+    use crate::scene::Mesh;
     use glam::{DAffine3, DVec3, Vec3};
     use proptest::prelude::*;
     use std::sync::Arc;

@@ -5,11 +5,12 @@ use std::mem::MaybeUninit;
 use glam::Vec3;
 
 use super::lanes::{Isa, Lanes};
+use super::ray::{Filter, Hit, Ray};
 use super::slab::Slabs;
 use super::triangle::{self, Shear};
-use super::{Filter, Hit, Ray};
+use crate::base::Aabb;
 use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
-use crate::scene::{Aabb, Instance, InstanceSet};
+use crate::scene::{Instance, InstanceSet};
 
 /// A ray made ready for one space: the scene's, or an instance's own.
 #[derive(Clone, Copy)]

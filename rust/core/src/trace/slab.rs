@@ -11,8 +11,8 @@
 use glam::Vec3;
 
 use super::lanes::{Isa, Lanes};
+use crate::base::Aabb;
 use crate::bvh::{Node, WIDTH};
-use crate::scene::Aabb;
 
 /// How far the sheared corners may lie off, relative to the reach: five roundings of half an ulp, as in the paper, of
 /// two coordinates.

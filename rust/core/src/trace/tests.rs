@@ -4,14 +4,17 @@
 mod defects;
 mod watertight;
 
+use std::slice;
 use std::sync::Arc;
 
 use glam::{DAffine3, DQuat, DVec3, Vec3};
 use proptest::prelude::*;
 
+use super::dispatch::{any_hits_with, closest_hits_with};
+use super::lanes::Level;
 use super::*;
-use crate::base::Progress;
-use crate::scene::{FaceMap, Instance, Mesh};
+use crate::base::{FaceMap, Progress};
+use crate::scene::{Instance, Mesh, Scene};
 
 pub(super) fn mesh(triangles: &[[Vec3; 3]]) -> Arc<Mesh> {
     let positions: Vec<[f32; 3]> = triangles.iter().flatten().map(Vec3::to_array).collect();
@@ -61,17 +64,17 @@ fn trace_all_ways(scene: &Scene, rays: &[Ray], filter: &impl Filter) -> Vec<Hit>
     let mut expected = vec![Hit::MISS; rays.len()];
     for (ray, hit) in rays.iter().zip(&mut expected) {
         // Slices of one ray never become packets.
-        dispatch::closest_hits(Level::Portable, scene, slice::from_ref(ray), filter, slice::from_mut(hit));
+        closest_hits_with(Level::Portable, scene, slice::from_ref(ray), filter, slice::from_mut(hit));
     }
     for level in Level::available() {
         let mut together = vec![Hit::MISS; rays.len()];
-        dispatch::closest_hits(level, scene, rays, filter, &mut together);
+        closest_hits_with(level, scene, rays, filter, &mut together);
         let mut alone = vec![Hit::MISS; rays.len()];
         for (ray, hit) in rays.iter().zip(&mut alone) {
-            dispatch::closest_hits(level, scene, slice::from_ref(ray), filter, slice::from_mut(hit));
+            closest_hits_with(level, scene, slice::from_ref(ray), filter, slice::from_mut(hit));
         }
         let mut any = vec![false; rays.len()];
-        dispatch::any_hits(level, scene, rays, filter, &mut any);
+        any_hits_with(level, scene, rays, filter, &mut any);
         for i in 0..rays.len() {
             let name = level.name();
             assert_eq!(bits(&expected[i]), bits(&alone[i]), "{name}, alone: {:?}", rays[i]);

@@ -1,8 +1,8 @@
 //! Culling: whether a view can see a box.
 
 use glam::{DVec3, DVec4, Vec3};
+use nearfar_core::base::Aabb;
 use nearfar_core::camera::Camera;
-use nearfar_core::scene::Aabb;
 
 use super::view::{Axes, Window};
 

@@ -3,11 +3,10 @@
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use nearfar_core::base::{Error, Progress, Result};
+use nearfar_core::base::{Aabb, Error, Progress, Result};
 use nearfar_core::camera::Camera;
 use nearfar_core::render::tiles::{MAX_SAMPLES, sample_offsets};
 use nearfar_core::render::{Channels, Frame};
-use nearfar_core::scene::Aabb;
 use wgpu::{CommandEncoderDescriptor, SubmissionIndex};
 
 use super::cull::Frustum;
@@ -58,7 +57,7 @@ impl Job {
             return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), samples));
         }
         let eye = camera.position - picture.origin;
-        let reach = nearfar_core::scene::REACH;
+        let reach = nearfar_core::base::REACH;
         if eye.abs().max_element() > reach {
             let expected = format!("a place within {reach:e} m of the scene's origin");
             return Err(Error::value("position", expected, format!("{:e} m", eye.abs().max_element())));

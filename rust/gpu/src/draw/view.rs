@@ -2,8 +2,8 @@
 
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec2, DVec3, DVec4};
+use nearfar_core::camera::direction_from_face;
 use nearfar_core::camera::{Camera, Fov, Projection};
-use nearfar_core::cubemap::direction_from_face;
 
 use super::picture::Picture;
 use super::style::Parameters;

@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 use std::sync::Arc;
 
-use nearfar_core::scene::{Aabb, Instance};
+use nearfar_core::base::Aabb;
+use nearfar_core::scene::Instance;
 
 use super::cull::Frustum;
 use crate::upload::{CHUNK, InstanceParts, Page};

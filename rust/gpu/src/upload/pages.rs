@@ -4,8 +4,8 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use nearfar_core::base::{Error, Result};
-use nearfar_core::scene::{Aabb, FaceMap, Mesh};
+use nearfar_core::base::{Aabb, Error, FaceMap, Result};
+use nearfar_core::scene::Mesh;
 use rayon::prelude::*;
 use wgpu::BufferUsages;
 

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use nearfar_core::scene::{self, FaceMap, Part};
+use nearfar_core::base::FaceMap;
+use nearfar_core::scene::{self, Part};
 use numpy::{PyArray2, PyArrayDyn, PyReadonlyArray1, PyReadonlyArray3};
 use pyo3::prelude::*;
 

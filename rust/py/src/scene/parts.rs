@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use nearfar_core::base::Buffer;
-use nearfar_core::scene::{Alpha, FaceMap, Instance};
+use nearfar_core::base::{Buffer, FaceMap};
+use nearfar_core::scene::{Alpha, Instance};
 use numpy::{Element, PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -1,4 +1,5 @@
 use super::*;
+use crate::camera::{Fov, Projection};
 
 const FOV: Fov = Fov { left: -1.0, right: 0.5, down: -0.25, up: 0.75 };
 const PLANES: Planes = Planes { near: 0.1, far: f64::INFINITY, reverse: true };

@@ -1,6 +1,6 @@
 //! What a model's curves say of a size: scores, the level that is enough, and how levels fade over.
 
-use super::{Line, Rules};
+use super::rules::Rules;
 use crate::base::{Error, Result};
 
 /// How the coarsest level falls below f, where no coarser one says it: what `measure` takes for a step between levels.
@@ -96,11 +96,5 @@ impl Model<'_> {
         let room = left(asked.sigma, self.limit(rules.reference)).min(left(asked.seen, self.range[1]));
         let most = self.curves.len() as f64 * (room / (LAST * rules.fade)).clamp(0.0, 1.0);
         faded.min(most)
-    }
-}
-
-impl Line {
-    pub(super) fn at(&self, sigma: f64) -> f64 {
-        self.level + self.rise * sigma
     }
 }

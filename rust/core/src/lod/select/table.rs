@@ -4,9 +4,10 @@ use std::hint::select_unpredictable;
 
 use rayon::prelude::*;
 
+use super::super::exponential::exp;
 use super::curves::{Model, Parameters, score};
-use super::{Line, Rules, TILE};
-use crate::lod::logistic::exp;
+use super::objects::TILE;
+use super::rules::{Line, Rules};
 
 /// Cells over σ, of equal widths because f is a line: two to the power of so many.
 const SIGMA_DIGITS: u32 = 3;

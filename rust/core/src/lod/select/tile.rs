@@ -2,11 +2,12 @@
 
 use glam::DVec3;
 
-use super::curves::Asked;
-use super::table::UNSURE;
-use super::view::{HIDDEN, Sight};
-use super::{Acuity, COLUMNS, Counts, Eye, Glass, Objects, Selection, TILE, refused};
-use crate::base::Result;
+use super::curves::{Asked, Model};
+use super::objects::{COLUMNS, Counts, Objects, TILE};
+use super::rules::{Acuity, Glass, Rules};
+use super::table::{Tables, UNSURE};
+use super::view::{Eye, HIDDEN, Sight};
+use crate::base::{Error, Result};
 use crate::lens::{Sizes, Spheres};
 
 /// No eye has seen an object yet.
@@ -21,6 +22,18 @@ pub(super) struct Tile<'a> {
     pub objects: Objects<'a>,
     pub level: &'a mut [i32],
     pub columns: Option<[&'a mut [f64]; COLUMNS]>,
+}
+
+/// All that tiles share.
+pub(super) struct Selection<'a> {
+    pub models: &'a [Model<'a>],
+    /// Of each model: the size above which it is not asked.
+    pub limits: Vec<f64>,
+    /// `None` where objects are too few for them.
+    pub tables: Option<Tables>,
+    pub eyes: &'a [Eye],
+    pub glass: Option<Glass<'a>>,
+    pub rules: Rules,
 }
 
 /// Room for what is known of a tile.
@@ -272,4 +285,13 @@ impl Acuity {
         let away = offset.cross(self.gaze).length().atan2(offset.dot(self.gaze)) - mu;
         (self.best / (self.slope * away.max(0.0).to_degrees() + self.limit)).min(1.0)
     }
+}
+
+/// A number of a model, or of a level, that is none.
+fn refused(argument: &'static str, least: i64, most: usize, got: i64, index: usize) -> Error {
+    if most == 0 {
+        return Error::value(argument, "no objects where there are no models", format!("{got} at index {index}"));
+    }
+    let expected = format!("whole numbers from {least} to {}", most - 1);
+    Error::value(argument, expected, format!("{got} at index {index}"))
 }

@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 
 use glam::{DMat3, DVec3};
 
-use super::TILE;
+use super::objects::TILE;
+use super::rules::Acuity;
 use crate::base::Result;
 use crate::base::simd::widest;
 use crate::bounds::check;
@@ -92,6 +93,15 @@ impl View {
         (to.sigma[n], [to.sin_alpha[n], to.cos_alpha[n], to.sin_mu[n], to.cos_mu[n]], _) =
             seen(self, hidden, place, radius / scale);
     }
+}
+
+/// An eye.
+#[derive(Clone, Copy, Debug)]
+pub struct Eye {
+    /// Its pose and view.
+    pub view: View,
+    /// How fine it sees, where that counts.
+    pub acuity: Option<Acuity>,
 }
 
 /// What is seen of a tile of spheres.

@@ -2,70 +2,10 @@
 //! with p₀ the place of a pixel's scene point in the truth, and N_p the pixels q ≠ p with |p₀(q) − p₀(p)| < ε,
 //! δ(p) = mean over N_p of |p − q| / |p₀(p) − p₀(q)| − 1.
 
+mod map;
+mod neighbourhood;
 mod pairs;
 mod points;
 
-use glam::DVec3;
-use rayon::prelude::*;
-
-use crate::base::{Error, Progress, Result};
-use crate::camera::Camera;
-use pairs::Sums;
-use points::{BANDS, Points};
-
-/// Which pixels are compared.
-#[derive(Clone, Copy, Debug)]
-pub struct Neighbourhood {
-    /// ε: pixels of the truth within which points are neighbours.
-    pub epsilon: f64,
-    /// Distances in the truth below this, its resolution, are raised to it. Pixels.
-    pub least: f64,
-}
-
-/// Bands of points that one task takes: as many as its pairs reach beyond them.
-const GROUP: usize = BANDS;
-
-/// δ for each pixel of a frame, rows of `width`; NaN for pixels without a surface, behind the truth's camera, or without
-/// neighbours. Positions are relative to `origin`.
-pub fn discontinuity(
-    position: &[[f32; 3]],
-    origin: DVec3,
-    width: usize,
-    truth: &Camera,
-    neighbourhood: Neighbourhood,
-    progress: &Progress,
-) -> Result<Vec<f32>> {
-    let Neighbourhood { epsilon, least } = neighbourhood;
-    for (argument, value) in [("epsilon", epsilon), ("min_distance", least)] {
-        if !(1e-6..=1e4).contains(&value) {
-            return Err(Error::value(argument, "from a millionth of a pixel to 10,000 pixels", value));
-        }
-    }
-    if u32::try_from(position.len()).is_err() || width == 0 {
-        return Err(Error::value("frame", "fewer than 2³² pixels", position.len()));
-    }
-    let points = Points::new(position, origin, width, truth, epsilon);
-    progress.expect(points.len() as u64);
-    let groups: Vec<usize> = (0..points.bands.len()).step_by(GROUP).collect();
-    // Every pair once, for both of its points: a task's sums reach into the bands of the next one.
-    let sums = |&first: &usize| {
-        let bands = first..points.bands.len().min(first + GROUP);
-        Sums::of(&points, bands, neighbourhood, progress)
-    };
-    let sums: Vec<Sums> = groups.par_iter().map(sums).collect::<Result<_>>()?;
-    let mut image = vec![f32::NAN; position.len()];
-    for (number, own) in sums.iter().enumerate() {
-        let before = number.checked_sub(1).map(|before| &sums[before]);
-        for n in own.own.clone() {
-            let (excess, count) = match before {
-                Some(before) if n < before.end() => before.at(n),
-                _ => (0.0, 0.0),
-            };
-            let (own_excess, own_count) = own.at(n);
-            if count + own_count > 0.0 {
-                image[points.pixel[n] as usize] = (excess + own_excess) / (count + own_count);
-            }
-        }
-    }
-    Ok(image)
-}
+pub use map::discontinuity;
+pub use neighbourhood::Neighbourhood;

@@ -2,15 +2,13 @@
 
 use std::ops::Range;
 
-use super::Neighbourhood;
-use super::points::{BANDS, Points};
+use super::neighbourhood::Neighbourhood;
+use super::points::{BANDS, LANES, Points};
 use crate::base::simd::fused_kernels;
 use crate::base::{Progress, Result};
 
 /// Points after which is asked whether to go on.
 const SOURCES: usize = 1 << 10;
-/// Points side by side.
-pub(super) const LANES: usize = 16;
 
 /// Sums over the pairs of a task's points with those behind them, for both points of each.
 pub(super) struct Sums {

@@ -5,9 +5,10 @@ use std::ops::Range;
 use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
-use super::pairs::LANES;
 use crate::camera::Camera;
 
+/// Points side by side.
+pub(super) const LANES: usize = 16;
 /// Bands of points for each ε: narrower ones hold fewer points that are too far away, wider ones are fewer.
 pub(super) const BANDS: usize = 4;
 /// Pixels from which float32 has none left between its steps, and from which on no neighbours are looked for.

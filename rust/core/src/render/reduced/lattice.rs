@@ -11,10 +11,10 @@ use glam::{Vec3, Vec4, Vec4Swizzles};
 
 use super::super::tiles::TILE;
 use super::corner::{Corner, LEAST_LEGS, MOST_LEGS};
+use crate::base::Aabb;
 use crate::bend::Curve;
 use crate::camera::{Camera, Rays};
 use crate::morph::Morph;
-use crate::scene::Aabb;
 
 /// Shares of the tolerance for the chords and for the interpolation.
 const CHORD: f64 = 0.6;

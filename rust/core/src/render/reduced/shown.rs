@@ -5,10 +5,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use glam::{DAffine3, DVec3, Vec3};
 use rayon::prelude::*;
 
-use crate::base::{Progress, Result};
+use crate::base::{FaceMap, Progress, Result};
 use crate::morph::Morph;
 use crate::partition::Partition;
-use crate::scene::{FaceMap, Instance, Mesh, Scene};
+use crate::scene::{Instance, Mesh, Scene};
 use crate::tessellate::{self, Precision, Rule, Settings};
 
 /// A piece of a scene's face: where its three corners lie on that face.

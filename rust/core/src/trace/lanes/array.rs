@@ -2,7 +2,7 @@
 
 use std::array::from_fn;
 
-use super::{Isa, Lanes};
+use super::isa::{Isa, Lanes};
 
 /// What every processor has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,0 +1,196 @@
+//! A number for each face of a mesh (its object, its material), stored as tightly as the mesh allows.
+
+use rayon::prelude::*;
+
+use super::{Buffer, Error, Result};
+
+/// Least mean length of a run for which ranges pay: their look-up is a binary search, against one load of 4 bytes a face,
+/// a small part of the face's 12 bytes and its share of the tree.
+const FACES_PER_RUN: usize = 64;
+
+/// Which object or material a face belongs to; −1 stands for none.
+#[derive(Clone, Debug)]
+pub enum FaceMap {
+    /// The whole mesh has one value.
+    Uniform(i32),
+    /// Consecutive faces share values: `starts` (ascending, the first 0) and the value from each start on.
+    Ranges {
+        /// First face of each range.
+        starts: Buffer<u32>,
+        /// Value of each range.
+        values: Buffer<i32>,
+    },
+    /// A value for every face.
+    PerFace(Buffer<i32>),
+}
+
+impl FaceMap {
+    /// The value of a face.
+    #[inline]
+    pub fn get(&self, face: u32) -> i32 {
+        match self {
+            Self::Uniform(value) => *value,
+            Self::Ranges { starts, values } => values[starts.partition_point(|&start| start <= face) - 1],
+            Self::PerFace(values) => values[face as usize],
+        }
+    }
+
+    /// Runs of equal values as (first face, value), for a mesh of `face_count` faces.
+    pub fn runs(&self, face_count: usize) -> Box<dyn Iterator<Item = (usize, i32)> + '_> {
+        match self {
+            _ if face_count == 0 => Box::new(std::iter::empty()),
+            Self::Uniform(value) => Box::new(std::iter::once((0, *value))),
+            Self::Ranges { starts, values } => {
+                Box::new(starts.iter().map(|&start| start as usize).zip(values.iter().copied()))
+            }
+            Self::PerFace(values) => Box::new(
+                (0..face_count)
+                    .filter(|&face| face == 0 || values[face] != values[face - 1])
+                    .map(|face| (face, values[face])),
+            ),
+        }
+    }
+
+    /// The maps of consecutive meshes, each with its number of faces, as one map in the tightest layout.
+    pub fn joined<'a>(maps: impl Iterator<Item = (&'a Self, usize)> + Clone) -> Self {
+        let mut face_count = 0;
+        let starts: Vec<usize> = maps
+            .clone()
+            .map(|(_, count)| {
+                face_count += count;
+                face_count - count
+            })
+            .collect();
+        let mut last = None;
+        let runs = maps
+            .zip(starts)
+            .flat_map(|((map, count), first)| map.runs(count).map(move |(start, value)| (first + start, value)));
+        let runs = runs.filter(|&(_, value)| last.replace(value) != Some(value));
+        Self::from_runs(runs, face_count)
+    }
+
+    /// The same map in a tighter layout where its runs allow one; the array of a `PerFace` is kept, not copied.
+    pub fn compacted(self, face_count: usize) -> Self {
+        let run_count = self.runs(face_count).take(face_count / FACES_PER_RUN + 2).count();
+        if matches!(self, Self::PerFace(_)) && (run_count == 1 || run_count * FACES_PER_RUN <= face_count) {
+            return Self::from_runs(self.runs(face_count), face_count);
+        }
+        self
+    }
+
+    /// The map of chosen faces, in their order.
+    pub fn selected(&self, faces: &[u32]) -> Self {
+        match self {
+            Self::Uniform(value) => Self::Uniform(*value),
+            _ => Self::PerFace(faces.iter().map(|&face| self.get(face)).collect()).compacted(faces.len()),
+        }
+    }
+
+    /// The map with each value replaced by the one that stands at it in `numbers`; −1 and what lies beyond stay.
+    pub(crate) fn renumbered(&self, numbers: &[i32]) -> Self {
+        let number = |&value: &i32| usize::try_from(value).ok().and_then(|at| numbers.get(at)).map_or(value, |&n| n);
+        match self {
+            Self::Uniform(value) => Self::Uniform(number(value)),
+            Self::Ranges { starts, values } => {
+                Self::Ranges { starts: starts.clone(), values: values.iter().map(number).collect() }
+            }
+            Self::PerFace(values) => Self::PerFace(values.iter().map(number).collect()),
+        }
+    }
+
+    fn from_runs(runs: impl Iterator<Item = (usize, i32)>, face_count: usize) -> Self {
+        let (starts, values): (Vec<u32>, Vec<i32>) = runs.map(|(start, value)| (start as u32, value)).unzip();
+        match values[..] {
+            [] => Self::Uniform(-1),
+            [value] => Self::Uniform(value),
+            _ if starts.len() * FACES_PER_RUN <= face_count => {
+                Self::Ranges { starts: starts.into(), values: values.into() }
+            }
+            _ => {
+                let ends = starts[1..].iter().copied().chain([face_count as u32]);
+                let lengths = starts.iter().zip(ends).map(|(start, end)| (end - start) as usize);
+                Self::PerFace(
+                    values.iter().zip(lengths).flat_map(|(&value, n)| std::iter::repeat_n(value, n)).collect(),
+                )
+            }
+        }
+    }
+
+    /// Checks that every one of `face_count` faces has a value below `limit`.
+    pub fn validate(&self, argument: &'static str, face_count: usize, limit: i32) -> Result<()> {
+        let (values, well_formed) = match self {
+            Self::Uniform(value) => (std::slice::from_ref(value), true),
+            Self::Ranges { starts, values } => (
+                &values[..],
+                starts.len() == values.len()
+                    && starts.first() == Some(&0)
+                    && starts.windows(2).all(|pair| pair[0] < pair[1])
+                    && starts.last().is_some_and(|&last| face_count == 0 || (last as usize) < face_count),
+            ),
+            Self::PerFace(values) => (&values[..], values.len() == face_count),
+        };
+        if !well_formed {
+            return Err(Error::value(argument, format!("one value for each of {face_count} faces"), "another layout"));
+        }
+        match values.par_iter().with_min_len(1 << 16).find_any(|&&value| value < -1 || value >= limit) {
+            Some(value) => Err(Error::value(argument, format!("numbers from -1 to {}", limit - 1), value)),
+            None => Ok(()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::collection::vec;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn three_layouts_answer_alike() {
+        let wide = FaceMap::PerFace(vec![4, 4, 4, 2, 2, 0].into());
+        let ranges = FaceMap::Ranges { starts: vec![0, 3, 5].into(), values: vec![4, 2, 0].into() };
+        for face in 0..6 {
+            assert_eq!(wide.get(face), ranges.get(face));
+        }
+        assert!(wide.validate("x", 6, 5).is_ok() && ranges.validate("x", 6, 5).is_ok());
+        assert!(wide.validate("x", 7, 5).is_err() && wide.validate("x", 6, 4).is_err());
+        assert!(ranges.validate("x", 5, 5).is_err());
+        assert_eq!(FaceMap::Uniform(7).get(123), 7);
+    }
+
+    fn values_of(map: &FaceMap, count: usize) -> Vec<i32> {
+        (0..count as u32).map(|face| map.get(face)).collect()
+    }
+
+    proptest! {
+        #[test]
+        fn joining_compacting_and_selecting_keep_every_value(
+            parts in vec(vec(prop_oneof![3 => Just(1), 1 => -1..4], 0..40), 0..6),
+            picks in vec(0u32..10_000, 0..50),
+        ) {
+            let maps: Vec<FaceMap> = parts.iter().map(|part| FaceMap::PerFace(part.clone().into())).collect();
+            let compact = maps.iter().zip(&parts).map(|(map, part)| map.clone().compacted(part.len())).collect::<Vec<_>>();
+            let flat = parts.concat();
+            for maps in [&maps, &compact] {
+                let joined = FaceMap::joined(maps.iter().zip(parts.iter().map(Vec::len)));
+                prop_assert_eq!(values_of(&joined, flat.len()), flat.clone());
+                prop_assert!(joined.validate("x", flat.len(), 4).is_ok());
+                if !flat.is_empty() {
+                    let picks: Vec<u32> = picks.iter().map(|pick| pick % flat.len() as u32).collect();
+                    let expected: Vec<i32> = picks.iter().map(|&pick| flat[pick as usize]).collect();
+                    prop_assert_eq!(values_of(&joined.selected(&picks), picks.len()), expected);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn long_runs_become_ranges_and_short_ones_stay() {
+        let long = FaceMap::PerFace((0..1000).map(|face| face / 100).collect()).compacted(1000);
+        assert!(matches!(long, FaceMap::Ranges { ref starts, .. } if starts.len() == 10));
+        let short = FaceMap::PerFace((0..100).collect()).compacted(100);
+        assert!(matches!(short, FaceMap::PerFace(_)));
+        assert!(matches!(FaceMap::PerFace(vec![3; 9].into()).compacted(9), FaceMap::Uniform(3)));
+    }
+}

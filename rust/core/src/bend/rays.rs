@@ -1,0 +1,49 @@
+//! Polylines of many directions.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::curve::Curve;
+use crate::base::{Error, Progress, Result, memory::room_for};
+use crate::morph::Morph;
+
+/// Radians: the least tolerance, which takes some thousand points.
+const LEAST_TOLERANCE: f64 = 1e-9;
+
+/// Polylines of many rays, padded with NaN to the longest: (rows × `longest` points, `longest`). Directions of any length.
+pub fn bend_rays(
+    morph: &Morph,
+    directions: &[[f64; 3]],
+    tolerance: f64,
+    progress: &Progress,
+) -> Result<(Vec<[f64; 3]>, usize)> {
+    if !(tolerance.is_finite() && tolerance >= LEAST_TOLERANCE) {
+        return Err(Error::value("tolerance", format!("at least {LEAST_TOLERANCE:e} radians"), tolerance));
+    }
+    let unit = |row: &[f64; 3]| {
+        // Scaled first: squares of lengths overflow long before lengths do.
+        let d = DVec3::from_array(*row);
+        let longest = d.abs().max_element();
+        (longest > 0.0 && d.is_finite()).then(|| (d / longest).normalize())
+    };
+    if let Some(row) = directions.iter().position(|row| unit(row).is_none()) {
+        let expected = "finite directions with a length above zero";
+        return Err(Error::value("directions", expected, format!("{:?} at index {row}", directions[row])));
+    }
+    progress.expect(directions.len() as u64);
+    let bend = |rows: &[[f64; 3]]| {
+        let lines: Vec<Vec<DVec3>> =
+            rows.iter().filter_map(unit).map(|unit| Curve::new(morph, unit).polyline(tolerance)).collect();
+        progress.report(rows.len() as u64)?;
+        Ok(lines)
+    };
+    let lines: Vec<Vec<Vec<DVec3>>> = directions.par_chunks(1024).map(bend).collect::<Result<_>>()?;
+    let longest = lines.iter().flatten().map(Vec::len).max().unwrap_or(1);
+    room_for((directions.len() * longest * size_of::<[f64; 3]>()) as u64)?;
+    let mut padded = Vec::with_capacity(directions.len() * longest);
+    for line in lines.iter().flatten() {
+        padded.extend(line.iter().map(|point| point.to_array()));
+        padded.resize(padded.len() + longest - line.len(), [f64::NAN; 3]);
+    }
+    Ok((padded, longest))
+}

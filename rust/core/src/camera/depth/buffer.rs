@@ -1,0 +1,194 @@
+//! The buffer of a view or of a projection matrix.
+
+use rayon::prelude::*;
+
+use super::super::projection::{Fov, Projection};
+use super::block::{BLOCK, Depth, Line, Real};
+use crate::base::{Error, Result, number};
+
+/// Results of a block of a row from a column on; true where one of them is NaN, because its value is refused.
+type Kernel<T, U> = fn(&Line, i32, &[T; BLOCK], &mut [U; BLOCK]) -> bool;
+
+/// Pixels of one task.
+const TASK: usize = 1 << 15;
+
+/// What lies between the near and the far plane is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Planes {
+    /// Distance along the viewing axis, metres.
+    pub near: f64,
+    /// The same; may be infinite for perspective views.
+    pub far: f64,
+    /// Whether the near plane has depth 1 instead of 0.
+    pub reverse: bool,
+}
+
+/// How values and pixels of a depth buffer become distances.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DepthBuffer {
+    width: usize,
+    height: usize,
+    /// Inverse distance along the axis where the buffer is 0 and 1; the distance itself for parallel rays.
+    ends: [f64; 2],
+    /// The end where nothing was drawn.
+    background: usize,
+    parallel: bool,
+    /// Tangents x, y of the first pixel's centre.
+    first: [f64; 2],
+    /// How they change from one pixel to the next one to the right, and down.
+    steps: [[f64; 2]; 2],
+}
+
+impl DepthBuffer {
+    /// The buffer of a view.
+    pub fn new(projection: Projection, planes: Planes, width: usize, height: usize) -> Result<Self> {
+        let Planes { near, far, reverse } = planes;
+        let parallel = matches!(projection, Projection::Orthographic(_));
+        let least = if parallel { 0.0 } else { f64::MIN_POSITIVE };
+        if !(near >= least && near.is_finite()) {
+            return Err(Error::value("near", "a finite number above 0 (or 0 for parallel rays)", number(near)));
+        }
+        if far.is_nan() || far <= near || (parallel && far.is_infinite()) {
+            let expected = if parallel { "a finite number above near" } else { "a number above near, or infinity" };
+            return Err(Error::value("far", expected, number(far)));
+        }
+        let fov = match projection {
+            Projection::Perspective(fov) | Projection::Orthographic(fov) => fov,
+            Projection::CubeFace(_) => Fov { left: -1.0, right: 1.0, down: -1.0, up: 1.0 },
+        };
+        fov.validate()?;
+        let [w, h] = [width as f64, height as f64];
+        let (dx, dy) = ((fov.right - fov.left) / w, (fov.down - fov.up) / h);
+        let ends = if parallel { [near, far] } else { [1.0 / near, 1.0 / far] };
+        Ok(Self {
+            width,
+            height,
+            ends: if reverse { [ends[1], ends[0]] } else { ends },
+            background: usize::from(!reverse),
+            parallel,
+            first: [fov.left + 0.5 * dx, fov.up + 0.5 * dy],
+            steps: [[dx, 0.0], [0.0, dy]],
+        })
+    }
+
+    /// The buffer of a projection matrix, given by rows, that columns (x, y, z, 1) are multiplied to. Its depth goes
+    /// from `low` (0 or −1) to 1 and is stored as 0 to 1; its y points up. Near and far, reversed or not, off the axis
+    /// or not, looking along −z or z: all that follows from it.
+    pub fn from_matrix(rows: [[f64; 4]; 4], low: f64, width: usize, height: usize) -> Result<Self> {
+        let refused = |expected: &str| Err(Error::value("projection", expected, format!("{rows:?}")));
+        if !rows.as_flattened().iter().all(|entry| entry.is_finite()) {
+            return refused("finite numbers");
+        }
+        let [[a, b, c, x0], [d, e, f, y0], [i, j, g, h], last] = rows;
+        let parallel = last == [0.0, 0.0, 0.0, 1.0];
+        let towards = last[2];
+        if !parallel && (last != [0.0, 0.0, towards, 0.0] || towards.abs() != 1.0) {
+            return refused("a matrix with the last row (0, 0, -1, 0), (0, 0, 1, 0) or (0, 0, 0, 1)");
+        }
+        let determinant = a * e - b * d;
+        if [i, j] != [0.0; 2] || determinant == 0.0 {
+            return refused("a matrix whose depth depends on z alone and whose x and y are independent");
+        }
+        if (parallel && [c, f] != [0.0; 2]) || (!parallel && [x0, y0] != [0.0; 2]) {
+            return refused("rays from the origin, or parallel to the axis");
+        }
+        // Depth is g z + h over w; w is ±z, or 1 for parallel rays.
+        let mut ends =
+            if parallel { [(low - h) / g, (1.0 - h) / g] } else { [(low - g / towards) / h, (1.0 - g / towards) / h] };
+        if parallel && ends.iter().all(|&z| z <= 0.0) {
+            ends = [-ends[0], -ends[1]];
+        }
+        let near = usize::from((ends[1] > ends[0]) != parallel);
+        let ahead = if parallel { ends[0].min(ends[1]) >= 0.0 } else { ends[near] > 0.0 };
+        if !ahead || ends[0] == ends[1] || !ends.iter().all(|end| end.is_finite()) {
+            return refused("a matrix whose near plane lies before the eye and its far plane behind that");
+        }
+        // The image's corners and steps in the matrix's own plane, taken back.
+        let back = |p: [f64; 2]| [(e * p[0] - b * p[1]) / determinant, (a * p[1] - d * p[0]) / determinant];
+        let middle = if parallel { [x0, y0] } else { [c / towards, f / towards] };
+        let (right, down) = (2.0 / width as f64, -2.0 / height as f64);
+        Ok(Self {
+            width,
+            height,
+            ends,
+            background: 1 - near,
+            parallel,
+            first: back([0.5 * right - 1.0 - middle[0], 1.0 + 0.5 * down - middle[1]]),
+            steps: [back([right, 0.0]), back([0.0, down])],
+        })
+    }
+
+    /// Distances from the eye, metres; infinite where nothing was drawn. Images of the view, one after another.
+    pub fn ranges<T: Depth>(&self, depth: &[T], ranges: &mut [T::Range]) -> Result<()> {
+        let wrong = self.each(depth, ranges, T::ranges);
+        wrong.map_or(Ok(()), |(pixel, value)| Err(self.refusal("depth", T::EXPECTED, pixel, value)))
+    }
+
+    /// What a buffer holds at distances from the eye: the inverse of `ranges`. Beyond the far plane it is empty.
+    pub fn depths<T: Real>(&self, ranges: &[T], depth: &mut [T]) -> Result<()> {
+        let wrong = self.each(ranges, depth, T::depths);
+        wrong.map_or(Ok(()), |(pixel, value)| {
+            Err(self.refusal("ranges", "distances that are not before the near plane", pixel, value))
+        })
+    }
+
+    /// Runs a kernel over all rows; the first value that it refuses, and where.
+    fn each<T: Copy + Into<f64> + Sync, U: Copy + Default + Into<f64> + Send>(
+        &self,
+        values: &[T],
+        results: &mut [U],
+        kernel: Kernel<T, U>,
+    ) -> Option<(usize, f64)> {
+        assert_eq!(values.len(), results.len(), "as many results as values");
+        let rows = (TASK / self.width).max(1);
+        let task = |(n, (values, results)): (usize, (&[T], &mut [U]))| {
+            let mut refused = false;
+            let pairs = values.chunks(self.width).zip(results.chunks_mut(self.width));
+            for (row, (values, results)) in (n * rows..).zip(pairs) {
+                refused |= one_row(&self.line(row % self.height), values, results, kernel);
+            }
+            let wrong = if refused { results.iter().position(|&result| result.into().is_nan()) } else { None };
+            wrong.map(|at| (n * rows * self.width + at, values[at].into()))
+        };
+        let size = rows * self.width;
+        let tasks = values.par_chunks(size).zip(results.par_chunks_mut(size)).enumerate();
+        tasks.filter_map(task).min_by_key(|(pixel, _)| *pixel)
+    }
+
+    fn line(&self, row: usize) -> Line {
+        let at = |axis: usize| self.first[axis] + row as f64 * self.steps[1][axis];
+        Line {
+            start: [at(0), at(1)],
+            step: self.steps[0],
+            ends: self.ends,
+            background: self.background as f64,
+            parallel: self.parallel,
+        }
+    }
+
+    fn refusal(&self, argument: &'static str, expected: &str, pixel: usize, value: f64) -> Error {
+        let (row, column) = (pixel / self.width, pixel % self.width);
+        let (image, row) = (row / self.height, row % self.height);
+        let got = format!("{} in row {row}, column {column} of image {image}", number(value));
+        Error::value(argument, expected, got)
+    }
+}
+
+/// Whether any value of a row is refused: its result is NaN then, which no other is.
+fn one_row<T: Copy, U: Copy + Default>(line: &Line, values: &[T], results: &mut [U], kernel: Kernel<T, U>) -> bool {
+    let (blocks, rest) = values.as_chunks::<BLOCK>();
+    let (block_results, rest_results) = results.as_chunks_mut::<BLOCK>();
+    let (mut column, mut refused) = (0, false);
+    for (block, results) in blocks.iter().zip(block_results) {
+        refused |= kernel(line, column, block, results);
+        column += BLOCK as i32;
+    }
+    if let Some(&last) = rest.last() {
+        // Padded to a block; columns beyond the row may refuse what the row does not.
+        let (mut block, mut shown) = ([last; BLOCK], [U::default(); BLOCK]);
+        block[..rest.len()].copy_from_slice(rest);
+        refused |= kernel(line, column, &block, &mut shown);
+        rest_results.copy_from_slice(&shown[..rest.len()]);
+    }
+    refused
+}

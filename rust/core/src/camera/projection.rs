@@ -1,0 +1,50 @@
+//! Projections: how directions fall on an image.
+
+use glam::DVec2;
+
+use crate::base::{Error, Result};
+
+/// Four bounds of a view: tangents of the half angles for a perspective view, metres for an orthographic one.
+/// Left and down are negative in the symmetric case; asymmetric is the general one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fov {
+    /// Leftmost x.
+    pub left: f64,
+    /// Rightmost x.
+    pub right: f64,
+    /// Lowest y.
+    pub down: f64,
+    /// Highest y.
+    pub up: f64,
+}
+
+/// How a view's directions fall on its image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Projection {
+    /// Pinhole; bounds are tangents.
+    Perspective(Fov),
+    /// Parallel rays along the viewing direction; bounds are metres.
+    Orthographic(Fov),
+    /// Face 0..6 of a cube map (+x −x +y −y +z −z) in world axes; the orientation is not used.
+    CubeFace(u8),
+}
+
+impl Fov {
+    /// Point of the image plane at fractions (s, t) from the left and the top.
+    #[inline]
+    pub(super) fn at(&self, s: f64, t: f64) -> DVec2 {
+        DVec2::new(self.left + (self.right - self.left) * s, self.up + (self.down - self.up) * t)
+    }
+
+    pub(super) fn area(&self) -> f64 {
+        (self.right - self.left) * (self.up - self.down)
+    }
+
+    pub(super) fn validate(&self) -> Result<()> {
+        let finite = [self.left, self.right, self.down, self.up].iter().all(|x| x.is_finite() && x.abs() < 1e9);
+        if finite && self.left < self.right && self.down < self.up {
+            return Ok(());
+        }
+        Err(Error::value("fov", "bounds within ±1e9 with left < right and down < up", format!("{self:?}")))
+    }
+}

@@ -1,0 +1,209 @@
+//! Views: position, orientation, projection and pixels.
+
+use glam::{DMat3, DQuat, DVec3};
+use rayon::prelude::*;
+
+use super::cube_face::direction_from_face;
+use super::projection::{Fov, Projection};
+use super::rays::Rays;
+use crate::base::{Error, Result, memory::room_for};
+
+/// A view: position in the scene's world, orientation camera→world, looking along −z with y up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// World position, metres.
+    pub position: DVec3,
+    /// Unit quaternion camera→world.
+    pub orientation: DQuat,
+    /// Bounds of the view.
+    pub projection: Projection,
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+}
+
+/// Greatest width or height of an image.
+pub const MAX_SIZE: u32 = 1 << 16;
+
+impl Camera {
+    /// Checks a view: finite position, unit quaternion, non-empty image and bounds.
+    pub fn new(position: DVec3, orientation: DQuat, projection: Projection, width: u32, height: u32) -> Result<Self> {
+        if !position.is_finite() {
+            return Err(Error::value("position", "three finite numbers", position));
+        }
+        if !orientation.is_finite() || (orientation.length() - 1.0).abs() > 1e-6 {
+            return Err(Error::value("orientation", "a unit quaternion (x, y, z, w)", orientation));
+        }
+        if !(1..=MAX_SIZE).contains(&width) || !(1..=MAX_SIZE).contains(&height) {
+            return Err(Error::value(
+                "size",
+                format!("1 to {MAX_SIZE} pixels each way"),
+                format!("({width}, {height})"),
+            ));
+        }
+        match projection {
+            Projection::CubeFace(face) if face > 5 || width != height => {
+                return Err(Error::value("fov", "a cube face 0 to 5 with a square image", format!("{face}")));
+            }
+            Projection::Perspective(fov) | Projection::Orthographic(fov) => fov.validate()?,
+            Projection::CubeFace(_) => {}
+        }
+        Ok(Self { position, orientation: orientation.normalize(), projection, width, height })
+    }
+
+    /// Start (relative to `position`) and direction (not normalised) of the ray through image position (x, y) in
+    /// pixels: (0.5, 0.5) is the centre of the top left pixel.
+    #[inline]
+    pub fn ray(&self, x: f64, y: f64) -> (DVec3, DVec3) {
+        let (s, t) = (x / f64::from(self.width), y / f64::from(self.height));
+        match self.projection {
+            Projection::Perspective(fov) => (DVec3::ZERO, self.orientation * fov.at(s, t).extend(-1.0)),
+            Projection::Orthographic(fov) => {
+                (self.orientation * fov.at(s, t).extend(0.0), self.orientation * DVec3::NEG_Z)
+            }
+            Projection::CubeFace(face) => (DVec3::ZERO, direction_from_face(face, 2.0 * s - 1.0, 2.0 * t - 1.0)),
+        }
+    }
+
+    /// All rays of the view, prepared: what depends on the camera alone is computed once.
+    pub fn rays(&self) -> Rays {
+        let (start, direction) = self.ray(0.0, 0.0);
+        let (right, down) = (self.ray(1.0, 0.0), self.ray(0.0, 1.0));
+        Rays {
+            start,
+            start_steps: [right.0 - start, down.0 - start],
+            direction,
+            direction_steps: [right.1 - direction, down.1 - direction],
+            parallel: self.is_parallel(),
+            pixel_size: self.pixel_size(),
+        }
+    }
+
+    /// World starts and unit directions of the rays through all pixel centres, in row-major order.
+    pub fn pixel_rays(&self) -> Result<(Vec<DVec3>, Vec<DVec3>)> {
+        let (rays, width) = (self.rays(), u64::from(self.width));
+        // Twice: callers flatten the rows into arrays of their own.
+        room_for(4 * size_of::<DVec3>() as u64 * width * u64::from(self.height))?;
+        let one = |pixel: u64| {
+            let (start, direction) = rays.at((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5);
+            (self.position + start, direction)
+        };
+        Ok((0..width * u64::from(self.height)).into_par_iter().map(one).unzip())
+    }
+
+    /// Image position (x, y) in pixels of a world point and its depth along the viewing axis; `None` behind the camera.
+    pub fn project(&self, point: DVec3) -> Option<DVec3> {
+        let offset = point - self.position;
+        let axes = match self.projection {
+            Projection::CubeFace(face) => {
+                let forward = direction_from_face(face, 0.0, 0.0);
+                let (right, down) = (direction_from_face(face, 1.0, 0.0), direction_from_face(face, 0.0, 1.0));
+                DMat3::from_cols(right - forward, forward - down, -forward)
+            }
+            _ => DMat3::from_quat(self.orientation),
+        };
+        let local = axes.transpose() * offset;
+        let depth = -local.z;
+        let plane = local.truncate();
+        let (fov, at) = match self.projection {
+            Projection::Perspective(fov) => (fov, plane / depth),
+            Projection::Orthographic(fov) => (fov, plane),
+            Projection::CubeFace(_) => (Fov { left: -1.0, right: 1.0, down: -1.0, up: 1.0 }, plane / depth),
+        };
+        let s = (at.x - fov.left) / (fov.right - fov.left);
+        let t = (fov.up - at.y) / (fov.up - fov.down);
+        (depth > 0.0).then(|| DVec3::new(s * f64::from(self.width), t * f64::from(self.height), depth))
+    }
+
+    /// Size of a pixel: metres for parallel rays, tangent units (metres at one metre ahead) for the others; the
+    /// geometric mean of its sides.
+    pub fn pixel_size(&self) -> f64 {
+        let pixels = f64::from(self.width) * f64::from(self.height);
+        match self.projection {
+            Projection::Perspective(fov) | Projection::Orthographic(fov) => (fov.area() / pixels).sqrt(),
+            Projection::CubeFace(_) => 2.0 / f64::from(self.width),
+        }
+    }
+
+    /// An angle in radians that no pixel is narrower than: pixels at the corner of a view are the finest. Metres for
+    /// parallel rays.
+    pub fn least_pixel_angle(&self) -> f64 {
+        let (width, height) = (f64::from(self.width), f64::from(self.height));
+        match self.projection {
+            Projection::Perspective(fov) => {
+                let (x, y) = (fov.left.abs().max(fov.right.abs()), fov.down.abs().max(fov.up.abs()));
+                let narrowest = ((fov.right - fov.left) / width).min((fov.up - fov.down) / height);
+                // A tangent's change turns the ray by cos² of its angle off the axis at least.
+                narrowest / (1.0 + x * x + y * y)
+            }
+            Projection::Orthographic(fov) => ((fov.right - fov.left) / width).min((fov.up - fov.down) / height),
+            Projection::CubeFace(_) => 2.0 / width / 3.0,
+        }
+    }
+
+    /// True where all rays are parallel.
+    pub fn is_parallel(&self) -> bool {
+        matches!(self.projection, Projection::Orthographic(_))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FOV: Fov = Fov { left: -1.0, right: 0.5, down: -0.25, up: 0.75 };
+
+    #[test]
+    fn corners_of_an_asymmetric_view() {
+        let camera = Camera::new(DVec3::ZERO, DQuat::IDENTITY, Projection::Perspective(FOV), 30, 20).unwrap();
+        assert_eq!(camera.ray(0.0, 0.0).1, DVec3::new(-1.0, 0.75, -1.0));
+        assert_eq!(camera.ray(30.0, 20.0).1, DVec3::new(0.5, -0.25, -1.0));
+        assert!((camera.pixel_size() - 0.05).abs() < 1e-15);
+    }
+
+    #[test]
+    fn prepared_rays_and_projection_agree_with_single_rays() {
+        let turned = DQuat::from_euler(glam::EulerRot::YXZ, 0.7, -0.3, 1.1);
+        let faces = (0..6).map(Projection::CubeFace);
+        let position = DVec3::new(1e5, -3.0, 7.0);
+        for projection in faces.chain([Projection::Perspective(FOV), Projection::Orthographic(FOV)]) {
+            let camera = Camera::new(position, turned, projection, 24, 24).unwrap();
+            let rays = camera.rays();
+            for (x, y) in [(0.0, 0.0), (24.0, 0.0), (3.25, 20.5), (12.0, 12.0)] {
+                let (start, direction) = camera.ray(x, y);
+                let (fast_start, fast_direction) = rays.at(x, y);
+                // A few roundings of float64 at 1.
+                assert!((fast_start - start).length() < 1e-14);
+                assert!((fast_direction - direction.normalize()).length() < 1e-14);
+                let back = camera.project(position + start + direction * 5.0).unwrap();
+                // The world position at 10⁵ is rounded to 1.5e-11, which 24 pixels for 1.5 units and 1/5 magnify.
+                assert!((back - DVec3::new(x, y, 5.0)).length() < 1e-9, "{projection:?} {back}");
+                assert!(camera.project(position + start - direction).is_none());
+            }
+        }
+    }
+
+    #[test]
+    fn footprints_add_up_to_the_solid_angle() {
+        let camera = Camera::new(DVec3::ZERO, DQuat::IDENTITY, Projection::CubeFace(2), 64, 64).unwrap();
+        let rays = camera.rays();
+        let pixels = (0..64 * 64).map(|i| (f64::from(i % 64) + 0.5, f64::from(i / 64) + 0.5));
+        let sum: f64 = pixels.map(|(x, y)| f64::from(rays.footprint(x, y, 1.0).spread).powi(2)).sum();
+        // The midpoint rule over 64² pixels is off by 1/(24 · 64²) times the curvature, about 1e-4.
+        assert!((sum - 4.0 * std::f64::consts::PI / 6.0).abs() < 3e-4, "{sum}");
+    }
+
+    #[test]
+    fn refuses_what_is_no_view() {
+        let view = |projection, w, h| Camera::new(DVec3::ZERO, DQuat::IDENTITY, projection, w, h);
+        assert!(view(Projection::Perspective(FOV), 0, 5).is_err());
+        assert!(view(Projection::CubeFace(6), 4, 4).is_err());
+        assert!(view(Projection::CubeFace(0), 4, 5).is_err());
+        assert!(view(Projection::Perspective(Fov { left: 1.0, ..FOV }), 4, 4).is_err());
+        assert!(view(Projection::Orthographic(Fov { up: f64::NAN, ..FOV }), 4, 4).is_err());
+        assert!(Camera::new(DVec3::NAN, DQuat::IDENTITY, Projection::CubeFace(0), 4, 4).is_err());
+        let double = DQuat::from_xyzw(0.0, 0.0, 0.0, 2.0);
+        assert!(Camera::new(DVec3::ZERO, double, Projection::CubeFace(0), 4, 4).is_err());
+    }
+}

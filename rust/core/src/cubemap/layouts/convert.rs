@@ -1,0 +1,151 @@
+//! Pictures from one layout to another, and the directions and texels of a layout.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::super::faces::Faces;
+use super::super::lookup::{
+    BLOCK, Filter, Lanes, Number, Sampler, Surface, cube_sampler, in_blocks, in_tiles, is_wrong,
+};
+use super::flat;
+use super::layout::{Grid, Layout, Rows};
+use super::picture::{Picture, flat_sampler};
+use crate::base::{Error, Progress, Real, Result, memory::room_for};
+
+/// Texels whose directions are made and looked up together.
+const SEGMENT: usize = 512;
+
+/// Writes a picture in another layout. Each texel is looked up at `samples`² places, evenly spread, of which the mean is
+/// taken, or the least or greatest.
+pub fn convert<T: Number>(
+    picture: Picture<'_, T>,
+    target: Grid,
+    filter: Filter,
+    samples: u32,
+    out: &mut [T],
+    progress: &Progress,
+) -> Result<()> {
+    let channels = picture.channels;
+    check_out(target, channels, out)?;
+    if channels == 0 {
+        return Ok(());
+    }
+    let rows = Rows::new(target, samples)?;
+    // The arrays that each thread holds in `resample`.
+    room_for(((size_of::<T>() + size_of::<f64>()) * SEGMENT * channels * rayon::current_num_threads()) as u64)?;
+    if picture.grid.layout == Layout::Cube {
+        let faces = Faces::new(picture.values, picture.grid.width, channels)?;
+        let count = target.texels().saturating_mul(rows.samples() as usize);
+        return resample(&cube_sampler(faces, filter, count)?, target, &rows, out, progress);
+    }
+    resample(&flat_sampler(picture, filter), target, &rows, out, progress)
+}
+
+/// Writes all texels of a layout.
+fn resample<T: Number, S: Surface<T> + Sync>(
+    source: &Sampler<'_, T, S>,
+    target: Grid,
+    rows: &Rows,
+    out: &mut [T],
+    progress: &Progress,
+) -> Result<()> {
+    let &Sampler { channels, filter, .. } = source;
+    // A row of many samples takes minutes.
+    progress.expect(u64::from(target.rows()) * (target.width as usize).div_ceil(SEGMENT) as u64);
+    out.par_chunks_mut(target.width as usize * channels).zip(0..target.rows()).try_for_each(|(out, row)| {
+        let mut directions = [[0.0; 3]; SEGMENT];
+        let mut values = vec![T::narrow(0.0); SEGMENT * channels];
+        let mut sums = vec![0.0; SEGMENT * channels];
+        for (segment, out) in out.chunks_mut(SEGMENT * channels).enumerate() {
+            let directions = &mut directions[..out.len() / channels];
+            let (values, sums) = (&mut values[..out.len()], &mut sums[..out.len()]);
+            for sample in 0..rows.samples() {
+                rows.write(sample, row, (segment * SEGMENT) as u32, directions);
+                source.sample(directions, values);
+                for (sum, value) in sums.iter_mut().zip(&*values) {
+                    let value = value.wide();
+                    *sum = match filter {
+                        _ if sample == 0 => value,
+                        Filter::Min => sum.min(value),
+                        Filter::Max => sum.max(value),
+                        _ => *sum + value,
+                    };
+                }
+            }
+            let is_mean = matches!(filter, Filter::Linear | Filter::Cubic);
+            let share = if is_mean { f64::from(rows.samples()) } else { 1.0 };
+            for (value, sum) in out.iter_mut().zip(&*sums) {
+                *value = T::narrow(sum / share);
+            }
+            progress.report(1)?;
+        }
+        Ok(())
+    })
+}
+
+/// Writes a picture of anything in another layout: for each texel the one that its centre falls into.
+pub fn convert_nearest<T: Copy + Send + Sync>(
+    picture: Picture<'_, T>,
+    target: Grid,
+    out: &mut [T],
+    progress: &Progress,
+) -> Result<()> {
+    let channels = picture.channels;
+    check_out(target, channels, out)?;
+    if channels == 0 {
+        return Ok(());
+    }
+    let rows = Rows::new(target, 1)?;
+    progress.expect(target.rows().into());
+    out.par_chunks_mut(target.width as usize * channels).zip(0..target.rows()).try_for_each(|(out, row)| {
+        let mut directions = [[0.0; 3]; SEGMENT];
+        let mut texels = Lanes([0; BLOCK]);
+        for (segment, out) in out.chunks_mut(SEGMENT * channels).enumerate() {
+            let directions = &mut directions[..out.len() / channels];
+            rows.write(0, row, (segment * SEGMENT) as u32, directions);
+            in_blocks(directions, out, channels, |block, out| {
+                match picture.grid.layout {
+                    Layout::Cube => drop(f64::find_texels(block, picture.grid.width, &mut texels)),
+                    _ => flat::find_texels(block, picture.grid, &mut texels),
+                }
+                for (value, &number) in out.chunks_exact_mut(channels).zip(&texels.0) {
+                    value.copy_from_slice(&picture.values[number as usize * channels..][..channels]);
+                }
+                0
+            });
+        }
+        progress.report(1)
+    })
+}
+
+fn check_out<T>(target: Grid, channels: usize, out: &[T]) -> Result<()> {
+    let expected = target.texels() * channels;
+    if out.len() == expected {
+        return Ok(());
+    }
+    Err(Error::value("out", format!("{expected} values"), out.len()))
+}
+
+/// Number of the texel that each direction passes through.
+pub fn grid_texels<D: Number>(grid: Grid, directions: &[[D; 3]], out: &mut [i64]) -> Result<()> {
+    if out.len() != directions.len() {
+        return Err(Error::value("out", format!("{} numbers", directions.len()), out.len()));
+    }
+    in_tiles(directions, out, 1, |directions, out| {
+        for (d, number) in directions.iter().zip(out) {
+            if !is_wrong(d) {
+                *number = grid.texel(DVec3::from_array(d.map(Real::wide))).into();
+            }
+        }
+        directions.iter().position(is_wrong)
+    })
+}
+
+/// Writes the directions of all texel centres, row by row: those of cubes have a longest component of ±1, equirectangular
+/// ones are unit vectors, octahedral ones have components whose sizes add up to 1.
+pub fn grid_directions(grid: Grid, out: &mut [[f64; 3]]) -> Result<()> {
+    check_out(grid, 1, out)?;
+    let rows = Rows::new(grid, 1)?;
+    out.par_chunks_mut(grid.width as usize).zip(0..grid.rows()).for_each(|(out, row)| rows.write(0, row, 0, out));
+    Ok(())
+}

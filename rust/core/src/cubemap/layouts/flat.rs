@@ -1,0 +1,81 @@
+//! Blocks of directions in layouts without faces.
+
+use super::super::lookup::{BLOCK, Lanes, Placed, index, whole};
+use super::layout::{Grid, Layout};
+use super::projections::{equirectangular, octahedral};
+use crate::base::simd::widest;
+
+/// Where the directions (finite, not zero, of moderate length) of a block lie, 0..1 across and down.
+#[inline(always)]
+fn positions<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK]) -> [Lanes<f64>; 2] {
+    let mut p = [Lanes([0.0f64; BLOCK]); 3];
+    for (i, direction) in d.iter().enumerate() {
+        p[0].0[i] = direction[0];
+        p[1].0[i] = direction[1];
+        p[2].0[i] = direction[2];
+    }
+    let mut found = [Lanes([0.0; BLOCK]); 2];
+    for i in 0..BLOCK {
+        let (x, y, z) = (p[0].0[i], p[1].0[i], p[2].0[i]);
+        let (across, down) = if OCTAHEDRAL { octahedral(x, y, z) } else { equirectangular(x, y, z) };
+        found[0].0[i] = across;
+        found[1].0[i] = down;
+    }
+    found
+}
+
+/// Between which texels directions lie; those whose filter, which reaches some texels before and after the one above
+/// and to the left, crosses an edge are at a seam.
+#[inline(always)]
+fn place<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) {
+    let [across, down] = positions::<OCTAHEDRAL>(d);
+    let (width, height) = (f64::from(grid.width), f64::from(grid.height));
+    let low = f64::from(reach[0]);
+    let (right, bottom) = (width - 1.0 - f64::from(reach[1]), height - 1.0 - f64::from(reach[1]));
+    for i in 0..BLOCK {
+        let (x, y) = (across.0[i] * width - 0.5, down.0[i] * height - 0.5);
+        let inside = (x >= low) & (x <= right) & (y >= low) & (y <= bottom);
+        out.seam.0[i] = u8::from(!inside);
+        let (column, row) = (whole(x, low, right), whole(y, low, bottom));
+        out.first.0[i] = index(row * width + column);
+        out.s.0[i] = x - column;
+        out.t.0[i] = y - row;
+    }
+}
+
+/// Which texels directions pass through.
+#[inline(always)]
+fn pick<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut Lanes<u32>) {
+    let [across, down] = positions::<OCTAHEDRAL>(d);
+    let (width, height) = (f64::from(grid.width), f64::from(grid.height));
+    for i in 0..BLOCK {
+        let column = whole(across.0[i] * width, 0.0, width - 1.0);
+        let row = whole(down.0[i] * height, 0.0, height - 1.0);
+        texel.0[i] = index(row * width + column);
+    }
+}
+
+widest! {
+    fn place_octahedral(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) = place::<true>;
+}
+widest! {
+    fn place_equirectangular(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) = place::<false>;
+}
+widest! { fn pick_octahedral(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut Lanes<u32>) = pick::<true>; }
+widest! { fn pick_equirectangular(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut Lanes<u32>) = pick::<false>; }
+
+/// As `place`, for a layout without faces.
+pub(super) fn find_places(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) {
+    match grid.layout {
+        Layout::Octahedral => place_octahedral(d, grid, reach, out),
+        _ => place_equirectangular(d, grid, reach, out),
+    }
+}
+
+/// As `pick`, for a layout without faces.
+pub(super) fn find_texels(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut Lanes<u32>) {
+    match grid.layout {
+        Layout::Octahedral => pick_octahedral(d, grid, texel),
+        _ => pick_equirectangular(d, grid, texel),
+    }
+}

@@ -1,0 +1,228 @@
+//! Pictures of all directions: cubes, equirectangular and octahedral ones.
+//!
+//! - **Equirectangular**: row 0 about +y; columns by longitude, the middle looks along −z with +x to the right of it.
+//! - **Octahedral** (Cigolle et al., "A survey of efficient representations for independent unit vectors", 2014): the
+//!   octahedron |x| + |y| + |z| = 1 seen from +y, x to the right and z down, its lower half folded outwards, so that
+//!   −y lies at all four corners.
+//!
+//! Positions are in texels: the first centre lies at (0.5, 0.5).
+
+use std::f64::consts::PI;
+
+use glam::{DVec2, DVec3};
+
+use super::super::texels::{MAX_SIZE, texel_from_direction};
+use super::projections::{equirectangular, octahedral};
+use crate::base::{Error, Result, memory::room_for};
+use crate::camera::direction_from_face;
+
+/// How directions are laid out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layout {
+    /// Six faces.
+    Cube,
+    /// Longitude and latitude.
+    Equirectangular,
+    /// An octahedron unfolded.
+    Octahedral,
+}
+
+/// A layout of some size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Grid {
+    /// What rows and columns mean.
+    pub layout: Layout,
+    /// Rows, of one face if it is a cube.
+    pub height: u32,
+    /// Columns.
+    pub width: u32,
+}
+
+impl Grid {
+    /// Cubes and octahedra are square, the width of equirectangular pictures is even, none has too many texels.
+    pub fn new(layout: Layout, height: u32, width: u32) -> Result<Self> {
+        let limit = if layout == Layout::Cube { MAX_SIZE } else { 2 * MAX_SIZE };
+        if !(1..=limit).contains(&height) || !(1..=limit).contains(&width) {
+            return Err(Error::value("size", format!("1 to {limit} texels"), format!("{height} × {width}")));
+        }
+        if layout != Layout::Equirectangular && height != width {
+            return Err(Error::value("size", "as many rows as columns", format!("{height} × {width}")));
+        }
+        if layout == Layout::Equirectangular && !width.is_multiple_of(2) {
+            return Err(Error::value("size", "an even number of columns", width));
+        }
+        Ok(Self { layout, height, width })
+    }
+
+    /// Rows of all faces.
+    pub fn rows(&self) -> u32 {
+        if self.layout == Layout::Cube { 6 * self.height } else { self.height }
+    }
+
+    /// Texels of all faces.
+    pub fn texels(&self) -> usize {
+        self.rows() as usize * self.width as usize
+    }
+
+    /// Number of the texel that a direction (finite, not zero) passes through.
+    pub fn texel(&self, d: DVec3) -> u32 {
+        if self.layout == Layout::Cube {
+            return texel_from_direction(d, self.width);
+        }
+        let p = self.position(d);
+        // Casts saturate; the last edge belongs to the last texel.
+        (p.y as u32).min(self.height - 1) * self.width + (p.x as u32).min(self.width - 1)
+    }
+
+    /// Where a direction (finite, not zero) lies in a layout without faces.
+    pub fn position(&self, d: DVec3) -> DVec2 {
+        // So that neither squares nor sums overflow.
+        let d = d / d.abs().max_element();
+        let (across, down) = match self.layout {
+            Layout::Octahedral => octahedral(d.x, d.y, d.z),
+            _ => equirectangular(d.x, d.y, d.z),
+        };
+        DVec2::new(across * f64::from(self.width), down * f64::from(self.height))
+    }
+
+    /// Direction (not normalised) of a position in a layout without faces.
+    pub fn direction(&self, p: DVec2) -> DVec3 {
+        let (height, width) = (f64::from(self.height), f64::from(self.width));
+        if self.layout == Layout::Equirectangular {
+            let (sine, cosine) = ((0.5 - p.y / height) * PI).sin_cos();
+            return around(sine, cosine, ((p.x / width - 0.5) * 2.0 * PI).sin_cos());
+        }
+        let p = p * 2.0 / width - 1.0;
+        let y = 1.0 - p.x.abs() - p.y.abs();
+        let p = if y < 0.0 { fold(p) } else { p };
+        DVec3::new(p.x, y, p.y)
+    }
+
+    /// Number of the texel that a row and column beyond the edges continue in, for layouts without faces.
+    pub fn wrapped(&self, mut row: i64, mut column: i64) -> usize {
+        let (height, width) = (i64::from(self.height), i64::from(self.width));
+        let outside = |row: i64, column: i64| !(0..height).contains(&row) || !(0..width).contains(&column);
+        while outside(row, column) {
+            if self.layout == Layout::Equirectangular {
+                // Across a pole one meets the opposite longitude.
+                if !(0..height).contains(&row) {
+                    (row, column) = (mirrored(row, height), column + width / 2);
+                }
+                column = column.rem_euclid(width);
+                continue;
+            }
+            // Each edge is folded upon itself about its middle.
+            if !(0..width).contains(&column) {
+                (row, column) = (height - 1 - row, mirrored(column, width));
+            }
+            if !(0..height).contains(&row) {
+                (row, column) = (mirrored(row, height), width - 1 - column);
+            }
+        }
+        (row * width + column) as usize
+    }
+}
+
+/// Direction of a latitude and a longitude, each by its sine and cosine.
+fn around(sine: f64, cosine: f64, longitude: (f64, f64)) -> DVec3 {
+    DVec3::new(cosine * longitude.0, sine, -cosine * longitude.1)
+}
+
+/// The index as far on the other side of the edge.
+fn mirrored(index: i64, count: i64) -> i64 {
+    if index < 0 { -1 - index } else { 2 * count - 1 - index }
+}
+
+/// Between the inner and the outer half of the unfolded octahedron; its own inverse.
+fn fold(p: DVec2) -> DVec2 {
+    DVec2::new((1.0 - p.y.abs()).copysign(p.x), (1.0 - p.x.abs()).copysign(p.y))
+}
+
+/// Directions of the texels of a grid, each sampled at the same evenly spread places within it, row by row.
+pub struct Rows {
+    grid: Grid,
+    /// Places across and down a texel.
+    across: u32,
+    /// Sines and cosines of the columns of an equirectangular picture, for each place across after the other.
+    longitudes: Vec<(f64, f64)>,
+}
+
+impl Rows {
+    /// At `across`² places within each texel; one is its centre.
+    pub fn new(grid: Grid, across: u32) -> Result<Self> {
+        let mut rows = Self { grid, across, longitudes: Vec::new() };
+        if grid.layout == Layout::Equirectangular {
+            let count = across as usize * grid.width as usize;
+            room_for((count * size_of::<(f64, f64)>()) as u64)?;
+            rows.longitudes.reserve_exact(count);
+            for sample in 0..across {
+                let within = rows.within(sample).x;
+                let angle = |column: u32| ((f64::from(column) + within) / f64::from(grid.width) - 0.5) * 2.0 * PI;
+                rows.longitudes.extend((0..grid.width).map(|column| angle(column).sin_cos()));
+            }
+        }
+        Ok(rows)
+    }
+
+    /// How many places there are within a texel.
+    pub fn samples(&self) -> u32 {
+        self.across * self.across
+    }
+
+    /// Where within each texel a sample lies, 0..1.
+    fn within(&self, sample: u32) -> DVec2 {
+        (DVec2::new(f64::from(sample % self.across), f64::from(sample / self.across)) + 0.5) / f64::from(self.across)
+    }
+
+    /// Writes directions of a row from some column on, at one of the places.
+    pub fn write(&self, sample: u32, row: u32, first: u32, out: &mut [[f64; 3]]) {
+        let (height, width, within) = (f64::from(self.grid.height), f64::from(self.grid.width), self.within(sample));
+        match self.grid.layout {
+            Layout::Cube => {
+                let (face, row) = ((row / self.grid.height) as u8, row % self.grid.height);
+                let v = (f64::from(row) + within.y) * 2.0 / height - 1.0;
+                for (column, d) in (first..).zip(out) {
+                    let u = (f64::from(column) + within.x) * 2.0 / width - 1.0;
+                    *d = direction_from_face(face, u, v).to_array();
+                }
+            }
+            Layout::Equirectangular => {
+                let (sine, cosine) = ((0.5 - (f64::from(row) + within.y) / height) * PI).sin_cos();
+                let start = (sample % self.across * self.grid.width + first) as usize;
+                for (longitude, d) in self.longitudes[start..].iter().zip(out) {
+                    *d = around(sine, cosine, *longitude).to_array();
+                }
+            }
+            Layout::Octahedral => {
+                for (column, d) in (first..).zip(out) {
+                    let p = DVec2::new(f64::from(column), f64::from(row)) + within;
+                    *d = self.grid.direction(p).to_array();
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn samples_lie_where_they_should_and_share_their_tables() {
+        for (layout, height, width) in [(Layout::Equirectangular, 3, 8), (Layout::Octahedral, 5, 5)] {
+            let grid = Grid::new(layout, height, width).unwrap();
+            let rows = Rows::new(grid, 4).unwrap();
+            assert_eq!(rows.longitudes.len(), if layout == Layout::Octahedral { 0 } else { 4 * 8 });
+            for (sample, row) in (0..rows.samples()).flat_map(|sample| (0..height).map(move |row| (sample, row))) {
+                let mut directions = vec![[0.0; 3]; width as usize - 2];
+                rows.write(sample, row, 2, &mut directions);
+                for (column, d) in (2..).zip(directions) {
+                    let place = |index: u32, within: u32| f64::from(index) + (f64::from(within) + 0.5) / 4.0;
+                    let expected = grid.direction(DVec2::new(place(column, sample % 4), place(row, sample / 4)));
+                    // A few roundings of coordinates of up to 8.
+                    assert!((DVec3::from_array(d) - expected).length() < 1e-14);
+                }
+            }
+        }
+    }
+}

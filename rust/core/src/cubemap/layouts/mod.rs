@@ -1,0 +1,12 @@
+//! Layouts of all directions in one picture, cubes, equirectangular and octahedral ones, and conversions between them.
+
+mod angles;
+mod convert;
+mod flat;
+mod layout;
+mod picture;
+mod projections;
+
+pub use convert::{convert, convert_nearest, grid_directions, grid_texels};
+pub use layout::{Grid, Layout};
+pub use picture::Picture;

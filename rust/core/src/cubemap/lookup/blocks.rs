@@ -1,0 +1,369 @@
+//! Lookups in blocks: what the compiler turns into vectors. Texels are gathered between these kernels, one by one,
+//! because gathering instructions are no faster and on some machines much slower.
+
+use super::super::faces::is_known;
+use crate::base::Real;
+use crate::base::simd::widest;
+
+/// Directions that go through the kernels together; their temporaries stay in the first-level cache.
+pub const BLOCK: usize = 64;
+
+/// The least and greatest are those of texels with more weight than this. The place of a direction among 32,768 texels is
+/// off by up to 2e-11 of them, so that texels with less may have it from rounding alone.
+pub const LEAST_WEIGHT: f64 = 1e-10;
+
+/// 2⁵²: added to a number, it leaves the nearest whole one in the last bits. Casts of floats to integers saturate, for
+/// which there are no vector instructions.
+const UNITS: f64 = 4_503_599_627_370_496.0;
+
+/// One number for each direction of a block.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub struct Lanes<T>(pub [T; BLOCK]);
+
+/// Where directions pierce the cube.
+struct Pierced {
+    face: Lanes<f64>,
+    u: Lanes<f64>,
+    v: Lanes<f64>,
+}
+
+/// Between which texels the directions of a block lie.
+#[derive(Debug)]
+pub struct Placed {
+    /// Number of the texel above and to the left, which has neighbours below and to the right.
+    pub first: Lanes<u32>,
+    /// How far to the right of it, 0..1.
+    pub s: Lanes<f64>,
+    /// How far below it, 0..1.
+    pub t: Lanes<f64>,
+    /// 1 where the direction is too near to an edge for texels of one face: all else is then meaningless.
+    pub seam: Lanes<u8>,
+}
+
+/// Where the texels of one face are enough.
+#[derive(Clone, Copy, Debug)]
+pub struct Inner {
+    /// Greatest |u| and |v|.
+    limit: f64,
+    /// Least and greatest row and column of the texel above and to the left.
+    rows: [f64; 2],
+}
+
+impl Inner {
+    /// For filters that reach `before` texels before that texel and `after` beyond it.
+    pub fn new(size: u32, before: u32, after: u32) -> Self {
+        if size <= before + after {
+            return Self { limit: -1.0, rows: [0.0; 2] };
+        }
+        let limit = 1.0 - f64::from(1 + 2 * before) * (1.0 / f64::from(size));
+        Self { limit, rows: [f64::from(before), f64::from(size - 1 - after)] }
+    }
+}
+
+impl Placed {
+    /// Nothing yet.
+    pub fn new() -> Self {
+        Self { first: Lanes([0; BLOCK]), s: Lanes([0.0; BLOCK]), t: Lanes([0.0; BLOCK]), seam: Lanes([0; BLOCK]) }
+    }
+}
+
+/// As `face_from_direction`, without branches. Returns how many directions are zero or not finite.
+#[inline(always)]
+fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
+    let mut d = [Lanes([0.0f64; BLOCK]); 3];
+    for (i, direction) in directions.iter().enumerate() {
+        d[0].0[i] = direction[0].wide();
+        d[1].0[i] = direction[1].wide();
+        d[2].0[i] = direction[2].wide();
+    }
+    let mut wrong = 0u64;
+    for i in 0..BLOCK {
+        let (x, y, z) = (d[0].0[i], d[1].0[i], d[2].0[i]);
+        let (ax, ay, az) = (x.abs(), y.abs(), z.abs());
+        let not_x = (ax < ay) | (ax < az);
+        let is_z = not_x & (ay < az);
+        let major = if is_z { z } else { y };
+        let major = if not_x { major } else { x };
+        let sign = 1.0f64.copysign(major);
+        let right = if is_z { sign * x } else { x };
+        let right = if not_x { right } else { -sign * z };
+        let down = if not_x & !is_z { sign * z } else { -y };
+        let length = major.abs();
+        let axis = if is_z { 4.0 } else { 2.0 };
+        let axis = if not_x { axis } else { 0.0 };
+        out.face.0[i] = axis + if major < 0.0 { 1.0 } else { 0.0 };
+        out.u.0[i] = right / length;
+        out.v.0[i] = down / length;
+        // Zero times infinity or NaN is not 0.
+        let finite = (x * 0.0 + y * 0.0) + z * 0.0 == 0.0;
+        wrong += u64::from(!(finite & (length > 0.0)));
+    }
+    wrong as u32
+}
+
+impl Pierced {
+    #[inline(always)]
+    fn new() -> Self {
+        Self { face: Lanes([0.0; BLOCK]), u: Lanes([0.0; BLOCK]), v: Lanes([0.0; BLOCK]) }
+    }
+}
+
+/// The whole part of `position`, kept within `low..=high`; `low` for NaN.
+#[inline(always)]
+pub(in crate::cubemap) fn whole(position: f64, low: f64, high: f64) -> f64 {
+    let raised = if position > low { position } else { low };
+    let kept = if raised < high { raised } else { high };
+    let nearest = (kept + UNITS) - UNITS;
+    nearest - if nearest > kept { 1.0 } else { 0.0 }
+}
+
+/// A whole number of at most 32 bits: texels have such numbers.
+#[inline(always)]
+pub(in crate::cubemap) fn index(number: f64) -> u32 {
+    (number + UNITS).to_bits() as u32
+}
+
+/// As `texel_from_direction`. Returns how many directions are zero or not finite.
+#[inline(always)]
+fn find_texels<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut Lanes<u32>) -> u32 {
+    let mut at = Pierced::new();
+    let wrong = pierce(directions, &mut at);
+    let edge = f64::from(size);
+    for i in 0..BLOCK {
+        let column = whole((at.u.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
+        let row = whole((at.v.0[i] + 1.0) * 0.5 * edge, 0.0, edge - 1.0);
+        texel.0[i] = index((at.face.0[i] * edge + row) * edge + column);
+    }
+    wrong
+}
+
+/// As `Taps::new` where the texels of one face are enough. Returns how many directions are zero or not finite.
+#[inline(always)]
+fn find_places<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32 {
+    let mut at = Pierced::new();
+    let wrong = pierce(directions, &mut at);
+    let edge = f64::from(size);
+    let [low, high] = inner.rows;
+    for i in 0..BLOCK {
+        let (u, v) = (at.u.0[i], at.v.0[i]);
+        let x = (u + 1.0) * 0.5 * edge - 0.5;
+        let y = (v + 1.0) * 0.5 * edge - 0.5;
+        let (column, row) = (whole(x, low, high), whole(y, low, high));
+        let (s, t) = (x - column, y - row);
+        // Rounding may lead beyond the outermost centres.
+        let (s, t) = (if s > 0.0 { s } else { 0.0 }, if t > 0.0 { t } else { 0.0 });
+        out.s.0[i] = if s < 1.0 { s } else { 1.0 };
+        out.t.0[i] = if t < 1.0 { t } else { 1.0 };
+        out.first.0[i] = index((at.face.0[i] * edge + row) * edge + column);
+        // Written so that NaN is at a seam too.
+        let inside = (u.abs() <= inner.limit) & (v.abs() <= inner.limit);
+        out.seam.0[i] = u8::from(!inside);
+    }
+    wrong
+}
+
+/// Weights of the four texels around each direction, row by row.
+#[inline(always)]
+fn weigh(placed: &Placed, weights: &mut [Lanes<f64>; 4]) {
+    for i in 0..BLOCK {
+        let (s, t) = (placed.s.0[i], placed.t.0[i]);
+        weights[0].0[i] = (1.0 - s) * (1.0 - t);
+        weights[1].0[i] = s * (1.0 - t);
+        weights[2].0[i] = (1.0 - s) * t;
+        weights[3].0[i] = s * t;
+    }
+}
+
+widest! { fn weigh_wide(placed: &Placed, weights: &mut [Lanes<f64>; 4]) = weigh; }
+
+/// Weights of the four texels around each direction, row by row.
+pub fn bilinear(placed: &Placed) -> [Lanes<f64>; 4] {
+    let mut weights = [Lanes([0.0; BLOCK]); 4];
+    weigh_wide(placed, &mut weights);
+    weights
+}
+
+/// Keys' weights for a = −1/2 of the four texels around a fraction.
+#[inline(always)]
+fn weigh_cubic(fraction: &Lanes<f64>, weights: &mut [Lanes<f64>; 4]) {
+    for i in 0..BLOCK {
+        let four = keys(fraction.0[i]);
+        for k in 0..4 {
+            weights[k].0[i] = four[k];
+        }
+    }
+}
+
+/// Keys, "Cubic convolution interpolation for digital image processing" (1981), Eq. 4 with a = −1/2.
+#[inline(always)]
+pub fn keys(s: f64) -> [f64; 4] {
+    [
+        ((1.0 - 0.5 * s) * s - 0.5) * s,
+        (1.5 * s - 2.5) * s * s + 1.0,
+        ((2.0 - 1.5 * s) * s + 0.5) * s,
+        (0.5 * s - 0.5) * s * s,
+    ]
+}
+
+widest! { fn weigh_cubic_wide(fraction: &Lanes<f64>, weights: &mut [Lanes<f64>; 4]) = weigh_cubic; }
+
+/// Keys' weights of the four texels around a fraction.
+pub fn cubic(fraction: &Lanes<f64>) -> [Lanes<f64>; 4] {
+    let mut weights = [Lanes([0.0; BLOCK]); 4];
+    weigh_cubic_wide(fraction, &mut weights);
+    weights
+}
+
+/// Weighted means. Texels without weight are left out, because 0 times infinity is NaN.
+#[inline(always)]
+fn mix<T: Real>(texels: &[Lanes<T>; 4], weights: &[Lanes<f64>; 4], out: &mut Lanes<T>) {
+    for i in 0..BLOCK {
+        let mut term = [0.0; 4];
+        for k in 0..4 {
+            let weight = weights[k].0[i];
+            let product = texels[k].0[i].wide() * weight;
+            term[k] = if weight > 0.0 { product } else { 0.0 };
+        }
+        out.0[i] = T::narrow((term[0] + term[1]) + (term[2] + term[3]));
+    }
+}
+
+/// The texels that come before all others that have weight: the least, or the greatest. NaN where all of these are.
+#[inline(always)]
+fn extreme<T: Real, const GREATEST: bool>(texels: &[Lanes<T>; 4], weights: &[Lanes<f64>; 4], out: &mut Lanes<T>) {
+    for i in 0..BLOCK {
+        let mut chosen = T::narrow(f64::NAN);
+        for k in 0..4 {
+            let texel = texels[k].0[i];
+            let before = if GREATEST { texel > chosen } else { texel < chosen };
+            let takes = (weights[k].0[i] > LEAST_WEIGHT) & (!is_known(chosen) | before);
+            chosen = if takes { texel } else { chosen };
+        }
+        out.0[i] = chosen;
+    }
+}
+
+/// Adds a row of four texels, weighted, to sums.
+#[inline(always)]
+fn add_row<T: Real>(texels: &[Lanes<T>; 4], across: &[Lanes<f64>; 4], down: &Lanes<f64>, sums: &mut Lanes<f64>) {
+    for i in 0..BLOCK {
+        let mut term = [0.0; 4];
+        for k in 0..4 {
+            term[k] = texels[k].0[i].wide() * across[k].0[i];
+        }
+        sums.0[i] += ((term[0] + term[3]) + (term[1] + term[2])) * down.0[i];
+    }
+}
+
+/// Weighted means of 2 × 2 of two rows.
+#[inline(always)]
+fn halve<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) {
+    let count = out.len();
+    let (above, below) = (&above[..2 * count], &below[..2 * count]);
+    let (w, x) = (&weights[0][..2 * count], &weights[1][..2 * count]);
+    for i in 0..count {
+        let (a, b) = (above[2 * i].wide() * w[2 * i], above[2 * i + 1].wide() * w[2 * i + 1]);
+        let (c, d) = (below[2 * i].wide() * x[2 * i], below[2 * i + 1].wide() * x[2 * i + 1]);
+        let total = (w[2 * i] + w[2 * i + 1]) + (x[2 * i] + x[2 * i + 1]);
+        out[i] = T::narrow(((a + b) + (c + d)) / total);
+    }
+}
+
+/// The least, or the greatest, of 2 × 2 of two rows, NaN where all four are.
+#[inline(always)]
+fn halve_extreme<T: Real, const GREATEST: bool>(above: &[T], below: &[T], out: &mut [T]) {
+    let count = out.len();
+    let (above, below) = (&above[..2 * count], &below[..2 * count]);
+    for i in 0..count {
+        let mut chosen = above[2 * i];
+        for other in [above[2 * i + 1], below[2 * i], below[2 * i + 1]] {
+            let before = if GREATEST { other > chosen } else { other < chosen };
+            chosen = if before | !is_known(chosen) { other } else { chosen };
+        }
+        out[i] = chosen;
+    }
+}
+
+/// Numbers that lookups read: float32 and float64, with their kernels.
+pub trait Number: Real {
+    /// Number of the texel that each direction passes through; how many directions are zero or not finite.
+    fn find_texels(directions: &[[Self; 3]; BLOCK], size: u32, texel: &mut Lanes<u32>) -> u32;
+    /// Between which texels each direction lies; how many directions are zero or not finite.
+    fn find_places(directions: &[[Self; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32;
+    /// Weighted means.
+    fn mix(texels: &[Lanes<Self>; 4], weights: &[Lanes<f64>; 4], out: &mut Lanes<Self>);
+    /// The least that have weight.
+    fn least(texels: &[Lanes<Self>; 4], weights: &[Lanes<f64>; 4], out: &mut Lanes<Self>);
+    /// The greatest that have weight.
+    fn greatest(texels: &[Lanes<Self>; 4], weights: &[Lanes<f64>; 4], out: &mut Lanes<Self>);
+    /// Adds a row of four texels, weighted, to sums.
+    fn add_row(texels: &[Lanes<Self>; 4], across: &[Lanes<f64>; 4], down: &Lanes<f64>, sums: &mut Lanes<f64>);
+    /// The least of 2 × 2 of two rows.
+    fn halve_least(above: &[Self], below: &[Self], out: &mut [Self]);
+    /// The greatest of 2 × 2 of two rows.
+    fn halve_greatest(above: &[Self], below: &[Self], out: &mut [Self]);
+    /// Weighted means of 2 × 2 of two rows.
+    fn halve(above: &[Self], below: &[Self], weights: [&[f64]; 2], out: &mut [Self]);
+}
+
+macro_rules! number {
+    ($float:ty, $module:ident) => {
+        mod $module {
+            use super::*;
+            type Four<T> = [Lanes<T>; 4];
+            type Block = [[$float; 3]; BLOCK];
+            widest! { fn texels(d: &Block, size: u32, out: &mut Lanes<u32>) -> u32 = find_texels::<$float>; }
+            widest! { fn places(d: &Block, size: u32, inner: Inner, out: &mut Placed) -> u32 = find_places::<$float>; }
+            widest! { fn mixed(t: &Four<$float>, w: &Four<f64>, out: &mut Lanes<$float>) = mix::<$float>; }
+            widest! { fn low(t: &Four<$float>, w: &Four<f64>, out: &mut Lanes<$float>) = extreme::<$float, false>; }
+            widest! { fn high(t: &Four<$float>, w: &Four<f64>, out: &mut Lanes<$float>) = extreme::<$float, true>; }
+            widest! {
+                fn row(t: &Four<$float>, across: &Four<f64>, down: &Lanes<f64>, sums: &mut Lanes<f64>)
+                    = add_row::<$float>;
+            }
+            widest! {
+                fn pairs(above: &[$float], below: &[$float], weights: [&[f64]; 2], out: &mut [$float])
+                    = halve::<$float>;
+            }
+            widest! {
+                fn lowest(above: &[$float], below: &[$float], out: &mut [$float]) = halve_extreme::<$float, false>;
+            }
+            widest! {
+                fn highest(above: &[$float], below: &[$float], out: &mut [$float]) = halve_extreme::<$float, true>;
+            }
+            impl Number for $float {
+                fn halve_least(above: &[Self], below: &[Self], out: &mut [Self]) {
+                    lowest(above, below, out);
+                }
+                fn halve_greatest(above: &[Self], below: &[Self], out: &mut [Self]) {
+                    highest(above, below, out);
+                }
+                fn halve(above: &[Self], below: &[Self], weights: [&[f64]; 2], out: &mut [Self]) {
+                    pairs(above, below, weights, out);
+                }
+                fn find_texels(directions: &Block, size: u32, texel: &mut Lanes<u32>) -> u32 {
+                    texels(directions, size, texel)
+                }
+                fn find_places(directions: &Block, size: u32, inner: Inner, out: &mut Placed) -> u32 {
+                    places(directions, size, inner, out)
+                }
+                fn mix(texels: &Four<Self>, weights: &Four<f64>, out: &mut Lanes<Self>) {
+                    mixed(texels, weights, out);
+                }
+                fn least(texels: &Four<Self>, weights: &Four<f64>, out: &mut Lanes<Self>) {
+                    low(texels, weights, out);
+                }
+                fn greatest(texels: &Four<Self>, weights: &Four<f64>, out: &mut Lanes<Self>) {
+                    high(texels, weights, out);
+                }
+                fn add_row(texels: &Four<Self>, across: &Four<f64>, down: &Lanes<f64>, sums: &mut Lanes<f64>) {
+                    row(texels, across, down, sums);
+                }
+            }
+        }
+    };
+}
+
+number!(f32, single);
+number!(f64, double);

@@ -1,0 +1,142 @@
+//! Which texels a cone of directions touches: exactly those, face by face and row by row.
+//!
+//! A cone about d of angle r < 90° meets the plane of a face in a convex region whose border is a conic. Within a row
+//! of texels it reaches from its least to its greatest u, and these lie on the row's two edges or where planes through
+//! the other axis touch the cone.
+
+use std::f64::consts::FRAC_PI_2;
+
+use glam::DVec3;
+
+use crate::camera::along_face;
+
+/// Added to the square of the sine, so that rounding (a few units of 2.2e-16 in products of numbers below 2) loses no
+/// texel: a cone is wider by half of this over its angle, and by 6.4e-8 at most.
+const MARGIN: f64 = 4e-15;
+
+/// Square of the least cosine: a cone that is nearer to 90° than this is opened to within 1e-15 of it. A cosine of 0
+/// would leave nothing to divide by where a direction lies in the plane of a face.
+const TINY: f64 = 1e-30;
+
+/// Directions within an angle of another one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cone {
+    axis: DVec3,
+    sine: f64,
+    cosine_squared: f64,
+}
+
+/// Rows of a face, and for each of them the columns from the first one to before the last one.
+#[derive(Debug, Default)]
+pub(super) struct Rows {
+    pub first: usize,
+    pub columns: Vec<(usize, usize)>,
+}
+
+impl Cone {
+    /// About a direction (finite, not zero); the angle from 0 to below 90°.
+    pub fn new(d: DVec3, radius: f64) -> Self {
+        // Scaled first, so that the length does not overflow.
+        let axis = (d / d.abs().max_element()).normalize();
+        let sine = (radius.sin().powi(2) + MARGIN).min(1.0).sqrt();
+        Self { axis, sine, cosine_squared: (radius.cos().powi(2) - MARGIN).max(TINY) }
+    }
+
+    /// Finds the texels of a face that the cone touches.
+    pub fn touch(&self, face: u8, size: u32, rows: &mut Rows) {
+        rows.columns.clear();
+        let (right, down, out) = along_face(face, self.axis);
+        // The planes through the centre and the face's edges: their normals have length √2.
+        let beyond = std::f64::consts::SQRT_2 * self.sine;
+        if right.abs() - out > beyond || down.abs() - out > beyond {
+            return;
+        }
+        let section = Section { right, down, out, squares: right * right - self.cosine_squared, cone: *self };
+        let (Some(tall), Some(wide)) = (self.extent(down, right, out), self.extent(right, down, out)) else { return };
+        let count = f64::from(size);
+        let index = |position: f64| ((position + 1.0) * 0.5 * count).floor().clamp(0.0, count) as usize;
+        rows.first = index(tall[0].0);
+        let last = (index(tall[1].0) + 1).min(size as usize);
+        let edge = |row: usize| 2.0 * row as f64 / count - 1.0;
+        let mut above = section.at(edge(rows.first));
+        for row in rows.first..last {
+            let below = section.at(edge(row + 1));
+            let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+            for (from, to) in above.into_iter().chain(below) {
+                (low, high) = (low.min(from), high.max(to));
+            }
+            let holds = |place: f64| edge(row) <= place && place <= edge(row + 1);
+            for (position, place) in wide {
+                if holds(place) {
+                    (low, high) = (low.min(position), high.max(position));
+                }
+            }
+            let columns = if low <= high && low <= 1.0 && high >= -1.0 {
+                (index(low), (index(high) + 1).min(size as usize))
+            } else {
+                (0, 0)
+            };
+            rows.columns.push(columns);
+            above = below;
+        }
+    }
+
+    /// Least and greatest position along an axis of a face, and where along the other axis each is reached; None where
+    /// the cone lies behind the face. Given are the direction's components along these axes and out of the face.
+    fn extent(&self, along: f64, across: f64, out: f64) -> Option<[(f64, f64); 2]> {
+        // The length of (along, out) squared less that of the sine. Near 90° both are 1, and their difference is rounding.
+        let rest = self.cosine_squared - across * across;
+        if rest <= 0.0 {
+            // The cone holds the other axis.
+            return Some([(f64::NEG_INFINITY, f64::NAN), (f64::INFINITY, f64::NAN)]);
+        }
+        let rest = rest.sqrt();
+        let (middle, half) = (along.atan2(out), self.sine.atan2(rest));
+        if middle - half >= FRAC_PI_2 || middle + half <= -FRAC_PI_2 {
+            return None;
+        }
+        let reached = |angle: f64| {
+            if angle.abs() < FRAC_PI_2 {
+                (angle.tan(), across / (rest * angle.cos()))
+            } else {
+                (f64::INFINITY.copysign(angle), f64::NAN)
+            }
+        };
+        Some([reached(middle - half), reached(middle + half)])
+    }
+}
+
+/// A cone in the frame of a face.
+struct Section {
+    right: f64,
+    down: f64,
+    out: f64,
+    /// right² − cos².
+    squares: f64,
+    cone: Cone,
+}
+
+impl Section {
+    /// From where to where a line of constant v lies within the cone: (right u + k)² ≥ cos² (u² + w), k = down v + out,
+    /// w = v² + 1, on the side where right u + k > 0.
+    fn at(&self, v: f64) -> Option<(f64, f64)> {
+        let (k, w) = (self.down * v + self.out, v * v + 1.0);
+        let (a, b) = (self.squares, self.right * k);
+        let discriminant = k * k + w * a;
+        // A parabola opens towards k > 0; what it leaves of a line elsewhere is nothing.
+        if discriminant < 0.0 || (a == 0.0 && k <= 0.0) {
+            return None;
+        }
+        let root = (self.cone.cosine_squared * discriminant).sqrt();
+        // The sum of equal signs, so that no digits are lost; the other root by their product.
+        let q = -(b + root.copysign(b));
+        // Of a line that only touches the border both are 0.
+        let (one, other) = if q == 0.0 { (0.0, 0.0) } else { (q / a, (k * k - self.cone.cosine_squared * w) / q) };
+        let (low, high) = if one < other { (one, other) } else { (other, one) };
+        match (a < 0.0, self.right > 0.0) {
+            (true, _) => (k > 0.0).then_some((low, high)),
+            (false, true) => Some((high, f64::INFINITY)),
+            (false, false) => Some((f64::NEG_INFINITY, low)),
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! Values of a cube map along many directions.
+
+use glam::DVec3;
+
+use super::super::faces::{Faces, is_known};
+use super::blocks::{BLOCK, Inner, LEAST_WEIGHT, Lanes, Number, Placed};
+use super::cubic::Rim;
+use super::filter::Filter;
+use super::sampler::{Sampler, Surface};
+use super::taps::Taps;
+use super::tiles::{in_blocks, in_tiles};
+use crate::base::{Real, Result};
+
+/// Six faces, and what cubic filters read beyond their edges.
+pub(in crate::cubemap) struct Cube<'a, T> {
+    faces: Faces<'a, T>,
+    rim: Rim<'a, T>,
+}
+
+/// Prepares for about `count` lookups in a cube.
+pub(in crate::cubemap) fn cube_sampler<T: Number>(
+    faces: Faces<'_, T>,
+    filter: Filter,
+    count: usize,
+) -> Result<Sampler<'_, T, Cube<'_, T>>> {
+    // A table of the texels beyond edges pays where more would be looked up than it holds.
+    let many = filter == Filter::Cubic && count > (faces.size as usize).pow(2);
+    let cube = Cube { faces, rim: Rim::new(faces, many)? };
+    Ok(Sampler::new((faces.values, faces.size, faces.channels), faces.size, filter, cube))
+}
+
+impl<T: Number> Surface<T> for Cube<'_, T> {
+    fn find_places<D: Number>(&self, block: &[[D; 3]; BLOCK], [before, after]: [u32; 2], placed: &mut Placed) -> u32 {
+        D::find_places(block, self.faces.size, Inner::new(self.faces.size, before, after), placed)
+    }
+
+    fn sample(&self, d: DVec3, filter: Filter, out: &mut [T]) {
+        if filter == Filter::Cubic {
+            return self.rim.sample(d, out);
+        }
+        let taps = Taps::new(d, self.faces.size);
+        let rows = taps.texel.map(|number| self.faces.texel(number));
+        for (channel, value) in out.iter_mut().enumerate() {
+            let texels = rows.map(|row| row[channel]);
+            *value = match filter {
+                Filter::Min => extreme(texels, &taps, |a, b| a < b),
+                Filter::Max => extreme(texels, &taps, |a, b| a > b),
+                _ => mean(texels, &taps),
+            };
+        }
+    }
+}
+
+/// Weighted mean. Texels without weight are left out, because 0 times infinity is NaN.
+fn mean<T: Real>(texels: [T; 4], taps: &Taps) -> T {
+    let term = |i: usize| if taps.weight[i] > 0.0 { texels[i].wide() * taps.weight[i] } else { 0.0 };
+    T::narrow((term(0) + term(1)) + (term(2) + term(3)))
+}
+
+/// The texel that comes before all others that have weight, NaN where all of these are.
+fn extreme<T: Real>(texels: [T; 4], taps: &Taps, before: impl Fn(T, T) -> bool) -> T {
+    let mut chosen = T::narrow(f64::NAN);
+    for (&texel, &weight) in texels.iter().zip(&taps.weight) {
+        if weight > LEAST_WEIGHT && (!is_known(chosen) || before(texel, chosen)) {
+            chosen = texel;
+        }
+    }
+    chosen
+}
+
+/// The map's value along each direction of any length, as many as faces have channels. Fails at a direction that is
+/// zero or not finite.
+pub fn lookup<T: Number, D: Number>(
+    faces: Faces<'_, T>,
+    directions: &[[D; 3]],
+    filter: Filter,
+    out: &mut [T],
+) -> Result<()> {
+    faces.check_out(out, directions.len())?;
+    let sampler = cube_sampler(faces, filter, directions.len())?;
+    in_tiles(directions, out, faces.channels, |directions, out| sampler.sample(directions, out))
+}
+
+/// The texel that each direction of any length passes through, of faces of anything. Fails as `lookup`.
+pub fn nearest<T: Copy + Send + Sync, D: Number>(
+    faces: Faces<'_, T>,
+    directions: &[[D; 3]],
+    out: &mut [T],
+) -> Result<()> {
+    faces.check_out(out, directions.len())?;
+    in_tiles(directions, out, faces.channels, |directions, out| match faces.channels {
+        1 => nearest_of::<T, D, 1>(faces, directions, out),
+        3 => nearest_of::<T, D, 3>(faces, directions, out),
+        4 => nearest_of::<T, D, 4>(faces, directions, out),
+        channels => {
+            let mut texel = Lanes([0; BLOCK]);
+            in_blocks(directions, out, channels, |block, out| {
+                let wrong = D::find_texels(block, faces.size, &mut texel);
+                for (value, &number) in out.chunks_exact_mut(channels).zip(&texel.0) {
+                    value.copy_from_slice(faces.texel(number));
+                }
+                wrong
+            })
+        }
+    })
+}
+
+fn nearest_of<T: Copy, D: Number, const CHANNELS: usize>(
+    faces: Faces<'_, T>,
+    directions: &[[D; 3]],
+    out: &mut [T],
+) -> Option<usize> {
+    let texels = faces.values.as_chunks::<CHANNELS>().0;
+    let mut texel = Lanes([0; BLOCK]);
+    in_blocks(directions, out, CHANNELS, |block, out| {
+        let wrong = D::find_texels(block, faces.size, &mut texel);
+        for (value, &number) in out.as_chunks_mut::<CHANNELS>().0.iter_mut().zip(&texel.0) {
+            *value = texels[number as usize];
+        }
+        wrong
+    })
+}

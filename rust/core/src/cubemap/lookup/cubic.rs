@@ -1,0 +1,265 @@
+//! Seamless cubic filtering where the texels of one face are not enough.
+//!
+//! Each face's grid is continued by two texels beyond its edges (`beyond`), so that Keys' cubic reconstructs it up to
+//! half a texel there, and the reconstructions of the faces at an edge or corner are blended within half a texel of
+//! it. The blend is symmetric in the faces, so that the filtered map is continuous, with its first derivative across
+//! edges.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::super::faces::Faces;
+use super::super::texels::{center_of, texel_from_direction};
+use super::blocks::{Number, keys};
+use super::taps::descending;
+use crate::base::{Result, memory::room_for};
+use crate::camera::{along_face, direction_from_face};
+
+/// How far faces are continued, in texels.
+const DEPTH: i32 = 2;
+
+/// Faces and what lies around each of them.
+pub(super) struct Rim<'a, T> {
+    faces: Faces<'a, T>,
+    /// Values beyond the edges of each face, channels innermost; empty where each is found when it is needed.
+    table: Vec<f64>,
+}
+
+impl<'a, T: Number> Rim<'a, T> {
+    pub fn new(faces: Faces<'a, T>, tabled: bool) -> Result<Self> {
+        let mut rim = Self { faces, table: Vec::new() };
+        if tabled && faces.channels > 0 {
+            let around = outside(faces.size);
+            room_for((6 * around.len() * faces.channels * size_of::<f64>()) as u64)?;
+            let mut table = vec![0.0; 6 * around.len() * faces.channels];
+            table.par_chunks_mut(faces.channels).with_min_len(64).enumerate().for_each(|(place, values)| {
+                let (row, column) = around[place % around.len()];
+                let taps = Beyond::new((place / around.len()) as u8, row, column, faces.size);
+                for (channel, value) in values.iter_mut().enumerate() {
+                    *value = taps.value(&faces, channel);
+                }
+            });
+            rim.table = table;
+        }
+        Ok(rim)
+    }
+
+    /// Writes the value along a direction (finite, not zero).
+    pub fn sample(&self, d: DVec3, out: &mut [T]) {
+        let size = self.faces.size;
+        let m = d.abs() / d.abs().max_element();
+        let share = m.to_array().map(|x| nearness(x, size));
+        let total = share[0] + share[1] + share[2];
+        // Four channels at a time, because there is no place to keep all of them.
+        for (group, out) in out.chunks_mut(4).enumerate() {
+            let mut sums = [0.0; 4];
+            for axis in (0..3).filter(|&axis| share[axis] > 0.0) {
+                self.add_face(d, axis, share[axis] / total, 4 * group, &mut sums[..out.len()]);
+            }
+            for (value, sum) in out.iter_mut().zip(sums) {
+                *value = T::narrow(sum);
+            }
+        }
+    }
+
+    /// Adds the reconstruction of the face on an axis, times a share, to the sums of channels from `first` on.
+    fn add_face(&self, d: DVec3, axis: usize, share: f64, first: usize, sums: &mut [f64]) {
+        let size = self.faces.size;
+        let (face, u, v) = on_axis(d, axis);
+        let (column, across) = around(u, size);
+        let (row, down) = around(v, size);
+        for (j, weight_down) in down.into_iter().enumerate() {
+            for (i, weight_across) in across.into_iter().enumerate() {
+                let weight = share * weight_down * weight_across;
+                let place = (row - 1 + j as i32, column - 1 + i as i32);
+                let inside = (0..size as i32).contains(&place.0) && (0..size as i32).contains(&place.1);
+                if inside {
+                    let number = (u32::from(face) * size + place.0 as u32) * size + place.1 as u32;
+                    for (sum, value) in sums.iter_mut().zip(&self.faces.texel(number)[first..]) {
+                        *sum += weight * value.wide();
+                    }
+                } else if self.table.is_empty() {
+                    let taps = Beyond::new(face, place.0, place.1, size);
+                    for (channel, sum) in sums.iter_mut().enumerate() {
+                        *sum += weight * taps.value(&self.faces, first + channel);
+                    }
+                } else {
+                    let number = usize::from(face) * outside_count(size) + number_outside(place.0, place.1, size);
+                    let values = &self.table[number * self.faces.channels..][first..];
+                    for (sum, value) in sums.iter_mut().zip(values) {
+                        *sum += weight * value;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// 1 on the cube's face itself, falling smoothly to 0 where the direction is half a texel and more inside another one.
+fn nearness(component: f64, size: u32) -> f64 {
+    let s = 1.0 - (1.0 - component) * f64::from(size);
+    if s > 0.0 { s * s * (3.0 - 2.0 * s) } else { 0.0 }
+}
+
+/// The face on an axis and the direction's place on it, up to some way beyond its edges.
+fn on_axis(d: DVec3, axis: usize) -> (u8, f64, f64) {
+    let face = 2 * axis as u8 + u8::from(d[axis] < 0.0);
+    let (right, down, out) = along_face(face, d);
+    (face, right / out, down / out)
+}
+
+/// The texel before a position, −1 to size − 1, and Keys' weights of it, the one before and the two after it.
+fn around(position: f64, size: u32) -> (i32, [f64; 4]) {
+    let x = (position + 1.0) * 0.5 * f64::from(size) - 0.5;
+    let before = x.floor().clamp(-1.0, f64::from(size) - 1.0);
+    // The neighbour's outermost centres lie a hair farther than half a texel beyond the edge, where this face has
+    // next to no share.
+    (before as i32, keys((x - before).clamp(0.0, 1.0)))
+}
+
+/// Rows and columns beyond a face's edges: two above, two below, two to the left and to the right.
+fn outside(size: u32) -> Vec<(i32, i32)> {
+    let size = size as i32;
+    let columns = -DEPTH..size + DEPTH;
+    let above = (-DEPTH..0).chain(size..size + DEPTH);
+    let mut places: Vec<_> = above.flat_map(|row| columns.clone().map(move |column| (row, column))).collect();
+    places.extend((0..size).flat_map(|row| (-DEPTH..0).chain(size..size + DEPTH).map(move |column| (row, column))));
+    places
+}
+
+fn outside_count(size: u32) -> usize {
+    4 * DEPTH as usize * (size as usize + DEPTH as usize)
+}
+
+/// Number of a place in `outside`.
+fn number_outside(row: i32, column: i32, size: u32) -> usize {
+    let size = size as i32;
+    let wide = size + 2 * DEPTH;
+    let side = |x: i32| if x < 0 { x + DEPTH } else { x - size + DEPTH };
+    let number = if (0..size).contains(&row) {
+        2 * DEPTH * wide + row * 2 * DEPTH + side(column)
+    } else {
+        side(row) * wide + column + DEPTH
+    };
+    number as usize
+}
+
+/// What a texel beyond an edge would hold: 16 texels of the two faces at the edge nearest to it, and their weights.
+///
+/// Rows along the edge are meridians about the axis that the edge is parallel to, and on each of them both faces'
+/// texels are spaced evenly in the tangent of the latitude. So four points on each of the two outermost rows of both
+/// faces give the value at the same latitude, and these four the value between them: two interpolations by cubic
+/// polynomials, exact for constants, with errors of the fourth order.
+struct Beyond {
+    texel: [u32; 16],
+    weight: [f64; 16],
+}
+
+impl Beyond {
+    fn new(face: u8, row: i32, column: i32, size: u32) -> Self {
+        let place = |index: i32| (f64::from(index) + 0.5) * 2.0 / f64::from(size) - 1.0;
+        let d = direction_from_face(face, place(column), place(row));
+        let axes = descending(d.abs());
+        let m = axes.map(|axis| d.abs()[axis]);
+        let tangent = m[2] / m[0].hypot(m[1]);
+
+        // Rows by the ratio of the two greater components, as (y − x)/(y + x): a smooth measure of the longitude.
+        let rows = size.min(2) as usize;
+        let mut ratios = [0.0; 4];
+        for k in 0..rows {
+            let b = center_of(size - 1 - k as u32, size);
+            ratios[rows - 1 - k] = (b - 1.0) / (b + 1.0);
+            ratios[rows + k] = (1.0 - b) / (1.0 + b);
+        }
+        let longitude = (m[1] - m[0]) / (m[1] + m[0]);
+        let mut taps = Self { texel: [0; 16], weight: [0.0; 16] };
+        let points = size.min(4) as usize;
+        for n in 0..2 * rows {
+            // Components along both axes of the row's points; the larger one is 1.
+            let (x, y) = if n < rows {
+                (1.0, center_of(size - rows as u32 + n as u32, size))
+            } else {
+                (center_of(size - 1 - (n - rows) as u32, size), 1.0)
+            };
+            let across = lagrange(&ratios[..2 * rows], n, longitude);
+            let position = (tangent * f64::hypot(x, y) + 1.0) * 0.5 * f64::from(size) - 0.5;
+            let first = (position.floor() - 1.0).clamp(0.0, f64::from(size) - points as f64);
+            for k in 0..points {
+                let along = lagrange(&[0.0, 1.0, 2.0, 3.0][..points], k, position - first);
+                let mut p = DVec3::ZERO;
+                for (axis, value) in axes.into_iter().zip([x, y, center_of(first as u32 + k as u32, size)]) {
+                    p[axis] = value * 1.0f64.copysign(d[axis]);
+                }
+                taps.texel[4 * n + k] = texel_from_direction(p, size);
+                taps.weight[4 * n + k] = across * along;
+            }
+        }
+        taps
+    }
+
+    fn value<T: Number>(&self, faces: &Faces<'_, T>, channel: usize) -> f64 {
+        let mut sum = 0.0;
+        for (&texel, weight) in self.texel.iter().zip(self.weight) {
+            if weight != 0.0 {
+                sum += weight * faces.texel(texel)[channel].wide();
+            }
+        }
+        sum
+    }
+}
+
+/// The polynomial through 1 at node `n` and 0 at the others.
+fn lagrange(nodes: &[f64], n: usize, x: f64) -> f64 {
+    let mut product = 1.0;
+    for (k, node) in nodes.iter().enumerate() {
+        if k != n {
+            product *= (x - node) / (nodes[n] - node);
+        }
+    }
+    product
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_outside_are_numbered_in_their_order() {
+        for size in [1, 2, 3, 8] {
+            let places = outside(size);
+            assert_eq!(places.len(), outside_count(size));
+            for (number, &(row, column)) in places.iter().enumerate() {
+                assert_eq!(number_outside(row, column, size), number);
+            }
+        }
+    }
+
+    #[test]
+    fn texels_beyond_edges_have_errors_of_the_fourth_order() {
+        let f = |d: DVec3| {
+            let d = d.normalize();
+            (1.7 * d.x - 0.6 * d.y).sin() + 0.8 * (2.1 * d.z + d.y).cos()
+        };
+        let worst = |size: u32| {
+            let directions = crate::cubemap::tests::centers(size);
+            let values: Vec<f64> = directions.into_iter().map(|d| f(DVec3::from_array(d))).collect();
+            let faces = Faces::new(&values, size, 1).unwrap();
+            let mut worst = 0.0f64;
+            for face in 0..6 {
+                for (row, column) in outside(size) {
+                    let place = |index: i32| (f64::from(index) + 0.5) * 2.0 / f64::from(size) - 1.0;
+                    let truth = f(direction_from_face(face, place(column), place(row)));
+                    let taps = Beyond::new(face, row, column, size);
+                    assert!((taps.weight.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+                    worst = worst.max((taps.value(&faces, 0) - truth).abs());
+                }
+            }
+            worst
+        };
+        let errors = [8, 16, 32, 64].map(worst);
+        for pair in errors.windows(2) {
+            // 2⁴ in the limit; a third-order rule would give 8.
+            assert!(pair[0] / pair[1] > 11.0, "{errors:?}");
+        }
+    }
+}

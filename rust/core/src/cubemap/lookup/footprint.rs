@@ -1,0 +1,222 @@
+//! The least and the greatest of the texels that cones touch.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::super::faces::{Faces, is_known};
+use super::blocks::Number;
+use super::cone::{Cone, Rows};
+use super::filter::Filter;
+use super::tiles::{is_wrong, refuse};
+use crate::base::{Error, Real, Result, memory::room_for};
+
+/// Texels across a cone from which on a level of halved size pays.
+const WIDE: f64 = 8.0;
+
+/// Directions handled by one task.
+const TILE: usize = 64;
+
+/// The least, or the greatest, of all texels that the cone of an angle about each direction touches. The angle is at
+/// least 0 and below 90°. Fails at a direction that is zero or not finite.
+pub fn footprint<T: Number, D: Number>(
+    faces: Faces<'_, T>,
+    directions: &[[D; 3]],
+    radius: f64,
+    filter: Filter,
+    out: &mut [T],
+) -> Result<()> {
+    if !(0.0..std::f64::consts::FRAC_PI_2).contains(&radius) {
+        return Err(Error::value("radius", "an angle of at least 0 and below 90°", radius));
+    }
+    faces.check_out(out, directions.len())?;
+    refuse(directions.par_iter().with_min_len(1 << 13).position_first(is_wrong).unwrap_or(usize::MAX))?;
+    if faces.channels == 0 {
+        return Ok(());
+    }
+    match filter {
+        Filter::Min => all::<T, D, false>(faces, directions, radius, out),
+        Filter::Max => all::<T, D, true>(faces, directions, radius, out),
+        _ => Err(Error::value("filter", "the least or the greatest", format!("{filter:?}"))),
+    }
+}
+
+fn all<T: Number, D: Number, const GREATEST: bool>(
+    faces: Faces<'_, T>,
+    directions: &[[D; 3]],
+    radius: f64,
+    out: &mut [T],
+) -> Result<()> {
+    let pyramid = Pyramid::new::<GREATEST>(faces, radius)?;
+    let nothing = if GREATEST { f64::NEG_INFINITY } else { f64::INFINITY };
+    out.par_chunks_mut(TILE * faces.channels).zip(directions.par_chunks(TILE)).for_each(|(out, directions)| {
+        let mut scratch = Scratch::default();
+        for (out, d) in out.chunks_exact_mut(faces.channels).zip(directions) {
+            out.fill(T::narrow(nothing));
+            let cone = Cone::new(DVec3::from_array(d.map(Real::wide)), radius);
+            for face in 0..6 {
+                pyramid.visit(&cone, face, &mut scratch, |values| take::<T, GREATEST>(out, values));
+            }
+            if out.iter().any(|value| value.wide() == nothing) {
+                let known = pyramid.known(&cone, &mut scratch);
+                for (value, _) in out.iter_mut().zip(known).filter(|(_, known)| !known) {
+                    *value = T::narrow(f64::NAN);
+                }
+            }
+        }
+    });
+    Ok(())
+}
+
+/// Replaces the values of texels that others come before; NaN comes before nothing.
+#[inline]
+fn take<T: Number, const GREATEST: bool>(out: &mut [T], values: &[T]) {
+    let before = |one: T, other: T| if GREATEST { one > other } else { one < other };
+    if let [chosen] = out {
+        for &value in values {
+            *chosen = if before(value, *chosen) { value } else { *chosen };
+        }
+        return;
+    }
+    for texel in values.chunks_exact(out.len()) {
+        for (chosen, &value) in out.iter_mut().zip(texel) {
+            *chosen = if before(value, *chosen) { value } else { *chosen };
+        }
+    }
+}
+
+/// Extremes of blocks of 1, 2 × 2, 4 × 4 … texels; the last ones of a row or column may be smaller.
+struct Pyramid<'a, T> {
+    faces: Faces<'a, T>,
+    /// Levels from 2 × 2 on: blocks across a face, and their values.
+    levels: Vec<(usize, Vec<T>)>,
+}
+
+/// What is found for one face, kept so that its memory is used again.
+#[derive(Default)]
+struct Scratch {
+    texels: Rows,
+    blocks: Vec<Rows>,
+}
+
+impl<'a, T: Number> Pyramid<'a, T> {
+    fn new<const GREATEST: bool>(faces: Faces<'a, T>, radius: f64) -> Result<Self> {
+        let mut levels: Vec<(usize, Vec<T>)> = Vec::new();
+        let mut across = radius * f64::from(faces.size);
+        while across > WIDE {
+            across /= 2.0;
+            let (size, values) = match levels.last() {
+                Some((size, values)) => (*size, values.as_slice()),
+                None => (faces.size as usize, faces.values),
+            };
+            room_for((6 * size.div_ceil(2).pow(2) * faces.channels * size_of::<T>()) as u64)?;
+            let halved = halve::<T, GREATEST>(values, size, faces.channels);
+            levels.push((size.div_ceil(2), halved));
+        }
+        Ok(Self { faces, levels })
+    }
+
+    /// Hands over, in pieces, all texels of a face that a cone touches, or blocks of them in their place.
+    fn visit(&self, cone: &Cone, face: u8, scratch: &mut Scratch, mut take: impl FnMut(&[T])) {
+        cone.touch(face, self.faces.size, &mut scratch.texels);
+        if scratch.texels.columns.is_empty() {
+            return;
+        }
+        scratch.blocks.resize_with(self.levels.len(), Rows::default);
+        for level in 0..self.levels.len() {
+            let (below, from) = scratch.blocks.split_at_mut(level);
+            let whole = below.last().unwrap_or(&scratch.texels);
+            coarsen(whole, self.size(level), &mut from[0]);
+        }
+        for level in 0..=self.levels.len() {
+            let rows = if level == 0 { &scratch.texels } else { &scratch.blocks[level - 1] };
+            let (size, channels) = (self.size(level), self.faces.channels);
+            let values = if level == 0 { self.faces.values } else { &self.levels[level - 1].1 };
+            let parents = scratch.blocks.get(level);
+            for (row, &(low, high)) in (rows.first..).zip(&rows.columns) {
+                let start = (usize::from(face) * size + row) * size;
+                let mut piece = |from: usize, to: usize| {
+                    if from < to {
+                        take(&values[(start + from) * channels..(start + to) * channels]);
+                    }
+                };
+                // What a block of the next level holds already is left out.
+                match parents.map(|parents| parents.columns[row / 2 - parents.first]) {
+                    Some((from, to)) if from < to => {
+                        piece(low, (2 * from).min(high));
+                        piece((2 * to).max(low), high);
+                    }
+                    _ => piece(low, high),
+                }
+            }
+        }
+    }
+
+    /// Of which channels a cone touches anything but NaN.
+    fn known(&self, cone: &Cone, scratch: &mut Scratch) -> Vec<bool> {
+        let mut known = vec![false; self.faces.channels];
+        for face in 0..6 {
+            self.visit(cone, face, scratch, |values| {
+                for (channel, known) in known.iter_mut().enumerate().filter(|(_, known)| !**known) {
+                    *known = values[channel..].iter().step_by(self.faces.channels).any(|&value| is_known(value));
+                }
+            });
+            if known.iter().all(|&known| known) {
+                break;
+            }
+        }
+        known
+    }
+
+    fn size(&self, level: usize) -> usize {
+        if level == 0 { self.faces.size as usize } else { self.levels[level - 1].0 }
+    }
+}
+
+/// Rows of blocks of the next level that lie wholly within rows of a level of some size.
+fn coarsen(rows: &Rows, size: usize, blocks: &mut Rows) {
+    blocks.first = rows.first / 2;
+    blocks.columns.clear();
+    let end = (rows.first + rows.columns.len()).div_ceil(2);
+    let columns = |row: usize| match row.checked_sub(rows.first).and_then(|index| rows.columns.get(index)) {
+        Some(&columns) => columns,
+        None if row < size => (0, 0),
+        // Beyond the face nothing is asked for.
+        None => (0, size),
+    };
+    for row in blocks.first..end {
+        let (one, other) = (columns(2 * row), columns(2 * row + 1));
+        let low = one.0.max(other.0).div_ceil(2);
+        let high = one.1.min(other.1);
+        blocks.columns.push((low, if high == size { size.div_ceil(2) } else { high / 2 }));
+    }
+}
+
+/// Extremes of 2 × 2 blocks of six faces.
+fn halve<T: Number, const GREATEST: bool>(values: &[T], size: usize, channels: usize) -> Vec<T> {
+    let half = size.div_ceil(2);
+    let row_length = size * channels;
+    let mut out = vec![T::narrow(0.0); 6 * half * half * channels];
+    out.par_chunks_mut(half * channels).enumerate().for_each(|(index, out)| {
+        let first = index / half * size + index % half * 2;
+        let count = if index % half * 2 + 1 < size { 2 } else { 1 };
+        let rows = &values[first * row_length..][..count * row_length];
+        if channels == 1 && size.is_multiple_of(2) {
+            let (above, below) = rows.split_at(row_length);
+            let halve = if GREATEST { T::halve_greatest } else { T::halve_least };
+            return halve(above, below, out);
+        }
+        for (column, block) in out.chunks_exact_mut(channels).enumerate() {
+            block.copy_from_slice(&rows[2 * column * channels..][..channels]);
+            for row in rows.chunks_exact(row_length) {
+                let end = (2 * column + 2).min(size) * channels;
+                for texel in row[2 * column * channels..end].chunks_exact(channels) {
+                    for (chosen, &value) in block.iter_mut().zip(texel) {
+                        let before = if GREATEST { value > *chosen } else { value < *chosen };
+                        *chosen = if before | !is_known(*chosen) { value } else { *chosen };
+                    }
+                }
+            }
+        }
+    });
+    out
+}

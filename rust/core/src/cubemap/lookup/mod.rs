@@ -1,0 +1,22 @@
+//! Values of cube maps along directions and cones: blocks of directions go through vectors inside faces, and one by one at
+//! seams.
+
+mod blocks;
+mod cone;
+mod cube;
+mod cubic;
+mod filter;
+mod footprint;
+mod sampler;
+mod taps;
+mod tiles;
+
+pub use blocks::Number;
+pub(super) use blocks::{BLOCK, LEAST_WEIGHT, Lanes, Placed, index, keys, whole};
+pub(super) use cube::cube_sampler;
+pub use cube::{lookup, nearest};
+pub use filter::Filter;
+pub use footprint::footprint;
+pub(super) use sampler::{Sampler, Surface};
+pub use taps::Taps;
+pub(super) use tiles::{in_blocks, in_tiles, is_wrong};

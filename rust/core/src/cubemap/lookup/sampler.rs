@@ -1,0 +1,154 @@
+//! Lookups of blocks of directions with one filter in one picture, cube or not: blocks inside, one by one at seams.
+
+use glam::DVec3;
+
+use super::blocks::{self, BLOCK, Lanes, Number, Placed};
+use super::filter::Filter;
+use super::tiles::in_blocks;
+use crate::base::Real;
+
+/// A picture of all directions, as a sampler sees it.
+pub(in crate::cubemap) trait Surface<T> {
+    /// Between which texels the directions of a block lie, for a filter of that reach. Returns how many directions are zero
+    /// or not finite.
+    fn find_places<D: Number>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], placed: &mut Placed) -> u32;
+
+    /// Writes the value along one direction (finite, not zero), which blocks must agree with.
+    fn sample(&self, d: DVec3, filter: Filter, out: &mut [T]);
+}
+
+/// Lookups in one picture with one filter.
+pub(in crate::cubemap) struct Sampler<'a, T, S> {
+    values: &'a [T],
+    /// Texels of a row.
+    width: usize,
+    pub(in crate::cubemap) channels: usize,
+    pub(in crate::cubemap) filter: Filter,
+    /// Whether there are directions for which the filter crosses no edge.
+    has_inside: bool,
+    surface: S,
+}
+
+impl<'a, T: Number, S: Surface<T>> Sampler<'a, T, S> {
+    /// Texels whose rows are `width` long, in squares of `edge` at least, and the surface that they cover.
+    pub(in crate::cubemap) fn new(
+        (values, width, channels): (&'a [T], u32, usize),
+        edge: u32,
+        filter: Filter,
+        surface: S,
+    ) -> Self {
+        let [before, after] = filter.reach();
+        Self { values, width: width as usize, channels, filter, has_inside: edge > before + after, surface }
+    }
+
+    /// Writes values along directions; the index of the first one that is zero or not finite.
+    pub(in crate::cubemap) fn sample<D: Number>(&self, directions: &[[D; 3]], out: &mut [T]) -> Option<usize> {
+        let mut placed = Placed::new();
+        in_blocks(directions, out, self.channels, |block, out| {
+            let wrong = self.surface.find_places(block, self.filter.reach(), &mut placed);
+            if wrong == 0 {
+                if self.has_inside {
+                    self.inside(&placed, out);
+                }
+                self.at_seams(block, &placed.seam, out);
+            }
+            wrong
+        })
+    }
+
+    /// Values of a block; those of directions at seams mean nothing.
+    fn inside(&self, placed: &Placed, out: &mut [T]) {
+        match (self.filter, self.channels) {
+            (Filter::Cubic, _) => self.cubic(placed, out),
+            (_, 1) => self.squares::<1>(placed, 0, out),
+            (_, 3) => self.squares::<3>(placed, 0, out),
+            (_, 4) => self.squares::<4>(placed, 0, out),
+            (_, channels) => (0..channels).for_each(|channel| self.squares::<1>(placed, channel, out)),
+        }
+    }
+
+    /// Mixes the four texels around each direction, `COUNT` channels of them from `first` on.
+    fn squares<const COUNT: usize>(&self, placed: &Placed, first: usize, out: &mut [T]) {
+        let zero = T::narrow(0.0);
+        let mut texels = [[Lanes([zero; BLOCK]); 4]; COUNT];
+        let below = self.width * self.channels;
+        // Plain loops: adapters of iterators are not always inlined where it matters.
+        for i in 0..BLOCK {
+            let start = placed.first.0[i] as usize * self.channels + first;
+            let above = &self.values[start..start + self.channels + COUNT];
+            let under = &self.values[start + below..start + below + self.channels + COUNT];
+            for channel in 0..COUNT {
+                texels[channel][0].0[i] = above[channel];
+                texels[channel][1].0[i] = above[self.channels + channel];
+                texels[channel][2].0[i] = under[channel];
+                texels[channel][3].0[i] = under[self.channels + channel];
+            }
+        }
+        let weights = blocks::bilinear(placed);
+        let mut values = [Lanes([zero; BLOCK]); COUNT];
+        for (texels, values) in texels.iter().zip(&mut values) {
+            match self.filter {
+                Filter::Min => T::least(texels, &weights, values),
+                Filter::Max => T::greatest(texels, &weights, values),
+                _ => T::mix(texels, &weights, values),
+            }
+        }
+        scatter(&values, first, self.channels, out);
+    }
+
+    /// Mixes the 4 × 4 texels around each direction.
+    fn cubic(&self, placed: &Placed, out: &mut [T]) {
+        let (across, down) = (blocks::cubic(&placed.s), blocks::cubic(&placed.t));
+        let mut texels = [Lanes([T::narrow(0.0); BLOCK]); 4];
+        for channel in 0..self.channels {
+            let mut sums = Lanes([0.0; BLOCK]);
+            for (row, weights) in down.iter().enumerate() {
+                for (i, &texel) in placed.first.0.iter().enumerate() {
+                    // Inside there are a row and a column before the texel.
+                    let start = (texel as usize + row * self.width - self.width - 1) * self.channels + channel;
+                    let four = &self.values[start..start + 3 * self.channels + 1];
+                    for (k, texels) in texels.iter_mut().enumerate() {
+                        texels.0[i] = four[k * self.channels];
+                    }
+                }
+                T::add_row(&texels, &across, weights, &mut sums);
+            }
+            scatter(&[Lanes(sums.0.map(T::narrow))], channel, self.channels, out);
+        }
+    }
+
+    fn at_seams<D: Real>(&self, block: &[[D; 3]; BLOCK], seam: &Lanes<u8>, out: &mut [T]) {
+        for (eight, flags) in seam.0.as_chunks::<8>().0.iter().enumerate() {
+            if u64::from_ne_bytes(*flags) == 0 {
+                continue;
+            }
+            for lane in (0..8).filter(|&lane| flags[lane] != 0).map(|lane| 8 * eight + lane) {
+                // Blocks at the end are not full.
+                let Some(values) = out.chunks_exact_mut(self.channels).nth(lane) else { return };
+                self.surface.sample(DVec3::from_array(block[lane].map(Real::wide)), self.filter, values);
+            }
+        }
+    }
+}
+
+/// Writes channels from `first` on, of as many directions as `out` has room for.
+fn scatter<T: Copy, const COUNT: usize>(values: &[Lanes<T>; COUNT], first: usize, channels: usize, out: &mut [T]) {
+    if channels == 1 {
+        let count = out.len();
+        return out.copy_from_slice(&values[0].0[..count]);
+    }
+    if channels == COUNT {
+        let texels = out.as_chunks_mut::<COUNT>().0;
+        for i in 0..texels.len().min(BLOCK) {
+            for channel in 0..COUNT {
+                texels[i][channel] = values[channel].0[i];
+            }
+        }
+        return;
+    }
+    for (i, texel) in out.chunks_exact_mut(channels).enumerate() {
+        for (value, lanes) in texel[first..].iter_mut().zip(values) {
+            *value = lanes.0[i];
+        }
+    }
+}

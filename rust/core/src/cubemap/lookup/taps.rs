@@ -1,0 +1,202 @@
+//! Seamless linear filtering: which texels a direction lies between, and with which weights.
+//!
+//! Inside a face this is bilinear. Clamping at a face's edge would show the seam, and borrowing the neighbour's
+//! nearest texel, as graphics hardware does, is off by up to a quarter of a texel there, because the gnomonic grids of
+//! two faces do not continue each other. Here the strip between the outermost rows of two faces is one bilinear patch
+//! in space, symmetric in both faces, and the three outermost texels at a corner span a triangle. The filtered map is
+//! continuous everywhere, and its error has the same order at seams as inside.
+
+use glam::DVec3;
+
+use super::super::texels::{center_of, texel_from_direction};
+use crate::camera::face_from_direction;
+
+/// Up to four texels and their weights, which add up to 1. Unused ones have weight 0 and a valid number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Taps {
+    /// Texel numbers.
+    pub texel: [u32; 4],
+    /// Weights, 0..1.
+    pub weight: [f64; 4],
+}
+
+impl Taps {
+    /// The taps of a direction of any length (finite, not zero) in faces of `size` texels.
+    #[inline]
+    pub fn new(d: DVec3, size: u32) -> Self {
+        let (face, u, v) = face_from_direction(d);
+        // Half a texel in units of u and v: texel centres lie within ±(1 − half).
+        let half = 1.0 / f64::from(size);
+        if u.abs() > 1.0 - half || v.abs() > 1.0 - half {
+            return Self::at_seam(d, size);
+        }
+        let (column, s) = below(u, size);
+        let (row, t) = below(v, size);
+        let first = (u32::from(face) * size + row) * size + column;
+        // At the last row or column the fraction is 0, and the tap stays where it is.
+        let right = u32::from(column + 1 < size);
+        let down = if row + 1 < size { size } else { 0 };
+        Self {
+            texel: [first, first + right, first + down, first + down + right],
+            weight: [(1.0 - s) * (1.0 - t), s * (1.0 - t), (1.0 - s) * t, s * t],
+        }
+    }
+
+    #[cold]
+    fn at_seam(d: DVec3, size: u32) -> Self {
+        let axes = descending(d.abs());
+        let scale = d.abs()[axes[0]];
+        let m = axes.map(|axis| d.abs()[axis] / scale);
+        // Point with components (x, y, z) along the three axes, largest first, in the octant of d.
+        let texel = |x: f64, y: f64, z: f64| {
+            let mut p = DVec3::ZERO;
+            for (axis, value) in axes.into_iter().zip([x, y, z]) {
+                p[axis] = value * d[axis].signum();
+            }
+            texel_from_direction(p, size)
+        };
+        let half = 1.0 / f64::from(size);
+        let row = 1.0 - half;
+
+        // The patch P(s, a) = (1−s) (1, 1−half, a) + s (1−half, 1, a) between the rows of both faces: s and a of d.
+        let s = (m[1] - row) / (half * (1.0 + m[1]));
+        let along = m[2] * (1.0 - s * half);
+        if along <= row {
+            let (index, t) = below(along, size);
+            let (low, high) = (center_of(index, size), center_of((index + 1).min(size - 1), size));
+            return Self {
+                texel: [texel(1.0, row, low), texel(1.0, row, high), texel(row, 1.0, low), texel(row, 1.0, high)],
+                weight: [(1.0 - s) * (1.0 - t), (1.0 - s) * t, s * (1.0 - t), s * t],
+            };
+        }
+
+        // The corner triangle (1, row, row), (row, 1, row), (row, row, 1): barycentric weights of d.
+        let sum = (m[0] + m[1] + m[2]) / (1.0 + 2.0 * row);
+        let weight = m.map(|x| ((x / sum - row) / half).max(0.0));
+        let total = weight[0] + weight[1] + weight[2];
+        let corner = [texel(1.0, row, row), texel(row, 1.0, row), texel(row, row, 1.0)];
+        Self {
+            texel: [corner[0], corner[1], corner[2], corner[0]],
+            weight: [weight[0] / total, weight[1] / total, weight[2] / total, 0.0],
+        }
+    }
+}
+
+/// The texel whose centre lies at or below a position, and how far on the next one the position is. Positions are
+/// within the outermost centres.
+#[inline]
+fn below(position: f64, size: u32) -> (u32, f64) {
+    let x = ((position + 1.0) * 0.5 * f64::from(size) - 0.5).max(0.0);
+    let index = (x as u32).min(size.saturating_sub(1));
+    let fraction = if index + 1 < size { x - f64::from(index) } else { 0.0 };
+    (index, fraction)
+}
+
+/// Axes from the largest component to the smallest.
+pub(super) fn descending(size: DVec3) -> [usize; 3] {
+    let mut axes = [0, 1, 2];
+    axes.sort_by(|&a, &b| size[b].total_cmp(&size[a]));
+    axes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cubemap::direction_from_texel;
+    use proptest::prelude::*;
+
+    fn filtered(d: DVec3, size: u32, f: impl Fn(DVec3) -> f64) -> f64 {
+        let taps = Taps::new(d, size);
+        taps.texel.iter().zip(taps.weight).map(|(&t, w)| w * f(direction_from_texel(t, size).normalize())).sum()
+    }
+
+    #[test]
+    fn a_texel_centre_is_its_own_tap() {
+        for size in [1, 2, 5, 16] {
+            for texel in 0..6 * size * size {
+                let taps = Taps::new(direction_from_texel(texel, size), size);
+                let own: f64 = (0..4).filter(|&i| taps.texel[i] == texel).map(|i| taps.weight[i]).sum();
+                // Weights are differences of numbers near 1, divided by half a texel: 16 × a few roundings.
+                assert!((own - 1.0).abs() < 1e-13, "{size} {texel} {taps:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_corner_is_the_mean_of_its_three_texels() {
+        for size in [1, 4, 9] {
+            let taps = Taps::new(DVec3::new(-3.0, 3.0, -3.0), size);
+            let mut weights = taps.weight;
+            weights.sort_by(f64::total_cmp);
+            for (weight, expected) in weights.into_iter().zip([0.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0]) {
+                // Barycentric weights of float64 coordinates below 1: a few tens of roundings of 1.1e-16.
+                assert!((weight - expected).abs() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn errors_at_seams_are_no_larger_than_inside() {
+        // A smooth function; 10⁵ directions, those within half a texel of an edge against the others.
+        let f = |d: DVec3| (1.7 * d.x - 0.6 * d.y).sin() + 0.8 * (2.1 * d.z + d.y).cos();
+        for size in [8, 32, 128] {
+            let (mut seam, mut inside) = (0.0f64, 0.0f64);
+            for i in 0..100_000u64 {
+                let component = |k| 2.0 * crate::base::random::uniform(3, k, i) - 1.0;
+                let d = DVec3::new(component(0), component(1), component(2));
+                let m = d.abs() / d.abs().max_element();
+                let second = m.x + m.y + m.z - 1.0 - m.min_element();
+                let error = (filtered(d, size, f) - f(d.normalize())).abs();
+                let worst = if second > 1.0 - 1.0 / f64::from(size) { &mut seam } else { &mut inside };
+                *worst = worst.max(error);
+            }
+            assert!(seam <= inside, "size {size}: {seam} at seams, {inside} inside");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn weights_are_a_partition_of_one(
+            x in -1.0..1.0f64, y in -1.0..1.0f64, z in -1.0..1.0f64, size in 1..40u32, flat in 0..4u8,
+        ) {
+            // Exact edges and corners are where the cases meet.
+            let d = match flat {
+                0 => DVec3::new(x, y, z),
+                1 => DVec3::new(x, x, z),
+                2 => DVec3::new(x, -x, x),
+                _ => DVec3::new(x, 0.0, z),
+            };
+            prop_assume!(d.abs().max_element() > 1e-9);
+            let taps = Taps::new(d, size);
+            // Differences of numbers near 1, divided by half a texel of 1/40: 80 × a few roundings, and a margin of ten.
+            prop_assert!((taps.weight.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+            prop_assert!(taps.weight.iter().all(|w| (-1e-12..=1.0 + 1e-12).contains(w)));
+            prop_assert!(taps.texel.iter().all(|&t| t < 6 * size * size));
+        }
+
+        #[test]
+        fn filtered_maps_are_continuous(
+            x in -1.0..1.0f64, y in -1.0..1.0f64, z in -1.0..1.0f64, size in 1..40u32, flat in 0..4u8, seed in 0..99u64,
+        ) {
+            let d = match flat {
+                0 => DVec3::new(x, y, z),
+                1 => DVec3::new(x, x, z),
+                2 => DVec3::new(x, -x, x),
+                // The border between the inside of a face and the strip along its edge.
+                _ => DVec3::new(1.0, 1.0 - 1.0 / f64::from(size), y),
+            };
+            prop_assume!(d.abs().max_element() > 1e-3);
+            let value = |d: DVec3| {
+                let taps = Taps::new(d, size);
+                let random = |t: u32| crate::base::random::uniform(seed, 0, t.into());
+                taps.texel.iter().zip(taps.weight).map(|(&t, w)| w * random(t)).sum::<f64>()
+            };
+            let here = value(d);
+            let step = 1e-9 * d.abs().max_element();
+            for offset in [DVec3::X, DVec3::Y, DVec3::Z, DVec3::new(-1.0, 1.0, -1.0)] {
+                // Weights change by at most about `size` per unit of direction; 8 taps and the step of 2e-9 bound it.
+                prop_assert!((value(d + offset * step) - here).abs() < 2e-8 * f64::from(size + 1));
+            }
+        }
+    }
+}

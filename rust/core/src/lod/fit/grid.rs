@@ -1,0 +1,281 @@
+//! How much of y curves of a grid explain: p of each, its mean taken off and scaled to length 1, so that one product
+//! with y tells. The grid depends on the places of samples only: curves with the same ones share it.
+
+use std::ops::Range;
+
+use super::super::exponential::exp;
+use super::descend::{LEAST_RISE, TAIL};
+use super::logistic::{LANES, Line};
+use crate::base::simd::widest;
+
+/// Columns of one step of the product.
+const BLOCK: usize = 64;
+/// The least rise; below it curves hardly differ from a straight line over ln x.
+const GENTLEST: f64 = 0.25;
+/// From one rise to the next.
+const FACTOR: f64 = 1.7;
+/// Along ridges over rises, which are coarse, more than one place may be best: these leave as much more than the best.
+const RIDGE: f32 = 1.1;
+/// Transitions this much steeper than samples are dense lie between two of them: `steps` has those.
+const DENSE: f64 = 3.0;
+/// However many samples there are.
+const STEEPEST: f64 = 150.0;
+/// Columns whose p are computed side by side.
+const WIDTH: usize = 16;
+/// Between middles, in units of the transition.
+const SPACING: f64 = 1.2;
+/// Exponents of x = 0: with any shift no overflow, and p is 1.
+const LARGEST: f64 = 300.0;
+/// Here p is 1 in float32, which still holds it.
+const SATURATED: f64 = 1e30;
+/// How far beyond the samples, in the same units.
+const BEYOND: f64 = 4.0;
+
+/// Samples, and again places, from which starts are found: ten times as many as columns that tell curves apart.
+const MOST: usize = 2_048;
+
+/// Curves and what is known of them.
+#[derive(Debug)]
+pub(super) struct Grid {
+    levels: Vec<Level>,
+    /// Of transitions, rising within each level.
+    middles: Vec<f64>,
+    /// By sample, then by column; columns padded to blocks with 0.
+    basis: Vec<f32>,
+    columns: usize,
+    /// The samples whose rows these are.
+    picked: Vec<usize>,
+}
+
+/// Curves of one rise.
+#[derive(Clone, Debug)]
+struct Level {
+    rise: f64,
+    columns: Range<usize>,
+}
+
+impl Grid {
+    /// Over samples at `v` by rising v, `places` being the different ones, and `ends` where they end in `v`.
+    pub(super) fn new(v: &[f64], ends: &[usize], places: &[f64]) -> Self {
+        let (levels, middles) = levels(places);
+        let columns = middles.len().div_ceil(BLOCK) * BLOCK;
+        let picked = picked(v.len(), ends);
+        let rows: Vec<f64> = picked.iter().map(|&n| v[n]).collect();
+        let basis = basis(&rows, &levels, &middles, columns);
+        Self { levels, middles, basis, columns, picked }
+    }
+
+    /// The samples that count for starts, by rising v.
+    pub(super) fn picked(&self) -> &[usize] {
+        &self.picked
+    }
+
+    /// The share of y, as far as picked, that each column explains; `y` has length 1 and mean 0.
+    pub(super) fn explain(&self, y: &[f32], explained: &mut Vec<f32>) {
+        explained.clear();
+        explained.resize(self.columns, 0.0);
+        explain(&self.basis, y, explained);
+    }
+
+    /// Calls `visit` with each curve that leaves no more than its neighbours of the same rise and hardly more than those
+    /// of other rises, and with how much it explains.
+    pub(super) fn peaks(&self, explained: &[f32], mut visit: impl FnMut(f32, Line)) {
+        for (k, level) in self.levels.iter().enumerate() {
+            let Range { start, end } = level.columns;
+            for n in start..end {
+                let own = explained[n];
+                if n > start && explained[n - 1] > own || n + 1 < end && explained[n + 1] > own {
+                    continue;
+                }
+                let middle = self.middles[n];
+                let is_bettered = |other: &Level| 1.0 - own > RIDGE * (1.0 - explained[self.nearest(other, middle)]);
+                // The straight line is a neighbour of none: curves bend off it on both sides.
+                let gentler = self.levels[1..].get(k.wrapping_sub(2)).is_some_and(is_bettered);
+                let steeper = k > 0 && self.levels.get(k + 1).is_some_and(is_bettered);
+                if gentler || steeper {
+                    continue;
+                }
+                visit(own, Line { level: 0.0, rise: -level.rise, origin: middle });
+            }
+        }
+    }
+
+    fn nearest(&self, level: &Level, middle: f64) -> usize {
+        let Range { start, end } = level.columns;
+        let upper = (start + self.middles[start..end].partition_point(|&m| m < middle)).min(end - 1);
+        let lower = upper.saturating_sub(1).max(start);
+        if (self.middles[upper] - middle).abs() < (middle - self.middles[lower]).abs() { upper } else { lower }
+    }
+}
+
+/// All samples where they are few; else some evenly by rank, and some of each place or evenly many places, so that rare
+/// ones are among them.
+fn picked(count: usize, ends: &[usize]) -> Vec<usize> {
+    if count <= 2 * MOST {
+        return (0..count).collect();
+    }
+    let evenly = |last: usize| (0..MOST).map(move |k| (k as u128 * last as u128 / (MOST - 1) as u128) as usize);
+    let mut picked: Vec<usize> = evenly(count - 1).chain(evenly(ends.len() - 1).map(|k| ends[k] - 1)).collect();
+    picked.sort_unstable();
+    picked.dedup();
+    picked
+}
+
+/// Rises, each with middles from tail to tail. The first is a straight line.
+fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
+    let first = places.partition_point(|&v| v < -1.0);
+    let finite = &places[first..];
+    let steepest = (DENSE * (finite.len() - 1) as f64).min(STEEPEST);
+    let mut levels = vec![Level { rise: LEAST_RISE, columns: 0..1 }];
+    let mut middles = vec![0.0];
+    let mut rise = GENTLEST;
+    while rise < FACTOR * steepest {
+        let start = middles.len();
+        let reach = 1.0 + BEYOND / rise;
+        let even = (2.0 * reach * rise / SPACING).ceil();
+        middles.push(-1.0 - TAIL / rise);
+        if even > (2 * finite.len() - 1) as f64 {
+            for pair in finite.windows(2) {
+                middles.extend([pair[0], 0.5 * (pair[0] + pair[1])]);
+            }
+            middles.push(1.0);
+        } else {
+            middles.extend((0..=even as usize).map(|n| reach * (2.0 * n as f64 / even - 1.0)));
+        }
+        middles.push(1.0 + TAIL / rise);
+        levels.push(Level { rise, columns: start..middles.len() });
+        rise *= FACTOR;
+    }
+    (levels, middles)
+}
+
+fn basis(v: &[f64], levels: &[Level], middles: &[f64], columns: usize) -> Vec<f32> {
+    // e^(rise (v − middle)) is a product, so that there are as many exponentials as samples and columns of a rise.
+    let (mut shifts, mut powers) = (Vec::with_capacity(columns), Vec::with_capacity(2 * levels.len() * v.len()));
+    for Level { rise, columns: own } in levels {
+        // Of σ and 1 − σ the one that is small where a tail is seen, so that it has digits.
+        shifts.extend(middles[own.clone()].iter().map(|middle| -rise * middle.abs()));
+        powers.extend(v.iter().map(|v| (-rise * v).min(LARGEST)));
+        powers.extend(v.iter().map(|v| rise * v));
+    }
+    exp_all(&mut shifts);
+    exp_all(&mut powers);
+    let mut basis = vec![0.0; v.len() * columns];
+    for (Level { columns: own, .. }, powers) in levels.iter().zip(powers.chunks_exact(2 * v.len())) {
+        let count = middles[own.clone()].partition_point(|&middle| middle < 0.0);
+        let (before, after) = shifts[own.clone()].split_at(count);
+        let (falling, rising) = powers.split_at(v.len());
+        fill(falling, before, &mut basis[own.start..], columns);
+        fill(rising, after, &mut basis[own.start + count..], columns);
+    }
+    normalize(&mut basis, columns);
+    basis
+}
+
+widest! {
+    fn exp_all(values: &mut [f64]) = exp_all_kernel;
+}
+
+#[inline(always)]
+fn exp_all_kernel(values: &mut [f64]) {
+    let (packs, rest) = values.as_chunks_mut::<LANES>();
+    for pack in packs {
+        for value in pack {
+            *value = exp(*value);
+        }
+    }
+    for value in rest {
+        *value = exp(*value);
+    }
+}
+
+widest! {
+    fn fill(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize) = fill_kernel;
+}
+
+/// p of the columns of one rise.
+#[inline(always)]
+fn fill_kernel(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize) {
+    let (packs, rest) = shifts.as_chunks::<WIDTH>();
+    for n in 0..powers.len() {
+        let row = &mut basis[n * columns..n * columns + shifts.len()];
+        let (row_packs, row_rest) = row.as_chunks_mut::<WIDTH>();
+        for k in 0..packs.len() {
+            let mut p = [0.0f32; WIDTH];
+            for i in 0..WIDTH {
+                let e = powers[n] * packs[k][i];
+                p[i] = if e < SATURATED { e as f32 } else { SATURATED as f32 };
+            }
+            for p in &mut p {
+                *p /= 1.0 + *p;
+            }
+            row_packs[k] = p;
+        }
+        for i in 0..rest.len() {
+            let e = (powers[n] * rest[i]).min(SATURATED) as f32;
+            row_rest[i] = e / (1.0 + e);
+        }
+    }
+}
+
+widest! {
+    fn normalize(basis: &mut [f32], columns: usize) = normalize_kernel;
+}
+
+/// Takes the mean off each column and scales it to length 1; a column of equal numbers becomes 0.
+#[inline(always)]
+fn normalize_kernel(basis: &mut [f32], columns: usize) {
+    let (blocks, _) = basis.as_chunks_mut::<BLOCK>();
+    let (rows, across) = (blocks.len() * BLOCK / columns, columns / BLOCK);
+    for k in 0..across {
+        let (mut mean, mut scale) = ([0.0f32; BLOCK], [0.0f32; BLOCK]);
+        for n in 0..rows {
+            let row = &blocks[n * across + k];
+            for i in 0..BLOCK {
+                mean[i] += row[i];
+            }
+        }
+        for mean in &mut mean {
+            *mean /= rows as f32;
+        }
+        for n in 0..rows {
+            let row = &mut blocks[n * across + k];
+            for i in 0..BLOCK {
+                row[i] -= mean[i];
+                scale[i] += row[i] * row[i];
+            }
+        }
+        for scale in &mut scale {
+            *scale = if *scale > 0.0 { 1.0 / scale.sqrt() } else { 0.0 };
+        }
+        for n in 0..rows {
+            let row = &mut blocks[n * across + k];
+            for i in 0..BLOCK {
+                row[i] *= scale[i];
+            }
+        }
+    }
+}
+
+widest! {
+    fn explain(basis: &[f32], y: &[f32], explained: &mut [f32]) = explain_kernel;
+}
+
+#[inline(always)]
+fn explain_kernel(basis: &[f32], y: &[f32], explained: &mut [f32]) {
+    let (explained, _) = explained.as_chunks_mut::<BLOCK>();
+    let (blocks, _) = basis.as_chunks::<BLOCK>();
+    let across = explained.len();
+    for (k, share) in explained.iter_mut().enumerate() {
+        let mut sums = [0.0f32; BLOCK];
+        for n in 0..y.len() {
+            let row = &blocks[n * across + k];
+            for i in 0..BLOCK {
+                sums[i] += y[n] * row[i];
+            }
+        }
+        for i in 0..BLOCK {
+            share[i] = sums[i] * sums[i];
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! The logistic function over an array of samples, with what a fit needs of it, eight samples at a time.
+
+use super::super::exponential::exp;
+use crate::base::simd::widest;
+
+/// Samples of one step of the kernels.
+pub(super) const LANES: usize = 8;
+pub(super) type Pack = [f64; LANES];
+
+/// τ(v) = level + rise (v − origin), of which σ(τ) = 1/(1+e^−τ) is taken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Line {
+    pub(super) level: f64,
+    pub(super) rise: f64,
+    pub(super) origin: f64,
+}
+
+impl Line {
+    pub(super) fn at(&self, v: f64) -> f64 {
+        self.level + self.rise * (v - self.origin)
+    }
+
+    /// The same curve by 1 − σ(τ) = σ(−τ).
+    pub(super) fn turned(self) -> Self {
+        Self { level: -self.level, rise: -self.rise, ..self }
+    }
+
+    /// The same line by its value elsewhere.
+    pub(super) fn seen_from(self, origin: f64) -> Self {
+        Self { level: self.at(origin), origin, ..self }
+    }
+}
+
+/// For p = σ(τ), g = p − mean(p), the best q, and r = y − q g: what Newton's method needs. With ′ for the derivative by
+/// τ, and u = v − origin.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sums {
+    pub(super) mean: f64,
+    /// Σ g².
+    pub(super) square: f64,
+    /// The slope of y over p that leaves the least residual.
+    pub(super) q: f64,
+    /// Σ r².
+    pub(super) residual: f64,
+    /// Σ p′, Σ p′u.
+    pub(super) plain: [f64; 2],
+    /// Σ g p′, Σ g p′u.
+    pub(super) along: [f64; 2],
+    /// Σ r p′, Σ r p′u.
+    pub(super) slope: [f64; 2],
+    /// Σ p′², Σ p′²u, Σ p′²u².
+    pub(super) squared: [f64; 3],
+    /// Σ r p″, Σ r p″u, Σ r p″u².
+    pub(super) bend: [f64; 3],
+}
+
+impl Sums {
+    /// How far from the origin the samples tell most: seen from there, level and rise are nearly independent.
+    pub(super) fn center(&self) -> f64 {
+        if self.squared[0] > 0.0 { (self.squared[1] / self.squared[0]).clamp(-3.0, 3.0) } else { 0.0 }
+    }
+}
+
+/// Samples in the kernels' own frame, padded to whole packs with weight 0.
+#[derive(Debug)]
+pub(super) struct Samples<'a> {
+    pub(super) v: &'a [Pack],
+    /// 1 for a sample, 0 for padding.
+    pub(super) weight: &'a [Pack],
+    /// With mean 0, 0 in the padding.
+    pub(super) y: &'a [Pack],
+    pub(super) count: f64,
+}
+
+/// Room for what is known of each sample.
+#[derive(Debug, Default)]
+pub(super) struct Room {
+    pub(super) p: Vec<Pack>,
+    pub(super) r: Vec<Pack>,
+    pub(super) first: Vec<Pack>,
+    first_u: Vec<Pack>,
+    second: Vec<Pack>,
+    second_u: Vec<Pack>,
+    pub(super) u: Vec<Pack>,
+}
+
+impl Room {
+    #[cfg(test)]
+    pub(super) fn sized(packs: usize) -> Self {
+        let mut room = Self::default();
+        room.resize(packs);
+        room
+    }
+
+    pub(super) fn resize(&mut self, packs: usize) {
+        let Self { p, r, first, first_u, second, second_u, u } = self;
+        for array in [p, r, first, first_u, second, second_u, u] {
+            array.resize(packs, [0.0; LANES]);
+        }
+    }
+}
+
+widest! {
+    fn evaluate_widest(samples: &Samples<'_>, line: &Line, room: &mut Room) -> Sums = evaluate_kernel;
+}
+
+/// Everything about one curve; `room` is as large as the samples are many.
+pub(super) fn evaluate(samples: &Samples<'_>, line: &Line, room: &mut Room) -> Sums {
+    evaluate_widest(samples, line, room)
+}
+
+// Short loops with one result each: these become vectors, and sums of everything in one loop don't.
+#[inline(always)]
+fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut Room) -> Sums {
+    let packs = samples.v.len();
+    let (v, weight, y) = (&samples.v[..packs], &samples.weight[..packs], &samples.y[..packs]);
+    let (p, u) = (&mut room.p[..packs], &mut room.u[..packs]);
+    for k in 0..packs {
+        let (mut away, mut share) = ([0.0; LANES], [0.0; LANES]);
+        for i in 0..LANES {
+            away[i] = v[k][i] - line.origin;
+            let e = exp(line.level + line.rise * away[i]);
+            share[i] = e / (1.0 + e);
+        }
+        (u[k], p[k]) = (away, share);
+    }
+    let mean = product(p, weight) / samples.count;
+    // g, until it is known how much of it is taken from y.
+    let r = &mut room.r[..packs];
+    for k in 0..packs {
+        for i in 0..LANES {
+            r[k][i] = (p[k][i] - mean) * weight[k][i];
+        }
+    }
+    let square = product(r, r);
+    let q = if square > 0.0 { product(r, y) / square } else { 0.0 };
+    let (first, first_u) = (&mut room.first[..packs], &mut room.first_u[..packs]);
+    for k in 0..packs {
+        for i in 0..LANES {
+            first[k][i] = p[k][i] * (1.0 - p[k][i]);
+            first_u[k][i] = first[k][i] * u[k][i];
+        }
+    }
+    let along = [product(r, first), product(r, first_u)];
+    let (second, second_u) = (&mut room.second[..packs], &mut room.second_u[..packs]);
+    for k in 0..packs {
+        for i in 0..LANES {
+            r[k][i] = y[k][i] - q * r[k][i];
+            second[k][i] = r[k][i] * first[k][i] * (1.0 - 2.0 * p[k][i]);
+            second_u[k][i] = second[k][i] * u[k][i];
+        }
+    }
+    Sums {
+        mean,
+        square,
+        q,
+        residual: product(r, r),
+        plain: [product(first, weight), product(first_u, weight)],
+        along,
+        slope: [product(r, first), product(r, first_u)],
+        squared: [product(first, first), product(first, first_u), product(first_u, first_u)],
+        bend: [product(second, weight), product(second_u, weight), product(second_u, u)],
+    }
+}
+
+/// Sum of products, over eight sums side by side.
+#[inline(always)]
+fn product(one: &[Pack], other: &[Pack]) -> f64 {
+    let other = &other[..one.len()];
+    let mut s = [0.0; LANES];
+    for k in 0..one.len() {
+        for i in 0..LANES {
+            s[i] += one[k][i] * other[k][i];
+        }
+    }
+    ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]))
+}

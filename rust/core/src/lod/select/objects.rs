@@ -1,0 +1,56 @@
+//! Objects whose levels are chosen, and counts of the stages that settled them.
+
+use std::ops::AddAssign;
+
+/// Objects of one task: what is known of them stays in a near cache.
+pub(super) const TILE: usize = 1 << 9;
+
+/// Objects, as many of each.
+#[derive(Clone, Copy, Debug)]
+pub struct Objects<'a> {
+    /// Numbers of their models.
+    pub model: &'a [i64],
+    /// Middles of their bounding spheres.
+    pub centers: &'a [[f64; 3]],
+    /// Their radii.
+    pub radii: &'a [f64],
+    /// Levels of the frame before, −1 for none.
+    pub previous: Option<&'a [i32]>,
+}
+
+/// Numbers beside the level: σ, the size that is seen, f, the score, and the level as it fades over.
+pub const COLUMNS: usize = 5;
+
+/// What was done, of all eyes together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Not in view.
+    pub culled: u64,
+    /// In view, with one level.
+    pub one_level: u64,
+    /// At level 0 already by another eye.
+    pub settled: u64,
+    /// Larger than curves are asked for.
+    pub large: u64,
+    /// Left to be asked for.
+    pub asked: u64,
+    /// Of those: sizes through the lens.
+    pub lens: u64,
+    /// Levels from a table.
+    pub table: u64,
+    /// Levels from curves.
+    pub formula: u64,
+}
+
+impl AddAssign for Counts {
+    fn add_assign(&mut self, other: Self) {
+        self.culled += other.culled;
+        self.one_level += other.one_level;
+        self.settled += other.settled;
+        self.large += other.large;
+        self.asked += other.asked;
+        self.lens += other.lens;
+        self.table += other.table;
+        self.formula += other.formula;
+    }
+}

@@ -1,0 +1,59 @@
+//! Rules by which levels are chosen, and how lenses and eyes change them.
+
+use glam::DVec3;
+
+use crate::lens::RadialLens;
+
+/// f(σ) = level + rise · σ.
+#[derive(Clone, Copy, Debug)]
+pub struct Line {
+    /// At σ = 0.
+    pub level: f64,
+    /// A steradian.
+    pub rise: f64,
+}
+
+/// What is enough.
+#[derive(Clone, Copy, Debug)]
+pub struct Rules {
+    /// The least score over the solid angle.
+    pub line: Line,
+    /// Solid angle above which level 0 is used.
+    pub reference: f64,
+    /// Whether what is out of view gets no level.
+    pub cull: bool,
+    /// By how much better than the least score a level must be to follow a finer one.
+    pub hysteresis: f64,
+    /// Over which share of the way between levels they are blended; 0 for not at all.
+    pub fade: f64,
+}
+
+/// A lens as eyes look through it.
+#[derive(Clone, Copy, Debug)]
+pub struct Glass<'a> {
+    /// The lens.
+    pub lens: &'a RadialLens,
+    /// Tangent of half the horizontal field of view, the larger side of it.
+    pub tan_omega: f64,
+    /// Whether its inverse is Newton's, else the table's.
+    pub exact: bool,
+}
+
+/// How fine an eye sees: the least angle at e degrees from its gaze is slope · e + limit (Guenter et al. 2012, Eq. 1).
+#[derive(Clone, Copy, Debug)]
+pub struct Acuity {
+    /// Where it looks, in the world, of length 1.
+    pub gaze: DVec3,
+    /// Degrees a degree.
+    pub slope: f64,
+    /// Degrees.
+    pub limit: f64,
+    /// Degrees of the least angle that is drawn, at least `limit`.
+    pub best: f64,
+}
+
+impl Line {
+    pub(super) fn at(&self, sigma: f64) -> f64 {
+        self.level + self.rise * sigma
+    }
+}

@@ -1,0 +1,9 @@
+//! Coarser surfaces: edges are collapsed, and attributes of the base are carried over.
+
+mod carry;
+mod collapse;
+mod surface;
+
+pub use carry::{Charts, Place};
+pub use collapse::{Given, Vertices, collapse};
+pub use surface::{first_alike, pieces};

@@ -1,0 +1,98 @@
+//! Kernels over rows of pixels: sums and differences, squared differences.
+
+use super::plane::Pixel;
+use super::vectors::LANES;
+use crate::base::simd::widest;
+
+/// Pixels of which rows are compared.
+pub trait PixelRows: Pixel {
+    /// Sum and difference of two rows of pixels less their levels.
+    fn sum_and_difference(x: &[Self], y: &[Self], levels: [Self::Real; 2], s: &mut [Self::Real], d: &mut [Self::Real]);
+    /// Sum of the squared differences of few pixels.
+    fn squares(x: &[Self], y: &[Self]) -> f64;
+}
+
+macro_rules! pixel_rows {
+    ($($pixel:ty, $real:ty: $kernel:ident, $squares:ident = $square:ident);*) => {$(
+        widest! {
+            fn $kernel(
+                x: &[$pixel], y: &[$pixel], levels: [$real; 2], s: &mut [$real], d: &mut [$real],
+            ) = spread;
+        }
+        widest! {
+            fn $squares(x: &[$pixel], y: &[$pixel]) -> f64 = $square;
+        }
+        impl PixelRows for $pixel {
+            fn squares(x: &[Self], y: &[Self]) -> f64 {
+                $squares(x, y)
+            }
+            fn sum_and_difference(
+                x: &[Self], y: &[Self], levels: [$real; 2], s: &mut [$real], d: &mut [$real],
+            ) {
+                $kernel(x, y, levels, s, d)
+            }
+        }
+    )*};
+}
+
+pixel_rows!(
+    u8, f32: spread_u8, squares_u8 = byte_squares;
+    u16, f32: spread_u16, squares_u16 = short_squares;
+    f32, f32: spread_f32, squares_f32 = real_squares;
+    f64, f64: spread_f64, squares_f64 = real_squares
+);
+
+/// Without rounding: 2¹⁴ squares of 8 bits fit into 32.
+#[inline(always)]
+fn byte_squares(x: &[u8], y: &[u8]) -> f64 {
+    let mut sum = 0u32;
+    for (&x, &y) in x.iter().zip(y) {
+        let difference = i32::from(x) - i32::from(y);
+        sum += (difference * difference) as u32;
+    }
+    f64::from(sum)
+}
+
+/// Without rounding: 2¹⁴ squares of 16 bits need 46.
+#[inline(always)]
+fn short_squares(x: &[u16], y: &[u16]) -> f64 {
+    let mut sum = 0u64;
+    for (&x, &y) in x.iter().zip(y) {
+        let difference = u32::from(x.abs_diff(y));
+        sum += u64::from(difference * difference);
+    }
+    sum as f64
+}
+
+#[inline(always)]
+fn real_squares<P: Copy + Into<f64>>(x: &[P], y: &[P]) -> f64 {
+    let mut sums = [0.0; LANES];
+    let (x, x_rest) = x.as_chunks::<LANES>();
+    let (y, y_rest) = y.as_chunks::<LANES>();
+    for (x, y) in x.iter().zip(y) {
+        for i in 0..LANES {
+            let difference = x[i].into() - y[i].into();
+            sums[i] += difference * difference;
+        }
+    }
+    for (i, (&x, &y)) in x_rest.iter().zip(y_rest).enumerate() {
+        let difference = x.into() - y.into();
+        sums[i] += difference * difference;
+    }
+    let mut total = 0.0;
+    for sum in sums {
+        total += sum;
+    }
+    total
+}
+
+#[inline(always)]
+fn spread<P: Pixel>(x: &[P], y: &[P], levels: [P::Real; 2], s: &mut [P::Real], d: &mut [P::Real]) {
+    let length = x.len().min(y.len()).min(s.len()).min(d.len());
+    let (x, y, s, d) = (&x[..length], &y[..length], &mut s[..length], &mut d[..length]);
+    for i in 0..length {
+        let (a, b) = (x[i].real() - levels[0], y[i].real() - levels[1]);
+        s[i] = a + b;
+        d[i] = a - b;
+    }
+}

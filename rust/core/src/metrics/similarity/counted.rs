@@ -1,0 +1,53 @@
+//! The windows that count, and sums over them.
+
+use super::super::plane::Plane;
+
+/// Sums over the pixels that count.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Sums {
+    /// Of the measure.
+    pub similarity: f64,
+    /// Of its second factor alone, which compares contrast and structure; 0 where it is not wanted.
+    pub contrast: f64,
+    /// Pixels that count.
+    pub pixels: f64,
+}
+
+impl Sums {
+    pub(super) fn and(self, other: Self) -> Self {
+        Self {
+            similarity: self.similarity + other.similarity,
+            contrast: self.contrast + other.contrast,
+            pixels: self.pixels + other.pixels,
+        }
+    }
+}
+
+/// Which windows count: those within the image, or all, and of these those that a mask names.
+#[derive(Clone, Copy)]
+pub struct Counted<'a> {
+    /// Whether windows that reach beyond the image count too.
+    pub all: bool,
+    /// Of the image's size; anything but 0 names a pixel.
+    pub mask: Option<Mask<'a>>,
+    /// Whether the sum of the second factor is wanted.
+    pub contrast: bool,
+}
+
+/// What a mask limits.
+#[derive(Clone, Copy)]
+pub enum Mask<'a> {
+    /// The mean: windows around other pixels do not count.
+    Mean(Plane<'a, u8>),
+    /// What windows see as well: other pixels, and those outside of the image, have no weight (normalised convolution).
+    Windows(Plane<'a, u8>),
+}
+
+impl<'a> Mask<'a> {
+    /// The pixels that it names.
+    pub(super) fn plane(&self) -> &Plane<'a, u8> {
+        match self {
+            Self::Mean(plane) | Self::Windows(plane) => plane,
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! Windows by themselves, about the pixels in their middles: means first, then distances from them. No digit is lost for
+//! any values whose squares float64 holds; it takes ten times as long as passes along rows and columns, and is done where
+//! one level for many windows does not serve.
+
+use super::super::pair::Pair;
+use super::super::plane::{Part, Plane, Real, mirror};
+use super::measure::Source;
+use crate::base::simd::widest;
+
+/// Windows side by side.
+const LANES: usize = 8;
+
+/// All that the windows of a part see, in float64.
+pub(super) struct Patch<'a> {
+    weights: &'a [f64],
+    constants: [f64; 2],
+    /// Of each image, rows of `width`; 0 where nothing is seen.
+    values: [Vec<f64>; 2],
+    /// 1 where something is seen.
+    seen: Vec<f64>,
+    width: usize,
+}
+
+impl<'a> Patch<'a> {
+    /// Windows see a mirrored image, or what a mask names of it.
+    pub fn new<P: Source>(
+        pair: &Pair<'_, P>,
+        weights: &'a [f64],
+        constants: [f64; 2],
+        part: &Part,
+        mask: Option<&Plane<'_, u8>>,
+    ) -> Self {
+        let size = [pair.reference.height, pair.reference.width];
+        let (taps, before) = (weights.len(), weights.len() as i64 / 2);
+        let height = part.rows[1] - part.rows[0] + taps - 1;
+        let width = (part.columns[1] - part.columns[0]).next_multiple_of(LANES) + taps - 1;
+        let mut patch = Self {
+            weights,
+            constants,
+            values: [vec![0.0; width * height], vec![0.0; width * height]],
+            seen: vec![0.0; width * height],
+            width,
+        };
+        for row in 0..height {
+            let down = (part.rows[0] + row) as i64 - before;
+            for column in 0..part.columns[1] - part.columns[0] + taps - 1 {
+                let across = (part.columns[0] + column) as i64 - before;
+                let [at_row, at_column] = [mirror(down, size[0]), mirror(across, size[1])];
+                let within = down == at_row as i64 && across == at_column as i64;
+                if mask.is_none_or(|mask| within && mask.names(at_row, at_column)) {
+                    let at = row * width + column;
+                    patch.values[0][at] = pair.reference.at(at_row, at_column).wide();
+                    patch.values[1][at] = pair.test.at(at_row, at_column).wide();
+                    patch.seen[at] = 1.0;
+                }
+            }
+        }
+        patch
+    }
+
+    /// Calls `found` with the number, the similarity and its second factor of each window of a row that is wanted.
+    pub fn measure_row(&self, row: usize, wanted: impl Fn(usize) -> bool, mut found: impl FnMut(usize, f64, f64)) {
+        let columns = self.width + 1 - self.weights.len();
+        for first in (0..columns).step_by(LANES) {
+            if !(first..first + LANES).any(&wanted) {
+                continue;
+            }
+            let factors = measure_block(self, row * self.width + first);
+            for (lane, &[similarity, contrast]) in factors.iter().enumerate() {
+                if wanted(first + lane) {
+                    found(first + lane, similarity, contrast);
+                }
+            }
+        }
+    }
+}
+
+widest! {
+    fn measure_block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] = block;
+}
+
+/// Windows that begin at `from` and at the values after it.
+#[inline(always)]
+fn block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] {
+    let [xs, ys] = &patch.values;
+    let weights = patch.weights;
+    let middle = from + weights.len() / 2 * (patch.width + 1);
+    let (mut x_level, mut y_level) = ([0.0; LANES], [0.0; LANES]);
+    for i in 0..LANES {
+        (x_level[i], y_level[i]) = (xs[middle + i], ys[middle + i]);
+    }
+    let (mut total, mut x_mean, mut y_mean) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+    for (down, &down_weight) in weights.iter().enumerate() {
+        for (across, &across_weight) in weights.iter().enumerate() {
+            let (at, weight) = (from + down * patch.width + across, down_weight * across_weight);
+            let (x, y, seen) = (&xs[at..at + LANES], &ys[at..at + LANES], &patch.seen[at..at + LANES]);
+            for i in 0..LANES {
+                let share = weight * seen[i];
+                total[i] += share;
+                x_mean[i] += share * (x[i] - x_level[i]);
+                y_mean[i] += share * (y[i] - y_level[i]);
+            }
+        }
+    }
+    for i in 0..LANES {
+        x_mean[i] /= total[i];
+        y_mean[i] /= total[i];
+    }
+    let (mut variances, mut apart) = ([0.0; LANES], [0.0; LANES]);
+    for (down, &down_weight) in weights.iter().enumerate() {
+        for (across, &across_weight) in weights.iter().enumerate() {
+            let (at, weight) = (from + down * patch.width + across, down_weight * across_weight);
+            let (xs, ys, seen) = (&xs[at..at + LANES], &ys[at..at + LANES], &patch.seen[at..at + LANES]);
+            for i in 0..LANES {
+                let share = weight * seen[i];
+                let (x, y) = ((xs[i] - x_level[i]) - x_mean[i], (ys[i] - y_level[i]) - y_mean[i]);
+                variances[i] += share * (x * x + y * y);
+                apart[i] += share * ((x - y) * (x - y));
+            }
+        }
+    }
+    let mut factors = [[0.0; 2]; LANES];
+    for i in 0..LANES {
+        let (x, y) = (x_level[i] + x_mean[i], y_level[i] + y_mean[i]);
+        let difference = (x_level[i] - y_level[i]) + (x_mean[i] - y_mean[i]);
+        let means = [x * x + y * y + patch.constants[0], difference * difference];
+        let (similarity, contrast) =
+            measured(means, [variances[i] / total[i] + patch.constants[1], apart[i] / total[i]]);
+        factors[i] = [similarity, contrast];
+    }
+    factors
+}
+
+/// Similarity and its second factor by two divisions, because the product of what is divided by would overflow: from
+/// the sum of both squared means and c₁, the square of their difference, the sum of both variances and c₂, and the
+/// variance of the difference.
+#[inline(always)]
+pub(super) fn measured([means, difference]: [f64; 2], [variances, apart]: [f64; 2]) -> (f64, f64) {
+    let contrast = (variances - apart) / variances;
+    ((means - difference) / means * contrast, contrast)
+}

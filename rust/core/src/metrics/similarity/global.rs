@@ -1,0 +1,83 @@
+//! Similarity with one window over the whole image.
+
+use rayon::prelude::*;
+
+use super::super::pair::Pair;
+use super::super::plane::{Part, Plane, Real};
+use super::counted::{Counted, Mask, Sums};
+use super::direct::measured;
+use super::measure::{Measured, Source};
+
+/// Pixels of one task, and of a row at once: fixed, so that sums do not depend on the number of threads.
+const TASK: usize = 1 << 14;
+
+/// The same similarity for every pixel; the window sees the whole image or what a mask names.
+pub(super) fn global<P: Source>(
+    pair: &Pair<'_, P>,
+    constants: [f64; 2],
+    counted: Counted<'_>,
+    map: Option<&mut [P::Real]>,
+) -> Sums {
+    let (height, width) = (pair.reference.height, pair.reference.width);
+    let named = counted.mask.map(|mask| *mask.plane());
+    let seen = named.filter(|_| matches!(counted.mask, Some(Mask::Windows(_))));
+    let whole = Part { rows: [0, height], columns: [0, width] };
+    let part = seen.map_or(whole, |mask| mask.bounds(whole));
+    if part.is_empty() {
+        return Sums::default();
+    }
+    let levels = pair.levels(&part, seen.as_ref());
+    let rows = (TASK / width).max(1);
+    let task = |n: usize| {
+        let end = part.rows[1].min(part.rows[0] + (n + 1) * rows);
+        let each = (part.rows[0] + n * rows..end).map(|row| row_sums(pair, row, part, levels, seen));
+        each.fold([0.0; 5], add)
+    };
+    let tasks = (part.rows[1] - part.rows[0]).div_ceil(rows);
+    let tasks: Vec<[f64; 5]> = (0..tasks).into_par_iter().map(task).collect();
+    let [pixels, sums @ ..] = tasks.into_iter().fold([0.0; 5], add);
+    let [s, d, ss, dd] = sums.map(|sum| sum / pixels);
+    let [x, y] = [levels[0] + 0.5 * (s + d), levels[1] + 0.5 * (s - d)];
+    let apart = (levels[0] - levels[1]) + d;
+    let [s_variance, d_variance] = [ss - s * s, dd - d * d].map(|variance| variance.max(0.0));
+    let variances = 0.5 * (s_variance + d_variance) + constants[1];
+    let (similarity, contrast) = measured([x * x + y * y + constants[0], apart * apart], [variances, d_variance]);
+    if let Some(map) = map {
+        map.fill(P::Real::narrow(similarity));
+    }
+    let count = named.map_or(pixels, |mask| mask.count() as f64);
+    Sums { similarity: similarity * count, contrast: contrast * count, pixels: count }
+}
+
+fn add(sums: [f64; 5], more: [f64; 5]) -> [f64; 5] {
+    std::array::from_fn(|i| sums[i] + more[i])
+}
+
+/// How many pixels of a row the window sees, and their sums of s, d, s² and d².
+fn row_sums<P: Source>(
+    pair: &Pair<'_, P>,
+    row: usize,
+    part: Part,
+    levels: [f64; 2],
+    seen: Option<Plane<'_, u8>>,
+) -> [f64; 5] {
+    let mut total = [0.0; 5];
+    let (mut s, mut d) = (Vec::with_capacity(TASK), Vec::with_capacity(TASK));
+    let mut first = part.columns[0];
+    while first < part.columns[1] {
+        let columns = first..part.columns[1].min(first + TASK);
+        s.resize(columns.len(), 0.0);
+        d.resize(columns.len(), 0.0);
+        pair.gather(row, columns.clone(), levels, [&mut s, &mut d]);
+        if let Some(mask) = seen {
+            for values in [&mut s, &mut d] {
+                let mut columns = columns.clone();
+                values.retain(|_| columns.next().is_some_and(|column| mask.names(row, column)));
+            }
+        }
+        let [sum_s, sum_d, sum_ss, sum_dd] = f64::power_sums(&s, &d);
+        total = add(total, [s.len() as f64, sum_s, sum_d, sum_ss, sum_dd]);
+        first = columns.end;
+    }
+    total
+}

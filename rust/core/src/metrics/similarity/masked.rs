@@ -1,0 +1,183 @@
+//! Similarity of what a mask names and nothing else: pixels outside of it have no weight, and the weights of those that a
+//! window sees are raised until they sum to 1. Knutsson, Westin: Normalized and differential convolution, 1993.
+
+use rayon::prelude::*;
+
+use super::super::pair::Pair;
+use super::super::plane::{Part, Plane, Real};
+use super::super::vectors::{LANES, lanes};
+use super::counted::Sums;
+use super::direct::Patch;
+use super::measure::{Measure, Measurement, Source};
+use crate::base::simd::fused_kernels;
+
+/// Rows of one task: fixed, so that sums do not depend on the number of threads.
+const ROWS: usize = 64;
+/// What is summed in a window: 1, s, s², d, d², where the mask names a pixel, and 0 elsewhere.
+const FIELDS: usize = 5;
+
+/// How many times a window's contrast it may lie from the level: what its squares lose is 2e-15 times the square of that.
+const REACH: f64 = 50.0;
+
+/// A comparison by windows that see only what a mask names. It is made in float64: means can lie anywhere between the
+/// values of a band, and the square of that distance is lost from variances.
+pub(super) struct Masked<'a, P> {
+    pub pair: Pair<'a, P>,
+    pub weights: &'a [f64],
+    pub constants: [f64; 2],
+    pub mask: Plane<'a, u8>,
+    pub contrast: bool,
+}
+
+type Fields = [Vec<f64>; FIELDS];
+
+impl<P: Source> Masked<'_, P> {
+    /// Sums over the pixels that the mask names. In the map the others are NaN.
+    pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> Sums {
+        let (height, width) = (self.mask.height, self.mask.width);
+        let named = self.mask.bounds(Part { rows: [0, height], columns: [0, width] });
+        let rows = |band: usize| [band * ROWS, height.min((band + 1) * ROWS)];
+        let each: Vec<Sums> = match map {
+            Some(map) => {
+                map.fill(P::Real::narrow(f64::NAN));
+                let bands = map.par_chunks_mut(ROWS * width).enumerate();
+                bands.map(|(band, map)| self.band(named.within_rows(rows(band)), Some((map, band * ROWS)))).collect()
+            }
+            None => {
+                let bands = (0..height.div_ceil(ROWS)).into_par_iter();
+                bands.map(|band| self.band(named.within_rows(rows(band)), None)).collect()
+            }
+        };
+        each.into_iter().fold(Sums::default(), Sums::and)
+    }
+
+    fn band(&self, part: Part, mut map: Option<(&mut [P::Real], usize)>) -> Sums {
+        let mut sums = Sums::default();
+        let [first, end] = part.columns;
+        if part.is_empty() {
+            return sums;
+        }
+        let (taps, columns) = (self.weights.len(), end - first);
+        let (before, after) = (taps / 2, taps - 1 - taps / 2);
+        let levels = self.levels(part);
+        let measure = Measure { levels, constants: self.constants };
+        // Similarity and its second factor of a row's windows, and whether they hold; and what is needed where they don't.
+        let (mut results, mut patch, mut again) = (vec![[0.0; 3]; columns], None, Vec::new());
+        // Whole lanes are summed, of which the last may be none of the part.
+        let padded = columns.next_multiple_of(LANES);
+        let fields = |length: usize| -> Fields { std::array::from_fn(|_| vec![0.0; length]) };
+        let (mut line, mut window) = (fields(padded + taps - 1), fields(padded));
+        let mut ring: Vec<Fields> = (0..taps).map(|_| fields(padded)).collect();
+        for read in 0..part.rows[1] - part.rows[0] + taps - 1 {
+            // Rows outside of the image, and pixels outside of the mask, are zeros.
+            let row = (part.rows[0] + read).checked_sub(before).filter(|&row| row < self.mask.height);
+            self.load(row, part, levels, before, &mut line);
+            for (line, sums) in line.iter().zip(&mut ring[read % taps]) {
+                sum_along(line, self.weights, sums);
+            }
+            let Some(row) = (part.rows[0] + read).checked_sub(before + after).filter(|&row| row >= part.rows[0]) else {
+                continue;
+            };
+            for (field, sums) in window.iter_mut().enumerate() {
+                sum_down(&ring, field, (read + 1) % taps, self.weights, sums);
+            }
+            let mut lost = false;
+            for column in (first..end).filter(|&column| self.mask.names(row, column)) {
+                let at = column - first;
+                let share = 1.0 / window[0][at];
+                let (s, ss) = (window[1][at] * share, window[2][at] * share);
+                let (d, dd) = (window[3][at] * share, window[4][at] * share);
+                let Measurement { similarity, contrast, .. } =
+                    measure.of::<true, false>([s, ss - s * s], [d, dd - d * d]);
+                // Squares about one level for all windows of a band lose digits of those that are far from it.
+                let contrasts = 0.5 * (ss - s * s + dd - d * d) + self.constants[1];
+                let holds = s * s + d * d <= REACH * REACH * contrasts && similarity.is_finite();
+                lost |= !holds;
+                results[at] = [similarity, contrast, if holds { 1.0 } else { 0.0 }];
+            }
+            if lost {
+                let patch = patch.get_or_insert_with(|| {
+                    Patch::new(&self.pair, self.weights, self.constants, &part, Some(&self.mask))
+                });
+                let named = |n: usize| first + n < end && self.mask.names(row, first + n);
+                patch.measure_row(
+                    row - part.rows[0],
+                    |n| named(n) && results[n][2] == 0.0,
+                    |n, similarity, contrast| again.push((n, [similarity, contrast, 1.0])),
+                );
+                again.drain(..).for_each(|(n, result)| results[n] = result);
+            }
+            for column in (first..end).filter(|&column| self.mask.names(row, column)) {
+                let [similarity, contrast, _] = results[column - first];
+                sums.similarity += similarity;
+                sums.contrast += if self.contrast { contrast } else { 0.0 };
+                sums.pixels += 1.0;
+                if let Some((map, top)) = &mut map {
+                    map[(row - *top) * self.mask.width + column] = P::Real::narrow(similarity);
+                }
+            }
+        }
+        sums
+    }
+
+    /// About the means of what the mask names of a part, or one such value.
+    fn levels(&self, part: Part) -> [f64; 2] {
+        let mut rows = part.rows[0]..part.rows[1];
+        let named = |row| self.mask.first_and_last(row, part.columns).map(|(first, _)| (row, first));
+        let (row, column) = rows.find_map(named).unwrap_or((part.rows[0], part.columns[0]));
+        let near = Part { rows: [row, part.rows[1]], columns: [column, part.columns[1]] };
+        let levels = self.pair.levels(&near, Some(&self.mask));
+        let first = [&self.pair.reference, &self.pair.test].map(|image| image.at(row, column).wide());
+        if self.mask.names_samples(&near) { levels } else { first }
+    }
+
+    /// A row of fields, from `before` pixels left of the part on.
+    fn load(&self, row: Option<usize>, part: Part, levels: [f64; 2], before: usize, line: &mut Fields) {
+        line.iter_mut().for_each(|field| field.fill(0.0));
+        let Some(row) = row else { return };
+        for column in (part.columns[0]..part.columns[1]).filter(|&column| self.mask.names(row, column)) {
+            let x = self.pair.reference.at(row, column).wide() - levels[0];
+            let y = self.pair.test.at(row, column).wide() - levels[1];
+            let (s, d) = (x + y, x - y);
+            for (field, value) in line.iter_mut().zip([1.0, s, s * s, d, d * d]) {
+                field[column - part.columns[0] + before] = value;
+            }
+        }
+    }
+}
+
+fused_kernels! {
+    fn sum_along(line: &[f64], weights: &[f64], sums: &mut [f64]) = along<_>;
+    fn sum_down(ring: &[Fields], field: usize, first: usize, weights: &[f64], sums: &mut [f64]) = down;
+}
+
+/// Weighted sums of a line's values; the nth begins at its nth value.
+#[inline(always)]
+fn along<R: Real, const FUSED: bool>(line: &[R], weights: &[R], sums: &mut [R]) {
+    for (block, sums) in sums.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
+        let mut sum = [R::default(); LANES];
+        for (k, &weight) in weights.iter().enumerate() {
+            let values: &[R; LANES] = lanes(&line[block * LANES + k..]);
+            for i in 0..LANES {
+                sum[i] = R::fuse::<FUSED>(weight, values[i], sum[i]);
+            }
+        }
+        *sums = sum;
+    }
+}
+
+/// Weighted sums of a field of the ring's rows, from the `first` one on.
+#[inline(always)]
+fn down<const FUSED: bool>(ring: &[Fields], field: usize, first: usize, weights: &[f64], sums: &mut [f64]) {
+    for (block, sums) in sums.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
+        let mut sum = [0.0; LANES];
+        for (k, &weight) in weights.iter().enumerate() {
+            let slot = if first + k < ring.len() { first + k } else { first + k - ring.len() };
+            let values: &[f64; LANES] = lanes(&ring[slot][field][block * LANES..]);
+            for i in 0..LANES {
+                sum[i] = f64::fuse::<FUSED>(weight, values[i], sum[i]);
+            }
+        }
+        *sums = sum;
+    }
+}

@@ -1,0 +1,193 @@
+//! The measure itself, from means and variances of both images' sum and difference.
+
+use super::super::pixel_rows::PixelRows;
+use super::super::plane::Real;
+use super::super::vectors::LANES;
+use super::moments::{COLUMNS, Kernels, Moments};
+use crate::base::simd::fused_kernels;
+use crate::base::simd::widest;
+
+/// What turns moments into similarity.
+#[derive(Clone, Copy, Debug)]
+pub struct Measure<R> {
+    /// What was subtracted from each image.
+    pub levels: [R; 2],
+    /// (k₁ L)² and (k₂ L)².
+    pub constants: [R; 2],
+}
+
+impl<R: Real> Measure<R> {
+    /// Similarity, and where wanted its second factor, from mean and variance of s and of d. With S and D the sum and the
+    /// difference of both means, both factors are 1 less something that is never negative:
+    /// l = 1 − D²/((S²+D²)/2+c₁) and cs = 1 − σd²/((σs²+σd²)/2 + c₂). Either order of the images gives the same bits.
+    #[inline(always)]
+    pub fn of<const CONTRAST: bool, const FUSED: bool>(&self, [s, s2]: [R; 2], [d, d2]: [R; 2]) -> Measurement<R> {
+        let (half, zero) = (R::narrow(0.5), R::default());
+        // What is no number stays none.
+        let s2 = if s2 < zero { zero } else { s2 };
+        let d2 = if d2 < zero { zero } else { d2 };
+        let sum = (self.levels[0] + self.levels[1]) + s;
+        let difference = (self.levels[0] - self.levels[1]) + d;
+        let apart = difference * difference;
+        let means = R::fuse::<FUSED>(half, R::fuse::<FUSED>(sum, sum, apart), self.constants[0]);
+        let variances = R::fuse::<FUSED>(half, s2 + d2, self.constants[1]);
+        let shared = variances - d2;
+        // One division for both factors.
+        let divisor = means * variances;
+        let similarity = (means - apart) * shared / divisor;
+        // With e what was rounded when levels were subtracted, a share of |s| + |d|, the second factor changes by
+        // e √σd² / σ² and the first by e |D| / (S² + D²), where the rounding of means counts as well.
+        let away = R::fuse::<FUSED>(s, s, d * d);
+        let square = |factor: f64| R::narrow(factor * factor);
+        let smaller = if means < variances { means } else { variances };
+        let holds = ((away + (s2 + d2)) * apart <= square(R::REACH) * (means * means))
+            & (away * d2 <= square(R::REACH) * (variances * variances))
+            & (away <= square(R::FARTHEST) * smaller)
+            & (divisor <= R::narrow(R::DIVISOR));
+        Measurement { similarity, contrast: if CONTRAST { shared / variances } else { zero }, holds }
+    }
+}
+
+/// Of one window.
+#[derive(Clone, Copy, Debug)]
+pub struct Measurement<R> {
+    /// The measure.
+    pub similarity: R,
+    /// Its second factor, where it is wanted.
+    pub contrast: R,
+    /// False where the precision or the level lost digits or exponents.
+    pub holds: bool,
+}
+
+/// Precisions that similarity is measured in.
+pub trait Measured: Real {
+    /// Similarity of a row of windows; adds up it and, where wanted, its second factor over those that count.
+    fn measure(measure: &Measure<Self>, s: &Moments<Self>, d: &Moments<Self>, row: &mut Row<Self>);
+    /// Sums of s, d, s² and d².
+    fn power_sums(s: &[Self], d: &[Self]) -> [f64; 4];
+}
+
+/// Pixels of which similarity is measured.
+pub trait Source: PixelRows<Real: Kernels + Measured> {}
+impl<P: PixelRows<Real: Kernels + Measured>> Source for P {}
+
+/// A row of windows.
+#[derive(Clone, Debug)]
+#[repr(align(64))]
+pub struct Row<R> {
+    /// 1 for those that count and 0 for the others.
+    pub counts: [R; COLUMNS],
+    /// Their similarity.
+    pub similarity: [R; COLUMNS],
+    /// How many there are, in `LANES`.
+    pub blocks: usize,
+    /// Whether the second factor is wanted.
+    pub contrast: bool,
+    /// Whether windows that do not count must hold as well.
+    pub all: bool,
+    /// Whether all windows of the last row held that must.
+    pub holds: bool,
+    /// Of all rows since they were last set to 0, lane by lane: similarity and its second factor.
+    pub sums: [[f64; LANES]; 2],
+}
+
+macro_rules! measured {
+    ($($real:ty: $both:ident, $one:ident, $powers:ident);*) => {$(
+        fused_kernels! {
+            fn $both(
+                measure: &Measure<$real>, s: &Moments<$real>, d: &Moments<$real>, row: &mut Row<$real>,
+            ) = both<_>;
+            fn $one(
+                measure: &Measure<$real>, s: &Moments<$real>, d: &Moments<$real>, row: &mut Row<$real>,
+            ) = one<_>;
+        }
+        widest! {
+            fn $powers(s: &[$real], d: &[$real]) -> [f64; 4] = power_sums;
+        }
+        impl Measured for $real {
+            fn power_sums(s: &[Self], d: &[Self]) -> [f64; 4] {
+                $powers(s, d)
+            }
+            fn measure(measure: &Measure<Self>, s: &Moments<Self>, d: &Moments<Self>, row: &mut Row<Self>) {
+                if row.contrast { $both(measure, s, d, row) } else { $one(measure, s, d, row) }
+            }
+        }
+    )*};
+}
+
+measured!(f32: both_f32, one_f32, powers_f32; f64: both_f64, one_f64, powers_f64);
+
+#[inline(always)]
+fn both<R: Real, const FUSED: bool>(measure: &Measure<R>, s: &Moments<R>, d: &Moments<R>, row: &mut Row<R>) {
+    measure_row::<R, true, FUSED>(measure, s, d, row);
+}
+
+#[inline(always)]
+fn one<R: Real, const FUSED: bool>(measure: &Measure<R>, s: &Moments<R>, d: &Moments<R>, row: &mut Row<R>) {
+    measure_row::<R, false, FUSED>(measure, s, d, row);
+}
+
+#[inline(always)]
+fn measure_row<R: Real, const CONTRAST: bool, const FUSED: bool>(
+    measure: &Measure<R>,
+    s: &Moments<R>,
+    d: &Moments<R>,
+    row: &mut Row<R>,
+) {
+    let mut sums = row.sums;
+    let (mut lost, all) = ([0u32; LANES], row.all);
+    let (s_mean, s_variance) = (s.mean.as_chunks::<LANES>().0, s.variance.as_chunks::<LANES>().0);
+    let (d_mean, d_variance) = (d.mean.as_chunks::<LANES>().0, d.variance.as_chunks::<LANES>().0);
+    let similarity = row.similarity.as_chunks_mut::<LANES>().0;
+    for (block, counts) in row.counts.as_chunks::<LANES>().0[..row.blocks].iter().enumerate() {
+        let mut contrast = [R::default(); LANES];
+        for i in 0..LANES {
+            let (s, d) = ([s_mean[block][i], s_variance[block][i]], [d_mean[block][i], d_variance[block][i]]);
+            let found = measure.of::<CONTRAST, FUSED>(s, d);
+            (similarity[block][i], contrast[i]) = (found.similarity, found.contrast);
+            let must = all | (counts[i] > R::default());
+            lost[i] |= u32::from(must & !found.holds);
+        }
+        // Chosen, not multiplied: what is not counted may be no number.
+        for i in 0..LANES {
+            let counts = counts[i] > R::default();
+            sums[0][i] += if counts { similarity[block][i].wide() } else { 0.0 };
+            if CONTRAST {
+                sums[1][i] += if counts { contrast[i].wide() } else { 0.0 };
+            }
+        }
+    }
+    row.sums = sums;
+    row.holds = lost.iter().fold(0, |any, lane| any | lane) == 0;
+}
+
+#[inline(always)]
+fn power_sums<R: Real>(s: &[R], d: &[R]) -> [f64; 4] {
+    const WIDE: usize = 8;
+    let mut sums = [[0.0; WIDE]; 4];
+    let (s, s_rest) = s.as_chunks::<WIDE>();
+    let (d, d_rest) = d.as_chunks::<WIDE>();
+    for (s, d) in s.iter().zip(d) {
+        for i in 0..WIDE {
+            let (s, d) = (s[i].wide(), d[i].wide());
+            sums[0][i] += s;
+            sums[1][i] += d;
+            sums[2][i] += s * s;
+            sums[3][i] += d * d;
+        }
+    }
+    for (s, d) in s_rest.iter().zip(d_rest) {
+        let (s, d) = (s.wide(), d.wide());
+        sums[0][0] += s;
+        sums[1][0] += d;
+        sums[2][0] += s * s;
+        sums[3][0] += d * d;
+    }
+    let mut totals = [0.0; 4];
+    for (total, lanes) in totals.iter_mut().zip(&sums) {
+        for lane in lanes {
+            *total += lane;
+        }
+    }
+    totals
+}

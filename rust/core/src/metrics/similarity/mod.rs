@@ -1,0 +1,24 @@
+//! Structural similarity. Wang, Bovik, Sheikh, Simoncelli: Image quality assessment: from error visibility to structural
+//! similarity, 2004: weighted means, variances and covariance in a window that moves over both images.
+//!
+//! With s = x + y and d = x − y, σx² + σy² = (σs² + σd²)/2 and 2 σxy = (σs² − σd²)/2: four moments instead of five, and
+//! both factors of the measure are 1 less something that is never negative and nothing for equal images.
+
+mod counted;
+mod direct;
+mod global;
+mod masked;
+mod measure;
+mod moments;
+mod scales;
+mod ssim;
+#[cfg(test)]
+mod tests;
+mod window;
+mod windows;
+
+pub use counted::{Counted, Mask, Sums};
+pub use measure::Source;
+pub use scales::{Shrunk, multiscale};
+pub use ssim::similarity;
+pub use window::{Similarity, Window};

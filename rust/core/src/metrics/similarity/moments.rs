@@ -1,0 +1,133 @@
+//! Means and variances in a window, separably, without losing the variance.
+//!
+//! A variance as the mean of squares less the square of the mean has no digits left where the level is high. Here every
+//! row's moments are taken about the pixel in its middle, and the rows' about the row in the middle: the square of
+//! what is left to subtract is at most the variance over the middle's weight (one of the values averaged is the middle
+//! itself), so that the relative error is a few roundings over that weight, at any level.
+
+use super::super::plane::Real;
+use super::super::vectors::{LANES, lanes};
+use crate::base::simd::fused_kernels;
+
+/// Most windows of a row that are taken together: with those of a window's rows they stay in the first-level cache.
+pub(super) const COLUMNS: usize = 128;
+
+/// Means and variances of windows side by side, where cache lines begin: vectors across two lines are read twice.
+#[derive(Clone, Debug)]
+#[repr(align(64))]
+pub struct Moments<R> {
+    /// Of each window.
+    pub mean: [R; COLUMNS],
+    /// Of each window.
+    pub variance: [R; COLUMNS],
+}
+
+impl<R: Real> Default for Moments<R> {
+    fn default() -> Self {
+        Self { mean: [R::default(); COLUMNS], variance: [R::default(); COLUMNS] }
+    }
+}
+
+/// Kernels in a precision, with the widest vectors of this machine.
+pub trait Kernels: Real {
+    /// Moments along a line, of the first `blocks` times `LANES` windows; the nth begins at its nth value.
+    fn across(line: &[Self], weights: &[Self], moments: &mut Moments<Self>, blocks: usize);
+    /// Moments of rows from those along each; `order[k]` is the window's kth row among `rows`.
+    fn down(rows: &[Moments<Self>], order: &[usize], weights: &[Self], moments: &mut Moments<Self>, blocks: usize);
+}
+
+macro_rules! kernels {
+    ($($real:ty: $across:ident, $down:ident);*) => {$(
+        fused_kernels! {
+            fn $across(line: &[$real], weights: &[$real], moments: &mut Moments<$real>, blocks: usize) = across<_>;
+            fn $down(
+                rows: &[Moments<$real>], order: &[usize], weights: &[$real], moments: &mut Moments<$real>, blocks: usize,
+            ) = down<_>;
+        }
+        impl Kernels for $real {
+            fn across(line: &[Self], weights: &[Self], moments: &mut Moments<Self>, blocks: usize) {
+                $across(line, weights, moments, blocks);
+            }
+            fn down(
+                rows: &[Moments<Self>],
+                order: &[usize],
+                weights: &[Self],
+                moments: &mut Moments<Self>,
+                blocks: usize,
+            ) {
+                $down(rows, order, weights, moments, blocks);
+            }
+        }
+    )*};
+}
+
+kernels!(f32: across_f32, down_f32; f64: across_f64, down_f64);
+
+#[inline(always)]
+pub(super) fn across<R: Real, const FUSED: bool>(line: &[R], weights: &[R], moments: &mut Moments<R>, blocks: usize) {
+    let middle = weights.len() / 2;
+    let means = &mut moments.mean.as_chunks_mut::<LANES>().0[..blocks];
+    let variances = &mut moments.variance.as_chunks_mut::<LANES>().0[..blocks];
+    for block in 0..blocks {
+        let line = &line[block * LANES..][..LANES + weights.len() - 1];
+        let center: &[R; LANES] = lanes(&line[middle..]);
+        let (mut first, mut second) = ([R::default(); LANES], [R::default(); LANES]);
+        for (k, &weight) in weights[..weights.len() / 2].iter().enumerate() {
+            let values: [&[R; LANES]; 2] = [lanes(&line[k..]), lanes(&line[weights.len() - 1 - k..])];
+            for i in 0..LANES {
+                let away = [values[0][i] - center[i], values[1][i] - center[i]];
+                first[i] = R::fuse::<FUSED>(weight, away[0] + away[1], first[i]);
+                second[i] = R::fuse::<FUSED>(weight, R::fuse::<FUSED>(away[0], away[0], away[1] * away[1]), second[i]);
+            }
+        }
+        for i in 0..LANES {
+            means[block][i] = center[i] + first[i];
+            variances[block][i] = second[i] - first[i] * first[i];
+        }
+    }
+}
+
+#[inline(always)]
+pub(super) fn down<R: Real, const FUSED: bool>(
+    rows: &[Moments<R>],
+    order: &[usize],
+    weights: &[R],
+    moments: &mut Moments<R>,
+    blocks: usize,
+) {
+    let taps = order.len();
+    let middle = &rows[order[taps / 2]];
+    let means = &mut moments.mean.as_chunks_mut::<LANES>().0[..blocks];
+    let variances = &mut moments.variance.as_chunks_mut::<LANES>().0[..blocks];
+    for block in 0..blocks {
+        let center: &[R; LANES] = at(&middle.mean, block);
+        let (mut first, mut second) = ([R::default(); LANES], [R::default(); LANES]);
+        if taps % 2 == 1 {
+            let spreads: &[R; LANES] = at(&middle.variance, block);
+            for i in 0..LANES {
+                second[i] = weights[taps / 2] * spreads[i];
+            }
+        }
+        for (k, &weight) in weights[..taps / 2].iter().enumerate() {
+            let (one, other) = (&rows[order[k]], &rows[order[taps - 1 - k]]);
+            let values = [at(&one.mean, block), at(&other.mean, block)];
+            let spreads = [at(&one.variance, block), at(&other.variance, block)];
+            for i in 0..LANES {
+                let away = [values[0][i] - center[i], values[1][i] - center[i]];
+                first[i] = R::fuse::<FUSED>(weight, away[0] + away[1], first[i]);
+                let spread = R::fuse::<FUSED>(away[0], away[0], spreads[0][i] + spreads[1][i]);
+                second[i] = R::fuse::<FUSED>(weight, R::fuse::<FUSED>(away[1], away[1], spread), second[i]);
+            }
+        }
+        for i in 0..LANES {
+            means[block][i] = center[i] + first[i];
+            variances[block][i] = second[i] - first[i] * first[i];
+        }
+    }
+}
+
+/// A block of values.
+#[inline(always)]
+fn at<R>(values: &[R; COLUMNS], block: usize) -> &[R; LANES] {
+    &values.as_chunks::<LANES>().0[block]
+}

@@ -1,0 +1,122 @@
+//! Images made smaller, and similarity at several scales. Wang, Simoncelli, Bovik: Multiscale structural similarity for
+//! image quality assessment, 2003.
+
+use rayon::prelude::*;
+
+use super::super::pair::Pair;
+use super::super::plane::{Pixel, Plane, Real, mirror};
+use super::counted::Counted;
+use super::measure::Source;
+use super::ssim::similarity;
+use super::window::{Similarity, Window};
+use crate::base::{Error, Result};
+
+/// Both images of a pair made smaller.
+pub struct Shrunk<R> {
+    images: [Vec<R>; 2],
+    size: [usize; 2],
+}
+
+impl<R: Pixel> Shrunk<R> {
+    /// Every `factor`th pixel in both directions, each the mean of a box of as many pixels around it; beyond their
+    /// borders images are mirrored.
+    pub fn new<P: Source<Real = R>>(pair: &Pair<'_, P>, factor: usize) -> Self {
+        let size = [pair.reference.height, pair.reference.width].map(|length| length.div_ceil(factor));
+        Self { images: [&pair.reference, &pair.test].map(|image| shrunk(image, factor)), size }
+    }
+
+    /// As a pair of images.
+    pub fn pair(&self) -> Result<Pair<'_, R>>
+    where
+        R: Source,
+    {
+        let [reference, test] =
+            [&self.images[0], &self.images[1]].map(|image| Plane::new(image, self.size, [self.size[1], 1]));
+        Pair::new(reference?, test?)
+    }
+}
+
+fn shrunk<P: Pixel>(image: &Plane<'_, P>, factor: usize) -> Vec<P::Real> {
+    let reach = (factor - 1) / 2;
+    let [height, width] = [image.height, image.width].map(|length| length.div_ceil(factor));
+    let place = |n: usize, length: usize| mirror(n as i64 - reach as i64, length);
+    // Boxes that no border cuts; the first begins at `reach`.
+    let whole = usize::from(reach > 0)..((image.width + reach) / factor).max(usize::from(reach > 0));
+    let share = 1.0 / (factor * factor) as f64;
+    let mut out = vec![P::Real::default(); height * width];
+    out.par_chunks_mut(width).enumerate().for_each(|(row, out)| {
+        let mut sums = vec![0.0; width];
+        for row in (row * factor..(row + 1) * factor).map(|row| place(row, image.height)) {
+            let run = image.run(row, 0..image.width);
+            for (n, sum) in sums.iter_mut().enumerate() {
+                match run {
+                    Some(run) if whole.contains(&n) => {
+                        for value in &run[n * factor - reach..][..factor] {
+                            *sum += value.real().wide();
+                        }
+                    }
+                    _ => {
+                        for k in 0..factor {
+                            *sum += image.at(row, place(n * factor + k, image.width)).wide();
+                        }
+                    }
+                }
+            }
+        }
+        for (out, sum) in out.iter_mut().zip(sums) {
+            *out = P::Real::narrow(sum * share);
+        }
+    });
+    out
+}
+
+/// Means of similarity and of its second factor at each of `scales`, each half as large as the one before it.
+pub fn multiscale<P>(pair: &Pair<'_, P>, window: &Window, constants: Similarity, scales: usize) -> Result<Vec<[f64; 2]>>
+where
+    P: Source<Real: Source<Real = P::Real>>,
+{
+    let mut means = vec![means(pair, window, constants)?];
+    let mut smaller: Option<Shrunk<P::Real>> = None;
+    for _ in 1..scales {
+        let next = match &smaller {
+            Some(shrunk) => Shrunk::new(&shrunk.pair()?, 2),
+            None => Shrunk::new(pair, 2),
+        };
+        means.push(self::means(&next.pair()?, window, constants)?);
+        smaller = Some(next);
+    }
+    Ok(means)
+}
+
+fn means<P: Source>(pair: &Pair<'_, P>, window: &Window, constants: Similarity) -> Result<[f64; 2]> {
+    if let Window::Weights(weights) = window {
+        let (size, least) = ([pair.reference.height, pair.reference.width], weights.len());
+        if size[0] < least || size[1] < least {
+            let expected = format!("windows of {least} pixels within the picture at every scale");
+            return Err(Error::value("reference", expected, format!("{} × {} at one of them", size[0], size[1])));
+        }
+    }
+    let counted = Counted { all: false, mask: None, contrast: true };
+    let sums = similarity(pair, window, constants, counted, None)?;
+    Ok([sums.similarity, sums.contrast].map(|sum| sum / sums.pixels))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn boxes_begin_at_the_pixel_or_before_it() {
+        let values: Vec<f64> = (0..15).map(f64::from).collect();
+        let plane = Plane::new(&values, [3, 5], [5, 1]).unwrap();
+        // Two: pixels 0–1, 2–3, 4 and its mirror image, on rows 0–1, 2 and its mirror image.
+        assert_eq!(shrunk(&plane, 2), [3.0, 5.0, 6.5, 10.5, 12.5, 14.0]);
+        // Three: from a pixel before.
+        let first = [0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 5.0, 5.0, 6.0].iter().sum::<f64>() / 9.0;
+        let found = shrunk(&plane, 3);
+        assert!((found[0] - first).abs() < 1e-15 && found.len() == 2);
+        // The second box, about pixel 3.
+        let second = [2.0, 3.0, 4.0, 2.0, 3.0, 4.0, 7.0, 8.0, 9.0].iter().sum::<f64>() / 9.0;
+        assert!((found[1] - second).abs() < 1e-15);
+    }
+}

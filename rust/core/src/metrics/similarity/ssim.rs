@@ -1,0 +1,67 @@
+//! Similarity of a pair by any window.
+
+use super::super::pair::Pair;
+use super::counted::{Counted, Mask, Sums};
+use super::global::global;
+use super::masked::Masked;
+use super::measure::Source;
+use super::window::{Similarity, Window};
+use super::windows::Windows;
+use crate::base::{Error, Result};
+
+/// Sums of the similarity of windows, and where wanted its map: rows of the image's width. Outside of images these are
+/// mirrored. Without a map only windows that count are looked at.
+pub fn similarity<P: Source>(
+    pair: &Pair<'_, P>,
+    window: &Window,
+    constants: Similarity,
+    counted: Counted<'_>,
+    map: Option<&mut [P::Real]>,
+) -> Result<Sums> {
+    let size = [pair.reference.height, pair.reference.width];
+    if let Some(mask) = counted.mask {
+        pair.reference.expect_size("mask", [mask.plane().height, mask.plane().width])?;
+    }
+    if let Some(map) = map.as_ref().filter(|map| map.len() != size[0] * size[1]) {
+        return Err(Error::value("map", format!("{} × {} values", size[0], size[1]), map.len()));
+    }
+    let constants = [constants.c1, constants.c2];
+    Ok(match (window, counted.mask) {
+        (Window::Global, _) => global(pair, constants, counted, map),
+        (Window::Weights(weights), Some(Mask::Windows(mask))) => {
+            Masked { pair: *pair, weights, constants, mask, contrast: counted.contrast }.sums(map)
+        }
+        (Window::Weights(weights), _) => Windows::new(*pair, weights, constants, counted).sums(map),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::metrics::Plane;
+
+    fn plane(values: &[f64]) -> Plane<'_, f64> {
+        Plane::new(values, [5, 7], [7, 1]).unwrap()
+    }
+
+    #[test]
+    fn equal_images_are_exactly_alike_and_order_does_not_matter() {
+        let a: Vec<f64> = (0..35).map(|i| f64::from(i * i % 17) / 16.0).collect();
+        let b: Vec<f64> = (0..35).map(|i| f64::from(i * 7 % 13) / 12.0).collect();
+        let constants = Similarity { c1: 1e-4, c2: 9e-4 };
+        for window in [Window::gaussian(11, 1.5), Window::uniform(4), Window::Global] {
+            let of = |a: &[f64], b: &[f64]| {
+                let mut map = vec![0.0; 35];
+                let pair = Pair::new(plane(a), plane(b)).unwrap();
+                let counted = Counted { all: true, mask: None, contrast: true };
+                let sums = similarity(&pair, &window, constants, counted, Some(&mut map)).unwrap();
+                assert_eq!(sums, similarity(&pair, &window, constants, counted, None).unwrap());
+                (sums, map)
+            };
+            assert!(of(&a, &a).1.iter().all(|&value| value == 1.0));
+            assert_eq!(of(&a, &a).0, Sums { similarity: 35.0, contrast: 35.0, pixels: 35.0 });
+            assert_eq!(of(&a, &b), of(&b, &a));
+            assert!(of(&a, &b).1.iter().all(|&value| value < 1.0));
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! Similarity against its definition, window by window; and both forms of each kernel against each other.
+
+use super::moments::{COLUMNS, Kernels, Moments, across, down};
+use super::*;
+use crate::metrics::Stacks;
+use crate::metrics::pair::Pair;
+use crate::metrics::plane::{self, Plane};
+use crate::metrics::vectors::LANES;
+use proptest::prelude::*;
+
+const CONSTANTS: Similarity = Similarity { c1: 1e-4, c2: 9e-4 };
+
+/// Pixels of two images, their size and that of the window, and a mask.
+fn images() -> impl Strategy<Value = (Vec<f64>, Vec<f64>, [usize; 2], usize, Vec<u8>)> {
+    (1..24usize, 1..170usize, 1..9usize).prop_flat_map(|(height, width, taps)| {
+        let pixels = || prop::collection::vec(-1.0..1.0f64, height * width);
+        let mask = prop::collection::vec(0..2u8, height * width);
+        (pixels(), pixels(), Just([height, width]), Just(taps), mask)
+    })
+}
+
+/// Eq. 13 at a pixel; `seen` tells the weights of the pixels around it, and `at` where the image goes on.
+fn slowly(
+    [a, b]: [&[f64]; 2],
+    [height, width]: [usize; 2],
+    weights: &[f64],
+    (row, column): (usize, usize),
+    mask: Option<&[u8]>,
+) -> f64 {
+    let before = weights.len() as i64 / 2;
+    let mut seen = Vec::new();
+    for (i, down) in weights.iter().enumerate() {
+        for (j, across) in weights.iter().enumerate() {
+            let place = [row as i64 + i as i64 - before, column as i64 + j as i64 - before];
+            let within = (0..height as i64).contains(&place[0]) && (0..width as i64).contains(&place[1]);
+            let at = plane::mirror(place[0], height) * width + plane::mirror(place[1], width);
+            if mask.is_none_or(|mask| within && mask[at] != 0) {
+                seen.push((down * across, a[at], b[at]));
+            }
+        }
+    }
+    let total: f64 = seen.iter().map(|(weight, ..)| weight).sum();
+    let mean = |value: &dyn Fn(f64, f64) -> f64| seen.iter().map(|&(w, x, y)| w * value(x, y)).sum::<f64>() / total;
+    let (mx, my) = (mean(&|x, _| x), mean(&|_, y| y));
+    let (vx, vy) = (mean(&|x, _| (x - mx).powi(2)), mean(&|_, y| (y - my).powi(2)));
+    let covariance = mean(&|x, y| (x - mx) * (y - my));
+    let Similarity { c1, c2 } = CONSTANTS;
+    (2.0 * mx * my + c1) * (2.0 * covariance + c2) / ((mx * mx + my * my + c1) * (vx + vy + c2))
+}
+
+proptest! {
+    #[test]
+    fn any_images_have_their_definition((a, b, size, taps, mask) in images(), uniform: bool, hidden: bool) {
+        let [height, width] = size;
+        let window = if uniform { Window::uniform(taps) } else { Window::gaussian(taps, 1.5) };
+        let Window::Weights(weights) = &window else { unreachable!() };
+        let narrow: Vec<[f32; 2]> = a.iter().zip(&b).map(|(&a, &b)| [a as f32, b as f32]).collect();
+        let (a32, b32): (Vec<f32>, Vec<f32>) = narrow.iter().map(|&[a, b]| (a, b)).unzip();
+        let named = Plane::new(&mask, size, [width, 1]).unwrap();
+        let counted = Counted { all: true, mask: hidden.then_some(Mask::Windows(named)), contrast: false };
+        let (mut map, mut map32) = (vec![0.0; height * width], vec![0.0f32; height * width]);
+        let pair = |a, b| Pair::new(Plane::new(a, size, [width, 1]).unwrap(), Plane::new(b, size, [width, 1]).unwrap());
+        let sums = similarity(&pair(&a, &b).unwrap(), &window, CONSTANTS, counted, Some(&mut map)).unwrap();
+        let steps = [width, 1];
+        let pair32 = Pair::new(Plane::new(&a32, size, steps).unwrap(), Plane::new(&b32, size, steps).unwrap()).unwrap();
+        similarity(&pair32, &window, CONSTANTS, counted, Some(&mut map32)).unwrap();
+        let mut total = 0.0;
+        for n in (0..height * width).filter(|&n| !hidden || mask[n] != 0) {
+            let expected = slowly([&a, &b], size, weights, (n / width, n % width), hidden.then_some(&mask));
+            prop_assert!((map[n] - expected).abs() < 1e-11, "{} {expected}", map[n]);
+            prop_assert!((f64::from(map32[n]) - expected).abs() < 1e-5 * f64::from(map32[n]).abs().max(1.0));
+            total += expected;
+        }
+        prop_assert!((sums.similarity - total).abs() < 1e-9);
+    }
+
+    #[test]
+    fn squares_are_their_sum((a, b, size, _, _) in images()) {
+        let plane = |values| Plane::new(values, size, [size[1], 1]).unwrap();
+        let stacks = Stacks { references: vec![plane(&a)], tests: vec![plane(&b)], masks: None };
+        let exact = a.iter().zip(&b).map(|(a, b)| (a - b).powi(2)).sum::<f64>() / a.len() as f64;
+        prop_assert!((stacks.mean_squared_errors().unwrap()[0] - exact).abs() < 1e-14);
+    }
+
+    #[test]
+    fn kernels_without_fused_operations_agree(
+        line in prop::collection::vec(-1.0..1.0f64, COLUMNS + 10), level in -100.0..100.0f64,
+    ) {
+        let Window::Weights(weights) = Window::gaussian(11, 1.5) else { unreachable!() };
+        let line: Vec<f64> = line.iter().map(|value| value + level).collect();
+        let blocks = COLUMNS / LANES;
+        let (mut fast, mut slow) = (Moments::default(), Moments::default());
+        Kernels::across(&line, &weights, &mut fast, blocks);
+        across::<f64, false>(&line, &weights, &mut slow, blocks);
+        let (rows, order) = (vec![fast.clone(); 11], (0..11).collect::<Vec<_>>());
+        let (mut fast_down, mut slow_down) = (Moments::default(), Moments::default());
+        Kernels::down(&rows, &order, &weights, &mut fast_down, blocks);
+        down::<f64, false>(&rows, &order, &weights, &mut slow_down, blocks);
+        for (fast, slow) in [(&fast, &slow), (&fast_down, &slow_down)] {
+            for i in 0..COLUMNS {
+                prop_assert!((fast.mean[i] - slow.mean[i]).abs() < 1e-12);
+                prop_assert!((fast.variance[i] - slow.variance[i]).abs() < 1e-12);
+            }
+        }
+    }
+}

@@ -1,0 +1,291 @@
+//! Similarity window by window: images are cut into tiles that stay in the caches, and each tile's rows are passed once.
+
+use rayon::prelude::*;
+
+use super::super::pair::Pair;
+use super::super::plane::{Part, Real, mirror};
+use super::super::vectors::LANES;
+use super::counted::{Counted, Mask, Sums};
+use super::direct::Patch;
+use super::measure::{Measure, Measured, Row, Source};
+use super::moments::{COLUMNS, Kernels, Moments};
+use crate::base::simd::prefetch;
+
+/// Rows of one task: fixed, so that sums do not depend on the number of threads.
+const ROWS: usize = 90;
+/// Bytes of a row that a tile takes in each image: with the moments of a window's rows they stay in the caches.
+const TILE_BYTES: usize = 512;
+/// Rows that are asked for ahead of time: their addresses jump from tile to tile, which no machine foresees.
+const AHEAD: usize = 4;
+
+/// A comparison by windows.
+pub(super) struct Windows<'a, P: Source> {
+    pair: Pair<'a, P>,
+    weights: &'a [f64],
+    narrow: Vec<P::Real>,
+    constants: [f64; 2],
+    counted: Counted<'a>,
+}
+
+impl<'a, P: Source> Windows<'a, P> {
+    pub(super) fn new(pair: Pair<'a, P>, weights: &'a [f64], constants: [f64; 2], counted: Counted<'a>) -> Self {
+        Self { pair, weights, narrow: weights.iter().map(|&w| P::Real::narrow(w)).collect(), constants, counted }
+    }
+
+    /// Sums over the windows that count.
+    pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> Sums {
+        let (height, width) = (self.pair.reference.height, self.pair.reference.width);
+        let inside = self.inside();
+        let band = |rows: [usize; 2], mut map: Option<&mut [P::Real]>| {
+            let wanted = if map.is_some() { Part { rows, columns: [0, width] } } else { inside.within_rows(rows) };
+            let mut bench = Bench::new(self.weights.len(), self.counted.contrast);
+            let mut sums = Sums::default();
+            let mut start = wanted.columns[0];
+            while start < wanted.columns[1] && !wanted.is_empty() {
+                let end = wanted.columns[1].min(start + TILE_BYTES / size_of::<P::Real>());
+                let mut part = Part { rows: wanted.rows, columns: [start, end] };
+                start = end;
+                if let (None, Some(mask)) = (&map, &self.counted.mask) {
+                    part = mask.plane().bounds(part);
+                }
+                if !part.is_empty() {
+                    let map = map.as_deref_mut().map(|values| Rows { values, width, top: rows[0] });
+                    sums = sums.and(self.tile(&part, inside, &mut bench, map));
+                }
+            }
+            sums
+        };
+        let bands = height.div_ceil(ROWS);
+        let rows = |band: usize| [band * ROWS, height.min((band + 1) * ROWS)];
+        let each: Vec<Sums> = match map {
+            Some(map) => {
+                map.par_chunks_mut(ROWS * width).enumerate().map(|(n, map)| band(rows(n), Some(map))).collect()
+            }
+            None => (0..bands).into_par_iter().map(|n| band(rows(n), None)).collect(),
+        };
+        each.into_iter().fold(Sums::default(), Sums::and)
+    }
+
+    /// Where windows count that a mask does not rule out.
+    fn inside(&self) -> Part {
+        let (height, width) = (self.pair.reference.height, self.pair.reference.width);
+        let taps = self.weights.len();
+        let (before, after) = (taps / 2, taps - 1 - taps / 2);
+        if self.counted.all || height < taps || width < taps {
+            return Part { rows: [0, height], columns: [0, width] };
+        }
+        Part { rows: [before, height - after], columns: [before, width - after] }
+    }
+
+    /// In the pixels' own precision, or where that loses digits in float64, or window by window.
+    fn tile(&self, part: &Part, inside: Part, bench: &mut Bench<P::Real>, mut map: Option<Rows<'_, P::Real>>) -> Sums {
+        let levels = self.pair.levels(part, self.counted.mask.as_ref().map(Mask::plane));
+        bench.row.all = map.is_some();
+        let narrow = |row: usize, places: &[usize], lines: [&mut [P::Real]; 2]| {
+            self.load(row, places, levels.map(P::Real::narrow), lines)
+        };
+        if let Some(sums) = self.pass(part, inside, (levels, &self.narrow), bench, map.as_mut(), narrow) {
+            return sums;
+        }
+        let wide = |row: usize, places: &[usize], lines: [&mut [f64]; 2]| {
+            self.pair.gather(row, places.iter().copied(), levels, lines)
+        };
+        // The pixels' own precision may have been float64 already.
+        if size_of::<P::Real>() < size_of::<f64>() {
+            let mut bench = Bench::new(self.weights.len(), self.counted.contrast);
+            bench.row.all = map.is_some();
+            if let Some(sums) = self.pass(part, inside, (levels, self.weights), &mut bench, map.as_mut(), wide) {
+                return sums;
+            }
+        }
+        self.one_by_one(part, inside, map)
+    }
+
+    /// All windows of a part in a precision; none where that does not hold what they need.
+    fn pass<R: Kernels + Measured>(
+        &self,
+        part: &Part,
+        inside: Part,
+        (levels, weights): ([f64; 2], &[R]),
+        bench: &mut Bench<R>,
+        mut map: Option<&mut Rows<'_, P::Real>>,
+        load: impl Fn(usize, &[usize], [&mut [R]; 2]),
+    ) -> Option<Sums> {
+        if self.constants.iter().any(|&c| c < R::LEAST || c > R::GREATEST)
+            || levels.iter().any(|l| l.abs() > R::GREATEST)
+        {
+            return None;
+        }
+        let ([first, end], taps) = (part.columns, weights.len());
+        let measure = Measure { levels: levels.map(R::narrow), constants: self.constants.map(R::narrow) };
+        let blocks = (end - first).div_ceil(LANES);
+        bench.row.blocks = blocks;
+        bench.row.sums = [[0.0; LANES]; 2];
+        // Lanes behind the part see what an earlier one left.
+        bench.lines.iter_mut().for_each(|line| line.fill(R::default()));
+        let before = taps / 2;
+        let places = |from: usize, to: usize, length: usize| -> Vec<usize> {
+            (from..to + taps - 1).map(|place| mirror(place as i64 - before as i64, length)).collect()
+        };
+        let columns = places(first, end, self.pair.reference.width);
+        let rows = places(part.rows[0], part.rows[1], self.pair.reference.height);
+        let (mut counting, mut pixels) = (false, 0.0);
+        // The window of an output row reads `taps` rows, in places mirrored at the borders.
+        for (read, &place) in rows.iter().enumerate() {
+            let [s, d] = &mut bench.lines;
+            load(place, &columns, [&mut s[..columns.len()], &mut d[..columns.len()]]);
+            // The row that was read longest ago makes room.
+            let slot = bench.order[0];
+            bench.order.rotate_left(1);
+            for (line, rows) in bench.lines.iter().zip(&mut bench.rows) {
+                Kernels::across(line, weights, &mut rows[slot], blocks);
+            }
+            let Some(row) = (part.rows[0] + read + 1).checked_sub(taps).filter(|&row| row >= part.rows[0]) else {
+                continue;
+            };
+            for (rows, moments) in bench.rows.iter().zip(&mut bench.moments) {
+                Kernels::down(rows, &bench.order, weights, moments, blocks);
+            }
+            match (inside.holds_row(row), self.counted.mask) {
+                (true, Some(mask)) => bench.mask(mask, row, part, inside),
+                (true, None) if !counting => bench.count(part, inside),
+                (true, None) => {}
+                (false, _) => bench.count_none(),
+            }
+            counting = inside.holds_row(row);
+            let [s, d] = &bench.moments;
+            Measured::measure(&measure, s, d, &mut bench.row);
+            if !bench.row.holds {
+                return None;
+            }
+            pixels += bench.counted;
+            if let Some(map) = &mut map {
+                map.write(row, first, &bench.row.similarity[..end - first]);
+            }
+        }
+        let [similarity, contrast] = bench.row.sums.map(|lanes| lanes.iter().sum());
+        Some(Sums { similarity, contrast, pixels })
+    }
+
+    fn one_by_one(&self, part: &Part, inside: Part, mut map: Option<Rows<'_, P::Real>>) -> Sums {
+        let patch = Patch::new(&self.pair, self.weights, self.constants, part, None);
+        let ([first, end], is_mapped) = (part.columns, map.is_some());
+        let mut sums = Sums::default();
+        for row in part.rows[0]..part.rows[1] {
+            let counts = |n: usize| {
+                let named = |mask: Mask<'_>| mask.plane().names(row, first + n);
+                inside.holds(row, first + n) && self.counted.mask.is_none_or(named)
+            };
+            let wanted = |n: usize| first + n < end && (is_mapped || counts(n));
+            patch.measure_row(row - part.rows[0], wanted, |n, similarity, contrast| {
+                if counts(n) {
+                    let contrast = if self.counted.contrast { contrast } else { 0.0 };
+                    sums = sums.and(Sums { similarity, contrast, pixels: 1.0 });
+                }
+                if let Some(map) = &mut map {
+                    map.write(row, first + n, &[similarity]);
+                }
+            });
+        }
+        sums
+    }
+
+    /// Sum and difference of both images at the places of a row that windows read, both less their levels.
+    fn load(&self, row: usize, places: &[usize], levels: [P::Real; 2], lines: [&mut [P::Real]; 2]) {
+        let (start, last) = (places[0], places[places.len() - 1]);
+        if last + 1 != start + places.len() {
+            return self.pair.gather(row, places.iter().copied(), levels, lines);
+        }
+        self.pair.load(row, start..last + 1, levels, lines);
+        let next = (row + AHEAD).min(self.pair.reference.height - 1);
+        for image in [&self.pair.reference, &self.pair.test] {
+            image.run(next, start..last + 1).into_iter().for_each(prefetch);
+        }
+    }
+}
+
+/// Rows of a map, from the `top` one on.
+struct Rows<'a, R> {
+    values: &'a mut [R],
+    width: usize,
+    top: usize,
+}
+
+impl<R: Real> Rows<'_, R> {
+    fn write<S: Real>(&mut self, row: usize, column: usize, values: &[S]) {
+        let at = (row - self.top) * self.width + column;
+        for (slot, value) in self.values[at..].iter_mut().zip(values) {
+            *slot = R::narrow(value.wide());
+        }
+    }
+}
+
+/// Everything that a band's tiles write into.
+struct Bench<R> {
+    /// Of s and d: a row's values.
+    lines: [Vec<R>; 2],
+    /// The moments along rows, a ring of as many as a window has.
+    rows: [Vec<Moments<R>>; 2],
+    /// Where in the ring the last rows are that were read, the earliest first: those of a window.
+    order: Vec<usize>,
+    moments: [Moments<R>; 2],
+    row: Row<R>,
+    /// Windows of the row that count.
+    counted: f64,
+}
+
+impl<R: Real> Bench<R> {
+    fn new(taps: usize, contrast: bool) -> Self {
+        // Whole lanes are read, of which the last may be none of the image.
+        let line = || vec![R::default(); COLUMNS + taps];
+        let rows = || vec![Moments::default(); taps];
+        Self {
+            lines: [line(), line()],
+            rows: [rows(), rows()],
+            order: (0..taps).collect(),
+            moments: [Moments::default(), Moments::default()],
+            row: Row {
+                counts: [R::default(); COLUMNS],
+                similarity: [R::default(); COLUMNS],
+                blocks: 0,
+                contrast,
+                all: false,
+                holds: true,
+                sums: [[0.0; LANES]; 2],
+            },
+            counted: 0.0,
+        }
+    }
+
+    /// Marks the windows of a part that count.
+    fn count(&mut self, part: &Part, inside: Part) {
+        let [from, to] = columns_inside(part, inside);
+        self.row.counts.fill(R::default());
+        self.row.counts[from..to].fill(R::narrow(1.0));
+        self.counted = (to - from) as f64;
+    }
+
+    /// None of a row.
+    fn count_none(&mut self) {
+        self.row.counts.fill(R::default());
+        self.counted = 0.0;
+    }
+
+    /// The same for a row of a mask.
+    fn mask(&mut self, mask: Mask<'_>, row: usize, part: &Part, inside: Part) {
+        let [from, to] = columns_inside(part, inside);
+        self.count_none();
+        for column in from..to {
+            let counts = if mask.plane().names(row, part.columns[0] + column) { 1.0 } else { 0.0 };
+            self.row.counts[column] = R::narrow(counts);
+            self.counted += counts;
+        }
+    }
+}
+
+/// Columns of a part, from its first one, that lie inside.
+fn columns_inside(part: &Part, inside: Part) -> [usize; 2] {
+    let [first, end] = part.columns;
+    let from = inside.columns[0].clamp(first, end);
+    [from - first, inside.columns[1].clamp(from, end) - first]
+}

@@ -1,0 +1,187 @@
+//! A scene divided at two radii, with its counts.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::axis::{axis_in, check_center};
+use super::classify::Ruler;
+use super::zone::{Class, Faces, Zone};
+use crate::base::{Error, Progress, Result};
+use crate::scene::Scene;
+
+/// Numbers of triangles and instances.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// All triangles.
+    pub triangles: i64,
+    /// Least ρ ≤ r₁.
+    pub near: i64,
+    /// r₁ < least ρ ≤ r₂.
+    pub intermediate: i64,
+    /// Least ρ > r₂.
+    pub far: i64,
+    /// Standing triangles on both sides of r₂.
+    pub straddling: i64,
+    /// Drawn as geometry.
+    pub nsf: i64,
+    /// Drawn as geometry where that ends at r₁ already: near ones, and everything that moves.
+    pub nsf_at_r1: i64,
+    /// Baked.
+    pub sf: i64,
+    /// Instances whose triangles are all near.
+    pub near_instances: i64,
+    /// Instances whose triangles are all intermediate.
+    pub intermediate_instances: i64,
+    /// Instances whose triangles are all far.
+    pub far_instances: i64,
+    /// Instances that their boxes did not decide.
+    pub mixed_instances: i64,
+    /// Triangles of mixed instances: the only ones whose corners were read.
+    pub examined: i64,
+    /// Triangles whose radii were computed; far coordinates decided the other examined ones.
+    pub measured: i64,
+}
+
+/// A scene divided at two radii about a vertical axis.
+#[derive(Clone, Debug)]
+pub struct Partition {
+    scene: Scene,
+    center: DVec3,
+    r1: f64,
+    r2: f64,
+    classes: Vec<Class>,
+    counts: Counts,
+}
+
+impl Partition {
+    /// Divides a scene about a world position; 0 ≤ r₁ < r₂.
+    pub fn new(scene: &Scene, center: DVec3, r1: f64, r2: f64, progress: &Progress) -> Result<Self> {
+        check_center(center)?;
+        if !(r1.is_finite() && r1 >= 0.0) {
+            return Err(Error::value("r1", "a finite radius of at least 0", r1));
+        }
+        if !(r2.is_finite() && r2 > r1) {
+            return Err(Error::value("r2", format!("a finite radius greater than r1 = {r1}"), r2));
+        }
+        let ruler = Ruler::new(axis_in(scene, center), r1, r2);
+        progress.expect(scene.triangle_count() as u64);
+        let classes = (0..scene.instance_count() as u32)
+            .into_par_iter()
+            .map(|number| ruler.classify(scene.instance(number), progress))
+            .collect::<Result<Vec<_>>>()?;
+        let mut partition = Self { scene: scene.clone(), center, r1, r2, classes, counts: Counts::default() };
+        partition.counts = partition.count();
+        Ok(partition)
+    }
+
+    /// The scene that was divided.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// World position of the centre O.
+    pub fn center(&self) -> DVec3 {
+        self.center
+    }
+
+    /// Radius of the near zone.
+    pub fn r1(&self) -> f64 {
+        self.r1
+    }
+
+    /// Radius of the intermediate zone.
+    pub fn r2(&self) -> f64 {
+        self.r2
+    }
+
+    /// Class of each instance, in number order.
+    pub fn classes(&self) -> &[Class] {
+        &self.classes
+    }
+
+    /// Numbers of triangles and instances.
+    pub fn counts(&self) -> &Counts {
+        &self.counts
+    }
+
+    /// Instances with faces that are drawn as geometry, in number order.
+    pub fn nsf_instances(&self) -> impl Iterator<Item = (u32, Faces<'_>)> {
+        let standing = self.scene.standing.instances().len();
+        self.classes.iter().enumerate().filter_map(move |(number, class)| {
+            let faces = match class {
+                _ if number >= standing => Faces::All,
+                Class::Near | Class::Intermediate => Faces::All,
+                Class::Mixed(mixed) if !mixed.faces.is_empty() => Faces::Some(&mixed.faces),
+                Class::Mixed(_) | Class::Far => return None,
+            };
+            Some((number as u32, faces))
+        })
+    }
+
+    /// (instance, face) of every triangle that is drawn as geometry, in number order.
+    pub fn nsf(&self) -> impl Iterator<Item = (u32, u32)> {
+        self.nsf_instances().flat_map(|(number, faces)| {
+            let (all, some) = match faces {
+                Faces::All => (0..self.scene.instance(number).mesh.faces.len() as u32, &[][..]),
+                Faces::Some(some) => (0..0, some),
+            };
+            all.chain(some.iter().copied()).map(move |face| (number, face))
+        })
+    }
+
+    /// Zone of a triangle.
+    pub fn zone(&self, instance: u32, face: u32) -> Zone {
+        match &self.classes[instance as usize] {
+            Class::Near => Zone::Near,
+            Class::Intermediate => Zone::Intermediate,
+            Class::Far => Zone::Far,
+            Class::Mixed(mixed) => mixed.faces.binary_search(&face).map_or(Zone::Far, |index| mixed.zones[index]),
+        }
+    }
+
+    pub(super) fn is_moving(&self, instance: usize) -> bool {
+        instance >= self.scene.standing.instances().len()
+    }
+
+    pub(super) fn count(&self) -> Counts {
+        let mut counts = Counts { triangles: self.scene.triangle_count(), ..Counts::default() };
+        for (number, class) in self.classes.iter().enumerate() {
+            let triangles = self.scene.instance(number as u32).mesh.faces.len() as i64;
+            let moving = self.is_moving(number);
+            let (mut near, mut intermediate, mut far, mut straddling) = (0, 0, 0, 0);
+            let instances = match class {
+                Class::Near => {
+                    near = triangles;
+                    &mut counts.near_instances
+                }
+                Class::Intermediate => {
+                    intermediate = triangles;
+                    &mut counts.intermediate_instances
+                }
+                Class::Far => {
+                    far = triangles;
+                    &mut counts.far_instances
+                }
+                Class::Mixed(mixed) => {
+                    let count = |test: fn(Zone) -> bool| mixed.zones.iter().filter(|&&zone| test(zone)).count() as i64;
+                    near = count(Zone::is_near);
+                    intermediate = mixed.zones.len() as i64 - near;
+                    far = triangles - mixed.zones.len() as i64;
+                    straddling = if moving { 0 } else { count(Zone::is_straddling) };
+                    counts.examined += triangles;
+                    counts.measured += i64::from(mixed.measured);
+                    &mut counts.mixed_instances
+                }
+            };
+            *instances += 1;
+            counts.near += near;
+            counts.intermediate += intermediate;
+            counts.far += far;
+            counts.straddling += straddling;
+            counts.nsf += if moving { triangles } else { near + intermediate };
+            counts.nsf_at_r1 += if moving { triangles } else { near };
+            counts.sf += if moving { 0 } else { far + straddling };
+        }
+        counts
+    }
+}

@@ -1,0 +1,218 @@
+//! A reduced scene: near geometry, its join with the map, and the frames that it draws.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use glam::DVec3;
+
+use super::super::frame::{Channels, Frame};
+use super::super::tiles::{View, check_reach, draw};
+use super::backdrop::{Backdrop, Far};
+use super::shown::NearGeometry;
+use super::{bent, exact, straight};
+use crate::base::{Error, Progress, Result};
+use crate::camera::Camera;
+use crate::cubemap::EnvironmentMap;
+use crate::morph::{Kind, Morph};
+use crate::partition::Partition;
+use crate::scene::Scene;
+
+/// How near and far part are joined.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Join {
+    /// Near geometry is bent between r₁ and r₂ so that it meets the map without a seam.
+    Morph(Kind),
+    /// Near geometry stays as it is and ends at this radius, where it breaks off.
+    Conventional {
+        /// Where the near part ends and the map begins.
+        radius: f64,
+    },
+}
+
+impl Join {
+    /// How points are morphed, if they are.
+    fn kind(self) -> Option<Kind> {
+        match self {
+            Self::Morph(kind) => Some(kind),
+            Self::Conventional { .. } => None,
+        }
+    }
+}
+
+/// How the morph is applied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// To vertices, as a vertex shader would.
+    Vertex,
+    /// To rays: every pixel shows what its bent ray meets.
+    Exact,
+}
+
+/// How a reduced scene is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Drawing {
+    /// Which images.
+    pub channels: Channels,
+    /// Colour samples of each pixel.
+    pub samples: u32,
+    /// How the morph is applied.
+    pub method: Method,
+    /// True for the map as it was baked; false for the ideal picture, whose far part is traced from the centre.
+    pub mapped: bool,
+    /// By how many of this view's finest pixels a triangle may miss the morph of its points (larger ones are split for the
+    /// frame; infinite morphs the vertices that there are), or by how many pixels a ray its bent one.
+    pub tolerance_px: f64,
+}
+
+/// A scene divided at two radii about a centre, with what surrounds it.
+#[derive(Debug)]
+pub struct Reduced {
+    standing: Scene,
+    center: DVec3,
+    radii: [f64; 2],
+    join: Join,
+    map: Option<EnvironmentMap>,
+    near: NearGeometry,
+    last: [AtomicU64; 4],
+}
+
+/// What the last frame took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FrameCounts {
+    /// Triangles that were traced instead of the whole scene, after splitting; 0 where the scene's own trees were used.
+    pub triangles: u64,
+    /// Moving triangles that were looked for; 0 where there was no pass for them.
+    pub moving: u64,
+    /// Vertices that user and centre see in opposite directions.
+    pub opposed: u64,
+    /// No vertex was morphed, or the tolerance was a bound: it was finite, and the user is well inside r₁.
+    pub bounded: bool,
+}
+
+impl Reduced {
+    /// Gathers the near geometry; `map` is none where nothing lies beyond r₂.
+    pub fn new(partition: &Partition, join: Join, map: Option<EnvironmentMap>, progress: &Progress) -> Result<Self> {
+        let scene = partition.scene();
+        let radii = [partition.r1(), partition.r2()];
+        let near = match join {
+            Join::Morph(_) => NearGeometry::gather(partition, progress)?,
+            Join::Conventional { .. } => NearGeometry::default(),
+        };
+        let standing = Scene { moving: Arc::default(), ..scene.clone() };
+        Ok(Self { standing, center: partition.center(), radii, join, map, near, last: Default::default() })
+    }
+
+    /// How near and far part are joined.
+    pub fn join(&self) -> Join {
+        self.join
+    }
+
+    /// What surrounds the near part, where anything does.
+    pub fn map(&self) -> Option<&EnvironmentMap> {
+        self.map.as_ref()
+    }
+
+    /// Bytes of the copies of near geometry.
+    pub fn near_bytes(&self) -> usize {
+        self.near.bytes()
+    }
+
+    /// What the last frame took.
+    pub fn last_frame(&self) -> FrameCounts {
+        let [triangles, moving, opposed, bounded] = [0, 1, 2, 3].map(|i| self.last[i].load(Ordering::Relaxed));
+        FrameCounts { triangles, moving, opposed, bounded: bounded != 0 }
+    }
+
+    /// Draws a view from the user's position, the camera's. `scene` is the reduced one, its moving objects in any pose.
+    pub fn render(&self, scene: &Scene, camera: &Camera, drawing: &Drawing, progress: &Progress) -> Result<Frame> {
+        self.check(scene, camera, drawing)?;
+        let view = View { camera, origin: scene.origin, channels: drawing.channels, samples: drawing.samples };
+        let center = self.center - scene.origin;
+        let [r1, r2] = self.radii;
+        let radius = if let Join::Conventional { radius } = self.join { radius } else { r2 };
+        let backdrop = Backdrop { far: self.far(drawing.mapped, radius, progress)?, center, morph: None };
+        let Some(kind) = self.join.kind().filter(|_| camera.position != self.center) else {
+            let picture = straight::Straight::new(scene, backdrop, radius, progress)?;
+            self.remember(FrameCounts { moving: picture.moving_triangles(), bounded: true, ..FrameCounts::default() });
+            return draw(&view, &picture, progress);
+        };
+        let morph = Morph::new(camera.position - scene.origin, center, r1, r2, kind)?;
+        let backdrop = Backdrop { morph: Some(morph), ..backdrop };
+        let tolerance = drawing.tolerance_px * self.pixel_angle(camera);
+        if drawing.method == Method::Exact {
+            let picture = exact::Exact::new(scene, camera, morph, backdrop, drawing.tolerance_px, progress)?;
+            self.remember(FrameCounts { moving: picture.moving_triangles(), bounded: true, ..FrameCounts::default() });
+            return draw(&view, &picture, progress);
+        }
+        let shown = self.near.morphed(scene, &morph, tolerance.is_finite().then_some(tolerance), progress)?;
+        self.remember(FrameCounts {
+            triangles: shown.triangle_count(),
+            moving: shown.moving_triangles(),
+            opposed: shown.opposed,
+            bounded: shown.bounded,
+        });
+        draw(&view, &bent::Bent { scene, shown, backdrop, radius: r2 }, progress)
+    }
+
+    /// What lies beyond the near part: nothing where nothing was baked.
+    fn far(&self, mapped: bool, radius: f64, progress: &Progress) -> Result<Far<'_>> {
+        match &self.map {
+            None => Ok(Far::Nothing),
+            Some(map) if mapped => Ok(Far::Map(map)),
+            Some(_) => {
+                self.standing.build(progress)?;
+                Ok(Far::Traced(&self.standing, radius))
+            }
+        }
+    }
+
+    /// Fails for what can't be drawn: another scene, parallel rays before a map, channels that were not baked.
+    pub fn check(&self, scene: &Scene, camera: &Camera, drawing: &Drawing) -> Result<()> {
+        if !Arc::ptr_eq(&scene.standing, &self.standing.standing) {
+            return Err(Error::value("at", "poses of the scene that was reduced", "another scene"));
+        }
+        check_reach("position", camera.position - scene.origin)?;
+        if drawing.mapped {
+            self.check_channels(drawing.channels)?;
+        }
+        let bends = drawing.method == Method::Exact && self.join.kind().is_some();
+        if camera.is_parallel() && (self.map.is_some() || bends) {
+            let expected = "a perspective view or a cube face, because a map and bent rays show what one eye sees";
+            return Err(Error::value("camera", expected, "parallel rays"));
+        }
+        if drawing.tolerance_px.is_nan() || drawing.tolerance_px <= 0.0 {
+            return Err(Error::value("tolerance_px", "a number above 0", drawing.tolerance_px));
+        }
+        if bends && drawing.tolerance_px.is_infinite() {
+            return Err(Error::value("tolerance_px", "a finite number of pixels for bent rays", "infinity"));
+        }
+        Ok(())
+    }
+
+    /// Radians that the finest pixel covers, for parallel rays as seen from r₂ away.
+    pub fn pixel_angle(&self, camera: &Camera) -> f64 {
+        camera.least_pixel_angle() / if camera.is_parallel() { self.radii[1] } else { 1.0 }
+    }
+
+    /// Keeps what the last frame took.
+    pub fn remember(&self, counts: FrameCounts) {
+        let FrameCounts { triangles, moving, opposed, bounded } = counts;
+        for (slot, count) in self.last.iter().zip([triangles, moving, opposed, u64::from(bounded)]) {
+            slot.store(count, Ordering::Relaxed);
+        }
+    }
+
+    /// Far pixels have the channels that were baked.
+    fn check_channels(&self, wanted: Channels) -> Result<()> {
+        let Some(map) = &self.map else { return Ok(()) };
+        for (name, wanted, baked) in
+            [("range", wanted.range, map.range.is_some()), ("object_id", wanted.object_id, map.object_id.is_some())]
+        {
+            if wanted && !baked {
+                let expected = format!("an environment map with {name}: reduce with channels=(\"color\", \"{name}\")");
+                return Err(Error::value("channels", expected, "a map without"));
+            }
+        }
+        Ok(())
+    }
+}

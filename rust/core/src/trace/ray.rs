@@ -1,0 +1,67 @@
+//! Rays, hits, and the filters that decide which intersections count.
+
+use glam::Vec3;
+
+/// A segment of a ray in scene space. The direction needs no particular length; `t` is in units of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Ray {
+    /// Start, relative to the scene's origin and no farther from it than `base::REACH`.
+    pub origin: Vec3,
+    /// Direction, finite and not zero.
+    pub direction: Vec3,
+    /// Least parameter that counts as a hit.
+    pub t_min: f32,
+    /// Greatest parameter that counts as a hit.
+    pub t_max: f32,
+}
+
+/// Where a ray meets a triangle: the point is (1−u−v) a + u b + v c.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Parameter along the ray; infinite for a miss.
+    pub t: f32,
+    /// Weight of the second corner.
+    pub u: f32,
+    /// Weight of the third corner.
+    pub v: f32,
+    /// Instance in the scene; `u32::MAX` for a miss.
+    pub instance: u32,
+    /// Face in the instance's mesh.
+    pub face: u32,
+}
+
+impl Hit {
+    /// Nothing was hit.
+    pub const MISS: Self = Self { t: f32::INFINITY, u: 0.0, v: 0.0, instance: u32::MAX, face: u32::MAX };
+
+    /// True where nothing was hit.
+    pub fn is_miss(&self) -> bool {
+        self.instance == u32::MAX
+    }
+
+    /// Ties go to the lower (instance, face), so that the answer depends neither on the tree nor on the order of visits.
+    pub(super) fn is_before(&self, other: &Self) -> bool {
+        self.t < other.t || (self.t == other.t && (self.instance, self.face) < (other.instance, other.face))
+    }
+}
+
+/// Decides which intersections count: cut-out materials, pixels split at a radius.
+pub trait Filter: Sync {
+    /// True where every intersection counts, so that nobody needs to ask.
+    const ACCEPTS_ALL: bool = false;
+
+    /// True where the candidate is a hit.
+    fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool;
+}
+
+/// Everything counts.
+pub struct All;
+
+impl Filter for All {
+    const ACCEPTS_ALL: bool = true;
+
+    #[inline(always)]
+    fn accepts(&self, _ray: &Ray, _candidate: &Hit) -> bool {
+        true
+    }
+}
