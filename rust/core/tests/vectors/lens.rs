@@ -1,0 +1,79 @@
+use nearfar_core::lens::{Method, RadialLens};
+use serde_json::Value;
+
+use super::{assert_near, assert_share, cases, number, numbers, row, rows};
+
+fn lens_of(case: &Value) -> RadialLens {
+    let tangential = if case["tangential"].is_null() { [0.0; 2] } else { row(&case["tangential"]) };
+    RadialLens::new(&numbers(&case["k"]), tangential).unwrap()
+}
+
+#[test]
+fn radii_are_shown_where_the_polynomial_says() {
+    for case in cases("lens", "radial") {
+        let (lens, r, tolerance) = (lens_of(&case), numbers(&case["r"]), &case["tolerance"]);
+        let mut found = vec![0.0; r.len()];
+        lens.distort_all(&r, &mut found, true).unwrap();
+        assert_share(&case, &found, &numbers(&case["distorted"]), number(&tolerance["distort"]));
+        lens.derivative_all(&r, &mut found, true).unwrap();
+        assert_near(&case, &found, &numbers(&case["derivative"]), number(&tolerance["derivative"]));
+        for (&r, &expected) in r.iter().zip(&numbers(&case["distorted"])) {
+            assert_share(&case, &[lens.distort(r.abs())], &[expected.abs()], number(&tolerance["distort"]));
+        }
+    }
+}
+
+#[test]
+fn radii_come_back_by_every_method() {
+    for case in cases("lens", "radial") {
+        let (lens, x, tolerance) = (lens_of(&case), numbers(&case["distorted"]), &case["tolerance"]);
+        let expected = numbers(&case["undistorted"]);
+        let exact = number(&tolerance["undistort"]);
+        let mut found = vec![0.0; x.len()];
+        for (method, share) in [(Method::Newton, exact), (Method::Table, exact + number(&tolerance["lut"]))] {
+            lens.undistort_all(&x, &mut found, method, true).unwrap();
+            assert_share(&case, &found, &expected, share);
+        }
+        for (&x, &expected) in x.iter().zip(&expected) {
+            assert_share(&case, &[lens.undistort(x.abs())], &[expected.abs()], exact);
+        }
+    }
+}
+
+#[test]
+fn the_published_iteration_takes_its_steps() {
+    for case in cases("lens", "radial") {
+        let (lens, x) = (lens_of(&case), numbers(&case["distorted"]));
+        let mut found = vec![0.0; x.len()];
+        lens.undistort_all(&x, &mut found, Method::FixedPoint(4), true).unwrap();
+        assert_share(&case, &found, &numbers(&case["fixed_point"]), number(&case["tolerance"]["fixed_point"]));
+    }
+}
+
+#[test]
+fn lenses_fold_where_the_derivative_says() {
+    for case in cases("lens", "radial") {
+        let lens = lens_of(&case);
+        if case["r_max"].is_null() {
+            assert_eq!(lens.r_max(), f64::INFINITY, "{}", case["region"]);
+            continue;
+        }
+        let share = number(&case["fold_tolerance"]);
+        assert_share(&case, &[lens.r_max()], &[number(&case["r_max"])], share);
+        assert_share(&case, &[lens.x_max()], &[number(&case["distorted_max"])], number(&case["tolerance"]["distort"]));
+    }
+}
+
+#[test]
+fn points_are_shown_and_come_back() {
+    for case in cases("lens", "points") {
+        let (lens, points) = (lens_of(&case), rows::<2>(&case["points"]));
+        let expected = [rows::<2>(&case["distorted"]), rows::<2>(&case["undistorted"])];
+        let mut found = vec![[0.0; 2]; points.len()];
+        lens.distort_points(&points, &mut found, true).unwrap();
+        let bound = |name: &str| number(&case["tolerance"][name]);
+        assert_near(&case, found.as_flattened(), expected[0].as_flattened(), bound("distort"));
+        lens.undistort_points(&expected[0], &mut found, true).unwrap();
+        assert_near(&case, found.as_flattened(), expected[1].as_flattened(), bound("undistort"));
+    }
+}

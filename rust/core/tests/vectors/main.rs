@@ -1,0 +1,60 @@
+//! Kernels against the vectors that all languages read: inputs, exact outputs, and by how much a consumer may be off.
+
+mod bend;
+mod cubemap;
+mod fit_4pl;
+mod lens;
+mod morph;
+
+use serde_json::Value;
+
+/// Cases of a section of a file.
+fn cases(file: &str, section: &str) -> Vec<Value> {
+    let path = format!("{}/../../tests/vectors/{file}.json", env!("CARGO_MANIFEST_DIR"));
+    let document: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    assert_eq!((&document["format"], &document["version"]), (&"nearfar.vectors".into(), &1.into()));
+    let cases = document[section].as_array().unwrap().clone();
+    assert!(!cases.is_empty());
+    cases
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap()
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    serde_json::from_value(value.clone()).unwrap()
+}
+
+fn indices(value: &Value) -> Vec<u32> {
+    serde_json::from_value(value.clone()).unwrap()
+}
+
+fn row<const N: usize>(value: &Value) -> [f64; N] {
+    numbers(value).try_into().unwrap()
+}
+
+fn rows<const N: usize>(value: &Value) -> Vec<[f64; N]> {
+    value.as_array().unwrap().iter().map(row).collect()
+}
+
+/// Fails where numbers are further from the expected ones than a bound.
+#[track_caller]
+fn assert_near(case: &Value, found: &[f64], expected: &[f64], bound: f64) {
+    assert_eq!(found.len(), expected.len(), "{}", case["region"]);
+    for (n, (found, expected)) in found.iter().zip(expected).enumerate() {
+        let off = (found - expected).abs();
+        assert!(off <= bound, "{}: {found} for {expected} at {n}, off by {off:e} > {bound:e}", case["region"]);
+    }
+}
+
+/// The same for bounds that are shares of the expected numbers.
+#[track_caller]
+fn assert_share(case: &Value, found: &[f64], expected: &[f64], share: f64) {
+    assert_eq!(found.len(), expected.len(), "{}", case["region"]);
+    for (n, (found, expected)) in found.iter().zip(expected).enumerate() {
+        let off = (found - expected).abs();
+        let bound = share * expected.abs();
+        assert!(off <= bound, "{}: {found} for {expected} at {n}, off by {off:e} > {bound:e}", case["region"]);
+    }
+}

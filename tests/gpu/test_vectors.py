@@ -1,0 +1,57 @@
+"""Shaders against the vectors that all languages read, on every usable adapter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+from nearfar import gpu
+from tests.support.gpu_cases import ADAPTERS, adapter
+from tests.support.vectors import cases, check
+
+
+@pytest.fixture(params=ADAPTERS, autouse=True)
+def device(request: pytest.FixtureRequest) -> Iterator[None]:
+    with adapter(request.param):
+        yield
+
+
+def check_morph(case: dict[str, Any], kind: str) -> None:
+    place = {name: case[name] for name in ("user", "center", "r1", "r2")}
+    found = gpu.morph(np.array(case["points"], np.float32), kind=kind, **place)
+    check(found, case["shown"], case["tolerance"]["wgsl"])
+
+
+def held(file: str, section: str = "cases") -> list[Any]:
+    """The cases that are the same in float32."""
+    return [parameters for parameters in cases(file, section) if "wgsl" in parameters.values[0]["tolerance"]]
+
+
+@pytest.mark.parametrize("case", held("blend"))
+def test_the_blend_shows_points_where_the_formula_says(case: dict[str, Any]) -> None:
+    check_morph(case, "blend")
+
+
+@pytest.mark.parametrize("case", held("cylinder"))
+def test_the_cylinder_shows_points_where_the_formula_says(case: dict[str, Any]) -> None:
+    check_morph(case, "cylinder")
+
+
+@pytest.mark.parametrize("case", held("cubemap", "directions"))
+def test_directions_pass_through_their_texels(case: dict[str, Any]) -> None:
+    directions = np.array(case["directions"], np.float32)
+    for name, expected in case["texels"].items():
+        size = int(name)
+        numbers = np.arange(6 * size**2, dtype=np.float32).reshape(6, size, size)
+        np.testing.assert_array_equal(gpu.cube_lookup(numbers, directions), expected)
+
+
+@pytest.mark.parametrize("case", held("cubemap", "lookups"))
+def test_filters_give_the_values_of_the_map(case: dict[str, Any]) -> None:
+    faces = np.array(case["map"], np.float32).reshape(6, case["size"], case["size"])
+    directions = np.array(case["directions"], np.float32)
+    for name in ("nearest", "min", "max"):
+        np.testing.assert_array_equal(gpu.cube_lookup(faces, directions, filter=name), case[name])
