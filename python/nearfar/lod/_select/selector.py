@@ -16,7 +16,7 @@ from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar._lens.lens import RadialLens
 from nearfar.hmd._eye import rotation
-from nearfar.lod._model import LodModel
+from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.selection import Selection
 from nearfar.lod._select.size import (
     ACUITY_LIMIT_DEG,
@@ -32,7 +32,7 @@ THRESHOLDS = ("anchored", "literal", "normalized")
 INVERSES = ("lut", "newton")
 _COUNTS = ("culled", "one_level", "settled", "large", "asked", "lens", "table", "formula")
 
-_ROWS: WeakKeyDictionary[LodModel, NDArray[np.float64]] = WeakKeyDictionary()
+_ROWS: WeakKeyDictionary[MeasuredLevels, NDArray[np.float64]] = WeakKeyDictionary()
 """Parameters of each model's curves, so that a frame does not collect them again."""
 
 
@@ -84,7 +84,7 @@ class Selector:
     @overload
     def select(
         self,
-        models: Sequence[LodModel],
+        models: Sequence[MeasuredLevels],
         model_index: ArrayLike,
         centers: ArrayLike,
         radii: ArrayLike,
@@ -98,7 +98,7 @@ class Selector:
     @overload
     def select(
         self,
-        models: Sequence[LodModel],
+        models: Sequence[MeasuredLevels],
         model_index: ArrayLike,
         centers: ArrayLike,
         radii: ArrayLike,
@@ -111,7 +111,7 @@ class Selector:
 
     def select(
         self,
-        models: Sequence[LodModel],
+        models: Sequence[MeasuredLevels],
         model_index: ArrayLike,
         centers: ArrayLike,
         radii: ArrayLike,
@@ -126,7 +126,7 @@ class Selector:
 
     def _chosen(
         self,
-        models: Sequence[LodModel],
+        models: Sequence[MeasuredLevels],
         model_index: ArrayLike,
         centers: ArrayLike,
         radii: ArrayLike,
@@ -191,7 +191,7 @@ def _column(name: str, value: ArrayLike, dtype: type[np.integer], count: int) ->
     return numbers
 
 
-def _rows(model: LodModel) -> NDArray[np.float64]:
+def _rows(model: MeasuredLevels) -> NDArray[np.float64]:
     """a, b, c and d of each level's curve but level 0's, (K − 1, 4); NaN where there is none."""
     rows = _ROWS.get(model)
     if rows is None:
@@ -206,13 +206,13 @@ def _rows(model: LodModel) -> NDArray[np.float64]:
 
 
 def _collected(
-    models: Sequence[LodModel],
+    models: Sequence[MeasuredLevels],
 ) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
     """Curves of all models, where each model's start, and the sizes between which they were measured."""
-    if isinstance(models, LodModel) or not isinstance(models, Sequence):
+    if isinstance(models, MeasuredLevels) or not isinstance(models, Sequence):
         raise TypeError(f"models: expected a sequence of LodModel, got {type(models).__name__}")
     for number, model in enumerate(models):
-        if not isinstance(model, LodModel):
+        if not isinstance(model, MeasuredLevels):
             raise TypeError(f"models: expected a LodModel at index {number}, got {type(model).__name__}")
     rows = [_rows(model) for model in models]
     firsts = np.zeros(len(rows) + 1, np.int64)
