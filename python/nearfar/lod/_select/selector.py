@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, overload
+from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -17,7 +17,7 @@ from nearfar._camera.camera import Camera, Fov
 from nearfar._lens.lens import RadialLens
 from nearfar.hmd._eye import rotation
 from nearfar.lod._measured_levels import MeasuredLevels
-from nearfar.lod._select.selection import Selection
+from nearfar.lod._select.selection import COLUMNS, Selection
 from nearfar.lod._select.size import (
     ACUITY_LIMIT_DEG,
     ACUITY_SLOPE,
@@ -81,34 +81,6 @@ class Selector:
         limit = check.positive("acuity_limit_deg", self.acuity_limit_deg)
         object.__setattr__(self, "acuity_limit_deg", limit)
 
-    @overload
-    def select(
-        self,
-        models: Sequence[MeasuredLevels],
-        model_index: ArrayLike,
-        centers: ArrayLike,
-        radii: ArrayLike,
-        *,
-        camera: Camera | Sequence[Camera],
-        previous: ArrayLike | None = None,
-        gaze: ArrayLike | None = None,
-        full: Literal[False] = False,
-    ) -> NDArray[np.int32]: ...
-
-    @overload
-    def select(
-        self,
-        models: Sequence[MeasuredLevels],
-        model_index: ArrayLike,
-        centers: ArrayLike,
-        radii: ArrayLike,
-        *,
-        camera: Camera | Sequence[Camera],
-        previous: ArrayLike | None = None,
-        gaze: ArrayLike | None = None,
-        full: Literal[True],
-    ) -> Selection: ...
-
     def select(
         self,
         models: Sequence[MeasuredLevels],
@@ -120,21 +92,8 @@ class Selector:
         previous: ArrayLike | None = None,
         gaze: ArrayLike | None = None,
         full: bool = False,
-    ) -> NDArray[np.int32] | Selection:
+    ) -> Selection:
         """Choose a level for each object; arguments, results and errors are those of `nearfar.lod.select`."""
-        return self._chosen(models, model_index, centers, radii, camera, previous, gaze, full)
-
-    def _chosen(
-        self,
-        models: Sequence[MeasuredLevels],
-        model_index: ArrayLike,
-        centers: ArrayLike,
-        radii: ArrayLike,
-        camera: Camera | Sequence[Camera],
-        previous: ArrayLike | None,
-        gaze: ArrayLike | None,
-        full: bool,
-    ) -> NDArray[np.int32] | Selection:
         curves, firsts, ranges = _collected(models)
         places, sizes = check.spheres(centers, radii)
         index = _column("model_index", model_index, np.int64, len(places))
@@ -169,17 +128,10 @@ class Selector:
             fade=self.fade,
             full=bool(full),
         )
-        if not full:
-            return level
-        sigma, seen, threshold, score, shown = columns
         return Selection(
             level=level,
-            sigma=sigma,
-            sigma_seen=seen,
-            threshold=threshold,
-            score=score,
-            shown=shown,
             counts=dict(zip(_COUNTS, counts, strict=True)),
+            columns=dict(zip(COLUMNS, columns, strict=True)) if full else {},
         )
 
 
