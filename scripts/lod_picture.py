@@ -89,7 +89,7 @@ def _draw_turn(model: nf.lod.LodModel, axis: Any) -> None:
         for mode in COLORS:
             chosen = nf.lod.select(
                 [model], where.model_index, where.centers, sizes, camera=camera, lens=LENS, mode=mode
-            )
+            ).level
             drawn[mode].append(int(model.triangles[chosen[chosen >= 0]].sum()))
         drawn["level 0 of all"].append(int(model.triangles[0] * np.count_nonzero(chosen >= 0)))
     for name, counts in drawn.items():

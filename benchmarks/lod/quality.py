@@ -82,7 +82,7 @@ class Case:
     def by_ours(self, camera: nf.Camera, d: float) -> Levels:
         """By our rule for a least score at the largest size that was measured."""
         greatest = self.models[0].sigma[1]
-        return nf.lod.select(*self.spheres, camera=camera, lens=self.headset.lens, d=d, reference=greatest)
+        return nf.lod.select(*self.spheres, camera=camera, lens=self.headset.lens, d=d, reference=greatest).level
 
     def in_full(self, camera: nf.Camera) -> Levels:
         """Level 0 of all that is in view."""

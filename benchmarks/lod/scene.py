@@ -65,7 +65,7 @@ def main() -> None:
     choose = functools.partial(
         nf.lod.select, objects.models, objects.model_index, objects.centers, objects.radii, camera=camera, mode="depth"
     )
-    levels = choose()
+    levels = choose().level
     drawn = scene.at_levels(levels)
     drawn._core.build()
     print(f"{drawn.triangle_count:,} of {scene.triangle_count:,} triangles, {int((levels >= 0).sum())} objects in view")

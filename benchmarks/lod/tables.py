@@ -74,7 +74,7 @@ def choose(
         lens=headset.lens,
         mode=mode,
         threshold=threshold,
-    )
+    ).level
 
 
 def triangles(counts: NDArray[np.float64], scene: Crowd, levels: NDArray[np.int32]) -> float:

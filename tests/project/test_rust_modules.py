@@ -144,7 +144,7 @@ INNOCENT = {
     "tests": "pub struct Ball;\n#[cfg(test)]\nmod tests { use crate::walk::step; #[test] fn f() { step() } }\n",
     "imports for tests alone": "#[cfg(test)]\nuse crate::walk::step;\npub struct Ball;\n",
     "comments and strings": 'pub struct Ball; // crate::walk::step\n/* use crate::walk; */ const S: &str = "crate::walk::f";\n',
-    "names of other crates": "use std::fmt;\nuse walk::step;\npub struct Ball;\nfn f<\'a>(c: &\'a str) { fmt::walk(\'{\', b\'}\') }\n",
+    "names of other crates": "use std::fmt;\nuse walk::step;\npub struct Ball;\nfn f<'a>(c: &'a str) { fmt::walk('{', b'}') }\n",
 }
 
 

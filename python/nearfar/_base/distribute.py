@@ -1,98 +1,103 @@
-"""Many objects at once: over processes of this machine, or over a cluster."""
+"""One function over many items: in this process, over processes of this machine, or on a Dask cluster."""
 
 from __future__ import annotations
 
-import concurrent.futures
-import multiprocessing
-import os
-import signal
-from collections.abc import Callable
-from concurrent.futures.process import BrokenProcessPool
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
 
-from nearfar._base import progress
-from nearfar.lod._levels import Levels
-from nearfar.lod._measure.one_object import Settings, measure_one
-from nearfar.lod._model import LodModel
+from nearfar._base import check, progress
 
-Done = tuple[LodModel, list[int]]
-"""A model without geometry, and the numbers of the levels that it keeps."""
+Item = TypeVar("Item")
+Result = TypeVar("Result")
 
-_stopped: Callable[[], bool] | None = None
-"""In a worker: whether whoever started it wants no more."""
+BAR_STEPS_PER_ITEM = 1000
+"""Steps of the progress bar for each item, where items run in this process."""
 
 
-def over_processes(objects: list[Levels], settings: Settings, workers: int) -> list[Done]:
-    """Measure objects in processes of their own; Ctrl-C ends them, and each keeps what it has done in the cache."""
-    if not objects:
+def distribute(
+    function: Callable[[Item, progress.Report], Result],
+    items: Sequence[Item],
+    *,
+    label: str,
+    workers: int | None = None,
+    client: Any = None,
+) -> list[Result]:
+    """Call a function for each item; results come in the order of the items, and are the same wherever it runs.
+
+    Parameters
+    ----------
+    function
+        Takes an item and `report`, which it calls as `report(done, total)` between its steps. In a process of its own
+        `report` raises once the caller was interrupted, so that Ctrl-C waits for one step of each worker. Workers
+        import the function: it is defined at the top of a module, or a `functools.partial` of one that is.
+    items
+        Values that can be pickled, where they leave this process.
+    label
+        What the progress bar says is being done.
+    workers
+        Processes. The program's main module must be importable, as always with `multiprocessing`. Each gets its share
+        of the machine's threads. None stays in this process.
+    client
+        A `distributed.Client`, whose workers have nearfar.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For other workers and clients, and for both together.
+    RuntimeError
+        Where processes end at once, as in scripts without a guard for `__main__`.
+    Exception
+        The first that the function raises; items that have not begun are called off.
+    """
+    if workers is not None and client is not None:
+        raise ValueError("workers: expected None beside a client, which has its own")
+    if workers is not None:
+        workers = check.integer("workers", workers, 1, 4096)
+    if client is not None and not all(hasattr(client, name) for name in ("submit", "scatter", "cancel")):
+        raise TypeError(f"client: expected a distributed.Client, got {type(client).__name__}")
+    if not items:
         return []
-    # Graphics drivers hang in forked children, so that children begin anew.
-    context = multiprocessing.get_context("spawn")
-    stop = context.Event()
-    workers = min(workers, len(objects))
-    threads = max(1, (os.cpu_count() or 1) // workers)
-    pool = concurrent.futures.ProcessPoolExecutor(
-        workers, mp_context=context, initializer=_begin, initargs=(stop, threads)
-    )
-    try:
-        futures = [pool.submit(_in_worker, levels, settings) for levels in objects]
-        with progress.bar("measuring") as report:
-            for number, _ in enumerate(_finished(futures)):
-                report(number, len(objects))
-        return [future.result() for future in futures]
-    except BrokenProcessPool:
-        message = "workers: a process ended at once; a script needs `if __name__ == '__main__':` around what it does"
-        raise RuntimeError(message) from None
-    except BaseException:
-        stop.set()
-        raise
-    finally:
-        pool.shutdown(wait=True, cancel_futures=True)
+    if client is not None:
+        return _over_cluster(function, items, label, client)
+    if workers is None:
+        return _in_turn(function, items, label)
+    # Processes need libraries that `import nearfar` does without.
+    from nearfar._base import processes
+
+    return processes.over_processes(function, items, label, workers)
 
 
-def over_cluster(objects: list[Levels], settings: Settings, client: Any) -> list[Done]:
-    """Measure objects on a Dask cluster; where one fails, or at Ctrl-C, those that have not begun are called off."""
-    if not objects:
-        return []
-    # Meshes go to workers by themselves: within a call they would pass through the scheduler.
-    meshes = client.scatter(objects, hash=False)
-    futures = [client.submit(_on_cluster, levels, settings, pure=False) for levels in meshes]
+def _in_turn(function: Callable[[Item, progress.Report], Result], items: Sequence[Item], label: str) -> list[Result]:
+    results = []
+    with progress.bar(label) as report:
+        for number, item in enumerate(items):
+
+            def report_item(done: int, total: int, number: int = number) -> None:
+                steps = BAR_STEPS_PER_ITEM * done // max(total, 1)
+                report(BAR_STEPS_PER_ITEM * number + steps, BAR_STEPS_PER_ITEM * len(items))
+
+            results.append(function(item, report_item))
+    return results
+
+
+def _over_cluster(
+    function: Callable[[Item, progress.Report], Result], items: Sequence[Item], label: str, client: Any
+) -> list[Result]:
+    """Where an item fails, and at Ctrl-C, those that have not begun are called off."""
+    # Items go to workers by themselves: within a call they would pass through the scheduler.
+    scattered = client.scatter(list(items), hash=False)
+    futures = [client.submit(_on_cluster, function, item, pure=False) for item in scattered]
     try:
-        with progress.bar("measuring") as report:
-            done = []
+        with progress.bar(label) as report:
+            results = []
             for number, future in enumerate(futures):
                 report(number, len(futures))
-                done.append(future.result())
-            return done
+                results.append(future.result())
+            return results
     except BaseException:
-        client.cancel([*futures, *meshes])
+        client.cancel([*futures, *scattered])
         raise
 
 
-def _finished(futures: list[concurrent.futures.Future[Done]]) -> Any:
-    """Each as it is done; the first that failed raises."""
-    for future in concurrent.futures.as_completed(futures):
-        future.result()
-        yield future
-
-
-def _begin(stop: Any, threads: int) -> None:
-    """Set up a worker before its first kernel."""
-    global _stopped
-    _stopped = stop.is_set
-    # Ctrl-C goes to all processes of a terminal: who started us decides what becomes of it.
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    os.environ.setdefault("NEARFAR_NUM_THREADS", str(threads))
-    os.environ["NEARFAR_PROGRESS"] = "0"
-
-
-def _in_worker(levels: Levels, settings: Settings) -> Done:
-    def look(_done: int, _total: int) -> None:
-        if _stopped is not None and _stopped():
-            raise concurrent.futures.CancelledError
-
-    return measure_one(levels, settings, look)
-
-
-def _on_cluster(levels: Levels, settings: Settings) -> Done:
-    return measure_one(levels, settings, lambda _done, _total: None)
+def _on_cluster(function: Callable[[Item, progress.Report], Result], item: Item) -> Result:
+    return function(item, lambda _done, _total: None)

@@ -13,6 +13,9 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
+Report = Callable[[int, int], None]
+"""Takes (done, total) in any unit."""
+
 DELAY = 0.5
 """Seconds of silence: shorter work shows nothing."""
 
@@ -21,7 +24,7 @@ _shown: _Bar | None = None
 
 
 @contextmanager
-def bar(label: str) -> Iterator[Callable[[int, int], None]]:
+def bar(label: str) -> Iterator[Report]:
     """Show how far a kernel is.
 
     Parameters

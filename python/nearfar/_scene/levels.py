@@ -93,8 +93,7 @@ class Shown:
     full_triangles: int
     """Triangles of the whole scene with everything at level 0."""
     selection: Any = None
-    """What the selector returned: a `nearfar.lod.Selection` with weights where it fades, else levels. None where levels
-    were given."""
+    """The selector's answer: a `nearfar.lod.Selection`, with weights where it fades. None where levels were given."""
 
 
 @dataclass(frozen=True, eq=False)

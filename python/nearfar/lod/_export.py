@@ -20,7 +20,7 @@ from nearfar._scene.scene import Scene, core_of
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod import _file
 from nearfar.lod._levels import Level, Levels
-from nearfar.lod._model import LodModel
+from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._place import empty
 from nearfar.lod._select.switches import Switches, switches
 
@@ -32,7 +32,7 @@ _IDENTITY = np.eye(4)
 
 
 def write(
-    model: LodModel,
+    model: MeasuredLevels,
     path: Path,
     *,
     view: Hmd | Camera | Fov,
@@ -52,7 +52,7 @@ def write(
             raise ValueError(f"path: expected a name ending in .glb or .json, got {os.fspath(path)!r}")
 
 
-def _glb_of(model: LodModel, found: Switches, document: dict[str, Any]) -> bytes:
+def _glb_of(model: MeasuredLevels, found: Switches, document: dict[str, Any]) -> bytes:
     # Files alone need an imaging library.
     from nearfar._scene import glb
 
@@ -72,13 +72,13 @@ def _glb_of(model: LodModel, found: Switches, document: dict[str, Any]) -> bytes
     return encoder.finish(nodes[:1], **_used(nodes))
 
 
-def read(target: Path) -> LodModel:
-    """Read a GLB that `write` made; FormatError for anything else, OSError where there is no file."""
+def read(target: Path) -> dict[str, Any]:
+    """Fields of a model from a GLB that `write` made; FormatError for anything else, OSError where there is no file."""
     from nearfar._scene import glb
 
     data = target.read_bytes()
     try:
-        return _model(glb.Decoder(data, Names(1)), target)
+        return _fields(glb.Decoder(data, Names(1)), target)
     except FormatError:
         raise
     except KeyError as error:
@@ -87,7 +87,7 @@ def read(target: Path) -> LodModel:
         raise FormatError(f"{target}: damaged: {error or type(error).__name__}") from None
 
 
-def _model(decoder: glb.Decoder, path: Path) -> LodModel:
+def _fields(decoder: glb.Decoder, path: Path) -> dict[str, Any]:
     nodes = decoder.document["nodes"]
     finest = nodes[decoder.document["scenes"][0]["nodes"][0]]
     document = finest["extras"][OURS]
@@ -108,7 +108,7 @@ def _model(decoder: glb.Decoder, path: Path) -> LodModel:
         )
         for node, said in zip(chain, kept, strict=True)
     ]
-    return LodModel(**fields, levels=Levels(levels, name=name, frame=document["frame"]))
+    return fields | {"levels": Levels(levels, name=name, frame=document["frame"])}
 
 
 def _scene(mesh: _core.Mesh, surfaces: dict[str, Any], name: str) -> Scene:
@@ -204,7 +204,7 @@ def _placed(
     return encoder.finish(roots, **used)
 
 
-def engine_levels(model: LodModel, found: Switches) -> list[dict[str, Any]]:
+def engine_levels(model: MeasuredLevels, found: Switches) -> list[dict[str, Any]]:
     """What engines need of each level, in JSON: sizes at which it takes over in several words, None for never."""
     return [
         {
@@ -222,13 +222,13 @@ def _finite(value: float) -> float | None:
     return float(value) if np.isfinite(value) else None
 
 
-def _geometry(model: LodModel) -> Levels:
+def _geometry(model: MeasuredLevels) -> Levels:
     if model.levels is None:
         raise ValueError(f"model: expected one with the geometry of its levels, got {model.name!r} without")
     return model.levels
 
 
-def _merged(model: LodModel) -> tuple[_core.Scene, list[_core.Mesh]]:
+def _merged(model: MeasuredLevels) -> tuple[_core.Scene, list[_core.Mesh]]:
     """A scene with the surfaces of all levels, and a mesh for each that uses them."""
     return _core.with_surfaces(empty(), [level.scene._core for level in _geometry(model)])
 

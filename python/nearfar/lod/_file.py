@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,23 +13,21 @@ from nearfar._base import check, files, formats
 from nearfar._base.errors import FormatError
 from nearfar.lod._measure.fit import Curve4PL
 from nearfar.lod._measure.samples import Samples
-
-if TYPE_CHECKING:
-    from nearfar.lod._model import LodModel
+from nearfar.lod._measured_levels import MeasuredLevels
 
 NAME, VERSION = "lod", 1
 PARAMETERS = ("a", "b", "c", "d", "rms")
 STATUSES = ("fitted", "step", "open", "flat", "unfittable")
 
 
-def write(path: Path, model: LodModel) -> None:
+def write(path: Path, model: MeasuredLevels) -> None:
     """Write a model, whole or not at all; `LodModel.save` says what is in it."""
     text = formats.to_json(document(model))
     with files.atomic_file(path) as aside:
         aside.write_text(text, encoding="utf-8")
 
 
-def document(model: LodModel) -> dict[str, Any]:
+def document(model: MeasuredLevels) -> dict[str, Any]:
     """All of a model but its geometry."""
     curves = [None, *(_curve(model.curves[number]) for number in range(len(model.curves)))]
     return formats.header(NAME, VERSION) | {

@@ -3,28 +3,24 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nearfar._base import check, plot
 from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
-from nearfar.lod import _file
-from nearfar.lod._levels import Levels
-from nearfar.lod._measure.fit import Curve4PL
-from nearfar.lod._measure.samples import Samples
+from nearfar.lod import _export, _file
+from nearfar.lod._measured_levels import MeasuredLevels
+from nearfar.lod._select.selector import Selector
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from nearfar.lod._select.selector import Selector
-
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
-class LodModel:
+class LodModel(MeasuredLevels):
     """Levels of an object with their curves: what `select` decides by.
 
     `measure` makes it. Level 0 is the base, which looks like itself; level i > 0 has the curve `curves[i - 1]`.
@@ -52,21 +48,6 @@ class LodModel:
         What curves were fitted to; None where nothing was measured.
     """
 
-    triangles: NDArray[np.int64]
-    curves: Curve4PL
-    center: NDArray[np.float64]
-    radius: float
-    sigma: tuple[float, float]
-    errors: NDArray[np.float64]
-    name: str = "object"
-    levels: Levels | None = None
-    measured: dict[str, Any] = field(default_factory=dict)
-    samples: Samples | None = None
-
-    def __len__(self) -> int:
-        """How many levels there are, level 0 included."""
-        return len(self.triangles)
-
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all but the geometry as JSON, whole or not at all: curves, samples, and how they were measured.
 
@@ -84,12 +65,9 @@ class LodModel:
 
         FormatError for other files and newer versions, OSError for none.
         """
-        given = check.path("path", path)
-        if given.suffix.lower() != ".glb":
-            return cls(**_file.read(given))
-        from nearfar.lod import _export
-
-        return _export.read(given)
+        source = check.path("path", path)
+        read = _export.read if source.suffix.lower() == ".glb" else _file.read
+        return cls(**read(source))
 
     def export(
         self,
@@ -124,14 +102,10 @@ class LodModel:
         ----------
         Khronos Group: glTF 2.0, extension MSFT_lod.
         """
-        from nearfar.lod import _export
-
         _export.write(self, check.path("path", path), view=view, k=k, d=d, threshold=threshold)
 
     def selector(self, mode: str) -> Selector:
-        """What `nearfar.render` chooses levels by where it is given a mode alone: a `Selector` with its defaults."""
-        from nearfar.lod._select.selector import Selector
-
+        """Return the `Selector` that `nearfar.render` uses where it is given a mode alone: all else at its defaults."""
         return Selector(mode=mode)
 
     def plot(self, ax: Axes | None = None) -> Axes:

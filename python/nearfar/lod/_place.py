@@ -13,11 +13,11 @@ from nearfar._scene.arrays import ORIGIN_LIMIT, transforms_of
 from nearfar._scene.levels import given, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.scene import Scene
-from nearfar.lod._model import LodModel
+from nearfar.lod._measured_levels import MeasuredLevels
 
 
 def place(
-    models: Sequence[LodModel],
+    models: Sequence[MeasuredLevels],
     model_index: ArrayLike,
     transforms: ArrayLike,
     *,
@@ -55,7 +55,7 @@ def place(
     TypeError
         For other things than models, numbers and names.
     """
-    if isinstance(models, LodModel) or not isinstance(models, Sequence):
+    if isinstance(models, MeasuredLevels) or not isinstance(models, Sequence):
         raise TypeError(f"models: expected a sequence of LodModels, got {type(models).__name__}")
     frames = transforms_of("transforms", transforms)
     if frames.ndim != 3:

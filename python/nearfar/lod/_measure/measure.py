@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, overload
+from typing import Any, overload
 
-from nearfar._base import check, progress
+from nearfar._base import check
+from nearfar._base.distribute import distribute
 from nearfar._camera.camera import Fov
 from nearfar._render import backend as backends
 from nearfar._render.channels import MAX_SAMPLES
@@ -15,9 +17,6 @@ from nearfar.lod._levels import Levels
 from nearfar.lod._measure.one_object import Settings, measure_one
 from nearfar.lod._measure.views import AXES, Screen
 from nearfar.lod._model import LodModel
-
-if TYPE_CHECKING:
-    from nearfar._base import distribute
 
 
 @overload
@@ -170,17 +169,12 @@ def measure(
     )
     if settings.views % len(AXES):
         raise ValueError(f"views: expected a multiple of {len(AXES)}, got {settings.views}")
-    if workers is not None and client is not None:
-        raise ValueError("workers: expected None beside a client, which has its own")
-    if workers is not None:
-        workers = check.integer("workers", workers, 1, 4096)
-    if client is not None and not all(hasattr(client, name) for name in ("submit", "scatter", "cancel")):
-        raise TypeError(f"client: expected a distributed.Client, got {type(client).__name__}")
     names, objects = _objects(levels)
-    done = _spread(objects, settings, workers, client)
+    measure_object = functools.partial(measure_one, settings=settings)
+    measured = distribute(measure_object, objects, label="measuring", workers=workers, client=client)
     models = [
         replace(model, levels=Levels([own[number] for number in chosen], name=own.name, frame=own.frame))
-        for own, (model, chosen) in zip(objects, done, strict=True)
+        for own, (model, chosen) in zip(objects, measured, strict=True)
     ]
     if isinstance(levels, Levels):
         return models[0]
@@ -202,30 +196,6 @@ def _objects(levels: object) -> tuple[list[str] | None, list[Levels]]:
         if not isinstance(own, Levels):
             raise TypeError(f"levels[{place!r}]: expected Levels, got {type(own).__name__}")
     return names, objects
-
-
-def _spread(objects: list[Levels], settings: Settings, workers: int | None, client: Any) -> list[distribute.Done]:
-    if client is None and workers is None:
-        return _in_turn(objects, settings)
-    # Processes bring libraries that importing nearfar does without.
-    from nearfar._base import distribute
-
-    if client is not None:
-        return distribute.over_cluster(objects, settings, client)
-    return distribute.over_processes(objects, settings, workers or 1)
-
-
-def _in_turn(objects: list[Levels], settings: Settings) -> list[distribute.Done]:
-    with progress.bar("measuring") as report:
-        done = []
-        for number, levels in enumerate(objects):
-
-            def tell(part: int, whole: int, number: int = number) -> None:
-                # A thousandth of an object is fine enough for a bar.
-                report(1000 * number + 1000 * part // max(whole, 1), 1000 * len(objects))
-
-            done.append(measure_one(levels, settings, tell))
-        return done
 
 
 def _within(name: str, value: float, low: float, high: float) -> float:

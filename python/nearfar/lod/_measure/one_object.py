@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar._base import progress
 from nearfar._render.renderer import Renderer
 from nearfar.lod._levels import Levels
 from nearfar.lod._measure.fit import Curve4PL, fit_4pl
@@ -18,8 +18,6 @@ from nearfar.lod._measure.score_cache import Kept, content
 from nearfar.lod._measure.scores import Pictures, pictures, scores
 from nearfar.lod._measure.views import AXES, Screen, Stand, turns
 from nearfar.lod._model import LodModel
-
-Report = Callable[[int, int], None]
 
 MOST_PIXELS = 1 << 20
 """Of a block of views: two pictures of each are in memory, and Ctrl-C loses one level's scores of it."""
@@ -53,7 +51,7 @@ class Counts:
     scores: int = 0
 
 
-def measure_one(levels: Levels, settings: Settings, report: Report) -> tuple[LodModel, list[int]]:
+def measure_one(levels: Levels, report: progress.Report, *, settings: Settings) -> tuple[LodModel, list[int]]:
     """A model without geometry, and the numbers of the levels that it keeps; the base is one of them."""
     return _Job(levels, settings, report).done()
 
@@ -62,7 +60,7 @@ def measure_one(levels: Levels, settings: Settings, report: Report) -> tuple[Lod
 class _Job:
     levels: Levels
     settings: Settings
-    report: Report
+    report: progress.Report
     counts: Counts = field(default_factory=Counts)
 
     def __post_init__(self) -> None:

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal, overload
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from nearfar._camera.camera import Camera
 from nearfar._lens.lens import RadialLens
@@ -14,60 +12,6 @@ from nearfar.lod._model import LodModel
 from nearfar.lod._select.selection import Selection
 from nearfar.lod._select.selector import Selector
 from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE
-
-
-@overload
-def select(
-    models: Sequence[LodModel],
-    model_index: ArrayLike,
-    centers: ArrayLike,
-    radii: ArrayLike,
-    *,
-    camera: Camera | Sequence[Camera],
-    lens: RadialLens | None = None,
-    lens_radius: float | None = None,
-    k: float = 0.27,
-    d: float = 0.90,
-    threshold: str = "anchored",
-    mode: str = "depth+eccentricity",
-    reference: float | None = None,
-    cull: bool = True,
-    previous: ArrayLike | None = None,
-    hysteresis: float = 0.0,
-    fade: float = 0.0,
-    gaze: ArrayLike | None = None,
-    acuity_slope: float = ACUITY_SLOPE,
-    acuity_limit_deg: float = ACUITY_LIMIT_DEG,
-    inverse: str = "lut",
-    full: Literal[False] = False,
-) -> NDArray[np.int32]: ...
-
-
-@overload
-def select(
-    models: Sequence[LodModel],
-    model_index: ArrayLike,
-    centers: ArrayLike,
-    radii: ArrayLike,
-    *,
-    camera: Camera | Sequence[Camera],
-    lens: RadialLens | None = None,
-    lens_radius: float | None = None,
-    k: float = 0.27,
-    d: float = 0.90,
-    threshold: str = "anchored",
-    mode: str = "depth+eccentricity",
-    reference: float | None = None,
-    cull: bool = True,
-    previous: ArrayLike | None = None,
-    hysteresis: float = 0.0,
-    fade: float = 0.0,
-    gaze: ArrayLike | None = None,
-    acuity_slope: float = ACUITY_SLOPE,
-    acuity_limit_deg: float = ACUITY_LIMIT_DEG,
-    inverse: str = "lut",
-    full: Literal[True],
-) -> Selection: ...
 
 
 def select(
@@ -93,7 +37,7 @@ def select(
     acuity_limit_deg: float = ACUITY_LIMIT_DEG,
     inverse: str = "lut",
     full: bool = False,
-) -> NDArray[np.int32] | Selection:
+) -> Selection:
     """Choose a level of detail for each object: the coarsest whose score is enough for its size.
 
     An object of solid angle σ needs a score of f(σ), and level i has the score M_i(σ′): the level is the coarsest i
@@ -153,12 +97,12 @@ def select(
     inverse
         Of the lens: "lut", whose σ′ is within 10⁻⁸ of itself, or "newton", which is `corrected_solid_angle`.
     full
-        Whether to return all that was computed.
+        Whether to fill the columns of the selection too: sizes, thresholds, scores and fades.
 
     Returns
     -------
-    NDArray or Selection
-        (N,) int32 levels, 0 the finest, −1 out of view; with `full` a `Selection`. The same for any number of threads.
+    Selection
+        Computes as (N,) int32 levels, 0 the finest, −1 out of view. The same for any number of threads.
 
     Raises
     ------
@@ -184,4 +128,4 @@ def select(
         acuity_limit_deg=acuity_limit_deg,
         inverse=inverse,
     )
-    return selector._chosen(models, model_index, centers, radii, camera, previous, gaze, full)
+    return selector.select(models, model_index, centers, radii, camera=camera, previous=previous, gaze=gaze, full=full)

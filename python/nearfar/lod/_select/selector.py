@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, overload
+from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -16,8 +16,8 @@ from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar._lens.lens import RadialLens
 from nearfar.hmd._eye import rotation
-from nearfar.lod._model import LodModel
-from nearfar.lod._select.selection import Selection
+from nearfar.lod._measured_levels import MeasuredLevels
+from nearfar.lod._select.selection import COLUMNS, Selection
 from nearfar.lod._select.size import (
     ACUITY_LIMIT_DEG,
     ACUITY_SLOPE,
@@ -32,7 +32,7 @@ THRESHOLDS = ("anchored", "literal", "normalized")
 INVERSES = ("lut", "newton")
 _COUNTS = ("culled", "one_level", "settled", "large", "asked", "lens", "table", "formula")
 
-_ROWS: WeakKeyDictionary[LodModel, NDArray[np.float64]] = WeakKeyDictionary()
+_ROWS: WeakKeyDictionary[MeasuredLevels, NDArray[np.float64]] = WeakKeyDictionary()
 """Parameters of each model's curves, so that a frame does not collect them again."""
 
 
@@ -81,37 +81,9 @@ class Selector:
         limit = check.positive("acuity_limit_deg", self.acuity_limit_deg)
         object.__setattr__(self, "acuity_limit_deg", limit)
 
-    @overload
     def select(
         self,
-        models: Sequence[LodModel],
-        model_index: ArrayLike,
-        centers: ArrayLike,
-        radii: ArrayLike,
-        *,
-        camera: Camera | Sequence[Camera],
-        previous: ArrayLike | None = None,
-        gaze: ArrayLike | None = None,
-        full: Literal[False] = False,
-    ) -> NDArray[np.int32]: ...
-
-    @overload
-    def select(
-        self,
-        models: Sequence[LodModel],
-        model_index: ArrayLike,
-        centers: ArrayLike,
-        radii: ArrayLike,
-        *,
-        camera: Camera | Sequence[Camera],
-        previous: ArrayLike | None = None,
-        gaze: ArrayLike | None = None,
-        full: Literal[True],
-    ) -> Selection: ...
-
-    def select(
-        self,
-        models: Sequence[LodModel],
+        models: Sequence[MeasuredLevels],
         model_index: ArrayLike,
         centers: ArrayLike,
         radii: ArrayLike,
@@ -120,21 +92,8 @@ class Selector:
         previous: ArrayLike | None = None,
         gaze: ArrayLike | None = None,
         full: bool = False,
-    ) -> NDArray[np.int32] | Selection:
+    ) -> Selection:
         """Choose a level for each object; arguments, results and errors are those of `nearfar.lod.select`."""
-        return self._chosen(models, model_index, centers, radii, camera, previous, gaze, full)
-
-    def _chosen(
-        self,
-        models: Sequence[LodModel],
-        model_index: ArrayLike,
-        centers: ArrayLike,
-        radii: ArrayLike,
-        camera: Camera | Sequence[Camera],
-        previous: ArrayLike | None,
-        gaze: ArrayLike | None,
-        full: bool,
-    ) -> NDArray[np.int32] | Selection:
         curves, firsts, ranges = _collected(models)
         places, sizes = check.spheres(centers, radii)
         index = _column("model_index", model_index, np.int64, len(places))
@@ -169,17 +128,10 @@ class Selector:
             fade=self.fade,
             full=bool(full),
         )
-        if not full:
-            return level
-        sigma, seen, threshold, score, shown = columns
         return Selection(
             level=level,
-            sigma=sigma,
-            sigma_seen=seen,
-            threshold=threshold,
-            score=score,
-            shown=shown,
             counts=dict(zip(_COUNTS, counts, strict=True)),
+            columns=dict(zip(COLUMNS, columns, strict=True)) if full else {},
         )
 
 
@@ -191,7 +143,7 @@ def _column(name: str, value: ArrayLike, dtype: type[np.integer], count: int) ->
     return numbers
 
 
-def _rows(model: LodModel) -> NDArray[np.float64]:
+def _rows(model: MeasuredLevels) -> NDArray[np.float64]:
     """a, b, c and d of each level's curve but level 0's, (K − 1, 4); NaN where there is none."""
     rows = _ROWS.get(model)
     if rows is None:
@@ -206,13 +158,13 @@ def _rows(model: LodModel) -> NDArray[np.float64]:
 
 
 def _collected(
-    models: Sequence[LodModel],
+    models: Sequence[MeasuredLevels],
 ) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
     """Curves of all models, where each model's start, and the sizes between which they were measured."""
-    if isinstance(models, LodModel) or not isinstance(models, Sequence):
+    if isinstance(models, MeasuredLevels) or not isinstance(models, Sequence):
         raise TypeError(f"models: expected a sequence of LodModel, got {type(models).__name__}")
     for number, model in enumerate(models):
-        if not isinstance(model, LodModel):
+        if not isinstance(model, MeasuredLevels):
             raise TypeError(f"models: expected a LodModel at index {number}, got {type(model).__name__}")
     rows = [_rows(model) for model in models]
     firsts = np.zeros(len(rows) + 1, np.int64)

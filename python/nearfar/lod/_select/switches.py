@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
-from nearfar.lod._model import LodModel
+from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.size import half_tangent, reference_solid_angle
 
 _STEPS = 1024
@@ -53,7 +53,7 @@ class Switches:
 
 
 def switches(
-    model: LodModel,
+    model: MeasuredLevels,
     *,
     view: Hmd | Camera | Fov,
     k: SupportsFloat = 0.27,
@@ -115,7 +115,7 @@ def _line(view: Hmd | Camera | Fov, k: SupportsFloat, d: SupportsFloat, threshol
             return slope / reference, start - slope
 
 
-def _good_sizes(model: LodModel, reference: float, line: tuple[float, float]) -> NDArray[np.float64]:
+def _good_sizes(model: MeasuredLevels, reference: float, line: tuple[float, float]) -> NDArray[np.float64]:
     """The size up to which each level is good enough; 4π for level 0."""
     sizes = np.full(len(model), 4 * math.pi)
     if len(model) == 1:

@@ -1,4 +1,4 @@
-"""Many objects measured at once: over processes and clusters the same bytes as in a row; and Ctrl-C."""
+"""Many objects measured at once: the same bytes over processes and clusters; Ctrl-C keeps the scores that are done."""
 
 from __future__ import annotations
 

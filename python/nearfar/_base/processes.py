@@ -1,0 +1,67 @@
+"""One function over many items in processes of this machine, which end together at Ctrl-C."""
+
+from __future__ import annotations
+
+import concurrent.futures
+import multiprocessing
+import os
+import signal
+from collections.abc import Callable, Sequence
+from concurrent.futures.process import BrokenProcessPool
+from multiprocessing.synchronize import Event
+from typing import TypeVar
+
+from nearfar._base import progress
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
+
+_is_stopped: Callable[[], bool] | None = None
+"""In a worker: whether the process that started it was interrupted."""
+
+
+def over_processes(
+    function: Callable[[Item, progress.Report], Result], items: Sequence[Item], label: str, workers: int
+) -> list[Result]:
+    """Call a function for each item in processes of their own; `nearfar._base.distribute` says how."""
+    # Graphics drivers hang in forked children, so that children begin anew.
+    context = multiprocessing.get_context("spawn")
+    stop = context.Event()
+    workers = min(workers, len(items))
+    threads = max(1, (os.cpu_count() or 1) // workers)
+    pool = concurrent.futures.ProcessPoolExecutor(
+        workers, mp_context=context, initializer=_begin, initargs=(stop, threads)
+    )
+    try:
+        futures = [pool.submit(_in_worker, function, item) for item in items]
+        with progress.bar(label) as report:
+            for number, future in enumerate(concurrent.futures.as_completed(futures)):
+                future.result()  # raises what the function raised
+                report(number, len(items))
+        return [future.result() for future in futures]
+    except BrokenProcessPool:
+        message = "workers: a process ended at once; a script needs `if __name__ == '__main__':` around what it does"
+        raise RuntimeError(message) from None
+    except BaseException:
+        stop.set()
+        raise
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _begin(stop: Event, threads: int) -> None:
+    """Set up a worker before its first kernel."""
+    global _is_stopped
+    _is_stopped = stop.is_set
+    # Ctrl-C goes to all processes of a terminal: the process that started this one decides what follows from it.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    os.environ.setdefault("NEARFAR_NUM_THREADS", str(threads))
+    os.environ["NEARFAR_PROGRESS"] = "0"
+
+
+def _in_worker(function: Callable[[Item, progress.Report], Result], item: Item) -> Result:
+    def look(_done: int, _total: int) -> None:
+        if _is_stopped is not None and _is_stopped():
+            raise concurrent.futures.CancelledError
+
+    return function(item, look)

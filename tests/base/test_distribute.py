@@ -1,0 +1,145 @@
+"""A function over items gives the same in this process, over processes and on a cluster; errors and Ctrl-C end all."""
+
+from __future__ import annotations
+
+import functools
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from nearfar._base import progress
+from nearfar._base.distribute import distribute
+from tests.support import need
+from tests.support.distribute_cases import environment, squared
+
+SQUARED = functools.partial(squared, offset=1)
+
+
+def test_results_come_in_the_order_of_the_items() -> None:
+    expected = [1, 10, 5, 2, 26]
+    for workers in (None, 1, 2):
+        assert distribute(SQUARED, [0, 3, 2, 1, 5], label="squaring", workers=workers) == expected
+        assert distribute(SQUARED, [], label="squaring", workers=workers) == []
+
+
+def test_a_cluster_gives_the_same() -> None:
+    need("distributed")
+    from distributed import Client, LocalCluster
+
+    with (
+        LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster,
+        Client(cluster) as client,
+    ):
+        assert distribute(SQUARED, (0, 3, 2), label="squaring", client=client) == [1, 10, 5]
+        assert distribute(SQUARED, (), label="squaring", client=client) == []
+        with pytest.raises(ValueError, match="item: expected a number of at least 0, got -1"):
+            distribute(SQUARED, [3, -1], label="squaring", client=client)
+
+
+@pytest.mark.parametrize("workers", [None, 1])
+def test_the_first_error_is_raised(workers: int | None) -> None:
+    with pytest.raises(ValueError, match="item: expected a number of at least 0, got -2"):
+        distribute(SQUARED, [3, -2, 4], label="squaring", workers=workers)
+
+
+def test_processes_share_the_threads_of_the_machine(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("NEARFAR_NUM_THREADS", raising=False)
+    monkeypatch.setattr(os, "cpu_count", lambda: 6)
+    outcomes = distribute(environment, ["NEARFAR_NUM_THREADS", "NEARFAR_PROGRESS"], label="looking", workers=8)
+    assert [value for _, value in outcomes] == ["3", "0"]
+    assert os.getpid() not in {process for process, _ in outcomes}
+    monkeypatch.setenv("NEARFAR_NUM_THREADS", "1")
+    assert distribute(environment, ["NEARFAR_NUM_THREADS"], label="looking", workers=1)[0][1] == "1"
+    assert distribute(environment, ["NEARFAR_NUM_THREADS"], label="looking") == [(os.getpid(), "1")]
+
+
+def test_progress_is_that_of_all_items(monkeypatch: pytest.MonkeyPatch) -> None:
+    shown: list[Any] = []
+
+    @contextmanager
+    def bar(label: str) -> Iterator[progress.Report]:
+        shown.append(label)
+        yield lambda done, total: shown.append(done / total)
+
+    monkeypatch.setattr(progress, "bar", bar)
+    distribute(squared, [1, 2], label="squaring")
+    assert shown == ["squaring", 0.25, 0.75]
+
+
+@pytest.mark.parametrize(
+    ("options", "error", "message"),
+    [
+        ({"workers": 0}, ValueError, "workers: expected a whole number from 1 to 4096, got 0"),
+        ({"workers": 1.5}, TypeError, "workers: expected a whole number"),
+        ({"client": 3}, TypeError, "client: expected a distributed.Client, got int"),
+        ({"workers": 2, "client": object()}, ValueError, "workers: expected None beside a client"),
+    ],
+)
+def test_bad_arguments(options: dict[str, Any], error: type[Exception], message: str) -> None:
+    with pytest.raises(error, match=message):
+        distribute(squared, [1], label="squaring", **options)
+
+
+# Ctrl-C and scripts without a guard ----------------------------------------------------------------------------------
+UNGUARDED = """
+from nearfar._base.distribute import distribute
+from tests.support.distribute_cases import squared
+distribute(squared, [1], label="squaring", workers=1)
+"""
+
+ENDLESS = """
+import sys
+from pathlib import Path
+from nearfar._base.distribute import distribute
+from tests.support.distribute_cases import endless
+
+if __name__ == "__main__":
+    distribute(endless, [Path(sys.argv[1]) / str(n) for n in range(4)], label="waiting", workers=2)
+"""
+
+
+def started(folder: Path, code: str) -> subprocess.Popen[str]:
+    script = folder / "script.py"
+    script.write_text(code)
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+    return subprocess.Popen([sys.executable, script, folder], env=environment, stderr=subprocess.PIPE, text=True)
+
+
+def test_a_script_without_a_guard_is_told_of_it(tmp_path: Path) -> None:
+    program = started(tmp_path, UNGUARDED)
+    message = program.communicate(timeout=120)[1]
+    assert message.splitlines()[-1].startswith("RuntimeError: workers: a process ended at once")
+
+
+def test_ctrl_c_ends_all_processes(tmp_path: Path) -> None:
+    need("linux")
+    program = started(tmp_path, ENDLESS)
+
+    def until(is_reached: Any) -> bool:
+        deadline = time.monotonic() + 60
+        while not is_reached() and time.monotonic() < deadline:
+            time.sleep(0.05)
+        return bool(is_reached())
+
+    def begun() -> list[str]:
+        return [text for number in range(4) if (path := tmp_path / str(number)).exists() and (text := path.read_text())]
+
+    try:
+        assert until(lambda: len(begun()) == 2)
+        program.send_signal(signal.SIGINT)
+        message = program.communicate(timeout=60)[1]
+        assert message.splitlines()[-1] == "KeyboardInterrupt"
+        assert until(lambda: not any(Path(f"/proc/{worker}").exists() for worker in begun()))
+        # An executor hands out one item more than it has workers; that one ends at its first report.
+        assert len(begun()) <= 3
+    finally:
+        program.kill()
+        program.wait()
