@@ -7,7 +7,11 @@ import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
 from tests.support import need
+from tests.support.graphs import circles
+from tests.support.rust_modules import file_graph
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 CORE = CHECKOUT / "rust" / "core" / "src"
@@ -105,6 +109,13 @@ def test_modules_of_the_gpu_use_only_what_they_may() -> None:
     manifest = (GPU.parent / "Cargo.toml").read_text(encoding="utf-8")
     assert re.findall(r"^nearfar-\w+", manifest, re.MULTILINE) == ["nearfar-core"]
     assert "pyo3" not in manifest
+
+
+@pytest.mark.parametrize(("crate", "least"), [(CORE, 100), (GPU, 30), (BINDINGS, 20)])
+def test_no_file_uses_itself_through_others(crate: Path, least: int) -> None:
+    graph = file_graph(crate)
+    assert len(graph) >= least
+    assert circles(graph) == []
 
 
 # The kernels compute: no interpreter, no files, no clock, no environment but the pool's variable, no printing.

@@ -8,7 +8,8 @@ import subprocess
 from pathlib import Path
 
 from tests.support import need
-from tests.support.python_modules import circles, uses
+from tests.support.graphs import circles
+from tests.support.python_modules import uses
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 PACKAGE = CHECKOUT / "python" / "nearfar"

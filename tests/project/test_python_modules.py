@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.python_modules import circles, uses
+from tests.support.graphs import circles
+from tests.support.python_modules import uses
 
 
 def package(folder: Path, **files: str) -> Path:

@@ -79,31 +79,3 @@ def _names(tree: ast.Module) -> Iterator[tuple[str, tuple[str, str]]]:
     for node in tree.body:
         if isinstance(node, ast.ImportFrom) and node.module:
             yield from ((alias.asname or alias.name, (node.module, alias.name)) for alias in node.names)
-
-
-def circles(graph: Graph) -> list[list[str]]:
-    """Sets of two or more files each of which uses, directly or not, every other one (Tarjan 1972)."""
-    order: dict[str, int] = {}
-    lowest: dict[str, int] = {}
-    path: list[str] = []
-    found: list[list[str]] = []
-
-    def visit(file: str) -> None:
-        order[file] = lowest[file] = len(order)
-        path.append(file)
-        for used in sorted(graph.get(file, ())):
-            if used not in order:
-                visit(used)
-                lowest[file] = min(lowest[file], lowest[used])
-            elif used in path:
-                lowest[file] = min(lowest[file], order[used])
-        if lowest[file] == order[file]:
-            component = path[path.index(file) :]
-            del path[path.index(file) :]
-            if len(component) > 1:
-                found.append(sorted(component))
-
-    for file in sorted(graph):
-        if file not in order:
-            visit(file)
-    return found

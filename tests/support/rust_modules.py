@@ -1,7 +1,7 @@
 """Which file of a Rust crate uses which: a parser of imports and paths, enough to find circles.
 
-An import counts to the file that defines the name, however many `pub use` stand between. A `mod.rs` or `lib.rs` that only
-declares, documents and re-exports is no file of the graph; one that defines something is. Tests are left out.
+An import counts to the file that defines the name, however many `pub use` stand between. A `mod.rs` or `lib.rs` that
+only declares, documents and re-exports is no file of the graph; one that defines something is. Tests are left out.
 """
 
 from __future__ import annotations
@@ -291,20 +291,3 @@ def used_by(module: Module, macros: dict[str, str]) -> set[str]:
         files |= {file for file, _ in items} | {one.file for one in modules}
     called = set(re.findall(r"\b(\w+)!", module.code)) - imported - set(module.items)
     return files | {macros[name] for name in called & set(macros)}
-
-
-def circles(graph: dict[str, set[str]]) -> list[list[str]]:
-    """Files that use each other, directly or by way of others: the strongly connected components of more than one."""
-    reached = {name: reachable(graph, name) for name in graph}
-    found = {frozenset({name} | {other for other in reached[name] if name in reached[other]}) for name in graph}
-    return sorted(sorted(circle) for circle in found if len(circle) > 1)
-
-
-def reachable(graph: dict[str, set[str]], start: str) -> set[str]:
-    seen: set[str] = set()
-    pending = [start]
-    while pending:
-        for name in graph.get(pending.pop(), set()) - seen:
-            seen.add(name)
-            pending.append(name)
-    return seen
