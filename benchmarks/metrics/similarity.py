@@ -81,7 +81,7 @@ def similarity(label: str, a: Image, b: Image, extent: float, *, window: str = "
 def maps_at_a_level() -> str:
     """Maps of float32 pictures at 10⁴ times their contrast; the truth is float64 about means."""
     a, b = (picture + np.float32(1e4) for picture in pictures(1080, 1920)[:2])
-    exact = nf.ssim(a.astype(np.float64), b.astype(np.float64), data_range=1, full=True)[1]
+    exact = nf.ssim(a.astype(np.float64), b.astype(np.float64), data_range=1, full=True).map
 
     def scikit(a: Image, b: Image) -> Image:
         options: dict[str, Any] = {"gaussian_weights": True, "use_sample_covariance": False, "full": True}
@@ -91,7 +91,7 @@ def maps_at_a_level() -> str:
         return float(np.abs(found - exact)[5:-5, 5:-5].max())
 
     cases = [
-        Case(OURS, lambda: nf.ssim(a, b, data_range=1, full=True)[1], error, peer=False),
+        Case(OURS, lambda: nf.ssim(a, b, data_range=1, full=True).map, error, peer=False),
         Case("OpenCV, five blurs", lambda: five_blurs(a, b, 1.0, gaussian, 5)[1], error),
         Case("scikit-image", lambda: scikit(a, b), error),
         Case("scikit-image, float64", lambda: scikit(a.astype(np.float64), b.astype(np.float64)), error),

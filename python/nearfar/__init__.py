@@ -29,6 +29,7 @@ from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._metrics.comparison import Comparison, compare
 from nearfar._metrics.discontinuity import boundary, discontinuity
 from nearfar._metrics.pixel_errors import object_completion, psnr, rmse
+from nearfar._metrics.result import Similarity
 from nearfar._metrics.similarity import ms_ssim, ssim, ssim_pairs, visual_continuity
 from nearfar._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
 from nearfar._lens.warp import WarpMesh
@@ -59,6 +60,7 @@ __all__ = [
     "SceneBuilder",
     "SceneError",
     "Shot",
+    "Similarity",
     "WarpMesh",
     "__version__",
     "bend_rays",

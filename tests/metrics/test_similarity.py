@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import pickle
 from collections.abc import Iterator
 from typing import Any, cast
 
@@ -113,10 +115,10 @@ def test_identities(shape: tuple[int, int], kind: type, window: str, size: int) 
     assert (found <= 1).all()
     assert mean <= 1
     assert nf.ssim(a, a, **options) == 1.0
-    assert (nf.ssim(a, a, full=True, **options)[1] == 1.0).all()
+    assert (nf.ssim(a, a, full=True, **options).map == 1.0).all()
     swapped = nf.ssim(b, a, full=True, **options)
-    assert swapped[0] == mean
-    np.testing.assert_array_equal(swapped[1], found)
+    assert float(swapped) == mean
+    np.testing.assert_array_equal(swapped.map, found)
     # Without the map tiles begin elsewhere, and so do levels.
     assert nf.ssim(a, b, **options) == pytest.approx(mean, abs=1e-12 if kind == np.float64 else 1e-6)
 
@@ -206,8 +208,8 @@ def test_any_layout_has_the_same_bits(kind: type) -> None:
     for channels in (np.stack([a, b], axis=-1), np.moveaxis(np.stack([a, b]), 0, -1)):
         found = nf.ssim(channels, channels[..., ::-1], data_range=extent, full=True)
         # Tiles of maps begin elsewhere, and round otherwise.
-        assert found[0] == pytest.approx(expected, abs=1e-14 if kind == np.float64 else 1e-8)
-        assert found[1].shape == (61, 140, 2)
+        assert float(found) == pytest.approx(expected, abs=1e-14 if kind == np.float64 else 1e-8)
+        assert found.map.shape == (61, 140, 2)
 
 
 def test_axes_of_one_pixel_may_have_any_step() -> None:
@@ -368,3 +370,21 @@ def test_sequences_are_read_as_they_go() -> None:
 def test_refuses_what_cannot_be_compared(call: Any, error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
         call(*pictures())
+
+
+def test_a_similarity_is_a_float_that_carries_its_map() -> None:
+    a, b = pictures(40, 50)
+    alone, full = nf.ssim(a, b, data_range=1), nf.ssim(a, b, data_range=1, full=True)
+    assert isinstance(alone, float)
+    assert float(alone) == pytest.approx(float(full), abs=1e-12)
+    assert f"{alone:.3f}" == f"{float(alone):.3f}"
+    assert json.dumps([alone]) == json.dumps([float(alone)])
+    mean, similarities = full
+    assert type(mean) is float
+    assert similarities is full.map
+    assert similarities.shape == a.shape
+    again = pickle.loads(pickle.dumps(full))
+    assert again == full
+    np.testing.assert_array_equal(again.map, full.map)
+    with pytest.raises(ValueError, match="full=True"):
+        _ = alone.map

@@ -69,12 +69,12 @@ def test_digits_are_kept_beside_outliers(kind: type, window: str) -> None:
         near = np.abs(a[30:70, 40:80]) < 1
         if not near.any():
             continue
-        seen = nf.ssim(a[30:70, 40:80], b[30:70, 40:80], data_range=1, mask=near, masking="windows", full=True)[1]
+        seen = nf.ssim(a[30:70, 40:80], b[30:70, 40:80], data_range=1, mask=near, masking="windows", full=True).map
         expected = slow_masked(a[30:70, 40:80], b[30:70, 40:80], near, weights("gaussian", 11), 1.0)
         np.testing.assert_allclose(seen, expected, rtol=0, atol=1e-10 if kind == np.float64 else 1e-6, err_msg=name)
         whole = np.ones(a.shape, bool)
-        both = nf.ssim(a, b, data_range=1, mask=whole, masking="windows", full=True)[1][60:, 80:]
-        alone = nf.ssim(a[40:, 60:], b[40:, 60:], data_range=1, mask=whole[40:, 60:], masking="windows", full=True)[1]
+        both = nf.ssim(a, b, data_range=1, mask=whole, masking="windows", full=True).map[60:, 80:]
+        alone = nf.ssim(a[40:, 60:], b[40:, 60:], data_range=1, mask=whole[40:, 60:], masking="windows", full=True).map
         np.testing.assert_allclose(
             both, alone[20:, 20:], rtol=0, atol=1e-9 if kind == np.float64 else 1e-6, err_msg=name
         )
@@ -126,8 +126,8 @@ def test_values_about_zero_and_beyond_the_range_keep_their_luminance() -> None:
     for scale in (1, 10, 100):
         for step in (0, 30, 5000):
             a, b = ((scale * p + np.where(np.arange(150) < 64, 0, step)).astype(np.float32) for p in (noise, other))
-            found = nf.ssim(a, b, data_range=1, full=True)[1]
-            exact = nf.ssim(a.astype(np.float64), b.astype(np.float64), data_range=1, full=True)[1]
+            found = nf.ssim(a, b, data_range=1, full=True).map
+            exact = nf.ssim(a.astype(np.float64), b.astype(np.float64), data_range=1, full=True).map
             np.testing.assert_allclose(found, exact, rtol=0, atol=1e-5, err_msg=f"{scale} {step}")
 
 
@@ -151,7 +151,7 @@ def test_any_width_of_the_window_has_weights(size: int, sigma: float) -> None:
         else (offsets == offsets.min()) / (offsets == offsets.min()).sum()
     )
     expected, _ = slow_maps(a, b, line, 1.0)
-    found = nf.ssim(a, b, data_range=1, size=size, sigma=sigma, full=True)[1]
+    found = nf.ssim(a, b, data_range=1, size=size, sigma=sigma, full=True).map
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
 
 
@@ -160,5 +160,5 @@ def test_float64_keeps_the_variance_at_any_level() -> None:
     # Halves of 2⁻²⁰ survive adding 10⁸, so that the shifted pictures are the same but for their level.
     a, b = (np.round(p * 2**20) / 2**20 for p in (a, b))
     shifted, _ = slow_maps(a + 1e8, b + 1e8, weights("gaussian", 11), 1.0)
-    found = nf.ssim(a + 1e8, b + 1e8, data_range=1, full=True)[1]
+    found = nf.ssim(a + 1e8, b + 1e8, data_range=1, full=True).map
     np.testing.assert_allclose(found, shifted, rtol=0, atol=1e-9)

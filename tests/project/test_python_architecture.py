@@ -33,7 +33,7 @@ STAGES: dict[str, set[str]] = {
     "_metrics": {"_camera", "_render"},
     "_lens": {"_camera"},
     "hmd": {"_camera", "_lens"},
-    "gpu": {"_camera", "_morph", "_render"},
+    "gpu": {"_camera", "_metrics", "_morph", "_render"},
     "lod": {"_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "_trace", "hmd"},
 }
 

@@ -13,6 +13,7 @@ from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._metrics import inputs
 from nearfar._metrics.inputs import Pair
+from nearfar._metrics.result import Similarity
 from nearfar._render.frame import Frame
 
 WINDOWS = ("gaussian", "uniform", "global")
@@ -113,7 +114,7 @@ def ssim(
     masking: str = "mean",
     convention: str = "wang",
     full: bool = False,
-) -> Any:
+) -> Similarity:
     """Structural similarity of two pictures.
 
     Parameters
@@ -145,9 +146,9 @@ def ssim(
 
     Returns
     -------
-    float or (float, NDArray)
-        The mean, at most 1: 1 exactly for equal pictures, and the same in either order. Where no window lies within
-        the picture, all count. With `full` also the map, (H, W) or (H, W, C) (smaller if downsampled), float64 for
+    Similarity
+        The mean, a float of at most 1: 1 exactly for equal pictures, and the same in either order. Where no window lies
+        within the picture, all count. With `full` its `map`, (H, W) or (H, W, C) (smaller if downsampled), float64 for
         float64 and float32 for other types, for which pictures are mirrored at their borders; NaN outside of the mask
         where windows see nothing else. In float64 mean and map differ from scikit-image's by less than 1e-12 and
         1e-10; in other types, computed in float32 about local means, from float64's by 1e-6 and 1e-5. Parts of pictures
@@ -174,9 +175,7 @@ def ssim(
     if not sums[..., 1].all():
         raise ValueError("mask: expected at least one pixel whose window lies within the picture, got none")
     mean = float((sums[..., 0] / sums[..., 1]).mean())
-    if maps is None:
-        return mean
-    return mean, np.moveaxis(maps, 0, -1) if maps.ndim == 3 else maps
+    return Similarity(mean, np.moveaxis(maps, 0, -1) if maps is not None and maps.ndim == 3 else maps)
 
 
 def ssim_pairs(

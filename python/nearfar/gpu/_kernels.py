@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera
+from nearfar._metrics.result import Similarity
 from nearfar._morph import KINDS, radii_of
 from nearfar._render import backend as backends
 from nearfar.gpu._frames import DeviceFrame
@@ -30,7 +31,7 @@ def ssim(
     size: int = 11,
     sigma: float = 1.5,
     full: bool = False,
-) -> Any:
+) -> Similarity:
     """Structural similarity of two frames on one device: as `nearfar.ssim` of the same frames read back.
 
     Parameters
@@ -48,10 +49,11 @@ def ssim(
 
     Returns
     -------
-    float or (float, NDArray)
-        The mean, at most 1: 1 exactly for equal pictures, and the same bits whenever it is taken on one device. Where
-        no window lies within the picture, all count. With `full` also the map, (H, W) float32. Both are computed in
-        float32 about local means; the mean differs from float64's by less than 1e-6, the map by less than 2e-5.
+    Similarity
+        The mean, a float of at most 1: 1 exactly for equal pictures, and the same bits whenever it is taken on one
+        device. Where no window lies within the picture, all count. With `full` its `map`, (H, W) float32. Both are
+        computed in float32 about local means; the mean differs from float64's by less than 1e-6, the map by less than
+        2e-5.
 
     Raises
     ------
@@ -70,10 +72,8 @@ def ssim(
         _frame(name, frame).require("color")
     settings: dict[str, Any] = {"window": window, "size": taps, "sigma": deviation}
     mean, flat = _core.gpu_similarity(reference._core, test._core, **settings, full=bool(full))
-    if flat is None:
-        return mean
     width, height = reference.camera.size
-    return mean, flat.reshape(height, width)
+    return Similarity(mean, None if flat is None else flat.reshape(height, width))
 
 
 def discontinuity(
