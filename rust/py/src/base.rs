@@ -29,7 +29,7 @@ pub(crate) fn thread_count() -> PyResult<usize> {
     pool::thread_count().map_err(to_python)
 }
 
-/// A kernel that does nothing but behave in a given way, so that cancelling, forking and panics can be tested:
+/// A kernel by which cancelling, forking and panics are tested:
 /// "wait" runs until it is cancelled, "panic" panics on a thread of the pool, "value" fails as a kernel fails.
 #[pyfunction]
 #[pyo3(signature = (behaviour, report=None))]

@@ -80,7 +80,7 @@ impl Camera {
     }
 }
 
-/// How a depth buffer's values become distances.
+/// A conversion between a depth buffer's values and distances.
 #[pyclass(frozen, module = "nearfar._core")]
 pub(crate) struct DepthBuffer(camera::DepthBuffer);
 

@@ -236,7 +236,7 @@ pub(crate) fn warp_mesh<'py>(
     ))
 }
 
-/// Solid angles of what a lens shows of spheres.
+/// Solid angles of spheres as a lens shows them.
 #[pyfunction]
 #[pyo3(signature = (lens, centers, radii, *, eye, forward, tan_omega, exact))]
 #[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]

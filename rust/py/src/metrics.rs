@@ -70,8 +70,8 @@ pub(crate) fn mean_squared_errors(py: Python<'_>, references: Images<'_>, tests:
     })
 }
 
-/// How pairs are compared: window, its size and σ, (c1, c2), by how much images are made smaller first, whether windows
-/// count that reach beyond the image, and whether they see only what masks name.
+/// Settings of a comparison: window, its size and σ, (c1, c2), the factor by which images are shrunk first, whether
+/// windows count that reach beyond the image, and whether they see only pixels in the masks.
 type Settings = (String, usize, f64, (f64, f64), usize, bool, bool);
 
 fn comparison((window, size, sigma, (c1, c2), shrink, all, hidden): Settings) -> Result<Comparison> {

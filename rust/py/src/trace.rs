@@ -71,7 +71,7 @@ pub(crate) fn instruction_sets() -> Vec<&'static str> {
     trace::instruction_sets()
 }
 
-/// Chooses one for this process; for tests and timing.
+/// Chooses an instruction set for this process; for tests and timing.
 #[pyfunction]
 pub(crate) fn use_instruction_set(name: &str) -> PyResult<()> {
     trace::use_instruction_set(name).map_err(to_python)

@@ -71,3 +71,80 @@ impl Displacement {
     /// Points are shown where they are.
     pub const NONE: Self = Self { shift: DVec3::ZERO, slack: 0.0 };
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use glam::{DAffine3, DQuat, DVec3};
+    use nearfar_core::base::Progress;
+    use nearfar_core::camera::{Camera, Fov, Projection};
+    use nearfar_core::render::{Channels, Frame};
+    use nearfar_core::base::FaceMap;
+    use nearfar_core::scene::{Instance, Mesh, Scene};
+
+    use super::*;
+    use crate::device::{Device, adapters, device};
+    use crate::draw::{Job, Layer, Picture, Set};
+    use crate::upload::Residents;
+
+    /// A technique of which `draw` knows nothing: all points are moved, and those to the left of the eye are left out.
+    const MOVED: Style = Style(Snippet {
+        name: "moved",
+        text: "fn shown(p: vec3<f32>) -> vec3<f32> { return p + view.parameters[0].xyz; }
+               fn shown_range(direction: vec3<f32>, range: f32) -> f32 { return range; }
+               fn backdrop_range(direction: vec3<f32>, range: f32) -> f32 { return range; }",
+        variant: 0,
+    });
+    const RIGHT: Cut = Cut {
+        snippet: Snippet {
+            name: "right",
+            text: "fn cut_place(p: vec3<f32>) -> vec3<f32> { return p; }
+                   fn is_kept(place: vec3<f32>, from_eye: vec3<f32>, normal: vec3<f32>) -> bool {
+                       return from_eye.x >= 0.0;
+                   }",
+            variant: 0,
+        },
+        face_normals: false,
+    };
+    const SHIFT: DVec3 = DVec3::new(0.5, 0.25, -1.0);
+
+    fn scene() -> Scene {
+        let positions = vec![[-2.0f32, -2.0, -4.0], [3.0, -1.0, -6.0], [0.0, 2.0, -5.0]];
+        let (objects, materials) = (FaceMap::Uniform(0), FaceMap::Uniform(-1));
+        let mesh = Mesh::new(positions.into(), vec![[0, 1, 2]].into(), None, None, objects, materials).unwrap();
+        let instance = Instance::new(Arc::new(mesh), DAffine3::IDENTITY, None).unwrap();
+        Scene::new(DVec3::ZERO, vec![instance], Vec::new(), Arc::default(), Arc::default()).unwrap()
+    }
+
+    fn draw(device: &Arc<Device>, eye: DVec3, change: impl FnOnce(Layer) -> Layer) -> Frame {
+        let scene = scene();
+        let tables = device.state::<Residents>().scene(device, &scene).unwrap();
+        let mut picture = Picture::plain(vec![change(Layer::plain(scene, tables, Set::Standing))], DVec3::ZERO);
+        picture.parameters[0] = SHIFT.as_vec3().extend(0.0).to_array();
+        let fov = Fov { left: -1.0, right: 1.0, down: -1.0, up: 1.0 };
+        let camera = Camera::new(eye, DQuat::IDENTITY, Projection::Perspective(fov), 32, 32).unwrap();
+        let channels = Channels { range: true, ..Channels::default() };
+        let job = Job::begin(device, picture, &camera, channels, 1, &Progress::new()).unwrap();
+        job.finish(&Progress::new()).unwrap()
+    }
+
+    #[test]
+    fn a_technique_brings_its_style_and_cut_along() {
+        for name in ["vulkan", "gl", "metal", "dx12"] {
+            if !adapters().unwrap().iter().any(|report| report.backend == name && report.refused.is_empty()) {
+                continue;
+            }
+            let device = device(Some(name)).unwrap();
+            let displacement = Some(Displacement { shift: SHIFT, slack: 0.0 });
+            let truth = draw(&device, -SHIFT, |layer| layer).range;
+            let moved = draw(&device, DVec3::ZERO, |layer| Layer { style: MOVED, displacement, ..layer }).range;
+            assert!(truth.iter().any(|range| range.is_finite()));
+            assert!(truth.iter().zip(&moved).all(|(a, b)| a == b || (a - b).abs() < 1e-5), "{name}");
+            let cut =
+                draw(&device, DVec3::ZERO, |layer| Layer { style: MOVED, displacement, cut: RIGHT, ..layer }).range;
+            let expected = |n: usize| if n % 32 < 16 { f32::INFINITY } else { moved[n] };
+            assert!((0..moved.len()).all(|n| cut[n] == expected(n)), "{name}");
+        }
+    }
+}

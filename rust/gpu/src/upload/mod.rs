@@ -5,13 +5,15 @@ mod materials;
 mod pages;
 mod records;
 mod residents;
+mod runs;
 mod shelf;
 mod tables;
 mod texels;
 
 pub(crate) use environment::EnvTexels;
-pub(crate) use pages::{CHUNK, Page};
+pub(crate) use pages::Page;
 pub(crate) use records::{RECORD_WORDS, Records};
 pub(crate) use residents::{Placeholders, Residents};
+pub(crate) use runs::CHUNK;
 pub(crate) use tables::{InstanceParts, PART_WORDS, SceneTables};
 pub(crate) use texels::Texels;

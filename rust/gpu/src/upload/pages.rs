@@ -1,21 +1,16 @@
 //! Meshes as words in pages: buffers no larger than one binding. Small meshes share a page; large ones are cut into
 //! runs of faces, each with its vertices. Pages have room for meshes that come later.
 
-use std::ops::Range;
 use std::sync::Arc;
 
-use nearfar_core::base::{Aabb, Error, FaceMap, Result};
+use nearfar_core::base::{Aabb, Error, Result};
 use nearfar_core::scene::Mesh;
-use rayon::prelude::*;
 use wgpu::BufferUsages;
 
+use super::runs::{NONE, Run, gathered, runs_of};
 use super::shelf::Shelf;
 use crate::device::{Counted, Device, Scope};
 
-/// Number of consecutive faces that are culled together.
-pub(crate) const CHUNK: usize = 4096;
-/// Place of an attribute that a mesh lacks.
-pub(crate) const NONE: u32 = u32::MAX;
 /// Bytes of a word.
 const WORD: u64 = 4;
 
@@ -44,69 +39,6 @@ pub(crate) struct Part {
 
 /// A mesh's parts, in order of faces.
 pub(crate) type Parts = Arc<Vec<Part>>;
-
-/// Faces of a mesh and the vertices that they lie among.
-struct Run<'a> {
-    mesh: &'a Mesh,
-    faces: Range<usize>,
-    vertices: Range<usize>,
-}
-
-impl Run<'_> {
-    fn words(&self) -> u64 {
-        let (vertices, faces) = (self.vertices.len() as u64, self.faces.len() as u64);
-        let [uvs, colors, normals] =
-            [self.mesh.uvs.is_some(), self.mesh.colors.is_some(), self.mesh.normals.is_some()].map(u64::from);
-        let per_vertex = 3 + 2 * uvs + colors + 3 * normals;
-        vertices * per_vertex + faces * (3 + u64::from(self.uniform_material().is_none()))
-    }
-
-    fn uniform_material(&self) -> Option<i32> {
-        match self.mesh.materials {
-            FaceMap::Uniform(material) => Some(material),
-            _ => None,
-        }
-    }
-
-    /// First words of its arrays, counted from its own first word, and the number of words.
-    fn layout(&self) -> ([u32; 6], u64) {
-        let (vertices, faces) = (self.vertices.len() as u32, self.faces.len() as u32);
-        let mut at = 3 * vertices + 3 * faces;
-        let mut section = |present: bool, words: u32| {
-            let start = if present { at } else { NONE };
-            at += if present { words } else { 0 };
-            start
-        };
-        let uvs = section(self.mesh.uvs.is_some(), 2 * vertices);
-        let colors = section(self.mesh.colors.is_some(), vertices);
-        let normals = section(self.mesh.normals.is_some(), 3 * vertices);
-        let materials = section(self.uniform_material().is_none(), faces);
-        ([0, 3 * vertices, uvs, colors, materials, normals], self.words())
-    }
-
-    fn write(&self, words: &mut Vec<u32>) {
-        let (mesh, faces, vertices) = (self.mesh, self.faces.clone(), self.vertices.clone());
-        words.extend_from_slice(bytemuck::cast_slice(&mesh.positions[vertices.clone()]));
-        if vertices.start == 0 {
-            words.extend_from_slice(mesh.faces[faces.clone()].as_flattened());
-        } else {
-            let first = vertices.start as u32;
-            words.extend(mesh.faces[faces.clone()].as_flattened().iter().map(|&vertex| vertex - first));
-        }
-        if let Some(uvs) = &mesh.uvs {
-            words.extend_from_slice(bytemuck::cast_slice(&uvs[vertices.clone()]));
-        }
-        if let Some(colors) = &mesh.colors {
-            words.extend(colors[vertices.clone()].iter().map(|&color| u32::from_le_bytes(color)));
-        }
-        if let Some(normals) = &mesh.normals {
-            words.extend_from_slice(bytemuck::cast_slice(&normals[vertices]));
-        }
-        if self.uniform_material().is_none() {
-            words.extend(faces.map(|face| mesh.materials.get(face as u32) as u32));
-        }
-    }
-}
 
 /// Writes meshes to pages, first to those with room. Returns a list of parts for each mesh, in order of faces.
 pub(crate) fn pack(device: &Device, meshes: &[Arc<Mesh>], shelf: &Shelf<Page>) -> Result<Vec<Vec<Part>>> {
@@ -204,126 +136,9 @@ fn write(
             face_count: run.faces.len() as u32,
             words: layout.map(|word| if word == NONE { NONE } else { word + start as u32 }),
             material: run.uniform_material().unwrap_or(-1),
-            chunks: chunk_boxes(run),
+            chunks: run.chunk_boxes(),
         });
         start += size;
     }
     Ok(())
-}
-
-fn chunk_boxes(run: &Run<'_>) -> Arc<[Aabb]> {
-    let faces = &run.mesh.faces[run.faces.clone()];
-    let of_chunk = |faces: &[[u32; 3]]| {
-        let mut bounds = Aabb::EMPTY;
-        faces.as_flattened().iter().for_each(|&vertex| bounds.extend(run.mesh.positions[vertex as usize].into()));
-        bounds
-    };
-    faces.par_chunks(CHUNK).map(of_chunk).collect::<Vec<_>>().into()
-}
-
-/// Runs of faces that each fit into a page together with the vertices between their least and greatest one; none where
-/// those are too many.
-fn runs_of(mesh: &Mesh, limit: u64) -> Option<Vec<Run<'_>>> {
-    let whole = Run { mesh, faces: 0..mesh.faces.len(), vertices: 0..mesh.positions.len() };
-    if mesh.faces.is_empty() {
-        return Some(Vec::new());
-    }
-    if whole.words() <= limit {
-        return Some(vec![whole]);
-    }
-    let fewest = whole.words().div_ceil(limit) as usize;
-    [fewest, 2 * fewest, 4 * fewest].into_iter().find_map(|count| {
-        let each = mesh.faces.len().div_ceil(count);
-        let runs = (0..mesh.faces.len()).step_by(each).map(|start| {
-            let faces = start..(start + each).min(mesh.faces.len());
-            let used = mesh.faces[faces.clone()].as_flattened();
-            let ends = used.par_iter().fold(|| (u32::MAX, 0), |(a, b), &v| (a.min(v), b.max(v)));
-            let (first, last) = ends.reduce(|| (u32::MAX, 0), |a, b| (a.0.min(b.0), a.1.max(b.1)));
-            let run = Run { mesh, faces, vertices: first as usize..last as usize + 1 };
-            (run.words() <= limit).then_some(run)
-        });
-        runs.collect()
-    })
-}
-
-/// The mesh as several with vertices of their own, where `runs_of` finds none; none where it finds some.
-fn gathered(mesh: &Arc<Mesh>, limit: u64) -> Option<Vec<Arc<Mesh>>> {
-    if runs_of(mesh, limit).is_some() {
-        return None;
-    }
-    // A face has at most three vertices of its own, with all attributes: 3 × (3 + 2 + 1 + 3) + 4 words.
-    let each = (limit / 31).max(1) as usize;
-    let faces = 0..mesh.faces.len() as u32;
-    let starts: Vec<u32> = faces.clone().step_by(each).collect();
-    let piece = |&start: &u32| {
-        let chosen: Vec<u32> = (start..faces.end.min(start + each as u32)).collect();
-        Arc::new(mesh.selected(&chosen))
-    };
-    Some(starts.iter().map(piece).collect())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use nearfar_core::base::random;
-
-    /// A strip of triangles, each between a vertex and the next two, or between any three. Normals repeat the
-    /// positions.
-    fn mesh(faces: u32, scattered: bool) -> Arc<Mesh> {
-        let count = faces + 2;
-        let positions: Vec<[f32; 3]> = (0..count).map(|i| [i as f32, 0.0, (i % 2) as f32]).collect();
-        let vertex = |face: u32, corner: u32| match scattered {
-            true => random::bits(1, u64::from(face), u64::from(corner)) as u32 % count,
-            false => face + corner,
-        };
-        let faces: Vec<[u32; 3]> = (0..faces).map(|face| [0, 1, 2].map(|corner| vertex(face, corner))).collect();
-        let materials = FaceMap::PerFace((0..faces.len() as i32).collect());
-        let normals = Some(positions.clone().into());
-        let mesh = Mesh::new(positions.into(), faces.into(), None, None, FaceMap::Uniform(0), materials).unwrap();
-        Arc::new(mesh.with_normals(normals).unwrap())
-    }
-
-    /// Corners and material of a run's faces, read from its words as a shader reads them.
-    fn read(run: &Run<'_>) -> Vec<([[f32; 3]; 3], u32)> {
-        let mut words = Vec::new();
-        run.write(&mut words);
-        let (layout, size) = run.layout();
-        assert_eq!(words.len() as u64, size);
-        let float = |word: u32| f32::from_bits(words[word as usize]);
-        let vertex = |v: u32| {
-            let [position, normal] = [layout[0], layout[5]].map(|start| [0, 1, 2].map(|i| float(start + 3 * v + i)));
-            assert_eq!(position, normal);
-            position
-        };
-        let corner = |face: u32, i: u32| vertex(words[(layout[1] + 3 * face + i) as usize]);
-        let face = |f: u32| ([0, 1, 2].map(|i| corner(f, i)), words[(layout[4] + f) as usize]);
-        (0..run.faces.len() as u32).map(face).collect()
-    }
-
-    #[test]
-    fn runs_hold_every_face_once_and_fit() {
-        let mesh = mesh(1000, false);
-        let all: Vec<_> = (0..1000).map(|face| (mesh.corners(face).map(|p| p.to_array()), face)).collect();
-        for limit in [20_000, 3000, 500, 80] {
-            let runs = runs_of(&mesh, limit).unwrap();
-            assert!(runs.iter().all(|run| run.words() <= limit), "{limit}");
-            assert_eq!(runs.iter().flat_map(read).collect::<Vec<_>>(), all);
-            assert!(gathered(&mesh, limit).is_none());
-        }
-    }
-
-    #[test]
-    fn faces_that_use_vertices_from_all_over_bring_their_own() {
-        let mesh = mesh(1000, true);
-        let limit = 2000;
-        assert!(runs_of(&mesh, limit).is_none());
-        let pieces = gathered(&mesh, limit).unwrap();
-        let read_piece = |piece: &Arc<Mesh>| {
-            let run = Run { mesh: piece, faces: 0..piece.faces.len(), vertices: 0..piece.positions.len() };
-            assert!(run.words() <= limit);
-            read(&run)
-        };
-        let all: Vec<_> = (0..1000).map(|face| (mesh.corners(face).map(|p| p.to_array()), face)).collect();
-        assert_eq!(pieces.iter().flat_map(read_piece).collect::<Vec<_>>(), all);
-    }
 }

@@ -57,7 +57,7 @@ pub fn buffer<T: Element + Sync + 'static, const R: usize>(
     Ok(Buffer::from_owner(Borrowed::<[T; R]> { _owner: owner, first: array.data().cast(), length: rows }))
 }
 
-/// The same for a one-dimensional array.
+/// Borrows a one-dimensional array as a buffer, as `buffer` does.
 pub fn flat_buffer<T: Element + Sync + 'static>(array: &Bound<'_, PyArrayDyn<T>>) -> PyResult<Buffer<T>> {
     struct Flat<T>(Buffer<[T; 1]>);
     impl<T> AsRef<[T]> for Flat<T> {

@@ -29,7 +29,7 @@ pub fn to_python(error: Error) -> PyErr {
     }
 }
 
-/// A panic is a bug of ours; it reaches Python as an ordinary exception that says so.
+/// A panic as a `RuntimeError` that asks for a report: panics are bugs of ours.
 pub fn from_panic(payload: &(dyn Any + Send)) -> PyErr {
     let text = payload
         .downcast_ref::<&str>()

@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 
 use super::errors::{from_panic, to_python};
 
-/// How often a waiting caller looks at signals and reports progress.
+/// Time between two looks of a waiting caller at signals; it reports progress as often.
 const POLL_INTERVAL: Duration = Duration::from_millis(50);
 
 /// Runs a kernel of milliseconds on the pool with the interpreter released.

@@ -29,7 +29,7 @@ pub(crate) enum Pictures<'py> {
     Double((PyReadonlyArray2<'py, f64>, PyReadwriteArray2<'py, f64>)),
 }
 
-/// The same for anything that is copied, by its bytes.
+/// Pictures of values of any type, by their bytes.
 #[derive(FromPyObject)]
 pub(crate) enum PictureBits<'py> {
     One((PyReadonlyArray2<'py, u8>, PyReadwriteArray2<'py, u8>)),
@@ -84,7 +84,7 @@ pub(crate) fn convert_envmap(
     }
 }
 
-/// The same by the nearest texel.
+/// Writes a picture in another layout by the nearest texel.
 #[pyfunction]
 #[pyo3(signature = (pictures, shapes, *, report=None))]
 pub(crate) fn convert_envmap_nearest(

@@ -17,7 +17,7 @@ pub(crate) enum Maps<'py> {
     Double((PyReadonlyArray4<'py, f64>, PyReadwriteArray2<'py, f64>)),
 }
 
-/// The same for anything that is copied, by its bytes.
+/// Faces and values of any type, by their bytes.
 #[derive(FromPyObject)]
 pub(crate) enum MapBits<'py> {
     One((PyReadonlyArray4<'py, u8>, PyReadwriteArray2<'py, u8>)),

@@ -16,7 +16,7 @@ use crate::render::frame::{channels, images};
 use crate::render::reduced::{Reduced, drawing};
 use crate::scene::Scene;
 
-/// Everything that was found: name, back end, kind, driver, why it is refused, largest binding and image.
+/// All adapters: name, back end, kind, driver, why it is refused, largest binding and image.
 #[pyfunction]
 #[expect(clippy::type_complexity, reason = "a row of a table")]
 pub(crate) fn gpu_adapters(
@@ -29,20 +29,20 @@ pub(crate) fn gpu_adapters(
     Ok(found.into_iter().map(row).collect())
 }
 
-/// True where an adapter that a wish leaves is more than the processor itself.
+/// True where a wanted adapter is more than the processor itself.
 #[pyfunction]
 #[pyo3(signature = (wanted=None))]
 pub(crate) fn gpu_is_hardware(py: Python<'_>, wanted: Option<&str>) -> PyResult<bool> {
     run::short(py, || device::is_hardware(wanted))
 }
 
-/// Has a forked child end without the exit handlers of drivers.
+/// Makes a forked child exit without the exit handlers of drivers.
 #[pyfunction]
 pub(crate) fn gpu_forked() {
     device::end_without_drivers();
 }
 
-/// The device on the best adapter that a wish leaves.
+/// The device on the best of the wanted adapters.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct GpuDevice(pub(crate) Arc<Device>);
 
@@ -66,7 +66,7 @@ impl GpuDevice {
         self.0.report().kind.name()
     }
 
-    /// Buffers and textures made, their bytes, bytes sent, and triangles in draw calls.
+    /// Numbers of buffers and textures made, their bytes, bytes sent, and triangles in draw calls.
     fn counters(&self) -> (u64, u64, u64, u64) {
         let counters = self.0.counters();
         (counters.allocations, counters.allocated_bytes, counters.uploaded_bytes, counters.triangles)

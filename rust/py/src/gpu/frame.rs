@@ -20,12 +20,12 @@ pub struct GpuJob {
 }
 
 impl GpuJob {
-    /// Of the camera's size.
+    /// A job whose frame has the camera's size.
     pub(crate) fn new(job: Job, camera: &Camera) -> Self {
         Self { job: Mutex::new(Some(job)), shape: (camera.height as usize, camera.width as usize) }
     }
 
-    /// The frame, once.
+    /// Takes the job out; fails the second time.
     fn take(&self) -> PyResult<Job> {
         let job = self.job.lock().unwrap_or_else(PoisonError::into_inner).take();
         job.ok_or_else(|| to_python(Error::value("frame", "one that was not read yet", "one that was")))

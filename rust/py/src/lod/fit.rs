@@ -27,7 +27,7 @@ const LONG: usize = 10_000;
 /// Rows of numbers, and a code for each.
 type Fits<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u8>>);
 
-/// Rows of a, b, c, d and rms, and what became of each curve.
+/// Rows of a, b, c, d and rms, and the outcome of each fit.
 #[pyfunction]
 #[pyo3(signature = (x, y, *, count, report=None))]
 pub(crate) fn fit_4pl<'py>(

@@ -9,7 +9,8 @@ use pyo3::prelude::*;
 use crate::convert::run;
 use crate::lens::RadialLens;
 
-/// Curves of all models (N, 4), where each model's start and end, and least and greatest sizes (M, 2).
+/// Curves of all models (N, 4), the first curve of each model and the number of all (M + 1,), and least and greatest
+/// sizes (M, 2).
 type Models<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i64>, PyReadonlyArray2<'py, f64>);
 
 fn models<'a>((curves, firsts, ranges): &'a Models<'_>) -> PyResult<Vec<Model<'a>>> {
@@ -33,7 +34,7 @@ fn eye((position, orientation, [left, right, down, up], gaze, pixel): EyeParts, 
     Eye { view, acuity }
 }
 
-/// Of length 1, however long it was.
+/// A vector scaled to length 1, without overflow.
 fn direction(vector: DVec3) -> DVec3 {
     (vector / vector.abs().max_element()).normalize()
 }
@@ -46,7 +47,7 @@ fn listed(counts: &Counts) -> Vec<u64> {
 /// Levels of objects, numbers beside them where wanted, and counts of the work.
 type Selected<'py> = (Bound<'py, PyArray1<i32>>, Vec<Bound<'py, PyArray1<f64>>>, Vec<u64>);
 
-/// The level of each object that is enough for its size.
+/// The level of each object: the finest that any eye needs.
 #[pyfunction]
 #[pyo3(signature = (models, model_index, centers, radii, *, previous, eyes, line, reference, off, cull, lens, tan_omega,
     exact, acuity, hysteresis, fade, full))]

@@ -18,7 +18,7 @@ pub(crate) fn first_alike<'py>(
     Ok(run::short(py, || lod::first_alike(rows, width))?.into_pyarray(py))
 }
 
-/// The number of each face's piece, where faces hang together by vertices.
+/// The number of each face's piece, where faces that share a vertex belong to one piece.
 #[pyfunction]
 pub(crate) fn pieces<'py>(
     py: Python<'py>,
@@ -61,7 +61,7 @@ fn giving_up(name: &str) -> Result<Given> {
     })
 }
 
-/// Faces that meshoptimizer leaves, and its own estimate of the error as a share of the extent.
+/// Faces after edge collapses by meshoptimizer, and its estimate of the error as a share of the extent.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "what the simplifier weighs")]
 pub(crate) fn collapse<'py>(

@@ -61,7 +61,7 @@ impl Mesh {
             .map(|mesh| Self(Arc::new(mesh)))
     }
 
-    /// One mesh of many, standing where the `placements` (I, 3, 4) say; `objects` −1 leaves the object to the mesh.
+    /// Meshes joined to one, each placed by its row of `placements` (I, 3, 4); `objects` −1 leaves the object to the mesh.
     #[staticmethod]
     fn merged<'py>(
         py: Python<'py>,
