@@ -1,7 +1,7 @@
 //! Bindings of `cubemap`.
 
 use nearfar_core::base::{Error, Result};
-use nearfar_core::cubemap::{self, Faces, Filter, Number, Reduction};
+use nearfar_core::cubemap::{self, CubeFaces, Number, Reduction, TexelFilter};
 use numpy::{Element, PyReadonlyArray2, PyReadonlyArray4, PyReadwriteArray2, PyReadwriteArray4, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -30,12 +30,12 @@ enum Bits<'py> {
     Eight((PyReadonlyArray4<'py, u64>, PyReadwriteArray2<'py, u64>)),
 }
 
-pub(crate) fn filter(name: &str) -> Result<Filter> {
+pub(crate) fn filter(name: &str) -> Result<TexelFilter> {
     match name {
-        "linear" => Ok(Filter::Linear),
-        "cubic" => Ok(Filter::Cubic),
-        "min" => Ok(Filter::Min),
-        "max" => Ok(Filter::Max),
+        "linear" => Ok(TexelFilter::Linear),
+        "cubic" => Ok(TexelFilter::Cubic),
+        "min" => Ok(TexelFilter::Min),
+        "max" => Ok(TexelFilter::Max),
         _ => Err(Error::value("filter", "'linear', 'cubic', 'min' or 'max'", format!("'{name}'"))),
     }
 }
@@ -71,7 +71,7 @@ fn look<T: Number + Element>(
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
     along!(*directions, rows => run::short(py, || {
-        cubemap::lookup(Faces::new(values, size, channels)?, rows, filter(name)?, out)
+        cubemap::lookup(CubeFaces::new(values, size, channels)?, rows, filter(name)?, out)
     }))
 }
 
@@ -82,7 +82,7 @@ fn pick<T: Element + Copy + Send + Sync>(
 ) -> PyResult<()> {
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
-    along!(*directions, rows => run::short(py, || cubemap::nearest(Faces::new(values, size, channels)?, rows, out)))
+    along!(*directions, rows => run::short(py, || cubemap::nearest(CubeFaces::new(values, size, channels)?, rows, out)))
 }
 
 /// Filtered values along directions (N, 3).
@@ -130,7 +130,7 @@ fn touch<T: Number + Element>(
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
     along!(*directions, rows => run::short(py, || {
-        cubemap::footprint(Faces::new(values, size, channels)?, rows, radius, filter(name)?, out)
+        cubemap::footprint(CubeFaces::new(values, size, channels)?, rows, radius, filter(name)?, out)
     }))
 }
 
@@ -163,7 +163,7 @@ fn reduce<T: Number + Element>(
     };
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
-    run::short(py, || cubemap::next_level(Faces::new(values, size, channels)?, reduction, out))
+    run::short(py, || cubemap::next_level(CubeFaces::new(values, size, channels)?, reduction, out))
 }
 
 /// Writes the solid angle of each texel of a face (S, S) in steradians.

@@ -3,7 +3,10 @@
 use glam::{DMat3, DQuat, DVec3};
 use nearfar_core::base::Progress;
 use nearfar_core::camera::Fov;
-use nearfar_core::lod::{self, Acuity, Counts, Curve, Eye, Glass, Line, Model, Objects, Rules, Status, Unfit, View};
+use nearfar_core::lod::{
+    self, Acuity, Eye, EyeLens, Frustum, LogisticCurve, Model, Objects, Rules, SelectionCounts, Status, ThresholdLine,
+    Unfit,
+};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -46,7 +49,7 @@ fn fit_4pl<'py>(
     } else {
         run::long(py, report, |progress| lod::fit_4pl(x, y, count, progress))
     }?;
-    let rows: Vec<f64> = curves.iter().flat_map(|&Curve { a, b, c, d, rms, .. }| [a, b, c, d, rms]).collect();
+    let rows: Vec<f64> = curves.iter().flat_map(|&LogisticCurve { a, b, c, d, rms, .. }| [a, b, c, d, rms]).collect();
     let table = PyArray1::from_vec(py, rows).reshape([curves.len(), 5])?;
     Ok((table, PyArray1::from_iter(py, curves.iter().map(|curve| code(curve.status)))))
 }
@@ -69,7 +72,7 @@ type EyeParts = ([f64; 3], [f64; 4], [f64; 4], Option<[f64; 3]>, f64);
 
 fn eye((position, orientation, [left, right, down, up], gaze, pixel): EyeParts, acuity: Option<(f64, f64)>) -> Eye {
     let axes = DMat3::from_quat(DQuat::from_array(orientation).normalize());
-    let view = View::new(position.into(), axes, &Fov { left, right, down, up });
+    let view = Frustum::new(position.into(), axes, &Fov { left, right, down, up });
     let gaze = gaze.map_or(view.forward(), |gaze| direction(gaze.into()));
     let acuity = acuity.map(|(slope, limit)| Acuity { gaze, slope, limit, best: pixel.max(limit) });
     Eye { view, acuity }
@@ -80,8 +83,8 @@ fn direction(given: DVec3) -> DVec3 {
     (given / given.abs().max_element()).normalize()
 }
 
-fn listed(counts: &Counts) -> Vec<u64> {
-    let Counts { culled, one_level, settled, large, asked, lens, table, formula } = *counts;
+fn listed(counts: &SelectionCounts) -> Vec<u64> {
+    let SelectionCounts { culled, one_level, settled, large, asked, lens, table, formula } = *counts;
     vec![culled, one_level, settled, large, asked, lens, table, formula]
 }
 
@@ -121,8 +124,8 @@ fn select_levels<'py>(
         previous: previous.as_ref().map(|previous| previous.as_slice()).transpose()?,
     };
     let eyes: Vec<Eye> = if off { Vec::new() } else { eyes.into_iter().map(|parts| eye(parts, acuity)).collect() };
-    let glass = lens.as_ref().map(|lens| Glass { lens: lens.inner(), tan_omega, exact });
-    let rules = Rules { line: Line { level: line.0, rise: line.1 }, reference, cull, hysteresis, fade };
+    let glass = lens.as_ref().map(|lens| EyeLens { lens: lens.inner(), tan_omega, exact });
+    let rules = Rules { line: ThresholdLine { level: line.0, rise: line.1 }, reference, cull, hysteresis, fade };
 
     let count = radii.len();
     let level = PyArray1::<i32>::zeros(py, count, false);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 use nearfar_core::base::{Buffer, Error, FaceMap, Result};
-use nearfar_core::scene::{self, Alpha, Instance, Material, Part, Texture};
+use nearfar_core::scene::{self, Alpha, Instance, Material, PlacedMesh, Texture};
 use numpy::ndarray::ArrayView1;
 use numpy::{
     PyArray1, PyArray2, PyArray3, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3,
@@ -77,8 +77,9 @@ impl Mesh {
         let (placements, objects) = (affines(&placements), objects.as_array());
         run::short(py, || {
             same_length(meshes.len(), &placements, objects.len())?;
-            let part = |((mesh, to_scene), &object): ((_, _), &i32)| Part { mesh, to_scene, object: named(object) };
-            let parts: Vec<Part> = meshes.into_iter().zip(placements).zip(&objects).map(part).collect();
+            let part =
+                |((mesh, to_scene), &object): ((_, _), &i32)| PlacedMesh { mesh, to_scene, object: named(object) };
+            let parts: Vec<PlacedMesh> = meshes.into_iter().zip(placements).zip(&objects).map(part).collect();
             scene::merge(&parts)
         })
         .map(|mesh| Self(Arc::new(mesh)))
@@ -159,7 +160,7 @@ impl Scene {
 
     /// All instances as one mesh, relative to the origin.
     fn merged(&self, py: Python<'_>) -> PyResult<Mesh> {
-        let part = |instance: &Instance| Part {
+        let part = |instance: &Instance| PlacedMesh {
             mesh: Arc::clone(&instance.mesh),
             to_scene: instance.to_scene,
             object: instance.object,

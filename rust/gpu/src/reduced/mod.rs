@@ -11,7 +11,7 @@ use nearfar_core::camera::Camera;
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::morph::{Kind as MorphKind, Morph};
 use nearfar_core::partition::Partition;
-use nearfar_core::render::reduced::{self, Drawing, FrameCounts, Join, Method};
+use nearfar_core::render::reduced::{self, Drawing, FrameCounts, Join, MorphMethod};
 use nearfar_core::scene::Scene;
 
 use crate::device::Device;
@@ -59,7 +59,7 @@ impl Reduced {
         progress: &Progress,
     ) -> Result<Job> {
         reduced.check(scene, camera, drawing)?;
-        if drawing.method == Method::Exact && matches!(self.join, Join::Morph(_)) {
+        if drawing.method == MorphMethod::Exact && matches!(self.join, Join::Morph(_)) {
             let expected = "'vertex' on a graphics adapter: rays are bent by the tracer, backend='cpu'";
             return Err(Error::value("method", expected, "'exact'"));
         }
