@@ -1,7 +1,7 @@
 //! Bindings of `bounds`.
 
 use nearfar_core::base::{Error, Result};
-use nearfar_core::bounds::{self, Method, Sphere};
+use nearfar_core::bounds::{self, Sphere, SphereMethod};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -9,13 +9,13 @@ use crate::convert::arrays::Points;
 use crate::convert::errors::to_python;
 use crate::convert::run;
 
-fn method(name: &str) -> Result<Method> {
+fn method(name: &str) -> Result<SphereMethod> {
     match name {
-        "exact" => Ok(Method::Exact),
-        "ritter" => Ok(Method::Ritter),
-        "average" => Ok(Method::Average),
-        "minmax" => Ok(Method::MinMax),
-        "best" => Ok(Method::Best),
+        "exact" => Ok(SphereMethod::Exact),
+        "ritter" => Ok(SphereMethod::Ritter),
+        "average" => Ok(SphereMethod::Average),
+        "minmax" => Ok(SphereMethod::MinMax),
+        "best" => Ok(SphereMethod::Best),
         _ => Err(Error::value("method", "'exact', 'ritter', 'average', 'minmax' or 'best'", format!("'{name}'"))),
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3};
 use nearfar_core::base::{Error, Result};
-use nearfar_core::camera::{self, Depth, Fov, Planes, Projection, Real};
+use nearfar_core::camera::{self, Depth, Fov, Planes, Projection, Ranged};
 use numpy::{Element, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
@@ -149,7 +149,7 @@ impl DepthBuffer {
         found.into_py_any(py)
     }
 
-    fn depths_of<T: Real + Element>(&self, py: Python<'_>, ranges: &PyReadonlyArray3<'_, T>) -> PyResult<Py<PyAny>> {
+    fn depths_of<T: Ranged + Element>(&self, py: Python<'_>, ranges: &PyReadonlyArray3<'_, T>) -> PyResult<Py<PyAny>> {
         let found = PyArray3::<T>::zeros(py, ranges.dims(), false);
         let (from, mut write) = (ranges.as_slice()?, found.readwrite());
         let to = write.as_slice_mut()?;

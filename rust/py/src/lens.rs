@@ -3,7 +3,7 @@
 use glam::DVec3;
 use nearfar_core::base::{Error, Real, Result, memory};
 use nearfar_core::camera::Fov;
-use nearfar_core::lens::{self, Filter, Image, Method, Pixel, Sizes, View};
+use nearfar_core::lens::{self, Image, InverseMethod, Sizes, WarpFilter, WarpPixel, WarpView};
 use numpy::{
     Element, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3,
     PyUntypedArrayMethods,
@@ -29,19 +29,19 @@ pub(crate) enum Picture<'py> {
     Double(PyReadonlyArray3<'py, f64>),
 }
 
-fn method(name: &str, iterations: u32) -> Result<Method> {
+fn method(name: &str, iterations: u32) -> Result<InverseMethod> {
     match name {
-        "newton" => Ok(Method::Newton),
-        "fixed_point" => Ok(Method::FixedPoint(iterations)),
-        "lut" => Ok(Method::Table),
+        "newton" => Ok(InverseMethod::Newton),
+        "fixed_point" => Ok(InverseMethod::FixedPoint(iterations)),
+        "lut" => Ok(InverseMethod::Table),
         _ => Err(Error::value("method", "'newton', 'fixed_point' or 'lut'", format!("'{name}'"))),
     }
 }
 
-fn filter(name: &str) -> Result<Filter> {
+fn filter(name: &str) -> Result<WarpFilter> {
     match name {
-        "linear" => Ok(Filter::Linear),
-        "cubic" => Ok(Filter::Cubic),
+        "linear" => Ok(WarpFilter::Linear),
+        "cubic" => Ok(WarpFilter::Cubic),
         _ => Err(Error::value("filter", "'linear' or 'cubic'", format!("'{name}'"))),
     }
 }
@@ -161,12 +161,12 @@ fn lenses(lenses: &[PyRef<'_, RadialLens>]) -> Vec<lens::RadialLens> {
     lenses.iter().map(|lens| lens.0.clone()).collect()
 }
 
-fn warped<'py, P: Pixel + Element>(
+fn warped<'py, P: WarpPixel + Element>(
     py: Python<'py>,
     lenses: &[lens::RadialLens],
     picture: &PyReadonlyArray3<'py, P>,
-    view: &View,
-    filter: Filter,
+    view: &WarpView,
+    filter: WarpFilter,
     fill: f64,
     [width, height]: [usize; 2],
 ) -> PyResult<Py<PyAny>> {
@@ -196,7 +196,7 @@ pub(crate) fn warp<'py>(
     filter: &str,
     fill: f64,
 ) -> PyResult<Py<PyAny>> {
-    let view = View { from: fov(from_fov), to: fov(to_fov), tan_omega, distort };
+    let view = WarpView { from: fov(from_fov), to: fov(to_fov), tan_omega, distort };
     let filter = self::filter(filter).map_err(to_python)?;
     let lenses = self::lenses(&lenses);
     match &picture {
@@ -223,7 +223,7 @@ pub(crate) fn warp_mesh<'py>(
     size: [usize; 2],
     distort: bool,
 ) -> PyResult<MeshArrays<'py>> {
-    let view = View { from: fov(from_fov), to: fov(to_fov), tan_omega, distort };
+    let view = WarpView { from: fov(from_fov), to: fov(to_fov), tan_omega, distort };
     let lenses = self::lenses(&lenses);
     let mesh = run::short(py, || lens::warp_mesh(&lenses, &view, cells, size))?;
     let count = mesh.places.len();

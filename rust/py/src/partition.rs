@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use nearfar_core::base::{Error, Result};
-use nearfar_core::partition::{self, Coordinate, Part};
+use nearfar_core::partition::{self, Coordinate, TriangleSet};
 use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, ToPyArray};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
@@ -50,13 +50,13 @@ pub(crate) fn triangle_radii<'py>(
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Partition(pub partition::Partition);
 
-fn part(name: &str) -> Result<Part> {
+fn part(name: &str) -> Result<TriangleSet> {
     match name {
-        "near" => Ok(Part::Near),
-        "intermediate" => Ok(Part::Intermediate),
-        "far" => Ok(Part::Far),
-        "nsf" => Ok(Part::Nsf),
-        "sf" => Ok(Part::Sf),
+        "near" => Ok(TriangleSet::Near),
+        "intermediate" => Ok(TriangleSet::Intermediate),
+        "far" => Ok(TriangleSet::Far),
+        "nsf" => Ok(TriangleSet::Nsf),
+        "sf" => Ok(TriangleSet::Sf),
         _ => Err(Error::value("part", "'near', 'intermediate', 'far', 'nsf' or 'sf'", format!("'{name}'"))),
     }
 }

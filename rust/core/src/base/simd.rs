@@ -1,4 +1,4 @@
-//! One kernel compiled for each width of vectors, chosen when it runs.
+//! One kernel compiled for each width of vectors, chosen when it runs; and prefetching.
 
 /// Asks memory for values that are read soon: loads behind hundreds of instructions would wait for their turn.
 #[inline(always)]
@@ -13,71 +13,70 @@ pub(crate) fn prefetch<P>(values: &[P]) {
     let _ = values;
 }
 
-/// Wraps an `#[inline(always)]` kernel in a function that runs it with the widest vectors of this machine.
-/// Multiplications and additions are never fused in Rust unless written so: every width gives the same bits.
-macro_rules! widest {
-    (fn $name:ident($($argument:ident: $type:ty),* $(,)?) $(-> $result:ty)? = $kernel:path;) => {
+/// Wraps `#[inline(always)]` kernels in functions that run them with the widest vectors of this machine.
+///
+/// - `fn name(…) = kernel;`: Rust fuses no multiplication with an addition unless written so, and every width gives the same
+///   bits.
+/// - `fn name(…) = fused kernel;` for a kernel that is generic in `FUSED`, `fused kernel<_>` with a type before it: `FUSED` is
+///   true where the machine can, which saves time and one rounding.
+macro_rules! vectorized {
+    () => {};
+    (
+        fn $name:ident($($argument:ident: $type:ty),* $(,)?) $(-> $result:ty)? = fused $kernel:ident $(<$any:tt>)?;
+        $($others:tt)*
+    ) => {
+        vectorized! {
+            @versions fn $name($($argument: $type),*) $(-> $result)?, "fma",
+            $kernel::<$($any,)? true>($($argument),*),
+            $kernel::<$($any,)? { cfg!(target_arch = "aarch64") }>($($argument),*)
+        }
+        vectorized! { $($others)* }
+    };
+    (
+        fn $name:ident($($argument:ident: $type:ty),* $(,)?) $(-> $result:ty)? = $kernel:path;
+        $($others:tt)*
+    ) => {
+        // Every processor with AVX2 has AVX.
+        vectorized! {
+            @versions fn $name($($argument: $type),*) $(-> $result)?, "avx",
+            $kernel($($argument),*), $kernel($($argument),*)
+        }
+        vectorized! { $($others)* }
+    };
+    (
+        @versions fn $name:ident($($argument:ident: $type:ty),*) $(-> $result:ty)?, $feature:tt,
+        $vectors:expr, $portable:expr
+    ) => {
         fn $name($($argument: $type),*) $(-> $result)? {
             #[cfg(target_arch = "x86_64")]
             {
                 #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
+                #[target_feature(enable = $feature)]
                 fn wide($($argument: $type),*) $(-> $result)? {
-                    $kernel($($argument),*)
+                    $vectors
                 }
                 #[target_feature(enable = "avx2")]
+                #[target_feature(enable = $feature)]
                 fn medium($($argument: $type),*) $(-> $result)? {
-                    $kernel($($argument),*)
+                    $vectors
                 }
-                if is_x86_feature_detected!("avx512vl")
+                let has_feature = is_x86_feature_detected!($feature);
+                if has_feature
+                    && is_x86_feature_detected!("avx512vl")
                     && is_x86_feature_detected!("avx512dq")
                     && is_x86_feature_detected!("avx512bw")
                 {
-                    // SAFETY: the features were just detected; each of them implies avx512f.
+                    // SAFETY: the features were just detected; each of the last three implies avx512f.
                     return unsafe { wide($($argument),*) };
                 }
-                if is_x86_feature_detected!("avx2") {
-                    // SAFETY: the feature was just detected.
-                    return unsafe { medium($($argument),*) };
-                }
-            }
-            $kernel($($argument),*)
-        }
-    };
-}
-
-pub(crate) use widest;
-
-/// Wraps `#[inline(always)]` kernels, generic in `FUSED` and where they say `<_>` in a type before it, in functions that run
-/// them with the widest vectors.
-macro_rules! fused_kernels {
-    ($(fn $name:ident($($argument:ident: $type:ty),* $(,)?) $(-> $result:ty)? = $kernel:ident $(<$any:tt>)?;)*) => {$(
-        fn $name($($argument: $type),*) $(-> $result)? {
-            #[cfg(target_arch = "x86_64")]
-            {
-                #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw,fma")]
-                fn wide($($argument: $type),*) $(-> $result)? {
-                    $kernel::<$($any,)? true>($($argument),*)
-                }
-                #[target_feature(enable = "avx2,fma")]
-                fn medium($($argument: $type),*) $(-> $result)? {
-                    $kernel::<$($any,)? true>($($argument),*)
-                }
-                if is_x86_feature_detected!("avx512vl")
-                    && is_x86_feature_detected!("avx512dq")
-                    && is_x86_feature_detected!("avx512bw")
-                    && is_x86_feature_detected!("fma")
-                {
-                    // SAFETY: the features were just detected; each of the first three implies avx512f.
-                    return unsafe { wide($($argument),*) };
-                }
-                if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+                if has_feature && is_x86_feature_detected!("avx2") {
                     // SAFETY: the features were just detected.
                     return unsafe { medium($($argument),*) };
                 }
             }
-            $kernel::<$($any,)? { cfg!(target_arch = "aarch64") }>($($argument),*)
+            $portable
         }
-    )*};
+    };
 }
 
-pub(crate) use fused_kernels;
+pub(crate) use vectorized;

@@ -19,7 +19,7 @@ const TRIED: f64 = 0.75;
 
 /// The curve of points that are shown in one direction.
 #[derive(Clone, Copy, Debug)]
-pub struct Curve<'a> {
+pub struct RayCurve<'a> {
     morph: &'a Morph,
     /// Unit.
     pub direction: DVec3,
@@ -42,7 +42,7 @@ pub struct Stretch {
     pub straight: bool,
 }
 
-impl<'a> Curve<'a> {
+impl<'a> RayCurve<'a> {
     /// The curve in a unit direction.
     pub fn new(morph: &'a Morph, direction: DVec3) -> Self {
         let v = morph.center - morph.user;

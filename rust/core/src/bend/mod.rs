@@ -12,6 +12,6 @@ mod rays;
 mod tests;
 
 pub(crate) use curve::on_ground;
-pub use curve::{Curve, Stretch};
+pub use curve::{RayCurve, Stretch};
 pub use fold::margin;
 pub use rays::bend_rays;

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::curve::Curve;
+use super::curve::RayCurve;
 use crate::base::{Error, Progress, Result, memory::room_for};
 use crate::morph::Morph;
 
@@ -33,7 +33,7 @@ pub fn bend_rays(
     progress.expect(directions.len() as u64);
     let bend = |rows: &[[f64; 3]]| {
         let lines: Vec<Vec<DVec3>> =
-            rows.iter().filter_map(unit).map(|unit| Curve::new(morph, unit).polyline(tolerance)).collect();
+            rows.iter().filter_map(unit).map(|unit| RayCurve::new(morph, unit).polyline(tolerance)).collect();
         progress.report(rows.len() as u64)?;
         Ok(lines)
     };

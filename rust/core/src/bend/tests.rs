@@ -29,7 +29,7 @@ proptest! {
         let morph = morph((center + DVec3::new(x, y, z)).to_array());
         let direction = DVec3::new(azimuth.cos() * elevation.cos(), elevation.sin(), azimuth.sin() * elevation.cos());
         let tolerance = 10f64.powf(log_tolerance);
-        let points = Curve::new(&morph, direction).polyline(tolerance);
+        let points = RayCurve::new(&morph, direction).polyline(tolerance);
         prop_assert_eq!(points[0], morph.user);
         for &point in &points[1..] {
             // 1e-9 is asked for; coordinates of up to 2,500 m are rounded to 5e-13.
@@ -57,7 +57,7 @@ proptest! {
     ) {
         let morph = Morph::new(DVec3::new(x, y, z), DVec3::ZERO, r1, r1 + width, Kind::Blend).unwrap();
         let direction = DVec3::new(dx, dy, dz).normalize_or(DVec3::Y);
-        let points = Curve::new(&morph, direction).polyline(1e-4);
+        let points = RayCurve::new(&morph, direction).polyline(1e-4);
         prop_assert!(!points.is_empty() && points.len() < 3 * (MOST / 1e-4f64.sqrt()) as usize);
         prop_assert!(points.iter().all(|point| point.is_finite()));
     }
@@ -72,14 +72,14 @@ fn nothing_bends_at_the_centre_upwards_and_along_the_offset() {
         (center + DVec3::new(4.0, 0.0, 0.0), DVec3::X),
     ] {
         let morph = morph(user.to_array());
-        assert_eq!(Curve::new(&morph, direction.normalize()).polyline(1e-6), [user]);
+        assert_eq!(RayCurve::new(&morph, direction.normalize()).polyline(1e-6), [user]);
     }
 }
 
 #[test]
 fn users_between_the_radii_see_the_near_part_straight_on() {
     let morph = Morph::new(DVec3::new(12.0, 0.0, 1.0), DVec3::ZERO, 10.0, 50.0, Kind::Blend).unwrap();
-    let curve = Curve::new(&morph, DVec3::NEG_X);
+    let curve = RayCurve::new(&morph, DVec3::NEG_X);
     let stretches = curve.stretches();
     assert_eq!(stretches.iter().map(|s| s.straight).collect::<Vec<_>>(), [false, true, false]);
     assert!(stretches.windows(2).all(|pair| pair[0].to == pair[1].from));

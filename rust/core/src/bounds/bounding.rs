@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::scan::{Cloud, Real};
-use super::sphere::{Method, Sphere};
+use super::scan::{Cloud, Scanned};
+use super::sphere::{Sphere, SphereMethod};
 use super::{approximate, exact};
 use crate::base::{Error, Progress, Result};
 
@@ -11,7 +11,7 @@ use crate::base::{Error, Progress, Result};
 const PLAIN: std::ops::Range<f64> = 1e-140..1e140;
 
 /// The sphere about points; none of them is outside by more than the rounding of the radius.
-pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: Method) -> Result<Sphere> {
+pub fn bounding_sphere<T: Scanned>(points: &[[T; 3]], method: SphereMethod) -> Result<Sphere> {
     let cloud = Cloud::new(points)?;
     let extent = cloud.extent();
     if extent == 0.0 {
@@ -33,21 +33,21 @@ pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: Method) -> Result<Sph
 }
 
 /// In the cloud's own frame.
-fn of<T: Real>(cloud: &Cloud<'_, T>, method: Method) -> Sphere {
+fn of<T: Scanned>(cloud: &Cloud<'_, T>, method: SphereMethod) -> Sphere {
     match method {
-        Method::Exact => exact::smallest(cloud),
-        Method::Ritter => approximate::ritter(cloud),
-        Method::Average => approximate::average(cloud),
-        Method::MinMax => approximate::min_max(cloud),
-        Method::Best => approximate::best(cloud),
+        SphereMethod::Exact => exact::smallest(cloud),
+        SphereMethod::Ritter => approximate::ritter(cloud),
+        SphereMethod::Average => approximate::average(cloud),
+        SphereMethod::MinMax => approximate::min_max(cloud),
+        SphereMethod::Best => approximate::best(cloud),
     }
 }
 
 /// The spheres about groups of points; group n is `points[offsets[n]..offsets[n + 1]]`.
-pub fn bounding_spheres<T: Real>(
+pub fn bounding_spheres<T: Scanned>(
     points: &[[T; 3]],
     offsets: &[i64],
-    method: Method,
+    method: SphereMethod,
     progress: &Progress,
 ) -> Result<Vec<Sphere>> {
     let group = |n: usize| {

@@ -4,8 +4,8 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::sphere::Sphere;
-use crate::base::simd::{prefetch, widest};
-use crate::base::{Error, Result};
+use crate::base::simd::{prefetch, vectorized};
+use crate::base::{Error, Real, Result};
 
 /// Points that one task takes: fixed, so that results do not depend on the number of threads.
 const TILE: usize = 1 << 12;
@@ -36,10 +36,8 @@ fn along<T: Real>(&[x, y, z]: &[T; 3]) -> [f64; DIRECTIONS] {
     [x, y, z, x + y + z, x + y - z, x - y + z, x - y - z]
 }
 
-/// float32 or float64.
-pub trait Real: Copy + Send + Sync + 'static {
-    /// The same value.
-    fn wide(self) -> f64;
+/// Coordinates that points are scanned in: float32 or float64, with the kernels.
+pub trait Scanned: Real {
     /// Greatest squared distance from a centre, and which point has it.
     fn farthest(points: &[[Self; 3]], origin: DVec3, center: DVec3) -> (f64, usize);
     /// Appends the points whose squared distance from a centre is above a limit, from the origin.
@@ -50,27 +48,17 @@ pub trait Real: Copy + Send + Sync + 'static {
     fn extremes(points: &[[Self; 3]]) -> Extremes;
 }
 
-macro_rules! real {
+macro_rules! scanned {
     ($($real:ty: $farthest:ident, $beyond:ident, $sum:ident, $extremes:ident);*) => {$(
-        widest! {
+        vectorized! {
             fn $farthest(points: &[[$real; 3]], origin: DVec3, center: DVec3) -> (f64, usize) = farthest;
-        }
-        widest! {
             fn $beyond(
                 points: &[[$real; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>,
             ) = beyond;
-        }
-        widest! {
             fn $sum(points: &[[$real; 3]], origin: DVec3) -> DVec3 = sum;
-        }
-        widest! {
             fn $extremes(points: &[[$real; 3]]) -> Extremes = extremes;
         }
-        impl Real for $real {
-            #[inline(always)]
-            fn wide(self) -> f64 {
-                f64::from(self)
-            }
+        impl Scanned for $real {
             fn farthest(points: &[[Self; 3]], origin: DVec3, center: DVec3) -> (f64, usize) {
                 $farthest(points, origin, center)
             }
@@ -87,7 +75,7 @@ macro_rules! real {
     )*};
 }
 
-real!(f32: farthest_f32, beyond_f32, sum_f32, extremes_f32; f64: farthest_f64, beyond_f64, sum_f64, extremes_f64);
+scanned!(f32: farthest_f32, beyond_f32, sum_f32, extremes_f32; f64: farthest_f64, beyond_f64, sum_f64, extremes_f64);
 
 /// Points, all of them finite, seen from one of them: differences of neighbours have all their digits however far from
 /// zero they lie.
@@ -100,7 +88,7 @@ pub(super) struct Cloud<'a, T> {
     pub extremes: Vec<DVec3>,
 }
 
-impl<'a, T: Real> Cloud<'a, T> {
+impl<'a, T: Scanned> Cloud<'a, T> {
     /// Looks at all points; refuses none and those that are not finite.
     pub fn new(points: &'a [[T; 3]]) -> Result<Self> {
         let Some(first) = points.first() else {
@@ -179,7 +167,7 @@ impl<'a, T: Real> Cloud<'a, T> {
 }
 
 /// Greatest distance from a centre, and the first point that has it; both in the frame of the origin.
-pub(super) fn farthest_of<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, DVec3) {
+pub(super) fn farthest_of<T: Scanned>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, DVec3) {
     let tile = |(n, points): (usize, &[[T; 3]])| {
         let (squared, index) = T::farthest(points, origin, center);
         (squared, n * TILE + index)

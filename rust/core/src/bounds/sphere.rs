@@ -13,7 +13,7 @@ pub struct Sphere {
 
 /// How a sphere about points is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
+pub enum SphereMethod {
     /// The smallest one.
     Exact,
     /// Two far points, and then every point that lies outside. Ritter: An efficient bounding sphere, 1990.

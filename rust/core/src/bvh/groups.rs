@@ -12,7 +12,7 @@ const TILE: usize = 1 << 16;
 
 /// The arrays of a mesh that tell two faces apart.
 #[derive(Clone, Copy)]
-pub struct Faces<'a> {
+pub struct MeshArrays<'a> {
     /// Vertices.
     pub positions: &'a [[f32; 3]],
     /// Corners.
@@ -28,7 +28,7 @@ pub struct Faces<'a> {
 /// Place, texture coordinates and colour of three corners; material.
 type Identity = ([([u32; 3], [u32; 2], [u8; 4]); 3], i32);
 
-impl Faces<'_> {
+impl MeshArrays<'_> {
     fn bounds(&self, face: u32) -> Aabb {
         let mut bounds = Aabb::EMPTY;
         self.faces[face as usize].iter().for_each(|&v| bounds.extend(self.positions[v as usize].into()));
@@ -61,7 +61,7 @@ pub(crate) struct Groups {
 
 impl Groups {
     /// Groups the faces of a mesh; the numbers of groups follow their least faces.
-    pub(crate) fn new(mesh: Faces<'_>, progress: &Progress) -> Result<Self> {
+    pub(crate) fn new(mesh: MeshArrays<'_>, progress: &Progress) -> Result<Self> {
         let count = mesh.faces.len() as u32;
         // Sorted by a hash of the box, then by face: equal boxes come together.
         let mut order: Vec<(u32, u32)> = (0..count).into_par_iter().map(|f| (hash(&mesh.bounds(f)), f)).collect();
@@ -98,7 +98,7 @@ impl Groups {
 }
 
 /// Splits faces of equal hash into groups of equal boxes: (least face, list + 1 or 0 for a single face).
-fn split_run(mesh: Faces<'_>, run: &[(u32, u32)], groups: &mut Vec<(u32, u32)>, shared: &mut Vec<Vec<u32>>) {
+fn split_run(mesh: MeshArrays<'_>, run: &[(u32, u32)], groups: &mut Vec<(u32, u32)>, shared: &mut Vec<Vec<u32>>) {
     if let [(_, face)] = run {
         groups.push((*face, 0));
         return;

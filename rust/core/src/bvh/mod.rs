@@ -6,6 +6,6 @@ mod tree;
 mod wide;
 
 pub(crate) use blocks::Block;
-pub use groups::Faces;
+pub use groups::MeshArrays;
 pub use tree::{Bvh, Tlas};
 pub(crate) use wide::{LEAF, NO_CHILD, Node, WIDTH, Wide};

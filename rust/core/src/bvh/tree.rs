@@ -6,7 +6,7 @@ use obvhs::bvh2::{Bvh2, leaf_collapser::collapse, reinsertion::ReinsertionOptimi
 use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 
 use super::blocks::{self, Block, leaf_blocks};
-use super::groups::{Faces, Groups};
+use super::groups::{Groups, MeshArrays};
 use super::wide::{Content, LEAF, Slot, Wide};
 use crate::base::{Aabb, Progress, Result};
 
@@ -29,7 +29,7 @@ const LEAF_BOXES: u32 = 4;
 
 impl Bvh {
     /// Builds over finite triangles.
-    pub fn build(mesh: Faces<'_>, progress: &Progress) -> Result<Self> {
+    pub fn build(mesh: MeshArrays<'_>, progress: &Progress) -> Result<Self> {
         let count = mesh.faces.len();
         blocks::check_count(count)?;
         progress.expect(count as u64);

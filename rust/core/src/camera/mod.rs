@@ -7,7 +7,7 @@ mod rays;
 mod view;
 
 pub use cube_face::{along_face, direction_from_face, face_from_direction};
-pub use depth::{Depth, DepthBuffer, Planes, Real};
+pub use depth::{Depth, DepthBuffer, Planes, Ranged};
 pub use projection::{Fov, Projection};
 pub use rays::{Footprint, Rays};
 pub use view::{Camera, MAX_SIZE};

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-use super::faces::Faces;
+use super::faces::CubeFaces;
 use super::lookup::Taps;
 use super::texels::texel_from_direction;
 use crate::base::{Buffer, Error, Result};
@@ -28,9 +28,9 @@ impl EnvironmentMap {
         range: Option<Buffer<f32>>,
         object_id: Option<Buffer<i32>>,
     ) -> Result<Self> {
-        Faces::new(color.as_flattened(), size, 3)?;
+        CubeFaces::new(color.as_flattened(), size, 3)?;
         if let Some(range) = &range {
-            Faces::new(range, size, 1)?;
+            CubeFaces::new(range, size, 1)?;
         }
         let texels = color.len();
         match &object_id {

@@ -5,21 +5,21 @@ use crate::base::{Error, Result};
 
 /// Six faces of `size`² texels of `channels` values each.
 #[derive(Debug)]
-pub struct Faces<'a, T> {
+pub struct CubeFaces<'a, T> {
     pub(super) values: &'a [T],
     pub(super) size: u32,
     pub(super) channels: usize,
 }
 
-impl<T> Clone for Faces<'_, T> {
+impl<T> Clone for CubeFaces<'_, T> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<T> Copy for Faces<'_, T> {}
+impl<T> Copy for CubeFaces<'_, T> {}
 
-impl<'a, T: Copy> Faces<'a, T> {
+impl<'a, T: Copy> CubeFaces<'a, T> {
     /// Checks that the values fill the faces.
     pub fn new(values: &'a [T], size: u32, channels: usize) -> Result<Self> {
         check_size(size)?;

@@ -5,7 +5,7 @@
 
 use rayon::prelude::*;
 
-use super::faces::{Faces, is_known};
+use super::faces::{CubeFaces, is_known};
 use super::lookup::Number;
 use super::solid::{edge_of, edges, row_of_angles, solid_angle};
 use crate::base::{Error, Result};
@@ -43,7 +43,7 @@ pub fn next_size(size: u32) -> u32 {
 }
 
 /// Writes the next level.
-pub fn next_level<T: Number>(faces: Faces<'_, T>, reduction: Reduction, out: &mut [T]) -> Result<()> {
+pub fn next_level<T: Number>(faces: CubeFaces<'_, T>, reduction: Reduction, out: &mut [T]) -> Result<()> {
     let (size, next) = (faces.size, next_size(faces.size));
     let expected = 6 * (next as usize).pow(2) * faces.channels;
     if out.len() != expected {
@@ -121,7 +121,7 @@ fn weigh(across: &[Covered], down: &Covered) -> Vec<f64> {
     weights
 }
 
-fn mean<T: Number>(texels: &[T], across: &[Covered], weights: &[f64], faces: &Faces<'_, T>, out: &mut [T]) {
+fn mean<T: Number>(texels: &[T], across: &[Covered], weights: &[f64], faces: &CubeFaces<'_, T>, out: &mut [T]) {
     let (channels, row_length) = (faces.channels, faces.size as usize * faces.channels);
     let mut next = 0;
     for (column, out) in across.iter().zip(out.chunks_exact_mut(channels)) {
@@ -143,7 +143,7 @@ fn mean<T: Number>(texels: &[T], across: &[Covered], weights: &[f64], faces: &Fa
 fn extreme<T: Number>(
     texels: &[T],
     across: &[Covered],
-    faces: &Faces<'_, T>,
+    faces: &CubeFaces<'_, T>,
     before: impl Fn(T, T) -> bool,
     out: &mut [T],
 ) {

@@ -12,9 +12,9 @@ mod tests;
 mod texels;
 
 pub use environment::EnvironmentMap;
-pub use faces::Faces;
-pub use layouts::{Grid, Layout, Picture, convert, convert_nearest, grid_directions, grid_texels};
-pub use lookup::{Filter, Number, Taps, footprint, lookup, nearest};
+pub use faces::CubeFaces;
+pub use layouts::{Grid, Layout, Panorama, convert, convert_nearest, grid_directions, grid_texels};
+pub use lookup::{Number, Taps, TexelFilter, footprint, lookup, nearest};
 pub use mips::{Reduction, next_level, next_size};
 pub use solid::solid_angles;
 pub use texels::{MAX_SIZE, center_of, direction_from_texel, texel_from_direction};

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::faces::check_size;
-use crate::base::simd::widest;
+use crate::base::simd::vectorized;
 use crate::base::{Error, Result};
 
 /// Faces of at least this many texels have texels whose half solid angles are below 0.01.
@@ -50,7 +50,7 @@ fn fine_row(edges: &[f64], down: [f64; 2], out: &mut [f64]) {
     }
 }
 
-widest! { fn fine_row_wide(edges: &[f64], down: [f64; 2], out: &mut [f64]) = fine_row; }
+vectorized! { fn fine_row_wide(edges: &[f64], down: [f64; 2], out: &mut [f64]) = fine_row; }
 
 /// Lines between the columns of a face, the first and the last one included.
 pub(super) fn edges(size: u32) -> Vec<f64> {

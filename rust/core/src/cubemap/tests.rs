@@ -38,7 +38,7 @@ fn blocks_find_what_single_lookups_find_bit_for_bit() {
     for (size, channels) in [(1, 1), (2, 3), (3, 2), (4, 1), (16, 3), (37, 5)] {
         let values: Vec<f64> = (0..6 * u64::from(size * size) * channels).map(|i| uniform(9, 1, i)).collect();
         let channels = channels as usize;
-        let faces = Faces::new(&values, size, channels).unwrap();
+        let faces = CubeFaces::new(&values, size, channels).unwrap();
         let directions = random_directions(1000, size.into());
         let mut out = vec![0.0; directions.len() * channels];
         nearest(faces, &directions, &mut out).unwrap();
@@ -46,10 +46,10 @@ fn blocks_find_what_single_lookups_find_bit_for_bit() {
             let number = texel_from_direction(DVec3::from_array(d), size);
             assert_eq!(out[i * channels..][..channels], *faces.texel(number));
         }
-        lookup(faces, &directions, Filter::Linear, &mut out).unwrap();
+        lookup(faces, &directions, TexelFilter::Linear, &mut out).unwrap();
         let [mut least, mut greatest] = [out.clone(), out.clone()];
-        lookup(faces, &directions, Filter::Min, &mut least).unwrap();
-        lookup(faces, &directions, Filter::Max, &mut greatest).unwrap();
+        lookup(faces, &directions, TexelFilter::Min, &mut least).unwrap();
+        lookup(faces, &directions, TexelFilter::Max, &mut greatest).unwrap();
         for (i, &d) in directions.iter().enumerate() {
             let taps = Taps::new(DVec3::from_array(d), size);
             for channel in 0..channels {
@@ -70,10 +70,10 @@ fn blocks_find_what_single_lookups_find_bit_for_bit() {
 fn least_and_greatest_bracket_the_mean_and_infinity_stays_out_of_weightless_texels() {
     let size = 4;
     let values: Vec<f32> = (0..96).map(|i| if i == 5 { f32::INFINITY } else { i as f32 }).collect();
-    let faces = Faces::new(&values, size, 1).unwrap();
+    let faces = CubeFaces::new(&values, size, 1).unwrap();
     let directions: Vec<[f64; 3]> = (0..96).map(|t| direction_from_texel(t, size).to_array()).collect();
     let mut out = vec![0.0; 96];
-    for filter in [Filter::Linear, Filter::Min, Filter::Max] {
+    for filter in [TexelFilter::Linear, TexelFilter::Min, TexelFilter::Max] {
         lookup(faces, &directions, filter, &mut out).unwrap();
         // Powers of two: centres of inner texels are exact, so that no neighbour gets any weight.
         assert_eq!(out[5..7], values[5..7]);
@@ -81,22 +81,22 @@ fn least_and_greatest_bracket_the_mean_and_infinity_stays_out_of_weightless_texe
     // Face +x, between texels 5, 6, 9 and 10.
     let between = [[1.0, 0.01, 0.02f64]];
     let [mut least, mut mean, mut greatest] = [[0.0], [0.0], [0.0]];
-    lookup(faces, &between, Filter::Min, &mut least).unwrap();
-    lookup(faces, &between, Filter::Linear, &mut mean).unwrap();
-    lookup(faces, &between, Filter::Max, &mut greatest).unwrap();
+    lookup(faces, &between, TexelFilter::Min, &mut least).unwrap();
+    lookup(faces, &between, TexelFilter::Linear, &mut mean).unwrap();
+    lookup(faces, &between, TexelFilter::Max, &mut greatest).unwrap();
     assert_eq!((least, mean[0], greatest), ([6.0], f32::INFINITY, [f32::INFINITY]));
 }
 
 #[test]
 fn refuses_what_has_no_direction() {
     let values = [0.0f32; 6];
-    let faces = Faces::new(&values, 1, 1).unwrap();
+    let faces = CubeFaces::new(&values, 1, 1).unwrap();
     let mut out = vec![0.0; 20_000];
     for wrong in [[0.0; 3], [f64::NAN, 1.0, 0.0], [1.0, f64::INFINITY, 0.0], [0.0, 0.0, f64::NEG_INFINITY]] {
         for place in [0, 63, 64, 8191, 8192, 19_999] {
             let mut directions = vec![[1.0, 0.0, 0.0]; 20_000];
             directions[place..].fill(wrong);
-            for filter in [Filter::Linear, Filter::Cubic, Filter::Min] {
+            for filter in [TexelFilter::Linear, TexelFilter::Cubic, TexelFilter::Min] {
                 let error = lookup(faces, &directions, filter, &mut out).unwrap_err();
                 assert!(error.to_string().contains(&format!("index {place}")), "{error}");
             }
@@ -104,19 +104,19 @@ fn refuses_what_has_no_direction() {
             assert!(grid_texels(grid(1), &directions, &mut vec![0; 20_000]).is_err());
         }
     }
-    assert!(Faces::new(&values, 0, 1).is_err() && Faces::new(&values, 2, 1).is_err());
-    assert!(lookup(faces, &[[1.0; 3]], Filter::Linear, &mut out).is_err());
+    assert!(CubeFaces::new(&values, 0, 1).is_err() && CubeFaces::new(&values, 2, 1).is_err());
+    assert!(lookup(faces, &[[1.0; 3]], TexelFilter::Linear, &mut out).is_err());
 }
 
 #[test]
 fn a_table_of_what_lies_beyond_edges_changes_no_bit() {
     let size = 6;
     let values: Vec<f64> = (0..6 * 36 * 5).map(|i| uniform(2, 2, i)).collect();
-    let faces = Faces::new(&values, size, 5).unwrap();
+    let faces = CubeFaces::new(&values, size, 5).unwrap();
     let directions = random_directions(64, 4);
     let [mut alone, mut tabled] = [vec![0.0; 64 * 5], vec![0.0; 64 * 5]];
-    lookup::cube_sampler(faces, Filter::Cubic, 0).unwrap().sample(&directions, &mut alone);
-    lookup::cube_sampler(faces, Filter::Cubic, 1000).unwrap().sample(&directions, &mut tabled);
+    lookup::cube_sampler(faces, TexelFilter::Cubic, 0).unwrap().sample(&directions, &mut alone);
+    lookup::cube_sampler(faces, TexelFilter::Cubic, 1000).unwrap().sample(&directions, &mut tabled);
     assert_eq!(alone, tabled);
 }
 
@@ -125,7 +125,7 @@ fn cubic_errors_fall_as_fast_at_seams_as_inside() {
     let f = |d: DVec3| (1.7 * d.x - 0.6 * d.y).sin() + 0.8 * (2.1 * d.z + d.y).cos();
     for size in [8, 16, 32, 64, 128] {
         let values: Vec<f64> = centers(size).into_iter().map(|d| f(DVec3::from_array(d).normalize())).collect();
-        let faces = Faces::new(&values, size, 1).unwrap();
+        let faces = CubeFaces::new(&values, size, 1).unwrap();
         // All components equal or nearly so: a quarter near corners, a quarter near edges.
         let mut directions = random_directions(40_000, 7);
         for (i, d) in directions.iter_mut().enumerate() {
@@ -137,7 +137,7 @@ fn cubic_errors_fall_as_fast_at_seams_as_inside() {
             }
         }
         let mut out = vec![0.0; directions.len()];
-        lookup(faces, &directions, Filter::Cubic, &mut out).unwrap();
+        lookup(faces, &directions, TexelFilter::Cubic, &mut out).unwrap();
         let (mut seam, mut inside) = (0.0f64, 0.0f64);
         for (&d, &value) in directions.iter().zip(&out) {
             let d = DVec3::from_array(d);
@@ -223,10 +223,10 @@ proptest! {
         prop_assume!(d.abs().max_element() > 1e-3);
         let radius = radius * 0.1f64.powi(scale);
         let values: Vec<f64> = (0..6 * u64::from(size * size)).map(|i| uniform(seed, 5, i)).collect();
-        let faces = Faces::new(&values, size, 1).unwrap();
+        let faces = CubeFaces::new(&values, size, 1).unwrap();
         let mut found = [[0.0], [0.0]];
-        footprint(faces, &[d.to_array()], radius, Filter::Min, &mut found[0]).unwrap();
-        footprint(faces, &[d.to_array()], radius, Filter::Max, &mut found[1]).unwrap();
+        footprint(faces, &[d.to_array()], radius, TexelFilter::Min, &mut found[0]).unwrap();
+        footprint(faces, &[d.to_array()], radius, TexelFilter::Max, &mut found[1]).unwrap();
         // Cones are wider by 4e-15 / sin 2r, and by 6.4e-8 at most.
         let margin = (4e-15 / (2.0 * radius).sin()).min(6.4e-8) + 1e-14;
         let bounds = |radius: f64| {

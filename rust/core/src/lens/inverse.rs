@@ -10,7 +10,7 @@ use super::radial::RadialLens;
 use super::solve::FARTHEST;
 use super::table::Table;
 use crate::base::error::number;
-use crate::base::simd::fused_kernels;
+use crate::base::simd::vectorized;
 use crate::base::{Error, Real, Result};
 
 /// Radii of one task: fixed, and few enough to stay in the nearest cache while they are worked on.
@@ -24,7 +24,7 @@ struct Stage([f64; TILE]);
 
 /// How f is inverted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
+pub enum InverseMethod {
     /// Newton's method to the last bits.
     Newton,
     /// As published: r ← x / (1 + k₁r² + …), so many times. Liebisch (2021), Alg. 1.
@@ -47,13 +47,13 @@ impl RadialLens {
     }
 
     /// f⁻¹(x) of distorted radii of either sign. Beyond f(r_max): NaN, or with `refuse` an error.
-    pub fn undistort_all<T: Real>(&self, x: &[T], to: &mut [T], method: Method, refuse: bool) -> Result<()> {
+    pub fn undistort_all<T: Real>(&self, x: &[T], to: &mut [T], method: InverseMethod, refuse: bool) -> Result<()> {
         let whole = match method {
-            Method::FixedPoint(steps) => {
+            InverseMethod::FixedPoint(steps) => {
                 each_tile(x, to, |tile| fixed_point_tile(&self.radial.k, steps, tile));
                 true
             }
-            _ => each_tile(x, to, |tile| self.undistort_blocks(tile, method == Method::Newton, T::SLACK)),
+            _ => each_tile(x, to, |tile| self.undistort_blocks(tile, method == InverseMethod::Newton, T::SLACK)),
         };
         if whole || !refuse { Ok(()) } else { Err(refused(x, to, self.radial.x_max)) }
     }
@@ -119,12 +119,12 @@ fn each_tile<T: Real>(from: &[T], to: &mut [T], kernel: impl Fn(&mut [f64]) + Sy
     good.into_inner()
 }
 
-fused_kernels! {
-    fn distort_tile(k: &[f64], r_max: f64, tile: &mut [f64]) = distort_blocks;
-    fn slope_tile(slope: &[f64], r_max: f64, tile: &mut [f64]) = slope_blocks;
-    fn fixed_point_tile(k: &[f64], steps: u32, tile: &mut [f64]) = fixed_point_blocks;
-    fn table_tile(table: &Table, tile: &mut [f64], hard: &mut Vec<u32>) = table_blocks;
-    fn newton_tile(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], hard: &mut Vec<u32>) = newton_blocks;
+vectorized! {
+    fn distort_tile(k: &[f64], r_max: f64, tile: &mut [f64]) = fused distort_blocks;
+    fn slope_tile(slope: &[f64], r_max: f64, tile: &mut [f64]) = fused slope_blocks;
+    fn fixed_point_tile(k: &[f64], steps: u32, tile: &mut [f64]) = fused fixed_point_blocks;
+    fn table_tile(table: &Table, tile: &mut [f64], hard: &mut Vec<u32>) = fused table_blocks;
+    fn newton_tile(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], hard: &mut Vec<u32>) = fused newton_blocks;
 }
 
 #[inline(always)]

@@ -2,7 +2,7 @@
 
 use super::polynomial::{derivative, range};
 use super::radial::RadialLens;
-use super::warp::View;
+use super::warp::WarpView;
 use crate::base::{Error, Result};
 
 /// Most parts in which a cell's radii are looked at.
@@ -10,7 +10,7 @@ const PARTS: f64 = 16.0;
 
 /// A grid over the made picture.
 #[derive(Clone, Debug)]
-pub struct Mesh {
+pub struct WarpMesh {
     /// Shares of the made picture from its top left corner, row by row.
     pub places: Vec<[f64; 2]>,
     /// For each lens, shares of the picture that is read.
@@ -24,10 +24,10 @@ pub struct Mesh {
 /// A mesh of `columns` × `rows` cells for a picture of `width` × `height` pixels.
 pub fn warp_mesh(
     lenses: &[RadialLens],
-    view: &View,
+    view: &WarpView,
     [columns, rows]: [usize; 2],
     [width, height]: [usize; 2],
-) -> Result<Mesh> {
+) -> Result<WarpMesh> {
     let at = |n: usize| (n % (columns + 1), n / (columns + 1));
     let count = (columns + 1) * (rows + 1);
     let places: Vec<[f64; 2]> =
@@ -60,7 +60,7 @@ pub fn warp_mesh(
     if faces.is_empty() {
         return Err(Error::value("fov", "a field of view that the lens serves", "one beyond its fold"));
     }
-    Ok(Mesh { places, sources, faces, error })
+    Ok(WarpMesh { places, sources, faces, error })
 }
 
 /// Whether a cell can show some of the picture, its places being off by so much.
@@ -78,7 +78,7 @@ impl RadialLens {
     ///
     /// A linear interpolation on a triangle is off by R²/2 times the greatest second derivative along any line (Waldron
     /// 1998), R the radius around its corners; the diagonal of a cell is twice that.
-    fn bend_of_cell(&self, view: &View, [a, b, c, d]: [[f64; 2]; 4]) -> f64 {
+    fn bend_of_cell(&self, view: &WarpView, [a, b, c, d]: [[f64; 2]; 4]) -> f64 {
         let length = |[x, y]: [f64; 2]| x.hypot(y);
         let diagonal = length([a[0] - d[0], a[1] - d[1]]);
         let high = [a, b, c, d].map(length).into_iter().fold(0.0, f64::max);

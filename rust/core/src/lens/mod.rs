@@ -18,9 +18,9 @@ mod table;
 mod tests;
 mod warp;
 
-pub use inverse::Method;
-pub use mesh::{Mesh, warp_mesh};
+pub use inverse::InverseMethod;
+pub use mesh::{WarpMesh, warp_mesh};
 pub use radial::RadialLens;
 pub use size::{Sizes, corrected_solid_angles};
 pub use stretch::{STRETCHED, Spheres};
-pub use warp::{Filter, Image, Pixel, View, warp};
+pub use warp::{Image, WarpFilter, WarpPixel, WarpView, warp};

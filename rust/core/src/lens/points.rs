@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use super::inverse::LANES;
 use super::polynomial;
 use super::radial::RadialLens;
-use crate::base::simd::widest;
+use crate::base::simd::vectorized;
 use crate::base::{Error, Real, Result};
 
 /// Points of one task: what is known of them stays in the nearest cache.
@@ -24,14 +24,14 @@ const PARTS: u32 = 64;
 
 /// Points of a task, apart: x, y, and the radii that become factors.
 #[repr(align(64))]
-pub(super) struct Tile {
+pub(super) struct PointTile {
     x: [f64; TILE],
     y: [f64; TILE],
     radius: [f64; TILE],
     image: [f64; TILE],
 }
 
-impl Tile {
+impl PointTile {
     pub(super) fn new<T: Real>(points: &[[T; 2]]) -> Self {
         let mut tile = Self { x: [0.0; TILE], y: [0.0; TILE], radius: [0.0; TILE], image: [0.0; TILE] };
         for (n, [x, y]) in points.iter().enumerate() {
@@ -52,15 +52,13 @@ impl Tile {
     }
 }
 
-widest! {
-    fn measure(tile: &mut Tile, count: usize) = measure_all;
-}
-widest! {
-    fn scale(tile: &mut Tile, count: usize) = scale_all;
+vectorized! {
+    fn measure(tile: &mut PointTile, count: usize) = measure_all;
+    fn scale(tile: &mut PointTile, count: usize) = scale_all;
 }
 
 #[inline(always)]
-fn measure_all(tile: &mut Tile, count: usize) {
+fn measure_all(tile: &mut PointTile, count: usize) {
     for n in 0..count.min(TILE) {
         tile.radius[n] = (tile.x[n] * tile.x[n] + tile.y[n] * tile.y[n]).sqrt();
     }
@@ -68,7 +66,7 @@ fn measure_all(tile: &mut Tile, count: usize) {
 }
 
 #[inline(always)]
-fn scale_all(tile: &mut Tile, count: usize) {
+fn scale_all(tile: &mut PointTile, count: usize) {
     for n in 0..count.min(TILE) {
         let factor = if tile.radius[n] == 0.0 { 1.0 } else { tile.image[n] / tile.radius[n] };
         tile.x[n] *= factor;
@@ -80,7 +78,7 @@ impl RadialLens {
     /// Where points are shown. Outside the disc of radius `reach`: NaN, or with `refuse` an error.
     pub fn distort_points<T: Real>(&self, points: &[[T; 2]], to: &mut [[T; 2]], refuse: bool) -> Result<()> {
         self.each_tile(points, to, refuse, |from, to| {
-            let mut tile = Tile::new(from);
+            let mut tile = PointTile::new(from);
             tile.moved(to, |radii| self.distort_blocks(radii));
             if self.tangential == [0.0; 2] {
                 return;
@@ -96,7 +94,7 @@ impl RadialLens {
     /// What is shown at points. Where nothing within the disc of radius `reach` is: NaN, or with `refuse` an error.
     pub fn undistort_points<T: Real>(&self, points: &[[T; 2]], to: &mut [[T; 2]], refuse: bool) -> Result<()> {
         self.each_tile(points, to, refuse, |from, to| {
-            let mut tile = Tile::new(from);
+            let mut tile = PointTile::new(from);
             tile.moved(to, |radii| self.undistort_blocks(radii, true, ROUNDINGS + 2.0 * T::SLACK));
             if self.tangential == [0.0; 2] {
                 return;

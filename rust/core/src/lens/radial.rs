@@ -68,7 +68,7 @@ impl RadialLens {
         if x <= self.radial.x_max { self.radial.undistort(x) } else { f64::NAN }
     }
 
-    /// Greatest error of `Method::Table` as a share of r, and up to which x that table goes: beyond, Newton's method takes over.
+    /// Greatest error of `InverseMethod::Table` as a share of r, and up to which x that table goes: beyond, Newton's method takes over.
     pub fn table_bound(&self) -> (f64, f64) {
         self.table().map_or((0.0, f64::INFINITY), |table| (table.bound, table.end))
     }

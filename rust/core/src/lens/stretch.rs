@@ -4,7 +4,7 @@ use super::inverse::{LANES, cubic_block};
 use super::radial::RadialLens;
 use super::size::divided_difference;
 use super::table::Table;
-use crate::base::simd::widest;
+use crate::base::simd::vectorized;
 
 /// Spheres of one block.
 pub const STRETCHED: usize = LANES;
@@ -53,12 +53,12 @@ impl RadialLens {
             to.fill(1.0);
             return;
         };
-        let lens = Bent { k: &self.radial.k, table, scale: tan_omega };
+        let lens = LensBend { k: &self.radial.k, table, scale: tan_omega };
         let blocks = |values: &'a [f64]| values.as_chunks::<LANES>().0.iter();
         let angles = blocks(spheres.sin_alpha).zip(blocks(spheres.cos_alpha));
         let sizes = blocks(spheres.sin_mu).zip(blocks(spheres.cos_mu));
         for (((sin_alpha, cos_alpha), (sin_mu, cos_mu)), to) in angles.zip(sizes).zip(to.chunks_mut(LANES)) {
-            let block = Block { sin_alpha, cos_alpha, sin_mu, cos_mu };
+            let block = SphereBlock { sin_alpha, cos_alpha, sin_mu, cos_mu };
             let mut ratios = [0.0; LANES];
             stretch(&lens, &block, &mut ratios);
             for (n, (to, ratio)) in to.iter_mut().zip(ratios).enumerate() {
@@ -68,7 +68,7 @@ impl RadialLens {
     }
 
     /// One of a block, by Newton's method.
-    fn stretch_one(&self, tan_omega: f64, block: &Block<'_>, n: usize) -> f64 {
+    fn stretch_one(&self, tan_omega: f64, block: &SphereBlock<'_>, n: usize) -> f64 {
         let (sa, ca, sm, cm) = (block.sin_alpha[n], block.cos_alpha[n], block.sin_mu[n], block.cos_mu[n]);
         let (cos_far, cos_near) = (ca * cm - sa * sm, ca * cm + sa * sm);
         if sm == 0.0 {
@@ -85,28 +85,28 @@ impl RadialLens {
     }
 }
 
-struct Bent<'a> {
+struct LensBend<'a> {
     k: &'a [f64],
     table: &'a Table,
     /// tan ω
     scale: f64,
 }
 
-struct Block<'a> {
+struct SphereBlock<'a> {
     sin_alpha: &'a [f64; LANES],
     cos_alpha: &'a [f64; LANES],
     sin_mu: &'a [f64; LANES],
     cos_mu: &'a [f64; LANES],
 }
 
-widest! {
-    fn stretch(lens: &Bent<'_>, block: &Block<'_>, to: &mut [f64; LANES]) = stretch_block;
+vectorized! {
+    fn stretch(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LANES]) = stretch_block;
 }
 
 /// 0 where the table or the polynomials end, for others to settle.
 #[inline(always)]
-fn stretch_block(lens: &Bent<'_>, block: &Block<'_>, to: &mut [f64; LANES]) {
-    let Block { sin_alpha, cos_alpha, sin_mu, cos_mu } = block;
+fn stretch_block(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LANES]) {
+    let SphereBlock { sin_alpha, cos_alpha, sin_mu, cos_mu } = block;
     let (mut far, mut near, mut rise) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     let (mut good, mut behind) = ([false; LANES], [false; LANES]);
     for n in 0..LANES {

@@ -62,13 +62,13 @@ impl Table {
         let base = first.to_bits() >> shift;
         let mut table = Self { cubics: Vec::new(), first, base, shift, start_end: 0.0, end: 0.0, bound: 0.0 };
         let derivatives = Derivatives::new(lens);
-        let mut from = Node::at(lens, 0.0);
+        let mut from = InverseNode::at(lens, 0.0);
         for number in 0u64.. {
             let x = f64::from_bits((base + number) << shift);
             if x > last {
                 break;
             }
-            let to = Node::at(lens, x);
+            let to = InverseNode::at(lens, x);
             let bound = derivatives.bound(&from, &to);
             if bound > START || !bound.is_finite() {
                 break;
@@ -90,13 +90,13 @@ impl Table {
 }
 
 /// f⁻¹ and its slope somewhere.
-struct Node {
+struct InverseNode {
     x: f64,
     r: f64,
     slope: f64,
 }
 
-impl Node {
+impl InverseNode {
     fn at(lens: &Radial, x: f64) -> Self {
         let r = lens.undistort(x);
         Self { x, r, slope: 1.0 / lens.derivative(r) }
@@ -104,7 +104,7 @@ impl Node {
 }
 
 /// Hermite's cubic between two nodes.
-fn cubic(from: &Node, to: &Node) -> [f64; 4] {
+fn cubic(from: &InverseNode, to: &InverseNode) -> [f64; 4] {
     let width = to.x - from.x;
     let (rise, one, other) = (to.r - from.r, width * from.slope, width * to.slope);
     [from.r, one, 3.0 * rise - 2.0 * one - other, one + other - 2.0 * rise]
@@ -129,7 +129,7 @@ impl Derivatives {
 
     /// Greatest error of Hermite's cubic as a share of r: x² (h−x)² max |g⁗| / 24 of g = f⁻¹, whose fourth derivative is
     /// −(15 f″³ − 10 f′f″f‴ + f′²f⁗) / f′⁷, and four roundings of the result.
-    fn bound(&self, from: &Node, to: &Node) -> f64 {
+    fn bound(&self, from: &InverseNode, to: &InverseNode) -> f64 {
         let Self([first, second, third, fourth]) = self;
         // Nodes are right to a rounding; the interval is widened by more than that.
         let (low, high) = (from.r * (1.0 - 1e-14), to.r * (1.0 + 1e-14));

@@ -4,15 +4,15 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::points::{TILE, Tile};
+use super::points::{PointTile, TILE};
 use super::radial::RadialLens;
 use crate::base::Result;
-use crate::base::simd::widest;
+use crate::base::simd::vectorized;
 use crate::camera::Fov;
 
 /// How pixels around a place become one value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Filter {
+pub enum WarpFilter {
     /// Of four.
     Linear,
     /// Of sixteen: Catmull and Rom's cubics (Keys, a = −1/2).
@@ -20,7 +20,7 @@ pub enum Filter {
 }
 
 /// A value of a picture.
-pub trait Pixel: Copy + Send + Sync {
+pub trait WarpPixel: Copy + Send + Sync {
     /// The same value.
     fn wide(self) -> f64;
     /// The nearest one there is.
@@ -30,7 +30,7 @@ pub trait Pixel: Copy + Send + Sync {
         image: &Image<'_, Self>,
         shares: &[[f64; 2]],
         channels: Range<usize>,
-        filter: Filter,
+        filter: WarpFilter,
         fill: Self,
         to: &mut [Self],
     );
@@ -38,17 +38,15 @@ pub trait Pixel: Copy + Send + Sync {
 
 macro_rules! pixel {
     ($($type:ty: $linear:ident, $cubic:ident, $value:ident => $nearest:expr);*) => {$(
-        widest! {
+        vectorized! {
             fn $linear(
                 image: &Image<'_, $type>, shares: &[[f64; 2]], channels: Range<usize>, fill: $type, to: &mut [$type],
             ) = mix_linear;
-        }
-        widest! {
             fn $cubic(
                 image: &Image<'_, $type>, shares: &[[f64; 2]], channels: Range<usize>, fill: $type, to: &mut [$type],
             ) = mix_cubic;
         }
-        impl Pixel for $type {
+        impl WarpPixel for $type {
             #[inline(always)]
             fn wide(self) -> f64 {
                 self.into()
@@ -58,11 +56,11 @@ macro_rules! pixel {
                 $nearest
             }
             fn row(
-                image: &Image<'_, Self>, shares: &[[f64; 2]], channels: Range<usize>, filter: Filter, fill: Self, to: &mut [Self],
+                image: &Image<'_, Self>, shares: &[[f64; 2]], channels: Range<usize>, filter: WarpFilter, fill: Self, to: &mut [Self],
             ) {
                 match filter {
-                    Filter::Linear => $linear(image, shares, channels, fill, to),
-                    Filter::Cubic => $cubic(image, shares, channels, fill, to),
+                    WarpFilter::Linear => $linear(image, shares, channels, fill, to),
+                    WarpFilter::Cubic => $cubic(image, shares, channels, fill, to),
                 }
             }
         }
@@ -91,7 +89,7 @@ pub struct Image<'a, P> {
 
 /// What pictures show: both as tangents from the lens's axis.
 #[derive(Clone, Copy, Debug)]
-pub struct View {
+pub struct WarpView {
     /// Of the picture that is read.
     pub from: Fov,
     /// Of the picture that is made.
@@ -102,7 +100,7 @@ pub struct View {
     pub distort: bool,
 }
 
-impl View {
+impl WarpView {
     /// Radii 1 apart, in pixels of a picture of that field of view: across and down.
     pub(super) fn density(&self, fov: &Fov, width: usize, height: usize) -> [f64; 2] {
         [width as f64 / (fov.right - fov.left), height as f64 / (fov.up - fov.down)].map(|each| each * self.tan_omega)
@@ -129,18 +127,18 @@ impl View {
             return lens.undistort_points(places, to, false);
         }
         for (from, to) in places.chunks(TILE).zip(to.chunks_mut(TILE)) {
-            Tile::new(from).moved(to, |radii| lens.undistort_blocks(radii, false, 0.0));
+            PointTile::new(from).moved(to, |radii| lens.undistort_blocks(radii, false, 0.0));
         }
         Ok(())
     }
 }
 
 /// Makes a picture row by row. `lenses` are one, or one for each channel; what shows nothing of the image is `fill`.
-pub fn warp<P: Pixel>(
+pub fn warp<P: WarpPixel>(
     lenses: &[RadialLens],
     image: &Image<'_, P>,
-    view: &View,
-    filter: Filter,
+    view: &WarpView,
+    filter: WarpFilter,
     fill: P,
     to: &mut [P],
     width: usize,
@@ -164,7 +162,7 @@ pub fn warp<P: Pixel>(
 }
 
 #[inline(always)]
-fn mix_linear<P: Pixel>(image: &Image<'_, P>, shares: &[[f64; 2]], channels: Range<usize>, fill: P, to: &mut [P]) {
+fn mix_linear<P: WarpPixel>(image: &Image<'_, P>, shares: &[[f64; 2]], channels: Range<usize>, fill: P, to: &mut [P]) {
     for (share, pixel) in shares.iter().zip(to.chunks_exact_mut(image.channels)) {
         match image.place(*share) {
             None => pixel[channels.clone()].fill(fill),
@@ -177,7 +175,7 @@ fn mix_linear<P: Pixel>(image: &Image<'_, P>, shares: &[[f64; 2]], channels: Ran
 }
 
 #[inline(always)]
-fn mix_cubic<P: Pixel>(image: &Image<'_, P>, shares: &[[f64; 2]], channels: Range<usize>, fill: P, to: &mut [P]) {
+fn mix_cubic<P: WarpPixel>(image: &Image<'_, P>, shares: &[[f64; 2]], channels: Range<usize>, fill: P, to: &mut [P]) {
     for (share, pixel) in shares.iter().zip(to.chunks_exact_mut(image.channels)) {
         match image.place(*share) {
             None => pixel[channels.clone()].fill(fill),
@@ -189,7 +187,7 @@ fn mix_cubic<P: Pixel>(image: &Image<'_, P>, shares: &[[f64; 2]], channels: Rang
     }
 }
 
-impl<P: Pixel> Image<'_, P> {
+impl<P: WarpPixel> Image<'_, P> {
     /// Column and row, 0 at the first centres, of shares of the picture; `None` beside it.
     #[inline(always)]
     fn place(&self, [across, down]: [f64; 2]) -> Option<[f64; 2]> {

@@ -8,6 +8,8 @@ mod fit;
 mod select;
 mod simplify;
 
-pub use fit::{Curve, Status, Unfit, fit_4pl};
-pub use select::{Acuity, COLUMNS, Counts, Eye, Glass, Line, Model, Objects, Parameters, Rules, View, select};
-pub use simplify::{Charts, Given, Place, Vertices, collapse, first_alike, pieces};
+pub use fit::{LogisticCurve, Status, Unfit, fit_4pl};
+pub use select::{
+    Acuity, COLUMNS, Eye, EyeLens, Frustum, Model, Objects, Parameters, Rules, SelectionCounts, ThresholdLine, select,
+};
+pub use simplify::{Allowance, Charts, SurfacePlace, Vertices, collapse, first_alike, pieces};

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::pair::Pair;
 use super::plane::Plane;
-use super::similarity::{Counted, Mask, Shrunk, Similarity, Source, Sums, Window, multiscale, similarity};
+use super::similarity::{Counted, Mask, Shrunk, Similarity, SimilaritySums, Source, Window, multiscale, similarity};
 use super::squares::mean_squared_error;
 use crate::base::{Error, Progress, Result};
 
@@ -63,7 +63,7 @@ where
         comparison: &Comparison,
         maps: Option<&mut [P::Real]>,
         progress: &Progress,
-    ) -> Result<Vec<Sums>> {
+    ) -> Result<Vec<SimilaritySums>> {
         let jobs = self.jobs()?;
         progress.expect(jobs.len() as u64);
         let one = |job: &Job<'_, P>, map: Option<&mut [P::Real]>| {
@@ -94,7 +94,12 @@ where
 }
 
 impl Comparison {
-    fn of<P>(&self, pair: &Pair<'_, P>, mask: Option<Plane<'_, u8>>, map: Option<&mut [P::Real]>) -> Result<Sums>
+    fn of<P>(
+        &self,
+        pair: &Pair<'_, P>,
+        mask: Option<Plane<'_, u8>>,
+        map: Option<&mut [P::Real]>,
+    ) -> Result<SimilaritySums>
     where
         P: Source<Real: Source<Real = P::Real>>,
     {

@@ -15,7 +15,7 @@ const DENSE: usize = 1 << 20;
 /// The share of the reference's objects that are visible at all (OVC), and the mean share of each one's pixels that are
 /// (OFC). None where the reference shows no object. Negative numbers are none.
 pub fn object_completion(reference: &[i32], test: &[i32]) -> Option<(f64, f64)> {
-    let (wanted, found) = rayon::join(|| Counts::of(reference), || Counts::of(test));
+    let (wanted, found) = rayon::join(|| PixelCounts::of(reference), || PixelCounts::of(test));
     let (mut objects, mut visible, mut shares) = (0u64, 0u64, 0.0);
     for (object, pixels) in wanted.each() {
         let seen = found.get(object);
@@ -28,7 +28,7 @@ pub fn object_completion(reference: &[i32], test: &[i32]) -> Option<(f64, f64)> 
 
 /// Pixels of each object.
 #[derive(Default)]
-struct Counts {
+struct PixelCounts {
     /// By number.
     dense: Vec<u64>,
     /// Of the objects with great numbers: an array up to the greatest would not fit.
@@ -51,7 +51,7 @@ impl Run {
     }
 }
 
-impl Counts {
+impl PixelCounts {
     fn of(ids: &[i32]) -> Self {
         // One array of counts for each thread, because making and adding them costs as much as counting; whole numbers
         // add up to the same in any parts.

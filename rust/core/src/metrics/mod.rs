@@ -15,5 +15,5 @@ pub use batch::{Comparison, Stacks};
 pub use completion::object_completion;
 pub use discontinuity::{Neighbourhood, discontinuity};
 pub use pair::Pair;
-pub use plane::{Pixel, Plane, Real};
-pub use similarity::{Similarity, Source, Sums, Window};
+pub use plane::{Pixel, Plane, RoundingLimits};
+pub use similarity::{Similarity, SimilaritySums, Source, Window};

@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use super::pixel_rows::PixelRows;
-use super::plane::{Part, Plane, Real};
-use crate::base::Result;
+use super::plane::{Plane, Region};
+use crate::base::{Real, Result};
 
 /// Two images to be compared.
 #[derive(Clone, Copy)]
@@ -48,7 +48,7 @@ impl<'a, P: PixelRows> Pair<'a, P> {
     }
 
     /// About the means of both in a part, or of what a mask names of it.
-    pub(super) fn levels(&self, part: &Part, mask: Option<&Plane<'_, u8>>) -> [f64; 2] {
+    pub(super) fn levels(&self, part: &Region, mask: Option<&Plane<'_, u8>>) -> [f64; 2] {
         [&self.reference, &self.test].map(|image| image.level(part, mask))
     }
 

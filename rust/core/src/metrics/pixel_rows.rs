@@ -2,7 +2,7 @@
 
 use super::plane::Pixel;
 use super::vectors::LANES;
-use crate::base::simd::widest;
+use crate::base::simd::vectorized;
 
 /// Pixels of which rows are compared.
 pub trait PixelRows: Pixel {
@@ -14,12 +14,10 @@ pub trait PixelRows: Pixel {
 
 macro_rules! pixel_rows {
     ($($pixel:ty, $real:ty: $kernel:ident, $squares:ident = $square:ident);*) => {$(
-        widest! {
+        vectorized! {
             fn $kernel(
                 x: &[$pixel], y: &[$pixel], levels: [$real; 2], s: &mut [$real], d: &mut [$real],
             ) = spread;
-        }
-        widest! {
             fn $squares(x: &[$pixel], y: &[$pixel]) -> f64 = $square;
         }
         impl PixelRows for $pixel {

@@ -1,19 +1,19 @@
 //! One channel of an image as it lies in memory, of any number type.
 
-use crate::base::{Error, Result};
+use crate::base::{Error, Real, Result};
 
-/// What pixels are made of, and the precision that they are computed in.
+/// Numbers that pixels are made of, and the precision that they are computed in.
 pub trait Pixel: Copy + Send + Sync {
     /// Float32 holds every 8- and 16-bit difference exactly.
-    type Real: Real;
+    type Real: RoundingLimits;
     /// The value.
     fn real(self) -> Self::Real;
 }
 
-/// Float32 or float64.
-pub trait Real: num::Float {
+/// Limits within which a precision keeps the digits of similarity.
+pub trait RoundingLimits: Real {
     /// By how many roundings of a pixel less its level either factor of the measure may change: 1e-6 in float32 and 5e-13
-    /// in float64. It is the mean that asks for so few, because the roundings of even areas are all alike.
+    /// in float64. The mean asks for so few, because the roundings of even areas are all alike.
     const REACH: f64;
     /// How many times √c₁ or √c₂ a window may lie from the level whatever the factors are: rounding by itself.
     const FARTHEST: f64;
@@ -23,62 +23,23 @@ pub trait Real: num::Float {
     const DIVISOR: f64;
     /// From where on the product of both constants holds with all digits.
     const LEAST: f64;
-    /// The nearest value.
-    fn narrow(value: f64) -> Self;
-    /// The same value.
-    fn wide(self) -> f64;
-    /// a b + c, rounded once where it is fused.
-    fn fuse<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self;
 }
 
-/// What `Real` can do.
-mod num {
-    use std::ops::{Add, Div, Mul, Sub};
-
-    pub trait Float:
-        Copy
-        + Default
-        + Send
-        + Sync
-        + PartialOrd
-        + Add<Output = Self>
-        + Sub<Output = Self>
-        + Mul<Output = Self>
-        + Div<Output = Self>
-        + 'static
-    {
-    }
-    impl Float for f32 {}
-    impl Float for f64 {}
+impl RoundingLimits for f32 {
+    const REACH: f64 = 20.0;
+    const FARTHEST: f64 = 1e4;
+    const GREATEST: f64 = 1e8;
+    const DIVISOR: f64 = 1e37;
+    const LEAST: f64 = 1e-15;
 }
 
-macro_rules! real {
-    ($real:ty, reach $reach:literal, farthest $farthest:literal, greatest $greatest:literal, divisor $divisor:literal,
-     least $least:literal) => {
-        impl Real for $real {
-            const REACH: f64 = $reach;
-            const FARTHEST: f64 = $farthest;
-            const GREATEST: f64 = $greatest;
-            const DIVISOR: f64 = $divisor;
-            const LEAST: f64 = $least;
-            #[inline(always)]
-            fn narrow(value: f64) -> Self {
-                value as Self
-            }
-            #[inline(always)]
-            fn wide(self) -> f64 {
-                f64::from(self)
-            }
-            #[inline(always)]
-            fn fuse<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self {
-                if FUSED { a.mul_add(b, c) } else { a * b + c }
-            }
-        }
-    };
+impl RoundingLimits for f64 {
+    const REACH: f64 = 5e3;
+    const FARTHEST: f64 = 1e7;
+    const GREATEST: f64 = 1e75;
+    const DIVISOR: f64 = 1e305;
+    const LEAST: f64 = 1e-140;
 }
-
-real!(f32, reach 20.0, farthest 1e4, greatest 1e8, divisor 1e37, least 1e-15);
-real!(f64, reach 5e3, farthest 1e7, greatest 1e75, divisor 1e305, least 1e-140);
 
 macro_rules! pixel {
     ($($type:ty => $real:ty),*) => {$(
@@ -157,7 +118,7 @@ impl<'a, P: Pixel> Plane<'a, P> {
 
     /// About the mean of a part of the image, from a few of its pixels: of those that are finite, and that a mask names
     /// if it names any of them.
-    pub(super) fn level(&self, part: &Part, mask: Option<&Plane<'_, u8>>) -> f64 {
+    pub(super) fn level(&self, part: &Region, mask: Option<&Plane<'_, u8>>) -> f64 {
         let (mut named, mut all) = ([0.0; 2], [0.0; 2]);
         for (row, column) in part.samples() {
             let value = self.at(row, column).wide();
@@ -190,7 +151,7 @@ impl Plane<'_, u8> {
     }
 
     /// Whether a mask names any of a part's samples.
-    pub(super) fn names_samples(&self, part: &Part) -> bool {
+    pub(super) fn names_samples(&self, part: &Region) -> bool {
         part.samples().any(|(row, column)| self.names(row, column))
     }
 
@@ -215,8 +176,8 @@ impl Plane<'_, u8> {
     }
 
     /// The smallest part that holds all pixels of a part that a mask names.
-    pub(super) fn bounds(&self, part: Part) -> Part {
-        let mut bounds = Part { rows: [part.rows[1], part.rows[0]], columns: [part.columns[1], part.columns[0]] };
+    pub(super) fn bounds(&self, part: Region) -> Region {
+        let mut bounds = Region { rows: [part.rows[1], part.rows[0]], columns: [part.columns[1], part.columns[0]] };
         for row in part.rows[0]..part.rows[1] {
             let Some((first, last)) = self.first_and_last(row, part.columns) else { continue };
             bounds.rows = [bounds.rows[0].min(row), row + 1];
@@ -228,14 +189,14 @@ impl Plane<'_, u8> {
 
 /// Part of an image.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Part {
+pub(super) struct Region {
     /// First row, and that after the last.
     pub rows: [usize; 2],
     /// The same of columns.
     pub columns: [usize; 2],
 }
 
-impl Part {
+impl Region {
     pub fn is_empty(&self) -> bool {
         self.rows[0] >= self.rows[1] || self.columns[0] >= self.columns[1]
     }

@@ -7,14 +7,15 @@
 //! Both terms are of the size of |v|, so that rounding is relative to the user's offset, not to the distance. Points
 //! near a radius, near the user or near opposition leave n or the choice of zone in doubt.
 
-use super::lanes::{BLOCK, Lanes, Real, gather, scatter};
+use super::lanes::{BLOCK, BlendLimits, BlockCoordinates, gather, scatter};
 use super::point::Morph;
+use crate::base::Real;
 
 /// A float32 weight w loses a factor r₂/(r₂−r₁) of its digits: beyond this everything is done in float64.
 const STEEPEST: f64 = 16.0;
 
 /// True where the kernel may be used: lengths neither overflow nor lose digits.
-pub(super) fn applies<T: Real>(morph: &Morph) -> bool {
+pub(super) fn applies<T: BlendLimits>(morph: &Morph) -> bool {
     let [least, greatest] = T::LENGTHS;
     let in_range = morph.r2 > least && morph.r2 < greatest && morph.offset.length() < greatest;
     // Two float32 numbers hold O to 2⁻⁴⁸ of its size, which must stay far below the doubt about the inner radius.
@@ -37,7 +38,7 @@ pub(super) struct Constants<T> {
     outer: [T; 2],
 }
 
-impl<T: Real> Constants<T> {
+impl<T: BlendLimits> Constants<T> {
     pub(super) fn new(morph: &Morph) -> Self {
         let high: [T; 3] = morph.center.to_array().map(T::narrow);
         let low = std::array::from_fn(|i| T::narrow(morph.center[i] - high[i].wide()));
@@ -58,14 +59,14 @@ impl<T: Real> Constants<T> {
 /// Morphs a block; one bit for each point whose answer is in doubt.
 #[inline(always)]
 pub(super) fn block<T: Real>(c: &Constants<T>, points: &[[T; 3]; BLOCK], shown: &mut [[T; 3]; BLOCK]) -> u64 {
-    let given = gather(points);
-    let mut from_center: Lanes<T> = [[T::ZERO; BLOCK]; 3];
+    let coordinates = gather(points);
+    let mut from_center: BlockCoordinates<T> = [[T::zero(); BLOCK]; 3];
     for axis in 0..3 {
         for i in 0..BLOCK {
-            from_center[axis][i] = given[axis][i] - c.center[0][axis] - c.center[1][axis];
+            from_center[axis][i] = coordinates[axis][i] - c.center[0][axis] - c.center[1][axis];
         }
     }
-    let mut rho_squared = [T::ZERO; BLOCK];
+    let mut rho_squared = [T::zero(); BLOCK];
     let (mut inside, mut outside) = (0u32, 0u32);
     for i in 0..BLOCK {
         let (x, z) = (from_center[0][i], from_center[2][i]);
@@ -78,57 +79,57 @@ pub(super) fn block<T: Real>(c: &Constants<T>, points: &[[T; 3]; BLOCK], shown: 
         *shown = *points;
         return 0;
     }
-    let mut moved: Lanes<T> = [[T::ZERO; BLOCK]; 3];
+    let mut moved: BlockCoordinates<T> = [[T::zero(); BLOCK]; 3];
     for axis in 0..3 {
         for i in 0..BLOCK {
-            moved[axis][i] = T::narrow(given[axis][i].wide() + c.offset_wide[axis]);
+            moved[axis][i] = T::narrow(coordinates[axis][i].wide() + c.offset_wide[axis]);
         }
     }
     let mut doubts = 0;
     if (outside as usize) < BLOCK {
-        doubts = blend(c, &given, &from_center, &rho_squared, &mut moved);
+        doubts = blend(c, &coordinates, &from_center, &rho_squared, &mut moved);
     }
     scatter(&moved, shown);
     doubts
 }
 
-/// Replaces the shifted points of a block by the given or the blended ones where these hold.
+/// Replaces the shifted points of a block by the original or the blended ones where these hold.
 #[inline(always)]
 fn blend<T: Real>(
     c: &Constants<T>,
-    given: &Lanes<T>,
-    from_center: &Lanes<T>,
+    coordinates: &BlockCoordinates<T>,
+    from_center: &BlockCoordinates<T>,
     rho_squared: &[T; BLOCK],
-    moved: &mut Lanes<T>,
+    moved: &mut BlockCoordinates<T>,
 ) -> u64 {
-    let (mut alpha, mut beta, mut certain) = ([T::ZERO; BLOCK], [T::ZERO; BLOCK], [T::ZERO; BLOCK]);
+    let (mut alpha, mut beta, mut certain) = ([T::zero(); BLOCK], [T::zero(); BLOCK], [T::zero(); BLOCK]);
     for i in 0..BLOCK {
         let (x, y, z) = (from_center[0][i], from_center[1][i], from_center[2][i]);
         let (ax, ay, az) = (x - c.offset[0], y - c.offset[1], z - c.offset[2]);
         let a_squared = ax * ax + ay * ay + az * az;
         let b_squared = x * x + y * y + z * z;
-        let (a, b) = (a_squared.root(), b_squared.root());
+        let (a, b) = (a_squared.sqrt(), b_squared.sqrt());
         let (sum, product) = (a + b, a * b);
         // One division gives both 1/(A+B) and 1/(AB); a height whose square overflows leaves 0.
-        let both = T::ONE / (sum * product);
+        let both = T::one() / (sum * product);
         let along = x * c.offset[0] + y * c.offset[1] + z * c.offset[2];
         let difference = (c.offset_squared - along - along) * (product * both);
         let inverse_product = sum * both;
         let e = difference * difference;
         let turn = c.offset_squared - e;
-        let w = (c.r2 - rho_squared[i].root()) * c.slope;
-        let h = w * (T::ONE - w) * inverse_product;
-        let n = (T::ONE - h * turn).root();
+        let w = (c.r2 - rho_squared[i].sqrt()) * c.slope;
+        let h = w * (T::one() - w) * inverse_product;
+        let n = (T::one() - h * turn).sqrt();
         // One division gives both 1/n and 1/(n(1+n)).
-        let inverse = T::ONE / (n * (T::ONE + n));
-        alpha[i] = h * (e * (T::ONE + n) + turn) * inverse;
-        beta[i] = T::ONE - w * (w + (T::ONE - w) * b_squared * inverse_product) * (T::ONE + n) * inverse;
-        let is_clear = (c.offset_squared <= product) & (both > T::ZERO);
-        certain[i] = if is_clear { T::ONE } else { T::ZERO };
+        let inverse = T::one() / (n * (T::one() + n));
+        alpha[i] = h * (e * (T::one() + n) + turn) * inverse;
+        beta[i] = T::one() - w * (w + (T::one() - w) * b_squared * inverse_product) * (T::one() + n) * inverse;
+        let is_clear = (c.offset_squared <= product) & (both > T::zero());
+        certain[i] = if is_clear { T::one() } else { T::zero() };
     }
     for axis in 0..3 {
         for i in 0..BLOCK {
-            let point = given[axis][i];
+            let point = coordinates[axis][i];
             let blended = point + (alpha[i] * from_center[axis][i] + beta[i] * c.offset[axis]);
             let moving = if rho_squared[i] >= c.outer[1] { moved[axis][i] } else { blended };
             moved[axis][i] = if rho_squared[i] <= c.inner[0] { point } else { moving };
@@ -138,7 +139,7 @@ fn blend<T: Real>(
     let mut count = 0u32;
     for i in 0..BLOCK {
         let square = rho_squared[i];
-        let is_between = (square > c.inner[1]) & (square < c.outer[0]) & (certain[i] > T::ZERO);
+        let is_between = (square > c.inner[1]) & (square < c.outer[0]) & (certain[i] > T::zero());
         doubtful[i] = !((square <= c.inner[0]) | (square >= c.outer[1]) | is_between);
         count += u32::from(doubtful[i]);
     }

@@ -1,8 +1,9 @@
 //! The block kernel of `Kind::Cylinder`, and of whatever the blend's cannot do in the points' precision: the scalar
 //! form in float64, without its branches. Points whose directions are nearly opposed are in doubt.
 
-use super::lanes::{BLOCK, Lanes, Real, gather, scatter};
+use super::lanes::{BLOCK, BlockCoordinates, gather, scatter};
 use super::point::{Kind, Morph};
+use crate::base::Real;
 
 /// A blend of unit vectors below this length is left to the scalar form.
 const SHORT: f64 = 1e-6;
@@ -10,14 +11,14 @@ const SHORT: f64 = 1e-6;
 /// Morphs a block; one bit for each point whose answer is in doubt.
 #[inline(always)]
 pub(super) fn block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], shown: &mut [[T; 3]; BLOCK]) -> u64 {
-    let given = gather(points);
+    let coordinates = gather(points);
     let (center, offset) = (morph.center.to_array(), morph.offset.to_array());
     let offset_rho = (offset[0] * offset[0] + offset[2] * offset[2]).sqrt();
     let keeps_rho = morph.kind == Kind::Cylinder;
-    let mut moved: Lanes<T> = [[T::ZERO; BLOCK]; 3];
+    let mut moved: BlockCoordinates<T> = [[T::zero(); BLOCK]; 3];
     let mut doubtful = [false; BLOCK];
     for i in 0..BLOCK {
-        let [px, py, pz] = [given[0][i].wide(), given[1][i].wide(), given[2][i].wide()];
+        let [px, py, pz] = [coordinates[0][i].wide(), coordinates[1][i].wide(), coordinates[2][i].wide()];
         let [x, y, z] = [px - center[0], py - center[1], pz - center[2]];
         let [ax, ay, az] = [x - offset[0], y - offset[1], z - offset[2]];
         let rho = (x * x + z * z).sqrt();
@@ -50,9 +51,9 @@ pub(super) fn block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], shown: &mu
         // NaN, where a length is 0, is not greater either.
         doubtful[i] = !((w == 1.0) | shifts | (length > SHORT));
         let stays = w == 1.0;
-        moved[0][i] = if stays { given[0][i] } else { moved[0][i] };
-        moved[1][i] = if stays { given[1][i] } else { moved[1][i] };
-        moved[2][i] = if stays { given[2][i] } else { moved[2][i] };
+        moved[0][i] = if stays { coordinates[0][i] } else { moved[0][i] };
+        moved[1][i] = if stays { coordinates[1][i] } else { moved[1][i] };
+        moved[2][i] = if stays { coordinates[2][i] } else { moved[2][i] };
     }
     scatter(&moved, shown);
     doubtful.iter().enumerate().fold(0, |doubts, (i, &doubtful)| doubts | u64::from(doubtful) << i)

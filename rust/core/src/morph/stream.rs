@@ -6,10 +6,11 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::lanes::{BLOCK, Real};
+use super::lanes::{BLOCK, BlendLimits};
 use super::point::{Kind, Morph};
 use super::{blend, cylinder};
-use crate::base::simd::{prefetch, widest};
+use crate::base::Real;
+use crate::base::simd::{prefetch, vectorized};
 
 /// Points of one task.
 const TILE: usize = 1 << 14;
@@ -18,18 +19,16 @@ const TILE: usize = 1 << 14;
 const AHEAD: usize = 4;
 
 /// The block kernels of a precision, compiled for each width of vectors. They return a bit for each point in doubt.
-pub(super) trait Streamed: Real {
+pub(super) trait Streamed: BlendLimits {
     fn blend(constants: &blend::Constants<Self>, points: &[[Self; 3]; BLOCK], shown: &mut [[Self; 3]; BLOCK]) -> u64;
     fn cylinder(morph: &Morph, points: &[[Self; 3]; BLOCK], shown: &mut [[Self; 3]; BLOCK]) -> u64;
 }
 
 macro_rules! streamed {
     ($float:ty, $blend:ident, $cylinder:ident) => {
-        widest! {
+        vectorized! {
             fn $blend(c: &blend::Constants<$float>, points: &[[$float; 3]; BLOCK], shown: &mut [[$float; 3]; BLOCK]) -> u64
                 = blend::block::<$float>;
-        }
-        widest! {
             fn $cylinder(morph: &Morph, points: &[[$float; 3]; BLOCK], shown: &mut [[$float; 3]; BLOCK]) -> u64
                 = cylinder::block::<$float>;
         }

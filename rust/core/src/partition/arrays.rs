@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::divide::Partition;
 use super::radii::{Coordinate, Indexed, Soup, Triangles, measure};
-use super::zone::{Class, Part, Zone};
+use super::zone::{Class, TriangleSet, Zone};
 use crate::base::{Error, Progress, Result};
 
 /// Triangles of one task.
@@ -58,7 +58,7 @@ fn fill<T: Coordinate>(triangles: &impl Triangles<T>, axis: [f64; 2], radii: &mu
         |first, block| radii[first..first + block.len()].copy_from_slice(block),
     );
     // One NaN or infinity among the corners makes their radii so.
-    if radii.as_flattened().iter().all(|&radius| radius.into().is_finite()) {
+    if radii.as_flattened().iter().all(|&radius| radius.is_finite()) {
         return Ok(());
     }
     Err(Error::value("vertices", "finite coordinates", "NaN, infinity or numbers whose squares overflow"))
@@ -66,14 +66,14 @@ fn fill<T: Coordinate>(triangles: &impl Triangles<T>, axis: [f64; 2], radii: &mu
 
 impl Partition {
     /// Numbers of the triangles of a set, ascending.
-    pub fn triangles(&self, part: Part) -> Vec<i64> {
+    pub fn triangles(&self, part: TriangleSet) -> Vec<i64> {
         let counts = self.counts();
         let count = match part {
-            Part::Near => counts.near,
-            Part::Intermediate => counts.intermediate,
-            Part::Far => counts.far,
-            Part::Nsf => counts.nsf,
-            Part::Sf => counts.sf,
+            TriangleSet::Near => counts.near,
+            TriangleSet::Intermediate => counts.intermediate,
+            TriangleSet::Far => counts.far,
+            TriangleSet::Nsf => counts.nsf,
+            TriangleSet::Sf => counts.sf,
         };
         let mut numbers = Vec::with_capacity(count as usize);
         for (instance, class) in self.classes().iter().enumerate() {

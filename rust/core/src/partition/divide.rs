@@ -5,13 +5,13 @@ use rayon::prelude::*;
 
 use super::axis::{axis_in, check_center};
 use super::classify::Ruler;
-use super::zone::{Class, Faces, Zone};
+use super::zone::{ChosenFaces, Class, Zone};
 use crate::base::{Error, Progress, Result};
 use crate::scene::Scene;
 
 /// Numbers of triangles and instances.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counts {
+pub struct PartitionCounts {
     /// All triangles.
     pub triangles: i64,
     /// Least ρ ≤ r₁.
@@ -50,7 +50,7 @@ pub struct Partition {
     r1: f64,
     r2: f64,
     classes: Vec<Class>,
-    counts: Counts,
+    counts: PartitionCounts,
 }
 
 impl Partition {
@@ -69,7 +69,7 @@ impl Partition {
             .into_par_iter()
             .map(|number| ruler.classify(scene.instance(number), progress))
             .collect::<Result<Vec<_>>>()?;
-        let mut partition = Self { scene: scene.clone(), center, r1, r2, classes, counts: Counts::default() };
+        let mut partition = Self { scene: scene.clone(), center, r1, r2, classes, counts: PartitionCounts::default() };
         partition.counts = partition.count();
         Ok(partition)
     }
@@ -100,18 +100,18 @@ impl Partition {
     }
 
     /// Numbers of triangles and instances.
-    pub fn counts(&self) -> &Counts {
+    pub fn counts(&self) -> &PartitionCounts {
         &self.counts
     }
 
     /// Instances with faces that are drawn as geometry, in number order.
-    pub fn nsf_instances(&self) -> impl Iterator<Item = (u32, Faces<'_>)> {
+    pub fn nsf_instances(&self) -> impl Iterator<Item = (u32, ChosenFaces<'_>)> {
         let standing = self.scene.standing.instances().len();
         self.classes.iter().enumerate().filter_map(move |(number, class)| {
             let faces = match class {
-                _ if number >= standing => Faces::All,
-                Class::Near | Class::Intermediate => Faces::All,
-                Class::Mixed(mixed) if !mixed.faces.is_empty() => Faces::Some(&mixed.faces),
+                _ if number >= standing => ChosenFaces::All,
+                Class::Near | Class::Intermediate => ChosenFaces::All,
+                Class::Mixed(mixed) if !mixed.faces.is_empty() => ChosenFaces::Some(&mixed.faces),
                 Class::Mixed(_) | Class::Far => return None,
             };
             Some((number as u32, faces))
@@ -122,8 +122,8 @@ impl Partition {
     pub fn nsf(&self) -> impl Iterator<Item = (u32, u32)> {
         self.nsf_instances().flat_map(|(number, faces)| {
             let (all, some) = match faces {
-                Faces::All => (0..self.scene.instance(number).mesh.faces.len() as u32, &[][..]),
-                Faces::Some(some) => (0..0, some),
+                ChosenFaces::All => (0..self.scene.instance(number).mesh.faces.len() as u32, &[][..]),
+                ChosenFaces::Some(some) => (0..0, some),
             };
             all.chain(some.iter().copied()).map(move |face| (number, face))
         })
@@ -143,8 +143,8 @@ impl Partition {
         instance >= self.scene.standing.instances().len()
     }
 
-    pub(super) fn count(&self) -> Counts {
-        let mut counts = Counts { triangles: self.scene.triangle_count(), ..Counts::default() };
+    pub(super) fn count(&self) -> PartitionCounts {
+        let mut counts = PartitionCounts { triangles: self.scene.triangle_count(), ..PartitionCounts::default() };
         for (number, class) in self.classes.iter().enumerate() {
             let triangles = self.scene.instance(number as u32).mesh.faces.len() as i64;
             let moving = self.is_moving(number);

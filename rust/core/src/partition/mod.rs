@@ -18,7 +18,7 @@ mod validate;
 mod zone;
 
 pub use arrays::triangle_radii;
-pub use divide::{Counts, Partition};
+pub use divide::{Partition, PartitionCounts};
 pub use load_curve::LoadCurve;
 pub use radii::{Coordinate, radii_of};
-pub use zone::{Class, Faces, Mixed, Part, Zone};
+pub use zone::{ChosenFaces, Class, Mixed, TriangleSet, Zone};

@@ -4,7 +4,8 @@
 //! axis has all corners far away. All arithmetic is in float64; edges are differences of the given coordinates, which
 //! are exact where these are float32, so that short edges far from the axis lose nothing.
 
-use crate::base::simd::widest;
+use crate::base::Real;
+use crate::base::simd::vectorized;
 use crate::scene::Instance;
 
 /// Triangles that are evaluated together; their temporaries stay in the first-level cache.
@@ -16,10 +17,8 @@ const CERTAIN: f64 = 1.0 / (1u64 << 50) as f64;
 /// of corner k of triangle i.
 pub type Corners<T> = [[T; BLOCK]; 6];
 
-/// Float32 or float64 coordinates.
-pub trait Coordinate: Copy + Send + Sync + Default + Into<f64> {
-    /// Rounds to the nearest.
-    fn narrow(value: f64) -> Self;
+/// Coordinates that radii are measured from: float32 or float64, with the kernel.
+pub trait Coordinate: Real {
     /// Least and greatest ρ of a block, in float64 and rounded once.
     #[doc(hidden)]
     fn evaluate(corners: &Corners<Self>, axis: [f64; 2], radii: &mut [[Self; 2]; BLOCK]);
@@ -27,14 +26,10 @@ pub trait Coordinate: Copy + Send + Sync + Default + Into<f64> {
 
 macro_rules! coordinate {
     ($float:ty, $name:ident) => {
-        widest! {
+        vectorized! {
             fn $name(corners: &Corners<$float>, axis: [f64; 2], radii: &mut [[$float; 2]; BLOCK]) = evaluate::<$float>;
         }
         impl Coordinate for $float {
-            #[inline(always)]
-            fn narrow(value: f64) -> Self {
-                value as Self
-            }
             fn evaluate(corners: &Corners<Self>, axis: [f64; 2], radii: &mut [[Self; 2]; BLOCK]) {
                 $name(corners, axis, radii);
             }
@@ -48,9 +43,9 @@ coordinate!(f64, evaluate_f64);
 #[inline(always)]
 fn evaluate<T: Coordinate>(corners: &Corners<T>, axis: [f64; 2], radii: &mut [[T; 2]; BLOCK]) {
     for i in 0..BLOCK {
-        let a = [corners[0][i].into(), corners[1][i].into()];
-        let b = [corners[2][i].into(), corners[3][i].into()];
-        let c = [corners[4][i].into(), corners[5][i].into()];
+        let a = [corners[0][i].wide(), corners[1][i].wide()];
+        let b = [corners[2][i].wide(), corners[3][i].wide()];
+        let c = [corners[4][i].wide(), corners[5][i].wide()];
         let [least, greatest] = radii_of(a, b, c, axis);
         radii[i] = [T::narrow(least), T::narrow(greatest)];
     }

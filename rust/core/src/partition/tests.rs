@@ -3,7 +3,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 use proptest::prelude::*;
 
-use super::{LoadCurve, Part, Partition};
+use super::{LoadCurve, Partition, TriangleSet};
 use crate::base::{Error, FaceMap, Progress};
 use crate::scene::{Instance, Mesh, Scene};
 
@@ -85,7 +85,7 @@ proptest! {
         let merged = scene(origin, vec![placed(&mesh(&corners), DAffine3::IDENTITY)], vec![]);
         let center = origin + DVec3::new(1.0, 5.0, -2.0);
         let [a, b] = [&instanced, &merged].map(|s| Partition::new(s, center, r1, r1 + width, &progress).unwrap());
-        for part in [Part::Near, Part::Intermediate, Part::Far, Part::Nsf, Part::Sf] {
+        for part in [TriangleSet::Near, TriangleSet::Intermediate, TriangleSet::Far, TriangleSet::Nsf, TriangleSet::Sf] {
             prop_assert_eq!(a.triangles(part), b.triangles(part));
         }
         a.validate(&progress).unwrap();
@@ -93,7 +93,7 @@ proptest! {
         let curve = LoadCurve::new(&instanced, center, &progress).unwrap();
         prop_assert_eq!(curve.count(r1 + width).unwrap(), a.counts().nsf);
         let listed: Vec<i64> = a.nsf().map(|(i, face)| instanced.triangle_offset(i) + i64::from(face)).collect();
-        prop_assert_eq!(listed, a.triangles(Part::Nsf));
+        prop_assert_eq!(listed, a.triangles(TriangleSet::Nsf));
     }
 }
 
@@ -129,9 +129,9 @@ fn moving_triangles_stay_geometry() {
     let progress = Progress::new();
     let partition = Partition::new(&both, DVec3::ZERO, 30.0, 50.0, &progress).unwrap();
     partition.validate(&progress).unwrap();
-    assert_eq!(partition.triangles(Part::Nsf), [0, 2]);
-    assert_eq!(partition.triangles(Part::Sf), [1]);
-    assert_eq!(partition.triangles(Part::Far), [1, 2]);
+    assert_eq!(partition.triangles(TriangleSet::Nsf), [0, 2]);
+    assert_eq!(partition.triangles(TriangleSet::Sf), [1]);
+    assert_eq!(partition.triangles(TriangleSet::Far), [1, 2]);
     // Boxes decided everything: no triangle was looked at.
     assert_eq!((partition.counts().examined, partition.counts().far_instances), (0, 2));
     let curve = LoadCurve::new(&both, DVec3::ZERO, &progress).unwrap();

@@ -53,7 +53,7 @@ pub struct Mixed {
 
 /// Faces of an instance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Faces<'a> {
+pub enum ChosenFaces<'a> {
     /// Every one.
     All,
     /// These, ascending.
@@ -62,7 +62,7 @@ pub enum Faces<'a> {
 
 /// One of the sets that a partition names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum TriangleSet {
     /// Least ρ ≤ r₁.
     Near,
     /// r₁ < least ρ ≤ r₂.
@@ -75,7 +75,7 @@ pub enum Part {
     Sf,
 }
 
-impl Part {
+impl TriangleSet {
     pub(super) fn holds(self, zone: Zone, moving: bool) -> bool {
         match self {
             Self::Near => zone.is_near(),

@@ -3,13 +3,13 @@
 use glam::{DQuat, DVec3};
 
 use super::frame::{Channels, Frame};
-use super::tiles::{View, check_reach, draw};
+use super::tiles::{RenderView, check_reach, draw};
 use super::truth::Truth;
 use crate::base::{Error, Progress, Result};
 use crate::camera::{Camera, Projection};
 use crate::cubemap::MAX_SIZE;
 use crate::scene::Scene;
-use crate::trace::{AlphaFilter, Filter, Hit, Ray};
+use crate::trace::{AlphaFilter, Hit, HitFilter, Ray};
 
 /// What is baked, and how finely.
 #[derive(Clone, Copy, Debug)]
@@ -67,7 +67,7 @@ pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame
     let mut whole = Frame::default();
     for face in 0..6 {
         let camera = settings.camera(face)?;
-        let view = View { camera: &camera, origin: scene.origin, channels, samples: settings.samples };
+        let view = RenderView { camera: &camera, origin: scene.origin, channels, samples: settings.samples };
         let part = if standing.has_cutouts() {
             let filter = AlphaFilter { scene: &standing, inner: &beyond };
             draw(&view, &Truth { scene: &standing, filter }, progress)?
@@ -100,7 +100,7 @@ struct Beyond<'a> {
     two_texels: f64,
 }
 
-impl Filter for &Beyond<'_> {
+impl HitFilter for &Beyond<'_> {
     #[inline]
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
         // Rays start at the centre and have unit length.

@@ -40,7 +40,7 @@ pub trait Picture: Sync {
 
 /// Where a tile's rays pass through the image.
 pub struct Spots<'a> {
-    tile: &'a Tile,
+    tile: &'a ImageTile,
     offset: [f64; 2],
 }
 
@@ -61,7 +61,7 @@ impl Spots<'_> {
 
 /// A view to be drawn.
 #[derive(Clone, Copy, Debug)]
-pub struct View<'a> {
+pub struct RenderView<'a> {
     /// Where from and which way.
     pub camera: &'a Camera,
     /// World position of the scene's origin.
@@ -73,7 +73,7 @@ pub struct View<'a> {
 }
 
 /// Draws a picture pixel by pixel.
-pub fn draw(view: &View<'_>, picture: &impl Picture, progress: &Progress) -> Result<Frame> {
+pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) -> Result<Frame> {
     if !(1..=MAX_SAMPLES).contains(&view.samples) {
         return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), view.samples));
     }
@@ -93,7 +93,7 @@ pub fn draw(view: &View<'_>, picture: &impl Picture, progress: &Progress) -> Res
         let first_row = index * TILE;
         let rows = TILE.min(height - first_row);
         for first_column in (0..width).step_by(TILE) {
-            let tile = Tile { first_row, first_column, rows, columns: TILE.min(width - first_column), width };
+            let tile = ImageTile { first_row, first_column, rows, columns: TILE.min(width - first_column), width };
             painter.paint(&tile, &mut band);
             progress.check()?;
         }
@@ -125,7 +125,7 @@ pub fn sample_offsets(samples: u32) -> Vec<[f64; 2]> {
     offsets
 }
 
-struct Tile {
+struct ImageTile {
     first_row: usize,
     first_column: usize,
     rows: usize,
@@ -134,7 +134,7 @@ struct Tile {
     width: usize,
 }
 
-impl Tile {
+impl ImageTile {
     fn len(&self) -> usize {
         self.rows * self.columns
     }
@@ -163,7 +163,7 @@ struct Painter<'a, P> {
 }
 
 impl<P: Picture> Painter<'_, P> {
-    fn paint(&self, tile: &Tile, band: &mut Band<'_>) {
+    fn paint(&self, tile: &ImageTile, band: &mut Band<'_>) {
         let mut rays = [Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 0.0 }; PIXELS];
         let mut hits = [Hit::MISS; PIXELS];
         let (rays, hits) = (&mut rays[..tile.len()], &mut hits[..tile.len()]);
@@ -191,7 +191,7 @@ impl<P: Picture> Painter<'_, P> {
         }
     }
 
-    fn trace(&self, tile: &Tile, offset: [f64; 2], rays: &mut [Ray], hits: &mut [Hit]) {
+    fn trace(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray], hits: &mut [Hit]) {
         for (n, ray) in rays.iter_mut().enumerate() {
             let (x, y) = position(tile, n, offset);
             let (start, direction) = self.rays.at(x, y);
@@ -207,7 +207,7 @@ impl<P: Picture> Painter<'_, P> {
 }
 
 #[inline]
-fn position(tile: &Tile, n: usize, offset: [f64; 2]) -> (f64, f64) {
+fn position(tile: &ImageTile, n: usize, offset: [f64; 2]) -> (f64, f64) {
     let (column, row) = tile.pixel(n);
     (column as f64 + offset[0], row as f64 + offset[1])
 }

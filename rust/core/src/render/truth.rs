@@ -3,16 +3,16 @@
 use super::frame::{Channels, Frame, Sample};
 use super::shade::background;
 use super::surface::{Surface, add_colors};
-use super::tiles::{Picture, Spots, View, draw};
+use super::tiles::{Picture, RenderView, Spots, draw};
 use crate::base::{Progress, Result};
 use crate::camera::{Camera, Footprint};
 use crate::scene::Scene;
-use crate::trace::{All, AlphaFilter, Filter, Hit, Ray, closest_hits};
+use crate::trace::{All, AlphaFilter, Hit, HitFilter, Ray, closest_hits};
 
 /// Renders a scene. Range is the distance from the camera, for parallel rays from the image plane.
 pub fn render(scene: &Scene, camera: &Camera, channels: Channels, samples: u32, progress: &Progress) -> Result<Frame> {
     scene.build(progress)?;
-    let view = View { camera, origin: scene.origin, channels, samples };
+    let view = RenderView { camera, origin: scene.origin, channels, samples };
     if scene.has_cutouts() {
         draw(&view, &Truth { scene, filter: AlphaFilter { scene, inner: All } }, progress)
     } else {
@@ -28,7 +28,7 @@ pub struct Truth<'a, F> {
     pub filter: F,
 }
 
-impl<F: Filter> Picture for Truth<'_, F> {
+impl<F: HitFilter> Picture for Truth<'_, F> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
         closest_hits(self.scene, rays, &self.filter, hits);
     }

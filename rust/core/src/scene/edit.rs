@@ -7,7 +7,7 @@ use glam::DAffine3;
 use rayon::prelude::*;
 
 use super::instance::{Instance, InstanceSet};
-use super::merge::{Part, merge};
+use super::merge::{PlacedMesh, merge};
 use super::mesh::Mesh;
 use super::world::Scene;
 use crate::base::{Error, FaceMap, Result};
@@ -106,7 +106,7 @@ impl Scene {
             let mut mesh = instance.mesh.selected(&faces);
             mesh.objects = FaceMap::PerFace((first..first + run.len() as i32).collect());
             first += run.len() as i32;
-            Part { mesh: Arc::new(mesh), to_scene: instance.to_scene, object: None }
+            PlacedMesh { mesh: Arc::new(mesh), to_scene: instance.to_scene, object: None }
         });
         merge(&parts.collect::<Vec<_>>())
     }

@@ -7,7 +7,7 @@ use glam::DAffine3;
 
 use super::instance::{Instance, InstanceSet};
 use super::material::Material;
-use super::merge::{Part, merge};
+use super::merge::{PlacedMesh, merge};
 use super::mesh::Mesh;
 use super::texture::Texture;
 use super::world::Scene;
@@ -52,12 +52,12 @@ impl Scene {
         for other in others {
             let numbers = surfaces.add(other);
             let from_origin = DAffine3::from_translation(other.origin);
-            let part = |instance: &Instance| Part {
+            let part = |instance: &Instance| PlacedMesh {
                 mesh: Arc::clone(&instance.mesh),
                 to_scene: from_origin * instance.to_scene,
                 object: instance.object,
             };
-            let parts: Vec<Part> = other.instances().map(part).collect();
+            let parts: Vec<PlacedMesh> = other.instances().map(part).collect();
             let mut mesh = merge(&parts)?;
             mesh.materials = mesh.materials.renumbered(&numbers);
             meshes.push(mesh);
@@ -118,17 +118,17 @@ impl InstanceSet {
 struct Surfaces {
     materials: Vec<Material>,
     /// Image and texels of each texture: textures themselves are made in the end.
-    textures: Vec<Image>,
+    textures: Vec<TextureImage>,
     own: (usize, usize),
 }
 
-struct Image {
+struct TextureImage {
     width: u32,
     height: u32,
     texels: Buffer<[u8; 4]>,
 }
 
-impl Image {
+impl TextureImage {
     fn of(texture: &Texture) -> Self {
         Self { width: texture.width, height: texture.height, texels: texture.texels.clone() }
     }
@@ -141,13 +141,13 @@ impl Image {
 
 impl Surfaces {
     fn of(scene: &Scene) -> Self {
-        let textures: Vec<Image> = scene.textures.iter().map(Image::of).collect();
+        let textures: Vec<TextureImage> = scene.textures.iter().map(TextureImage::of).collect();
         Self { materials: scene.materials.to_vec(), own: (scene.materials.len(), textures.len()), textures }
     }
 
     /// Adds a scene's surfaces; returns the new number of each of its materials.
     fn add(&mut self, scene: &Scene) -> Vec<i32> {
-        let links: Vec<u32> = scene.textures.iter().map(|texture| self.texture(Image::of(texture))).collect();
+        let links: Vec<u32> = scene.textures.iter().map(|texture| self.texture(TextureImage::of(texture))).collect();
         let number = |material: &Material| {
             let texture = material.texture.and_then(|texture| links.get(texture as usize).copied());
             self.material(Material { texture, ..*material })
@@ -155,7 +155,7 @@ impl Surfaces {
         scene.materials.iter().map(number).collect()
     }
 
-    fn texture(&mut self, image: Image) -> u32 {
+    fn texture(&mut self, image: TextureImage) -> u32 {
         let known = self.textures.iter().position(|other| other.is_same(&image));
         known.unwrap_or_else(|| {
             self.textures.push(image);

@@ -11,7 +11,7 @@ use crate::base::{Error, FaceMap, Result};
 
 /// A mesh on its way into a merged one.
 #[derive(Clone, Debug)]
-pub struct Part {
+pub struct PlacedMesh {
     /// What is merged.
     pub mesh: Arc<Mesh>,
     /// Object→scene; need not be invertible.
@@ -20,7 +20,7 @@ pub struct Part {
     pub object: Option<i32>,
 }
 
-impl Part {
+impl PlacedMesh {
     fn stands_in_place(&self) -> bool {
         self.to_scene == DAffine3::IDENTITY
     }
@@ -33,7 +33,7 @@ impl Part {
 
 /// Merges meshes into one whose vertices stand where the parts are placed. A lone part keeps the arrays that its
 /// placement does not change.
-pub fn merge(parts: &[Part]) -> Result<Mesh> {
+pub fn merge(parts: &[PlacedMesh]) -> Result<Mesh> {
     if parts.iter().any(|part| !part.to_scene.is_finite()) {
         return Err(Error::value("transform", "finite numbers", "NaN or infinity"));
     }
@@ -72,7 +72,7 @@ fn pieces<T>(mut rest: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&m
         .collect()
 }
 
-fn placed_positions(parts: &[Part]) -> Vec<[f32; 3]> {
+fn placed_positions(parts: &[PlacedMesh]) -> Vec<[f32; 3]> {
     let lengths = || parts.iter().map(|part| part.mesh.positions.len());
     let mut positions = vec![[0.0; 3]; lengths().sum()];
     parts.par_iter().zip(pieces(&mut positions, lengths())).for_each(|(part, slots)| {
@@ -89,7 +89,7 @@ fn placed_positions(parts: &[Part]) -> Vec<[f32; 3]> {
 }
 
 /// Normals of all parts, zero for those without; none where no part has them.
-fn placed_normals(parts: &[Part]) -> Option<Vec<[f32; 3]>> {
+fn placed_normals(parts: &[PlacedMesh]) -> Option<Vec<[f32; 3]>> {
     if parts.iter().all(|part| part.mesh.normals.is_none()) {
         return None;
     }
@@ -103,7 +103,7 @@ fn placed_normals(parts: &[Part]) -> Option<Vec<[f32; 3]>> {
     Some(normals)
 }
 
-fn lone_faces(part: &Part) -> crate::base::Buffer<[u32; 3]> {
+fn lone_faces(part: &PlacedMesh) -> crate::base::Buffer<[u32; 3]> {
     if part.is_mirrored() {
         part.mesh.faces.par_iter().map(turned).collect::<Vec<_>>().into()
     } else {
@@ -111,7 +111,7 @@ fn lone_faces(part: &Part) -> crate::base::Buffer<[u32; 3]> {
     }
 }
 
-fn joined_faces(parts: &[Part], counts: &[usize]) -> Result<Vec<[u32; 3]>> {
+fn joined_faces(parts: &[PlacedMesh], counts: &[usize]) -> Result<Vec<[u32; 3]>> {
     let vertex_count: usize = parts.iter().map(|part| part.mesh.positions.len()).sum();
     if vertex_count > u32::MAX as usize {
         return Err(Error::value("meshes", "fewer than 2^32 vertices in one merged mesh", vertex_count));
@@ -138,7 +138,7 @@ fn joined_faces(parts: &[Part], counts: &[usize]) -> Result<Vec<[u32; 3]>> {
 
 /// An attribute of all parts, with a neutral value for those without; none where no part has it.
 fn joined<T: Copy + Send + Sync>(
-    parts: &[Part],
+    parts: &[PlacedMesh],
     attribute: impl Fn(&Mesh) -> Option<&[T]>,
     neutral: T,
 ) -> Option<Vec<T>> {
@@ -175,7 +175,7 @@ mod tests {
 
     #[test]
     fn parts_stand_where_they_are_placed_and_keep_objects_and_colors() {
-        let part = |mesh, to_scene, object| Part { mesh, to_scene, object };
+        let part = |mesh, to_scene, object| PlacedMesh { mesh, to_scene, object };
         let merged = merge(&[
             part(triangle(FaceMap::Uniform(5), false), DAffine3::IDENTITY, None),
             part(triangle(FaceMap::Uniform(5), true), DAffine3::from_translation(DVec3::X), Some(7)),
@@ -192,7 +192,7 @@ mod tests {
     fn mirrors_keep_the_outside_outside() {
         let mirror = DAffine3::from_scale(DVec3::new(1.0, 1.0, -1.0));
         for count in [1, 2] {
-            let part = Part { mesh: triangle(FaceMap::Uniform(0), false), to_scene: mirror, object: None };
+            let part = PlacedMesh { mesh: triangle(FaceMap::Uniform(0), false), to_scene: mirror, object: None };
             let merged = merge(&vec![part; count]).unwrap();
             // The front of the triangle looks along +z, that of its mirror image along −z.
             assert_eq!(normal(&merged, 0), -Vec3::Z);
@@ -202,7 +202,7 @@ mod tests {
     #[test]
     fn a_lone_part_in_place_shares_its_arrays() {
         let mesh = triangle(FaceMap::Uniform(3), true);
-        let part = Part { mesh: Arc::clone(&mesh), to_scene: DAffine3::IDENTITY, object: None };
+        let part = PlacedMesh { mesh: Arc::clone(&mesh), to_scene: DAffine3::IDENTITY, object: None };
         let merged = merge(&[part]).unwrap();
         assert_eq!(merged.positions.as_ptr(), mesh.positions.as_ptr());
         assert_eq!(merged.faces.as_ptr(), mesh.faces.as_ptr());

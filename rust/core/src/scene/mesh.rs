@@ -6,7 +6,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use crate::base::{Aabb, Buffer, Error, FaceMap, Progress, REACH, Result};
-use crate::bvh::{Bvh, Faces};
+use crate::bvh::{Bvh, MeshArrays};
 
 /// Faces or vertices handled by one task: fixed, so that reductions do not depend on the number of threads.
 pub(super) const TILE: usize = 1 << 16;
@@ -171,7 +171,7 @@ impl Mesh {
         if let Some(bvh) = self.bvh.get() {
             return Ok(bvh);
         }
-        let faces = Faces {
+        let faces = MeshArrays {
             positions: &self.positions,
             faces: &self.faces,
             uvs: self.uvs.as_deref(),

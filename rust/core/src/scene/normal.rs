@@ -88,7 +88,7 @@ mod tests {
 
     use super::*;
     use crate::base::{Buffer, FaceMap};
-    use crate::scene::{Part, merge};
+    use crate::scene::{PlacedMesh, merge};
 
     /// A triangle whose normals lean away from its plane's, the third vertex without one.
     fn leaning() -> Arc<Mesh> {
@@ -122,8 +122,9 @@ mod tests {
 
     #[test]
     fn a_merged_mesh_has_the_normals_of_its_instances() {
-        let part = |to_scene| Part { mesh: leaning(), to_scene, object: None };
-        let flat = Part { mesh: Arc::new(leaning().selected(&[0]).with_normals(None).unwrap()), ..part(slanted()) };
+        let part = |to_scene| PlacedMesh { mesh: leaning(), to_scene, object: None };
+        let flat =
+            PlacedMesh { mesh: Arc::new(leaning().selected(&[0]).with_normals(None).unwrap()), ..part(slanted()) };
         let merged = merge(&[part(slanted()), flat, part(DAffine3::IDENTITY)]).unwrap();
         let instance = Instance::new(leaning(), slanted(), None).unwrap();
         let expected = instance.corner_normals(0).unwrap().map(|n| n.to_array());
@@ -139,7 +140,7 @@ mod tests {
     #[test]
     fn flattened_meshes_face_the_way_they_were_flattened() {
         let flat = DAffine3::from_scale(DVec3::new(1.0, 0.0, 1.0));
-        let merged = merge(&[Part { mesh: leaning(), to_scene: flat, object: None }]).unwrap();
+        let merged = merge(&[PlacedMesh { mesh: leaning(), to_scene: flat, object: None }]).unwrap();
         assert_eq!(merged.normals.as_deref().unwrap(), [[0.0; 3], [0.0, -1.0, 0.0], [0.0; 3]]);
     }
 

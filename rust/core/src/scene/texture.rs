@@ -19,9 +19,9 @@ pub struct Texture {
     /// `width * height` texels, rows from the top.
     pub texels: Buffer<[u8; 4]>,
     /// Level 1 and coarser.
-    mips: OnceLock<Vec<Level>>,
+    mips: OnceLock<Vec<MipLevel>>,
     /// The same, weighted by alpha.
-    cutout_mips: OnceLock<Vec<Level>>,
+    cutout_mips: OnceLock<Vec<MipLevel>>,
 }
 
 /// Weight of what cannot be seen: enough to give holes a colour where a whole texel lies in one.
@@ -29,7 +29,7 @@ const LEAST_WEIGHT: f32 = 1.0 / 1024.0;
 
 /// A coarser image: linear RGB in steps of 1/65535, a twentieth of sRGB's finest step.
 #[derive(Debug)]
-pub struct Level {
+pub struct MipLevel {
     /// Texels across.
     pub width: u32,
     /// Texels down.
@@ -39,7 +39,7 @@ pub struct Level {
 }
 
 /// Four texels around a point and the weights of the right and the lower ones.
-struct Taps {
+struct TextureTaps {
     columns: [u32; 2],
     rows: [u32; 2],
     weights: [f32; 2],
@@ -75,19 +75,19 @@ impl Texture {
     }
 
     /// Level 1 and coarser, down to one texel; `cutout` weights their means by alpha.
-    pub fn coarser(&self, cutout: bool) -> &[Level] {
+    pub fn coarser(&self, cutout: bool) -> &[MipLevel] {
         if cutout { &self.cutout_mips } else { &self.mips }.get_or_init(|| self.build(cutout))
     }
 
     /// Alpha at (u, v) in 0..1, bilinear in the image itself: what cut-out materials compare with their cutoff.
     pub fn alpha(&self, uv: [f32; 2]) -> f32 {
-        let taps = Taps::new(uv, self.width, self.height);
+        let taps = TextureTaps::new(uv, self.width, self.height);
         taps.blend(|column, row| [f32::from(self.texel(column, row)[3])])[0] / 255.0
     }
 
     fn finest(&self, uv: [f32; 2]) -> [f32; 3] {
         let linear = linear_from_srgb();
-        let taps = Taps::new(uv, self.width, self.height);
+        let taps = TextureTaps::new(uv, self.width, self.height);
         taps.blend(|column, row| {
             let [r, g, b, _] = self.texel(column, row);
             [r, g, b].map(|code| linear[usize::from(code)])
@@ -101,7 +101,7 @@ impl Texture {
 
     /// All levels down to one texel. Runs on the calling thread: a pool's thread that waited for others in here could
     /// be handed a task that waits for this very texture.
-    fn build(&self, cutout: bool) -> Vec<Level> {
+    fn build(&self, cutout: bool) -> Vec<MipLevel> {
         let linear = linear_from_srgb();
         let weighted = |&[r, g, b, alpha]: &[u8; 4]| {
             let weight = if cutout { f32::from(alpha) / 255.0 + LEAST_WEIGHT } else { 1.0 };
@@ -118,22 +118,22 @@ impl Texture {
             image = transpose(&image, half_height);
             (width, height) = (half_width, half_height);
             let stored = |&[r, g, b, weight]: &[f32; 4]| [r, g, b].map(|x| (x / weight * 65535.0 + 0.5) as u16);
-            levels.push(Level { width, height, texels: image.iter().map(stored).collect() });
+            levels.push(MipLevel { width, height, texels: image.iter().map(stored).collect() });
         }
         levels
     }
 }
 
-impl Level {
+impl MipLevel {
     fn color(&self, uv: [f32; 2]) -> [f32; 3] {
-        let taps = Taps::new(uv, self.width, self.height);
+        let taps = TextureTaps::new(uv, self.width, self.height);
         let sum =
             taps.blend(|column, row| self.texels[row as usize * self.width as usize + column as usize].map(f32::from));
         sum.map(|x| x * (1.0 / 65535.0))
     }
 }
 
-impl Taps {
+impl TextureTaps {
     #[inline]
     fn new([u, v]: [f32; 2], width: u32, height: u32) -> Self {
         let (left, right, x) = neighbours(u, width);

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::assemble::{Budget, assemble};
-use super::counts::Counts;
+use super::counts::SplitCounts;
 use super::rule::{Precision, Rule};
 use crate::base::{Progress, Result};
 
@@ -21,7 +21,7 @@ pub struct Arrays {
     /// Face of the source that each face is a part of.
     pub sources: Vec<u32>,
     /// What was done.
-    pub counts: Counts,
+    pub counts: SplitCounts,
 }
 
 /// Splits the faces of a mesh. Vertex numbers must be below the number of vertices.
@@ -32,7 +32,7 @@ pub fn tessellate_arrays(
     progress: &Progress,
 ) -> Result<Arrays> {
     rule.demand()?;
-    let mut counts = Counts { before: faces.len() as u64, ..Counts::default() };
+    let mut counts = SplitCounts { before: faces.len() as u64, ..SplitCounts::default() };
     let corners = |face: u32| faces[face as usize].map(|vertex| DVec3::from_array(vertices[vertex as usize]));
     progress.expect(faces.len() as u64);
     let how = (rule, Precision::Double);

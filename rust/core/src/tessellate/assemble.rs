@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::counts::Counts;
+use super::counts::SplitCounts;
 use super::rule::{Precision, Rule};
 use super::split::Piece;
 use crate::base::{Error, Progress, Result, memory::room_for};
@@ -63,7 +63,7 @@ pub(super) fn assemble(
     vertex_count: usize,
     corners: impl Fn(u32) -> [DVec3; 3] + Sync,
     (rule, precision): (&Rule, Precision),
-    (budget, counts): (&Budget, &mut Counts),
+    (budget, counts): (&Budget, &mut SplitCounts),
     progress: &Progress,
 ) -> Result<Option<Assembled>> {
     let tiles = source.par_chunks(TILE).enumerate().map(|(tile, faces)| {

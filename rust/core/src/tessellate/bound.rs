@@ -45,7 +45,7 @@ const LEAN: f64 = 1.5;
 
 /// The geometry that a bound holds for.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Zone {
+pub(super) struct RadialZone {
     /// Greatest |U−O|.
     pub reach: f64,
     /// r₂ − r₁.
@@ -54,7 +54,7 @@ pub(super) struct Zone {
     pub kind: Kind,
 }
 
-impl Zone {
+impl RadialZone {
     /// True where the form is a bound from a distance ρ on.
     pub fn holds(&self, rho: f64) -> bool {
         self.clearance(rho) > LEAST_CLEARANCE * rho
@@ -156,7 +156,7 @@ mod tests {
             let (away, side) = (DVec3::new(x, 0.0, z), DVec3::new(-z, 0.0, x));
             let step = DVec3::from(step).normalize_or_zero() * 1e-3 * width.min(r1) * depth.min(1.0 - depth);
             let point = away * rho + DVec3::Y * height;
-            let zone = Zone { reach: reach * r1, width, kind: Kind::Blend };
+            let zone = RadialZone { reach: reach * r1, width, kind: Kind::Blend };
             let nearest = rho - step.length();
             let form = zone.form(nearest, step.length() / nearest);
             let bound = form.across * step.dot(side).powi(2) + form.along * step.dot(away).powi(2)

@@ -2,7 +2,7 @@
 
 /// Numbers of triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counts {
+pub struct SplitCounts {
     /// Triangles of the source.
     pub before: u64,
     /// Triangles of the result.

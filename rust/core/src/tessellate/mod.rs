@@ -17,7 +17,7 @@ mod split;
 mod tests;
 
 pub use arrays::{Arrays, tessellate_arrays};
-pub use counts::Counts;
+pub use counts::SplitCounts;
 pub use rule::{Precision, Rule, Settings};
 pub use scene::{needs_split, split_scene, tessellate_scene};
 pub use split::Piece;

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::bound::{Form, LEAST_CLEARANCE, Zone};
+use super::bound::{Form, LEAST_CLEARANCE, RadialZone};
 use crate::base::{Error, Result};
 use crate::morph::Kind;
 
@@ -109,7 +109,7 @@ impl Rule {
             return Err(Error::value("tolerance_px", "a number above 0", tolerance));
         }
         let width = r2 - r1;
-        let zone = Zone { reach, width, kind };
+        let zone = RadialZone { reach, width, kind };
         let rounding = (center.abs().max_element() + r2) * precision.step() * 2.0;
         // A hundredth of the width: that far the forms reach into the other zones.
         let passing = |share: f64, rho: f64| (share * tolerance / zone.slope(rho)).min(width / 100.0).max(rounding);

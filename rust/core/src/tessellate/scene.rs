@@ -6,22 +6,22 @@ use glam::{DAffine3, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::assemble::{Assembled, Budget, NewVertex, assemble};
-use super::counts::Counts;
+use super::counts::SplitCounts;
 use super::rule::{Precision, Rule};
 use crate::base::{Buffer, Progress, Result};
 use crate::scene::srgb::{linear_from_srgb, srgb_from_linear};
 use crate::scene::{Instance, InstanceSet, Mesh, Scene, facing_normals};
 
 /// The scene with its standing triangles split, where the rule's tolerance is a bound.
-pub fn tessellate_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(Scene, Counts)> {
+pub fn tessellate_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(Scene, SplitCounts)> {
     rule.demand()?;
     split_scene(scene, rule, progress)
 }
 
 /// The scene with its standing triangles split by a rule, bound or not; what needs no split is shared with the source.
 /// The rule's centre is relative to the scene's origin.
-pub fn split_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(Scene, Counts)> {
-    let mut counts = Counts { before: scene.triangle_count() as u64, ..Counts::default() };
+pub fn split_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(Scene, SplitCounts)> {
+    let mut counts = SplitCounts { before: scene.triangle_count() as u64, ..SplitCounts::default() };
     let standing = scene.standing.instances();
     let touched = |instance: &&Instance| touches(instance, rule);
     progress.expect(standing.iter().filter(touched).map(|instance| instance.mesh.faces.len() as u64).sum());

@@ -35,7 +35,7 @@ impl Piece {
     }
 
     /// Pieces that cover a triangle; a single one is the triangle itself. Those that `unseen` says are left out.
-    /// `made` is told of thousands of pieces at a time and may stop it.
+    /// `made` is reported of thousands of pieces at a time and may stop it.
     pub fn split(
         self,
         rule: &Rule,
@@ -44,7 +44,7 @@ impl Piece {
         made: impl Fn(usize) -> Result<()>,
     ) -> Result<Vec<Self>> {
         let (mut pieces, mut rest) = (Vec::new(), vec![(self, 0)]);
-        let mut told = 0;
+        let mut reported = 0;
         while let Some((piece, depth)) = rest.pop() {
             if unseen(&piece.corners) {
                 continue;
@@ -54,9 +54,9 @@ impl Piece {
                 Some(parts) => rest.extend(parts.into_iter().map(|part| (part, depth + 1))),
                 None => pieces.push(piece),
             }
-            if pieces.len() >= told + BATCH {
-                made(pieces.len() - told)?;
-                told = pieces.len();
+            if pieces.len() >= reported + BATCH {
+                made(pieces.len() - reported)?;
+                reported = pieces.len();
             }
         }
         Ok(pieces)

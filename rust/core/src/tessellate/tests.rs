@@ -3,7 +3,7 @@ use proptest::prelude::*;
 
 use super::rule::{Precision, Rule, Settings};
 use super::split::Piece;
-use super::{Counts, tessellate_arrays};
+use super::{SplitCounts, tessellate_arrays};
 use crate::base::{Progress, random};
 use crate::morph::{Kind, Morph};
 
@@ -183,7 +183,7 @@ fn what_has_no_bound_is_refused_and_the_argument_named() {
         tessellate_arrays(&[], &[], &rule, &Progress::new())
     };
     let good = settings(5.0, 5e-4);
-    assert_eq!(refused(good).unwrap().counts, Counts::default());
+    assert_eq!(refused(good).unwrap().counts, SplitCounts::default());
     for (name, wrong) in [
         ("user_region", Settings { reach: 18.0, ..good }),
         ("user_region", Settings { reach: f64::NAN, ..good }),

@@ -1,6 +1,6 @@
 //! Cut-out materials: rays pass through their holes.
 
-use super::ray::{Filter, Hit, Ray};
+use super::ray::{Hit, HitFilter, Ray};
 use crate::scene::Scene;
 
 /// Leaves out the holes of cut-out materials; what is solid is up to `inner`.
@@ -11,7 +11,7 @@ pub struct AlphaFilter<'a, F> {
     pub inner: F,
 }
 
-impl<F: Filter> Filter for AlphaFilter<'_, F> {
+impl<F: HitFilter> HitFilter for AlphaFilter<'_, F> {
     #[inline]
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
         let mesh = &self.scene.instance(candidate.instance).mesh;

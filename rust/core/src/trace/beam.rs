@@ -4,7 +4,7 @@ use std::mem::MaybeUninit;
 
 use super::lanes::{Isa, Lanes};
 use super::packet::{Loader, Packet, RAYS};
-use super::ray::{Filter, Hit, Ray};
+use super::ray::{Hit, HitFilter, Ray};
 use super::single::{self, Local, Search};
 use super::triangle::{self, Crossing};
 use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
@@ -21,13 +21,13 @@ pub(crate) struct Quest<'a, F> {
 }
 
 /// Room for a packet in the frame of a placed instance, made where the first one is met.
-pub(crate) struct Room {
+pub(crate) struct BeamScratch {
     packet: Packet,
     rays: Vec<Ray>,
     members: Vec<usize>,
 }
 
-impl Room {
+impl BeamScratch {
     pub(crate) fn new() -> Self {
         Self { packet: Packet::new(), rays: Vec::with_capacity(RAYS), members: Vec::with_capacity(RAYS) }
     }
@@ -35,13 +35,13 @@ impl Room {
 
 /// Walks one set of instances; the packet has been filled for the set's bounds. `first` is its first instance's number.
 #[inline(always)]
-pub(crate) fn walk_set<I: Isa, F: Filter>(
+pub(crate) fn walk_set<I: Isa, F: HitFilter>(
     isa: I,
     set: &InstanceSet,
     first: u32,
     quest: &Quest<'_, F>,
     packet: &mut Packet,
-    room: &mut Option<Box<Room>>,
+    room: &mut Option<Box<BeamScratch>>,
 ) {
     let Some(tlas) = set.tlas() else { return };
     if let [instance] = set.instances()
@@ -65,10 +65,10 @@ struct Instances<'a, F> {
     instances: &'a [Instance],
     first: u32,
     quest: &'a Quest<'a, F>,
-    room: &'a mut Option<Box<Room>>,
+    room: &'a mut Option<Box<BeamScratch>>,
 }
 
-impl<I: Isa, F: Filter> Leaves<I> for Instances<'_, F> {
+impl<I: Isa, F: HitFilter> Leaves<I> for Instances<'_, F> {
     #[inline(always)]
     fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool {
         let Some(slot) = self.tlas.instance(leaf) else { return false };
@@ -78,7 +78,7 @@ impl<I: Isa, F: Filter> Leaves<I> for Instances<'_, F> {
             walk(isa, &bvh.wide, packet, &mut Triangles { bvh, instance: number, quest: self.quest });
             return true;
         }
-        let room = self.room.get_or_insert_with(|| Box::new(Room::new()));
+        let room = self.room.get_or_insert_with(|| Box::new(BeamScratch::new()));
         room.members.clear();
         room.rays.clear();
         for at in (0..packet.count).step_by(I::Group::N) {
@@ -105,7 +105,7 @@ impl<I: Isa, F: Filter> Leaves<I> for Instances<'_, F> {
     }
 }
 
-impl<F: Filter> Instances<'_, F> {
+impl<F: HitFilter> Instances<'_, F> {
     /// Traces the rays that `room` holds through a placed instance, side by side if they still make a beam.
     #[inline(always)]
     fn enter_instance<I: Isa>(&mut self, isa: I, bvh: &Bvh, number: u32, packet: &mut Packet) {
@@ -141,7 +141,7 @@ struct Triangles<'a, F> {
     quest: &'a Quest<'a, F>,
 }
 
-impl<I: Isa, F: Filter> Leaves<I> for Triangles<'_, F> {
+impl<I: Isa, F: HitFilter> Leaves<I> for Triangles<'_, F> {
     #[inline(always)]
     fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool {
         let mut found = false;
@@ -157,7 +157,7 @@ impl<I: Isa, F: Filter> Leaves<I> for Triangles<'_, F> {
     }
 }
 
-impl<F: Filter> Triangles<'_, F> {
+impl<F: HitFilter> Triangles<'_, F> {
     /// A group of rays against the triangles of a block, one after the other.
     #[inline(always)]
     fn test_block<I: Isa>(&self, isa: I, block: &Block, packet: &mut Packet, at: usize, mask: u32) -> bool {

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::alpha::AlphaFilter;
 use super::dispatch::closest_hits;
-use super::ray::{All, Filter, Hit, Ray};
+use super::ray::{All, Hit, HitFilter, Ray};
 use crate::base::{Error, Progress, REACH, Result};
 use crate::scene::Scene;
 
@@ -127,7 +127,7 @@ fn trace(
     scene: &Scene,
     count: usize,
     ray: impl Fn(usize) -> Ray + Sync,
-    filter: &impl Filter,
+    filter: &impl HitFilter,
     progress: &Progress,
 ) -> Result<Hits> {
     let mut hits = Hits {

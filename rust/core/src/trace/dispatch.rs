@@ -5,50 +5,56 @@ use std::slice;
 use super::beam::{self, Quest};
 #[cfg(target_arch = "x86_64")]
 use super::lanes::{Avx2, Avx512};
-use super::lanes::{Isa, Level, Portable};
+use super::lanes::{InstructionSet, Isa, Portable};
 use super::packet::{Packet, RAYS};
-use super::ray::{Filter, Hit, Ray};
+use super::ray::{Hit, HitFilter, Ray};
 use super::single::{Search, walk_set};
 use crate::scene::{InstanceSet, Scene};
 
 /// The nearest hit. The scene must have been built (`Scene::build`).
-pub fn closest_hit(scene: &Scene, ray: &Ray, filter: &impl Filter) -> Hit {
+pub fn closest_hit(scene: &Scene, ray: &Ray, filter: &impl HitFilter) -> Hit {
     let mut hit = [Hit::MISS];
     closest_hits(scene, slice::from_ref(ray), filter, &mut hit);
     hit[0]
 }
 
 /// Nearest hits of many rays; neighbours in the slice are assumed to be coherent.
-pub fn closest_hits(scene: &Scene, rays: &[Ray], filter: &impl Filter, hits: &mut [Hit]) {
-    closest_hits_with(Level::current(), scene, rays, filter, hits);
+pub fn closest_hits(scene: &Scene, rays: &[Ray], filter: &impl HitFilter, hits: &mut [Hit]) {
+    closest_hits_with(InstructionSet::current(), scene, rays, filter, hits);
 }
 
 /// True where a ray hits anything within its segment.
-pub fn any_hits(scene: &Scene, rays: &[Ray], filter: &impl Filter, hits: &mut [bool]) {
-    any_hits_with(Level::current(), scene, rays, filter, hits);
+pub fn any_hits(scene: &Scene, rays: &[Ray], filter: &impl HitFilter, hits: &mut [bool]) {
+    any_hits_with(InstructionSet::current(), scene, rays, filter, hits);
 }
 
 /// One function for each instruction set around a kernel that is generic over it: what is inlined into them is
 /// compiled with their instructions.
 macro_rules! kernels {
     ($name:ident, $kernel:ident, $out:ty) => {
-        pub(super) fn $name<F: Filter>(level: Level, scene: &Scene, rays: &[Ray], filter: &F, out: &mut [$out]) {
+        pub(super) fn $name<F: HitFilter>(
+            level: InstructionSet,
+            scene: &Scene,
+            rays: &[Ray],
+            filter: &F,
+            out: &mut [$out],
+        ) {
             #[cfg(target_arch = "x86_64")]
             {
                 #[target_feature(enable = "avx2")]
-                fn avx2<F: Filter>(isa: Avx2, scene: &Scene, rays: &[Ray], filter: &F, out: &mut [$out]) {
+                fn avx2<F: HitFilter>(isa: Avx2, scene: &Scene, rays: &[Ray], filter: &F, out: &mut [$out]) {
                     $kernel(isa, scene, rays, filter, out);
                 }
                 #[target_feature(enable = "avx2,avx512f,avx512vl,avx512dq")]
-                fn avx512<F: Filter>(isa: Avx512, scene: &Scene, rays: &[Ray], filter: &F, out: &mut [$out]) {
+                fn avx512<F: HitFilter>(isa: Avx512, scene: &Scene, rays: &[Ray], filter: &F, out: &mut [$out]) {
                     $kernel(isa, scene, rays, filter, out);
                 }
                 match level {
                     // SAFETY: the value proves that the processor has the instructions.
-                    Level::Avx2(isa) => return unsafe { avx2(isa, scene, rays, filter, out) },
+                    InstructionSet::Avx2(isa) => return unsafe { avx2(isa, scene, rays, filter, out) },
                     // SAFETY: as above.
-                    Level::Avx512(isa) => return unsafe { avx512(isa, scene, rays, filter, out) },
-                    Level::Portable => {}
+                    InstructionSet::Avx512(isa) => return unsafe { avx512(isa, scene, rays, filter, out) },
+                    InstructionSet::Portable => {}
                 }
             }
             let _ = level;
@@ -61,7 +67,7 @@ kernels!(closest_hits_with, closest, Hit);
 kernels!(any_hits_with, any, bool);
 
 #[inline(always)]
-fn closest<I: Isa, F: Filter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, hits: &mut [Hit]) {
+fn closest<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, hits: &mut [Hit]) {
     if rays.len() < LEAST_PACKET {
         return one_by_one(isa, scene, rays, filter, hits);
     }
@@ -69,18 +75,18 @@ fn closest<I: Isa, F: Filter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, h
     for (rays, hits) in rays.chunks(RAYS).zip(hits.chunks_mut(RAYS)) {
         let quest = Quest { rays, filter };
         packet.clear();
-        let mut done = false;
+        let mut is_beam = false;
         for (set, first) in numbered(scene) {
             let Some(tlas) = set.tlas() else { continue };
             // Both sets have the same rays, so either all make a beam or none does.
-            done = packet.fill(isa, rays, &tlas.bounds);
-            if !done {
+            is_beam = packet.fill(isa, rays, &tlas.bounds);
+            if !is_beam {
                 break;
             }
             packet.shorten(isa);
             beam::walk_set(isa, set, first, &quest, &mut packet, &mut room);
         }
-        if done {
+        if is_beam {
             hits.iter_mut().enumerate().for_each(|(i, hit)| *hit = packet.hit(i));
         } else {
             one_by_one(isa, scene, rays, filter, hits);
@@ -100,21 +106,21 @@ fn numbered(scene: &Scene) -> impl Iterator<Item = (&InstanceSet, u32)> {
 }
 
 #[inline(always)]
-fn one_by_one<I: Isa, F: Filter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, hits: &mut [Hit]) {
+fn one_by_one<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, hits: &mut [Hit]) {
     for (ray, hit) in rays.iter().zip(hits) {
         *hit = trace(isa, scene, Search { ray, filter, best: Hit::MISS, any: false });
     }
 }
 
 #[inline(always)]
-fn any<I: Isa, F: Filter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, hits: &mut [bool]) {
+fn any<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, hits: &mut [bool]) {
     for (ray, hit) in rays.iter().zip(hits) {
         *hit = !trace(isa, scene, Search { ray, filter, best: Hit::MISS, any: true }).is_miss();
     }
 }
 
 #[inline(always)]
-fn trace<I: Isa, F: Filter>(isa: I, scene: &Scene, mut search: Search<'_, F>) -> Hit {
+fn trace<I: Isa, F: HitFilter>(isa: I, scene: &Scene, mut search: Search<'_, F>) -> Hit {
     for (set, first) in numbered(scene) {
         walk_set(isa, set, first, &mut search);
         if search.is_done() {

@@ -22,5 +22,5 @@ pub use closest::{Closest, closest};
 pub use dispatch::{any_hits, closest_hit, closest_hits};
 pub use lanes::{instruction_sets, use_instruction_set};
 pub use nearest::{Nearest, nearest};
-pub use ray::{All, Filter, Hit, Ray};
+pub use ray::{All, Hit, HitFilter, Ray};
 pub use region::touches;

@@ -53,7 +53,7 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
         for row in 0..distance.len() {
             let at = tile * TILE + row;
             let facing = facing.map(|rows| Vec3::from_array(rows[at]).as_dvec3());
-            let search = Search { point: points.at(at) - scene.origin, facing, best: Found::NOTHING };
+            let search = NearestSearch { point: points.at(at) - scene.origin, facing, best: Found::NOTHING };
             last = search.run(scene, last, &mut room);
             if last.instance == u32::MAX {
                 continue;
@@ -87,7 +87,7 @@ impl Found {
     }
 }
 
-struct Search {
+struct NearestSearch {
     /// Relative to the scene's origin.
     point: DVec3,
     facing: Option<DVec3>,
@@ -130,7 +130,7 @@ impl Frame {
     }
 }
 
-impl Search {
+impl NearestSearch {
     fn run(mut self, scene: &Scene, start: Found, room: &mut Room) -> Found {
         // Neighbours in the list lie near each other as a rule: what was nearest is a good bound to begin with.
         if start.instance != u32::MAX {

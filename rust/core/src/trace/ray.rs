@@ -46,7 +46,7 @@ impl Hit {
 }
 
 /// Decides which intersections count: cut-out materials, pixels split at a radius.
-pub trait Filter: Sync {
+pub trait HitFilter: Sync {
     /// True where every intersection counts, so that nobody needs to ask.
     const ACCEPTS_ALL: bool = false;
 
@@ -57,7 +57,7 @@ pub trait Filter: Sync {
 /// Everything counts.
 pub struct All;
 
-impl Filter for All {
+impl HitFilter for All {
     const ACCEPTS_ALL: bool = true;
 
     #[inline(always)]

@@ -5,7 +5,7 @@ use std::mem::MaybeUninit;
 use glam::Vec3;
 
 use super::lanes::{Isa, Lanes};
-use super::ray::{Filter, Hit, Ray};
+use super::ray::{Hit, HitFilter, Ray};
 use super::slab::Slabs;
 use super::triangle::{self, Shear};
 use crate::base::Aabb;
@@ -61,7 +61,7 @@ pub(crate) struct Search<'a, F> {
     pub(crate) any: bool,
 }
 
-impl<F: Filter> Search<'_, F> {
+impl<F: HitFilter> Search<'_, F> {
     #[inline(always)]
     pub(crate) fn is_done(&self) -> bool {
         self.any && !self.best.is_miss()
@@ -70,7 +70,7 @@ impl<F: Filter> Search<'_, F> {
 
 /// Walks one set of instances; `first` is its first instance's number.
 #[inline(always)]
-pub(crate) fn walk_set<I: Isa, F: Filter>(isa: I, set: &InstanceSet, first: u32, search: &mut Search<'_, F>) {
+pub(crate) fn walk_set<I: Isa, F: HitFilter>(isa: I, set: &InstanceSet, first: u32, search: &mut Search<'_, F>) {
     let Some(tlas) = set.tlas() else { return };
     let instances = set.instances();
     let local = Local::new(search.ray, &tlas.bounds);
@@ -96,7 +96,7 @@ struct Instances<'a> {
     first: u32,
 }
 
-impl<I: Isa, F: Filter> Leaves<I, F> for Instances<'_> {
+impl<I: Isa, F: HitFilter> Leaves<I, F> for Instances<'_> {
     #[inline(always)]
     fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_, F>) {
         let Some(slot) = self.tlas.instance(leaf) else { return };
@@ -117,7 +117,7 @@ struct Triangles<'a> {
     instance: u32,
 }
 
-impl<I: Isa, F: Filter> Leaves<I, F> for Triangles<'_> {
+impl<I: Isa, F: HitFilter> Leaves<I, F> for Triangles<'_> {
     #[inline(always)]
     fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_, F>) {
         for block in self.bvh.leaf(leaf) {
@@ -135,7 +135,7 @@ pub(crate) fn enter(local: &Local, bounds: &Aabb) -> Option<f32> {
 
 /// Walks one mesh.
 #[inline(always)]
-pub(crate) fn walk_mesh<I: Isa, F: Filter>(
+pub(crate) fn walk_mesh<I: Isa, F: HitFilter>(
     isa: I,
     bvh: &Bvh,
     local: &Local,
@@ -150,7 +150,13 @@ const LOCAL_STACK: usize = 256;
 
 /// Visits leaves whose boxes the ray meets within its segment and no later than the best hit, the nearest first.
 #[inline(always)]
-fn walk<I: Isa, F: Filter>(isa: I, tree: &Wide, local: &Local, search: &mut Search<'_, F>, leaves: &impl Leaves<I, F>) {
+fn walk<I: Isa, F: HitFilter>(
+    isa: I,
+    tree: &Wide,
+    local: &Local,
+    search: &mut Search<'_, F>,
+    leaves: &impl Leaves<I, F>,
+) {
     if tree.nodes.is_empty() {
         return;
     }
@@ -224,7 +230,7 @@ fn walk<I: Isa, F: Filter>(isa: I, tree: &Wide, local: &Local, search: &mut Sear
 
 /// One ray against the triangles of a block.
 #[inline(always)]
-fn test_block<I: Isa, F: Filter>(isa: I, block: &Block, local: &Local, instance: u32, search: &mut Search<'_, F>) {
+fn test_block<I: Isa, F: HitFilter>(isa: I, block: &Block, local: &Local, instance: u32, search: &mut Search<'_, F>) {
     type Four<I> = <I as Isa>::Four;
     let corners = [gather(isa, block, local, 0), gather(isa, block, local, 1), gather(isa, block, local, 2)];
     let [sx, sy, sz] = local.shear.scale;

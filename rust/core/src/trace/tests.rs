@@ -11,7 +11,7 @@ use glam::{DAffine3, DQuat, DVec3, Vec3};
 use proptest::prelude::*;
 
 use super::dispatch::{any_hits_with, closest_hits_with};
-use super::lanes::Level;
+use super::lanes::InstructionSet;
 use super::*;
 use crate::base::{FaceMap, Progress};
 use crate::scene::{Instance, Mesh, Scene};
@@ -60,13 +60,13 @@ fn bits(hit: &Hit) -> [u32; 5] {
 }
 
 /// Traces by packets on every instruction set and one by one, asserts that all are the same bits, and returns them.
-fn trace_all_ways(scene: &Scene, rays: &[Ray], filter: &impl Filter) -> Vec<Hit> {
+fn trace_all_ways(scene: &Scene, rays: &[Ray], filter: &impl HitFilter) -> Vec<Hit> {
     let mut expected = vec![Hit::MISS; rays.len()];
     for (ray, hit) in rays.iter().zip(&mut expected) {
         // Slices of one ray never become packets.
-        closest_hits_with(Level::Portable, scene, slice::from_ref(ray), filter, slice::from_mut(hit));
+        closest_hits_with(InstructionSet::Portable, scene, slice::from_ref(ray), filter, slice::from_mut(hit));
     }
-    for level in Level::available() {
+    for level in InstructionSet::available() {
         let mut together = vec![Hit::MISS; rays.len()];
         closest_hits_with(level, scene, rays, filter, &mut together);
         let mut alone = vec![Hit::MISS; rays.len()];
@@ -186,7 +186,7 @@ proptest! {
 /// Lets every second face be hit.
 struct EvenFaces;
 
-impl Filter for EvenFaces {
+impl HitFilter for EvenFaces {
     fn accepts(&self, _ray: &Ray, candidate: &Hit) -> bool {
         candidate.face.is_multiple_of(2)
     }

@@ -77,10 +77,10 @@ mod tests {
     use std::sync::Arc;
 
     use glam::{DAffine3, DQuat, DVec3};
+    use nearfar_core::base::FaceMap;
     use nearfar_core::base::Progress;
     use nearfar_core::camera::{Camera, Fov, Projection};
     use nearfar_core::render::{Channels, Frame};
-    use nearfar_core::base::FaceMap;
     use nearfar_core::scene::{Instance, Mesh, Scene};
 
     use super::*;

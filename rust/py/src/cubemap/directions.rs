@@ -1,15 +1,15 @@
 //! Rows of directions in either precision, and filters by name.
 
 use nearfar_core::base::{Error, Result};
-use nearfar_core::cubemap::Filter;
+use nearfar_core::cubemap::TexelFilter;
 
 /// A filter by its public name.
-pub(crate) fn filter(name: &str) -> Result<Filter> {
+pub(crate) fn filter(name: &str) -> Result<TexelFilter> {
     match name {
-        "linear" => Ok(Filter::Linear),
-        "cubic" => Ok(Filter::Cubic),
-        "min" => Ok(Filter::Min),
-        "max" => Ok(Filter::Max),
+        "linear" => Ok(TexelFilter::Linear),
+        "cubic" => Ok(TexelFilter::Cubic),
+        "min" => Ok(TexelFilter::Min),
+        "max" => Ok(TexelFilter::Max),
         _ => Err(Error::value("filter", "'linear', 'cubic', 'min' or 'max'", format!("'{name}'"))),
     }
 }

@@ -1,7 +1,7 @@
 //! Bindings of `cubemap`: pictures of all directions in three layouts.
 
 use nearfar_core::base::{Error, Result};
-use nearfar_core::cubemap::{self, Grid, Layout, Number, Picture};
+use nearfar_core::cubemap::{self, Grid, Layout, Number, Panorama};
 use numpy::{Element, PyReadonlyArray2, PyReadwriteArray1, PyReadwriteArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -48,7 +48,7 @@ fn filtered<T: Number + Element>(
     let channels = values.shape()[1];
     let (values, out) = (values.as_slice()?, out.as_slice_mut()?);
     run::long(py, report, |progress| {
-        let picture = Picture::new(grid(&shapes[0])?, values, channels)?;
+        let picture = Panorama::new(grid(&shapes[0])?, values, channels)?;
         cubemap::convert(picture, grid(&shapes[1])?, filter(settings.0)?, settings.1, out, progress)
     })
 }
@@ -62,7 +62,7 @@ fn copied<T: Element + Copy + Send + Sync>(
     let channels = values.shape()[1];
     let (values, out) = (values.as_slice()?, out.as_slice_mut()?);
     run::long(py, report, |progress| {
-        let picture = Picture::new(grid(&shapes[0])?, values, channels)?;
+        let picture = Panorama::new(grid(&shapes[0])?, values, channels)?;
         cubemap::convert_nearest(picture, grid(&shapes[1])?, out, progress)
     })
 }

@@ -1,7 +1,7 @@
 //! Bindings of `cubemap`: values of a cube's faces along directions, and its coarser levels.
 
 use nearfar_core::base::Error;
-use nearfar_core::cubemap::{self, Faces, Number, Reduction};
+use nearfar_core::cubemap::{self, CubeFaces, Number, Reduction};
 use numpy::{Element, PyReadonlyArray4, PyReadwriteArray2, PyReadwriteArray4, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -39,7 +39,7 @@ fn look<T: Number + Element>(
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
     along!(*directions, rows => run::short(py, || {
-        cubemap::lookup(Faces::new(values, size, channels)?, rows, filter(name)?, out)
+        cubemap::lookup(CubeFaces::new(values, size, channels)?, rows, filter(name)?, out)
     }))
 }
 
@@ -50,7 +50,7 @@ fn pick<T: Element + Copy + Send + Sync>(
 ) -> PyResult<()> {
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
-    along!(*directions, rows => run::short(py, || cubemap::nearest(Faces::new(values, size, channels)?, rows, out)))
+    along!(*directions, rows => run::short(py, || cubemap::nearest(CubeFaces::new(values, size, channels)?, rows, out)))
 }
 
 /// Filtered values along directions (N, 3).
@@ -98,7 +98,7 @@ fn touch<T: Number + Element>(
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
     along!(*directions, rows => run::short(py, || {
-        cubemap::footprint(Faces::new(values, size, channels)?, rows, radius, filter(name)?, out)
+        cubemap::footprint(CubeFaces::new(values, size, channels)?, rows, radius, filter(name)?, out)
     }))
 }
 
@@ -131,7 +131,7 @@ fn reduce<T: Number + Element>(
     };
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
-    run::short(py, || cubemap::next_level(Faces::new(values, size, channels)?, reduction, out))
+    run::short(py, || cubemap::next_level(CubeFaces::new(values, size, channels)?, reduction, out))
 }
 
 /// Writes the solid angle of each texel of a face (S, S) in steradians.

@@ -1,7 +1,7 @@
 //! Bindings of `lod`: curves fitted to samples of SSIM.
 
 use nearfar_core::base::Progress;
-use nearfar_core::lod::{self, Curve, Status, Unfit};
+use nearfar_core::lod::{self, LogisticCurve, Status, Unfit};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 
@@ -43,7 +43,7 @@ pub(crate) fn fit_4pl<'py>(
     } else {
         run::long(py, report, |progress| lod::fit_4pl(x, y, count, progress))
     }?;
-    let rows: Vec<f64> = curves.iter().flat_map(|&Curve { a, b, c, d, rms, .. }| [a, b, c, d, rms]).collect();
+    let rows: Vec<f64> = curves.iter().flat_map(|&LogisticCurve { a, b, c, d, rms, .. }| [a, b, c, d, rms]).collect();
     let table = PyArray1::from_vec(py, rows).reshape([curves.len(), 5])?;
     Ok((table, PyArray1::from_iter(py, curves.iter().map(|curve| code(curve.status)))))
 }

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 use nearfar_core::camera::Fov;
-use nearfar_core::lod::{self, Acuity, Counts, Eye, Glass, Line, Model, Objects, Rules, View};
+use nearfar_core::lod::{self, Acuity, Eye, EyeLens, Frustum, Model, Objects, Rules, SelectionCounts, ThresholdLine};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -28,7 +28,7 @@ type EyeParts = ([f64; 3], [f64; 4], [f64; 4], Option<[f64; 3]>, f64);
 
 fn eye((position, orientation, [left, right, down, up], gaze, pixel): EyeParts, acuity: Option<(f64, f64)>) -> Eye {
     let axes = DMat3::from_quat(DQuat::from_array(orientation).normalize());
-    let view = View::new(position.into(), axes, &Fov { left, right, down, up });
+    let view = Frustum::new(position.into(), axes, &Fov { left, right, down, up });
     let gaze = gaze.map_or(view.forward(), |gaze| direction(gaze.into()));
     let acuity = acuity.map(|(slope, limit)| Acuity { gaze, slope, limit, best: pixel.max(limit) });
     Eye { view, acuity }
@@ -39,8 +39,8 @@ fn direction(vector: DVec3) -> DVec3 {
     (vector / vector.abs().max_element()).normalize()
 }
 
-fn listed(counts: &Counts) -> Vec<u64> {
-    let Counts { culled, one_level, settled, large, asked, lens, table, formula } = *counts;
+fn listed(counts: &SelectionCounts) -> Vec<u64> {
+    let SelectionCounts { culled, one_level, settled, large, asked, lens, table, formula } = *counts;
     vec![culled, one_level, settled, large, asked, lens, table, formula]
 }
 
@@ -80,8 +80,8 @@ pub(crate) fn select_levels<'py>(
         previous: previous.as_ref().map(|previous| previous.as_slice()).transpose()?,
     };
     let eyes: Vec<Eye> = if off { Vec::new() } else { eyes.into_iter().map(|parts| eye(parts, acuity)).collect() };
-    let glass = lens.as_ref().map(|lens| Glass { lens: lens.inner(), tan_omega, exact });
-    let rules = Rules { line: Line { level: line.0, rise: line.1 }, reference, cull, hysteresis, fade };
+    let glass = lens.as_ref().map(|lens| EyeLens { lens: lens.inner(), tan_omega, exact });
+    let rules = Rules { line: ThresholdLine { level: line.0, rise: line.1 }, reference, cull, hysteresis, fade };
 
     let count = radii.len();
     let level = PyArray1::<i32>::zeros(py, count, false);

@@ -1,7 +1,7 @@
 //! Bindings of `lod`: coarser surfaces.
 
 use nearfar_core::base::{Error, Result};
-use nearfar_core::lod::{self, Charts, Given, Vertices};
+use nearfar_core::lod::{self, Allowance, Charts, Vertices};
 use numpy::PyUntypedArrayMethods;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::prelude::*;
@@ -52,11 +52,11 @@ pub(crate) fn carry<'py>(
     Ok((faces, PyArray1::from_vec(py, weights).reshape([places.len(), 2])?))
 }
 
-fn giving_up(name: &str) -> Result<Given> {
+fn giving_up(name: &str) -> Result<Allowance> {
     Ok(match name {
-        "nothing" => Given::Nothing,
-        "seams" => Given::Seams,
-        "parts" => Given::Parts,
+        "nothing" => Allowance::Nothing,
+        "seams" => Allowance::Seams,
+        "parts" => Allowance::Parts,
         _ => return Err(Error::value("given", "'nothing', 'seams' or 'parts'", format!("'{name}'"))),
     })
 }

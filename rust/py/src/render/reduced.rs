@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use nearfar_core::base::Error;
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::morph::Kind;
-use nearfar_core::render::reduced::{self, Drawing, Join, Method};
+use nearfar_core::render::reduced::{self, Drawing, Join, MorphMethod};
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -45,8 +45,8 @@ impl Reduced {
 /// Settings of a drawing by their public names.
 pub fn drawing(channels: &[String], samples: u32, method: &str, mapped: bool, tolerance_px: f64) -> PyResult<Drawing> {
     let method = match method {
-        "vertex" => Method::Vertex,
-        "exact" => Method::Exact,
+        "vertex" => MorphMethod::Vertex,
+        "exact" => MorphMethod::Exact,
         _ => return Err(to_python(Error::value("method", "'vertex' or 'exact'", method))),
     };
     Ok(Drawing { channels: self::channels(channels)?, samples, method, mapped, tolerance_px })

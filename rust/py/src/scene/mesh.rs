@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use nearfar_core::base::FaceMap;
-use nearfar_core::scene::{self, Part};
+use nearfar_core::scene::{self, PlacedMesh};
 use numpy::{PyArray2, PyArrayDyn, PyReadonlyArray1, PyReadonlyArray3};
 use pyo3::prelude::*;
 
@@ -73,8 +73,9 @@ impl Mesh {
         let (placements, objects) = (affines(&placements), objects.as_array());
         run::short(py, || {
             same_length(meshes.len(), &placements, objects.len())?;
-            let part = |((mesh, to_scene), &object): ((_, _), &i32)| Part { mesh, to_scene, object: named(object) };
-            let parts: Vec<Part> = meshes.into_iter().zip(placements).zip(&objects).map(part).collect();
+            let part =
+                |((mesh, to_scene), &object): ((_, _), &i32)| PlacedMesh { mesh, to_scene, object: named(object) };
+            let parts: Vec<PlacedMesh> = meshes.into_iter().zip(placements).zip(&objects).map(part).collect();
             scene::merge(&parts)
         })
         .map(|mesh| Self(Arc::new(mesh)))

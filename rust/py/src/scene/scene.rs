@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 use nearfar_core::base::{Buffer, Error, Result};
-use nearfar_core::scene::{self, Alpha, Instance, Material, Part, Texture};
+use nearfar_core::scene::{self, Alpha, Instance, Material, PlacedMesh, Texture};
 use numpy::{
     PyArray1, PyArray2, PyArray3, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3,
 };
@@ -68,7 +68,7 @@ impl Scene {
 
     /// All instances as one mesh, relative to the origin.
     fn merged(&self, py: Python<'_>) -> PyResult<Mesh> {
-        let part = |instance: &Instance| Part {
+        let part = |instance: &Instance| PlacedMesh {
             mesh: Arc::clone(&instance.mesh),
             to_scene: instance.to_scene,
             object: instance.object,

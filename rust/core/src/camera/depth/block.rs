@@ -1,13 +1,14 @@
 //! Blocks of a row of a depth buffer, which the compiler turns into vectors.
 
-use crate::base::simd::widest;
+use crate::base::Real;
+use crate::base::simd::vectorized;
 
 /// Pixels of a block.
 pub const BLOCK: usize = 64;
 
 /// A row of a view's depth buffer.
 #[derive(Clone, Copy, Debug)]
-pub struct Line {
+pub struct DepthRow {
     /// Tangents x, y of its first pixel.
     pub start: [f64; 2],
     /// How they change from pixel to pixel.
@@ -22,55 +23,33 @@ pub struct Line {
 
 /// A value that depth buffers hold: from 0 to `MOST`.
 pub trait Depth: Copy + Into<f64> + Send + Sync + 'static {
-    /// The type of its range.
-    type Range: Copy + Default + Into<f64> + Send + Sync;
+    /// Precision of its range.
+    type Range: Real + Into<f64>;
     /// What stands for 1.
     const MOST: f64;
     /// What is accepted, for messages.
     const EXPECTED: &'static str;
-    /// The value in float64, which holds it.
-    #[doc(hidden)]
-    fn wide(self) -> f64;
     /// The ranges of a block.
     #[doc(hidden)]
-    fn ranges(line: &Line, column: i32, depth: &[Self; BLOCK], ranges: &mut [Self::Range; BLOCK]) -> bool;
+    fn ranges(line: &DepthRow, column: i32, depth: &[Self; BLOCK], ranges: &mut [Self::Range; BLOCK]) -> bool;
 }
 
-/// Float32 or float64.
-pub trait Real: Depth<Range = Self> + Default {
+/// Ranges whose depths are asked for: float32 or float64, with the kernel.
+pub trait Ranged: Depth<Range = Self> + Real {
     /// Ranges this share before the near plane lie on it.
     const NEARLY: f64;
     /// The depth of a block.
     #[doc(hidden)]
-    fn depths(line: &Line, column: i32, ranges: &[Self; BLOCK], depth: &mut [Self; BLOCK]) -> bool;
-}
-
-/// Rounding to the type of results.
-trait Narrow: Copy {
-    fn narrow(value: f64) -> Self;
-}
-
-impl Narrow for f32 {
-    #[inline(always)]
-    fn narrow(value: f64) -> Self {
-        value as Self
-    }
-}
-
-impl Narrow for f64 {
-    #[inline(always)]
-    fn narrow(value: f64) -> Self {
-        value
-    }
+    fn depths(line: &DepthRow, column: i32, ranges: &[Self; BLOCK], depth: &mut [Self; BLOCK]) -> bool;
 }
 
 /// A block of numbers, aligned to vectors.
 #[repr(align(64))]
-struct Lanes([f64; BLOCK]);
+struct PixelLanes([f64; BLOCK]);
 
 /// Length of the directions through the columns of a block whose component along the axis is 1.
 #[inline(always)]
-fn secants(line: &Line, column: i32, secants: &mut Lanes) {
+fn secants(line: &DepthRow, column: i32, secants: &mut PixelLanes) {
     let [[x, y], [dx, dy]] = [line.start, line.step];
     for i in 0..BLOCK {
         let column = f64::from(column + i as i32);
@@ -82,22 +61,17 @@ fn secants(line: &Line, column: i32, secants: &mut Lanes) {
 // Both kernels: `&` and `|` instead of `&&` and `||`, whose branches keep the compiler from making vectors.
 
 #[inline(always)]
-fn ranges<T: Depth<Range: Narrow>>(
-    line: &Line,
-    column: i32,
-    depth: &[T; BLOCK],
-    ranges: &mut [T::Range; BLOCK],
-) -> bool {
+fn ranges<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool {
     // The ends for whole numbers: what stands for 1 is divided by once.
     let [low, high] = [line.ends[0] / T::MOST, line.ends[1] / T::MOST];
     let background = line.background * T::MOST;
-    let mut lengths = Lanes([1.0; BLOCK]);
+    let mut lengths = PixelLanes([1.0; BLOCK]);
     if !line.parallel {
         secants(line, column, &mut lengths);
     }
     let mut refused = 0u64;
     for i in 0..BLOCK {
-        let value = depth[i].wide();
+        let value: f64 = depth[i].into();
         let along = low * (T::MOST - value) + high * value;
         let range = if line.parallel { along } else { lengths.0[i] / along };
         // Nothing was drawn, or farther away than any place: a matrix may have its far plane there.
@@ -111,12 +85,12 @@ fn ranges<T: Depth<Range: Narrow>>(
 }
 
 #[inline(always)]
-fn depths<T: Real + Narrow>(line: &Line, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool {
+fn depths<T: Ranged>(line: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool {
     let scale = 1.0 / (line.ends[1] - line.ends[0]);
     let slack = T::NEARLY * (line.ends[0].max(line.ends[1]) * scale).abs();
     // Towards the far plane depth rises or falls.
     let (rise, near) = if line.background == 1.0 { (1.0, 0.0) } else { (-1.0, 1.0) };
-    let mut lengths = Lanes([1.0; BLOCK]);
+    let mut lengths = PixelLanes([1.0; BLOCK]);
     if !line.parallel {
         secants(line, column, &mut lengths);
     }
@@ -139,34 +113,30 @@ fn depths<T: Real + Narrow>(line: &Line, column: i32, ranges: &[T; BLOCK], depth
 
 macro_rules! stored {
     ($value:ty, $range:ty, $most:expr, $expected:expr, $ranges:ident) => {
-        widest! {
-            fn $ranges(line: &Line, column: i32, depth: &[$value; BLOCK], found: &mut [$range; BLOCK]) -> bool
+        vectorized! {
+            fn $ranges(line: &DepthRow, column: i32, depth: &[$value; BLOCK], found: &mut [$range; BLOCK]) -> bool
                 = ranges::<$value>;
         }
         impl Depth for $value {
             type Range = $range;
             const MOST: f64 = $most;
             const EXPECTED: &'static str = $expected;
-            #[inline(always)]
-            fn wide(self) -> f64 {
-                f64::from(self)
-            }
-            fn ranges(line: &Line, column: i32, depth: &[Self; BLOCK], ranges: &mut [$range; BLOCK]) -> bool {
+            fn ranges(line: &DepthRow, column: i32, depth: &[Self; BLOCK], ranges: &mut [$range; BLOCK]) -> bool {
                 $ranges(line, column, depth, ranges)
             }
         }
     };
 }
 
-macro_rules! real {
+macro_rules! ranged {
     ($float:ty, $nearly:expr, $depths:ident) => {
-        widest! {
-            fn $depths(line: &Line, column: i32, ranges: &[$float; BLOCK], depth: &mut [$float; BLOCK]) -> bool
+        vectorized! {
+            fn $depths(line: &DepthRow, column: i32, ranges: &[$float; BLOCK], depth: &mut [$float; BLOCK]) -> bool
                 = depths::<$float>;
         }
-        impl Real for $float {
+        impl Ranged for $float {
             const NEARLY: f64 = $nearly;
-            fn depths(line: &Line, column: i32, ranges: &[Self; BLOCK], depth: &mut [Self; BLOCK]) -> bool {
+            fn depths(line: &DepthRow, column: i32, ranges: &[Self; BLOCK], depth: &mut [Self; BLOCK]) -> bool {
                 $depths(line, column, ranges, depth)
             }
         }
@@ -179,5 +149,5 @@ stored!(u16, f32, 65_535.0, "whole numbers from 0 to 65535", ranges_u16);
 // Of 24 bits, the only whole numbers beyond 16 bits that depth buffers have.
 stored!(u32, f32, 16_777_215.0, "whole numbers from 0 to 16777215", ranges_u24);
 // Two roundings of the range.
-real!(f32, 1.2e-7, depths_f32);
-real!(f64, 1e-14, depths_f64);
+ranged!(f32, 1.2e-7, depths_f32);
+ranged!(f64, 1e-14, depths_f64);

@@ -3,11 +3,11 @@
 use rayon::prelude::*;
 
 use super::super::projection::{Fov, Projection};
-use super::block::{BLOCK, Depth, Line, Real};
+use super::block::{BLOCK, Depth, DepthRow, Ranged};
 use crate::base::{Error, Result, number};
 
 /// Results of a block of a row from a column on; true where one of them is NaN, because its value is refused.
-type Kernel<T, U> = fn(&Line, i32, &[T; BLOCK], &mut [U; BLOCK]) -> bool;
+type Kernel<T, U> = fn(&DepthRow, i32, &[T; BLOCK], &mut [U; BLOCK]) -> bool;
 
 /// Pixels of one task.
 const TASK: usize = 1 << 15;
@@ -125,7 +125,7 @@ impl DepthBuffer {
     }
 
     /// What a buffer holds at distances from the eye: the inverse of `ranges`. Beyond the far plane it is empty.
-    pub fn depths<T: Real>(&self, ranges: &[T], depth: &mut [T]) -> Result<()> {
+    pub fn depths<T: Ranged>(&self, ranges: &[T], depth: &mut [T]) -> Result<()> {
         let wrong = self.each(ranges, depth, T::depths);
         wrong.map_or(Ok(()), |(pixel, value)| {
             Err(self.refusal("ranges", "distances that are not before the near plane", pixel, value))
@@ -155,9 +155,9 @@ impl DepthBuffer {
         tasks.filter_map(task).min_by_key(|(pixel, _)| *pixel)
     }
 
-    fn line(&self, row: usize) -> Line {
+    fn line(&self, row: usize) -> DepthRow {
         let at = |axis: usize| self.first[axis] + row as f64 * self.steps[1][axis];
-        Line {
+        DepthRow {
             start: [at(0), at(1)],
             step: self.steps[0],
             ends: self.ends,
@@ -175,7 +175,7 @@ impl DepthBuffer {
 }
 
 /// Whether any value of a row is refused: its result is NaN then, which no other is.
-fn one_row<T: Copy, U: Copy + Default>(line: &Line, values: &[T], results: &mut [U], kernel: Kernel<T, U>) -> bool {
+fn one_row<T: Copy, U: Copy + Default>(line: &DepthRow, values: &[T], results: &mut [U], kernel: Kernel<T, U>) -> bool {
     let (blocks, rest) = values.as_chunks::<BLOCK>();
     let (block_results, rest_results) = results.as_chunks_mut::<BLOCK>();
     let (mut column, mut refused) = (0, false);

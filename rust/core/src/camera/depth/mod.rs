@@ -11,5 +11,5 @@ mod buffer;
 #[cfg(test)]
 mod tests;
 
-pub use block::{Depth, Real};
+pub use block::{Depth, Ranged};
 pub use buffer::{DepthBuffer, Planes};

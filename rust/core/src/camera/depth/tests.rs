@@ -40,11 +40,11 @@ fn the_first_refused_value_is_named() {
     assert!(buffer.ranges(&depth, &mut found).is_ok());
     depth[9000] = 1.5;
     depth[8003] = f32::NAN;
-    let said = buffer.ranges(&depth, &mut found).unwrap_err().to_string();
-    assert!(said.contains("NaN in row 0, column 3 of image 2"), "{said}");
+    let message = buffer.ranges(&depth, &mut found).unwrap_err().to_string();
+    assert!(message.contains("NaN in row 0, column 3 of image 2"), "{message}");
     found[50] = 0.01;
-    let said = buffer.depths(&found, &mut depth).unwrap_err().to_string();
-    assert!(said.contains("ranges: expected") && said.contains("row 0, column 50 of image 0"), "{said}");
+    let message = buffer.depths(&found, &mut depth).unwrap_err().to_string();
+    assert!(message.contains("ranges: expected") && message.contains("row 0, column 50 of image 0"), "{message}");
 }
 
 #[test]

@@ -3,13 +3,13 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::super::faces::Faces;
+use super::super::faces::CubeFaces;
 use super::super::lookup::{
-    BLOCK, Filter, Lanes, Number, Sampler, Surface, cube_sampler, in_blocks, in_tiles, is_wrong,
+    BLOCK, BlockValues, Number, SampledPicture, Sampler, TexelFilter, cube_sampler, in_blocks, in_tiles, is_wrong,
 };
 use super::flat;
-use super::layout::{Grid, Layout, Rows};
-use super::picture::{Picture, flat_sampler};
+use super::layout::{Grid, GridRows, Layout};
+use super::picture::{Panorama, flat_sampler};
 use crate::base::{Error, Progress, Real, Result, memory::room_for};
 
 /// Texels whose directions are made and looked up together.
@@ -18,9 +18,9 @@ const SEGMENT: usize = 512;
 /// Writes a picture in another layout. Each texel is looked up at `samples`² places, evenly spread, of which the mean is
 /// taken, or the least or greatest.
 pub fn convert<T: Number>(
-    picture: Picture<'_, T>,
+    picture: Panorama<'_, T>,
     target: Grid,
-    filter: Filter,
+    filter: TexelFilter,
     samples: u32,
     out: &mut [T],
     progress: &Progress,
@@ -30,11 +30,11 @@ pub fn convert<T: Number>(
     if channels == 0 {
         return Ok(());
     }
-    let rows = Rows::new(target, samples)?;
+    let rows = GridRows::new(target, samples)?;
     // The arrays that each thread holds in `resample`.
     room_for(((size_of::<T>() + size_of::<f64>()) * SEGMENT * channels * rayon::current_num_threads()) as u64)?;
     if picture.grid.layout == Layout::Cube {
-        let faces = Faces::new(picture.values, picture.grid.width, channels)?;
+        let faces = CubeFaces::new(picture.values, picture.grid.width, channels)?;
         let count = target.texels().saturating_mul(rows.samples() as usize);
         return resample(&cube_sampler(faces, filter, count)?, target, &rows, out, progress);
     }
@@ -42,10 +42,10 @@ pub fn convert<T: Number>(
 }
 
 /// Writes all texels of a layout.
-fn resample<T: Number, S: Surface<T> + Sync>(
+fn resample<T: Number, S: SampledPicture<T> + Sync>(
     source: &Sampler<'_, T, S>,
     target: Grid,
-    rows: &Rows,
+    rows: &GridRows,
     out: &mut [T],
     progress: &Progress,
 ) -> Result<()> {
@@ -66,13 +66,13 @@ fn resample<T: Number, S: Surface<T> + Sync>(
                     let value = value.wide();
                     *sum = match filter {
                         _ if sample == 0 => value,
-                        Filter::Min => sum.min(value),
-                        Filter::Max => sum.max(value),
+                        TexelFilter::Min => sum.min(value),
+                        TexelFilter::Max => sum.max(value),
                         _ => *sum + value,
                     };
                 }
             }
-            let is_mean = matches!(filter, Filter::Linear | Filter::Cubic);
+            let is_mean = matches!(filter, TexelFilter::Linear | TexelFilter::Cubic);
             let share = if is_mean { f64::from(rows.samples()) } else { 1.0 };
             for (value, sum) in out.iter_mut().zip(&*sums) {
                 *value = T::narrow(sum / share);
@@ -85,7 +85,7 @@ fn resample<T: Number, S: Surface<T> + Sync>(
 
 /// Writes a picture of anything in another layout: for each texel the one that its centre falls into.
 pub fn convert_nearest<T: Copy + Send + Sync>(
-    picture: Picture<'_, T>,
+    picture: Panorama<'_, T>,
     target: Grid,
     out: &mut [T],
     progress: &Progress,
@@ -95,11 +95,11 @@ pub fn convert_nearest<T: Copy + Send + Sync>(
     if channels == 0 {
         return Ok(());
     }
-    let rows = Rows::new(target, 1)?;
+    let rows = GridRows::new(target, 1)?;
     progress.expect(target.rows().into());
     out.par_chunks_mut(target.width as usize * channels).zip(0..target.rows()).try_for_each(|(out, row)| {
         let mut directions = [[0.0; 3]; SEGMENT];
-        let mut texels = Lanes([0; BLOCK]);
+        let mut texels = BlockValues([0; BLOCK]);
         for (segment, out) in out.chunks_mut(SEGMENT * channels).enumerate() {
             let directions = &mut directions[..out.len() / channels];
             rows.write(0, row, (segment * SEGMENT) as u32, directions);
@@ -145,7 +145,7 @@ pub fn grid_texels<D: Number>(grid: Grid, directions: &[[D; 3]], out: &mut [i64]
 /// ones are unit vectors, octahedral ones have components whose sizes add up to 1.
 pub fn grid_directions(grid: Grid, out: &mut [[f64; 3]]) -> Result<()> {
     check_out(grid, 1, out)?;
-    let rows = Rows::new(grid, 1)?;
+    let rows = GridRows::new(grid, 1)?;
     out.par_chunks_mut(grid.width as usize).zip(0..grid.rows()).for_each(|(out, row)| rows.write(0, row, 0, out));
     Ok(())
 }

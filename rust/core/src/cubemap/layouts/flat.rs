@@ -1,20 +1,20 @@
 //! Blocks of directions in layouts without faces.
 
-use super::super::lookup::{BLOCK, Lanes, Placed, index, whole};
+use super::super::lookup::{BLOCK, BlockValues, Placed, index, whole};
 use super::layout::{Grid, Layout};
 use super::projections::{equirectangular, octahedral};
-use crate::base::simd::widest;
+use crate::base::simd::vectorized;
 
 /// Where the directions (finite, not zero, of moderate length) of a block lie, 0..1 across and down.
 #[inline(always)]
-fn positions<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK]) -> [Lanes<f64>; 2] {
-    let mut p = [Lanes([0.0f64; BLOCK]); 3];
+fn positions<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK]) -> [BlockValues<f64>; 2] {
+    let mut p = [BlockValues([0.0f64; BLOCK]); 3];
     for (i, direction) in d.iter().enumerate() {
         p[0].0[i] = direction[0];
         p[1].0[i] = direction[1];
         p[2].0[i] = direction[2];
     }
-    let mut found = [Lanes([0.0; BLOCK]); 2];
+    let mut found = [BlockValues([0.0; BLOCK]); 2];
     for i in 0..BLOCK {
         let (x, y, z) = (p[0].0[i], p[1].0[i], p[2].0[i]);
         let (across, down) = if OCTAHEDRAL { octahedral(x, y, z) } else { equirectangular(x, y, z) };
@@ -45,7 +45,7 @@ fn place<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32;
 
 /// Which texels directions pass through.
 #[inline(always)]
-fn pick<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut Lanes<u32>) {
+fn pick<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) {
     let [across, down] = positions::<OCTAHEDRAL>(d);
     let (width, height) = (f64::from(grid.width), f64::from(grid.height));
     for i in 0..BLOCK {
@@ -55,14 +55,12 @@ fn pick<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut L
     }
 }
 
-widest! {
+vectorized! {
     fn place_octahedral(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) = place::<true>;
-}
-widest! {
     fn place_equirectangular(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) = place::<false>;
+    fn pick_octahedral(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) = pick::<true>;
+    fn pick_equirectangular(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) = pick::<false>;
 }
-widest! { fn pick_octahedral(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut Lanes<u32>) = pick::<true>; }
-widest! { fn pick_equirectangular(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut Lanes<u32>) = pick::<false>; }
 
 /// As `place`, for a layout without faces.
 pub(super) fn find_places(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) {
@@ -73,7 +71,7 @@ pub(super) fn find_places(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], ou
 }
 
 /// As `pick`, for a layout without faces.
-pub(super) fn find_texels(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut Lanes<u32>) {
+pub(super) fn find_texels(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) {
     match grid.layout {
         Layout::Octahedral => pick_octahedral(d, grid, texel),
         _ => pick_equirectangular(d, grid, texel),

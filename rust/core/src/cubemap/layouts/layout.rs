@@ -139,7 +139,7 @@ fn fold(p: DVec2) -> DVec2 {
 }
 
 /// Directions of the texels of a grid, each sampled at the same evenly spread places within it, row by row.
-pub struct Rows {
+pub struct GridRows {
     grid: Grid,
     /// Places across and down a texel.
     across: u32,
@@ -147,7 +147,7 @@ pub struct Rows {
     longitudes: Vec<(f64, f64)>,
 }
 
-impl Rows {
+impl GridRows {
     /// At `across`² places within each texel; one is its centre.
     pub fn new(grid: Grid, across: u32) -> Result<Self> {
         let mut rows = Self { grid, across, longitudes: Vec::new() };
@@ -211,7 +211,7 @@ mod tests {
     fn samples_lie_where_they_should_and_share_their_tables() {
         for (layout, height, width) in [(Layout::Equirectangular, 3, 8), (Layout::Octahedral, 5, 5)] {
             let grid = Grid::new(layout, height, width).unwrap();
-            let rows = Rows::new(grid, 4).unwrap();
+            let rows = GridRows::new(grid, 4).unwrap();
             assert_eq!(rows.longitudes.len(), if layout == Layout::Octahedral { 0 } else { 4 * 8 });
             for (sample, row) in (0..rows.samples()).flat_map(|sample| (0..height).map(move |row| (sample, row))) {
                 let mut directions = vec![[0.0; 3]; width as usize - 2];

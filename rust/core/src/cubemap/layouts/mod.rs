@@ -9,4 +9,4 @@ mod projections;
 
 pub use convert::{convert, convert_nearest, grid_directions, grid_texels};
 pub use layout::{Grid, Layout};
-pub use picture::Picture;
+pub use picture::Panorama;

@@ -3,20 +3,20 @@
 use glam::DVec3;
 
 use super::super::faces::is_known;
-use super::super::lookup::{BLOCK, Filter, LEAST_WEIGHT, Number, Placed, Sampler, Surface, keys};
+use super::super::lookup::{BLOCK, LEAST_WEIGHT, Number, Placed, SampledPicture, Sampler, TexelFilter, keys};
 use super::flat;
 use super::layout::Grid;
 use crate::base::{Error, Real, Result};
 
 /// A picture of all directions.
 #[derive(Clone, Copy, Debug)]
-pub struct Picture<'a, T> {
+pub struct Panorama<'a, T> {
     pub(super) grid: Grid,
     pub(super) values: &'a [T],
     pub(super) channels: usize,
 }
 
-impl<'a, T> Picture<'a, T> {
+impl<'a, T> Panorama<'a, T> {
     /// Checks that the values fill the grid.
     pub fn new(grid: Grid, values: &'a [T], channels: usize) -> Result<Self> {
         let expected = grid.texels() * channels;
@@ -28,12 +28,15 @@ impl<'a, T> Picture<'a, T> {
 }
 
 /// Prepares for lookups in a layout without faces, along directions that are finite, not zero, and of moderate length.
-pub(super) fn flat_sampler<T: Number>(picture: Picture<'_, T>, filter: Filter) -> Sampler<'_, T, Picture<'_, T>> {
+pub(super) fn flat_sampler<T: Number>(
+    picture: Panorama<'_, T>,
+    filter: TexelFilter,
+) -> Sampler<'_, T, Panorama<'_, T>> {
     let Grid { width, height, .. } = picture.grid;
     Sampler::new((picture.values, width, picture.channels), width.min(height), filter, picture)
 }
 
-impl<T: Number> Surface<T> for Picture<'_, T> {
+impl<T: Number> SampledPicture<T> for Panorama<'_, T> {
     fn find_places<D: Number>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], placed: &mut Placed) -> u32 {
         let mut wide = [[0.0; 3]; BLOCK];
         for (wide, d) in wide.iter_mut().zip(block) {
@@ -43,13 +46,16 @@ impl<T: Number> Surface<T> for Picture<'_, T> {
         0
     }
 
-    fn sample(&self, d: DVec3, filter: Filter, out: &mut [T]) {
+    fn sample(&self, d: DVec3, filter: TexelFilter, out: &mut [T]) {
         let p = self.grid.position(d) - 0.5;
         let before = p.floor();
         let (s, t) = (p.x - before.x, p.y - before.y);
-        let (across, down) =
-            if filter == Filter::Cubic { (keys(s), keys(t)) } else { ([0.0, 1.0 - s, s, 0.0], [0.0, 1.0 - t, t, 0.0]) };
-        let least = if matches!(filter, Filter::Min | Filter::Max) { LEAST_WEIGHT } else { 0.0 };
+        let (across, down) = if filter == TexelFilter::Cubic {
+            (keys(s), keys(t))
+        } else {
+            ([0.0, 1.0 - s, s, 0.0], [0.0, 1.0 - t, t, 0.0])
+        };
+        let least = if matches!(filter, TexelFilter::Min | TexelFilter::Max) { LEAST_WEIGHT } else { 0.0 };
         let mut taps = [(0usize, 0.0f64); 16];
         let mut count = 0;
         for (row, y) in (before.y as i64 - 1..).zip(down) {
@@ -64,8 +70,8 @@ impl<T: Number> Surface<T> for Picture<'_, T> {
         for (channel, value) in out.iter_mut().enumerate() {
             let texels = taps[..count].iter().map(|&(start, weight)| (self.values[start + channel], weight));
             *value = match filter {
-                Filter::Min => first(texels, |one, other| one < other),
-                Filter::Max => first(texels, |one, other| one > other),
+                TexelFilter::Min => first(texels, |one, other| one < other),
+                TexelFilter::Max => first(texels, |one, other| one > other),
                 _ => T::narrow(texels.map(|(texel, weight)| texel.wide() * weight).sum()),
             };
         }

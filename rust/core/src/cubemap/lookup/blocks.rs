@@ -3,7 +3,7 @@
 
 use super::super::faces::is_known;
 use crate::base::Real;
-use crate::base::simd::widest;
+use crate::base::simd::vectorized;
 
 /// Directions that go through the kernels together; their temporaries stay in the first-level cache.
 pub const BLOCK: usize = 64;
@@ -19,26 +19,26 @@ const UNITS: f64 = 4_503_599_627_370_496.0;
 /// One number for each direction of a block.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-pub struct Lanes<T>(pub [T; BLOCK]);
+pub struct BlockValues<T>(pub [T; BLOCK]);
 
 /// Where directions pierce the cube.
 struct Pierced {
-    face: Lanes<f64>,
-    u: Lanes<f64>,
-    v: Lanes<f64>,
+    face: BlockValues<f64>,
+    u: BlockValues<f64>,
+    v: BlockValues<f64>,
 }
 
 /// Between which texels the directions of a block lie.
 #[derive(Debug)]
 pub struct Placed {
     /// Number of the texel above and to the left, which has neighbours below and to the right.
-    pub first: Lanes<u32>,
+    pub first: BlockValues<u32>,
     /// How far to the right of it, 0..1.
-    pub s: Lanes<f64>,
+    pub s: BlockValues<f64>,
     /// How far below it, 0..1.
-    pub t: Lanes<f64>,
+    pub t: BlockValues<f64>,
     /// 1 where the direction is too near to an edge for texels of one face: all else is then meaningless.
-    pub seam: Lanes<u8>,
+    pub seam: BlockValues<u8>,
 }
 
 /// Where the texels of one face are enough.
@@ -64,14 +64,19 @@ impl Inner {
 impl Placed {
     /// Nothing yet.
     pub fn new() -> Self {
-        Self { first: Lanes([0; BLOCK]), s: Lanes([0.0; BLOCK]), t: Lanes([0.0; BLOCK]), seam: Lanes([0; BLOCK]) }
+        Self {
+            first: BlockValues([0; BLOCK]),
+            s: BlockValues([0.0; BLOCK]),
+            t: BlockValues([0.0; BLOCK]),
+            seam: BlockValues([0; BLOCK]),
+        }
     }
 }
 
 /// As `face_from_direction`, without branches. Returns how many directions are zero or not finite.
 #[inline(always)]
 fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
-    let mut d = [Lanes([0.0f64; BLOCK]); 3];
+    let mut d = [BlockValues([0.0f64; BLOCK]); 3];
     for (i, direction) in directions.iter().enumerate() {
         d[0].0[i] = direction[0].wide();
         d[1].0[i] = direction[1].wide();
@@ -105,7 +110,7 @@ fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
 impl Pierced {
     #[inline(always)]
     fn new() -> Self {
-        Self { face: Lanes([0.0; BLOCK]), u: Lanes([0.0; BLOCK]), v: Lanes([0.0; BLOCK]) }
+        Self { face: BlockValues([0.0; BLOCK]), u: BlockValues([0.0; BLOCK]), v: BlockValues([0.0; BLOCK]) }
     }
 }
 
@@ -126,7 +131,7 @@ pub(in crate::cubemap) fn index(number: f64) -> u32 {
 
 /// As `texel_from_direction`. Returns how many directions are zero or not finite.
 #[inline(always)]
-fn find_texels<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut Lanes<u32>) -> u32 {
+fn find_texels<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32 {
     let mut at = Pierced::new();
     let wrong = pierce(directions, &mut at);
     let edge = f64::from(size);
@@ -165,7 +170,7 @@ fn find_places<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, o
 
 /// Weights of the four texels around each direction, row by row.
 #[inline(always)]
-fn weigh(placed: &Placed, weights: &mut [Lanes<f64>; 4]) {
+fn weigh(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) {
     for i in 0..BLOCK {
         let (s, t) = (placed.s.0[i], placed.t.0[i]);
         weights[0].0[i] = (1.0 - s) * (1.0 - t);
@@ -175,18 +180,18 @@ fn weigh(placed: &Placed, weights: &mut [Lanes<f64>; 4]) {
     }
 }
 
-widest! { fn weigh_wide(placed: &Placed, weights: &mut [Lanes<f64>; 4]) = weigh; }
+vectorized! { fn weigh_wide(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) = weigh; }
 
 /// Weights of the four texels around each direction, row by row.
-pub fn bilinear(placed: &Placed) -> [Lanes<f64>; 4] {
-    let mut weights = [Lanes([0.0; BLOCK]); 4];
+pub fn bilinear(placed: &Placed) -> [BlockValues<f64>; 4] {
+    let mut weights = [BlockValues([0.0; BLOCK]); 4];
     weigh_wide(placed, &mut weights);
     weights
 }
 
 /// Keys' weights for a = −1/2 of the four texels around a fraction.
 #[inline(always)]
-fn weigh_cubic(fraction: &Lanes<f64>, weights: &mut [Lanes<f64>; 4]) {
+fn weigh_cubic(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) {
     for i in 0..BLOCK {
         let four = keys(fraction.0[i]);
         for k in 0..4 {
@@ -206,18 +211,18 @@ pub fn keys(s: f64) -> [f64; 4] {
     ]
 }
 
-widest! { fn weigh_cubic_wide(fraction: &Lanes<f64>, weights: &mut [Lanes<f64>; 4]) = weigh_cubic; }
+vectorized! { fn weigh_cubic_wide(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) = weigh_cubic; }
 
 /// Keys' weights of the four texels around a fraction.
-pub fn cubic(fraction: &Lanes<f64>) -> [Lanes<f64>; 4] {
-    let mut weights = [Lanes([0.0; BLOCK]); 4];
+pub fn cubic(fraction: &BlockValues<f64>) -> [BlockValues<f64>; 4] {
+    let mut weights = [BlockValues([0.0; BLOCK]); 4];
     weigh_cubic_wide(fraction, &mut weights);
     weights
 }
 
 /// Weighted means. Texels without weight are left out, because 0 times infinity is NaN.
 #[inline(always)]
-fn mix<T: Real>(texels: &[Lanes<T>; 4], weights: &[Lanes<f64>; 4], out: &mut Lanes<T>) {
+fn mix<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>) {
     for i in 0..BLOCK {
         let mut term = [0.0; 4];
         for k in 0..4 {
@@ -231,7 +236,11 @@ fn mix<T: Real>(texels: &[Lanes<T>; 4], weights: &[Lanes<f64>; 4], out: &mut Lan
 
 /// The texels that come before all others that have weight: the least, or the greatest. NaN where all of these are.
 #[inline(always)]
-fn extreme<T: Real, const GREATEST: bool>(texels: &[Lanes<T>; 4], weights: &[Lanes<f64>; 4], out: &mut Lanes<T>) {
+fn extreme<T: Real, const GREATEST: bool>(
+    texels: &[BlockValues<T>; 4],
+    weights: &[BlockValues<f64>; 4],
+    out: &mut BlockValues<T>,
+) {
     for i in 0..BLOCK {
         let mut chosen = T::narrow(f64::NAN);
         for k in 0..4 {
@@ -246,7 +255,12 @@ fn extreme<T: Real, const GREATEST: bool>(texels: &[Lanes<T>; 4], weights: &[Lan
 
 /// Adds a row of four texels, weighted, to sums.
 #[inline(always)]
-fn add_row<T: Real>(texels: &[Lanes<T>; 4], across: &[Lanes<f64>; 4], down: &Lanes<f64>, sums: &mut Lanes<f64>) {
+fn add_row<T: Real>(
+    texels: &[BlockValues<T>; 4],
+    across: &[BlockValues<f64>; 4],
+    down: &BlockValues<f64>,
+    sums: &mut BlockValues<f64>,
+) {
     for i in 0..BLOCK {
         let mut term = [0.0; 4];
         for k in 0..4 {
@@ -288,17 +302,22 @@ fn halve_extreme<T: Real, const GREATEST: bool>(above: &[T], below: &[T], out: &
 /// Numbers that lookups read: float32 and float64, with their kernels.
 pub trait Number: Real {
     /// Number of the texel that each direction passes through; how many directions are zero or not finite.
-    fn find_texels(directions: &[[Self; 3]; BLOCK], size: u32, texel: &mut Lanes<u32>) -> u32;
+    fn find_texels(directions: &[[Self; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32;
     /// Between which texels each direction lies; how many directions are zero or not finite.
     fn find_places(directions: &[[Self; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32;
     /// Weighted means.
-    fn mix(texels: &[Lanes<Self>; 4], weights: &[Lanes<f64>; 4], out: &mut Lanes<Self>);
+    fn mix(texels: &[BlockValues<Self>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<Self>);
     /// The least that have weight.
-    fn least(texels: &[Lanes<Self>; 4], weights: &[Lanes<f64>; 4], out: &mut Lanes<Self>);
+    fn least(texels: &[BlockValues<Self>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<Self>);
     /// The greatest that have weight.
-    fn greatest(texels: &[Lanes<Self>; 4], weights: &[Lanes<f64>; 4], out: &mut Lanes<Self>);
+    fn greatest(texels: &[BlockValues<Self>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<Self>);
     /// Adds a row of four texels, weighted, to sums.
-    fn add_row(texels: &[Lanes<Self>; 4], across: &[Lanes<f64>; 4], down: &Lanes<f64>, sums: &mut Lanes<f64>);
+    fn add_row(
+        texels: &[BlockValues<Self>; 4],
+        across: &[BlockValues<f64>; 4],
+        down: &BlockValues<f64>,
+        sums: &mut BlockValues<f64>,
+    );
     /// The least of 2 × 2 of two rows.
     fn halve_least(above: &[Self], below: &[Self], out: &mut [Self]);
     /// The greatest of 2 × 2 of two rows.
@@ -311,25 +330,21 @@ macro_rules! number {
     ($float:ty, $module:ident) => {
         mod $module {
             use super::*;
-            type Four<T> = [Lanes<T>; 4];
+            type Four<T> = [BlockValues<T>; 4];
             type Block = [[$float; 3]; BLOCK];
-            widest! { fn texels(d: &Block, size: u32, out: &mut Lanes<u32>) -> u32 = find_texels::<$float>; }
-            widest! { fn places(d: &Block, size: u32, inner: Inner, out: &mut Placed) -> u32 = find_places::<$float>; }
-            widest! { fn mixed(t: &Four<$float>, w: &Four<f64>, out: &mut Lanes<$float>) = mix::<$float>; }
-            widest! { fn low(t: &Four<$float>, w: &Four<f64>, out: &mut Lanes<$float>) = extreme::<$float, false>; }
-            widest! { fn high(t: &Four<$float>, w: &Four<f64>, out: &mut Lanes<$float>) = extreme::<$float, true>; }
-            widest! {
-                fn row(t: &Four<$float>, across: &Four<f64>, down: &Lanes<f64>, sums: &mut Lanes<f64>)
-                    = add_row::<$float>;
+            vectorized! {
+                fn texels(d: &Block, size: u32, out: &mut BlockValues<u32>) -> u32 = find_texels::<$float>;
+                fn places(d: &Block, size: u32, inner: Inner, out: &mut Placed) -> u32 = find_places::<$float>;
+                fn mixed(t: &Four<$float>, w: &Four<f64>, out: &mut BlockValues<$float>) = mix::<$float>;
+                fn low(t: &Four<$float>, w: &Four<f64>, out: &mut BlockValues<$float>) = extreme::<$float, false>;
+                fn high(t: &Four<$float>, w: &Four<f64>, out: &mut BlockValues<$float>) = extreme::<$float, true>;
             }
-            widest! {
+            vectorized! {
+                fn row(t: &Four<$float>, across: &Four<f64>, down: &BlockValues<f64>, sums: &mut BlockValues<f64>)
+                    = add_row::<$float>;
                 fn pairs(above: &[$float], below: &[$float], weights: [&[f64]; 2], out: &mut [$float])
                     = halve::<$float>;
-            }
-            widest! {
                 fn lowest(above: &[$float], below: &[$float], out: &mut [$float]) = halve_extreme::<$float, false>;
-            }
-            widest! {
                 fn highest(above: &[$float], below: &[$float], out: &mut [$float]) = halve_extreme::<$float, true>;
             }
             impl Number for $float {
@@ -342,22 +357,27 @@ macro_rules! number {
                 fn halve(above: &[Self], below: &[Self], weights: [&[f64]; 2], out: &mut [Self]) {
                     pairs(above, below, weights, out);
                 }
-                fn find_texels(directions: &Block, size: u32, texel: &mut Lanes<u32>) -> u32 {
+                fn find_texels(directions: &Block, size: u32, texel: &mut BlockValues<u32>) -> u32 {
                     texels(directions, size, texel)
                 }
                 fn find_places(directions: &Block, size: u32, inner: Inner, out: &mut Placed) -> u32 {
                     places(directions, size, inner, out)
                 }
-                fn mix(texels: &Four<Self>, weights: &Four<f64>, out: &mut Lanes<Self>) {
+                fn mix(texels: &Four<Self>, weights: &Four<f64>, out: &mut BlockValues<Self>) {
                     mixed(texels, weights, out);
                 }
-                fn least(texels: &Four<Self>, weights: &Four<f64>, out: &mut Lanes<Self>) {
+                fn least(texels: &Four<Self>, weights: &Four<f64>, out: &mut BlockValues<Self>) {
                     low(texels, weights, out);
                 }
-                fn greatest(texels: &Four<Self>, weights: &Four<f64>, out: &mut Lanes<Self>) {
+                fn greatest(texels: &Four<Self>, weights: &Four<f64>, out: &mut BlockValues<Self>) {
                     high(texels, weights, out);
                 }
-                fn add_row(texels: &Four<Self>, across: &Four<f64>, down: &Lanes<f64>, sums: &mut Lanes<f64>) {
+                fn add_row(
+                    texels: &Four<Self>,
+                    across: &Four<f64>,
+                    down: &BlockValues<f64>,
+                    sums: &mut BlockValues<f64>,
+                ) {
                     row(texels, across, down, sums);
                 }
             }

@@ -28,7 +28,7 @@ pub(super) struct Cone {
 
 /// Rows of a face, and for each of them the columns from the first one to before the last one.
 #[derive(Debug, Default)]
-pub(super) struct Rows {
+pub(super) struct ConeRows {
     pub first: usize,
     pub columns: Vec<(usize, usize)>,
 }
@@ -43,7 +43,7 @@ impl Cone {
     }
 
     /// Finds the texels of a face that the cone touches.
-    pub fn touch(&self, face: u8, size: u32, rows: &mut Rows) {
+    pub fn touch(&self, face: u8, size: u32, rows: &mut ConeRows) {
         rows.columns.clear();
         let (right, down, out) = along_face(face, self.axis);
         // The planes through the centre and the face's edges: their normals have length √2.

@@ -2,40 +2,40 @@
 
 use glam::DVec3;
 
-use super::super::faces::{Faces, is_known};
-use super::blocks::{BLOCK, Inner, LEAST_WEIGHT, Lanes, Number, Placed};
+use super::super::faces::{CubeFaces, is_known};
+use super::blocks::{BLOCK, BlockValues, Inner, LEAST_WEIGHT, Number, Placed};
 use super::cubic::Rim;
-use super::filter::Filter;
-use super::sampler::{Sampler, Surface};
+use super::filter::TexelFilter;
+use super::sampler::{SampledPicture, Sampler};
 use super::taps::Taps;
 use super::tiles::{in_blocks, in_tiles};
 use crate::base::{Real, Result};
 
 /// Six faces, and what cubic filters read beyond their edges.
 pub(in crate::cubemap) struct Cube<'a, T> {
-    faces: Faces<'a, T>,
+    faces: CubeFaces<'a, T>,
     rim: Rim<'a, T>,
 }
 
 /// Prepares for about `count` lookups in a cube.
 pub(in crate::cubemap) fn cube_sampler<T: Number>(
-    faces: Faces<'_, T>,
-    filter: Filter,
+    faces: CubeFaces<'_, T>,
+    filter: TexelFilter,
     count: usize,
 ) -> Result<Sampler<'_, T, Cube<'_, T>>> {
     // A table of the texels beyond edges pays where more would be looked up than it holds.
-    let many = filter == Filter::Cubic && count > (faces.size as usize).pow(2);
+    let many = filter == TexelFilter::Cubic && count > (faces.size as usize).pow(2);
     let cube = Cube { faces, rim: Rim::new(faces, many)? };
     Ok(Sampler::new((faces.values, faces.size, faces.channels), faces.size, filter, cube))
 }
 
-impl<T: Number> Surface<T> for Cube<'_, T> {
+impl<T: Number> SampledPicture<T> for Cube<'_, T> {
     fn find_places<D: Number>(&self, block: &[[D; 3]; BLOCK], [before, after]: [u32; 2], placed: &mut Placed) -> u32 {
         D::find_places(block, self.faces.size, Inner::new(self.faces.size, before, after), placed)
     }
 
-    fn sample(&self, d: DVec3, filter: Filter, out: &mut [T]) {
-        if filter == Filter::Cubic {
+    fn sample(&self, d: DVec3, filter: TexelFilter, out: &mut [T]) {
+        if filter == TexelFilter::Cubic {
             return self.rim.sample(d, out);
         }
         let taps = Taps::new(d, self.faces.size);
@@ -43,8 +43,8 @@ impl<T: Number> Surface<T> for Cube<'_, T> {
         for (channel, value) in out.iter_mut().enumerate() {
             let texels = rows.map(|row| row[channel]);
             *value = match filter {
-                Filter::Min => extreme(texels, &taps, |a, b| a < b),
-                Filter::Max => extreme(texels, &taps, |a, b| a > b),
+                TexelFilter::Min => extreme(texels, &taps, |a, b| a < b),
+                TexelFilter::Max => extreme(texels, &taps, |a, b| a > b),
                 _ => mean(texels, &taps),
             };
         }
@@ -71,9 +71,9 @@ fn extreme<T: Real>(texels: [T; 4], taps: &Taps, before: impl Fn(T, T) -> bool) 
 /// The map's value along each direction of any length, as many as faces have channels. Fails at a direction that is
 /// zero or not finite.
 pub fn lookup<T: Number, D: Number>(
-    faces: Faces<'_, T>,
+    faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
-    filter: Filter,
+    filter: TexelFilter,
     out: &mut [T],
 ) -> Result<()> {
     faces.check_out(out, directions.len())?;
@@ -83,7 +83,7 @@ pub fn lookup<T: Number, D: Number>(
 
 /// The texel that each direction of any length passes through, of faces of anything. Fails as `lookup`.
 pub fn nearest<T: Copy + Send + Sync, D: Number>(
-    faces: Faces<'_, T>,
+    faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
     out: &mut [T],
 ) -> Result<()> {
@@ -93,7 +93,7 @@ pub fn nearest<T: Copy + Send + Sync, D: Number>(
         3 => nearest_of::<T, D, 3>(faces, directions, out),
         4 => nearest_of::<T, D, 4>(faces, directions, out),
         channels => {
-            let mut texel = Lanes([0; BLOCK]);
+            let mut texel = BlockValues([0; BLOCK]);
             in_blocks(directions, out, channels, |block, out| {
                 let wrong = D::find_texels(block, faces.size, &mut texel);
                 for (value, &number) in out.chunks_exact_mut(channels).zip(&texel.0) {
@@ -106,12 +106,12 @@ pub fn nearest<T: Copy + Send + Sync, D: Number>(
 }
 
 fn nearest_of<T: Copy, D: Number, const CHANNELS: usize>(
-    faces: Faces<'_, T>,
+    faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
     out: &mut [T],
 ) -> Option<usize> {
     let texels = faces.values.as_chunks::<CHANNELS>().0;
-    let mut texel = Lanes([0; BLOCK]);
+    let mut texel = BlockValues([0; BLOCK]);
     in_blocks(directions, out, CHANNELS, |block, out| {
         let wrong = D::find_texels(block, faces.size, &mut texel);
         for (value, &number) in out.as_chunks_mut::<CHANNELS>().0.iter_mut().zip(&texel.0) {

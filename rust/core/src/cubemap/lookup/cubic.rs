@@ -8,7 +8,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::super::faces::Faces;
+use super::super::faces::CubeFaces;
 use super::super::texels::{center_of, texel_from_direction};
 use super::blocks::{Number, keys};
 use super::taps::descending;
@@ -20,13 +20,13 @@ const DEPTH: i32 = 2;
 
 /// Faces and what lies around each of them.
 pub(super) struct Rim<'a, T> {
-    faces: Faces<'a, T>,
+    faces: CubeFaces<'a, T>,
     /// Values beyond the edges of each face, channels innermost; empty where each is found when it is needed.
     table: Vec<f64>,
 }
 
 impl<'a, T: Number> Rim<'a, T> {
-    pub fn new(faces: Faces<'a, T>, tabled: bool) -> Result<Self> {
+    pub fn new(faces: CubeFaces<'a, T>, tabled: bool) -> Result<Self> {
         let mut rim = Self { faces, table: Vec::new() };
         if tabled && faces.channels > 0 {
             let around = outside(faces.size);
@@ -197,7 +197,7 @@ impl Beyond {
         taps
     }
 
-    fn value<T: Number>(&self, faces: &Faces<'_, T>, channel: usize) -> f64 {
+    fn value<T: Number>(&self, faces: &CubeFaces<'_, T>, channel: usize) -> f64 {
         let mut sum = 0.0;
         for (&texel, weight) in self.texel.iter().zip(self.weight) {
             if weight != 0.0 {
@@ -243,7 +243,7 @@ mod tests {
         let worst = |size: u32| {
             let directions = crate::cubemap::tests::centers(size);
             let values: Vec<f64> = directions.into_iter().map(|d| f(DVec3::from_array(d))).collect();
-            let faces = Faces::new(&values, size, 1).unwrap();
+            let faces = CubeFaces::new(&values, size, 1).unwrap();
             let mut worst = 0.0f64;
             for face in 0..6 {
                 for (row, column) in outside(size) {

@@ -2,7 +2,7 @@
 
 /// How texels around a direction become one value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Filter {
+pub enum TexelFilter {
     /// Seamless bilinear.
     Linear,
     /// Seamless bicubic.
@@ -13,7 +13,7 @@ pub enum Filter {
     Max,
 }
 
-impl Filter {
+impl TexelFilter {
     /// How many texels it reaches before and after the one above and to the left of a direction.
     pub(in crate::cubemap) fn reach(self) -> [u32; 2] {
         if self == Self::Cubic { [1, 2] } else { [0, 1] }

@@ -3,10 +3,10 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::super::faces::{Faces, is_known};
+use super::super::faces::{CubeFaces, is_known};
 use super::blocks::Number;
-use super::cone::{Cone, Rows};
-use super::filter::Filter;
+use super::cone::{Cone, ConeRows};
+use super::filter::TexelFilter;
 use super::tiles::{is_wrong, refuse};
 use crate::base::{Error, Real, Result, memory::room_for};
 
@@ -19,10 +19,10 @@ const TILE: usize = 64;
 /// The least, or the greatest, of all texels that the cone of an angle about each direction touches. The angle is at
 /// least 0 and below 90°. Fails at a direction that is zero or not finite.
 pub fn footprint<T: Number, D: Number>(
-    faces: Faces<'_, T>,
+    faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
     radius: f64,
-    filter: Filter,
+    filter: TexelFilter,
     out: &mut [T],
 ) -> Result<()> {
     if !(0.0..std::f64::consts::FRAC_PI_2).contains(&radius) {
@@ -34,14 +34,14 @@ pub fn footprint<T: Number, D: Number>(
         return Ok(());
     }
     match filter {
-        Filter::Min => all::<T, D, false>(faces, directions, radius, out),
-        Filter::Max => all::<T, D, true>(faces, directions, radius, out),
+        TexelFilter::Min => all::<T, D, false>(faces, directions, radius, out),
+        TexelFilter::Max => all::<T, D, true>(faces, directions, radius, out),
         _ => Err(Error::value("filter", "the least or the greatest", format!("{filter:?}"))),
     }
 }
 
 fn all<T: Number, D: Number, const GREATEST: bool>(
-    faces: Faces<'_, T>,
+    faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
     radius: f64,
     out: &mut [T],
@@ -86,7 +86,7 @@ fn take<T: Number, const GREATEST: bool>(out: &mut [T], values: &[T]) {
 
 /// Extremes of blocks of 1, 2 × 2, 4 × 4 … texels; the last ones of a row or column may be smaller.
 struct Pyramid<'a, T> {
-    faces: Faces<'a, T>,
+    faces: CubeFaces<'a, T>,
     /// Levels from 2 × 2 on: blocks across a face, and their values.
     levels: Vec<(usize, Vec<T>)>,
 }
@@ -94,12 +94,12 @@ struct Pyramid<'a, T> {
 /// What is found for one face, kept so that its memory is used again.
 #[derive(Default)]
 struct Scratch {
-    texels: Rows,
-    blocks: Vec<Rows>,
+    texels: ConeRows,
+    blocks: Vec<ConeRows>,
 }
 
 impl<'a, T: Number> Pyramid<'a, T> {
-    fn new<const GREATEST: bool>(faces: Faces<'a, T>, radius: f64) -> Result<Self> {
+    fn new<const GREATEST: bool>(faces: CubeFaces<'a, T>, radius: f64) -> Result<Self> {
         let mut levels: Vec<(usize, Vec<T>)> = Vec::new();
         let mut across = radius * f64::from(faces.size);
         while across > WIDE {
@@ -121,7 +121,7 @@ impl<'a, T: Number> Pyramid<'a, T> {
         if scratch.texels.columns.is_empty() {
             return;
         }
-        scratch.blocks.resize_with(self.levels.len(), Rows::default);
+        scratch.blocks.resize_with(self.levels.len(), ConeRows::default);
         for level in 0..self.levels.len() {
             let (below, from) = scratch.blocks.split_at_mut(level);
             let whole = below.last().unwrap_or(&scratch.texels);
@@ -173,7 +173,7 @@ impl<'a, T: Number> Pyramid<'a, T> {
 }
 
 /// Rows of blocks of the next level that lie wholly within rows of a level of some size.
-fn coarsen(rows: &Rows, size: usize, blocks: &mut Rows) {
+fn coarsen(rows: &ConeRows, size: usize, blocks: &mut ConeRows) {
     blocks.first = rows.first / 2;
     blocks.columns.clear();
     let end = (rows.first + rows.columns.len()).div_ceil(2);

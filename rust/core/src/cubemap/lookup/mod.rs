@@ -12,11 +12,11 @@ mod taps;
 mod tiles;
 
 pub use blocks::Number;
-pub(super) use blocks::{BLOCK, LEAST_WEIGHT, Lanes, Placed, index, keys, whole};
+pub(super) use blocks::{BLOCK, BlockValues, LEAST_WEIGHT, Placed, index, keys, whole};
 pub(super) use cube::cube_sampler;
 pub use cube::{lookup, nearest};
-pub use filter::Filter;
+pub use filter::TexelFilter;
 pub use footprint::footprint;
-pub(super) use sampler::{Sampler, Surface};
+pub(super) use sampler::{SampledPicture, Sampler};
 pub use taps::Taps;
 pub(super) use tiles::{in_blocks, in_tiles, is_wrong};

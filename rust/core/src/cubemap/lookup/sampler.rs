@@ -2,19 +2,19 @@
 
 use glam::DVec3;
 
-use super::blocks::{self, BLOCK, Lanes, Number, Placed};
-use super::filter::Filter;
+use super::blocks::{self, BLOCK, BlockValues, Number, Placed};
+use super::filter::TexelFilter;
 use super::tiles::in_blocks;
 use crate::base::Real;
 
 /// A picture of all directions, as a sampler sees it.
-pub(in crate::cubemap) trait Surface<T> {
+pub(in crate::cubemap) trait SampledPicture<T> {
     /// Between which texels the directions of a block lie, for a filter of that reach. Returns how many directions are zero
     /// or not finite.
     fn find_places<D: Number>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], placed: &mut Placed) -> u32;
 
     /// Writes the value along one direction (finite, not zero), which blocks must agree with.
-    fn sample(&self, d: DVec3, filter: Filter, out: &mut [T]);
+    fn sample(&self, d: DVec3, filter: TexelFilter, out: &mut [T]);
 }
 
 /// Lookups in one picture with one filter.
@@ -23,18 +23,18 @@ pub(in crate::cubemap) struct Sampler<'a, T, S> {
     /// Texels of a row.
     width: usize,
     pub(in crate::cubemap) channels: usize,
-    pub(in crate::cubemap) filter: Filter,
+    pub(in crate::cubemap) filter: TexelFilter,
     /// Whether there are directions for which the filter crosses no edge.
     has_inside: bool,
     surface: S,
 }
 
-impl<'a, T: Number, S: Surface<T>> Sampler<'a, T, S> {
+impl<'a, T: Number, S: SampledPicture<T>> Sampler<'a, T, S> {
     /// Texels whose rows are `width` long, in squares of `edge` at least, and the surface that they cover.
     pub(in crate::cubemap) fn new(
         (values, width, channels): (&'a [T], u32, usize),
         edge: u32,
-        filter: Filter,
+        filter: TexelFilter,
         surface: S,
     ) -> Self {
         let [before, after] = filter.reach();
@@ -59,7 +59,7 @@ impl<'a, T: Number, S: Surface<T>> Sampler<'a, T, S> {
     /// Values of a block; those of directions at seams mean nothing.
     fn inside(&self, placed: &Placed, out: &mut [T]) {
         match (self.filter, self.channels) {
-            (Filter::Cubic, _) => self.cubic(placed, out),
+            (TexelFilter::Cubic, _) => self.cubic(placed, out),
             (_, 1) => self.squares::<1>(placed, 0, out),
             (_, 3) => self.squares::<3>(placed, 0, out),
             (_, 4) => self.squares::<4>(placed, 0, out),
@@ -70,7 +70,7 @@ impl<'a, T: Number, S: Surface<T>> Sampler<'a, T, S> {
     /// Mixes the four texels around each direction, `COUNT` channels of them from `first` on.
     fn squares<const COUNT: usize>(&self, placed: &Placed, first: usize, out: &mut [T]) {
         let zero = T::narrow(0.0);
-        let mut texels = [[Lanes([zero; BLOCK]); 4]; COUNT];
+        let mut texels = [[BlockValues([zero; BLOCK]); 4]; COUNT];
         let below = self.width * self.channels;
         // Plain loops: adapters of iterators are not always inlined where it matters.
         for i in 0..BLOCK {
@@ -85,11 +85,11 @@ impl<'a, T: Number, S: Surface<T>> Sampler<'a, T, S> {
             }
         }
         let weights = blocks::bilinear(placed);
-        let mut values = [Lanes([zero; BLOCK]); COUNT];
+        let mut values = [BlockValues([zero; BLOCK]); COUNT];
         for (texels, values) in texels.iter().zip(&mut values) {
             match self.filter {
-                Filter::Min => T::least(texels, &weights, values),
-                Filter::Max => T::greatest(texels, &weights, values),
+                TexelFilter::Min => T::least(texels, &weights, values),
+                TexelFilter::Max => T::greatest(texels, &weights, values),
                 _ => T::mix(texels, &weights, values),
             }
         }
@@ -99,9 +99,9 @@ impl<'a, T: Number, S: Surface<T>> Sampler<'a, T, S> {
     /// Mixes the 4 × 4 texels around each direction.
     fn cubic(&self, placed: &Placed, out: &mut [T]) {
         let (across, down) = (blocks::cubic(&placed.s), blocks::cubic(&placed.t));
-        let mut texels = [Lanes([T::narrow(0.0); BLOCK]); 4];
+        let mut texels = [BlockValues([T::narrow(0.0); BLOCK]); 4];
         for channel in 0..self.channels {
-            let mut sums = Lanes([0.0; BLOCK]);
+            let mut sums = BlockValues([0.0; BLOCK]);
             for (row, weights) in down.iter().enumerate() {
                 for (i, &texel) in placed.first.0.iter().enumerate() {
                     // Inside there are a row and a column before the texel.
@@ -113,11 +113,11 @@ impl<'a, T: Number, S: Surface<T>> Sampler<'a, T, S> {
                 }
                 T::add_row(&texels, &across, weights, &mut sums);
             }
-            scatter(&[Lanes(sums.0.map(T::narrow))], channel, self.channels, out);
+            scatter(&[BlockValues(sums.0.map(T::narrow))], channel, self.channels, out);
         }
     }
 
-    fn at_seams<D: Real>(&self, block: &[[D; 3]; BLOCK], seam: &Lanes<u8>, out: &mut [T]) {
+    fn at_seams<D: Real>(&self, block: &[[D; 3]; BLOCK], seam: &BlockValues<u8>, out: &mut [T]) {
         for (eight, flags) in seam.0.as_chunks::<8>().0.iter().enumerate() {
             if u64::from_ne_bytes(*flags) == 0 {
                 continue;
@@ -132,7 +132,12 @@ impl<'a, T: Number, S: Surface<T>> Sampler<'a, T, S> {
 }
 
 /// Writes channels from `first` on, of as many directions as `out` has room for.
-fn scatter<T: Copy, const COUNT: usize>(values: &[Lanes<T>; COUNT], first: usize, channels: usize, out: &mut [T]) {
+fn scatter<T: Copy, const COUNT: usize>(
+    values: &[BlockValues<T>; COUNT],
+    first: usize,
+    channels: usize,
+    out: &mut [T],
+) {
     if channels == 1 {
         let count = out.len();
         return out.copy_from_slice(&values[0].0[..count]);

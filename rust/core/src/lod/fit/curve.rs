@@ -1,9 +1,8 @@
 //! One curve: scaled, its starts found, the best ones descended from, and the outcome judged.
 
-use super::descend::{self, Found};
-use super::frame::{Frame, Unfit};
+use super::descend::{self, EvaluatedLine};
+use super::frame::{SampleFrame, Unfit};
 use super::logistic::{self, LANES, Pack, Samples};
-use super::settle;
 use super::steps::{self, Start};
 
 /// Descents of one curve.
@@ -41,7 +40,7 @@ pub enum Status {
 
 /// y = d + (a−d)/(1+(x/c)^b) with b > 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Curve {
+pub struct LogisticCurve {
     /// y at x = 0.
     pub a: f64,
     /// Steepness.
@@ -56,7 +55,7 @@ pub struct Curve {
     pub status: Status,
 }
 
-impl Curve {
+impl LogisticCurve {
     pub(super) fn unfit(why: Unfit) -> Self {
         Self { a: f64::NAN, b: f64::NAN, c: f64::NAN, d: f64::NAN, rms: f64::NAN, status: Status::Unfit(why) }
     }
@@ -64,33 +63,33 @@ impl Curve {
 
 /// Room that fits of one thread share.
 #[derive(Default)]
-pub(super) struct Room {
+pub(super) struct FitScratch {
     values: Vec<f64>,
     unit: Vec<f32>,
     packed: Vec<Pack>,
-    evaluated: logistic::Room,
+    evaluated: logistic::LogisticScratch,
     explained: Vec<f32>,
     starts: Vec<Start>,
 }
 
 /// The curve of least squares through the samples of a frame.
-pub(super) fn fit(frame: &Frame, y: &[f64], room: &mut Room) -> Curve {
+pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch) -> LogisticCurve {
     let count = frame.order.len() as f64;
-    let given = || frame.order.iter().map(|&n| y[n]);
-    let (low, high) = given().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
+    let values = || frame.order.iter().map(|&n| y[n]);
+    let (low, high) = values().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
     let scale = 0.5 * high - 0.5 * low;
     let center = if low == high { low } else { 0.5 * low + 0.5 * high };
     // A mean of differences keeps digits of values that are large and close.
-    let shift = given().map(|y| (y - center) / count).sum::<f64>();
+    let shift = values().map(|y| (y - center) / count).sum::<f64>();
     let flat = |rms: f64, status: Status| {
         let mean = center + shift;
-        Curve { a: mean, b: 1.0, c: frame.x(0.0), d: mean, rms, status }
+        LogisticCurve { a: mean, b: 1.0, c: frame.x(0.0), d: mean, rms, status }
     };
     if scale <= ROUNDING * low.abs().max(high.abs()) {
         return flat(scale, Status::Constant);
     }
     room.values.clear();
-    room.values.extend(given().map(|y| (y - center) / scale - shift / scale));
+    room.values.extend(values().map(|y| (y - center) / scale - shift / scale));
     let total: f64 = room.values.iter().map(|y| y * y).sum();
     room.packed.clear();
     room.packed.resize(frame.v.len(), [0.0; LANES]);
@@ -98,24 +97,21 @@ pub(super) fn fit(frame: &Frame, y: &[f64], room: &mut Room) -> Curve {
     room.evaluated.resize(frame.v.len());
     find_starts(frame, total, room);
     let samples = Samples { v: &frame.v, weight: &frame.weight, y: &room.packed, count };
-    let mut best = descend_all(frame, &samples, total, &room.starts, &mut room.evaluated);
-    if best.sums.residual <= settle::NEARLY * total && !best.is_exact(&samples) {
-        best = settle::settle_all(&samples, &frame.limits, &best, &mut room.evaluated);
-    }
+    let best = descend_all(frame, &samples, total, &room.starts, &mut room.evaluated);
     let rms = scale * (best.sums.residual / count).sqrt();
     if (best.sums.residual / total).powf(0.5 * (count - 2.0)) >= LIKELY {
         return flat(scale * (total / count).sqrt(), Status::Flat);
     }
     let curve = unscaled(frame, &best, center + shift, scale);
     if [curve.a, curve.c, curve.d - curve.a].iter().all(|number| number.is_finite()) && curve.c > 0.0 {
-        Curve { rms, status: judged(frame, &best), ..curve }
+        LogisticCurve { rms, status: judged(frame, &best), ..curve }
     } else {
-        Curve::unfit(Unfit::Overflow)
+        LogisticCurve::unfit(Unfit::Overflow)
     }
 }
 
 /// Fills `room.starts`, the most promising first.
-fn find_starts(frame: &Frame, total: f64, room: &mut Room) {
+fn find_starts(frame: &SampleFrame, total: f64, room: &mut FitScratch) {
     let root = total.sqrt();
     room.values.iter_mut().for_each(|y| *y /= root);
     fill_unit(frame.grid.picked(), &room.values, &mut room.unit);
@@ -137,9 +133,15 @@ fn fill_unit(picked: &[usize], values: &[f64], unit: &mut Vec<f32>) {
     unit.extend(chosen().map(|y| ((y - mean) * per_length) as f32));
 }
 
-fn descend_all(frame: &Frame, samples: &Samples<'_>, total: f64, starts: &[Start], room: &mut logistic::Room) -> Found {
-    let descended = |start: &Start, rival: Option<&Found>, room: &mut logistic::Room| {
-        let found = Found::at(samples, &frame.limits, start.line, room);
+fn descend_all(
+    frame: &SampleFrame,
+    samples: &Samples<'_>,
+    total: f64,
+    starts: &[Start],
+    room: &mut logistic::LogisticScratch,
+) -> EvaluatedLine {
+    let descended = |start: &Start, rival: Option<&EvaluatedLine>, room: &mut logistic::LogisticScratch| {
+        let found = EvaluatedLine::at(samples, &frame.limits, start.line, room);
         descend::descend(samples, &frame.limits, found, rival, room)
     };
     let mut best = descended(&starts[0], None, room);
@@ -158,15 +160,15 @@ fn descend_all(frame: &Frame, samples: &Samples<'_>, total: f64, starts: &[Start
 }
 
 /// Parameters in the caller's units.
-fn unscaled(frame: &Frame, found: &Found, mean: f64, scale: f64) -> Curve {
+fn unscaled(frame: &SampleFrame, found: &EvaluatedLine, mean: f64, scale: f64) -> LogisticCurve {
     let (line, sums) = (found.line, found.sums);
     let (low, high) = (mean - scale * (sums.q * sums.mean), mean + scale * (sums.q * (1.0 - sums.mean)));
     let (a, d) = if line.rise < 0.0 { (high, low) } else { (low, high) };
     let c = frame.x(line.origin - line.level / line.rise);
-    Curve { a, b: frame.over_ln(line.rise.abs()), c, d, rms: 0.0, status: Status::Fitted }
+    LogisticCurve { a, b: frame.over_ln(line.rise.abs()), c, d, rms: 0.0, status: Status::Fitted }
 }
 
-fn judged(frame: &Frame, found: &Found) -> Status {
+fn judged(frame: &SampleFrame, found: &EvaluatedLine) -> Status {
     // Values reach from −1 to 1.
     if found.sums.q.abs() > 2.0 * UNSEEN {
         return Status::Open;

@@ -1,7 +1,7 @@
 //! Descent to the least residual nearby. For a given line τ the best a and d are known (variable projection: Golub,
 //! Pereyra 1973), so that two unknowns are left, and Newton's method with exact second derivatives takes few steps.
 
-use super::logistic::{self, Line, Room, Samples, Sums};
+use super::logistic::{self, Line, LogisticScratch, LogisticSums, Samples};
 
 /// Steps of one descent; ten are usual.
 const STEPS: usize = 60;
@@ -15,8 +15,8 @@ const LONGEST: f64 = 4.0;
 const SEEN: f64 = 9.0;
 /// Lines whose τ differ by less, as a share, have the same descent.
 const CLOSE: f64 = 0.03;
-/// How many times what a step promises a descent may be hoped to bring.
-const HOPE: f64 = 8.0;
+/// The greatest gain of a descent, as a multiple of the gain that its next step promises.
+const GAIN_LIMIT: f64 = 8.0;
 /// How far in a tail all samples may lie: a plateau e²⁵ times as far away as the samples reach is as good as none.
 pub(super) const TAIL: f64 = 25.0;
 /// The least rise over the samples' half span: below, a curve is a straight line over ln x to ten digits.
@@ -50,13 +50,13 @@ impl Limits {
 
 /// A line with all about it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Found {
+pub(super) struct EvaluatedLine {
     pub(super) line: Line,
-    pub(super) sums: Sums,
+    pub(super) sums: LogisticSums,
 }
 
-impl Found {
-    pub(super) fn at(samples: &Samples<'_>, limits: &Limits, line: Line, room: &mut Room) -> Self {
+impl EvaluatedLine {
+    pub(super) fn at(samples: &Samples<'_>, limits: &Limits, line: Line, room: &mut LogisticScratch) -> Self {
         let line = limits.apply(line);
         Self { line, sums: logistic::evaluate(samples, &line, room) }
     }
@@ -84,7 +84,7 @@ impl Found {
 
     /// True where many times what Newton's step promises would not be enough.
     fn is_lost(&self, promise: f64, rival: &Self) -> bool {
-        self.sums.residual - HOPE * promise > rival.sums.residual
+        self.sums.residual - GAIN_LIMIT * promise > rival.sums.residual
     }
 }
 
@@ -97,9 +97,9 @@ struct Local {
 }
 
 impl Local {
-    fn new(found: &Found, count: f64) -> Self {
-        let Found { mut line, sums } = *found;
-        let Sums { q, square, mut plain, mut along, mut slope, mut squared, mut bend, .. } = sums;
+    fn new(found: &EvaluatedLine, count: f64) -> Self {
+        let EvaluatedLine { mut line, sums } = *found;
+        let LogisticSums { q, square, mut plain, mut along, mut slope, mut squared, mut bend, .. } = sums;
         let away = sums.center();
         line = line.seen_from(line.origin + away);
         for pair in [&mut plain, &mut along, &mut slope] {
@@ -157,10 +157,10 @@ impl Local {
 pub(super) fn descend(
     samples: &Samples<'_>,
     limits: &Limits,
-    mut found: Found,
-    rival: Option<&Found>,
-    room: &mut Room,
-) -> Found {
+    mut found: EvaluatedLine,
+    rival: Option<&EvaluatedLine>,
+    room: &mut LogisticScratch,
+) -> EvaluatedLine {
     let mut radius = 1.0;
     let mut local = Local::new(&found, samples.count);
     for _ in 0..STEPS {
@@ -172,7 +172,7 @@ pub(super) fn descend(
             break;
         }
         let line = Line { level: local.line.level + step[0], rise: local.line.rise * step[1].exp(), ..local.line };
-        let trial = Found::at(samples, limits, line, room);
+        let trial = EvaluatedLine::at(samples, limits, line, room);
         let gain = 0.5 * (found.sums.residual - trial.sums.residual);
         let length = step[0].abs().max(step[1].abs());
         if gain > 0.0 {

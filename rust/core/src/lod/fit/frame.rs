@@ -1,7 +1,7 @@
 //! The places of a curve's samples in the kernels' own frame, v: ln x, its range scaled to −1..1.
 
 use super::descend::Limits;
-use super::grid::Grid;
+use super::grid::CurveGrid;
 use super::logistic::{LANES, Pack};
 
 /// Where x = 0 lies: far enough for every rise that is allowed, and its square is finite.
@@ -26,7 +26,7 @@ pub enum Unfit {
 
 /// The samples that count, by x.
 #[derive(Debug)]
-pub(super) struct Frame {
+pub(super) struct SampleFrame {
     /// Their numbers, by rising x.
     pub(super) order: Vec<usize>,
     pub(super) v: Vec<Pack>,
@@ -36,14 +36,14 @@ pub(super) struct Frame {
     /// v of each run.
     pub(super) places: Vec<f64>,
     pub(super) limits: Limits,
-    pub(super) grid: Grid,
+    pub(super) grid: CurveGrid,
     /// x at ln x = 0 of `middle`.
     unit: f64,
     middle: f64,
     half: f64,
 }
 
-impl Frame {
+impl SampleFrame {
     /// Of the samples for which `counts` holds; their x are finite.
     pub(super) fn new(x: &[f64], counts: impl Fn(usize) -> bool) -> Result<Self, Unfit> {
         let mut order: Vec<usize> = (0..x.len()).filter(|&n| counts(n)).collect();
@@ -74,7 +74,7 @@ impl Frame {
         // Padding lies where x = 0 does: there p′ is 0, so that only sums of p need weights.
         let v = packed(&|n| sorted.get(n).copied().unwrap_or(ZERO));
         let weight = packed(&|n| if n < sorted.len() { 1.0 } else { 0.0 });
-        let grid = Grid::new(&sorted, &ends, &places);
+        let grid = CurveGrid::new(&sorted, &ends, &places);
         Ok(Self { order, v, weight, ends, places, limits, grid, unit, middle, half })
     }
 

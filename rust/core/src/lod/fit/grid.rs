@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::super::exponential::exp;
 use super::descend::{LEAST_RISE, TAIL};
 use super::logistic::{LANES, Line};
-use crate::base::simd::widest;
+use crate::base::simd::vectorized;
 
 /// Columns of one step of the product.
 const BLOCK: usize = 64;
@@ -36,7 +36,7 @@ const MOST: usize = 2_048;
 
 /// Curves and what is known of them.
 #[derive(Debug)]
-pub(super) struct Grid {
+pub(super) struct CurveGrid {
     levels: Vec<Level>,
     /// Of transitions, rising within each level.
     middles: Vec<f64>,
@@ -54,7 +54,7 @@ struct Level {
     columns: Range<usize>,
 }
 
-impl Grid {
+impl CurveGrid {
     /// Over samples at `v` by rising v, `places` being the different ones, and `ends` where they end in `v`.
     pub(super) fn new(v: &[f64], ends: &[usize], places: &[f64]) -> Self {
         let (levels, middles) = levels(places);
@@ -172,7 +172,7 @@ fn basis(v: &[f64], levels: &[Level], middles: &[f64], columns: usize) -> Vec<f3
     basis
 }
 
-widest! {
+vectorized! {
     fn exp_all(values: &mut [f64]) = exp_all_kernel;
 }
 
@@ -189,7 +189,7 @@ fn exp_all_kernel(values: &mut [f64]) {
     }
 }
 
-widest! {
+vectorized! {
     fn fill(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize) = fill_kernel;
 }
 
@@ -218,7 +218,7 @@ fn fill_kernel(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize
     }
 }
 
-widest! {
+vectorized! {
     fn normalize(basis: &mut [f32], columns: usize) = normalize_kernel;
 }
 
@@ -257,7 +257,7 @@ fn normalize_kernel(basis: &mut [f32], columns: usize) {
     }
 }
 
-widest! {
+vectorized! {
     fn explain(basis: &[f32], y: &[f32], explained: &mut [f32]) = explain_kernel;
 }
 

@@ -1,7 +1,7 @@
 //! The logistic function over an array of samples, with what a fit needs of it, eight samples at a time.
 
 use super::super::exponential::exp;
-use crate::base::simd::widest;
+use crate::base::simd::vectorized;
 
 /// Samples of one step of the kernels.
 pub(super) const LANES: usize = 8;
@@ -34,7 +34,7 @@ impl Line {
 /// For p = σ(τ), g = p − mean(p), the best q, and r = y − q g: what Newton's method needs. With ′ for the derivative by
 /// τ, and u = v − origin.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Sums {
+pub(super) struct LogisticSums {
     pub(super) mean: f64,
     /// Σ g².
     pub(super) square: f64,
@@ -54,7 +54,7 @@ pub(super) struct Sums {
     pub(super) bend: [f64; 3],
 }
 
-impl Sums {
+impl LogisticSums {
     /// How far from the origin the samples tell most: seen from there, level and rise are nearly independent.
     pub(super) fn center(&self) -> f64 {
         if self.squared[0] > 0.0 { (self.squared[1] / self.squared[0]).clamp(-3.0, 3.0) } else { 0.0 }
@@ -74,17 +74,17 @@ pub(super) struct Samples<'a> {
 
 /// Room for what is known of each sample.
 #[derive(Debug, Default)]
-pub(super) struct Room {
-    pub(super) p: Vec<Pack>,
-    pub(super) r: Vec<Pack>,
-    pub(super) first: Vec<Pack>,
+pub(super) struct LogisticScratch {
+    p: Vec<Pack>,
+    r: Vec<Pack>,
+    first: Vec<Pack>,
     first_u: Vec<Pack>,
     second: Vec<Pack>,
     second_u: Vec<Pack>,
-    pub(super) u: Vec<Pack>,
+    u: Vec<Pack>,
 }
 
-impl Room {
+impl LogisticScratch {
     #[cfg(test)]
     pub(super) fn sized(packs: usize) -> Self {
         let mut room = Self::default();
@@ -100,18 +100,18 @@ impl Room {
     }
 }
 
-widest! {
-    fn evaluate_widest(samples: &Samples<'_>, line: &Line, room: &mut Room) -> Sums = evaluate_kernel;
+vectorized! {
+    fn evaluate_widest(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratch) -> LogisticSums = evaluate_kernel;
 }
 
 /// Everything about one curve; `room` is as large as the samples are many.
-pub(super) fn evaluate(samples: &Samples<'_>, line: &Line, room: &mut Room) -> Sums {
+pub(super) fn evaluate(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratch) -> LogisticSums {
     evaluate_widest(samples, line, room)
 }
 
 // Short loops with one result each: these become vectors, and sums of everything in one loop don't.
 #[inline(always)]
-fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut Room) -> Sums {
+fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratch) -> LogisticSums {
     let packs = samples.v.len();
     let (v, weight, y) = (&samples.v[..packs], &samples.weight[..packs], &samples.y[..packs]);
     let (p, u) = (&mut room.p[..packs], &mut room.u[..packs]);
@@ -150,7 +150,7 @@ fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut Room) -> Sums 
             second_u[k][i] = second[k][i] * u[k][i];
         }
     }
-    Sums {
+    LogisticSums {
         mean,
         square,
         q,

@@ -7,11 +7,10 @@ mod frame;
 mod grid;
 mod logistic;
 mod rows;
-mod settle;
 mod steps;
 #[cfg(test)]
 mod tests;
 
-pub use curve::{Curve, Status};
+pub use curve::{LogisticCurve, Status};
 pub use frame::Unfit;
 pub use rows::fit_4pl;

@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::curve::{Curve, Room, fit};
-use super::frame::{Frame, Unfit};
+use super::curve::{FitScratch, LogisticCurve, fit};
+use super::frame::{SampleFrame, Unfit};
 use crate::base::{Error, Progress, Result};
 
 /// Curves of one task.
@@ -11,27 +11,27 @@ const TASK: usize = 16;
 
 /// The curves of least squares through rows of `count` samples. `x` is one row, which all share, or has as many as
 /// `y`. Samples that are not finite do not count.
-pub fn fit_4pl(x: &[f64], y: &[f64], count: usize, progress: &Progress) -> Result<Vec<Curve>> {
+pub fn fit_4pl(x: &[f64], y: &[f64], count: usize, progress: &Progress) -> Result<Vec<LogisticCurve>> {
     if count == 0 || !y.len().is_multiple_of(count) || x.len() != count && x.len() != y.len() {
         let got = format!("{} of x and {} of y for {count} each", x.len(), y.len());
         return Err(Error::value("x", "as many numbers as y, or one row of them", got));
     }
     let rows = y.len() / count;
     progress.expect(rows as u64);
-    let shared = (x.len() == count && rows > 0).then(|| Frame::new(x, |n| x[n].is_finite()));
-    let mut curves = vec![Curve::unfit(Unfit::TooFew); rows];
+    let shared = (x.len() == count && rows > 0).then(|| SampleFrame::new(x, |n| x[n].is_finite()));
+    let mut curves = vec![LogisticCurve::unfit(Unfit::TooFew); rows];
     curves.par_chunks_mut(TASK).enumerate().try_for_each(|(task, curves)| {
-        let mut room = Room::default();
+        let mut room = FitScratch::default();
         for (n, curve) in curves.iter_mut().enumerate() {
             let row = (task * TASK + n) * count;
             let y = &y[row..row + count];
             let x = if shared.is_some() { x } else { &x[row..row + count] };
-            let is_whole = |frame: &Frame| frame.order.iter().all(|&n| y[n].is_finite());
+            let is_whole = |frame: &SampleFrame| frame.order.iter().all(|&n| y[n].is_finite());
             *curve = match &shared {
                 Some(Ok(frame)) if is_whole(frame) => fit(frame, y, &mut room),
-                _ => match Frame::new(x, |n| x[n].is_finite() && y[n].is_finite()) {
+                _ => match SampleFrame::new(x, |n| x[n].is_finite() && y[n].is_finite()) {
                     Ok(frame) => fit(&frame, y, &mut room),
-                    Err(why) => Curve::unfit(why),
+                    Err(why) => LogisticCurve::unfit(why),
                 },
             };
         }

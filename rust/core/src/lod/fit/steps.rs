@@ -1,6 +1,6 @@
 //! Curves so steep that they are steps: from one sample to the next, or with one sample in between, which they meet.
 
-use super::frame::Frame;
+use super::frame::SampleFrame;
 use super::logistic::Line;
 
 /// Rise over the narrower gap: neighbours lie at the plateaus to 4 digits, and descents see which way is down.
@@ -16,7 +16,7 @@ pub(super) struct Start {
 }
 
 /// The best step and the best one that meets a sample. `y` by rising x has mean 0, and its squares add up to 1.
-pub(super) fn best(frame: &Frame, y: &[f64]) -> [Option<Start>; 2] {
+pub(super) fn best(frame: &SampleFrame, y: &[f64]) -> [Option<Start>; 2] {
     let (ends, places) = (&frame.ends, &frame.places);
     let count = y.len() as f64;
     let mut steps: [Option<Start>; 2] = [None; 2];

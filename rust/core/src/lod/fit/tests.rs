@@ -1,6 +1,6 @@
-use super::descend::Found;
-use super::frame::Frame;
-use super::logistic::{self, Line, Room as Evaluated, Samples};
+use super::descend::EvaluatedLine;
+use super::frame::SampleFrame;
+use super::logistic::{self, Line, LogisticScratch, Samples};
 use super::*;
 use crate::base::{Error, Progress};
 use crate::lod::exponential::exp;
@@ -21,14 +21,18 @@ fn residual(x: &[f64], y: &[f64], b: f64, c: f64) -> f64 {
 }
 
 /// Samples of a frame for values with mean 0 and size 1.
-fn with_samples<R>(x: &[f64], y: &[f64], work: impl FnOnce(&Frame, &Samples<'_>, &mut Evaluated) -> R) -> R {
-    let frame = Frame::new(x, |_| true).unwrap();
+fn with_samples<R>(
+    x: &[f64],
+    y: &[f64],
+    work: impl FnOnce(&SampleFrame, &Samples<'_>, &mut LogisticScratch) -> R,
+) -> R {
+    let frame = SampleFrame::new(x, |_| true).unwrap();
     let mean = y.iter().sum::<f64>() / y.len() as f64;
     let mut packed = vec![[0.0; logistic::LANES]; frame.v.len()];
     for (to, &n) in packed.as_flattened_mut().iter_mut().zip(&frame.order) {
         *to = y[n] - mean;
     }
-    let mut room = Evaluated::default();
+    let mut room = LogisticScratch::default();
     room.resize(frame.v.len());
     let samples = Samples { v: &frame.v, weight: &frame.weight, y: &packed, count: x.len() as f64 };
     work(&frame, &samples, &mut room)
@@ -59,7 +63,7 @@ proptest! {
         let x = places(values.len());
         with_samples(&x, &values, |frame, samples, room| {
             let line = Line { level, rise: if falls { -rise } else { rise }, origin };
-            let found = Found::at(samples, &frame.limits, line, room);
+            let found = EvaluatedLine::at(samples, &frame.limits, line, room);
             let (b, c) = (frame.over_ln(rise), frame.x(line.origin - line.level / line.rise));
             // Values are of size 1: what is lost is a multiple of 2⁻⁵³ of their squares.
             let total: f64 = values.iter().map(|y| y * y).sum();
@@ -67,7 +71,7 @@ proptest! {
             let (gradient, hessian, at) = found.derivatives(samples.count);
             let half = |level: f64, stretch: f64| {
                 let line = Line { level: at.level + level, rise: at.rise * stretch.exp(), origin: at.origin };
-                0.5 * logistic::evaluate(samples, &line, &mut Evaluated::sized(samples.v.len())).residual
+                0.5 * logistic::evaluate(samples, &line, &mut LogisticScratch::sized(samples.v.len())).residual
             };
             // Central differences: h² of the third and fourth derivatives, and 2⁻⁵³/h or /h² by rounding.
             let h = 1e-4;
@@ -116,7 +120,7 @@ fn steps_explain_what_they_say() {
         for start in steps::best(frame, &unit).into_iter().flatten() {
             // At the limit: the same transition, as steep as may be.
             let limit = Line { rise: frame.limits.steepest * start.line.rise.signum(), ..start.line };
-            let found = Found::at(samples, &frame.limits, limit, room);
+            let found = EvaluatedLine::at(samples, &frame.limits, limit, room);
             assert!((found.sums.residual / total - (1.0 - start.explained)).abs() < 1e-12);
         }
     });

@@ -3,10 +3,10 @@
 use rayon::prelude::*;
 
 use super::curves::Model;
-use super::objects::{COLUMNS, Counts, Objects, TILE};
-use super::rules::{Glass, Rules};
-use super::table::{Tables, WORTH};
-use super::tile::{Room, Selection, Tile};
+use super::objects::{COLUMNS, Objects, SelectionCounts, TILE};
+use super::rules::{EyeLens, Rules};
+use super::table::{OBJECTS_PER_TABLE, Tables};
+use super::tile::{ObjectTile, Selection, TileScratch};
 use super::view::Eye;
 use crate::base::Result;
 
@@ -16,37 +16,41 @@ pub fn select(
     models: &[Model<'_>],
     objects: &Objects<'_>,
     eyes: &[Eye],
-    glass: Option<Glass<'_>>,
+    glass: Option<EyeLens<'_>>,
     rules: &Rules,
     to: &mut [i32],
     columns: Option<[&mut [f64]; COLUMNS]>,
-) -> Result<Counts> {
+) -> Result<SelectionCounts> {
     models.iter().enumerate().try_for_each(|(number, model)| model.check(number))?;
     let limits = models.iter().map(|model| model.limit(rules.reference)).collect();
-    let are_many = models.len() * WORTH <= to.len() && !eyes.is_empty();
+    let are_many = models.len() * OBJECTS_PER_TABLE <= to.len() && !eyes.is_empty();
     let tables = if are_many { Tables::new(models, rules) } else { None };
     let selection = Selection { models, limits, tables, eyes, glass, rules: *rules };
     let tiles = tiles(objects, to, columns);
-    let one = |room: &mut Room, tile: Tile<'_>| selection.tile(room, tile);
-    let add = |mut one: Counts, other: Counts| {
+    let one = |room: &mut TileScratch, tile: ObjectTile<'_>| selection.tile(room, tile);
+    let add = |mut one: SelectionCounts, other: SelectionCounts| {
         one += other;
         Ok(one)
     };
     tiles
         .into_par_iter()
-        .map_init(Room::default, one)
-        .try_fold(Counts::default, |sum, counts| add(sum, counts?))
-        .try_reduce(Counts::default, add)
+        .map_init(TileScratch::default, one)
+        .try_fold(SelectionCounts::default, |sum, counts| add(sum, counts?))
+        .try_reduce(SelectionCounts::default, add)
 }
 
 /// Objects and their results, some at a time.
-fn tiles<'a>(objects: &Objects<'a>, to: &'a mut [i32], columns: Option<[&'a mut [f64]; COLUMNS]>) -> Vec<Tile<'a>> {
+fn tiles<'a>(
+    objects: &Objects<'a>,
+    to: &'a mut [i32],
+    columns: Option<[&'a mut [f64]; COLUMNS]>,
+) -> Vec<ObjectTile<'a>> {
     let mut columns = columns.map(|columns| columns.map(|column| column.chunks_mut(TILE)));
     let mut tiles = Vec::with_capacity(to.len().div_ceil(TILE));
     for (number, level) in to.chunks_mut(TILE).enumerate() {
         let first = number * TILE;
         let range = first..first + level.len();
-        tiles.push(Tile {
+        tiles.push(ObjectTile {
             first,
             objects: Objects {
                 model: &objects.model[range.clone()],

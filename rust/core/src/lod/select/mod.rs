@@ -12,6 +12,6 @@ mod view;
 
 pub use assign::select;
 pub use curves::{Model, Parameters};
-pub use objects::{COLUMNS, Counts, Objects};
-pub use rules::{Acuity, Glass, Line, Rules};
-pub use view::{Eye, View};
+pub use objects::{COLUMNS, Objects, SelectionCounts};
+pub use rules::{Acuity, EyeLens, Rules, ThresholdLine};
+pub use view::{Eye, Frustum};

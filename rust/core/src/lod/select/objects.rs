@@ -23,7 +23,7 @@ pub const COLUMNS: usize = 5;
 
 /// What was done, of all eyes together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counts {
+pub struct SelectionCounts {
     /// Not in view.
     pub culled: u64,
     /// In view, with one level.
@@ -42,7 +42,7 @@ pub struct Counts {
     pub formula: u64,
 }
 
-impl AddAssign for Counts {
+impl AddAssign for SelectionCounts {
     fn add_assign(&mut self, other: Self) {
         self.culled += other.culled;
         self.one_level += other.one_level;

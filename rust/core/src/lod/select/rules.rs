@@ -6,7 +6,7 @@ use crate::lens::RadialLens;
 
 /// f(σ) = level + rise · σ.
 #[derive(Clone, Copy, Debug)]
-pub struct Line {
+pub struct ThresholdLine {
     /// At σ = 0.
     pub level: f64,
     /// A steradian.
@@ -17,7 +17,7 @@ pub struct Line {
 #[derive(Clone, Copy, Debug)]
 pub struct Rules {
     /// The least score over the solid angle.
-    pub line: Line,
+    pub line: ThresholdLine,
     /// Solid angle above which level 0 is used.
     pub reference: f64,
     /// Whether what is out of view gets no level.
@@ -30,7 +30,7 @@ pub struct Rules {
 
 /// A lens as eyes look through it.
 #[derive(Clone, Copy, Debug)]
-pub struct Glass<'a> {
+pub struct EyeLens<'a> {
     /// The lens.
     pub lens: &'a RadialLens,
     /// Tangent of half the horizontal field of view, the larger side of it.
@@ -52,7 +52,7 @@ pub struct Acuity {
     pub best: f64,
 }
 
-impl Line {
+impl ThresholdLine {
     pub(super) fn at(&self, sigma: f64) -> f64 {
         self.level + self.rise * sigma
     }

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::super::exponential::exp;
 use super::curves::{Model, Parameters, score};
 use super::objects::TILE;
-use super::rules::{Line, Rules};
+use super::rules::{Rules, ThresholdLine};
 
 /// Cells over σ, of equal widths because f is a line: two to the power of so many.
 const SIGMA_DIGITS: u32 = 3;
@@ -27,7 +27,7 @@ const MOST: f64 = 16.0;
 /// Set where the level may be a finer one: then curves decide.
 pub(super) const UNSURE: u8 = 0x80;
 /// From so many objects of a model on, a table is quicker than curves.
-pub(super) const WORTH: usize = 256;
+pub(super) const OBJECTS_PER_TABLE: usize = 256;
 
 /// Levels of all models, one after the other.
 #[derive(Debug, Default)]
@@ -141,7 +141,7 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
 }
 
 /// Least and greatest threshold of one of `count` cells over σ, and what they are rounded by.
-fn range(line: &Line, limit: f64, cell: u64, count: u64) -> [f64; 2] {
+fn range(line: &ThresholdLine, limit: f64, cell: u64, count: u64) -> [f64; 2] {
     let ends = [cell, cell + 1].map(|n| line.at(limit * n as f64 / count as f64));
     let margin = 1e-14 * line.level.abs() + 2.0 * WIDER * (line.rise * limit).abs();
     [ends[0].min(ends[1]) - margin, ends[0].max(ends[1]) + margin]

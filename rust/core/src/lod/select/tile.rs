@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use super::curves::{Asked, Model};
-use super::objects::{COLUMNS, Counts, Objects, TILE};
-use super::rules::{Acuity, Glass, Rules};
+use super::objects::{COLUMNS, Objects, SelectionCounts, TILE};
+use super::rules::{Acuity, EyeLens, Rules};
 use super::table::{Tables, UNSURE};
 use super::view::{Eye, HIDDEN, Sight};
 use crate::base::{Error, Result};
@@ -16,7 +16,7 @@ const UNSEEN: i32 = -1;
 const HIDDEN_ROW: [f64; COLUMNS] = [f64::NAN, f64::NAN, f64::NAN, f64::NAN, -1.0];
 
 /// Objects and their results.
-pub(super) struct Tile<'a> {
+pub(super) struct ObjectTile<'a> {
     /// Number of the first.
     pub first: usize,
     pub objects: Objects<'a>,
@@ -32,13 +32,13 @@ pub(super) struct Selection<'a> {
     /// `None` where objects are too few for them.
     pub tables: Option<Tables>,
     pub eyes: &'a [Eye],
-    pub glass: Option<Glass<'a>>,
+    pub glass: Option<EyeLens<'a>>,
     pub rules: Rules,
 }
 
 /// Room for what is known of a tile.
 #[derive(Default)]
-pub(super) struct Room {
+pub(super) struct TileScratch {
     sight: Box<Sight>,
     left: Box<Left>,
 }
@@ -80,10 +80,10 @@ fn gather(from: &[f64; TILE], places: &[u16], to: &mut [f64; TILE]) {
 }
 
 impl Selection<'_> {
-    pub(super) fn tile(&self, room: &mut Room, mut tile: Tile<'_>) -> Result<Counts> {
-        let Room { sight, left } = room;
+    pub(super) fn tile(&self, room: &mut TileScratch, mut tile: ObjectTile<'_>) -> Result<SelectionCounts> {
+        let TileScratch { sight, left } = room;
         self.check(&tile, left)?;
-        let mut counts = Counts::default();
+        let mut counts = SelectionCounts::default();
         tile.level.fill(if self.eyes.is_empty() { 0 } else { UNSEEN });
         if let Some(columns) = &mut tile.columns {
             let values = if self.eyes.is_empty() { [f64::NAN, f64::NAN, f64::NAN, 1.0, 0.0] } else { HIDDEN_ROW };
@@ -103,7 +103,7 @@ impl Selection<'_> {
 
     /// Refuses numbers of models and levels that there are not, and looks up the models' limits.
     #[inline(never)]
-    fn check(&self, tile: &Tile<'_>, left: &mut Left) -> Result<()> {
+    fn check(&self, tile: &ObjectTile<'_>, left: &mut Left) -> Result<()> {
         let limits = &self.limits[..];
         for ((n, &model), to) in tile.objects.model.iter().enumerate().zip(&mut left.limit) {
             // Negative numbers are large ones.
@@ -130,7 +130,7 @@ impl Selection<'_> {
         sight: &Sight,
         left: &mut Left,
         asked: usize,
-        counts: &mut Counts,
+        counts: &mut SelectionCounts,
     ) {
         gather(&sight.sigma, &left.place[..asked], &mut left.sigma);
         left.seen[..asked].copy_from_slice(&left.sigma[..asked]);
@@ -148,7 +148,7 @@ impl Selection<'_> {
         }
     }
 
-    fn levels(&self, left: &mut Left, asked: usize, tile: &mut Tile<'_>, counts: &mut Counts) {
+    fn levels(&self, left: &mut Left, asked: usize, tile: &mut ObjectTile<'_>, counts: &mut SelectionCounts) {
         let Some(tables) = &self.tables else {
             counts.formula += asked as u64;
             for k in 0..asked {
@@ -178,7 +178,7 @@ impl Selection<'_> {
 
     /// Settles one by curves, or says more of it than the level that the table surely has.
     #[inline(never)]
-    fn ask(&self, left: &Left, k: usize, found: Option<(u8, bool)>, tile: &mut Tile<'_>) {
+    fn ask(&self, left: &Left, k: usize, found: Option<(u8, bool)>, tile: &mut ObjectTile<'_>) {
         let rules = &self.rules;
         let n = usize::from(left.place[k]);
         let model = &self.models[tile.objects.model[n] as usize];
@@ -209,7 +209,7 @@ impl Selection<'_> {
     }
 }
 
-impl Glass<'_> {
+impl EyeLens<'_> {
     /// σ′ in place of σ.
     fn look(&self, eye: &Eye, objects: &Objects<'_>, sight: &Sight, left: &mut Left, asked: usize) {
         if self.exact {
@@ -243,13 +243,13 @@ impl Glass<'_> {
 
 /// Settles what needs no curve, and tells how many are left.
 #[inline(never)]
-fn sort(sight: &Sight, tile: &mut Tile<'_>, left: &mut Left, counts: &mut Counts) -> usize {
+fn sort(sight: &Sight, tile: &mut ObjectTile<'_>, left: &mut Left, counts: &mut SelectionCounts) -> usize {
     let count = tile.level.len();
     let (sigma, limit, class) = (&sight.sigma[..count], &left.limit[..count], &mut left.class[..count]);
     for n in 0..count {
-        let done = if sigma[n] > limit[n] { LARGE } else { LEFT };
-        let done = if limit[n] == f64::NEG_INFINITY { ONE_LEVEL } else { done };
-        let seen = if tile.level[n] == 0 { SETTLED } else { done };
+        let class_of_size = if sigma[n] > limit[n] { LARGE } else { LEFT };
+        let class_of_size = if limit[n] == f64::NEG_INFINITY { ONE_LEVEL } else { class_of_size };
+        let seen = if tile.level[n] == 0 { SETTLED } else { class_of_size };
         class[n] = if sigma[n] == HIDDEN { CULLED } else { seen };
     }
     let many = |wanted: u8| u64::from(class.iter().map(|&class| u16::from(class == wanted)).sum::<u16>());

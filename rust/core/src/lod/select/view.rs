@@ -7,7 +7,7 @@ use glam::{DMat3, DVec3};
 use super::objects::TILE;
 use super::rules::Acuity;
 use crate::base::Result;
-use crate::base::simd::widest;
+use crate::base::simd::vectorized;
 use crate::bounds::check;
 use crate::camera::Fov;
 
@@ -22,7 +22,7 @@ pub(super) const HIDDEN: f64 = -1.0;
 
 /// An eye's pose and view.
 #[derive(Clone, Copy, Debug)]
-pub struct View {
+pub struct Frustum {
     position: DVec3,
     /// Directions in the world: to the right, up and ahead.
     axes: [[f64; 3]; 3],
@@ -30,7 +30,7 @@ pub struct View {
     sides: [[f64; 3]; 5],
 }
 
-impl View {
+impl Frustum {
     /// From the eye's position, its axes in the world, and the tangents of its view.
     pub fn new(position: DVec3, axes: DMat3, fov: &Fov) -> Self {
         let unit = |x: f64, y: f64, ahead: f64| DVec3::new(x, y, ahead).normalize().to_array();
@@ -99,7 +99,7 @@ impl View {
 #[derive(Clone, Copy, Debug)]
 pub struct Eye {
     /// Its pose and view.
-    pub view: View,
+    pub view: Frustum,
     /// How fine it sees, where that counts.
     pub acuity: Option<Acuity>,
 }
@@ -124,9 +124,9 @@ impl Default for Sight {
     }
 }
 
-widest! {
+vectorized! {
     fn see(
-        view: &View,
+        view: &Frustum,
         hidden: f64,
         centers: &[[[f64; 3]; LANES]],
         radii: &[[f64; LANES]],
@@ -138,7 +138,7 @@ widest! {
 /// Whole blocks, from the block `first` on.
 #[inline(always)]
 fn see_blocks(
-    view: &View,
+    view: &Frustum,
     hidden: f64,
     centers: &[[[f64; 3]; LANES]],
     radii: &[[f64; LANES]],
@@ -184,7 +184,7 @@ fn see_blocks(
 /// σ, the sines and cosines of α and μ, and whether squares were floats, of a sphere at (right, up, ahead).
 #[inline(always)]
 #[expect(clippy::manual_range_contains, reason = "ranges have branches, which do not become vectors")]
-fn seen(view: &View, hidden: f64, place: [f64; 3], radius: f64) -> (f64, [f64; 4], bool) {
+fn seen(view: &Frustum, hidden: f64, place: [f64; 3], radius: f64) -> (f64, [f64; 4], bool) {
     let [x, y, ahead] = place;
     let mut outside = f64::NEG_INFINITY;
     for side in &view.sides {

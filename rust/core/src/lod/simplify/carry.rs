@@ -28,7 +28,7 @@ pub struct Charts<'a> {
 
 /// Where a corner of the coarser surface lies on the base.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Place {
+pub struct SurfacePlace {
     /// Face of the base.
     pub face: u32,
     /// Weights of its second and third corner.
@@ -89,7 +89,7 @@ impl<'a> Charts<'a> {
     }
 
     /// Walks from a face to where nothing around is nearer to the goal.
-    fn walk(&self, start: u32, goal: DVec3, room: &mut Vec<u32>) -> Place {
+    fn walk(&self, start: u32, goal: DVec3, room: &mut Vec<u32>) -> SurfacePlace {
         let (mut face, mut best) = (start, self.near(start, goal));
         loop {
             let mut step = self.nearer(self.ring(face), goal, best);
@@ -101,13 +101,18 @@ impl<'a> Charts<'a> {
             }
             match step {
                 Some(step) => (face, best) = step,
-                None => return Place { face, weights: [best.u, best.v] },
+                None => return SurfacePlace { face, weights: [best.u, best.v] },
             }
         }
     }
 
     /// The place of each corner of triangles (positions relative to the same zero), whose walks begin at `starts`.
-    pub fn places(&self, corners: &[[[f32; 3]; 3]], starts: &[u32], progress: &Progress) -> Result<Vec<[Place; 3]>> {
+    pub fn places(
+        &self,
+        corners: &[[[f32; 3]; 3]],
+        starts: &[u32],
+        progress: &Progress,
+    ) -> Result<Vec<[SurfacePlace; 3]>> {
         if starts.len() != corners.len() || starts.iter().any(|&face| face as usize >= self.faces.len()) {
             return Err(Error::value(
                 "starts",
@@ -116,7 +121,7 @@ impl<'a> Charts<'a> {
             ));
         }
         progress.expect(corners.len() as u64);
-        let mut places = vec![[Place::default(); 3]; corners.len()];
+        let mut places = vec![[SurfacePlace::default(); 3]; corners.len()];
         let tiles = places.par_chunks_mut(TILE).zip(corners.par_chunks(TILE)).zip(starts.par_chunks(TILE));
         tiles.try_for_each(|((places, corners), starts)| {
             let mut room = Vec::new();

@@ -23,7 +23,7 @@ pub struct Vertices<'a> {
 
 /// What may be given up for fewer triangles, beyond what collapsing edges takes: that makes nothing of closed parts too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Given {
+pub enum Allowance {
     /// Nothing.
     Nothing,
     /// The seams of vertices without a flag.
@@ -38,7 +38,7 @@ pub fn collapse(
     vertices: Vertices<'_>,
     faces: &[[u32; 3]],
     target: usize,
-    given: Given,
+    allowance: Allowance,
 ) -> Result<(Vec<[u32; 3]>, f32)> {
     let count = vertices.positions.len();
     check_faces(faces, count)?;
@@ -60,10 +60,10 @@ pub fn collapse(
         .map_err(|error| Error::value("vertices", "positions", error))?;
     let flag = |&seam: &bool| if seam { SimplifyVertex::Protect } else { SimplifyVertex::None };
     let locks: Vec<SimplifyVertex> = vertices.is_seam.iter().map(flag).collect();
-    let options = match given {
-        Given::Nothing => SimplifyOptions::None,
-        Given::Seams => SimplifyOptions::Permissive,
-        Given::Parts => SimplifyOptions::Permissive | SimplifyOptions::Prune,
+    let options = match allowance {
+        Allowance::Nothing => SimplifyOptions::None,
+        Allowance::Seams => SimplifyOptions::Permissive,
+        Allowance::Parts => SimplifyOptions::Permissive | SimplifyOptions::Prune,
     };
     let mut error = 0.0;
     let indices = simplify_with_attributes_and_locks(
@@ -98,12 +98,12 @@ mod tests {
         }
         let is_seam = vec![false; positions.len()];
         let vertices = Vertices { positions: &positions, attributes: &[], weights: &[], is_seam: &is_seam };
-        let (found, error) = collapse(vertices, &faces, 2, Given::Nothing).unwrap();
+        let (found, error) = collapse(vertices, &faces, 2, Allowance::Nothing).unwrap();
         // Its quadrics are float32: 2⁻¹² of the extent is their root's rounding.
         assert!(found.len() == 2 && error < 1e-3, "{} {error}", found.len());
         let corners = [0, side - 1, side * (side - 1), side * side - 1];
         assert!(corners.iter().all(|corner| found.as_flattened().contains(corner)));
-        assert_eq!(collapse(vertices, &faces, faces.len(), Given::Nothing).unwrap().0, faces);
-        assert!(collapse(Vertices { is_seam: &[], ..vertices }, &faces, 2, Given::Nothing).is_err());
+        assert_eq!(collapse(vertices, &faces, faces.len(), Allowance::Nothing).unwrap().0, faces);
+        assert!(collapse(Vertices { is_seam: &[], ..vertices }, &faces, 2, Allowance::Nothing).is_err());
     }
 }

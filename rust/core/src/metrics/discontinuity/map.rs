@@ -4,8 +4,8 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::neighbourhood::Neighbourhood;
-use super::pairs::Sums;
-use super::points::{BANDS, Points};
+use super::pairs::PairSums;
+use super::points::{BANDS, TruthPoints};
 use crate::base::{Error, Progress, Result};
 use crate::camera::Camera;
 
@@ -31,15 +31,15 @@ pub fn discontinuity(
     if u32::try_from(position.len()).is_err() || width == 0 {
         return Err(Error::value("frame", "fewer than 2³² pixels", position.len()));
     }
-    let points = Points::new(position, origin, width, truth, epsilon);
+    let points = TruthPoints::new(position, origin, width, truth, epsilon);
     progress.expect(points.len() as u64);
     let groups: Vec<usize> = (0..points.bands.len()).step_by(GROUP).collect();
     // Every pair once, for both of its points: a task's sums reach into the bands of the next one.
     let sums = |&first: &usize| {
         let bands = first..points.bands.len().min(first + GROUP);
-        Sums::of(&points, bands, neighbourhood, progress)
+        PairSums::of(&points, bands, neighbourhood, progress)
     };
-    let sums: Vec<Sums> = groups.par_iter().map(sums).collect::<Result<_>>()?;
+    let sums: Vec<PairSums> = groups.par_iter().map(sums).collect::<Result<_>>()?;
     let mut image = vec![f32::NAN; position.len()];
     for (number, own) in sums.iter().enumerate() {
         let before = number.checked_sub(1).map(|before| &sums[before]);

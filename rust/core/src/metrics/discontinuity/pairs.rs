@@ -3,15 +3,15 @@
 use std::ops::Range;
 
 use super::neighbourhood::Neighbourhood;
-use super::points::{BANDS, LANES, Points};
-use crate::base::simd::fused_kernels;
-use crate::base::{Progress, Result};
+use super::points::{BANDS, LANES, TruthPoints};
+use crate::base::simd::vectorized;
+use crate::base::{Progress, Real, Result};
 
 /// Points after which is asked whether to go on.
 const SOURCES: usize = 1 << 10;
 
 /// Sums over the pairs of a task's points with those behind them, for both points of each.
-pub(super) struct Sums {
+pub(super) struct PairSums {
     /// The task's points; behind them those that its pairs reach.
     pub own: Range<usize>,
     /// Of |p − q| / |p₀(p) − p₀(q)| − 1.
@@ -19,8 +19,8 @@ pub(super) struct Sums {
     count: Vec<f32>,
 }
 
-impl Sums {
-    pub fn of(points: &Points, bands: Range<usize>, around: Neighbourhood, progress: &Progress) -> Result<Self> {
+impl PairSums {
+    pub fn of(points: &TruthPoints, bands: Range<usize>, around: Neighbourhood, progress: &Progress) -> Result<Self> {
         let own = points.bands[bands.start].1.start..points.bands[bands.end - 1].1.end;
         let last = points.bands.len().min(bands.end + BANDS) - 1;
         let room = points.bands[last].1.end - own.start + LANES;
@@ -58,7 +58,7 @@ struct Target {
 }
 
 /// The bands that a band's points look for neighbours in: itself and those behind it.
-fn targets(points: &Points, band: usize, epsilon: f64) -> ([Target; BANDS + 1], usize) {
+fn targets(points: &TruthPoints, band: usize, epsilon: f64) -> ([Target; BANDS + 1], usize) {
     let mut targets: [Target; BANDS + 1] = Default::default();
     let mut count = 0;
     let number = points.bands[band].0;
@@ -77,18 +77,18 @@ fn targets(points: &Points, band: usize, epsilon: f64) -> ([Target; BANDS + 1], 
     (targets, count)
 }
 
-fused_kernels! {
-    fn add_pairs(points: &Points, source: Range<usize>, targets: &[Target], limits: [f32; 2], sums: &mut Sums) = pairs;
+vectorized! {
+    fn add_pairs(points: &TruthPoints, source: Range<usize>, targets: &[Target], limits: [f32; 2], sums: &mut PairSums) = fused pairs;
 }
 
 /// Two windows that move along a band's points: from the first to after the last one within reach.
 #[inline(always)]
 fn pairs<const FUSED: bool>(
-    points: &Points,
+    points: &TruthPoints,
     source: Range<usize>,
     targets: &[Target],
     limits: [f32; 2],
-    sums: &mut Sums,
+    sums: &mut PairSums,
 ) {
     let mut windows = [[0usize; 2]; BANDS + 1];
     for (window, target) in windows.iter_mut().zip(targets) {
@@ -138,12 +138,12 @@ fn pairs<const FUSED: bool>(
 #[inline(always)]
 #[expect(clippy::too_many_arguments, reason = "what stays in registers")]
 fn block<const FUSED: bool, const WHOLE: bool>(
-    points: &Points,
+    points: &TruthPoints,
     at: usize,
     few: usize,
     of: [f32; 4],
     [farthest, least]: [f32; 2],
-    sums: &mut Sums,
+    sums: &mut PairSums,
     excess: &mut [f32; LANES],
     count: &mut [f32; LANES],
 ) {
@@ -163,11 +163,11 @@ fn block<const FUSED: bool, const WHOLE: bool>(
     for lane in 0..LANES {
         let (dx, dy) = (x[lane] - of[0], y[lane] - of[1]);
         let (u, v) = (dx + (shift_x[lane] - of[2]), dy + (shift_y[lane] - of[3]));
-        let shown = fuse::<FUSED>(dx, dx, dy * dy);
-        let truth = fuse::<FUSED>(u, u, v * v);
+        let shown = f32::fuse::<FUSED>(dx, dx, dy * dy);
+        let truth = f32::fuse::<FUSED>(u, u, v * v);
         let raised = if truth > least { truth } else { least };
         // √(shown / raised), without a division.
-        let torn = fuse::<FUSED>(shown, inverse_root::<FUSED>(shown * raised), -1.0);
+        let torn = f32::fuse::<FUSED>(shown, inverse_root::<FUSED>(shown * raised), -1.0);
         let counts = (truth < farthest) & (WHOLE || lane < few);
         let (torn, one) = (if counts { torn } else { 0.0 }, if counts { 1.0 } else { 0.0 });
         excess[lane] += torn;
@@ -184,14 +184,9 @@ fn inverse_root<const FUSED: bool>(a: f32) -> f32 {
     let half = -0.5 * a;
     let mut y = f32::from_bits(0x5f37_59df - (a.to_bits() >> 1));
     for _ in 0..3 {
-        y *= fuse::<FUSED>(half * y, y, 1.5);
+        y *= f32::fuse::<FUSED>(half * y, y, 1.5);
     }
     y
-}
-
-#[inline(always)]
-fn fuse<const FUSED: bool>(a: f32, b: f32, c: f32) -> f32 {
-    if FUSED { a.mul_add(b, c) } else { a * b + c }
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ const FARTHEST: f64 = 1e7;
 /// is held apart: float32 alone would be off by 1e-4 of a pixel, and the truth itself would not be whole. Behind the last
 /// there is room for a vector's lanes.
 #[derive(Default)]
-pub(super) struct Points {
+pub(super) struct TruthPoints {
     pub x: Vec<f32>,
     pub y: Vec<f32>,
     pub shift_x: Vec<f32>,
@@ -37,7 +37,7 @@ struct Place {
     truth: DVec2,
 }
 
-impl Points {
+impl TruthPoints {
     pub fn new(position: &[[f32; 3]], origin: DVec3, width: usize, truth: &Camera, epsilon: f64) -> Self {
         let place = |(pixel, at): (usize, &[f32; 3])| {
             let point = Vec3::from_array(*at).as_dvec3() + origin;

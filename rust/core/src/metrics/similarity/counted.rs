@@ -4,7 +4,7 @@ use super::super::plane::Plane;
 
 /// Sums over the pixels that count.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Sums {
+pub struct SimilaritySums {
     /// Of the measure.
     pub similarity: f64,
     /// Of its second factor alone, which compares contrast and structure; 0 where it is not wanted.
@@ -13,7 +13,7 @@ pub struct Sums {
     pub pixels: f64,
 }
 
-impl Sums {
+impl SimilaritySums {
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             similarity: self.similarity + other.similarity,

@@ -3,9 +3,10 @@
 //! one level for many windows does not serve.
 
 use super::super::pair::Pair;
-use super::super::plane::{Part, Plane, Real, mirror};
+use super::super::plane::{Plane, Region, mirror};
 use super::measure::Source;
-use crate::base::simd::widest;
+use crate::base::Real;
+use crate::base::simd::vectorized;
 
 /// Windows side by side.
 const LANES: usize = 8;
@@ -27,7 +28,7 @@ impl<'a> Patch<'a> {
         pair: &Pair<'_, P>,
         weights: &'a [f64],
         constants: [f64; 2],
-        part: &Part,
+        part: &Region,
         mask: Option<&Plane<'_, u8>>,
     ) -> Self {
         let size = [pair.reference.height, pair.reference.width];
@@ -75,7 +76,7 @@ impl<'a> Patch<'a> {
     }
 }
 
-widest! {
+vectorized! {
     fn measure_block(patch: &Patch<'_>, from: usize) -> [[f64; 2]; LANES] = block;
 }
 

@@ -3,10 +3,11 @@
 use rayon::prelude::*;
 
 use super::super::pair::Pair;
-use super::super::plane::{Part, Plane, Real};
-use super::counted::{Counted, Mask, Sums};
+use super::super::plane::{Plane, Region};
+use super::counted::{Counted, Mask, SimilaritySums};
 use super::direct::measured;
 use super::measure::{Measured, Source};
+use crate::base::Real;
 
 /// Pixels of one task, and of a row at once: fixed, so that sums do not depend on the number of threads.
 const TASK: usize = 1 << 14;
@@ -17,14 +18,14 @@ pub(super) fn global<P: Source>(
     constants: [f64; 2],
     counted: Counted<'_>,
     map: Option<&mut [P::Real]>,
-) -> Sums {
+) -> SimilaritySums {
     let (height, width) = (pair.reference.height, pair.reference.width);
     let named = counted.mask.map(|mask| *mask.plane());
     let seen = named.filter(|_| matches!(counted.mask, Some(Mask::Windows(_))));
-    let whole = Part { rows: [0, height], columns: [0, width] };
+    let whole = Region { rows: [0, height], columns: [0, width] };
     let part = seen.map_or(whole, |mask| mask.bounds(whole));
     if part.is_empty() {
-        return Sums::default();
+        return SimilaritySums::default();
     }
     let levels = pair.levels(&part, seen.as_ref());
     let rows = (TASK / width).max(1);
@@ -46,7 +47,7 @@ pub(super) fn global<P: Source>(
         map.fill(P::Real::narrow(similarity));
     }
     let count = named.map_or(pixels, |mask| mask.count() as f64);
-    Sums { similarity: similarity * count, contrast: contrast * count, pixels: count }
+    SimilaritySums { similarity: similarity * count, contrast: contrast * count, pixels: count }
 }
 
 fn add(sums: [f64; 5], more: [f64; 5]) -> [f64; 5] {
@@ -57,7 +58,7 @@ fn add(sums: [f64; 5], more: [f64; 5]) -> [f64; 5] {
 fn row_sums<P: Source>(
     pair: &Pair<'_, P>,
     row: usize,
-    part: Part,
+    part: Region,
     levels: [f64; 2],
     seen: Option<Plane<'_, u8>>,
 ) -> [f64; 5] {

@@ -4,12 +4,13 @@
 use rayon::prelude::*;
 
 use super::super::pair::Pair;
-use super::super::plane::{Part, Plane, Real};
+use super::super::plane::{Plane, Region};
 use super::super::vectors::{LANES, lanes};
-use super::counted::Sums;
+use super::counted::SimilaritySums;
 use super::direct::Patch;
 use super::measure::{Measure, Measurement, Source};
-use crate::base::simd::fused_kernels;
+use crate::base::Real;
+use crate::base::simd::vectorized;
 
 /// Rows of one task: fixed, so that sums do not depend on the number of threads.
 const ROWS: usize = 64;
@@ -33,11 +34,11 @@ type Fields = [Vec<f64>; FIELDS];
 
 impl<P: Source> Masked<'_, P> {
     /// Sums over the pixels that the mask names. In the map the others are NaN.
-    pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> Sums {
+    pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> SimilaritySums {
         let (height, width) = (self.mask.height, self.mask.width);
-        let named = self.mask.bounds(Part { rows: [0, height], columns: [0, width] });
+        let named = self.mask.bounds(Region { rows: [0, height], columns: [0, width] });
         let rows = |band: usize| [band * ROWS, height.min((band + 1) * ROWS)];
-        let each: Vec<Sums> = match map {
+        let each: Vec<SimilaritySums> = match map {
             Some(map) => {
                 map.fill(P::Real::narrow(f64::NAN));
                 let bands = map.par_chunks_mut(ROWS * width).enumerate();
@@ -48,11 +49,11 @@ impl<P: Source> Masked<'_, P> {
                 bands.map(|band| self.band(named.within_rows(rows(band)), None)).collect()
             }
         };
-        each.into_iter().fold(Sums::default(), Sums::and)
+        each.into_iter().fold(SimilaritySums::default(), SimilaritySums::and)
     }
 
-    fn band(&self, part: Part, mut map: Option<(&mut [P::Real], usize)>) -> Sums {
-        let mut sums = Sums::default();
+    fn band(&self, part: Region, mut map: Option<(&mut [P::Real], usize)>) -> SimilaritySums {
+        let mut sums = SimilaritySums::default();
         let [first, end] = part.columns;
         if part.is_empty() {
             return sums;
@@ -121,18 +122,18 @@ impl<P: Source> Masked<'_, P> {
     }
 
     /// About the means of what the mask names of a part, or one such value.
-    fn levels(&self, part: Part) -> [f64; 2] {
+    fn levels(&self, part: Region) -> [f64; 2] {
         let mut rows = part.rows[0]..part.rows[1];
         let named = |row| self.mask.first_and_last(row, part.columns).map(|(first, _)| (row, first));
         let (row, column) = rows.find_map(named).unwrap_or((part.rows[0], part.columns[0]));
-        let near = Part { rows: [row, part.rows[1]], columns: [column, part.columns[1]] };
+        let near = Region { rows: [row, part.rows[1]], columns: [column, part.columns[1]] };
         let levels = self.pair.levels(&near, Some(&self.mask));
         let first = [&self.pair.reference, &self.pair.test].map(|image| image.at(row, column).wide());
         if self.mask.names_samples(&near) { levels } else { first }
     }
 
     /// A row of fields, from `before` pixels left of the part on.
-    fn load(&self, row: Option<usize>, part: Part, levels: [f64; 2], before: usize, line: &mut Fields) {
+    fn load(&self, row: Option<usize>, part: Region, levels: [f64; 2], before: usize, line: &mut Fields) {
         line.iter_mut().for_each(|field| field.fill(0.0));
         let Some(row) = row else { return };
         for column in (part.columns[0]..part.columns[1]).filter(|&column| self.mask.names(row, column)) {
@@ -146,9 +147,9 @@ impl<P: Source> Masked<'_, P> {
     }
 }
 
-fused_kernels! {
-    fn sum_along(line: &[f64], weights: &[f64], sums: &mut [f64]) = along<_>;
-    fn sum_down(ring: &[Fields], field: usize, first: usize, weights: &[f64], sums: &mut [f64]) = down;
+vectorized! {
+    fn sum_along(line: &[f64], weights: &[f64], sums: &mut [f64]) = fused along<_>;
+    fn sum_down(ring: &[Fields], field: usize, first: usize, weights: &[f64], sums: &mut [f64]) = fused down;
 }
 
 /// Weighted sums of a line's values; the nth begins at its nth value.

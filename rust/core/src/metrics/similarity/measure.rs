@@ -1,11 +1,11 @@
 //! The measure itself, from means and variances of both images' sum and difference.
 
 use super::super::pixel_rows::PixelRows;
-use super::super::plane::Real;
+use super::super::plane::RoundingLimits;
 use super::super::vectors::LANES;
 use super::moments::{COLUMNS, Kernels, Moments};
-use crate::base::simd::fused_kernels;
-use crate::base::simd::widest;
+use crate::base::Real;
+use crate::base::simd::vectorized;
 
 /// What turns moments into similarity.
 #[derive(Clone, Copy, Debug)]
@@ -16,7 +16,7 @@ pub struct Measure<R> {
     pub constants: [R; 2],
 }
 
-impl<R: Real> Measure<R> {
+impl<R: RoundingLimits> Measure<R> {
     /// Similarity, and where wanted its second factor, from mean and variance of s and of d. With S and D the sum and the
     /// difference of both means, both factors are 1 less something that is never negative:
     /// l = 1 − D²/((S²+D²)/2+c₁) and cs = 1 − σd²/((σs²+σd²)/2 + c₂). Either order of the images gives the same bits.
@@ -60,9 +60,9 @@ pub struct Measurement<R> {
 }
 
 /// Precisions that similarity is measured in.
-pub trait Measured: Real {
+pub trait Measured: RoundingLimits {
     /// Similarity of a row of windows; adds up it and, where wanted, its second factor over those that count.
-    fn measure(measure: &Measure<Self>, s: &Moments<Self>, d: &Moments<Self>, row: &mut Row<Self>);
+    fn measure(measure: &Measure<Self>, s: &Moments<Self>, d: &Moments<Self>, row: &mut WindowRow<Self>);
     /// Sums of s, d, s² and d².
     fn power_sums(s: &[Self], d: &[Self]) -> [f64; 4];
 }
@@ -74,7 +74,7 @@ impl<P: PixelRows<Real: Kernels + Measured>> Source for P {}
 /// A row of windows.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
-pub struct Row<R> {
+pub struct WindowRow<R> {
     /// 1 for those that count and 0 for the others.
     pub counts: [R; COLUMNS],
     /// Their similarity.
@@ -93,22 +93,20 @@ pub struct Row<R> {
 
 macro_rules! measured {
     ($($real:ty: $both:ident, $one:ident, $powers:ident);*) => {$(
-        fused_kernels! {
+        vectorized! {
             fn $both(
-                measure: &Measure<$real>, s: &Moments<$real>, d: &Moments<$real>, row: &mut Row<$real>,
-            ) = both<_>;
+                measure: &Measure<$real>, s: &Moments<$real>, d: &Moments<$real>, row: &mut WindowRow<$real>,
+            ) = fused both<_>;
             fn $one(
-                measure: &Measure<$real>, s: &Moments<$real>, d: &Moments<$real>, row: &mut Row<$real>,
-            ) = one<_>;
-        }
-        widest! {
+                measure: &Measure<$real>, s: &Moments<$real>, d: &Moments<$real>, row: &mut WindowRow<$real>,
+            ) = fused one<_>;
             fn $powers(s: &[$real], d: &[$real]) -> [f64; 4] = power_sums;
         }
         impl Measured for $real {
             fn power_sums(s: &[Self], d: &[Self]) -> [f64; 4] {
                 $powers(s, d)
             }
-            fn measure(measure: &Measure<Self>, s: &Moments<Self>, d: &Moments<Self>, row: &mut Row<Self>) {
+            fn measure(measure: &Measure<Self>, s: &Moments<Self>, d: &Moments<Self>, row: &mut WindowRow<Self>) {
                 if row.contrast { $both(measure, s, d, row) } else { $one(measure, s, d, row) }
             }
         }
@@ -118,21 +116,31 @@ macro_rules! measured {
 measured!(f32: both_f32, one_f32, powers_f32; f64: both_f64, one_f64, powers_f64);
 
 #[inline(always)]
-fn both<R: Real, const FUSED: bool>(measure: &Measure<R>, s: &Moments<R>, d: &Moments<R>, row: &mut Row<R>) {
+fn both<R: RoundingLimits, const FUSED: bool>(
+    measure: &Measure<R>,
+    s: &Moments<R>,
+    d: &Moments<R>,
+    row: &mut WindowRow<R>,
+) {
     measure_row::<R, true, FUSED>(measure, s, d, row);
 }
 
 #[inline(always)]
-fn one<R: Real, const FUSED: bool>(measure: &Measure<R>, s: &Moments<R>, d: &Moments<R>, row: &mut Row<R>) {
+fn one<R: RoundingLimits, const FUSED: bool>(
+    measure: &Measure<R>,
+    s: &Moments<R>,
+    d: &Moments<R>,
+    row: &mut WindowRow<R>,
+) {
     measure_row::<R, false, FUSED>(measure, s, d, row);
 }
 
 #[inline(always)]
-fn measure_row<R: Real, const CONTRAST: bool, const FUSED: bool>(
+fn measure_row<R: RoundingLimits, const CONTRAST: bool, const FUSED: bool>(
     measure: &Measure<R>,
     s: &Moments<R>,
     d: &Moments<R>,
-    row: &mut Row<R>,
+    row: &mut WindowRow<R>,
 ) {
     let mut sums = row.sums;
     let (mut lost, all) = ([0u32; LANES], row.all);

@@ -17,7 +17,7 @@ mod tests;
 mod window;
 mod windows;
 
-pub use counted::{Counted, Mask, Sums};
+pub use counted::{Counted, Mask, SimilaritySums};
 pub use measure::Source;
 pub use scales::{Shrunk, multiscale};
 pub use ssim::similarity;

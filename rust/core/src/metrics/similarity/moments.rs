@@ -5,9 +5,9 @@
 //! what is left to subtract is at most the variance over the middle's weight (one of the values averaged is the middle
 //! itself), so that the relative error is a few roundings over that weight, at any level.
 
-use super::super::plane::Real;
 use super::super::vectors::{LANES, lanes};
-use crate::base::simd::fused_kernels;
+use crate::base::Real;
+use crate::base::simd::vectorized;
 
 /// Most windows of a row that are taken together: with those of a window's rows they stay in the first-level cache.
 pub(super) const COLUMNS: usize = 128;
@@ -38,11 +38,11 @@ pub trait Kernels: Real {
 
 macro_rules! kernels {
     ($($real:ty: $across:ident, $down:ident);*) => {$(
-        fused_kernels! {
-            fn $across(line: &[$real], weights: &[$real], moments: &mut Moments<$real>, blocks: usize) = across<_>;
+        vectorized! {
+            fn $across(line: &[$real], weights: &[$real], moments: &mut Moments<$real>, blocks: usize) = fused across<_>;
             fn $down(
                 rows: &[Moments<$real>], order: &[usize], weights: &[$real], moments: &mut Moments<$real>, blocks: usize,
-            ) = down<_>;
+            ) = fused down<_>;
         }
         impl Kernels for $real {
             fn across(line: &[Self], weights: &[Self], moments: &mut Moments<Self>, blocks: usize) {

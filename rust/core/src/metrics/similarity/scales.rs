@@ -4,12 +4,12 @@
 use rayon::prelude::*;
 
 use super::super::pair::Pair;
-use super::super::plane::{Pixel, Plane, Real, mirror};
+use super::super::plane::{Pixel, Plane, mirror};
 use super::counted::Counted;
 use super::measure::Source;
 use super::ssim::similarity;
 use super::window::{Similarity, Window};
-use crate::base::{Error, Result};
+use crate::base::{Error, Real, Result};
 
 /// Both images of a pair made smaller.
 pub struct Shrunk<R> {

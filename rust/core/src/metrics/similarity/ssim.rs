@@ -1,7 +1,7 @@
 //! Similarity of a pair by any window.
 
 use super::super::pair::Pair;
-use super::counted::{Counted, Mask, Sums};
+use super::counted::{Counted, Mask, SimilaritySums};
 use super::global::global;
 use super::masked::Masked;
 use super::measure::Source;
@@ -17,7 +17,7 @@ pub fn similarity<P: Source>(
     constants: Similarity,
     counted: Counted<'_>,
     map: Option<&mut [P::Real]>,
-) -> Result<Sums> {
+) -> Result<SimilaritySums> {
     let size = [pair.reference.height, pair.reference.width];
     if let Some(mask) = counted.mask {
         pair.reference.expect_size("mask", [mask.plane().height, mask.plane().width])?;
@@ -59,7 +59,7 @@ mod tests {
                 (sums, map)
             };
             assert!(of(&a, &a).1.iter().all(|&value| value == 1.0));
-            assert_eq!(of(&a, &a).0, Sums { similarity: 35.0, contrast: 35.0, pixels: 35.0 });
+            assert_eq!(of(&a, &a).0, SimilaritySums { similarity: 35.0, contrast: 35.0, pixels: 35.0 });
             assert_eq!(of(&a, &b), of(&b, &a));
             assert!(of(&a, &b).1.iter().all(|&value| value < 1.0));
         }

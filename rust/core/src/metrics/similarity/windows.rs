@@ -3,12 +3,13 @@
 use rayon::prelude::*;
 
 use super::super::pair::Pair;
-use super::super::plane::{Part, Real, mirror};
+use super::super::plane::{Region, mirror};
 use super::super::vectors::LANES;
-use super::counted::{Counted, Mask, Sums};
+use super::counted::{Counted, Mask, SimilaritySums};
 use super::direct::Patch;
-use super::measure::{Measure, Measured, Row, Source};
+use super::measure::{Measure, Measured, Source, WindowRow};
 use super::moments::{COLUMNS, Kernels, Moments};
+use crate::base::Real;
 use crate::base::simd::prefetch;
 
 /// Rows of one task: fixed, so that sums do not depend on the number of threads.
@@ -33,23 +34,23 @@ impl<'a, P: Source> Windows<'a, P> {
     }
 
     /// Sums over the windows that count.
-    pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> Sums {
+    pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> SimilaritySums {
         let (height, width) = (self.pair.reference.height, self.pair.reference.width);
         let inside = self.inside();
         let band = |rows: [usize; 2], mut map: Option<&mut [P::Real]>| {
-            let wanted = if map.is_some() { Part { rows, columns: [0, width] } } else { inside.within_rows(rows) };
+            let wanted = if map.is_some() { Region { rows, columns: [0, width] } } else { inside.within_rows(rows) };
             let mut bench = Bench::new(self.weights.len(), self.counted.contrast);
-            let mut sums = Sums::default();
+            let mut sums = SimilaritySums::default();
             let mut start = wanted.columns[0];
             while start < wanted.columns[1] && !wanted.is_empty() {
                 let end = wanted.columns[1].min(start + TILE_BYTES / size_of::<P::Real>());
-                let mut part = Part { rows: wanted.rows, columns: [start, end] };
+                let mut part = Region { rows: wanted.rows, columns: [start, end] };
                 start = end;
                 if let (None, Some(mask)) = (&map, &self.counted.mask) {
                     part = mask.plane().bounds(part);
                 }
                 if !part.is_empty() {
-                    let map = map.as_deref_mut().map(|values| Rows { values, width, top: rows[0] });
+                    let map = map.as_deref_mut().map(|values| MapRows { values, width, top: rows[0] });
                     sums = sums.and(self.tile(&part, inside, &mut bench, map));
                 }
             }
@@ -57,28 +58,34 @@ impl<'a, P: Source> Windows<'a, P> {
         };
         let bands = height.div_ceil(ROWS);
         let rows = |band: usize| [band * ROWS, height.min((band + 1) * ROWS)];
-        let each: Vec<Sums> = match map {
+        let each: Vec<SimilaritySums> = match map {
             Some(map) => {
                 map.par_chunks_mut(ROWS * width).enumerate().map(|(n, map)| band(rows(n), Some(map))).collect()
             }
             None => (0..bands).into_par_iter().map(|n| band(rows(n), None)).collect(),
         };
-        each.into_iter().fold(Sums::default(), Sums::and)
+        each.into_iter().fold(SimilaritySums::default(), SimilaritySums::and)
     }
 
     /// Where windows count that a mask does not rule out.
-    fn inside(&self) -> Part {
+    fn inside(&self) -> Region {
         let (height, width) = (self.pair.reference.height, self.pair.reference.width);
         let taps = self.weights.len();
         let (before, after) = (taps / 2, taps - 1 - taps / 2);
         if self.counted.all || height < taps || width < taps {
-            return Part { rows: [0, height], columns: [0, width] };
+            return Region { rows: [0, height], columns: [0, width] };
         }
-        Part { rows: [before, height - after], columns: [before, width - after] }
+        Region { rows: [before, height - after], columns: [before, width - after] }
     }
 
     /// In the pixels' own precision, or where that loses digits in float64, or window by window.
-    fn tile(&self, part: &Part, inside: Part, bench: &mut Bench<P::Real>, mut map: Option<Rows<'_, P::Real>>) -> Sums {
+    fn tile(
+        &self,
+        part: &Region,
+        inside: Region,
+        bench: &mut Bench<P::Real>,
+        mut map: Option<MapRows<'_, P::Real>>,
+    ) -> SimilaritySums {
         let levels = self.pair.levels(part, self.counted.mask.as_ref().map(Mask::plane));
         bench.row.all = map.is_some();
         let narrow = |row: usize, places: &[usize], lines: [&mut [P::Real]; 2]| {
@@ -104,13 +111,13 @@ impl<'a, P: Source> Windows<'a, P> {
     /// All windows of a part in a precision; none where that does not hold what they need.
     fn pass<R: Kernels + Measured>(
         &self,
-        part: &Part,
-        inside: Part,
+        part: &Region,
+        inside: Region,
         (levels, weights): ([f64; 2], &[R]),
         bench: &mut Bench<R>,
-        mut map: Option<&mut Rows<'_, P::Real>>,
+        mut map: Option<&mut MapRows<'_, P::Real>>,
         load: impl Fn(usize, &[usize], [&mut [R]; 2]),
-    ) -> Option<Sums> {
+    ) -> Option<SimilaritySums> {
         if self.constants.iter().any(|&c| c < R::LEAST || c > R::GREATEST)
             || levels.iter().any(|l| l.abs() > R::GREATEST)
         {
@@ -164,13 +171,13 @@ impl<'a, P: Source> Windows<'a, P> {
             }
         }
         let [similarity, contrast] = bench.row.sums.map(|lanes| lanes.iter().sum());
-        Some(Sums { similarity, contrast, pixels })
+        Some(SimilaritySums { similarity, contrast, pixels })
     }
 
-    fn one_by_one(&self, part: &Part, inside: Part, mut map: Option<Rows<'_, P::Real>>) -> Sums {
+    fn one_by_one(&self, part: &Region, inside: Region, mut map: Option<MapRows<'_, P::Real>>) -> SimilaritySums {
         let patch = Patch::new(&self.pair, self.weights, self.constants, part, None);
         let ([first, end], is_mapped) = (part.columns, map.is_some());
-        let mut sums = Sums::default();
+        let mut sums = SimilaritySums::default();
         for row in part.rows[0]..part.rows[1] {
             let counts = |n: usize| {
                 let named = |mask: Mask<'_>| mask.plane().names(row, first + n);
@@ -180,7 +187,7 @@ impl<'a, P: Source> Windows<'a, P> {
             patch.measure_row(row - part.rows[0], wanted, |n, similarity, contrast| {
                 if counts(n) {
                     let contrast = if self.counted.contrast { contrast } else { 0.0 };
-                    sums = sums.and(Sums { similarity, contrast, pixels: 1.0 });
+                    sums = sums.and(SimilaritySums { similarity, contrast, pixels: 1.0 });
                 }
                 if let Some(map) = &mut map {
                     map.write(row, first + n, &[similarity]);
@@ -205,13 +212,13 @@ impl<'a, P: Source> Windows<'a, P> {
 }
 
 /// Rows of a map, from the `top` one on.
-struct Rows<'a, R> {
+struct MapRows<'a, R> {
     values: &'a mut [R],
     width: usize,
     top: usize,
 }
 
-impl<R: Real> Rows<'_, R> {
+impl<R: Real> MapRows<'_, R> {
     fn write<S: Real>(&mut self, row: usize, column: usize, values: &[S]) {
         let at = (row - self.top) * self.width + column;
         for (slot, value) in self.values[at..].iter_mut().zip(values) {
@@ -229,7 +236,7 @@ struct Bench<R> {
     /// Where in the ring the last rows are that were read, the earliest first: those of a window.
     order: Vec<usize>,
     moments: [Moments<R>; 2],
-    row: Row<R>,
+    row: WindowRow<R>,
     /// Windows of the row that count.
     counted: f64,
 }
@@ -244,7 +251,7 @@ impl<R: Real> Bench<R> {
             rows: [rows(), rows()],
             order: (0..taps).collect(),
             moments: [Moments::default(), Moments::default()],
-            row: Row {
+            row: WindowRow {
                 counts: [R::default(); COLUMNS],
                 similarity: [R::default(); COLUMNS],
                 blocks: 0,
@@ -258,7 +265,7 @@ impl<R: Real> Bench<R> {
     }
 
     /// Marks the windows of a part that count.
-    fn count(&mut self, part: &Part, inside: Part) {
+    fn count(&mut self, part: &Region, inside: Region) {
         let [from, to] = columns_inside(part, inside);
         self.row.counts.fill(R::default());
         self.row.counts[from..to].fill(R::narrow(1.0));
@@ -272,7 +279,7 @@ impl<R: Real> Bench<R> {
     }
 
     /// The same for a row of a mask.
-    fn mask(&mut self, mask: Mask<'_>, row: usize, part: &Part, inside: Part) {
+    fn mask(&mut self, mask: Mask<'_>, row: usize, part: &Region, inside: Region) {
         let [from, to] = columns_inside(part, inside);
         self.count_none();
         for column in from..to {
@@ -284,7 +291,7 @@ impl<R: Real> Bench<R> {
 }
 
 /// Columns of a part, from its first one, that lie inside.
-fn columns_inside(part: &Part, inside: Part) -> [usize; 2] {
+fn columns_inside(part: &Region, inside: Region) -> [usize; 2] {
     let [first, end] = part.columns;
     let from = inside.columns[0].clamp(first, end);
     [from - first, inside.columns[1].clamp(from, end) - first]

@@ -8,7 +8,7 @@ use super::backdrop::{Backdrop, sample_of};
 use super::shown::Shown;
 use crate::camera::Footprint;
 use crate::scene::Scene;
-use crate::trace::{Filter, Hit, Ray, closest_hits};
+use crate::trace::{Hit, HitFilter, Ray, closest_hits};
 
 pub(super) struct Bent<'a> {
     pub scene: &'a Scene,
@@ -25,7 +25,7 @@ struct Split<'a> {
     beyond: bool,
 }
 
-impl Filter for Split<'_> {
+impl HitFilter for Split<'_> {
     #[inline]
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
         let Bent { scene, shown, backdrop, radius } = self.bent;

@@ -2,7 +2,7 @@
 
 use glam::{Vec3, Vec4};
 
-use crate::bend::{Curve, Stretch};
+use crate::bend::{RayCurve, Stretch};
 
 /// Most legs between the radii; rays that need more are bent one by one.
 pub(super) const MOST_LEGS: usize = 32;
@@ -26,7 +26,7 @@ pub(super) struct Corner {
 impl Corner {
     /// None for rays of users outside r₁ and upright ones, and where even the most legs miss the curve by more than a
     /// tolerance in radians.
-    pub fn new(curve: &Curve<'_>, tolerance: f64) -> Option<Self> {
+    pub fn new(curve: &RayCurve<'_>, tolerance: f64) -> Option<Self> {
         let stretch = between_radii(curve)?;
         let (mut beside, mut legs) = ([0.0; MOST_LEGS + 1], 1);
         beside[1] = curve.beside;
@@ -55,7 +55,7 @@ impl Corner {
 }
 
 /// The one stretch between the radii of a ray that a user inside r₁ sees; none for other users and upright rays.
-fn between_radii(curve: &Curve<'_>) -> Option<Stretch> {
+fn between_radii(curve: &RayCurve<'_>) -> Option<Stretch> {
     match curve.stretches()[..] {
         [within, between] if within.straight && !between.straight => Some(between),
         _ => None,
@@ -69,7 +69,7 @@ fn place(stretch: &Stretch, k: f64, legs: usize) -> f64 {
 }
 
 /// Whether any chord misses the curve, at its middle or between that and its ends: where a curve winds, chords cross it.
-fn misses(curve: &Curve<'_>, stretch: &Stretch, beside: &[f64], tolerance: f64) -> bool {
+fn misses(curve: &RayCurve<'_>, stretch: &Stretch, beside: &[f64], tolerance: f64) -> bool {
     let legs = beside.len() - 1;
     let miss = |k: usize, t: f64| {
         curve.miss(place(stretch, k as f64 + t, legs), beside[k] + (beside[k + 1] - beside[k]) * t) > tolerance
@@ -78,7 +78,7 @@ fn misses(curve: &Curve<'_>, stretch: &Stretch, beside: &[f64], tolerance: f64) 
 }
 
 /// Puts a bend between each two of so many legs.
-fn halve(curve: &Curve<'_>, stretch: &Stretch, beside: &mut [f64; MOST_LEGS + 1], legs: usize) {
+fn halve(curve: &RayCurve<'_>, stretch: &Stretch, beside: &mut [f64; MOST_LEGS + 1], legs: usize) {
     let coarse = *beside;
     for k in 0..legs {
         let (a, b) = (coarse[k], coarse[k + 1]);

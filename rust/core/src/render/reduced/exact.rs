@@ -10,7 +10,7 @@ use super::backdrop::{Backdrop, closest, sample_of};
 use super::lattice::{Cell, Lattice};
 use super::moving::Moving;
 use crate::base::{Progress, Result};
-use crate::bend::{Curve, on_ground};
+use crate::bend::{RayCurve, on_ground};
 use crate::camera::{Camera, Footprint};
 use crate::morph::{Kind, Morph};
 use crate::scene::Scene;
@@ -125,7 +125,7 @@ impl<'a> Exact<'a> {
 
     /// One ray, bent by itself.
     fn trace_alone(&self, ray: &mut Ray, hit: &mut Hit) {
-        let curve = Curve::new(&self.morph, ray.direction.as_dvec3().normalize());
+        let curve = RayCurve::new(&self.morph, ray.direction.as_dvec3().normalize());
         let points = curve.polyline(self.tolerance);
         let end = curve.end().map(|(s, _)| s);
         let mut trace = |from: DVec3, to: DVec3, t_max: f32| {

@@ -12,7 +12,7 @@ use glam::{Vec3, Vec4, Vec4Swizzles};
 use super::super::tiles::TILE;
 use super::corner::{Corner, LEAST_LEGS, MOST_LEGS};
 use crate::base::Aabb;
-use crate::bend::Curve;
+use crate::bend::RayCurve;
 use crate::camera::{Camera, Rays};
 use crate::morph::Morph;
 
@@ -107,7 +107,7 @@ impl Lattice {
 
     fn bent(&self, column: f64, row: f64) -> Option<Corner> {
         let direction = self.rays.at(column * TILE as f64, row * TILE as f64).1;
-        Corner::new(&Curve::new(&self.morph, direction), CHORD * self.tolerance_at(column, row))
+        Corner::new(&RayCurve::new(&self.morph, direction), CHORD * self.tolerance_at(column, row))
     }
 
     fn corner(&self, column: usize, row: usize) -> Option<&Corner> {

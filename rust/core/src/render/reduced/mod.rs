@@ -10,4 +10,4 @@ mod reduced_scene;
 mod shown;
 mod straight;
 
-pub use reduced_scene::{Drawing, FrameCounts, Join, Method, Reduced};
+pub use reduced_scene::{Drawing, FrameCounts, Join, MorphMethod, Reduced};

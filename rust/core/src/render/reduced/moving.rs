@@ -7,7 +7,7 @@ use glam::Vec3;
 use super::super::tiles::PIXELS;
 use super::backdrop::Backdrop;
 use crate::scene::Scene;
-use crate::trace::{AlphaFilter, Filter, Hit, Ray, closest_hits};
+use crate::trace::{AlphaFilter, Hit, HitFilter, Ray, closest_hits};
 
 /// Moving objects of a scene in one pose, with their numbers in the whole scene.
 pub(super) struct Moving {
@@ -53,7 +53,7 @@ impl Moving {
         }
     }
 
-    fn search<F: Filter>(&self, filter: F, rays: &[Ray], found: &mut [Hit]) {
+    fn search<F: HitFilter>(&self, filter: F, rays: &[Ray], found: &mut [Hit]) {
         if self.cutouts {
             closest_hits(&self.scene, rays, &AlphaFilter { scene: &self.scene, inner: filter }, found);
         } else {
@@ -67,7 +67,7 @@ struct Before<'a> {
     backdrop: &'a Backdrop<'a>,
 }
 
-impl Filter for Before<'_> {
+impl HitFilter for Before<'_> {
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
         candidate.t <= self.backdrop.range_limit(ray.direction)
     }

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::DVec3;
 
 use super::super::frame::{Channels, Frame};
-use super::super::tiles::{View, check_reach, draw};
+use super::super::tiles::{RenderView, check_reach, draw};
 use super::backdrop::{Backdrop, Far};
 use super::shown::NearGeometry;
 use super::{bent, exact, straight};
@@ -41,7 +41,7 @@ impl Join {
 
 /// How the morph is applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
+pub enum MorphMethod {
     /// To vertices, as a vertex shader would.
     Vertex,
     /// To rays: every pixel shows what its bent ray meets.
@@ -56,7 +56,7 @@ pub struct Drawing {
     /// Colour samples of each pixel.
     pub samples: u32,
     /// How the morph is applied.
-    pub method: Method,
+    pub method: MorphMethod,
     /// True for the map as it was baked; false for the ideal picture, whose far part is traced from the centre.
     pub mapped: bool,
     /// By how many of this view's finest pixels a triangle may miss the morph of its points (larger ones are split for the
@@ -126,7 +126,7 @@ impl Reduced {
     /// Draws a view from the user's position, the camera's. `scene` is the reduced one, its moving objects in any pose.
     pub fn render(&self, scene: &Scene, camera: &Camera, drawing: &Drawing, progress: &Progress) -> Result<Frame> {
         self.check(scene, camera, drawing)?;
-        let view = View { camera, origin: scene.origin, channels: drawing.channels, samples: drawing.samples };
+        let view = RenderView { camera, origin: scene.origin, channels: drawing.channels, samples: drawing.samples };
         let center = self.center - scene.origin;
         let [r1, r2] = self.radii;
         let radius = if let Join::Conventional { radius } = self.join { radius } else { r2 };
@@ -139,7 +139,7 @@ impl Reduced {
         let morph = Morph::new(camera.position - scene.origin, center, r1, r2, kind)?;
         let backdrop = Backdrop { morph: Some(morph), ..backdrop };
         let tolerance = drawing.tolerance_px * self.pixel_angle(camera);
-        if drawing.method == Method::Exact {
+        if drawing.method == MorphMethod::Exact {
             let picture = exact::Exact::new(scene, camera, morph, backdrop, drawing.tolerance_px, progress)?;
             self.remember(FrameCounts { moving: picture.moving_triangles(), bounded: true, ..FrameCounts::default() });
             return draw(&view, &picture, progress);
@@ -175,7 +175,7 @@ impl Reduced {
         if drawing.mapped {
             self.check_channels(drawing.channels)?;
         }
-        let bends = drawing.method == Method::Exact && self.join.kind().is_some();
+        let bends = drawing.method == MorphMethod::Exact && self.join.kind().is_some();
         if camera.is_parallel() && (self.map.is_some() || bends) {
             let expected = "a perspective view or a cube face, because a map and bent rays show what one eye sees";
             return Err(Error::value("camera", expected, "parallel rays"));

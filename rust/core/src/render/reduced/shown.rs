@@ -13,7 +13,7 @@ use crate::tessellate::{self, Precision, Rule, Settings};
 
 /// A piece of a scene's face: where its three corners lie on that face.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
+pub(super) struct NearPiece {
     pub instance: u32,
     pub face: u32,
     /// Weights of the face's second and third corner at the piece's corners.
@@ -23,7 +23,7 @@ pub(super) struct Piece {
 /// Corners of a face on itself.
 const WHOLE: [[f32; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 
-impl Piece {
+impl NearPiece {
     /// Weights on the face for weights on the piece. For a whole face they are the same, bit for bit.
     #[inline]
     pub fn on_face(&self, u: f32, v: f32) -> (f32, f32) {
@@ -36,7 +36,7 @@ impl Piece {
 /// Pieces and the mesh that they are traced as, face by face.
 #[derive(Clone, Debug)]
 struct Part {
-    pieces: Arc<Vec<Piece>>,
+    pieces: Arc<Vec<NearPiece>>,
     instance: Instance,
 }
 
@@ -68,7 +68,7 @@ pub(super) struct NearGeometry {
 pub(super) struct Shown {
     /// Instance 0 holds the fixed pieces, instance 1 the morphed ones that stand, instance 2 those that move.
     pub scene: Scene,
-    pieces: [Arc<Vec<Piece>>; 3],
+    pieces: [Arc<Vec<NearPiece>>; 3],
     /// Vertices that user and centre see in opposite directions.
     pub opposed: u64,
     /// The tolerance is a bound.
@@ -92,8 +92,8 @@ impl NearGeometry {
         };
         let nsf = partition.nsf().take_while(|&(instance, _)| instance < standing);
         let (fixed, bending): (Vec<_>, Vec<_>) = nsf.partition(inside);
-        let pieces = fixed.into_iter().map(|(instance, face)| Piece { instance, face, corners: WHOLE }).collect();
-        let corners = |piece: &Piece| scene.instance(piece.instance).corners(piece.face);
+        let pieces = fixed.into_iter().map(|(instance, face)| NearPiece { instance, face, corners: WHOLE }).collect();
+        let corners = |piece: &NearPiece| scene.instance(piece.instance).corners(piece.face);
         let fixed = Part::new(pieces, corners)?;
         fixed.instance.mesh.build_bvh(progress)?;
         Ok(Self { fixed: Some(fixed), bending, last: Mutex::default() })
@@ -101,7 +101,7 @@ impl NearGeometry {
 
     /// Bytes of the copies.
     pub fn bytes(&self) -> usize {
-        let fixed = self.fixed.as_ref().map_or(0, |part| part.pieces.len() * (size_of::<Piece>() + 9 * 4 + 3 * 4));
+        let fixed = self.fixed.as_ref().map_or(0, |part| part.pieces.len() * (size_of::<NearPiece>() + 9 * 4 + 3 * 4));
         fixed + size_of_val(&self.bending[..])
     }
 
@@ -165,12 +165,12 @@ impl Bending {
             let corners = scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
             let place = |piece: tessellate::Piece| {
                 let corners = piece.weights.map(|[_, u, v]| [u as f32, v as f32]);
-                (Piece { instance, face, corners }, piece.corners)
+                (NearPiece { instance, face, corners }, piece.corners)
             };
             Ok(split(tessellate::Piece::whole(corners))?.into_iter().map(place).collect())
         });
-        let triangles: Vec<Vec<(Piece, [DVec3; 3])>> = triangles.collect::<Result<_>>()?;
-        let triangles: Vec<(Piece, [DVec3; 3])> = triangles.into_iter().flatten().collect();
+        let triangles: Vec<Vec<(NearPiece, [DVec3; 3])>> = triangles.collect::<Result<_>>()?;
+        let triangles: Vec<(NearPiece, [DVec3; 3])> = triangles.into_iter().flatten().collect();
         progress.check()?;
         let morphed = |corner: DVec3| {
             let shown = morph.examine(corner);
@@ -202,7 +202,7 @@ fn rule_of(morph: &Morph, tolerance: f64) -> Result<Rule> {
 }
 
 impl Part {
-    fn new(pieces: Vec<Piece>, mut corners: impl FnMut(&Piece) -> [Vec3; 3]) -> Result<Self> {
+    fn new(pieces: Vec<NearPiece>, mut corners: impl FnMut(&NearPiece) -> [Vec3; 3]) -> Result<Self> {
         let positions: Vec<[f32; 3]> = pieces.iter().flat_map(|piece| corners(piece).map(|p| p.to_array())).collect();
         let faces = (0..pieces.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
         let (objects, materials) = (FaceMap::Uniform(-1), FaceMap::Uniform(-1));
@@ -215,7 +215,7 @@ impl Part {
 impl Shown {
     /// The piece that a hit on `scene` belongs to.
     #[inline]
-    pub fn piece(&self, instance: u32, face: u32) -> &Piece {
+    pub fn piece(&self, instance: u32, face: u32) -> &NearPiece {
         &self.pieces[instance as usize][face as usize]
     }
 

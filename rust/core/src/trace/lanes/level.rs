@@ -9,7 +9,7 @@ use crate::base::{Error, Result};
 
 /// The instruction sets that there are kernels for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Level {
+pub(crate) enum InstructionSet {
     /// Arrays; the compiler makes of them what every processor of the target has.
     Portable,
     /// 256 bits.
@@ -20,7 +20,7 @@ pub(crate) enum Level {
     Avx512(Avx512),
 }
 
-impl Level {
+impl InstructionSet {
     /// All that this processor has, the best last.
     pub(crate) fn available() -> Vec<Self> {
         let mut levels = vec![Self::Portable];
@@ -52,13 +52,13 @@ impl Level {
     }
 }
 
-static LEVELS: OnceLock<Vec<Level>> = OnceLock::new();
+static LEVELS: OnceLock<Vec<InstructionSet>> = OnceLock::new();
 /// Position in `LEVELS`; beyond the end stands for the best.
 static CHOSEN: AtomicUsize = AtomicUsize::new(usize::MAX);
 
 /// Names of the instruction sets that this processor has kernels for, the best last.
 pub fn instruction_sets() -> Vec<&'static str> {
-    LEVELS.get_or_init(Level::available).iter().map(|level| level.name()).collect()
+    LEVELS.get_or_init(InstructionSet::available).iter().map(|level| level.name()).collect()
 }
 
 /// Makes all tracing of this process use one of them. The answers are the same bits; this is for tests and timing.

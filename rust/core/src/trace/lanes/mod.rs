@@ -13,7 +13,7 @@ mod x86;
 
 pub(crate) use array::Portable;
 pub(crate) use isa::{Isa, Lanes};
-pub(crate) use level::Level;
+pub(crate) use level::InstructionSet;
 pub use level::{instruction_sets, use_instruction_set};
 #[cfg(target_arch = "x86_64")]
 pub(crate) use x86::{Avx2, Avx512};

@@ -8,7 +8,7 @@ use nearfar_core::camera::Camera;
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::morph::{Kind, Morph};
 use nearfar_core::partition::Partition;
-use nearfar_core::render::reduced::{self, Drawing, FrameCounts, Join, Method};
+use nearfar_core::render::reduced::{self, Drawing, FrameCounts, Join, MorphMethod};
 use nearfar_core::scene::{Instance, Scene};
 
 use super::near::{Geometry, Near};
@@ -58,7 +58,7 @@ impl Reduced {
         progress: &Progress,
     ) -> Result<Job> {
         reduced.check(scene, camera, drawing)?;
-        if drawing.method == Method::Exact && matches!(self.join, Join::Morph(_)) {
+        if drawing.method == MorphMethod::Exact && matches!(self.join, Join::Morph(_)) {
             let expected = "'vertex' on a graphics adapter: rays are bent by the tracer, backend='cpu'";
             return Err(Error::value("method", expected, "'exact'"));
         }
