@@ -23,6 +23,7 @@ from nearfar.lod._levels import Level, Levels
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._place import empty
 from nearfar.lod._select.switches import Switches, switches
+from nearfar.lod._select.threshold import LodThreshold, threshold_of
 
 if TYPE_CHECKING:
     from nearfar._scene import glb
@@ -36,12 +37,10 @@ def write(
     path: Path,
     *,
     view: Hmd | Camera | Fov,
-    k: SupportsFloat,
-    d: SupportsFloat,
-    threshold: str,
+    threshold: LodThreshold,
 ) -> None:
     """Write a model; `LodModel.export` says how."""
-    found = switches(model, view=view, k=k, d=d, threshold=threshold)
+    found = switches(model, view=view, threshold=threshold)
     document = _file.document(model) | {"switches": engine_levels(model, found)}
     match path.suffix.lower():
         case ".json":
@@ -128,9 +127,9 @@ def export(
     path: str | os.PathLike[str],
     *,
     view: Hmd | Camera | Fov,
-    k: SupportsFloat = 0.27,
-    d: SupportsFloat = 0.90,
-    threshold: str = "anchored",
+    k: SupportsFloat | None = None,
+    d: SupportsFloat | None = None,
+    threshold: LodThreshold | str | None = None,
 ) -> None:
     """Write a scene whose objects have levels as GLB that engines switch by themselves.
 
@@ -156,13 +155,14 @@ def export(
     """
     from nearfar._scene import glb
 
+    least_score = threshold_of(threshold, k, d)
     core, table, target = core_of(scene), scene._table, check.path("path", path)
     if target.suffix.lower() != ".glb":
         raise ValueError(f"path: expected a name ending in .glb, got {os.fspath(path)!r}")
     if table is None:
         _save(target, glb.encode(core, scene.object_names))
         return
-    found = [switches(model, view=view, k=k, d=d, threshold=threshold) for model in table.models]
+    found = [switches(model, view=view, threshold=least_score) for model in table.models]
     chosen = table.row_of >= 0
     placements, numbers = _core.placements_of(core, chosen)
     rest = core.without_objects(chosen)

@@ -14,6 +14,7 @@ from nearfar.hmd._hmd import Hmd
 from nearfar.lod import _export, _file
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.selector import Selector
+from nearfar.lod._select.threshold import LodThreshold, threshold_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -74,9 +75,9 @@ class LodModel(MeasuredLevels):
         path: str | os.PathLike[str],
         *,
         view: Hmd | Camera | Fov,
-        k: float = 0.27,
-        d: float = 0.90,
-        threshold: str = "anchored",
+        k: float | None = None,
+        d: float | None = None,
+        threshold: LodThreshold | str | None = None,
     ) -> None:
         """Write the model for engines, whole or not at all, so that they switch levels where the curves say.
 
@@ -102,7 +103,7 @@ class LodModel(MeasuredLevels):
         ----------
         Khronos Group: glTF 2.0, extension MSFT_lod.
         """
-        _export.write(self, check.path("path", path), view=view, k=k, d=d, threshold=threshold)
+        _export.write(self, check.path("path", path), view=view, threshold=threshold_of(threshold, k, d))
 
     def selector(self, mode: str) -> Selector:
         """Return the `Selector` that `nearfar.render` uses where it is given a mode alone: all else at its defaults."""

@@ -12,6 +12,7 @@ from nearfar.lod._model import LodModel
 from nearfar.lod._select.selection import Selection
 from nearfar.lod._select.selector import Selector
 from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE
+from nearfar.lod._select.threshold import LodThreshold
 
 
 def select(
@@ -23,9 +24,9 @@ def select(
     camera: Camera | Sequence[Camera],
     lens: RadialLens | None = None,
     lens_radius: float | None = None,
-    k: float = 0.27,
-    d: float = 0.90,
-    threshold: str = "anchored",
+    k: float | None = None,
+    d: float | None = None,
+    threshold: LodThreshold | str | None = None,
     mode: str = "depth+eccentricity",
     reference: float | None = None,
     cull: bool = True,
@@ -63,11 +64,8 @@ def select(
     lens_radius
         tan ω of the lens, the tangent at which r = 1, such as `Hmd.tan_half_angle`. By default the greatest to the left
         or right of any eye.
-    k, d
-        How the threshold rises with size, and where it starts.
-    threshold
-        f: "anchored" is d + k (σ − σ₁/₁₆), so that d is what viewers accepted at 1/16 of the screen. "literal" is
-        kσ + d, "normalized" d + k (σ/σ₁/₁₆ − 1).
+    k, d, threshold
+        f: a `LodThreshold` as `threshold`, or else its k and d, and its kind as `threshold`.
     mode
         "off": level 0 for all and no work, so that nothing is culled. "depth": σ′ = σ. "depth+eccentricity": σ′ is
         what the lens leaves of σ (`corrected_solid_angle`); without a lens that is "depth". "fovea": what the eye sees

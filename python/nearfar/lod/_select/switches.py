@@ -9,11 +9,11 @@ from typing import SupportsFloat
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.size import half_tangent, reference_solid_angle
+from nearfar.lod._select.threshold import LodThreshold, threshold_of
 
 _STEPS = 1024
 """Sizes between which a curve is looked at for crossing the threshold: both are monotonic as a rule."""
@@ -56,9 +56,9 @@ def switches(
     model: MeasuredLevels,
     *,
     view: Hmd | Camera | Fov,
-    k: SupportsFloat = 0.27,
-    d: SupportsFloat = 0.90,
-    threshold: str = "anchored",
+    k: SupportsFloat | None = None,
+    d: SupportsFloat | None = None,
+    threshold: LodThreshold | str | None = None,
 ) -> Switches:
     """Work out at which sizes the levels of a model take over.
 
@@ -90,7 +90,8 @@ def switches(
         For arguments out of their domains.
     """
     fov = _fov(view)
-    sizes = _good_sizes(model, reference_solid_angle(view), _line(view, k, d, threshold))
+    reference = reference_solid_angle(view)
+    sizes = _good_sizes(model, reference, threshold_of(threshold, k, d).line(reference))
     sine = np.sqrt(np.where(sizes < 2 * math.pi, sizes / (2 * math.pi) * (2 - sizes / (2 * math.pi)), 1.0))
     width, height = fov.right - fov.left, fov.up - fov.down
     with np.errstate(divide="ignore"):
@@ -102,19 +103,6 @@ def switches(
     return Switches(sizes, distance, coverage, tall)
 
 
-def _line(view: Hmd | Camera | Fov, k: SupportsFloat, d: SupportsFloat, threshold: str) -> tuple[float, float]:
-    """Slope and start of f(σ)."""
-    slope, start = check.number("k", k), check.number("d", d)
-    reference = reference_solid_angle(view)
-    match check.choice("threshold", threshold, ("anchored", "literal", "normalized")):
-        case "anchored":
-            return slope, start - slope * reference
-        case "literal":
-            return slope, start
-        case _:
-            return slope / reference, start - slope
-
-
 def _good_sizes(model: MeasuredLevels, reference: float, line: tuple[float, float]) -> NDArray[np.float64]:
     """The size up to which each level is good enough; 4π for level 0."""
     sizes = np.full(len(model), 4 * math.pi)
@@ -122,7 +110,7 @@ def _good_sizes(model: MeasuredLevels, reference: float, line: tuple[float, floa
         return sizes
     least, most = model.sigma
     most = min(most, reference)
-    slope, start = line
+    start, slope = line
 
     def is_good(sigma: NDArray[np.float64]) -> NDArray[np.bool_]:
         """(K − 1, M) for M sizes that all share, or for (K − 1, M)."""
