@@ -24,7 +24,7 @@ from benchmarks.harness.compare import OURS, Case, compare, describe
 from benchmarks.harness.timing import machine, table
 from nearfar import _core
 from nearfar.lod._simplify import carry, deviation
-from nearfar.lod._simplify.collapse import Quadrics
+from nearfar.lod._simplify.quadrics import QuadricSimplifier
 from nearfar.lod._simplify.surface import Base, Surface
 
 Array = NDArray[Any]
@@ -74,7 +74,7 @@ def shares(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
     base = Base(mesh)
     target = len(base.surface.faces) // 10
     ticks = [time.perf_counter()]
-    simplifier = Quadrics(base.surface, base.places)
+    simplifier = QuadricSimplifier(base.surface, base.places)
     ticks.append(time.perf_counter())
     surface = simplifier.level(target)
     ticks.append(time.perf_counter())

@@ -15,6 +15,7 @@ import nearfar as nf
 from nearfar.lod._measure import one_object
 from nearfar.lod._measure import scores as level_scores
 from nearfar.lod._measure import views as level_views
+from nearfar.lod._measure.one_object import coarsest_of_steps
 from nearfar.lod._measure.score_cache import SUFFIX
 from tests.support import data, need, printed_by_threads
 from tests.support.lod_cases import (
@@ -151,12 +152,17 @@ def test_pixels_are_those_of_the_headset() -> None:
 
 # which levels are kept, and how far they are measured ----------------------------------------------------------------
 def test_each_step_keeps_its_coarsest_level() -> None:
-    assert one_object.stepped(np.array([1.0, 0.99, 0.96, 0.93, 0.80]), 0.05) == [0, 2, 3, 4]
-    assert one_object.stepped(np.array([1.0, 0.95, 0.90, 0.85]), 0.05) == [0, 1, 2, 3]  # at a step is above it
-    assert one_object.stepped(np.array([1.0, 0.7, 0.9, 0.5]), 0.05) == [0, 2, 3]  # coarser and better
-    assert one_object.stepped(np.array([1.0, 0.7, 0.9, 0.5]), None) == [0, 1, 2, 3]
-    assert one_object.stepped(np.array([1.0, 1.0, 1.0]), 0.05) == [0, 2]
-    assert one_object.stepped(np.array([1.0, -0.2]), 0.05) == [0, 1]
+    assert coarsest_of_steps(np.array([1.0, 0.99, 0.96, 0.93, 0.80]), 0.05) == [0, 2, 3, 4]
+    assert coarsest_of_steps(np.array([1.0, 0.95, 0.90, 0.85]), 0.05) == [
+        0,
+        1,
+        2,
+        3,
+    ]  # at a step is above it
+    assert coarsest_of_steps(np.array([1.0, 0.7, 0.9, 0.5]), 0.05) == [0, 2, 3]  # coarser and better
+    assert coarsest_of_steps(np.array([1.0, 0.7, 0.9, 0.5]), None) == [0, 1, 2, 3]
+    assert coarsest_of_steps(np.array([1.0, 1.0, 1.0]), 0.05) == [0, 2]
+    assert coarsest_of_steps(np.array([1.0, -0.2]), 0.05) == [0, 1]
     random = np.random.default_rng(0)
     for _ in range(200):
         found = np.concatenate([[1.0], random.uniform(-0.1, 1, random.integers(1, 9))])
@@ -164,7 +170,7 @@ def test_each_step_keeps_its_coarsest_level() -> None:
         for n in range(1, 30):
             above = [k for k in range(1, len(found)) if found[k] >= 1 - 0.05 * n]
             kept |= {max(above)} if above else set()
-        assert one_object.stepped(found, 0.05) == sorted(kept)
+        assert coarsest_of_steps(found, 0.05) == sorted(kept)
 
 
 def test_levels_left_out_are_measured_no_further() -> None:
@@ -175,7 +181,7 @@ def test_levels_left_out_are_measured_no_further() -> None:
     assert whole.samples is not None
     kept = [list(whole.triangles).index(count) for count in model.triangles]
     assert len(kept) < 4
-    assert set(kept) == {0}.union(*(one_object.stepped(whole.samples.score[:, size], 0.3) for size in range(4)))
+    assert set(kept) == {0}.union(*(coarsest_of_steps(whole.samples.score[:, size], 0.3) for size in range(4)))
     assert model.levels is not None
     assert [level.triangle_count for level in model.levels] == list(model.triangles)
     np.testing.assert_array_equal(model.errors, whole.errors[kept])
@@ -304,7 +310,7 @@ def test_damaged_scores_are_measured_again(tmp_path: Path) -> None:
 def test_what_was_done_before_ctrl_c_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
     own = levels(16, 8, 4)
     whole = nf.lod.measure(own, **SMALL, step=None, cache=False)
-    monkeypatch.setattr(one_object, "MOST_PIXELS", 4000)
+    monkeypatch.setattr(one_object, "MAX_BLOCK_PIXELS", 4000)
     left = [7]
 
     def scores(*given: Any) -> Any:

@@ -80,7 +80,7 @@ from nearfar.lod._measure import one_object, score_cache
 from tests.support.lod_cases import levels
 
 # Workers import this module as well.
-one_object.MOST_PIXELS, score_cache.EVERY = 10_000, 0.1
+one_object.MAX_BLOCK_PIXELS, score_cache.SAVE_INTERVAL_S = 10_000, 0.1
 
 if __name__ == "__main__":
     objects = [levels(40, 20 - n) for n in range(4)]

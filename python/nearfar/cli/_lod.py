@@ -16,6 +16,9 @@ from nearfar.cli._output import bytes_text, check_target, count, show
 
 VERSION = 1
 
+# Their class attributes are the defaults of the options.
+Settings, Threshold = nf.lod.MeasureSettings, nf.lod.LodThreshold
+
 
 def lod(
     scene: Input,
@@ -34,13 +37,17 @@ def lod(
     normals: Annotated[
         str, typer.Option("--normals", metavar="keep|smooth|flat", help="How levels are shaded: see nf.lod.simplify.")
     ] = "keep",
-    views: Annotated[int, typer.Option("--views", metavar="N", help="Sides that levels are looked at from.")] = 144,
-    distances: Annotated[int, typer.Option("--distances", metavar="N", help="Sizes at which they are.")] = 16,
-    k: Annotated[float, typer.Option("--k", metavar="K", help="Slope of the threshold.")] = 0.27,
-    d: Annotated[float, typer.Option("--d", metavar="D", help="The threshold at 1/16 of the screen.")] = 0.90,
+    views: Annotated[
+        int, typer.Option("--views", metavar="N", help="Sides that levels are looked at from.")
+    ] = Settings.views,
+    distances: Annotated[
+        int, typer.Option("--distances", metavar="N", help="Sizes at which they are.")
+    ] = Settings.distances,
+    k: Annotated[float, typer.Option("--k", metavar="K", help="Slope of the threshold.")] = Threshold.k,
+    d: Annotated[float, typer.Option("--d", metavar="D", help="The threshold at 1/16 of the screen.")] = Threshold.d,
     threshold: Annotated[
         str, typer.Option("--threshold", metavar="KIND", help="How it is read: anchored, literal or normalized.")
-    ] = "anchored",
+    ] = Threshold.kind,
     backend: Backend = "auto",
     up: Up = "y",
     on_invalid: Invalid = "raise",

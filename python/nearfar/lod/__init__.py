@@ -5,6 +5,7 @@ from nearfar.lod._levels import Level, Levels
 from nearfar.lod._measure.fit import Curve4PL, fit_4pl
 from nearfar.lod._measure.measure import measure
 from nearfar.lod._measure.samples import Samples
+from nearfar.lod._measure.settings import MeasureSettings
 from nearfar.lod._model import LodModel
 from nearfar.lod._place import place
 from nearfar.lod._select.select import select
@@ -12,6 +13,7 @@ from nearfar.lod._select.selection import Selection
 from nearfar.lod._select.selector import Selector
 from nearfar.lod._select.size import acuity, distortion, reference_solid_angle
 from nearfar.lod._select.switches import Switches, switches
+from nearfar.lod._select.threshold import LodThreshold
 from nearfar.lod._simplify.simplify import simplify
 
 __all__ = [
@@ -19,6 +21,8 @@ __all__ = [
     "Level",
     "Levels",
     "LodModel",
+    "LodThreshold",
+    "MeasureSettings",
     "Samples",
     "Selection",
     "Selector",

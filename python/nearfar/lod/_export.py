@@ -1,4 +1,4 @@
-"""Models and scenes of levels as GLB with `MSFT_lod`: engines switch where the curves say, and we get all back."""
+"""Models and scenes of levels as GLB with `MSFT_lod`: engines switch at the sizes that the curves give."""
 
 from __future__ import annotations
 
@@ -23,6 +23,7 @@ from nearfar.lod._levels import Level, Levels
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._place import empty
 from nearfar.lod._select.switches import Switches, switches
+from nearfar.lod._select.threshold import LodThreshold, threshold_of
 
 if TYPE_CHECKING:
     from nearfar._scene import glb
@@ -36,23 +37,21 @@ def write(
     path: Path,
     *,
     view: Hmd | Camera | Fov,
-    k: SupportsFloat,
-    d: SupportsFloat,
-    threshold: str,
+    threshold: LodThreshold,
 ) -> None:
-    """Write a model; `LodModel.export` says how."""
-    found = switches(model, view=view, k=k, d=d, threshold=threshold)
-    document = _file.document(model) | {"switches": engine_levels(model, found)}
+    """Write a model; `LodModel.export` documents the files."""
+    sizes = switches(model, view=view, threshold=threshold)
+    document = _file.document(model) | {"switches": engine_levels(model, sizes)}
     match path.suffix.lower():
         case ".json":
             _save(path, formats.to_json(document).encode())
         case ".glb":
-            _save(path, _glb_of(model, found, document))
+            _save(path, _glb_of(model, sizes, document))
         case _:
             raise ValueError(f"path: expected a name ending in .glb or .json, got {os.fspath(path)!r}")
 
 
-def _glb_of(model: MeasuredLevels, found: Switches, document: dict[str, Any]) -> bytes:
+def _glb_of(model: MeasuredLevels, sizes: Switches, document: dict[str, Any]) -> bytes:
     # Files alone need an imaging library.
     from nearfar._scene import glb
 
@@ -62,13 +61,13 @@ def _glb_of(model: MeasuredLevels, found: Switches, document: dict[str, Any]) ->
     objects = np.arange(len(levels), dtype=np.int32)
     encoder = glb.Encoder(_core.with_instances(core, levels, everywhere, objects, len(levels)), names)
     nodes = [encoder.place(number) for number in range(len(levels))]
-    _link(encoder.nodes, nodes, found)
-    kept = [
+    _link(encoder.nodes, nodes, sizes)
+    geometry = [
         {"ratio": level.ratio, "error": level.error, "mean_error": level.mean_error, "note": level.note}
         for level in _geometry(model)
     ]
     frame = [] if model.levels is None else model.levels.frame.tolist()
-    _extras(encoder.nodes[nodes[0]])[OURS] = document | {"geometry": kept, "frame": frame}
+    _extras(encoder.nodes[nodes[0]])[OURS] = document | {"geometry": geometry, "frame": frame}
     return encoder.finish(nodes[:1], **_used(nodes))
 
 
@@ -94,19 +93,19 @@ def _fields(decoder: glb.Decoder, path: Path) -> dict[str, Any]:
     fields = _file.fields(document, path)
     chain = [finest, *(nodes[number] for number in finest.get("extensions", {}).get(EXTENSION, {"ids": []})["ids"])]
     surfaces = decoder.surfaces()
-    kept = document["geometry"]
-    if not len(chain) == len(kept) == len(fields["triangles"]):
+    geometry = document["geometry"]
+    if not len(chain) == len(geometry) == len(fields["triangles"]):
         raise ValueError(f"expected {len(fields['triangles'])} levels, got {len(chain)} nodes")
     name = fields["name"]
     levels = [
         Level(
             scene=_scene(decoder.mesh(node), surfaces, name),
-            ratio=check.number("ratio", said["ratio"]),
-            error=check.number("error", said["error"]),
-            mean_error=check.number("mean_error", said["mean_error"]),
-            note=str(said["note"]),
+            ratio=check.number("ratio", level["ratio"]),
+            error=check.number("error", level["error"]),
+            mean_error=check.number("mean_error", level["mean_error"]),
+            note=str(level["note"]),
         )
-        for node, said in zip(chain, kept, strict=True)
+        for node, level in zip(chain, geometry, strict=True)
     ]
     return fields | {"levels": Levels(levels, name=name, frame=document["frame"])}
 
@@ -128,9 +127,9 @@ def export(
     path: str | os.PathLike[str],
     *,
     view: Hmd | Camera | Fov,
-    k: SupportsFloat = 0.27,
-    d: SupportsFloat = 0.90,
-    threshold: str = "anchored",
+    k: SupportsFloat | None = None,
+    d: SupportsFloat | None = None,
+    threshold: LodThreshold | str | None = None,
 ) -> None:
     """Write a scene whose objects have levels as GLB that engines switch by themselves.
 
@@ -156,28 +155,29 @@ def export(
     """
     from nearfar._scene import glb
 
+    least_score = threshold_of(threshold, k, d)
     core, table, target = core_of(scene), scene._table, check.path("path", path)
     if target.suffix.lower() != ".glb":
         raise ValueError(f"path: expected a name ending in .glb, got {os.fspath(path)!r}")
     if table is None:
         _save(target, glb.encode(core, scene.object_names))
         return
-    found = [switches(model, view=view, k=k, d=d, threshold=threshold) for model in table.models]
+    sizes = [switches(model, view=view, threshold=least_score) for model in table.models]
     chosen = table.row_of >= 0
     placements, numbers = _core.placements_of(core, chosen)
     rest = core.without_objects(chosen)
-    # What has no levels comes first, then every object's levels, one instance for each, all standing.
+    # Objects without levels come first, then every object's levels, one instance for each, all standing.
     rows = [table.meshes[row] for row in table.row_of[numbers].tolist()]
     counts = np.array([len(row) for row in rows], np.int64)
     meshes = [mesh for row in rows for mesh in row]
     whole = _core.with_instances(
         rest, meshes, np.repeat(placements, counts, axis=0), np.repeat(numbers, counts).astype(np.int32), len(meshes)
     )
-    _save(target, _placed(whole, rest, scene.object_names, counts, [found[m] for m in table.model_of[numbers]]))
+    _save(target, _placed(whole, rest, scene.object_names, counts, [sizes[m] for m in table.model_of[numbers]]))
 
 
 def _placed(
-    whole: _core.Scene, rest: _core.Scene, names: Sequence[str], counts: NDArray[np.int64], found: list[Switches]
+    whole: _core.Scene, rest: _core.Scene, names: Sequence[str], counts: NDArray[np.int64], sizes: list[Switches]
 ) -> bytes:
     from nearfar._scene import glb
 
@@ -190,7 +190,7 @@ def _placed(
     tops = list(roots)
     used: dict[str, Any] = {}
     start = standing
-    for count, switch in zip(counts.tolist(), found, strict=True):
+    for count, switch in zip(counts.tolist(), sizes, strict=True):
         nodes = [encoder.place(number) for number in range(start, start + count)]
         for level, node in enumerate(nodes[1:], 1):
             encoder.nodes[node]["name"] += f"_lod{level}"
@@ -204,15 +204,15 @@ def _placed(
     return encoder.finish(roots, **used)
 
 
-def engine_levels(model: MeasuredLevels, found: Switches) -> list[dict[str, Any]]:
-    """What engines need of each level, in JSON: sizes at which it takes over in several words, None for never."""
+def engine_levels(model: MeasuredLevels, sizes: Switches) -> list[dict[str, Any]]:
+    """Entry of each level in the JSON for engines: the size at which it takes over in several units, None for never."""
     return [
         {
             "triangles": int(model.triangles[level]),
-            "solid_angle": float(found.solid_angle[level]),
-            "screen_coverage": float(found.screen_coverage[level]),
-            "screen_height": float(found.screen_height[level]),
-            "distance_per_radius": _finite(found.distance[level]),
+            "solid_angle": float(sizes.solid_angle[level]),
+            "screen_coverage": float(sizes.screen_coverage[level]),
+            "screen_height": float(sizes.screen_height[level]),
+            "distance_per_radius": _finite(sizes.distance[level]),
         }
         for level in range(len(model))
     ]
@@ -233,11 +233,11 @@ def _merged(model: MeasuredLevels) -> tuple[_core.Scene, list[_core.Mesh]]:
     return _core.with_surfaces(empty(), [level.scene._core for level in _geometry(model)])
 
 
-def _link(nodes: list[dict[str, Any]], chain: list[int], found: Switches) -> None:
-    """Say that nodes are levels of the first."""
+def _link(nodes: list[dict[str, Any]], chain: list[int], sizes: Switches) -> None:
+    """Link nodes as levels of the first."""
     if len(chain) > 1:
         nodes[chain[0]]["extensions"] = {EXTENSION: {"ids": chain[1:]}}
-        _extras(nodes[chain[0]])[COVERAGE] = found.coverages()
+        _extras(nodes[chain[0]])[COVERAGE] = sizes.coverages()
 
 
 def _move(node: dict[str, Any], origin: tuple[float, float, float]) -> None:

@@ -1,4 +1,4 @@
-"""Files of what is known about an object's levels: JSON, without geometry."""
+"""Files of models: JSON, without geometry."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ STATUSES = ("fitted", "step", "open", "flat", "unfittable")
 
 
 def write(path: Path, model: MeasuredLevels) -> None:
-    """Write a model, whole or not at all; `LodModel.save` says what is in it."""
+    """Write a model, whole or not at all; `LodModel.save` lists its contents."""
     text = formats.to_json(document(model))
     with files.atomic_file(path) as aside:
         aside.write_text(text, encoding="utf-8")
@@ -72,7 +72,7 @@ def read(path: Path) -> dict[str, Any]:
 
 
 def fields(document: dict[str, Any], path: Path) -> dict[str, Any]:
-    """Fields of a model from what `document` returned; FormatError that names the file where it is something else."""
+    """Fields of a model from what `document` returned; FormatError that names the file for anything else."""
     where = os.fspath(path)
     formats.check(document, NAME, VERSION, path)
     try:

@@ -1,4 +1,4 @@
-"""Levels of detail of one object: the same thing in fewer and fewer triangles."""
+"""Levels of detail of one object: the same surface in fewer and fewer triangles."""
 
 from __future__ import annotations
 
@@ -103,7 +103,7 @@ class Levels(Sequence[Level]):
         return self._levels[index]
 
     def __len__(self) -> int:
-        """How many levels there are."""
+        """Return the number of levels."""
         return len(self._levels)
 
     def __repr__(self) -> str:

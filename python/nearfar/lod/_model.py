@@ -1,4 +1,4 @@
-"""What is known about an object's levels: how good each looks over its size."""
+"""The model of an object's levels: the score of each over its size, with its files and its picture."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from nearfar.hmd._hmd import Hmd
 from nearfar.lod import _export, _file
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.selector import Selector
+from nearfar.lod._select.threshold import LodThreshold, threshold_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False, kw_only=True, repr=False)
 class LodModel(MeasuredLevels):
-    """Levels of an object with their curves: what `select` decides by.
+    """Levels of an object with their curves, by which `select` decides.
 
     `measure` makes it. Level 0 is the base, which looks like itself; level i > 0 has the curve `curves[i - 1]`.
 
@@ -34,7 +35,7 @@ class LodModel(MeasuredLevels):
     center, radius
         The base's bounding sphere, metres in the object's frame.
     sigma
-        Least and greatest solid angle at which was measured, steradians. Above the greatest only level 0 is used; below
+        Least and greatest solid angle that was measured, steradians. Above the greatest only level 0 is used; below
         the least, curves keep their value there.
     errors
         Greatest distance of each level (K,) from the base, metres.
@@ -43,9 +44,9 @@ class LodModel(MeasuredLevels):
     levels
         The geometry, where it is at hand; as many as `triangles`.
     measured
-        How it was measured, in values that JSON has.
+        Settings and work of the measurement, in values that JSON has.
     samples
-        What curves were fitted to; None where nothing was measured.
+        The scores that curves were fitted to; None where nothing was measured.
     """
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -61,7 +62,7 @@ class LodModel(MeasuredLevels):
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> LodModel:
-        """Read what `save` and `export` wrote, bit for bit, and of `.glb` the geometry too.
+        """Read a file of `save` or `export`, bit for bit; `.glb` brings the geometry too.
 
         FormatError for other files and newer versions, OSError for none.
         """
@@ -74,22 +75,22 @@ class LodModel(MeasuredLevels):
         path: str | os.PathLike[str],
         *,
         view: Hmd | Camera | Fov,
-        k: float = 0.27,
-        d: float = 0.90,
-        threshold: str = "anchored",
+        k: float | None = None,
+        d: float | None = None,
+        threshold: LodThreshold | str | None = None,
     ) -> None:
-        """Write the model for engines, whole or not at all, so that they switch levels where the curves say.
+        """Write the model for engines, whole or not at all: they switch levels at the sizes that the curves give.
 
         Parameters
         ----------
         path
             `.glb`: the geometry with `MSFT_lod`, and `MSFT_screencoverage` for the switches: the share of the picture's
-            area that the bounding sphere covers. Programs that don't know the extension show level 0. `.json`: what
-            `save` writes, and `switches`: sizes at which levels take over, in several words (see `switches`). GLB has
-            that document in its first node's `extras.nearfar`. `load` reads both back, bit for bit; of the levels'
+            area that the bounding sphere covers. Programs that don't know the extension show level 0. `.json`: the
+            document of `save`, and `switches`: sizes at which levels take over, in several units (see `switches`). GLB
+            has that document in its first node's `extras.nearfar`. `load` reads both back, bit for bit; of the levels'
             scenes it keeps triangles, surfaces and normals, all of one object.
         view, k, d, threshold
-            For what screen and threshold switches are worked out, as `switches` takes them.
+            The screen and the threshold, as in `switches`.
 
         Raises
         ------
@@ -102,7 +103,7 @@ class LodModel(MeasuredLevels):
         ----------
         Khronos Group: glTF 2.0, extension MSFT_lod.
         """
-        _export.write(self, check.path("path", path), view=view, k=k, d=d, threshold=threshold)
+        _export.write(self, check.path("path", path), view=view, threshold=threshold_of(threshold, k, d))
 
     def selector(self, mode: str) -> Selector:
         """Return the `Selector` that `nearfar.render` uses where it is given a mode alone: all else at its defaults."""

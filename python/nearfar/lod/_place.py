@@ -91,7 +91,7 @@ def empty(origin: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> _core.Scene:
 
 
 def _origin(frames: NDArray[np.float64]) -> tuple[float, float, float]:
-    """What suits the things that are to stand there, as other scenes choose it."""
+    """The origin for objects at these places, chosen as in other scenes."""
     places = frames[:, :3, 3]
     if not len(places) or np.abs(places).max() < ORIGIN_LIMIT:
         return 0.0, 0.0, 0.0

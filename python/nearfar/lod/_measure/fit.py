@@ -1,4 +1,4 @@
-"""Curves of four parameters through samples, many at a time."""
+"""Four-parameter logistic curves through samples, many at a time."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from numpy.typing import ArrayLike
 from nearfar import _core
 from nearfar._base import check, progress
 
-# Status and reason by the kernel's number.
 _OUTCOMES = (
     ("fitted", ""),
     ("step", "y changes between two samples, or with one in between: other b and c fit as well"),
@@ -23,8 +22,10 @@ _OUTCOMES = (
     ("unfittable", "an x is below 0"),
     ("unfittable", "the parameters are beyond float64"),
 )
+"""Status and reason by the kernel's number."""
 _STATUS, _REASON = (np.array(column) for column in zip(*_OUTCOMES, strict=True))
 _TOO_FEW = 5
+"""The kernel's number for fewer than 4 samples."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -68,7 +69,7 @@ class Curve4PL:
         return len(self.a)
 
     def __bool__(self) -> bool:
-        """True for one curve as for any number of them, as `ok` tells what they are."""
+        """True for one curve and for any number of them; `ok` tells whether they could be fitted."""
         return True
 
     def __getitem__(self, index: Any) -> Curve4PL:
@@ -152,7 +153,7 @@ def fit_4pl(x: ArrayLike, y: ArrayLike) -> Curve4PL:
     -------
     Curve4PL
         With numbers where x and y are (N,), else with arrays (K,); `a, b, c, d = fit_4pl(x, y)`. Rising y has a < d:
-        b is always above 0. Bad data never raises; `status` says what became of each curve, and `reason` why:
+        b is always above 0. Bad data never raises; `status` says how each curve was fitted, and `reason` why:
 
         - "fitted": the curve of least squares.
         - "step": y changes between two samples, or with a single one in between. The residual is the least there is;

@@ -1,9 +1,9 @@
-"""Measuring the levels of one object."""
+"""Measurement of the levels of one object: scores by size and view, the levels worth keeping, and their curves."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -14,185 +14,176 @@ from nearfar._render.renderer import Renderer
 from nearfar.lod._levels import Levels
 from nearfar.lod._measure.fit import Curve4PL, fit_4pl
 from nearfar.lod._measure.samples import Samples
-from nearfar.lod._measure.score_cache import Kept, content
+from nearfar.lod._measure.score_cache import ScoreCache, content
 from nearfar.lod._measure.scores import Pictures, pictures, scores
-from nearfar.lod._measure.views import AXES, Screen, Stand, turns
+from nearfar.lod._measure.settings import MeasureSettings
+from nearfar.lod._measure.views import AXES, Stand, turns
 from nearfar.lod._model import LodModel
 
-MOST_PIXELS = 1 << 20
-"""Of a block of views: two pictures of each are in memory, and Ctrl-C loses one level's scores of it."""
+MAX_BLOCK_PIXELS = 1 << 20
+"""Pixels of a block of views. Two pictures of each are in memory, and Ctrl-C loses one level's scores of a block."""
 
+STEPPED_SIZES = 4
+"""Sizes at which levels are kept by steps. SSIM of bumpy things dips where they are smaller, and a level that is good
+enough at 1/16 of the screen is not there: without a finer one that is, the base would be shown at all sizes."""
 
-STEPPED = 4
-"""Sizes at which levels are kept by steps. SSIM of bumpy things dips where they are smaller, and a level that is enough
-at 1/16 of the screen is not there: without a finer one that is, the base would be shown at all sizes."""
-
-
-@dataclass(frozen=True)
-class Settings:
-    """How objects are measured; `measure` says what it means."""
-
-    screen: Screen
-    views: int
-    distances: int
-    percentile: float
-    step: float | None
-    saturated: float | None
-    samples: int
-    backend: str
-    cache: bool
+STEP_TOLERANCE = 1e-9
+"""Share of a step by which a score may miss it: 0.95, which no binary number is, counts as one step of 0.05 below 1."""
 
 
 @dataclass
-class Counts:
-    """What was done, for one object."""
+class WorkCounts:
+    """Pictures and comparisons made for one object."""
 
     renders: int = 0
     scores: int = 0
 
 
-def measure_one(levels: Levels, report: progress.Report, *, settings: Settings) -> tuple[LodModel, list[int]]:
-    """A model without geometry, and the numbers of the levels that it keeps; the base is one of them."""
-    return _Job(levels, settings, report).done()
+def measure_one(levels: Levels, report: progress.Report, *, settings: MeasureSettings) -> tuple[LodModel, list[int]]:
+    """Return a model without geometry, and the numbers of the levels that it keeps; the base is one of them."""
+    return _Measurement(levels, settings, report).run()
 
 
-@dataclass
-class _Job:
-    levels: Levels
-    settings: Settings
-    report: progress.Report
-    counts: Counts = field(default_factory=Counts)
+class _Measurement:
+    """Scores of K levels at D sizes from V different turns, and which of them are known."""
 
-    def __post_init__(self) -> None:
-        levels, settings = self.levels, self.settings
+    def __init__(self, levels: Levels, settings: MeasureSettings, report: progress.Report) -> None:
         if not levels.radius > 0.0:
             raise ValueError(f"levels: expected a base that is more than a point, got radius {levels.radius}")
+        self.levels, self.settings, self.report = levels, settings, report
+        self.counts = WorkCounts()
+        self.screen = settings.screen
         center = (float(levels.center[0]), float(levels.center[1]), float(levels.center[2]))
-        self.stand = Stand(settings.screen, center, levels.radius, _reach(levels))
-        self.turns, self.shown = turns(settings.views)
+        self.stand = Stand(self.screen, center, levels.radius, _reach(levels))
+        self.turns, self.turn_of_view = turns(settings.views)
         self.sizes = range(1, settings.distances + 1)
         self.scores = np.full((len(levels), settings.distances, len(self.turns)), np.nan)
         self.scores[0] = 1.0
-        self.used = np.zeros(self.scores.shape[:2], bool)
-        self.used[0] = True
-        self.same = np.arange(len(levels)) == 0
+        self.is_measured = np.zeros(self.scores.shape[:2], bool)
+        self.is_measured[0] = True
+        self.is_base = np.arange(len(levels)) == 0
         self.backend = self.device = "cpu"
-        self.kept: Kept | None = None
+        self.cache: ScoreCache | None = None
 
-    def done(self) -> tuple[LodModel, list[int]]:
-        """Measure what has to be."""
-        chosen = list(range(len(self.levels)))
+    def run(self) -> tuple[LodModel, list[int]]:
+        """Measure all that is not known; return the model and the levels that it keeps."""
+        kept = list(range(len(self.levels)))
         if len(self.levels) > 1:
-            self._begin()
+            self._prepare()
             try:
-                chosen = self._measure()
+                kept = self._measure()
             finally:
-                # Ctrl-C keeps what is done.
-                if self.kept is not None:
-                    self.kept.save()
-        return self._model(chosen), chosen
+                # Ctrl-C keeps the scores that are there.
+                if self.cache is not None:
+                    self.cache.save()
+        return self._model(kept), kept
 
-    def _begin(self) -> None:
-        """Settle where pictures are made, once for all levels, and what is known already."""
+    def _prepare(self) -> None:
+        """Decide on which device pictures are made, once for all levels, and load the scores that are known."""
         base = self.levels[0].scene
         device = Renderer(base, ("color", "range"), self.settings.samples).device(self.settings.backend)
         if device is not None:
             self.backend, self.device = "gpu", device.label
         contents = [content(level.scene) for level in self.levels]
-        self.same[:] = [own == contents[0] for own in contents]
-        self.scores[self.same] = 1.0
+        self.is_base[:] = [one == contents[0] for one in contents]
+        self.scores[self.is_base] = 1.0
         if self.settings.cache:
-            screen, stand = self.settings.screen, self.stand
+            screen, stand = self.screen, self.stand
             place = (stand.center, stand.radius, screen.tan_half_angle, screen.pixel, screen.size)
-            how = (self.settings.views, self.settings.samples, self.device)
-            self.kept = Kept(contents, (*place, *how), self.scores)
+            pictured = (self.settings.views, self.settings.samples, self.device)
+            self.cache = ScoreCache(contents, (*place, *pictured), self.scores)
 
     def _measure(self) -> list[int]:
-        """Go from near to far; returns the levels that are kept, which are chosen at the first sizes."""
-        chosen, wanted = {0}, list(range(1, len(self.levels)))
+        """Go from near to far; returns the levels that are kept, which the first sizes decide."""
+        kept, measured = {0}, list(range(1, len(self.levels)))
         streaks = np.zeros(len(self.levels), int)
         for size in self.sizes:
-            self._fill(size, wanted)
-            self.used[wanted, size - 1] = True
-            found = self._percentiles(size)
-            if size <= STEPPED:
-                # What is measured no further looks like the base.
-                chosen.update(stepped(np.where(self.used[:, size - 1], found, 1.0), self.settings.step))
-            if size == STEPPED:
-                wanted = [number for number in wanted if number in chosen]
+            self._fill(size, measured)
+            self.is_measured[measured, size - 1] = True
+            percentiles = self._percentiles(size)
+            if size <= STEPPED_SIZES:
+                # Levels that are measured no further look like the base.
+                known = self.is_measured[:, size - 1]
+                kept.update(coarsest_of_steps(np.where(known, percentiles, 1.0), self.settings.step))
+            if size == STEPPED_SIZES:
+                measured = [number for number in measured if number in kept]
             if self.settings.saturated is not None:
-                streaks = np.where(found >= self.settings.saturated, streaks + 1, 0)
-                wanted = [number for number in wanted if streaks[number] < 2 or self.same[number]]
-        return sorted(chosen)
+                streaks = np.where(percentiles >= self.settings.saturated, streaks + 1, 0)
+                measured = [number for number in measured if streaks[number] < 2 or self.is_base[number]]
+        return sorted(kept)
 
     def _percentiles(self, size: int) -> NDArray[np.float64]:
-        of_views = self.scores[:, size - 1][:, self.shown]
-        found = np.full(len(of_views), np.nan)
-        known = self.used[:, size - 1]
-        found[known] = np.percentile(of_views[known], self.settings.percentile, axis=1, method="averaged_inverted_cdf")
-        return found
+        """The percentile over the views (K,); NaN for levels that were measured no further."""
+        scores_of_views = self.scores[:, size - 1][:, self.turn_of_view]
+        percentiles = np.full(len(scores_of_views), np.nan)
+        known = self.is_measured[:, size - 1]
+        percentiles[known] = np.percentile(
+            scores_of_views[known], self.settings.percentile, axis=1, method="averaged_inverted_cdf"
+        )
+        return percentiles
 
-    def _fill(self, size: int, wanted: list[int]) -> None:
+    def _fill(self, size: int, measured: list[int]) -> None:
         """Score levels at a size where no score is known, by blocks of views."""
         table = self.scores[:, size - 1]
         first, end, top, bottom = self.stand.box(size)
-        block = max(1, MOST_PIXELS // ((end - first) * (bottom - top)))
-        missing = np.flatnonzero(np.isnan(table[wanted]).any(axis=0)) if wanted else np.empty(0, int)
+        block = max(1, MAX_BLOCK_PIXELS // ((end - first) * (bottom - top)))
+        missing = np.flatnonzero(np.isnan(table[measured]).any(axis=0)) if measured else np.empty(0, int)
         for start in range(0, len(missing), block):
             views = missing[start : start + block]
             base: Pictures | None = None
-            for order, number in enumerate(wanted):
-                share = start + len(views) * order / len(wanted)
-                self.report(*self._progress(size, share / len(missing), len(wanted)))
+            for order, number in enumerate(measured):
+                share = start + len(views) * order / len(measured)
+                self.report(*self._progress(size, share / len(missing), len(measured)))
                 new = np.isnan(table[number, views])
                 if not new.any():
                     continue
                 base = self._pictures(0, size, views) if base is None else base
-                beside = base if new.all() else Pictures(base.luma[new], base.shown[new])
-                table[number, views[new]] = scores(beside, self._pictures(number, size, views[new]))
+                reference = base if new.all() else Pictures(base.luma[new], base.shown[new])
+                table[number, views[new]] = scores(reference, self._pictures(number, size, views[new]))
                 self.counts.scores += int(new.sum())
-            if self.kept is not None:
-                self.kept.save_at_times()
+            if self.cache is not None:
+                self.cache.save_at_times()
 
     def _pictures(self, level: int, size: int, views: NDArray[np.intp]) -> Pictures:
         self.counts.renders += len(views)
         cameras = [self.stand.camera(size, self.turns[view]) for view in views]
         return pictures(self.levels[level].scene, cameras, self.settings.samples, self.backend)
 
-    def _progress(self, size: int, share: float, wanted: int) -> tuple[int, int]:
-        """Pixels done and pixels in all, if no level that is measured now is left out later."""
+    def _progress(self, size: int, share: float, measured: int) -> tuple[int, int]:
+        """Pixels rendered and pixels in all, if no level that is measured now is left out later."""
         boxes = [self.stand.box(number) for number in self.sizes]
-        pixels = [(end - first) * (bottom - top) * (wanted + 1) for first, end, top, bottom in boxes]
+        pixels = [(end - first) * (bottom - top) * (measured + 1) for first, end, top, bottom in boxes]
         return int(sum(pixels[: size - 1]) + share * pixels[size - 1]), sum(pixels)
 
-    def _model(self, chosen: list[int]) -> LodModel:
+    def _model(self, kept: list[int]) -> LodModel:
         sigma = np.array([self.stand.sigma(size) for size in self.sizes])
         score = np.stack([self._percentiles(size) for size in self.sizes], axis=1)
-        used = np.where(self.used[..., None], self.scores[..., self.shown], np.nan)
-        samples = Samples(sigma, score[chosen], used[chosen].astype(np.float32))
-        # Levels fall to their curve's plateau, and what is not measured looks no worse than what is.
+        views = np.where(self.is_measured[..., None], self.scores[..., self.turn_of_view], np.nan)
+        samples = Samples(sigma, score[kept], views[kept].astype(np.float32))
+        # Levels fall to their curve's plateau, and sizes that are not measured look no worse than those that are.
         curves = _cautious(fit_4pl(sigma, samples.filled[1:]), samples.filled[1:])
         return LodModel(
-            triangles=np.array([self.levels[number].triangle_count for number in chosen]),
+            triangles=np.array([self.levels[number].triangle_count for number in kept]),
             curves=curves,
             center=self.levels.center,
             radius=self.levels.radius,
             sigma=(float(sigma[-1]), float(sigma[0])),
-            errors=np.array([self.levels[number].error for number in chosen]),
+            errors=np.array([self.levels[number].error for number in kept]),
             name=self.levels.name,
             samples=samples,
-            measured=self._measured(chosen, score[:, 0]),
+            measured=self._record(kept, score[:, 0]),
         )
 
-    def _measured(self, chosen: list[int], first: NDArray[np.float64]) -> dict[str, Any]:
+    def _record(self, kept: list[int], first: NDArray[np.float64]) -> dict[str, Any]:
+        """Settings and work as JSON, and the levels that are left out with their scores at the first size."""
         settings, counts = self.settings, self.counts
         most = (len(self.levels) - 1) * settings.distances * settings.views
-        cached = int(self.used[~self.same].sum()) * len(self.turns) - counts.scores
-        left = [number for number in range(len(self.levels)) if number not in chosen]
+        cached = int(self.is_measured[~self.is_base].sum()) * len(self.turns) - counts.scores
+        left_out = [number for number in range(len(self.levels)) if number not in kept]
         return {
-            "tan_half_angle": settings.screen.tan_half_angle,
-            "pixel": settings.screen.pixel,
-            "size": list(settings.screen.size),
+            "tan_half_angle": self.screen.tan_half_angle,
+            "pixel": self.screen.pixel,
+            "size": list(self.screen.size),
             "axes": [list(axis) for axis in AXES],
             "views": settings.views,
             "distances": settings.distances,
@@ -201,7 +192,7 @@ class _Job:
             "saturated": settings.saturated,
             "samples": settings.samples,
             "device": self.device,
-            "left_out": [{"triangles": self.levels[n].triangle_count, "score": float(first[n])} for n in left],
+            "left_out": [{"triangles": self.levels[n].triangle_count, "score": float(first[n])} for n in left_out],
             "renders": counts.renders,
             "scores": counts.scores,
             "cached": cached,
@@ -209,23 +200,22 @@ class _Job:
         }
 
 
-def stepped(found: NDArray[np.float64], step: float | None) -> list[int]:
-    """Numbers of the levels that are kept by their scores (K,): for each step down from 1 the coarsest that is above.
+def coarsest_of_steps(score: NDArray[np.float64], step: float | None) -> list[int]:
+    """Numbers of the levels to keep by their scores (K,): for each step down from 1 the coarsest that is above it.
 
     The base is always kept, and all are without a step.
     """
     if step is None:
-        return list(range(len(found)))
-    # Scores like 0.95, which binary numbers don't hold, are at their step.
-    steps = np.maximum(1, np.ceil((1.0 - found) / step - 1e-9)).astype(int)
-    best = {0}
+        return list(range(len(score)))
+    steps = np.maximum(1, np.ceil((1.0 - score) / step - STEP_TOLERANCE)).astype(int)
+    kept = {0}
     for allowed in np.unique(steps[1:]):
-        best.add(int(np.flatnonzero(steps <= allowed)[-1]))
-    return sorted(best)
+        kept.add(int(np.flatnonzero(steps <= allowed)[-1]))
+    return sorted(kept)
 
 
 def _reach(levels: Levels) -> float:
-    """Metres from the base's middle to the farthest corner of any level."""
+    """Metres from the base's centre to the farthest corner of any level."""
     farthest = 0.0
     for level in levels:
         scene = level.scene
@@ -234,10 +224,10 @@ def _reach(levels: Levels) -> float:
     return farthest
 
 
-def _cautious(curves: Curve4PL, rows: NDArray[np.float64]) -> Curve4PL:
-    """Flat curves at their row's least score: the mean that was fitted promises more than was seen at some sizes."""
-    if not len(rows):
+def _cautious(curves: Curve4PL, scores: NDArray[np.float64]) -> Curve4PL:
+    """Put flat curves at their least score: the mean that was fitted promises more than some sizes have shown."""
+    if not len(scores):
         return curves
     is_flat = curves.status == "flat"
-    least = rows.min(axis=1)
+    least = scores.min(axis=1)
     return replace(curves, a=np.where(is_flat, least, curves.a), d=np.where(is_flat, least, curves.d))

@@ -1,4 +1,4 @@
-"""What was measured of an object's levels, before curves were fitted to it."""
+"""Measured scores of an object's levels, to which curves are fitted."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Samples:
 
     @property
     def filled(self) -> NDArray[np.float64]:
-        """`score` where sizes that were skipped have the last score before: what curves are fitted to."""
+        """`score` (K, D) to which curves are fitted: sizes that were skipped have the last score before them."""
         known = ~np.isnan(self.score)
         last = np.maximum.accumulate(np.where(known, np.arange(len(self.sigma)), 0), axis=1)
         filled: NDArray[np.float64] = np.take_along_axis(self.score, last, axis=1)

@@ -1,4 +1,4 @@
-"""Scores of levels that outlive the process: a measurement that was stopped goes on where it was."""
+"""Scores of levels in the cache: a measurement that was stopped goes on from the scores that it had."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from nearfar._scene.scene import Scene
 from nearfar._scene.serialize import parts_of
 
 VERSION = 1
-"""Of the way levels are measured."""
+"""Version of the way levels are measured; another one finds no old scores."""
 
 SUFFIX = ".npy"
 
-EVERY = 5.0
-"""Seconds between two writings while work goes on: what a killed process loses."""
+SAVE_INTERVAL_S = 5.0
+"""Seconds between two writings while a measurement runs: a killed process loses no more."""
 
 
 def content(scene: Scene) -> str:
@@ -29,62 +29,63 @@ def content(scene: Scene) -> str:
     return cache.key("scene", parts_of(scene._core))
 
 
-class Kept:
-    """Scores of each level (D, V), NaN where there are none yet, in the cache.
+class ScoreCache:
+    """Scores of each level (D, V) in the cache, NaN where there are none yet.
 
     Parameters
     ----------
     contents
-        Of each level, the base first.
+        Hash of each level, the base first.
     settings
         All else that scores depend on.
     scores
-        (K, D, V); what is in the cache is filled in, and `save` keeps it.
+        (K, D, V); scores in the cache are filled in, and `save` writes new ones.
     """
 
     def __init__(self, contents: Sequence[str], settings: Iterable[object], scores: NDArray[np.float64]) -> None:
         settings = tuple(settings)
         base = contents[0]
-        self._keys = [cache.key("lod.measure", VERSION, __version__, base, own, settings) for own in contents]
+        self._keys = [cache.key("lod.measure", VERSION, __version__, base, level, settings) for level in contents]
         self._scores = scores
-        self._further: dict[int, NDArray[np.float64]] = {}
-        self._saved = time.monotonic()
+        self._farther: dict[int, NDArray[np.float64]] = {}
+        """Scores in the cache at more distances than ours, by level."""
+        self._saved_at = time.monotonic()
         for number in range(1, len(contents)):
             self._load(number)
-        self._known = scores.copy()
+        self._saved = scores.copy()
 
     def _load(self, number: int) -> None:
         path = cache.find(self._keys[number], SUFFIX)
         if path is None:
             return
         try:
-            found = np.load(path, allow_pickle=False)
+            stored = np.load(path, allow_pickle=False)
         except (OSError, ValueError, EOFError):
             # Removed in between, or damaged: it is measured again.
             return
-        own = self._scores[number]
-        if found.ndim != 2 or found.shape[1] != own.shape[1] or found.dtype != own.dtype:
+        scores = self._scores[number]
+        if stored.ndim != 2 or stored.shape[1] != scores.shape[1] or stored.dtype != scores.dtype:
             return
-        shared = min(len(found), len(own))
-        own[:shared] = np.where(np.isnan(own[:shared]), found[:shared], own[:shared])
-        self._further[number] = found[shared:]
+        shared = min(len(stored), len(scores))
+        scores[:shared] = np.where(np.isnan(scores[:shared]), stored[:shared], scores[:shared])
+        self._farther[number] = stored[shared:]
 
     def save_at_times(self) -> None:
-        """Keep what is new, unless that was done just before."""
-        if time.monotonic() - self._saved > EVERY:
+        """Write new scores, unless some were written just before."""
+        if time.monotonic() - self._saved_at > SAVE_INTERVAL_S:
             self.save()
 
     def save(self) -> None:
-        """Keep what is new, beside what is known of more distances than ours."""
+        """Write new scores, beside those of more distances than ours."""
         for number in range(1, len(self._keys)):
-            own = self._scores[number]
-            if np.array_equal(own, self._known[number], equal_nan=True):
+            scores = self._scores[number]
+            if np.array_equal(scores, self._saved[number], equal_nan=True):
                 continue
             cache.keep(self._keys[number], SUFFIX, partial(self._write, number))
-            self._known[number] = own
-        self._saved = time.monotonic()
+            self._saved[number] = scores
+        self._saved_at = time.monotonic()
 
     def _write(self, number: int, path: Path) -> None:
-        own = self._scores[number]
+        scores = self._scores[number]
         with open(path, "wb") as file:
-            np.save(file, np.concatenate([own, self._further.get(number, own[:0])]), allow_pickle=False)
+            np.save(file, np.concatenate([scores, self._farther.get(number, scores[:0])]), allow_pickle=False)

@@ -1,4 +1,4 @@
-"""Pictures of an object from many sides, and how alike those of a level and of the base are."""
+"""Pictures of an object from many sides, and the similarity of a level's to the base's."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from nearfar._scene.scene import Scene
 
 
 class Pictures(NamedTuple):
-    """Of one object from several sides."""
+    """Pictures of one object from V sides."""
 
     luma: NDArray[np.float64]
     """(V, H, W), Rec. 709 of 8-bit sRGB, 0 to 255, not rounded."""
     shown: NDArray[np.bool_]
-    """(V, H, W), where the object is at the pixel's centre."""
+    """(V, H, W), whether the object is at the pixel's centre."""
 
 
 def pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: str) -> Pictures:
@@ -39,5 +39,5 @@ def pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: str
 def scores(base: Pictures, level: Pictures) -> NDArray[np.float64]:
     """SSIM (V,) over the pixels where either shows the object; 1 where neither does, because both show the same."""
     either = base.shown | level.shown
-    found = ssim_pairs(base.luma, level.luma, data_range=255.0, masks=either)
-    return np.where(either.any(axis=(1, 2)), found, 1.0)
+    similarity = ssim_pairs(base.luma, level.luma, data_range=255.0, masks=either)
+    return np.where(either.any(axis=(1, 2)), similarity, 1.0)

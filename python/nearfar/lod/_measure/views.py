@@ -1,4 +1,4 @@
-"""From where an object is looked at to be measured, and which part of a headset's picture shows it."""
+"""Cameras around an object, and the part of a headset's picture that shows it."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
 
 AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 1.0, 1.0))
-"""About which objects turn: x, y, z, and the diagonal of the cube between them, in the object's frame."""
+"""Axes about which objects turn: x, y, z, and the diagonal of the cube between them, in the object's frame."""
 
-SHARE = 0.25
-"""How much of the screen's width an object covers at first, across: 1/16 of a square screen."""
+FIRST_WIDTH = 0.25
+"""Width of the bounding sphere at the first distance, as a share of the screen's: 1/16 of a square screen's area."""
 
 PADDING = 5
-"""Pixels around an object's box: what windows of 11 pixels reach beyond what they stand on."""
+"""Pixels around an object's box: SSIM windows of 11 pixels reach 5 pixels beyond their centre."""
 
 Quaternion = tuple[float, float, float, float]
 
@@ -45,7 +45,7 @@ def turns(views: int) -> tuple[list[Quaternion], NDArray[np.intp]]:
 
 @dataclass(frozen=True)
 class Screen:
-    """What pictures are taken for: an eye's picture, symmetric about the axis, with square pixels."""
+    """The screen that pictures are made for: an eye's view, symmetric about the axis, with square pixels."""
 
     tan_half_angle: float
     """Tangent of half the horizontal field of view, ω; the larger side of an asymmetric one."""
@@ -56,23 +56,23 @@ class Screen:
 
     @classmethod
     def of(cls, hmd: Hmd | None, fov: Fov | None, size: tuple[int, int] | None) -> Screen:
-        """Of a headset, or of a view and its pixels; TypeError or ValueError for neither and for both."""
+        """Make the screen of a headset, or of a view and its pixels; ValueError for neither and for both."""
         if hmd is not None:
             if fov is not None or size is not None:
                 raise ValueError("hmd: expected None beside fov and size, which say the same, got a headset")
             if not isinstance(hmd, Hmd):
                 raise TypeError(f"hmd: expected an Hmd such as nearfar.hmd.RIFT_S, got {type(hmd).__name__}")
-            return cls._made(hmd.tan_half_angle, hmd.left.fov, hmd.render_size)
+            return cls._checked(hmd.tan_half_angle, hmd.left.fov, hmd.render_size)
         if fov is None or size is None:
             raise ValueError("hmd: expected a headset such as nearfar.hmd.RIFT_S, or else both fov and size")
         if not isinstance(fov, Fov):
             raise TypeError(f"fov: expected Fov, got {type(fov).__name__}")
-        return cls._made(max(abs(fov.left), abs(fov.right)), fov, check.size("size", size))
+        return cls._checked(max(abs(fov.left), abs(fov.right)), fov, check.size("size", size))
 
     @classmethod
-    def _made(cls, tangent: float, fov: Fov, size: tuple[int, int]) -> Screen:
-        if not SHARE * tangent < 1.0:
-            degrees = 2.0 * math.degrees(math.atan(1.0 / SHARE))
+    def _checked(cls, tangent: float, fov: Fov, size: tuple[int, int]) -> Screen:
+        if not FIRST_WIDTH * tangent < 1.0:
+            degrees = 2.0 * math.degrees(math.atan(1.0 / FIRST_WIDTH))
             raise ValueError(
                 f"fov: expected less than {degrees:.4g} degrees across, so that an object can cover a sixteenth, "
                 f"got {2.0 * math.degrees(math.atan(tangent)):.4g}"
@@ -82,7 +82,7 @@ class Screen:
 
 @dataclass(frozen=True)
 class Stand:
-    """Where cameras stand about an object's bounding sphere."""
+    """Places of cameras about an object's bounding sphere, by the number of the distance, from 1 on."""
 
     screen: Screen
     center: tuple[float, float, float]
@@ -92,12 +92,12 @@ class Stand:
 
     def distance(self, number: int) -> float:
         """Metres to the centre: to the sphere's nearest point it is `number` times that of the first, 1."""
-        nearest = self.radius / (SHARE * self.screen.tan_half_angle) - self.radius
+        nearest = self.radius / (FIRST_WIDTH * self.screen.tan_half_angle) - self.radius
         return number * nearest + self.radius
 
     def sigma(self, number: int) -> float:
         """Solid angle of the sphere in steradians; of the first distance σ₁/₁₆, to the last digit."""
-        sine = SHARE * self.screen.tan_half_angle if number == 1 else self.radius / self.distance(number)
+        sine = FIRST_WIDTH * self.screen.tan_half_angle if number == 1 else self.radius / self.distance(number)
         # 1 − cos by sin² / (1 + cos), which loses no digits.
         return 2.0 * math.pi * sine * sine / (1.0 + math.sqrt((1.0 - sine) * (1.0 + sine)))
 
@@ -113,7 +113,7 @@ class Stand:
         return ends[0], ends[1], ends[2], ends[3]
 
     def camera(self, number: int, turn: Quaternion) -> Camera:
-        """See the turned object: camera and light turn about it the other way, so that it stands still."""
+        """Return the camera that sees the turned object: it turns the other way, so that the object stands still."""
         first, end, top, bottom = self.box(number)
         pixel, (width, height) = self.screen.pixel, self.screen.size
         x, y, z, w = -turn[0], -turn[1], -turn[2], turn[3]

@@ -1,4 +1,4 @@
-"""Which level of each object is enough, by its size, the lens and the eye."""
+"""Selection of levels by size, lens and gaze."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from nearfar.lod._model import LodModel
 from nearfar.lod._select.selection import Selection
 from nearfar.lod._select.selector import Selector
 from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE
+from nearfar.lod._select.threshold import LodThreshold
 
 
 def select(
@@ -23,9 +24,9 @@ def select(
     camera: Camera | Sequence[Camera],
     lens: RadialLens | None = None,
     lens_radius: float | None = None,
-    k: float = 0.27,
-    d: float = 0.90,
-    threshold: str = "anchored",
+    k: float | None = None,
+    d: float | None = None,
+    threshold: LodThreshold | str | None = None,
     mode: str = "depth+eccentricity",
     reference: float | None = None,
     cull: bool = True,
@@ -38,17 +39,17 @@ def select(
     inverse: str = "lut",
     full: bool = False,
 ) -> Selection:
-    """Choose a level of detail for each object: the coarsest whose score is enough for its size.
+    """Choose a level of detail for each object: the coarsest whose score reaches the threshold for its size.
 
     An object of solid angle σ needs a score of f(σ), and level i has the score M_i(σ′): the level is the coarsest i
-    with f(σ) ≤ M_i(σ′), or 0. It is 0 without a question where the eye is in the sphere, where σ is beyond σ₁/₁₆, and
-    where σ or σ′ is beyond what the model was measured at; below what it was measured at, curves keep their value.
+    with f(σ) ≤ M_i(σ′), or 0. It is always 0 where the eye is in the sphere, where σ is above σ₁/₁₆, and where σ or σ′
+    is above the largest size at which the model was measured. Below the smallest such size, curves keep their value.
 
     Parameters
     ----------
     models
-        What is known of each kind of object, measured on the pixels that are shown: levels that were measured on a
-        coarser screen look worse than their curves say.
+        One for each kind of object, measured for the pixels of the screen: levels that were measured for a coarser
+        screen look worse than their curves predict.
     model_index
         (N,) whole numbers: the model of each object.
     centers
@@ -57,26 +58,23 @@ def select(
         (N,) or one, metres, at least 0, scaled as the objects are.
     camera
         The eye, with a `Fov` of any shape and orientation; or several, such as a headset's two: then the finer of their
-        answers counts, and only what no eye sees is out of view.
+        answers counts, and only objects that no eye sees are out of view.
     lens
         One without tangential terms, for all eyes; None leaves sizes as they are. Its axis is the eye's line of sight.
     lens_radius
         tan ω of the lens, the tangent at which r = 1, such as `Hmd.tan_half_angle`. By default the greatest to the left
         or right of any eye.
-    k, d
-        How the threshold rises with size, and where it starts.
-    threshold
-        f: "anchored" is d + k (σ − σ₁/₁₆), so that d is what viewers accepted at 1/16 of the screen. "literal" is
-        kσ + d, "normalized" d + k (σ/σ₁/₁₆ − 1).
+    k, d, threshold
+        f: a `LodThreshold` as `threshold`, or else its k and d, and its kind as `threshold`.
     mode
         "off": level 0 for all and no work, so that nothing is culled. "depth": σ′ = σ. "depth+eccentricity": σ′ is
-        what the lens leaves of σ (`corrected_solid_angle`); without a lens that is "depth". "fovea": what the eye sees
-        of that too, at its angle from the gaze (`acuity`).
+        the solid angle behind the lens (`corrected_solid_angle`), without a lens that of "depth". "fovea": that solid
+        angle times the squared `acuity` at its angle from the gaze.
     reference
         σ₁/₁₆, steradians; by default `reference_solid_angle` of the eye that sees farthest to a side.
     cull
-        Whether what is out of view gets −1 instead of a level. A sphere that is partly in view never gets it; one
-        beside a corner of the view may keep a level.
+        Whether objects out of view get −1 instead of a level. A sphere that is partly in view never gets it; one beside
+        a corner of the view may keep a level.
     previous
         (N,) levels of the frame before, −1 for none.
     hysteresis
@@ -84,11 +82,11 @@ def select(
         once, so the threshold always holds. From level 0 a coarser one also needs sizes that are smaller than the
         limits by this share.
     fade
-        0 to 1: over which share of the way from one level to the next they are blended; see `Selection.shown`. With
+        0 to 1: the share of the way from one level to the next over which they are blended; see `Selection.shown`. With
         level i chosen the way is t = (M_i − f) / (M_i − M), M the best score of a coarser level, or M_i − 0.05 where
-        there is none, and the next finer one that is enough has the weight 1 − t/fade. Before sizes become too large
-        for curves, over the last quarter of them, times `fade`, levels run to 0. What is shown is continuous but where
-        the curve of a finer level crosses that of a coarser one and f as well, and where hysteresis holds levels.
+        there is none, and the next finer level that is good enough has the weight 1 − t/fade. Over the last quarter of
+        the sizes that curves are asked for, times `fade`, levels run to 0. `shown` is continuous except where the curve
+        of a finer level crosses that of a coarser one and f as well, and where hysteresis holds levels.
     gaze
         World direction of the gaze (3,), any length; by default the line of sight, of several cameras the mean of
         theirs. Of "fovea".

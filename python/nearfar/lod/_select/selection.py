@@ -31,16 +31,16 @@ class Selection(NDArrayOperatorsMixin):
     level: NDArray[np.int32]
     """The level of each object, 0 the finest; −1 outside of the view."""
     counts: Mapping[str, int]
-    """How many objects were decided in which way. Each is one of these for each camera: "culled" (not in view),
-    "one_level" (in view, nothing to choose), "settled" (another camera asked for level 0 already), "large" (larger than
-    curves are asked for) or "asked". Of those asked: "lens" (σ′ was computed), "table" (the level stood in a table of
-    the model), "formula" (curves were evaluated)."""
+    """Number of objects by the way in which they were decided. Each is one of these for each camera: "culled" (not in
+    view), "one_level" (in view, nothing to choose), "settled" (another camera asked for level 0 already), "large"
+    (larger than curves are asked for) or "asked". Of those asked: "lens" (σ′ was computed), "table" (the level stood in
+    a table of the model), "formula" (curves were evaluated)."""
     columns: InitVar[Mapping[str, Array]]
     sigma: Array = field(init=False)
     """σ, steradians; 4π around the eye. NaN where the object is not in view or has one level."""
     sigma_seen: Array = field(init=False)
-    """The size at which curves were read, steradians: σ, σ′ through the lens, or what the eye sees of that. NaN where
-    no curve was asked."""
+    """The size at which curves were read, steradians: σ, σ′ through the lens, or the part of it that the eye sees.
+    NaN where no curve was asked."""
     threshold: Array = field(init=False)
     """f(σ): the least score. NaN where no curve was asked."""
     score: Array = field(init=False)
@@ -97,7 +97,7 @@ class Selection(NDArrayOperatorsMixin):
         """Attributes and methods of the levels' array, such as `shape`, `max` and `tolist`."""
         if name in COLUMNS or hasattr(type(self), name):
             raise AttributeError(f"{name}: expected a selection made with full=True, which fills it")
-        # Copies and protocols look for names that an array may have and that would not speak of the selection.
+        # Pickling and protocols ask for special methods before the fields are set, and would take the array's.
         if name.startswith("_") or name in ("level", "counts"):
             raise AttributeError(f"Selection has no attribute {name!r}")
         return getattr(self.level, name)

@@ -1,4 +1,4 @@
-"""What sizes mean: the one that levels are measured from, what a lens leaves of it, and what the eye sees of that."""
+"""Sizes: the largest one that levels are measured at, and the shares of it that a lens and the eye leave."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ ACUITY_LIMIT_DEG = 1 / 48
 
 
 def reference_solid_angle(view: Hmd | Camera | Fov) -> float:
-    """Solid angle of a sphere that fills 1/16 of the screen, steradians: levels are measured from it on.
+    """Solid angle of a sphere that fills 1/16 of the screen, steradians: the largest at which levels are measured.
 
     Parameters
     ----------
@@ -58,9 +58,9 @@ def acuity(
     limit_deg: SupportsFloat = ACUITY_LIMIT_DEG,
     pixel_deg: SupportsFloat = 0.0,
 ) -> NDArray[np.float64]:
-    """How much smaller things look to the eye away from its gaze, as a linear factor.
+    """Linear factor by which things look smaller to the eye away from its gaze.
 
-    The least angle that is seen grows as ω(e) = m e + ω₀, and what is drawn for e = 0 need not be finer than
+    The least angle that is seen grows as ω(e) = m e + ω₀, and a picture at e = 0 need not be finer than
     ω* = max(ω₀, pixel): things at e look like ones of ω*/ω(e) of their size.
 
     Parameters
@@ -100,7 +100,7 @@ def acuity(
 def distortion(
     eccentricity_deg: ArrayLike, *, lens: RadialLens, view: Hmd | Camera | Fov, lens_radius: float | None = None
 ) -> NDArray[np.float64]:
-    """Which share of its solid angle a lens leaves of a small thing, as `select` counts it: σ′/σ.
+    """Share of its solid angle that a lens leaves of a small thing, as `select` counts it: σ′/σ.
 
     Parameters
     ----------
@@ -151,14 +151,14 @@ def half_tangent(view: Hmd | Camera | Fov) -> float:
 
 def at_least_zero(name: str, value: SupportsFloat) -> float:
     """One finite number; ValueError below 0."""
-    given = check.number(name, value)
-    if given < 0:
-        raise ValueError(f"{name}: expected a number of at least 0, got {given}")
-    return given
+    number = check.number(name, value)
+    if number < 0:
+        raise ValueError(f"{name}: expected a number of at least 0, got {number}")
+    return number
 
 
 def checked_lens(lens: RadialLens, view: Hmd | Camera | Fov, lens_radius: SupportsFloat | None) -> float:
-    """Refuse lenses that have no size to show, and tell tan ω."""
+    """Refuse lenses whose sizes are not defined; return tan ω."""
     if not isinstance(lens, RadialLens):
         raise TypeError(f"lens: expected a RadialLens, got {type(lens).__name__}")
     if any(lens.tangential):

@@ -1,4 +1,4 @@
-"""At which sizes levels take over, in the words of engines that know no SSIM."""
+"""Sizes at which levels take over, for engines that know no SSIM."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from typing import SupportsFloat
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.size import half_tangent, reference_solid_angle
+from nearfar.lod._select.threshold import LodThreshold, threshold_of
 
-_STEPS = 1024
-"""Sizes between which a curve is looked at for crossing the threshold: both are monotonic as a rule."""
+_SAMPLED_SIZES = 1024
+"""Sizes in even and in geometric steps, between which a curve may cross the threshold: as a rule both are monotonic."""
 
 _HALVINGS = 64
-"""More than float64 has digits."""
+"""Halvings of the interval of a crossing: float64 has 53 binary digits."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +44,7 @@ class Switches:
         return [*np.maximum.accumulate(self.screen_coverage[:0:-1])[::-1].tolist(), 0.0]
 
     def __str__(self) -> str:
-        """Table of the levels: up to which sizes each is good enough."""
+        """Table of the levels and the sizes up to which each is good enough."""
         rows = [f"{'level':>5}  {'up to sr':>10}  {'from radii':>10}  {'area':>8}  {'height':>8}"]
         columns = (self.solid_angle, self.distance, self.screen_coverage, self.screen_height)
         for number, (sigma, distance, area, height) in enumerate(zip(*(c.tolist() for c in columns), strict=True)):
@@ -56,21 +56,21 @@ def switches(
     model: MeasuredLevels,
     *,
     view: Hmd | Camera | Fov,
-    k: SupportsFloat = 0.27,
-    d: SupportsFloat = 0.90,
-    threshold: str = "anchored",
+    k: SupportsFloat | None = None,
+    d: SupportsFloat | None = None,
+    threshold: LodThreshold | str | None = None,
 ) -> Switches:
-    """Work out at which sizes the levels of a model take over.
+    """Work out the sizes at which the levels of a model take over.
 
     A level is shown up to the greatest size to which it stays good enough: SSIM at least f(σ), as `select` has it, for
-    all smaller sizes too. Above σ₁/₁₆, and above what was measured, only level 0 is shown. Of the levels that are good
-    enough the coarsest is shown. Where a curve falls towards small sizes, `select` shows its level at the large ones
-    all the same, which engines with one size for each level can't: there `switches` is the more careful of both.
+    all smaller sizes too. Above σ₁/₁₆, and above the sizes that were measured, only level 0 is shown. Of the levels
+    that are good enough the coarsest is shown. Where a curve falls towards small sizes, `select` still shows its level
+    at large ones, which engines with one size for each level can't: there `switches` is the more careful of both.
 
     Parameters
     ----------
     model
-        What was measured.
+        Levels with their curves.
     view
         The headset, or a camera or its `Fov`: a screen's reference size and area follow from it. Of a headset's views
         the left eye's counts, which the right one's mirrors.
@@ -90,7 +90,8 @@ def switches(
         For arguments out of their domains.
     """
     fov = _fov(view)
-    sizes = _good_sizes(model, reference_solid_angle(view), _line(view, k, d, threshold))
+    reference = reference_solid_angle(view)
+    sizes = _good_sizes(model, reference, threshold_of(threshold, k, d).line(reference))
     sine = np.sqrt(np.where(sizes < 2 * math.pi, sizes / (2 * math.pi) * (2 - sizes / (2 * math.pi)), 1.0))
     width, height = fov.right - fov.left, fov.up - fov.down
     with np.errstate(divide="ignore"):
@@ -102,35 +103,22 @@ def switches(
     return Switches(sizes, distance, coverage, tall)
 
 
-def _line(view: Hmd | Camera | Fov, k: SupportsFloat, d: SupportsFloat, threshold: str) -> tuple[float, float]:
-    """Slope and start of f(σ)."""
-    slope, start = check.number("k", k), check.number("d", d)
-    reference = reference_solid_angle(view)
-    match check.choice("threshold", threshold, ("anchored", "literal", "normalized")):
-        case "anchored":
-            return slope, start - slope * reference
-        case "literal":
-            return slope, start
-        case _:
-            return slope / reference, start - slope
-
-
 def _good_sizes(model: MeasuredLevels, reference: float, line: tuple[float, float]) -> NDArray[np.float64]:
-    """The size up to which each level is good enough; 4π for level 0."""
+    """Solid angle up to which each level is good enough, steradians; 4π for level 0."""
     sizes = np.full(len(model), 4 * math.pi)
     if len(model) == 1:
         return sizes
     least, most = model.sigma
     most = min(most, reference)
-    slope, start = line
+    start, slope = line
 
     def is_good(sigma: NDArray[np.float64]) -> NDArray[np.bool_]:
         """(K − 1, M) for M sizes that all share, or for (K − 1, M)."""
         good: NDArray[np.bool_] = np.asarray(model.curves(np.maximum(sigma, least)) >= slope * sigma + start)
         return good
 
-    samples = np.concatenate([[0.0], np.linspace(0, most, _STEPS)[1:], np.geomspace(most * 1e-6, most, _STEPS)])
-    samples = np.unique(np.append(samples, min(least, most)))
+    even, geometric = np.linspace(0, most, _SAMPLED_SIZES), np.geomspace(most * 1e-6, most, _SAMPLED_SIZES)
+    samples = np.unique(np.concatenate([even, geometric, [min(least, most)]]))
     good = is_good(samples)
     ends = np.where(good.all(axis=1), len(samples), np.argmin(good, axis=1))
     low = samples[np.maximum(ends - 1, 0)]
@@ -144,7 +132,7 @@ def _good_sizes(model: MeasuredLevels, reference: float, line: tuple[float, floa
 
 
 def _fov(view: Hmd | Camera | Fov) -> Fov:
-    half_tangent(view)  # refuses what is no view
+    half_tangent(view)  # raises for anything but a view
     fov = view.left.fov if isinstance(view, Hmd) else view.fov if isinstance(view, Camera) else view
     assert isinstance(fov, Fov)
     return fov

@@ -62,8 +62,8 @@ class Carrier:
         face, weights = _core.carry(places, faces, np.ascontiguousarray(corners), begin)
         rows = self._surface.attributes[key][self._surface.faces[face]].astype(np.float64)
         u, v = weights.T[:, :, None]
-        found: NDArray[np.float64] = rows[:, 0] + u * (rows[:, 1] - rows[:, 0]) + v * (rows[:, 2] - rows[:, 0])
-        return found
+        values: NDArray[np.float64] = rows[:, 0] + u * (rows[:, 1] - rows[:, 0]) + v * (rows[:, 2] - rows[:, 0])
+        return values
 
 
 def _stored(key: str, rows: NDArray[np.float64], dtype: np.dtype[Any]) -> NDArray[Any]:
@@ -77,12 +77,12 @@ def _stored(key: str, rows: NDArray[np.float64], dtype: np.dtype[Any]) -> NDArra
 def together(corners: NDArray[np.uint32], values: NDArray[np.float64]) -> NDArray[np.int64]:
     """Of each corner the first one at its vertex whose values differ by at most 1."""
     first = np.full(len(corners), -1)
-    open_ones = np.arange(len(corners))
-    while len(open_ones):
-        _, leader, group = np.unique(corners[open_ones], return_index=True, return_inverse=True)
-        leaders = open_ones[leader][group]
-        # NaN is like nothing, not even itself.
-        alike = (np.abs(values[open_ones] - values[leaders]) <= 1).all(axis=1) | (leaders == open_ones)
-        first[open_ones[alike]] = leaders[alike]
-        open_ones = open_ones[~alike]
+    remaining = np.arange(len(corners))
+    while len(remaining):
+        _, leader, group = np.unique(corners[remaining], return_index=True, return_inverse=True)
+        leaders = remaining[leader][group]
+        # NaN differs from everything, even from itself.
+        alike = (np.abs(values[remaining] - values[leaders]) <= 1).all(axis=1) | (leaders == remaining)
+        first[remaining[alike]] = leaders[alike]
+        remaining = remaining[~alike]
     return first

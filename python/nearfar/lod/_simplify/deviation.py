@@ -1,4 +1,4 @@
-"""How far two surfaces are apart: the greatest and the mean distance, both ways."""
+"""Distance between two surfaces, the greatest and the mean, both ways."""
 
 from __future__ import annotations
 
@@ -11,16 +11,17 @@ from nearfar._scene.scene import Scene
 from nearfar.lod._simplify.surface import Surface
 
 SAMPLES = 20_000
-"""Points of each surface by area: the mean is within a few thousandths of its size."""
+"""Points on each surface, spread by area: the mean distance is within a few thousandths of itself."""
 
 _SEED, _PLACE, _FIRST, _SECOND = 7, 0, 1, 2
+"""Seed of the random numbers, and the streams for a point's place on the area and its two weights in the face."""
 
 
 def deviation(base: tuple[Scene, Surface], level: tuple[Scene, Surface], samples: int = SAMPLES) -> tuple[float, float]:
     """Greatest and mean distance, metres.
 
     The greatest is over all vertices of both surfaces and points spread over their areas, each to the nearest point of
-    the other surface; so it may miss what lies between samples, but never exceeds the true (Hausdorff) distance by more
+    the other surface; so it may miss places between samples, but never exceeds the true (Hausdorff) distance by more
     than rounding. The mean is over the spread points alone.
     """
     greatest, means = 0.0, []

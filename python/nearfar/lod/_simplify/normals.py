@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 
-CREASE = np.cos(np.radians(60.0))
-"""Cosine of the angle between two faces from which on the edge between them is hard."""
+CREASE_COSINE = np.cos(np.radians(60.0))
+"""Cosine of the angle between the normals of two faces; the edge of faces with a smaller cosine is hard."""
 
 
 def smoothed(
@@ -62,11 +62,11 @@ def _smooth_groups(faces: NDArray[np.uint32], normal: NDArray[np.float64]) -> ND
     here, there = order[:-1], order[1:]
     same = (ends[here] == ends[there]).all(axis=1)
     here, there = here[same], there[same]
-    smooth = (normal[here // 3] * normal[there // 3]).sum(axis=1) > CREASE
+    smooth = (normal[here // 3] * normal[there // 3]).sum(axis=1) > CREASE_COSINE
     here, there = here[smooth], there[smooth]
     pairs = np.concatenate([np.column_stack([low[here], low[there]]), np.column_stack([high[here], high[there]])])
-    own = corner.ravel()
-    joined = np.concatenate([np.column_stack([pairs, pairs[:, 1]]), np.column_stack([own, own, own])])
+    alone = corner.ravel()
+    joined = np.concatenate([np.column_stack([pairs, pairs[:, 1]]), np.column_stack([alone, alone, alone])])
     return _core.pieces(np.ascontiguousarray(joined, np.uint32), 3 * count)[len(pairs) :]
 
 

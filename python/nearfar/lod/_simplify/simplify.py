@@ -9,19 +9,22 @@ from typing import TYPE_CHECKING
 from nearfar._base import check, progress
 from nearfar._scene.scene import Scene
 from nearfar.lod._levels import Level, Levels
-from nearfar.lod._simplify.collapse import Picks, Quadrics
 from nearfar.lod._simplify.deviation import deviation
+from nearfar.lod._simplify.meshopt import MeshoptSimplifier
+from nearfar.lod._simplify.quadrics import QuadricSimplifier
 from nearfar.lod._simplify.surface import Base, Surface
 
 if TYPE_CHECKING:
     import trimesh
 
 RATIOS = (1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.12, 0.08, 0.05, 0.03, 0.02)
+"""Shares of the base's triangles, by default."""
+
 METHODS = ("fast", "meshopt")
 NORMALS = ("keep", "smooth", "flat")
 
-_MISSED = 0.01
-"""The share of the triangles asked for, beyond two, by which a level is off before a note says so."""
+_NOTED_MISS = 0.01
+"""Share of the triangles asked for: a level that misses them by more than that, and by more than two, gets a note."""
 
 
 def simplify(
@@ -83,7 +86,7 @@ def simplify(
     check.choice("normals", normals, NORMALS)
     base = Base(mesh, name)
     base.with_normals(normals)
-    simplifier = (Quadrics if method == "fast" else Picks)(base.surface, base.places)
+    simplifier = (QuadricSimplifier if method == "fast" else MeshoptSimplifier)(base.surface, base.places)
     levels = [Level(scene=base.scene)]
     with progress.bar("simplifying") as report:
         for number, share in enumerate(shares):
@@ -110,7 +113,7 @@ def _level(base: Base, surface: Surface, share: float) -> Level | None:
     if not len(surface.faces):
         return None
     count, wanted = len(surface.faces), max(1, round(share * len(base.surface.faces)))
-    is_near = abs(count - wanted) <= max(wanted * _MISSED, 2)
+    is_near = abs(count - wanted) <= max(wanted * _NOTED_MISS, 2)
     note = "" if is_near else f"{count:,} triangles instead of {wanted:,}"
     scene = base.scene_of(surface)
     error, mean = deviation((base.scene, base.surface), (scene, surface))
@@ -122,11 +125,11 @@ def _append(levels: list[Level], level: Level | None, share: float) -> None:
     if level is not None and level.triangle_count < last.triangle_count:
         levels.append(level)
         return
-    why = f"ratio {share:g} can't be reached"
+    reason = f"ratio {share:g} can't be reached"
     levels[-1] = Level(
         scene=last.scene,
         ratio=last.ratio,
         error=last.error,
         mean_error=last.mean_error,
-        note=f"{last.note}; {why}" if last.note else why,
+        note=f"{last.note}; {reason}" if last.note else reason,
     )

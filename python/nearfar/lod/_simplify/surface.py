@@ -1,4 +1,4 @@
-"""The object that levels are made of: every part of a scene as one mesh, and what hangs together in it."""
+"""The base of a simplification: every part of a scene as one surface, and the charts that it consists of."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 Array = NDArray[Any]
 
 ATTRIBUTES = ("uvs", "colors", "normals")
-"""What vertices have beside their places."""
+"""Attributes of vertices."""
 
 _OF_ITS_INSTANCE = -1
-"""Stands for an object number that the mesh leaves to its instance."""
+"""Object number of a mesh that takes its instance's."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,17 +72,17 @@ class Base:
             rows, vertex = np.unique(faces, return_inverse=True)
             origin = np.empty(len(normals), np.int64)
             origin[faces.ravel()] = surface.faces.ravel()
-            kept = {key: surface.attributes[key][origin[rows]] for key in surface.attributes if key != "normals"}
+            others = {key: surface.attributes[key][origin[rows]] for key in surface.attributes if key != "normals"}
             self.surface = Surface(
                 np.ascontiguousarray(surface.positions[origin[rows]]),
                 np.ascontiguousarray(vertex.reshape(-1, 3), np.uint32),
                 surface.materials,
-                {**kept, "normals": np.ascontiguousarray(normals[rows])},
+                {**others, "normals": np.ascontiguousarray(normals[rows])},
             )
             del self.places
         elif kind == "flat":
-            kept = {key: value for key, value in surface.attributes.items() if key != "normals"}
-            self.surface = Surface(surface.positions, surface.faces, surface.materials, kept)
+            others = {key: value for key, value in surface.attributes.items() if key != "normals"}
+            self.surface = Surface(surface.positions, surface.faces, surface.materials, others)
 
     @cached_property
     def places(self) -> NDArray[np.uint32]:
@@ -139,6 +139,14 @@ def first_alike(*columns: Array) -> NDArray[np.uint32]:
     rows = [np.ascontiguousarray(column + column.dtype.type(0)) for column in columns]
     flat = [row.view(np.uint8).reshape(len(row), -1) for row in rows]
     return _core.first_alike(np.ascontiguousarray(np.concatenate(flat, axis=1)))
+
+
+def box_of(points: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
+    """Least corner and longest side of the box of points; 1 where it has no side."""
+    if not len(points):
+        return np.zeros(3), 1.0
+    low, high = points.min(axis=0), points.max(axis=0)
+    return low, float((high - low).max()) or 1.0
 
 
 def charts_of(surface: Surface, *attributes: str) -> tuple[NDArray[np.int64], NDArray[np.uint32]]:

@@ -1,0 +1,127 @@
+"""Settings of a measurement: the screen, the views, the sizes, and how scores become a model."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, TypedDict
+
+from nearfar._base import check
+from nearfar._camera.camera import Fov
+from nearfar._render import backend as backends
+from nearfar._render.channels import MAX_SAMPLES
+from nearfar.hmd._hmd import Hmd
+from nearfar.lod._measure.views import AXES, Screen
+
+MAX_VIEWS = 1 << 20
+MAX_DISTANCES = 1000
+
+
+@dataclass(frozen=True, kw_only=True)
+class MeasureSettings:
+    """How `measure` looks at levels, and which of them it keeps.
+
+    Parameters
+    ----------
+    hmd
+        The headset. Pictures have the pixels of its left eye's view, but lie symmetric about the axis, and only the
+        object's box is rendered, which shows the same as the whole.
+    fov, size
+        A view and its width and height in pixels, in place of `hmd`.
+    views
+        Number of sides to look from, a multiple of 4: the object turns in equal steps about x, y, z and the diagonal
+        (1, 1, 1) of its own frame, before a camera on +z. Light and sky turn with the object.
+    distances
+        Number of distances, 1 to 1000. At the first the bounding sphere's solid angle is
+        σ₁/₁₆ = 2π(1−cos(asin(¼ tan ω))), where ω is half the horizontal field of view. To the sphere's nearest point
+        the others are 2, 3, … times as far. Fewer than 4 leave curves "unfittable", and of fewer than 8 many look
+        "flat": those stay at their least score.
+    percentile
+        The percentile over the views that is a level's score at a size, 0 to 100, as NumPy's "averaged_inverted_cdf".
+    step
+        Keep the coarsest of the levels that score at least 1 − step at the first distance, the coarsest of those that
+        score at least 1 − 2 step, and so on; likewise at the next three, because SSIM of bumpy things may fall as they
+        get smaller. Other levels look no better than a coarser one, and are measured no further. The base always stays.
+        None keeps all.
+    saturated
+        A level that scores as much at two distances running is measured no further, and its curve stays where it was.
+        None measures all.
+    samples
+        Samples of each pixel, as in `render`.
+    backend
+        As in `render`. Where a GPU multisamples, curves differ a little from the CPU's.
+    cache
+        Whether scores are kept, by content and settings: scores that were measured once, or before Ctrl-C, are not
+        rendered again, and a new level is measured alone.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For settings out of their domains, for neither screen, and for both.
+    """
+
+    hmd: Hmd | None = None
+    fov: Fov | None = None
+    size: tuple[int, int] | None = None
+    views: int = 144
+    distances: int = 16
+    percentile: float = 25.0
+    step: float | None = 0.05
+    saturated: float | None = 0.999
+    samples: int = 4
+    backend: str = "auto"
+    cache: bool = True
+
+    def __post_init__(self) -> None:
+        screen = self.screen
+        checked: dict[str, Any] = {
+            "size": screen.size if self.hmd is None else None,
+            "views": check.integer("views", self.views, len(AXES), MAX_VIEWS),
+            "distances": check.integer("distances", self.distances, 1, MAX_DISTANCES),
+            "percentile": _within("percentile", self.percentile, 0.0, 100.0),
+            "step": None if self.step is None else check.positive("step", self.step),
+            "saturated": None if self.saturated is None else _within("saturated", self.saturated, -1.0, 1.0),
+            "samples": check.integer("samples", self.samples, 1, MAX_SAMPLES),
+            "backend": backends.check(self.backend),
+        }
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
+        if not isinstance(self.cache, bool):
+            raise TypeError(f"cache: expected True or False, got {self.cache!r}")
+        if self.views % len(AXES):
+            raise ValueError(f"views: expected a multiple of {len(AXES)}, got {self.views}")
+
+    @property
+    def screen(self) -> Screen:
+        """The pictures' screen, of the headset or of the view."""
+        return Screen.of(self.hmd, self.fov, self.size)
+
+
+class MeasureKeywords(TypedDict, total=False):
+    """The fields of `MeasureSettings` as keywords of `measure`; a test holds both to be the same."""
+
+    hmd: Hmd | None
+    fov: Fov | None
+    size: tuple[int, int] | None
+    views: int
+    distances: int
+    percentile: float
+    step: float | None
+    saturated: float | None
+    samples: int
+    backend: str
+    cache: bool
+
+
+class MeasureOptions(MeasureKeywords, total=False):
+    """All keywords of `measure`."""
+
+    settings: MeasureSettings | None
+    workers: int | None
+    client: Any
+
+
+def _within(name: str, value: float, low: float, high: float) -> float:
+    number = check.number(name, value)
+    if not low <= number <= high:
+        raise ValueError(f"{name}: expected a number from {low:g} to {high:g}, got {number}")
+    return number

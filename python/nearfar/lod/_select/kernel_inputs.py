@@ -1,0 +1,108 @@
+"""Models, cameras and gaze as the kernel of selection takes them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import check
+from nearfar._camera.camera import Camera, Fov
+from nearfar.hmd._eye import rotation
+from nearfar.lod._measured_levels import MeasuredLevels
+
+_CURVE_ROWS: WeakKeyDictionary[MeasuredLevels, NDArray[np.float64]] = WeakKeyDictionary()
+"""Parameters of each model's curves, so that a frame does not collect them again."""
+
+MIN_SIGHT_LENGTH = 1e-6
+"""Least length of the mean of the unit lines of sight of several eyes. Below it they look in opposite directions."""
+
+Eye = tuple[
+    tuple[float, float, float],
+    tuple[float, float, float, float],
+    tuple[float, float, float, float],
+    tuple[float, float, float] | None,
+    float,
+]
+"""Position, orientation, tangents (left, right, down, up), gaze, and degrees of a pixel on the axis."""
+
+
+def whole_numbers(name: str, value: ArrayLike, dtype: type[np.integer], count: int) -> NDArray[Any]:
+    """Whole numbers (N,), one for each object."""
+    numbers = check.array(name, value, columns=None, dtype=dtype)
+    if numbers.shape != (count,):
+        raise ValueError(f"{name}: expected shape ({count},), got {numbers.shape}")
+    return numbers
+
+
+def curves_of(
+    models: Sequence[MeasuredLevels],
+) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
+    """Curves of all models (C, 4), the first of each model (M + 1,), and the sizes that were measured (M, 2)."""
+    if isinstance(models, MeasuredLevels) or not isinstance(models, Sequence):
+        raise TypeError(f"models: expected a sequence of LodModel, got {type(models).__name__}")
+    for number, model in enumerate(models):
+        if not isinstance(model, MeasuredLevels):
+            raise TypeError(f"models: expected a LodModel at index {number}, got {type(model).__name__}")
+    rows = [_curve_rows(model) for model in models]
+    firsts = np.zeros(len(rows) + 1, np.int64)
+    np.cumsum([len(part) for part in rows], out=firsts[1:])
+    ranges = np.array([model.sigma for model in models], np.float64).reshape(-1, 2)
+    return np.concatenate([np.empty((0, 4)), *rows]), firsts, ranges
+
+
+def _curve_rows(model: MeasuredLevels) -> NDArray[np.float64]:
+    """a, b, c and d of each level's curve but level 0's, (K − 1, 4); NaN where there is none."""
+    rows = _CURVE_ROWS.get(model)
+    if rows is None:
+        count = len(model) - 1
+        rows = np.empty((0, 4))
+        if count > 0:
+            rows = np.column_stack([np.atleast_1d(np.asarray(part, np.float64)) for part in model.curves])
+        if len(rows) != max(count, 0):
+            raise ValueError(f"models: expected {count} curves in {model.name!r}, got {len(rows)}")
+        _CURVE_ROWS[model] = rows
+    return rows
+
+
+def cameras_of(camera: Camera | Sequence[Camera]) -> tuple[Camera, ...]:
+    """One camera or several, each with a `Fov`."""
+    cameras = (camera,) if isinstance(camera, Camera) else tuple(camera) if isinstance(camera, Sequence) else (camera,)
+    if not cameras:
+        raise ValueError("camera: expected at least one, got none")
+    for one in cameras:
+        if not isinstance(one, Camera):
+            raise TypeError(f"camera: expected a Camera or a sequence of them, got {type(one).__name__}")
+        _fov_of(one)
+    return cameras
+
+
+def gaze_of(cameras: tuple[Camera, ...], gaze: ArrayLike | None) -> tuple[float, float, float]:
+    """Direction of the gaze; by default the mean of the cameras' lines of sight, because a headset's may be canted."""
+    if gaze is None:
+        sight = np.sum([rotation(camera.orientation) @ (0.0, 0.0, -1.0) for camera in cameras], axis=0)
+        if np.linalg.norm(sight) < MIN_SIGHT_LENGTH * len(cameras):
+            raise ValueError("gaze: expected a direction for cameras that look in opposite ones, got None")
+        return (float(sight[0]), float(sight[1]), float(sight[2]))
+    direction = check.vector("gaze", gaze)
+    if not any(direction):
+        raise ValueError("gaze: expected a direction, got (0, 0, 0)")
+    return direction
+
+
+def eye_of(camera: Camera, gaze: tuple[float, float, float] | None) -> Eye:
+    """Numbers of a camera for the kernel. A pixel takes the most degrees on the axis."""
+    fov = _fov_of(camera)
+    pitch = max((fov.right - fov.left) / camera.width, (fov.up - fov.down) / camera.height)
+    bounds = (fov.left, fov.right, fov.down, fov.up)
+    return camera.position, camera.orientation, bounds, gaze, math.degrees(math.atan(pitch))
+
+
+def _fov_of(camera: Camera) -> Fov:
+    if not isinstance(camera.fov, Fov):
+        raise TypeError(f"camera: expected one with a Fov, got {type(camera.fov).__name__}")
+    return camera.fov

@@ -1,0 +1,81 @@
+"""The least score that a level needs, as a function of the object's solid angle."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, SupportsFloat
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import check
+
+KINDS = ("anchored", "literal", "normalized")
+
+
+@dataclass(frozen=True)
+class LodThreshold:
+    """SSIM threshold f(σ) as a function of solid angle: a level is good enough where its score is at least f(σ).
+
+    σ is in steradians, and σ₁/₁₆ is `reference_solid_angle`. The defaults are the means of a study with 24 people.
+
+    Parameters
+    ----------
+    k
+        Rise of the threshold with size: SSIM per steradian, for "normalized" per σ₁/₁₆.
+    d
+        SSIM where the line starts: at σ₁/₁₆, for "literal" at σ = 0.
+    kind
+        f: "anchored" is d + k (σ − σ₁/₁₆), so that d is the score that viewers accepted at 1/16 of the screen.
+        "literal" is kσ + d, "normalized" d + k (σ/σ₁/₁₆ − 1).
+
+    Raises
+    ------
+    ValueError, TypeError
+        For other numbers and kinds.
+
+    References
+    ----------
+    Liebisch (2021), Sec. 4.3, which prints y = kx + d and leaves x open.
+    """
+
+    k: float = 0.27
+    d: float = 0.90
+    kind: str = "anchored"
+
+    def __post_init__(self) -> None:
+        for name in ("k", "d"):
+            object.__setattr__(self, name, check.number(name, getattr(self, name)))
+        check.choice("kind", self.kind, KINDS)
+
+    def line(self, reference: float) -> tuple[float, float]:
+        """Return f as a line: its score at σ = 0, and its slope in SSIM per steradian.
+
+        `reference` is σ₁/₁₆ in steradians.
+        """
+        match self.kind:
+            case "anchored":
+                return self.d - self.k * reference, self.k
+            case "literal":
+                return self.d, self.k
+            case _:
+                return self.d - self.k, self.k / reference
+
+    def __call__(self, sigma: ArrayLike, reference: float) -> NDArray[np.float64]:
+        """Return f(σ) for solid angles of any shape; both in steradians."""
+        start, slope = self.line(reference)
+        return np.asarray(start + slope * np.asarray(sigma, np.float64))
+
+
+def threshold_of(
+    threshold: LodThreshold | str | None, k: SupportsFloat | None, d: SupportsFloat | None
+) -> LodThreshold:
+    """Return the threshold that a function's keywords mean: one as it is, or the name of a kind with k and d."""
+    if isinstance(threshold, LodThreshold):
+        for name, value in (("k", k), ("d", d)):
+            if value is not None:
+                raise ValueError(f"{name}: expected None beside a LodThreshold, which has its own, got {value}")
+        return threshold
+    kind = None if threshold is None else check.choice("threshold", threshold, KINDS)
+    fields: dict[str, Any] = {"k": k, "d": d, "kind": kind}
+    return LodThreshold(**{name: value for name, value in fields.items() if value is not None})

@@ -1,0 +1,99 @@
+"""Simplification by meshoptimizer, which keeps some of the base's vertices."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar.lod._simplify.surface import Surface, box_of, charts_of
+
+_ENOUGH = 1.01
+"""Times the triangles asked for: a level with no more of them needs no further sacrifice."""
+
+
+@dataclass(frozen=True)
+class _Weight:
+    """Error of a difference of 1 in an attribute, as a share of the surface's extent."""
+
+    normals: float = 0.1
+    colors: float = 0.1
+    uvs: float = 0.5
+    """Of the distance by which the texture slides over the surface."""
+
+
+class MeshoptSimplifier:
+    """meshoptimizer's simplifier: vertices of levels are vertices of the base, with all their attributes."""
+
+    def __init__(self, surface: Surface, places: NDArray[np.uint32]) -> None:
+        keys = tuple(surface.attributes)
+        rows, faces = charts_of(surface, *keys)
+        used, renumbered = np.unique(faces, return_inverse=True)
+        vertex = rows[used]
+        self._faces = np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32)
+        self._surface = surface
+        self._vertex = vertex
+        material = np.zeros(len(used), np.int32)
+        material[self._faces] = surface.materials[:, None]
+        self._material = material
+        self._positions = np.ascontiguousarray(surface.positions[vertex] + np.float32(0))
+        self._weights = self._weigh()
+        _, sewn = charts_of(surface, *("uvs",) * ("uvs" in keys))
+        self._is_seam = self._seams(places, sewn)
+
+    def _seams(self, places: NDArray[np.uint32], sewn: NDArray[np.uint32]) -> NDArray[np.bool_]:
+        """Vertices at whose place charts or materials meet."""
+        at = places[self._surface.faces].ravel().astype(np.int64)
+        pairs = np.unique(np.column_stack([at, sewn.ravel()]), axis=0)
+        meet = np.bincount(pairs[:, 0], minlength=len(places)) > 1
+        return np.ascontiguousarray(meet[places[self._vertex]])
+
+    def _weigh(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        surface, weight = self._surface, _Weight()
+        columns, weights = [], []
+        _, extent = box_of(surface.positions[self._vertex].astype(np.float64))
+        for key, values in surface.attributes.items():
+            rows = values[self._vertex].astype(np.float32)
+            if key == "colors":
+                rows, share = rows / np.float32(255), weight.colors
+            elif key == "normals":
+                share = weight.normals
+            else:
+                share = weight.uvs * _stretch(surface) / extent
+            columns.append(rows)
+            weights += [share] * rows.shape[1]
+        table = np.concatenate(columns, axis=1) if columns else np.zeros((len(self._vertex), 0), np.float32)
+        table = np.nan_to_num(table, posinf=0.0, neginf=0.0)
+        return np.ascontiguousarray(table, np.float32), np.array(weights, np.float32)
+
+    def level(self, target: int) -> Surface:
+        """Return the surface in about `target` triangles; where it must be, without some seams and small parts."""
+        if target >= len(self._faces):
+            return self._surface
+        arrays = (self._positions, *self._weights, self._is_seam, self._faces)
+        left = self._faces
+        for sacrifice in ("nothing", "seams", "parts"):
+            faces, _ = _core.collapse(*arrays, target, sacrifice)
+            left = min(left, faces, key=len)
+            if len(faces) <= _ENOUGH * target:
+                break
+        used, renumbered = np.unique(left, return_inverse=True)
+        vertex = self._vertex[used]
+        return Surface(
+            np.ascontiguousarray(self._surface.positions[vertex]),
+            np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32),
+            np.ascontiguousarray(self._material[left[:, 0]]),
+            {key: np.ascontiguousarray(value[vertex]) for key, value in self._surface.attributes.items()},
+        )
+
+
+def _stretch(surface: Surface) -> float:
+    """Metres of surface for a step of 1 in texture coordinates."""
+    corners, uvs = surface.positions[surface.faces].astype(np.float64), surface.attributes["uvs"][surface.faces]
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum()
+    one, other = (uvs[:, 1] - uvs[:, 0]).astype(np.float64), (uvs[:, 2] - uvs[:, 0]).astype(np.float64)
+    drawn = np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
+    drawn = drawn[np.isfinite(drawn)].sum()
+    return float(np.sqrt(area / drawn)) if drawn > 0 else 0.0

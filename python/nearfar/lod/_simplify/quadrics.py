@@ -1,0 +1,161 @@
+"""Simplification by fast-simplification's quadrics, which moves vertices."""
+
+from __future__ import annotations
+
+import threading
+from functools import cached_property
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar.lod._simplify.carry import Carrier
+from nearfar.lod._simplify.normals import unit
+from nearfar.lod._simplify.surface import Surface, box_of, charts_of, first_alike
+
+EXTENT = 100.0
+"""Longest side of the box that fast-simplification gets, in its units. Its thresholds are absolute: in a small box the
+first one would let everything collapse in the order of the list, and a large one would never reach few triangles."""
+
+FIN_HEIGHT = 0.5123
+"""Height of a fin as a share of its edge; an odd number, so that its apex is no vertex of a lattice."""
+
+_MAX_RUNS = 3
+"""Runs of the package for a level."""
+
+_COUNT_TOLERANCE = 0.005
+"""Share of the triangles asked for by which a level may miss them without another run."""
+
+_ONE_AT_A_TIME = threading.Lock()
+"""fast-simplification works in global variables."""
+
+
+class QuadricSimplifier:
+    """Garland's and Heckbert's quadrics by fast-simplification, for one base.
+
+    Vertices are welded by place first, so that seams do not open. Open borders and seams of charts are kept straight by
+    fins: triangles that stand on their edges and whose planes count like those of the surface.
+    """
+
+    def __init__(self, surface: Surface, places: NDArray[np.uint32]) -> None:
+        self._package = _package()
+        self._surface = surface
+        faces, self._origin = _distinct(places[surface.faces])
+        used, welded = np.unique(faces, return_inverse=True)
+        self._faces = welded.reshape(-1, 3).astype(np.int32)
+        self._places = surface.positions[used]
+        points = self._places.astype(np.float64)
+        low, extent = box_of(points)
+        self._middle, self._scale = low + extent / 2, EXTENT / extent
+        self._points = (points - self._middle) * self._scale
+        _, seams = charts_of(surface, *("uvs",) * ("uvs" in surface.attributes))
+        self._fins = fins(self._points, self._faces, seams[self._origin])
+
+    @cached_property
+    def _carrier(self) -> Carrier:
+        return Carrier(self._surface)
+
+    def level(self, target: int) -> Surface:
+        """Return the surface in about `target` triangles, with its attributes."""
+        if target >= len(self._surface.faces):
+            return self._surface
+        if target >= len(self._faces):
+            # Copies and faces without an area are all that goes.
+            return self._carrier.carried(self._places, self._faces.astype(np.uint32), self._origin)
+        points, faces = self._points, self._faces
+        apexes, feet = self._fins
+        rest = np.arange(len(points), len(points) + len(apexes), dtype=np.int32)
+        both = np.concatenate([points, apexes]), np.concatenate([faces, np.column_stack([feet, rest])])
+        wanted = target
+        for _ in range(_MAX_RUNS):
+            moved, roots = self._run(*both, wanted)
+            places = (moved / self._scale + self._middle).astype(np.float32)
+            # Flat parts collapse onto corners where a vertex is already: such faces are nothing.
+            left = first_alike(places)[roots][faces]
+            remaining = np.flatnonzero(_is_triangle(left))
+            missing = target - len(remaining)
+            # Fins that are left count too: their number is known after a run.
+            if abs(missing) <= _COUNT_TOLERANCE * target or not 0 < wanted + missing < len(both[1]):
+                break
+            wanted += missing
+        left = left[remaining]
+        used, renumbered = np.unique(left, return_inverse=True)
+        triangles = np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32)
+        return self._carrier.carried(places[used], triangles, self._origin[remaining])
+
+    def _run(
+        self, points: NDArray[np.float64], faces: NDArray[np.int32], target: int
+    ) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+        """Return the places that points have moved to, and the point into which each has been merged."""
+        with _ONE_AT_A_TIME:
+            moved, left, merged = self._package.simplify(points, faces, target_count=target, return_collapses=True)
+        roots = np.arange(len(points), dtype=np.int32)
+        if len(merged):
+            # Every point is merged at most once; its list is followed to the end by halving it again and again.
+            roots[merged[:, 1]] = merged[:, 0]
+            while not np.array_equal(further := roots[roots], roots):
+                roots = further
+        # Faces that still have three corners are left, in the order of the list.
+        expected = roots[faces]
+        expected = expected[_is_triangle(expected)]
+        places = points.copy()
+        places[expected] = moved[left]
+        return places, roots
+
+
+def _package() -> ModuleType:
+    try:
+        import fast_simplification
+    except ModuleNotFoundError:
+        raise ModuleNotFoundError(
+            "method 'fast' needs the Python package fast-simplification: pip install nearfar[lod]",
+            name="fast_simplification",
+        ) from None
+    module: ModuleType = fast_simplification
+    return module
+
+
+def _is_triangle(faces: NDArray[Any]) -> NDArray[np.bool_]:
+    a, b, c = faces.T
+    return np.asarray((a != b) & (b != c) & (c != a))
+
+
+def _distinct(faces: NDArray[np.uint32]) -> tuple[NDArray[np.uint32], NDArray[np.int64]]:
+    """Faces with three corners, the first of each set of corners, and their numbers."""
+    rows = np.flatnonzero(_is_triangle(faces))
+    corners = np.ascontiguousarray(np.sort(faces[rows], axis=1), np.uint32)
+    first = _core.first_alike(corners.view(np.uint8).reshape(len(rows), -1)) if len(rows) else rows
+    rows = rows[first == np.arange(len(rows))]
+    return faces[rows], rows
+
+
+def fins(
+    points: NDArray[np.float64], faces: NDArray[np.int32], charts: NDArray[np.uint32]
+) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+    """Apexes (K, 3) and feet (K, 2) of fins on edges with one face and on those between charts.
+
+    Collapsing an apex costs nothing, so fins are gone soon. They leave the plane across the surface in the quadrics of
+    their feet.
+    """
+    here = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
+    sides = np.stack([charts, np.roll(charts, -1, axis=1)], axis=2).reshape(-1, 2)
+    swaps = here[:, 0] > here[:, 1]
+    ends = np.where(swaps[:, None], here[:, ::-1], here)
+    sides = np.where(swaps[:, None], sides[:, ::-1], sides)
+    order = np.lexsort((ends[:, 1], ends[:, 0]))
+    ends, sides = ends[order], sides[order]
+    starts = np.flatnonzero(np.append(True, (ends[1:] != ends[:-1]).any(axis=1)))
+    counts = np.diff(np.append(starts, len(ends)))
+    number = np.repeat(np.arange(len(starts)), counts)
+    differs = (sides != sides[starts[number]]).any(axis=1)
+    wanted = (counts == 1) | (np.bincount(number, differs, len(starts)) > 0)
+    edge = order[starts[wanted]]
+    feet = here[edge][:, ::-1]
+    corners = points[faces[edge // 3]]
+    normal = unit(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
+    low, high = points[feet[:, 0]], points[feet[:, 1]]
+    apexes = (low + high) / 2 + normal * FIN_HEIGHT * np.linalg.norm(high - low, axis=1, keepdims=True)
+    flat = ~normal.any(axis=1)
+    return apexes[~flat], feet[~flat].astype(np.int32)

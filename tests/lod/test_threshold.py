@@ -1,0 +1,99 @@
+"""f(σ) by its three readings, and the keywords that mean one."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from tests.support.lod_oracle import around, usual
+
+CAMERA = nf.Camera((0.5, 1.5, -2.0), fov=nf.Fov(-1.0, 0.9, -1.1, 1.05), size=(1440, 1600))
+REFERENCE = nf.lod.reference_solid_angle(CAMERA)
+LITERAL = nf.lod.LodThreshold(0.1, 0.8, "literal")
+
+
+def test_lines_are_those_of_the_formulas() -> None:
+    sigma = np.geomspace(1e-4, 0.3, 50)
+    k, d = 0.3, 0.85
+    expected = {
+        "anchored": d + k * (sigma - REFERENCE),
+        "literal": k * sigma + d,
+        "normalized": d + k * (sigma / REFERENCE - 1),
+    }
+    for kind, values in expected.items():
+        threshold = nf.lod.LodThreshold(k, d, kind)
+        np.testing.assert_allclose(threshold(sigma, REFERENCE), values, rtol=1e-14)
+        start, slope = threshold.line(REFERENCE)
+        np.testing.assert_array_equal(threshold(sigma, REFERENCE), start + slope * sigma)
+        assert threshold(0.1, REFERENCE).shape == ()
+
+
+def test_the_defaults_stand_in_one_place() -> None:
+    assert nf.lod.LodThreshold() == nf.lod.LodThreshold(k=0.27, d=0.90, kind="anchored")
+    package = Path(nf.__file__).parent
+    files = [*package.glob("lod/**/*.py"), package / "cli" / "_lod.py"]
+    numbers = re.compile(r"(?<![\d.])0\.(?:27|90?)\b")
+    found = [(path.name, number) for path in files for number in numbers.findall(path.read_text(encoding="utf-8"))]
+    assert found == [("threshold.py", "0.27"), ("threshold.py", "0.90")]
+
+
+def test_keywords_and_thresholds_mean_the_same(tmp_path: Path) -> None:
+    keywords: dict[str, Any] = {"k": LITERAL.k, "d": LITERAL.d, "threshold": LITERAL.kind}
+    centers, radii = around(500, 5, CAMERA)
+    where = ([usual()], np.zeros(500, int), centers, radii)
+    plain = nf.lod.select(*where, camera=CAMERA)
+    chosen = nf.lod.select(*where, camera=CAMERA, threshold=LITERAL)
+    assert not np.array_equal(chosen, plain)
+    np.testing.assert_array_equal(chosen, nf.lod.select(*where, camera=CAMERA, **keywords))
+    np.testing.assert_array_equal(plain, nf.lod.select(*where, camera=CAMERA, threshold=nf.lod.LodThreshold()))
+    selector = nf.lod.Selector(threshold=LITERAL, fade=0.5)
+    assert selector == nf.lod.Selector(**keywords, fade=0.5)
+    assert selector.threshold == LITERAL
+    assert (selector.k, selector.d) == (LITERAL.k, LITERAL.d)
+    assert replace(selector, fade=0.0) == nf.lod.Selector(threshold=LITERAL)
+    one, other = (nf.lod.switches(usual(), view=CAMERA, **how) for how in (keywords, {"threshold": LITERAL}))
+    assert np.array_equal(one.solid_angle, other.solid_angle)
+    assert not np.array_equal(one.solid_angle, nf.lod.switches(usual(), view=CAMERA).solid_angle)
+    usual().export(tmp_path / "one.json", view=CAMERA, threshold=LITERAL)
+    usual().export(tmp_path / "other.json", view=CAMERA, **keywords)
+    assert (tmp_path / "one.json").read_bytes() == (tmp_path / "other.json").read_bytes()
+    # What is not said has its default.
+    assert nf.lod.Selector(d=0.5).threshold == nf.lod.LodThreshold(d=0.5)
+    assert nf.lod.Selector(threshold="literal").threshold == nf.lod.LodThreshold(kind="literal")
+
+
+@pytest.mark.parametrize(
+    ("options", "error", "message"),
+    [
+        ({"k": 0.2, "threshold": LITERAL}, ValueError, "k: expected None beside a LodThreshold, .* got 0.2"),
+        ({"d": 0.2, "threshold": LITERAL}, ValueError, "d: expected None beside a LodThreshold, .* got 0.2"),
+        ({"k": "steep"}, TypeError, "k: expected a number"),
+        ({"d": math.inf}, ValueError, "d: expected a finite number"),
+        ({"threshold": "lateral"}, ValueError, "threshold: expected one of 'anchored', 'literal', 'normalized'"),
+        ({"threshold": 3}, TypeError, "threshold: expected a string"),
+    ],
+)
+def test_bad_keywords(options: dict[str, Any], error: type[Exception], message: str, tmp_path: Path) -> None:
+    with pytest.raises(error, match=message):
+        nf.lod.Selector(**options)
+    with pytest.raises(error, match=message):
+        nf.lod.switches(usual(), view=CAMERA, **options)
+    with pytest.raises(error, match=message):
+        usual().export(tmp_path / "model.json", view=CAMERA, **options)
+    scene = nf.Scene.from_arrays(np.eye(3), [[0, 1, 2]])
+    with pytest.raises(error, match=message):
+        nf.lod.export(scene, tmp_path / "scene.glb", view=CAMERA, **options)
+
+
+def test_bad_thresholds() -> None:
+    with pytest.raises(ValueError, match="kind: expected one of"):
+        nf.lod.LodThreshold(kind="exact")
+    with pytest.raises(TypeError, match="k: expected a number, got bool True"):
+        nf.lod.LodThreshold(k=True)
