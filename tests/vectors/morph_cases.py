@@ -39,6 +39,12 @@ def blend() -> list[dict[str, Any]]:
         of("U = O: nothing moves", around(BETWEEN, (3.0,)), user=(0.0, 0.0, 0.0)),
         of("U above O: both on the axis", [(0.0, 9.0, 0.0), *around(BETWEEN, (3.0, 8.0))], user=(0.0, 5.3, 0.0)),
         of("a narrow zone", around((49.25, 3.0, 49.5, -2.0, 5.0, 49.625), (2.0,)), (49.0, 50.0), user=(6.7, 0.9, 2.3)),
+        of(
+            "a narrow zone: on r2 and beyond it",
+            [(14.0, 2.0, -48.0), (0.0, -1.0, 50.0), (-70.0, 3.0, 9.5)],
+            (49.0, 50.0),
+            user=(6.7, 0.9, 2.3),
+        ),
         of("r1 = 0", around((12.0, 5.0, -1.0, 0.5, 44.0, 9.0), (-1.0, 6.0)), (0.0, 50.0), user=(0.4, 0.1, -0.3)),
         of("opposed directions: the user's is taken", [(40.0, 0.0, 0.0)], user=(80.0, 0.0, 0.0)),
         of("opposed directions across all axes", [(24.0, 3.0, 32.0)], user=(48.0, 6.0, 64.0)),
