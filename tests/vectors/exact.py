@@ -6,6 +6,7 @@ A context of its own: other users of mpmath may change the precision of the shar
 from __future__ import annotations
 
 import json
+import math
 import struct
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -58,6 +59,11 @@ def rounded(value: Any) -> Any:
 def single(value: float) -> float:
     """The nearest float32, so that kernels of both precisions get the same input."""
     return float(struct.unpack("f", struct.pack("f", value))[0])
+
+
+def step_32(value: Any) -> float:
+    """Distance between float32 numbers of this size."""
+    return math.ldexp(1.0, math.frexp(float(value))[1] - 24)
 
 
 def above(bound: Any) -> float:

@@ -7,6 +7,7 @@ p₁(r² + 2y²) + 2p₂xy to y.
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 from tests.vectors.exact import STEP_64, above, document, exact, rounded
@@ -31,6 +32,7 @@ def derivative(k: Coefficients, r: Any) -> Any:
     return 1 + sum((2 * n + 3) * exact.mpf(c) * r ** (2 * n + 2) for n, c in enumerate(k))
 
 
+@cache
 def fold(k: Coefficients) -> Any:
     """r_max, or None for lenses that never fold: the first change of sign of f′, a polynomial in r², by halving."""
     if not any(k):

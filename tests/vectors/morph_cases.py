@@ -9,6 +9,8 @@ from tests.vectors.exact import Vector, document
 from tests.vectors.morph import TOLERANCE, around, case
 
 PAPER = (30.0, 50.0)
+FAR = (1000000.53, 1.7, -700000.28)
+"""A centre that float32 numbers miss by centimetres."""
 BETWEEN = (20.5, 24.0, -32.25, 9.5, 24.0, 32.0, 47.5, -14.0, 30.125, 1.5)
 """(x, z) with ρ between 30 and 50."""
 
@@ -39,6 +41,12 @@ def blend() -> list[dict[str, Any]]:
         of("U = O: nothing moves", around(BETWEEN, (3.0,)), user=(0.0, 0.0, 0.0)),
         of("U above O: both on the axis", [(0.0, 9.0, 0.0), *around(BETWEEN, (3.0, 8.0))], user=(0.0, 5.3, 0.0)),
         of("a narrow zone", around((49.25, 3.0, 49.5, -2.0, 5.0, 49.625), (2.0,)), (49.0, 50.0), user=(6.7, 0.9, 2.3)),
+        of(
+            "a narrow zone: on r2 and beyond it",
+            [(14.0, 2.0, -48.0), (0.0, -1.0, 50.0), (-70.0, 3.0, 9.5)],
+            (49.0, 50.0),
+            user=(6.7, 0.9, 2.3),
+        ),
         of("r1 = 0", around((12.0, 5.0, -1.0, 0.5, 44.0, 9.0), (-1.0, 6.0)), (0.0, 50.0), user=(0.4, 0.1, -0.3)),
         of("opposed directions: the user's is taken", [(40.0, 0.0, 0.0)], user=(80.0, 0.0, 0.0)),
         of("opposed directions across all axes", [(24.0, 3.0, 32.0)], user=(48.0, 6.0, 64.0)),
@@ -55,7 +63,14 @@ def blend() -> list[dict[str, Any]]:
         of(
             "far from the origin of the coordinates",
             [(31.0, 2.0, -20.0), (-40.5, 3.0, 9.0), (9.0, 0.0, 44.0), (100.0, 5.0, -7.0), (3.0, 8.0, 5.0)],
-            center=(1000000.5, 2.0, -700000.25),
+            center=FAR,
+        ),
+        of(
+            "far from the origin, a narrow zone: w needs the centre's last digits",
+            [(30.0, 2.0, -29.0), (-30.5, 3.0, 29.0), (29.0, -1.0, 31.0), (-28.5, 4.0, -31.0)],
+            (40.0, 44.0),
+            center=FAR,
+            user=(12.1, 0.9, -13.3),
         ),
     ]
 
@@ -114,7 +129,14 @@ def cylinder() -> list[dict[str, Any]]:
         of(
             "far from the origin of the coordinates",
             [(31.0, 2.0, -20.0), (-40.5, 3.0, 9.0), (9.0, 0.0, 44.0), (100.0, 5.0, -7.0)],
-            center=(1000000.5, 2.0, -700000.25),
+            center=FAR,
+        ),
+        of(
+            "far from the origin, a narrow zone: w needs the centre's last digits",
+            [(30.0, 2.0, -29.0), (-30.5, 3.0, 29.0), (29.0, -1.0, 31.0), (-28.5, 4.0, -31.0)],
+            (41.0, 43.5),
+            center=FAR,
+            user=(9.1, 0.9, -8.3),
         ),
     ]
 
