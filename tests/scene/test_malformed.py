@@ -21,7 +21,7 @@ from nearfar._base import data as data_files
 from tests.support import need
 
 LONGEST = 2.0
-"""Seconds that any bad file may take."""
+"""CPU-seconds that any bad file may take."""
 
 
 @pytest.fixture(autouse=True)
@@ -34,7 +34,7 @@ def nothing_leaks(capfd: pytest.CaptureFixture[str]) -> Iterator[None]:
 
 def outcome(path: Path, on_invalid: str = "raise") -> nf.Scene | nf.SceneError:
     """Load a file as a user would; only a scene that works or a SceneError that names the file will do."""
-    start = time.perf_counter()
+    start = time.process_time()
     result: nf.Scene | nf.SceneError
     try:
         result = nf.Scene.load(path, on_invalid=on_invalid)
@@ -43,7 +43,7 @@ def outcome(path: Path, on_invalid: str = "raise") -> nf.Scene | nf.SceneError:
         assert np.isfinite(result.bounds).all()
     except nf.SceneError as error:
         result = error
-    assert time.perf_counter() - start < LONGEST
+    assert time.process_time() - start < LONGEST
     if isinstance(result, nf.SceneError):
         sentence = str(result)
         assert sentence.startswith(f"{path}: ")

@@ -266,19 +266,22 @@ def test_control_c_stops_a_long_cast() -> None:
     scene = nf.Scene.from_arrays(draw.uniform(-1, 1, (60_000, 3)), np.arange(60_000).reshape(-1, 3))
     nf.cast_rays(scene, (0, 0, 0), [[0, 0, 1]])
     directions = draw.normal(size=(3_000_000, 3))
+    start = time.process_time()
+    nf.cast_rays(scene, np.zeros(3), directions[:30_000])
+    hundredth = time.process_time() - start
     timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
-    start = time.perf_counter()
+    start = time.process_time()
     timer.start()
     with pytest.raises(KeyboardInterrupt):
         nf.cast_rays(scene, np.zeros(3), directions)
-    # Polls come every 50 ms and a tile takes milliseconds; the whole cast takes tens of seconds.
-    assert time.perf_counter() - start < 5.0
+    # Polls come every 50 ms and a tile takes milliseconds: most of the work is never done.
+    assert time.process_time() - start < 50 * hundredth
 
 
 def test_twenty_thousand_copies_build_at_once() -> None:
     faces = np.tile(np.arange(3, dtype=np.uint32), (20_000, 1))
-    start = time.perf_counter()
+    start = time.process_time()
     hits = nf.cast_rays(nf.Scene.from_arrays([[-1, -1, 2], [2, -1, 2], [-1, 2, 2]], faces), (0, 0, 0), [[0, 0, 1]])
-    # Clustering 20,000 equal boxes takes 25 s; this takes milliseconds.
-    assert time.perf_counter() - start < 5.0
+    # Clustering 20,000 equal boxes takes 25 CPU-seconds; this takes milliseconds.
+    assert time.process_time() - start < 5.0
     assert hits.triangle_index[0] == 0

@@ -5,12 +5,12 @@ from __future__ import annotations
 import hashlib
 import os
 import struct
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import platformdirs
 
 from nearfar._base.files import atomic_file
 
@@ -20,11 +20,7 @@ def folder() -> Path:
     chosen = os.environ.get("NEARFAR_CACHE", "").strip()
     if chosen:
         return Path(chosen).expanduser()
-    if sys.platform == "win32":
-        return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local") / "nearfar" / "cache"
-    if sys.platform == "darwin":
-        return Path.home() / "Library" / "Caches" / "nearfar"
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "nearfar"
+    return platformdirs.user_cache_path("nearfar", appauthor=False)
 
 
 def key(*parts: Any) -> str:

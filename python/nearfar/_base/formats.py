@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import json
 import os
+import struct
+from collections.abc import Iterator
+from contextlib import contextmanager
 from importlib import resources
 from typing import Any
 
@@ -77,6 +80,33 @@ def read_json(path: str | os.PathLike[str], name: str, version: int) -> dict[str
         except (ValueError, RecursionError) as error:
             raise FormatError(f"{os.fspath(path)}: expected JSON, got something else ({error})") from None
     return check(document, name, version, path)
+
+
+DAMAGE = (
+    ValueError,
+    TypeError,
+    LookupError,
+    AttributeError,
+    StopIteration,
+    ArithmeticError,
+    RecursionError,
+    struct.error,
+)
+"""Errors that reading raises over a file whose content is not as we write it."""
+
+
+@contextmanager
+def guarded(path: str | os.PathLike[str], kind: str = "") -> Iterator[None]:
+    """Turn every error over a damaged file into a FormatError that names the file, and the kind of content if given."""
+    damaged = f"{os.fspath(path)}: damaged{' ' if kind else ''}{kind}"
+    try:
+        yield
+    except FormatError:
+        raise
+    except KeyError as error:
+        raise FormatError(f"{damaged}: {error} is missing") from None
+    except DAMAGE as error:
+        raise FormatError(f"{damaged}: {error or type(error).__name__}") from None
 
 
 def to_json(document: dict[str, Any]) -> str:

@@ -84,8 +84,7 @@ class Writer:
             "bufferViews": self._views,
             "buffers": [{"byteLength": self._size}] if self._size else [],
         }
-        text = json.dumps({key: value for key, value in whole.items() if value != []}, allow_nan=False).encode()
-        text += b" " * (-len(text) % 4)
+        text = _padded(json.dumps({key: value for key, value in whole.items() if value != []}, allow_nan=False))
         chunks = [_CHUNK.pack(len(text), b"JSON"), text]
         if self._size:
             chunks += [_CHUNK.pack(self._size, b"BIN\0"), *self._pieces]
@@ -93,23 +92,49 @@ class Writer:
         return b"".join([_HEADER.pack(b"glTF", _VERSION, size), *chunks])
 
 
+def header(data: bytes) -> tuple[dict[str, Any], int]:
+    """Return the JSON document of a GLB, and the place where the next chunk begins; ValueError for anything else."""
+    start = _HEADER.size + _CHUNK.size
+    if len(data) < start:
+        raise ValueError("it ends within its header")
+    magic, version, _ = _HEADER.unpack_from(data)
+    if magic != b"glTF" or version != _VERSION:
+        raise ValueError("it does not begin like a GLB of version 2")
+    length, _ = _CHUNK.unpack_from(data, _HEADER.size)
+    return json_object(data[start : start + length]), start + length
+
+
+def with_document(data: bytes, end: int, document: dict[str, Any]) -> bytes:
+    """A GLB with another JSON document; `end` is the place where its second chunk begins."""
+    text = _padded(json.dumps(document))
+    rest = data[end:]
+    size = _HEADER.size + _CHUNK.size + len(text) + len(rest)
+    return b"".join([_HEADER.pack(b"glTF", _VERSION, size), _CHUNK.pack(len(text), b"JSON"), text, rest])
+
+
+def json_object(text: bytes) -> dict[str, Any]:
+    """The object that JSON text holds; ValueError for anything else."""
+    document = json.loads(text)
+    if not isinstance(document, dict):
+        raise ValueError("its JSON is not an object")
+    return document
+
+
+def _padded(text: str) -> bytes:
+    """A JSON chunk's content, filled up to whole words."""
+    content = text.encode()
+    return content + b" " * (-len(content) % 4)
+
+
 class Reader:
     """Document and arrays of a file that `Writer` made; for others the errors of whatever is missing."""
 
     def __init__(self, data: bytes) -> None:
-        magic, version, size = _HEADER.unpack_from(data)
-        if magic != b"glTF" or version != _VERSION:
-            raise ValueError("expected a GLB of version 2")
+        self.document, end = header(data)
+        size = _HEADER.unpack_from(data)[2]
         if size != len(data):
             raise ValueError(f"expected {size} bytes as it says, got {len(data)}")
-        length, kind = _CHUNK.unpack_from(data, _HEADER.size)
-        start = _HEADER.size + _CHUNK.size
-        if kind != b"JSON" or start + length > size:
-            raise ValueError("expected a chunk of JSON first")
-        self.document: dict[str, Any] = json.loads(data[start : start + length])
-        if not isinstance(self.document, dict):
-            raise TypeError(f"expected a JSON object, got {type(self.document).__name__}")
-        self._buffer = memoryview(data)[start + length + _CHUNK.size :]
+        self._buffer = memoryview(data)[end + _CHUNK.size :]
 
     def bytes(self, view: int) -> memoryview:
         """Bytes of a view."""

@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check, exr, formats
-from nearfar._base.errors import FormatError
 from nearfar._cubemap.lookup import FILTERS, cube_lookup
 
 FACES = ("px", "nx", "py", "ny", "pz", "nz")
@@ -183,7 +182,7 @@ class EnvMap:
     def load(cls, path: str | os.PathLike[str]) -> EnvMap:
         """Read what `save` wrote; FormatError for other files and for newer versions, OSError where it is missing."""
         document, parts = exr.read(path, "envmap", VERSION)
-        try:
+        with formats.guarded(path, "environment map"):
             faces = [parts[name] for name in FACES]
             color = np.stack([np.stack([face[axis] for axis in "RGB"], axis=-1) for face in faces])
             channels: dict[str, NDArray[Any]] = {"color": _of_kind("f", color).astype(np.float32, copy=False)}
@@ -192,8 +191,6 @@ class EnvMap:
             if "object_id" in faces[0]:
                 channels["object_id"] = _of_kind("u", np.stack([face["object_id"] for face in faces])).view(np.int32)
             return cls(document["center"], **channels, object_names=document.get("object_names", ()))
-        except (KeyError, TypeError, ValueError) as error:
-            raise FormatError(f"{os.fspath(path)}: damaged environment map: {error}") from None
 
 
 def _meaningful(channel: str, values: NDArray[Any]) -> None:

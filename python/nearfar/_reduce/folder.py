@@ -3,18 +3,13 @@
 from __future__ import annotations
 
 import os
-import struct
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import check, files, formats
-from nearfar._base.errors import FormatError
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene
@@ -88,7 +83,7 @@ def load(path: str | os.PathLike[str]) -> Contents:
 
     folder = check.path("path", path)
     document = formats.read_json(folder / DOCUMENT, NAME, VERSION)
-    with _explained(folder / DOCUMENT):
+    with formats.guarded(folder / DOCUMENT):
         given = document["object_names"]
         names = Names(given if isinstance(given, int) else tuple(given))
         center = check.vector("center", document["center"])
@@ -96,9 +91,9 @@ def load(path: str | os.PathLike[str]) -> Contents:
         counts = {name: check.integer(name, document["counts"][name], 0, 2**62) for name in COUNTS}
         has_map = document["files"]["far"] is not None
     data = (folder / NEAR).read_bytes()
-    with _explained(folder / NEAR):
+    with formats.guarded(folder / NEAR):
         core = glb.decode(data, names)
-    with _explained(folder / DOCUMENT):
+    with formats.guarded(folder / DOCUMENT):
         frames, rest = _frames(document["moving"], names, core.moving_placements())
         near = Scene(core, names, frames=frames, rest=rest)
         return Contents(
@@ -127,29 +122,3 @@ def _frames(
     if not (np.isfinite(frames).all() and np.isfinite(rest).all()):
         raise ValueError("moving: expected finite matrices")
     return (frames if (frames != np.eye(4)).any() else None), rest
-
-
-DAMAGE = (
-    ValueError,
-    TypeError,
-    LookupError,
-    AttributeError,
-    StopIteration,
-    ArithmeticError,
-    RecursionError,
-    struct.error,
-)
-"""What reading a file raises that is not as we write it."""
-
-
-@contextmanager
-def _explained(path: Path) -> Iterator[None]:
-    """Whatever a damaged file leads to is about that file."""
-    try:
-        yield
-    except FormatError:
-        raise
-    except KeyError as error:
-        raise FormatError(f"{path}: damaged: {error} is missing") from None
-    except DAMAGE as error:
-        raise FormatError(f"{path}: damaged: {error or type(error).__name__}") from None

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import exr, files, formats
-from nearfar._base.errors import FormatError
 from nearfar._camera.camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._render.channels import CHANNELS
 
@@ -112,13 +111,11 @@ class Frame:
     def load(cls, path: str | os.PathLike[str]) -> Frame:
         """Read what `save` wrote as `.exr`; FormatError for other files and for newer versions."""
         document, parts = exr.read(path, "frame", VERSION)
-        try:
+        with formats.guarded(path, "frame"):
             channels = parts["frame"]
             camera, origin = _camera(document["camera"]), document["origin"]
             images = {name: image for name in CHANNELS if (image := _image(name, channels)) is not None}
             return cls(camera, (origin[0], origin[1], origin[2]), **images)
-        except (KeyError, IndexError, TypeError, ValueError) as error:
-            raise FormatError(f"{os.fspath(path)}: damaged frame: {error}") from None
 
 
 _AXES = {"color": ("R", "G", "B")} | {

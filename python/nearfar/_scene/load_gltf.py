@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import io
 import json
-import struct
 from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
 
+from nearfar._base import glb
 from nearfar._scene.materials import Materials, colors_of
 from nearfar._scene.report import count
 from nearfar._scene.source import Node, Shape, Source, UnusableError, world_transforms
@@ -36,10 +36,10 @@ def read(label: str, data: bytes, kind: str, resolver: Any) -> Source:
     """Read a GLB or the JSON of a glTF, whose buffers and images the resolver finds."""
     from trimesh.exchange import gltf
 
-    header = _header(data, kind)
+    header, end = glb.header(data) if kind == "glb" else (glb.json_object(data), 0)
     notes = _notes(header)
     if _free_nodes(header):
-        data = _with_header(data, kind, header)
+        data = glb.with_document(data, end, header) if kind == "glb" else json.dumps(header).encode()
     _check_sizes(header, len(data))
     _check_extensions(header)
     reader = gltf.load_glb if kind == "glb" else gltf.load_gltf
@@ -52,20 +52,6 @@ def read(label: str, data: bytes, kind: str, resolver: Any) -> Source:
         if "faces" in arrays
     }
     return Source(label, shapes, _nodes(parts, header, shapes), notes)
-
-
-def _header(data: bytes, kind: str) -> dict[str, Any]:
-    if kind == "glb":
-        if len(data) < 20:
-            raise UnusableError("it ends within its header")
-        magic, version, _, length = struct.unpack("<4sIII", data[:16])
-        if magic != b"glTF" or version != 2:
-            raise UnusableError("it does not begin like a GLB of version 2")
-        data = data[20 : 20 + length]
-    header = json.loads(data)
-    if not isinstance(header, dict):
-        raise UnusableError("its JSON is not an object")
-    return header
 
 
 def _free_nodes(header: dict[str, Any]) -> bool:
@@ -83,15 +69,6 @@ def _free_nodes(header: dict[str, Any]) -> bool:
             if node.get("mesh") in skipped:
                 del node["mesh"]
     return changed
-
-
-def _with_header(data: bytes, kind: str, header: dict[str, Any]) -> bytes:
-    text = json.dumps(header).encode()
-    if kind == "gltf":
-        return text
-    text += b" " * (-len(text) % 4)
-    rest = data[20 + struct.unpack("<I", data[12:16])[0] :]
-    return data[:8] + struct.pack("<II", 20 + len(text) + len(rest), len(text)) + data[16:20] + text + rest
 
 
 def _check_sizes(header: dict[str, Any], size: int) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import struct
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, SupportsFloat
@@ -13,7 +12,6 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import check, files, formats
-from nearfar._base.errors import FormatError
 from nearfar._camera.camera import Camera, Fov
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene, core_of
@@ -76,14 +74,8 @@ def read(target: Path) -> dict[str, Any]:
     from nearfar._scene import glb
 
     data = target.read_bytes()
-    try:
+    with formats.guarded(target, "model of levels"):
         return _fields(glb.Decoder(data, Names(1)), target)
-    except FormatError:
-        raise
-    except KeyError as error:
-        raise FormatError(f"{target}: expected a model of levels by nearfar: {error} is missing") from None
-    except (ValueError, TypeError, LookupError, AttributeError, StopIteration, RecursionError, struct.error) as error:
-        raise FormatError(f"{target}: damaged: {error or type(error).__name__}") from None
 
 
 def _fields(decoder: glb.Decoder, path: Path) -> dict[str, Any]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import check, files, formats
-from nearfar._base.errors import FormatError
 from nearfar.lod._measure.fit import Curve4PL
 from nearfar.lod._measure.samples import Samples
 from nearfar.lod._measured_levels import MeasuredLevels
@@ -73,14 +71,9 @@ def read(path: Path) -> dict[str, Any]:
 
 def fields(document: dict[str, Any], path: Path) -> dict[str, Any]:
     """Fields of a model from what `document` returned; FormatError that names the file for anything else."""
-    where = os.fspath(path)
     formats.check(document, NAME, VERSION, path)
-    try:
+    with formats.guarded(path):
         return _fields(document)
-    except KeyError as error:
-        raise FormatError(f"{where}: damaged: {error} is missing") from None
-    except (ValueError, TypeError, LookupError, AttributeError, ArithmeticError) as error:
-        raise FormatError(f"{where}: damaged: {error or type(error).__name__}") from None
 
 
 def _fields(document: dict[str, Any]) -> dict[str, Any]:
