@@ -15,7 +15,7 @@ use super::shelf::Shelf;
 use super::tables::{Key, SceneTables};
 use crate::device::Device;
 
-/// Scenes whose tables are kept at most: moving objects can make a new scene for each pose.
+/// Scenes whose tables are kept at most: each selection of moving objects is a scene of its own.
 const MAX_SCENES: usize = 64;
 
 /// Lists of materials and textures.
