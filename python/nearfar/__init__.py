@@ -1,6 +1,6 @@
-"""Makes scenes too heavy for a thin VR device light enough to run on it, and says what that costs in image quality."""
+"""Reduction of 3D scenes that are too heavy for a thin VR device, and measures of the loss in image quality."""
 
-# In the order of the pipeline, which is not the alphabet's.
+# Imports follow the order of the pipeline, not the alphabet.
 # ruff: noqa: I001
 from nearfar._base.errors import DeviceError, Error, FormatError, SceneError
 from nearfar._base.version import __version__

@@ -1,4 +1,4 @@
-"""Bent rays: the morph per pixel, and how far the user may go before the picture folds."""
+"""Occlusion-free ray bending: the morph for each pixel, and the distance that the user may walk before it folds."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ def bend_rays(
     tolerance: float,
     kind: str = "blend",
 ) -> NDArray[np.float64]:
-    """Find the curves of points that the morph shows in given directions, as polylines.
+    """Compute bent rays: for each direction the curve of all points that the morph shows there, as a polyline.
 
-    A point of the curve is where `morph` shows it in that direction. The curve leaves the user's eye along the
-    direction, bends between the radii, and ends at `r2` on the parallel ray from the centre, along which the far
-    part is seen. So tracing it through the unmorphed scene draws the morph for every pixel.
+    `morph` moves every point of the curve onto the straight ray from the user's eye in that direction. The curve leaves
+    the eye along the direction, bends between the radii, and ends at `r2` on the parallel ray from the centre, which
+    shows the far part. Tracing these curves through the unmorphed scene renders the morphed picture pixel by pixel.
 
     Parameters
     ----------
@@ -35,21 +35,22 @@ def bend_rays(
     r1, r2, kind
         As in `morph`; the curves are the same for both kinds.
     tolerance
-        Radians, as the user sees it, by which a chord may miss its curve; at least 1e-9, which takes some
-        thousand points a ray. Chords are tried at their middle and at those of their halves and quarters.
+        Greatest angle in radians, seen from U, between a chord of the polyline and its curve; at least 1e-9, which
+        needs about a thousand points for each ray. A chord is tested at its middle and at the middles of its halves
+        and quarters.
 
     Returns
     -------
     NDArray
-        (N, K, 3) float64, metres: the points of each polyline, padded with NaN. The last leg goes on along the
-        direction. The first point is U for users within `r1`, else where the curve begins. A ray that does not bend is
-        one point: straight up, along the line through U and O, and where both are one. Points are shown in their
-        direction to 1e-9 radians.
+        (N, K, 3) float64, metres: the points of each polyline, padded with NaN. The last segment continues along the
+        direction without end. The first point is U if U is within `r1`, else the start of the curve. A ray that does
+        not bend has one point: a ray straight up, a ray along the line through U and O, and every ray if
+        U = O. `morph` shows each point in its direction to 1e-9 radians.
 
     Raises
     ------
     ValueError
-        For directions without a length, radii out of order, a tolerance below its least.
+        For directions of length 0, radii out of order, and a tolerance below 1e-9.
     TypeError
         For values that are not numbers.
 
@@ -75,10 +76,10 @@ def bend_rays(
 
 
 def fold_margin(user: ArrayLike, *, center: ArrayLike, r1: float, r2: float, kind: str = "blend") -> float:
-    """Metres that the user may still walk away from the centre before the picture folds.
+    """Compute the distance that the user may still walk away from the centre before the picture folds.
 
-    A picture folds where two neighbouring points change sides: where the Jacobian of the morph changes its sign. Up to
-    there every direction shows one curve of points, and nothing is seen twice.
+    A picture folds where two neighbouring points change sides: where the Jacobian of the morph changes its sign. As
+    long as it does not fold, every direction shows one curve of points, and no point is seen twice.
 
     Parameters
     ----------
@@ -90,15 +91,15 @@ def fold_margin(user: ArrayLike, *, center: ArrayLike, r1: float, r2: float, kin
     Returns
     -------
     float
-        Horizontal metres at the user's present height, exact to 1e-4 (r2 − r1); negative where the picture folds
-        already, and −inf where at this height it folds even on the axis. For "blend" about 0.95 (r2 − r1) at the
-        centre's height, and less above and below it; at most (r1 + r2) / 3, where points next to the user fold. For
-        "cylinder" r1 − |(U−O)ₕ|.
+        Horizontal distance in metres at the user's present height, exact to 1e-4 (r2 − r1). Negative if the picture
+        folds already; −inf if at this height it folds even on the axis. For "blend" about 0.95 (r2 − r1) at the
+        centre's height and less above and below it, but at most (r1 + r2) / 3, where points next to the user fold. For
+        "cylinder" r1 − |(U−O)ₕ|, where ₕ denotes the horizontal part.
 
     Raises
     ------
     ValueError, TypeError
-        For arguments out of their domains.
+        For kinds, radii and positions that `morph` refuses.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Spheres about points: the smallest one, and cheaper ones that are larger; how much of the sight they take."""
+"""Bounding spheres of points, smallest and approximate, and the solid angles of spheres."""
 
 from __future__ import annotations
 
@@ -9,26 +9,29 @@ from nearfar import _core
 from nearfar._base import check, progress
 
 METHODS = ("exact", "ritter", "average", "minmax", "best")
+"""Names of the methods that `bounding_sphere` describes."""
 
 
 def bounding_sphere(points: ArrayLike, *, method: str = "exact") -> tuple[NDArray[np.float64], float]:
-    """Sphere about points.
+    """Compute a sphere that encloses points.
 
     Parameters
     ----------
     points
-        (N, 3), at least one, in any unit. float32 and float64 are read as they are, other numbers become float64;
-        everything is computed in float64.
+        (N, 3), at least one, in any unit. float32 and float64 are read without conversion, other numbers become
+        float64; everything is computed in float64.
     method
-        "exact": the smallest sphere. "average": about the mean of the points. "minmax": about the middle of their box.
-        "best": the smaller of these two. "ritter": about two far points, widened to each one that lies outside.
+        "exact": the smallest sphere. "average": centred at the mean of the points. "minmax": centred at the middle of
+        their box. "best": the smaller of "average" and "minmax". "ritter": starts with two distant points and grows to
+        include each point that lies outside.
 
     Returns
     -------
     (NDArray, float)
         Centre (3,) float64 and radius, in the points' unit. No point lies outside by more than 4 units in the last
-        place of the radius. For "exact" the radius is within 1e-12 of the least there is, as a share, and what rounding
-        the centre to float64 costs: 1e-16 of the points' distance from zero. The same bits for any number of threads.
+        place of the radius. For "exact" the radius exceeds the smallest possible one by at most a share of 1e-12, plus
+        the error of rounding the centre to float64: 1e-16 of the points' distance from zero. The bits are the same for
+        any number of threads.
 
     Raises
     ------
@@ -39,7 +42,7 @@ def bounding_sphere(points: ArrayLike, *, method: str = "exact") -> tuple[NDArra
 
     References
     ----------
-    Gärtner (1999): the farthest point is added until none lies outside. Ritter (1990). "best" is that of
+    "exact": Gärtner (1999), which adds the farthest point until none lies outside. "ritter": Ritter (1990). "best":
     Liebisch (2021).
     """
     check.choice("method", method, METHODS)
@@ -50,24 +53,24 @@ def bounding_sphere(points: ArrayLike, *, method: str = "exact") -> tuple[NDArra
 def bounding_spheres(
     points: ArrayLike, offsets: ArrayLike, *, method: str = "exact"
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Spheres about groups of points, such as the objects of a scene.
+    """Compute a sphere for each group of points, such as the objects of a scene.
 
     Parameters
     ----------
     points, method
         As in `bounding_sphere`.
     offsets
-        (K + 1,) whole numbers that rise: group k is `points[offsets[k]:offsets[k + 1]]`, with at least one point.
+        (K + 1,) ascending whole numbers: group k is `points[offsets[k]:offsets[k + 1]]`, with at least one point.
 
     Returns
     -------
     (NDArray, NDArray)
-        Centres (K, 3) and radii (K,), float64, as `bounding_sphere` of each group.
+        Centres (K, 3) and radii (K,), float64, as `bounding_sphere` computes them for each group.
 
     Raises
     ------
     ValueError, TypeError
-        As in `bounding_sphere`, and for offsets that do not rise or lead beyond the points.
+        As in `bounding_sphere`, and for offsets that do not ascend or exceed the number of points.
     """
     check.choice("method", method, METHODS)
     numbers = check.array("offsets", offsets, columns=None, dtype=np.int64)
@@ -75,28 +78,28 @@ def bounding_spheres(
         raise ValueError(f"offsets: expected shape (K + 1,), got {numbers.shape}")
     with progress.bar("bounding") as report:
         rows = _core.bounding_spheres(check.array("points", points), numbers, method=method, report=report)
-    found = np.array(rows, np.float64).reshape(-1, 4)
-    return found[:, :3].copy(), found[:, 3].copy()
+    spheres = np.array(rows, np.float64).reshape(-1, 4)
+    return spheres[:, :3].copy(), spheres[:, 3].copy()
 
 
 def solid_angle(centers: ArrayLike, radii: ArrayLike, *, eye: ArrayLike) -> NDArray[np.float64]:
-    """Solid angles that spheres take of the sight from an eye.
+    """Compute the solid angles of spheres seen from an eye.
 
     Parameters
     ----------
     centers
-        (N, 3), metres.
+        Centres (N, 3), metres.
     radii
-        (N,) or one, metres, at least 0.
+        Radii (N,), or one for all spheres, metres, at least 0.
     eye
-        Three numbers, metres.
+        Position (3,), metres.
 
     Returns
     -------
     NDArray
-        (N,) float64, steradians: σ = 2π (1 − cos μ) with μ = asin(radius / distance), to a few units in the last place
-        however small the sphere is, over cos μ: beside the surface σ hangs on the last digits of the distance. 4π where
-        the eye is in the sphere or on it.
+        (N,) float64, steradians: σ = 2π (1 − cos μ), where μ = asin(radius / distance). The relative error is a few
+        units in the last place divided by cos μ, however small the sphere is: near the surface cos μ is small, and σ
+        depends on the last digits of the distance. σ is 4π if the eye is inside the sphere or on it.
 
     Raises
     ------

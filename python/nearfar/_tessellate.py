@@ -1,4 +1,4 @@
-"""Triangles split until morphing their vertices is as good as morphing every point, for every user of a region."""
+"""Tessellation: splits triangles until morphing their vertices approximates morphing every point of them."""
 
 from __future__ import annotations
 
@@ -30,30 +30,32 @@ def tessellate(
 ) -> Mesh:
     """Split triangles until a vertex shader that morphs corners shows every point where `morph` does.
 
-    The error has a bound, not an estimate: for kind "blend", every user of the region and every point of the surface,
-    the picture is within the tolerance of the exact morph. Edges are split by what they are alone, so neighbours stay
-    joined, within a mesh and between meshes and objects. What lies within r1 or beyond r2 stays as it is, bit for bit,
-    and so do objects that move: poses take them elsewhere, and `ReducedScene.render` splits them for each frame.
+    The error has a proven bound: for kind "blend", every user position in the region and every point of the surface,
+    the picture differs from the exact morph by at most the tolerance. Whether an edge is split depends on that edge
+    alone, so neighbours stay joined, within a mesh and between meshes and objects. Triangles within r1 or beyond r2
+    stay unchanged, bit for bit. So do moving objects, whose poses change: `ReducedScene.render` splits them in each
+    frame.
 
     Parameters
     ----------
     mesh
         A `Scene`, or a `trimesh.Trimesh` in its own frame, y up. Attributes are interpolated at new vertices: texture
-        coordinates and numbers linearly, a scene's vertex colours in linear light, normals to unit length, and whole
-        numbers taken from the nearest corner. Meshes that are placed several times are shared as far as their copies
-        need no split.
+        coordinates and numbers linearly, a scene's vertex colours in linear light, and normals to unit length. Whole
+        numbers are taken from the nearest corner. A mesh that is placed several times stays shared between the
+        instances that need no split.
     center
         The centre O, metres.
     r1, r2
         Radii in metres, 0 < r1 < r2.
     user_region
-        Where users' eyes can be: a radius in metres about the centre, or a box (2, 3) of least and greatest corner in
-        the frame of `center`. A box counts as the ball about the centre that holds it, at most 0.6 r1.
+        Possible positions of users' eyes: a radius in metres about the centre, or a box (2, 3) of least and greatest
+        corner in the frame of `center`. A box stands for the ball about the centre that encloses it. The radius is at
+        most 0.6 r1.
     tolerance_px
-        Greatest error in pixels.
+        Greatest error in pixels, above 0.
     camera
-        A perspective view or cube face with the users' resolution. Its finest pixel counts, at the image's corner;
-        where it stands and looks doesn't.
+        A perspective view or cube face with the users' resolution. The tolerance is measured in its finest pixel, at
+        the image's corner; its position and direction do not matter.
 
     Returns
     -------
@@ -63,16 +65,16 @@ def tessellate(
     Raises
     ------
     ValueError
-        For radii out of order, regions that leave 0.6 r1, where no bound is known, tolerances that triangles of
-        (r2 − r1)/4096 do not reach, and parallel rays.
+        For radii out of order, regions beyond 0.6 r1 (no bound is known there), tolerances that need triangles smaller
+        than (r2 − r1)/4096, and cameras with parallel rays.
     TypeError
         For meshes of another type.
     MemoryError
-        Where the result does not fit.
+        If the result does not fit into memory.
 
     References
     ----------
-    Popescu, Lee, Choi, Fahmy (2022) morph vertices; the bound of what that misses is ours.
+    Popescu, Lee, Choi, Fahmy (2022) morph vertices; the error bound is derived in this project.
     """
     middle = check.vector("center", center)
     near, far = check.radii(r1, r2)
@@ -99,7 +101,7 @@ def _pixel_angle(camera: Camera) -> float:
 
 
 def _reach(region: ArrayLike, center: tuple[float, float, float]) -> float:
-    """Greatest distance of a user from the centre."""
+    """Greatest distance of a user from the centre, metres."""
     if np.ndim(region) == 0:
         reach = check.number("user_region", cast("float", region))
         if reach < 0.0:
@@ -116,7 +118,7 @@ def _reach(region: ArrayLike, center: tuple[float, float, float]) -> float:
 def _tessellate_trimesh(mesh: trimesh.Trimesh, settings: dict[str, Any]) -> trimesh.Trimesh:
     import trimesh
 
-    from nearfar._scene.load_trimesh import given_normals
+    from nearfar._scene.load_trimesh import source_normals
 
     if not isinstance(mesh, trimesh.Trimesh):
         raise TypeError(f"mesh: expected a Scene or a trimesh.Trimesh, got {type(mesh).__name__}")
@@ -125,12 +127,12 @@ def _tessellate_trimesh(mesh: trimesh.Trimesh, settings: dict[str, Any]) -> trim
     if faces.size and int(faces.max()) >= len(vertices):
         raise ValueError(f"mesh.faces: expected vertex numbers below {len(vertices)}, got {faces.max()}")
     with progress.bar("tessellating") as report:
-        made = _core.tessellate_arrays(vertices, faces, **settings, report=report)
-    corners, weights, sources = faces[made["point_faces"]], made["weights"], made["sources"]
-    normals = given_normals(mesh)
+        split = _core.tessellate_arrays(vertices, faces, **settings, report=report)
+    corners, weights, sources = faces[split["point_faces"]], split["weights"], split["sources"]
+    normals = source_normals(mesh)
     return trimesh.Trimesh(
-        vertices=np.concatenate([vertices, made["points"]]),
-        faces=made["faces"],
+        vertices=np.concatenate([vertices, split["points"]]),
+        faces=split["faces"],
         process=False,
         vertex_normals=None if normals is None else _extended_normals(normals, corners, weights),
         visual=_visual(mesh, corners, weights, sources),
@@ -160,14 +162,14 @@ def _visual(mesh: trimesh.Trimesh, corners: NDArray[Any], weights: NDArray[Any],
 
 
 def _extended_normals(normals: NDArray[Any], corners: NDArray[Any], weights: NDArray[Any]) -> NDArray[Any]:
-    """Normals of the vertices and, of unit length, of the new ones behind them; zero where they cancel out."""
+    """Normals of the old vertices, followed by unit normals of the new ones; zero where corner normals cancel out."""
     mixed = _extended(normals, corners, weights)[len(normals) :]
     length = np.linalg.norm(mixed, axis=1, keepdims=True)
     return np.concatenate([normals, np.divide(mixed, length, out=np.zeros_like(mixed), where=length > 0)])
 
 
 def _extended(values: NDArray[Any], corners: NDArray[Any], weights: NDArray[Any]) -> NDArray[Any]:
-    """Values of the vertices and of the new ones behind them."""
+    """Values of the old vertices, followed by those of the new ones."""
     if values.dtype.kind != "f":
         nearest = corners[np.arange(len(corners)), weights.argmax(axis=1)] if len(corners) else corners[:, 0]
         return np.concatenate([values, values[nearest]])

@@ -53,7 +53,7 @@ def test_the_environment_selects_too(monkeypatch: pytest.MonkeyPatch) -> None:
     with adapter("vulkan"):
         assert nf.gpu.selected().backend == "vulkan"
     monkeypatch.setenv("NEARFAR_ADAPTER", " ")
-    assert backends.wanted() is None
+    assert backends.selected() is None
 
 
 def test_wrong_selections_are_refused() -> None:
@@ -117,7 +117,7 @@ def test_the_variable_that_silences_mesa_is_not_left_behind() -> None:
 
 
 def test_importing_looks_for_nothing() -> None:
-    done = program("import sys; print('logging' in sys.modules, nf._render.backend._looked)", **NO_DRIVERS)
+    done = program("import sys; print('logging' in sys.modules, nf._render.backend._searched)", **NO_DRIVERS)
     assert done.stdout == "False set()\n", done.stderr
 
 

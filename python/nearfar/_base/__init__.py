@@ -1,1 +1,1 @@
-"""Policies that every stage keeps: argument checks, errors, files and formats, cache, progress, random numbers."""
+"""Code that every stage uses: argument checks, errors, files and formats, cache, progress, random numbers."""

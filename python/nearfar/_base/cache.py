@@ -1,4 +1,4 @@
-"""A bounded folder of results that are slow to make: keys are hashes of content, settings and algorithm version."""
+"""A size-limited cache folder for slow results; keys are hashes of content, settings and algorithm version."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nearfar._base.files import atomic_file
 
 
 def folder() -> Path:
-    """Where results are kept: `NEARFAR_CACHE`, else nearfar's place in the platform's cache folder."""
+    """Return the cache folder: `NEARFAR_CACHE` if set, else nearfar's folder in the platform's cache folder."""
     chosen = os.environ.get("NEARFAR_CACHE", "").strip()
     if chosen:
         return Path(chosen).expanduser()
@@ -24,7 +24,7 @@ def folder() -> Path:
 
 
 def key(*parts: Any) -> str:
-    """Hash of everything that a result depends on, as 40 hexadecimal digits.
+    """Hash everything that a result depends on to 40 hexadecimal digits.
 
     Parameters
     ----------
@@ -35,46 +35,48 @@ def key(*parts: Any) -> str:
     Raises
     ------
     TypeError
-        For other types: their text may hold an address that differs from run to run.
+        For other types, whose text may contain an address that differs from run to run.
     """
     digest = hashlib.blake2b(digest_size=20)
-    for piece in _pieces(parts):
+    for piece in _encoded(parts):
         digest.update(piece)
     return digest.hexdigest()
 
 
 def get_or_make(key: str, suffix: str, make: Callable[[Path], None]) -> Path:
-    """Return the kept file for a key, and make it first if there is none.
+    """Return the cached file of a key; make it first if there is none.
 
     Parameters
     ----------
     key
-        From `key`.
+        Hash from `key`.
     suffix
         The file's suffix with its dot, such as ".npy".
     make
-        Writes the file at the path that it is given. If it raises, nothing is kept.
+        Writes the file at the path that it receives. If it raises, nothing is cached.
 
     Returns
     -------
     Path
-        The file, marked as just used. The least recently used others go while the folder holds more than
-        `NEARFAR_CACHE_MAX_GB` (default 4) gigabytes of 10⁹ bytes.
+        The file, marked as just used. While the folder exceeds `NEARFAR_CACHE_MAX_GB` (default 4) gigabytes of 10⁹
+        bytes, the least recently used other files are removed.
 
     Raises
     ------
     OSError
-        Where the folder cannot be written; names it. `NEARFAR_CACHE` chooses another.
+        If the folder is not writable; the error names it. `NEARFAR_CACHE` sets another folder.
+    ValueError
+        If `NEARFAR_CACHE_MAX_GB` is not a number of at least 0.
     """
     path = find(key, suffix)
     return keep(key, suffix, make) if path is None else path
 
 
 def find(key: str, suffix: str) -> Path | None:
-    """Return the kept file for a key, marked as just used; None where there is none."""
-    # A wrong variable is told of even where nothing is made.
+    """Return the cached file of a key, marked as just used; None if there is none."""
+    # A wrong NEARFAR_CACHE_MAX_GB raises here too, although nothing is written.
     _limit()
-    path = _place(key, suffix)
+    path = _path_of(key, suffix)
     try:
         os.utime(path)
     except (FileNotFoundError, NotADirectoryError):
@@ -83,16 +85,16 @@ def find(key: str, suffix: str) -> Path | None:
 
 
 def keep(key: str, suffix: str, make: Callable[[Path], None]) -> Path:
-    """Keep a file for a key in place of what was kept for it; arguments, errors and limits as in `get_or_make`."""
-    limit, path = _limit(), _place(key, suffix)
+    """Cache a new file for a key, replacing the old one; arguments, errors and limits as in `get_or_make`."""
+    limit, path = _limit(), _path_of(key, suffix)
     path.parent.mkdir(parents=True, exist_ok=True)
-    with atomic_file(path) as aside:
-        make(aside)
+    with atomic_file(path) as temporary:
+        make(temporary)
     _trim(limit, path)
     return path
 
 
-def _place(key: str, suffix: str) -> Path:
+def _path_of(key: str, suffix: str) -> Path:
     return folder() / key[:2] / f"{key}{suffix}"
 
 
@@ -108,7 +110,7 @@ def _limit() -> int:
 
 
 def _trim(limit: int, just_made: Path) -> None:
-    """Remove the files used longest ago. The one just made stays even if it alone is above the limit: it is wanted."""
+    """Remove the least recently used files until at most `limit` bytes remain; the file just made always stays."""
     files = []
     for path in folder().glob("??/*"):
         try:
@@ -125,8 +127,8 @@ def _trim(limit: int, just_made: Path) -> None:
             held -= size
 
 
-def _pieces(value: Any) -> Iterator[bytes]:
-    """Bytes that differ whenever values differ: each piece begins with its type and length."""
+def _encoded(value: Any) -> Iterator[bytes]:
+    """Encode values unambiguously as bytes: each piece begins with its type and length."""
     if value is None or isinstance(value, bool | np.bool_):
         yield b"c" + str(value).encode() + b";"
     elif isinstance(value, int | np.integer):
@@ -145,10 +147,10 @@ def _pieces(value: Any) -> Iterator[bytes]:
     elif isinstance(value, tuple | list):
         yield b"t%d:" % len(value)
         for item in value:
-            yield from _pieces(item)
+            yield from _encoded(item)
     elif isinstance(value, dict):
         yield b"d%d:" % len(value)
         for item in sorted(value.items()):
-            yield from _pieces(item)
+            yield from _encoded(item)
     else:
         raise TypeError(f"parts: expected strings, numbers, arrays or containers of them, got {type(value).__name__}")

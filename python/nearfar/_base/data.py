@@ -1,4 +1,4 @@
-"""Where scenes for tests and demonstrations lie: `NEARFAR_DATA`, else the nearest `shared/data` above the checkout."""
+"""Location of the data files for tests and demonstrations, which are not part of the repository."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def root() -> Path | None:
-    """Return the data folder; None where there is none.
+    """Return the data folder; None if there is none.
 
     It is `NEARFAR_DATA` if set, else the nearest `shared/data` above this file, else above the working folder.
     """
@@ -22,7 +22,7 @@ def root() -> Path | None:
 
 
 def find(relative: str) -> Path | None:
-    """Path of a file or folder below the data folder, such as "city/tokyo_core_lod1.glb"; None where it is missing."""
+    """Path of a file or folder below the data folder, such as "city/tokyo_core_lod1.glb"; None if it is missing."""
     folder = root()
     if folder is None or not (folder / relative).exists():
         return None
@@ -30,10 +30,10 @@ def find(relative: str) -> Path | None:
 
 
 def require(relative: str) -> Path:
-    """Like `find`; FileNotFoundError that says where was looked."""
-    found = find(relative)
-    if found is None:
+    """Like `find`, but raises FileNotFoundError, which names the folder, if the file is missing."""
+    path = find(relative)
+    if path is None:
         folder = root()
-        looked = f"not in {folder}" if folder else "there is no folder shared/data above the checkout"
-        raise FileNotFoundError(f"{relative}: expected a data file, but {looked}; NEARFAR_DATA names another folder")
-    return found
+        reason = f"not in {folder}" if folder else "there is no folder shared/data above the checkout"
+        raise FileNotFoundError(f"{relative}: expected a data file, but {reason}; NEARFAR_DATA names another folder")
+    return path

@@ -1,4 +1,4 @@
-"""Exceptions of nearfar. Wrong arguments are ValueError or TypeError; these are for files, scenes and devices."""
+"""Exceptions of nearfar for files, scenes and devices; wrong arguments raise ValueError or TypeError instead."""
 
 from nearfar._core import DeviceError, Error, FormatError, SceneError
 

@@ -1,4 +1,4 @@
-"""OpenEXR files of ours: named parts with channels, and one header document of JSON in the attribute `nearfar`."""
+"""nearfar's OpenEXR files: named parts with channels, and one JSON document in the header attribute `nearfar`."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from nearfar._base import check, files, formats
 from nearfar._base.errors import FormatError
 
 ATTRIBUTE = "nearfar"
-"""Header attribute of the first part. OpenEXR keeps names such as `version` for itself, hence one document."""
+"""Header attribute of the first part that holds the document; OpenEXR reserves names such as `version`."""
 
 Channels = Mapping[str, NDArray[Any]]
-"""Images of a part by name: (H, W) float16, float32 or uint32, C-contiguous, of one shape."""
+"""Images of a part by channel name: (H, W) float16, float32 or uint32, C-contiguous, all of one shape."""
 
 
 def write(
@@ -26,7 +26,7 @@ def write(
     document: Mapping[str, Any],
     vectors: Mapping[str, tuple[float, float, float]] | None = None,
 ) -> None:
-    """Write a file whole or not at all; compression is lossless.
+    """Write a file completely or not at all; compression is lossless.
 
     Parameters
     ----------
@@ -35,43 +35,48 @@ def write(
     parts
         Channels of each part by the part's name.
     document
-        A header made by `formats.header`, with whatever else describes the file.
+        A header made by `formats.header`, with the format's further fields.
     vectors
-        Triples of numbers that every part's header repeats as float32 attributes, for programs that do not read
+        Triples of numbers by name, written to every part's header as float32 attributes for programs that do not read
         `document`.
 
     Raises
     ------
     ValueError, TypeError
-        For images that OpenEXR cannot hold.
+        For images that OpenEXR cannot store.
     OSError
-        Where the file cannot be written.
+        If the file cannot be written.
     """
     text = json.dumps(dict(document), allow_nan=False)
-    with files.atomic_file(path) as aside:
-        coded: list[_core._Part] = []
+    with files.atomic_file(path) as temporary:
+        encoded: list[_core._Part] = []
         for name, channels in parts.items():
-            first = {} if coded else {ATTRIBUTE: text}
-            coded.append((name, dict(channels), {**first, **(vectors or {})}))
-        aside.write_bytes(_core.encode_exr(coded))
+            first = {} if encoded else {ATTRIBUTE: text}
+            encoded.append((name, dict(channels), {**first, **(vectors or {})}))
+        temporary.write_bytes(_core.encode_exr(encoded))
 
 
 def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[str, Any], dict[str, Channels]]:
-    """Read the document and the parts of a file of ours.
+    """Read the document and the parts of a file that `write` made.
 
     Parameters
     ----------
     path
         The file.
     name, version
-        The format expected, without "nearfar.", and the newest version understood.
+        Expected format without "nearfar.", and the newest supported version.
+
+    Returns
+    -------
+    dict, dict
+        The document, and the channels of each part by the part's name.
 
     Raises
     ------
     FormatError
-        For what is no OpenEXR file of this format, or a newer version of it.
+        For a file that is not an OpenEXR file of this format, or has a newer version of it.
     OSError
-        Where the file cannot be read.
+        If the file cannot be read.
     """
     data = check.path("path", path).read_bytes()
     try:

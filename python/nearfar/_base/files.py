@@ -1,4 +1,4 @@
-"""Files and folders that are either complete or absent: written aside, flushed, and renamed."""
+"""Atomic writing of files and folders: a temporary one is written, flushed to disk, and renamed."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pathlib import Path
 
 @contextmanager
 def atomic_file(path: str | os.PathLike[str]) -> Iterator[Path]:
-    """Write a file whole or not at all.
+    """Write a file completely or not at all.
 
     Parameters
     ----------
@@ -23,81 +23,81 @@ def atomic_file(path: str | os.PathLike[str]) -> Iterator[Path]:
     Yields
     ------
     Path
-        Where to write: an empty file beside `path` with the same suffix. It takes the place of `path` when the block
-        ends, and is removed when the block raises.
+        An empty temporary file in the folder of `path`, with the same suffix. It replaces `path` when the block ends,
+        and is removed if the block raises.
 
     Raises
     ------
     OSError
-        Before the block runs, where the folder is missing or not writable or `path` is a folder; names `path`.
+        Before the block runs, if the folder is missing or not writable or `path` is a folder; the error names `path`.
     """
     target = _absolute(path)
     if target.is_dir():
         raise IsADirectoryError(errno.EISDIR, "is a folder, expected a place for a file", str(target))
-    aside = _aside(target)
-    with _named(target):
-        os.close(os.open(aside, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
+    temporary = _temporary_path(target)
+    with _errors_name(target):
+        os.close(os.open(temporary, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
     try:
-        yield aside
-        _flush(aside)
-        with _named(target):
-            os.replace(aside, target)
+        yield temporary
+        _flush(temporary)
+        with _errors_name(target):
+            os.replace(temporary, target)
         _flush(target.parent)
     except BaseException:
-        aside.unlink(missing_ok=True)
+        temporary.unlink(missing_ok=True)
         raise
 
 
 @contextmanager
 def atomic_folder(path: str | os.PathLike[str], *, marker: str = "manifest.json") -> Iterator[Path]:
-    """Write a folder whole or not at all.
+    """Write a folder completely or not at all.
 
     Parameters
     ----------
     path
-        The folder to make. One that exists is replaced if it is empty or holds `marker`, the file by which we know
-        our own; the folder above must exist.
+        The folder to make. An existing one is replaced only if it is empty or contains `marker`. The folder above must
+        exist.
     marker
-        Name of the file that every folder of this kind holds.
+        Name of the file that every folder of this kind contains.
 
     Yields
     ------
     Path
-        An empty folder beside `path` to write into. It takes the place of `path` when the block ends, and is removed
-        when the block raises.
+        An empty temporary folder beside `path`. It replaces `path` when the block ends, and is removed if the block
+        raises.
 
     Raises
     ------
     OSError
-        Before the block runs, where the folder above is missing or not writable, or `path` is a file or a folder with
-        other people's files; names `path`.
+        Before the block runs, if the folder above is missing or not writable, or `path` is a file or a folder with
+        other files; the error names `path`.
     """
     target = _absolute(path)
-    _replaceable(target, marker)
-    aside = _aside(target)
-    with _named(target):
-        aside.mkdir()
+    _check_replaceable(target, marker)
+    temporary = _temporary_path(target)
+    with _errors_name(target):
+        temporary.mkdir()
     try:
-        yield aside
-        for item in sorted(aside.rglob("*")):
+        yield temporary
+        for item in sorted(temporary.rglob("*")):
             _flush(item)
-        _flush(aside)
-        _swap(aside, target, marker)
+        _flush(temporary)
+        _swap(temporary, target, marker)
         _flush(target.parent)
     except BaseException:
-        shutil.rmtree(aside, ignore_errors=True)
+        shutil.rmtree(temporary, ignore_errors=True)
         raise
 
 
-def _swap(aside: Path, target: Path, marker: str) -> None:
-    _replaceable(target, marker)
-    old = _aside(target)
+def _swap(temporary: Path, target: Path, marker: str) -> None:
+    _check_replaceable(target, marker)
+    old = _temporary_path(target)
     replaced = target.exists()
-    with _named(target):
+    with _errors_name(target):
         if replaced:
             os.rename(target, old)
         try:
-            os.rename(aside, target)
+            os.rename(temporary, target)
         except OSError:
             if replaced:
                 os.rename(old, target)
@@ -106,7 +106,7 @@ def _swap(aside: Path, target: Path, marker: str) -> None:
         shutil.rmtree(old, ignore_errors=True)
 
 
-def _replaceable(target: Path, marker: str) -> None:
+def _check_replaceable(target: Path, marker: str) -> None:
     if not target.exists():
         return
     if not target.is_dir():
@@ -117,18 +117,18 @@ def _replaceable(target: Path, marker: str) -> None:
 
 
 def _absolute(path: str | os.PathLike[str]) -> Path:
-    """The place with a name of its own, which "." has not."""
+    """Absolute path, which has a name even for "."."""
     return Path(os.path.abspath(path))
 
 
-def _aside(target: Path) -> Path:
-    """Make a unique name in the same folder, because a rename across file systems is a copy."""
+def _temporary_path(target: Path) -> Path:
+    """Unique temporary path in the same folder, because a rename across file systems would copy."""
     return target.with_name(f".{target.stem}.{secrets.token_hex(6)}{target.suffix}")
 
 
 @contextmanager
-def _named(target: Path) -> Iterator[None]:
-    """Errors name what the caller asked for, not our name aside."""
+def _errors_name(target: Path) -> Iterator[None]:
+    """Replace the temporary path in errors by the caller's path."""
     try:
         yield
     except OSError as error:

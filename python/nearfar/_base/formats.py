@@ -1,4 +1,4 @@
-"""What every file that we write says about itself: format, version, generator, units, origin and colour space."""
+"""Header of all files that nearfar writes: format, version, generator, units, origin and colour space."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ CONVENTIONS: dict[str, Any] = {
     "origin": [0.0, 0.0, 0.0],
     "color_space": "none",
 }
-"""Written where a format says nothing else. `color_space` is "linear", "sRGB" or "none" for files without colour."""
+"""Default header fields. `color_space` is "linear", "sRGB", or "none" for files without colour."""
 
 
 def header(name: str, version: int, **conventions: Any) -> dict[str, Any]:
-    """Return the fields with which every document of ours begins.
+    """Return the header fields of a document.
 
     Parameters
     ----------
@@ -32,24 +32,24 @@ def header(name: str, version: int, **conventions: Any) -> dict[str, Any]:
     version
         Version of the format; readers refuse newer ones.
     **conventions
-        What differs from `CONVENTIONS`, such as `origin=(x, y, z)` in metres or `color_space="linear"`, and further
-        statements about the whole file.
+        Values that differ from `CONVENTIONS`, such as `origin=(x, y, z)` in metres or `color_space="linear"`, and
+        further fields about the whole file.
     """
-    own = {"format": f"nearfar.{name}", "version": version, "generator": f"nearfar {__version__}"}
-    return own | CONVENTIONS | conventions
+    identity = {"format": f"nearfar.{name}", "version": version, "generator": f"nearfar {__version__}"}
+    return identity | CONVENTIONS | conventions
 
 
 def check(document: Any, name: str, version: int, path: str | os.PathLike[str]) -> dict[str, Any]:
-    """Return a document if its header says that we can read it.
+    """Return a document if its header has the expected format and a supported version.
 
     Parameters
     ----------
     document
-        What was read, of any type.
+        Decoded content of the file, of any type.
     name, version
-        The format expected and the newest version understood.
+        Expected format without "nearfar.", and the newest supported version.
     path
-        The file, for the message.
+        The file, for the error message.
 
     Raises
     ------
@@ -61,19 +61,19 @@ def check(document: Any, name: str, version: int, path: str | os.PathLike[str]) 
         raise FormatError(f"{where}: expected a {wanted} document, got {type(document).__name__}")
     if document.get("format") != wanted:
         raise FormatError(f"{where}: expected format {wanted!r}, got {document.get('format')!r}")
-    found = document.get("version")
-    if not isinstance(found, int) or isinstance(found, bool) or found < 1:
-        raise FormatError(f"{where}: expected a version of at least 1, got {found!r}")
-    if found > version:
+    file_version = document.get("version")
+    if not isinstance(file_version, int) or isinstance(file_version, bool) or file_version < 1:
+        raise FormatError(f"{where}: expected a version of at least 1, got {file_version!r}")
+    if file_version > version:
         raise FormatError(
-            f"{where}: {wanted} version {found} was written by {document.get('generator', 'a newer nearfar')}; "
+            f"{where}: {wanted} version {file_version} was written by {document.get('generator', 'a newer nearfar')}; "
             f"this is nearfar {__version__}, which reads up to version {version}"
         )
     return document
 
 
 def read_json(path: str | os.PathLike[str], name: str, version: int) -> dict[str, Any]:
-    """Read a document of ours; FormatError where it is damaged or too new, OSError where it is missing."""
+    """Read a JSON document; FormatError if it is damaged or too new, OSError if it is missing."""
     with open(path, encoding="utf-8") as file:
         try:
             document = json.load(file)
@@ -110,12 +110,12 @@ def guarded(path: str | os.PathLike[str], kind: str = "") -> Iterator[None]:
 
 
 def to_json(document: dict[str, Any]) -> str:
-    """Text of a document: indented, strict JSON (no NaN or infinity), ends with a line break."""
+    """Encode a document as indented strict JSON (no NaN or infinity) that ends with a line break."""
     return json.dumps(document, indent=2, allow_nan=False, ensure_ascii=False) + "\n"
 
 
 def load_schema(name: str) -> dict[str, Any]:
-    """JSON Schema of a format of ours, such as "report"; ValueError for names that have none."""
+    """Load the JSON Schema of a format, such as "report"; ValueError for unknown names."""
     folder = resources.files("nearfar") / "schemas"
     file = folder / f"{name}.schema.json"
     if not file.is_file():

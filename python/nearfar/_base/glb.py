@@ -1,4 +1,4 @@
-"""Binary glTF 2.0: one JSON document and one buffer of arrays, which come back bit for bit."""
+"""Reader and writer of binary glTF 2.0 (GLB): one JSON document and one buffer of arrays, stored bit for bit."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _TARGETS = {"vertices": 34962, "faces": 34963}
 
 
 class Writer:
-    """Collects arrays and images, and joins them with a document that speaks of them by number."""
+    """Collects arrays and images, and joins them with a document that refers to them by number."""
 
     def __init__(self) -> None:
         self._pieces: list[bytes] = []
@@ -29,7 +29,7 @@ class Writer:
         self._accessors: list[dict[str, Any]] = []
 
     def view(self, values: NDArray[Any] | bytes, target: Target | None = None) -> int:
-        """Add bytes to the buffer; returns the number of their view."""
+        """Add bytes to the buffer and return the number of their view."""
         data = values if isinstance(values, bytes) else np.ascontiguousarray(values).tobytes()
         view: dict[str, Any] = {"buffer": 0, "byteOffset": self._size, "byteLength": len(data)}
         if target == "vertices" and not isinstance(values, bytes):
@@ -45,20 +45,20 @@ class Writer:
     def accessor(
         self, view: int, values: NDArray[Any], start: int, *, normalized: bool = False, extent: Any = None
     ) -> int:
-        """Say that a view holds an array's rows from its `start`-th element on; returns the accessor's number.
+        """Add an accessor for the rows of a view from row `start` on, and return the accessor's number.
 
         Parameters
         ----------
         view
-            From `view`.
+            Number of a view, from `view`.
         values
             The rows (N,) or (N, K) that this accessor covers.
         start
-            Rows of the view before them.
+            Number of the view's rows before them.
         normalized
-            Whole numbers stand for 0..1.
+            Whether whole numbers stand for 0..1.
         extent
-            Least and greatest row, where the format wants them.
+            Least and greatest values by column, where the format requires them.
         """
         component = next(code for code, kind in _COMPONENTS.items() if values.dtype == kind)
         width = 1 if values.ndim == 1 else values.shape[1]
@@ -77,7 +77,7 @@ class Writer:
         return len(self._accessors) - 1
 
     def encode(self, document: dict[str, Any]) -> bytes:
-        """Bytes of the file. Empty lists are left out, because glTF does not allow them."""
+        """Return the file's bytes. Empty lists are left out, because glTF does not allow them."""
         whole = {
             **document,
             "accessors": self._accessors,
@@ -127,7 +127,7 @@ def _padded(text: str) -> bytes:
 
 
 class Reader:
-    """Document and arrays of a file that `Writer` made; for others the errors of whatever is missing."""
+    """Document and arrays of a file that `Writer` made; other files raise whatever error their damage causes."""
 
     def __init__(self, data: bytes) -> None:
         self.document, end = header(data)
@@ -137,7 +137,7 @@ class Reader:
         self._buffer = memoryview(data)[end + _CHUNK.size :]
 
     def bytes(self, view: int) -> memoryview:
-        """Bytes of a view."""
+        """Return the bytes of a view."""
         described = self.document["bufferViews"][view]
         start, length = described["byteOffset"], described["byteLength"]
         if not 0 <= start <= start + length <= len(self._buffer):
@@ -147,7 +147,7 @@ class Reader:
         return self._buffer[start : start + length]
 
     def array(self, accessor: int) -> NDArray[Any]:
-        """Rows of an accessor (N,) or (N, K), read-only, without a copy."""
+        """Return the rows of an accessor, (N,) or (N, K), read-only and without a copy."""
         described = self.document["accessors"][accessor]
         kind = np.dtype(_COMPONENTS[described["componentType"]])
         width = next(width for width, name in _KINDS.items() if name == described["type"])

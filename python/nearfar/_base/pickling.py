@@ -1,4 +1,4 @@
-"""Values with a compiled twin."""
+"""Pickling of values that cache a compiled counterpart."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 
 class WithTwin:
-    """A value whose compiled twin `_core` is made on first use: pickles and copies go without it."""
+    """A value whose compiled counterpart `_core` is made on first use; pickles and copies leave it out."""
 
     def __getstate__(self) -> dict[str, Any]:
         return {name: value for name, value in self.__dict__.items() if name != "_core"}

@@ -1,4 +1,4 @@
-"""Drawings with matplotlib, which is imported at the first one."""
+"""Plots with matplotlib, which is imported at the first plot."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 PUBLISHED = ((30.0, 371), (50.0, 1000))
-"""Popescu et al. (2022), a Manhattan of 3.7 million triangles: (r2 in metres, triangles); the second is a bound."""
+"""(r2 in metres, triangles) of Popescu et al. (2022), Manhattan with 3.7 million triangles; 1000 is an upper bound."""
 
 
 def load_curve(
     ax: Axes | None, radii: NDArray[np.float64], counts: NDArray[np.int64], total: int, *, published: bool
 ) -> Axes:
-    """Draw triangles left against r2, both logarithmic; see `LoadCurve.plot`."""
+    """Plot the number of triangles that stay geometry against r2; see `LoadCurve.plot`."""
     axes = _pyplot().subplots(layout="constrained")[1] if ax is None else ax
     axes.plot(radii[counts > 0], counts[counts > 0], label="this scene")
     axes.axhline(total, color="0.7", linewidth=0.8, linestyle="--")
@@ -36,7 +36,7 @@ def score_curves(
     labels: list[str],
     samples: tuple[NDArray[np.float64], NDArray[np.float64]] | None,
 ) -> Axes:
-    """Draw curves (K, M) over solid angles (M,), and samples (D,) and (K, D) in their colours; see `LodModel.plot`."""
+    """Plot score curves (K, M) over solid angles (M,) in steradians, and samples (D,), (K, D); see `LodModel.plot`."""
     axes = _pyplot().subplots(layout="constrained")[1] if ax is None else ax
     for number, (curve, label) in enumerate(zip(curves, labels, strict=True)):
         axes.plot(sigma, curve, color=f"C{number % 10}", label=label)

@@ -1,4 +1,4 @@
-"""One function over many items in processes of this machine, which end together at Ctrl-C."""
+"""Calls a function for many items in worker processes of this machine, which all end at Ctrl-C."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ Item = TypeVar("Item")
 Result = TypeVar("Result")
 
 _is_stopped: Callable[[], bool] | None = None
-"""In a worker: whether the process that started it was interrupted."""
+"""In a worker process: returns whether the parent process was interrupted; None elsewhere."""
 
 
 def over_processes(
     function: Callable[[Item, progress.Report], Result], items: Sequence[Item], label: str, workers: int
 ) -> list[Result]:
-    """Call a function for each item in processes of their own; `nearfar._base.distribute` says how."""
-    # Graphics drivers hang in forked children, so that children begin anew.
+    """Call a function for each item in worker processes; `nearfar._base.distribute` documents the arguments."""
+    # Graphics drivers hang in forked processes, hence "spawn".
     context = multiprocessing.get_context("spawn")
     stop = context.Event()
     workers = min(workers, len(items))
@@ -50,10 +50,10 @@ def over_processes(
 
 
 def _begin(stop: Event, threads: int) -> None:
-    """Set up a worker before its first kernel."""
+    """Set up a worker process before its first kernel."""
     global _is_stopped
     _is_stopped = stop.is_set
-    # Ctrl-C goes to all processes of a terminal: the process that started this one decides what follows from it.
+    # Ctrl-C reaches all processes of a terminal; only the parent process reacts to it and stops the workers.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     os.environ.setdefault("NEARFAR_NUM_THREADS", str(threads))
     os.environ["NEARFAR_PROGRESS"] = "0"

@@ -1,4 +1,4 @@
-"""Progress bars: on a terminal or in a notebook, and only for work that lasts."""
+"""Progress bars on a terminal or in a notebook, for work that takes longer than half a second."""
 
 from __future__ import annotations
 
@@ -14,28 +14,28 @@ if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
 
 Report = Callable[[int, int], None]
-"""Takes (done, total) in any unit."""
+"""Callback that takes the finished and the total amount of work, in any unit."""
 
 DELAY = 0.5
-"""Seconds of silence: shorter work shows nothing."""
+"""Seconds after which a bar appears; shorter work shows none."""
 
-# One bar at a time: an inner one inside a shown outer one stays silent.
 _shown: _Bar | None = None
+"""The visible bar. Only one is shown at a time, so a nested one stays invisible."""
 
 
 @contextmanager
 def bar(label: str) -> Iterator[Report]:
-    """Show how far a kernel is.
+    """Show the progress of a kernel.
 
     Parameters
     ----------
     label
-        What is being done, in a word or two.
+        Name of the work, one or two words.
 
     Yields
     ------
     Callable
-        Takes (done, total) in any unit; pass it to a kernel as `report=`. `NEARFAR_PROGRESS=0` silences it.
+        Takes (done, total) in any unit; pass it to a kernel as `report=`. `NEARFAR_PROGRESS=0` hides the bar.
     """
     shown = _Bar(label)
     try:
@@ -88,6 +88,6 @@ class _Bar:
 
 def _visible() -> bool:
     if "ipykernel" in sys.modules:
-        # rich draws in notebooks through ipywidgets and warns without them.
+        # rich needs ipywidgets in notebooks and warns without them.
         return importlib.util.find_spec("ipywidgets") is not None
     return sys.stderr is not None and sys.stderr.isatty()

@@ -1,6 +1,6 @@
-"""Random numbers as a pure function of (seed, cell, index): the same in Rust and Python, on every platform.
+"""Random numbers as a pure function of (seed, cell, index), equal in Rust and Python and on every platform.
 
-NumPy's generators are not used anywhere: their streams depend on the order of draws and may change between versions.
+NumPy's generators are not used, because their streams depend on the order of draws and may change between versions.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ def uniform(seed: int, cell: int, index: ArrayLike) -> NDArray[np.float64]:
     Parameters
     ----------
     seed
-        The scene's or experiment's number, 0 to 2⁶⁴ − 1.
+        Number of the scene or experiment, 0 to 2⁶⁴ − 1.
     cell
-        What is drawn, so that two uses of one seed are independent, 0 to 2⁶⁴ − 1.
+        Number of the drawn quantity, 0 to 2⁶⁴ − 1; different quantities of one seed are independent.
     index
-        Which draw: whole numbers of any shape.
+        Numbers of the draws: whole numbers of any shape.
 
     Returns
     -------
     NDArray[np.float64]
-        In the shape of `index`.
+        Values in the shape of `index`.
     """
     indices = check.array("index", index, columns=None, dtype=np.uint64)
     seed, cell = check.integer("seed", seed, 0, _WORD), check.integer("cell", cell, 0, _WORD)
@@ -40,9 +40,9 @@ def uniform(seed: int, cell: int, index: ArrayLike) -> NDArray[np.float64]:
 
 
 def integers(seed: int, cell: int, index: ArrayLike, low: int, high: int) -> NDArray[np.int64]:
-    """Draw a whole number in [low, high) for each index; see `uniform` for the first three.
+    """Draw a whole number in [low, high) for each index; see `uniform` for `seed`, `cell` and `index`.
 
-    The bias of the multiplication is below 2⁻²¹ of one draw, which is why high − low is at most 2³².
+    high − low is at most 2³², so that the relative bias of the multiplication stays below 2⁻²¹.
     """
     low = check.integer("low", low, -(2**62), 2**62)
     high = check.integer("high", high, low + 1, low + 2**32)
@@ -52,19 +52,19 @@ def integers(seed: int, cell: int, index: ArrayLike, low: int, high: int) -> NDA
 def choice(
     seed: int, cell: int, index: ArrayLike, options: Sequence[Any] | NDArray[Any], *, weights: ArrayLike | None = None
 ) -> NDArray[Any]:
-    """Draw one of `options` for each index; see `uniform` for the first three.
+    """Draw one of `options` for each index; see `uniform` for `seed`, `cell` and `index`.
 
     Parameters
     ----------
     options
-        What to choose from, along the first axis.
+        The options, along the first axis.
     weights
-        One number of at least 0 for each option; None gives all the same.
+        Relative probability of each option, at least 0; None makes all equal.
 
     Returns
     -------
     NDArray
-        Shape of `index`, then that of one option.
+        Drawn options: the shape of `index`, followed by the shape of one option.
     """
     listed = check.plain("options", options)
     if listed.ndim == 0 or len(listed) == 0:

@@ -1,1 +1,1 @@
-"""Cameras and their projections; distances in depth buffers."""
+"""Cameras and their projections, and conversion between depth buffers and distances."""

@@ -1,4 +1,4 @@
-"""Cameras: where from, which way, and how directions fall on pixels."""
+"""Cameras: position, orientation, projection and image size."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from nearfar._base.pickling import WithTwin
 class Fov:
     """Field of view of a perspective camera: tangents of the angles to the four sides.
 
-    Left and down are negative in a symmetric view; headsets have asymmetric ones, which are the general case here.
+    Left and down are negative in a symmetric view. Asymmetric views, as headsets have them, are allowed.
     """
 
     left: float
@@ -31,7 +31,7 @@ class Fov:
 
     @classmethod
     def symmetric(cls, horizontal_deg: float, aspect: float = 1.0) -> Fov:
-        """Make a view of a horizontal angle in degrees, below 180; `aspect` is width over height."""
+        """Make a symmetric view from its horizontal angle in degrees, below 180; `aspect` is width over height."""
         angle, aspect = check.positive("horizontal_deg", horizontal_deg), check.positive("aspect", aspect)
         if angle >= 180.0:
             raise ValueError(f"horizontal_deg: expected less than 180 degrees, got {angle}")
@@ -40,7 +40,7 @@ class Fov:
 
     @classmethod
     def from_angles(cls, left: float, right: float, up: float, down: float) -> Fov:
-        """Make a view of four signed angles in radians, in the order of OpenXR's XrFovf; left and down negative."""
+        """Make a view from four signed angles in radians, in the order of OpenXR's XrFovf; left and down negative."""
         angles = {"left": left, "right": right, "up": up, "down": down}
         for name, angle in angles.items():
             if abs(check.number(name, angle)) >= math.pi / 2:
@@ -50,7 +50,7 @@ class Fov:
 
 @dataclass(frozen=True)
 class Orthographic:
-    """Parallel rays along the viewing direction; bounds of the image in metres to the sides of the position."""
+    """Projection by parallel rays along the viewing direction; bounds of the image in metres from the position."""
 
     left: float
     right: float
@@ -63,7 +63,7 @@ class Orthographic:
 
 @dataclass(frozen=True)
 class CubeFace:
-    """A face of a cube map: 0 to 5 for +x −x +y −y +z −z in world axes. A camera's orientation does not turn it."""
+    """Face of a cube map, 0 to 5 for +x −x +y −y +z −z in world axes; a camera's orientation does not turn it."""
 
     face: int
 
@@ -121,7 +121,7 @@ class Camera(WithTwin):
     ) -> Camera:
         """Make a view from `eye` to `target` (world, metres) with `up` pointing up in the image.
 
-        ValueError where eye and target coincide or the line between them runs along `up`.
+        ValueError if eye and target coincide or the line between them is parallel to `up`.
         """
         start, end = np.array(check.vector("eye", eye)), np.array(check.vector("target", target))
         upward = np.array(check.vector("up", up))
@@ -133,7 +133,7 @@ class Camera(WithTwin):
         back = (start - end) / distance
         right = np.cross(upward / height, back)
         length = np.linalg.norm(right)
-        # Below it the rounding of positions decides which way is up.
+        # Below this the image's up direction would depend on the rounding of positions.
         if length < 1e-9:
             raise ValueError(f"up: expected a direction away from the line of sight, got {tuple(upward.tolist())}")
         right /= length
@@ -143,16 +143,16 @@ class Camera(WithTwin):
 
     @property
     def width(self) -> int:
-        """Pixels across."""
+        """Width of the image in pixels."""
         return self.size[0]
 
     @property
     def height(self) -> int:
-        """Pixels down."""
+        """Height of the image in pixels."""
         return self.size[1]
 
     def project(self, points: ArrayLike) -> NDArray[np.float64]:
-        """Image positions of world points.
+        """Project world points to image positions.
 
         Parameters
         ----------
@@ -162,14 +162,14 @@ class Camera(WithTwin):
         Returns
         -------
         NDArray
-            (N, 3) float64: x to the right and y down in pixels, (0.5, 0.5) being the centre of the top left pixel, and
-            the depth along the viewing axis in metres. Rows are NaN for points behind the camera; points outside the
+            (N, 3) float64: x to the right and y down in pixels, where (0.5, 0.5) is the centre of the top left pixel,
+            and the depth along the viewing axis in metres. Rows of points behind the camera are NaN; points outside the
             image have positions outside it.
         """
         return self._core.project(check.array("points", points, dtype=np.float64))
 
     def rays(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """World origins in metres and unit directions of the rays through all pixel centres, (H, W, 3) float64 each."""
+        """Return the rays through all pixel centres: world origins in metres and unit directions, (H, W, 3) float64."""
         return self._core.rays()
 
     @cached_property
@@ -192,19 +192,19 @@ def _bounds(name: str, bounds: Fov | Orthographic) -> None:
 
 
 def quaternion(value: ArrayLike) -> tuple[float, float, float, float]:
-    given = check.array("orientation", value, columns=None, dtype=np.float64, finite=True)
-    if given.shape != (4,):
-        raise ValueError(f"orientation: expected a quaternion (x, y, z, w), got shape {given.shape}")
-    x, y, z, w = (float(v) for v in given)
+    components = check.array("orientation", value, columns=None, dtype=np.float64, finite=True)
+    if components.shape != (4,):
+        raise ValueError(f"orientation: expected a quaternion (x, y, z, w), got shape {components.shape}")
+    x, y, z, w = (float(v) for v in components)
     length = math.sqrt(x * x + y * y + z * z + w * w)
-    # What a quaternion stored in float32 may be off by, with a margin.
+    # The rounding of a quaternion to float32 stays below this tolerance.
     if abs(length - 1.0) > 1e-6:
         raise ValueError(f"orientation: expected a unit quaternion (x, y, z, w), got length {length:g}")
     return x, y, z, w
 
 
 def quaternion_from_axes(axes: NDArray[np.float64]) -> tuple[float, float, float, float]:
-    """Unit quaternion of a rotation matrix, by the largest component (Shepperd, 1978)."""
+    """Convert a rotation matrix to a unit quaternion through its largest component (Shepperd, 1978)."""
     trace = float(np.trace(axes))
     squares = np.array([*(1.0 + 2.0 * np.diag(axes) - trace), 1.0 + trace])
     largest = int(np.argmax(squares))

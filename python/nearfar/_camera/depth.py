@@ -1,4 +1,4 @@
-"""Depth buffers: distances from the eye out of them and back, and what their rounding costs."""
+"""Conversion between depth buffers and distances from the eye, and the error that rounding of depth causes."""
 
 from __future__ import annotations
 
@@ -13,8 +13,11 @@ from nearfar._base import check
 from nearfar._camera.camera import CubeFace, Orthographic, Projection
 
 CLIP_SPACES = ("0..1", "-1..1")
+"""Depth ranges of clip space: Direct3D, Vulkan and WebGPU; OpenGL."""
 STORED = ("float32", "float64", "uint16", "uint32")
+"""NumPy types of depth that `range_from_depth` accepts."""
 FORMATS = ("float32", "uint16", "uint24")
+"""Depth formats of GPUs that `range_error` accepts."""
 
 
 def range_from_depth(
@@ -26,52 +29,53 @@ def range_from_depth(
     reverse: bool | None = None,
     depth_range: str | None = None,
 ) -> NDArray[Any]:
-    """Distance from the eye to what each pixel of a depth buffer shows.
+    """Convert a depth buffer to distances from the eye.
 
     Parameters
     ----------
     depth
         (H, W), or (N, H, W) for several images of one projection, such as the (6, S, S) faces of a cube map: values
-        as buffers store them, row 0 on top: float32 and float64 from 0 to 1; uint16; uint32 of up to 24 bits.
+        as buffers store them, row 0 on top. float32 and float64 from 0 to 1; uint16; uint32 with up to 24 bits.
     projection
-        `Fov`, `Orthographic`, any `CubeFace` (square images; they are all alike), or a (4, 4) projection matrix for
-        columns (x, y, z, 1), with a last row of (0, 0, ∓1, 0), or (0, 0, 0, 1) for parallel rays. Off the axis or
-        not, looking along −z or z; its y points up, as in OpenGL, Direct3D and WebGPU: negate row 1 of Vulkan's.
+        `Fov`, `Orthographic`, any `CubeFace` (square images; all faces give the same result), or a (4, 4) projection
+        matrix for column vectors (x, y, z, 1). The matrix has the last row (0, 0, ∓1, 0), or (0, 0, 0, 1) for parallel
+        rays. It may be off-axis and look along −z or z. Its y points up, as in OpenGL, Direct3D and WebGPU; for Vulkan
+        negate row 1.
     near, far
-        Planes in metres along the viewing axis, 0 < near < far; parallel rays may have near = 0 and need a finite far
-        plane. A matrix says these itself: they are not given beside one.
+        Distances of the planes in metres along the viewing axis, 0 < near < far. Parallel rays may have near = 0 and
+        need a finite far plane. With a matrix, which contains them, both stay unset.
     reverse
-        Whether the near plane has depth 1 and the far one 0, as on our GPU, which is what None stands for, or the
-        other way round. A matrix says this itself: None beside one.
+        True: the near plane has depth 1 and the far plane 0. False: the other way round. None means True, as on
+        nearfar's GPU; with a matrix, which contains this, only None is allowed.
     depth_range
-        Beside a matrix, which does not say it, and only there: the depth that it maps to, "0..1" for Direct3D's,
-        Vulkan's and WebGPU's, or "-1..1" for OpenGL's, which buffers store as 0 to 1.
+        Depth range of a matrix, required there and refused otherwise: "0..1" (Direct3D, Vulkan, WebGPU) or "-1..1"
+        (OpenGL, whose buffers store it as 0 to 1).
 
     Returns
     -------
     NDArray
-        Metres in the shape of `depth`, float32, or float64 for float64: along the pixel's ray for parallel rays. +inf
-        where the buffer has its clear value, that of the far plane: nothing was drawn there. Computed in float64:
-        within 16 roundings (2⁻⁵³) and that to the result's type of what the stored value stands for. What storing
-        the value has cost is `range_error`.
+        Distance from the eye in metres, for parallel rays the distance along the pixel's ray, in the shape of `depth`;
+        float64 for float64, else float32. +inf where the buffer has its clear value, the depth of the far plane:
+        nothing was drawn there. Computed in float64: the error relative to the stored value is at most 16 roundings of
+        2⁻⁵³, plus the rounding to the result's type. `range_error` bounds the error that storing depth has caused.
 
     Raises
     ------
     ValueError
-        For values that are NaN or beyond 0 to 1 (the first one is named), other shapes, planes out of order, and
-        matrices that are no such projection; for options that the projection has no use for, and a matrix without
-        `depth_range`.
+        For values that are NaN or outside 0 to 1 (the message names the first one), wrong shapes, planes out of order,
+        matrices that are not such projections, a matrix without `depth_range`, and options that do not apply to the
+        projection.
     TypeError
-        For depth of other types, which does not say what stands for 1.
+        For depth of other types, because their value for depth 1 is unknown.
     """
-    given = check.plain("depth", depth)
-    # By name, which is the same for any order of bytes.
-    if given.dtype.name not in STORED:
-        raise TypeError(f"depth: expected {', '.join(STORED[:-1])} or {STORED[-1]}, got {given.dtype}")
-    images, shape = _images("depth", given, given.dtype.newbyteorder("="))
+    values = check.plain("depth", depth)
+    # The name does not depend on the byte order.
+    if values.dtype.name not in STORED:
+        raise TypeError(f"depth: expected {', '.join(STORED[:-1])} or {STORED[-1]}, got {values.dtype}")
+    images, shape = _images("depth", values, values.dtype.newbyteorder("="))
     buffer = _buffer(images.shape, projection, near, far, reverse, depth_range)
-    found: NDArray[Any] = buffer.ranges(images)
-    return found.reshape(shape)
+    ranges: NDArray[Any] = buffer.ranges(images)
+    return ranges.reshape(shape)
 
 
 def depth_from_range(
@@ -83,106 +87,106 @@ def depth_from_range(
     reverse: bool | None = None,
     depth_range: str | None = None,
 ) -> NDArray[Any]:
-    """What a depth buffer holds for distances from the eye: the inverse of `range_from_depth`.
+    """Convert distances from the eye to depth: the inverse of `range_from_depth`.
 
-    It puts pictures with range, such as those of `render`, beside what a GPU draws.
+    With it, pictures with range, such as those of `render`, can be combined with a GPU's depth buffer.
 
     Parameters
     ----------
     ranges
-        (H, W) or (N, H, W) distances from the eye in metres, +inf for nothing. float32 and float64; other numbers
-        become float64.
+        (H, W) or (N, H, W) distances from the eye in metres, +inf where nothing was drawn. float32 and float64 are
+        kept, other numbers become float64.
     projection, near, far, reverse, depth_range
         As in `range_from_depth`.
 
     Returns
     -------
     NDArray
-        0 to 1 in the shape and type of `ranges`. The clear value for +inf and from the far plane on, and where a
-        depth that is not reversed rounds to it.
+        Depth, 0 to 1, in the shape and type of `ranges`. +inf and distances from the far plane on give the clear value;
+        so do smaller distances whose depth rounds to it if depth is not reversed.
 
     Raises
     ------
     ValueError
-        As in `range_from_depth`; for NaN, negative distances, and places before the near plane (by more than the
-        rounding of the range).
+        As in `range_from_depth`; for NaN, negative distances, and points nearer than the near plane by more than the
+        rounding of the range.
     TypeError
         For values that are not numbers.
     """
     images, shape = _images("ranges", ranges, None)
     buffer = _buffer(images.shape, projection, near, far, reverse, depth_range)
-    found: NDArray[Any] = buffer.depths(images)
-    return found.reshape(shape)
+    depths: NDArray[Any] = buffer.depths(images)
+    return depths.reshape(shape)
 
 
 def range_error(
     distance: ArrayLike, *, near: float, far: float = math.inf, reverse: bool = True, depth_format: str = "float32"
 ) -> NDArray[np.float64]:
-    """By how much a range from a depth buffer may be wrong because the buffer rounds.
+    """Bound the error of a range that was computed from a rounded depth value.
 
     Parameters
     ----------
     distance
-        Distances z along the viewing axis in metres, any shape, from near to far. Off the axis, by the angle θ, a
-        range r has z = r cos θ, and its error is that of z over cos θ: the same share.
+        Distances z along the viewing axis in metres, any shape, from near to far. A range r at the angle θ off the axis
+        has z = r cos θ and the error of z divided by cos θ, so its relative error is that of z.
     near, far, reverse
         As in `range_from_depth`, for a perspective view.
     depth_format
-        What stores depth: "float32", or "uint16" and "uint24" for 16 and 24 bits.
+        Format of the depth buffer: "float32", or "uint16" and "uint24" for 16 and 24 bits.
 
     Returns
     -------
     NDArray
-        Metres, float64, in the shape of `distance`: no less than the error of `range_from_depth` for a depth that was
-        computed exactly and rounded once to the nearest value, and within twice its greatest near that distance. +inf
-        where the depth may be stored as the far plane's, which stands for nothing. A GPU interpolates depth with
-        errors of its own.
+        Metres, float64, in the shape of `distance`: an upper bound of the error of `range_from_depth` for a depth that
+        was computed exactly and rounded once to the nearest value, at most twice the greatest error near that distance.
+        +inf where the depth may round to the far plane's value, which means that nothing was drawn. Errors of a GPU's
+        interpolation of depth are not included.
 
     Raises
     ------
     ValueError, TypeError
-        For distances that are not within near and far, planes out of order, and other formats.
+        For distances outside near to far, planes out of order, and unknown formats.
 
     Notes
     -----
-    1/z is linear in depth t with the slope s = ±(1/near − 1/far). Half a step h of the format at t moves 1/z by h |s|,
-    so z by z x/(1 − x) with x = h |s| z, and storing the range as float32 costs 2⁻²⁴ of it. With far at infinity:
+    1/z is linear in depth t with the slope s = ±(1/near − 1/far). Half a step h of the format at t changes 1/z by
+    h |s|, hence z by z x/(1 − x), where x = h |s| z. Storing the range as float32 adds 2⁻²⁴ of it. If far is infinite:
 
-    - float32, reversed: t = near/z and h ≤ 2⁻²⁴ t, so x ≤ 2⁻²⁴ anywhere: 6e-8 of z, as good as float32 itself.
-    - float32, standard: t → 1 and h = 2⁻²⁵: x = 2⁻²⁵ z/near grows with the distance; from z = 2²⁵ near on, all is lost.
-    - b bits: h = 2⁻ᵇ/2: x = 2⁻⁽ᵇ⁺¹⁾ z/near, reversed or not.
+    - float32, reversed: t = near/z and h ≤ 2⁻²⁴ t, so x ≤ 2⁻²⁴ everywhere: 6e-8 of z, the precision of float32 itself.
+    - float32, standard: t → 1 and h = 2⁻²⁵, so x = 2⁻²⁵ z/near grows with z; from z = 2²⁵ near on nothing is known.
+    - b bits: h = 2⁻ᵇ/2, so x = 2⁻⁽ᵇ⁺¹⁾ z/near, reversed or not.
     """
-    given = check.array("distance", distance, columns=None, dtype=np.float64, finite=True)
+    distances = check.array("distance", distance, columns=None, dtype=np.float64, finite=True)
     nearest, farthest = _planes(near, far)
     check.choice("depth_format", depth_format, FORMATS)
-    if given.size and (given.min() < nearest or given.max() > farthest):
-        got = f"{given.min():g} to {given.max():g}"
+    if distances.size and (distances.min() < nearest or distances.max() > farthest):
+        got = f"{distances.min():g} to {distances.max():g}"
         raise ValueError(f"distance: expected {nearest:g} to {farthest:g} metres, from near to far, got {got}")
     slope = 1.0 / nearest - 1.0 / farthest
-    share = (1.0 / given - 1.0 / farthest) / slope
+    share = (1.0 / distances - 1.0 / farthest) / slope
     stored = share if reverse else 1.0 - share
     half = _half_step(stored, depth_format)
-    moved = half * slope * given
+    moved = half * slope * distances
     with np.errstate(divide="ignore", invalid="ignore"):
-        error = np.where(moved < 1.0, given * moved / (1.0 - moved), np.inf)
-    # Nothing is told from the far plane's value within half a step of it.
+        error = np.where(moved < 1.0, distances * moved / (1.0 - moved), np.inf)
+    # Depth within half a step of the far plane's value cannot be distinguished from it.
     error = np.where(share <= half, np.inf, error)
-    # The range is stored, and computed in float64: 32 roundings of either, generously.
-    return np.asarray(error + (given + error) * (2.0**-24 + 2.0**-48))
+    # 2⁻²⁴ for storing the range as float32, 2⁻⁴⁸ (32 roundings) for computing in float64.
+    return np.asarray(error + (distances + error) * (2.0**-24 + 2.0**-48))
 
 
 def _half_step(stored: NDArray[np.float64], depth_format: str) -> NDArray[np.float64]:
-    """Half of the distance between values of a format about exact ones, and a little for their own rounding."""
+    """Half the distance between neighbouring values of a format, plus a margin for the rounding of `stored` itself."""
     if depth_format != "float32":
         bits = int(depth_format.removeprefix("uint"))
         return np.full_like(stored, 0.5 / (2.0**bits - 1.0) + 2.0**-52)
     _, exponents = np.frexp(stored * (1.0 + 2.0**-50))
-    # A number in [2ᵉ⁻¹, 2ᵉ) has steps of 2ᵉ⁻²⁴; below 2⁻¹²⁶ they stay as they are.
+    # Float32 numbers in [2ᵉ⁻¹, 2ᵉ) have steps of 2ᵉ⁻²⁴; below 2⁻¹²⁶ the step is constant.
     return np.asarray(np.ldexp(1.0, np.maximum(exponents, -125) - 25) + 2.0**-52 * np.minimum(stored, 1.0))
 
 
 def _images(name: str, values: ArrayLike, dtype: DTypeLike | None) -> tuple[NDArray[Any], tuple[int, ...]]:
-    """Values as (N, H, W) of a type that kernels read, and their shape."""
+    """Reshape values to (N, H, W) in a type that kernels read; returns them and their original shape."""
     images = check.array(name, values, columns=None, dtype=dtype)
     if images.ndim not in (2, 3) or not images.size:
         raise ValueError(f"{name}: expected shape (H, W) or (N, H, W), not empty, got {images.shape}")

@@ -1,4 +1,4 @@
-"""Shots: what a renderer is asked for."""
+"""The `Shot` class: cameras, channels and ray limits of one rendering request."""
 
 from __future__ import annotations
 
@@ -10,24 +10,24 @@ from nearfar._camera.camera import Camera
 
 @dataclass(frozen=True, kw_only=True)
 class Shot:
-    """One moment seen by one or more cameras, such as a headset's eyes: from where, which part of it, which images."""
+    """A request to render one moment from one or more cameras, such as the eyes of a headset."""
 
     cameras: tuple[Camera, ...]
-    """The views, each of which gives a picture."""
+    """The views, one picture each."""
     channels: tuple[str, ...]
-    """Images of each picture, in the order of `Frame`'s."""
+    """Images of each picture, in the order of the channels of `Frame`."""
     samples: int = 1
-    """Colour samples of each pixel."""
+    """Number of colour samples of each pixel."""
     user: tuple[float, float, float] | None = None
-    """World position of the eye that a reduced scene is bent for; None for each camera's own."""
+    """World position, metres, of the eye that a reduced scene is morphed for; None takes each camera's position."""
     t_min: float = 0.0
-    """Metres along each ray from which on surfaces are seen."""
+    """Least distance along each ray at which surfaces are visible, metres."""
     t_max: float = math.inf
-    """Metres along each ray up to which surfaces are seen."""
+    """Greatest distance along each ray at which surfaces are visible, metres."""
 
     @property
     def eye(self) -> tuple[float, float, float]:
-        """World position of the user: `user`, or the middle of the cameras."""
+        """World position of the user, metres: `user`, or the mean of the cameras' positions."""
         if self.user is not None:
             return self.user
         x, y, z = (sum(values) / len(self.cameras) for values in zip(*(c.position for c in self.cameras), strict=True))

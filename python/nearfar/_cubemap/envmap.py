@@ -1,4 +1,4 @@
-"""Environment maps: what surrounds a point, as six faces of a cube, and values along directions."""
+"""Environment maps: cube maps of colour, range and objects around a point, with look-up and files."""
 
 from __future__ import annotations
 
@@ -17,40 +17,40 @@ FACES = ("px", "nx", "py", "ny", "pz", "nz")
 """Names of the faces in files."""
 
 CHANNELS = ("color", "range", "object_id")
-"""All that a map may hold."""
+"""Channels that a map may have."""
 
 HALF_LIMIT = 65504.0
-"""Greatest float16."""
+"""Greatest finite float16."""
 
 VERSION = 1
-"""Of the EXR files that maps are saved as."""
+"""Version of the format of saved maps."""
 
 
 @dataclass(frozen=True, eq=False)
 class EnvMap:
-    """What surrounds a point: colour along every direction, and range and objects where they were baked.
+    """Cube map of the surroundings of a point: colour in every direction, optionally range and object numbers.
 
     Six faces +x −x +y −y +z −z of S×S texels in the Vulkan/WebGPU orientation. The arrays become read-only.
 
     Raises
     ------
     ValueError, TypeError
-        For arrays of other shapes or types, colours that are not finite, ranges that are NaN or below 0.
+        For arrays of wrong shapes or types, colours that are not finite, ranges that are NaN or below 0.
     """
 
     center: tuple[float, float, float]
-    """World position in metres that the map was seen from."""
+    """World position in metres that the map was baked from."""
     color: NDArray[np.float32] = field(repr=False)
     """(6, S, S, 3) float32, linear RGB."""
     range: NDArray[np.float32] | NDArray[np.float16] | None = field(default=None, repr=False)
-    """(6, S, S) float32 or float16, metres from the centre; +inf where nothing is. None where it was not baked.
+    """(6, S, S) float32 or float16, metres from the centre; +inf where nothing is visible. None if it was not baked.
 
-    float16 is half the size, off by at most 2⁻¹¹ of the range from 2⁻¹⁴ m on, and ends at 65,504 m.
+    float16 takes half the memory, has an error of at most 2⁻¹¹ of the range from 2⁻¹⁴ m on, and ends at 65,504 m.
     """
     object_id: NDArray[np.int32] | None = field(default=None, repr=False)
-    """(6, S, S) int32, index into the scene's `object_names`; −1 where nothing is. None where it was not baked."""
+    """(6, S, S) int32, index into the scene's `object_names`; −1 where nothing is visible. None if not baked."""
     object_names: tuple[str, ...] = field(default=(), repr=False)
-    """Names of the objects by number; empty where they are not known."""
+    """Names of the objects by number; empty if unknown."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "center", check.vector("center", self.center))
@@ -59,13 +59,13 @@ class EnvMap:
             values = getattr(self, name)
             if values is None and name != "color":
                 continue
-            own = check.array(name, values, columns=None, dtype=_kind(name, values)).view()
+            array = check.array(name, values, columns=None, dtype=_kind(name, values)).view()
             expected = (6, size, size, 3) if name == "color" else (6, size, size)
-            if size == 0 or own.shape != expected:
-                raise ValueError(f"{name}: expected shape (6, S, S{', 3' * (name == 'color')}), got {own.shape}")
-            _meaningful(name, own)
-            own.flags.writeable = False
-            object.__setattr__(self, name, own)
+            if size == 0 or array.shape != expected:
+                raise ValueError(f"{name}: expected shape (6, S, S{', 3' * (name == 'color')}), got {array.shape}")
+            _check_values(name, array)
+            array.flags.writeable = False
+            object.__setattr__(self, name, array)
         names = tuple(self.object_names) if isinstance(self.object_names, Iterable) else (self.object_names,)
         if isinstance(self.object_names, str) or not all(isinstance(name, str) for name in names):
             raise TypeError("object_names: expected a sequence of strings, got something else")
@@ -73,17 +73,17 @@ class EnvMap:
 
     @property
     def face_size(self) -> int:
-        """Texels across a face."""
+        """Number of texels across a face, S."""
         return int(self.color.shape[1])
 
     @property
     def channels(self) -> tuple[str, ...]:
-        """Names of what the map holds."""
+        """Names of the channels that the map has."""
         return tuple(name for name in CHANNELS if getattr(self, name) is not None)
 
     @property
     def nbytes(self) -> int:
-        """Bytes of all channels."""
+        """Size of all channels in bytes."""
         return sum(getattr(self, name).nbytes for name in self.channels)
 
     def sample(
@@ -94,7 +94,7 @@ class EnvMap:
         filter: str | None = None,  # noqa: A002
         radius: float | None = None,
     ) -> NDArray[Any]:
-        """Values along directions; see `cube_lookup`.
+        """Look up a channel along directions; see `cube_lookup`.
 
         Parameters
         ----------
@@ -103,10 +103,10 @@ class EnvMap:
         channel
             "color", "range" or "object_id".
         filter
-            As in `cube_lookup`. By default colour is "linear" and the others are "nearest"; ranges are never mixed,
-            because a mean across a silhouette is the range of nothing.
+            As in `cube_lookup`. The default is "linear" for colour and "nearest" for the others. Ranges are never
+            averaged, because no surface lies at the mean range across a silhouette.
         radius
-            As in `cube_lookup`: radians about each direction within which "min" and "max" look.
+            As in `cube_lookup`: half-angle in radians of the cone about each direction that "min" and "max" search.
 
         Returns
         -------
@@ -132,27 +132,27 @@ class EnvMap:
         return cube_lookup(faces, directions, filter=chosen, radius=radius)
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
-        """Write the map as an OpenEXR file, whole or not at all.
+        """Write the map to an OpenEXR file, completely or not at all.
 
         Parameters
         ----------
         path
-            `.exr`. One part for each face, `px nx py ny pz nz`, with the channels `R G B`, and where the map has
-            them `range` (in its own type, exact, +inf kept) and `object_id` (unsigned, two's complement).
-            Compression is lossless. The attribute `nearfar` holds centre and object names as JSON; `center` repeats
-            the centre for other programs, rounded to float32.
+            Name ending in `.exr`. The file has one part for each face, `px nx py ny pz nz`, with the channels `R G B`
+            and, if the map has them, `range` (in its own type, exact, +inf kept) and `object_id` (unsigned, two's
+            complement). Compression is lossless. The attribute `nearfar` stores centre and object names as JSON; the
+            attribute `center` repeats the centre for other programs, rounded to float32.
         half
-            Store colour as 16-bit floats: half the size, and a relative error of 2⁻¹¹ at most, a quarter of a step
-            of 8-bit sRGB. False keeps float32 bit for bit.
+            True stores colour as 16-bit floats: half the size, with a relative error of at most 2⁻¹¹, a quarter of a
+            step of 8-bit sRGB. False stores float32 bit for bit.
 
         Raises
         ------
         ValueError
             For another suffix, and for colours beyond 65,504 with `half`.
         TypeError
-            For what is no path.
+            For anything but a string or a path.
         OSError
-            Where the file cannot be written.
+            If the file cannot be written.
         """
         target = check.path("path", path)
         if target.suffix.lower() != ".exr":
@@ -180,7 +180,7 @@ class EnvMap:
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> EnvMap:
-        """Read what `save` wrote; FormatError for other files and for newer versions, OSError where it is missing."""
+        """Read a file that `save` wrote; FormatError for other files and newer versions, OSError if it is missing."""
         document, parts = exr.read(path, "envmap", VERSION)
         with formats.guarded(path, "environment map"):
             faces = [parts[name] for name in FACES]
@@ -193,8 +193,8 @@ class EnvMap:
             return cls(document["center"], **channels, object_names=document.get("object_names", ()))
 
 
-def _meaningful(channel: str, values: NDArray[Any]) -> None:
-    """ValueError for NaN and infinite colours, and for NaN and negative ranges; looks for them by sums and minima."""
+def _check_values(channel: str, values: NDArray[Any]) -> None:
+    """Refuse NaN and infinite colours, and NaN and negative ranges, with ValueError; sums and minima detect them."""
     if channel == "color" and not (np.isfinite(values.sum(dtype=np.float64)) or np.isfinite(values).all()):
         raise ValueError("color: expected finite numbers, got some that are not")
     if channel == "range" and not values.min() >= 0.0:
@@ -202,14 +202,14 @@ def _meaningful(channel: str, values: NDArray[Any]) -> None:
 
 
 def _of_kind(kind: str, values: NDArray[Any]) -> NDArray[Any]:
-    """What a file holds, if it is of the kind that we write."""
+    """Return values read from a file if their type is of the expected kind; ValueError otherwise."""
     if values.dtype.kind != kind:
         raise ValueError(f"expected numbers of kind {kind!r}, got {values.dtype}")
     return values
 
 
 def to_half(ranges: NDArray[np.float32]) -> NDArray[np.float16]:
-    """Round ranges in metres to float16, keeping +inf; ValueError where finite ones are beyond its 65,504 m."""
+    """Round ranges in metres to float16, keeping +inf; ValueError if a finite one exceeds 65,504 m."""
     farthest = float(np.max(ranges, initial=0.0, where=np.isfinite(ranges)))
     if farthest > HALF_LIMIT:
         raise ValueError(
@@ -220,7 +220,7 @@ def to_half(ranges: NDArray[np.float32]) -> NDArray[np.float16]:
 
 
 def _kind(channel: str, values: Any) -> type[np.generic]:
-    """Type in which a map keeps a channel."""
+    """Type in which a map stores a channel."""
     if channel == "object_id":
         return np.int32
     return np.float16 if channel == "range" and getattr(values, "dtype", None) == np.float16 else np.float32

@@ -1,4 +1,4 @@
-"""Pictures of all directions: cubes, equirectangular and octahedral ones, and from one to another."""
+"""Layouts of environment maps (cube, equirectangular, octahedral) and conversion between them."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from nearfar._base import check, progress
 from nearfar._cubemap.lookup import BITS, FILTERS, LIMIT, directions_of, numbers_of
 
 LAYOUTS = ("cube", "equirectangular", "octahedral")
+"""Names of the layouts that `convert_envmap` describes."""
 
 
 def convert_envmap(
@@ -24,18 +25,18 @@ def convert_envmap(
     filter: str = "linear",  # noqa: A002
     samples: int = 1,
 ) -> NDArray[Any]:
-    """Turn a picture of all directions into another layout.
+    """Convert an environment map to another layout.
 
     Parameters
     ----------
     values
-        In the layout `source`, with or without channels behind; y is up. float32 and float64 are kept, float16 and
-        longdouble become float64; integers and booleans can only be converted with "nearest" and keep their type, in
-        native byte order.
+        Map in the layout `source`, with or without a last axis of channels; y is up. float32 and float64 are kept,
+        float16 and longdouble become float64. Integers and booleans can only be converted with "nearest" and keep their
+        type, in native byte order.
 
         - "cube": (6, S, S), faces +x −x +y −y +z −z as in the table.
-        - "equirectangular": (H, W), W even. Row 0 lies about +y, columns go by longitude, the middle of the picture
-          looks along −z, +x is to the right of it (seen from inside).
+        - "equirectangular": (H, W), W even. Row 0 is next to +y. Columns follow longitude: the middle of the picture
+          shows −z, and +x is to the right of it (seen from inside).
         - "octahedral": (S, S). The octahedron |x| + |y| + |z| = 1 seen from +y, x to the right and z down, the lower
           half folded outwards: −y lies at all four corners.
 
@@ -50,31 +51,33 @@ def convert_envmap(
         −z   −x        −y
         ==== ========= ========
 
-        In a right-handed frame, such as glTF's, each face so laid out is mirrored as one sees it from inside.
+        In a right-handed frame, such as glTF's, each face of this layout is mirrored when seen from inside.
     source, target
-        Layouts.
+        Names of the layouts.
     size
-        Of the result: S; for "equirectangular" H, of W = 2 H, or (H, W).
+        Size of the result: S; for "equirectangular" (H, W), or H alone with W = 2 H.
     filter
-        As in `cube_lookup`, in the source, and continuous in every layout: equirectangular pictures go on at the
-        opposite edge and beyond a pole at the opposite longitude, octahedral ones at each edge's other half.
-        Octahedral pictures are of the first order along their folds, the outer edges and the creases where a
-        coordinate is 0: the error halves with each doubling of S there, and is a quarter elsewhere. Of a smooth
-        picture with slopes of up to 5 a radian and S = 256 "linear" is off by up to 0.011 within a texel of a fold,
-        by 0.0006 beyond two texels. "min" and "max" skip NaN, in the source and among `samples`.
+        As in `cube_lookup`, applied in the source. It is continuous in every layout: equirectangular maps continue at
+        the opposite edge, and beyond a pole at the opposite longitude; octahedral maps continue at the other half of
+        each edge. Octahedral maps converge with the first order at their folds (the outer edges and the lines where a
+        coordinate is 0) and with the second order elsewhere: a doubling of S halves the error at folds and quarters
+        it elsewhere. For a smooth map with slopes of up to 5 per radian and S = 256, the error of "linear" is at most
+        0.011 within a texel of a fold, and 0.0006 beyond two texels. "min" and "max" skip NaN, in the source and among
+        `samples`.
     samples
-        Look up n × n evenly spread directions for each texel and take their mean, or the least or greatest of them: so
-        that small results of large pictures do not alias. About the ratio of both sizes is enough. 1 with "nearest".
+        n × n evenly spread directions are looked up for each texel and averaged (for "min" and "max" the least or
+        greatest is taken), so that small results of large maps do not alias. n near the ratio of both sizes suffices.
+        1 with "nearest".
 
     Returns
     -------
     NDArray
-        In the type of `values`. Look-ups are rounded to it before their mean is taken in float64.
+        Map in the type of `values`. Each look-up is rounded to it before the mean is taken in float64.
 
     Raises
     ------
     ValueError
-        For other shapes, layouts, sizes, filters.
+        For wrong shapes and sizes, and unknown layouts and filters.
     TypeError
         For values that are not numbers.
 
@@ -85,20 +88,20 @@ def convert_envmap(
     check.choice("source", source, LAYOUTS)
     check.choice("filter", filter, FILTERS)
     samples = check.integer("samples", samples, 1, 256)
-    given = numbers_of("values", values)
-    before, after = _given_shape(given, source), _shape("target", target, size)
+    texels = numbers_of("values", values)
+    before, after = _source_shape(texels, source), _shape("target", target, size)
     count = 3 if source == "cube" else 2
     if filter == "nearest" and samples > 1:
         raise ValueError(f"samples: expected 1 with filter 'nearest', got {samples}")
-    if given.dtype.kind in "iub" and filter != "nearest":
-        raise ValueError(f"filter: expected 'nearest' for values of type {given.dtype}, got {filter!r}")
-    channels = math.prod(given.shape[count:])
-    rows = np.require(given.reshape(math.prod(given.shape[:count]), channels), None, ["C", "A"])
-    out: NDArray[Any] = np.empty((*_array_shape(after), *given.shape[count:]), given.dtype)
+    if texels.dtype.kind in "iub" and filter != "nearest":
+        raise ValueError(f"filter: expected 'nearest' for values of type {texels.dtype}, got {filter!r}")
+    channels = math.prod(texels.shape[count:])
+    rows = np.require(texels.reshape(math.prod(texels.shape[:count]), channels), None, ["C", "A"])
+    out: NDArray[Any] = np.empty((*_array_shape(after), *texels.shape[count:]), texels.dtype)
     out_rows = out.reshape(math.prod(_array_shape(after)), channels)
     with progress.bar("converting") as report:
         if filter == "nearest":
-            bits = BITS[given.itemsize]
+            bits = BITS[texels.itemsize]
             _core.convert_envmap_nearest((rows.view(bits), out_rows.view(bits)), (before, after), report=report)
         else:
             _core.convert_envmap((rows, out_rows), (before, after), filter=filter, samples=samples, report=report)
@@ -106,25 +109,25 @@ def convert_envmap(
 
 
 def envmap_directions(size: int | tuple[int, int], *, layout: str = "cube") -> NDArray[np.float64]:
-    """Directions of the texel centres of a picture of all directions.
+    """Compute the directions of the texel centres of an environment map.
 
     Parameters
     ----------
     size
-        S of a cube or an octahedral picture; for "equirectangular" H, of W = 2 H, or (H, W).
+        S of a cube or an octahedral map; for "equirectangular" (H, W), or H alone with W = 2 H.
     layout
         "cube", "equirectangular" or "octahedral", as in `convert_envmap`.
 
     Returns
     -------
     NDArray
-        (6, S, S, 3), (H, W, 3) or (S, S, 3) float64. Not normalised: the longest component is ±1 in cubes, and the
-        sizes of all three add up to 1 in octahedral pictures.
+        (6, S, S, 3), (H, W, 3) or (S, S, 3) float64. Not normalised: the greatest component is ±1 in cubes, and the
+        absolute values of the three components add up to 1 in octahedral maps.
 
     Raises
     ------
     ValueError, TypeError
-        For another layout, and sizes out of range.
+        For unknown layouts, and sizes out of range.
     """
     shape = _shape("layout", layout, size)
     directions = np.empty((*_array_shape(shape), 3))
@@ -133,7 +136,7 @@ def envmap_directions(size: int | tuple[int, int], *, layout: str = "cube") -> N
 
 
 def envmap_texels(directions: ArrayLike, *, size: int | tuple[int, int], layout: str = "cube") -> NDArray[np.int64]:
-    """Numbers of the texels that directions pass through: the inverse of `envmap_directions`.
+    """Compute the numbers of the texels that directions pass through: the inverse of `envmap_directions`.
 
     Parameters
     ----------
@@ -145,12 +148,12 @@ def envmap_texels(directions: ArrayLike, *, size: int | tuple[int, int], layout:
     Returns
     -------
     NDArray
-        (...) int64, counted row by row, and face by face in a cube: indices into the flattened picture.
+        (...) int64, indices into the flattened map: face by face in a cube, row by row.
 
     Raises
     ------
     ValueError, TypeError
-        For another layout, sizes out of range, directions that are zero or not finite.
+        For unknown layouts, sizes out of range, directions that are zero or not finite.
     """
     shape = _shape("layout", layout, size)
     rows, outer = directions_of(directions)
@@ -159,8 +162,8 @@ def envmap_texels(directions: ArrayLike, *, size: int | tuple[int, int], layout:
     return numbers.reshape(outer)
 
 
-def _given_shape(values: NDArray[Any], layout: str) -> tuple[str, int, int]:
-    """Layout, rows and columns of an array; ValueError where it does not fit the layout."""
+def _source_shape(values: NDArray[Any], layout: str) -> tuple[str, int, int]:
+    """Return layout, rows and columns of an array; ValueError if it does not fit the layout."""
     shape = values.shape
     if layout == "cube":
         if len(shape) < 3 or shape[0] != 6 or shape[1] != shape[2] or not 1 <= shape[1] <= LIMIT:
@@ -175,10 +178,10 @@ def _given_shape(values: NDArray[Any], layout: str) -> tuple[str, int, int]:
 
 
 def _shape(name: str, layout: str, size: int | tuple[int, int]) -> tuple[str, int, int]:
-    """Layout, rows and columns."""
+    """Check a layout and a size; returns layout, rows and columns."""
     check.choice(name, layout, LAYOUTS)
     limit = LIMIT if layout == "cube" else 2 * LIMIT
-    # Arrays of numbers are as good as tuples of them.
+    # NumPy arrays are accepted like tuples.
     size = size.tolist() if isinstance(size, np.ndarray) else size
     if layout != "equirectangular":
         edge = check.integer("size", size, 1, limit)  # type: ignore[arg-type]

@@ -1,4 +1,4 @@
-"""Cube maps: values along directions and within cones, mip chains, solid angles."""
+"""Look-up in cube maps along directions and within cones, mip chains, and solid angles of texels."""
 
 from __future__ import annotations
 
@@ -12,12 +12,13 @@ from nearfar import _core
 from nearfar._base import check
 
 FILTERS = ("nearest", "linear", "cubic", "min", "max")
+"""Names of the filters that `cube_lookup` describes."""
 
 BITS = {1: np.uint8, 2: np.uint16, 4: np.uint32, 8: np.uint64}
-"""Numbers that are copied, not computed with, by their bytes."""
+"""Unsigned type by size in bytes, in which "nearest" copies numbers of any type."""
 
 LIMIT = 16384
-"""Most texels across a face."""
+"""Greatest number of texels across a face."""
 
 
 def cube_lookup(
@@ -27,13 +28,13 @@ def cube_lookup(
     filter: str = "nearest",  # noqa: A002
     radius: float | None = None,
 ) -> NDArray[Any]:
-    """Values of a cube map along directions.
+    """Look up values of a cube map along directions.
 
     Parameters
     ----------
     faces
         (6, S, S) or (6, S, S, C), faces +x −x +y −y +z −z in the Vulkan/WebGPU orientation, below. float32 and float64
-        are kept, float16 and longdouble become float64; integers and booleans can only be looked up with "nearest" and
+        are kept, float16 and longdouble become float64. Integers and booleans can only be looked up with "nearest" and
         keep their type, in native byte order.
 
         ==== ========= ========
@@ -47,33 +48,32 @@ def cube_lookup(
         −z   −x        −y
         ==== ========= ========
 
-        In a right-handed frame, such as glTF's, each face so laid out is mirrored as one sees it from inside.
+        In a right-handed frame, such as glTF's, each face of this layout is mirrored when seen from inside.
     directions
-        (..., 3), of any length; float32 and float64 are read as they are.
+        (..., 3), of any length; float32 and float64 are read without conversion.
     filter
-        "nearest": the texel that the direction passes through. "linear": bilinear, seamless across edges and corners,
-        whose error is as small there as inside a face. "cubic": bicubic (Keys' with a = −1/2, exact for polynomials
-        of the second order in a face's coordinates), seamless too, with an error of the third order everywhere; it
-        overshoots at steps, and near infinite values it means nothing. "min", "max": the least and greatest of the
-        texels that "linear" would mix with weights above 1e-10 (those below may be rounding), for ranges, which must
-        not be averaged across a silhouette; NaN are skipped, because they are unknown, and the result is NaN where
-        all are NaN.
+        "nearest": the texel that the direction passes through. "linear": bilinear and seamless, as accurate across
+        edges and corners as inside a face. "cubic": bicubic (Keys, a = −1/2, exact for polynomials of the second order
+        in a face's coordinates) and seamless, with an error of the third order everywhere; it overshoots at steps and
+        is meaningless near infinite values. "min", "max": the least and greatest of the texels that "linear" would mix
+        with weights above 1e-10 (smaller weights may be rounding), for ranges, which must not be averaged across a
+        silhouette. They skip NaN, which marks unknown values; the result is NaN if all are NaN.
     radius
-        With "min" and "max": radians, at least 0 and below π/2. Not the four texels, but all that the cone of
-        this angle about the direction touches, exactly: none is left out, and none is taken that lies outside by more
-        than 4e-15 / sin(2 radius), at most 6.4e-8 radians.
+        For "min" and "max": half-angle of a cone about the direction in radians, at least 0 and below π/2. All texels
+        that the cone touches are searched instead of four. None is missed, and none is included that lies outside the
+        cone by more than 4e-15 / sin(2 radius), at most 6.4e-8 radians.
 
     Returns
     -------
     NDArray
-        (...) or (..., C), in the type of `faces`, computed in float64. Where "linear" mixes an infinite value, the
-        result is infinite.
+        (...) or (..., C), in the type of `faces`, computed in float64. If "linear" mixes an infinite value, the result
+        is infinite.
 
     Raises
     ------
     ValueError
-        For other shapes or filters, directions that are zero or not finite, a radius out of range or with a filter
-        that has none.
+        For wrong shapes, unknown filters, directions that are zero or not finite, a radius out of range, and a radius
+        with a filter that has none.
     TypeError
         For values that are not numbers.
 
@@ -100,35 +100,34 @@ def cube_lookup(
 
 
 def cube_mips(faces: ArrayLike, *, filter: str = "mean") -> list[NDArray[Any]]:  # noqa: A002
-    """Levels of a cube map, each half the size of the one before, down to one texel a face.
+    """Compute the mip levels of a cube map, each half the size of the one before, down to one texel per face.
 
     Parameters
     ----------
     faces
-        (6, S, S) or (6, S, S, C), as in `cube_lookup`. float32 and float64 are kept, other numbers become float64, and
-        so do booleans, 0 and 1.
+        (6, S, S) or (6, S, S, C), as in `cube_lookup`. float32 and float64 are kept; other numbers and booleans (as 0
+        and 1) become float64.
     filter
-        "mean": texels weighed by the solid angle that is covered, so that the mean over the sphere stays what it was.
-        "min", "max": the least and greatest of all texels covered, for ranges; NaN are skipped as in `cube_lookup`.
+        "mean": texels weighted by the covered solid angle, so that the mean over the sphere does not change. "min",
+        "max": the least and greatest of all covered texels, for ranges; they skip NaN as in `cube_lookup`.
 
     Returns
     -------
     list of NDArray
-        `faces` first (the array itself, not a copy, where nothing had to be converted), then sizes max(1, S // 2) and
-        so on. Where a size is odd, a texel covers parts of 3 × 3. All levels are looked up seamlessly by
-        `cube_lookup`.
+        `faces` first (not a copy, unless it was converted), then size max(1, S // 2) and so on. If a size is odd, a
+        texel of the next level covers parts of 3 × 3 texels. `cube_lookup` looks up every level seamlessly.
 
     Raises
     ------
     ValueError
-        For other shapes or filters.
+        For wrong shapes and unknown filters.
     TypeError
         For values that are not numbers.
     """
     check.choice("filter", filter, ("mean", "min", "max"))
-    given = check.plain("faces", faces)
-    given = given.astype(np.float64) if given.dtype.kind == "b" else given
-    levels = [_faces(check.array("faces", given, columns=None))]
+    texels = check.plain("faces", faces)
+    texels = texels.astype(np.float64) if texels.dtype.kind == "b" else texels
+    levels = [_faces(check.array("faces", texels, columns=None))]
     while levels[-1].shape[1] > 1:
         above = levels[-1]
         size = above.shape[1] // 2
@@ -138,22 +137,22 @@ def cube_mips(faces: ArrayLike, *, filter: str = "mean") -> list[NDArray[Any]]: 
 
 
 def cube_solid_angles(size: int) -> NDArray[np.float64]:
-    """Solid angles of the texels of a face; all six faces are alike.
+    """Compute the solid angles of the texels of a face, which are the same for all six faces.
 
     Parameters
     ----------
     size
-        Texels across a face, 1 to 16,384.
+        Number S of texels across a face, 1 to 16,384.
 
     Returns
     -------
     NDArray
-        (S, S) float64 steradians, each within 2e-15 of itself; they add up to 4π/6.
+        (S, S) float64 steradians with a relative error of at most 2e-15; they add up to 4π/6.
 
     Raises
     ------
     ValueError, TypeError
-        For another size.
+        For sizes out of range.
 
     References
     ----------
@@ -166,7 +165,7 @@ def cube_solid_angles(size: int) -> NDArray[np.float64]:
 
 
 def directions_of(directions: ArrayLike) -> tuple[NDArray[Any], tuple[int, ...]]:
-    """Directions (..., 3) as rows, and the shape (...)."""
+    """Check directions (..., 3); returns them as rows (N, 3), and the shape (...)."""
     along = check.array("directions", directions, columns=None)
     if along.ndim == 0 or along.shape[-1] != 3:
         raise ValueError(f"directions: expected shape (..., 3), got {along.shape}")
@@ -174,11 +173,11 @@ def directions_of(directions: ArrayLike) -> tuple[NDArray[Any], tuple[int, ...]]
 
 
 def numbers_of(name: str, values: ArrayLike) -> NDArray[Any]:
-    """Floats as kernels take them, or integers and booleans as they are, in native byte order."""
-    given = check.plain(name, values)
-    if given.dtype.kind not in "iub":
-        return check.array(name, given, columns=None)
-    return given.astype(given.dtype.newbyteorder("="), copy=False)
+    """Convert floats to float32 or float64; keep integers and booleans, in native byte order."""
+    array = check.plain(name, values)
+    if array.dtype.kind not in "iub":
+        return check.array(name, array, columns=None)
+    return array.astype(array.dtype.newbyteorder("="), copy=False)
 
 
 def _radius(radius: float, chosen: str) -> float:
@@ -193,12 +192,12 @@ def _radius(radius: float, chosen: str) -> float:
 
 
 def _deep(maps: NDArray[Any]) -> NDArray[Any]:
-    """With channels, even if there is only one."""
+    """Add an axis for channels if there is none."""
     return np.require(maps if maps.ndim == 4 else maps[..., None], None, ["C", "A"])
 
 
 def _faces(faces: ArrayLike) -> NDArray[Any]:
-    given = numbers_of("faces", faces)
-    if given.ndim not in (3, 4) or given.shape[0] != 6 or given.shape[1] != given.shape[2] or given.shape[1] == 0:
-        raise ValueError(f"faces: expected shape (6, S, S) or (6, S, S, C), got {given.shape}")
-    return given
+    array = numbers_of("faces", faces)
+    if array.ndim not in (3, 4) or array.shape[0] != 6 or array.shape[1] != array.shape[2] or array.shape[1] == 0:
+        raise ValueError(f"faces: expected shape (6, S, S) or (6, S, S, C), got {array.shape}")
+    return array

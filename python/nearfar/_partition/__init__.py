@@ -1,1 +1,1 @@
-"""The near–far partition of a scene by radius, and the load curve: triangles within each radius."""
+"""The near–far partition of a scene by radius, and the load curve: the number of triangles within each radius."""

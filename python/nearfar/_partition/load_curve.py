@@ -1,4 +1,4 @@
-"""The load curve: how many triangles stay geometry for each radius, and the radius for a budget."""
+"""The load curve: the number of triangles that stay geometry for each r2, and the greatest r2 for a budget."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 SAMPLES = 512
-"""Radii of a drawn curve."""
+"""Number of radii at which a plotted curve is evaluated."""
 
 
 class LoadCurve:
-    """Triangles that stay geometry as a function of r2, and its inverse; each question costs a binary search."""
+    """Number of triangles that stay geometry as a function of r2, and its inverse; each value is a binary search."""
 
     def __init__(self, core: _core.LoadCurve, center: tuple[float, float, float]) -> None:
         self._core = core
@@ -32,12 +32,12 @@ class LoadCurve:
 
     @property
     def triangle_count(self) -> int:
-        """Triangles of the scene."""
+        """Number of triangles of the scene."""
         return self._core.total
 
     @property
     def moving_count(self) -> int:
-        """Triangles that move: they stay geometry at any radius."""
+        """Number of moving triangles, which stay geometry at any radius."""
         return self._core.moving
 
     @overload
@@ -84,12 +84,12 @@ class LoadCurve:
         -------
         float or NDArray
             Radius in metres, in the shape of `budget`: the float64 just below the distance of the first triangle that
-            would be too many. Infinite where the whole scene fits.
+            exceeds the budget. Infinite if the whole scene is within the budget.
 
         Raises
         ------
         ValueError
-            Where not even r2 = 0 meets a budget, because more triangles than that move or lie on the axis.
+            If even r2 = 0 exceeds a budget, because more triangles than that move or lie on the axis.
         TypeError
             For values that are not whole numbers.
         """
@@ -98,15 +98,15 @@ class LoadCurve:
         return radii if radii.ndim else float(radii)
 
     def plot(self, ax: Axes | None = None, *, published: bool = True) -> Axes:
-        """Draw triangles left against r2, both logarithmic.
+        """Plot the number of triangles that stay geometry against r2, on logarithmic axes.
 
         Parameters
         ----------
         ax
-            Axes of matplotlib to draw on; new ones by default.
+            Axes of matplotlib to draw on; None makes new ones.
         published
-            Whether to mark the figures of Popescu et al. (2022) for a Manhattan of 3.7 million triangles: 371 triangles
-            within 30 m, and fewer than 1,000 within 50 m.
+            Whether to mark the numbers of Popescu et al. (2022) for a model of Manhattan with 3.7 million triangles:
+            371 triangles within 30 m, and fewer than 1,000 within 50 m.
 
         Returns
         -------
@@ -116,9 +116,9 @@ class LoadCurve:
         Raises
         ------
         ImportError
-            Where matplotlib is not installed.
+            If matplotlib is not installed.
         ValueError
-            Where no triangle stands: there is no curve.
+            If the scene has no static triangle, so that there is no curve.
         """
         if self.triangle_count == self.moving_count:
             raise ValueError("load curve: expected a scene with standing triangles, got none")
@@ -127,7 +127,7 @@ class LoadCurve:
         return plot.load_curve(ax, radii, np.asarray(self.count(radii)), self.triangle_count, published=published)
 
     def _farthest(self) -> float:
-        """Distance of the farthest triangle; 1 m where all of them lie on the axis."""
+        """Distance of the farthest triangle, metres; 1 if all of them lie on the axis."""
         if self.count(0.0) == self.triangle_count:
             return 1.0
         return float(self.radius(self.triangle_count - 1))
@@ -137,7 +137,7 @@ class LoadCurve:
 
 
 def load_curve(scene: Scene, *, center: ArrayLike) -> LoadCurve:
-    """Measure and sort the least distance of every standing triangle from the vertical axis through a centre.
+    """Measure and sort the least distance of every static triangle from the vertical axis through a centre.
 
     Parameters
     ----------
@@ -149,7 +149,7 @@ def load_curve(scene: Scene, *, center: ArrayLike) -> LoadCurve:
     Returns
     -------
     LoadCurve
-        Answers count and radius in O(log n).
+        The curve, whose `count` and `radius` take O(log n) for n triangles.
 
     Raises
     ------
@@ -160,7 +160,7 @@ def load_curve(scene: Scene, *, center: ArrayLike) -> LoadCurve:
 
     References
     ----------
-    Popescu, Lee, Choi, Fahmy (2022): triangles within r2 of a Manhattan, which `LoadCurve.plot` marks.
+    Popescu, Lee, Choi, Fahmy (2022): triangle counts of Manhattan within r2, which `LoadCurve.plot` marks.
     """
     middle = check.vector("center", center)
     core = core_of(scene)

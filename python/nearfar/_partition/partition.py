@@ -1,4 +1,4 @@
-"""The near–far partition: which triangles stay geometry and which become part of the environment map."""
+"""The near–far partition: divides triangles into those that stay geometry and those that the environment map shows."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from nearfar._scene.scene import Scene, core_of
 
 
 def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, center: ArrayLike) -> NDArray[Any]:
-    """Least and greatest distance ρ of triangles from the vertical axis through a centre.
+    """Measure the least and the greatest distance ρ of triangles from the vertical axis through a centre.
 
-    The least one is taken to the triangle in the ground plane, not to its corners: a large ground triangle around the
-    axis has all corners far away and a least ρ of 0. Vertical walls are segments there and measured as such.
+    The least ρ is that of the triangle's projection on the ground plane, not of its corners: a large triangle around
+    the axis has all corners far away and a least ρ of 0. The projection of a vertical triangle is a segment.
 
     Parameters
     ----------
@@ -30,20 +30,19 @@ def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, cente
     Returns
     -------
     NDArray
-        (F, 2) least and greatest ρ in metres, in the vertices' type: computed in float64 to within 1e-15 of the
-        greatest, then rounded once.
+        (F, 2) least and greatest ρ in metres, in the vertices' type: computed in float64 with an error of at most 1e-15
+        of the greatest ρ, then rounded once.
 
     Raises
     ------
     ValueError
-        For other shapes, vertex numbers out of range, and coordinates that are not finite.
+        For wrong shapes, vertex numbers out of range, and coordinates that are not finite.
     TypeError
         For values that are not numbers.
 
     References
     ----------
-    Popescu, Lee, Choi, Fahmy (2022): ρ of Eq. 1, measured for triangles instead of vertices, because a large
-    triangle around the axis has all of its vertices far away.
+    Popescu, Lee, Choi, Fahmy (2022): ρ of Eq. 1, there measured for vertices.
     """
     axis = check.vector("center", center)
     if faces is None:
@@ -59,14 +58,15 @@ def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, cente
 
 
 class Partition:
-    """A scene divided at two radii about the vertical axis through a centre.
+    """Zones of a scene's triangles, divided at two radii about the vertical axis through a centre.
 
-    A triangle is near (least ρ ≤ r1), intermediate (≤ r2) or far. What is drawn as geometry, `nsf`, is everything near,
-    intermediate or moving; what is baked into the environment map, `sf`, is every standing triangle that reaches
-    beyond r2. Triangles across r2 are in both, and pixels are split there.
+    ρ is the horizontal distance from that axis. A triangle is near (least ρ ≤ r1), intermediate (r1 < least ρ ≤ r2) or
+    far. `nsf` (not static far) is drawn as geometry: all near, intermediate and moving triangles. `sf` (static far) is
+    baked into the environment map: all static triangles whose greatest ρ exceeds r2. Triangles across r2 are in both
+    sets, and renderers split them at r2 in each pixel.
 
-    Zones are kept by instance; the index arrays are made at each access. Triangles are numbered as in
-    `Scene.triangles`. Distances are rounded to float32 as those of `triangle_radii` are, so both agree.
+    Zones are stored by instance; the index arrays are made at each access. Triangles are numbered as in
+    `Scene.triangles`. Distances are rounded to float32 as in `triangle_radii`, so that both agree.
     """
 
     def __init__(self, core: _core.Partition, center: tuple[float, float, float], r1: float, r2: float) -> None:
@@ -80,12 +80,12 @@ class Partition:
 
     @property
     def r1(self) -> float:
-        """Radius of the near zone, metres."""
+        """Radius that bounds the near zone, metres."""
         return self._r1
 
     @property
     def r2(self) -> float:
-        """Radius of the intermediate zone, metres."""
+        """Radius that bounds the intermediate zone, metres."""
         return self._r2
 
     @property
@@ -110,7 +110,7 @@ class Partition:
 
     @property
     def sf(self) -> NDArray[np.int64]:
-        """Numbers of the triangles that are baked: standing ones whose greatest ρ exceeds r2, ascending."""
+        """Numbers of the triangles that are baked: static ones whose greatest ρ exceeds r2, ascending."""
         return self._core.triangles("sf")
 
     def summary(self) -> dict[str, int]:
@@ -119,16 +119,15 @@ class Partition:
         Returns
         -------
         dict
-            Triangles: `triangles` = `near` + `intermediate` + `far`; `nsf`, `sf` and `straddling`, the standing ones in
-            both; `nsf_at_r1`, near ones and all moving ones. Instances of one zone: `near_instances`,
-            `intermediate_instances`, `far_instances`, and the `mixed_instances` that their boxes did not decide. The
-            work that was needed: `examined`, the triangles of mixed instances, and `measured`, those of them that their
-            coordinates alone did not show to be far.
+            Triangles: `triangles` = `near` + `intermediate` + `far`; `nsf`, `sf` and `straddling`, the static ones in
+            both; `nsf_at_r1`, the near and all moving ones. Instances: `near_instances`, `intermediate_instances` and
+            `far_instances` lie in one zone according to their boxes, `mixed_instances` do not. Work: `examined`, the
+            triangles of mixed instances, and `measured`, those of them whose coordinates alone did not prove them far.
         """
         return self._core.counts()
 
     def validate(self) -> None:
-        """Measure every triangle anew, without boxes and shortcuts; SceneError where one is in a wrong zone."""
+        """Measure every triangle again, without boxes and shortcuts; SceneError if one is in a wrong zone."""
         with progress.bar("validate partition") as report:
             self._core.validate(report)
 
@@ -146,7 +145,7 @@ def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float) -> Parti
     Parameters
     ----------
     scene
-        The scene. Instances that their boxes decide are not looked into.
+        The scene. Triangles of an instance are not examined if its box lies in one zone.
     center
         World position of the centre, metres; its height does not matter.
     r1, r2
@@ -166,7 +165,7 @@ def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float) -> Parti
 
     References
     ----------
-    Popescu, Lee, Choi, Fahmy (2022): near, intermediate and far region; by triangle instead of by vertex.
+    Popescu, Lee, Choi, Fahmy (2022): near, intermediate and far region, there by vertex, here by triangle.
     """
     near, far = check.radii(r1, r2)
     middle = check.vector("center", center)

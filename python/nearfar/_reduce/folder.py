@@ -41,7 +41,7 @@ def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> Non
     from nearfar._scene import glb
 
     near, target = contents.near, check.path("path", path)
-    names = near._names.given
+    names = near._names.source
     document = formats.header(
         NAME,
         VERSION,

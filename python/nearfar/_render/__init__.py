@@ -1,1 +1,1 @@
-"""Pictures: frames and their channels, the choice between CPU and GPU, ground truth, sequences, baking."""
+"""Rendering: frames and their channels, the choice between CPU and GPU, ground truth, sequences, baking."""

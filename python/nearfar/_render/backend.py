@@ -1,4 +1,4 @@
-"""Where work is done: the one place that chooses between the CPU and a graphics adapter."""
+"""The choice between the CPU and a graphics adapter, for all stages that can use both."""
 
 from __future__ import annotations
 
@@ -12,158 +12,163 @@ from nearfar._base import check as checks
 from nearfar._base.errors import DeviceError
 
 BACKENDS = ("auto", "cpu", "gpu")
+"""Names of the choices that `device_for` describes."""
 VARIABLE = "NEARFAR_ADAPTER"
+"""Environment variable that names an adapter."""
 
 Work = tuple[tuple[str, ...], int]
-"""A kind of work: the images that are computed, and the samples of a pixel."""
+"""A kind of work: the computed images, and the number of samples of a pixel."""
 
 _selected: str | None = None
-# Processes that were told something, looked for an adapter, or failed to open one: a forked child starts anew.
-_told: set[int] = set()
-_looked: set[tuple[int, str | None]] = set()
+"""Adapter that `select` named."""
+# The following three contain process numbers, so that a forked child starts with no entries.
+_logged: set[int] = set()
+"""Processes that have logged why they use the CPU."""
+_searched: set[tuple[int, str | None]] = set()
+"""Processes and adapter names for which adapters were searched."""
 _failed: set[tuple[int, str | None]] = set()
-# For each scene whether the adapter of a label was faster, by kind of work.
+"""Processes and adapter names for which no adapter could be opened."""
 _faster: weakref.WeakKeyDictionary[object, dict[tuple[str, Work], bool]] = weakref.WeakKeyDictionary()
+"""For each source, whether an adapter was faster than the CPU, by the adapter's label and the kind of work."""
 
 
 def check(backend: str) -> str:
-    """Refuse unknown back ends: TypeError or ValueError."""
+    """Return a backend's name; TypeError or ValueError for unknown ones."""
     return checks.choice("backend", backend, BACKENDS)
 
 
 def device_for(backend: str, source: object, work: Work | None = None) -> _core.GpuDevice | None:
-    """Choose where work on a source is done.
+    """Choose the CPU or a graphics adapter for work on a source.
 
     Parameters
     ----------
     backend
-        "cpu"; "gpu" for the selected adapter, or else the best one; "auto" for the same where it is more than the
-        processor itself, or was measured to be faster at such work on this source.
+        "cpu"; "gpu" for the selected adapter, or else the best one; "auto" for the same adapter if it is hardware or
+        was measured to be faster at such work on this source, else the CPU.
     source
-        The scene, by whose identity measurements are kept.
+        The scene. Measurements belong to this object.
     work
-        What is done; without it measurements say nothing.
+        The kind of work; None ignores measurements.
 
     Returns
     -------
-    GpuDevice
-        Opened; None for the CPU.
+    GpuDevice or None
+        The opened device; None for the CPU.
 
     Raises
     ------
     TypeError, ValueError
-        For other names.
+        For unknown names.
     DeviceError
-        For "gpu" where no adapter can be used.
+        For "gpu" if no adapter can be used.
     """
     if check(backend) == "cpu":
         return None
     if backend == "gpu":
         return opened()
-    here = (os.getpid(), wanted())
+    here = (os.getpid(), selected())
     if here in _failed:
         return None
     try:
         return _chosen(source, work)
     except DeviceError as error:
         _failed.add(here)
-        _say(str(error))
+        _log_once(str(error))
         return None
 
 
 def _chosen(source: object, work: Work | None) -> _core.GpuDevice | None:
-    """What "auto" takes; DeviceError where an adapter fails or there is none."""
+    """Device that "auto" chooses, None for the CPU; DeviceError if an adapter fails or there is none."""
     measured = {} if work is None else _faster.get(source, {})
-    if not measured and not is_hardware(wanted()):
-        _say_software()
+    if not measured and not is_hardware(selected()):
+        _log_software()
         return None
     device = opened()
     if work is not None and (device.label, work) in measured:
         return device if measured[device.label, work] else None
     if device.kind == "software":
-        _say_software()
+        _log_software()
         return None
     return device
 
 
 def opened(adapter: str | None = None) -> _core.GpuDevice:
-    """Return the device on a named, the selected or the best adapter, opened anew after it was lost.
+    """Return the device of a named, the selected or the best adapter, reopened after it was lost.
 
-    DeviceError where there is none.
+    DeviceError if there is none.
     """
-    adapter = wanted() if adapter is None else adapter
+    adapter = selected() if adapter is None else adapter
     is_hardware(adapter)
     return _core.GpuDevice(adapter)
 
 
 def remember(source: object, work: Work, label: str, faster: bool) -> None:
-    """Keep whether an adapter was faster than the CPU at some work on a source, as long as the source lives."""
+    """Store whether an adapter was faster than the CPU at some work on a source, as long as the source exists."""
     _faster.setdefault(source, {})[label, work] = faster
 
 
-def wanted() -> str | None:
-    """Return back end or part of a name of the selected adapter; None for the best one."""
+def selected() -> str | None:
+    """Return the backend or the part of a name that selects the adapter; None for the best one."""
     return _selected if _selected is not None else os.environ.get(VARIABLE, "").strip() or None
 
 
 def select(adapter: str | None) -> None:
-    """Select an adapter for this process; None leaves it to `NEARFAR_ADAPTER` again, or to us."""
+    """Select an adapter for this process; None returns to `NEARFAR_ADAPTER`, or to the best adapter if unset."""
     global _selected
     _selected = adapter
 
 
 def is_hardware(adapter: str | None) -> bool:
-    """Whether an adapter that a selection leaves is more than the processor itself."""
+    """Whether any selected adapter is hardware, not software on the processor."""
     with _quietly(adapter):
         return _core.gpu_is_hardware(adapter)
 
 
 def adapters() -> list[tuple[str, str, str, str, str, int, int]]:
-    """Return everything that is found, best first: see `_core.gpu_adapters`."""
+    """Return all adapters, best first; `_core.gpu_adapters` describes the fields."""
     with _quietly(None):
         return _core.gpu_adapters()
 
 
 @contextlib.contextmanager
 def _quietly(adapter: str | None) -> Iterator[None]:
-    """Look for adapters without a word on standard error.
+    """Prevent messages on standard error during a search for adapters.
 
-    Without XDG_RUNTIME_DIR, as in containers and services, Mesa's layer that sorts devices asks for a display that is
-    not there, and its library prints so. We sort adapters ourselves, so the layer is left out, the first time only and
-    for this process only.
+    Without XDG_RUNTIME_DIR, as in containers and services, Mesa's layer for sorting devices tries to open a display and
+    prints an error. nearfar sorts adapters itself, so it disables the layer, for the first search in a process only.
     """
-    variable, looked = "NODEVICE_SELECT", (os.getpid(), adapter)
-    silence = looked not in _looked and "XDG_RUNTIME_DIR" not in os.environ and variable not in os.environ
-    if silence:
+    variable, search = "NODEVICE_SELECT", (os.getpid(), adapter)
+    disables = search not in _searched and "XDG_RUNTIME_DIR" not in os.environ and variable not in os.environ
+    if disables:
         os.environ[variable] = "1"
-    if not _looked and hasattr(os, "register_at_fork"):
+    if not _searched and hasattr(os, "register_at_fork"):
         os.register_at_fork(after_in_child=_core.gpu_forked)
-    _looked.add(looked)
+    _searched.add(search)
     try:
         yield
     finally:
-        if silence:
+        if disables:
             os.environ.pop(variable, None)
 
 
-def _say_software() -> None:
-    """Say why "auto" keeps to the CPU; DeviceError where not even a software adapter can be used."""
-    if os.getpid() in _told:
+def _log_software() -> None:
+    """Log that "auto" uses the CPU because no adapter is hardware; DeviceError if not even a software one works."""
+    if os.getpid() in _logged:
         return
-    found = [f"{name} ({backend})" for name, backend, kind, _, refused, *_ in adapters() if not refused]
-    if wanted() is not None or not found:
-        found = [opened().label]
-    _say(
-        f"the processor itself is the only graphics adapter found, as {', '.join(found)}; install the driver of a "
+    labels = [f"{name} ({backend})" for name, backend, kind, _, refused, *_ in adapters() if not refused]
+    if selected() is not None or not labels:
+        labels = [opened().label]
+    _log_once(
+        f"the processor itself is the only graphics adapter found, as {', '.join(labels)}; install the driver of a "
         "graphics card, or try backend='gpu' and nearfar.gpu.measure"
     )
 
 
-def _say(why: str) -> None:
-    """Say once in a process why the CPU is taken."""
-    if os.getpid() in _told:
+def _log_once(reason: str) -> None:
+    """Log once in a process why the CPU is used."""
+    if os.getpid() in _logged:
         return
-    _told.add(os.getpid())
+    _logged.add(os.getpid())
     import logging
 
-    logging.getLogger("nearfar").warning("rendering on the CPU: %s", why)
+    logging.getLogger("nearfar").warning("rendering on the CPU: %s", reason)

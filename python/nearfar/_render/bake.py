@@ -1,4 +1,4 @@
-"""Baking: what lies beyond a radius about a centre, as an environment map."""
+"""Baking of the static geometry beyond a radius to an environment map."""
 
 from __future__ import annotations
 
@@ -30,8 +30,8 @@ def bake(
     Returns
     -------
     env, rays
-        The map, with range where moving objects need it, in 16 bits if `half`; and the rays that were cast, 0 on a
-        device.
+        The map, which has range if the scene has moving objects, in float16 if `half`; and the number of rays cast, 0
+        on a device.
     """
     moves = scene._core.triangle_count > scene._core.standing_triangle_count
     settings: dict[str, Any] = {
@@ -55,11 +55,11 @@ def bake(
 
 
 def is_half(argument: str, dtype: DTypeLike) -> bool:
-    """Whether ranges are 16-bit; TypeError and ValueError for other types than float16 and float32."""
+    """Whether a type is float16; TypeError and ValueError for other types than float16 and float32."""
     try:
-        wanted = np.dtype(dtype)
+        kind = np.dtype(dtype)
     except TypeError:
         raise TypeError(f"{argument}: expected float32 or float16, got {dtype!r}") from None
-    if wanted not in (np.float16, np.float32):
-        raise ValueError(f"{argument}: expected float32 or float16, got {wanted}")
-    return wanted == np.float16
+    if kind not in (np.float16, np.float32):
+        raise ValueError(f"{argument}: expected float32 or float16, got {kind}")
+    return kind == np.float16

@@ -1,4 +1,4 @@
-"""Names of the images that a frame may hold, and limits of what renderers are asked for."""
+"""Names of a frame's channels (its images), and the greatest number of samples."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from collections.abc import Iterable
 from nearfar._base import check
 
 CHANNELS = ("color", "range", "object_id", "face_id", "position", "normal")
-"""All images that a frame may hold."""
+"""Names of all channels, in their order."""
 
 MAX_SAMPLES = 1024
-"""Most colour samples of a pixel."""
+"""Greatest number of colour samples of a pixel."""
 
 
 def channel_names(channels: Iterable[str]) -> tuple[str, ...]:
-    """Return the names of wanted images, each once and in the order of `CHANNELS`; ValueError for unknown ones."""
+    """Return channel names, each once and in the order of `CHANNELS`; ValueError for unknown ones or none."""
     if isinstance(channels, str):
         raise TypeError(f"channels: expected a sequence of names such as ({channels!r},), got the string {channels!r}")
     if not isinstance(channels, Iterable):

@@ -1,4 +1,4 @@
-"""Frames: the images of one view, and the files they become."""
+"""Frames: the images of one view, and their PNG and EXR files."""
 
 from __future__ import annotations
 
@@ -16,26 +16,26 @@ from nearfar._camera.camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._render.channels import CHANNELS
 
 VERSION = 1
-"""Of the EXR files that frames are saved as."""
+"""Version of the format of saved EXR frames."""
 
 
 @dataclass(frozen=True, eq=False)
 class Frame:
     """The images of one view; those that were not rendered are None.
 
-    Images are (H, W) or (H, W, 3), row 0 on top. Colour is anti-aliased where the renderer was asked to; all other
-    images hold what the ray through the pixel's centre met.
+    Images are (H, W) or (H, W, 3), row 0 on top. Colour is anti-aliased if `samples` is above 1; all other images
+    describe the hit of the ray through the pixel's centre.
     """
 
     camera: Camera
     """The view."""
     origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    """World position in metres that `position` is relative to: the scene's origin."""
+    """World position in metres that `position` is relative to, the scene's origin."""
     color: NDArray[np.float32] | None = field(default=None, repr=False)
     """(H, W, 3) float32, linear RGB in 0..1."""
     range: NDArray[np.float32] | None = field(default=None, repr=False)
-    """(H, W) float32, metres from the camera to what is displayed (for parallel rays from the image plane); +inf where
-    nothing was hit."""
+    """(H, W) float32, metres from the camera to the displayed point (for parallel rays from the image plane); +inf
+    where nothing was hit."""
     object_id: NDArray[np.int32] | None = field(default=None, repr=False)
     """(H, W) int32, index into the scene's `object_names`; −1 where nothing was hit."""
     face_id: NDArray[np.int64] | None = field(default=None, repr=False)
@@ -43,12 +43,12 @@ class Frame:
     position: NDArray[np.float32] | None = field(default=None, repr=False)
     """(H, W, 3) float32, metres: the unmorphed surface point relative to `origin`; NaN where nothing was hit."""
     normal: NDArray[np.float32] | None = field(default=None, repr=False)
-    """(H, W, 3) float32, unit normal of the triangle towards the viewer, whatever normals of vertices the colour takes;
-    NaN where nothing was hit."""
+    """(H, W, 3) float32, unit normal of the triangle, on the viewer's side; vertex normals affect only the colour. NaN
+    where nothing was hit."""
 
     lod: Any = field(default=None, repr=False)
-    """What was drawn of objects with levels of detail, where `lod` chose some: their `levels` (N,) in the order of
-    `Scene.leveled`, `triangles`, `full_triangles` and the `selection`; else None. Files don't keep it."""
+    """Levels of detail drawn, if `lod` chose some: `levels` (N,) in the order of `Scene.leveled`, `triangles`,
+    `full_triangles` and `selection`; None otherwise. Not saved to files."""
 
     def __post_init__(self) -> None:
         width, height = self.camera.size
@@ -60,48 +60,48 @@ class Frame:
 
     @property
     def channels(self) -> tuple[str, ...]:
-        """Names of the images that the frame holds."""
+        """Names of the images that the frame has."""
         return tuple(name for name in CHANNELS if getattr(self, name) is not None)
 
     def require(self, channel: str) -> NDArray[Any]:
-        """Return an image by name; ValueError with the channels to ask for where it was not rendered."""
+        """Return an image by name; if it was not rendered, ValueError that names the channels to render."""
         if channel not in CHANNELS:
             raise ValueError(f"channel: expected one of {', '.join(CHANNELS)}, got {channel!r}")
         image: NDArray[Any] | None = getattr(self, channel)
         if image is None:
-            wanted = tuple(name for name in CHANNELS if name in {channel, *self.channels})
-            raise ValueError(f"frame has no {channel}: render it with channels={wanted!r}")
+            needed = tuple(name for name in CHANNELS if name in {channel, *self.channels})
+            raise ValueError(f"frame has no {channel}: render it with channels={needed!r}")
         return image
 
     def to_image(self) -> NDArray[np.uint8]:
-        """Colour as (H, W, 3) uint8 in sRGB, rounded to the nearest code; ValueError where there is no colour."""
+        """Convert colour to sRGB (H, W, 3) uint8, rounded to the nearest code; ValueError if there is no colour."""
         color = np.ascontiguousarray(self.require("color"), np.float32)
         return _core.encode_srgb(color).reshape(color.shape)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the frame to a file, whole or not at all.
+        """Write the frame to a file, completely or not at all.
 
         Parameters
         ----------
         path
-            `.png`: colour, 8 bits, sRGB. `.exr`: all images, lossless. Colour is `R`, `G`, `B` (float32, linear),
-            range `range` (float32, metres, +inf kept), vectors `position.X` … `normal.Z`, numbers unsigned 32-bit in
-            two's complement, `face_id` with its upper half in `face_id_high`; the camera stands in the header.
+            `.png`: colour, 8 bits, sRGB. `.exr`: all images, lossless. Colour is `R`, `G`, `B` (float32, linear), range
+            is `range` (float32, metres, +inf kept), vectors are `position.X` … `normal.Z`. Numbers are unsigned 32-bit
+            in two's complement; the upper half of `face_id` is in `face_id_high`. The header contains the camera.
 
         Raises
         ------
         ValueError
             For another suffix, and for a PNG of a frame without colour.
         OSError
-            Where the file cannot be written.
+            If the file cannot be written.
         """
         suffix = Path(path).suffix.lower()
         if suffix == ".png":
             from PIL import Image
 
             image = Image.fromarray(self.to_image())
-            with files.atomic_file(path) as aside:
-                image.save(aside, format="PNG")
+            with files.atomic_file(path) as temporary:
+                image.save(temporary, format="PNG")
         elif suffix == ".exr":
             exr.write(path, {"frame": _exr_channels(self)}, _document(self))
         else:
@@ -109,7 +109,7 @@ class Frame:
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Frame:
-        """Read what `save` wrote as `.exr`; FormatError for other files and for newer versions."""
+        """Read an `.exr` file that `save` wrote; FormatError for other files and newer versions."""
         document, parts = exr.read(path, "frame", VERSION)
         with formats.guarded(path, "frame"):
             channels = parts["frame"]
@@ -124,7 +124,7 @@ _AXES = {"color": ("R", "G", "B")} | {
 
 
 def _exr_channels(frame: Frame) -> dict[str, NDArray[Any]]:
-    """Images of a frame as two-dimensional channels of the types that OpenEXR knows."""
+    """Split a frame's images into two-dimensional channels of OpenEXR's types."""
     channels: dict[str, NDArray[Any]] = {}
     for name in frame.channels:
         image = frame.require(name)
@@ -143,7 +143,7 @@ def _exr_channels(frame: Frame) -> dict[str, NDArray[Any]]:
 
 
 def _image(name: str, channels: exr.Channels) -> NDArray[Any] | None:
-    """An image from channels; None where they do not hold it."""
+    """Join channels to an image; None if they do not contain it."""
     if name in _AXES:
         axes = _AXES[name]
         return np.stack([channels[axis] for axis in axes], axis=-1) if axes[0] in channels else None

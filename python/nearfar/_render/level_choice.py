@@ -1,4 +1,4 @@
-"""The level of detail that each object shows in a picture: chosen for the cameras, or given."""
+"""Choice of the level of detail of each object in a picture, by a selector or by the caller."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from nearfar._render.renderable import Renderable
 from nearfar._scene.levels import Leveled, Selector, Shown, levels_of
 
 Lod = str | Selector | Callable[..., Any] | ArrayLike | Mapping[str, int]
-"""A mode, a selector, a function that selects, or levels as `Scene.at_levels` takes them."""
+"""A mode's name, a selector, a function like `nearfar.lod.select`, or levels as `Scene.at_levels` takes them."""
 
 
 class LevelChoice:
-    """Chooses levels for one picture after the other; hysteresis needs the levels of the one before."""
+    """Chooses levels for one picture after another and remembers the last levels, which hysteresis needs."""
 
     def __init__(self, source: Renderable, lod: Lod) -> None:
         leveled = _leveled(source, (0.0, 0.0, 0.0))
@@ -29,7 +29,7 @@ class LevelChoice:
         self._last: Shown | None = None
 
     def __call__(self, source: Renderable, shot: Shot) -> tuple[Renderable, Shown]:
-        """Return the source, in any pose, at the levels that a shot shows."""
+        """Choose levels for a shot; returns the source, which may be in any pose, at these levels."""
         leveled = _leveled(source, shot.eye)
         levels = self._lod
         selection: Any = None
@@ -47,7 +47,7 @@ class LevelChoice:
         if not isinstance(self._lod, Selector):
             return self._lod(*objects, camera=camera)
         previous = None if self._last is None else self._last.levels
-        # Weights are worked out where levels fade.
+        # Only a selector that fades needs the weights, which `full` computes.
         return self._lod.select(*objects, camera=camera, previous=previous, full=self._lod.fade > 0)
 
 

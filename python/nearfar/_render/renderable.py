@@ -1,4 +1,4 @@
-"""What renderers take: scenes, reduced scenes, and whatever else shows itself to cameras."""
+"""The `Renderable` protocol: the interface of scenes, reduced scenes and other sources of pictures."""
 
 from __future__ import annotations
 
@@ -12,26 +12,26 @@ from nearfar._camera.shot import Shot
 from nearfar._scene.levels import Leveled
 
 Report = Callable[[int, int], None] | None
-"""Takes how much is done and how much there is."""
+"""Callback that takes the finished and the total amount of work, or None."""
 
 Images = dict[str, NDArray[Any]]
-"""The images of a frame by channel, as `Frame` has them."""
+"""The images of a frame by channel, with shapes and types as in `Frame`."""
 
 
 class Job(Protocol):
     """A picture that a device is drawing."""
 
     def finish(self, report: Report = None) -> Images:
-        """Wait for the picture and read it back."""
+        """Wait until the picture is drawn, and read it back."""
 
 
 @runtime_checkable
 class Renderable(Protocol):
-    """What `nearfar.render` and `nearfar.render_path` take.
+    """Source of pictures for `nearfar.render` and `nearfar.render_path`.
 
-    `Scene` and `ReducedScene` are renderables. A class of your own becomes one by deriving from this and defining
-    `origin`, `default_channels` and `trace`, and `begin` for graphics adapters; the other methods say that nothing
-    moves and that nothing has levels of detail.
+    `Scene` and `ReducedScene` are renderables. A user's class becomes one if it derives from this protocol and defines
+    `origin`, `default_channels` and `trace`, and `begin` for graphics adapters. The other methods have defaults for
+    sources in which nothing moves and nothing has levels of detail.
     """
 
     @property
@@ -41,42 +41,42 @@ class Renderable(Protocol):
 
     @property
     def default_channels(self) -> tuple[str, ...]:
-        """Images that are computed where nobody says which."""
+        """Images that are computed by default."""
         return ("color",)
 
     @property
     def backends(self) -> tuple[str, ...]:
-        """Where pictures can be made: "cpu", "gpu"."""
+        """Backends that can render this source, of "cpu" and "gpu"."""
         return ("cpu", "gpu")
 
     @property
     def triangle_count(self) -> int:
-        """Triangles that a picture draws."""
+        """Number of triangles that a picture draws."""
         return 0
 
     def at(self, poses: Mapping[str, ArrayLike]) -> Self:
-        """Return the same with dynamic objects in other places; `poses` are those of `Scene.at`."""
+        """Return the same source with dynamic objects in other poses; `poses` as in `Scene.at`."""
         raise ValueError(f"at: expected no poses for {type(self).__name__}, in which nothing moves")
 
     def at_levels(self, levels: ArrayLike | Mapping[str, int]) -> Self:
-        """Return the same with objects at these levels of detail, as `Scene.at_levels` takes them."""
+        """Return the same source with objects at these levels of detail; `levels` as in `Scene.at_levels`."""
         raise ValueError(f"lod: expected None for {type(self).__name__}, which has no levels")
 
     def shown_to(self, user: ArrayLike) -> Leveled | None:
-        """Objects that have levels, where a user at a world position (3,) sees them; None where none has any."""
+        """Return the objects with levels as a user at a world position (3,) sees them; None if there are none."""
         return None
 
     def trace(self, shot: Shot, report: Report = None) -> Sequence[Images]:
-        """Make the pictures of a shot on the CPU, one for each camera."""
+        """Render the pictures of a shot on the CPU, one for each camera."""
         raise ValueError(f"backend: expected 'gpu' for {type(self).__name__}, which is not traced")
 
     def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> Sequence[Job]:
-        """Begin the pictures of a shot on a device, one for each camera."""
+        """Start the pictures of a shot on a device, one for each camera."""
         raise ValueError(f"backend: expected 'cpu' for {type(self).__name__}, which no graphics adapter draws")
 
 
 def check_renderable(argument: str, source: object) -> None:
-    """Refuse what can't be rendered: TypeError."""
+    """Raise TypeError for anything that is not a `Renderable`."""
     if not isinstance(source, Renderable):
         expected = "a Scene, a ReducedScene or another Renderable"
         raise TypeError(f"{argument}: expected {expected}, got {type(source).__name__}")

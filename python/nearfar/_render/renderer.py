@@ -1,4 +1,4 @@
-"""Frames of a renderable: on the CPU or on a graphics adapter, one shot after the other."""
+"""Renders shots of a renderable to frames, on the CPU or on a graphics adapter."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from nearfar._scene.levels import Shown
 
 
 class Renderer:
-    """How frames of one source are made. It remembers the levels that the last shot showed."""
+    """Renders frames of one source; it remembers the levels of detail of the last shot."""
 
     def __init__(
         self,
@@ -39,13 +39,13 @@ class Renderer:
 
     @property
     def work(self) -> backends.Work:
-        """Images and samples."""
+        """The kind of work: channels and samples."""
         return self.channels, self.samples
 
     def shot(
         self, cameras: Sequence[Camera], user: ArrayLike | None = None, t_min: float = 0.0, t_max: float = math.inf
     ) -> Shot:
-        """Check and collect what is asked for."""
+        """Check the arguments and make a shot of them."""
         for camera in cameras:
             check_camera(camera)
         near, far = check.number("t_min", t_min), check.number("t_max", t_max, finite=False)
@@ -61,21 +61,21 @@ class Renderer:
         )
 
     def device(self, backend: str, measured: object | None = None) -> _core.GpuDevice | None:
-        """Choose where pictures are made: see `backend.device_for`. "auto" leaves to the CPU what no adapter draws.
+        """Choose a device as `backend.device_for` does; "auto" chooses the CPU if no adapter can draw the source.
 
-        `measured` is the object that measurements were kept for; by default the source.
+        `measured` is the object that measurements belong to; by default the source.
         """
         if "gpu" not in self.source.backends and backends.check(backend) == "auto":
             return None
         return backends.device_for(backend, self.source if measured is None else measured, self.work)
 
     def drawn(self, shot: Shot, poses: Mapping[str, ArrayLike] | None) -> tuple[Renderable, Shown | None]:
-        """Return the source in a pose and at the levels that a shot shows."""
+        """Return the source in a pose and at the levels chosen for a shot, and these levels."""
         posed = self.source if poses is None else self.source.at(poses)
         return (posed, None) if self._choice is None else self._choice(posed, shot)
 
     def frames(self, shot: Shot, poses: Mapping[str, ArrayLike] | None, device: _core.GpuDevice | None) -> list[Frame]:
-        """Make the frames of a shot, one for each camera."""
+        """Render the frames of a shot, one for each camera."""
         drawn, shown = self.drawn(shot, poses)
         with progress.bar("rendering") as report:
             if device is None:
@@ -86,17 +86,17 @@ class Renderer:
 def finished(
     drawn: Renderable, shot: Shot, jobs: Sequence[Job], shown: Shown | None, report: Report = None
 ) -> list[Frame]:
-    """Wait for the pictures of a shot that a device draws."""
+    """Wait for a shot's pictures on a device and return its frames."""
     return collected(drawn, shot, [job.finish(report) for job in jobs], shown)
 
 
 def collected(drawn: Renderable, shot: Shot, pictures: Sequence[Images], shown: Shown | None) -> list[Frame]:
-    """Frames of a shot's pictures."""
+    """Make the frames of a shot from its pictures."""
     origin = check.vector("origin", drawn.origin)
     return [Frame(camera, origin, **images, lod=shown) for camera, images in zip(shot.cameras, pictures, strict=True)]
 
 
 def check_camera(camera: Camera) -> None:
-    """Refuse what is no camera: TypeError."""
+    """Raise TypeError for anything that is not a `Camera`."""
     if not isinstance(camera, Camera):
         raise TypeError(f"camera: expected a Camera, got {type(camera).__name__}")

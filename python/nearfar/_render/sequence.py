@@ -1,4 +1,4 @@
-"""Pictures along a path: the next one is begun before the last one is read."""
+"""Renders the pictures of a camera path; on a GPU the next picture starts before the last one is read back."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from nearfar._scene.levels import Shown
 Pose = Mapping[str, ArrayLike]
 
 AHEAD = 2
-"""Frames that the device works on at a time: while one is read the next one is drawn."""
+"""Number of frames in progress on a device: one is drawn while the one before is read back."""
 
 
 def render_path(
@@ -33,38 +33,39 @@ def render_path(
     lod: Lod | None = None,
     backend: str = "auto",
 ) -> Iterator[Frame]:
-    """Render a scene, a reduced scene or another renderable from one camera after the other.
+    """Render a scene, a reduced scene or another renderable from one camera after another.
 
     Parameters
     ----------
     source
-        What is looked at. A reduced scene is drawn by its vertices before its map, as `ReducedScene.render` does by
-        default.
+        Scene, reduced scene or other renderable. A reduced scene is drawn with the default settings of
+        `ReducedScene.render`.
     cameras
-        Any number of views, of any sizes. On a graphics adapter one view is asked for before the frame of the one
-        before it is given.
+        Any number of views, of any sizes. On a graphics adapter, the next camera is taken from the iterable before the
+        frame of the present one is yielded.
     at
         Poses of dynamic objects, as `Scene.at` takes them: one mapping for all views, or one for each view.
     channels
-        Images to compute; by default those that the source's `render` computes by default.
+        Images to compute; by default the source's `default_channels`.
     samples, backend
-        As `render` takes them.
+        As in `render`.
     lod
-        As `render` takes it, for scenes and reduced scenes whose objects have levels. One selector chooses for all
-        views in turn, so that it may keep objects at the levels that they have.
+        As in `render`, for scenes and reduced scenes whose objects have levels. One selector chooses for all views in
+        turn and knows the levels of the view before, so that hysteresis works.
 
     Yields
     ------
     Frame
-        The same as `render` returns for each camera. Closing the generator drops what is under way, and Ctrl-C ends it.
+        The same frame as `render` returns for each camera. Closing the generator, or Ctrl-C, discards unfinished
+        pictures.
 
     Raises
     ------
     ValueError, TypeError
-        At the call for arguments out of their domains. For what iterators bring when its turn comes: something else
-        than a camera or a pose, and fewer poses than cameras.
+        At the call, for arguments out of their domains. During iteration, for an item that is not a camera or a pose,
+        and if there are fewer poses than cameras.
     DeviceError
-        As `render`.
+        As in `render`.
     """
     if isinstance(cameras, Camera) or not isinstance(cameras, Iterable):
         raise TypeError(f"cameras: expected an iterable of Cameras, got {type(cameras).__name__}")
@@ -72,7 +73,7 @@ def render_path(
     if isinstance(poses, str) or not isinstance(poses, Iterable):
         raise TypeError(f"at: expected matrices by name, or one such mapping for each camera, got {type(at).__name__}")
     renderer = Renderer(source, channels, samples, lod)
-    _check_known(cameras, poses)
+    _check_sequences(cameras, poses)
     if isinstance(at, Mapping):
         renderer.source = source.at(at)
     views = _views(renderer, cameras, iter(poses))
@@ -80,8 +81,8 @@ def render_path(
     return (view.trace() for view in views) if device is None else _drawn(device, views)
 
 
-def _check_known(cameras: Iterable[Camera], poses: Iterable[Pose | None]) -> None:
-    """Check what is there already: lists, not iterators."""
+def _check_sequences(cameras: Iterable[Camera], poses: Iterable[Pose | None]) -> None:
+    """Check cameras and poses at the call if they are sequences; iterators are checked item by item."""
     if not isinstance(cameras, Sequence):
         return
     for number, camera in enumerate(cameras):
@@ -97,7 +98,7 @@ def _check_camera(number: int, camera: Camera) -> None:
 
 @dataclass(frozen=True)
 class _View:
-    """One camera of the sequence: the source as it is drawn for it."""
+    """One view of the sequence: the posed source at its levels, and the shot."""
 
     drawn: Renderable
     shot: Shot
@@ -128,21 +129,21 @@ def _views(renderer: Renderer, cameras: Iterable[Camera], poses: Iterator[Pose |
 
 
 def _drawn(device: _core.GpuDevice, views: Iterator[_View]) -> Iterator[Frame]:
-    under_way: list[tuple[_View, Sequence[Job]]] = []
-    wrong: Exception | None = None
-    while wrong is None:
+    started: list[tuple[_View, Sequence[Job]]] = []
+    failure: Exception | None = None
+    while failure is None:
         try:
             view = next(views)
-            under_way.append((view, view.begin(device)))
+            started.append((view, view.begin(device)))
         except StopIteration:
             break
         except Exception as error:
-            # Pictures that were begun before the error come before it.
-            wrong = error
-        if len(under_way) == AHEAD:
-            view, jobs = under_way.pop(0)
+            # Pictures started before the error are yielded first.
+            failure = error
+        if len(started) == AHEAD:
+            view, jobs = started.pop(0)
             yield view.finish(jobs)
-    for view, jobs in under_way:
+    for view, jobs in started:
         yield view.finish(jobs)
-    if wrong is not None:
-        raise wrong
+    if failure is not None:
+        raise failure

@@ -1,4 +1,4 @@
-"""Pictures of a source as it is: ground truth for scenes."""
+"""Renders a scene exactly (ground truth), or another renderable with its default settings."""
 
 from __future__ import annotations
 
@@ -27,66 +27,65 @@ def render(
     lod: Lod | None = None,
     backend: str = "auto",
 ) -> Frame:
-    """Render a scene, or anything else that is a `Renderable`.
+    """Render a scene or any other `Renderable`.
 
-    Of a scene every pixel is exact, and nothing is simplified but what `lod` says. A reduced scene is drawn as
-    `ReducedScene.render` draws it by default.
+    Every pixel of a scene is exact; only `lod` simplifies objects. A reduced scene is drawn with the default settings
+    of `ReducedScene.render`.
 
     Parameters
     ----------
     scene
         The scene, reduced scene, or other renderable.
     camera
-        The view; any projection.
+        The view, with any projection.
     at
         Poses of dynamic objects, as `Scene.at` takes them.
     user
-        World position (3,) of the eye that a reduced scene is bent for; by default the camera's. A scene is the same
-        for every user.
+        World position (3,), metres, of the eye that a reduced scene is morphed for; by default the camera's position.
+        A scene does not depend on it.
     t_min, t_max
-        Metres along each pixel's ray between which surfaces are seen; what lies nearer or farther is not there.
+        Limits in metres along each pixel's ray; surfaces nearer than `t_min` or farther than `t_max` are not drawn.
     samples
-        Colour samples of each pixel, spread evenly over its square, 1 to 1024. All other images are taken at the
-        pixel's centre whatever the number.
+        Number of colour samples of each pixel, spread evenly over its square, 1 to 1024. All other images are sampled
+        once, at the pixel's centre.
     channels
-        Images to compute, of "color", "range", "object_id", "face_id", "position" and "normal"; see `Frame`. By
-        default colour, range and object_id of a scene, and of a reduced scene those that its map has.
+        Images to compute, of "color", "range", "object_id", "face_id", "position" and "normal"; see `Frame`. The
+        default is colour, range and object_id for a scene, and the channels of its map for a reduced scene.
     lod
-        Which level of detail the objects show that have some (`Scene.with_levels`); None draws level 0 of all.
-        "off", "depth", "depth+eccentricity" and "fovea" are modes of `nearfar.lod.select` with its defaults, without
-        a lens; a `nearfar.lod.Selector`, which may have one, or whatever takes the arguments of `select` and returns
-        levels, decides for this camera, and objects that it says are out of view are not drawn. Levels themselves are
-        given as `Scene.at_levels` takes them. Objects show one level each, never two: fading between levels is left
-        to engines.
+        Level of detail of the objects that have levels (`Scene.with_levels`). None draws level 0. The names "off",
+        "depth", "depth+eccentricity" and "fovea" are modes of `nearfar.lod.select` with default settings and no lens. A
+        `nearfar.lod.Selector` (which may have a lens), or a function with the arguments of `select` that returns
+        levels, chooses for this camera; objects that it reports as out of view are not drawn. Levels may also be passed
+        as to `Scene.at_levels`. Each object shows one level; fading between two levels is left to engines.
     backend
         "cpu" traces rays. "gpu" draws with the graphics adapter that `nearfar.gpu.select` or NEARFAR_ADAPTER names, or
-        the best one there is. "auto" does so where that is more than the processor itself, or was measured to be
-        faster for such pictures of this scene (`nearfar.gpu.measure`); else it traces rays, and says so once.
+        the best one. "auto" uses that adapter if it is hardware, or if it was measured to be faster for such pictures
+        of this scene (`nearfar.gpu.measure`); otherwise it traces rays and logs the reason once.
 
     Returns
     -------
     Frame
-        The same bytes for any number of threads. Where nothing was hit, colour is that of the sky. Both back ends use
-        the same formulas along the same rays, so that pictures differ by rounding: where an edge passes a pixel's
-        centre by 1/256 of a pixel or less, either face may be shown, and nothing nearer than a micrometre is drawn on
-        the GPU. With 4 samples most adapters take their own multisampling, which finds each sample's face and shades it
-        once, at the pixel's centre: another antialiasing of edges and textures, by tens of codes in single pixels. With
-        other numbers, and behind OpenGL, they take the tracer's samples.
+        The bytes are the same for any number of threads. Pixels that hit nothing have the colour of the sky. Both
+        backends evaluate the same formulas along the same rays, so that their pictures differ only by rounding: if an
+        edge passes within 1/256 of a pixel of its centre, either face may be shown, and the GPU draws nothing nearer
+        than a micrometre. With 4 samples most adapters use their own multisampling, which finds a face for each sample
+        and shades each face once, at the pixel's centre; edges and textures then differ by tens of 8-bit codes in
+        single pixels. With other numbers, and with OpenGL, adapters use the tracer's samples.
 
     Raises
     ------
     ValueError, TypeError
         For arguments out of their domains.
     DeviceError
-        For "gpu" where no adapter can be used; says what to install. Where the adapter is lost or its memory is spent;
-        the next call opens it again.
+        For "gpu" if no adapter can be used; the message names software to install. If the adapter is lost or its memory
+        is exhausted; the next call opens it again.
 
     References
     ----------
     Rays: Woop, Benthin, Wald (2013), watertight. Textures: Williams (1983), trilinear, in linear light. Samples:
-    Hammersley (1960). The shading is nearfar's own: albedo × (sky(n) + sun · max(0, n·l)), no shadows, n being the
-    triangle's normal or, where its mesh has normals of vertices, what lies between them (Phong 1975), on the viewer's
-    side of the triangle.
+    Hammersley (1960). Shading, without shadows: albedo × (sky(n) + sun · max(0, n·l)), where l is the direction to the
+    sun and n the triangle's normal or, if its mesh has vertex normals, the interpolated one (Phong 1975), on the
+    viewer's side of the triangle.
     """
     renderer = Renderer(scene, channels, samples, lod, argument="scene")
     shot = renderer.shot([camera], user, t_min, t_max)

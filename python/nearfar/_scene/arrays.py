@@ -1,4 +1,4 @@
-"""Arrays as meshes want them: borrowed where they already are, converted and checked where not."""
+"""Checks and conversions of arrays for meshes; arrays of the right type and layout are borrowed without a copy."""
 
 from __future__ import annotations
 
@@ -10,43 +10,43 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check
 
 FARTHEST = 1e30
-"""Metres beyond which squares of distances overflow float32's exponents and nothing is drawn."""
+"""Greatest entry of a transform, metres: beyond it squares of distances overflow float32 and nothing is drawn."""
 
 _UNIT = 1e-4
-"""By how much the square of a normal's length may miss 1: numbers of four digits are unit."""
+"""Greatest difference from 1 of the squared length of a unit normal, so that normals of four digits count as unit."""
 
 ORIGIN_LIMIT = 32_768.0
-"""Metres from which on float32 steps exceed 2 mm, so that coordinates are stored relative to an origin."""
+"""Distance in metres beyond which float32 steps exceed 2 mm and coordinates are stored relative to an origin."""
 
 
 def positions_of(name: str, value: ArrayLike, *, copy: bool = False) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
-    """Vertices as C-contiguous float32 relative to a base in whole metres, and that base.
+    """Convert vertices to C-contiguous float32 relative to a base in whole metres; returns both.
 
-    Float32 keeps its bits and has base 0; a C-contiguous array of it is borrowed unless `copy`. Float64 beyond
-    32,768 m is stored relative to the centre of its box, so that no digits are lost.
+    Float32 keeps its bits and has base 0; a C-contiguous array is borrowed unless `copy`. Float64 beyond 32,768 m is
+    stored relative to the centre of its box, so that no digits are lost.
     """
     array = check.array(name, value)
     base = np.zeros(3)
     if array.dtype == np.float32:
-        return _own(array, value, copy), base
+        return _copied(array, value, copy), base
     if len(array):
         low, high = array.min(axis=0), array.max(axis=0)
         if np.isfinite(low).all() and np.isfinite(high).all() and max(-low.min(), high.max()) >= ORIGIN_LIMIT:
             base = np.rint(low / 2 + high / 2)
     local = np.empty(array.shape, np.float32)
-    # What float32 cannot hold becomes infinite and is counted with the other unusable vertices.
+    # Values beyond float32's range become infinite and are counted with the other unusable vertices.
     with np.errstate(over="ignore", invalid="ignore"):
         np.subtract(array, base, out=local, casting="same_kind", dtype=np.float64)
     return local, base
 
 
 def faces_of(name: str, value: ArrayLike, *, copy: bool = False) -> NDArray[np.uint32]:
-    """Triangles as C-contiguous uint32, borrowed where they are that already and not `copy`."""
-    return _own(check.array(name, value, dtype=np.uint32), value, copy)
+    """Convert triangles to C-contiguous uint32; borrowed if they are that already, unless `copy`."""
+    return _copied(check.array(name, value, dtype=np.uint32), value, copy)
 
 
 def numbers_of(name: str, value: ArrayLike, count: int, limit: int, *, copy: bool = False) -> NDArray[np.int32]:
-    """One number below `limit` for each of `count` faces, or -1 for none, as C-contiguous int32."""
+    """Check numbers of `count` faces, from -1 (none) to `limit` - 1, and convert them to C-contiguous int32."""
     array = check.array(name, value, columns=None, dtype=np.int32)
     if array.shape != (count,):
         raise ValueError(f"{name}: expected one number for each of {count} faces, got shape {array.shape}")
@@ -54,39 +54,39 @@ def numbers_of(name: str, value: ArrayLike, count: int, limit: int, *, copy: boo
         low, high = int(array.min()), int(array.max())
         if low < -1 or high >= limit:
             raise ValueError(f"{name}: expected numbers from -1 to {limit - 1}, got {low} to {high}")
-    return _own(array, value, copy)
+    return _copied(array, value, copy)
 
 
 def object_count_of(name: str, value: ArrayLike) -> int:
-    """Objects that the numbers of faces speak of: the greatest number and one."""
+    """Number of objects that the faces' object numbers imply: the greatest number plus one."""
     array = check.array(name, value, columns=None, dtype=np.int32)
     return int(array.max()) + 1 if array.size else 0
 
 
 def uvs_of(name: str, value: ArrayLike) -> NDArray[np.float32]:
-    """Texture coordinates as C-contiguous float32."""
+    """Convert texture coordinates (V, 2) to C-contiguous float32."""
     array: NDArray[np.float32] = check.array(name, value, columns=2, dtype=np.float32)
     return array
 
 
 def normals_of(name: str, value: ArrayLike, vertex_count: int, *, copy: bool = False) -> NDArray[np.float32]:
-    """Normals of vertices as C-contiguous float32 of unit length; rows of zeros stand for no normal.
+    """Convert vertex normals to C-contiguous float32 of unit length; rows of zeros stand for no normal.
 
-    A C-contiguous array of that is borrowed unless `copy`; rows of other lengths are normalised in a copy.
+    Unit normals in C-contiguous float32 are borrowed unless `copy`; others are normalised in a copy.
     """
     array = check.array(name, value)
     if len(array) != vertex_count:
         raise ValueError(f"{name}: expected shape ({vertex_count}, 3), one row for each vertex, got {array.shape}")
-    # What is not finite the kernel finds.
+    # The kernel refuses normals that are not finite.
     with np.errstate(over="ignore", invalid="ignore"):
         unit = np.abs(np.einsum("ij,ij->i", array, array) - 1.0) <= _UNIT
         if not unit.all() and not (unit | (array == 0).all(axis=1)).all():
             array = _unit(array.astype(np.float64))
-    return _own(np.require(array, np.float32, ["C_CONTIGUOUS", "ALIGNED"]), value, copy)
+    return _copied(np.require(array, np.float32, ["C_CONTIGUOUS", "ALIGNED"]), value, copy)
 
 
 def _unit(rows: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Rows divided by their lengths; those without a length stay zero."""
+    """Normalise rows to unit length; rows of length 0 stay zero."""
     size = np.abs(rows).max(axis=1, keepdims=True)
     scaled = np.divide(rows, size, out=np.zeros_like(rows), where=size != 0)
     length = np.linalg.norm(scaled, axis=1, keepdims=True)
@@ -95,7 +95,7 @@ def _unit(rows: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def colors_of(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.uint8]:
-    """Take sRGB colours with linear alpha as C-contiguous uint8; three channels become opaque."""
+    """Check sRGB colours with linear alpha and return C-contiguous uint8 (V, 4); three channels become opaque."""
     array = check.plain(name, value)
     if array.dtype != np.uint8:
         raise TypeError(f"{name}: expected uint8 sRGB colours, got {array.dtype}")
@@ -107,7 +107,7 @@ def colors_of(name: str, value: ArrayLike, vertex_count: int) -> NDArray[np.uint
 
 
 def texture_of(name: str, value: ArrayLike) -> NDArray[np.uint8]:
-    """Take an sRGB image with linear alpha (H, W, 4), rows from the top, as C-contiguous uint8."""
+    """Check an sRGB image with linear alpha (H, W, 4), row 0 on top, and return it as C-contiguous uint8."""
     array = check.plain(name, value)
     if array.dtype != np.uint8 or array.ndim != 3 or array.shape[2] != 4 or 0 in array.shape:
         raise ValueError(f"{name}: expected a uint8 image (H, W, 4), got {array.dtype} {array.shape}")
@@ -115,7 +115,7 @@ def texture_of(name: str, value: ArrayLike) -> NDArray[np.uint8]:
 
 
 def transforms_of(name: str, value: ArrayLike) -> NDArray[np.float64]:
-    """Matrices object→world (K, 4, 4) or one (4, 4) as float64; finite, the last row 0 0 0 1."""
+    """Check matrices object→world, (K, 4, 4) or (4, 4), finite with last row 0 0 0 1, and return them as float64."""
     array: NDArray[np.float64] = check.array(name, value, columns=None, dtype=np.float64, finite=True)
     if array.ndim not in (2, 3) or array.shape[-2:] != (4, 4):
         raise ValueError(f"{name}: expected a 4x4 matrix object→world, got shape {array.shape}")
@@ -126,13 +126,13 @@ def transforms_of(name: str, value: ArrayLike) -> NDArray[np.float64]:
     return array
 
 
-def _own(array: NDArray[Any], given: ArrayLike, copy: bool) -> NDArray[Any]:
-    """Copy what is still the caller's memory, if wanted."""
-    return array.copy() if copy and isinstance(given, np.ndarray) and np.may_share_memory(array, given) else array
+def _copied(array: NDArray[Any], source: ArrayLike, copy: bool) -> NDArray[Any]:
+    """Copy an array if `copy` and if it shares memory with the caller's."""
+    return array.copy() if copy and isinstance(source, np.ndarray) and np.may_share_memory(array, source) else array
 
 
 def triangle_mask(triangles: NDArray[Any], count: int) -> NDArray[np.bool_]:
-    """Mask (count,) of triangles that are given as numbers or as a mask."""
+    """Convert triangle numbers, or a mask, to a mask (count,) of bool."""
     if triangles.dtype == bool:
         if triangles.shape != (count,):
             raise ValueError(f"triangles: expected a mask of shape ({count},), got {triangles.shape}")

@@ -1,4 +1,4 @@
-"""Collects materials, meshes and their placements, and decides what is merged and what stays an instance."""
+"""Collects materials, meshes and placements, and decides which meshes are merged and which stay instances."""
 
 from __future__ import annotations
 
@@ -23,37 +23,37 @@ from nearfar._scene.arrays import (
 )
 
 _OWN_OBJECTS = -1
-"""Stands for an object number where the mesh says the object of each face."""
+"""Object number of an instance whose mesh has an object number for each face."""
 
 _MOST_VERTICES = 2**32 - 2**16
-"""Vertices of one merged mesh, whose indices are 32 bits wide."""
+"""Greatest number of vertices of a merged mesh, whose indices have 32 bits."""
 
 
 @dataclass(frozen=True)
 class Assembled:
-    """A scene's parts; `nearfar.Scene` says what they mean."""
+    """The parts of a `nearfar.Scene`."""
 
     core: _core.Scene
     names: Sequence[str] | int
     frames: NDArray[np.float64] | None
     """Load transforms of the objects (N, 4, 4), object→world; None where all are identities."""
     dropped: int = 0
-    """Faces of the source that were left out."""
+    """Number of the source's faces that were left out."""
     notes: tuple[str, ...] = ()
-    """What of the source is ignored or drawn otherwise."""
+    """Parts of the source that are ignored or drawn differently, one sentence each."""
 
 
 @dataclass(frozen=True)
 class _Mesh:
     core: _core.Mesh
     base: NDArray[np.float64]
-    """What was subtracted from the vertices."""
+    """Whole metres (3,) that were subtracted from the vertices."""
     has_objects: bool
 
 
 @dataclass(frozen=True)
 class _Placements:
-    """Of every instance: the mesh, mesh→world with the mesh's base in it, and the object."""
+    """For each of K instances: mesh (K,), transform mesh→world including the mesh's base (K, 4, 4), object (K,)."""
 
     mesh: NDArray[np.int64]
     transform: NDArray[np.float64]
@@ -61,7 +61,7 @@ class _Placements:
 
 
 class Assembly:
-    """Everything of `nearfar._scene.SceneBuilder` but the step to a `Scene`."""
+    """Implementation of `nearfar.SceneBuilder`, which adds the step to a `Scene`."""
 
     def __init__(self) -> None:
         self._materials: dict[tuple[tuple[float, ...], int, float | None], int] = {}
@@ -95,7 +95,7 @@ class Assembly:
             raise ValueError(f"cutoff: expected a finite number or None, got {cutoff}")
         link = -1
         if texture is not None:
-            # The array is kept: its identity is unique only as long as it lives.
+            # The reference keeps the array alive; its id could be reused otherwise.
             texture, link = self._textures.setdefault(id(texture), (texture, len(self._textures)))
             texture_of("texture", texture)
         return self._materials.setdefault((tuple(color.tolist()), link, cutoff), len(self._materials))
@@ -123,13 +123,13 @@ class Assembly:
         material
             Number of a material, or one for each face.
         uvs
-            (V, 2) texture coordinates, v upwards.
+            (V, 2) texture coordinates, v pointing up.
         colors
             (V, 3) or (V, 4) uint8, sRGB with linear alpha.
         normals
-            (V, 3) directions outwards, by which the mesh is shaded: interpolated between corners, normalised, on the
-            viewer's side of the face. Zeros stand for no normal at a vertex: the face's own. C-contiguous float32 of
-            unit length is borrowed like `positions`. None shades faces flat.
+            (V, 3) outward directions for shading: interpolated between corners, normalised, and turned to the viewer's
+            side of the face. A vertex with zeros uses the face's normal. C-contiguous float32 of unit length is
+            borrowed like `positions`. None shades faces flat.
         face_object
             Object number of each face (see `objects`), for meshes that hold many objects.
         """
@@ -163,11 +163,11 @@ class Assembly:
 
     @property
     def object_count(self) -> int:
-        """Objects that have been named or announced."""
+        """Number of objects named or announced so far."""
         return len(self._names) if self._nameless is None else self._nameless
 
     def objects(self, names: Sequence[str] | int) -> None:
-        """Announce the objects of `face_object`, by names or just how many; before anything else is named."""
+        """Announce the objects of `face_object` by names or by their number, before any other object is named."""
         if self._names or self._nameless is not None:
             raise ValueError("objects: expected to come before any other object, got it after some")
         if isinstance(names, int):
@@ -178,7 +178,7 @@ class Assembly:
             raise ValueError(f"objects: expected distinct names, got {len(names) - len(self._names)} repetitions")
 
     def object(self, name: str) -> int:
-        """Return the number of the object of that name, a new one if it is the first of its name."""
+        """Return the number of the object of that name; a new name gets a new number."""
         if self._nameless is not None:
             raise ValueError(f"name: expected none after nameless objects, got {name!r}")
         return self._names.setdefault(name, len(self._names))
@@ -193,8 +193,8 @@ class Assembly:
         transform
             (4, 4) object→world for column vectors; None stands for the identity.
         name
-            Object that it belongs to: several meshes of one name are one object, and the transform of its first is
-            the object's load transform. None only for meshes with a `face_object`.
+            Object that the mesh belongs to. Meshes of one name form one object; the transform of the first mesh is the
+            object's load transform. None only for meshes with a `face_object`.
         """
         matrix = np.eye(4) if transform is None else transforms_of("transform", transform)
         if matrix.ndim != 2:
@@ -234,10 +234,10 @@ class Assembly:
         return self._meshes[mesh]
 
     def assemble(self, dynamic: Iterable[str] = ()) -> Assembled:
-        """Merge what is used once, keep the rest as instances, and choose the origin."""
+        """Merge static meshes that are placed once, keep the others as instances, and choose the origin."""
         placed = self._placements()
-        movers = np.zeros(self.object_count + 1, bool)  # the last stands for meshes with objects of their own
-        movers[[self._known(name) for name in ((dynamic,) if isinstance(dynamic, str) else dynamic)]] = True
+        movers = np.zeros(self.object_count + 1, bool)  # the last entry, index -1, is for meshes with `face_object`
+        movers[[self._object_number(name) for name in ((dynamic,) if isinstance(dynamic, str) else dynamic)]] = True
         merges = self._is_merged(placed, movers[placed.object])
         core = self._scene_at(placed, merges, np.zeros(3))
         bounds = core.bounds()
@@ -246,7 +246,7 @@ class Assembly:
         names = tuple(self._names) if self._nameless is None else self._nameless
         return Assembled(core.with_moving(movers[:-1]), names, self._frames())
 
-    def _known(self, name: str) -> int:
+    def _object_number(self, name: str) -> int:
         if name not in self._names:
             raise ValueError(f"dynamic: expected names of objects, got {name!r}")
         return self._names[name]
@@ -263,10 +263,10 @@ class Assembly:
         return _Placements(mesh, transform, np.concatenate([objects for _, _, objects in self._placed]))
 
     def _is_merged(self, placed: _Placements, moves: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """Standing meshes used once; and flat ones, which rays could not be taken into the frame of."""
+        """Flags of the merged instances: static meshes placed once, and flat ones, whose transforms have no inverse."""
         once = np.bincount(placed.mesh, minlength=len(self._meshes))[placed.mesh] == 1
         scale = np.abs(placed.transform[:, :3, :3]).sum(axis=(1, 2)) ** 3
-        # Below 1e-30 of its size cubed a volume is rounding: float64 keeps 16 digits of each of three axes.
+        # A determinant below 1e-30 of the size cubed is rounding error: float64 has 16 digits on each of three axes.
         flat = np.abs(np.linalg.det(placed.transform[:, :3, :3])) <= 1e-30 * scale
         if (flat & moves).any():
             name = tuple(self._names)[placed.object[np.argmax(flat & moves)]]
@@ -279,17 +279,17 @@ class Assembly:
         placements[:, :, 3] -= origin
         groups = self._merge_groups(np.flatnonzero(merges), placed)
         if len(groups) == 1 and len(groups[0]) == 1 and np.array_equal(placements[groups[0][0]], np.eye(4)[:3]):
-            merges, groups = np.zeros_like(merges), []  # one mesh that stands where it should: not copied
+            merges, groups = np.zeros_like(merges), []  # a single mesh at the identity is used without a copy
         merged = [self._merged(rows, placed, placements) for rows in groups]
         rest = np.flatnonzero(~merges)
         identities = np.broadcast_to(np.eye(4)[:3], (len(merged), 3, 4))
-        own = np.full(len(merged), _OWN_OBJECTS, np.int32)
+        face_objects = np.full(len(merged), _OWN_OBJECTS, np.int32)
         colors = [color for color, _, _ in self._materials]
         return _core.Scene(
             origin=(float(origin[0]), float(origin[1]), float(origin[2])),
             meshes=merged + self._instanced(rest, placed),
             placements=np.concatenate([identities, placements[rest]]),
-            objects=np.concatenate([own, placed.object[rest]]),
+            objects=np.concatenate([face_objects, placed.object[rest]]),
             standing_count=len(merged) + len(rest),
             material_colors=np.array(colors, np.float32).reshape(-1, 4),
             material_textures=np.array([link for _, link, _ in self._materials], np.int32),
@@ -298,7 +298,7 @@ class Assembly:
         )
 
     def _instanced(self, rows: NDArray[np.int64], placed: _Placements) -> list[_core.Mesh]:
-        """Meshes of instances; mirrored ones take a twin whose faces keep their outside outside."""
+        """Meshes of instances; mirrored instances get meshes with reversed faces, so that outsides stay outsides."""
         mirrored = np.linalg.det(placed.transform[rows, :3, :3]) < 0
         twins = {handle: self._meshes[handle].core.turned() for handle in set(placed.mesh[rows[mirrored]].tolist())}
         pairs = zip(placed.mesh[rows].tolist(), mirrored.tolist(), strict=True)
@@ -316,7 +316,7 @@ class Assembly:
         return _core.Mesh.merged(meshes, placements[rows], placed.object[rows])
 
     def _frames(self) -> NDArray[np.float64] | None:
-        """Take the transform of each object's first instance."""
+        """Load transforms of the objects (N, 4, 4), those of their first instances; None if all are identities."""
         frames = np.tile(np.eye(4), (len(self._names), 1, 1))
         for _, matrices, objects in reversed(self._placed):
             if objects[0:1] != _OWN_OBJECTS:
@@ -327,7 +327,7 @@ class Assembly:
 def one_mesh(
     vertices: ArrayLike, faces: ArrayLike, face_object: ArrayLike | None, names: Sequence[str] | None, *, copy: bool
 ) -> Assembled:
-    """A scene of one mesh, whose faces belong to one object or to those that `face_object` numbers."""
+    """Assemble a scene of one mesh, whose faces belong to one object or to the objects that `face_object` numbers."""
     assembly = Assembly()
     if face_object is None:
         assembly.objects(names or ["object_0"])

@@ -1,4 +1,4 @@
-"""Scenes put together piece by piece; the procedural datasets go through it."""
+"""The public builder of scenes from materials, meshes and placements, which the procedural datasets use too."""
 
 from __future__ import annotations
 
@@ -9,10 +9,11 @@ from nearfar._scene.scene import Scene
 
 
 class SceneBuilder(Assembly):
-    """Puts a scene together from materials, meshes and their placements.
+    """Builds a scene from materials, meshes and their placements.
 
-    `material`, `mesh` and `objects` register parts and return their numbers; `instance` and `place_many` place meshes;
-    `build` makes the scene. Meshes placed once are merged, those placed again stay instances.
+    `material` and `mesh` add parts and return their numbers; `objects` announces object names; `instance` and
+    `place_many` place meshes; `build` makes the scene. Static meshes that are placed once are merged; others stay
+    instances.
     """
 
     def build(self, dynamic: Iterable[str] = ()) -> Scene:
@@ -21,6 +22,6 @@ class SceneBuilder(Assembly):
         Parameters
         ----------
         dynamic
-            Names of objects that `Scene.at` can pose; they keep meshes of their own.
+            Names of objects that `Scene.at` can pose; their meshes are not merged.
         """
         return Scene._from_assembled(self.assemble(dynamic))

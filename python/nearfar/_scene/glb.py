@@ -1,8 +1,8 @@
-"""A scene as a GLB that any program shows, and back bit for bit: the same triangles, instances and textures.
+"""Writes a scene as a GLB that other programs can show, and reads it back with the same bits in every array.
 
-A standing mesh that holds many objects is a node with a child for each object; an instance is a node with a mesh.
-What glTF has no place for is in `extras`: how many instances stand, and where a mesh's faces were before they were
-sorted by object and material.
+A static mesh that holds many objects is a node with a child for each object; an instance is a node with a mesh.
+`extras` store data that glTF does not define: the number of static instances, and the order of a mesh's faces before
+they were sorted by object and material.
 """
 
 from __future__ import annotations
@@ -25,16 +25,16 @@ from nearfar._scene.names import Names
 _IDENTITY = np.eye(4)[:3]
 _NO_OBJECT = -1
 _MOST_TEXELS = 1 << 27
-"""Texels of one texture: a damaged header can claim billions."""
+"""Greatest number of texels of one texture; a damaged header can claim billions."""
 
 
 def encode(core: _core.Scene, names: tuple[str, ...]) -> bytes:
-    """Bytes of a GLB of everything that a scene holds; its origin is the root's translation."""
+    """Encode all content of a scene as a GLB; the scene's origin becomes the root node's translation."""
     return Encoder(core, names).encode()
 
 
 class Encoder:
-    """Writes instances of a scene as nodes, and what they need of it."""
+    """Writes instances of a scene as glTF nodes, with the meshes, materials and textures that they use."""
 
     def __init__(self, core: _core.Scene, names: Sequence[str]) -> None:
         self._parts = _core.scene_parts(core)
@@ -43,12 +43,12 @@ class Encoder:
         self._writer = glb.Writer()
         self._meshes: list[dict[str, Any]] = []
         self.nodes: list[dict[str, Any]] = []
-        """All nodes so far."""
+        """Nodes added so far."""
         self._materials: dict[int, int] = {}
         self._written: dict[tuple[int, bool], _Written] = {}
 
     def encode(self) -> bytes:
-        """Bytes of the whole scene."""
+        """Encode the whole scene."""
         children, standing = [], 0
         for number, mesh in enumerate(self._parts["meshes"]):
             if mesh.face_count:
@@ -63,7 +63,7 @@ class Encoder:
         return self.finish([len(self.nodes) - 1])
 
     def finish(self, roots: list[int], **fields: Any) -> bytes:
-        """Bytes of a file that shows the nodes of these numbers, with fields of its document that it has beside."""
+        """Encode a file that shows the nodes with these numbers; `fields` are added to its document."""
         scene = {"nodes": roots} if roots else {}
         return self._writer.encode(
             {
@@ -78,7 +78,7 @@ class Encoder:
         )
 
     def place(self, number: int) -> int:
-        """Add the nodes of an instance that has faces; returns the number of the upper one."""
+        """Add the nodes of an instance that has faces and return the number of the parent node."""
         mesh = self._parts["meshes"][number]
         named = int(self._parts["objects"][number])
         key = (self._ids[number], named == _NO_OBJECT)
@@ -105,13 +105,13 @@ class Encoder:
         return len(self.nodes) - 1
 
     def _mesh(self, mesh: _core.Mesh, *, whole: bool) -> _Written:
-        """Write a mesh: a glTF mesh for each object with vertices of its own, or one for the whole."""
+        """Write a mesh as one glTF mesh if `whole`, else as one for each object, without shared vertices."""
         parts = _core.mesh_parts(mesh)
         owner = np.zeros_like(parts["objects"]) if whole else parts["objects"]
         order = np.lexsort((parts["materials"], owner))
         owner, material, faces = owner[order], parts["materials"][order], parts["faces"][order]
         group = np.cumsum(np.diff(owner, prepend=owner[:1]) != 0)
-        # Vertices by object, each once: sorted by object and number.
+        # Each object gets its vertices once, sorted by number.
         total = len(parts["positions"])
         keys, corners = np.unique((group[:, None] * total + faces).ravel(), return_inverse=True)
         first = np.searchsorted(keys // total, np.arange(group[-1] + 2))
@@ -142,7 +142,7 @@ class Encoder:
         return written
 
     def _surfaces(self) -> dict[str, Any]:
-        """Materials that are used, in the order of their first use, and their textures."""
+        """Return the used materials, in the order of their first use, and their textures."""
         sources: dict[int, int] = {}
         materials = []
         for number in self._materials:
@@ -154,7 +154,7 @@ class Encoder:
                 surface["baseColorTexture"] = {"index": sources.setdefault(texture, len(sources))}
             material: dict[str, Any] = {"pbrMetallicRoughness": surface, "doubleSided": True}
             if not np.isnan(cutoff := float(self._parts["material_cutoffs"][number])):
-                # glTF knows no cutoffs below 0, which cut nothing out either.
+                # glTF does not allow cutoffs below 0; like 0 they cut nothing out.
                 material |= {"alphaMode": "MASK", "alphaCutoff": max(cutoff, 0.0)}
             materials.append(material)
         images = [
@@ -167,7 +167,7 @@ class Encoder:
 
 @dataclass
 class _Written:
-    """A mesh as it is in the file."""
+    """Numbers of a written mesh: its objects, a glTF mesh for each, and the accessor of the face order."""
 
     objects: list[int] = field(default_factory=list)
     meshes: list[int] = field(default_factory=list)
@@ -175,7 +175,7 @@ class _Written:
 
 
 class _Streams:
-    """Vertices in the order of the groups that use them."""
+    """Vertex attributes in the order of the groups (objects) that use them."""
 
     def __init__(
         self, writer: glb.Writer, parts: dict[str, Any], rows: NDArray[np.int64], first: NDArray[np.int64]
@@ -193,12 +193,12 @@ class _Streams:
         self._extents = [ufunc.reduceat(positions, first[:-1]) for ufunc in (np.minimum, np.maximum)]
 
     def of(self, group: int) -> dict[str, int]:
-        """Attributes of a group's primitives."""
+        """Return the accessors of a group's attributes by name."""
         start, end = self._first[group], self._first[group + 1]
         accessors = {}
         for name, (array, view) in self._arrays.items():
             if name == "NORMAL" and not array[start:end].any():
-                continue  # an object without any among others that have them
+                continue  # an object without normals in a mesh where others have some
             extent = [corner[group] for corner in self._extents] if name == "POSITION" else None
             normalized = name == "COLOR_0"
             accessors[name] = self._writer.accessor(view, array[start:end], start, normalized=normalized, extent=extent)
@@ -206,22 +206,22 @@ class _Streams:
 
 
 def decode(data: bytes, names: Names) -> _core.Scene:
-    """Read back what `encode` wrote; for anything else the errors of whatever is missing or wrong."""
+    """Decode the bytes that `encode` made; other bytes raise whatever error their content causes."""
     return Decoder(data, names).decode()
 
 
 class Decoder:
-    """Reads what `Encoder` wrote."""
+    """Reads files that `Encoder` wrote."""
 
     def __init__(self, data: bytes, names: Names) -> None:
         self._reader = glb.Reader(data)
         self.document = self._reader.document
-        """All but the arrays."""
+        """The file's JSON document."""
         self._names = names
         self._meshes: dict[tuple[Any, ...], _core.Mesh] = {}
 
     def decode(self) -> _core.Scene:
-        """The whole scene."""
+        """Decode the whole scene."""
         nodes = self.document["nodes"]
         root = nodes[self.document["scenes"][0]["nodes"][0]]
         children = [nodes[number] for number in root.get("children", [])]
@@ -243,7 +243,7 @@ class Decoder:
         return self._names.number("name", node["name"]) if "name" in node else _NO_OBJECT
 
     def mesh(self, node: dict[str, Any]) -> _core.Mesh:
-        """Mesh of an instance, the same for equal ones."""
+        """Return the mesh of an instance; instances of one mesh get the same object."""
         nodes = self.document["nodes"]
         if "mesh" in node:
             pieces = [(node["mesh"], _NO_OBJECT)]
@@ -286,7 +286,7 @@ class Decoder:
         )
 
     def surfaces(self) -> dict[str, Any]:
-        """Materials and textures, as `_core.Scene` takes them."""
+        """Return materials and textures as arguments of `_core.Scene`."""
         materials = self.document.get("materials", [])
         surfaces = [material["pbrMetallicRoughness"] for material in materials]
         links = [surface.get("baseColorTexture", {"index": -1})["index"] for surface in surfaces]
@@ -305,14 +305,14 @@ def _placement(node: dict[str, Any]) -> NDArray[np.float64]:
 
 
 def _ranks(order: NDArray[Any]) -> NDArray[np.int64]:
-    """Where each face went when they were sorted."""
+    """Rank of each face in the sorted order: the inverse permutation."""
     ranks = np.empty(len(order), np.int64)
     ranks[order] = np.arange(len(order))
     return ranks
 
 
 def _linear(colors: NDArray[np.uint8]) -> NDArray[np.uint16]:
-    """16-bit linear colours as glTF wants them. The darkest 8-bit steps are 20 apart: none is lost."""
+    """Convert sRGB to 16-bit linear colours for glTF, losslessly: 8-bit steps are at least 20 16-bit steps apart."""
     table = np.rint(to_linear(np.arange(256) / 255) * 65535).astype(np.uint16)
     wide = table[colors]
     wide[:, 3] = colors[:, 3].astype(np.uint16) * 257
@@ -320,7 +320,7 @@ def _linear(colors: NDArray[np.uint8]) -> NDArray[np.uint16]:
 
 
 def _png(texels: NDArray[np.uint8]) -> bytes:
-    """Bytes of a texture upside down: glTF counts v downwards, and 1 − v is not exact."""
+    """Encode a texture as PNG, upside down: glTF's v points down, and computing 1 − v would not be exact."""
     opaque = bool((texels[..., 3] == 255).all())
     file = io.BytesIO()
     Image.fromarray(texels[::-1, :, : 3 if opaque else 4]).save(file, "png", compress_level=3)

@@ -1,4 +1,4 @@
-"""Objects with levels of detail: the meshes that they may show, where they stand, and what of them a picture drew."""
+"""Objects with levels of detail: their meshes and placements, and the levels that a picture drew."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ from nearfar._scene.names import Names
 
 @runtime_checkable
 class Selector(Protocol):
-    """What pictures need of a `nearfar.lod.Selector`."""
+    """Interface of `nearfar.lod.Selector` that rendering uses."""
 
     @property
     def fade(self) -> float:
-        """Above 0 where levels fade over."""
+        """Width of the fade between levels; 0 switches without fading."""
 
     @property
     def select(self) -> Callable[..., Any]:
-        """Chooses levels, as `nearfar.lod.select` does."""
+        """Function that chooses levels, like `nearfar.lod.select`."""
 
 
 @runtime_checkable
 class Model(Protocol):
-    """What scenes need of a `nearfar.lod.LodModel`, which comes later in the data flow."""
+    """Interface of `nearfar.lod.LodModel` that scenes use; that class comes later in the data flow."""
 
     @property
     def center(self) -> NDArray[np.float64]:
@@ -37,14 +37,14 @@ class Model(Protocol):
 
     @property
     def radius(self) -> float:
-        """Its radius, metres."""
+        """Radius of the bounding sphere, metres."""
 
     @property
     def levels(self) -> Sequence[Any] | None:
-        """The geometry of each level, in its `scene`."""
+        """Levels from fine to coarse, each with its geometry as `scene`; None without geometry."""
 
     def selector(self, mode: str) -> Selector:
-        """What chooses levels in a mode, with its defaults."""
+        """Make the selector of a mode with its default settings."""
 
     def __len__(self) -> int: ...
 
@@ -53,29 +53,29 @@ class Model(Protocol):
 class Leveled:
     """The N objects of a scene that have levels, in the order of their numbers.
 
-    From `models` on they are what `nearfar.lod.select` takes.
+    The fields from `models` on are arguments of `nearfar.lod.select`.
     """
 
     names: tuple[str, ...]
-    """Of the objects."""
+    """Names of the objects."""
     numbers: NDArray[np.int64]
-    """The same as in `Frame.object_id` (N,), ascending."""
+    """Object numbers (N,) as in `Frame.object_id`, ascending."""
     models: tuple[Any, ...]
-    """The different models, each a `nearfar.lod.LodModel`."""
+    """The distinct models, each a `nearfar.lod.LodModel`."""
     model_index: NDArray[np.int64]
-    """Which of them each object has (N,)."""
+    """Index into `models` for each object (N,)."""
     centers: NDArray[np.float64]
-    """Middles of the objects' bounding spheres (N, 3), world, metres."""
+    """Centres of the objects' bounding spheres (N, 3), world, metres."""
     radii: NDArray[np.float64]
-    """Their radii (N,), metres: the model's, times the greatest scale of where the object stands."""
+    """Radii of these spheres (N,), metres: the model's radius times the greatest scale of the object's placement."""
 
     def __len__(self) -> int:
-        """How many objects there are."""
+        """Return the number of objects."""
         return len(self.names)
 
     @property
     def level_counts(self) -> NDArray[np.int64]:
-        """How many levels each object has (N,)."""
+        """Number of levels of each object (N,)."""
         return np.array([len(model) for model in self.models], np.int64)[self.model_index]
 
     def __repr__(self) -> str:
@@ -84,39 +84,39 @@ class Leveled:
 
 @dataclass(frozen=True, eq=False)
 class Shown:
-    """What a picture drew of a scene whose objects have levels."""
+    """Levels and triangles that a picture drew of a scene whose objects have levels."""
 
     levels: NDArray[np.int64]
     """Level of each object (N,) in the order of `Scene.leveled`, 0 the finest; −1 for one that was left out."""
     triangles: int
-    """Triangles that were drawn, those of objects without levels among them."""
+    """Number of drawn triangles, including those of objects without levels."""
     full_triangles: int
-    """Triangles of the whole scene with everything at level 0."""
+    """Number of triangles of the whole scene with all objects at level 0."""
     selection: Any = None
-    """The selector's answer: a `nearfar.lod.Selection`, with weights where it fades. None where levels were given."""
+    """The selector's result, a `nearfar.lod.Selection`, with weights if levels fade; None if the caller set levels."""
 
 
 @dataclass(frozen=True, eq=False)
 class LevelTable:
-    """The levels of a scene's objects. Scenes made from one another share it."""
+    """Models and meshes of the levels of a scene's objects, shared by all scenes that derive from one another."""
 
     models: tuple[Any, ...]
     meshes: tuple[tuple[_core.Mesh, ...], ...]
-    """Rows of meshes, one for each level of a model. Objects that stand mirrored have rows of their own."""
+    """Rows of meshes, one mesh for each level of a model. Mirrored objects have separate rows."""
     core: _core.Levels
-    """The same for kernels."""
+    """`meshes` for kernels."""
     model_of: NDArray[np.int32]
-    """Of each object the model, −1 where it has none."""
+    """Index into `models` for each object of the scene; −1 for none."""
     row_of: NDArray[np.int32]
-    """Of each object the row of meshes, −1 where it has none."""
+    """Index into `meshes` for each object of the scene; −1 for none."""
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Meshes travel to other processes as arrays."""
+        """Pickle meshes as arrays."""
         meshes = [[_core.mesh_parts(mesh) for mesh in row] for row in self.meshes]
         return _restored, (self.models, meshes, self.model_of, self.row_of)
 
     def leveled(self, core: _core.Scene, names: Names) -> Leveled:
-        """Return the objects with levels that a scene holds, where they are in it."""
+        """Return the objects of a scene that have levels, with their present placements."""
         placements, numbers = _core.placements_of(core, self.row_of >= 0)
         order = np.argsort(numbers)
         placements, numbers = placements[order], numbers[order]
@@ -125,7 +125,7 @@ class LevelTable:
         sizes = np.array([model.radius for model in self.models], np.float64)[index]
         axes = placements[:, :, :3]
         centers = np.einsum("nij,nj->ni", axes, middles) + placements[:, :, 3] + np.array(core.origin)
-        # The greatest scale is the root of the greatest eigenvalue of AᵀA.
+        # The greatest scale of a matrix A is the square root of the greatest eigenvalue of AᵀA.
         scales = np.sqrt(np.linalg.eigvalsh(axes.transpose(0, 2, 1) @ axes)[:, -1]) if len(axes) else np.zeros(0)
         named = tuple(names.all[number] for number in numbers)
         return Leveled(named, numbers.astype(np.int64), self.models, index, centers, sizes * scales)
@@ -144,25 +144,26 @@ def _restored(
 
 
 @dataclass(frozen=True, eq=False)
-class Given:
-    """Objects that are given levels."""
+class NewLevels:
+    """Levels for K objects of a scene, checked."""
 
     numbers: NDArray[np.int64]
-    """Of the objects (K,)."""
+    """Object numbers (K,)."""
     models: tuple[Any, ...]
-    """Different models."""
+    """Distinct models."""
     index: NDArray[np.int64]
-    """Which of them each object is given (K,)."""
+    """Index into `models` for each object (K,)."""
     frames: NDArray[np.float64]
-    """Where the levels stand (K, 4, 4), their frame→world, when the objects were loaded."""
+    """Matrices from the levels' frame to world (K, 4, 4) at the time when the objects were loaded."""
 
 
-def given(
+def check_levels(
     names: Names, numbers: Sequence[int], models: Sequence[object], frames: NDArray[np.float64], *, in_place: bool
-) -> Given:
-    """Check models and where they are to stand; errors name the object.
+) -> NewLevels:
+    """Check models and frames; errors name the object.
 
-    `in_place` says that frames are those of objects whose place the levels take: the levels' own is taken off.
+    With `in_place`, `frames` are the transforms of the objects that the levels replace, and the levels' frame is
+    divided out of them.
     """
     distinct: dict[int, Any] = {}
     for number, model in zip(numbers, models, strict=True):
@@ -176,17 +177,17 @@ def given(
         name = names.all[numbers[int(np.argmax(flat))]]
         raise ValueError(f"models: expected objects with invertible transforms, got a flat one for '{name}'")
     if in_place:
-        own = np.array([model.levels.frame for model in distinct.values()], np.float64).reshape(-1, 4, 4)
-        frames = _placing(frames, own[index])
-    return Given(np.array(numbers, np.int64), tuple(distinct.values()), index, frames)
+        level_frames = np.array([model.levels.frame for model in distinct.values()], np.float64).reshape(-1, 4, 4)
+        frames = _placing(frames, level_frames[index])
+    return NewLevels(np.array(numbers, np.int64), tuple(distinct.values()), index, frames)
 
 
-def _placing(frames: NDArray[np.float64], own: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Levels' frames→world: an object's transform after the levels' frame is taken off; nothing is lost where equal."""
-    solved = np.linalg.solve(own.transpose(0, 2, 1), frames.transpose(0, 2, 1))
+def _placing(frames: NDArray[np.float64], level_frames: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Matrices from levels' frames to world: objects' transforms times inverse level frames; exact where both agree."""
+    solved = np.linalg.solve(level_frames.transpose(0, 2, 1), frames.transpose(0, 2, 1))
     placing = np.array(solved.transpose(0, 2, 1), np.float64)
     placing[:, 3] = (0, 0, 0, 1)
-    same = (frames == own).all(axis=(1, 2))
+    same = (frames == level_frames).all(axis=(1, 2))
     placing[same] = np.eye(4)
     return placing
 
@@ -201,7 +202,7 @@ def _check_model(argument: str, model: object) -> None:
 
 
 def levels_of(argument: str, levels: ArrayLike | Mapping[str, int], leveled: Leveled) -> NDArray[np.int64]:
-    """One level for each object (N,), −1 for those left out; by name, objects that are not named are at level 0."""
+    """Check levels and return one for each object (N,), −1 to leave it out; objects missing in a mapping get 0."""
     if isinstance(levels, Mapping):
         place = {name: at for at, name in enumerate(leveled.names)}
         if unknown := [name for name in levels if name not in place]:
@@ -225,23 +226,23 @@ def levels_of(argument: str, levels: ArrayLike | Mapping[str, int], leveled: Lev
 
 
 def with_levels(
-    core: _core.Scene, rest: NDArray[np.float64], before: LevelTable | None, objects: int, new: Given
+    core: _core.Scene, rest: NDArray[np.float64], before: LevelTable | None, objects: int, new: NewLevels
 ) -> tuple[_core.Scene, NDArray[np.float64], LevelTable]:
-    """Put levels in the place of what objects were.
+    """Replace the meshes of objects by levels.
 
     Parameters
     ----------
     core, rest, before
-        The scene, where its moving instances were loaded, and the levels that its objects have already.
+        The scene, the placements that its moving instances were loaded with, and its present levels.
     objects
-        How many objects the scene knows.
+        Number of objects of the scene.
     new
-        What is given to which of them.
+        The new levels and their objects.
 
     Returns
     -------
     core, rest, table
-        Of the new scene, in which the objects show level 0.
+        The same three of the new scene, in which the objects show level 0.
     """
     chosen = np.zeros(objects, bool)
     chosen[new.numbers] = True
@@ -264,9 +265,9 @@ def with_levels(
 
 
 def _placements(
-    core: _core.Scene, rest: NDArray[np.float64], new: Given
+    core: _core.Scene, rest: NDArray[np.float64], new: NewLevels
 ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """Where the objects are (K, 3, 4), relative to the origin, and which of them move."""
+    """Present placements (K, 3, 4) of the objects, relative to the origin, and flags (K,) of those that move."""
     placed = new.frames[:, :3].copy()
     placed[:, :, 3] -= np.array(core.origin)
     owner, first = np.unique(core.moving_objects(), return_index=True)
@@ -275,7 +276,7 @@ def _placements(
     now, then = (_square(rows[instance]) for rows in (core.moving_placements(), rest))
     moved = (now != then).any(axis=(1, 2))
     at = np.flatnonzero(moves)[moved]
-    # mesh→scene is pose · load⁻¹ · (mesh→scene when loaded), of which the pose is wanted.
+    # An object's mesh moved from `then` to `now`, so its levels' placement is now · then⁻¹ · (placement when loaded).
     placed[at] = (now[moved] @ np.linalg.solve(then[moved], _square(placed[at])))[:, :3]
     return placed, moves
 
@@ -290,13 +291,13 @@ def _rows(pieces: list[_core.Mesh], lengths: list[int]) -> list[tuple[_core.Mesh
 
 
 def _table(
-    before: LevelTable | None, objects: int, new: Given, rows: list[tuple[_core.Mesh, ...]]
+    before: LevelTable | None, objects: int, new: NewLevels, rows: list[tuple[_core.Mesh, ...]]
 ) -> tuple[LevelTable, NDArray[np.int64]]:
-    """The levels of all objects, and the row of each that is given some."""
+    """The level table with the new levels, and the row of meshes of each object that gets some."""
     models = () if before is None else before.models
     meshes = () if before is None else before.meshes
     row = new.index + len(meshes)
-    # Objects that stand mirrored take twins whose faces keep their outside outside.
+    # Mirrored objects get meshes with reversed faces, so that outsides stay outsides.
     mirrored = np.linalg.det(new.frames[:, :3, :3]) < 0 if len(new.frames) else np.zeros(0, bool)
     for model in np.unique(new.index[mirrored]).tolist():
         row[mirrored & (new.index == model)] = len(meshes) + len(rows)

@@ -1,4 +1,4 @@
-"""Scenes from files: opens, lets trimesh read, and says in one sentence what was wrong with a file that it cannot."""
+"""Loads scenes from files with trimesh, and explains in one sentence why a file cannot be read."""
 
 from __future__ import annotations
 
@@ -24,15 +24,15 @@ from nearfar._scene.assembly import Assembled
 from nearfar._scene.source import Source, UnusableError, assemble
 
 _MOST_UNPACKED = 4 << 30
-"""Bytes that a .gz may unpack to."""
+"""Greatest size in bytes of an unpacked .gz file."""
 
 
 def load(path: str | os.PathLike[str], *, up: str, on_invalid: str) -> Assembled:
-    """Load a file; `nearfar.Scene.load` says how."""
+    """Load a file; `nearfar.Scene.load` documents the arguments."""
     check.choice("up", up, ("x", "y", "z"))
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
     path = Path(path)
-    data = path.read_bytes()  # a missing file, a directory and missing rights are the system's own errors
+    data = path.read_bytes()  # a missing file, a folder and missing permissions raise OSError
     label = os.fspath(path)
     with _quiet() as messages, _explained(label):
         source = _read(label, path, data)
@@ -74,38 +74,38 @@ def _loaded(data: bytes, kind: str, resolver: Any, **options: bool) -> Any:
 
 
 def _wavefront(data: bytes, resolver: Any) -> Any:
-    """Read OBJ in whatever encoding; objects stay apart, faces in their order, and vertices where each is one thing."""
+    """Read an OBJ of any encoding; objects stay separate, faces keep their order, and vertices too if unambiguous."""
     if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         data = data.decode("utf-16").encode()
     else:
         try:
             data.decode()
         except UnicodeDecodeError:
-            data = data.decode("latin-1").encode()  # knows every byte, and numbers are the same in all of them
-    # Where corners have texture coordinates or normals of their own, one vertex may have several: trimesh gives it the
-    # middle one of their numbers where it keeps the order.
+            data = data.decode("latin-1").encode()  # decodes every byte; digits are the same in all 8-bit encodings
+    # A vertex may have several texture coordinates or normals. With `maintain_order` trimesh would give it the median
+    # of their indices.
     if re.search(rb"^[ \t]*v[nt][ \t]", data, re.MULTILINE):
         return _loaded(data, "obj", resolver, split_objects=True)
     try:
         return _loaded(data, "obj", resolver, split_objects=True, maintain_order=True)
     except IndexError:
-        # Keeping the order does not work with negative indices.
+        # `maintain_order` does not support negative indices.
         return _loaded(data, "obj", resolver, split_objects=True)
 
 
 def _wavefront_losses(data: bytes, resolver: Any) -> list[str]:
-    """Say which material file and textures cannot be read: trimesh leaves them out in silence."""
+    """Notes on the material file and textures that cannot be read; trimesh leaves them out without a warning."""
     from PIL import Image
 
     def named(keyword: bytes, text: bytes) -> list[str]:
-        found = re.findall(rb"^[ \t]*" + keyword + rb"[ \t]+(.*\S)", text, re.MULTILINE | re.IGNORECASE)
-        return list(dict.fromkeys(name.decode(errors="replace") for name in found))
+        matches = re.findall(rb"^[ \t]*" + keyword + rb"[ \t]+(.*\S)", text, re.MULTILINE | re.IGNORECASE)
+        return list(dict.fromkeys(name.decode(errors="replace") for name in matches))
 
     losses = []
-    for library in named(b"mtllib", data)[:1]:  # trimesh reads one
+    for library in named(b"mtllib", data)[:1]:  # trimesh reads only the first
         try:
             materials = resolver.get(library)
-        except Exception:  # a resolver may raise anything, as may Pillow
+        except Exception:  # resolvers and Pillow may raise any type
             return [f"material file '{library}' cannot be read, drawn without it"]
         for texture in named(b"map_kd", materials):
             try:
@@ -118,7 +118,7 @@ def _wavefront_losses(data: bytes, resolver: Any) -> list[str]:
 _ARCHIVES = {"zip", "tar", "tgz", "bz2", "7z", "rar"}
 
 _NOT_SCENES = {"dxf", "svg", "json", "dict", "dict64", "binvox"}
-"""What trimesh reads, too: drawings, voxels and its own dumps."""
+"""Formats that trimesh reads but that are not scenes: drawings, voxels and trimesh's own dumps."""
 
 
 def _unpacked(data: bytes) -> bytes:
@@ -131,7 +131,7 @@ def _unpacked(data: bytes) -> bytes:
 
 @contextmanager
 def _quiet() -> Iterator[list[str]]:
-    """Keep readers' warnings from the caller; what trimesh logs as a warning is collected for the report."""
+    """Hide readers' warnings from the caller and collect trimesh's logged warnings for the report."""
     messages: list[str] = []
 
     class Collect(logging.Handler):
@@ -153,7 +153,7 @@ def _quiet() -> Iterator[list[str]]:
 
 @contextmanager
 def _explained(label: str) -> Iterator[None]:
-    """Turn whatever a reader raises over a damaged file into a SceneError with the file and one sentence."""
+    """Convert a reader's exception to a SceneError that names the file and gives the reason in one sentence."""
     try:
         yield
     except SceneError:
@@ -184,7 +184,7 @@ def _sentence(error: Exception) -> str:
             return "lengths or offsets in it contradict each other" + (f" ({error})" if str(error) else "")
         case IndexError():
             return f"it refers to something that it does not hold ({error})"
-        case ValueError() | RuntimeError():  # trimesh says so of versions and formats that it does not know
+        case ValueError() | RuntimeError():  # raised by trimesh for unknown versions and formats
             return f"it cannot be read: {_first_line(error) or 'no reason given'}"
         case AttributeError() | TypeError():
             return f"an entry of it has another type than it should ({_first_line(error)})"

@@ -1,4 +1,4 @@
-"""glTF and GLB through trimesh's reader, without its scene graph, which takes a second for ten thousand nodes."""
+"""Reads glTF and GLB with trimesh's reader, but not its scene graph, which takes a second for ten thousand nodes."""
 
 from __future__ import annotations
 
@@ -17,23 +17,23 @@ from nearfar._scene.source import Node, Shape, Source, UnusableError, world_tran
 _TRIANGLES, _STRIP = 4, 5
 _FLOAT = 5126
 _READ_MODES = (0, 1, _TRIANGLES, _STRIP)
-"""Modes of primitives that trimesh makes a geometry of; it skips the others."""
+"""Modes of primitives that trimesh reads (points, lines, triangles, strips); it skips the others."""
 
 _UNBACKED = 64 << 20
-"""Bytes that accessors without data may claim in a small file: they are filled with zeros."""
+"""Greatest size in bytes of accessors without data in a small file; the reader fills them with zeros."""
 
 _EXPANSION = 200
-"""Times the file's size that they may claim in a large one: more than Draco compresses."""
+"""Greatest size of accessors without data in a large file, in file sizes; Draco compresses less than that."""
 
 _UNREAD = ("EXT_meshopt_compression", "KHR_meshopt_compression")
-"""Extensions without which nothing of a mesh is left, and that trimesh does not know."""
+"""Extensions that compress whole meshes and that trimesh does not read."""
 
 _COMPONENT_BYTES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
 _COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 
 
 def read(label: str, data: bytes, kind: str, resolver: Any) -> Source:
-    """Read a GLB or the JSON of a glTF, whose buffers and images the resolver finds."""
+    """Read a GLB or the JSON of a glTF; the resolver loads its buffers and images."""
     from trimesh.exchange import gltf
 
     header, end = glb.header(data) if kind == "glb" else (glb.json_object(data), 0)
@@ -55,9 +55,10 @@ def read(label: str, data: bytes, kind: str, resolver: Any) -> Source:
 
 
 def _free_nodes(header: dict[str, Any]) -> bool:
-    """Take from nodes what makes trimesh forget them, and with them the transforms of their children; true if any.
+    """Remove cameras and unread meshes from nodes; returns whether there were any.
 
-    It leaves out nodes with a camera, and those whose mesh has only primitives that it skips.
+    Trimesh drops a node with a camera, or with a mesh of which it skips all primitives, and loses the transforms of its
+    children.
     """
     changed = False
     meshes = enumerate(header.get("meshes", []))
@@ -72,7 +73,7 @@ def _free_nodes(header: dict[str, Any]) -> bool:
 
 
 def _check_sizes(header: dict[str, Any], size: int) -> None:
-    """Refuse accessors without data that claim more than the file could stand for."""
+    """Refuse files whose accessors without data claim implausibly many bytes."""
     claimed = 0
     for accessor in header.get("accessors", []):
         if "bufferView" not in accessor:
@@ -83,7 +84,7 @@ def _check_sizes(header: dict[str, Any], size: int) -> None:
 
 
 def _check_extensions(header: dict[str, Any]) -> None:
-    """Refuse compressed geometry that trimesh would pass on as zeros."""
+    """Refuse compressed geometry that trimesh would read as zeros."""
     for name in header.get("extensionsRequired", []):
         if name in _UNREAD:
             raise UnusableError(f"it needs the extension {name}, which is not read: save it uncompressed")
@@ -109,7 +110,7 @@ def _shape(arrays: dict[str, Any], primitive: dict[str, Any], header: dict[str, 
         described = header["materials"][primitive["material"]]
         textured = "baseColorTexture" in described.get("pbrMetallicRoughness", {})
         shape.materials = materials.of(visual.material, factor=_factor(described), textured=textured)
-        # Of whole numbers trimesh subtracts v from 1 before they are scaled to 0..1.
+        # Trimesh computes 1 − v before it scales whole numbers to 0..1, so only floats are right.
         shape.uvs = visual.uv if _component(primitive, "TEXCOORD_0", header) == _FLOAT else None
         colors = visual.vertex_attributes.get("color", None)
     if colors is not None:
@@ -125,22 +126,22 @@ def _accessor(primitive: dict[str, Any], attribute: str, header: dict[str, Any])
 
 
 def _component(primitive: dict[str, Any], attribute: str, header: dict[str, Any]) -> int:
-    """Type of an attribute's numbers; that of an absent one counts as float, which needs no care."""
+    """Component type of an attribute; float for an absent one."""
     kind: int = _accessor(primitive, attribute, header).get("componentType", _FLOAT)
     return kind
 
 
 def _factor(material: dict[str, Any]) -> tuple[float, float, float, float] | None:
-    """Base colour factor in full precision; None leaves it to what trimesh found, in an extension for instance."""
-    given = material.get("pbrMetallicRoughness", {}).get("baseColorFactor")
-    if given is None or material.get("extensions"):
+    """Base colour factor in full precision; None means trimesh's value, which may come from an extension."""
+    factor = material.get("pbrMetallicRoughness", {}).get("baseColorFactor")
+    if factor is None or material.get("extensions"):
         return None
-    red, green, blue, alpha = np.clip(np.nan_to_num(np.array(given, np.float64)), 0, 1).tolist()
+    red, green, blue, alpha = np.clip(np.nan_to_num(np.array(factor, np.float64)), 0, 1).tolist()
     return red, green, blue, alpha
 
 
 def _nodes(parts: dict[str, Any], header: dict[str, Any], shapes: dict[str, Shape]) -> list[Node]:
-    """Placed shapes in the file's order, which trimesh's traversal reverses."""
+    """Placed shapes in the file's order; trimesh's traversal reverses it."""
     named = {str(node.get("name", index)) for index, node in enumerate(header.get("nodes", []))}
     edges = [(edge["frame_from"], edge["frame_to"], edge.get("matrix")) for edge in parts["graph"]]
     world = world_transforms(edges, parts["base_frame"])
@@ -148,14 +149,14 @@ def _nodes(parts: dict[str, Any], header: dict[str, Any], shapes: dict[str, Shap
     for edge in reversed(parts["graph"]):
         if edge.get("geometry") in shapes:
             frame, above = edge["frame_to"], edge["frame_from"]
-            # Primitives of one node get frames of their own, called like the node and a random suffix.
+            # Trimesh gives each primitive of a node its own frame, named after the node with a random suffix.
             is_primitive = frame not in named and frame.startswith(f"{above}_") and len(frame) == len(above) + 7
             nodes.append(Node(above if is_primitive else frame, world[frame], edge["geometry"]))
     return nodes
 
 
 def _notes(header: dict[str, Any]) -> list[str]:
-    """What of a glTF is not drawn, or drawn otherwise."""
+    """Notes on the features of a glTF file that are ignored."""
     primitives = [primitive for mesh in header.get("meshes", []) for primitive in mesh["primitives"]]
     ignored = {name: len(header.get(f"{name}s", [])) for name in ("animation", "skin", "camera")}
     ignored["non-triangle primitive"] = sum(_mode(p) not in (_TRIANGLES, _STRIP) for p in primitives)
@@ -166,4 +167,4 @@ def _notes(header: dict[str, Any]) -> list[str]:
     ignored["quantised set of texture coordinates"] = sum(
         _component(p, "TEXCOORD_0", header) != _FLOAT for p in primitives
     )
-    return [f"{count(number, what)} ignored" for what, number in ignored.items() if number]
+    return [f"{count(number, feature)} ignored" for feature, number in ignored.items() if number]

@@ -1,4 +1,4 @@
-"""Trimesh's own objects as a source."""
+"""Reads the meshes and scenes of trimesh."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ if TYPE_CHECKING:
     import trimesh
 
 _LINEAR_COLORS = ("glb", "gltf")
-"""Formats whose vertex colours trimesh passes on as they are: linear."""
+"""Formats with linear vertex colours, which trimesh passes on unchanged."""
 
 
 _NEAR = 1e-6
-"""By how much normals that trimesh works out may differ from those that it worked out before."""
+"""Greatest difference of a coordinate between two computations of the same unit normal by trimesh."""
 
 
 def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, *, fresh: bool = False) -> Source:
-    """Read a mesh or a scene; names of nodes become objects. A fresh one is as a file made it, nothing worked out."""
+    """Read a mesh or a scene; its nodes become objects. A `fresh` one comes from a file, without computed normals."""
     import trimesh
 
     if isinstance(loaded, trimesh.Trimesh):
@@ -39,17 +39,17 @@ def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, *, fresh: bool = F
 
 
 def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> list[Node]:
-    """Placed shapes. Trimesh's own look-up of a transform walks a path for each node; one pass over all is enough."""
+    """Placed shapes, found in one pass over the graph; trimesh's look-up walks a path for each node."""
     forest = scene.graph.transforms
     children = forest.children
     edges: list[tuple[Any, Any, Any]] = []
     pending = [scene.graph.base_frame]
-    seen = set(pending)
+    visited = set(pending)
     while pending:
         parent = pending.pop()
         for child in children.get(parent, ()):
-            if child not in seen:
-                seen.add(child)
+            if child not in visited:
+                visited.add(child)
                 edges.append((parent, child, forest.edge_data[(parent, child)].get("matrix")))
                 pending.append(child)
     world = world_transforms(edges, scene.graph.base_frame)
@@ -57,28 +57,29 @@ def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> list[Node]:
     return [Node(str(name), world[name], shape) for name, shape in placed if shape in shapes and name in world]
 
 
-def given_normals(mesh: trimesh.Trimesh, *, fresh: bool = False) -> NDArray[np.float64] | None:
-    """Vertex normals that a mesh was given; none where it has none, or those that trimesh works out from the faces.
+def source_normals(mesh: trimesh.Trimesh, *, fresh: bool = False) -> NDArray[np.float64] | None:
+    """Vertex normals (V, 3) that a mesh was given by its source; None if it has none or only computed ones.
 
-    Both lie in one place, so that only a comparison tells them apart; a fresh mesh has none of the second kind.
+    Trimesh stores given normals and those computed from the faces in one place, so that only a comparison distinguishes
+    them. A `fresh` mesh has no computed ones.
     """
     from trimesh.geometry import weighted_vertex_normals
 
-    known = mesh._cache["vertex_normals"]
-    if known is None or np.shape(known) != mesh.vertices.shape:
+    stored = mesh._cache["vertex_normals"]
+    if stored is None or np.shape(stored) != mesh.vertices.shape:
         return None
-    given: NDArray[np.float64] = np.asarray(known, np.float64)
+    normals: NDArray[np.float64] = np.asarray(stored, np.float64)
     if fresh:
-        return given
-    own = weighted_vertex_normals(
+        return normals
+    computed = weighted_vertex_normals(
         vertex_count=len(mesh.vertices), faces=mesh.faces, face_normals=mesh.face_normals, face_angles=mesh.face_angles
     )
-    return None if np.allclose(given, own, rtol=0.0, atol=_NEAR) else given
+    return None if np.allclose(normals, computed, rtol=0.0, atol=_NEAR) else normals
 
 
 def _shape(mesh: trimesh.Trimesh, materials: Materials, *, fresh: bool) -> Shape:
     shape = Shape(mesh.vertices.view(np.ndarray), mesh.faces.view(np.ndarray))
-    shape.normals = given_normals(mesh, fresh=fresh)
+    shape.normals = source_normals(mesh, fresh=fresh)
     visual = mesh.visual
     linear = getattr(getattr(mesh, "source", None), "file_type", None) in _LINEAR_COLORS
     if visual.kind == "texture":
@@ -98,7 +99,7 @@ def _shape(mesh: trimesh.Trimesh, materials: Materials, *, fresh: bool) -> Shape
 
 
 def _color_faces(shape: Shape, colors: np.ndarray) -> None:
-    """Colours of faces become materials, so that neighbours need not stop sharing vertices."""
+    """Turn face colours into materials, so that neighbouring faces can still share vertices."""
     distinct, shape.face_material = np.unique(colors, axis=0, return_inverse=True)
     for red, green, blue, alpha in np.column_stack([to_linear(distinct[:, :3] / 255), distinct[:, 3] / 255]).tolist():
         shape.materials.append(BaseColor((red, green, blue, alpha)))

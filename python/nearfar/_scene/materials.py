@@ -1,4 +1,4 @@
-"""Base colours: the only part of a source's materials that the shading formula uses."""
+"""Base colours, the only part of materials that the shading formula uses, and their conversion from trimesh."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from PIL import Image
 
 _MOST_TEXELS = 1 << 27
-"""Texels of one texture (half a gigabyte): a damaged header can claim billions."""
+"""Greatest number of texels of one texture (half a gigabyte); a damaged header can claim billions."""
 
 _TRIMESH_DEFAULT = (102, 102, 102, 255)
-"""What trimesh fills in where a material says nothing."""
+"""sRGB colour and alpha that trimesh gives to a material without a colour."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,17 +21,17 @@ class BaseColor:
     """Base colour of a surface."""
 
     factor: tuple[float, float, float, float] = (1.0, 1.0, 1.0, 1.0)
-    """Linear RGB and alpha."""
+    """Linear RGB and alpha, 0..1."""
     texture: NDArray[np.uint8] | None = None
     """(H, W, 4), sRGB with linear alpha, row 0 on top."""
     cutoff: float | None = None
-    """Least alpha that is drawn; none draws everything opaque."""
+    """Least alpha that is drawn; None draws everything opaque."""
     notes: tuple[str, ...] = ()
-    """What is drawn otherwise than the source says, to follow "2 materials"."""
+    """Differences from the source's material, phrased to follow "2 materials"."""
 
 
 PLAIN = BaseColor(factor=(0.8, 0.8, 0.8, 1.0))
-"""The light grey of sources that say nothing."""
+"""Light grey, for sources without a colour."""
 
 UNCOLORED = BaseColor()
 """White, for meshes with vertex colours."""
@@ -54,9 +54,9 @@ def to_srgb(linear: NDArray[Any]) -> NDArray[np.float64]:
 
 
 def colors_of(values: NDArray[Any], count: int, *, linear: bool) -> NDArray[np.uint8] | None:
-    """Vertex colours (V, 3 or 4), float in 0..1 or whole numbers up to their type's greatest, as sRGB uint8 RGBA.
+    """Convert vertex colours (V, 3 or 4) to sRGB uint8 RGBA; None unless there is one for each of `count` vertices.
 
-    None where the array is not one colour for each of `count` vertices.
+    Floats range over 0..1, whole numbers up to the greatest of their type. `linear` says that they are linear light.
     """
     if values.ndim != 2 or len(values) != count or values.shape[1] not in (3, 4):
         return None
@@ -76,7 +76,7 @@ def colors_of(values: NDArray[Any], count: int, *, linear: bool) -> NDArray[np.u
 
 
 def _to_bytes(values: NDArray[Any]) -> NDArray[np.uint8]:
-    # NaN is no colour: black.
+    # NaN becomes 0.
     levels: NDArray[np.uint8] = np.rint(np.clip(np.nan_to_num(values), 0, 1) * 255).astype(np.uint8)
     return levels
 
@@ -85,7 +85,7 @@ _UNREADABLE = "with an unreadable texture drawn without it"
 
 
 def _is_placeholder(image: Any) -> bool:
-    """Whether it is the tiny grey image that trimesh puts where UVs come without a material."""
+    """Whether an image is the tiny grey one that trimesh adds to texture coordinates without a material."""
     from trimesh.visual.material import color_image
 
     grey = color_image()
@@ -95,7 +95,7 @@ def _is_placeholder(image: Any) -> bool:
 
 
 class Materials:
-    """Turns trimesh's materials into base colours, each image decoded once however many materials use it."""
+    """Converts trimesh's materials to base colours and decodes each image once, however many materials use it."""
 
     def __init__(self) -> None:
         self._colors: dict[int, tuple[Any, BaseColor]] = {}
@@ -105,16 +105,16 @@ class Materials:
     def of(
         self, material: Any, *, factor: tuple[float, float, float, float] | None = None, textured: bool = False
     ) -> list[BaseColor]:
-        """Base colours of a material: several for a MultiMaterial.
+        """Return the base colours of a material, several for a MultiMaterial.
 
         Parameters
         ----------
         material
-            One of trimesh's, or None.
+            A material of trimesh, or None.
         factor
             Base colour factor in full precision; None takes the material's, which has 8 bits.
         textured
-            Whether the source speaks of a texture, so that its absence is a loss.
+            Whether the source refers to a texture, so that a missing one is noted.
         """
         if material is None:
             return []
@@ -122,15 +122,15 @@ class Materials:
             return [color for part in material.materials for color in self.of(part) or [PLAIN]]
         if id(material) not in self._colors:
             is_physical = hasattr(material, "baseColorFactor")
-            made = self._physical(material, factor, textured) if is_physical else self._simple(material)
-            # The material is kept: its identity is unique only as long as it lives.
-            self._colors[id(material)] = (material, made)
+            colors = self._physical(material, factor, textured) if is_physical else self._simple(material)
+            # The reference keeps the material alive; its id could be reused otherwise.
+            self._colors[id(material)] = (material, colors)
         return [self._colors[id(material)][1]]
 
     def _physical(self, material: Any, factor: tuple[float, float, float, float] | None, textured: bool) -> BaseColor:
         if factor is None:
-            given = material.baseColorFactor
-            stored = (1.0, 1.0, 1.0, 1.0) if given is None else tuple(float(c) / 255 for c in given)
+            color = material.baseColorFactor
+            stored = (1.0, 1.0, 1.0, 1.0) if color is None else tuple(float(c) / 255 for c in color)
             factor = (stored[0], stored[1], stored[2], stored[3])
         texture, notes = self._texture(material.baseColorTexture)
         if textured and material.baseColorTexture is None:
@@ -140,12 +140,12 @@ class Materials:
             notes += ("with blending drawn opaque",)
         cutoff = None
         if mode == "MASK":
-            given = material.alphaCutoff
-            cutoff = 0.5 if given is None or not np.isfinite(given) else float(given)
+            least_alpha = material.alphaCutoff
+            cutoff = 0.5 if least_alpha is None or not np.isfinite(least_alpha) else float(least_alpha)
         return BaseColor(factor, texture, cutoff, notes)
 
     def _simple(self, material: Any) -> BaseColor:
-        """Wavefront's materials: diffuse colours as sRGB, as three.js reads them."""
+        """Base colour of a Wavefront material: the diffuse colour is taken as sRGB, as in three.js."""
         diffuse = tuple(int(c) for c in material.diffuse)
         image = getattr(material, "image", None)
         if _is_placeholder(image):
@@ -170,9 +170,9 @@ class Materials:
         if image.size[0] * image.size[1] > _MOST_TEXELS:
             return None
         try:
-            if image.mode.startswith("I;16"):  # which Pillow would clip instead of scaling
+            if image.mode.startswith("I;16"):  # Pillow would clip 16-bit values instead of scaling them
                 image = Image.fromarray((np.asarray(image) >> 8).astype(np.uint8))
-            # Pillow raises whatever its decoders meet: OSError, SyntaxError, ValueError, struct.error, zlib.error, …
+            # Pillow's decoders raise OSError, SyntaxError, ValueError, struct.error, zlib.error and others.
             texels: NDArray[np.uint8] = np.asarray(image.convert("RGBA"))
         except Exception:
             return None

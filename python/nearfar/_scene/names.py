@@ -1,4 +1,4 @@
-"""Names of a scene's objects, and the numbers behind them."""
+"""Names of a scene's objects and their numbers."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 _MOST_COMPARED = 20_000
-"""Names that a misspelt one is compared with: more would take seconds."""
+"""Greatest number of names that a misspelt one is compared with; more would take seconds."""
 
 
 def names_of(argument: str, names: Sequence[str]) -> list[str]:
-    """Distinct names as a list; ValueError where they repeat, TypeError where they are no list of strings."""
+    """Return distinct names as a list; ValueError if names repeat, TypeError if they are not a list of strings."""
     if isinstance(names, str) or not all(isinstance(name, str) for name in names):
         raise TypeError(f"{argument}: expected a list of strings, got {names!r:.60}")
     repeated = len(names) - len(set(names))
@@ -26,26 +26,26 @@ def names_of(argument: str, names: Sequence[str]) -> list[str]:
 class Names:
     """Object names in the order of their numbers.
 
-    A city of 1.8 million nameless buildings needs names only when somebody asks, so they are made on first use.
+    Names of nameless objects are made on first use: a city may have 1.8 million of them.
     """
 
     def __init__(self, names: Sequence[str] | int) -> None:
-        self._given = names
+        self._source = names
 
     def __len__(self) -> int:
-        return self._given if isinstance(self._given, int) else len(self._given)
+        return self._source if isinstance(self._source, int) else len(self._source)
 
     @property
-    def given(self) -> Sequence[str] | int:
-        """The names, or how many nameless objects there are."""
-        return self._given
+    def source(self) -> Sequence[str] | int:
+        """The names as passed, or the number of nameless objects."""
+        return self._source
 
     @cached_property
     def all(self) -> tuple[str, ...]:
-        """Every name; nameless objects are called ``object_0``, ``object_1`` and so on."""
-        if isinstance(self._given, int):
-            return tuple(f"object_{number}" for number in range(self._given))
-        return tuple(self._given)
+        """All names; nameless objects are called ``object_0``, ``object_1`` and so on."""
+        if isinstance(self._source, int):
+            return tuple(f"object_{number}" for number in range(self._source))
+        return tuple(self._source)
 
     @cached_property
     def _numbers(self) -> dict[str, int]:
@@ -61,7 +61,7 @@ class Names:
         return number
 
     def flags(self, argument: str, names: Iterable[str]) -> NDArray[np.bool_]:
-        """Flag each object that is named."""
+        """Return flags (N,), true for each named object."""
         if isinstance(names, str):
             names = (names,)
         flags = np.zeros(len(self), bool)

@@ -1,4 +1,4 @@
-"""Poses of dynamic objects: object→world matrices, and the placements of their meshes that follow from them."""
+"""Poses of dynamic objects (matrices object→world) and the resulting placements of their meshes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Floats = NDArray[np.float64]
 
 
 def checked_pose(argument: str, pose: ArrayLike) -> Floats:
-    """A pose as one finite, affine and invertible matrix (4, 4)."""
+    """Check a pose and return it as one finite, affine and invertible matrix (4, 4); ValueError otherwise."""
     matrix = transforms_of(argument, pose)
     if matrix.shape != (4, 4):
         raise ValueError(f"{argument}: expected one 4x4 matrix object→world, got shape {matrix.shape}")
@@ -21,20 +21,22 @@ def checked_pose(argument: str, pose: ArrayLike) -> Floats:
 
 
 def placements_in(pose: Floats, frame: Floats, rest: Floats, origin: Floats) -> Floats:
-    """Placements (K, 3, 4) of an object's meshes in a pose.
+    """Compute the placements (K, 3, 4) of an object's meshes in a pose, relative to `origin`.
 
     Parameters
     ----------
     pose, frame
-        Object→world now, and when the object was loaded.
+        Matrices object→world (4, 4): the new one, and the one that the object was loaded with.
     rest
         Placements of its meshes when it was loaded (K, 3, 4), relative to `origin`.
+    origin
+        World position (3,) that placements are relative to, metres.
     """
     if np.array_equal(pose, frame):
         return rest
     world = rest.copy()
     world[:, :, 3] += origin
-    # mesh→world becomes pose · frame⁻¹ · (mesh→world when loaded); solved first, so that equal factors cancel.
+    # mesh→world = pose · frame⁻¹ · rest. The right product is solved first, so that equal factors cancel exactly.
     local = np.linalg.solve(frame, np.concatenate([world, np.tile([[[0.0, 0, 0, 1]]], (len(world), 1, 1))], axis=1))
     placements: Floats = (pose @ local)[:, :3]
     placements[:, :, 3] -= origin
@@ -42,7 +44,7 @@ def placements_in(pose: Floats, frame: Floats, rest: Floats, origin: Floats) -> 
 
 
 def current_pose(frame: Floats, placement: Floats, rest: Floats, origin: Floats) -> Floats:
-    """Object→world (4, 4) of an object whose mesh stood at `rest` (3, 4) when loaded and is now at `placement`."""
+    """Compute object→world (4, 4) of an object from its mesh's placements (3, 4): loaded (`rest`) and present."""
     now, loaded = (np.vstack([rows, [0, 0, 0, 1]]) for rows in (placement, rest))
     if np.array_equal(now, loaded):
         return frame.copy()

@@ -1,4 +1,4 @@
-"""What a scene holds, and what of its source was dropped or is not drawn."""
+"""Counts of a scene's contents, and notes on parts of its source that were dropped or are not drawn."""
 
 from __future__ import annotations
 
@@ -11,32 +11,32 @@ from nearfar import _core
 
 @dataclass(frozen=True)
 class Report:
-    """Contents of a scene; `str` makes it readable."""
+    """Contents of a scene; `str` formats them as text."""
 
     triangles: int
-    """Triangles of all instances."""
+    """Number of triangles of all instances."""
     meshes: int
-    """Distinct meshes; everything that is used once counts as one merged mesh."""
+    """Number of distinct meshes; static meshes that are placed once are merged and count as one."""
     instances: int
-    """Placed meshes, standing and dynamic."""
+    """Number of placed meshes, static and dynamic."""
     objects: int
-    """Names that faces or instances can belong to."""
+    """Number of object names, to which faces or instances belong."""
     dynamic: int
-    """Instances that `Scene.at` can pose."""
+    """Number of instances that `Scene.at` can pose."""
     materials: int
-    """Distinct base colours."""
+    """Number of distinct base colours."""
     textures: int
-    """Distinct images."""
+    """Number of distinct images."""
     degenerate_faces: int
-    """Faces of the meshes without an area: kept, never seen."""
+    """Number of faces with zero area, which are kept but never visible."""
     dropped_faces: int
-    """Faces left out because of non-finite or missing vertices (``on_invalid="drop"``)."""
+    """Number of faces dropped because of non-finite or missing vertices (``on_invalid="drop"``)."""
     notes: tuple[str, ...] = ()
-    """What of the source is ignored or drawn otherwise, a sentence each."""
+    """Parts of the source that are ignored or drawn differently, one sentence each."""
 
     @classmethod
     def of(cls, core: _core.Scene, objects: int, dynamic: int, dropped: int, notes: tuple[str, ...]) -> Report:
-        """Count a scene's parts."""
+        """Count the parts of a scene."""
         return cls(
             triangles=core.triangle_count,
             meshes=len(np.unique(core.mesh_ids())),
@@ -65,5 +65,5 @@ class Report:
 
 
 def count(number: int, noun: str, plural: str = "") -> str:
-    """Put a number before its noun, in the plural where it takes one."""
+    """Format a number with its noun, in the plural unless the number is 1."""
     return f"{number:,} {noun if number == 1 else plural or noun + 's'}"

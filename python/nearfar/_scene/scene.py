@@ -1,4 +1,4 @@
-"""The scene: what files, trimesh and the procedural datasets become, and what every stage reads."""
+"""The `Scene` class: made from files, trimesh objects, arrays or a builder, and read by every other stage."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nearfar._base import check
 from nearfar._camera.shot import Shot
 from nearfar._scene.arrays import triangle_mask
 from nearfar._scene.assembly import Assembled, one_mesh
-from nearfar._scene.levels import Leveled, LevelTable, given, levels_of, with_levels
+from nearfar._scene.levels import Leveled, LevelTable, check_levels, levels_of, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.poses import checked_pose, current_pose, placements_in
 from nearfar._scene.report import Report
@@ -28,9 +28,9 @@ if TYPE_CHECKING:
 class Scene:
     """An immutable scene: objects over shared meshes, some of which may move.
 
-    An object is a name over faces or instances. What is used once stands in one merged mesh; what is used twice or
-    moves is an instance of a mesh of its own. Scenes made from a scene (`at`, `with_dynamic`, `with_levels`, `subset`)
-    share its meshes, textures and search trees. Metres, right-handed, y up.
+    An object is a name over faces or instances. Static meshes that are placed once are merged; a mesh that is placed
+    several times or moves keeps its own instances. Scenes derived from a scene (`at`, `with_dynamic`, `with_levels`,
+    `subset`) share its meshes, textures and search trees. Metres, right-handed, y up.
 
     Make one with `load`, `from_trimesh`, `from_arrays` or `nearfar.datasets`.
     """
@@ -60,7 +60,7 @@ class Scene:
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], *, up: str = "y", on_invalid: str = "raise") -> Scene:
-        """Load a file: GLB, glTF with its buffers and images, OBJ with MTL, PLY, STL, OFF and what else trimesh reads.
+        """Load a file: GLB, glTF with its buffers and images, OBJ with MTL, PLY, STL, OFF or another format of trimesh.
 
         Nodes become objects; meshes that are placed more than once stay instances; base colour factors, base colour
         textures and vertex colours are kept. `report` says what is not drawn. A single-file format may be packed
@@ -73,13 +73,13 @@ class Scene:
         up
             Axis of the file that points up: "x", "y" or "z"; it is turned to y.
         on_invalid
-            Whether vertices that are not finite and faces without vertices "raise", or the faces "drop" out and
-            `report` says how many.
+            Treatment of faces with vertices that are not finite or do not exist: "raise" an error, or "drop" the faces,
+            which `report` counts.
 
         Raises
         ------
         SceneError
-            A file that cannot be used: says which, and why.
+            A file that cannot be used; the message names it and the reason.
         OSError
             A file that cannot be opened.
         """
@@ -96,8 +96,8 @@ class Scene:
         Parameters
         ----------
         loaded
-            Its nodes become objects; a lone mesh is called ``object``. Vertex normals that it was given are taken, but
-            not those that trimesh works out from the faces, so that a box stays a box.
+            Mesh or scene. Its nodes become objects; a single mesh is called ``object``. Vertex normals from its source
+            are used, but not those that trimesh computes from the faces, so that a box keeps sharp edges.
         up, on_invalid
             See `load`.
 
@@ -155,12 +155,12 @@ class Scene:
 
     @property
     def default_channels(self) -> tuple[str, ...]:
-        """Images that `nearfar.render` computes where nobody says which."""
+        """Images that `nearfar.render` computes by default."""
         return ("color", "range", "object_id")
 
     @property
     def backends(self) -> tuple[str, ...]:
-        """Where pictures can be made."""
+        """Backends that can render the scene."""
         return ("cpu", "gpu")
 
     @property
@@ -188,7 +188,7 @@ class Scene:
 
     @cached_property
     def report(self) -> Report:
-        """What the scene holds, and what of its source was dropped or is not drawn."""
+        """Counts of the scene's contents, and notes on parts of its source that were dropped or are not drawn."""
         return Report.of(self._core, len(self._names), len(self._rest), self._dropped, self._notes)
 
     def triangles(self) -> NDArray[np.float32]:
@@ -196,9 +196,9 @@ class Scene:
         return self._core.triangles()
 
     def with_dynamic(self, names: Iterable[str]) -> Scene:
-        """Return the same scene in which also the named objects can be posed with `at`.
+        """Return the same scene in which the named objects, too, can be posed with `at`.
 
-        Faces of a merged mesh that belong to a named object become a mesh of their own.
+        Faces of a merged mesh that belong to a named object become a separate mesh.
 
         Raises
         ------
@@ -212,9 +212,8 @@ class Scene:
     def with_levels(self, models: Mapping[str, Any]) -> Scene:
         """Return the same scene in which objects have levels of detail; it shows their level 0.
 
-        The levels take the place of what the objects were: they stand where `transform` says, in their own frame, and
-        dynamic objects stay dynamic. Objects of one model share its meshes. See `nearfar.render` for pictures of chosen
-        levels.
+        The levels replace the objects' meshes. They are placed by the object's `transform`, and dynamic objects stay
+        dynamic. Objects of one model share its meshes. `nearfar.render` renders chosen levels.
 
         Parameters
         ----------
@@ -226,19 +225,19 @@ class Scene:
         ValueError
             Unknown names, models without geometry, objects with transforms that are not invertible.
         TypeError
-            Something else than models by name.
+            Anything else than a mapping from names to models.
         """
         if not isinstance(models, Mapping):
             raise TypeError(f"models: expected models by name such as {{'tree': model}}, got {type(models).__name__}")
         numbers = [self._names.number("models", name) for name in models]
         frames = np.array([self._frame(number) for number in numbers], np.float64).reshape(-1, 4, 4)
-        new = given(self._names, numbers, list(models.values()), frames, in_place=True)
+        new = check_levels(self._names, numbers, list(models.values()), frames, in_place=True)
         core, rest, table = with_levels(self._core, self._rest, self._table, len(self._names), new)
         return self._derived(core, rest, table)
 
     @cached_property
     def leveled(self) -> Leveled | None:
-        """The objects that have levels and the spheres about them where they are now; None where none was given any."""
+        """The objects with levels and their present bounding spheres; None if no object has levels."""
         return None if self._table is None else self._table.leveled(self._core, self._names)
 
     def shown_to(self, user: ArrayLike) -> Leveled | None:
@@ -246,7 +245,7 @@ class Scene:
         return self.leveled
 
     def at_levels(self, levels: ArrayLike | Mapping[str, int]) -> Scene:
-        """Return a scene in which the objects show these levels for good. Meshes and search trees are shared.
+        """Return a scene in which the objects have these levels as their only meshes; it shares meshes and trees.
 
         Parameters
         ----------
@@ -257,7 +256,7 @@ class Scene:
         Raises
         ------
         ValueError
-            Levels that objects don't have, other numbers of levels than objects, and scenes without levels.
+            Levels that objects do not have, a wrong number of levels, and scenes without levels.
         TypeError
             Levels that are not whole numbers.
         """
@@ -271,7 +270,7 @@ class Scene:
         return self._derived(table.core.choose(self._core, table.row_of, by_object), self._rest[remains])
 
     def transform(self, name: str) -> NDArray[np.float64]:
-        """Object→world (4, 4) that an object was loaded with: what `at` replaces."""
+        """Object→world (4, 4) that an object was loaded with, which `at` replaces."""
         return self._frame(self._names.number("name", name)).copy()
 
     def at(self, poses: Mapping[str, ArrayLike]) -> Scene:
@@ -288,7 +287,7 @@ class Scene:
         ValueError
             Unknown objects, objects that are not dynamic, matrices that are not finite, affine and invertible.
         TypeError
-            Something else than poses by name.
+            Anything else than a mapping from names to poses.
         """
         if not isinstance(poses, Mapping):
             raise TypeError(f"poses: expected matrices by name such as {{'car': matrix}}, got {type(poses).__name__}")
@@ -304,7 +303,7 @@ class Scene:
         return self._derived(self._core.posed(placements), self._rest, self._table)
 
     def _pose(self, number: int) -> NDArray[np.float64]:
-        """Object→world (4, 4) where an object is now."""
+        """Present object→world (4, 4) of an object."""
         rows = np.flatnonzero(self._core.moving_objects() == number)
         frame = self._frame(number)
         if not len(rows):
@@ -343,7 +342,7 @@ class Scene:
         objects
             Names of the objects that remain. Object numbers and names stay what they are.
         triangles
-            Triangle numbers, or a mask (T,) of bool. What remains has no levels: parts of objects have none.
+            Triangle numbers, or a mask (T,) of bool. The result has no levels, because parts of objects have none.
 
         Raises
         ------
@@ -376,10 +375,10 @@ class Scene:
         )
 
     def __getstate__(self) -> dict[str, Any]:
-        """Scenes travel to other processes as arrays; trees are built anew there."""
-        given, own = self._names.given, ("frames", "rest", "dropped", "notes", "table")
-        names = given if isinstance(given, int) else list(given)
-        settings = {name: getattr(self, f"_{name}") for name in own}
+        """Pickle a scene as arrays; its search trees are rebuilt after unpickling."""
+        source, fields = self._names.source, ("frames", "rest", "dropped", "notes", "table")
+        names = source if isinstance(source, int) else list(source)
+        settings = {name: getattr(self, f"_{name}") for name in fields}
         return {"parts": parts_of(self._core), "names": names, "own": settings}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -390,7 +389,7 @@ class Scene:
 
 
 def core_of(scene: Scene) -> _core.Scene:
-    """What kernels take; TypeError for an argument that is no scene."""
+    """Return the compiled scene that kernels take; TypeError for other arguments."""
     if not isinstance(scene, Scene):
         raise TypeError(f"scene: expected a Scene, got {type(scene).__name__}")
     return scene._core

@@ -1,4 +1,4 @@
-"""A scene as plain arrays and back: what travels to other processes, and what hashes of content are made of."""
+"""Conversion of a scene to plain arrays and back, for other processes and for hashes of its content."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from nearfar import _core
 
 
 def parts_of(core: _core.Scene) -> dict[str, Any]:
-    """All that is drawn of a scene, in arrays, numbers and containers of them; shared meshes stand once."""
+    """Return all drawn content of a scene as arrays, numbers and containers of them; shared meshes appear once."""
     parts = _core.scene_parts(core)
     first, shared = np.unique(core.mesh_ids(), return_index=True, return_inverse=True)[1:]
-    # By their first use: identities are addresses, whose order is chance.
+    # Meshes are listed by their first use, because identities are addresses, whose order varies between runs.
     order = np.argsort(first)
     meshes = parts.pop("meshes")
     listed = [_core.mesh_parts(meshes[number]) for number in first[order]]
@@ -21,10 +21,10 @@ def parts_of(core: _core.Scene) -> dict[str, Any]:
 
 
 def core_of_parts(parts: dict[str, Any]) -> _core.Scene:
-    """The scene that `parts_of` took apart: it is drawn the same, byte for byte."""
-    given = dict(parts)
-    meshes = [_core.Mesh(mesh["positions"], mesh["faces"], **_attributes(mesh)) for mesh in given.pop("meshes")]
-    return _core.Scene(meshes=[meshes[number] for number in given.pop("mesh_of")], **given)
+    """Rebuild the scene from the result of `parts_of`; its pictures are the same, byte for byte."""
+    remaining = dict(parts)
+    meshes = [_core.Mesh(mesh["positions"], mesh["faces"], **_attributes(mesh)) for mesh in remaining.pop("meshes")]
+    return _core.Scene(meshes=[meshes[number] for number in remaining.pop("mesh_of")], **remaining)
 
 
 def _attributes(mesh: dict[str, Any]) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""What a file or a trimesh object holds, in plain arrays, and the step from there to a scene."""
+"""Content of a file or a trimesh object as plain arrays, its repair, and the assembly of a scene from it."""
 
 from __future__ import annotations
 
@@ -20,36 +20,36 @@ _UP = {
     "y": np.eye(4),
     "z": np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]]),
 }
-"""Rotations that take the named axis to y."""
+"""Rotations that turn the named axis to y."""
 
 _MOST_NAMED = 3
-"""Meshes that an error names before it only counts."""
+"""Greatest number of flaws that an error message lists; it counts the rest."""
 
 
 class UnusableError(ValueError):
-    """A finding of ours about a source, as a sentence without the source's name."""
+    """The source cannot be used; the message is a sentence without the source's name."""
 
 
 @dataclass
 class Shape:
-    """A mesh of the source; `faces` may be of any whole-number type and out of range."""
+    """A mesh of the source; `faces` may have any integer type and numbers out of range."""
 
     vertices: NDArray[Any]
     faces: NDArray[Any]
     uvs: NDArray[Any] | None = None
     colors: NDArray[np.uint8] | None = None
-    """sRGB with linear alpha, one for each vertex."""
+    """Vertex colours (V, 3 or 4), sRGB with linear alpha."""
     normals: NDArray[Any] | None = None
-    """Outwards, of any length, one for each vertex; rows of zeros or that are not finite count as none."""
+    """Outward vertex normals (V, 3) of any length; rows that are zero or not finite count as no normal."""
     materials: list[BaseColor] = field(default_factory=list)
-    """Nothing stands for the plain material."""
+    """Materials; an empty list means the plain one."""
     face_material: NDArray[Any] | None = None
-    """Index into `materials` for each face; none where there is one material."""
+    """Index into `materials` for each face (F,); None with at most one material."""
 
 
 @dataclass(frozen=True)
 class Node:
-    """A shape in its place."""
+    """A placed shape: object name, transform object→world (4, 4) and name of the shape."""
 
     object: str
     transform: NDArray[np.float64]
@@ -58,10 +58,10 @@ class Node:
 
 @dataclass
 class Source:
-    """Everything of a source that becomes part of a scene."""
+    """Content of a source that becomes part of a scene."""
 
     label: str
-    """What errors call it: a path, as a rule."""
+    """Name of the source in error messages, usually a path."""
     shapes: dict[str, Shape]
     nodes: list[Node]
     notes: list[str] = field(default_factory=list)
@@ -79,7 +79,7 @@ def world_transforms(
 
 
 def assemble(source: Source, *, up: str, on_invalid: str) -> Assembled:
-    """Put a scene's parts together: one pass over the source's meshes."""
+    """Assemble a scene's parts in one pass over the source's meshes; SceneError if they cannot be used."""
     check.choice("up", up, _UP)
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
     nodes, flaws = _usable_nodes(source)
@@ -113,7 +113,7 @@ def assemble(source: Source, *, up: str, on_invalid: str) -> Assembled:
 
 
 def _usable_nodes(source: Source) -> tuple[list[Node], list[str]]:
-    """Leave out nodes whose transforms place nothing, with a line about each."""
+    """Split off nodes whose transforms are not finite and affine; returns the others and a description of each flaw."""
     matrices = np.array([node.transform for node in source.nodes]).reshape(-1, 4, 4)
     affine = np.isfinite(matrices).all(axis=(1, 2)) & (matrices[:, 3] == (0, 0, 0, 1)).all(axis=1)
     flaws = [
@@ -125,10 +125,10 @@ def _usable_nodes(source: Source) -> tuple[list[Node], list[str]]:
 
 
 def _repair(shape: Shape) -> tuple[str, int]:
-    """Leave out faces with unusable vertices; says what was wrong, and how many faces went."""
+    """Drop faces with unusable vertices; returns a description of the flaws and the number of dropped faces."""
     vertices, faces = shape.vertices, shape.faces
     flaws = []
-    # Beyond float32's range a coordinate is as good as infinite; NaN fails comparisons and gets through min and max.
+    # A coordinate beyond float32's range counts as infinite. NaN passes through min and max and fails the comparison.
     limit = np.finfo(np.float32).max
     bad = np.zeros(0, bool)
     if vertices.size and not (vertices.min() >= -limit and vertices.max() <= limit):
@@ -165,7 +165,7 @@ def _add(builder: Assembly, shape: Shape) -> int:
 
 
 def _finite(normals: NDArray[Any]) -> NDArray[Any]:
-    """Normals with zeros for those that are not finite, which cannot be repaired and are no reason to refuse a file."""
+    """Replace normals that are not finite by zeros: a file with damaged normals is still usable."""
     good = np.isfinite(normals).all(axis=1, keepdims=True)
     return normals if good.all() else np.where(good, normals, 0)
 

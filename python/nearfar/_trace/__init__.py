@@ -1,1 +1,1 @@
-"""Rays cast into a scene, nearest points on it, and viewpoints found by casting rays."""
+"""Ray casting into a scene, nearest points on its surface, and the choice of viewpoints by ray casting."""

@@ -14,14 +14,14 @@ from nearfar._scene.scene import Scene, core_of
 
 @dataclass(frozen=True, eq=False)
 class Nearest:
-    """What of a scene lies nearest to N points."""
+    """Nearest surface points of N query points; a query without one has the values named below."""
 
     distance: NDArray[np.float64]
-    """(N,) metres; +inf where nothing counts."""
+    """(N,) distance to the nearest surface point, metres; +inf without one."""
     triangle_index: NDArray[np.int64]
-    """(N,) triangle, as `Scene.triangles` numbers them; −1 where nothing counts."""
+    """(N,) triangle of that point, numbered as in `Scene.triangles`; −1 without one."""
     barycentric: NDArray[np.float64]
-    """(N, 2) weights of the triangle's second and third corner; NaN where nothing counts."""
+    """(N, 2) weights of the triangle's second and third corner; NaN without one."""
 
     def __len__(self) -> int:
         """Return the number of points."""
@@ -31,35 +31,35 @@ class Nearest:
 def nearest_points(scene: Scene, points: ArrayLike, *, facing: ArrayLike | None = None) -> Nearest:
     """Find the point of a scene's surface that is nearest to each point.
 
-    Neighbouring points are found faster where they follow each other.
+    The search is faster if neighbouring points follow each other in the array.
 
     Parameters
     ----------
     scene
-        Its search tree is built by the first call and kept. What a cut-out material's alpha leaves open counts as
-        surface.
+        The scene. The first call builds its search tree, which later calls reuse. Parts that a cut-out material's alpha
+        leaves open count as surface.
     points
         (N, 3) world positions, metres.
     facing
-        (N, 3) directions: only triangles whose outside is within 90° of a point's direction count. None counts all.
+        (N, 3) directions: only triangles whose outward normal is within 90° of a point's direction are searched. None
+        searches all.
 
     Returns
     -------
     Nearest
-        Distances are those to the triangles as `Scene.triangles` gives them, in float64. Where several triangles are
-        as near, the lowest number among those with the same float64 distance is reported. The same bytes for any number
-        of threads.
+        Distances in float64 to the triangles of `Scene.triangles`. If several triangles have the same float64
+        distance, the lowest triangle number is reported. The bytes are the same for any number of threads.
 
     Raises
     ------
     ValueError
-        For other shapes, and coordinates that are not finite.
+        For wrong shapes, and coordinates that are not finite.
     TypeError
         For values that are not numbers.
 
     References
     ----------
-    Roussopoulos, Kelley, Vincent (1995): Nearest neighbor queries, for the search. Ericson (2005).
+    Search: Roussopoulos, Kelley, Vincent (1995), Nearest neighbor queries. Nearest point of a triangle: Ericson (2005).
     """
     core = core_of(scene)
     places = check.array("points", points)

@@ -1,4 +1,4 @@
-"""Rays of the user's own."""
+"""Casts rays into a scene and finds the nearest triangle along each."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from nearfar._scene.scene import Scene, core_of
 
 @dataclass(frozen=True, eq=False)
 class Hits:
-    """Where N rays meet a scene."""
+    """Nearest hits of N rays in a scene."""
 
     t_hit: NDArray[np.float32]
     """(N,) distance from the ray's origin, metres; +inf for a miss."""
     triangle_index: NDArray[np.int64]
-    """(N,) triangle, as `Scene.triangles` numbers them; −1 for a miss."""
+    """(N,) triangle, numbered as in `Scene.triangles`; −1 for a miss."""
     object_id: NDArray[np.int32]
-    """(N,) object, a place in `Scene.object_names`; −1 for a miss."""
+    """(N,) object, an index into `Scene.object_names`; −1 for a miss."""
     barycentric: NDArray[np.float32]
     """(N, 2) weights of the triangle's second and third corner; NaN for a miss."""
     _origins: NDArray[np.float32 | np.float64] = field(repr=False)
@@ -38,9 +38,9 @@ class Hits:
 
     @property
     def position(self) -> NDArray[np.float64]:
-        """(N, 3) world positions of the hits, metres; NaN for a miss. Computed anew at each access."""
+        """(N, 3) world positions of the hits, metres; NaN for a miss. Computed at each access."""
         directions = self._directions.astype(np.float64)
-        # Scaled by the largest component first: squares of very long or short directions leave float64's range.
+        # Division by the largest component keeps the squares of very long or short directions in float64's range.
         with np.errstate(invalid="ignore"):
             directions /= np.abs(directions).max(axis=1, keepdims=True)
             directions /= np.linalg.norm(directions, axis=1, keepdims=True)
@@ -51,32 +51,33 @@ class Hits:
 def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max: float = np.inf) -> Hits:
     """Find the nearest triangle along each ray.
 
-    No ray slips through an edge or vertex that triangles of one mesh share, both sides of a triangle are hit, and
-    where several are hit at the same distance the lowest triangle number is reported. Parts that a cut-out material's
-    alpha leaves open let rays pass. Neighbouring rays that point the same way are traced together: give them in an
-    order in which neighbours are close, such as pixels row by row or tile by tile.
+    No ray passes between triangles of one mesh at an edge or vertex that they share. Both sides of a triangle are hit.
+    If several triangles are hit at the same distance, the lowest triangle number is reported. Rays pass where a cut-out
+    material's alpha leaves a hole. Rays that follow each other in the array and have similar directions are traced
+    together, which is faster: order them so that neighbours are close, such as pixels row by row or tile by tile.
 
     Parameters
     ----------
     scene
-        What is hit. Its search tree is built by the first call and kept.
+        The scene. The first call builds its search tree, which later calls reuse.
     origins
-        (3,) for all rays or (N, 3), world positions, metres. They are taken relative to `scene.origin` in float64
-        and rounded to float32 then.
+        (N, 3), or (3,) for all rays: world positions, metres. `scene.origin` is subtracted in float64; the difference
+        is rounded to float32.
     directions
-        (N, 3) of any length above 0; t is in metres whatever the length.
+        (N, 3) of any length above 0; hit distances are in metres whatever the length.
     t_max
-        Hits beyond this are ignored, metres.
+        Greatest distance of a hit, metres; farther ones are ignored.
 
     Returns
     -------
     Hits
-        The same bytes for any number of threads and on any processor.
+        The bytes are the same for any number of threads and on any processor.
 
     Raises
     ------
     ValueError
-        For other shapes, coordinates that are not finite, and directions of length 0: says how many and the first.
+        For wrong shapes, coordinates that are not finite, and directions of length 0; the message states how many
+        there are and which is the first.
     TypeError
         For values that are not numbers.
 

@@ -1,4 +1,4 @@
-"""Viewpoints that are chosen by casting rays: open ground near a scene's middle, facing its longest view."""
+"""Choice of viewpoints by ray casting: open ground near a scene's middle, facing the longest open view."""
 
 from __future__ import annotations
 
@@ -13,30 +13,30 @@ from nearfar._trace.rays import cast_rays
 Point = tuple[float, float, float]
 
 EYE_HEIGHT = 1.7
-"""Metres above the ground: a standing person's eyes."""
+"""Height of a standing person's eyes above the ground, metres."""
 
 SMALLEST_PLACE = 3.0
-"""Metres across: smaller scenes are things, not places, and an eye's height is a share of the scene's."""
+"""Least size in metres of a scene that a person stands in; for a smaller one the eye's height scales with the scene."""
 
 MOST_COMPARED = 40
-"""Open places that are compared."""
+"""Greatest number of open places that are compared."""
 
 BLOCK = 64
-"""Candidates that are looked at together: calls cost more than their rays."""
+"""Number of candidates whose rays are cast in one call, because a call takes longer than its rays."""
 
 GRID = 41
-"""Candidates along each side of the middle of the scene."""
+"""Number of candidates along each side of a square grid over the middle of the scene."""
 
 DIRECTIONS = 72
-"""Directions looked in from a candidate: one every 5°."""
+"""Number of horizontal rays from a candidate, one every 5°."""
 
 CLEARANCE = 3.0
-"""Metres that must be free around an eye."""
+"""Least free distance around an eye, metres."""
 
 
 @dataclass(frozen=True)
 class Viewpoint:
-    """An eye and the direction that it faces."""
+    """An eye's position and viewing direction."""
 
     eye: Point
     """World position in metres."""
@@ -47,9 +47,9 @@ class Viewpoint:
 def find(scene: Scene) -> Viewpoint:
     """Find an open place near the middle of a scene.
 
-    A place is open if nothing stands within `CLEARANCE` of a person's eyes, half of the directions see at least ten
-    metres far (less in small scenes) and a quarter of them see something. Of the first `MOST_COMPARED` such places,
-    those under the sky before those under a roof, the one with the widest view is taken.
+    A place is open if no ray from the eye hits anything within `CLEARANCE`, half of the rays reach at least ten metres
+    (less in small scenes) and a quarter of them hit something. Places under the sky come before places under a roof.
+    Of the first `MOST_COMPARED` open places, the one with the greatest mean distance is chosen.
     """
     eyes = _candidates(scene)
     far = min(10.0, 0.25 * float(np.hypot(*(scene.bounds[1] - scene.bounds[0])[[0, 2]] / 2.0)))
@@ -67,20 +67,20 @@ def find(scene: Scene) -> Viewpoint:
 
 
 def facing_open(scene: Scene, eye: Point) -> Viewpoint:
-    """An eye that faces the longest open view."""
+    """Viewpoint at an eye's position that faces the longest open view."""
     return Viewpoint(eye, open_direction(scene, eye))
 
 
 def facing(eye: Point, target: Point) -> Viewpoint:
-    """An eye that faces a target, level."""
+    """Viewpoint at an eye's position that faces a target horizontally."""
     ahead = np.array([target[0] - eye[0], 0.0, target[2] - eye[2]])
     return Viewpoint(eye, _point(ahead / np.linalg.norm(ahead)))
 
 
 def beside(scene: Scene, viewpoint: Viewpoint, distance: float) -> Point:
-    """Where the user stands: up to `distance` metres beside the centre, on the wider side and off its walls.
+    """Position of a user up to `distance` metres beside the centre, on the side with more space, away from walls.
 
-    Steps to the side show what the methods do to the picture; steps along the view hardly change it.
+    A step to the side shows the effect of the near–far methods; a step along the view hardly changes the picture.
     """
     right = np.array([-viewpoint.forward[2], 0.0, viewpoint.forward[0]])
     free = cast_rays(scene, np.tile(viewpoint.eye, (2, 1)), np.stack([right, -right])).t_hit
@@ -89,15 +89,16 @@ def beside(scene: Scene, viewpoint: Viewpoint, distance: float) -> Point:
 
 
 def ahead(eye: Point, forward: Point, *, rise: float = 0.15) -> Point:
-    """A point to look at: a metre ahead and `rise` metres above the eye, because a level view is half road."""
+    """Target a metre ahead and `rise` metres above the eye: the road would fill half of a horizontal view."""
     return _point(np.array(eye) + np.array(forward) + np.array([0.0, rise, 0.0]))
 
 
 def _candidates(scene: Scene) -> NDArray[np.float64]:
-    """Eyes above the ground of a grid, nearest to the middle first: those seen from above, then those from below.
+    """Eyes above a grid of ground points, nearest to the middle first.
 
-    Where rays meet nothing, the ground is the lowest height of the scene, because cities often come without any.
-    Among places seen from above, roofs are left out.
+    Vertical rays from above find the ground first, then rays from below. A ray that hits nothing takes the scene's
+    lowest height, because models of cities often have no ground. Points more than two metres above the lowest tenth are
+    left out, as they are roofs.
     """
     low, high = scene.bounds
     middle, half = (low + high) / 2.0, (high - low) / 2.0
@@ -117,13 +118,13 @@ def _candidates(scene: Scene) -> NDArray[np.float64]:
 
 
 def open_direction(scene: Scene, eye: Point) -> Point:
-    """Horizontal direction in which a field of view of a quarter turn sees farthest on the whole."""
+    """Horizontal direction whose field of view of 90° has the greatest sum of the square roots of distances."""
     view = np.minimum(_view(scene, np.asarray(eye)), 500.0)
     quarter = DIRECTIONS // 4
     kernel = np.ones(quarter + 1)
     around = np.concatenate([view[-(quarter // 2) :], view, view[: quarter // 2]])
     seen = np.convolve(np.sqrt(around), kernel, mode="valid")
-    # Among equals the first, −z, where cameras look by themselves.
+    # argmax takes the first of equal values: −z, the default direction of cameras.
     return _point(_ring()[int(np.argmax(seen))])
 
 
@@ -138,7 +139,7 @@ def _view(scene: Scene, eye: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _views(scene: Scene, eyes: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Distances (N, DIRECTIONS) to what each of N eyes sees around it."""
+    """Distances (N, DIRECTIONS) in metres to the nearest hits around each of N eyes."""
     origins, directions = np.repeat(eyes, DIRECTIONS, axis=0), np.tile(_ring(), (len(eyes), 1))
     return cast_rays(scene, origins, directions).t_hit.reshape(-1, DIRECTIONS).astype(np.float64)
 

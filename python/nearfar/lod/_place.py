@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.arrays import ORIGIN_LIMIT, transforms_of
-from nearfar._scene.levels import given, with_levels
+from nearfar._scene.levels import check_levels, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.scene import Scene
 from nearfar.lod._measured_levels import MeasuredLevels
@@ -70,7 +70,7 @@ def place(
     if listed is not None and len(listed) != count:
         raise ValueError(f"names: expected {count}, one for each transform, got {len(listed)}")
     known = Names(count if listed is None else listed)
-    new = given(known, range(count), [models[number] for number in index.tolist()], frames, in_place=False)
+    new = check_levels(known, range(count), [models[number] for number in index.tolist()], frames, in_place=False)
     core, rest, table = with_levels(empty(_origin(frames)), np.zeros((0, 3, 4)), None, count, new)
     return Scene(core, known, frames=frames, rest=rest, table=table).with_dynamic(dynamic)
 
