@@ -61,7 +61,7 @@ def _draw_curves(model: nf.lod.LodModel, axis: Any) -> None:
     """With the score that is enough."""
     model.plot(axis)
     sigma = np.geomspace(*model.sigma, 200)
-    axis.plot(sigma, 0.90 + 0.27 * (sigma - nf.lod.reference_solid_angle(FOV)), "k--", label="enough")
+    axis.plot(sigma, nf.lod.LodThreshold()(sigma, nf.lod.reference_solid_angle(FOV)), "k--", label="threshold f(σ)")
     axis.legend(title="triangles")
     views = model.measured["views"]
     axis.set(title=f"SSIM of {views} views, 25th percentile", xlabel="solid angle, sr")

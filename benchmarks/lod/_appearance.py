@@ -20,6 +20,7 @@ from nearfar._base import data
 
 Array = NDArray[np.float64]
 
+# Materials as glTF has them; patterns by cycles across the object.
 METALLIC, ROUGHNESS = (0.0, 0.5, 1.0), (0.25, 0.5, 0.75, 1.0)
 FREQUENCY, CONTRAST = (2.0, 4.0, 8.0, 16.0), (0.5, 1.0)
 MIXED = (Material(1.0, 0.5, 8.0, 0.5, True), Material(0.5, 0.5, 4.0, 1.0, True), Material(0.0, 0.5, 16.0, 0.5))
@@ -43,11 +44,11 @@ _MARGIN = 6
 
 @dataclass(frozen=True)
 class Plan:
-    """What is scored."""
+    """Levels, sizes, views and materials that are scored."""
 
     ratios: tuple[float, ...] = (0.2, 0.05, 0.0125)
     sizes: tuple[float, ...] = (1.0, 1 / 8, 1 / 64)
-    """Solid angles, of that at 1/16 of the screen."""
+    """Solid angles, as shares of that at 1/16 of the screen."""
     steps: int = 6
     """Views of a turn about each of four axes."""
     materials: tuple[Material, ...] = (
@@ -208,19 +209,19 @@ def cameras(size: float, steps: int) -> Iterator[nf.Camera]:
 def scores(shape: Shape, plan: Plan) -> Array:
     """SSIM of each level at each size in each material (L, S, M): the 25th percentile over views."""
     levels = simplified(shape, plan.ratios)
-    found = np.empty((len(levels) - 1, len(plan.sizes), len(plan.materials)))
+    percentiles = np.empty((len(levels) - 1, len(plan.sizes), len(plan.materials)))
     for number, size in enumerate(plan.sizes):
         views = np.stack([_view(levels, camera, plan.materials) for camera in cameras(size, plan.steps)])
-        found[:, number] = np.percentile(views, 25, axis=0, method="averaged_inverted_cdf")
-    return found
+        percentiles[:, number] = np.percentile(views, 25, axis=0, method="averaged_inverted_cdf")
+    return percentiles
 
 
 def _view(levels: list[Shape], camera: nf.Camera, materials: Sequence[Material]) -> Array:
     """SSIM of each level in each material from one place (L, M), over the union of both silhouettes."""
     base, *coarser = (look(level, camera) for level in levels)
     truth = shade(base, materials)
-    found = np.empty((len(coarser), len(materials)))
-    for row, surface in zip(found, coarser, strict=True):
+    similarity = np.empty((len(coarser), len(materials)))
+    for row, surface in zip(similarity, coarser, strict=True):
         mask = base.silhouette | surface.silhouette
         row[:] = nf.ssim_pairs(truth, shade(surface, materials), data_range=255, masks=mask)
-    return found
+    return similarity

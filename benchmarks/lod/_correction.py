@@ -14,8 +14,9 @@ from benchmarks.lod._material import NEUTRAL, Material
 Array = NDArray[np.float64]
 
 LEAST, MOST = 0.005, 0.4
-"""1 − SSIM in the neutral material between which a sample counts. Below, nobody sees it, and its logarithm is noise; no
-reading of the published threshold chooses a level above, where factors end because pictures have nothing in common."""
+"""Least and greatest 1 − SSIM in the neutral material of a sample that counts. Below, it is invisible and its logarithm
+is noise. Above, no reading of the published threshold chooses the level, and factors end because pictures have nothing
+in common."""
 
 NAMES = (
     "metallic",
@@ -34,7 +35,7 @@ KINDS: dict[str, Callable[[Material], bool]] = {
     "mapped pattern": lambda one: one.contrast > 0 and one.dull and one.mapped,
     MIXED: lambda one: one.contrast > 0 and not one.dull,
 }
-"""Materials by what makes them differ from the neutral one. Mixed ones are predicted from both, and never fitted."""
+"""Materials by their difference from the neutral one. Mixed ones are predicted from both, and never fitted."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,8 +76,8 @@ def collect(scores: Mapping[str, Array], materials: Sequence[Material]) -> Sampl
     neutral = materials.index(NEUTRAL)
     others = [n for n, material in enumerate(materials) if material != NEUTRAL]
     rows = []
-    for number, found in enumerate(scores.values()):
-        far = 1 - found.reshape(-1, len(materials))
+    for number, of_object in enumerate(scores.values()):
+        far = 1 - of_object.reshape(-1, len(materials))
         for one in far[(far[:, neutral] >= LEAST) & (far[:, neutral] <= MOST) & (far[:, others] > 0).all(axis=1)]:
             rows += [(number, n, one[neutral], one[n]) for n in others]
     if not rows:
@@ -87,7 +88,7 @@ def collect(scores: Mapping[str, Array], materials: Sequence[Material]) -> Sampl
 
 
 def features(materials: Sequence[Material]) -> Array:
-    """What the logarithm is linear in, by `NAMES` (M, 8): all 0 for the neutral material, whose factor so is 1."""
+    """Features (M, 8) by `NAMES`, in which the logarithm is linear: all 0 for the neutral material, of factor 1."""
     rows = []
     for one in materials:
         gloss = 1 - one.roughness
@@ -107,7 +108,7 @@ def fit(samples: Samples) -> Array:
 
 
 def factor(coefficients: Array, material: Material) -> float:
-    """By how much 1 − SSIM of a level is larger than in the neutral material."""
+    """1 − SSIM of a level, as a multiple of that in the neutral material."""
     return float(np.exp(features([material]) @ coefficients)[0])
 
 
@@ -171,7 +172,7 @@ MODELS = {"no correction": uncorrected, "coefficients": by_coefficients, "a numb
 
 
 def cross_validated(samples: Samples, name: str) -> Array:
-    """Logarithm predicted for each sample by what was fitted to all other objects."""
+    """Logarithm predicted for each sample by the fit to all other objects."""
     predicted = np.empty(len(samples.far))
     for number in range(len(samples.objects)):
         inside = samples.object == number

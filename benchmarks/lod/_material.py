@@ -1,6 +1,6 @@
 """Materials of other kinds than nearfar's own diffuse ones: metallic, glossy and patterned surfaces in one colour.
 
-Pictures are shaded from what each ray met, so that one rendering serves any number of materials, and a pattern is
+Pictures are shaded from the hit of each ray, so that one rendering serves any number of materials, and a pattern is
 evaluated at the point itself: no texture coordinates that a simplifier could move.
 """
 
@@ -27,8 +27,9 @@ BASE = 0.5
 """Reflectance, linear; a pattern's is around it."""
 
 AMBIENT = 0.15
+"""Ambient light, linear."""
 BACKGROUND = 0.2
-"""Linear, between the dark and the bright sides of things: it hides neither."""
+"""Linear colour between the dark and the bright sides of things: it hides neither."""
 
 LIGHTS = (((-0.5, 0.7, 0.6), 3.0), ((0.9, 0.1, 0.5), 1.0), ((0.1, 0.6, -0.8), 2.0))
 """Towards each light, by the camera's right, up and back, and how bright it is. They stay with the camera: the object
@@ -37,6 +38,7 @@ turns before both. Nothing else is mirrored."""
 # A pattern's three directions, oblique to all axes about which objects turn, and at right angles to each other.
 _WAVES = np.linalg.qr(np.array([[0.9, 0.3, -0.2], [-0.3, 0.7, 0.6], [0.4, -0.5, 0.8]]))[0].astype(np.float32)
 _MIRRORED = 0.04
+"""Reflectance of dielectrics at normal incidence, linear."""
 # Linear values to codes by a table of 16-bit steps, as good as the formula to a third of a code in the darkest.
 _LINEAR = np.arange(1 << 16) / ((1 << 16) - 1)
 _CODES = np.round(255 * np.where(_LINEAR <= 0.0031308, 12.92 * _LINEAR, 1.055 * _LINEAR ** (1 / 2.4) - 0.055))
@@ -45,7 +47,7 @@ _CODES = _CODES.astype(np.uint8)
 
 @dataclass(frozen=True)
 class Material:
-    """How a surface looks; without arguments it is dull, in one colour: the neutral one."""
+    """Material of a surface; without arguments it is dull, in one colour: the neutral one."""
 
     metallic: float = 0.0
     """0 to 1."""
@@ -78,7 +80,7 @@ NEUTRAL = Material()
 
 @dataclass(frozen=True, eq=False)
 class Surface:
-    """What the rays of one picture met, `FINER` by `FINER` to a pixel."""
+    """Hits of the rays of one picture, `FINER` by `FINER` to a pixel."""
 
     hit: NDArray[np.bool_]
     """(FINER H, FINER W)."""
@@ -130,7 +132,7 @@ def vertex_normals(vertices: Array, faces: NDArray[np.int64]) -> Array:
 
 
 def look(shape: Shape, camera: nf.Camera) -> Surface:
-    """What a camera, with FINER times the pixels of the picture, sees of a shape at the origin."""
+    """Hits of a camera with FINER times the pixels of the picture, on a shape at the origin."""
     frame = nf.render(shape.scene, camera, channels=("face_id", "position"), backend="cpu")
     numbers = frame.require("face_id")
     hit = numbers >= 0
@@ -192,7 +194,7 @@ def _light(surface: Surface, roughness: Iterable[float]) -> dict[float, Light]:
         away = 1 - np.clip(_dot(surface.view, half), 0, 1)
         s = away * away * away * away * away
         diffuse += nl * (1 - s) * np.float32(bright / np.pi)
-        # What all roughness shares of nl D G / (4 nl nv), with a little so that nothing is divided by zero.
+        # The part of nl D G / (4 nl nv) that all roughness shares, with a little so that nothing is divided by zero.
         shared = nl * nl * nv / (4 * nl * nv + 0.001) * np.float32(bright / np.pi)
         for rough, (straight, grazing) in mirrors.items():
             rough = max(rough, _MIRRORED)

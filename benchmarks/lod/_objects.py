@@ -62,21 +62,21 @@ VIVE_PRO = Headset(
 
 
 def sources() -> dict[str, Callable[[], nf.Scene]]:
-    """How to load each object that is at hand."""
-    found: dict[str, Callable[[], nf.Scene]] = {}
+    """Loader of each object that is at hand."""
+    loaders: dict[str, Callable[[], nf.Scene]] = {}
     if packed := data.find("objects/spot/spot.zip"):
-        found["spot"] = functools.partial(_spot, packed)
+        loaders["spot"] = functools.partial(_spot, packed)
     for name, file in FILES.items():
         if path := data.find(file):
-            found[name] = functools.partial(nf.Scene.load, path)
-    return found | {"knot": _knot, "pebble": _pebble}
+            loaders[name] = functools.partial(nf.Scene.load, path)
+    return loaders | {"knot": _knot, "pebble": _pebble}
 
 
 BY_MESHOPT = ("bunny", "dragon", "FlightHelmet")
-"""Of many parts and holes, where the other simplifier ends earlier."""
+"""Objects of many parts and holes, where the other simplifier ends earlier."""
 
 VIEWS = 36
-"""From how many sides objects are measured: a quarter of what `measure` takes if nobody says, and of its time."""
+"""Sides from which objects are measured: a quarter of the default of `measure`, and of its time."""
 
 
 def measured(
@@ -88,7 +88,7 @@ def measured(
     wider: int = 1,
     views: int = VIEWS,
 ) -> list[nf.lod.LodModel]:
-    """Levels of the objects and how good they look in a headset; kept in nearfar's cache.
+    """Levels of the objects, measured for a headset; kept in nearfar's cache.
 
     For a screen that is so many times `wider`, with as large pixels, curves begin at larger sizes.
     """

@@ -27,7 +27,7 @@ SWEEPS: tuple[tuple[str, str, Kind], ...] = (
     ("contrast", "solid, 8 cycles", lambda one: _pattern(one, mapped=False) and one.frequency in (0, 8)),
     ("contrast", "mapped, 8 cycles", lambda one: _pattern(one, mapped=True) and one.frequency in (0, 8)),
 )
-"""What is varied, what is not, and which materials these are."""
+"""The property that varies, those that don't, and whether a material belongs to the sweep."""
 
 LABELS = {"frequency": "frequency, cycles across the object"}
 COLORS = ("#c8102e", "#1f5fa8", "#2e8b57", "#b8860b", "#6a3d9a", "#555555", "#e377c2", "#17becf", "#8c564b")

@@ -1,8 +1,8 @@
 """How metal, gloss and patterns change the SSIM of a level, and whether a factor by material can correct for them.
 
 `python -m benchmarks.lod.appearance` takes minutes, with `--quick` well below one. Objects are those of the data
-folder and three procedural ones. Where these are all, as with `--quick`, they show what is printed, but are too few to
-judge by. Plots lie where NEARFAR_BENCH_OUT says.
+folder and three procedural ones. With `--quick`, or without the data folder, there are only the latter: they show
+the tables, but are too few to judge by. Plots go to the folder NEARFAR_BENCH_OUT.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ Array = NDArray[np.float64]
 
 def objects(*, quick: bool) -> dict[str, Shape]:
     """By name; few and small ones where it is quick."""
-    found = {name: make() for name, make in _appearance.PROCEDURAL.items()}
+    shapes = {name: make() for name, make in _appearance.PROCEDURAL.items()}
     if not quick:
         scanned = {name: _appearance.scanned(name) for name in _appearance.SCANNED}
-        found |= {name: shape for name, shape in scanned.items() if shape}
-    return found
+        shapes |= {name: shape for name, shape in scanned.items() if shape}
+    return shapes
 
 
 def run(plan: Plan, shapes: Mapping[str, Shape]) -> dict[str, Array]:
@@ -64,19 +64,19 @@ def table_of_coefficients(samples: Samples) -> str:
 def validities(samples: Samples) -> dict[tuple[str, str], Validity]:
     """By kind of material and model, for objects that the model was not fitted to."""
     predictions = {name: _correction.cross_validated(samples, name) for name in _correction.MODELS}
-    found = {}
+    results = {}
     for kind in _correction.KINDS:
         inside = samples.of(kind)
         for name, predicted in predictions.items() if inside.any() else ():
-            found[kind, name] = _correction.validity(samples.where(inside), predicted[inside])
-    return found
+            results[kind, name] = _correction.validity(samples.where(inside), predicted[inside])
+    return results
 
 
 def table_of_validity(samples: Samples) -> str:
     """Each model on objects that it has not seen, by kind of material."""
     rows = [
-        [f"{kind}: {name}", f"{found.log:.3f}", f"{found.ssim:.4f}", f"{found.explained:.2f}"]
-        for (kind, name), found in validities(samples).items()
+        [f"{kind}: {name}", f"{result.log:.3f}", f"{result.ssim:.4f}", f"{result.explained:.2f}"]
+        for (kind, name), result in validities(samples).items()
     ]
     header = ["", "RMS error of log factor", "RMS error of SSIM", "explained"]
     return table("Objects left out of the fit, one by one", header, rows)
@@ -84,9 +84,9 @@ def table_of_validity(samples: Samples) -> str:
 
 def verdict(samples: Samples) -> str:
     """Whether the coefficients help objects that they were not fitted to, in words."""
-    found, lines = validities(samples), []
-    for kind in [kind for kind in _correction.KINDS if (kind, "coefficients") in found]:
-        none, ours, best = (found[kind, name] for name in _correction.MODELS)
+    results, lines = validities(samples), []
+    for kind in [kind for kind in _correction.KINDS if (kind, "coefficients") in results]:
+        none, ours, best = (results[kind, name] for name in _correction.MODELS)
         usable = "a factor" if ours.ssim < none.ssim and ours.log < none.log else "no factor"
         lines.append(
             f"- {kind}: {usable}. SSIM is off by {ours.ssim:.4f} with it and {none.ssim:.4f} without, "

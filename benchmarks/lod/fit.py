@@ -17,6 +17,7 @@ from benchmarks.harness.timing import machine
 
 Array = NDArray[np.float64]
 COUNT = 1_000
+"""Curves of a table."""
 BOUNDS = ([-np.inf, 1e-6, 1e-12, -np.inf], [np.inf, 1e3, 1e12, np.inf])
 
 
@@ -41,42 +42,42 @@ def by_scipy(x: Array, y: Array, **options: Any) -> Array:
         warnings.simplefilter("ignore")
         for k, row in enumerate(y):
             try:
-                found = scipy.optimize.curve_fit(formula, x, row, p0=(row[0], 1, middle, row[-1]), **options)[0]
+                parameters = scipy.optimize.curve_fit(formula, x, row, p0=(row[0], 1, middle, row[-1]), **options)[0]
             except RuntimeError:
                 continue
-            left[k] = ((formula(x, *found) - row) ** 2).sum()
+            left[k] = ((formula(x, *parameters) - row) ** 2).sum()
     return left
 
 
 def table(samples: int, noise: float) -> str:
     """Errors are the share of curves whose residual is above the least of all methods by more than 1e-9 of it."""
     x, y = curves(samples, noise)
-    own = np.tile(x, (COUNT, 1))
+    repeated = np.tile(x, (COUNT, 1))
 
     def ours(places: Array) -> nf.lod.Curve4PL:
         return nf.lod.fit_4pl(places, y)
 
-    def residuals(found: nf.lod.Curve4PL | Array) -> Array:
-        if isinstance(found, np.ndarray):
-            return found
-        return np.asarray(((found(x) - y) ** 2).sum(axis=1))
+    def residuals(fitted: nf.lod.Curve4PL | Array) -> Array:
+        if isinstance(fitted, np.ndarray):
+            return fitted
+        return np.asarray(((fitted(x) - y) ** 2).sum(axis=1))
 
     scipy_cases: list[tuple[str, Callable[[], Array]]] = [
         ("SciPy curve_fit", functools.partial(by_scipy, x, y)),
         ("SciPy curve_fit, bounded", functools.partial(by_scipy, x, y, bounds=BOUNDS)),
     ]
-    # Ours says that some curves are flat where SciPy fits noise: those are left out.
+    # Ours reports some curves as flat where SciPy fits noise: those are left out.
     counted = ours(x).ok
     least = np.min([residuals(ours(x)), *(job() for _, job in scipy_cases)], axis=0)
 
-    def error(found: nf.lod.Curve4PL | Array) -> float:
+    def error(fitted: nf.lod.Curve4PL | Array) -> float:
         # Residuals of clean data are only rounding.
-        above = residuals(found) > least * (1 + 1e-9) + 1e-13 * y.var(axis=1)
+        above = residuals(fitted) > least * (1 + 1e-9) + 1e-13 * y.var(axis=1)
         return float(above[counted].mean())
 
     cases = [
         Case(f"{OURS}, shared x", lambda: ours(x), error, peer=False),
-        Case(f"{OURS}, own x", lambda: ours(own), error, peer=False),
+        Case(f"{OURS}, own x", lambda: ours(repeated), error, peer=False),
         *(Case(name, job, error) for name, job in scipy_cases),
     ]
     title = f"{COUNT:,} logistic curves of {samples} samples, {noise:.0%} noise"

@@ -33,9 +33,12 @@ vars(np).setdefault("infty", np.inf)  # pyrender 0.1.45 was written for NumPy 1
 Array = NDArray[np.float64]
 RATIOS = (0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05, 0.03, 0.01, 0.005)
 VIEWS, DISTANCES = 144, 16
-ALIKE = 1e-3
+MAX_CURVE_DIFFERENCE = 1e-3
+"""SSIM by which curves of both may be apart."""
+
 FINE = 600
-"""Pixels across a box that are drawn, about, where it is smaller."""
+"""Pixels across a box, about, at which a smaller box is drawn."""
+
 SSIM = {"gaussian_weights": True, "sigma": 1.5, "use_sample_covariance": False, "data_range": 255.0, "full": True}
 
 
@@ -53,7 +56,7 @@ def sphere(rows: int) -> nf.Scene:
 
 # the script ----------------------------------------------------------------------------------------------------------
 def face_colors(scene: nf.Scene) -> Array:
-    """What our shading makes of each face from outside, as sRGB codes: a picture of it from straight ahead."""
+    """Our shading of each face from outside, as sRGB codes: a picture of it from straight ahead."""
     corners = scene.triangles().astype(np.float64)
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normals, axis=1, keepdims=True)
@@ -90,11 +93,11 @@ class Clock:
         self._last = np.zeros(2)
 
     def start(self) -> None:
-        """From now on."""
+        """Start the clock."""
         self._last = np.array([time.perf_counter(), time.process_time()])
 
     def stop(self, part: str) -> None:
-        """Until now a part was done; from now on another."""
+        """Count the time since the last stop or start for a part."""
         now = np.array([time.perf_counter(), time.process_time()])
         self.spent[part] = self.spent.get(part, np.zeros(2)) + now - self._last
         self._last = now
@@ -102,7 +105,7 @@ class Clock:
 
 @dataclass
 class Frame:
-    """What is compared."""
+    """Picture that is compared."""
 
     luma: Array
     """0 to 255."""
@@ -151,8 +154,8 @@ class Script:
         """The whole screen, from where ours sees a box of it."""
         width, height = self.stand.screen.size
         x, y = width / 2 * self.stand.screen.pixel, height / 2 * self.stand.screen.pixel
-        own = self.stand.camera(number, turn)
-        return nf.Camera(own.position, own.orientation, fov=nf.Fov(-x, x, -y, y), size=(width, height))
+        boxed = self.stand.camera(number, turn)
+        return nf.Camera(boxed.position, boxed.orientation, fov=nf.Fov(-x, x, -y, y), size=(width, height))
 
     def frame(self, level: int, camera: nf.Camera, sky: NDArray[np.uint8], finer: int = 1) -> Frame:
         """A level from somewhere, before the sky; drawn in an odd number of times finer pixels, middle ones count."""
@@ -176,7 +179,7 @@ class Script:
         return self.renderer.render(self.scenes[level], self.flags)
 
     def sky(self, camera: nf.Camera) -> NDArray[np.uint8]:
-        """Our background, which pyrender has not; its time is not counted."""
+        """Our background, which pyrender does not have; its time is not counted."""
         return nf.render(self.nothing, camera, channels=["color"], backend="cpu").to_image()
 
 
@@ -211,7 +214,7 @@ def by_whole_frames(script: Script, count: int, views: list[Any], numbers: list[
 
 
 def by_boxes(script: Script, count: int, views: list[Any], numbers: list[int]) -> Array:
-    """The same (K, D, V) for many views, in pictures of boxes.
+    """Scores (K, D, V) of many views, in pictures of boxes.
 
     Rasterisers round corners to 1/256 of a pixel, which is much beside triangles far below a pixel and shows another
     one in some pixels. Ours does not round; far pictures are drawn in finer pixels, so that theirs does so less.
@@ -256,29 +259,30 @@ def main() -> None:
     print(times(clock, seconds, some[0].size - some[0, 0].size, (len(levels) - 1) * VIEWS * DISTANCES, levels))
 
     at = np.array(asked.distances) - 1
-    own, sigma = ours.samples.views[:, at], ours.samples.sigma[at]
-    scores = [percentiles(one) for one in (own, every)]
+    measured, sigma = ours.samples.views[:, at], ours.samples.sigma[at]
+    scores = [percentiles(one) for one in (measured, every)]
     places = np.geomspace(sigma[-1], sigma[0], 100)
     curves = [nf.lod.fit_4pl(sigma, score[1:])(places) for score in scores]
     header = ["what", *(f"distance {n}" for n in asked.distances), "all"]
     rows = [
         apart("whole frames and their boxes, single views", np.abs(some[0] - some[1]).max(axis=(0, 2))),
-        apart("whole frames and ours, single views", np.abs(some[0] - own[..., chosen]).max(axis=(0, 2))),
+        apart("whole frames and ours, single views", np.abs(some[0] - measured[..., chosen]).max(axis=(0, 2))),
         apart(f"percentiles of {VIEWS} views", np.abs(scores[0] - scores[1]).max(axis=0)),
     ]
     print(table("How far scores are apart", header, rows))
     worst = float(np.abs(curves[0] - curves[1]).max())
-    print(f"curves of {VIEWS} views are apart by {worst:.1e}, at most {ALIKE}: {worst <= ALIKE}")
+    is_close = worst <= MAX_CURVE_DIFFERENCE
+    print(f"curves of {VIEWS} views are apart by {worst:.1e}, at most {MAX_CURVE_DIFFERENCE}: {is_close}")
 
 
-def times(clock: Clock, script: Clock, done: int, job: int, levels: nf.lod.Levels) -> str:
+def times(clock: Clock, script: Clock, scored: int, job: int, levels: nf.lod.Levels) -> str:
     """Ours, and the script scaled to the whole job."""
     ours, parts = clock.spent["ours"], script.spent
     ways = {
         "nearfar": (ours, job),
-        "pyrender, scikit-image": (parts["frames"] + parts["whole"], done),
-        "the same, SSIM of the object's box": (parts["frames"] + parts["box"], done),
-        "pyrender's frames alone": (parts["frames"], done),
+        "pyrender, scikit-image": (parts["frames"] + parts["whole"], scored),
+        "the same, SSIM of the object's box": (parts["frames"] + parts["box"], scored),
+        "pyrender's frames alone": (parts["frames"], scored),
     }
     rows = [
         [name, *(f"{x:.1f}" for x in spent), f"{count:,} of {job:,}", *(f"{x:.0f}" for x in spent / count * job / ours)]

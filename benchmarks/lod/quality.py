@@ -18,13 +18,14 @@ from benchmarks.harness.timing import machine, table
 from benchmarks.lod._objects import RIFT_S, VIVE_PRO, Crowd, Headset, crowd, measured
 
 LUMA = np.array([0.2126, 0.7152, 0.0722])
+"""Rec. 709 weights of red, green and blue."""
 LEAST_PIXELS = 16
-"""Objects of which less is seen are not scored: a mean over fewer pixels than a window's row says little."""
+"""Pixels of an object below which it is not scored: a mean over fewer pixels than two rows of a window is noise."""
 PERCENTILES = (25.0, 5.0)
-"""Of the views that a curve goes through: as published, and a more careful one."""
+"""Percentiles of the views that a curve goes through: as published, and a more careful one."""
 
 PIXELS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
-"""Of screen-space error that tile viewers allow; 16 is what most do if nobody says."""
+"""Screen-space error that tile viewers allow, pixels; 16 is the default of most."""
 
 Levels = NDArray[np.int32]
 Rule = Callable[["Case", nf.Camera], Levels]
@@ -32,6 +33,7 @@ Rule = Callable[["Case", nf.Camera], Levels]
 SCENES = [(size, (100, 500, 1000)) for size in (10, 15, 20, 30)]
 """Radius of the ball in metres, and numbers of objects."""
 VIEWS = 2
+"""Directions of the camera in a scene."""
 MODES = ("depth", "depth+eccentricity")
 
 
@@ -62,21 +64,21 @@ class Case:
 
     @functools.cached_property
     def scores(self) -> list[NDArray[np.float64]]:
-        """What each object scores at each level, for each view (K, N): all objects are drawn at that level at once."""
+        """Score of each object at each level, for each view (K, N): all objects are drawn at that level at once."""
         most, last = max(map(len, self.models)), np.array([len(model) - 1 for model in self.models])
-        found = []
+        of_views = []
         for camera, truth in zip(self.cameras, self.truths, strict=True):
             full, rows = self.in_full(camera), [np.ones(len(self.crowd.radii))]
             for level in range(1, most):
                 levels = np.where(full < 0, full, np.minimum(level, last[self.crowd.model_index])).astype(np.int32)
                 rows.append(scores(truth, View.of(self, camera, levels), len(levels)))
             rows[0] = np.where(np.isfinite(rows[1]), rows[0], np.nan)
-            found.append(np.array(rows))
-        return found
+            of_views.append(np.array(rows))
+        return of_views
 
     @property
     def spheres(self) -> tuple[list[nf.lod.LodModel], NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
-        """What levels are chosen for."""
+        """Arguments of `select`."""
         return self.models, self.crowd.model_index, self.crowd.centers, self.crowd.radii
 
     def by_ours(self, camera: nf.Camera, d: float) -> Levels:
@@ -95,13 +97,13 @@ class Case:
         scale = self.headset.size[1] / (self.headset.fov.up - self.headset.fov.down) / np.maximum(distance, 1e-6)
         levels = np.zeros_like(full)
         for number, model in enumerate(self.models):
-            own = self.crowd.model_index == number
-            errors = np.asarray(model.errors)[:, None] * (self.crowd.radii[own] / model.radius * scale[own])
-            levels[own] = len(model) - 1 - np.argmax((errors <= pixels)[::-1], axis=0)
+            mine = self.crowd.model_index == number
+            errors = np.asarray(model.errors)[:, None] * (self.crowd.radii[mine] / model.radius * scale[mine])
+            levels[mine] = len(model) - 1 - np.argmax((errors <= pixels)[::-1], axis=0)
         return np.where(full < 0, full, levels).astype(np.int32)
 
     def triangles(self, levels: Levels) -> int:
-        """Of what is in view."""
+        """Triangles in view."""
         return sum(
             int(self.models[m].triangles[n]) for m, n in zip(self.crowd.model_index, levels, strict=True) if n >= 0
         )
@@ -109,7 +111,7 @@ class Case:
 
 @dataclass(frozen=True)
 class View:
-    """What the panel of a headset shows."""
+    """Picture on the panel of a headset."""
 
     luma: NDArray[np.float64]
     """8-bit steps."""
@@ -147,7 +149,7 @@ def scores(truth: View, test: View, count: int) -> NDArray[np.float64]:
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a rule costs and gives in all views of some cases."""
+    """Triangles and scores of a rule in all views of some cases."""
 
     triangles: int
     """Of all views."""
@@ -156,14 +158,14 @@ class Outcome:
 
     @staticmethod
     def of(cases: list[Case], rule: Rule) -> Outcome:
-        """Look up what each object scores at the level that a rule gives it."""
-        drawn, found = 0, []
+        """Look up the score of each object at the level that a rule gives it."""
+        drawn, parts = 0, []
         for case in cases:
             for camera, of_levels in zip(case.cameras, case.scores, strict=True):
                 levels = rule(case, camera)
                 drawn += case.triangles(levels)
-                found.append(of_levels[np.maximum(levels, 0), np.arange(len(levels))][levels >= 0])
-        every = np.concatenate(found)
+                parts.append(of_levels[np.maximum(levels, 0), np.arange(len(levels))][levels >= 0])
+        every = np.concatenate(parts)
         return Outcome(drawn, every[np.isfinite(every)])
 
 
@@ -173,16 +175,16 @@ STATISTICS: dict[str, Callable[[NDArray[np.float64]], float]] = {
 }
 
 
-def kept(case: Case, mode: str) -> tuple[int, int, int]:
+def kept_promises(case: Case, mode: str) -> tuple[int, int, int]:
     """Objects that look at least as good as their threshold, objects that were scored, and triangles."""
     good = count = drawn = 0
     how = nf.lod.Selector(lens=case.headset.lens, mode=mode)
     for camera, truth in zip(case.cameras, case.truths, strict=True):
         chosen = how.select(*case.spheres, camera=camera, full=True)
-        found = scores(truth, View.of(case, camera, chosen.level), len(chosen.level))
+        reached = scores(truth, View.of(case, camera, chosen.level), len(chosen))
         # Level 0 is as good as full detail by definition, where no threshold was asked.
-        scored = np.isfinite(found) & (chosen.level >= 0)
-        good += int((found[scored] >= np.nan_to_num(chosen.threshold[scored])).sum())
+        scored = np.isfinite(reached) & (chosen >= 0)
+        good += int((reached[scored] >= np.nan_to_num(chosen.threshold[scored])).sum())
         count += int(scored.sum())
         drawn += case.triangles(chosen.level)
     return good, count, drawn
@@ -195,23 +197,25 @@ def promises(headset: Headset, *, quick: bool) -> str:
         models = measured(headset, percentile=percentile)
         every = []
         for size, counts in [(10, (100,))] if quick else SCENES:
-            found = np.array([[kept(Case.of(models, headset, size, n), mode) for mode in MODES] for n in counts])
-            every.append(found.sum(axis=0))
+            counted = np.array(
+                [[kept_promises(Case.of(models, headset, size, n), mode) for mode in MODES] for n in counts]
+            )
+            every.append(counted.sum(axis=0))
             rows.append([f"{percentile:g}", f"{size} m", *columns(every[-1])])
         rows.append([f"{percentile:g}", "all", *columns(np.sum(every, axis=0))])
     title = f"{headset.name}: objects in view, and per cent at least as good as their threshold behind the lens"
-    titles = [f"{mode}{what}" for mode in MODES for what in (" %", " triangles")]
+    titles = [f"{mode}{unit}" for mode in MODES for unit in (" %", " triangles")]
     return table(title, ["percentile", "ball", "objects", *titles], rows)
 
 
-def columns(found: NDArray[np.int64]) -> list[str]:
-    """Of what was kept in each mode."""
-    shares = [(f"{100 * good / count:.1f}", f"{drawn:,}") for good, count, drawn in found]
-    return [f"{found[0, 1]:,}", *(column for pair in shares for column in pair)]
+def columns(counted: NDArray[np.int64]) -> list[str]:
+    """Counts of `kept_promises` in each mode (M, 3) as cells."""
+    shares = [(f"{100 * good / count:.1f}", f"{drawn:,}") for good, count, drawn in counted]
+    return [f"{counted[0, 1]:,}", *(column for pair in shares for column in pair)]
 
 
 def rules(headset: Headset, *, quick: bool) -> str:
-    """What other rules need: both choose from all levels, and ours has curves from a quarter of the screen on."""
+    """Triangles of other rules: both choose from all levels, and ours has curves from a quarter of the screen on."""
     models = measured(headset, step=None, wider=2)
     chosen = [(10, 100)] if quick else [(10, 100), (15, 500), (20, 500), (30, 1000)]
     cases = [Case.of(models, headset, size, count) for size, count in chosen]
@@ -225,7 +229,7 @@ def rules(headset: Headset, *, quick: bool) -> str:
         row = [f"{pixels:g}", f"{rule.triangles:,}"]
         for statistic in STATISTICS.values():
             wanted = statistic(rule.scores)
-            d, least = next((d, found) for d, found in ours if statistic(found.scores) >= wanted)
+            d, least = next((d, outcome) for d, outcome in ours if statistic(outcome.scores) >= wanted)
             fewer = 100 * (1 - least.triangles / rule.triangles)
             row += [f"{wanted:.3f}", f"{d:.2f}", f"{least.triangles:,}", f"{fewer:.0f}"]
         rows.append(row)

@@ -1,4 +1,4 @@
-"""What levels of detail cost and save in a frame of a thousand objects: choosing, the scene, its tree, the picture."""
+"""Cost and saving of levels of detail in a frame of a thousand objects: selection, scene, tree, picture."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from benchmarks.harness.compare import OURS, Case, compare
 from benchmarks.harness.timing import machine
 
 OBJECTS, RADIUS = 1_000, 20.0
+"""Number of objects, and the radius of the ball that they stand in, metres."""
 FINEST, COARSEST = 6, 1
 """Subdivisions of the models' spheres: 81,920 to 80 triangles."""
 
@@ -86,7 +87,7 @@ choose_again = functools.partial(nf.lod.select, mode="depth")
 
 
 def rebuilt(scene: nf.Scene, levels: NDArray[np.int32]) -> nf.Scene:
-    """What would be done without shared levels: the chosen triangles as one new scene with a tree of its own."""
+    """The frame without shared levels: the chosen triangles as one new scene with a tree of its own."""
     corners = scene.at_levels(levels).triangles().reshape(-1, 3)
     whole = nf.Scene.from_arrays(corners, np.arange(len(corners), dtype=np.uint32).reshape(-1, 3))
     whole._core.build()

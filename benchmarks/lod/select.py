@@ -15,13 +15,14 @@ from benchmarks.harness.timing import machine
 Array = NDArray[np.float64]
 
 RIFT_S = nf.RadialLens((0.22, 0.24))
-"""Liebisch (2021)."""
+"""Lens of the Rift S in Liebisch (2021)."""
 
 COUNT = 1_000_000
 MODELS = 20
+"""Objects, and the models that they are of."""
 CAMERA = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(87, 87 / 90), size=(1440, 1600))
 BYTES = 44
-"""Of an object: centre, radius, number of its model, level."""
+"""Bytes of an object: centre, radius, number of its model, level."""
 
 
 def models(least: float) -> list[nf.lod.LodModel]:
@@ -87,7 +88,7 @@ def by_numpy(
                     root[:] = edge / (1 + square * (RIFT_S.k[0] + RIFT_S.k[1] * square))
         stretch = (np.arctan(scale * roots[0]) - np.arctan(scale * roots[1])) / (2 * mu)
         seen = np.where(alpha + mu < np.pi / 2, sigma * stretch, sigma)
-    wanted = 0.9 + 0.27 * (sigma - reference)
+    wanted = nf.lod.LodThreshold()(sigma, reference)
     chosen = np.zeros(len(mine), np.int32)
     for number, one in enumerate(made):
         these = np.flatnonzero(index[mine] == number)
@@ -106,8 +107,8 @@ def table(title: str, centers: Array, radii: Array, least: float) -> str:
     select = functools.partial(nf.lod.select, made, index, centers, radii, camera=CAMERA, lens=RIFT_S)
     expected = select(inverse="newton")
 
-    def error(found: NDArray[np.int32]) -> float:
-        return float(np.mean(found != expected))
+    def error(levels: NDArray[np.int32] | nf.lod.Selection) -> float:
+        return float(np.mean(levels != expected))
 
     cases = [
         Case(f"{OURS}, lut", select, error, peer=False),
@@ -120,18 +121,18 @@ def table(title: str, centers: Array, radii: Array, least: float) -> str:
         Case("reading (NumPy's max)", lambda: (centers.max(), radii.max(), index.max())),
     ]
     text = compare(f"Levels of 10⁶ objects, {title}", cases, work=Work(bytes=BYTES * COUNT), repeat=5)
-    found, exact = (
+    by_table, exact = (
         nf.lod.select(made, index, centers, radii, camera=CAMERA, lens=RIFT_S, inverse=inverse, full=True)
         for inverse in ("lut", "newton")
     )
     asked = ~np.isnan(exact.sigma_seen)
-    off = np.abs(found.sigma_seen[asked] / exact.sigma_seen[asked] - 1).max()
-    share = 1 - found.counts["culled"] / COUNT
-    small = np.mean(found.sigma_seen[asked] <= least)
-    decided = found.counts["table"] / found.counts["asked"]
+    off = np.abs(by_table.sigma_seen[asked] / exact.sigma_seen[asked] - 1).max()
+    share = 1 - by_table.counts["culled"] / COUNT
+    small = np.mean(by_table.sigma_seen[asked] <= least)
+    decided = by_table.counts["table"] / by_table.counts["asked"]
     return (
         f"{text}\n{share:.1%} in view; of those asked for {small:.1%} are smaller than measured, and tables decide "
-        f"{decided:.1%}\nσ′ off by {off:.1e} of itself at most; {found.counts}\n"
+        f"{decided:.1%}\nσ′ off by {off:.1e} of itself at most; {by_table.counts}\n"
     )
 
 

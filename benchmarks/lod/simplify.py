@@ -1,4 +1,4 @@
-"""Making levels by both simplifiers: time, where it goes, and how far levels are off; nearest points beside peers.
+"""Levels by both simplifiers: time, its parts, and the levels' distance from the base; nearest points beside peers.
 
 python -m benchmarks.lod.simplify [FILE …]
 """
@@ -60,8 +60,8 @@ def levels(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
     _, radius = nf.bounding_sphere(points)
     for ratio, (places, left) in zip(RATIOS, plain, strict=True):
         surface = Surface(places.astype(np.float32), left.astype(np.uint32), np.zeros(len(left), np.int32))
-        found = deviation.deviation((base.scene, base.surface), (base.scene_of(surface), surface))
-        error = [f"{value / radius:.2e}" for value in found]
+        distances = deviation.deviation((base.scene, base.surface), (base.scene_of(surface), surface))
+        error = [f"{value / radius:.2e}" for value in distances]
         rows.append(
             [f"fast-simplification as it is, {seconds:.2f} s", f"{ratio:g}", f"{len(left) / len(faces):.3f}", *error]
         )
@@ -70,7 +70,7 @@ def levels(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
 
 
 def shares(name: str, mesh: nf.Scene | trimesh.Trimesh) -> str:
-    """Where the time of one level goes."""
+    """Time of one level by its parts."""
     base = Base(mesh)
     target = len(base.surface.faces) // 10
     ticks = [time.perf_counter()]

@@ -1,4 +1,4 @@
-"""What the published study of levels of detail says: moments, normality, headsets compared, correlations, how sure."""
+"""Statistics of the published study of levels of detail: moments, normality, headsets, correlations, uncertainty."""
 
 from __future__ import annotations
 
@@ -46,11 +46,11 @@ def table_of_moments(study: Study) -> str:
         parts = {"both": study} | {hmd: study.of(hmd=hmd) for hmd in study.hmds}
         parts |= {f"{name}, {hmd}": study.of(hmd=hmd, object=name) for name in study.objects for hmd in study.hmds}
         for label, part in parts.items():
-            found = moments(getattr(part, column))
-            numbers = (found.mean, found.deviation, found.skewness, found.kurtosis)
-            adjusted = (found.adjusted_skewness, found.adjusted_kurtosis)
+            part_moments = moments(getattr(part, column))
+            numbers = (part_moments.mean, part_moments.deviation, part_moments.skewness, part_moments.kurtosis)
+            adjusted = (part_moments.adjusted_skewness, part_moments.adjusted_kurtosis)
             shown = [f"{number:.4f}" for number in numbers] + [f"{number:.4f}" for number in adjusted]
-            rows.append([f"{column}, {label}", str(found.n), *shown])
+            rows.append([f"{column}, {label}", str(part_moments.n), *shown])
     return table("Moments of d and k (Table 5.5); kurtosis is excess, 0 for the normal", header, rows)
 
 
@@ -73,13 +73,13 @@ def table_of_headsets(study: Study) -> str:
     rows = []
     one, other = study.hmds
     for column in COLUMNS:
-        found = wilcoxon(*paired(study, column, "hmd", one, other))
-        rows.append([f"{column}, {one} and {other}, rows", *_signed(found)])
+        test = wilcoxon(*paired(study, column, "hmd", one, other))
+        rows.append([f"{column}, {one} and {other}, rows", *_signed(test)])
         means = (by_participant(study.of(hmd=hmd), column) for hmd in study.hmds)
         rows.append([f"{column}, {one} and {other}, means of participants", *_signed(wilcoxon(*means))])
         for name in study.objects:
-            found = wilcoxon(*paired(study.of(object=name), column, "hmd", one, other))
-            rows.append([f"{column}, {one} and {other}, {name}", *_signed(found)])
+            test = wilcoxon(*paired(study.of(object=name), column, "hmd", one, other))
+            rows.append([f"{column}, {one} and {other}, {name}", *_signed(test)])
         for plain in study.objects:
             textured = plain.removesuffix("_plain")
             if textured != plain and textured in study.objects:
@@ -97,21 +97,21 @@ def table_of_correlations(study: Study) -> str:
     for column in COLUMNS:
         pairs[f"{column}, {' and '.join(study.hmds)}"] = paired(study, column, "hmd", *study.hmds)
     for label, (one, other) in pairs.items():
-        found = correlation(one, other)
-        numbers = [f"{found.tau:.4f}", _p(found.tau_p), f"{found.rho:.4f}", _p(found.rho_p)]
+        both = correlation(one, other)
+        numbers = [f"{both.tau:.4f}", _p(both.tau_p), f"{both.rho:.4f}", _p(both.rho_p)]
         rows.append([label, str(len(one)), *numbers])
     return table("Correlations, Kendall's τ-b and Spearman's ρ (5.8)", ["", "n", "τ", "p", "ρ", "p"], rows)
 
 
 def table_of_texture(study: Study) -> str:
-    """The study's own word on appearance: levels of the same object with and without its texture."""
-    found = texture(study)
-    rows = [[f"{name}, level {level}", f"{factor:.2f}"] for (name, level), factor in found.items()]
+    """Levels of the same object with and without its texture."""
+    factors = texture(study)
+    rows = [[f"{name}, level {level}", f"{factor:.2f}"] for (name, level), factor in factors.items()]
     return table("1 − SSIM with a texture, times that without", ["", "factor"], rows)
 
 
 def table_of_readings(study: Study) -> str:
-    """Means of d and k by what could have been chosen, and the thresholds that follow by each reading of y = kx + d."""
+    """Means of d and k for other choices, and the thresholds that follow by each reading of y = kx + d."""
     headset = nf.hmd.RIFT_S
     sigma = nf.lod.reference_solid_angle(headset)
     rows = [
@@ -130,8 +130,8 @@ def _test(statistic: float, p: float) -> list[str]:
     return [f"{statistic:.4f}", _p(p)]
 
 
-def _signed(found: Wilcoxon) -> list[str]:
-    return [str(found.pairs), str(found.equal), f"{found.statistic:g}", _p(found.p)]
+def _signed(test: Wilcoxon) -> list[str]:
+    return [str(test.pairs), str(test.equal), f"{test.statistic:g}", _p(test.p)]
 
 
 def _p(p: float) -> str:
@@ -144,8 +144,8 @@ def main() -> None:
     print(f"The study, {source}; tables use the first {TABULATED}.\n")
     print(f"mean d = {first.d.mean():.4f}, mean k = {first.k.mean():.4f}\n")
     for row, usual in odd_rows(study):
-        who, hmd, name, level = (getattr(study, field)[row] for field in ("participant", "hmd", "object", "level"))
-        print(f"odd: participant {who}, {hmd}, {name}, level {level} has d = {study.d[row]}, elsewhere {usual}\n")
+        person, hmd, name, level = (getattr(study, field)[row] for field in ("participant", "hmd", "object", "level"))
+        print(f"odd: participant {person}, {hmd}, {name}, level {level} has d = {study.d[row]}, elsewhere {usual}\n")
     for made in (table_of_moments, table_of_normality, table_of_headsets, table_of_correlations):
         print(made(first))
     if texture(first):

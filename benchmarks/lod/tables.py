@@ -1,4 +1,4 @@
-"""Triangles and time that chosen levels save in scenes built as Liebisch (2021) built them, beside what he printed.
+"""Triangles and time that chosen levels save in scenes built as Liebisch (2021) built them, beside his printed numbers.
 
 python -m benchmarks.lod.tables [--quick] [--views N] [--backend B]
 """
@@ -18,16 +18,20 @@ from benchmarks.harness.timing import machine, table
 from benchmarks.lod._objects import RIFT_S, VIEWS, VIVE_PRO, Crowd, Headset, crowd, measured
 
 SIZES = (10, 15, 20, 30)
+"""Radii of the balls, metres."""
 COUNTS = (100, 500, 1000)
+"""Objects in a ball."""
 FRAMES = 2500
+"""Frames of a turn."""
 THRESHOLDS = ("anchored", "literal", "normalized")
 MODES = ("depth", "depth+eccentricity", "fovea")
 PRINTED_DEPTH = "91.7 to 99.1"
+"""Per cent of triangles that depth saves, as published."""
 
 
 @dataclass(frozen=True)
 class Turn:
-    """What a full turn of the camera in the middle of a scene draws."""
+    """Triangles of a full turn of the camera in the middle of a scene."""
 
     off: float
     """Triangles of a mean frame at full detail."""
@@ -41,7 +45,7 @@ class Turn:
 
 
 def turn(models: list[nf.lod.LodModel], scene: Crowd, headset: Headset, frames: int) -> Turn:
-    """Choose levels in every frame; what is out of view is not drawn in any mode."""
+    """Choose levels in every frame; objects out of view are not drawn in any mode."""
     counts = np.zeros((len(models), max(map(len, models))))
     for n, model in enumerate(models):
         counts[n, : len(model)] = model.triangles
@@ -78,7 +82,7 @@ def choose(
 
 
 def triangles(counts: NDArray[np.float64], scene: Crowd, levels: NDArray[np.int32]) -> float:
-    """Of what is in view."""
+    """Triangles in view."""
     seen = levels >= 0
     return float(counts[scene.model_index[seen], levels[seen]].sum())
 
@@ -86,7 +90,7 @@ def triangles(counts: NDArray[np.float64], scene: Crowd, levels: NDArray[np.int3
 def times(models: list[nf.lod.LodModel], scene: Crowd, headset: Headset, frames: int, backend: str) -> dict[str, float]:
     """Seconds of a mean frame by mode, colour only, choosing included; the least of two turns."""
     world = nf.lod.place(models, scene.model_index, scene.transforms)
-    found = {}
+    seconds = {}
     for mode in ("off", *MODES):
         how = nf.lod.Selector(lens=headset.lens, mode=mode)
         turns = []
@@ -96,8 +100,8 @@ def times(models: list[nf.lod.LodModel], scene: Crowd, headset: Headset, frames:
                 camera = headset.camera(2 * np.pi * frame / frames)
                 nf.render(world, camera, lod=how, channels=("color",), backend=backend)
             turns.append((time.perf_counter() - started) / frames)
-        found[mode] = min(turns)
-    return found
+        seconds[mode] = min(turns)
+    return seconds
 
 
 def report(headset: Headset, models: list[nf.lod.LodModel], frames: int, counts: tuple[int, ...]) -> Iterator[str]:
@@ -106,16 +110,16 @@ def report(headset: Headset, models: list[nf.lod.LodModel], frames: int, counts:
     rows = []
     for size in SIZES:
         for count in counts:
-            found = turn(models, crowd(models, size=size, count=count, seed=size * count), headset, frames)
+            drawn = turn(models, crowd(models, size=size, count=count, seed=size * count), headset, frames)
             rows.append(
                 [
                     f"{size}",
                     f"{count:,}",
-                    f"{found.off:,.0f}",
-                    *(f"{found.saved(threshold, 'depth'):.1f}" for threshold in THRESHOLDS),
-                    *(f"{found.saved(threshold, MODES[1], 'depth'):.1f}" for threshold in THRESHOLDS),
+                    f"{drawn.off:,.0f}",
+                    *(f"{drawn.saved(threshold, 'depth'):.1f}" for threshold in THRESHOLDS),
+                    *(f"{drawn.saved(threshold, MODES[1], 'depth'):.1f}" for threshold in THRESHOLDS),
                     f"{headset.printed[size]:g}",
-                    f"{found.saved('anchored', 'fovea', MODES[1]):.1f}",
+                    f"{drawn.saved('anchored', 'fovea', MODES[1]):.1f}",
                 ]
             )
     titles = ["radius m", "objects", "full detail", *(f"depth, {threshold}" for threshold in THRESHOLDS)]
@@ -133,10 +137,10 @@ def timings(
     rows = []
     for size in SIZES:
         for count in counts:
-            found = times(models, crowd(models, size=size, count=count, seed=size * count), headset, frames, backend)
-            saved = [100 * (1 - found[mode] / found["off"]) for mode in MODES]
-            further = 100 * (1 - found[MODES[1]] / found["depth"])
-            milliseconds = [f"{1000 * found[mode]:.0f}" for mode in ("off", *MODES)]
+            seconds = times(models, crowd(models, size=size, count=count, seed=size * count), headset, frames, backend)
+            saved = [100 * (1 - seconds[mode] / seconds["off"]) for mode in MODES]
+            further = 100 * (1 - seconds[MODES[1]] / seconds["depth"])
+            milliseconds = [f"{1000 * seconds[mode]:.0f}" for mode in ("off", *MODES)]
             rows.append([f"{size}", f"{count:,}", *milliseconds, f"{saved[0]:.1f}", f"{further:.1f}"])
     width, height = headset.size
     titles = ["radius m", "objects", "off", *MODES, "saved by depth %", "further by lens %"]

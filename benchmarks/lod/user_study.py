@@ -15,16 +15,14 @@ from scipy import stats
 from nearfar._base import data, random
 
 FILE = "study/lod_thresholds.csv"
-"""Below the data folder."""
+"""Path below the data folder."""
 
 TABULATED = 24
 """Participants in the thesis' tables: the first ones of 25."""
 
-D, K = 0.90, 0.27
-"""What the thesis recommends; `nearfar.lod.select` begins with them."""
-
 Array = NDArray[np.float64]
 _SEED, _RESAMPLE = 2021, 1
+"""Seed of the random numbers, and the first stream of the bootstrap."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,20 +100,20 @@ def made_up(participants: int = TABULATED, objects: int = 10, *, gap: float = 0.
     )
 
 
-# what is wrong with it ------------------------------------------------------------------------------------------------
+# rows that contradict others ------------------------------------------------------------------------------------------
 def odd_rows(study: Study) -> list[tuple[int, float]]:
     """Rows whose d is not the one that its object and level have elsewhere: their numbers, and the d of the majority.
 
     A level of an object is one mesh, and its SSIM at 1/16 of the screen is one number, whoever looks at it.
     """
-    found = []
+    odd = []
     for name in study.objects:
         for level in np.unique(study.level[study.object == name]).tolist():
             rows = np.flatnonzero((study.object == name) & (study.level == level))
             (usual, _), *others = Counter(study.d[rows].tolist()).most_common()
             if others:
-                found += [(int(row), float(usual)) for row in rows if study.d[row] != usual]
-    return found
+                odd += [(int(row), float(usual)) for row in rows if study.d[row] != usual]
+    return odd
 
 
 def mended(study: Study) -> Study:
@@ -151,13 +149,13 @@ def moments(values: Array) -> Moments:
 
 
 def shapiro(values: Array) -> tuple[float, float]:
-    """W and p of the test of Shapiro and Wilk: a small p says that values are not normal."""
-    found = stats.shapiro(values)
-    return float(found.statistic), float(found.pvalue)
+    """W and p of the test of Shapiro and Wilk: a small p means that values are not normal."""
+    test = stats.shapiro(values)
+    return float(test.statistic), float(test.pvalue)
 
 
 def paired(study: Study, column: str, by: str, one: str, other: str) -> tuple[Array, Array]:
-    """A column for two headsets or objects (`by`), in the order of all that else tells rows apart."""
+    """A column for two headsets or objects (`by`), in the order of participants and of the other column."""
     rest = "object" if by == "hmd" else "hmd"
     sides = []
     for value in (one, other):
@@ -191,8 +189,8 @@ def wilcoxon(one: Array, other: Array) -> Wilcoxon:
     equal = int((apart == 0).sum())
     if equal == len(apart):
         return Wilcoxon(0.0, 1.0, len(apart), equal)
-    found = stats.wilcoxon(apart, zero_method="wilcox", correction=False, method="asymptotic")
-    return Wilcoxon(float(found.statistic), float(found.pvalue), len(apart), equal)
+    test = stats.wilcoxon(apart, zero_method="wilcox", correction=False, method="asymptotic")
+    return Wilcoxon(float(test.statistic), float(test.pvalue), len(apart), equal)
 
 
 @dataclass(frozen=True)
@@ -212,11 +210,11 @@ def correlation(one: Array, other: Array) -> Correlation:
 
 
 def texture(study: Study) -> dict[tuple[str, int], float]:
-    """How many times as far from 1 the SSIM of a level is with a texture as without, by textured object and level.
+    """1 − SSIM of a level with a texture, as a multiple of that without, by textured object and level.
 
     The study has two objects twice, the second time in one colour.
     """
-    found = {}
+    factors = {}
     for plain in study.objects:
         name = plain.removesuffix("_plain")
         if name == plain or name not in study.objects:
@@ -224,20 +222,21 @@ def texture(study: Study) -> dict[tuple[str, int], float]:
         with_it, without = (study.of(object=which) for which in (name, plain))
         for level in sorted({*with_it.level.tolist()} & {*without.level.tolist()} - {0}):
             far = [1 - np.median(part.d[part.level == level]) for part in (with_it, without)]
-            found[name, int(level)] = float(far[0] / far[1])
-    return found
+            factors[name, int(level)] = float(far[0] / far[1])
+    return factors
 
 
-# how sure d and k are -------------------------------------------------------------------------------------------------
+# uncertainty of d and k -----------------------------------------------------------------------------------------------
 def bootstrap(study: Study, column: str, *, objects: bool = False, draws: int = 10_000) -> tuple[float, float]:
     """95 % interval of a column's mean, participants drawn anew with all of their rows, and objects too on request.
 
-    Rows of one participant, and of one object, resemble each other: single rows drawn anew would say too little.
+    Rows of one participant, and of one object, resemble each other: single rows drawn anew would give intervals that
+    are too short.
     """
     people, things = np.unique(study.participant), study.objects
     values = np.array(
         [
-            [getattr(study, column)[(study.participant == who) & (study.object == what)].mean() for what in things]
+            [getattr(study, column)[(study.participant == who) & (study.object == name)].mean() for name in things]
             for who in people
         ]
     )
@@ -254,7 +253,7 @@ def bootstrap(study: Study, column: str, *, objects: bool = False, draws: int = 
 
 
 def readings(study: Study) -> dict[str, tuple[float, float, int]]:
-    """d, k and rows by the choices that one could have made; `study` has all participants."""
+    """d, k and rows for other choices of rows and averages; `study` has all participants."""
     first = study.first(TABULATED)
     people = np.unique(first.participant)
     without = [first.where(first.participant != who) for who in people]
@@ -265,13 +264,13 @@ def readings(study: Study) -> dict[str, tuple[float, float, int]]:
     def other(of: Any) -> tuple[float, float, int]:
         return float(of(first.d)), float(of(first.k)), len(first)
 
-    found = {f"the first {len(people)} participants": mean(first), "all participants": mean(study)}
-    found |= {f"{hmd} only": mean(first.of(hmd=hmd)) for hmd in first.hmds}
-    found["odd rows mended"] = mean(mended(first))
-    found["without the one whose d matters most"] = max(map(mean, without), key=lambda it: abs(it[0] - first.d.mean()))
-    found["without the one whose k matters most"] = max(map(mean, without), key=lambda it: abs(it[1] - first.k.mean()))
-    found["medians"] = other(np.median)
-    found["means of the middle 80 %"] = other(lambda values: stats.trim_mean(values, 0.1))
-    found["without refusals of any level (level 0)"] = mean(first.where(first.level > 0))
-    found["without k below 0"] = mean(first.where(first.k >= 0))
-    return found
+    means = {f"the first {len(people)} participants": mean(first), "all participants": mean(study)}
+    means |= {f"{hmd} only": mean(first.of(hmd=hmd)) for hmd in first.hmds}
+    means["odd rows mended"] = mean(mended(first))
+    means["without the one whose d matters most"] = max(map(mean, without), key=lambda it: abs(it[0] - first.d.mean()))
+    means["without the one whose k matters most"] = max(map(mean, without), key=lambda it: abs(it[1] - first.k.mean()))
+    means["medians"] = other(np.median)
+    means["means of the middle 80 %"] = other(lambda values: stats.trim_mean(values, 0.1))
+    means["without refusals of any level (level 0)"] = mean(first.where(first.level > 0))
+    means["without k below 0"] = mean(first.where(first.k >= 0))
+    return means

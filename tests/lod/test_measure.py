@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import signal
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -13,18 +12,16 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar.lod._measure import one_object
-from nearfar.lod._measure import scores as level_scores
 from nearfar.lod._measure import views as level_views
 from nearfar.lod._measure.one_object import coarsest_of_steps
-from nearfar.lod._measure.score_cache import SUFFIX
 from tests.support import data, need, printed_by_threads
 from tests.support.lod_cases import (
     FOV,
     SMALL,
     Array,
-    assert_same,
     ball,
     checkered,
+    count_renders,
     levels,
     scene,
     smooth,
@@ -218,17 +215,6 @@ def test_what_looks_like_the_base_is_measured_no_further() -> None:
     np.testing.assert_array_equal(model.samples.filled[1, 2:], model.samples.score[1, 1])
 
 
-def count_renders(monkeypatch: pytest.MonkeyPatch) -> list[int]:
-    counted: list[int] = []
-
-    def pictures(scene: nf.Scene, cameras: Any, *rest: Any) -> Any:
-        counted.append(len(cameras))
-        return level_scores.pictures(scene, cameras, *rest)
-
-    monkeypatch.setattr(one_object, "pictures", pictures)
-    return counted
-
-
 def test_one_level_is_no_work(monkeypatch: pytest.MonkeyPatch) -> None:
     counted = count_renders(monkeypatch)
     model = nf.lod.measure(levels(12), hmd=nf.hmd.VIVE_PRO)
@@ -263,69 +249,6 @@ def test_an_object_may_be_smaller_than_a_pixel() -> None:
     model = nf.lod.measure(levels(8, 4), fov=FOV, size=(2, 2), views=4, distances=3, saturated=None)
     assert model.samples is not None
     assert np.isfinite(model.samples.score).all()
-
-
-# the cache, and stopping ---------------------------------------------------------------------------------------------
-def test_what_is_known_is_not_rendered_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    counted = count_renders(monkeypatch)
-    first = nf.lod.measure(levels(16, 8, 4), **SMALL, step=None)
-    assert sum(counted) == first.measured["renders"] > 0
-    counted.clear()
-    again = nf.lod.measure(levels(16, 8, 4), **SMALL, step=None)
-    assert counted == []
-    assert_same(first, again)
-    assert (again.measured["renders"], again.measured["cached"]) == (0, first.measured["scores"])
-    # A new level is measured alone, beside the base.
-    more = nf.lod.measure(levels(16, 8, 6, 4), **SMALL, step=None)
-    assert sum(counted) == more.measured["renders"] == first.measured["renders"] * 2 // 3
-    counted.clear()
-    farther = nf.lod.measure(levels(16, 8, 4), **SMALL | {"distances": 6}, step=None)
-    assert sum(counted) == 5 * 2 * 3
-    nearer = nf.lod.measure(levels(16, 8, 4), **SMALL | {"distances": 5}, step=None)
-    assert farther.samples is not None
-    assert nearer.samples is not None
-    np.testing.assert_array_equal(nearer.samples.score, farther.samples.score[:, :5])
-    assert sum(counted) == 5 * 2 * 3
-    for other in ({"samples": 2}, {"size": (120, 120)}, {"views": 4}):
-        counted.clear()
-        assert nf.lod.measure(levels(16, 8, 4), **SMALL | other, step=None).measured["cached"] == 0
-        assert counted
-
-
-def test_without_a_cache_nothing_is_kept(tmp_path: Path) -> None:
-    nf.lod.measure(levels(12, 6), **SMALL, cache=False)
-    assert not (tmp_path / "cache").exists()
-
-
-def test_damaged_scores_are_measured_again(tmp_path: Path) -> None:
-    first = nf.lod.measure(levels(12, 6), **SMALL)
-    (kept,) = (tmp_path / "cache").glob(f"??/*{SUFFIX}")
-    for damage in (b"", b"something else", kept.read_bytes()[:200]):
-        kept.write_bytes(damage)
-        again = nf.lod.measure(levels(12, 6), **SMALL)
-        assert_same(first, again)
-        assert again.measured["cached"] == 0
-
-
-def test_what_was_done_before_ctrl_c_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
-    own = levels(16, 8, 4)
-    whole = nf.lod.measure(own, **SMALL, step=None, cache=False)
-    monkeypatch.setattr(one_object, "MAX_BLOCK_PIXELS", 4000)
-    left = [7]
-
-    def scores(*given: Any) -> Any:
-        left[0] -= 1
-        if left[0] == 0:
-            signal.raise_signal(signal.SIGINT)
-        return level_scores.scores(*given)
-
-    monkeypatch.setattr(one_object, "scores", scores)
-    with pytest.raises(KeyboardInterrupt):
-        nf.lod.measure(own, **SMALL, step=None)
-    resumed = nf.lod.measure(own, **SMALL, step=None)
-    assert_same(whole, resumed)
-    assert resumed.measured["cached"] > 0
-    assert resumed.measured["cached"] + resumed.measured["scores"] == whole.measured["scores"]
 
 
 def test_results_do_not_depend_on_the_number_of_threads() -> None:
@@ -388,52 +311,6 @@ def test_plots_show_each_level(model: nf.lod.LodModel) -> None:
     axes = model.plot()
     assert len(axes.lines) == 2 * (len(model) - 1)
     assert model.plot(axes) is axes
-
-
-# bad input -----------------------------------------------------------------------------------------------------------
-BAD: list[tuple[dict[str, Any], type[Exception], str]] = [
-    ({"fov": None}, ValueError, "hmd: expected a headset"),
-    ({"size": None}, ValueError, "hmd: expected a headset"),
-    ({"hmd": nf.hmd.RIFT_S}, ValueError, "hmd: expected None beside fov and size"),
-    ({"hmd": "Rift", "fov": None, "size": None}, TypeError, "hmd: expected an Hmd"),
-    ({"fov": 90}, TypeError, "fov: expected Fov"),
-    ({"fov": nf.Fov.symmetric(152)}, ValueError, "fov: expected less than 151.9 degrees"),
-    ({"size": (0, 10)}, ValueError, "size"),
-    ({"views": 10}, ValueError, "views: expected a multiple of 4, got 10"),
-    ({"views": 0}, ValueError, "views"),
-    ({"views": 8.0}, TypeError, "views"),
-    ({"distances": 0}, ValueError, "distances"),
-    ({"percentile": 101}, ValueError, "percentile: expected a number from 0 to 100"),
-    ({"percentile": float("nan")}, ValueError, "percentile"),
-    ({"step": 0}, ValueError, "step"),
-    ({"saturated": 1.5}, ValueError, "saturated"),
-    ({"samples": 0}, ValueError, "samples"),
-    ({"backend": "tpu"}, ValueError, "backend"),
-    ({"cache": "yes"}, TypeError, "cache: expected True or False"),
-    ({"workers": 0}, ValueError, "workers"),
-    ({"client": 3}, TypeError, "client: expected a distributed.Client"),
-]
-
-
-@pytest.mark.parametrize(("change", "error", "message"), BAD, ids=[message for *_, message in BAD])
-def test_bad_arguments_are_named(change: dict[str, Any], error: type[Exception], message: str) -> None:
-    with pytest.raises(error, match=message):
-        nf.lod.measure(levels(4), **SMALL | change)
-
-
-def test_bad_levels_are_named() -> None:
-    own = levels(4)
-    wrongs: list[tuple[Any, str]] = [
-        (3, "levels: expected Levels"),
-        ("ball", "levels: expected Levels"),
-        ([own, 3], r"levels\[1\]: expected Levels, got int"),
-        ({"a": own[0]}, r"levels\['a'\]: expected Levels, got Level"),
-    ]
-    for wrong, message in wrongs:
-        with pytest.raises(TypeError, match=message):
-            nf.lod.measure(wrong, **SMALL)
-    with pytest.raises(ValueError, match="workers: expected None beside a client"):
-        nf.lod.measure([own], **SMALL, workers=2, client=object())
 
 
 def test_flat_curves_promise_no_more_than_was_seen() -> None:

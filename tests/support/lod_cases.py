@@ -6,10 +6,13 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._scene.builder import SceneBuilder
+from nearfar.lod._measure import one_object
+from nearfar.lod._measure import scores as level_scores
 
 Array = NDArray[np.float64]
 
@@ -127,3 +130,15 @@ def assert_same(one: nf.lod.LodModel, other: nf.lod.LodModel) -> None:
         np.testing.assert_array_equal(getattr(one.curves, name), getattr(other.curves, name))
     for name in ("sigma", "score", "views"):
         np.testing.assert_array_equal(getattr(one.samples, name), getattr(other.samples, name))
+
+
+def count_renders(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """Views of each picture that `measure` renders from now on."""
+    counted: list[int] = []
+
+    def pictures(scene: nf.Scene, cameras: Any, *rest: Any) -> Any:
+        counted.append(len(cameras))
+        return level_scores.pictures(scene, cameras, *rest)
+
+    monkeypatch.setattr(one_object, "pictures", pictures)
+    return counted
