@@ -23,7 +23,7 @@ _is_stopped: Callable[[], bool] | None = None
 def over_processes(
     function: Callable[[Item, progress.Report], Result], items: Sequence[Item], label: str, workers: int
 ) -> list[Result]:
-    """Call a function for each item in processes of their own; `nearfar._base.distribute` says how."""
+    """Call a function for each item in processes of their own; `nearfar._base.distribute` documents it."""
     # Graphics drivers hang in forked children, so that children begin anew.
     context = multiprocessing.get_context("spawn")
     stop = context.Event()
@@ -36,7 +36,7 @@ def over_processes(
         futures = [pool.submit(_in_worker, function, item) for item in items]
         with progress.bar(label) as report:
             for number, future in enumerate(concurrent.futures.as_completed(futures)):
-                future.result()  # raises what the function raised
+                future.result()  # raises the function's exception
                 report(number, len(items))
         return [future.result() for future in futures]
     except BrokenProcessPool:
