@@ -152,7 +152,7 @@ def test_json_says_the_same_in_every_engines_words(model: nf.lod.LodModel, tmp_p
 
 
 def switched(model: nf.lod.LodModel, away: Array, found: nf.lod.Switches) -> list[int]:
-    """What engines show of a sphere at distances in radii: the coarsest level whose range has begun."""
+    """Level that engines show of a sphere at distances in radii: the coarsest whose range has begun."""
     return [max((i for i in range(1, len(model)) if z >= found.distance[i]), default=0) for z in away]
 
 

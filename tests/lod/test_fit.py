@@ -172,7 +172,7 @@ def test_clean_curves_come_back_where_samples_show_one_plateau() -> None:
 
 
 def guessed(x: Array, y: Array) -> list[Array]:
-    """What curve_fit finds from three common first guesses."""
+    """Results of curve_fit from three common first guesses."""
     found = []
     for b, c in ((2, np.median(x)), (1, np.exp(np.log(x).mean())), (4, x.mean())):
         with warnings.catch_warnings(), np.errstate(all="ignore"):

@@ -167,7 +167,7 @@ def test_dynamic_objects_carry_their_levels_and_spheres(models: list[nf.lod.LodM
     # Poses go through the inverse of where the object was loaded, so that digits differ by rounding.
     np.testing.assert_allclose(here.require("color"), there.require("color"), atol=1e-4)
     assert np.array_equal(here.require("object_id"), there.require("object_id"))
-    # What is left out of a picture stays out of the poses of what is left.
+    # Objects left out of a picture stay out of the poses of the others.
     assert posed.at_levels([0, -1, 0, 0]).at({"object_2": before[2]}).triangle_count > 0
     # Levels that are given later stand where the object is now, and go where it goes.
     late = scene.at({"object_1": after[1]}).with_levels({"object_1": models[0]})
@@ -381,7 +381,7 @@ def test_modes_are_those_of_select(models: list[nf.lod.LodModel], mode: str) -> 
     frame = nf.render(scene, view(), lod=mode, backend="cpu")
     assert frame.lod.levels.tolist() == expected.tolist()
     assert bytes_of(frame) == bytes_of(nf.render(scene.at_levels(expected), view(), backend="cpu"))
-    # What is out of view changes nothing in the picture.
+    # Objects out of view change nothing in the picture.
     everywhere = scene.at_levels(np.maximum(expected, 0))
     assert bytes_of(frame) == bytes_of(nf.render(everywhere, view(), backend="cpu"))
     if mode == "off":

@@ -1,4 +1,4 @@
-"""What sizes mean: the screen's sixteenth, what a lens leaves of a size, and what the eye sees of it."""
+"""Sizes: the sixteenth of the screen, and the shares of a size that a lens and the eye leave."""
 
 from __future__ import annotations
 

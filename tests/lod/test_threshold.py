@@ -64,7 +64,7 @@ def test_keywords_and_thresholds_mean_the_same(tmp_path: Path) -> None:
     usual().export(tmp_path / "one.json", view=CAMERA, threshold=LITERAL)
     usual().export(tmp_path / "other.json", view=CAMERA, **keywords)
     assert (tmp_path / "one.json").read_bytes() == (tmp_path / "other.json").read_bytes()
-    # What is not said has its default.
+    # Parts that are not named have their defaults.
     assert nf.lod.Selector(d=0.5).threshold == nf.lod.LodThreshold(d=0.5)
     assert nf.lod.Selector(threshold="literal").threshold == nf.lod.LodThreshold(kind="literal")
 

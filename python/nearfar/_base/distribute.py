@@ -33,7 +33,7 @@ def distribute(
     items
         Values that can be pickled, where they leave this process.
     label
-        What the progress bar says is being done.
+        Text of the progress bar, such as "measuring".
     workers
         Processes. The program's main module must be importable, as always with `multiprocessing`. Each gets its share
         of the machine's threads. None stays in this process.
@@ -83,7 +83,7 @@ def _in_turn(function: Callable[[Item, progress.Report], Result], items: Sequenc
 def _over_cluster(
     function: Callable[[Item, progress.Report], Result], items: Sequence[Item], label: str, client: Any
 ) -> list[Result]:
-    """Where an item fails, and at Ctrl-C, those that have not begun are called off."""
+    """Call off the items that have not begun where one fails, and at Ctrl-C."""
     # Items go to workers by themselves: within a call they would pass through the scheduler.
     scattered = client.scatter(list(items), hash=False)
     futures = [client.submit(_on_cluster, function, item, pure=False) for item in scattered]

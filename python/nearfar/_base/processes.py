@@ -36,7 +36,7 @@ def over_processes(
         futures = [pool.submit(_in_worker, function, item) for item in items]
         with progress.bar(label) as report:
             for number, future in enumerate(concurrent.futures.as_completed(futures)):
-                future.result()  # raises what the function raised
+                future.result()  # raises the function's exception
                 report(number, len(items))
         return [future.result() for future in futures]
     except BrokenProcessPool:

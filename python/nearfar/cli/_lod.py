@@ -16,7 +16,7 @@ from nearfar.cli._output import bytes_text, check_target, count, show
 
 VERSION = 1
 
-# Their class attributes are the defaults of the options.
+# Their fields' defaults are those of the options.
 Settings, Threshold = nf.lod.MeasureSettings, nf.lod.LodThreshold
 
 
@@ -32,28 +32,28 @@ def lod(
         str | None, typer.Option("--ratios", metavar="R,R,…", help="Shares of the triangles, as in 0.5,0.2,0.05.")
     ] = None,
     method: Annotated[
-        str, typer.Option("--method", metavar="fast|meshopt", help="What simplifies: see nf.lod.simplify.")
+        str, typer.Option("--method", metavar="fast|meshopt", help="The simplifier: see nf.lod.simplify.")
     ] = "fast",
     normals: Annotated[
         str, typer.Option("--normals", metavar="keep|smooth|flat", help="How levels are shaded: see nf.lod.simplify.")
     ] = "keep",
     views: Annotated[
-        int, typer.Option("--views", metavar="N", help="Sides that levels are looked at from.")
+        int, typer.Option("--views", metavar="N", help="Number of sides to look at levels from.")
     ] = Settings.views,
     distances: Annotated[
-        int, typer.Option("--distances", metavar="N", help="Sizes at which they are.")
+        int, typer.Option("--distances", metavar="N", help="Number of sizes to measure levels at.")
     ] = Settings.distances,
     k: Annotated[float, typer.Option("--k", metavar="K", help="Slope of the threshold.")] = Threshold.k,
     d: Annotated[float, typer.Option("--d", metavar="D", help="The threshold at 1/16 of the screen.")] = Threshold.d,
     threshold: Annotated[
-        str, typer.Option("--threshold", metavar="KIND", help="How it is read: anchored, literal or normalized.")
+        str, typer.Option("--threshold", metavar="KIND", help="Its formula: anchored, literal or normalized.")
     ] = Threshold.kind,
     backend: Backend = "auto",
     up: Up = "y",
     on_invalid: Invalid = "raise",
     as_json: Json = False,
 ) -> None:
-    """Simplify an object, measure how good each level looks over its size, and write what engines switch by."""
+    """Simplify an object, measure the SSIM of each level over its size, and write the model with sizes to switch at."""
     check_backend(backend)
     check_target(output, ".glb", ".json")
     device = headset(hmd)
@@ -90,7 +90,7 @@ def headset(text: str) -> nf.Hmd:
 
 
 def read_ratios(text: str) -> list[float]:
-    """Read "0.5,0.2"."""
+    """Numbers of a list such as "0.5,0.2"."""
     try:
         return [float(part) for part in text.split(",")]
     except ValueError:
