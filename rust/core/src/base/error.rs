@@ -1,6 +1,6 @@
 //! The one error type of the kernels. The bindings map each kind to the Python exception named beside it.
 
-/// What a kernel refuses, and why, as a sentence without a full stop.
+/// Errors of kernels, each a sentence without a full stop.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Error {
     /// An argument's value is out of its domain (`ValueError`).
@@ -8,9 +8,9 @@ pub enum Error {
     Value {
         /// The argument's public name.
         argument: &'static str,
-        /// What would have been accepted.
+        /// Values that would have been accepted.
         expected: String,
-        /// What came.
+        /// Value that came.
         got: String,
     },
     /// A scene's own contents are unusable (`nearfar.SceneError`).
@@ -25,7 +25,7 @@ pub enum Error {
     /// A result that the system has no memory for (`MemoryError`).
     #[error("the result needs {bytes} bytes, which the system does not have")]
     Memory {
-        /// What was asked for.
+        /// Bytes that were asked for.
         bytes: u64,
     },
     /// The caller asked a long kernel to stop (the pending signal's own exception, as a rule `KeyboardInterrupt`).

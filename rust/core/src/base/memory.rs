@@ -1,4 +1,4 @@
-//! Refusing what the system cannot give. An allocation that fails ends the process, so sizes that a caller chooses are
+//! Refusal of results too large for memory. An allocation that fails ends the process, so sizes that a caller chooses are
 //! asked for first.
 
 use std::hint::black_box;

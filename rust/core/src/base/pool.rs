@@ -7,17 +7,17 @@ use std::sync::atomic::{AtomicPtr, Ordering};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::{Error, Result};
-
+/// Environment variable with the number of threads.
 const VARIABLE: &str = "NEARFAR_NUM_THREADS";
 
-struct Entry {
+struct PoolEntry {
     process: u32,
     pool: ThreadPool,
 }
 
 /// The pool of this process. A pointer instead of a lock, because a lock that another thread held during a fork
 /// would stay locked in the child for ever.
-static CURRENT: AtomicPtr<Entry> = AtomicPtr::new(ptr::null_mut());
+static CURRENT: AtomicPtr<PoolEntry> = AtomicPtr::new(ptr::null_mut());
 
 /// Runs `work` on the pool, so that every rayon call inside uses it.
 pub fn install<R: Send>(work: impl FnOnce() -> R + Send) -> Result<R> {
@@ -37,7 +37,7 @@ fn current() -> Result<&'static ThreadPool> {
     {
         return Ok(&entry.pool);
     }
-    let fresh = Box::into_raw(Box::new(Entry { process: process::id(), pool: build()? }));
+    let fresh = Box::into_raw(Box::new(PoolEntry { process: process::id(), pool: build()? }));
     match CURRENT.compare_exchange(seen, fresh, Ordering::AcqRel, Ordering::Acquire) {
         // SAFETY: just leaked, never freed. A parent's entry stays leaked in a child: its threads are gone there,
         // and joining them would hang.

@@ -1,4 +1,4 @@
-//! How far a long kernel is, and whether it should stop.
+//! Progress and cancellation of long kernels.
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 

@@ -6,16 +6,16 @@ use crate::morph::Morph;
 
 /// Steps of the root's search at most: bisection alone needs as many as a float64 has digits.
 const STEPS: usize = 80;
-/// Halvings of a stretch of the curve at most, beyond those of a chord's length that the tolerance asks for.
-const SPARE: u32 = 8;
-/// Chords of a stretch at most, times the root of the tolerance. Where the picture folds curves jump, and no chord is flat.
-pub(super) const MOST: f64 = 64.0;
-/// Chords that end so many times as far away as they begin are long.
-const LONG: f64 = 4.0;
-/// Where an upright curve is cut, in radii.
-const HIGHEST: f64 = 1e4;
-/// A chord is tried at some of its points. Where it misses this share of the tolerance, it may miss all of it between.
-const TRIED: f64 = 0.75;
+/// Most halvings of a stretch beyond those of a chord's length that the tolerance asks for.
+const SPARE_HALVINGS: u32 = 8;
+/// Most chords of a stretch, times the root of the tolerance. Where the picture folds, curves jump and no chord is flat.
+pub(super) const MAX_CHORDS: f64 = 64.0;
+/// Ratio of a chord's end to its start, both as distances from the user, above which it is long.
+const LONG_CHORD: f64 = 4.0;
+/// End of an upright curve, in radii.
+const UPRIGHT_END: f64 = 1e4;
+/// Share of the tolerance that a chord may miss at the points where it is tried: between them it may miss all of it.
+const CHORD_SHARE: f64 = 0.75;
 
 /// The curve of points that are shown in one direction.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +75,7 @@ impl<'a> RayCurve<'a> {
     /// The curve from where it begins to r₂, in order of s. Users between the radii see it in three stretches.
     pub fn stretches(&self) -> Vec<Stretch> {
         // Upright curves never end; far above everything they are cut.
-        let end = self.end().map_or(HIGHEST * (self.morph.r2 + self.beside), |(s, _)| s);
+        let end = self.end().map_or(UPRIGHT_END * (self.morph.r2 + self.beside), |(s, _)| s);
         if self.beside == 0.0 || end <= 0.0 {
             return Vec::new();
         }
@@ -181,12 +181,12 @@ impl<'a> RayCurve<'a> {
         let last = at(stretch.to, self.beside);
         points.push(self.point(first.0, first.1));
         // Chords miss by the square of their length.
-        let deepest = (-0.5 * tolerance.log2()).ceil().max(0.0) as u32 + SPARE;
-        let most = points.len() + (MOST / tolerance.sqrt()) as usize;
+        let deepest = (-0.5 * tolerance.log2()).ceil().max(0.0) as u32 + SPARE_HALVINGS;
+        let most = points.len() + (MAX_CHORDS / tolerance.sqrt()) as usize;
         let mut open = vec![(first, last, 0)];
         while let Some((a, b, depth)) = open.pop() {
             let levels = if depth < 2 { 3 } else { 2 };
-            if depth == deepest || points.len() >= most || self.is_flat(a, b, levels, TRIED * tolerance) {
+            if depth == deepest || points.len() >= most || self.is_flat(a, b, levels, CHORD_SHARE * tolerance) {
                 points.push(self.point(b.0, b.1));
                 continue;
             }
@@ -209,7 +209,7 @@ impl<'a> RayCurve<'a> {
     /// logarithmic scale, from |v⊥| on.
     fn middle(&self, a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
         let near = a.0.max(self.beside);
-        let s = if b.0 > LONG * near { (near * b.0).sqrt() } else { 0.5 * (a.0 + b.0) };
+        let s = if b.0 > LONG_CHORD * near { (near * b.0).sqrt() } else { 0.5 * (a.0 + b.0) };
         (s, a.1 + (b.1 - a.1) * (s - a.0) / (b.0 - a.0))
     }
 

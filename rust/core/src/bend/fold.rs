@@ -1,4 +1,4 @@
-//! How far the user may go before the picture folds: before two surface points of one neighbourhood change sides.
+//! Distance that the user may go before the picture folds: before two surface points of one neighbourhood change sides.
 
 use glam::{DMat3, DVec3};
 
@@ -8,10 +8,10 @@ use crate::morph::{Kind, Morph};
 
 /// Places that are looked at in each direction before the worst are followed.
 const GRID: [usize; 3] = [13, 25, 31];
-/// How many of the worst places are followed.
+/// Number of the worst places that are followed.
 const FOLLOWED: usize = 6;
-/// Metres, as a share of r₂−r₁, to which the margin is found.
-const PRECISION: f64 = 1e-4;
+/// Tolerance of the margin, as a share of r₂−r₁.
+const MARGIN_PRECISION: f64 = 1e-4;
 
 /// Metres from the centre beyond which products of lengths overflow.
 const FARTHEST: f64 = 1e30;
@@ -44,7 +44,7 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     if folds(0.0)? {
         return Ok(f64::NEG_INFINITY);
     }
-    while folded - sound > PRECISION * width {
+    while folded - sound > MARGIN_PRECISION * width {
         let middle = 0.5 * (sound + folded);
         if folds(middle)? {
             folded = middle;

@@ -1,7 +1,7 @@
 use glam::DVec3;
 use proptest::prelude::*;
 
-use super::curve::MOST;
+use super::curve::MAX_CHORDS;
 use super::*;
 use crate::morph::{Kind, Morph};
 
@@ -58,7 +58,7 @@ proptest! {
         let morph = Morph::new(DVec3::new(x, y, z), DVec3::ZERO, r1, r1 + width, Kind::Blend).unwrap();
         let direction = DVec3::new(dx, dy, dz).normalize_or(DVec3::Y);
         let points = RayCurve::new(&morph, direction).polyline(1e-4);
-        prop_assert!(!points.is_empty() && points.len() < 3 * (MOST / 1e-4f64.sqrt()) as usize);
+        prop_assert!(!points.is_empty() && points.len() < 3 * (MAX_CHORDS / 1e-4f64.sqrt()) as usize);
         prop_assert!(points.iter().all(|point| point.is_finite()));
     }
 }

@@ -7,8 +7,8 @@ use super::sphere::{Sphere, SphereMethod};
 use super::{approximate, exact};
 use crate::base::{Error, Progress, Result};
 
-/// Extents from which on squares overflow or vanish: points are scaled by a power of two first.
-const PLAIN: std::ops::Range<f64> = 1e-140..1e140;
+/// Extents whose squares neither overflow nor vanish: others are scaled by a power of two first.
+const PLAIN_EXTENTS: std::ops::Range<f64> = 1e-140..1e140;
 
 /// The sphere about points; none of them is outside by more than the rounding of the radius.
 pub fn bounding_sphere<T: Scanned>(points: &[[T; 3]], method: SphereMethod) -> Result<Sphere> {
@@ -17,7 +17,7 @@ pub fn bounding_sphere<T: Scanned>(points: &[[T; 3]], method: SphereMethod) -> R
     if extent == 0.0 {
         return Ok(Sphere { center: cloud.origin, radius: 0.0 });
     }
-    if PLAIN.contains(&extent) {
+    if PLAIN_EXTENTS.contains(&extent) {
         return Ok(cloud.placed(&of(&cloud, method)));
     }
     // Exact but for denormals, and those are made large.

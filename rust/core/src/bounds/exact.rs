@@ -9,21 +9,21 @@ use super::scan::{Cloud, Scanned, farthest_of};
 use super::sphere::Sphere;
 use super::support::Support;
 
-/// Points up to which none are put aside.
-const FEW: usize = 1 << 12;
-/// Share of the radius within which of the sphere points are kept.
+/// Most points that are all kept: of more, those far inside the sphere are put aside.
+const ALL_KEPT: usize = 1 << 12;
+/// Share of the radius, inwards from the sphere, within which points are kept.
 const SHELL: f64 = 0.05;
 /// Steps without a smaller sphere after which the last digits are left to rounding.
-const PATIENCE: usize = 24;
-/// What rounding adds to distances, as a share.
+const STALLED_STEPS: usize = 24;
+/// Relative rounding error of distances.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// In the cloud's frame.
 pub(super) fn smallest<T: Scanned>(cloud: &Cloud<'_, T>) -> Sphere {
     let extremes: Vec<[f64; 3]> = cloud.extremes.iter().map(|point| point.to_array()).collect();
     let mut support = widened(&extremes, DVec3::ZERO, Support::point(cloud.extremes[0])).1;
-    if cloud.points.len() > FEW {
-        for _ in 0..PATIENCE {
+    if cloud.points.len() > ALL_KEPT {
+        for _ in 0..STALLED_STEPS {
             let kept_from = support.radius * (1.0 - SHELL);
             let kept = cloud.beyond(support.center, kept_from);
             if kept.len() > cloud.points.len() / 2 {
@@ -51,7 +51,7 @@ fn widened<T: Scanned>(points: &[[T; 3]], origin: DVec3, mut support: Support) -
             best = (Sphere { center: support.center, radius: distance }, support);
             stale = 0;
         }
-        if distance <= support.radius * (1.0 + ROUNDING) || stale > PATIENCE {
+        if distance <= support.radius * (1.0 + ROUNDING) || stale > STALLED_STEPS {
             return best;
         }
         support = support.with(point);

@@ -12,15 +12,15 @@ const TILE: usize = 1 << 12;
 /// Points side by side.
 const LANES: usize = 8;
 
-/// Blocks from the one at work to the one that is asked of memory.
-const AHEAD: usize = 12;
+/// Blocks between the one at work and the one that is prefetched.
+const PREFETCHED_BLOCKS: usize = 12;
 
 /// Directions along which extreme points are found: the axes and the space diagonals.
 const DIRECTIONS: usize = 7;
 /// The first of them.
 const AXES: usize = 3;
-/// Blocks of which one is looked at along the diagonals.
-const EVERY: usize = 8;
+/// Distance between the blocks that are projected on the diagonals.
+const DIAGONAL_STRIDE: usize = 8;
 
 /// Least and greatest value along each direction.
 #[derive(Clone, Copy, Debug)]
@@ -49,33 +49,21 @@ pub trait Scanned: Real {
 }
 
 macro_rules! scanned {
-    ($($real:ty: $farthest:ident, $beyond:ident, $sum:ident, $extremes:ident);*) => {$(
-        vectorized! {
-            fn $farthest(points: &[[$real; 3]], origin: DVec3, center: DVec3) -> (f64, usize) = farthest;
-            fn $beyond(
-                points: &[[$real; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>,
-            ) = beyond;
-            fn $sum(points: &[[$real; 3]], origin: DVec3) -> DVec3 = sum;
-            fn $extremes(points: &[[$real; 3]]) -> Extremes = extremes;
-        }
+    ($($real:ty),*) => {$(
         impl Scanned for $real {
-            fn farthest(points: &[[Self; 3]], origin: DVec3, center: DVec3) -> (f64, usize) {
-                $farthest(points, origin, center)
-            }
-            fn beyond(points: &[[Self; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>) {
-                $beyond(points, origin, center, limit, found);
-            }
-            fn sum(points: &[[Self; 3]], origin: DVec3) -> DVec3 {
-                $sum(points, origin)
-            }
-            fn extremes(points: &[[Self; 3]]) -> Extremes {
-                $extremes(points)
+            vectorized! {
+                fn farthest(points: &[[$real; 3]], origin: DVec3, center: DVec3) -> (f64, usize) = farthest;
+                fn beyond(
+                    points: &[[$real; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>,
+                ) = beyond;
+                fn sum(points: &[[$real; 3]], origin: DVec3) -> DVec3 = sum;
+                fn extremes(points: &[[$real; 3]]) -> Extremes = extremes;
             }
         }
     )*};
 }
 
-scanned!(f32: farthest_f32, beyond_f32, sum_f32, extremes_f32; f64: farthest_f64, beyond_f64, sum_f64, extremes_f64);
+scanned!(f32, f64);
 
 /// Points, all of them finite, seen from one of them: differences of neighbours have all their digits however far from
 /// zero they lie.
@@ -106,7 +94,7 @@ impl<'a, T: Scanned> Cloud<'a, T> {
             let got = points[index].map(T::wide);
             return Err(Error::value("points", "finite coordinates", format!("{got:?} at index {index}")));
         }
-        // Tiles tell values; which point has them is looked for in the tile that has the most extreme one.
+        // Tiles have the extreme values; the point is then searched in the tile that has the most extreme one.
         let point = |is_extreme: &dyn Fn(&[f64; DIRECTIONS]) -> bool, tile: Option<usize>| {
             let from = tile.unwrap_or(0) * TILE;
             let near = points[from..].iter().take(TILE);
@@ -208,7 +196,7 @@ fn extremes<T: Real>(points: &[[T; 3]]) -> Extremes {
     let mut zeros = [0.0; LANES];
     let (blocks, rest) = points.as_chunks::<LANES>();
     for (n, block) in blocks.iter().enumerate() {
-        prefetch(blocks.get(n + AHEAD).unwrap_or(block));
+        prefetch(blocks.get(n + PREFETCHED_BLOCKS).unwrap_or(block));
         let lanes = gather(block);
         for i in 0..LANES {
             zeros[i] += 0.0 * (lanes[0][i] + lanes[1][i] + lanes[2][i]);
@@ -220,7 +208,7 @@ fn extremes<T: Real>(points: &[[T; 3]]) -> Extremes {
         }
     }
     // Points to begin with need not be the very last ones along diagonals.
-    for block in blocks.iter().step_by(EVERY) {
+    for block in blocks.iter().step_by(DIAGONAL_STRIDE) {
         let [x, y, z] = gather(block);
         for i in 0..LANES {
             let of = along(&[x[i], y[i], z[i]]);
@@ -304,7 +292,7 @@ fn farthest<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, u
     let (mut most, mut which) = ([f64::NEG_INFINITY; LANES], [0.0; LANES]);
     let mut number = 0.0;
     for (n, block) in blocks.iter().enumerate() {
-        prefetch(blocks.get(n + AHEAD).unwrap_or(block));
+        prefetch(blocks.get(n + PREFETCHED_BLOCKS).unwrap_or(block));
         let squared = squares(block, origin, center);
         for i in 0..LANES {
             let farther = squared[i] > most[i];
@@ -340,7 +328,7 @@ fn beyond<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, 
         }
     };
     for (n, block) in blocks.iter().enumerate() {
-        prefetch(blocks.get(n + AHEAD).unwrap_or(block));
+        prefetch(blocks.get(n + PREFETCHED_BLOCKS).unwrap_or(block));
         let squared = squares(block, from, middle);
         let mut greatest = 0.0;
         for value in squared {

@@ -1,4 +1,4 @@
-//! How much of the sight spheres take.
+//! Solid angles of spheres.
 
 use std::f64::consts::PI;
 
@@ -45,7 +45,7 @@ impl Seen {
     }
 }
 
-/// Writes what `of` says of each tile of spheres, once they are checked.
+/// Checks spheres, and writes the results of `of` for each tile of them.
 pub fn each_tile(
     centers: &[[f64; 3]],
     radii: &[f64],

@@ -11,7 +11,7 @@ pub struct Sphere {
     pub radius: f64,
 }
 
-/// How a sphere about points is found.
+/// Method that finds a sphere about points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SphereMethod {
     /// The smallest one.

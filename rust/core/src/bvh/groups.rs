@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use crate::base::random::bits;
 use crate::base::{Aabb, FaceMap, Progress, Result};
-
+/// Groups of one task.
 const TILE: usize = 1 << 16;
 
 /// The arrays of a mesh that tell two faces apart.

@@ -60,7 +60,7 @@ impl Bvh {
         size_of_val(&self.wide.nodes[..]) + size_of_val(&self.blocks[..])
     }
 
-    /// Checks that boxes hold what is below them and that every face is in one leaf; says what is wrong.
+    /// Checks that boxes hold what is below them and that every face is in one leaf; the error describes the fault.
     pub fn validate(&self) -> Result<(), String> {
         let mut seen = vec![];
         self.wide.validate(|leaf| {
@@ -107,7 +107,7 @@ impl Tlas {
         self.order.get((leaf & !LEAF) as usize).copied()
     }
 
-    /// Checks that boxes hold the instances below them; says what is wrong.
+    /// Checks that boxes hold the instances below them; the error describes the fault.
     pub fn validate(&self, boxes: &[Aabb]) -> Result<(), String> {
         self.wide.validate(|leaf| self.instance(leaf).map_or(Aabb::EMPTY, |instance| boxes[instance as usize]))
     }

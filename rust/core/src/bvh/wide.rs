@@ -51,14 +51,14 @@ pub(crate) struct Wide {
     pub(crate) stack: usize,
 }
 
-/// What a node of the binary tree becomes.
+/// A node of the binary tree, or a leaf, on its way into a wide node.
 pub(crate) struct Slot {
     pub(crate) bounds: Aabb,
     /// A node to open, or a finished leaf.
     pub(crate) content: Content,
 }
 
-/// See `Slot`.
+/// Content of a `Slot`.
 pub(crate) enum Content {
     /// Number of a node of the binary tree.
     Inner(u32),

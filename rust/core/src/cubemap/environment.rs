@@ -1,4 +1,4 @@
-//! What surrounds a point: colour, and range and objects where they were asked for.
+//! Environment maps: colour around a point, and range and objects where they were asked for.
 
 use glam::{DVec3, Vec3};
 

@@ -45,7 +45,7 @@ impl<'a, T: Copy> CubeFaces<'a, T> {
     }
 }
 
-/// Fails for faces that have no texels or more than texel numbers can tell apart.
+/// Fails for faces without texels, or with more than texel numbers can count.
 pub(super) fn check_size(size: u32) -> Result<()> {
     if (1..=MAX_SIZE).contains(&size) {
         return Ok(());

@@ -1,7 +1,7 @@
 //! The next level of a cube map: half as many texels across a face.
 //!
 //! A texel of the next level covers 2 × 2 texels, or where a size is odd parts of 3 × 3. Means weigh what is covered by
-//! its solid angle, so that the mean over the sphere stays what it was.
+//! its solid angle, so that the mean over the sphere is kept.
 
 use rayon::prelude::*;
 
@@ -10,7 +10,7 @@ use super::lookup::Number;
 use super::solid::{edge_of, edges, row_of_angles, solid_angle};
 use crate::base::{Error, Result};
 
-/// How texels become one of the next level.
+/// Reduction of texels to one of the next level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reduction {
     /// By solid angle.
@@ -21,7 +21,7 @@ pub enum Reduction {
     Max,
 }
 
-/// What a row or column of the next level covers.
+/// Rows or columns that one of the next level covers.
 struct Covered {
     /// The first row or column.
     first: u32,

@@ -6,8 +6,8 @@ use super::faces::check_size;
 use crate::base::simd::vectorized;
 use crate::base::{Error, Result};
 
-/// Faces of at least this many texels have texels whose half solid angles are below 0.01.
-const FINE: u32 = 32;
+/// Least texels across a face whose half solid angles are all below 0.01.
+const FINE_SIZE: u32 = 32;
 
 /// Solid angle in steradians of a rectangle between two positions across and two down a face, within −1..1.
 ///
@@ -62,7 +62,7 @@ pub(super) fn row_of_angles(row: u32, size: u32, edges: &[f64], out: &mut [f64])
     let near = row.min(size - 1 - row) as usize;
     let down = [edges[near], edges[near + 1]];
     let half = out.len().div_ceil(2);
-    if size >= FINE {
+    if size >= FINE_SIZE {
         fine_row_wide(edges, down, &mut out[..half]);
     } else {
         for (column, value) in out[..half].iter_mut().enumerate() {

@@ -22,7 +22,7 @@ pub(super) const LANES: usize = 32;
 #[repr(align(64))]
 struct Stage([f64; TILE]);
 
-/// How f is inverted.
+/// Method that inverts f.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InverseMethod {
     /// Newton's method to the last bits.
@@ -97,11 +97,11 @@ fn refused<T: Real>(from: &[T], to: &[T], end: f64) -> Error {
     Error::value("r", expected, format!("{} at index {index}", number(from[index].wide())))
 }
 
-/// Runs a kernel over float64 copies of tiles; tells whether all results are numbers.
+/// Runs a kernel over float64 copies of tiles; true where all results are numbers.
 fn each_tile<T: Real>(from: &[T], to: &mut [T], kernel: impl Fn(&mut [f64]) + Sync) -> bool {
     let good = AtomicBool::new(true);
     from.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).for_each(|(from, to)| {
-        // Whole blocks, so that kernels have no ends to care for: what is left over stays zero.
+        // Whole blocks, so that kernels need no remainder loop; the padding stays zero.
         let mut stage = Stage([0.0; TILE]);
         for (one, other) in stage.0.iter_mut().zip(from) {
             *one = other.wide();

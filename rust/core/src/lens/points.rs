@@ -15,12 +15,12 @@ use crate::base::{Error, Real, Result};
 
 /// Points of one task: what is known of them stays in the nearest cache.
 pub(super) const TILE: usize = 1 << 9;
-/// What squares, their sum, its root and the scaling of points may add to a radius.
+/// Relative rounding error of a radius: two squares, their sum, its root, and the scaling of points.
 pub(super) const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
-/// Steps of Newton's method before a way around is taken; from a good start it needs five.
-const STEPS: u32 = 40;
-/// Parts of that way.
-const PARTS: u32 = 64;
+/// Steps of Newton's method before it follows a path; from a good start it needs five.
+const NEWTON_STEPS: u32 = 40;
+/// Parts of the path from the disc's middle that Newton's method follows where it fails from its start.
+const PATH_PARTS: u32 = 64;
 
 /// Points of a task, apart: x, y, and the radii that become factors.
 #[repr(align(64))]
@@ -75,7 +75,7 @@ fn scale_all(tile: &mut PointTile, count: usize) {
 }
 
 impl RadialLens {
-    /// Where points are shown. Outside the disc of radius `reach`: NaN, or with `refuse` an error.
+    /// Images of points. Outside the disc of radius `reach`: NaN, or with `refuse` an error.
     pub fn distort_points<T: Real>(&self, points: &[[T; 2]], to: &mut [[T; 2]], refuse: bool) -> Result<()> {
         self.each_tile(points, to, refuse, |from, to| {
             let mut tile = PointTile::new(from);
@@ -91,7 +91,8 @@ impl RadialLens {
         })
     }
 
-    /// What is shown at points. Where nothing within the disc of radius `reach` is: NaN, or with `refuse` an error.
+    /// Points whose images lie at `points`. Images of no point within the disc of radius `reach`: NaN, or with `refuse`
+    /// an error.
     pub fn undistort_points<T: Real>(&self, points: &[[T; 2]], to: &mut [[T; 2]], refuse: bool) -> Result<()> {
         self.each_tile(points, to, refuse, |from, to| {
             let mut tile = PointTile::new(from);
@@ -131,14 +132,14 @@ impl RadialLens {
         }
     }
 
-    /// By how much the tangential terms move a point.
+    /// Displacement of a point by the tangential terms.
     fn tangential_at(&self, p: DVec2) -> DVec2 {
         let [p1, p2] = self.tangential;
         let (square, product) = (p.length_squared(), 2.0 * p.x * p.y);
         DVec2::new(p1 * product + p2 * (square + 2.0 * p.x * p.x), p1 * (square + 2.0 * p.y * p.y) + p2 * product)
     }
 
-    /// Where a point is shown, and the Jacobian there.
+    /// Image of a point, and the Jacobian there.
     fn shown(&self, p: DVec2) -> (DVec2, DMat2) {
         let square = p.length_squared();
         let factor = 1.0 + square * polynomial::value(&self.radial.k, square);
@@ -167,8 +168,8 @@ impl RadialLens {
         }
         // In parts from the middle, where the root is known.
         let mut at = DVec2::ZERO;
-        for part in 1..=PARTS {
-            match self.descend(at, shown * (f64::from(part) / f64::from(PARTS))) {
+        for part in 1..=PATH_PARTS {
+            match self.descend(at, shown * (f64::from(part) / f64::from(PATH_PARTS))) {
                 Some(next) => at = next,
                 None => return DVec2::NAN,
             }
@@ -179,7 +180,7 @@ impl RadialLens {
     /// Newton's method, whose steps are shortened until they bring the image nearer and stay in the disc.
     fn descend(&self, mut at: DVec2, wanted: DVec2) -> Option<DVec2> {
         let (mut image, mut jacobian) = self.shown(at);
-        for _ in 0..STEPS {
+        for _ in 0..NEWTON_STEPS {
             let off = image - wanted;
             let step = jacobian.inverse() * off;
             if step.length() <= f64::EPSILON * at.length() || off == DVec2::ZERO {
@@ -203,7 +204,7 @@ impl RadialLens {
         self.is_root(at, image, wanted).then_some(at)
     }
 
-    /// As far as float64 can tell: a hundred roundings of the largest of the terms.
+    /// Tolerance in float64: a hundred roundings of the largest of the terms.
     fn is_root(&self, at: DVec2, image: DVec2, wanted: DVec2) -> bool {
         let square = at.length_squared();
         let terms = self.radial.k.iter().rev().fold(0.0, |sum, c| (sum + c.abs()) * square) + 1.0;

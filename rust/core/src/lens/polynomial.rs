@@ -39,14 +39,14 @@ fn zeros(coefficients: &[f64]) -> Vec<f64> {
     found
 }
 
-/// Beyond it nothing is looked for.
-const FARTHEST: f64 = 1e100;
+/// Greatest zero that is looked for.
+const GREATEST_ZERO: f64 = 1e100;
 
 /// Fujiwara's bound: twice the greatest root of a quotient of coefficients.
 fn beyond_all_zeros(own: &[f64]) -> f64 {
     let degree = own.len() - 1;
     let root = |i: usize| (own[i] / own[degree]).abs().powf(1.0 / (degree - i) as f64);
-    (2.0 * (0..degree).map(root).fold(f64::MIN_POSITIVE, f64::max)).min(FARTHEST)
+    (2.0 * (0..degree).map(root).fold(f64::MIN_POSITIVE, f64::max)).min(GREATEST_ZERO)
 }
 
 /// −1, 0 or 1; 0 where the value is smaller than what rounding may have made of it.

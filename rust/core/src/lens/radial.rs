@@ -9,9 +9,9 @@ use crate::base::error::number;
 use crate::base::{Error, Result};
 
 /// Most coefficients that a lens may have.
-const MOST: usize = 64;
+const MAX_COEFFICIENTS: usize = 64;
 /// Radii at which the first term may be as large as r itself: powers of them stay floats.
-const UNITS: std::ops::Range<f64> = 1e-30..1e30;
+const UNIT_RADII: std::ops::Range<f64> = 1e-30..1e30;
 /// A lens.
 #[derive(Clone, Debug)]
 pub struct RadialLens {
@@ -28,15 +28,15 @@ impl RadialLens {
         if let Some(bad) = k.iter().find(|c| c.is_nan() || c.abs() > FARTHEST) {
             return Err(Error::value("k", format!("coefficients of at most {}", number(FARTHEST)), number(*bad)));
         }
-        if k.len() > MOST {
-            return Err(Error::value("k", format!("at most {MOST} coefficients"), k.len()));
+        if k.len() > MAX_COEFFICIENTS {
+            return Err(Error::value("k", format!("at most {MAX_COEFFICIENTS} coefficients"), k.len()));
         }
         if !tangential.iter().all(|p| p.is_finite()) {
             return Err(Error::value("tangential", "two finite numbers", format!("{tangential:?}")));
         }
         let radial = Radial::new(k);
-        if radial.unit.is_finite() && !UNITS.contains(&radial.unit) {
-            let expected = format!("terms that reach r at radii from {:e} to {:e}", UNITS.start, UNITS.end);
+        if radial.unit.is_finite() && !UNIT_RADII.contains(&radial.unit) {
+            let expected = format!("terms that reach r at radii from {:e} to {:e}", UNIT_RADII.start, UNIT_RADII.end);
             return Err(Error::value("k", expected, format!("{:e}", radial.unit)));
         }
         let reach = reach(&radial, tangential);

@@ -1,4 +1,4 @@
-//! How much of the sight spheres take through a lens (Liebisch 2021, Eq. 4.10–4.12).
+//! Solid angles of spheres seen through a lens (Liebisch 2021, Eq. 4.10–4.12).
 
 use std::f64::consts::PI;
 
@@ -11,9 +11,9 @@ use crate::bounds::{Seen, each_tile};
 
 /// Half angles, as shares of the way to 90° and to the fold, below which an area is the mean of the lens's magnification
 /// at seven places: what lies between these is 10⁻¹⁴ of it, and in a sum around the edge more would cancel.
-const SMALL: f64 = 2e-3;
+const SMALL_ANGLE: f64 = 2e-3;
 /// A sum around the edge is refined until it changes by less than this share of itself, or has that many parts.
-const CLOSE: f64 = 1e-13;
+const AREA_TOLERANCE: f64 = 1e-13;
 const MOST_PARTS: usize = 1 << 12;
 
 /// A view through a lens.
@@ -21,9 +21,9 @@ const MOST_PARTS: usize = 1 << 12;
 pub struct Sizes<'a> {
     /// The lens.
     pub lens: &'a RadialLens,
-    /// Where the eye is.
+    /// Position of the eye.
     pub eye: DVec3,
-    /// Where it looks, of length 1: the lens's axis.
+    /// Viewing direction of length 1: the lens's axis.
     pub forward: DVec3,
     /// Tangent of half the horizontal field of view, the larger side of it.
     pub tan_omega: f64,
@@ -41,7 +41,7 @@ pub fn corrected_solid_angles(sizes: &Sizes<'_>, centers: &[[f64; 3]], radii: &[
 }
 
 impl Sizes<'_> {
-    /// What `corrected_solid_angles` says of a few spheres that were checked before.
+    /// `corrected_solid_angles` of a few spheres that were checked before.
     pub fn each(&self, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) {
         let spheres = centers.chunks(LANES / 2).zip(radii.chunks(LANES / 2));
         for ((centers, radii), to) in spheres.zip(to.chunks_mut(LANES / 2)) {
@@ -83,7 +83,7 @@ impl Sizes<'_> {
     }
 }
 
-/// What a sphere covers: the directions within μ of one that is α from the axis.
+/// Directions that a sphere covers: those within μ of its centre, which is α from the axis.
 struct Cap<'a> {
     lens: &'a RadialLens,
     /// tan ω
@@ -120,11 +120,11 @@ impl<'a> Cap<'a> {
         [(one + other) / self.cos_far() / self.scale, (one - other) / self.cos_near() / self.scale]
     }
 
-    /// Whether the lens hardly changes over the sphere.
+    /// True where the lens's magnification is nearly constant over the sphere.
     fn is_small(&self) -> bool {
         let [far, near] = self.edges();
         let room = self.lens.x_max() - far;
-        self.sin_mu < SMALL * self.cos_far() && far - near < SMALL * room
+        self.sin_mu < SMALL_ANGLE * self.cos_far() && far - near < SMALL_ANGLE * room
     }
 
     /// (α⁺ − α⁻) / 2μ with α± = atan(tan ω · f⁻¹(tan(α ± μ) / tan ω)), from the two roots.
@@ -148,7 +148,7 @@ impl<'a> Cap<'a> {
             sum += self.around(0.5 * step, step, parts);
             parts *= 2;
             let finer = 2.0 * PI * sum / parts as f64;
-            if (finer - area).abs() <= CLOSE * finer || parts >= MOST_PARTS {
+            if (finer - area).abs() <= AREA_TOLERANCE * finer || parts >= MOST_PARTS {
                 return finer;
             }
             area = finer;

@@ -6,8 +6,8 @@ use super::polynomial;
 /// Greatest radius that is shown or looked for, and greatest coefficient: fourth derivatives, and halves of products, do
 /// not overflow.
 pub(super) const FARTHEST: f64 = 1e290;
-/// Steps after which halving takes turns with Newton's method.
-const PATIENCE: u32 = 20;
+/// Steps of Newton's method before halving takes turns with it.
+const NEWTON_STEPS: u32 = 20;
 
 /// f and what its inverse needs.
 #[derive(Clone, Debug)]
@@ -92,12 +92,12 @@ impl Radial {
                 return self.better(r, next, x);
             }
             // Where Newton's steps are still short after so many, the bracket halves at least every other time.
-            r = if within && (step < PATIENCE || step % 2 == 0) { next } else { middle };
+            r = if within && (step < NEWTON_STEPS || step % 2 == 0) { next } else { middle };
             step += 1;
         }
     }
 
-    /// Of two neighbours the one with the smaller residual.
+    /// The one of two neighbouring floats with the smaller residual.
     fn better(&self, one: f64, other: f64, x: f64) -> f64 {
         if residual(&self.k, one, x).abs() <= residual(&self.k, other, x).abs() { one } else { other }
     }

@@ -8,9 +8,9 @@ use crate::base::simd::vectorized;
 
 /// Spheres of one block.
 pub const STRETCHED: usize = LANES;
-/// Up to which squares the polynomials below hold.
-const FARTHEST: f64 = 0.2;
-/// atan(√t)/√t and asin(√t)/√t for t of 0..FARTHEST, of least greatest error (Remez): below 2.4·10⁻¹².
+/// Greatest square for which the polynomials below hold.
+const GREATEST_SQUARE: f64 = 0.2;
+/// atan(√t)/√t and asin(√t)/√t for t of 0..GREATEST_SQUARE, of least greatest error (Remez): below 2.4·10⁻¹².
 const ATAN: [f64; 8] = [
     0.999_999_999_997_646_7,
     -0.333_333_331_825_106,
@@ -119,7 +119,7 @@ fn stretch_block(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LA
         near[n] = (out - in_) * (cos_far * share);
         rise[n] = 2.0 * lens.scale * cos_mu[n] * share;
         behind[n] = cos_far <= 0.0;
-        good[n] = (far[n] < lens.table.end) & (sin_mu[n] * sin_mu[n] <= FARTHEST);
+        good[n] = (far[n] < lens.table.end) & (sin_mu[n] * sin_mu[n] <= GREATEST_SQUARE);
     }
     let (mut a, mut b) = ([0.0; LANES], [0.0; LANES]);
     cubic_block(lens.table, &far, &mut a);
@@ -145,7 +145,7 @@ fn stretch_block(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LA
         let half = 1.0 / ((along * along + across * across).sqrt() + along);
         let square = (across * half) * (across * half);
         let ratio = rise[n] * half * polynomial(&ATAN, square) / polynomial(&ASIN, sin_mu[n] * sin_mu[n]);
-        let ratio = if good[n] & (square <= FARTHEST) { ratio } else { 0.0 };
+        let ratio = if good[n] & (square <= GREATEST_SQUARE) { ratio } else { 0.0 };
         to[n] = if behind[n] { 1.0 } else { ratio };
     }
 }
@@ -168,7 +168,7 @@ mod tests {
     #[test]
     fn polynomials_hold_their_bound() {
         for step in 1..=10_000 {
-            let t: f64 = FARTHEST * f64::from(step) / 10_000.0;
+            let t: f64 = GREATEST_SQUARE * f64::from(step) / 10_000.0;
             let root = t.sqrt();
             assert!((polynomial(&ATAN, t) * root / root.atan() - 1.0).abs() < 2.6e-12, "{t}");
             assert!((polynomial(&ASIN, t) * root / root.asin() - 1.0).abs() < 2.6e-12, "{t}");

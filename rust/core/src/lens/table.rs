@@ -9,13 +9,13 @@ use super::solve::Radial;
 /// Largest error of the table, as a share of r: below 10⁻⁹ for all radii of headsets, up to 2.
 const TOLERANCE: f64 = 5e-10;
 /// Largest error of a start for Newton's method, as a share of r.
-const START: f64 = 1e-5;
+const START_TOLERANCE: f64 = 1e-5;
 /// Smallest and greatest binary logarithm of x in units of the lens. Below lies one interval; above are no nodes.
 const OCTAVES: std::ops::Range<i32> = -8..4;
 /// Binary logarithm of the number of intervals in an octave: the least of them that serves.
 const FINENESS: std::ops::RangeInclusive<u32> = 5..=9;
-/// Up to which share of r_max, or up to which multiple of the lens's unit, a table should hold its tolerance.
-const WANTED: (f64, f64) = (0.9, 4.0);
+/// Range in which a table should hold its tolerance: share of r_max, or multiple of the lens's unit.
+const WANTED_RANGE: (f64, f64) = (0.9, 4.0);
 
 const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
 
@@ -30,7 +30,7 @@ pub(super) struct Table {
     pub base: u64,
     /// By how much bits are shifted to become numbers.
     pub shift: u32,
-    /// Below it cubics are within START.
+    /// Below it cubics are within START_TOLERANCE.
     pub start_end: f64,
     /// Below it they are within TOLERANCE.
     pub end: f64,
@@ -41,7 +41,7 @@ pub(super) struct Table {
 impl Table {
     /// With as many nodes as the tolerance asks for.
     pub fn new(lens: &Radial) -> Self {
-        let (share, multiple) = WANTED;
+        let (share, multiple) = WANTED_RANGE;
         let wanted = if lens.r_max.is_finite() { share * lens.r_max } else { multiple * lens.unit };
         let wanted = lens.distort(wanted);
         let mut table = Self::with(lens, *FINENESS.start());
@@ -70,7 +70,7 @@ impl Table {
             }
             let to = InverseNode::at(lens, x);
             let bound = derivatives.bound(&from, &to);
-            if bound > START || !bound.is_finite() {
+            if bound > START_TOLERANCE || !bound.is_finite() {
                 break;
             }
             if table.end == from.x && bound <= TOLERANCE {

@@ -10,12 +10,12 @@ use crate::base::Result;
 use crate::base::simd::vectorized;
 use crate::camera::Fov;
 
-/// How pixels around a place become one value.
+/// Interpolation between pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WarpFilter {
-    /// Of four.
+    /// Bilinear, of four pixels.
     Linear,
-    /// Of sixteen: Catmull and Rom's cubics (Keys, a = −1/2).
+    /// Bicubic, of sixteen pixels: Catmull and Rom's cubics (Keys, a = −1/2).
     Cubic,
 }
 
@@ -37,15 +37,7 @@ pub trait WarpPixel: Copy + Send + Sync {
 }
 
 macro_rules! pixel {
-    ($($type:ty: $linear:ident, $cubic:ident, $value:ident => $nearest:expr);*) => {$(
-        vectorized! {
-            fn $linear(
-                image: &Image<'_, $type>, shares: &[[f64; 2]], channels: Range<usize>, fill: $type, to: &mut [$type],
-            ) = mix_linear;
-            fn $cubic(
-                image: &Image<'_, $type>, shares: &[[f64; 2]], channels: Range<usize>, fill: $type, to: &mut [$type],
-            ) = mix_cubic;
-        }
+    ($($type:ty: $value:ident => $nearest:expr);*) => {$(
         impl WarpPixel for $type {
             #[inline(always)]
             fn wide(self) -> f64 {
@@ -55,23 +47,25 @@ macro_rules! pixel {
             fn nearest($value: f64) -> Self {
                 $nearest
             }
-            fn row(
-                image: &Image<'_, Self>, shares: &[[f64; 2]], channels: Range<usize>, filter: WarpFilter, fill: Self, to: &mut [Self],
-            ) {
-                match filter {
-                    WarpFilter::Linear => $linear(image, shares, channels, fill, to),
-                    WarpFilter::Cubic => $cubic(image, shares, channels, fill, to),
-                }
+            vectorized! {
+                fn row(
+                    image: &Image<'_, $type>,
+                    shares: &[[f64; 2]],
+                    channels: Range<usize>,
+                    filter: WarpFilter,
+                    fill: $type,
+                    to: &mut [$type],
+                ) = mix;
             }
         }
     )*};
 }
 // Casts saturate, so that cubics which overshoot stay black or white.
 pixel! {
-    u8: linear_u8, cubic_u8, v => v.round_ties_even() as u8;
-    u16: linear_u16, cubic_u16, v => v.round_ties_even() as u16;
-    f32: linear_f32, cubic_f32, v => v as f32;
-    f64: linear_f64, cubic_f64, v => v
+    u8: v => v.round_ties_even() as u8;
+    u16: v => v.round_ties_even() as u16;
+    f32: v => v as f32;
+    f64: v => v
 }
 
 /// Rows of pixels with their channels side by side.
@@ -87,12 +81,12 @@ pub struct Image<'a, P> {
     pub channels: usize,
 }
 
-/// What pictures show: both as tangents from the lens's axis.
+/// Fields of view of both pictures, as tangents from the lens's axis.
 #[derive(Clone, Copy, Debug)]
 pub struct WarpView {
-    /// Of the picture that is read.
+    /// Field of view of the picture that is read.
     pub from: Fov,
-    /// Of the picture that is made.
+    /// Field of view of the picture that is made.
     pub to: Fov,
     /// Tangent at which r = 1.
     pub tan_omega: f64,
@@ -118,7 +112,7 @@ impl WarpView {
         [(x * self.tan_omega - left) / (right - left), (up - y * self.tan_omega) / (up - down)]
     }
 
-    /// Where what is shown at places comes from; NaN where from nowhere.
+    /// Source of each place of the made picture; NaN where there is none.
     pub(super) fn sources(&self, lens: &RadialLens, places: &[[f64; 2]], to: &mut [[f64; 2]]) -> Result<()> {
         if !self.distort {
             return lens.distort_points(places, to, false);
@@ -162,25 +156,35 @@ pub fn warp<P: WarpPixel>(
 }
 
 #[inline(always)]
-fn mix_linear<P: WarpPixel>(image: &Image<'_, P>, shares: &[[f64; 2]], channels: Range<usize>, fill: P, to: &mut [P]) {
-    for (share, pixel) in shares.iter().zip(to.chunks_exact_mut(image.channels)) {
-        match image.place(*share) {
-            None => pixel[channels.clone()].fill(fill),
-            Some([x, y]) => {
-                let weights = [linear_weights(x - x.floor()), linear_weights(y - y.floor())];
-                image.mix([x, y], channels.start, weights, &mut pixel[channels.clone()]);
-            }
-        }
+fn mix<P: WarpPixel>(
+    image: &Image<'_, P>,
+    shares: &[[f64; 2]],
+    channels: Range<usize>,
+    filter: WarpFilter,
+    fill: P,
+    to: &mut [P],
+) {
+    match filter {
+        WarpFilter::Linear => mix_by(linear_weights, image, shares, channels, fill, to),
+        WarpFilter::Cubic => mix_by(cubic_weights, image, shares, channels, fill, to),
     }
 }
 
+/// Mixes pixels by the weights of a fraction.
 #[inline(always)]
-fn mix_cubic<P: WarpPixel>(image: &Image<'_, P>, shares: &[[f64; 2]], channels: Range<usize>, fill: P, to: &mut [P]) {
+fn mix_by<P: WarpPixel, const N: usize>(
+    weights: impl Fn(f64) -> [f64; N],
+    image: &Image<'_, P>,
+    shares: &[[f64; 2]],
+    channels: Range<usize>,
+    fill: P,
+    to: &mut [P],
+) {
     for (share, pixel) in shares.iter().zip(to.chunks_exact_mut(image.channels)) {
         match image.place(*share) {
             None => pixel[channels.clone()].fill(fill),
             Some([x, y]) => {
-                let weights = [cubic_weights(x - x.floor()), cubic_weights(y - y.floor())];
+                let weights = [weights(x - x.floor()), weights(y - y.floor())];
                 image.mix([x, y], channels.start, weights, &mut pixel[channels.clone()]);
             }
         }

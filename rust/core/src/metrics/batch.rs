@@ -8,10 +8,10 @@ use super::similarity::{Counted, Mask, Shrunk, Similarity, SimilaritySums, Sourc
 use super::squares::mean_squared_error;
 use crate::base::{Error, Progress, Result};
 
-/// How pairs are compared.
+/// Settings of a comparison.
 #[derive(Clone, Debug)]
 pub struct Comparison {
-    /// What is averaged around each pixel.
+    /// Window around each pixel.
     pub window: Window,
     /// Constants of the measure.
     pub constants: Similarity,
@@ -29,7 +29,7 @@ pub struct Stacks<'a, P> {
     pub references: Vec<Plane<'a, P>>,
     /// Those that are compared with them.
     pub tests: Vec<Plane<'a, P>>,
-    /// Of the size of what is compared, after it was made smaller.
+    /// Masks of the images' size after shrinking.
     pub masks: Option<Vec<Plane<'a, u8>>>,
 }
 

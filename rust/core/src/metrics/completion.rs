@@ -1,4 +1,4 @@
-//! Which objects of the true picture a picture shows. CloVR (2024), Eq. 1–2.
+//! Visible objects of the true picture. CloVR (2024), Eq. 1–2.
 
 use std::collections::BTreeMap;
 
@@ -6,9 +6,9 @@ use rayon::prelude::*;
 
 /// Pixels that are looked at together, and a part of them where they differ.
 const BLOCK: usize = 32;
-const PART: usize = 4;
-/// Pixels that are worth a task.
-const LEAST: usize = 1 << 14;
+const SUBBLOCK: usize = 4;
+/// Pixels of one task.
+const PIXELS_PER_TASK: usize = 1 << 14;
 /// Objects with numbers below this are counted in an array.
 const DENSE: usize = 1 << 20;
 
@@ -55,7 +55,7 @@ impl PixelCounts {
     fn of(ids: &[i32]) -> Self {
         // One array of counts for each thread, because making and adding them costs as much as counting; whole numbers
         // add up to the same in any parts.
-        let each = ids.len().div_ceil(rayon::current_num_threads()).max(LEAST);
+        let each = ids.len().div_ceil(rayon::current_num_threads()).max(PIXELS_PER_TASK);
         ids.par_chunks(each).map(|ids| Self::default().count(ids)).reduce(Self::default, Self::and)
     }
 
@@ -67,7 +67,7 @@ impl PixelCounts {
             if run.goes_on(block) {
                 continue;
             }
-            for part in block.as_chunks::<PART>().0 {
+            for part in block.as_chunks::<SUBBLOCK>().0 {
                 if !run.goes_on(part) {
                     part.iter().for_each(|&id| self.step(&mut run, id));
                 }

@@ -1,4 +1,4 @@
-//! How far a picture is from another one, and how far it is broken: structural similarity, squared differences, visible
+//! Quality of a picture against a reference: structural similarity, squared differences, visible
 //! objects, torn neighbourhoods.
 
 mod batch;

@@ -13,32 +13,19 @@ pub trait PixelRows: Pixel {
 }
 
 macro_rules! pixel_rows {
-    ($($pixel:ty, $real:ty: $kernel:ident, $squares:ident = $square:ident);*) => {$(
-        vectorized! {
-            fn $kernel(
-                x: &[$pixel], y: &[$pixel], levels: [$real; 2], s: &mut [$real], d: &mut [$real],
-            ) = spread;
-            fn $squares(x: &[$pixel], y: &[$pixel]) -> f64 = $square;
-        }
+    ($($pixel:ty, $real:ty: $squares:ident);*) => {$(
         impl PixelRows for $pixel {
-            fn squares(x: &[Self], y: &[Self]) -> f64 {
-                $squares(x, y)
-            }
-            fn sum_and_difference(
-                x: &[Self], y: &[Self], levels: [$real; 2], s: &mut [$real], d: &mut [$real],
-            ) {
-                $kernel(x, y, levels, s, d)
+            vectorized! {
+                fn sum_and_difference(
+                    x: &[$pixel], y: &[$pixel], levels: [$real; 2], s: &mut [$real], d: &mut [$real],
+                ) = spread;
+                fn squares(x: &[$pixel], y: &[$pixel]) -> f64 = $squares;
             }
         }
     )*};
 }
 
-pixel_rows!(
-    u8, f32: spread_u8, squares_u8 = byte_squares;
-    u16, f32: spread_u16, squares_u16 = short_squares;
-    f32, f32: spread_f32, squares_f32 = real_squares;
-    f64, f64: spread_f64, squares_f64 = real_squares
-);
+pixel_rows!(u8, f32: byte_squares; u16, f32: short_squares; f32, f32: real_squares; f64, f64: real_squares);
 
 /// Without rounding: 2¹⁴ squares of 8 bits fit into 32.
 #[inline(always)]

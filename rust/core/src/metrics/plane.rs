@@ -12,16 +12,16 @@ pub trait Pixel: Copy + Send + Sync {
 
 /// Limits within which a precision keeps the digits of similarity.
 pub trait RoundingLimits: Real {
-    /// By how many roundings of a pixel less its level either factor of the measure may change: 1e-6 in float32 and 5e-13
-    /// in float64. The mean asks for so few, because the roundings of even areas are all alike.
+    /// Greatest change of either factor of the measure, in roundings of a pixel less its level: 1e-6 in float32 and
+    /// 5e-13 in float64. The mean asks for so few, because the roundings of even areas are all alike.
     const REACH: f64;
-    /// How many times √c₁ or √c₂ a window may lie from the level whatever the factors are: rounding by itself.
+    /// Greatest distance of a window from the level, in units of √c₁ or √c₂.
     const FARTHEST: f64;
-    /// Up to where levels have squares, and these a product.
+    /// Greatest level: its square, and the product of two such squares, are finite.
     const GREATEST: f64;
-    /// Up to where that product is far from the greatest number.
+    /// Greatest divisor: far from the greatest number.
     const DIVISOR: f64;
-    /// From where on the product of both constants holds with all digits.
+    /// Least constant: the product of both keeps all digits.
     const LEAST: f64;
 }
 
@@ -155,7 +155,7 @@ impl Plane<'_, u8> {
         part.samples().any(|(row, column)| self.names(row, column))
     }
 
-    /// How many pixels a mask names.
+    /// Number of pixels that a mask names.
     pub(super) fn count(&self) -> usize {
         let row = |row| (0..self.width).filter(|&column| self.names(row, column)).count();
         (0..self.height).map(row).sum()
@@ -187,7 +187,7 @@ impl Plane<'_, u8> {
     }
 }
 
-/// Part of an image.
+/// Rectangle of an image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Region {
     /// First row, and that after the last.
@@ -217,13 +217,13 @@ impl Region {
         (0..EACH * EACH).map(move |i| (pick(self.rows, i / EACH), pick(self.columns, i % EACH)))
     }
 
-    /// What of it lies within rows.
+    /// Part of it within rows.
     pub fn within_rows(&self, rows: [usize; 2]) -> Self {
         Self { rows: [self.rows[0].max(rows[0]), self.rows[1].min(rows[1])], columns: self.columns }
     }
 }
 
-/// Where a line continues beyond its ends: d c b a | a b c d | d c b a.
+/// Index of a line mirrored at its ends: d c b a | a b c d | d c b a.
 pub(super) fn mirror(i: i64, length: usize) -> usize {
     let length = length as i64;
     let there = i.rem_euclid(2 * length);

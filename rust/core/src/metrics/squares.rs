@@ -10,7 +10,7 @@ use super::pixel_rows::PixelRows;
 const TILE: usize = 1 << 14;
 
 /// Bytes of an image below which one thread is as fast as all.
-const ALONE: usize = 1 << 22;
+const SERIAL_BYTES: usize = 1 << 22;
 
 /// Mean of the squared differences of two images, in float64; exact for whole numbers.
 pub fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>) -> f64 {
@@ -28,8 +28,8 @@ pub fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>) -> f64 {
         rows.map(|row| (0..width).step_by(TILE).map(|first| run(row, first)).sum::<f64>()).sum()
     };
     let tasks = height.div_ceil(rows);
-    // The same sums in the same order, whoever makes them: waking threads takes as long as reading a few megabytes.
-    let sums: Vec<f64> = if height.saturating_mul(width).saturating_mul(size_of::<P>()) < ALONE {
+    // The same sums in the same order on one thread or many: waking threads takes as long as reading a few megabytes.
+    let sums: Vec<f64> = if height.saturating_mul(width).saturating_mul(size_of::<P>()) < SERIAL_BYTES {
         (0..tasks).map(task).collect()
     } else {
         (0..tasks).into_par_iter().map(task).collect()

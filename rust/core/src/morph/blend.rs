@@ -11,8 +11,8 @@ use super::lanes::{BLOCK, BlendLimits, BlockCoordinates, gather, scatter};
 use super::point::Morph;
 use crate::base::Real;
 
-/// A float32 weight w loses a factor r₂/(r₂−r₁) of its digits: beyond this everything is done in float64.
-const STEEPEST: f64 = 16.0;
+/// Greatest r₂/(r₂−r₁): a float32 weight w loses that factor of its digits; beyond, everything is done in float64.
+const GREATEST_STEEPNESS: f64 = 16.0;
 
 /// True where the kernel may be used: lengths neither overflow nor lose digits.
 pub(super) fn applies<T: BlendLimits>(morph: &Morph) -> bool {
@@ -20,10 +20,10 @@ pub(super) fn applies<T: BlendLimits>(morph: &Morph) -> bool {
     let in_range = morph.r2 > least && morph.r2 < greatest && morph.offset.length() < greatest;
     // Two float32 numbers hold O to 2⁻⁴⁸ of its size, which must stay far below the doubt about the inner radius.
     let in_range = in_range && morph.center.length() < 1e6 * if morph.r1 > 0.0 { morph.r1 } else { morph.r2 };
-    in_range && morph.r2 < STEEPEST * (morph.r2 - morph.r1)
+    in_range && morph.r2 < GREATEST_STEEPNESS * (morph.r2 - morph.r1)
 }
 
-/// What a block needs, in the precision of the points.
+/// Constants of the kernel, in the precision of the points.
 pub(super) struct Constants<T> {
     /// O as the sum of two numbers: float32 alone would be off by metres at 10⁷ m.
     center: [[T; 3]; 2],

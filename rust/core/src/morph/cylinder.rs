@@ -5,8 +5,8 @@ use super::lanes::{BLOCK, BlockCoordinates, gather, scatter};
 use super::point::{Kind, Morph};
 use crate::base::Real;
 
-/// A blend of unit vectors below this length is left to the scalar form.
-const SHORT: f64 = 1e-6;
+/// Length of a blend of unit vectors below which the scalar form decides.
+const SHORTEST_BLEND: f64 = 1e-6;
 
 /// Morphs a block; one bit for each point whose answer is in doubt.
 #[inline(always)]
@@ -49,7 +49,7 @@ pub(super) fn block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], shown: &mu
         moved[1][i] = T::narrow(if shifts { sy } else { qy });
         moved[2][i] = T::narrow(if shifts { sz } else { qz });
         // NaN, where a length is 0, is not greater either.
-        doubtful[i] = !((w == 1.0) | shifts | (length > SHORT));
+        doubtful[i] = !((w == 1.0) | shifts | (length > SHORTEST_BLEND));
         let stays = w == 1.0;
         moved[0][i] = if stays { coordinates[0][i] } else { moved[0][i] };
         moved[1][i] = if stays { coordinates[1][i] } else { moved[1][i] };

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::base::{Error, Result};
 
-/// How far along its morphed direction a point is shown.
+/// Rule for the distance at which a point is shown along its morphed direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// At the blend of its distances from the user and from the centre (2022).
@@ -24,13 +24,13 @@ pub struct Morph {
     pub r1: f64,
     /// Points with ρ ≥ r₂ are shown in the direction that the centre sees them in (CloVR: R).
     pub r2: f64,
-    /// Where along the direction.
+    /// Rule for the distance along the direction.
     pub kind: Kind,
     /// U − O.
     pub(super) offset: DVec3,
 }
 
-/// Where a point is shown, and how that came about.
+/// Morphed position of a point, with the weight that led to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Morphed {
     /// The point Q that is shown.
@@ -63,7 +63,7 @@ impl Morph {
         Ok(Self { user, center, r1, r2, kind, offset: user - center })
     }
 
-    /// Where a point is shown.
+    /// Morphed position Q of a point.
     pub fn apply(&self, point: DVec3) -> DVec3 {
         self.examine(point).point
     }
@@ -77,7 +77,7 @@ impl Morph {
         ((self.r2 - rho) / (self.r2 - self.r1)).clamp(0.0, 1.0)
     }
 
-    /// Where a point is shown, with its weight and whether its directions were opposed.
+    /// Morphed position of a point, with its weight and whether its directions were opposed.
     pub fn examine(&self, point: DVec3) -> Morphed {
         let from_center = point - self.center;
         let rho = DVec2::new(from_center.x, from_center.z).length();

@@ -14,9 +14,9 @@ use crate::base::simd::{prefetch, vectorized};
 
 /// Points of one task.
 const TILE: usize = 1 << 14;
-/// Blocks from the one at work to the one that is asked of memory: a block is hundreds of instructions, behind which
-/// the next one's loads would wait. It saves a fifth of the time.
-const AHEAD: usize = 4;
+/// Blocks between the one at work and the one that is prefetched: a block is hundreds of instructions, behind which the
+/// next one's loads would wait. It saves a fifth of the time.
+const PREFETCHED_BLOCKS: usize = 4;
 
 /// The block kernels of a precision, compiled for each width of vectors. They return a bit for each point in doubt.
 pub(super) trait Streamed: BlendLimits {
@@ -25,26 +25,22 @@ pub(super) trait Streamed: BlendLimits {
 }
 
 macro_rules! streamed {
-    ($float:ty, $blend:ident, $cylinder:ident) => {
-        vectorized! {
-            fn $blend(c: &blend::Constants<$float>, points: &[[$float; 3]; BLOCK], shown: &mut [[$float; 3]; BLOCK]) -> u64
-                = blend::block::<$float>;
-            fn $cylinder(morph: &Morph, points: &[[$float; 3]; BLOCK], shown: &mut [[$float; 3]; BLOCK]) -> u64
-                = cylinder::block::<$float>;
-        }
+    ($($float:ty),*) => {$(
         impl Streamed for $float {
-            fn blend(c: &blend::Constants<Self>, points: &[[Self; 3]; BLOCK], shown: &mut [[Self; 3]; BLOCK]) -> u64 {
-                $blend(c, points, shown)
-            }
-            fn cylinder(morph: &Morph, points: &[[Self; 3]; BLOCK], shown: &mut [[Self; 3]; BLOCK]) -> u64 {
-                $cylinder(morph, points, shown)
+            vectorized! {
+                fn blend(
+                    constants: &blend::Constants<$float>,
+                    points: &[[$float; 3]; BLOCK],
+                    shown: &mut [[$float; 3]; BLOCK],
+                ) -> u64 = blend::block::<$float>;
+                fn cylinder(morph: &Morph, points: &[[$float; 3]; BLOCK], shown: &mut [[$float; 3]; BLOCK]) -> u64
+                    = cylinder::block::<$float>;
             }
         }
-    };
+    )*};
 }
 
-streamed!(f32, blend_f32, cylinder_f32);
-streamed!(f64, blend_f64, cylinder_f64);
+streamed!(f32, f64);
 
 impl Morph {
     /// Morphs float32 points: half a float32 step of the answer and 2⁻²⁴ (6 + 3 r₂/(r₂−r₁)) |U−O| from the exact
@@ -88,7 +84,7 @@ fn in_tiles<T: Streamed>(
         let (shown_blocks, shown_rest) = shown.as_chunks_mut::<BLOCK>();
         let mut count = 0;
         for (n, (block, shown)) in blocks.iter().zip(shown_blocks).enumerate() {
-            if let Some(ahead) = blocks.get(n + AHEAD) {
+            if let Some(ahead) = blocks.get(n + PREFETCHED_BLOCKS) {
                 prefetch(ahead);
             }
             count += resolve(morph, kernel(block, shown), block, shown);

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::divide::Partition;
-use super::radii::{Coordinate, Indexed, Soup, Triangles, measure};
+use super::radii::{Coordinate, Indexed, Soup, TriangleSource, measure};
 use super::zone::{Class, TriangleSet, Zone};
 use crate::base::{Error, Progress, Result};
 
@@ -49,7 +49,7 @@ fn check_faces(faces: &[[u32; 3]], vertex_count: usize) -> Result<()> {
 }
 
 #[inline(always)]
-fn fill<T: Coordinate>(triangles: &impl Triangles<T>, axis: [f64; 2], radii: &mut [[T; 2]]) -> Result<()> {
+fn fill<T: Coordinate>(triangles: &impl TriangleSource<T>, axis: [f64; 2], radii: &mut [[T; 2]]) -> Result<()> {
     measure(
         triangles,
         radii.len(),

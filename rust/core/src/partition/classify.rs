@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::radii::{Indexed, Soup, Triangles, measure, placed};
+use super::radii::{Indexed, Soup, TriangleSource, measure, placed};
 use super::zone::{Class, Mixed, Zone};
 use crate::base::{Aabb, Progress, Result};
 use crate::scene::Instance;
@@ -94,7 +94,7 @@ impl Ruler {
     }
 
     /// Zones of a tile's candidates; the tile starts at face `first`.
-    fn zones(&self, first: u32, triangles: &impl Triangles<f32>, candidates: &[u32]) -> Mixed {
+    fn zones(&self, first: u32, triangles: &impl TriangleSource<f32>, candidates: &[u32]) -> Mixed {
         let mut mixed = Mixed { measured: candidates.len() as u32, ..Mixed::default() };
         let take = |start: usize, radii: &[[f32; 2]]| {
             for (&candidate, &radii) in candidates[start..].iter().zip(radii) {

@@ -1,4 +1,4 @@
-//! How many triangles stay geometry for each r₂, and how large r₂ may be for a budget.
+//! Number of triangles that stay geometry as a function of r₂, and the greatest r₂ for a budget.
 
 use glam::DVec3;
 use rayon::prelude::*;

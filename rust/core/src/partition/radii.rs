@@ -25,20 +25,17 @@ pub trait Coordinate: Real {
 }
 
 macro_rules! coordinate {
-    ($float:ty, $name:ident) => {
-        vectorized! {
-            fn $name(corners: &Corners<$float>, axis: [f64; 2], radii: &mut [[$float; 2]; BLOCK]) = evaluate::<$float>;
-        }
+    ($($float:ty),*) => {$(
         impl Coordinate for $float {
-            fn evaluate(corners: &Corners<Self>, axis: [f64; 2], radii: &mut [[Self; 2]; BLOCK]) {
-                $name(corners, axis, radii);
+            vectorized! {
+                fn evaluate(corners: &Corners<$float>, axis: [f64; 2], radii: &mut [[$float; 2]; BLOCK])
+                    = evaluate::<$float>;
             }
         }
-    };
+    )*};
 }
 
-coordinate!(f32, evaluate_f32);
-coordinate!(f64, evaluate_f64);
+coordinate!(f32, f64);
 
 #[inline(always)]
 fn evaluate<T: Coordinate>(corners: &Corners<T>, axis: [f64; 2], radii: &mut [[T; 2]; BLOCK]) {
@@ -70,7 +67,7 @@ pub fn radii_of(a: [f64; 2], b: [f64; 2], c: [f64; 2], axis: [f64; 2]) -> [f64; 
     [least.sqrt() + poison, greatest.sqrt() + poison]
 }
 
-/// What an edge says about the axis.
+/// An edge in the ground plane, relative to the axis.
 struct Edge {
     /// Squared distance of the axis, where the foot of its perpendicular lies on the edge; else infinite.
     distance_squared: f64,
@@ -117,7 +114,7 @@ fn more(a: f64, b: f64) -> f64 {
 }
 
 /// Where the corners of numbered triangles come from.
-pub(super) trait Triangles<T>: Sync {
+pub(super) trait TriangleSource<T>: Sync {
     /// Corners of a triangle.
     fn corners(&self, number: usize) -> [&[T; 3]; 3];
 }
@@ -128,7 +125,7 @@ pub(super) struct Indexed<'a, T> {
     pub faces: &'a [[u32; 3]],
 }
 
-impl<T: Sync> Triangles<T> for Indexed<'_, T> {
+impl<T: Sync> TriangleSource<T> for Indexed<'_, T> {
     #[inline(always)]
     fn corners(&self, number: usize) -> [&[T; 3]; 3] {
         let [a, b, c] = self.faces[number];
@@ -139,7 +136,7 @@ impl<T: Sync> Triangles<T> for Indexed<'_, T> {
 /// Three vertices for each triangle.
 pub(super) struct Soup<'a, T>(pub &'a [[[T; 3]; 3]]);
 
-impl<T: Sync> Triangles<T> for Soup<'_, T> {
+impl<T: Sync> TriangleSource<T> for Soup<'_, T> {
     #[inline(always)]
     fn corners(&self, number: usize) -> [&[T; 3]; 3] {
         let [a, b, c] = &self.0[number];
@@ -150,7 +147,7 @@ impl<T: Sync> Triangles<T> for Soup<'_, T> {
 /// Evaluates triangles in blocks: `number(i)` is the i-th of `count`, and `take` receives i with its radii.
 #[inline(always)]
 pub(super) fn measure<T: Coordinate>(
-    triangles: &impl Triangles<T>,
+    triangles: &impl TriangleSource<T>,
     count: usize,
     axis: [f64; 2],
     number: impl Fn(usize) -> usize,

@@ -69,9 +69,9 @@ pub enum TriangleSet {
     Intermediate,
     /// Least ρ > r₂.
     Far,
-    /// What is drawn as geometry: near, intermediate, and everything that moves.
+    /// Triangles drawn as geometry: near, intermediate, and everything that moves.
     Nsf,
-    /// What is baked: standing triangles that reach beyond r₂.
+    /// Baked triangles: standing ones that reach beyond r₂.
     Sf,
 }
 

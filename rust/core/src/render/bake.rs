@@ -11,7 +11,7 @@ use crate::cubemap::MAX_SIZE;
 use crate::scene::Scene;
 use crate::trace::{AlphaFilter, Hit, HitFilter, Ray};
 
-/// What is baked, and how finely.
+/// Settings of a baked map.
 #[derive(Clone, Copy, Debug)]
 pub struct Bake {
     /// World position of the centre O.
@@ -63,7 +63,7 @@ pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame
     channels.check_room(6 * u64::from(settings.size).pow(2))?;
     let standing = Scene { moving: Default::default(), ..scene.clone() };
     standing.build(progress)?;
-    let beyond = Beyond { scene: &standing, radius: settings.radius, two_texels: settings.two_texels() };
+    let beyond = BeyondRadius { scene: &standing, radius: settings.radius, two_texels: settings.two_texels() };
     let mut whole = Frame::default();
     for face in 0..6 {
         let camera = settings.camera(face)?;
@@ -93,14 +93,14 @@ pub fn rays(settings: &Bake) -> u64 {
 /// direction whose lookup mixes this texel. Measured across the ray it would be a few centimetres and would leave a
 /// crack in the ground, which a ray at eye height meets at a few degrees; measured on the surface, walls that face the
 /// centre get none and the ground gets the metres that it needs.
-struct Beyond<'a> {
+struct BeyondRadius<'a> {
     scene: &'a Scene,
     radius: f64,
     /// Width at one metre.
     two_texels: f64,
 }
 
-impl HitFilter for &Beyond<'_> {
+impl HitFilter for &BeyondRadius<'_> {
     #[inline]
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
         // Rays start at the centre and have unit length.
@@ -111,7 +111,7 @@ impl HitFilter for &Beyond<'_> {
     }
 }
 
-impl Beyond<'_> {
+impl BeyondRadius<'_> {
     /// How much ρ grows along the surface when the direction turns by two texels. Turning it by δ moves the point by
     /// t (δ − d (n·δ)/(n·d)), and ρ by r·that, with r the horizontal unit vector away from the axis.
     #[cold]

@@ -38,7 +38,7 @@ impl Channels {
     }
 }
 
-/// What one ray through a pixel's centre tells; the default is a miss.
+/// Channels of one ray through a pixel's centre; the default is a miss.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     /// Metres.

@@ -16,7 +16,7 @@ pub const SKY: [[f32; 3]; 2] = [[0.130, 0.135, 0.150], [0.380, 0.420, 0.480]];
 /// Linear RGB of the background straight below, at the horizon, and straight above.
 pub const BACKGROUND: [[f32; 3]; 3] = [[0.24, 0.25, 0.26], [0.66, 0.74, 0.82], [0.16, 0.34, 0.66]];
 
-/// What arrives from where nothing was hit, by direction (unit).
+/// Radiance of the background, by direction (unit).
 #[inline]
 pub fn background(direction: Vec3) -> [f32; 3] {
     let [nadir, horizon, zenith] = BACKGROUND;

@@ -1,4 +1,4 @@
-//! What a ray meets: a point of a face with its normal, ready to be shaded or stored.
+//! Surface points that rays hit: a point of a face with its normal, ready to be shaded or stored.
 
 use glam::Vec3;
 

@@ -19,7 +19,7 @@ pub(super) const PIXELS: usize = TILE * TILE;
 /// Most colour samples of a pixel.
 pub const MAX_SAMPLES: u32 = 1024;
 
-/// What is seen along rays.
+/// A picture by rays: the samples that they see.
 pub trait Picture: Sync {
     /// Traces a tile's coherent rays; it may shorten them first (`t_min`, `t_max`). Directions are unit.
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>);

@@ -22,7 +22,7 @@ pub fn render(scene: &Scene, camera: &Camera, channels: Channels, samples: u32, 
 
 /// A scene seen along straight rays, with the surfaces that a filter leaves; the sky behind them.
 pub struct Truth<'a, F> {
-    /// What is seen. It must have been built.
+    /// Scene, which must have been built.
     pub scene: &'a Scene,
     /// Which intersections count.
     pub filter: F,

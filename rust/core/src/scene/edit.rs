@@ -147,13 +147,13 @@ impl Instance {
         Self { mesh, object, bounds, ..self.clone() }
     }
 
-    /// The same mesh somewhere else.
+    /// The same mesh with another transform.
     pub fn placed(&self, to_scene: DAffine3) -> Result<Self> {
         Self::new(Arc::clone(&self.mesh), to_scene, self.object)
     }
 }
 
-/// What remains of an instance.
+/// Faces of an instance that remain.
 enum Kept {
     All,
     Faces(Vec<u32>),

@@ -11,7 +11,7 @@ use crate::bvh::Tlas;
 /// A mesh and where it stands. Positions are relative to the scene's origin.
 #[derive(Clone, Debug)]
 pub struct Instance {
-    /// What is placed.
+    /// Mesh that is placed.
     pub mesh: Arc<Mesh>,
     /// Object→scene.
     pub to_scene: DAffine3,
@@ -19,7 +19,7 @@ pub struct Instance {
     pub to_object: DAffine3,
     /// Object that all faces belong to; none leaves it to the mesh.
     pub object: Option<i32>,
-    /// Stands where its mesh's coordinates say: vertices are used bit for bit.
+    /// The transform is the identity: vertices are used bit for bit.
     pub in_place: bool,
     /// Box of the placed mesh, tight where the transform keeps axes.
     pub bounds: Aabb,

@@ -90,7 +90,7 @@ impl Scene {
 }
 
 impl InstanceSet {
-    /// None where every instance stays what it is.
+    /// None where no instance changes.
     fn at_levels(&self, meshes: &LevelMeshes, models: &[i32], chosen: &[i32]) -> Result<Option<Self>> {
         let mut instances = Vec::with_capacity(self.instances().len());
         let mut unchanged = true;
@@ -171,7 +171,7 @@ impl Surfaces {
         }) as i32
     }
 
-    /// The scene with these surfaces; its own lists, by which devices know them, where nothing was added.
+    /// The scene with these surfaces; its own lists, by whose addresses devices find them, where nothing was added.
     fn into_scene(self, scene: &Scene) -> Result<Scene> {
         let mut result = scene.clone();
         if self.textures.len() > self.own.1 {

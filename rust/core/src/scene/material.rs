@@ -1,6 +1,6 @@
 //! Base colours: all of a surface that the shading formula uses.
 
-/// What happens where the base colour's alpha is below 1.
+/// Treatment of a base colour's alpha below 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Alpha {
     /// Alpha is ignored. Blended materials are drawn so too.
@@ -24,7 +24,7 @@ pub struct Material {
 }
 
 impl Default for Material {
-    /// The light grey of scenes that say nothing.
+    /// Light grey, for scenes without materials.
     fn default() -> Self {
         Self { base_color: [0.8, 0.8, 0.8, 1.0], texture: None, alpha: Alpha::Opaque }
     }

@@ -12,7 +12,7 @@ use crate::base::{Error, FaceMap, Result};
 /// A mesh on its way into a merged one.
 #[derive(Clone, Debug)]
 pub struct PlacedMesh {
-    /// What is merged.
+    /// Mesh in its own frame.
     pub mesh: Arc<Mesh>,
     /// Object→scene; need not be invertible.
     pub to_scene: DAffine3,

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::instance::Instance;
 use super::mesh::{Mesh, TILE};
 
-/// What takes normals where a mesh is placed, up to their length: the cofactors of the matrix, which a flat one has too.
+/// Matrix that transforms normals, up to their length: the cofactors of the placement, which a singular one has too.
 pub(super) fn normal_matrix(to_scene: &DAffine3) -> DMat3 {
     let m = to_scene.matrix3;
     let cofactors = DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));

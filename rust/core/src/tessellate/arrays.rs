@@ -20,7 +20,7 @@ pub struct Arrays {
     pub faces: Vec<[u32; 3]>,
     /// Face of the source that each face is a part of.
     pub sources: Vec<u32>,
-    /// What was done.
+    /// Numbers of triangles before and after.
     pub counts: SplitCounts,
 }
 

@@ -93,7 +93,7 @@ pub(super) fn assemble(
     joined(source, vertex_count, &split).map(Some)
 }
 
-/// What tells new vertices apart: the source's edge or face that they lie on, and where they are, bit by bit.
+/// Identity of a new vertex: the source's edge or face that it lies on, and its position, bit by bit.
 type Key = ([u32; 2], [u64; 3]);
 
 fn joined(source: &[[u32; 3]], vertex_count: usize, split: &[Split]) -> Result<Assembled> {
@@ -112,8 +112,8 @@ fn joined(source: &[[u32; 3]], vertex_count: usize, split: &[Split]) -> Result<A
             let mut numbers = [0; 3];
             for ((number, point), weights) in numbers.iter_mut().zip(piece.corners).zip(piece.weights) {
                 *number = match on_source(vertices, *face, weights) {
-                    Place::Corner(vertex) => vertex,
-                    Place::New(place) => {
+                    VertexPlace::Corner(vertex) => vertex,
+                    VertexPlace::New(place) => {
                         let fresh = (vertex_count + all.new.len()) as u32;
                         let key = (place, point.to_array().map(f64::to_bits));
                         *known.entry(key).or_insert_with(|| {
@@ -135,23 +135,23 @@ fn joined(source: &[[u32; 3]], vertex_count: usize, split: &[Split]) -> Result<A
     Ok(all)
 }
 
-enum Place {
+enum VertexPlace {
     Corner(u32),
     New([u32; 2]),
 }
 
-/// Where a point with these weights lies on the source. Two zero weights tell a corner, one tells an edge.
-fn on_source(vertices: [u32; 3], face: u32, weights: [f64; 3]) -> Place {
+/// Place of a point with these weights on the source. Two zero weights mark a corner, one marks an edge.
+fn on_source(vertices: [u32; 3], face: u32, weights: [f64; 3]) -> VertexPlace {
     let used: [bool; 3] = weights.map(|weight| weight != 0.0);
     match used {
-        [true, false, false] => Place::Corner(vertices[0]),
-        [false, true, false] => Place::Corner(vertices[1]),
-        [false, false, true] => Place::Corner(vertices[2]),
-        [true, true, false] => Place::New(ordered(vertices[0], vertices[1])),
-        [false, true, true] => Place::New(ordered(vertices[1], vertices[2])),
-        [true, false, true] => Place::New(ordered(vertices[2], vertices[0])),
+        [true, false, false] => VertexPlace::Corner(vertices[0]),
+        [false, true, false] => VertexPlace::Corner(vertices[1]),
+        [false, false, true] => VertexPlace::Corner(vertices[2]),
+        [true, true, false] => VertexPlace::New(ordered(vertices[0], vertices[1])),
+        [false, true, true] => VertexPlace::New(ordered(vertices[1], vertices[2])),
+        [true, false, true] => VertexPlace::New(ordered(vertices[2], vertices[0])),
         // No edge joins a vertex with itself: such a pair can name the inside of a face.
-        _ => Place::New([face, face]),
+        _ => VertexPlace::New([face, face]),
     }
 }
 

@@ -33,15 +33,15 @@ pub(super) struct Form {
     pub any: f64,
 }
 
-/// What of a user's distance from the centre is left of ρ: below this, terms that were taken to be small are not.
+/// Least ρ as a share of the user's distance from the centre: below it, terms that were taken to be small are not.
 pub(super) const LEAST_CLEARANCE: f64 = 0.4;
-/// Second derivatives of X/|X| times |X|².
-const SECOND: f64 = 1.154_700_538_379_251_7;
+/// Greatest second derivative of X/|X|, times |X|².
+const SECOND_DERIVATIVE: f64 = 1.154_700_538_379_251_7;
 /// w may leave 0..1 by a hundredth where a triangle passes a radius by less than the tolerance shows.
 const PASSING: f64 = 1.02;
 /// Share of the part along the radius in a product of that part with the whole length: the rest would count for upright
 /// edges.
-const LEAN: f64 = 1.5;
+const RADIAL_SHARE: f64 = 1.5;
 
 /// The geometry that a bound holds for.
 #[derive(Clone, Copy, Debug)]
@@ -99,18 +99,19 @@ impl RadialZone {
         // τ d. Pairs are derivatives for a metre of any direction, and what a metre along the radius adds.
         let least_n = (1.0 - (q * q / 4.0).min(0.75)).sqrt();
         let tau = q * q * d / 4.0 / (1.0 + least_n);
-        let n = (SECOND * q * q / (4.0 * d * least_n), PASSING * q * q / (2.0 * width * least_n));
+        let n = (SECOND_DERIVATIVE * q * q / (4.0 * d * least_n), PASSING * q * q / (2.0 * width * least_n));
         let tau_change = (
-            (q * q / 4.0 + SECOND / 2.0 * q * q * (1.0 + q).sqrt() + tau * n.0) / (1.0 + least_n),
+            (q * q / 4.0 + SECOND_DERIVATIVE / 2.0 * q * q * (1.0 + q).sqrt() + tau * n.0) / (1.0 + least_n),
             (q * q / 4.0 * q * d / width + PASSING * q * q * d / width + tau * n.1) / (1.0 + least_n),
         );
         let blend = (1.0 / d, q / width);
         any += (2.0 * tau_change.0 * blend.0 / least_n
-            + tau * (SECOND / (d * d * least_n) + 2.0 * blend.0 * n.0 / least_n.powi(2)))
+            + tau * (SECOND_DERIVATIVE / (d * d * least_n) + 2.0 * blend.0 * n.0 / least_n.powi(2)))
             / divisor;
         mixed += (2.0 * (tau_change.0 * blend.1 + tau_change.1 * blend.0) / least_n
             + tau
-                * (2.0 * SECOND * q / (d * width * least_n) + 2.0 * (blend.0 * n.1 + blend.1 * n.0) / least_n.powi(2)))
+                * (2.0 * SECOND_DERIVATIVE * q / (d * width * least_n)
+                    + 2.0 * (blend.0 * n.1 + blend.1 * n.0) / least_n.powi(2)))
             / divisor;
         along += (2.0 * tau_change.1 * blend.1 / least_n + tau * 2.0 * blend.1 * n.1 / least_n.powi(2)) / divisor;
         across += tau * q / (rho * width * least_n) / divisor;
@@ -119,8 +120,8 @@ impl RadialZone {
             let (first, second) = (q / width / divisor, 2.0 * q / d / divisor);
             (across, along) = (across + first + 2.0 * second, along + first);
         }
-        along += mixed * LEAN / 2.0;
-        any += mixed / (2.0 * LEAN);
+        along += mixed * RADIAL_SHARE / 2.0;
+        any += mixed / (2.0 * RADIAL_SHARE);
         let turned = (across - along).abs() * spread.min(1.0);
         Form { across: across + turned, along: along + turned, any }
     }

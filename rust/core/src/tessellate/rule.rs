@@ -57,7 +57,7 @@ const PASSING_R1: f64 = 0.25;
 const MISSING_R1: f64 = 0.05;
 /// Share that goes to triangles beyond r₂ which pass it; 4/3 of it is below 1.
 const PASSING_R2: f64 = 0.7;
-/// What edges may have of the longest that any form lets pass; measured, as the first share is.
+/// Share of the longest edge that any form lets pass; measured, as the first share is.
 const LONGEST: f64 = 0.7;
 /// Distances for which a form is kept: those between are rounded towards the axis.
 const RINGS: usize = 64;
@@ -258,7 +258,7 @@ impl Rule {
         rho < self.settings.r1 - self.rounding
     }
 
-    /// True where no point of a triangle is inside r₂, as far as one edge's side tells.
+    /// True where no point of a triangle is inside r₂, by the side of one edge.
     pub fn is_beyond(&self, corners: &[DVec3; 3]) -> bool {
         let r2 = self.settings.r2;
         let p = corners.map(|corner| self.on_ground(corner));

@@ -10,20 +10,20 @@ use crate::base::Result;
 pub struct Piece {
     /// Where its corners are.
     pub corners: [DVec3; 3],
-    /// Weights of the whole's corners at each corner. One that is exactly 0 tells an edge, two tell a corner.
+    /// Weights of the whole's corners at each corner. One weight of exactly 0 marks an edge, two mark a corner.
     pub weights: [[f64; 3]; 3],
 }
 
 /// Corners of a triangle on itself.
 const WHOLE: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// Triangles that are thinner than this share of their length show nothing.
+/// Thickness, as a share of its length, below which a triangle covers no pixel.
 const THINNEST: f64 = 1e-9;
 
 /// Steps after which a piece is left as it is: the rule ends long before, but rounding could make an edge come back.
 const DEEPEST: u32 = 192;
 
-/// How many pieces are made between two calls of `made`.
+/// Pieces between two calls of `made`.
 const BATCH: usize = 4096;
 
 type Corner = (DVec3, [f64; 3]);
@@ -34,7 +34,7 @@ impl Piece {
         Self { corners, weights: WHOLE }
     }
 
-    /// Pieces that cover a triangle; a single one is the triangle itself. Those that `unseen` says are left out.
+    /// Pieces that cover a triangle; a single one is the triangle itself. Pieces for which `unseen` is true are left out.
     /// `made` is reported of thousands of pieces at a time and may stop it.
     pub fn split(
         self,

@@ -10,10 +10,10 @@ use super::triangle::{self, Crossing};
 use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
 use crate::scene::{Instance, InstanceSet};
 
-/// Fewer rays than this go one by one.
-const FEW: usize = 8;
+/// Least rays of a beam; fewer are traced one by one.
+const LEAST_BEAM: usize = 8;
 
-/// What a packet's rays are looking for.
+/// Query of a packet: its rays and their filter.
 pub(crate) struct Quest<'a, F> {
     /// In scene space, in the packet's order.
     pub(crate) rays: &'a [Ray],
@@ -48,19 +48,19 @@ pub(crate) fn walk_set<I: Isa, F: HitFilter>(
         && instance.in_place
     {
         if let Some(bvh) = instance.mesh.bvh() {
-            walk(isa, &bvh.wide, packet, &mut Triangles { bvh, instance: first, quest });
+            walk(isa, &bvh.wide, packet, &mut BeamTriangles { bvh, instance: first, quest });
         }
         return;
     }
-    walk(isa, &tlas.wide, packet, &mut Instances { tlas, instances: set.instances(), first, quest, room });
+    walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances: set.instances(), first, quest, room });
 }
 
-/// What to do at a leaf, given its box; true where a hit was found.
-trait Leaves<I> {
+/// Action at a leaf, by its box; true where a hit was found.
+trait BeamLeaves<I> {
     fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool;
 }
 
-struct Instances<'a, F> {
+struct BeamInstances<'a, F> {
     tlas: &'a Tlas,
     instances: &'a [Instance],
     first: u32,
@@ -68,14 +68,14 @@ struct Instances<'a, F> {
     room: &'a mut Option<Box<BeamScratch>>,
 }
 
-impl<I: Isa, F: HitFilter> Leaves<I> for Instances<'_, F> {
+impl<I: Isa, F: HitFilter> BeamLeaves<I> for BeamInstances<'_, F> {
     #[inline(always)]
     fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool {
         let Some(slot) = self.tlas.instance(leaf) else { return false };
         let (instance, number) = (&self.instances[slot as usize], self.first + slot);
         let Some(bvh) = instance.mesh.bvh() else { return false };
         if instance.in_place {
-            walk(isa, &bvh.wide, packet, &mut Triangles { bvh, instance: number, quest: self.quest });
+            walk(isa, &bvh.wide, packet, &mut BeamTriangles { bvh, instance: number, quest: self.quest });
             return true;
         }
         let room = self.room.get_or_insert_with(|| Box::new(BeamScratch::new()));
@@ -105,13 +105,13 @@ impl<I: Isa, F: HitFilter> Leaves<I> for Instances<'_, F> {
     }
 }
 
-impl<F: HitFilter> Instances<'_, F> {
+impl<F: HitFilter> BeamInstances<'_, F> {
     /// Traces the rays that `room` holds through a placed instance, side by side if they still make a beam.
     #[inline(always)]
     fn enter_instance<I: Isa>(&mut self, isa: I, bvh: &Bvh, number: u32, packet: &mut Packet) {
         let Some(room) = self.room.as_deref_mut() else { return };
         let quest = self.quest;
-        if room.members.len() >= FEW && room.packet.fill(isa, &room.rays, &bvh.bounds) {
+        if room.members.len() >= LEAST_BEAM && room.packet.fill(isa, &room.rays, &bvh.bounds) {
             let mut scene_rays = [quest.rays[0]; RAYS];
             for (i, &member) in room.members.iter().enumerate() {
                 room.packet.set_hit(i, &packet.hit(member));
@@ -119,7 +119,7 @@ impl<F: HitFilter> Instances<'_, F> {
             }
             let inner = Quest { rays: &scene_rays[..room.members.len()], filter: quest.filter };
             room.packet.shorten(isa);
-            walk(isa, &bvh.wide, &mut room.packet, &mut Triangles { bvh, instance: number, quest: &inner });
+            walk(isa, &bvh.wide, &mut room.packet, &mut BeamTriangles { bvh, instance: number, quest: &inner });
             for (i, &member) in room.members.iter().enumerate() {
                 packet.set_hit(member, &room.packet.hit(i));
             }
@@ -135,13 +135,13 @@ impl<F: HitFilter> Instances<'_, F> {
     }
 }
 
-struct Triangles<'a, F> {
+struct BeamTriangles<'a, F> {
     bvh: &'a Bvh,
     instance: u32,
     quest: &'a Quest<'a, F>,
 }
 
-impl<I: Isa, F: HitFilter> Leaves<I> for Triangles<'_, F> {
+impl<I: Isa, F: HitFilter> BeamLeaves<I> for BeamTriangles<'_, F> {
     #[inline(always)]
     fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool {
         let mut found = false;
@@ -157,7 +157,7 @@ impl<I: Isa, F: HitFilter> Leaves<I> for Triangles<'_, F> {
     }
 }
 
-impl<F: HitFilter> Triangles<'_, F> {
+impl<F: HitFilter> BeamTriangles<'_, F> {
     /// A group of rays against the triangles of a block, one after the other.
     #[inline(always)]
     fn test_block<I: Isa>(&self, isa: I, block: &Block, packet: &mut Packet, at: usize, mask: u32) -> bool {
@@ -270,7 +270,7 @@ struct Entry {
 
 /// Visits leaves whose boxes the beam meets before all its rays have hit something, the nearest first.
 #[inline(always)]
-fn walk<I: Isa>(isa: I, tree: &Wide, packet: &mut Packet, leaves: &mut impl Leaves<I>) {
+fn walk<I: Isa>(isa: I, tree: &Wide, packet: &mut Packet, leaves: &mut impl BeamLeaves<I>) {
     if tree.nodes.is_empty() {
         return;
     }

@@ -55,7 +55,7 @@ impl Points<'_> {
     }
 }
 
-/// What rays have met, an entry for each.
+/// Hits of rays, one entry for each.
 #[derive(Debug, Default)]
 pub struct Hits {
     /// Metres; infinite for a miss.

@@ -12,7 +12,7 @@ use crate::base::{Error, Progress, REACH, Result};
 use crate::bvh::{Block, LEAF, NO_CHILD, Node, WIDTH, Wide};
 use crate::scene::{Instance, Scene};
 
-/// What lies nearest to points, an entry for each.
+/// Nearest surface points, one entry for each query point.
 #[derive(Debug, Default)]
 pub struct Nearest {
     /// Metres; infinite where no triangle faces the wanted way.
@@ -97,8 +97,8 @@ struct NearestSearch {
 /// Boxes still to be opened, with their least squared distances.
 type Room = Vec<(f32, u32)>;
 
-/// Where the boxes of a tree stand: the point in their frame, and what its distances shrink by at most in scene space.
-struct Frame {
+/// Frame of a tree's boxes: the query point in it, and the greatest shrinkage of its distances in scene space.
+struct TreeFrame {
     point: Vec3,
     /// Metres that the rounding of the point to float32 may add to a distance.
     slack: f32,
@@ -106,7 +106,7 @@ struct Frame {
     scale: f64,
 }
 
-impl Frame {
+impl TreeFrame {
     fn new(point: DVec3, scale: f64) -> Self {
         let rounded = point.as_vec3();
         Self { point: rounded, slack: rounded.abs().max_element() * f32::EPSILON, scale }
@@ -116,7 +116,7 @@ impl Frame {
     #[inline(always)]
     fn squares(&self, node: &Node) -> [f32; WIDTH] {
         /// Covers the roundings of the sum.
-        const LESS: f32 = 1.0 - 8.0 * f32::EPSILON;
+        const SHRINK: f32 = 1.0 - 8.0 * f32::EPSILON;
         let mut squares = [0.0f32; WIDTH];
         for axis in 0..3 {
             let (low, high) = (&node.planes[2 * axis], &node.planes[2 * axis + 1]);
@@ -126,7 +126,7 @@ impl Frame {
                 squares[slot] += gap * gap;
             }
         }
-        squares.map(|square| square * LESS)
+        squares.map(|square| square * SHRINK)
     }
 }
 
@@ -139,7 +139,7 @@ impl NearestSearch {
         let mut first = 0;
         for set in scene.sets() {
             if let Some(tlas) = set.tlas() {
-                let frame = Frame::new(self.point, 1.0);
+                let frame = TreeFrame::new(self.point, 1.0);
                 self.walk(&tlas.wide, &frame, room, |search, leaf, room| {
                     if let Some(slot) = tlas.instance(leaf) {
                         search.enter(&set.instances()[slot as usize], first + slot, room);
@@ -154,13 +154,13 @@ impl NearestSearch {
     fn enter(&mut self, instance: &Instance, number: u32, room: &mut Room) {
         let Some(bvh) = instance.mesh.bvh() else { return };
         let frame = if instance.in_place {
-            Frame::new(self.point, 1.0)
+            TreeFrame::new(self.point, 1.0)
         } else {
             // The least stretch of a map is one over the greatest of its inverse, of which this norm is a bound.
             let inverse = instance.to_object.matrix3;
             let columns = [inverse.x_axis, inverse.y_axis, inverse.z_axis];
             let norm: f64 = columns.iter().map(|column| column.length_squared()).sum();
-            Frame::new(instance.to_object.transform_point3(self.point), (1.0 - 1e-12) / norm)
+            TreeFrame::new(instance.to_object.transform_point3(self.point), (1.0 - 1e-12) / norm)
         };
         self.walk(&bvh.wide, &frame, room, |search, leaf, _| {
             bvh.leaf(leaf).iter().for_each(|block| search.try_block(block, instance, number));
@@ -169,7 +169,7 @@ impl NearestSearch {
 
     /// Visits leaves that may be as near as the best, the nearest first.
     #[inline(always)]
-    fn walk(&mut self, tree: &Wide, frame: &Frame, room: &mut Room, leaf: impl Fn(&mut Self, u32, &mut Room)) {
+    fn walk(&mut self, tree: &Wide, frame: &TreeFrame, room: &mut Room, leaf: impl Fn(&mut Self, u32, &mut Room)) {
         if tree.nodes.is_empty() {
             return;
         }

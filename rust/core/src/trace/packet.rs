@@ -14,9 +14,9 @@ use crate::bvh::Node;
 /// Rays of a packet at most: a tile of 8×8 pixels.
 pub(crate) const RAYS: usize = 64;
 /// Widest spread of slopes across the main axis at which rays still make a beam.
-const WIDEST: f32 = 0.35;
-/// Far more than the roundings between a ray's own box test and the beam's.
-const SLACK: f32 = 16.0 * f32::EPSILON;
+const MAX_SLOPE_SPREAD: f32 = 0.35;
+/// Relative widening of a beam: far more than the roundings between a ray's own box test and the beam's.
+const BEAM_MARGIN: f32 = 16.0 * f32::EPSILON;
 /// See `slab`.
 const LEAST_SLOPE: f32 = super::slab::LEAST_SLOPE;
 
@@ -193,19 +193,19 @@ impl Packet {
     fn aim(&mut self, extent: &[[f32; 4]; 3], lead_backwards: bool) -> bool {
         let main = self.axes[2];
         for (axis, &[low, high, least, greatest]) in extent.iter().enumerate() {
-            if greatest - least > WIDEST {
+            if greatest - least > MAX_SLOPE_SPREAD {
                 return false;
             }
             let (least, greatest) = if axis == main {
                 if lead_backwards { (-1.0, -1.0) } else { (1.0, 1.0) }
             } else {
-                (least - least.abs() * SLACK, greatest + greatest.abs() * SLACK)
+                (least - least.abs() * BEAM_MARGIN, greatest + greatest.abs() * BEAM_MARGIN)
             };
             let beam = &mut self.beam;
             beam.both_ways[axis] = least < LEAST_SLOPE && greatest > -LEAST_SLOPE;
             let backwards = !beam.both_ways[axis] && greatest < 0.0;
             beam.first[axis] = 2 * axis + usize::from(backwards);
-            let (shorter, longer) = (1.0 - SLACK, 1.0 + SLACK);
+            let (shorter, longer) = (1.0 - BEAM_MARGIN, 1.0 + BEAM_MARGIN);
             (beam.near_origin[axis], beam.far_origin[axis]) = if backwards { (low, high) } else { (high, low) };
             (beam.near_scale[axis], beam.far_scale[axis]) = if beam.both_ways[axis] {
                 (shorter / greatest.max(LEAST_SLOPE), shorter / least.min(-LEAST_SLOPE))
@@ -292,7 +292,8 @@ impl Packet {
         }
         let mut lanes = [0.0; 16];
         farthest.store(&mut lanes);
-        self.beam.limit = lanes[..I::Group::N].iter().fold(0.0, |a: f32, &b| if a > b { a } else { b }) * (1.0 + SLACK);
+        self.beam.limit =
+            lanes[..I::Group::N].iter().fold(0.0, |a: f32, &b| if a > b { a } else { b }) * (1.0 + BEAM_MARGIN);
     }
 
     /// The best hit of a ray.

@@ -15,7 +15,7 @@ pub struct Ray {
     pub t_max: f32,
 }
 
-/// Where a ray meets a triangle: the point is (1−u−v) a + u b + v c.
+/// Intersection of a ray with a triangle: the point is (1−u−v) a + u b + v c.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
     /// Parameter along the ray; infinite for a miss.
@@ -47,7 +47,7 @@ impl Hit {
 
 /// Decides which intersections count: cut-out materials, pixels split at a radius.
 pub trait HitFilter: Sync {
-    /// True where every intersection counts, so that nobody needs to ask.
+    /// True where every intersection counts, so that `accepts` need not be called.
     const ACCEPTS_ALL: bool = false;
 
     /// True where the candidate is a hit.

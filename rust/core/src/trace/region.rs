@@ -1,4 +1,4 @@
-//! Whether anything is in a box: work that a region does not need is not done.
+//! Test whether a box holds any geometry, so that work for empty regions is skipped.
 
 use crate::base::Aabb;
 use crate::bvh::{LEAF, NO_CHILD, Node, WIDTH, Wide};

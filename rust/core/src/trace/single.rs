@@ -51,7 +51,7 @@ impl Ray {
     }
 }
 
-/// What a ray is looking for and what it has found.
+/// Search of one ray: its segment and filter, and the best hit so far.
 pub(crate) struct Search<'a, F> {
     /// In scene space.
     pub(crate) ray: &'a Ray,
@@ -85,7 +85,7 @@ pub(crate) fn walk_set<I: Isa, F: HitFilter>(isa: I, set: &InstanceSet, first: u
     walk(isa, &tlas.wide, &local, search, &Instances { tlas, instances, first });
 }
 
-/// What to do at a leaf. A trait and no closure, because only what is surely inlined gets the caller's instructions.
+/// Action at a leaf. A trait and no closure: only code that is surely inlined gets the caller's instruction set.
 trait Leaves<I, F> {
     fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_, F>);
 }

@@ -54,7 +54,7 @@ fn oracle(triangles: &[[Vec3; 3]], ray: &Ray) -> Option<(f64, usize)> {
     triangles.iter().enumerate().filter_map(hit).min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
-/// What to compare of a hit.
+/// A hit as bits, for comparison.
 fn bits(hit: &Hit) -> [u32; 5] {
     [hit.t.to_bits(), hit.u.to_bits(), hit.v.to_bits(), hit.instance, hit.face]
 }

@@ -10,8 +10,8 @@ use super::lanes::{Isa, Lanes};
 /// Determinants outside of this come from products that overflow or vanish in float32: float64 decides.
 const LEAST_DETERMINANT: f32 = 1e-30;
 const GREATEST_DETERMINANT: f32 = 1e30;
-/// Most lanes of any width.
-const MOST: usize = 16;
+/// Most lanes of any instruction set.
+const MAX_LANES: usize = 16;
 
 /// A ray direction's shear: which axis becomes z, and by how much the others lean.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +75,7 @@ pub(crate) fn intersect<I: Isa, L: Lanes<I>>(
     let fine = L::splat(isa, LEAST_DETERMINANT).lt(size) & size.lt(L::splat(isa, GREATEST_DETERMINANT));
     let special = mask & (u.eq(zero) | v.eq(zero) | w.eq(zero) | !fine);
     if special != 0 {
-        let (mut sheared, mut values) = ([[[0.0; MOST]; 3]; 3], [[0.0; MOST]; 3]);
+        let (mut sheared, mut values) = ([[[0.0; MAX_LANES]; 3]; 3], [[0.0; MAX_LANES]; 3]);
         let corners = [[ax, ay, az], [bx, by, bz], [cx, cy, cz]];
         for corner in 0..3 {
             for axis in 0..3 {
@@ -102,9 +102,9 @@ fn flatten<I, L: Lanes<I>>(p: [L; 3], scale: [L; 3]) -> (L, L) {
 /// one, and nothing overflows. Writes the values of those that hit and returns their mask.
 #[cold]
 #[inline(never)]
-fn repair(sheared: &[[[f32; MOST]; 3]; 3], special: u32, values: &mut [[f32; MOST]; 3]) -> u32 {
+fn repair(sheared: &[[[f32; MAX_LANES]; 3]; 3], special: u32, values: &mut [[f32; MAX_LANES]; 3]) -> u32 {
     let mut mask = 0;
-    for lane in (0..MOST).filter(|lane| special >> lane & 1 == 1) {
+    for lane in (0..MAX_LANES).filter(|lane| special >> lane & 1 == 1) {
         let [a, b, c] = [0, 1, 2].map(|corner: usize| sheared[corner].map(|axis| f64::from(axis[lane])));
         if let Some(found) = exact(a, b, c) {
             (0..3).for_each(|i| values[i][lane] = found[i] as f32);

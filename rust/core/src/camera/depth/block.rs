@@ -21,13 +21,13 @@ pub struct DepthRow {
     pub parallel: bool,
 }
 
-/// A value that depth buffers hold: from 0 to `MOST`.
+/// A value that depth buffers hold: from 0 to `GREATEST`.
 pub trait Depth: Copy + Into<f64> + Send + Sync + 'static {
     /// Precision of its range.
     type Range: Real + Into<f64>;
-    /// What stands for 1.
-    const MOST: f64;
-    /// What is accepted, for messages.
+    /// Value that stands for 1.
+    const GREATEST: f64;
+    /// Accepted values, for messages.
     const EXPECTED: &'static str;
     /// The ranges of a block.
     #[doc(hidden)]
@@ -36,8 +36,8 @@ pub trait Depth: Copy + Into<f64> + Send + Sync + 'static {
 
 /// Ranges whose depths are asked for: float32 or float64, with the kernel.
 pub trait Ranged: Depth<Range = Self> + Real {
-    /// Ranges this share before the near plane lie on it.
-    const NEARLY: f64;
+    /// Share of its range by which a place may lie before the near plane.
+    const NEAR_TOLERANCE: f64;
     /// The depth of a block.
     #[doc(hidden)]
     fn depths(line: &DepthRow, column: i32, ranges: &[Self; BLOCK], depth: &mut [Self; BLOCK]) -> bool;
@@ -63,8 +63,8 @@ fn secants(line: &DepthRow, column: i32, secants: &mut PixelLanes) {
 #[inline(always)]
 fn ranges<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool {
     // The ends for whole numbers: what stands for 1 is divided by once.
-    let [low, high] = [line.ends[0] / T::MOST, line.ends[1] / T::MOST];
-    let background = line.background * T::MOST;
+    let [low, high] = [line.ends[0] / T::GREATEST, line.ends[1] / T::GREATEST];
+    let background = line.background * T::GREATEST;
     let mut lengths = PixelLanes([1.0; BLOCK]);
     if !line.parallel {
         secants(line, column, &mut lengths);
@@ -72,12 +72,12 @@ fn ranges<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &m
     let mut refused = 0u64;
     for i in 0..BLOCK {
         let value: f64 = depth[i].into();
-        let along = low * (T::MOST - value) + high * value;
+        let along = low * (T::GREATEST - value) + high * value;
         let range = if line.parallel { along } else { lengths.0[i] / along };
         // Nothing was drawn, or farther away than any place: a matrix may have its far plane there.
         let nothing = (value == background) | (along < 0.0);
         let range = if nothing { f64::INFINITY } else { range };
-        let fits = (value >= 0.0) & (value <= T::MOST);
+        let fits = (value >= 0.0) & (value <= T::GREATEST);
         refused |= u64::from(!fits);
         ranges[i] = T::Range::narrow(if fits { range } else { f64::NAN });
     }
@@ -87,7 +87,7 @@ fn ranges<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &m
 #[inline(always)]
 fn depths<T: Ranged>(line: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool {
     let scale = 1.0 / (line.ends[1] - line.ends[0]);
-    let slack = T::NEARLY * (line.ends[0].max(line.ends[1]) * scale).abs();
+    let slack = T::NEAR_TOLERANCE * (line.ends[0].max(line.ends[1]) * scale).abs();
     // Towards the far plane depth rises or falls.
     let (rise, near) = if line.background == 1.0 { (1.0, 0.0) } else { (-1.0, 1.0) };
     let mut lengths = PixelLanes([1.0; BLOCK]);
@@ -112,42 +112,37 @@ fn depths<T: Ranged>(line: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &
 }
 
 macro_rules! stored {
-    ($value:ty, $range:ty, $most:expr, $expected:expr, $ranges:ident) => {
-        vectorized! {
-            fn $ranges(line: &DepthRow, column: i32, depth: &[$value; BLOCK], found: &mut [$range; BLOCK]) -> bool
-                = ranges::<$value>;
-        }
+    ($($value:ty, $range:ty, $most:expr, $expected:expr);*) => {$(
         impl Depth for $value {
             type Range = $range;
-            const MOST: f64 = $most;
+            const GREATEST: f64 = $most;
             const EXPECTED: &'static str = $expected;
-            fn ranges(line: &DepthRow, column: i32, depth: &[Self; BLOCK], ranges: &mut [$range; BLOCK]) -> bool {
-                $ranges(line, column, depth, ranges)
+            vectorized! {
+                fn ranges(line: &DepthRow, column: i32, depth: &[$value; BLOCK], found: &mut [$range; BLOCK]) -> bool
+                    = ranges::<$value>;
             }
         }
-    };
+    )*};
 }
 
 macro_rules! ranged {
-    ($float:ty, $nearly:expr, $depths:ident) => {
-        vectorized! {
-            fn $depths(line: &DepthRow, column: i32, ranges: &[$float; BLOCK], depth: &mut [$float; BLOCK]) -> bool
-                = depths::<$float>;
-        }
+    ($($float:ty, $nearly:expr);*) => {$(
         impl Ranged for $float {
-            const NEARLY: f64 = $nearly;
-            fn depths(line: &DepthRow, column: i32, ranges: &[Self; BLOCK], depth: &mut [Self; BLOCK]) -> bool {
-                $depths(line, column, ranges, depth)
+            const NEAR_TOLERANCE: f64 = $nearly;
+            vectorized! {
+                fn depths(line: &DepthRow, column: i32, ranges: &[$float; BLOCK], depth: &mut [$float; BLOCK]) -> bool
+                    = depths::<$float>;
             }
         }
-    };
+    )*};
 }
 
-stored!(f32, f32, 1.0, "values from 0 to 1", ranges_f32);
-stored!(f64, f64, 1.0, "values from 0 to 1", ranges_f64);
-stored!(u16, f32, 65_535.0, "whole numbers from 0 to 65535", ranges_u16);
 // Of 24 bits, the only whole numbers beyond 16 bits that depth buffers have.
-stored!(u32, f32, 16_777_215.0, "whole numbers from 0 to 16777215", ranges_u24);
+stored!(
+    f32, f32, 1.0, "values from 0 to 1";
+    f64, f64, 1.0, "values from 0 to 1";
+    u16, f32, 65_535.0, "whole numbers from 0 to 65535";
+    u32, f32, 16_777_215.0, "whole numbers from 0 to 16777215"
+);
 // Two roundings of the range.
-ranged!(f32, 1.2e-7, depths_f32);
-ranged!(f64, 1e-14, depths_f64);
+ranged!(f32, 1.2e-7; f64, 1e-14);

@@ -12,7 +12,7 @@ type Kernel<T, U> = fn(&DepthRow, i32, &[T; BLOCK], &mut [U; BLOCK]) -> bool;
 /// Pixels of one task.
 const TASK: usize = 1 << 15;
 
-/// What lies between the near and the far plane is drawn.
+/// Near and far plane, between which geometry is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Planes {
     /// Distance along the viewing axis, metres.
@@ -124,7 +124,7 @@ impl DepthBuffer {
         wrong.map_or(Ok(()), |(pixel, value)| Err(self.refusal("depth", T::EXPECTED, pixel, value)))
     }
 
-    /// What a buffer holds at distances from the eye: the inverse of `ranges`. Beyond the far plane it is empty.
+    /// Depths at distances from the eye: the inverse of `ranges`. Beyond the far plane the buffer is empty.
     pub fn depths<T: Ranged>(&self, ranges: &[T], depth: &mut [T]) -> Result<()> {
         let wrong = self.each(ranges, depth, T::depths);
         wrong.map_or(Ok(()), |(pixel, value)| {

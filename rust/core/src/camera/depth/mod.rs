@@ -1,4 +1,4 @@
-//! Depth buffers: what their values say about the distance from the eye.
+//! Depth buffers: distances from the eye by their values.
 //!
 //! A perspective view's buffer holds t, which 1/z is linear in: 1/z = (1 − t)/z₀ + t/z₁ with z the distance along the
 //! viewing axis and z₀, z₁ its values where the buffer is 0 and 1: the near and the far plane, or the far and the near

@@ -5,7 +5,7 @@ use super::layout::{Grid, Layout};
 use super::projections::{equirectangular, octahedral};
 use crate::base::simd::vectorized;
 
-/// Where the directions (finite, not zero, of moderate length) of a block lie, 0..1 across and down.
+/// Places of a block's directions (finite, not zero, of moderate length), 0..1 across and down.
 #[inline(always)]
 fn positions<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK]) -> [BlockValues<f64>; 2] {
     let mut p = [BlockValues([0.0f64; BLOCK]); 3];
@@ -43,7 +43,7 @@ fn place<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32;
     }
 }
 
-/// Which texels directions pass through.
+/// Numbers of the texels that directions pass through.
 #[inline(always)]
 fn pick<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) {
     let [across, down] = positions::<OCTAHEDRAL>(d);

@@ -16,7 +16,7 @@ use super::projections::{equirectangular, octahedral};
 use crate::base::{Error, Result, memory::room_for};
 use crate::camera::direction_from_face;
 
-/// How directions are laid out.
+/// Mapping of directions to a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layout {
     /// Six faces.
@@ -30,7 +30,7 @@ pub enum Layout {
 /// A layout of some size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Grid {
-    /// What rows and columns mean.
+    /// Meaning of rows and columns.
     pub layout: Layout,
     /// Rows, of one face if it is a cube.
     pub height: u32,
@@ -74,7 +74,7 @@ impl Grid {
         (p.y as u32).min(self.height - 1) * self.width + (p.x as u32).min(self.width - 1)
     }
 
-    /// Where a direction (finite, not zero) lies in a layout without faces.
+    /// Position of a direction (finite, not zero) in a layout without faces.
     pub fn position(&self, d: DVec3) -> DVec2 {
         // So that neither squares nor sums overflow.
         let d = d / d.abs().max_element();
@@ -164,12 +164,12 @@ impl GridRows {
         Ok(rows)
     }
 
-    /// How many places there are within a texel.
+    /// Number of sample places within a texel.
     pub fn samples(&self) -> u32 {
         self.across * self.across
     }
 
-    /// Where within each texel a sample lies, 0..1.
+    /// Place of a sample within each texel, 0..1.
     fn within(&self, sample: u32) -> DVec2 {
         (DVec2::new(f64::from(sample % self.across), f64::from(sample / self.across)) + 0.5) / f64::from(self.across)
     }

@@ -327,63 +327,37 @@ pub trait Number: Real {
 }
 
 macro_rules! number {
-    ($float:ty, $module:ident) => {
-        mod $module {
-            use super::*;
-            type Four<T> = [BlockValues<T>; 4];
-            type Block = [[$float; 3]; BLOCK];
+    ($($float:ty),*) => {$(
+        impl Number for $float {
             vectorized! {
-                fn texels(d: &Block, size: u32, out: &mut BlockValues<u32>) -> u32 = find_texels::<$float>;
-                fn places(d: &Block, size: u32, inner: Inner, out: &mut Placed) -> u32 = find_places::<$float>;
-                fn mixed(t: &Four<$float>, w: &Four<f64>, out: &mut BlockValues<$float>) = mix::<$float>;
-                fn low(t: &Four<$float>, w: &Four<f64>, out: &mut BlockValues<$float>) = extreme::<$float, false>;
-                fn high(t: &Four<$float>, w: &Four<f64>, out: &mut BlockValues<$float>) = extreme::<$float, true>;
-            }
-            vectorized! {
-                fn row(t: &Four<$float>, across: &Four<f64>, down: &BlockValues<f64>, sums: &mut BlockValues<f64>)
-                    = add_row::<$float>;
-                fn pairs(above: &[$float], below: &[$float], weights: [&[f64]; 2], out: &mut [$float])
-                    = halve::<$float>;
-                fn lowest(above: &[$float], below: &[$float], out: &mut [$float]) = halve_extreme::<$float, false>;
-                fn highest(above: &[$float], below: &[$float], out: &mut [$float]) = halve_extreme::<$float, true>;
-            }
-            impl Number for $float {
-                fn halve_least(above: &[Self], below: &[Self], out: &mut [Self]) {
-                    lowest(above, below, out);
-                }
-                fn halve_greatest(above: &[Self], below: &[Self], out: &mut [Self]) {
-                    highest(above, below, out);
-                }
-                fn halve(above: &[Self], below: &[Self], weights: [&[f64]; 2], out: &mut [Self]) {
-                    pairs(above, below, weights, out);
-                }
-                fn find_texels(directions: &Block, size: u32, texel: &mut BlockValues<u32>) -> u32 {
-                    texels(directions, size, texel)
-                }
-                fn find_places(directions: &Block, size: u32, inner: Inner, out: &mut Placed) -> u32 {
-                    places(directions, size, inner, out)
-                }
-                fn mix(texels: &Four<Self>, weights: &Four<f64>, out: &mut BlockValues<Self>) {
-                    mixed(texels, weights, out);
-                }
-                fn least(texels: &Four<Self>, weights: &Four<f64>, out: &mut BlockValues<Self>) {
-                    low(texels, weights, out);
-                }
-                fn greatest(texels: &Four<Self>, weights: &Four<f64>, out: &mut BlockValues<Self>) {
-                    high(texels, weights, out);
-                }
+                fn find_texels(directions: &[[$float; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32
+                    = find_texels::<$float>;
+                fn find_places(directions: &[[$float; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32
+                    = find_places::<$float>;
+                fn mix(
+                    texels: &[BlockValues<$float>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<$float>,
+                ) = mix::<$float>;
+                fn least(
+                    texels: &[BlockValues<$float>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<$float>,
+                ) = extreme::<$float, false>;
+                fn greatest(
+                    texels: &[BlockValues<$float>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<$float>,
+                ) = extreme::<$float, true>;
                 fn add_row(
-                    texels: &Four<Self>,
-                    across: &Four<f64>,
+                    texels: &[BlockValues<$float>; 4],
+                    across: &[BlockValues<f64>; 4],
                     down: &BlockValues<f64>,
                     sums: &mut BlockValues<f64>,
-                ) {
-                    row(texels, across, down, sums);
-                }
+                ) = add_row::<$float>;
+                fn halve_least(above: &[$float], below: &[$float], out: &mut [$float])
+                    = halve_extreme::<$float, false>;
+                fn halve_greatest(above: &[$float], below: &[$float], out: &mut [$float])
+                    = halve_extreme::<$float, true>;
+                fn halve(above: &[$float], below: &[$float], weights: [&[f64]; 2], out: &mut [$float])
+                    = halve::<$float>;
             }
         }
-    };
+    )*};
 }
 
-number!(f32, single);
-number!(f64, double);
+number!(f32, f64);

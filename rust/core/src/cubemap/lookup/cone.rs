@@ -16,7 +16,7 @@ const MARGIN: f64 = 4e-15;
 
 /// Square of the least cosine: a cone that is nearer to 90° than this is opened to within 1e-15 of it. A cosine of 0
 /// would leave nothing to divide by where a direction lies in the plane of a face.
-const TINY: f64 = 1e-30;
+const LEAST_COSINE_SQUARED: f64 = 1e-30;
 
 /// Directions within an angle of another one.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +39,7 @@ impl Cone {
         // Scaled first, so that the length does not overflow.
         let axis = (d / d.abs().max_element()).normalize();
         let sine = (radius.sin().powi(2) + MARGIN).min(1.0).sqrt();
-        Self { axis, sine, cosine_squared: (radius.cos().powi(2) - MARGIN).max(TINY) }
+        Self { axis, sine, cosine_squared: (radius.cos().powi(2) - MARGIN).max(LEAST_COSINE_SQUARED) }
     }
 
     /// Finds the texels of a face that the cone touches.

@@ -15,8 +15,8 @@ use super::taps::descending;
 use crate::base::{Result, memory::room_for};
 use crate::camera::{along_face, direction_from_face};
 
-/// How far faces are continued, in texels.
-const DEPTH: i32 = 2;
+/// Width of the border that continues faces, texels.
+const BORDER: i32 = 2;
 
 /// Faces and what lies around each of them.
 pub(super) struct Rim<'a, T> {
@@ -34,7 +34,7 @@ impl<'a, T: Number> Rim<'a, T> {
             let mut table = vec![0.0; 6 * around.len() * faces.channels];
             table.par_chunks_mut(faces.channels).with_min_len(64).enumerate().for_each(|(place, values)| {
                 let (row, column) = around[place % around.len()];
-                let taps = Beyond::new((place / around.len()) as u8, row, column, faces.size);
+                let taps = BorderTexel::new((place / around.len()) as u8, row, column, faces.size);
                 for (channel, value) in values.iter_mut().enumerate() {
                     *value = taps.value(&faces, channel);
                 }
@@ -79,7 +79,7 @@ impl<'a, T: Number> Rim<'a, T> {
                         *sum += weight * value.wide();
                     }
                 } else if self.table.is_empty() {
-                    let taps = Beyond::new(face, place.0, place.1, size);
+                    let taps = BorderTexel::new(face, place.0, place.1, size);
                     for (channel, sum) in sums.iter_mut().enumerate() {
                         *sum += weight * taps.value(&self.faces, first + channel);
                     }
@@ -120,42 +120,42 @@ fn around(position: f64, size: u32) -> (i32, [f64; 4]) {
 /// Rows and columns beyond a face's edges: two above, two below, two to the left and to the right.
 fn outside(size: u32) -> Vec<(i32, i32)> {
     let size = size as i32;
-    let columns = -DEPTH..size + DEPTH;
-    let above = (-DEPTH..0).chain(size..size + DEPTH);
+    let columns = -BORDER..size + BORDER;
+    let above = (-BORDER..0).chain(size..size + BORDER);
     let mut places: Vec<_> = above.flat_map(|row| columns.clone().map(move |column| (row, column))).collect();
-    places.extend((0..size).flat_map(|row| (-DEPTH..0).chain(size..size + DEPTH).map(move |column| (row, column))));
+    places.extend((0..size).flat_map(|row| (-BORDER..0).chain(size..size + BORDER).map(move |column| (row, column))));
     places
 }
 
 fn outside_count(size: u32) -> usize {
-    4 * DEPTH as usize * (size as usize + DEPTH as usize)
+    4 * BORDER as usize * (size as usize + BORDER as usize)
 }
 
 /// Number of a place in `outside`.
 fn number_outside(row: i32, column: i32, size: u32) -> usize {
     let size = size as i32;
-    let wide = size + 2 * DEPTH;
-    let side = |x: i32| if x < 0 { x + DEPTH } else { x - size + DEPTH };
+    let wide = size + 2 * BORDER;
+    let side = |x: i32| if x < 0 { x + BORDER } else { x - size + BORDER };
     let number = if (0..size).contains(&row) {
-        2 * DEPTH * wide + row * 2 * DEPTH + side(column)
+        2 * BORDER * wide + row * 2 * BORDER + side(column)
     } else {
-        side(row) * wide + column + DEPTH
+        side(row) * wide + column + BORDER
     };
     number as usize
 }
 
-/// What a texel beyond an edge would hold: 16 texels of the two faces at the edge nearest to it, and their weights.
+/// A texel beyond an edge: 16 texels of the two faces at the edge nearest to it, and their weights.
 ///
 /// Rows along the edge are meridians about the axis that the edge is parallel to, and on each of them both faces'
 /// texels are spaced evenly in the tangent of the latitude. So four points on each of the two outermost rows of both
 /// faces give the value at the same latitude, and these four the value between them: two interpolations by cubic
 /// polynomials, exact for constants, with errors of the fourth order.
-struct Beyond {
+struct BorderTexel {
     texel: [u32; 16],
     weight: [f64; 16],
 }
 
-impl Beyond {
+impl BorderTexel {
     fn new(face: u8, row: i32, column: i32, size: u32) -> Self {
         let place = |index: i32| (f64::from(index) + 0.5) * 2.0 / f64::from(size) - 1.0;
         let d = direction_from_face(face, place(column), place(row));
@@ -249,7 +249,7 @@ mod tests {
                 for (row, column) in outside(size) {
                     let place = |index: i32| (f64::from(index) + 0.5) * 2.0 / f64::from(size) - 1.0;
                     let truth = f(direction_from_face(face, place(column), place(row)));
-                    let taps = Beyond::new(face, row, column, size);
+                    let taps = BorderTexel::new(face, row, column, size);
                     assert!((taps.weight.iter().sum::<f64>() - 1.0).abs() < 1e-12);
                     worst = worst.max((taps.value(&faces, 0) - truth).abs());
                 }

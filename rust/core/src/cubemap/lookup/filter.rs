@@ -1,6 +1,6 @@
-//! How texels around a direction become one value.
+//! Texture filters.
 
-/// How texels around a direction become one value.
+/// Filter that makes one value of the texels around a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TexelFilter {
     /// Seamless bilinear.
@@ -14,7 +14,7 @@ pub enum TexelFilter {
 }
 
 impl TexelFilter {
-    /// How many texels it reaches before and after the one above and to the left of a direction.
+    /// Texels that it reads before and after the one above and to the left of a direction.
     pub(in crate::cubemap) fn reach(self) -> [u32; 2] {
         if self == Self::Cubic { [1, 2] } else { [0, 1] }
     }

@@ -10,8 +10,8 @@ use super::filter::TexelFilter;
 use super::tiles::{is_wrong, refuse};
 use crate::base::{Error, Real, Result, memory::room_for};
 
-/// Texels across a cone from which on a level of halved size pays.
-const WIDE: f64 = 8.0;
+/// Texels across a cone above which a level of halved size pays.
+const WIDE_CONE: f64 = 8.0;
 
 /// Directions handled by one task.
 const TILE: usize = 64;
@@ -91,7 +91,7 @@ struct Pyramid<'a, T> {
     levels: Vec<(usize, Vec<T>)>,
 }
 
-/// What is found for one face, kept so that its memory is used again.
+/// Rows and blocks of one face; their memory is used again.
 #[derive(Default)]
 struct Scratch {
     texels: ConeRows,
@@ -102,7 +102,7 @@ impl<'a, T: Number> Pyramid<'a, T> {
     fn new<const GREATEST: bool>(faces: CubeFaces<'a, T>, radius: f64) -> Result<Self> {
         let mut levels: Vec<(usize, Vec<T>)> = Vec::new();
         let mut across = radius * f64::from(faces.size);
-        while across > WIDE {
+        while across > WIDE_CONE {
             across /= 2.0;
             let (size, values) = match levels.last() {
                 Some((size, values)) => (*size, values.as_slice()),
@@ -151,7 +151,7 @@ impl<'a, T: Number> Pyramid<'a, T> {
         }
     }
 
-    /// Of which channels a cone touches anything but NaN.
+    /// True for channels of which a cone touches any value other than NaN.
     fn known(&self, cone: &Cone, scratch: &mut Scratch) -> Vec<bool> {
         let mut known = vec![false; self.faces.channels];
         for face in 0..6 {

@@ -11,7 +11,7 @@ use crate::base::{Error, Real, Result};
 /// Directions handled by one task.
 const TILE: usize = 1 << 13;
 
-/// Runs a kernel over directions block by block, the last one filled up; the kernel says how many of its directions
+/// Runs a kernel over directions block by block, the last one filled up; the kernel returns how many of its directions
 /// are zero or not finite, and the index of the first one comes back.
 pub(in crate::cubemap) fn in_blocks<T, D: Real>(
     directions: &[[D; 3]],

@@ -7,21 +7,21 @@ use super::steps::{self, Start};
 
 /// Descents of one curve.
 const STARTS: usize = 8;
-/// The angle between a curve and the nearest one of the grid, generously: what a start explains can only be bettered
-/// by as much.
-const NEARBY: f64 = 0.5;
+/// Angle in radians between a curve and the nearest one of the grid, generously: a descent betters the share that its start
+/// explains by as much at most.
+const GRID_ANGLE: f64 = 0.5;
 /// Values whose spread is this many units in the last place of the greatest are constant.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// A curve with squared residuals S is flat where (S/S₀)^((N−2)/2), S₀ being those of the mean, is no less: the ratio of
 /// both likelihoods under normal noise, for N−2. With this number 95 of 100 curves of nothing but noise are flat: 97
 /// for up to 20 samples, 95 for 30 to 60, 92 for 400.
-const LIKELY: f64 = 0.01;
-/// Plateaus this many times as far apart as the values reach are not seen by the samples.
-const UNSEEN: f64 = 100.0;
+const FLAT_LIKELIHOOD: f64 = 0.01;
+/// Height between plateaus, in units of the values' range, above which a curve is open.
+const OPEN_HEIGHT: f64 = 100.0;
 /// Samples with a lesser slope of the logistic function than this, of 1/4, lie on a plateau.
 const ON_A_PLATEAU: f64 = 1e-5;
 
-/// What became of a curve.
+/// Outcome of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// A curve with both plateaus near the values.
@@ -45,13 +45,13 @@ pub struct LogisticCurve {
     pub a: f64,
     /// Steepness.
     pub b: f64,
-    /// Where y is halfway.
+    /// x at which y is halfway between a and d.
     pub c: f64,
     /// y at infinity.
     pub d: f64,
     /// Root of the mean squared residual; where values are constant no less than that.
     pub rms: f64,
-    /// Whether and how far to trust it.
+    /// Outcome of the fit.
     pub status: Status,
 }
 
@@ -61,7 +61,7 @@ impl LogisticCurve {
     }
 }
 
-/// Room that fits of one thread share.
+/// Buffers that the fits of one thread share.
 #[derive(Default)]
 pub(super) struct FitScratch {
     values: Vec<f64>,
@@ -99,7 +99,7 @@ pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch) -> Logi
     let samples = Samples { v: &frame.v, weight: &frame.weight, y: &room.packed, count };
     let best = descend_all(frame, &samples, total, &room.starts, &mut room.evaluated);
     let rms = scale * (best.sums.residual / count).sqrt();
-    if (best.sums.residual / total).powf(0.5 * (count - 2.0)) >= LIKELY {
+    if (best.sums.residual / total).powf(0.5 * (count - 2.0)) >= FLAT_LIKELIHOOD {
         return flat(scale * (total / count).sqrt(), Status::Flat);
     }
     let curve = unscaled(frame, &best, center + shift, scale);
@@ -146,8 +146,8 @@ fn descend_all(
     };
     let mut best = descended(&starts[0], None, room);
     for start in &starts[1..starts.len().min(STARTS)] {
-        // The angle between y and what explains it; within NEARBY of it none is closer than this.
-        let angle = (start.explained.clamp(0.0, 1.0).sqrt().acos() - NEARBY).max(0.0);
+        // The angle between y and what explains it; within GRID_ANGLE of it none is closer than this.
+        let angle = (start.explained.clamp(0.0, 1.0).sqrt().acos() - GRID_ANGLE).max(0.0);
         if best.is_exact(samples) || angle.sin().powi(2) * total >= best.sums.residual {
             break;
         }
@@ -170,7 +170,7 @@ fn unscaled(frame: &SampleFrame, found: &EvaluatedLine, mean: f64, scale: f64) -
 
 fn judged(frame: &SampleFrame, found: &EvaluatedLine) -> Status {
     // Values reach from −1 to 1.
-    if found.sums.q.abs() > 2.0 * UNSEEN {
+    if found.sums.q.abs() > 2.0 * OPEN_HEIGHT {
         return Status::Open;
     }
     let slope = |&v: &f64| {

@@ -5,29 +5,29 @@ use super::logistic::{self, Line, LogisticScratch, LogisticSums, Samples};
 
 /// Steps of one descent; ten are usual.
 const STEPS: usize = 60;
-/// A step that promises less, as a share of the residual, is not taken.
-const ENOUGH: f64 = 1e-11;
-/// Residuals of numbers of size 1 that are only rounding, for each sample.
+/// Least promised gain of a step, as a share of the residual.
+const LEAST_PROMISE: f64 = 1e-11;
+/// Squared residual for each sample, of numbers of size 1, that is only rounding.
 const ROUNDING: f64 = 1e-31;
 /// The longest step, in units of τ and of the logarithm of its rise.
 const LONGEST: f64 = 4.0;
-/// Beyond this τ samples lie at a plateau to 4 digits.
-const SEEN: f64 = 9.0;
-/// Lines whose τ differ by less, as a share, have the same descent.
-const CLOSE: f64 = 0.03;
+/// |τ| beyond which samples lie at a plateau to 4 digits.
+const PLATEAU_TAU: f64 = 9.0;
+/// Relative difference of τ below which two lines lead to the same minimum.
+const SAME_DESCENT: f64 = 0.03;
 /// The greatest gain of a descent, as a multiple of the gain that its next step promises.
 const GAIN_LIMIT: f64 = 8.0;
-/// How far in a tail all samples may lie: a plateau e²⁵ times as far away as the samples reach is as good as none.
+/// Greatest |τ| of all samples on one side: a plateau e²⁵ times as far away as the samples reach is as good as none.
 pub(super) const TAIL: f64 = 25.0;
 /// The least rise over the samples' half span: below, a curve is a straight line over ln x to ten digits.
 pub(super) const LEAST_RISE: f64 = 1e-4;
 
-/// What lines may be, so that every number stays finite.
+/// Bounds of lines within which every number stays finite.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
-    /// Of the rise.
+    /// Greatest rise.
     pub(super) steepest: f64,
-    /// Of the middle's distance from that of the samples, in the kernels' frame.
+    /// Greatest distance of the middle from that of the samples, in the kernels' frame.
     pub(super) farthest: f64,
 }
 
@@ -48,7 +48,7 @@ impl Limits {
     }
 }
 
-/// A line with all about it.
+/// A line with its sums over the samples.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EvaluatedLine {
     pub(super) line: Line,
@@ -64,7 +64,7 @@ impl EvaluatedLine {
     /// Gradient and second derivatives of half the residual, and the line by whose numbers they are.
     #[cfg(test)]
     pub(super) fn derivatives(&self, count: f64) -> ([f64; 2], [f64; 3], Line) {
-        let Local { line, gradient, hessian } = Local::new(self, count);
+        let LocalModel { line, gradient, hessian } = LocalModel::new(self, count);
         (gradient, hessian, line)
     }
 
@@ -77,26 +77,26 @@ impl EvaluatedLine {
     pub(super) fn leads_to(&self, rival: &Self) -> bool {
         let is_close = |v: f64| {
             let (own, other) = (self.line.at(v), rival.line.at(v));
-            (own - other).abs() < CLOSE * (1.0 + other.abs().min(SEEN))
+            (own - other).abs() < SAME_DESCENT * (1.0 + other.abs().min(PLATEAU_TAU))
         };
         is_close(-1.0) && is_close(1.0)
     }
 
-    /// True where many times what Newton's step promises would not be enough.
+    /// True where `GAIN_LIMIT` times the gain that Newton's step promises would not better the rival.
     fn is_lost(&self, promise: f64, rival: &Self) -> bool {
         self.sums.residual - GAIN_LIMIT * promise > rival.sums.residual
     }
 }
 
 /// Gradient and second derivatives of half the residual by (level, ln |rise|), a and d always being the best ones.
-struct Local {
+struct LocalModel {
     line: Line,
     gradient: [f64; 2],
     /// By level twice, by both, by ln |rise| twice.
     hessian: [f64; 3],
 }
 
-impl Local {
+impl LocalModel {
     fn new(found: &EvaluatedLine, count: f64) -> Self {
         let EvaluatedLine { mut line, sums } = *found;
         let LogisticSums { q, square, mut plain, mut along, mut slope, mut squared, mut bend, .. } = sums;
@@ -162,10 +162,10 @@ pub(super) fn descend(
     room: &mut LogisticScratch,
 ) -> EvaluatedLine {
     let mut radius = 1.0;
-    let mut local = Local::new(&found, samples.count);
+    let mut local = LocalModel::new(&found, samples.count);
     for _ in 0..STEPS {
         let (step, promise) = local.step(radius);
-        if found.is_exact(samples) || promise <= ENOUGH * found.sums.residual {
+        if found.is_exact(samples) || promise <= LEAST_PROMISE * found.sums.residual {
             break;
         }
         if rival.is_some_and(|rival| found.leads_to(rival) || found.is_lost(promise, rival)) {
@@ -182,7 +182,7 @@ pub(super) fn descend(
                 radius = 0.5 * length;
             }
             found = trial;
-            local = Local::new(&found, samples.count);
+            local = LocalModel::new(&found, samples.count);
         } else {
             radius = 0.25 * length;
             if radius < 1e-12 {

@@ -4,13 +4,13 @@ use super::descend::Limits;
 use super::grid::CurveGrid;
 use super::logistic::{LANES, Pack};
 
-/// Where x = 0 lies: far enough for every rise that is allowed, and its square is finite.
+/// Place of x = 0: far enough for every rise that is allowed, and its square is finite.
 const ZERO: f64 = -1e30;
 /// Places that are told apart must be at least as many as parameters.
 pub(super) const FEWEST: usize = 4;
 /// ln c stays this close to the middle of the samples, so that c is a number.
 const FARTHEST_LN: f64 = 600.0;
-/// Neighbours on both sides of a transition this steep lie at the plateaus to 17 digits.
+/// Rise over the gap at which neighbours on both sides of a transition lie at the plateaus to 17 digits.
 const SATURATED: f64 = 80.0;
 
 /// Why no curve can be fitted.

@@ -1,5 +1,5 @@
-//! How much of y curves of a grid explain: p of each, its mean taken off and scaled to length 1, so that one product
-//! with y tells. The grid depends on the places of samples only: curves with the same ones share it.
+//! Share of y that the curves of a grid explain: p of each, its mean taken off and scaled to length 1, so that one
+//! product with y tells. The grid depends on the places of samples only: curves with the same ones share it.
 
 use std::ops::Range;
 
@@ -10,29 +10,29 @@ use crate::base::simd::vectorized;
 
 /// Columns of one step of the product.
 const BLOCK: usize = 64;
-/// The least rise; below it curves hardly differ from a straight line over ln x.
-const GENTLEST: f64 = 0.25;
-/// From one rise to the next.
-const FACTOR: f64 = 1.7;
-/// Along ridges over rises, which are coarse, more than one place may be best: these leave as much more than the best.
-const RIDGE: f32 = 1.1;
-/// Transitions this much steeper than samples are dense lie between two of them: `steps` has those.
-const DENSE: f64 = 3.0;
-/// However many samples there are.
-const STEEPEST: f64 = 150.0;
+/// The least rise; below it curves are nearly straight lines over ln x.
+const LEAST_GRID_RISE: f64 = 0.25;
+/// Factor from one rise to the next.
+const RISE_FACTOR: f64 = 1.7;
+/// Residuals up to this multiple of the best along a ridge over rises, which are coarse, are starts as well.
+const RIDGE_FACTOR: f32 = 1.1;
+/// Rise, in units of the samples' density, above which transitions lie between two samples: `steps` has those.
+const SAMPLE_STEEPNESS: f64 = 3.0;
+/// Greatest rise, however many samples there are.
+const GREATEST_GRID_RISE: f64 = 150.0;
 /// Columns whose p are computed side by side.
 const WIDTH: usize = 16;
-/// Between middles, in units of the transition.
+/// Distance between middles, in units of the transition.
 const SPACING: f64 = 1.2;
 /// Exponents of x = 0: with any shift no overflow, and p is 1.
 const LARGEST: f64 = 300.0;
 /// Here p is 1 in float32, which still holds it.
 const SATURATED: f64 = 1e30;
-/// How far beyond the samples, in the same units.
-const BEYOND: f64 = 4.0;
+/// Distance of the outermost middles from the samples, in units of the transition.
+const MARGIN: f64 = 4.0;
 
-/// Samples, and again places, from which starts are found: ten times as many as columns that tell curves apart.
-const MOST: usize = 2_048;
+/// Most samples, and most places, from which starts are found: ten times the number of distinguishable columns.
+const GRID_SAMPLES: usize = 2_048;
 
 /// Curves and what is known of them.
 #[derive(Debug)]
@@ -88,7 +88,8 @@ impl CurveGrid {
                     continue;
                 }
                 let middle = self.middles[n];
-                let is_bettered = |other: &Level| 1.0 - own > RIDGE * (1.0 - explained[self.nearest(other, middle)]);
+                let is_bettered =
+                    |other: &Level| 1.0 - own > RIDGE_FACTOR * (1.0 - explained[self.nearest(other, middle)]);
                 // The straight line is a neighbour of none: curves bend off it on both sides.
                 let gentler = self.levels[1..].get(k.wrapping_sub(2)).is_some_and(is_bettered);
                 let steeper = k > 0 && self.levels.get(k + 1).is_some_and(is_bettered);
@@ -111,10 +112,11 @@ impl CurveGrid {
 /// All samples where they are few; else some evenly by rank, and some of each place or evenly many places, so that rare
 /// ones are among them.
 fn picked(count: usize, ends: &[usize]) -> Vec<usize> {
-    if count <= 2 * MOST {
+    if count <= 2 * GRID_SAMPLES {
         return (0..count).collect();
     }
-    let evenly = |last: usize| (0..MOST).map(move |k| (k as u128 * last as u128 / (MOST - 1) as u128) as usize);
+    let evenly =
+        |last: usize| (0..GRID_SAMPLES).map(move |k| (k as u128 * last as u128 / (GRID_SAMPLES - 1) as u128) as usize);
     let mut picked: Vec<usize> = evenly(count - 1).chain(evenly(ends.len() - 1).map(|k| ends[k] - 1)).collect();
     picked.sort_unstable();
     picked.dedup();
@@ -125,13 +127,13 @@ fn picked(count: usize, ends: &[usize]) -> Vec<usize> {
 fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
     let first = places.partition_point(|&v| v < -1.0);
     let finite = &places[first..];
-    let steepest = (DENSE * (finite.len() - 1) as f64).min(STEEPEST);
+    let steepest = (SAMPLE_STEEPNESS * (finite.len() - 1) as f64).min(GREATEST_GRID_RISE);
     let mut levels = vec![Level { rise: LEAST_RISE, columns: 0..1 }];
     let mut middles = vec![0.0];
-    let mut rise = GENTLEST;
-    while rise < FACTOR * steepest {
+    let mut rise = LEAST_GRID_RISE;
+    while rise < RISE_FACTOR * steepest {
         let start = middles.len();
-        let reach = 1.0 + BEYOND / rise;
+        let reach = 1.0 + MARGIN / rise;
         let even = (2.0 * reach * rise / SPACING).ceil();
         middles.push(-1.0 - TAIL / rise);
         if even > (2 * finite.len() - 1) as f64 {
@@ -144,7 +146,7 @@ fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
         }
         middles.push(1.0 + TAIL / rise);
         levels.push(Level { rise, columns: start..middles.len() });
-        rise *= FACTOR;
+        rise *= RISE_FACTOR;
     }
     (levels, middles)
 }

@@ -55,7 +55,7 @@ pub(super) struct LogisticSums {
 }
 
 impl LogisticSums {
-    /// How far from the origin the samples tell most: seen from there, level and rise are nearly independent.
+    /// Distance from the origin of the place about which level and rise are nearly independent.
     pub(super) fn center(&self) -> f64 {
         if self.squared[0] > 0.0 { (self.squared[1] / self.squared[0]).clamp(-3.0, 3.0) } else { 0.0 }
     }

@@ -5,10 +5,10 @@ use super::logistic::Line;
 
 /// Rise over the narrower gap: neighbours lie at the plateaus to 4 digits, and descents see which way is down.
 const STEEP: f64 = 8.0;
-/// Before the first x above 0.
-const OUTSIDE: f64 = 2.0;
+/// Distance of a step before the first x above 0.
+const FIRST_STEP: f64 = 2.0;
 
-/// Where a descent may start, and the share of y that is explained there or nearby.
+/// Start of a descent, and the share of y that is explained there or nearby.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Start {
     pub(super) explained: f64,
@@ -45,7 +45,7 @@ pub(super) fn best(frame: &SampleFrame, y: &[f64]) -> [Option<Start>; 2] {
         before += inside;
         from = ends[k];
         let explained = before * before / from as f64 + after * after / right;
-        let gap = (places[k + 1] - places[k]).min(OUTSIDE);
+        let gap = (places[k + 1] - places[k]).min(FIRST_STEP);
         keep(0, explained, &|| Line { level: 0.0, rise: -STEEP / gap, origin: places[k + 1] - 0.5 * gap });
     }
     steps

@@ -16,7 +16,7 @@ pub fn select(
     models: &[Model<'_>],
     objects: &Objects<'_>,
     eyes: &[Eye],
-    glass: Option<EyeLens<'_>>,
+    lens: Option<EyeLens<'_>>,
     rules: &Rules,
     to: &mut [i32],
     columns: Option<[&mut [f64]; COLUMNS]>,
@@ -25,7 +25,7 @@ pub fn select(
     let limits = models.iter().map(|model| model.limit(rules.reference)).collect();
     let are_many = models.len() * OBJECTS_PER_TABLE <= to.len() && !eyes.is_empty();
     let tables = if are_many { Tables::new(models, rules) } else { None };
-    let selection = Selection { models, limits, tables, eyes, glass, rules: *rules };
+    let selection = Selection { models, limits, tables, eyes, lens, rules: *rules };
     let tiles = tiles(objects, to, columns);
     let one = |room: &mut TileScratch, tile: ObjectTile<'_>| selection.tile(room, tile);
     let add = |mut one: SelectionCounts, other: SelectionCounts| {

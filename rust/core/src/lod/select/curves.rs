@@ -1,12 +1,12 @@
-//! What a model's curves say of a size: scores, the level that is enough, and how levels fade over.
+//! Curves of a model at a size: scores, the coarsest sufficient level, and fading between levels.
 
 use super::rules::Rules;
 use crate::base::{Error, Result};
 
-/// How the coarsest level falls below f, where no coarser one says it: what `measure` takes for a step between levels.
+/// Difference of score below the coarsest level: the step between levels that measurements use.
 const STEP: f64 = 0.05;
-/// Over which share of the greatest size levels run to 0, times the fade.
-const LAST: f64 = 0.25;
+/// Share of the greatest size over which levels run to 0, times the fade.
+const FADE_RANGE: f64 = 0.25;
 
 /// a, b, c and d of y = d + (a−d)/(1+(x/c)^b).
 pub type Parameters = [f64; 4];
@@ -22,7 +22,7 @@ pub struct Model<'a> {
 
 /// A size, as it is and as it is seen, and the score that it asks for.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Asked {
+pub(super) struct SizeQuery {
     pub sigma: f64,
     pub seen: f64,
     pub threshold: f64,
@@ -60,7 +60,7 @@ impl Model<'_> {
     }
 
     /// The coarsest level of at most `most` that is enough.
-    pub(super) fn coarsest(&self, most: usize, asked: &Asked) -> usize {
+    pub(super) fn coarsest(&self, most: usize, asked: &SizeQuery) -> usize {
         if asked.seen > self.range[1] {
             return 0;
         }
@@ -68,19 +68,19 @@ impl Model<'_> {
     }
 
     /// The coarsest level that is enough, but none coarser than the previous one that is only just so.
-    pub(super) fn held(&self, previous: usize, asked: &Asked, rules: &Rules) -> usize {
+    pub(super) fn held(&self, previous: usize, asked: &SizeQuery, rules: &Rules) -> usize {
         let most = self.curves.len();
         let share = 1.0 - rules.hysteresis;
         let too_large = asked.seen > self.range[1] * share || asked.sigma > self.limit(rules.reference) * share;
         if previous == 0 && too_large {
             return 0;
         }
-        let surely = Asked { threshold: asked.threshold + rules.hysteresis, ..*asked };
+        let surely = SizeQuery { threshold: asked.threshold + rules.hysteresis, ..*asked };
         self.coarsest(most, &surely).max(self.coarsest(previous.min(most), asked))
     }
 
     /// The level as it fades over to the next finer one.
-    pub(super) fn shown(&self, level: usize, asked: &Asked, rules: &Rules) -> f64 {
+    pub(super) fn shown(&self, level: usize, asked: &SizeQuery, rules: &Rules) -> f64 {
         if level == 0 || rules.fade == 0.0 {
             return level as f64;
         }
@@ -94,7 +94,7 @@ impl Model<'_> {
         let faded = level as f64 - weight * (level - finer) as f64;
         let left = |size: f64, limit: f64| if limit > 0.0 { 1.0 - size / limit } else { 1.0 };
         let room = left(asked.sigma, self.limit(rules.reference)).min(left(asked.seen, self.range[1]));
-        let most = self.curves.len() as f64 * (room / (LAST * rules.fade)).clamp(0.0, 1.0);
+        let most = self.curves.len() as f64 * (room / (FADE_RANGE * rules.fade)).clamp(0.0, 1.0);
         faded.min(most)
     }
 }

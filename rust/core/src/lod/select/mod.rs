@@ -1,4 +1,4 @@
-//! Which level of each object is enough (Liebisch 2021, Sec. 4.3–4.5), for many objects and few eyes.
+//! The coarsest sufficient level of each object (Liebisch 2021, Sec. 4.3–4.5), for many objects and few eyes.
 //!
 //! The view first, then sizes, then the lens for those that are left, then a table of levels, then curves.
 

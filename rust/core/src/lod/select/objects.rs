@@ -2,7 +2,7 @@
 
 use std::ops::AddAssign;
 
-/// Objects of one task: what is known of them stays in a near cache.
+/// Objects of one task: their numbers stay in a near cache.
 pub(super) const TILE: usize = 1 << 9;
 
 /// Objects, as many of each.
@@ -21,7 +21,7 @@ pub struct Objects<'a> {
 /// Numbers beside the level: σ, the size that is seen, f, the score, and the level as it fades over.
 pub const COLUMNS: usize = 5;
 
-/// What was done, of all eyes together.
+/// Objects by the stage that settled them, of all eyes together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SelectionCounts {
     /// Not in view.
@@ -30,9 +30,9 @@ pub struct SelectionCounts {
     pub one_level: u64,
     /// At level 0 already by another eye.
     pub settled: u64,
-    /// Larger than curves are asked for.
+    /// Above the size up to which curves are used.
     pub large: u64,
-    /// Left to be asked for.
+    /// Sent to curves or tables.
     pub asked: u64,
     /// Of those: sizes through the lens.
     pub lens: u64,

@@ -7,24 +7,24 @@ use crate::lens::RadialLens;
 /// f(σ) = level + rise · σ.
 #[derive(Clone, Copy, Debug)]
 pub struct ThresholdLine {
-    /// At σ = 0.
+    /// f at σ = 0.
     pub level: f64,
-    /// A steradian.
+    /// Slope, for each steradian.
     pub rise: f64,
 }
 
-/// What is enough.
+/// SSIM threshold as a function of solid angle, and the rules about it.
 #[derive(Clone, Copy, Debug)]
 pub struct Rules {
     /// The least score over the solid angle.
     pub line: ThresholdLine,
     /// Solid angle above which level 0 is used.
     pub reference: f64,
-    /// Whether what is out of view gets no level.
+    /// True where objects out of view get no level.
     pub cull: bool,
-    /// By how much better than the least score a level must be to follow a finer one.
+    /// Score above the threshold that a level needs to replace a finer one.
     pub hysteresis: f64,
-    /// Over which share of the way between levels they are blended; 0 for not at all.
+    /// Share of the way between levels over which they are blended; 0 for not at all.
     pub fade: f64,
 }
 
@@ -35,14 +35,15 @@ pub struct EyeLens<'a> {
     pub lens: &'a RadialLens,
     /// Tangent of half the horizontal field of view, the larger side of it.
     pub tan_omega: f64,
-    /// Whether its inverse is Newton's, else the table's.
+    /// True for Newton's inverse, else the table's.
     pub exact: bool,
 }
 
-/// How fine an eye sees: the least angle at e degrees from its gaze is slope · e + limit (Guenter et al. 2012, Eq. 1).
+/// Acuity of an eye: the least visible angle at e degrees from its gaze is slope · e + limit (Guenter et al. 2012,
+/// Eq. 1).
 #[derive(Clone, Copy, Debug)]
 pub struct Acuity {
-    /// Where it looks, in the world, of length 1.
+    /// Viewing direction in the world, of length 1.
     pub gaze: DVec3,
     /// Degrees a degree.
     pub slope: f64,

@@ -9,36 +9,36 @@ use super::curves::{Model, Parameters, score};
 use super::objects::TILE;
 use super::rules::{Rules, ThresholdLine};
 
-/// Cells over σ, of equal widths because f is a line: two to the power of so many.
+/// Binary logarithm of the number of cells over σ, which have equal widths because f is a line.
 const SIGMA_DIGITS: u32 = 3;
 const SIGMAS: u64 = 1 << SIGMA_DIGITS;
-/// Finer ones for σ′ up to the least that was measured: there scores are single numbers, and f alone decides.
+/// The same for σ′ up to the least that was measured: there scores are single numbers, and f alone decides.
 const SMALL_DIGITS: u32 = 8;
 const SMALLS: u64 = 1 << SMALL_DIGITS;
-/// By which share of the greatest σ cells are wider, so that none lies beyond the last one.
-const WIDER: f64 = 1e-12;
+/// Share of the greatest σ by which cells are wider, so that none lies beyond the last one.
+const WIDENING: f64 = 1e-12;
 const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
-/// Cells over σ′: so many binary digits of its mantissa, and as many octaves at most.
+/// Cells over σ′: binary digits of its mantissa, and octaves at most.
 const DIGITS: u32 = 4;
 const OCTAVES: u64 = 24;
 const SHIFT: u32 = MANTISSA - DIGITS;
-/// Greatest σ′ of a table: more than any.
-const MOST: f64 = 16.0;
+/// Greatest σ′ of a table, in steradians: more than any sphere has.
+const GREATEST_SIGMA: f64 = 16.0;
 /// Set where the level may be a finer one: then curves decide.
 pub(super) const UNSURE: u8 = 0x80;
-/// From so many objects of a model on, a table is quicker than curves.
+/// Least objects of a model for which a table is quicker than curves.
 pub(super) const OBJECTS_PER_TABLE: usize = 256;
 
 /// Levels of all models, one after the other.
 #[derive(Debug, Default)]
 pub(super) struct Tables {
-    /// Of each model's cells: each σ of the small ones, then σ′ by σ′ for each σ.
+    /// Cells of each model: each σ of the small ones, then σ′ by σ′ for each σ.
     cells: Vec<u8>,
-    /// Of each model.
+    /// Head of each model.
     heads: Vec<Head>,
 }
 
-/// Where a model's cells are.
+/// Ranges and offsets of a model's cells.
 #[derive(Clone, Copy, Debug)]
 struct Head {
     /// Nearly 1 over the greatest σ.
@@ -84,7 +84,7 @@ impl Tables {
             let row = small >> (SMALL_DIGITS - SIGMA_DIGITS);
             let cell = ((seen.to_bits() >> SHIFT) as i64 - i64::from(base)).clamp(0, i64::from(last)) as u64;
             let large = SMALLS + row * (u64::from(last) + 1) + cell;
-            // A branch would be guessed wrong every other time.
+            // A branch would be mispredicted half of the time.
             let found = cells[(u64::from(first) + select_unpredictable(seen <= least, small, large)) as usize];
             *to = if seen > greatest { 0 } else { found };
         }
@@ -103,8 +103,8 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
         return None;
     }
     let [least, greatest] = model.range;
-    let top = greatest.min(MOST).to_bits() >> SHIFT;
-    let base = (least.min(MOST).to_bits() >> SHIFT).clamp(top.saturating_sub(OCTAVES << DIGITS), top);
+    let top = greatest.min(GREATEST_SIGMA).to_bits() >> SHIFT;
+    let base = (least.min(GREATEST_SIGMA).to_bits() >> SHIFT).clamp(top.saturating_sub(OCTAVES << DIGITS), top);
     let last = top - base;
     let width = last as usize + 1;
     let mut edges: Vec<f64> = (0..=last + 1).map(|n| f64::from_bits((base + n) << SHIFT)).collect();
@@ -122,7 +122,7 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
             }
         }
     }
-    // What curves would say, to the bit.
+    // The same bits as curves give.
     let smallest: Vec<_> = model.curves.iter().map(|curve| [score(curve, least); 2]).collect();
     let mut cells = Vec::with_capacity(SMALLS as usize + SIGMAS as usize * width);
     cells.extend((0..SMALLS).map(|sigma| {
@@ -133,7 +133,7 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
         let [low, high] = range(&rules.line, limit, sigma, SIGMAS);
         cells.extend((0..width).map(|cell| level(&bounds, count, cell, low, high)));
     }
-    let fineness = (1.0 - WIDER) / limit;
+    let fineness = (1.0 - WIDENING) / limit;
     // A limit of 0, or of a few of the smallest floats, has one size.
     let fineness = if fineness.is_finite() { fineness } else { 0.0 };
     let (base, last) = (base as u32, last as u32);
@@ -143,7 +143,7 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
 /// Least and greatest threshold of one of `count` cells over σ, and what they are rounded by.
 fn range(line: &ThresholdLine, limit: f64, cell: u64, count: u64) -> [f64; 2] {
     let ends = [cell, cell + 1].map(|n| line.at(limit * n as f64 / count as f64));
-    let margin = 1e-14 * line.level.abs() + 2.0 * WIDER * (line.rise * limit).abs();
+    let margin = 1e-14 * line.level.abs() + 2.0 * WIDENING * (line.rise * limit).abs();
     [ends[0].min(ends[1]) - margin, ends[0].max(ends[1]) + margin]
 }
 

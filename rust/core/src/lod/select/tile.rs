@@ -1,8 +1,8 @@
-//! A tile of objects, eye by eye: what one stage settles, the next does not see.
+//! A tile of objects, eye by eye: each stage passes on only objects that it could not settle.
 
 use glam::DVec3;
 
-use super::curves::{Asked, Model};
+use super::curves::{Model, SizeQuery};
 use super::objects::{COLUMNS, Objects, SelectionCounts, TILE};
 use super::rules::{Acuity, EyeLens, Rules};
 use super::table::{Tables, UNSURE};
@@ -10,10 +10,10 @@ use super::view::{Eye, HIDDEN, Sight};
 use crate::base::{Error, Result};
 use crate::lens::{Sizes, Spheres};
 
-/// No eye has seen an object yet.
+/// Level of an object that no eye has seen yet.
 const UNSEEN: i32 = -1;
-/// Numbers beside its level.
-const HIDDEN_ROW: [f64; COLUMNS] = [f64::NAN, f64::NAN, f64::NAN, f64::NAN, -1.0];
+/// Columns of an object that is out of view.
+const HIDDEN_COLUMNS: [f64; COLUMNS] = [f64::NAN, f64::NAN, f64::NAN, f64::NAN, -1.0];
 
 /// Objects and their results.
 pub(super) struct ObjectTile<'a> {
@@ -24,38 +24,38 @@ pub(super) struct ObjectTile<'a> {
     pub columns: Option<[&'a mut [f64]; COLUMNS]>,
 }
 
-/// All that tiles share.
+/// Settings and tables that tiles share.
 pub(super) struct Selection<'a> {
     pub models: &'a [Model<'a>],
-    /// Of each model: the size above which it is not asked.
+    /// Size of each model above which its level is 0, steradians.
     pub limits: Vec<f64>,
     /// `None` where objects are too few for them.
     pub tables: Option<Tables>,
     pub eyes: &'a [Eye],
-    pub glass: Option<EyeLens<'a>>,
+    pub lens: Option<EyeLens<'a>>,
     pub rules: Rules,
 }
 
-/// Room for what is known of a tile.
+/// Buffers of a thread for one tile.
 #[derive(Default)]
 pub(super) struct TileScratch {
     sight: Box<Sight>,
-    left: Box<Left>,
+    open: Box<OpenObjects>,
 }
 
-/// What an eye has to do with an object, in the order of counts.
+/// Classes of objects for an eye, in the order of counts.
 const CULLED: u8 = 0;
 const SETTLED: u8 = 1;
 const ONE_LEVEL: u8 = 2;
 const LARGE: u8 = 3;
-const LEFT: u8 = 4;
+const OPEN: u8 = 4;
 
-/// What is known of a tile, and of those that are left to be asked for, side by side.
-struct Left {
-    /// Of each object: the size above which it is not asked for, and what there is to do.
+/// Numbers of a tile's objects, and of those whose levels are still open, side by side.
+struct OpenObjects {
+    /// Of each object: the size above which it has level 0, and its class.
     limit: [f64; TILE],
     class: [u8; TILE],
-    /// Of those that are left: their places in the tile, sizes, angles, and the table's answers.
+    /// Of open objects: their places in the tile, sizes, angles, and the table's answers.
     place: [u16; TILE],
     sigma: [f64; TILE],
     seen: [f64; TILE],
@@ -64,7 +64,7 @@ struct Left {
     found: [u8; TILE],
 }
 
-impl Default for Left {
+impl Default for OpenObjects {
     fn default() -> Self {
         let [limit, sigma, seen, ratio] = [[0.0; TILE]; 4];
         let [class, found] = [[0; TILE]; 2];
@@ -81,12 +81,12 @@ fn gather(from: &[f64; TILE], places: &[u16], to: &mut [f64; TILE]) {
 
 impl Selection<'_> {
     pub(super) fn tile(&self, room: &mut TileScratch, mut tile: ObjectTile<'_>) -> Result<SelectionCounts> {
-        let TileScratch { sight, left } = room;
-        self.check(&tile, left)?;
+        let TileScratch { sight, open } = room;
+        self.check(&tile, open)?;
         let mut counts = SelectionCounts::default();
         tile.level.fill(if self.eyes.is_empty() { 0 } else { UNSEEN });
         if let Some(columns) = &mut tile.columns {
-            let values = if self.eyes.is_empty() { [f64::NAN, f64::NAN, f64::NAN, 1.0, 0.0] } else { HIDDEN_ROW };
+            let values = if self.eyes.is_empty() { [f64::NAN, f64::NAN, f64::NAN, 1.0, 0.0] } else { HIDDEN_COLUMNS };
             for (column, value) in columns.iter_mut().zip(values) {
                 column.fill(value);
             }
@@ -94,18 +94,18 @@ impl Selection<'_> {
         for eye in self.eyes {
             let Objects { centers, radii, .. } = tile.objects;
             eye.view.see(centers, radii, tile.first, self.rules.cull, sight)?;
-            let asked = sort(sight, &mut tile, left, &mut counts);
-            self.sizes(eye, &tile.objects, sight, left, asked, &mut counts);
-            self.levels(left, asked, &mut tile, &mut counts);
+            let asked = sort(sight, &mut tile, open, &mut counts);
+            self.sizes(eye, &tile.objects, sight, open, asked, &mut counts);
+            self.levels(open, asked, &mut tile, &mut counts);
         }
         Ok(counts)
     }
 
     /// Refuses numbers of models and levels that there are not, and looks up the models' limits.
     #[inline(never)]
-    fn check(&self, tile: &ObjectTile<'_>, left: &mut Left) -> Result<()> {
+    fn check(&self, tile: &ObjectTile<'_>, open: &mut OpenObjects) -> Result<()> {
         let limits = &self.limits[..];
-        for ((n, &model), to) in tile.objects.model.iter().enumerate().zip(&mut left.limit) {
+        for ((n, &model), to) in tile.objects.model.iter().enumerate().zip(&mut open.limit) {
             // Negative numbers are large ones.
             let Some(&limit) = limits.get(model as usize) else {
                 return Err(refused("model_index", 0, limits.len(), model, tile.first + n));
@@ -122,53 +122,53 @@ impl Selection<'_> {
         Ok(())
     }
 
-    /// σ′ of those that are left, and what the eye sees of it.
+    /// σ′ of those that are open, and what the eye sees of it.
     fn sizes(
         &self,
         eye: &Eye,
         objects: &Objects<'_>,
         sight: &Sight,
-        left: &mut Left,
+        open: &mut OpenObjects,
         asked: usize,
         counts: &mut SelectionCounts,
     ) {
-        gather(&sight.sigma, &left.place[..asked], &mut left.sigma);
-        left.seen[..asked].copy_from_slice(&left.sigma[..asked]);
-        if let Some(glass) = &self.glass {
-            glass.look(eye, objects, sight, left, asked);
+        gather(&sight.sigma, &open.place[..asked], &mut open.sigma);
+        open.seen[..asked].copy_from_slice(&open.sigma[..asked]);
+        if let Some(lens) = &self.lens {
+            lens.look(eye, objects, sight, open, asked);
             counts.lens += asked as u64;
         }
         if let Some(acuity) = &eye.acuity {
             for k in 0..asked {
-                let n = usize::from(left.place[k]);
+                let n = usize::from(open.place[k]);
                 let center = DVec3::from_array(objects.centers[n]) - eye.view.position();
                 let scale = acuity.scale(center, sight.sin_mu[n].atan2(sight.cos_mu[n]));
-                left.seen[k] *= scale * scale;
+                open.seen[k] *= scale * scale;
             }
         }
     }
 
-    fn levels(&self, left: &mut Left, asked: usize, tile: &mut ObjectTile<'_>, counts: &mut SelectionCounts) {
+    fn levels(&self, open: &mut OpenObjects, asked: usize, tile: &mut ObjectTile<'_>, counts: &mut SelectionCounts) {
         let Some(tables) = &self.tables else {
             counts.formula += asked as u64;
             for k in 0..asked {
-                self.ask(left, k, None, tile);
+                self.ask(open, k, None, tile);
             }
             return;
         };
-        let Left { place, sigma, seen, found, .. } = left;
+        let OpenObjects { place, sigma, seen, found, .. } = open;
         tables.look_up(tile.objects.model, &place[..asked], sigma, seen, found);
         let previous = tile.objects.previous.filter(|_| self.rules.hysteresis > 0.0);
         for k in 0..asked {
-            let n = usize::from(left.place[k]);
-            let found = left.found[k];
+            let n = usize::from(open.place[k]);
+            let found = open.found[k];
             // A level that is no coarser than the previous one stands as it is.
             let is_held = previous.is_some_and(|previous| previous[n] != UNSEEN && i32::from(found) > previous[n]);
             let is_sure = found < UNSURE && !is_held;
             counts.formula += u64::from(!is_sure);
             counts.table += u64::from(is_sure);
             if !is_sure || tile.columns.is_some() {
-                self.ask(left, k, Some((found, is_sure)), tile);
+                self.ask(open, k, Some((found, is_sure)), tile);
                 continue;
             }
             let (best, level) = (&mut tile.level[n], i32::from(found));
@@ -176,14 +176,14 @@ impl Selection<'_> {
         }
     }
 
-    /// Settles one by curves, or says more of it than the level that the table surely has.
+    /// Finds one object's level by curves, or only its columns where the table is sure of the level.
     #[inline(never)]
-    fn ask(&self, left: &Left, k: usize, found: Option<(u8, bool)>, tile: &mut ObjectTile<'_>) {
+    fn ask(&self, open: &OpenObjects, k: usize, found: Option<(u8, bool)>, tile: &mut ObjectTile<'_>) {
         let rules = &self.rules;
-        let n = usize::from(left.place[k]);
+        let n = usize::from(open.place[k]);
         let model = &self.models[tile.objects.model[n] as usize];
-        let (sigma, seen) = (left.sigma[k], left.seen[k]);
-        let question = Asked { sigma, seen, threshold: rules.line.at(sigma) };
+        let (sigma, seen) = (open.sigma[k], open.seen[k]);
+        let question = SizeQuery { sigma, seen, threshold: rules.line.at(sigma) };
         let previous = tile.objects.previous.and_then(|previous| usize::try_from(previous[n]).ok());
         let level = match (found, previous.filter(|_| rules.hysteresis > 0.0)) {
             (Some((found, true)), _) => usize::from(found),
@@ -211,10 +211,10 @@ impl Selection<'_> {
 
 impl EyeLens<'_> {
     /// σ′ in place of σ.
-    fn look(&self, eye: &Eye, objects: &Objects<'_>, sight: &Sight, left: &mut Left, asked: usize) {
+    fn look(&self, eye: &Eye, objects: &Objects<'_>, sight: &Sight, open: &mut OpenObjects, asked: usize) {
         if self.exact {
             let (mut centers, mut radii) = ([[0.0; 3]; TILE], [0.0; TILE]);
-            for (k, &n) in left.place[..asked].iter().enumerate() {
+            for (k, &n) in open.place[..asked].iter().enumerate() {
                 (centers[k], radii[k]) = (objects.centers[usize::from(n)], objects.radii[usize::from(n)]);
             }
             let sizes = Sizes {
@@ -224,10 +224,10 @@ impl EyeLens<'_> {
                 tan_omega: self.tan_omega,
                 exact: false,
             };
-            sizes.each(&centers[..asked], &radii[..asked], &mut left.seen[..asked]);
+            sizes.each(&centers[..asked], &radii[..asked], &mut open.seen[..asked]);
             return;
         }
-        let Left { place, seen, angles, ratio, .. } = left;
+        let OpenObjects { place, seen, angles, ratio, .. } = open;
         let parts = [&sight.sin_alpha, &sight.cos_alpha, &sight.sin_mu, &sight.cos_mu];
         for (part, to) in parts.into_iter().zip(&mut *angles) {
             gather(part, &place[..asked], to);
@@ -241,13 +241,13 @@ impl EyeLens<'_> {
     }
 }
 
-/// Settles what needs no curve, and tells how many are left.
+/// Settles objects that need no curve; returns how many are open.
 #[inline(never)]
-fn sort(sight: &Sight, tile: &mut ObjectTile<'_>, left: &mut Left, counts: &mut SelectionCounts) -> usize {
+fn sort(sight: &Sight, tile: &mut ObjectTile<'_>, open: &mut OpenObjects, counts: &mut SelectionCounts) -> usize {
     let count = tile.level.len();
-    let (sigma, limit, class) = (&sight.sigma[..count], &left.limit[..count], &mut left.class[..count]);
+    let (sigma, limit, class) = (&sight.sigma[..count], &open.limit[..count], &mut open.class[..count]);
     for n in 0..count {
-        let class_of_size = if sigma[n] > limit[n] { LARGE } else { LEFT };
+        let class_of_size = if sigma[n] > limit[n] { LARGE } else { OPEN };
         let class_of_size = if limit[n] == f64::NEG_INFINITY { ONE_LEVEL } else { class_of_size };
         let seen = if tile.level[n] == 0 { SETTLED } else { class_of_size };
         class[n] = if sigma[n] == HIDDEN { CULLED } else { seen };
@@ -270,16 +270,16 @@ fn sort(sight: &Sight, tile: &mut ObjectTile<'_>, left: &mut Left, counts: &mut 
     }
     let mut asked = 0;
     for (n, &class) in class.iter().enumerate() {
-        // Written in any case, and kept where it counts: a branch would be guessed wrong every other time.
-        left.place[asked % TILE] = n as u16;
-        asked += usize::from(class == LEFT);
+        // Written unconditionally, counted where it is open: a branch would be mispredicted half of the time.
+        open.place[asked % TILE] = n as u16;
+        asked += usize::from(class == OPEN);
     }
     counts.asked += asked as u64;
     asked
 }
 
 impl Acuity {
-    /// How much smaller, along a line, the nearest edge of a sphere with half the angle μ looks.
+    /// Factor by which acuity shrinks lengths at the nearest edge of a sphere with half the angle μ.
     fn scale(&self, offset: DVec3, mu: f64) -> f64 {
         let offset = offset / offset.abs().max_element();
         let away = offset.cross(self.gaze).length().atan2(offset.dot(self.gaze)) - mu;

@@ -1,4 +1,4 @@
-//! What an eye sees of spheres: whether they are in its view, how large they are, and how far from its axis.
+//! Spheres in an eye's view: visibility, solid angle, angle from the axis.
 
 use std::f64::consts::PI;
 
@@ -13,9 +13,9 @@ use crate::camera::Fov;
 
 /// Spheres side by side.
 const LANES: usize = 32;
-/// Squares of distances outside are not floats, or have few digits.
-const PLAIN: std::ops::Range<f64> = 1e-280..1e280;
-/// By which share of its distance a sphere may lie outside for rounding alone: what is in view is never left out.
+/// Squares of distances that are floats with all their digits.
+const PLAIN_SQUARES: std::ops::Range<f64> = 1e-280..1e280;
+/// Relative rounding error of a sphere's distance from a side: visible spheres are never culled.
 const SLACK: f64 = 1e-14;
 /// σ of what is not in view.
 pub(super) const HIDDEN: f64 = -1.0;
@@ -45,7 +45,7 @@ impl Frustum {
         Self { position, axes, sides }
     }
 
-    /// Where the eye is.
+    /// Position of the eye.
     pub fn position(&self) -> DVec3 {
         self.position
     }
@@ -100,11 +100,11 @@ impl Frustum {
 pub struct Eye {
     /// Its pose and view.
     pub view: Frustum,
-    /// How fine it sees, where that counts.
+    /// Acuity over eccentricity, where it counts.
     pub acuity: Option<Acuity>,
 }
 
-/// What is seen of a tile of spheres.
+/// Visibility, sizes and angles of a tile of spheres.
 #[derive(Debug)]
 pub(super) struct Sight {
     /// σ, HIDDEN or 4π.
@@ -200,6 +200,7 @@ fn seen(view: &Frustum, hidden: f64, place: [f64; 3], radius: f64) -> (f64, [f64
     let own = 2.0 * PI * (sin_mu * sin_mu / (1.0 + cos_mu));
     let own = if distance > radius { own } else { 4.0 * PI };
     let is_out = (outside - radius > SLACK * distance) & (hidden < 0.0);
-    let is_plain = (full >= PLAIN.start) & (full <= PLAIN.end) & (radius >= 0.0) & (radius < f64::INFINITY);
+    let is_plain =
+        (full >= PLAIN_SQUARES.start) & (full <= PLAIN_SQUARES.end) & (radius >= 0.0) & (radius < f64::INFINITY);
     (if is_out { hidden } else { own }, [square.sqrt() * over, ahead * over, sin_mu, cos_mu], is_plain)
 }

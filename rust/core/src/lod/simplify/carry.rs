@@ -26,7 +26,7 @@ pub struct Charts<'a> {
     around: Vec<u32>,
 }
 
-/// Where a corner of the coarser surface lies on the base.
+/// Position of a corner of the coarser surface on the base.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SurfacePlace {
     /// Face of the base.

@@ -5,7 +5,7 @@ use meshopt::{SimplifyOptions, SimplifyVertex, VertexDataAdapter, simplify_with_
 use super::surface::check_faces;
 use crate::base::{Error, Result};
 
-/// What meshoptimizer weighs beside places, at most.
+/// Most attributes that meshoptimizer weighs beside places.
 const MOST_ATTRIBUTES: usize = 32;
 
 /// Vertices with what is weighed beside their places.
@@ -15,13 +15,13 @@ pub struct Vertices<'a> {
     pub positions: &'a [[f32; 3]],
     /// As many numbers for each vertex as there are weights.
     pub attributes: &'a [f32],
-    /// How much a difference of 1 counts, as a share of the surface's extent.
+    /// Error of a difference of 1, as a share of the surface's extent.
     pub weights: &'a [f32],
     /// Vertices at whose place attributes meet that must stay apart.
     pub is_seam: &'a [bool],
 }
 
-/// What may be given up for fewer triangles, beyond what collapsing edges takes: that makes nothing of closed parts too.
+/// Features that may be given up for fewer triangles. Collapsing edges alone may already remove closed parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Allowance {
     /// Nothing.

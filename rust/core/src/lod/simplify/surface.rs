@@ -1,4 +1,4 @@
-//! What a surface hangs together by: rows that are alike, and faces that share vertices.
+//! Connectivity of a surface: equal rows, and faces that share vertices.
 
 use std::collections::HashMap;
 

@@ -1,6 +1,6 @@
 //! Neighbourhoods of pixels in the truth.
 
-/// Which pixels are compared.
+/// Radius within which pixels are neighbours, and the resolution of the truth.
 #[derive(Clone, Copy, Debug)]
 pub struct Neighbourhood {
     /// ε: pixels of the truth within which points are neighbours.

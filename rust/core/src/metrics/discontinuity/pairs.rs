@@ -7,14 +7,14 @@ use super::points::{BANDS, LANES, TruthPoints};
 use crate::base::simd::vectorized;
 use crate::base::{Progress, Real, Result};
 
-/// Points after which is asked whether to go on.
-const SOURCES: usize = 1 << 10;
+/// Points between two reports of progress.
+const REPORTED_POINTS: usize = 1 << 10;
 
 /// Sums over the pairs of a task's points with those behind them, for both points of each.
 pub(super) struct PairSums {
     /// The task's points; behind them those that its pairs reach.
     pub own: Range<usize>,
-    /// Of |p − q| / |p₀(p) − p₀(q)| − 1.
+    /// Sums of |p − q| / |p₀(p) − p₀(q)| − 1.
     excess: Vec<f32>,
     count: Vec<f32>,
 }
@@ -29,9 +29,9 @@ impl PairSums {
             let (targets, count) = targets(points, band, around.epsilon);
             let limits = [around.epsilon, around.least].map(|limit| (limit * limit) as f32);
             let band = points.bands[band].1.clone();
-            // Bands may hold all points of a picture: who waits for it can stop it between.
-            for from in band.clone().step_by(SOURCES) {
-                let source = from..band.end.min(from + SOURCES);
+            // A band may hold all points of a picture, so progress is reported, and may cancel, within it.
+            for from in band.clone().step_by(REPORTED_POINTS) {
+                let source = from..band.end.min(from + REPORTED_POINTS);
                 add_pairs(points, source.clone(), &targets[..count], limits, &mut sums);
                 progress.report(source.len() as u64)?;
             }
@@ -39,7 +39,7 @@ impl PairSums {
         Ok(sums)
     }
 
-    /// Where the points end that it has sums for.
+    /// End of the points that it has sums for.
     pub fn end(&self) -> usize {
         self.own.start + self.excess.len() - LANES
     }

@@ -1,4 +1,4 @@
-//! Where the points of a frame are in the truth, in an order in which neighbours are near.
+//! Points of a frame by their places in the truth, sorted so that neighbours are near each other in memory.
 
 use std::ops::Range;
 
@@ -11,8 +11,8 @@ use crate::camera::Camera;
 pub(super) const LANES: usize = 16;
 /// Bands of points for each ε: narrower ones hold fewer points that are too far away, wider ones are fewer.
 pub(super) const BANDS: usize = 4;
-/// Pixels from which float32 has none left between its steps, and from which on no neighbours are looked for.
-const FARTHEST: f64 = 1e7;
+/// Greatest coordinate in pixels of the truth: beyond, float32 has no fractions, and no neighbours are looked for.
+const GREATEST_PLACE: f64 = 1e7;
 
 /// Points by where they are in the truth: in bands of y, each in order of x. A place is the pixel plus its shift, which
 /// is held apart: float32 alone would be off by 1e-4 of a pixel, and the truth itself would not be whole. Behind the last
@@ -31,7 +31,7 @@ pub(super) struct TruthPoints {
 }
 
 /// A point before it is sorted.
-struct Place {
+struct TruthPlace {
     band: i64,
     pixel: u32,
     truth: DVec2,
@@ -42,12 +42,12 @@ impl TruthPoints {
         let place = |(pixel, at): (usize, &[f32; 3])| {
             let point = Vec3::from_array(*at).as_dvec3() + origin;
             let truth = truth.project(point).filter(|there| there.is_finite())?.truncate();
-            let is_near = truth.abs().max_element() < FARTHEST;
+            let is_near = truth.abs().max_element() < GREATEST_PLACE;
             // The conversion ends at the type's bounds.
             let band = (truth.y * BANDS as f64 / epsilon).floor() as i64;
-            is_near.then_some(Place { band, pixel: pixel as u32, truth })
+            is_near.then_some(TruthPlace { band, pixel: pixel as u32, truth })
         };
-        let mut places: Vec<Place> = position.par_iter().enumerate().filter_map(place).collect();
+        let mut places: Vec<TruthPlace> = position.par_iter().enumerate().filter_map(place).collect();
         // Stable sorts find the runs that a picture's rows are.
         places.par_sort_by_key(|place| place.band);
         let mut bands: Vec<(i64, Range<usize>)> = Vec::new();
@@ -65,11 +65,11 @@ impl TruthPoints {
             rest = others;
         }
         slices.into_par_iter().for_each(|band| band.sort_by(|a, b| a.truth.x.total_cmp(&b.truth.x)));
-        let here = |place: &Place| {
+        let here = |place: &TruthPlace| {
             let (column, row) = (place.pixel as usize % width, place.pixel as usize / width);
             DVec2::new(column as f64 + 0.5, row as f64 + 0.5)
         };
-        let values = |value: &(dyn Fn(&Place) -> f64 + Sync)| {
+        let values = |value: &(dyn Fn(&TruthPlace) -> f64 + Sync)| {
             let mut values: Vec<f32> = places.par_iter().map(|place| value(place) as f32).collect();
             values.resize(places.len() + LANES, 0.0);
             values

@@ -5,9 +5,9 @@ use super::super::plane::Plane;
 /// Sums over the pixels that count.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SimilaritySums {
-    /// Of the measure.
+    /// Sum of the measure.
     pub similarity: f64,
-    /// Of its second factor alone, which compares contrast and structure; 0 where it is not wanted.
+    /// Sum of its second factor alone, which compares contrast and structure; 0 where it is not wanted.
     pub contrast: f64,
     /// Pixels that count.
     pub pixels: f64,
@@ -23,7 +23,7 @@ impl SimilaritySums {
     }
 }
 
-/// Which windows count: those within the image, or all, and of these those that a mask names.
+/// Windows that count: those within the image, or all, and of these those that a mask names.
 #[derive(Clone, Copy)]
 pub struct Counted<'a> {
     /// Whether windows that reach beyond the image count too.
@@ -34,12 +34,12 @@ pub struct Counted<'a> {
     pub contrast: bool,
 }
 
-/// What a mask limits.
+/// Pixels that a mask excludes: from the mean, or from windows as well.
 #[derive(Clone, Copy)]
 pub enum Mask<'a> {
     /// The mean: windows around other pixels do not count.
     Mean(Plane<'a, u8>),
-    /// What windows see as well: other pixels, and those outside of the image, have no weight (normalised convolution).
+    /// Windows as well: other pixels, and those outside of the image, have no weight (normalised convolution).
     Windows(Plane<'a, u8>),
 }
 

@@ -54,7 +54,7 @@ fn add(sums: [f64; 5], more: [f64; 5]) -> [f64; 5] {
     std::array::from_fn(|i| sums[i] + more[i])
 }
 
-/// How many pixels of a row the window sees, and their sums of s, d, s² and d².
+/// Number of a row's pixels that the window sees, and their sums of s, d, s² and d².
 fn row_sums<P: Source>(
     pair: &Pair<'_, P>,
     row: usize,

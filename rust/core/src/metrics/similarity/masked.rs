@@ -14,11 +14,11 @@ use crate::base::simd::vectorized;
 
 /// Rows of one task: fixed, so that sums do not depend on the number of threads.
 const ROWS: usize = 64;
-/// What is summed in a window: 1, s, s², d, d², where the mask names a pixel, and 0 elsewhere.
+/// Sums of a window: 1, s, s², d, d², where the mask names a pixel, and 0 elsewhere.
 const FIELDS: usize = 5;
 
-/// How many times a window's contrast it may lie from the level: what its squares lose is 2e-15 times the square of that.
-const REACH: f64 = 50.0;
+/// Greatest distance of a window from the level, in units of its contrast: squares lose 2e-15 times its square.
+const GREATEST_DISTANCE: f64 = 50.0;
 
 /// A comparison by windows that see only what a mask names. It is made in float64: means can lie anywhere between the
 /// values of a band, and the square of that distance is lost from variances.
@@ -92,7 +92,8 @@ impl<P: Source> Masked<'_, P> {
                     measure.of::<true, false>([s, ss - s * s], [d, dd - d * d]);
                 // Squares about one level for all windows of a band lose digits of those that are far from it.
                 let contrasts = 0.5 * (ss - s * s + dd - d * d) + self.constants[1];
-                let holds = s * s + d * d <= REACH * REACH * contrasts && similarity.is_finite();
+                let holds =
+                    s * s + d * d <= GREATEST_DISTANCE * GREATEST_DISTANCE * contrasts && similarity.is_finite();
                 lost |= !holds;
                 results[at] = [similarity, contrast, if holds { 1.0 } else { 0.0 }];
             }

@@ -7,10 +7,10 @@ use super::moments::{COLUMNS, Kernels, Moments};
 use crate::base::Real;
 use crate::base::simd::vectorized;
 
-/// What turns moments into similarity.
+/// Levels and constants that turn moments into similarity.
 #[derive(Clone, Copy, Debug)]
 pub struct Measure<R> {
-    /// What was subtracted from each image.
+    /// Values that were subtracted from each image.
     pub levels: [R; 2],
     /// (k₁ L)² and (k₂ L)².
     pub constants: [R; 2],
@@ -48,7 +48,7 @@ impl<R: RoundingLimits> Measure<R> {
     }
 }
 
-/// Of one window.
+/// Similarity of one window.
 #[derive(Clone, Copy, Debug)]
 pub struct Measurement<R> {
     /// The measure.
@@ -79,7 +79,7 @@ pub struct WindowRow<R> {
     pub counts: [R; COLUMNS],
     /// Their similarity.
     pub similarity: [R; COLUMNS],
-    /// How many there are, in `LANES`.
+    /// Number of windows, in units of `LANES`.
     pub blocks: usize,
     /// Whether the second factor is wanted.
     pub contrast: bool,
@@ -87,52 +87,37 @@ pub struct WindowRow<R> {
     pub all: bool,
     /// Whether all windows of the last row held that must.
     pub holds: bool,
-    /// Of all rows since they were last set to 0, lane by lane: similarity and its second factor.
+    /// Sums of all rows since they were last set to 0, lane by lane: similarity and its second factor.
     pub sums: [[f64; LANES]; 2],
 }
 
 macro_rules! measured {
-    ($($real:ty: $both:ident, $one:ident, $powers:ident);*) => {$(
-        vectorized! {
-            fn $both(
-                measure: &Measure<$real>, s: &Moments<$real>, d: &Moments<$real>, row: &mut WindowRow<$real>,
-            ) = fused both<_>;
-            fn $one(
-                measure: &Measure<$real>, s: &Moments<$real>, d: &Moments<$real>, row: &mut WindowRow<$real>,
-            ) = fused one<_>;
-            fn $powers(s: &[$real], d: &[$real]) -> [f64; 4] = power_sums;
-        }
+    ($($real:ty),*) => {$(
         impl Measured for $real {
-            fn power_sums(s: &[Self], d: &[Self]) -> [f64; 4] {
-                $powers(s, d)
-            }
-            fn measure(measure: &Measure<Self>, s: &Moments<Self>, d: &Moments<Self>, row: &mut WindowRow<Self>) {
-                if row.contrast { $both(measure, s, d, row) } else { $one(measure, s, d, row) }
+            vectorized! {
+                fn measure(
+                    measure: &Measure<$real>, s: &Moments<$real>, d: &Moments<$real>, row: &mut WindowRow<$real>,
+                ) = fused measure_any_row<_>;
+                fn power_sums(s: &[$real], d: &[$real]) -> [f64; 4] = power_sums;
             }
         }
     )*};
 }
 
-measured!(f32: both_f32, one_f32, powers_f32; f64: both_f64, one_f64, powers_f64);
+measured!(f32, f64);
 
 #[inline(always)]
-fn both<R: RoundingLimits, const FUSED: bool>(
+fn measure_any_row<R: RoundingLimits, const FUSED: bool>(
     measure: &Measure<R>,
     s: &Moments<R>,
     d: &Moments<R>,
     row: &mut WindowRow<R>,
 ) {
-    measure_row::<R, true, FUSED>(measure, s, d, row);
-}
-
-#[inline(always)]
-fn one<R: RoundingLimits, const FUSED: bool>(
-    measure: &Measure<R>,
-    s: &Moments<R>,
-    d: &Moments<R>,
-    row: &mut WindowRow<R>,
-) {
-    measure_row::<R, false, FUSED>(measure, s, d, row);
+    if row.contrast {
+        measure_row::<R, true, FUSED>(measure, s, d, row);
+    } else {
+        measure_row::<R, false, FUSED>(measure, s, d, row);
+    }
 }
 
 #[inline(always)]

@@ -16,9 +16,9 @@ pub(super) const COLUMNS: usize = 128;
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub struct Moments<R> {
-    /// Of each window.
+    /// Mean of each window.
     pub mean: [R; COLUMNS],
-    /// Of each window.
+    /// Variance of each window.
     pub variance: [R; COLUMNS],
 }
 
@@ -37,31 +37,24 @@ pub trait Kernels: Real {
 }
 
 macro_rules! kernels {
-    ($($real:ty: $across:ident, $down:ident);*) => {$(
-        vectorized! {
-            fn $across(line: &[$real], weights: &[$real], moments: &mut Moments<$real>, blocks: usize) = fused across<_>;
-            fn $down(
-                rows: &[Moments<$real>], order: &[usize], weights: &[$real], moments: &mut Moments<$real>, blocks: usize,
-            ) = fused down<_>;
-        }
+    ($($real:ty),*) => {$(
         impl Kernels for $real {
-            fn across(line: &[Self], weights: &[Self], moments: &mut Moments<Self>, blocks: usize) {
-                $across(line, weights, moments, blocks);
-            }
-            fn down(
-                rows: &[Moments<Self>],
-                order: &[usize],
-                weights: &[Self],
-                moments: &mut Moments<Self>,
-                blocks: usize,
-            ) {
-                $down(rows, order, weights, moments, blocks);
+            vectorized! {
+                fn across(line: &[$real], weights: &[$real], moments: &mut Moments<$real>, blocks: usize)
+                    = fused across<_>;
+                fn down(
+                    rows: &[Moments<$real>],
+                    order: &[usize],
+                    weights: &[$real],
+                    moments: &mut Moments<$real>,
+                    blocks: usize,
+                ) = fused down<_>;
             }
         }
     )*};
 }
 
-kernels!(f32: across_f32, down_f32; f64: across_f64, down_f64);
+kernels!(f32, f64);
 
 #[inline(always)]
 pub(super) fn across<R: Real, const FUSED: bool>(line: &[R], weights: &[R], moments: &mut Moments<R>, blocks: usize) {

@@ -1,6 +1,6 @@
 //! Windows, and the constants of the measure.
 
-/// What is averaged around each pixel.
+/// Weights of the pixels around each pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Window {
     /// Separable weights, the same from both ends, that sum to 1; an even number of them reaches one pixel further up

@@ -16,8 +16,9 @@ use crate::base::simd::prefetch;
 const ROWS: usize = 90;
 /// Bytes of a row that a tile takes in each image: with the moments of a window's rows they stay in the caches.
 const TILE_BYTES: usize = 512;
-/// Rows that are asked for ahead of time: their addresses jump from tile to tile, which no machine foresees.
-const AHEAD: usize = 4;
+/// Rows between the one at work and the one that is prefetched: addresses jump from tile to tile, which hardware
+/// prefetchers do not predict.
+const PREFETCHED_ROWS: usize = 4;
 
 /// A comparison by windows.
 pub(super) struct Windows<'a, P: Source> {
@@ -67,7 +68,7 @@ impl<'a, P: Source> Windows<'a, P> {
         each.into_iter().fold(SimilaritySums::default(), SimilaritySums::and)
     }
 
-    /// Where windows count that a mask does not rule out.
+    /// Region of the windows that count unless a mask rules them out.
     fn inside(&self) -> Region {
         let (height, width) = (self.pair.reference.height, self.pair.reference.width);
         let taps = self.weights.len();
@@ -204,7 +205,7 @@ impl<'a, P: Source> Windows<'a, P> {
             return self.pair.gather(row, places.iter().copied(), levels, lines);
         }
         self.pair.load(row, start..last + 1, levels, lines);
-        let next = (row + AHEAD).min(self.pair.reference.height - 1);
+        let next = (row + PREFETCHED_ROWS).min(self.pair.reference.height - 1);
         for image in [&self.pair.reference, &self.pair.test] {
             image.run(next, start..last + 1).into_iter().for_each(prefetch);
         }
@@ -229,11 +230,11 @@ impl<R: Real> MapRows<'_, R> {
 
 /// Everything that a band's tiles write into.
 struct Bench<R> {
-    /// Of s and d: a row's values.
+    /// Values of a row, of s and of d.
     lines: [Vec<R>; 2],
     /// The moments along rows, a ring of as many as a window has.
     rows: [Vec<Moments<R>>; 2],
-    /// Where in the ring the last rows are that were read, the earliest first: those of a window.
+    /// Places in the ring of the rows of a window, the earliest first.
     order: Vec<usize>,
     moments: [Moments<R>; 2],
     row: WindowRow<R>,

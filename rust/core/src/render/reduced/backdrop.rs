@@ -1,5 +1,5 @@
-//! What is seen where no near geometry is: the environment map; or, for the ideal picture, what a ray from the centre
-//! meets; or the sky where nothing is far.
+//! Background behind near geometry: the environment map; or, for the ideal picture, the hit of a ray from the centre; or
+//! the sky where nothing is far.
 
 use glam::{DVec3, Vec3};
 
@@ -100,7 +100,7 @@ impl Backdrop<'_> {
         Ray { origin: self.center.as_vec3(), direction, t_min: (radius / slope) as f32, t_max: f32::INFINITY }
     }
 
-    /// What a tile's rays that met nothing see of a far part that is traced: together, because they are coherent.
+    /// Hits of a tile's missing rays in a far part that is traced: together, because they are coherent.
     pub fn behind(&self, rays: &[Ray], hits: &[Hit]) -> Option<Behind> {
         let Far::Traced(scene, radius) = self.far else { return None };
         let mut behind = Behind { rays: [self.ray(radius, Vec3::Y); PIXELS], hits: [Hit::MISS; PIXELS] };

@@ -8,8 +8,8 @@ use crate::bend::{RayCurve, Stretch};
 pub(super) const MOST_LEGS: usize = 32;
 /// Fewest, so that neighbours can be compared there.
 pub(super) const LEAST_LEGS: usize = 4;
-/// Of a bend's offset, as a share of the greatest: its square is what float32 tells apart.
-const PRECISION: f64 = 1e-4;
+/// Tolerance of a bend's offset as a share of the greatest: its square is float32's resolution.
+const OFFSET_PRECISION: f64 = 1e-4;
 
 /// A ray's bends between the radii, at equal steps along it; no chord between them misses the curve.
 pub(super) struct Corner {
@@ -86,7 +86,7 @@ fn halve(curve: &RayCurve<'_>, stretch: &Stretch, beside: &mut [f64; MOST_LEGS +
         let inner = k > 0 && k + 1 < legs;
         let bulge = if inner { (a + b - coarse[k - 1] - coarse[k + 2]) / 16.0 } else { 0.0 };
         beside[2 * k] = a;
-        beside[2 * k + 1] = curve.search(place(stretch, k as f64 + 0.5, legs), 0.5 * (a + b) + bulge, PRECISION);
+        beside[2 * k + 1] = curve.search(place(stretch, k as f64 + 0.5, legs), 0.5 * (a + b) + bulge, OFFSET_PRECISION);
     }
     beside[2 * legs] = coarse[legs];
 }

@@ -243,7 +243,7 @@ impl Inside {
     }
 }
 
-/// Keeps of the first `count` numbers those of rays that have met nothing, and says how many.
+/// Keeps of the first `count` numbers those of rays that have hit nothing; returns how many.
 fn only_misses(numbers: &mut [usize], count: usize, hits: &[Hit]) -> usize {
     let mut kept = 0;
     for i in 0..count {

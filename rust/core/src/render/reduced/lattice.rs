@@ -35,19 +35,19 @@ pub(super) struct Lattice {
 
 /// A part of a tile: one of `parts` × `parts`.
 #[derive(Clone, Copy)]
-struct Part {
+struct TilePart {
     parts: usize,
     x: usize,
     y: usize,
 }
 
-impl Part {
+impl TilePart {
     const WHOLE: Self = Self { parts: 1, x: 0, y: 0 };
 }
 
 /// The bends of the rays of a tile or of a part of it.
 pub(super) struct Cell {
-    part: Part,
+    part: TilePart,
     /// Between the radii.
     pub legs: usize,
     /// Offset and place along the ray of each bend, as the coefficients of 1, x, y and xy across the tile.
@@ -78,7 +78,7 @@ impl Lattice {
         if parts == 1 {
             let at = |x, y| self.corner(column + x, row + y);
             let (Some(a), Some(b), Some(c), Some(d)) = (at(0, 0), at(1, 0), at(0, 1), at(1, 1)) else { return false };
-            trace(&Cell::new([a, b, c, d], user, Part::WHOLE));
+            trace(&Cell::new([a, b, c, d], user, TilePart::WHOLE));
             return true;
         }
         let across = parts + 1;
@@ -91,7 +91,7 @@ impl Lattice {
             let (x, y) = (part % parts, part / parts);
             let first = y * across + x;
             let around = [first, first + 1, first + across, first + across + 1].map(|i| &corners[i]);
-            trace(&Cell::new(around, user, Part { parts, x, y }));
+            trace(&Cell::new(around, user, TilePart { parts, x, y }));
         }
         true
     }
@@ -144,7 +144,7 @@ impl Lattice {
 }
 
 impl Cell {
-    fn new(corners: [&Corner; 4], user: Vec3, part: Part) -> Self {
+    fn new(corners: [&Corner; 4], user: Vec3, part: TilePart) -> Self {
         let legs = corners.iter().map(|corner| corner.legs).max().unwrap_or(LEAST_LEGS);
         let (bends, boxes) = ([[Vec4::ZERO; 4]; MOST_LEGS + 1], [Aabb::EMPTY; MOST_LEGS + 1]);
         let mut cell = Self { part, legs, bends, boxes };
@@ -160,7 +160,7 @@ impl Cell {
     /// Place in this part of a place in the tile; none for those in other parts.
     #[inline]
     pub fn within(&self, spot: [f32; 2]) -> Option<[f32; 2]> {
-        let Part { parts, x, y } = self.part;
+        let TilePart { parts, x, y } = self.part;
         let [u, v] = spot.map(|share| share * parts as f32);
         // Places in a tile are below 1, so that every one lies in one part.
         ((u as usize, v as usize) == (x, y)).then_some([u - x as f32, v - y as f32])

@@ -1,4 +1,4 @@
-//! What a thin client shows: near geometry, morphed for the user's position, before an environment map.
+//! Frames of a thin client: near geometry, morphed for the user's position, before an environment map.
 
 mod backdrop;
 mod bent;

@@ -17,7 +17,7 @@ pub(super) struct Moving {
 }
 
 impl Moving {
-    /// None where nothing moves, so that nobody looks for it.
+    /// None where nothing moves, so that no ray searches for it.
     pub fn of(scene: &Scene) -> Option<Self> {
         let moves = !scene.moving.instances().is_empty();
         moves.then(|| Self {
@@ -62,7 +62,7 @@ impl Moving {
     }
 }
 
-/// What lies before the far part on a ray from the centre.
+/// Filter for geometry before the far part on a ray from the centre.
 struct Before<'a> {
     backdrop: &'a Backdrop<'a>,
 }

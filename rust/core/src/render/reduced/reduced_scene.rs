@@ -17,7 +17,7 @@ use crate::morph::{Kind, Morph};
 use crate::partition::Partition;
 use crate::scene::Scene;
 
-/// How near and far part are joined.
+/// Join of near and far part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Join {
     /// Near geometry is bent between r₁ and r₂ so that it meets the map without a seam.
@@ -30,7 +30,7 @@ pub enum Join {
 }
 
 impl Join {
-    /// How points are morphed, if they are.
+    /// Kind of the morph, if there is one.
     fn kind(self) -> Option<Kind> {
         match self {
             Self::Morph(kind) => Some(kind),
@@ -39,7 +39,7 @@ impl Join {
     }
 }
 
-/// How the morph is applied.
+/// Points that the morph is applied to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MorphMethod {
     /// To vertices, as a vertex shader would.
@@ -48,14 +48,14 @@ pub enum MorphMethod {
     Exact,
 }
 
-/// How a reduced scene is drawn.
+/// Settings of a reduced scene's frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Drawing {
     /// Which images.
     pub channels: Channels,
     /// Colour samples of each pixel.
     pub samples: u32,
-    /// How the morph is applied.
+    /// Points that the morph is applied to.
     pub method: MorphMethod,
     /// True for the map as it was baked; false for the ideal picture, whose far part is traced from the centre.
     pub mapped: bool,
@@ -76,7 +76,7 @@ pub struct Reduced {
     last: [AtomicU64; 4],
 }
 
-/// What the last frame took.
+/// Counts of the last frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FrameCounts {
     /// Triangles that were traced instead of the whole scene, after splitting; 0 where the scene's own trees were used.
@@ -102,12 +102,12 @@ impl Reduced {
         Ok(Self { standing, center: partition.center(), radii, join, map, near, last: Default::default() })
     }
 
-    /// How near and far part are joined.
+    /// Join of near and far part.
     pub fn join(&self) -> Join {
         self.join
     }
 
-    /// What surrounds the near part, where anything does.
+    /// Environment map, where anything lies beyond the near part.
     pub fn map(&self) -> Option<&EnvironmentMap> {
         self.map.as_ref()
     }
@@ -117,7 +117,7 @@ impl Reduced {
         self.near.bytes()
     }
 
-    /// What the last frame took.
+    /// Counts of the last frame.
     pub fn last_frame(&self) -> FrameCounts {
         let [triangles, moving, opposed, bounded] = [0, 1, 2, 3].map(|i| self.last[i].load(Ordering::Relaxed));
         FrameCounts { triangles, moving, opposed, bounded: bounded != 0 }
@@ -154,7 +154,7 @@ impl Reduced {
         draw(&view, &bent::Bent { scene, shown, backdrop, radius: r2 }, progress)
     }
 
-    /// What lies beyond the near part: nothing where nothing was baked.
+    /// Far part: nothing where nothing was baked.
     fn far(&self, mapped: bool, radius: f64, progress: &Progress) -> Result<Far<'_>> {
         match &self.map {
             None => Ok(Far::Nothing),
@@ -194,7 +194,7 @@ impl Reduced {
         camera.least_pixel_angle() / if camera.is_parallel() { self.radii[1] } else { 1.0 }
     }
 
-    /// Keeps what the last frame took.
+    /// Keeps the counts of the last frame.
     pub fn remember(&self, counts: FrameCounts) {
         let FrameCounts { triangles, moving, opposed, bounded } = counts;
         for (slot, count) in self.last.iter().zip([triangles, moving, opposed, u64::from(bounded)]) {

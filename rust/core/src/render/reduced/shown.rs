@@ -35,7 +35,7 @@ impl NearPiece {
 
 /// Pieces and the mesh that they are traced as, face by face.
 #[derive(Clone, Debug)]
-struct Part {
+struct NearPart {
     pieces: Arc<Vec<NearPiece>>,
     instance: Instance,
 }
@@ -43,21 +43,21 @@ struct Part {
 /// Geometry as one user sees it.
 #[derive(Clone, Debug)]
 struct Bending {
-    part: Part,
+    part: NearPart,
     /// Vertices that user and centre see in opposite directions.
     opposed: u64,
     /// The tolerance is a bound.
     bounded: bool,
 }
 
-/// What the morphed standing part follows from: the user's position and the tolerance.
+/// Inputs of the morphed standing part: the user's position and the tolerance.
 type Cause = (DVec3, Option<f64>);
 
 /// Near geometry of a reduced scene.
 #[derive(Debug, Default)]
 pub(super) struct NearGeometry {
     /// Standing triangles with all corners inside r₁: no morph changes them.
-    fixed: Option<Part>,
+    fixed: Option<NearPart>,
     /// The other standing ones: instance and face.
     bending: Vec<(u32, u32)>,
     /// The last of them, because a user who stands still sees other poses of what moves.
@@ -94,7 +94,7 @@ impl NearGeometry {
         let (fixed, bending): (Vec<_>, Vec<_>) = nsf.partition(inside);
         let pieces = fixed.into_iter().map(|(instance, face)| NearPiece { instance, face, corners: WHOLE }).collect();
         let corners = |piece: &NearPiece| scene.instance(piece.instance).corners(piece.face);
-        let fixed = Part::new(pieces, corners)?;
+        let fixed = NearPart::new(pieces, corners)?;
         fixed.instance.mesh.build_bvh(progress)?;
         Ok(Self { fixed: Some(fixed), bending, last: Mutex::default() })
     }
@@ -105,7 +105,8 @@ impl NearGeometry {
         fixed + size_of_val(&self.bending[..])
     }
 
-    /// What a user sees of it, and of everything that moves. Only what moves is done anew for a user who stands still.
+    /// Near geometry as a user sees it, with everything that moves. For a user who stands still only moving parts are
+    /// morphed anew.
     pub fn morphed(&self, scene: &Scene, morph: &Morph, tolerance: Option<f64>, progress: &Progress) -> Result<Shown> {
         let standing = self.standing(scene, morph, tolerance, progress)?;
         let first = scene.standing.instances().len();
@@ -115,7 +116,7 @@ impl NearGeometry {
         let moving = Bending::new(faces.collect(), true, scene, morph, tolerance, progress)?;
         let fixed = match &self.fixed {
             Some(fixed) => fixed.clone(),
-            None => Part::new(Vec::new(), |_| Default::default())?,
+            None => NearPart::new(Vec::new(), |_| Default::default())?,
         };
         let (opposed, bounded) = (standing.opposed + moving.opposed, standing.bounded);
         let parts = [fixed, standing.part, moving.part];
@@ -181,7 +182,7 @@ impl Bending {
         let mut shown = corners.into_iter().map(|corners| corners.map(|(point, _)| point));
         let pieces = triangles.into_iter().map(|(piece, _)| piece).collect();
         Ok(Self {
-            part: Part::new(pieces, |_| shown.next().unwrap_or_default())?,
+            part: NearPart::new(pieces, |_| shown.next().unwrap_or_default())?,
             opposed,
             bounded: rule.is_some_and(|rule| rule.holds()),
         })
@@ -201,7 +202,7 @@ fn rule_of(morph: &Morph, tolerance: f64) -> Result<Rule> {
     Rule::new(&settings, Precision::Double)
 }
 
-impl Part {
+impl NearPart {
     fn new(pieces: Vec<NearPiece>, mut corners: impl FnMut(&NearPiece) -> [Vec3; 3]) -> Result<Self> {
         let positions: Vec<[f32; 3]> = pieces.iter().flat_map(|piece| corners(piece).map(|p| p.to_array())).collect();
         let faces = (0..pieces.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();

@@ -4,7 +4,7 @@ use std::array::from_fn;
 
 use super::isa::{Isa, Lanes};
 
-/// What every processor has.
+/// Instructions that every processor has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Portable;
 

@@ -1,4 +1,4 @@
-//! What other tracers were seen to get wrong.
+//! Cases that other tracers get wrong.
 
 use std::time::Instant;
 
