@@ -34,7 +34,7 @@ def test_lenses_fold_where_the_derivative_says(case: dict[str, Any]) -> None:
     if case["r_max"] is None:
         assert lens.r_max == math.inf
     else:
-        check(lens.r_max, case["r_max"], 0.0, share=case["fold_tolerance"])
+        check(lens.r_max, case["r_max"], 0.0, share=case["tolerance"]["fold"])
         check(lens.distorted_max, case["distorted_max"], 0.0, share=case["tolerance"]["distort"])
 
 

@@ -133,7 +133,7 @@ def _tolerance(curve: Curve, s: list[float], offsets: list[Any]) -> dict[str, fl
             terms = y / by_user + (y1 - y) / by_center
             of_w = 4 * STEP_64 * largest / (r2 - r1)
             double = max(double, 8 * STEP_64 * largest + (of_w + 16 * STEP_64) * terms / slope)
-            # The residual is the direction's offset across d before it is normalised, which makes it no shorter.
+            # The residual is the sine of the angle missed times the length of the blend, which is at most 1.
             chord = max(chord, POLYLINE / slope)
     return {"float64": above(double), "polyline": above(chord + double)}
 

@@ -186,7 +186,7 @@ def texels() -> list[dict[str, Any]]:
         (2, range(24)),
         (3, range(0, 54, 5)),
         (5, range(3, 150, 13)),
-        (1024, _spread(1024)),
+        (256, _spread(256)),
     ):
         chosen = list(numbers)
         out = [rounded(center_of(number, size)) for number in chosen]

@@ -144,6 +144,7 @@ def _samples(region: str, k: Coefficients, radii: list[float]) -> dict[str, Any]
             "derivative": above((2 * len(k) + 2) * 2 * STEP_64 * max(sizes)),
             "lut": 5e-10,
             "fixed_point": above(_iteration(k, shown)),
+            **({} if end is None else {"fold": above(_fold_error(k, end))}),
         },
         "r": radii,
         "distorted": shown,
@@ -152,7 +153,6 @@ def _samples(region: str, k: Coefficients, radii: list[float]) -> dict[str, Any]
         "fixed_point": [rounded(fixed_point(k, exact.mpf(x), STEPS)) for x in shown],
         "r_max": None if end is None else rounded(end),
         "distorted_max": None if end is None else rounded(distort(k, end)),
-        "fold_tolerance": None if end is None else above(_fold_error(k, end)),
     }
 
 
@@ -234,6 +234,7 @@ def files() -> dict[str, str]:
             "derivative": "2 (n + 1) units in the last place of the sum of the terms' sizes, n coefficients.",
             "lut": "Share of r: the greatest lut_bound that nearfar.RadialLens states; besides undistort's.",
             "fixed_point": "Share of r: 2 (n + 2) units in the last place a step, carried on by the iteration's slope.",
+            "fold": "Share of r_max: 8 (n + 1) roundings of the terms of f', over r_max f''. distorted_max: distort's.",
         },
         radial=radial(),
         points=points(),

@@ -1,15 +1,10 @@
 use glam::DVec3;
 use nearfar_core::base::Progress;
 use nearfar_core::bend::{Curve, bend_rays, margin};
-use nearfar_core::morph::{Kind, Morph};
+use nearfar_core::morph::Kind;
 use serde_json::Value;
 
-use super::{assert_near, cases, number, numbers, row, rows};
-
-fn morph_of(case: &Value, kind: Kind) -> Morph {
-    let [user, center] = ["user", "center"].map(|name| DVec3::from_array(row(&case[name])));
-    Morph::new(user, center, number(&case["r1"]), number(&case["r2"]), kind).unwrap()
-}
+use super::{assert_near, cases, morph_of, number, numbers, row, rows};
 
 /// Without near geometry there is no blend.
 fn kinds(case: &Value) -> &'static [Kind] {
@@ -37,7 +32,7 @@ fn curves_run_where_the_equation_says() {
 
 #[test]
 fn polylines_lie_on_the_curve_and_end_on_the_rays_from_the_centre() {
-    // Tangents of 1e-6 radians are 1e-6 radians.
+    // Radians; the bounds for polylines are of this tolerance.
     let tolerance = 1e-6;
     for case in cases("bend", "cases") {
         for &kind in kinds(&case) {

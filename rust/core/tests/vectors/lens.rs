@@ -58,7 +58,7 @@ fn lenses_fold_where_the_derivative_says() {
             assert_eq!(lens.r_max(), f64::INFINITY, "{}", case["region"]);
             continue;
         }
-        let share = number(&case["fold_tolerance"]);
+        let share = number(&case["tolerance"]["fold"]);
         assert_share(&case, &[lens.r_max()], &[number(&case["r_max"])], share);
         assert_share(&case, &[lens.x_max()], &[number(&case["distorted_max"])], number(&case["tolerance"]["distort"]));
     }

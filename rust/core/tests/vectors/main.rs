@@ -6,6 +6,8 @@ mod fit_4pl;
 mod lens;
 mod morph;
 
+use glam::DVec3;
+use nearfar_core::morph::{Kind, Morph};
 use serde_json::Value;
 
 /// Cases of a section of a file.
@@ -38,23 +40,29 @@ fn rows<const N: usize>(value: &Value) -> Vec<[f64; N]> {
     value.as_array().unwrap().iter().map(row).collect()
 }
 
+/// The morph of a case.
+fn morph_of(case: &Value, kind: Kind) -> Morph {
+    let [user, center] = ["user", "center"].map(|name| DVec3::from_array(row(&case[name])));
+    Morph::new(user, center, number(&case["r1"]), number(&case["r2"]), kind).unwrap()
+}
+
 /// Fails where numbers are further from the expected ones than a bound.
 #[track_caller]
 fn assert_near(case: &Value, found: &[f64], expected: &[f64], bound: f64) {
-    assert_eq!(found.len(), expected.len(), "{}", case["region"]);
-    for (n, (found, expected)) in found.iter().zip(expected).enumerate() {
-        let off = (found - expected).abs();
-        assert!(off <= bound, "{}: {found} for {expected} at {n}, off by {off:e} > {bound:e}", case["region"]);
-    }
+    assert_within(case, found, expected, |_| bound);
 }
 
-/// The same for bounds that are shares of the expected numbers.
+/// Fails where numbers are further from the expected ones than a share of these.
 #[track_caller]
 fn assert_share(case: &Value, found: &[f64], expected: &[f64], share: f64) {
+    assert_within(case, found, expected, |expected| share * expected.abs());
+}
+
+#[track_caller]
+fn assert_within(case: &Value, found: &[f64], expected: &[f64], bound: impl Fn(f64) -> f64) {
     assert_eq!(found.len(), expected.len(), "{}", case["region"]);
-    for (n, (found, expected)) in found.iter().zip(expected).enumerate() {
-        let off = (found - expected).abs();
-        let bound = share * expected.abs();
+    for (n, (&found, &expected)) in found.iter().zip(expected).enumerate() {
+        let (off, bound) = ((found - expected).abs(), bound(expected));
         assert!(off <= bound, "{}: {found} for {expected} at {n}, off by {off:e} > {bound:e}", case["region"]);
     }
 }

@@ -1,15 +1,10 @@
 use glam::DVec3;
-use nearfar_core::morph::{Kind, Morph};
+use nearfar_core::morph::Kind;
 use serde_json::Value;
 
-use super::{assert_near, cases, number, numbers, row, rows};
+use super::{assert_near, cases, morph_of, number, numbers, rows};
 
 const FILES: [(&str, Kind); 2] = [("blend", Kind::Blend), ("cylinder", Kind::Cylinder)];
-
-fn morph_of(case: &Value, kind: Kind) -> Morph {
-    let [user, center] = ["user", "center"].map(|name| DVec3::from_array(row(&case[name])));
-    Morph::new(user, center, number(&case["r1"]), number(&case["r2"]), kind).unwrap()
-}
 
 fn opposed(case: &Value) -> Vec<bool> {
     case["opposed"].as_array().unwrap().iter().map(|x| x.as_bool().unwrap()).collect()
