@@ -1,1 +1,1 @@
-"""Lenses of headsets: distortion and its inverse, warped pictures and meshes, sizes seen through a lens."""
+"""Lenses of headsets: distortion and its inverse, warped pictures and meshes, and solid angles seen through a lens."""

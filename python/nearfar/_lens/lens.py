@@ -1,4 +1,4 @@
-"""Lenses of headsets: what they show where, pictures through them, and how large things look."""
+"""Radial lens models: distortion and its inverse, warping of pictures, and solid angles seen through a lens."""
 
 from __future__ import annotations
 
@@ -17,29 +17,32 @@ from nearfar._camera.camera import Camera, Fov
 from nearfar._lens.warp import WarpMesh, radius_of, warp, warp_mesh
 
 METHODS = ("newton", "fixed_point", "lut")
+"""Names of the methods that `RadialLens.undistort` describes."""
 
 OUTSIDE = ("raise", "nan")
+"""Treatments of values outside the lens's domain."""
 
 
 @dataclass(frozen=True)
 class RadialLens(WithTwin):
     """A lens that shows radius r at f(r) = r (1 + k₁r² + k₂r⁴ + …).
 
-    Radii are tangents: r = tan α / tan ω with α the angle from the lens's axis and ω half the horizontal field of view
-    (the larger side of an asymmetric one), so that r = 1 at the screen's edge.
+    Radii are ratios of tangents: r = tan α / tan ω, where α is the angle from the lens's axis and ω half the horizontal
+    field of view (the larger side of an asymmetric one), so that r = 1 at the screen's edge.
 
     Parameters
     ----------
     k
-        k₁, k₂, …: any number of coefficients up to 64; none is a lens that changes nothing.
+        Coefficients k₁, k₂, …, 0 to 64 of them; without any the lens changes nothing.
     tangential
-        p₁ and p₂ of Brown's model, for lenses that are not quite centred. They move points, not radii.
+        Coefficients p₁ and p₂ of Brown's model, for lenses that are slightly off-centre. They affect the functions of
+        points, not those of radii.
 
     Raises
     ------
     ValueError, TypeError
-        For coefficients that are not finite numbers, and for those whose terms are as large as r already at 10⁻³⁰ or
-        not before 10³⁰.
+        For coefficients that are not finite numbers, and for those whose terms reach the size of r before r = 10⁻³⁰ or
+        not before r = 10³⁰.
 
     References
     ----------
@@ -59,45 +62,45 @@ class RadialLens(WithTwin):
 
     @property
     def r_max(self) -> float:
-        """Radius at which the lens folds, f′ = 0, and the domain of f ends; inf for lenses that never fold."""
+        """End of the domain of f: the radius at which the lens folds (f′ = 0); inf for lenses that never fold."""
         return self._core.r_max
 
     @property
     def distorted_max(self) -> float:
-        """f(`r_max`), where the domain of `undistort` ends; 10²⁹⁰ for lenses that never fold, whatever overflows."""
+        """End of the domain of `undistort`, f(`r_max`); 10²⁹⁰ for lenses that never fold, even if f overflows."""
         return self._core.x_max
 
     @property
     def point_r_max(self) -> float:
-        """Radius of the disc in which `distort_points` is known to map no two points to one.
+        """Radius of the disc in which `distort_points` is proven to map different points to different points.
 
-        It is `r_max` without tangential terms, and less with them.
+        Without tangential terms it is `r_max`; with them it is smaller.
         """
         return self._core.reach
 
     @property
     def lut_bound(self) -> float:
-        """Greatest error of `undistort` with "lut", as a share of the result: a bound that holds for every radius.
+        """Bound of the relative error of `undistort` with "lut" for every radius of at least 10⁻²⁷⁰; at most 5e-10.
 
-        (Of at least 10⁻²⁷⁰: the smallest floats have fewer digits.) It is at most 5e-10. Where no table holds that,
-        beside a fold and beyond 16 times the radius at which the first term is as large as r, "lut" is Newton's method.
+        (Smaller floats have fewer digits.) "lut" uses Newton's method where no table satisfies the bound: near a fold,
+        and beyond 16 times the radius at which the first term is as large as r.
         """
         return self._core.table_bound()[0]
 
     def distort(self, r: ArrayLike, *, outside: str = "raise") -> NDArray[Any]:
-        """Radii at which the lens shows radii.
+        """Compute the radii f(r) at which the lens shows radii r.
 
         Parameters
         ----------
         r
-            Numbers of any shape and sign (f is odd). float32 and float64 are kept.
+            Radii of any shape and sign (f is odd). float32 and float64 are kept.
         outside
             "raise": a radius beyond `r_max` is an error. "nan": its result is NaN.
 
         Returns
         -------
         NDArray
-            f(r), rounded once: within one unit in the last place.
+            f(r), rounded once, with an error of at most one unit in the last place.
 
         Raises
         ------
@@ -105,32 +108,32 @@ class RadialLens(WithTwin):
             For radii beyond `r_max` and for NaN, unless `outside` is "nan".
         """
         values = check.array("r", r, columns=None)
-        return self._core.distort(values.reshape(-1), _refuse(outside)).reshape(values.shape)
+        return self._core.distort(values.reshape(-1), _raises_outside(outside)).reshape(values.shape)
 
     def derivative(self, r: ArrayLike, *, outside: str = "raise") -> NDArray[Any]:
-        """f′ at radii; arguments and errors as in `distort`. It is 1 on the axis and 0 at `r_max`."""
+        """Compute f′(r), which is 1 on the axis and 0 at `r_max`; arguments and errors as in `distort`."""
         values = check.array("r", r, columns=None)
-        return self._core.derivative(values.reshape(-1), _refuse(outside)).reshape(values.shape)
+        return self._core.derivative(values.reshape(-1), _raises_outside(outside)).reshape(values.shape)
 
     def undistort(
         self, r: ArrayLike, *, method: str = "newton", iterations: int = 5, outside: str = "raise"
     ) -> NDArray[Any]:
-        """Radii that the lens shows at radii: the inverse of `distort`.
+        """Compute the radii that the lens shows at radii `r`: the inverse of `distort`.
 
         Parameters
         ----------
         r
-            Numbers of any shape and sign. float32 and float64 are kept; everything is computed in float64.
+            Distorted radii of any shape and sign. float32 and float64 are kept; everything is computed in float64.
         method
-            "newton": f(result) is within 2 units in the last place of r, or the result within one of the true root.
-            "lut": cubics between nodes, off by at most `lut_bound` of the result. "fixed_point": as published,
-            r ← r_d / (1 + k₁r² + …), so many `iterations`. It converges slowly or not at all where the lens is strong,
-            and says nothing about it.
+            "newton": f(result) differs from `r` by at most 2 units in the last place, or the result from the true root
+            by at most one. "lut": interpolation by cubics, with a relative error of at most `lut_bound`.
+            "fixed_point": the published iteration r ← r_d / (1 + k₁r² + …), where r_d is the distorted radius. For
+            strong lenses it converges slowly or not at all, without an error.
         iterations
-            Of "fixed_point".
+            Number of iterations of "fixed_point", 0 to 1000.
         outside
-            "raise": a radius beyond `distorted_max` is an error. "nan": its result is NaN. "fixed_point" knows no
-            domain.
+            "raise": a radius beyond `distorted_max` is an error. "nan": its result is NaN. "fixed_point" does not check
+            this.
 
         Returns
         -------
@@ -140,33 +143,33 @@ class RadialLens(WithTwin):
         Raises
         ------
         ValueError
-            For radii that the lens shows nothing at and for NaN, unless `outside` is "nan".
+            For radii beyond `distorted_max` and for NaN, unless `outside` is "nan".
         """
         check.choice("method", method, METHODS)
         steps = check.integer("iterations", iterations, 0, 1000)
         values = check.array("r", r, columns=None)
-        return self._core.undistort(values.reshape(-1), method, steps, _refuse(outside)).reshape(values.shape)
+        return self._core.undistort(values.reshape(-1), method, steps, _raises_outside(outside)).reshape(values.shape)
 
     def distort_points(self, points: ArrayLike, *, outside: str = "raise") -> NDArray[Any]:
-        """Where the lens shows points, with its tangential terms.
+        """Compute the positions at which the lens, with its tangential terms, shows points.
 
         Parameters
         ----------
         points
             (N, 2), x to the right and y up from the axis, in units of the lens (r = 1 at the screen's edge).
         outside
-            What becomes of points beyond `point_r_max`: "raise" or "nan".
+            Treatment of points beyond `point_r_max`: "raise" an error or return "nan".
 
         Returns
         -------
         NDArray
             (N, 2) in the type of `points`.
         """
-        return self._core.distort_points(check.array("points", points, columns=2), _refuse(outside))
+        return self._core.distort_points(check.array("points", points, columns=2), _raises_outside(outside))
 
     def undistort_points(self, points: ArrayLike, *, outside: str = "raise") -> NDArray[Any]:
-        """Points that the lens shows at points, the inverse of `distort_points`; arguments and results as there."""
-        return self._core.undistort_points(check.array("points", points, columns=2), _refuse(outside))
+        """Compute the points that the lens shows at positions: the inverse of `distort_points`, same arguments."""
+        return self._core.undistort_points(check.array("points", points, columns=2), _raises_outside(outside))
 
     def warp(
         self,
@@ -180,37 +183,38 @@ class RadialLens(WithTwin):
         filter: str = "linear",  # noqa: A002
         fill: float = 0.0,
     ) -> NDArray[Any]:
-        """Show a picture as the lens does, or warp it so that the lens puts it right.
+        """Distort a picture as the lens does, or warp it so that the lens's distortion cancels out.
 
         Parameters
         ----------
         image
-            (H, W) or (H, W, C): uint8, uint16, float32 or float64, in the colour space in which it should be mixed.
+            (H, W) or (H, W, C): uint8, uint16, float32 or float64, in the colour space in which pixels are to be mixed.
         inverse
-            False: what is at r is shown at f(r). True: what is at f(r) is shown at r, which the lens then moves back.
+            False moves the pixel at r to f(r), like the lens. True moves the pixel at f(r) to r, so that the lens moves
+            it back.
         fov
-            What the picture shows, as tangents from the lens's axis. By default the axis is in the middle, pixels are
-            square, and r = 1 at the left and right edges.
+            Field of view of the picture, as tangents from the lens's axis. By default the axis is in the middle, pixels
+            are square, and r = 1 at the left and right edges.
         output_fov, size
-            The same of the result, and its (width, height); as those of `image` where they are not given.
+            Field of view and (width, height) in pixels of the result; by default those of `image`.
         lens_radius
-            The tangent at which r = 1, such as `Hmd.tan_half_angle`: the same for both eyes, and for pictures that
+            Tangent at which r = 1, such as `Hmd.tan_half_angle`. It is the same for both eyes, and for pictures that
             show more or less than the screen. By default the larger of left and right of `fov`.
         filter
-            "linear" or "cubic" (Keys 1981, a = −1/2, as Catmull and Rom have it).
+            "linear" or "cubic" (Keys 1981, a = −1/2, equal to Catmull–Rom).
         fill
-            For pixels that show nothing of the picture.
+            Value of pixels that show no part of the picture.
 
         Returns
         -------
         NDArray
-            The picture, in the type of `image`. Each pixel is taken from within 5·10⁻¹⁰ of the right place, as a share
-            of the distance from the axis.
+            The warped picture, in the type of `image`. The position that a pixel is read from has an error of at most
+            5·10⁻¹⁰ of its distance from the axis.
 
         Raises
         ------
         ValueError, TypeError
-            For other shapes, types and filters.
+            For wrong shapes and types, and unknown filters.
         """
         return warp([self._core], image, inverse, (fov, output_fov, lens_radius), size, filter, fill)
 
@@ -225,28 +229,28 @@ class RadialLens(WithTwin):
         cells: tuple[int, int] | None = None,
         tolerance_px: float = 0.25,
     ) -> WarpMesh:
-        """Mesh with which a runtime warps pictures of one size, and by how many pixels it is off between vertices.
+        """Make a mesh with which a runtime warps pictures of one size, and bound its error between vertices.
 
         Parameters
         ----------
         size
-            (width, height) of the picture that is read, in pixels.
+            (width, height) of the source picture in pixels.
         inverse, fov, output_fov, lens_radius
-            As in `warp`. Runtimes want the inverse one: the lens does the rest.
+            As in `warp`. Runtimes need the inverse, which cancels the lens's distortion.
         cells
-            Columns and rows. By default as many as `tolerance_px` needs.
+            Columns and rows of the grid, 1 to 4096 each. By default as many as `tolerance_px` needs.
         tolerance_px
-            Greatest error in pixels of the picture that is read.
+            Greatest error in pixels of the source picture.
 
         Returns
         -------
         WarpMesh
-            Cells that reach beyond the lens's domain are left out.
+            The mesh, without cells that reach beyond the lens's domain.
 
         Raises
         ------
         ValueError
-            For a tolerance that 2¹⁸ cells do not hold, as beside the fold of an inverse, and for a field of view
+            For a tolerance that 2¹⁸ cells do not satisfy, as near the fold of an inverse, and for a field of view
             beyond the lens's domain.
         """
         return warp_mesh([self._core], size, inverse, (fov, output_fov, lens_radius), cells, tolerance_px)
@@ -258,7 +262,7 @@ class RadialLens(WithTwin):
 
 @dataclass(frozen=True)
 class ChromaticLens:
-    """A lens that shows colours at different radii: one `RadialLens` for each of red, green and blue."""
+    """A lens with chromatic aberration: one `RadialLens` for each of red, green and blue."""
 
     red: RadialLens
     green: RadialLens
@@ -281,7 +285,7 @@ class ChromaticLens:
         filter: str = "linear",  # noqa: A002
         fill: float = 0.0,
     ) -> NDArray[Any]:
-        """Show a picture (H, W, 3) as the lens does, or put it right; see `RadialLens.warp`."""
+        """Distort a picture (H, W, 3) as the lens does, or warp it inversely; see `RadialLens.warp`."""
         return warp(self._cores, image, inverse, (fov, output_fov, lens_radius), size, filter, fill)
 
     def warp_mesh(
@@ -295,7 +299,7 @@ class ChromaticLens:
         cells: tuple[int, int] | None = None,
         tolerance_px: float = 0.25,
     ) -> WarpMesh:
-        """Mesh with places for red, green and blue; see `RadialLens.warp_mesh`."""
+        """Make a mesh with texture coordinates for red, green and blue; see `RadialLens.warp_mesh`."""
         return warp_mesh(self._cores, size, inverse, (fov, output_fov, lens_radius), cells, tolerance_px)
 
     @property
@@ -312,38 +316,39 @@ def corrected_solid_angle(
     lens_radius: float | None = None,
     exact: bool = False,
 ) -> NDArray[np.float64]:
-    """Solid angles that spheres take once a warped picture is seen through its lens's distortion.
+    """Compute the solid angles that spheres occupy in an inversely warped picture.
 
-    With μ half the angle that a sphere takes and α its centre's angle from the axis, α± = atan(tan ω ·
-    f⁻¹(tan(α ± μ) / tan ω)) and σ′ = σ (α⁺ − α⁻) / 2μ.
+    Let σ be a sphere's solid angle, μ its angular radius, and α the angle of its centre from the axis. Then
+    α± = atan(tan ω · f⁻¹(tan(α ± μ) / tan ω)) and the corrected solid angle is σ′ = σ (α⁺ − α⁻) / 2μ. f and ω are those
+    of `RadialLens`.
 
     Parameters
     ----------
     centers
-        (N, 3), metres.
+        Centres (N, 3), metres.
     radii
-        (N,) or one, metres, at least 0.
+        Radii (N,), or one for all spheres, metres, at least 0.
     camera
-        The eye, with a `Fov`: the lens's axis is its line of sight.
+        The eye, with a `Fov`: the lens's axis is its viewing axis.
     lens
-        One without tangential terms.
+        A lens without tangential terms.
     lens_radius
         tan ω, the tangent at which r = 1, such as `Hmd.tan_half_angle`. By default the larger of left and right.
     exact
-        The published σ′ shrinks along the radius only. True gives the area of what is shown, which shrinks around the
-        axis too.
+        False computes the published σ′, which shrinks along the radius only. True computes the shown area, which
+        shrinks around the axis as well.
 
     Returns
     -------
     NDArray
-        (N,) float64, steradians. Within 10⁻¹² of the definition, as a share, except for small spheres just before 90°
-        or the fold, whose area (`exact`) is within 10⁻¹⁵ over the sine of the half angle. Spheres that reach 90° from
-        the axis, or beyond the lens's domain, keep their own solid angle; 4π where the eye is inside.
+        (N,) float64, steradians, with a relative error of at most 10⁻¹². For small spheres just before 90° or the fold,
+        the relative error of `exact` is at most 10⁻¹⁵ divided by the sine of μ. Spheres that reach 90° from the axis,
+        or beyond the lens's domain, keep their solid angle σ; it is 4π if the eye is inside.
 
     Raises
     ------
     ValueError, TypeError
-        For other shapes, numbers that are not finite, radii below 0, and cameras without a `Fov`.
+        For wrong shapes, numbers that are not finite, radii below 0, and cameras without a `Fov`.
 
     References
     ----------
@@ -362,7 +367,7 @@ def corrected_solid_angle(
         lens._core,
         *check.spheres(centers, radii),
         eye=camera.position,
-        # −z turned by the orientation.
+        # The viewing axis: −z rotated by the quaternion.
         forward=(-2 * (x * z + w * y), -2 * (y * z - w * x), 2 * (x * x + y * y) - 1),
         tan_omega=radius_of(camera.fov, lens_radius),
         exact=bool(exact),
@@ -370,11 +375,11 @@ def corrected_solid_angle(
 
 
 def _coefficients(name: str, value: ArrayLike) -> tuple[float, ...]:
-    given = check.array(name, value, columns=None, dtype=np.float64, finite=True)
-    if given.ndim != 1:
-        raise ValueError(f"{name}: expected a sequence of numbers, got shape {given.shape}")
-    return tuple(float(c) for c in given)
+    coefficients = check.array(name, value, columns=None, dtype=np.float64, finite=True)
+    if coefficients.ndim != 1:
+        raise ValueError(f"{name}: expected a sequence of numbers, got shape {coefficients.shape}")
+    return tuple(float(c) for c in coefficients)
 
 
-def _refuse(outside: str) -> bool:
+def _raises_outside(outside: str) -> bool:
     return check.choice("outside", outside, OUTSIDE) == "raise"

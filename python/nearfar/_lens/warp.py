@@ -1,4 +1,4 @@
-"""Pictures and meshes warped by lenses."""
+"""Warps pictures by a lens's distortion, and makes meshes with which runtimes warp."""
 
 from __future__ import annotations
 
@@ -14,33 +14,36 @@ from nearfar._base import check
 from nearfar._camera.camera import Fov
 
 FILTERS = ("linear", "cubic")
+"""Names of the filters that `RadialLens.warp` describes."""
 
 TYPES = (np.uint8, np.uint16, np.float32, np.float64)
+"""Number types of pictures."""
 
 MOST_CELLS = 1 << 18
-"""Cells that a tolerance may ask for."""
+"""Greatest number of cells of a mesh that is made for a tolerance."""
 
 View = tuple[Fov | None, Fov | None, float | None]
-"""What is read and what is made show, and the tangent at which r = 1, as callers give them."""
+"""Fields of view of the source and the result, and the tangent at which r = 1; None for the defaults."""
 
 
 @dataclass(frozen=True, eq=False)
 class WarpMesh:
-    """A grid that warps pictures: at each vertex where it is drawn, and what of the picture is shown there."""
+    """A triangulated grid that warps pictures, with a position and texture coordinates at each vertex."""
 
     positions: NDArray[np.float32] = field(repr=False)
     """(N, 2) float32, clip coordinates: −1..1, x to the right, y up."""
     texcoords: NDArray[np.float32] = field(repr=False)
-    """(L, N, 2) float32 for each lens, shares of the picture that is read from its top left corner, v down.
+    """(L, N, 2) float32 for each of L lenses, texture coordinates in the source picture: 0..1 from its top left corner,
+    v down.
 
-    They may lie outside 0..1 where the lens shows what is beside the picture.
+    They lie outside 0..1 where the lens shows a place outside the picture.
     """
     faces: NDArray[np.uint32] = field(repr=False)
-    """(F, 3) uint32, counter-clockwise."""
+    """(F, 3) uint32, vertex numbers, counter-clockwise."""
     error_px: float
-    """Nothing of the picture that is read is shown further beside its place, in pixels of that picture.
+    """Greatest displacement of any shown point of the source picture, in pixels of that picture.
 
-    A bound from the map's second derivatives, not a measurement. Cells that show nothing of the picture don't count.
+    A bound from the map's second derivatives, not a measurement. Cells that show nothing of the picture do not count.
     """
 
 
@@ -59,7 +62,7 @@ def warp(
     check.choice("filter", filter, FILTERS)
     shown = _view(*view, width / height)
     values = picture if picture.ndim == 3 else picture[..., None]
-    made = _core.warp(
+    result = _core.warp(
         lenses,
         values,
         **shown,
@@ -68,7 +71,7 @@ def warp(
         filter=filter,
         fill=_fill(fill, picture.dtype),
     )
-    return made.reshape(made.shape[:2] + picture.shape[2:])
+    return result.reshape(result.shape[:2] + picture.shape[2:])
 
 
 def warp_mesh(
@@ -79,27 +82,27 @@ def warp_mesh(
     cells: tuple[int, int] | None,
     tolerance_px: float,
 ) -> WarpMesh:
-    """Make a mesh of given cells, or of as many as a tolerance needs."""
+    """Make a mesh with a set number of cells, or with as many as a tolerance needs."""
     width, height = check.size("size", size)
     shown = _view(*view, width / height)
     tolerance = check.positive("tolerance_px", tolerance_px)
 
-    def made(columns: int, rows: int) -> WarpMesh:
+    def grid(columns: int, rows: int) -> WarpMesh:
         mesh = _core.warp_mesh(lenses, **shown, cells=(columns, rows), size=(width, height), distort=not inverse)
         return _compact(*mesh, size=max(width, height))
 
     if cells is not None:
-        return made(*check.pair("cells", cells, 1, 4096))
+        return grid(*check.pair("cells", cells, 1, 4096))
     left, right, down, up = shown["to_fov"]
     aspect = (up - down) / (right - left)
 
-    def of(finest: int) -> WarpMesh:
-        """Cells that are as wide as high, so many along the longer side."""
-        return made(max(1, round(finest / max(1.0, aspect))), max(1, round(finest * min(1.0, aspect))))
+    def square_grid(finest: int) -> WarpMesh:
+        """Make a mesh of nearly square cells, `finest` of them along the longer side."""
+        return grid(max(1, round(finest / max(1.0, aspect))), max(1, round(finest * min(1.0, aspect))))
 
     most = math.isqrt(round(MOST_CELLS * max(aspect, 1 / aspect)))
     high = 4
-    mesh = of(high)
+    mesh = square_grid(high)
     while mesh.error_px > tolerance:
         if high == most:
             raise ValueError(
@@ -107,11 +110,11 @@ def warp_mesh(
                 f"they may be off by up to {mesh.error_px:.3g} px"
             )
         high = min(2 * high, most)
-        mesh = of(high)
+        mesh = square_grid(high)
     low = high // 2 if high > 4 else 0
     while high - low > 1:
         middle = (low + high) // 2
-        between = of(middle)
+        between = square_grid(middle)
         if between.error_px <= tolerance:
             high, mesh = middle, between
         else:
@@ -127,11 +130,11 @@ def _compact(
     *,
     size: int,
 ) -> WarpMesh:
-    """Drop vertices that no face uses; round to float32, which the error allows for."""
+    """Drop vertices that no face uses, round to float32, and add the rounding to the error."""
     used, renumbered = np.unique(faces, return_inverse=True)
     positions = places[used] * (2.0, -2.0) + (-1.0, 1.0)
     texcoords = sources[:, used].astype(np.float32)
-    # Half a step of a texture coordinate each way, and of a position, times the map's slope.
+    # Half a float32 step of a texture coordinate in each direction, and of a position times the map's slope.
     rounding = size * 2.0**-23 * max(1.0, float(np.abs(texcoords).max()))
     return WarpMesh(
         positions.astype(np.float32), texcoords, renumbered.reshape(faces.shape).astype(np.uint32), error + rounding
@@ -139,23 +142,23 @@ def _compact(
 
 
 def radius_of(fov: Fov, lens_radius: float | None) -> float:
-    """Tangent at which r = 1: as given, or the larger side of a field of view."""
+    """Tangent at which r = 1: `lens_radius`, or the larger of left and right of a field of view."""
     return max(abs(fov.left), abs(fov.right)) if lens_radius is None else check.positive("lens_radius", lens_radius)
 
 
 def _view(fov: Fov | None, output_fov: Fov | None, lens_radius: float | None, aspect: float) -> dict[str, Any]:
-    """Fields of view of what is read and what is made, and the tangent at which r = 1."""
-    for name, given in (("fov", fov), ("output_fov", output_fov)):
-        if given is not None and not isinstance(given, Fov):
-            raise TypeError(f"{name}: expected a Fov, got {type(given).__name__}")
-    read = fov or Fov(-1.0, 1.0, -1.0 / aspect, 1.0 / aspect)
-    made = output_fov or read
-    bounds = [(each.left, each.right, each.down, each.up) for each in (read, made)]
-    return {"from_fov": bounds[0], "to_fov": bounds[1], "tan_omega": radius_of(read, lens_radius)}
+    """Fields of view of the source and the result, and the tangent at which r = 1, as arguments of kernels."""
+    for name, each_fov in (("fov", fov), ("output_fov", output_fov)):
+        if each_fov is not None and not isinstance(each_fov, Fov):
+            raise TypeError(f"{name}: expected a Fov, got {type(each_fov).__name__}")
+    source = fov or Fov(-1.0, 1.0, -1.0 / aspect, 1.0 / aspect)
+    result = output_fov or source
+    bounds = [(each.left, each.right, each.down, each.up) for each in (source, result)]
+    return {"from_fov": bounds[0], "to_fov": bounds[1], "tan_omega": radius_of(source, lens_radius)}
 
 
 def _fill(fill: float, dtype: np.dtype[Any]) -> float:
-    """What pixels of a type can be: NaN and infinities only for floats."""
+    """Check a fill value against the range of a pixel type; only floats allow NaN and infinities."""
     if dtype.kind == "f":
         return check.number("fill", fill, finite=False)
     value, most = check.number("fill", fill), np.iinfo(dtype).max

@@ -1,1 +1,1 @@
-"""Image quality: similarity, pixel errors, discontinuity, and the comparison of methods."""
+"""Image quality: structural similarity, pixel errors, discontinuity, and a comparison by all of them."""

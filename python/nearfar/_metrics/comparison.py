@@ -1,4 +1,4 @@
-"""A picture beside the truth by all measures at once: what the command line, benchmarks and notebooks report."""
+"""Compares a picture with the ground truth by all metrics at once, for command line, benchmarks and notebooks."""
 
 from __future__ import annotations
 
@@ -13,72 +13,72 @@ from nearfar._metrics.similarity import ssim
 from nearfar._render.frame import Frame
 
 VISIBLE = 8
-"""Levels of 255 from which a pixel counts as different from the truth."""
+"""Least difference in 8-bit codes (of 255) at which a pixel counts as visibly different."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Comparison:
-    """How far a picture is from the truth, and how far it is torn; `compare` makes it.
+    """Errors of a picture compared with the ground truth, and its discontinuity; the result of `compare`.
 
-    Means are None where the picture has no pixel that they are taken over.
+    A mean over no pixels is None.
     """
 
     psnr: float
-    """Decibels, of the sRGB-encoded Rec. 709 luma; infinite for equal pictures."""
+    """Peak signal-to-noise ratio of the sRGB-encoded Rec. 709 luma, decibels; infinite for equal pictures."""
     ssim: float
-    """Gaussian windows, of the same luma."""
+    """Structural similarity of the same luma, with Gaussian windows."""
     rmse: float
-    """Root mean square of the same luma's error, 0 to 1."""
+    """Root mean square error of the same luma, 0 to 1."""
     discontinuity: float | None
     """Mean of `torn`."""
     discontinuity_p99: float | None
     """99th percentile of `torn`."""
     boundary: float | None
-    """Mean of |`torn`| over the pixels along the boundary."""
+    """Mean of |`torn`| over the pixels along the boundary of the near part."""
     boundary_pixels: int
-    """Pixels along the boundary that have a discontinuity."""
+    """Number of pixels along that boundary that have a discontinuity."""
     torn: NDArray[np.float32]
-    """Discontinuity of each pixel (H, W); NaN where it has none."""
+    """Discontinuity of each pixel (H, W); NaN where it is undefined."""
 
 
 def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) -> Comparison:
-    """Measure a picture of a reduced scene beside the truth.
+    """Compare a picture of a reduced scene with the ground truth.
 
     Parameters
     ----------
     reference
-        The truth, with `color`.
+        The ground truth, with `color`.
     test
         The picture, with `color` and `position`, from the same camera.
     center
-        World position O, metres, of the reduction.
+        World position O of the reduction, metres.
     radius
-        Metres from O's axis at which near geometry ends: r2 of the reduction.
+        Distance from the vertical axis through O at which near geometry ends, metres: r2 of the reduction.
 
     Returns
     -------
     Comparison
-        Similarity, pixel errors and discontinuity in their default conventions (`ssim`, `psnr`, `rmse`,
-        `discontinuity`), and discontinuity along the `boundary`.
+        Results of `ssim`, `psnr`, `rmse` and `discontinuity` with default settings, and the discontinuity along the
+        `boundary`.
 
     Raises
     ------
     ValueError, TypeError
-        For frames without these channels or of two sizes, and arguments out of their domains.
+        For frames without these channels or of different sizes, and arguments out of their domains.
 
     References
     ----------
     Wang, Bovik, Sheikh, Simoncelli (2004); Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
     """
     torn = discontinuity(test)
-    known = torn[~np.isnan(torn)]
+    defined = torn[~np.isnan(torn)]
     edge = boundary(test, center=center, radius=radius) & ~np.isnan(torn)
     return Comparison(
         psnr=psnr(reference, test),
         ssim=ssim(reference, test),
         rmse=rmse(reference, test),
-        discontinuity=float(known.mean()) if known.size else None,
-        discontinuity_p99=float(np.percentile(known, 99)) if known.size else None,
+        discontinuity=float(defined.mean()) if defined.size else None,
+        discontinuity_p99=float(np.percentile(defined, 99)) if defined.size else None,
         boundary=float(np.abs(torn[edge]).mean()) if edge.any() else None,
         boundary_pixels=int(edge.sum()),
         torn=torn,
@@ -86,12 +86,12 @@ def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) 
 
 
 def visible_difference(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> tuple[int, float, float]:
-    """Count the pixels of two sRGB pictures (H, W, 3) of 8 bits that differ by `VISIBLE` levels or more.
+    """Count the pixels of two 8-bit sRGB pictures (H, W, 3) that differ by at least `VISIBLE` codes in a channel.
 
     Returns
     -------
     pixels, share, rmse
-        The count, its share of all pixels, and the root mean square error of all values, 0 to 1.
+        The number of pixels, its share of all pixels, and the root mean square error of all values, 0 to 1.
     """
     error = np.abs(reference.astype(np.int16) - test)
     pixels = int((error.max(axis=-1) >= VISIBLE).sum())

@@ -1,4 +1,4 @@
-"""How far a picture is broken: neighbours in the truth that are torn apart in it, and where near parts end."""
+"""Discontinuity of a picture (distances between points that are neighbours in the truth), and near-part boundaries."""
 
 from __future__ import annotations
 
@@ -14,30 +14,30 @@ from nearfar._render.frame import Frame
 def discontinuity(
     frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = 17.0, min_distance: float = 1.0
 ) -> NDArray[np.float32]:
-    """How far each pixel's neighbours in the true picture are torn apart in this one.
+    """Measure for each pixel how far its neighbours in the true picture are torn apart in this picture.
 
-    A pixel's scene point has a place in the truth. The pixels whose places there are within ε of it are its neighbours,
-    and its discontinuity is the mean over them of their distance in this picture over their distance in the truth,
-    less 1.
+    Each pixel's scene point is projected to the true picture. The neighbours of a pixel are the pixels whose points
+    project within ε (`epsilon`) of its own. Its discontinuity is the mean over the neighbours of the ratio (distance in
+    this picture) / (distance in the truth), minus 1.
 
     Parameters
     ----------
     frame
-        With `position`: the unmorphed scene point of each pixel. Far pixels of a reduced scene have it where the
+        Frame with `position`, the unmorphed scene point of each pixel. Far pixels of a reduced scene have it if the
         map was baked with range.
     truth_camera
-        The view that the truth would be rendered from; by default the frame's own.
+        View of the true picture; by default the frame's camera.
     epsilon
-        Pixels of the truth, from a millionth up to 10,000. Time goes with its square.
+        Radius ε of the neighbourhood in pixels of the truth, from 10⁻⁶ to 10,000. Time grows with its square.
     min_distance
-        Distances in the truth below this are raised to it: its resolution.
+        Least distance in the truth in pixels, its resolution; smaller distances are raised to it.
 
     Returns
     -------
     NDArray
-        (H, W) float32: 0 where nothing is torn, 1 where neighbours are twice as far apart, negative where they
-        are pushed together. NaN for pixels without a surface, behind the truth's camera, more than 10⁷ pixels
-        beside its picture, or without neighbours. For the truth itself it is 0 up to the rounding of positions.
+        (H, W) float32: 0 for no tear, 1 if neighbours are twice as far apart, negative if they are closer together. NaN
+        for pixels without a surface, behind the truth's camera, more than 10⁷ pixels outside its picture, or without
+        neighbours. For the truth itself it is 0 up to the rounding of positions.
 
     Raises
     ------
@@ -68,26 +68,27 @@ def discontinuity(
 
 
 def boundary(frame: Frame, *, center: ArrayLike, radius: float, width: int = 2) -> NDArray[np.bool_]:
-    """Pixels along which the near part of a picture ends.
+    """Find the pixels along the boundary of a picture's near part.
 
-    Near pixels show points at ρ ≤ `radius` from the axis through the centre. They end at the radius, not at a
-    silhouette, where a near pixel within 2 % of the radius has a neighbour that shows something beyond.
+    Near pixels show points at a horizontal distance ρ ≤ `radius` from the axis through the centre. The boundary is
+    between a near pixel with ρ ≥ 0.98 `radius` and a neighbour with ρ > `radius`; the lower limit excludes silhouettes
+    of nearer objects.
 
     Parameters
     ----------
     frame
-        With `position`.
+        Frame with `position`.
     center
         World position O, metres.
     radius
-        Metres: r2 of the reduction.
+        Radius at which the near part ends, metres: r2 of the reduction.
     width
-        Pixels to both sides that count as along it.
+        Number of pixels on each side that belong to the boundary, 1 to 1000.
 
     Returns
     -------
     NDArray
-        (H, W) bool.
+        (H, W) bool, true along the boundary.
 
     Raises
     ------

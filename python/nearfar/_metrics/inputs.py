@@ -1,4 +1,4 @@
-"""What metrics compare: pictures of any number type and layout, taken as they are where kernels can read them."""
+"""Inputs of metrics: pictures of any number type and layout, converted only if kernels cannot read them."""
 
 from __future__ import annotations
 
@@ -11,15 +11,14 @@ from nearfar._base import check
 from nearfar._render.frame import Frame
 
 LUMA = (0.2126, 0.7152, 0.0722)
-"""Rec. 709, of sRGB-encoded colour."""
+"""Rec. 709 weights of red, green and blue, applied to sRGB-encoded colour."""
 
 GREATEST = 1e150
-"""Values whose squares float64 holds."""
+"""Greatest absolute value of a pixel, so that float64 holds its square."""
 
-# What kernels read, and for other types the smallest of these that holds their values; float64 for the rest.
-_READ: dict[np.dtype[Any], DTypeLike] = {
-    np.dtype(given): np.dtype(read)
-    for given, read in {
+_KERNEL_TYPES: dict[np.dtype[Any], DTypeLike] = {
+    np.dtype(source): np.dtype(target)
+    for source, target in {
         np.bool_: np.uint8,
         np.uint8: np.uint8,
         np.uint16: np.uint16,
@@ -29,18 +28,19 @@ _READ: dict[np.dtype[Any], DTypeLike] = {
         np.float32: np.float32,
     }.items()
 }
+"""Type in which kernels read each number type: the smallest that holds its values; float64 for types not listed."""
 
 
 class Pair(NamedTuple):
-    """Two pictures of one shape and of one of uint8, uint16, float32 and float64."""
+    """Two pictures of one shape and one type: uint8, uint16, float32 or float64."""
 
     reference: NDArray[Any]
     test: NDArray[Any]
     data_range: float | None
-    """1 for frames."""
+    """Difference between the greatest and the least possible value; 1 for frames, None if unknown."""
 
     def refuse(self, names: tuple[str, str] = ("reference", "test")) -> ValueError:
-        """Why a result is no number: the picture that is to blame, and where."""
+        """Make the error for a result that is not finite; it names the picture and position that cause it."""
         for name, values in zip(names, (self.reference, self.test), strict=True):
             if values.dtype.kind == "f" and not np.isfinite(values).all():
                 bad = np.argwhere(~np.isfinite(values))
@@ -51,24 +51,23 @@ class Pair(NamedTuple):
         )
 
     def extent(self) -> float:
-        """`data_range`, which is never guessed."""
+        """Return `data_range`; ValueError if it is unknown, because it is never guessed."""
         if self.data_range is None:
             raise ValueError("data_range: expected the range of the pictures' values, such as 255 for 8 bits, got None")
         return check.positive("data_range", self.data_range)
 
 
 def pair(reference: ArrayLike | Frame, test: ArrayLike | Frame, data_range: float | None = None) -> Pair:
-    """Two arrays of one shape, or the luma of two frames.
+    """Check two arrays of one shape, or compute the luma of two frames.
 
-    Nothing is copied that kernels can read: uint8, uint16, float32 and float64 with any steps between values that are
-    not negative.
+    Arrays that kernels can read are not copied: uint8, uint16, float32 and float64 with strides that are not negative.
 
     Raises
     ------
     ValueError
-        For other shapes, empty pictures and frames without colour.
+        For different shapes, empty pictures and frames without colour.
     TypeError
-        For values that are not numbers, and for a frame beside an array.
+        For values that are not numbers, and for a frame together with an array.
     """
     if isinstance(reference, Frame) and isinstance(test, Frame):
         first, second = luma(reference), luma(test)
@@ -87,41 +86,42 @@ def pair(reference: ArrayLike | Frame, test: ArrayLike | Frame, data_range: floa
 def stack(
     reference: ArrayLike, test: ArrayLike, names: tuple[str, str] = ("reference", "test")
 ) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Both as arrays of one type that kernels read, of any shapes."""
+    """Convert two arrays of any shapes to one type that kernels read."""
     first, second = numbers(names[0], reference), numbers(names[1], test)
-    common = np.result_type(*(_READ.get(array.dtype.newbyteorder("="), np.float64) for array in (first, second)))
+    types = [_KERNEL_TYPES.get(array.dtype.newbyteorder("="), np.float64) for array in (first, second)]
+    common = np.result_type(*types)
     return _readable(first, common), _readable(second, common)
 
 
 def luma(frame: Frame) -> NDArray[np.float64]:
-    """Rec. 709 luma of the sRGB-encoded colour."""
+    """Compute the Rec. 709 luma (H, W) of a frame's sRGB-encoded colour, 0..1."""
     linear = np.clip(frame.require("color").astype(np.float64), 0.0, 1.0)
     encoded = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1.0 / 2.4) - 0.055)
     return np.asarray(encoded @ np.array(LUMA))
 
 
 def mask_of(mask: ArrayLike, name: str = "mask") -> NDArray[np.uint8]:
-    """Which pixels a mask names, as bytes; TypeError for anything but true and false or whole numbers."""
-    given = check.plain(name, mask)
-    if given.dtype.kind not in "biu":
-        raise TypeError(f"{name}: expected true and false, got {given.dtype}")
-    named: NDArray[np.uint8] = _readable((given if given.dtype.kind == "b" else given != 0).view(np.uint8), np.uint8)
+    """Convert a mask to bytes, 1 for the pixels that count; TypeError for anything but bools or whole numbers."""
+    values = check.plain(name, mask)
+    if values.dtype.kind not in "biu":
+        raise TypeError(f"{name}: expected true and false, got {values.dtype}")
+    named: NDArray[np.uint8] = _readable((values if values.dtype.kind == "b" else values != 0).view(np.uint8), np.uint8)
     return named
 
 
 def numbers(name: str, value: ArrayLike) -> NDArray[Any]:
-    """An array of real numbers or of true and false; ValueError or TypeError otherwise."""
-    given = check.plain(name, value)
-    if given.dtype.kind not in "biuf":
-        raise TypeError(f"{name}: expected real numbers, got {type(value).__name__} of type {given.dtype}")
-    return given
+    """Return an array of real numbers or bools; ValueError or TypeError otherwise."""
+    values = check.plain(name, value)
+    if values.dtype.kind not in "biuf":
+        raise TypeError(f"{name}: expected real numbers, got {type(value).__name__} of type {values.dtype}")
+    return values
 
 
 def _readable(array: NDArray[Any], dtype: DTypeLike) -> NDArray[Any]:
-    """Convert only what kernels cannot read: other types and byte orders, steps back, values across their alignment."""
-    wanted = np.dtype(dtype)
+    """Convert arrays that kernels cannot read: other types or byte orders, negative or misaligned strides."""
+    target = np.dtype(dtype)
     typed = array.view(np.uint8) if array.dtype.kind == "b" else array
-    typed = typed.astype(wanted, copy=False)
-    plain = typed.flags.aligned and all(step >= 0 and step % wanted.itemsize == 0 for step in typed.strides)
-    # A copy by all means: to NumPy axes of one value are contiguous whatever their step.
+    typed = typed.astype(target, copy=False)
+    plain = typed.flags.aligned and all(step >= 0 and step % target.itemsize == 0 for step in typed.strides)
+    # `copy=True` is needed: NumPy calls an axis of length 1 contiguous whatever its stride.
     return typed if plain else np.array(typed, order="C", copy=True)

@@ -1,4 +1,4 @@
-"""How far a picture is from the truth: by its values, and by the objects that it shows."""
+"""Differences between pictures pixel by pixel: RMSE, PSNR, and the completeness of visible objects."""
 
 from __future__ import annotations
 
@@ -15,50 +15,50 @@ from nearfar._render.frame import Frame
 
 
 def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
-    """Root of the mean squared difference of two pictures.
+    """Compute the root mean square error between two pictures.
 
     Parameters
     ----------
     reference, test
-        Arrays of one shape, of any number type (uint8, uint16, float32 and float64 are read as they lie in memory); or
-        two frames, whose sRGB-encoded Rec. 709 luma in 0..1 is compared.
+        Arrays of one shape, of any number type (uint8, uint16, float32 and float64 are read without a copy); or two
+        frames, whose sRGB-encoded Rec. 709 luma in 0..1 is compared.
 
     Returns
     -------
     float
-        In the pictures' units; 0 where they are equal. Summed in float64, without rounding for whole numbers of up to
-        16 bits. The same bits for any number of threads.
+        Error in the pictures' units; 0 for equal pictures. Summed in float64, without rounding for whole numbers of up
+        to 16 bits. The bits are the same for any number of threads.
 
     Raises
     ------
     ValueError
-        For other shapes, empty pictures, frames without colour, values that are not finite or beyond 1e150.
+        For different shapes, empty pictures, frames without colour, values that are not finite or beyond 1e150.
     TypeError
-        For values that are not numbers, and for a frame beside an array.
+        For values that are not numbers, and for a frame together with an array.
     """
     return math.sqrt(_mean_squared_error(inputs.pair(reference, test)))
 
 
 def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: float | None = None) -> float:
-    """Peak signal-to-noise ratio of two pictures, in decibels.
+    """Compute the peak signal-to-noise ratio of two pictures in decibels.
 
     Parameters
     ----------
     reference, test
         As in `rmse`.
     data_range
-        Difference of the greatest and least value that pictures may have: 255 for 8 bits. It is never guessed, and
-        is 1 for frames.
+        Difference between the greatest and the least possible value, such as 255 for 8 bits. Arrays need it, because it
+        is never guessed; for frames it is 1.
 
     Returns
     -------
     float
-        20 log₁₀(data_range / rmse); infinite where the pictures are equal.
+        20 log₁₀(data_range / rmse); infinite for equal pictures.
 
     Raises
     ------
     ValueError, TypeError
-        As in `rmse`, and without a positive `data_range` for arrays.
+        As in `rmse`, and for arrays without a positive `data_range`.
     """
     pair = inputs.pair(reference, test, data_range)
     peak = pair.extent()
@@ -67,23 +67,23 @@ def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: f
 
 
 def object_completion(reference_ids: ArrayLike, test_ids: ArrayLike) -> tuple[float, float]:
-    """How many of the true picture's objects a picture shows, and how much of each.
+    """Measure how many of a reference picture's objects a test picture shows, and how much of each.
 
     Parameters
     ----------
     reference_ids, test_ids
-        Object numbers of one shape, such as `Frame.object_id`; negative ones are none.
+        Object numbers in arrays of one shape, such as `Frame.object_id`; negative numbers mean no object.
 
     Returns
     -------
     (float, float)
-        OVC, the share of the reference's objects that are visible at all, and OFC, the mean over them of
-        min(pixels here, pixels there) / pixels there; NaN where the reference shows none.
+        OVC, the share of the reference's objects that the test shows at all, and OFC, the mean over the reference's
+        objects of min(test pixels, reference pixels) / reference pixels. Both are NaN if the reference shows no object.
 
     Raises
     ------
     ValueError, TypeError
-        For other shapes, and for what is no 32-bit object number.
+        For different shapes, and for values that are not 32-bit integers.
 
     References
     ----------
@@ -93,8 +93,8 @@ def object_completion(reference_ids: ArrayLike, test_ids: ArrayLike) -> tuple[fl
     test = check.array("test_ids", test_ids, columns=None, dtype=np.int32)
     if reference.shape != test.shape:
         raise ValueError(f"test_ids: expected shape {reference.shape}, got {test.shape}")
-    found = _core.object_completion(reference.ravel(), test.ravel())
-    return (math.nan, math.nan) if found is None else found
+    completion = _core.object_completion(reference.ravel(), test.ravel())
+    return (math.nan, math.nan) if completion is None else completion
 
 
 def _mean_squared_error(pair: inputs.Pair) -> float:
@@ -106,7 +106,7 @@ def _mean_squared_error(pair: inputs.Pair) -> float:
 
 
 def _rows(picture: NDArray[Any]) -> NDArray[Any]:
-    """A picture of any shape as one of rows, without a copy where its values lie in order."""
+    """Reshape a picture of any shape to rows, without a copy if its values are contiguous."""
     if picture.ndim == 2:
         return picture
     plain = np.ascontiguousarray(picture)

@@ -1,4 +1,4 @@
-"""Structural similarity: one number, a map, many pairs at once, several scales, and a sequence."""
+"""Structural similarity of two pictures, of many pairs at once, on several scales, and along a sequence."""
 
 from __future__ import annotations
 
@@ -17,24 +17,29 @@ from nearfar._metrics.result import Similarity
 from nearfar._render.frame import Frame
 
 WINDOWS = ("gaussian", "uniform", "global")
+"""Names of the windows that `ssim` describes."""
 
 CONVENTIONS = ("wang", "wang-downsampled", "skimage", "full")
+"""Names of the conventions that `ssim` describes."""
 
 MASKINGS = ("mean", "windows")
+"""Names of the maskings that `ssim` describes."""
 
 NAMES = ("references", "tests")
+"""Argument names of `ssim_pairs` for error messages."""
 
 SCALE_WEIGHTS = (0.0448, 0.2856, 0.3001, 0.2363, 0.1333)
-"""Wang, Simoncelli, Bovik (2003), for ordinary viewing of images of some hundred pixels."""
+"""Exponents of the scales, fine to coarse, of Wang, Simoncelli, Bovik (2003), for images of some hundred pixels."""
 
-# Pixels from which a bar is shown and Ctrl-C is looked for.
 _LONG = 1 << 26
-# Constants whose product float64 holds with all digits.
+"""Least number of pixels at which a progress bar is shown and Ctrl-C is checked."""
+
 _CONSTANTS = (1e-140, 1e140)
+"""Least and greatest constants c1 and c2 whose product float64 holds with all digits."""
 
 
 class Window(NamedTuple):
-    """How windows look and what the measure's constants are."""
+    """Settings of the windows and constants of the similarity."""
 
     name: str
     size: int
@@ -56,7 +61,7 @@ class Window(NamedTuple):
         *,
         masked: bool = False,
     ) -> Window:
-        """ValueError or TypeError for what is out of its domain."""
+        """Make settings from checked values; ValueError or TypeError for values out of their domains."""
         check.choice("window", window, WINDOWS)
         check.choice("convention", convention, CONVENTIONS)
         check.choice("masking", masking, MASKINGS)
@@ -76,16 +81,16 @@ class Window(NamedTuple):
         )
 
     def shrink(self, height: int, width: int) -> int:
-        """By how much pictures are made smaller first: to about 256 pixels, where `convention` says so."""
+        """Factor of the downsampling before the comparison: to about 256 pixels for "wang-downsampled", else 1."""
         if self.convention != "wang-downsampled":
             return 1
         return max(1, math.floor(min(height, width) / 256 + 0.5))
 
     def settings(self, pair: Pair, masking: str = "mean") -> _core._Settings:
-        """All that is the same for every pair of a comparison."""
+        """Return the kernel's settings, which are the same for every pair of a comparison."""
         height, width = pair.reference.shape[-2:]
         extent = pair.extent()
-        # Products overflow to infinity, where powers raise.
+        # Products overflow to infinity; powers would raise.
         c1, c2 = (k * extent * k * extent for k in (self.k1, self.k2))
         if not _CONSTANTS[0] <= min(c1, c2) <= max(c1, c2) <= _CONSTANTS[1]:
             raise ValueError(
@@ -93,7 +98,7 @@ class Window(NamedTuple):
                 f"{_CONSTANTS[1]:g}, got {c1:g} and {c2:g}"
             )
         if self.convention == "skimage":
-            # Sample covariances are N/(N − 1) times the windows' own: as if c2 were smaller by that.
+            # Sample covariances are N/(N − 1) times the population's; dividing c2 by that factor has the same effect.
             count = height * width if self.name == "global" else self.size**2
             c2 *= (count - 1) / count if count > 1 else 1.0
         factor = self.shrink(height, width)
@@ -115,44 +120,45 @@ def ssim(
     convention: str = "wang",
     full: bool = False,
 ) -> Similarity:
-    """Structural similarity of two pictures.
+    """Compute the structural similarity (SSIM) of two pictures.
 
     Parameters
     ----------
     reference, test
         (H, W) or (H, W, C) of one shape; channels are compared one by one and averaged. uint8, uint16, float32 and
-        float64 are read as they lie in memory. Or two frames, as in `rmse`.
+        float64 are read without a copy. Or two frames, as in `rmse`.
     data_range
         As in `psnr`.
     window
-        "gaussian", "uniform", or "global": one window over the whole picture.
+        "gaussian", "uniform", or "global", which is one window over the whole picture.
     size
-        Pixels across the window. An even one reaches a pixel further up and left.
+        Width and height of the window in pixels. An even window extends one pixel further up and left.
     sigma
-        Of the Gaussian, pixels.
+        Standard deviation of the Gaussian, pixels.
     k1, k2
-        Constants that keep the measure defined where means or variances vanish.
+        Constants K₁ and K₂, which keep the similarity defined where means or variances vanish.
     mask
-        (H, W), true for the pixels that count.
+        (H, W), true for the pixels that count; None counts all.
     masking
-        What the mask limits. "mean": the mean. "windows": also what windows see, whose weights are raised until those
-        of the mask's pixels sum to 1; pixels outside of the mask, and of the picture, do not exist.
+        "mean": the mask limits the mean. "windows": it also limits the windows: pixels outside the mask, and outside
+        the picture, are ignored, and each window's remaining weights are scaled to the sum 1.
     convention
-        Which windows count, and how. "wang": those that lie within the picture, as in Wang's ssim_index.m. "skimage":
-        the same with sample covariances (N/(N − 1)), scikit-image's default. "full": all, the picture mirrored at its
-        borders. "wang-downsampled": "wang" on pictures made smaller to about 256 pixels first, as in Wang's ssim.m.
+        "wang": windows that lie within the picture, as in Wang's ssim_index.m. "skimage": the same with sample
+        covariances (N/(N − 1)), scikit-image's default. "full": all windows, with the picture mirrored at its borders.
+        "wang-downsampled": "wang" after downsampling to about 256 pixels, as in Wang's ssim.m.
     full
-        Whether the similarity around each pixel is returned as well.
+        Whether to return the similarity around each pixel as well.
 
     Returns
     -------
     Similarity
-        The mean, a float of at most 1: 1 exactly for equal pictures, and the same in either order. Where no window lies
-        within the picture, all count. With `full` its `map`, (H, W) or (H, W, C) (smaller if downsampled), float64 for
-        float64 and float32 for other types, for which pictures are mirrored at their borders; NaN outside of the mask
-        where windows see nothing else. In float64 mean and map differ from scikit-image's by less than 1e-12 and
-        1e-10; in other types, computed in float32 about local means, from float64's by 1e-6 and 1e-5. Parts of pictures
-        whose values lie so far apart that digits would be lost are done in float64, or window by window.
+        The mean, a float of at most 1; exactly 1 for equal pictures, and the same for exchanged arguments. If no window lies
+        within the picture, all windows count. With `full` its `map`, (H, W) or (H, W, C) (smaller if downsampled),
+        float64 for float64 and float32 for other types; for the map, pictures are mirrored at their borders. The map is
+        NaN where a window contains no pixel of the mask. In float64, mean and map differ from scikit-image's by less
+        than 1e-12 and 1e-10. Other types are computed in float32 about local means and differ from float64's results
+        by less than 1e-6 and 1e-5. Parts of pictures whose range of values would lose digits are computed in float64,
+        or window by window.
 
     Raises
     ------
@@ -163,13 +169,13 @@ def ssim(
     ----------
     Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13. Masked windows: Knutsson, Westin (1993).
     """
-    wanted = Window.checked(window, size, sigma, k1, k2, convention, masking, masked=mask is not None)
+    settings = Window.checked(window, size, sigma, k1, k2, convention, masking, masked=mask is not None)
     pair = inputs.pair(reference, test, data_range)
     if pair.reference.ndim not in (2, 3):
         raise ValueError(f"reference: expected shape (H, W) or (H, W, C), got {pair.reference.shape}")
     channels = _channels_first(pair)
-    masks = None if mask is None else _masks(mask, channels.reference.shape, wanted)
-    sums, maps = _compare(channels, wanted, masks, masking, full=full)
+    masks = None if mask is None else _masks(mask, channels.reference.shape, settings)
+    sums, maps = _compare(channels, settings, masks, masking, full=full)
     if not np.isfinite(sums).all():
         raise pair.refuse()
     if not sums[..., 1].all():
@@ -192,37 +198,37 @@ def ssim_pairs(
     masking: str = "mean",
     convention: str = "wang",
 ) -> NDArray[np.float64]:
-    """Structural similarity of many pairs of small pictures at once.
+    """Compute the structural similarity of many pairs of small pictures at once.
 
     Parameters
     ----------
     references, tests
-        (..., H, W), one channel each. The axes before the last two are broadcast as NumPy does: one reference (H, W)
-        against many tests (N, H, W), or views (V, 1, H, W) against their levels (V, L, H, W). Nothing is copied for it.
+        (..., H, W), one channel each. The axes before the last two are broadcast as in NumPy, without copies: one
+        reference (H, W) with many tests (N, H, W), or views (V, 1, H, W) with their levels (V, L, H, W).
     data_range, window, size, sigma, k1, k2, masking, convention
         As in `ssim`.
     masks
-        (..., H, W), broadcast as well, such as the silhouette of each view (V, 1, H, W). Only what lies around the
-        pixels that a mask names is looked at.
+        (..., H, W), broadcast as well, such as the silhouette of each view (V, 1, H, W). Only the surroundings of the
+        mask's pixels are computed.
 
     Returns
     -------
     NDArray
-        (...) float64, as `ssim` of each pair; NaN where a mask leaves no pixel that counts.
+        (...) float64, equal to `ssim` of each pair; NaN if no pixel of a mask counts.
 
     Raises
     ------
     ValueError, TypeError
         As in `ssim`, and for axes that do not broadcast.
     """
-    wanted = Window.checked(window, size, sigma, k1, k2, convention, masking, masked=masks is not None)
+    settings = Window.checked(window, size, sigma, k1, k2, convention, masking, masked=masks is not None)
     first, second = inputs.stack(references, tests, NAMES)
     for name, array in (("references", first), ("tests", second)):
         if array.ndim < 2 or 0 in array.shape[-2:]:
             raise ValueError(f"{name}: expected shape (..., H, W) with at least one pixel, got {array.shape}")
     if first.shape[-2:] != second.shape[-2:]:
         raise ValueError(f"tests: expected pictures of {first.shape[-2:]} pixels, got {second.shape[-2:]}")
-    factor = wanted.shrink(*first.shape[-2:])
+    factor = settings.shrink(*first.shape[-2:])
     named = None if masks is None else inputs.mask_of(masks, "masks")
     if named is not None and named.shape[-2:] != first.shape[-2:]:
         raise ValueError(f"masks: expected pictures of {first.shape[-2:]} pixels, got shape {named.shape}")
@@ -238,12 +244,12 @@ def ssim_pairs(
     if not math.prod(outer):
         pair.extent()
         return np.empty(outer)
-    sums, _ = _compare(pair, wanted, spread[2] if named is not None else None, masking)
+    sums, _ = _compare(pair, settings, spread[2] if named is not None else None, masking)
     if not np.isfinite(sums).all():
         raise Pair(first, second, data_range).refuse(NAMES)
     counted = sums[..., 1] > 0
-    found: NDArray[np.float64] = np.divide(sums[..., 0], sums[..., 1], out=np.full(outer, np.nan), where=counted)
-    return found
+    means: NDArray[np.float64] = np.divide(sums[..., 0], sums[..., 1], out=np.full(outer, np.nan), where=counted)
+    return means
 
 
 def ms_ssim(
@@ -258,20 +264,21 @@ def ms_ssim(
     k2: float = 0.03,
     weights: Sequence[float] = SCALE_WEIGHTS,
 ) -> float:
-    """Structural similarity at several scales, each half as large as the one before.
+    """Compute the structural similarity at several scales (MS-SSIM), each half as large as the one before.
 
     Parameters
     ----------
     reference, test, data_range, window, size, sigma, k1, k2
-        As in `ssim`. The window must lie within the picture at every scale: 176 pixels each way for five scales.
+        As in `ssim`. The window must lie within the picture at every scale, which for five scales needs 176 × 176
+        pixels.
     weights
-        Exponents of the scales, from the finest on.
+        Exponents of the scales, from the finest to the coarsest.
 
     Returns
     -------
     float
-        The product over scales of the mean of contrast and structure, at the coarsest of the whole similarity, to the
-        scale's weight; negative means count as 0. Channels are averaged. 1 exactly for equal pictures.
+        Product over the scales of mean^weight. The mean is that of contrast times structure, and at the coarsest scale
+        that of the whole similarity; negative means count as 0. Channels are averaged. Exactly 1 for equal pictures.
 
     Raises
     ------
@@ -282,7 +289,7 @@ def ms_ssim(
     ----------
     Wang, Simoncelli, Bovik (2003), Eq. 7.
     """
-    wanted = Window.checked(window, size, sigma, k1, k2)
+    window_settings = Window.checked(window, size, sigma, k1, k2)
     exponents = check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
     if exponents.ndim != 1 or not len(exponents) or (exponents < 0.0).any():
         raise ValueError(f"weights: expected numbers of at least 0, one for each scale, got {weights!r}")
@@ -290,7 +297,7 @@ def ms_ssim(
     if pair.reference.ndim not in (2, 3):
         raise ValueError(f"reference: expected shape (H, W) or (H, W, C), got {pair.reference.shape}")
     channels = _channels_first(pair)
-    settings = wanted.settings(channels)
+    settings = window_settings.settings(channels)
     means = np.array(_core.multiscale(channels.reference, channels.test, settings=settings, scales=len(exponents)))
     if not np.isfinite(means).all():
         raise pair.refuse()
@@ -299,19 +306,19 @@ def ms_ssim(
 
 
 def visual_continuity(frames: Iterable[ArrayLike | Frame], *, data_range: float | None = None) -> Iterator[float]:
-    """How alike each picture of a sequence and the next one are: 1 where nothing jumps.
+    """Compute the similarity of each picture of a sequence to the next one; 1 means that nothing changes.
 
     Parameters
     ----------
     frames
-        Frames, or arrays of one shape, one after the other: a generator is read as it goes, and one picture is kept.
+        Frames, or arrays of one shape. A generator is read step by step, and only one picture is stored.
     data_range
         As in `psnr`.
 
     Yields
     ------
     float
-        For each picture but the first its similarity to the one before, in one window over the whole picture.
+        For each picture except the first, its SSIM with the picture before, in one window over the whole picture.
 
     Raises
     ------
@@ -324,8 +331,8 @@ def visual_continuity(frames: Iterable[ArrayLike | Frame], *, data_range: float 
     """
     last = None
     for frame in frames:
-        # Frames are converted once, not for both of their neighbours; others are copied, because whoever makes them may
-        # write the next one into the same memory.
+        # A frame is converted once, not for both of its neighbours. An array is copied, because its producer may write
+        # the next picture into the same memory.
         current: Any = inputs.luma(frame) if isinstance(frame, Frame) else np.array(check.plain("frames", frame))
         extent = 1.0 if data_range is None and isinstance(frame, Frame) else data_range
         if last is not None:
@@ -334,14 +341,14 @@ def visual_continuity(frames: Iterable[ArrayLike | Frame], *, data_range: float 
 
 
 def _channels_first(pair: Pair) -> Pair:
-    """Channels become pictures of a stack, without a copy."""
+    """Move the channels to the front, without a copy."""
     if pair.reference.ndim == 2:
         return pair
     return Pair(np.moveaxis(pair.reference, -1, 0), np.moveaxis(pair.test, -1, 0), pair.data_range)
 
 
 def _masks(mask: ArrayLike, shape: tuple[int, ...], window: Window) -> NDArray[np.uint8]:
-    """One mask for all channels, of the size of what is compared."""
+    """Check a mask, downsample it like the pictures, and repeat it for all channels without a copy."""
     named = inputs.mask_of(mask)
     if named.shape != shape[-2:]:
         raise ValueError(f"mask: expected shape {shape[-2:]}, got {named.shape}")
@@ -353,7 +360,7 @@ def _masks(mask: ArrayLike, shape: tuple[int, ...], window: Window) -> NDArray[n
 def _compare(
     pair: Pair, window: Window, masks: NDArray[np.uint8] | None, masking: str, *, full: bool = False
 ) -> tuple[NDArray[np.float64], NDArray[Any] | None]:
-    """Sums of similarity and of pixels (..., 2), and maps."""
+    """Sums of similarity and of pixel weights (..., 2) for each pair, and the maps if `full`."""
     shape = pair.reference.shape
     factor = window.shrink(*shape[-2:])
     map_shape = (*shape[:-2], -(-shape[-2] // factor), -(-shape[-1] // factor)) if full else None

@@ -1,1 +1,1 @@
-"""Near–far reduction: a scene becomes near geometry and a map of what is far, kept as a folder of files."""
+"""Near–far reduction of a scene to near geometry and an environment map, its rendering, and its files."""

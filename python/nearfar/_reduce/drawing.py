@@ -1,4 +1,4 @@
-"""Settings of a reduced scene's pictures, and where its morph shows spheres."""
+"""Render settings of reduced scenes, and the effect of their morph on bounding spheres."""
 
 from __future__ import annotations
 
@@ -12,14 +12,15 @@ from nearfar._morph import morph
 from nearfar._scene.levels import Leveled
 
 MORPHS = ("blend", "cylinder", "none")
+"""Morphs by name; "none" is the conventional method."""
 
 TOLERANCES = {"vertex": 0.5, "exact": 0.1}
-"""Pixels, for each method of rendering."""
+"""Default tolerance in pixels of each rendering method."""
 
 
 @dataclass(frozen=True)
 class Drawing:
-    """How a reduced scene is drawn; `ReducedScene.render` says what each means."""
+    """Settings for drawing a reduced scene; `ReducedScene.render` documents them."""
 
     method: str = "vertex"
     env: bool = True
@@ -27,7 +28,7 @@ class Drawing:
 
     @classmethod
     def checked(cls, method: str, env: bool, tolerance_px: float | None) -> Drawing:
-        """Refuse other values."""
+        """Make settings from checked values; ValueError or TypeError for others."""
         check.choice("method", method, tuple(TOLERANCES))
         if not isinstance(env, bool):
             raise TypeError(f"env: expected True or False, got {type(env).__name__}")
@@ -36,12 +37,12 @@ class Drawing:
 
     @property
     def tolerance(self) -> float:
-        """`tolerance_px`, or the method's own."""
+        """Tolerance in pixels: `tolerance_px`, or the method's default."""
         return TOLERANCES[self.method] if self.tolerance_px is None else self.tolerance_px
 
 
 def check_morph(morph: str, boundary: str) -> None:
-    """ValueError for a morph that is none, and one that a map from r1 does not reach."""
+    """Raise ValueError for an unknown morph, and for a continuous one with a map that is baked from r1."""
     check.choice("morph", morph, MORPHS)
     if boundary == "r1" and morph != "none":
         raise ValueError(f"boundary: expected 'r2' with morph={morph!r}, got 'r1', which only morph='none' knows")
@@ -50,10 +51,11 @@ def check_morph(morph: str, boundary: str) -> None:
 def morphed(
     leveled: Leveled, user: ArrayLike, *, center: tuple[float, float, float], r1: float, r2: float, kind: str
 ) -> Leveled:
-    """Objects with levels where a near–far morph shows their spheres.
+    """Move the bounding spheres of objects with levels as a near–far morph shows them.
 
-    A ball of radius r is shown within r (1 + |U−O| (2/(r2−r1) + 1/r1)) of where its middle is shown: the weight of the
-    morph changes by at most 1/(r2−r1) a metre, and a whole change of weight moves a point by at most 2 |U−O|.
+    The morph shows a ball of radius r within r (1 + |U−O| (2/(r2−r1) + 1/r1)) of its shown centre. Reason: the morph's
+    weight changes by at most 1/(r2−r1) per metre, and a change of the weight from 0 to 1 moves a point by at most
+    2 |U−O|.
     """
     away = float(np.linalg.norm(np.subtract(user, center)))
     shown = morph(leveled.centers, user=user, center=center, r1=r1, r2=r2, kind=kind)

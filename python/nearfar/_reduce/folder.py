@@ -1,4 +1,4 @@
-"""Reduced scenes as folders that other programs read: near geometry as GLB, the far map as EXR, the rest as JSON."""
+"""Reads and writes reduced scenes as folders: near geometry as GLB, environment map as EXR, all else as JSON."""
 
 from __future__ import annotations
 
@@ -15,15 +15,17 @@ from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene
 
 NAME, VERSION = "reduced", 1
+"""Name of the document's format without "nearfar.", and its version."""
 NEAR, FAR, DOCUMENT = "near.glb", "far.exr", "reduced.json"
+"""Names of the files in a folder."""
 
 COUNTS = ("triangles", "near", "intermediate", "nsf", "nsf_at_r1", "sf", "rays")
-"""What is counted of the whole scene, most of which the folder does not hold."""
+"""Names of the counts of the whole scene, which cannot be computed from the saved part."""
 
 
 @dataclass(frozen=True)
 class Contents:
-    """The parts of a reduced scene that a folder keeps."""
+    """The parts of a reduced scene that a folder stores."""
 
     near: Scene
     env: EnvMap | None
@@ -37,7 +39,7 @@ class Contents:
 
 
 def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> None:
-    """Write a folder, whole or not at all; `ReducedScene.save` says what is in it."""
+    """Write a folder completely or not at all; `ReducedScene.save` describes its files."""
     from nearfar._scene import glb
 
     near, target = contents.near, check.path("path", path)
@@ -65,7 +67,7 @@ def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> Non
 
 
 def _moving(scene: Scene) -> list[dict[str, Any]]:
-    """Objects of the moving instances, where they were loaded, and where their meshes rest."""
+    """Object, load transform and loaded mesh placement of each moving instance."""
     owners = scene._core.moving_objects().tolist()
     return [
         {
@@ -78,14 +80,14 @@ def _moving(scene: Scene) -> list[dict[str, Any]]:
 
 
 def load(path: str | os.PathLike[str]) -> Contents:
-    """Read a folder; FormatError where a file of it is damaged or too new, OSError where one is missing."""
+    """Read a folder; FormatError if a file is damaged or too new, OSError if one is missing."""
     from nearfar._scene import glb
 
     folder = check.path("path", path)
     document = formats.read_json(folder / DOCUMENT, NAME, VERSION)
     with formats.guarded(folder / DOCUMENT):
-        given = document["object_names"]
-        names = Names(given if isinstance(given, int) else tuple(given))
+        object_names = document["object_names"]
+        names = Names(object_names if isinstance(object_names, int) else tuple(object_names))
         center = check.vector("center", document["center"])
         near_radius, far_radius = check.radii(document["r1"], document["r2"])
         counts = {name: check.integer(name, document["counts"][name], 0, 2**62) for name in COUNTS}
@@ -111,7 +113,7 @@ def load(path: str | os.PathLike[str]) -> Contents:
 def _frames(
     moving: list[dict[str, Any]], names: Names, placements: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64] | None, NDArray[np.float64]]:
-    """Load transforms of objects by number, and the moving instances' rest."""
+    """Load transforms of objects by number, and the placements that the moving instances were loaded with."""
     if len(moving) != len(placements):
         raise ValueError(f"moving: expected {len(placements)} instances as in {NEAR}, got {len(moving)}")
     rest = np.array([row["rest"] for row in moving], np.float64).reshape(-1, 3, 4)

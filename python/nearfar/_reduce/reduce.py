@@ -1,4 +1,4 @@
-"""Near–far reduction: the one file that knows the order partition → bake → render. It computes nothing itself."""
+"""Near–far reduction: calls the stages partition and bake in order; it computes nothing itself."""
 
 from __future__ import annotations
 
@@ -34,46 +34,48 @@ def reduce(
     range_dtype: DTypeLike = np.float32,
     backend: str = "auto",
 ) -> ReducedScene:
-    """Make a scene light: keep what is near as geometry, bake what is far, and join the two without a seam.
+    """Reduce a scene: near triangles stay geometry, far ones are baked into a cube map, and a morph joins the two.
 
     Parameters
     ----------
     scene
         The scene.
     center
-        World position O in metres that the map is baked from: an eye's height above the ground, in the middle of where
-        users will be.
+        World position O in metres that the map is baked from: an eye's height above the ground, in the middle of the
+        users' area.
     r1, r2
-        Radii in metres about the vertical axis through O, 0 ≤ r1 < r2. Inside r1 everything is where it is; beyond r2
-        only the map is seen; in between the picture changes from one to the other.
+        Radii in metres about the vertical axis through O, 0 ≤ r1 < r2. Inside r1 points stay where they are; beyond r2
+        only the map is visible; between the radii the morph changes points from one to the other.
     face_size
-        Texels across each of the map's six faces.
+        Number of texels across each of the map's six faces, 1 to 16,384.
     morph
-        "blend" (Popescu et al. 2022) and "cylinder" (CloVR, 2024: points keep their distance from the axis) are
-        continuous; "none" is the conventional method, whose near part ends with a break.
+        "blend" (Popescu et al. 2022) and "cylinder" (CloVR 2024, points keep their distance from the axis) are
+        continuous. "none" is the conventional method, whose picture breaks at the end of the near part.
     boundary
-        Where the near part of "none" ends and its map begins: "r2", or "r1" as in the paper's figure 1.
+        For "none", the radius at which the near part ends and the map begins: "r2", or "r1" as in figure 1 of the
+        paper. The continuous methods need "r2".
     channels
-        What the map holds: "color" always, "range" and "object_id" if asked for. Scenes with moving objects get
-        range anyway, because it tells what far buildings hide.
+        Channels of the map: "color" always, "range" and "object_id" if named. Scenes with moving objects always get
+        range, because it decides which of them far buildings hide.
     samples
-        Colour samples of each texel.
+        Number of colour samples of each texel, 1 to 1024.
     range_dtype
-        Type of the map's range: float32, or float16 in half the memory and file, off by at most 2⁻¹¹ of the range.
+        Type of the map's range: float32, or float16, which halves memory and file and has an error of at most 2⁻¹¹ of
+        the range.
     backend
-        Where the map is baked: "cpu", "gpu" or "auto", as in `render`.
+        Backend that bakes the map: "cpu", "gpu" or "auto", as in `render`.
 
     Returns
     -------
     ReducedScene
-        Without a map where nothing lies beyond the near part.
+        The reduced scene, without a map if nothing lies beyond the near part.
 
     Raises
     ------
     ValueError, TypeError
-        For arguments out of their domains, and for float16 where the map reaches beyond 65,504 m.
+        For arguments out of their domains, and for float16 if the map's range exceeds 65,504 m.
     DeviceError
-        As `render`.
+        As in `render`.
 
     References
     ----------
@@ -83,11 +85,11 @@ def reduce(
     check_morph(morph, check.choice("boundary", boundary, ("r1", "r2")))
     size = check.integer("face_size", face_size, 1, 16384)
     samples = check.integer("samples", samples, 1, MAX_SAMPLES)
-    wanted = set(channel_names(channels))
-    if unknown := wanted - set(envmap.CHANNELS):
+    names = set(channel_names(channels))
+    if unknown := names - set(envmap.CHANNELS):
         listed = ", ".join(name for name in CHANNELS if name in unknown)
         raise ValueError(f"channels: expected names of {', '.join(envmap.CHANNELS)}, got {listed}")
-    device = backends.device_for(backend, scene, (tuple(n for n in CHANNELS if n in wanted), samples))
+    device = backends.device_for(backend, scene, (tuple(n for n in CHANNELS if n in names), samples))
     half = is_half("range_dtype", range_dtype)
     zones = partition(scene, center=center, r1=r1, r2=r2)
     env: EnvMap | None = None
@@ -95,7 +97,7 @@ def reduce(
     if zones.summary()["sf"] > 0 or boundary == "r1":
         radius = zones.r1 if boundary == "r1" else zones.r2
         env, rays = bake(
-            scene, zones.center, radius, size=size, samples=samples, channels=wanted, half=half, device=device
+            scene, zones.center, radius, size=size, samples=samples, channels=names, half=half, device=device
         )
     counts = {name: count for name, count in (zones.summary() | {"rays": rays}).items() if name in folder.COUNTS}
     return ReducedScene(scene, zones, env, morph=morph, boundary=boundary, counts=counts)

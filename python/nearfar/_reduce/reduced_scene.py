@@ -1,4 +1,4 @@
-"""Reduced scenes: what a thin client holds, its pictures, and its files."""
+"""Reduced scenes: near geometry and an environment map, as a thin client renders them."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ from nearfar._scene.scene import Scene
 
 
 class ReducedScene:
-    """A scene made light: near geometry that follows the user, before a map of what is far.
+    """A reduced scene: near geometry, which is morphed for the user, in front of an environment map of the far part.
 
-    Made by `reduce` or read by `load`. The scene's meshes are shared, not copied, except for the near triangles
-    (`stats`).
+    Made by `reduce` or read by `load`. It shares the scene's meshes; only near triangles are copied (`near_bytes` of
+    `stats`).
     """
 
     def __init__(
@@ -59,17 +59,17 @@ class ReducedScene:
 
     @property
     def scene(self) -> Scene:
-        """The scene that was reduced; of a loaded one what was saved, its near part."""
+        """The scene that was reduced; after `load` only its saved near part."""
         return self._scene
 
     @property
     def partition(self) -> Partition:
-        """Which triangles are near and which are far."""
+        """Zones of the scene's triangles."""
         return self._partition
 
     @property
     def env(self) -> EnvMap | None:
-        """What surrounds the centre; None where nothing lies beyond the near part."""
+        """Environment map of the far part; None if nothing lies beyond the near part."""
         return self._env
 
     @property
@@ -84,29 +84,29 @@ class ReducedScene:
 
     @property
     def r2(self) -> float:
-        """Radius in metres beyond which only the map is seen."""
+        """Radius in metres beyond which only the map is visible."""
         return self._partition.r2
 
     @property
     def morph(self) -> str:
-        """How near and far part are joined: "blend", "cylinder" or "none"."""
+        """Name of the morph that joins near and far part: "blend", "cylinder" or "none"."""
         return self._morph
 
     @property
     def stats(self) -> dict[str, Any]:
-        """Count what is left and what was needed.
+        """Counts of triangles, bytes and rays.
 
         Returns
         -------
         dict
-            `triangles` of the scene, `near`, `intermediate`, `nsf` and `sf` as in `Partition.summary`; `drawn`, the
-            triangles that a client draws, and `reduction` = triangles / drawn; `map_bytes`, `near_bytes` (copies of
-            near geometry); `rays` (0 where a graphics adapter baked) and `ranges_computed` while baking; of the last
-            frame `frame_triangles` (after splitting; 0 where the scene's own trees were used), `dynamic_triangles`
-            (moving ones that were looked for; 0 where there was no pass for them), `tolerance_held` (whether
-            `tolerance_px` was a bound for "vertex": "blend", and a user within 0.6 r1 of the centre) and
-            `opposed_directions` (vertices that user and centre see in opposite directions, which happens only outside
-            the near cylinder).
+            Of the scene: `triangles`, and `near`, `intermediate`, `nsf` and `sf` as in `Partition.summary`; `drawn`,
+            the number of triangles that a client draws, and `reduction` = triangles / drawn. Of the memory:
+            `map_bytes`, and `near_bytes` for copies of near geometry. Of baking: `rays` (0 on a graphics adapter) and
+            `ranges_computed`. Of the last frame: `frame_triangles` (after splitting; 0 if the scene's own trees were
+            traced), `dynamic_triangles` (moving ones in a separate pass; 0 without such a pass), `tolerance_held`
+            (whether `tolerance_px` was a proven bound, which needs "vertex", "blend" and a user within 0.6 r1 of the
+            centre) and `opposed_directions` (vertices that user and centre see in opposite directions, which happens
+            only with the user outside the near cylinder).
         """
         counts = self._counts
         triangles, moving, opposed, bounded = self._core.last_frame()
@@ -138,56 +138,58 @@ class ReducedScene:
         tolerance_px: float | None = None,
         backend: str = "auto",
     ) -> Frame:
-        """Render what a thin client shows to a user at the camera's position.
+        """Render the picture that a thin client shows to a user.
 
         Parameters
         ----------
         camera
             The user's view.
         at
-            Poses of moving objects, as in `Scene.at`. They are seen wherever they are, never in the map; beyond the
-            near part in the direction in which the centre sees them, where nothing in the map is nearer.
+            Poses of moving objects, as in `Scene.at`. Moving objects are never in the map. Beyond the near part they
+            are drawn in the direction in which the centre sees them, if nothing in the map is nearer.
         user
-            World position (3,) of the eye U that near geometry is bent for; by default the camera's.
+            World position (3,), metres, of the eye U that near geometry is morphed for; by default the camera's
+            position.
         samples
-            Colour samples of each pixel; all other images are taken at the pixel's centre.
+            Number of colour samples of each pixel; all other images are sampled once, at the pixel's centre.
         channels
-            Images to compute, as in `render`; by default colour, and range and object_id where far pixels have them.
-            Far pixels have the channels that were baked, the point of the map's range as position, face_id −1 and
-            no normal. `range` is the displayed distance, `position` and `normal` are unmorphed.
+            Images to compute, as in `render`; by default the channels of the map (`default_channels`). Far pixels have
+            the channels that were baked; their `position` is the point at the map's range, their `face_id` is −1, and
+            they have no normal. `range` is the displayed distance; `position` and `normal` are unmorphed.
         lod
-            Levels of detail of near objects, as `nearfar.render` takes it, for scenes whose objects have some. What is
-            far is in the map, at the levels that were baked. When levels change, near geometry is gathered anew.
+            Levels of detail of near objects, as in `nearfar.render`, for scenes whose objects have some. The map shows
+            far objects at the levels that were baked. A change of levels gathers the near geometry again.
         method
-            "vertex": the morph moves vertices, as a vertex shader would. "exact": every pixel shows what its bent ray
-            (`bend_rays`) meets in the unmorphed scene.
+            "vertex": the morph moves vertices, as a vertex shader would. "exact": every pixel shows the first hit of
+            its bent ray (`bend_rays`) in the unmorphed scene.
         env
-            False for the ideal picture of the method: what is far is traced from the centre instead of taken from the
-            map, so that all channels are there.
+            True draws the far part from the map. False traces it from the centre, so that all channels exist; this is
+            the method's picture with a map of unlimited resolution.
         tolerance_px
-            By how many of the image's finest pixels triangles may miss the morph of their points, by default 0.5:
-            larger ones are split for this frame. A bound where `stats` says `tolerance_held`. Infinity morphs the
-            vertices that there are, which bends long triangles wrongly and opens breaks at both radii. For "exact" by
-            how many pixels, as large as they are where it passes, a bent ray may miss its curve, by default 0.1.
+            For "vertex": greatest distance, in the image's finest pixels, between a drawn triangle's points and their
+            morph, by default 0.5; larger triangles are split for the frame. It is a proven bound if `stats` has
+            `tolerance_held`. Infinity morphs only the given vertices, which bends long triangles wrongly and opens
+            breaks at both radii. For "exact": greatest distance between a bent ray and its curve, in pixels of the
+            size at its place in the image, by default 0.1.
         backend
-            "cpu", "gpu" or "auto", as in `render`. On a graphics adapter near triangles are split once for users about
-            as far from the centre, not for each frame, and objects that move are split only where their edges are too
-            long, so that a frame sends a transform for each. The map's colours are half floats there, at most 65,504.
-            "exact" is for the CPU: "auto" leaves it there.
+            "cpu", "gpu" or "auto", as in `render`. On a graphics adapter near triangles are split once for all users at
+            about the same distance from the centre, not for each frame, and moving objects are split only if their
+            edges are too long, so that a frame sends one transform for each. The map's colours are half floats there,
+            at most 65,504. "exact" runs on the CPU only, also with "auto".
 
         Returns
         -------
         Frame
-            The same bytes for any number of threads.
+            The bytes are the same for any number of threads.
 
         Raises
         ------
         ValueError, TypeError
-            For arguments out of their domains, for a range or object_id that was not baked, for `env` False where what
-            is far was not saved, for parallel rays where there is a map or rays are bent, which show what one eye
-            sees, and for "exact" with "gpu".
+            For arguments out of their domains; for a range or object_id that was not baked; for `env` False after
+            `load`, because far geometry is not saved; for parallel rays with a map or bent rays, which both belong to
+            one eye; and for "exact" with "gpu".
         DeviceError
-            As `render`.
+            As in `render`.
         """
         drawn = self._drawn_by(Drawing.checked(method, env, tolerance_px))
         if backends.check(backend) == "gpu" and "gpu" not in drawn.backends:
@@ -198,29 +200,29 @@ class ReducedScene:
 
     @property
     def origin(self) -> NDArray[np.float64]:
-        """World position (3,) that `Frame.position` is relative to: the scene's."""
+        """World position (3,) in metres that `Frame.position` is relative to, the scene's origin."""
         return self._scene.origin
 
     @property
     def default_channels(self) -> tuple[str, ...]:
-        """Images that are computed where nobody says which: those that far pixels have."""
+        """Images that are computed by default: those that far pixels have."""
         if self._env is None or not self._drawing.env:
             return envmap.CHANNELS
         return self._env.channels
 
     @property
     def backends(self) -> tuple[str, ...]:
-        """Where pictures can be made: rays are bent on the CPU alone."""
+        """Backends that can render this scene; only the CPU bends rays."""
         bends = self._drawing.method == "exact" and self._morph != "none"
         return ("cpu",) if bends else ("cpu", "gpu")
 
     @property
     def triangle_count(self) -> int:
-        """Triangles that a client draws."""
+        """Number of triangles that a client draws."""
         return self._counts["nsf" if self._boundary == "r2" else "nsf_at_r1"]
 
     def at(self, poses: Mapping[str, ArrayLike]) -> ReducedScene:
-        """Return the same reduced scene with dynamic objects in other places, as `Scene.at` does."""
+        """Return the same reduced scene with dynamic objects in other poses, as `Scene.at` does."""
         posed = copy.copy(self)
         posed._scene, posed._poses = self._scene.at(poses), {**self._poses, **poses}
         return posed
@@ -231,12 +233,12 @@ class ReducedScene:
         Parameters
         ----------
         levels
-            As `Scene.at_levels` takes them. Objects that are far are in the map, at the levels that were baked.
+            As in `Scene.at_levels`. The map shows far objects at the levels that were baked.
 
         Raises
         ------
         ValueError, TypeError
-            As `Scene.at_levels`.
+            As in `Scene.at_levels`.
         """
         leveled = self._scene.leveled
         if leveled is None:
@@ -248,11 +250,11 @@ class ReducedScene:
             self._at_levels = chosen, self._with(scene, zones, self._counts | zones.summary())
         left_out = {name for name, level in zip(leveled.names, chosen.tolist(), strict=True) if level < 0}
         poses = {name: pose for name, pose in self._poses.items() if name not in left_out}
-        found = self._at_levels[1]
-        return found.at(poses) if poses else found
+        reduced = self._at_levels[1]
+        return reduced.at(poses) if poses else reduced
 
     def shown_to(self, user: ArrayLike) -> Leveled | None:
-        """Objects that have levels, where a user at a world position (3,) sees them: the morph moves their spheres."""
+        """Return the objects with levels as a user at a world position (3,) sees them, with morphed spheres."""
         leveled = self._scene.leveled
         if leveled is None or self._morph == "none":
             return leveled
@@ -266,7 +268,7 @@ class ReducedScene:
         ]
 
     def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> list[_core.GpuJob]:
-        """Begin the pictures of a shot on a graphics device, one for each camera."""
+        """Start the pictures of a shot on a graphics device, one for each camera."""
         return [
             device.reduced(self._core, self._scene._core, camera._core, **self._settings(shot, camera), report=report)
             for camera in shot.cameras
@@ -291,7 +293,7 @@ class ReducedScene:
     def _with(
         self, scene: Scene, zones: Partition, counts: dict[str, int], *, morph: str | None = None
     ) -> ReducedScene:
-        """The same map around other near geometry, or joined to it in another way."""
+        """Copy with the same map, but other near geometry or another morph."""
         reduced = ReducedScene(
             scene,
             zones,
@@ -304,37 +306,37 @@ class ReducedScene:
         return reduced._drawn_by(self._drawing)
 
     def with_morph(self, morph: str) -> ReducedScene:
-        """Join the same near part and the same map in another way, without baking anew.
+        """Return the same near part and the same map with another morph, without baking again.
 
         Parameters
         ----------
         morph
-            "blend", "cylinder" or "none", as in `reduce`. A map baked from r1 serves "none" only.
+            "blend", "cylinder" or "none", as in `reduce`. A map that was baked from r1 allows only "none".
 
         Raises
         ------
         ValueError
-            For other names, and for a morph that this map does not reach.
+            For unknown names, and for a continuous morph with a map that was baked from r1.
         """
         check_morph(morph, self._boundary)
         return self._with(self._scene, self._partition, self._counts, morph=morph)
 
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
-        """Write a folder that other programs read, whole or not at all.
+        """Write a folder of files that other programs can read, completely or not at all.
 
         Parameters
         ----------
         path
-            The folder: `near.glb`, the geometry that is drawn, unmorphed, with objects as named nodes; `far.exr`, the
-            map, where there is one (`EnvMap.save`); and `reduced.json`, which says the rest. A folder that exists is
-            replaced if it is empty or one of these.
+            The folder. It contains `near.glb`, the drawn geometry, unmorphed, with objects as named nodes; `far.exr`,
+            the map, if there is one (`EnvMap.save`); and `reduced.json` with all other data. An existing folder is
+            replaced if it is empty or contains a `reduced.json`.
         half
-            Store the map's colour as 16-bit floats, as `EnvMap.save` does. False keeps it bit for bit.
+            True stores the map's colour as 16-bit floats, as `EnvMap.save` does; False stores it bit for bit.
 
         Raises
         ------
         OSError
-            Where the folder cannot be written, or holds other files.
+            If the folder cannot be written or contains other files.
         """
         zones = self._partition
         near = self._scene
@@ -345,17 +347,17 @@ class ReducedScene:
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> ReducedScene:
-        """Read what `save` wrote.
+        """Read a folder that `save` wrote.
 
-        It renders the same colours (with `half`, to a quarter of an 8-bit step), ranges and objects as what was saved;
-        `face_id` counts the near part's triangles. What is far is in the map alone, so that `env=False` is refused.
+        The result renders the same colours (with `half`, to a quarter of an 8-bit step), ranges and objects as the
+        saved scene; `face_id` counts the near part's triangles. Far geometry is not saved, so `env=False` is refused.
 
         Raises
         ------
         FormatError
-            For a file that is damaged or newer than this version reads; says which.
+            For a file that is damaged or newer than this version reads; the message names it.
         OSError
-            Where a file is missing.
+            If a file is missing.
         """
         saved = folder.load(path)
         return cls(
@@ -369,7 +371,7 @@ class ReducedScene:
         )
 
     def _drawn_at_r1(self) -> NDArray[np.int64]:
-        """Triangles that are near or move."""
+        """Numbers of the triangles that are near or move."""
         moving = np.arange(self._scene._core.standing_triangle_count, self._scene.triangle_count)
         return np.union1d(self._partition.near, moving)
 
@@ -382,6 +384,6 @@ class ReducedScene:
 
 
 def _rows(channel: Any) -> Any:
-    """A map's channel as rows of texels, in the kernels' types."""
+    """Reshape a map's channel to rows of texels, in a type that kernels read."""
     channel = channel.astype(np.float32) if channel.dtype == np.float16 else channel
     return np.reshape(channel, (-1, 3) if channel.ndim == 4 else -1)

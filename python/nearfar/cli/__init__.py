@@ -1,7 +1,7 @@
-"""The command line: `nearfar demo | info | partition | bake | render`.
+"""The command line: `nearfar demo | info | partition | bake | reduce | render | compare | lod`.
 
-Of the stages it uses the public face only, and of the policies how files are written and headed. A user's mistake is
-one sentence on standard error and exit status 1 (2 for a wrong command line); a traceback is a bug of ours.
+A user's mistake prints one sentence on standard error and ends with exit status 1 (2 for a wrong command line); a
+traceback is a bug of nearfar.
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ __all__ = ["main"]
 
 
 def main() -> None:
-    """Run the command that the arguments name, and leave with its status."""
-    # Imported here: `import nearfar.cli` alone must not load typer and rich.
+    """Run the command that the arguments name, and exit with its status."""
+    # A late import, so that `import nearfar.cli` alone does not load typer and rich.
     from nearfar.cli._app import run
 
     sys.exit(run(sys.argv[1:]))

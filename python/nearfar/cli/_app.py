@@ -1,4 +1,4 @@
-"""The application: its commands, and the one place where errors become sentences and exit statuses."""
+"""The command-line application: its commands, and the conversion of errors to messages and exit statuses."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ import nearfar as nf
 from nearfar.cli import _bake, _compare, _info, _lod, _partition, _reduce, _render
 
 INTERRUPTED = 130
-"""Status of a command ended by Ctrl-C, as shells give it: 128 and the signal's number."""
+"""Exit status after Ctrl-C: 128 plus the signal's number, as in shells."""
 
 app = typer.Typer(
     name="nearfar",
-    help="Makes scenes too heavy for a thin VR device light enough, and says what that costs in image quality.",
+    help="Reduces 3D scenes that are too heavy for a thin VR device, and measures the loss in image quality.",
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
@@ -31,8 +31,8 @@ app.command("compare")(_compare.compare)
 app.command("lod")(_lod.lod)
 
 
-def _print_version(wanted: bool) -> None:
-    if wanted:
+def _print_version(requested: bool) -> None:
+    if requested:
         typer.echo(f"nearfar {nf.__version__}")
         raise typer.Exit
 
@@ -40,14 +40,14 @@ def _print_version(wanted: bool) -> None:
 @app.callback()
 def _top(
     version: Annotated[
-        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and leave.")
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and exit.")
     ] = False,
 ) -> None:
     pass
 
 
 def run(arguments: Sequence[str]) -> int:
-    """Run a command line and return its exit status; prints errors to standard error."""
+    """Run a command line, print errors to standard error, and return the exit status."""
     try:
         app(list(arguments), prog_name="nearfar")
     except SystemExit as end:

@@ -1,4 +1,4 @@
-"""`nearfar bake`: the environment map of what is far."""
+"""`nearfar bake`: bakes the part of a scene beyond r2 into an environment map."""
 
 from __future__ import annotations
 
@@ -33,20 +33,20 @@ VERSION = 1
 
 def bake(
     scene: Input,
-    output: Annotated[Path, typer.Option("-o", "--output", metavar="FILE", help="The map, as .exr.")],
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="FILE", help="Map file to write, .exr.")],
     center: Center = None,
     r1: Inner = 30.0,
     r2: Outer = 50.0,
     face_size: FaceSize = 1024,
     samples: Samples = 1,
-    with_range: Annotated[bool, typer.Option("--range", help="Bake distances too.")] = False,
+    with_range: Annotated[bool, typer.Option("--range", help="Bake range in metres too.")] = False,
     with_ids: Annotated[bool, typer.Option("--object-id", help="Bake object numbers too.")] = False,
     backend: Backend = "auto",
     up: Up = "y",
     on_invalid: Invalid = "raise",
     as_json: Json = False,
 ) -> None:
-    """Bake what lies beyond r2 into a cube map seen from the centre."""
+    """Bake the static part of a scene beyond r2 into a cube map seen from the centre."""
     check.radii(r1, r2)
     check_backend(backend)
     middle = read_point("--center", center)

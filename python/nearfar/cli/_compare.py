@@ -1,4 +1,4 @@
-"""`nearfar compare`: truth, conventional and continuous method from one eye, measured, with thresholds."""
+"""`nearfar compare`: compares conventional and continuous method with the truth and checks thresholds."""
 
 from __future__ import annotations
 
@@ -40,24 +40,30 @@ from nearfar.cli._viewpoint import choose
 VERSION = 1
 
 BROKEN = 3
-"""Status of a comparison that broke a threshold. 1 is an error, 2 a wrong command line."""
+"""Exit status of a comparison that broke a threshold; 1 is an error, 2 a wrong command line."""
 
 
 @dataclass(frozen=True)
 class Threshold:
-    """A limit for the continuous picture."""
+    """A limit for a measure of the continuous picture."""
 
     option: str
     measure: str
     limit: float
     least: bool
-    """Whether the limit is the least value that will do, or the greatest."""
+    """True if the limit is the least allowed value, False if it is the greatest."""
 
     def check(self, values: dict[str, Any]) -> dict[str, Any]:
-        """Compare a value with the limit; what is not in the picture cannot break it."""
+        """Compare a value with the limit; a measure that the picture lacks (None) does not break it."""
         value = values[self.measure]
-        kept = value is None or (value >= self.limit if self.least else value <= self.limit)
-        return {"option": self.option, "measure": self.measure, "limit": self.limit, "value": value, "kept": bool(kept)}
+        holds = value is None or (value >= self.limit if self.least else value <= self.limit)
+        return {
+            "option": self.option,
+            "measure": self.measure,
+            "limit": self.limit,
+            "value": value,
+            "kept": bool(holds),
+        }
 
 
 def compare(
@@ -65,13 +71,15 @@ def compare(
     output: Annotated[Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder to write.")],
     center: Center = None,
     user: Annotated[
-        str | None, typer.Option("--user", metavar="X,Y,Z", help="Eye U in metres. By default beside the centre.")
+        str | None,
+        typer.Option("--user", metavar="X,Y,Z", help="User's eye U in metres. By default beside the centre."),
     ] = None,
     distance: Annotated[
-        float, typer.Option("--distance", metavar="METRES", help="How far U is from O, where --user is not given.")
+        float, typer.Option("--distance", metavar="METRES", help="Distance of U from O without --user.")
     ] = 6.0,
     target: Annotated[
-        str | None, typer.Option("--target", metavar="X,Y,Z", help="Point looked at. By default the longest open view.")
+        str | None,
+        typer.Option("--target", metavar="X,Y,Z", help="Point to look at, metres. By default the longest open view."),
     ] = None,
     fov: Annotated[float, typer.Option("--fov", metavar="DEGREES", help="Horizontal field of view.")] = 90.0,
     r1: Inner = 30.0,
@@ -80,20 +88,36 @@ def compare(
     size: Size = "960x600",
     samples: Samples = 4,
     exact: Annotated[
-        bool, typer.Option("--exact", help="Bend every pixel's ray instead of moving vertices; no map's texels.")
+        bool, typer.Option("--exact", help="Bend a ray for every pixel; trace the far part instead of using the map.")
     ] = False,
-    min_psnr: Annotated[float | None, typer.Option("--min-psnr", metavar="DB")] = None,
-    min_ssim: Annotated[float | None, typer.Option("--min-ssim", metavar="VALUE")] = None,
-    max_discontinuity: Annotated[float | None, typer.Option("--max-discontinuity", metavar="VALUE")] = None,
-    max_boundary: Annotated[float | None, typer.Option("--max-boundary-discontinuity", metavar="VALUE")] = None,
+    min_psnr: Annotated[
+        float | None, typer.Option("--min-psnr", metavar="DB", help="Least PSNR in decibels; exit status 3 below it.")
+    ] = None,
+    min_ssim: Annotated[
+        float | None, typer.Option("--min-ssim", metavar="VALUE", help="Least SSIM; exit status 3 below it.")
+    ] = None,
+    max_discontinuity: Annotated[
+        float | None,
+        typer.Option(
+            "--max-discontinuity", metavar="VALUE", help="Greatest mean discontinuity; exit status 3 above it."
+        ),
+    ] = None,
+    max_boundary: Annotated[
+        float | None,
+        typer.Option(
+            "--max-boundary-discontinuity",
+            metavar="VALUE",
+            help="Greatest mean discontinuity along the boundary; exit status 3 above it.",
+        ),
+    ] = None,
     backend: Backend = "auto",
     up: Up = "y",
     on_invalid: Invalid = "raise",
     as_json: Json = False,
 ) -> None:
-    """Compare truth, conventional and continuous method from one eye; thresholds are for the continuous one.
+    """Compare the conventional and the continuous method with the truth, seen from one eye.
 
-    Ends with status 3 where a threshold is broken.
+    Thresholds apply to the continuous method; the exit status is 3 if one is broken.
     """
     checks.radii(r1, r2)
     check_backend(backend)
@@ -129,9 +153,9 @@ def compare(
             samples,
             backend,
             channels=("color", "position"),
-            # The discontinuity of far pixels needs the points that they show.
+            # The discontinuity of far pixels needs their scene points, which follow from the map's range.
             baked=("color", "range"),
-            how={"method": "exact", "env": False} if exact else None,
+            render_options={"method": "exact", "env": False} if exact else None,
         )
         frames, reduced = render_all(loaded, setting, clock)
         with clock.step("measures"):
@@ -143,7 +167,9 @@ def compare(
             _report_page.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
             plotted = _report_page.save_curve(folder, curve, r2)
             if plotted:
-                _comparison_page.save_heat_maps(folder, {name: found.torn for name, found in measured.items()})
+                _comparison_page.save_heat_maps(
+                    folder, {name: comparison.torn for name, comparison in measured.items()}
+                )
         margin = nf.fold_margin(eye, center=place.eye, r1=r1, r2=r2)
         checked = [threshold.check(values["continuous"]) for threshold in thresholds]
         document = formats.header("compare", VERSION, origin=[float(v) for v in loaded.origin], color_space="sRGB") | {
@@ -179,7 +205,7 @@ def compare(
 
 
 def _document(measured: nf.Comparison) -> dict[str, Any]:
-    """Measures as the report keeps them: rounded, without the picture."""
+    """Rounded measures for the report, without the map of discontinuity."""
     return {
         "psnr": round(measured.psnr, 4) if math.isfinite(measured.psnr) else None,
         "ssim": round(measured.ssim, 6),

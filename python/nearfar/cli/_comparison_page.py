@@ -1,4 +1,4 @@
-"""The files of `nearfar compare`: heat maps, and the report in Markdown and as one HTML page."""
+"""Writes the files of `nearfar compare`: heat maps, and the report as Markdown and as one HTML page."""
 
 from __future__ import annotations
 
@@ -20,6 +20,7 @@ MEASURES = {
     "discontinuity_p99": "discontinuity, 99th percentile",
     "boundary": "discontinuity along the boundary",
 }
+"""Labels of the measures."""
 
 PARADOX = (
     "PSNR and SSIM compare pixel by pixel: they often prefer the conventional picture, which is right inside r₂ and "
@@ -32,6 +33,7 @@ PICTURES = {
     "discontinuity.png": "Discontinuity of both methods, on one scale",
     "load_curve.png": "Triangles left as geometry",
 }
+"""Captions of the pictures."""
 
 STYLE = """
 body { font: 16px/1.5 system-ui, sans-serif; color: #222; max-width: 72rem; margin: 2rem auto; padding: 0 1rem }
@@ -43,7 +45,7 @@ td + td, th + th { text-align: right; font-variant-numeric: tabular-nums } th { 
 
 
 def save_heat_maps(folder: Path, maps: dict[str, NDArray[np.float32]]) -> None:
-    """Draw maps of discontinuity side by side on one scale, up to the greatest 99th percentile."""
+    """Draw maps of discontinuity (H, W) side by side on one scale, up to the greatest 99th percentile."""
     from matplotlib.figure import Figure
 
     greatest = max(float(np.nanpercentile(torn, 99)) if np.isfinite(torn).any() else 0.0 for torn in maps.values())
@@ -59,7 +61,7 @@ def save_heat_maps(folder: Path, maps: dict[str, NDArray[np.float32]]) -> None:
 
 
 def text(value: float | None) -> str:
-    """A measure for people."""
+    """Format a measure with four digits; a dash for None."""
     return "–" if value is None else f"{value:.4g}"
 
 
@@ -71,7 +73,7 @@ def save(folder: Path, document: dict[str, Any]) -> None:
 
 
 def _tables(document: dict[str, Any]) -> dict[str, list[list[str]]]:
-    """The report's tables by title, each with its header."""
+    """Make the report's tables by title; the first row of each is its header."""
     pictures = document["pictures"]
     tables = {
         "Against the truth": [
@@ -111,7 +113,7 @@ def _summary(document: dict[str, Any]) -> list[str]:
 
 
 def markdown(document: dict[str, Any]) -> str:
-    """The report as Markdown."""
+    """Format the report as Markdown."""
     lines = [f"# Near-far comparison of {document['source']}", ""]
     for paragraph in _summary(document):
         lines += [paragraph, ""]
@@ -123,7 +125,7 @@ def markdown(document: dict[str, Any]) -> str:
 
 
 def page(document: dict[str, Any], folder: Path) -> str:
-    """The report as one HTML page with its pictures inside."""
+    """Format the report as one HTML page that embeds its pictures."""
     title = html.escape(f"Near-far comparison of {document['source']}")
     parts = [f"<h1>{title}</h1>", *(f"<p>{html.escape(paragraph)}</p>" for paragraph in _summary(document))]
     for name, caption in _shown(document):

@@ -1,4 +1,4 @@
-"""`nearfar info`: what a scene holds, and which graphics adapters there are."""
+"""`nearfar info`: lists a scene's contents and the graphics adapters."""
 
 from __future__ import annotations
 
@@ -18,20 +18,17 @@ VERSION = 1
 
 def info(
     scene: Annotated[str | None, INPUT] = None,
-    gpu: Annotated[
-        bool, typer.Option("--gpu", help="Say which graphics adapters there are, and why one is not taken.")
-    ] = False,
+    gpu: Annotated[bool, typer.Option("--gpu", help="List the graphics adapters, and why one is not used.")] = False,
     up: Up = "y",
     on_invalid: Invalid = "raise",
     as_json: Json = False,
 ) -> None:
-    """Say what a scene holds: triangles, objects, extent, and what its file had that is not used."""
+    """List a scene's contents: triangles, objects, extent, and unused parts of its file."""
     if scene is None:
         if not gpu:
             raise typer.BadParameter("expected a scene, or --gpu", param_hint="--input")
-        found = describe_adapters()
-        document = formats.header("adapters", VERSION) | found
-        show(document, _adapter_rows(found), title="graphics adapters", as_json=as_json)
+        document = formats.header("adapters", VERSION) | describe_adapters()
+        show(document, _adapter_rows(document), title="graphics adapters", as_json=as_json)
         return
     started = time.perf_counter()
     loaded = open_scene(scene, up=up, on_invalid=on_invalid)
@@ -50,41 +47,41 @@ def info(
 
 
 def describe_adapters() -> dict[str, Any]:
-    """Document of what was found and what the back ends take; schema "adapters"."""
-    found = nf.gpu.adapters()
-    taken, why = None, ""
+    """Make the document of the adapters found and of those that the backends use; schema "adapters"."""
+    adapters = nf.gpu.adapters()
+    selected, reason = None, ""
     try:
-        taken = nf.gpu.selected()
+        selected = nf.gpu.selected()
     except nf.DeviceError as error:
-        why = str(error)
-    if taken is not None and taken.note:
-        why = "only the processor itself was found; install the driver of a graphics card for more"
+        reason = str(error)
+    if selected is not None and selected.note:
+        reason = "only the processor itself was found; install the driver of a graphics card for more"
     return {
-        "adapters": [dataclasses.asdict(adapter) | {"note": adapter.note} for adapter in found],
-        "gpu": None if taken is None else taken.label,
-        "auto": None if taken is None or taken.note else taken.label,
-        "why": why,
+        "adapters": [dataclasses.asdict(adapter) | {"note": adapter.note} for adapter in adapters],
+        "gpu": None if selected is None else selected.label,
+        "auto": None if selected is None or selected.note else selected.label,
+        "why": reason,
     }
 
 
-def _adapter_rows(found: dict[str, Any]) -> list[tuple[str, str]]:
+def _adapter_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
     listed = [
-        (entry["backend"], f"{entry['name']}, {entry['kind']}, {entry['driver']}" + _after(entry["note"]))
-        for entry in found["adapters"]
+        (entry["backend"], f"{entry['name']}, {entry['kind']}, {entry['driver']}" + _suffix(entry["note"]))
+        for entry in document["adapters"]
     ]
     return [
         *listed,
-        ("--backend gpu", found["gpu"] or "nothing"),
-        ("--backend auto", (found["auto"] or "the CPU") + _after(found["why"])),
+        ("--backend gpu", document["gpu"] or "nothing"),
+        ("--backend auto", (document["auto"] or "the CPU") + _suffix(document["why"])),
     ]
 
 
-def _after(note: str) -> str:
+def _suffix(note: str) -> str:
     return f"; {note}" if note else ""
 
 
 def describe(scene: nf.Scene, source: str, seconds: float) -> dict[str, Any]:
-    """Document of a scene; schema "info"."""
+    """Make the document of a scene; schema "info"."""
     return formats.header("info", VERSION, origin=[float(value) for value in scene.origin]) | {
         "source": source,
         "triangles": int(scene.triangle_count),
@@ -96,7 +93,7 @@ def describe(scene: nf.Scene, source: str, seconds: float) -> dict[str, Any]:
 
 
 def _plain(value: Any) -> Any:
-    """Of types that JSON has."""
+    """Convert a value to JSON's types; other types become strings."""
     if isinstance(value, dict):
         return {str(key): _plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple | set | frozenset):

@@ -1,4 +1,4 @@
-"""Truth, conventional and continuous method from one eye: the pictures of `nearfar reduce` and `nearfar compare`."""
+"""Renders truth, conventional and continuous method from one eye, for `nearfar reduce` and `nearfar compare`."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from nearfar.cli._options import Point
 from nearfar.cli._output import Clock
 
 METHODS = {"conventional": "none", "continuous": "blend"}
-"""The reduced pictures, and the morph of each."""
+"""Morph of each method, by the method's name."""
 
 
 @dataclass(frozen=True)
 class Setting:
-    """How a scene is reduced and seen."""
+    """Settings of the reduction and of the pictures."""
 
     view: nf.Camera
     center: Point
@@ -25,19 +25,20 @@ class Setting:
     samples: int
     backend: str
     channels: tuple[str, ...] = ("color",)
-    """Of the pictures."""
+    """Channels of the pictures."""
     baked: tuple[str, ...] = ("color",)
-    """Of the map."""
+    """Channels of the map."""
     map_samples: int = 4
-    how: dict[str, Any] | None = None
-    """What else `ReducedScene.render` is told."""
+    """Number of colour samples of each texel of the map."""
+    render_options: dict[str, Any] | None = None
+    """Further arguments of `ReducedScene.render`."""
 
 
 def render_all(scene: nf.Scene, setting: Setting, clock: Clock) -> tuple[dict[str, nf.Frame], nf.ReducedScene]:
-    """Render the truth and both methods, and return the reduced scene too. Both show one map: it is baked once."""
-    seen: dict[str, Any] = {"samples": setting.samples, "channels": setting.channels}
+    """Render the truth and both methods; returns the frames and the reduced scene, whose map both methods share."""
+    settings: dict[str, Any] = {"samples": setting.samples, "channels": setting.channels}
     with clock.step("truth"):
-        frames = {"truth": nf.render(scene, setting.view, backend=setting.backend, **seen)}
+        frames = {"truth": nf.render(scene, setting.view, backend=setting.backend, **settings)}
     with clock.step("reduce"):
         reduced = nf.reduce(
             scene,
@@ -51,5 +52,5 @@ def render_all(scene: nf.Scene, setting: Setting, clock: Clock) -> tuple[dict[st
         )
     for name, morph in METHODS.items():
         with clock.step(name):
-            frames[name] = reduced.with_morph(morph).render(setting.view, **seen, **(setting.how or {}))
+            frames[name] = reduced.with_morph(morph).render(setting.view, **settings, **(setting.render_options or {}))
     return frames, reduced

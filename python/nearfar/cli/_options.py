@@ -1,4 +1,4 @@
-"""Options that commands share, and how their texts are read."""
+"""Options that several commands share, and the parsing of their values."""
 
 from __future__ import annotations
 
@@ -16,10 +16,11 @@ from nearfar._base import check
 Point = tuple[float, float, float]
 
 PROCEDURAL = ("city", "room", "forest")
+"""Names of the procedural scenes."""
 
 
 def read_point(option: str, text: str | None) -> Point | None:
-    """Read "x,y,z" in metres; None stays None."""
+    """Parse "x,y,z" in metres; None stays None."""
     if text is None:
         return None
     try:
@@ -32,7 +33,7 @@ def read_point(option: str, text: str | None) -> Point | None:
 
 
 def read_size(option: str, text: str) -> tuple[int, int]:
-    """Read "1280x720" in pixels."""
+    """Parse "WIDTHxHEIGHT" in pixels, such as "1280x720"."""
     try:
         width, height = (int(part) for part in text.split("x"))
     except ValueError:
@@ -47,9 +48,12 @@ INPUT = typer.Option(
     help="Scene file (GLB, glTF, OBJ, PLY, STL …), or city, room or forest, as in city:blocks=4,seed=1.",
 )
 Input = Annotated[str, INPUT]
-Up = Annotated[str, typer.Option("--up", metavar="AXIS", help="The file's upward axis: x, y or z.")]
+Up = Annotated[str, typer.Option("--up", metavar="AXIS", help="Axis of the file that points up: x, y or z.")]
 Invalid = Annotated[
-    str, typer.Option("--on-invalid", metavar="raise|drop", help="What to do with vertices that are not finite.")
+    str,
+    typer.Option(
+        "--on-invalid", metavar="raise|drop", help="Stop at vertices that are not finite, or drop their faces."
+    ),
 ]
 Center = Annotated[
     str | None,
@@ -60,27 +64,27 @@ Center = Annotated[
         help="Centre O in metres. By default 1.7 m above open ground near the scene's middle.",
     ),
 ]
-Inner = Annotated[float, typer.Option("--r1", metavar="METRES", help="Radius of the near region.")]
-Outer = Annotated[float, typer.Option("--r2", metavar="METRES", help="Radius beyond which all is in the map.")]
-FaceSize = Annotated[int, typer.Option("--face-size", metavar="TEXELS", help="Edge of a face of the cube map.")]
-Size = Annotated[str, typer.Option("--size", metavar="WxH", help="Size of a picture in pixels.")]
-Samples = Annotated[int, typer.Option("--samples", metavar="N", help="Colour samples for each pixel.")]
+Inner = Annotated[float, typer.Option("--r1", metavar="METRES", help="Radius of the near zone.")]
+Outer = Annotated[float, typer.Option("--r2", metavar="METRES", help="Radius beyond which the map shows the scene.")]
+FaceSize = Annotated[int, typer.Option("--face-size", metavar="TEXELS", help="Texels across a face of the cube map.")]
+Size = Annotated[str, typer.Option("--size", metavar="WxH", help="Width and height of a picture in pixels.")]
+Samples = Annotated[int, typer.Option("--samples", metavar="N", help="Colour samples of each pixel.")]
 Backend = Annotated[
     str,
     typer.Option(
-        "--backend", metavar="auto|cpu|gpu", help="Where pictures are computed; `nearfar info --gpu` says more."
+        "--backend", metavar="auto|cpu|gpu", help="Renderer; `nearfar info --gpu` lists the graphics adapters."
     ),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print a JSON document instead of text.")]
 
 
 def check_backend(text: str) -> None:
-    """Refuse other back ends before the work starts."""
+    """Refuse unknown backends before the work starts."""
     check.choice("--backend", text, ("auto", "cpu", "gpu"))
 
 
 def open_scene(text: str, *, up: str = "y", on_invalid: str = "raise") -> nf.Scene:
-    """Load the file, or make the procedural scene, that `-i` names."""
+    """Load the file or make the procedural scene that `-i` names."""
     name, _, settings = text.partition(":")
     if name in PROCEDURAL and not Path(text).exists():
         if up != "y":
@@ -91,14 +95,14 @@ def open_scene(text: str, *, up: str = "y", on_invalid: str = "raise") -> nf.Sce
 
 def _procedural(name: str, settings: str) -> nf.Scene:
     maker = getattr(nf.datasets, name)
-    known = {k: p.default for k, p in inspect.signature(maker).parameters.items() if isinstance(p.default, int)}
+    defaults = {k: p.default for k, p in inspect.signature(maker).parameters.items() if isinstance(p.default, int)}
     chosen: dict[str, int] = {}
     for item in filter(None, settings.split(",")):
         key, _, value = item.partition("=")
-        if key not in known:
-            near = difflib.get_close_matches(key, known, 1)
+        if key not in defaults:
+            near = difflib.get_close_matches(key, defaults, 1)
             hint = f" (did you mean {near[0]}?)" if near else ""
-            raise ValueError(f"{name}: expected settings from {', '.join(known)}, got {key!r}{hint}")
+            raise ValueError(f"{name}: expected settings from {', '.join(defaults)}, got {key!r}{hint}")
         try:
             chosen[key] = int(value)
         except ValueError:

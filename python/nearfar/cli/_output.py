@@ -1,4 +1,4 @@
-"""What commands print: JSON documents for programs, tables for people."""
+"""Output of commands: JSON documents, tables, timing, and the formatting of numbers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nearfar._base import files, formats
 
 @dataclass
 class Clock:
-    """Wall time of each step."""
+    """Wall-clock time of each step, seconds."""
 
     seconds: dict[str, float] = field(default_factory=dict)
 
@@ -29,7 +29,7 @@ class Clock:
 
 
 def show(document: dict[str, Any], rows: Iterable[tuple[str, str]], *, title: str, as_json: bool) -> None:
-    """Print a document on standard output: as JSON, or its rows as a table."""
+    """Print a document on standard output as JSON, or its rows as a table."""
     if as_json:
         typer.echo(formats.to_json(document), nl=False)
         return
@@ -46,30 +46,30 @@ def show(document: dict[str, Any], rows: Iterable[tuple[str, str]], *, title: st
 
 
 def check_target(path: Path, *suffixes: str) -> None:
-    """Refuse a place that cannot be written, or a name of another kind, before the work starts."""
+    """Refuse a path that cannot be written or has another suffix, before the work starts."""
     if path.suffix.lower() not in suffixes:
         raise ValueError(f"{path}: expected a name ending in {' or '.join(suffixes)}")
-    with contextlib.suppress(_Tried), files.atomic_file(path):
-        raise _Tried
+    with contextlib.suppress(_TrialWrite), files.atomic_file(path):
+        raise _TrialWrite
 
 
-class _Tried(Exception):  # noqa: N818
-    """Leaves the place as it was."""
+class _TrialWrite(Exception):  # noqa: N818
+    """Ends a trial write, so that the target stays unchanged."""
 
 
 def write_json(path: Path, document: dict[str, Any]) -> None:
-    """Write a document whole or not at all."""
-    with files.atomic_file(path) as aside:
-        aside.write_text(formats.to_json(document), encoding="utf-8")
+    """Write a document completely or not at all."""
+    with files.atomic_file(path) as temporary:
+        temporary.write_text(formats.to_json(document), encoding="utf-8")
 
 
 def count(value: int) -> str:
-    """A count with its thousands apart."""
+    """Format a count with thousands separators."""
     return f"{value:,}"
 
 
 def bytes_text(value: float) -> str:
-    """Bytes in the unit that suits."""
+    """Format a number of bytes in a suitable unit."""
     for unit in ("bytes", "kB", "MB"):
         if value < 1000.0:
             return f"{value:.0f} {unit}" if unit == "bytes" else f"{value:.3g} {unit}"
@@ -78,5 +78,5 @@ def bytes_text(value: float) -> str:
 
 
 def metres(values: Iterable[float]) -> str:
-    """A position, or extents, in metres."""
+    """Format a position or extents in metres."""
     return ", ".join(f"{value:.6g}" for value in values) + " m"

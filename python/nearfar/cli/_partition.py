@@ -1,4 +1,4 @@
-"""`nearfar partition`: how many triangles are left near."""
+"""`nearfar partition`: counts the triangles that stay geometry."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nearfar.cli._viewpoint import choose
 VERSION = 1
 
 CURVE_RADII = (20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0)
-"""Metres at which the load curve is stated."""
+"""Radii in metres at which the load curve is listed."""
 
 
 def partition(
@@ -27,15 +27,15 @@ def partition(
     up: Up = "y",
     on_invalid: Invalid = "raise",
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Write the JSON document there too.")
+        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Also write the JSON document to a file.")
     ] = None,
     max_triangles: Annotated[
         int | None,
-        typer.Option("--max-triangles", metavar="N", help="Exit with status 1 if more than N triangles are left near."),
+        typer.Option("--max-triangles", metavar="N", help="Exit with status 1 if more than N triangles stay geometry."),
     ] = None,
     as_json: Json = False,
 ) -> None:
-    """Split a scene near-far and say how light it becomes, at these radii and along the load curve."""
+    """Count the triangles that stay geometry, at these radii and along the load curve."""
     check.radii(r1, r2)
     if output:
         check_target(output, ".json")
@@ -51,14 +51,14 @@ def partition(
         *((f"within {entry['radius']:g} m", count(entry["triangles"])) for entry in document["load_curve"]),
     ]
     show(document, rows, title=scene, as_json=as_json)
-    left = document["summary"]["nsf"]
-    if max_triangles is not None and left > max_triangles:
-        typer.echo(f"nearfar: expected at most {count(max_triangles)} triangles near, got {count(left)}", err=True)
+    nsf = document["summary"]["nsf"]
+    if max_triangles is not None and nsf > max_triangles:
+        typer.echo(f"nearfar: expected at most {count(max_triangles)} triangles near, got {count(nsf)}", err=True)
         raise typer.Exit(1)
 
 
 def describe(scene: nf.Scene, source: str, center: Point, r1: float, r2: float) -> dict[str, Any]:
-    """Document of a partition; schema "partition"."""
+    """Make the document of a partition; schema "partition"."""
     parts = nf.partition(scene, center=center, r1=r1, r2=r2)
     curve = nf.load_curve(scene, center=center)
     return formats.header("partition", VERSION, origin=[float(value) for value in scene.origin]) | {
@@ -72,7 +72,7 @@ def describe(scene: nf.Scene, source: str, center: Point, r1: float, r2: float) 
 
 
 def curve_points(curve: nf.LoadCurve) -> list[dict[str, float | int]]:
-    """The load curve at `CURVE_RADII`."""
+    """Return the load curve at `CURVE_RADII`."""
     return [{"radius": radius, "triangles": int(curve.count(radius))} for radius in CURVE_RADII]
 
 

@@ -1,4 +1,4 @@
-"""`nearfar reduce`: the main job, from a scene to what a thin client loads, with a report of it."""
+"""`nearfar reduce`: reduces a scene to a folder for thin clients and writes a report; `nearfar demo`."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ from nearfar.cli._viewpoint import choose
 VERSION = 1
 
 ASIDE = 0.4
-"""How far beside O the user of the pictures stands, as a share of r2 − r1: nothing folds there."""
+"""Distance of the pictures' user U from O as a share of r2 − r1; the picture does not fold there."""
 
 
 def reduce(
@@ -58,9 +58,9 @@ def reduce(
     on_invalid: Invalid = "raise",
     as_json: Json = False,
 ) -> None:
-    """Make a scene light: near.glb, far.exr and reduced.json for a client, and a report with pictures.
+    """Reduce a scene to near.glb, far.exr and reduced.json for a client, and write a report with pictures.
 
-    The pictures show the truth, the conventional and the continuous method to a user beside the centre.
+    The pictures show the truth, the conventional and the continuous method for a user beside the centre.
     `nearfar.ReducedScene.load` reads the folder.
     """
     check.radii(r1, r2)
@@ -110,12 +110,12 @@ def reduce(
 
 
 def demo(**settings: Any) -> None:
-    """Reduce the procedural city, or another scene: `nearfar reduce` with defaults."""
+    """Reduce the procedural city or another scene: `nearfar reduce` with defaults for scene and folder."""
     reduce(**settings)
 
 
-# One list of options: the demo's are those of `reduce`, of which two need no value.
 DEFAULTS = {"scene": "city", "output": Path("out/demo")}
+"""Defaults of `demo`; all its other options are those of `reduce`."""
 _options = [
     option.replace(default=DEFAULTS.get(name, option.default), kind=option.KEYWORD_ONLY)
     for name, option in inspect.signature(reduce, eval_str=True).parameters.items()

@@ -1,4 +1,4 @@
-"""`nearfar render`: a picture of a scene, as it is or as a thin client shows it."""
+"""`nearfar render`: renders a picture of a scene or of its reduction."""
 
 from __future__ import annotations
 
@@ -36,18 +36,21 @@ from nearfar.cli._viewpoint import choose
 VERSION = 1
 
 MORPHS = {"continuous": "blend", "conventional": "none"}
+"""Morph of each method, by the method's name."""
 
 
 def render(
     scene: Input,
-    output: Annotated[Path, typer.Option("-o", "--output", metavar="FILE", help="The picture, as .png or .exr.")],
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="FILE", help="Picture to write, .png or .exr.")],
     eye: Annotated[
         str | None,
-        typer.Option("--eye", metavar="X,Y,Z", help="Eye U in metres. By default open ground in the middle."),
+        typer.Option(
+            "--eye", metavar="X,Y,Z", help="User's eye U in metres. By default over open ground in the middle."
+        ),
     ] = None,
     target: Annotated[
         str | None,
-        typer.Option("--target", metavar="X,Y,Z", help="Point looked at. By default the longest open view."),
+        typer.Option("--target", metavar="X,Y,Z", help="Point to look at, metres. By default the longest open view."),
     ] = None,
     fov: Annotated[float, typer.Option("--fov", metavar="DEGREES", help="Horizontal field of view.")] = 90.0,
     size: Size = "1280x720",
@@ -55,7 +58,7 @@ def render(
     method: Annotated[
         str,
         typer.Option(
-            "--method", metavar="truth|continuous|conventional", help="The scene as it is, or reduced near-far."
+            "--method", metavar="truth|continuous|conventional", help="Full scene, or a method of near-far reduction."
         ),
     ] = "truth",
     center: Center = None,
@@ -111,7 +114,7 @@ def render(
 
 
 def camera(scene: nf.Scene, eye: Point, target: Point | None, fov: float, size: tuple[int, int]) -> nf.Camera:
-    """A level view along the longest open sight line, or towards `target`; `fov` in degrees across the width."""
+    """Make a camera that looks at `target`, by default horizontally along the longest open view; `fov` in degrees."""
     if target is None:
         target = viewpoint.ahead(eye, viewpoint.open_direction(scene, eye), rise=0.0)
     if not 0.0 < fov < 180.0 or not math.isfinite(fov):

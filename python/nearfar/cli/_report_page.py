@@ -1,4 +1,4 @@
-"""The report of `nearfar reduce`: pictures side by side, the load curve, and the report in two forms."""
+"""Writes the report of `nearfar reduce`: pictures side by side, the load curve, and the text as JSON and Markdown."""
 
 from __future__ import annotations
 
@@ -13,13 +13,14 @@ import nearfar as nf
 from nearfar.cli._output import bytes_text, count, metres, write_json
 
 CAPTION = 0.07
-"""Height of a picture's caption as a share of the picture's."""
+"""Height of a picture's caption as a share of the picture's height."""
 
 TITLES = {
     "truth": "truth: the whole scene",
     "conventional": "conventional: near geometry and map, not joined",
     "continuous": "continuous: near-far morph",
 }
+"""Captions of the pictures."""
 
 
 def save_pictures(folder: Path, pictures: dict[str, NDArray[np.uint8]]) -> None:
@@ -35,7 +36,7 @@ def save_pictures(folder: Path, pictures: dict[str, NDArray[np.uint8]]) -> None:
 
 
 def caption(picture: NDArray[np.uint8], text: str) -> NDArray[np.uint8]:
-    """A picture under a bar with a text."""
+    """Add a bar with a text above a picture (H, W, 3)."""
     from PIL import Image, ImageDraw, ImageFont
 
     height, width = picture.shape[:2]
@@ -52,7 +53,7 @@ def caption(picture: NDArray[np.uint8], text: str) -> NDArray[np.uint8]:
 
 
 def save_curve(folder: Path, curve: nf.LoadCurve, r2: float) -> bool:
-    """Plot the load curve with r2 marked; False where matplotlib is not installed."""
+    """Plot the load curve with r2 marked; returns False if matplotlib is not installed."""
     if not importlib.util.find_spec("matplotlib"):
         return False
     from matplotlib.figure import Figure
@@ -73,7 +74,7 @@ def save(folder: Path, document: dict[str, Any]) -> None:
 
 
 def markdown(document: dict[str, Any]) -> str:
-    """The report for people."""
+    """Format the report as Markdown."""
     share = 100.0 * document["triangles_left"] / max(document["triangles"], 1)
     lines = [
         f"# Near-far reduction of {document['source']}",

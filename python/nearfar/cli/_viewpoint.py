@@ -1,4 +1,4 @@
-"""Viewpoints that commands take where none is given."""
+"""Default viewpoints of commands."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from nearfar._trace.viewpoint import Viewpoint
 from nearfar.cli._options import Point
 
 KNOWN = {"city": nf.datasets.street_view, "room": nf.datasets.room_view}
-"""Procedural scenes that say where to stand and what to look at."""
+"""Functions that return eye and target, by the name of their procedural scene."""
 
 
 def choose(scene: nf.Scene, source: str, eye: Point | None = None) -> Viewpoint:
-    """A given eye, facing the longest open view; else the view that a procedural scene suggests, else an open place."""
+    """Choose a viewpoint: at `eye` if set, else the view of a procedural scene, else an open place of the scene."""
     if eye is not None:
         return viewpoint.facing_open(scene, eye)
     name = source.partition(":")[0]

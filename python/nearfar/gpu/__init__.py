@@ -1,4 +1,4 @@
-"""Graphics adapters: which there are, which one is used, frames that stay on its device, and kernels there."""
+"""Graphics adapters: their list and selection, frames that stay on the device, and kernels on the device."""
 
 from nearfar.gpu._adapters import Adapter, adapters, select, selected, stats
 from nearfar.gpu._frames import DeviceFrame, render

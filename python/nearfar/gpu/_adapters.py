@@ -1,4 +1,4 @@
-"""What adapters there are, and which one is used."""
+"""List and selection of graphics adapters."""
 
 from __future__ import annotations
 
@@ -12,30 +12,30 @@ class Adapter:
     """A graphics adapter behind one interface; a card that has two drivers is listed twice."""
 
     name: str
-    """As its driver calls it."""
+    """Name reported by its driver."""
     backend: str
-    """Interface that it is reached by: "vulkan", "metal", "dx12" or "gl"."""
+    """Graphics interface: "vulkan", "metal", "dx12" or "gl"."""
     kind: str
-    """What executes its work: "discrete", "integrated", "virtual", "unknown", or "software" for the processor."""
+    """Kind of hardware: "discrete", "integrated", "virtual", "unknown", or "software" for the processor itself."""
     driver: str
     """Driver and version."""
     usable: bool
-    """Whether it has all that is needed."""
+    """Whether it has all features that nearfar needs."""
     refused: str
-    """What it lacks; empty where it is usable."""
+    """Missing features; empty if it is usable."""
     largest_binding: int
-    """Bytes that a kernel reads at a time; larger scenes and images are drawn in parts."""
+    """Greatest number of bytes that a kernel reads at a time; larger scenes and images are drawn in parts."""
     largest_image: int
-    """Pixels across that a picture may have; larger ones are drawn in parts."""
+    """Greatest width and height of a picture in pixels; larger ones are drawn in parts."""
 
     @property
     def label(self) -> str:
-        """Name and back end, as errors say it."""
+        """Name and interface, as in error messages."""
         return f"{self.name} ({self.backend})"
 
     @property
     def note(self) -> str:
-        """Why `backend="auto"` does not take it; empty where it may."""
+        """Reason why `backend="auto"` does not use it; empty if it may."""
         if not self.usable:
             return f"it can't be used: {self.refused}"
         if self.kind == "software":
@@ -44,12 +44,12 @@ class Adapter:
 
 
 def adapters() -> list[Adapter]:
-    """List every adapter found, in the order in which they are taken.
+    """List all adapters, best first; the first usable one is the default.
 
     Returns
     -------
     list of Adapter
-        Empty where there is none; `DeviceError` of `backend="gpu"` says what to install then.
+        Empty if there is none; then `backend="gpu"` raises `DeviceError`, which names software to install.
     """
     return [
         Adapter(name, backend, kind, driver, not refused, refused, largest_binding, largest_image)
@@ -58,32 +58,32 @@ def adapters() -> list[Adapter]:
 
 
 def selected() -> Adapter:
-    """Return the adapter that `backend="gpu"` takes, opened to see that it works.
+    """Open the adapter that `backend="gpu"` uses, and return its description.
 
     Raises
     ------
     DeviceError
-        Where no adapter can be used; says what was found and what to install.
+        If no adapter can be used; the message lists those found and names software to install.
     """
     label = backends.opened().label
     return next(adapter for adapter in adapters() if adapter.label == label)
 
 
 def select(adapter: str | None) -> None:
-    """Choose the adapter that "gpu" and "auto" take from now on, in this process.
+    """Select the adapter that "gpu" and "auto" use in this process from now on.
 
     Parameters
     ----------
     adapter
-        Its back end, such as "vulkan", or a part of its name, in any case. None for the one that the environment
-        variable NEARFAR_ADAPTER names in the same way, or else the best one.
+        Its interface, such as "vulkan", or a part of its name, in upper or lower case. None selects the adapter that
+        the environment variable NEARFAR_ADAPTER names in the same way, or else the best one.
 
     Raises
     ------
     TypeError, ValueError
-        For anything but a name.
+        For anything but a name or None.
     DeviceError
-        Where no usable adapter has the name; says which there are. What was selected before stays.
+        If no usable adapter has the name; the message lists all adapters. The previous selection stays.
     """
     if adapter is not None:
         if not isinstance(adapter, str):
@@ -96,18 +96,18 @@ def select(adapter: str | None) -> None:
 
 
 def stats() -> dict[str, int]:
-    """Count what was made on the selected adapter since it was opened.
+    """Return counters of the selected adapter since it was opened.
 
     Returns
     -------
     dict
-        "allocations" of buffers and textures and their "allocated_bytes", which do not grow from frame to frame of one
-        size; "uploaded_bytes", which grow by what changes; "triangles" in draw calls, after culling.
+        "allocations" of buffers and textures and their "allocated_bytes", which do not grow between frames of one size;
+        "uploaded_bytes", which grow by the changed data; "triangles" in draw calls, after culling.
 
     Raises
     ------
     DeviceError
-        Where no adapter can be used.
+        If no adapter can be used.
     """
     names = ("allocations", "allocated_bytes", "uploaded_bytes", "triangles")
     return dict(zip(names, backends.opened().counters(), strict=True))

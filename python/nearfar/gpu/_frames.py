@@ -1,4 +1,4 @@
-"""Frames that stay on the graphics device."""
+"""Rendering of frames that stay on the graphics device."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from nearfar._render.renderer import Renderer
 
 
 class DeviceFrame:
-    """The images of one view, held by the device that drew them.
+    """The images of one view in the memory of the device that drew them.
 
-    Made by `nearfar.gpu.render`. `nearfar.gpu.ssim` and `nearfar.gpu.discontinuity` take it where it is, so that
-    nothing but their results is read back. Its memory is used for the next frames once it is dropped.
+    Made by `nearfar.gpu.render`. `nearfar.gpu.ssim` and `nearfar.gpu.discontinuity` process it on the device, so that
+    only their results are read back. After it is deleted, its memory serves later frames.
     """
 
     def __init__(
@@ -42,20 +42,20 @@ class DeviceFrame:
 
     @property
     def channels(self) -> tuple[str, ...]:
-        """Names of the images that the frame holds."""
+        """Names of the images that the frame has."""
         return self._channels
 
     def read(self) -> Frame:
-        """Read the images back; each time anew. DeviceError where the device was lost."""
+        """Read the images back, at each call again; DeviceError if the device was lost."""
         with progress.bar("reading a frame") as report:
             images = self._core.read(report)
         return Frame(self._camera, self._origin, **images)
 
     def require(self, channel: str) -> None:
-        """ValueError with the channels to ask for where an image was not rendered."""
+        """Raise ValueError, which names the channels to render, if an image was not rendered."""
         if channel not in self._channels:
-            wanted = tuple(name for name in CHANNELS if name in {channel, *self._channels})
-            raise ValueError(f"frame has no {channel}: render it with channels={wanted!r}")
+            needed = tuple(name for name in CHANNELS if name in {channel, *self._channels})
+            raise ValueError(f"frame has no {channel}: render it with channels={needed!r}")
 
     def __repr__(self) -> str:
         width, height = self._camera.size
@@ -75,23 +75,23 @@ def render(
     Parameters
     ----------
     source
-        A scene, or a reduced one, which is drawn by its vertices before its map.
+        A scene, or a reduced scene, which is drawn with the default settings of `ReducedScene.render`.
     camera, at, samples
-        As `render` of the source takes them.
+        As in `nearfar.render`.
     channels
-        Images to compute; by default those that `render` of the source computes by default.
+        Images to compute; by default the source's `default_channels`.
 
     Returns
     -------
     DeviceFrame
-        The picture that `render` gives with `backend="gpu"`.
+        The same picture as `nearfar.render` returns with `backend="gpu"`.
 
     Raises
     ------
     ValueError, TypeError
         For arguments out of their domains.
     DeviceError
-        Where no adapter can be used, and for pictures that are too large to be held in one piece.
+        If no adapter can be used, and for pictures that are too large for one texture.
     """
     renderer = Renderer(source, channels, samples)
     shot = renderer.shot([camera])

@@ -1,4 +1,4 @@
-"""Kernels on the graphics device: of frames that it holds, and of arrays that are sent to it."""
+"""Kernels on the graphics device: metrics of frames in its memory, morph and cube-map look-up of arrays sent to it."""
 
 from __future__ import annotations
 
@@ -16,11 +16,13 @@ from nearfar._render import backend as backends
 from nearfar.gpu._frames import DeviceFrame
 
 WINDOWS = ("gaussian", "uniform")
+"""Windows of `ssim` on the device."""
 
 LARGEST = 17
-"""Pixels across a window: what fits into the memory of a group of shaders."""
+"""Greatest width of a window in pixels, limited by the memory of a shader workgroup."""
 
 FILTERS = ("nearest", "min", "max")
+"""Filters of `cube_lookup` on the device."""
 
 
 def ssim(
@@ -32,35 +34,34 @@ def ssim(
     sigma: float = 1.5,
     full: bool = False,
 ) -> Similarity:
-    """Structural similarity of two frames on one device: as `nearfar.ssim` of the same frames read back.
+    """Compute the structural similarity of two frames on one device, as `nearfar.ssim` does for frames read back.
 
     Parameters
     ----------
     reference, test
-        With `color`, of one size. Rec. 709 luma of the sRGB-encoded colour is compared, with a range of 1.
+        Frames of one size with `color`. Rec. 709 luma of the sRGB-encoded colour is compared, with a data range of 1.
     window
         "gaussian" or "uniform".
     size
-        Pixels across the window, 1 to 17. An even one reaches a pixel further up and left.
+        Width and height of the window in pixels, 1 to 17. An even window extends one pixel further up and left.
     sigma
-        Of the Gaussian, pixels.
+        Standard deviation of the Gaussian, pixels.
     full
-        Whether the similarity around each pixel is returned as well.
+        Whether to return the similarity around each pixel as well.
 
     Returns
     -------
     Similarity
-        The mean, a float of at most 1: 1 exactly for equal pictures, and the same bits whenever it is taken on one
-        device. Where no window lies within the picture, all count. With `full` its `map`, (H, W) float32. Both are
-        computed in float32 about local means; the mean differs from float64's by less than 1e-6, the map by less than
-        2e-5.
+        The mean, a float of at most 1; exactly 1 for equal pictures, and the same bits in every run on one device. If no window
+        lies within the picture, all windows count. With `full` its `map`, (H, W) float32. Both are computed in
+        float32 about local means; the mean differs from float64's by less than 1e-6, the map by less than 2e-5.
 
     Raises
     ------
     ValueError, TypeError
-        For frames without colour, of two sizes or on two devices, and for windows out of their domains.
+        For frames without colour, of different sizes or on different devices, and for windows out of their domains.
     DeviceError
-        Where the device was lost or has no memory left.
+        If the device was lost or has no memory left.
 
     References
     ----------
@@ -83,29 +84,30 @@ def discontinuity(
     epsilon: float = 17.0,
     min_distance: float = 1.0,
 ) -> NDArray[np.float32]:
-    """How far each pixel's neighbours in the true picture are torn apart: as `nearfar.discontinuity`, on the device.
+    """Measure the discontinuity of a frame on the device, as `nearfar.discontinuity` does for a frame read back.
 
     Parameters
     ----------
     frame
-        With `position`.
+        Frame with `position`.
     truth_camera, epsilon, min_distance
         As in `nearfar.discontinuity`.
 
     Returns
     -------
     NDArray
-        (H, W) float32, NaN where `nearfar.discontinuity` gives it. Places in the truth are computed in float32, whose
-        rounding is some 1e-7 of the picture's width, and pairs whose distance is ε but for that may count or not:
-        values differ by less than 1e-3 (1 + |δ|) from those of `nearfar.discontinuity` where points have hundreds of
-        neighbours, and more where they have few. Places more than 10⁵ pixels beside the picture are rounded to pixels.
+        Discontinuity δ, (H, W) float32; NaN where `nearfar.discontinuity` has NaN. Positions in the truth are computed
+        in float32 and rounded to about 1e-7 of the picture's width, so that pairs at a distance close to ε may count or
+        not. For points with hundreds of neighbours, δ differs from that of `nearfar.discontinuity` by less than
+        1e-3 (1 + |δ|); for points with few neighbours by more. Positions more than 10⁵ pixels outside the picture are
+        rounded to whole pixels.
 
     Raises
     ------
     ValueError, TypeError
         For frames without positions and arguments out of their domains.
     DeviceError
-        Where the device was lost or has no memory left.
+        If the device was lost or has no memory left.
 
     References
     ----------
@@ -130,28 +132,29 @@ def discontinuity(
 def morph(
     points: ArrayLike, *, user: ArrayLike, center: ArrayLike, r1: float, r2: float, kind: str = "blend"
 ) -> NDArray[np.float32]:
-    """Show points where a continuous near–far partition shows them: as `nearfar.morph`, on the device.
+    """Move points to where the continuous near–far method shows them, as `nearfar.morph` does, on the device.
 
     Parameters
     ----------
     points
-        (N, 3) float32, metres. A point with NaN gives NaN.
+        Points P (N, 3) float32, metres. A point with NaN gives NaN.
     user, center, r1, r2, kind
         As in `nearfar.morph`.
 
     Returns
     -------
     NDArray
-        (N, 3) float32. A "blend" coordinate is off by a float32 step of the result and
-        2⁻²⁴ (16 + 8 r2/(r2−r1)) |U−O| at most, where U is within half of r1 from the axis; a "cylinder" one by
-        2⁻²⁴ · 32 (|P−O| + |U−O|) ρ/(ρ−|U−O|) besides. Directions count as opposed a little earlier than there.
+        (N, 3) float32. If U is within r1/2 of the axis, the error of a "blend" coordinate is at most one float32 step
+        of the result plus 2⁻²⁴ (16 + 8 r2/(r2−r1)) |U−O|. A "cylinder" coordinate has the additional error
+        2⁻²⁴ · 32 (|P−O| + |U−O|) ρ/(ρ−|U−O|), where ρ is the distance of P from the axis. Directions count as opposite
+        slightly earlier than in `nearfar.morph`.
 
     Raises
     ------
     ValueError, TypeError
-        As `nearfar.morph`, and TypeError for numbers other than float32.
+        As in `nearfar.morph`, and TypeError for numbers other than float32.
     DeviceError
-        Where the device was lost or has no memory left.
+        If the device was lost or has no memory left.
 
     References
     ----------
@@ -159,8 +162,8 @@ def morph(
     """
     check.choice("kind", kind, KINDS)
     near, far = radii_of(r1, r2, kind)
-    given = _single("points", points, "nearfar.morph")
-    rows = check.array("points", given)
+    source = _single("points", points, "nearfar.morph")
+    rows = check.array("points", source)
     shown = np.empty_like(rows)
     place = {"user": check.vector("user", user), "center": check.vector("center", center)}
     _core.gpu_morph(backends.opened(), rows, shown, **place, r1=near, r2=far, kind=kind)
@@ -173,17 +176,17 @@ def cube_lookup(
     *,
     filter: str = "nearest",  # noqa: A002
 ) -> NDArray[np.float32]:
-    """Values of a cube map along directions: as `nearfar.cube_lookup`, on the device.
+    """Look up values of a cube map along directions, as `nearfar.cube_lookup` does, on the device.
 
     Parameters
     ----------
     faces
-        (6, S, S) or (6, S, S, C) float32, as there.
+        (6, S, S) or (6, S, S, C) float32, as in `nearfar.cube_lookup`.
     directions
         (..., 3) float32, of any length.
     filter
-        "nearest", "min" or "max", as there. Directions are placed in float32: within 4e-7 of a face's width from the
-        border between two texels, or between two sets of texels, the other one may be taken.
+        "nearest", "min" or "max", as in `nearfar.cube_lookup`. Positions on a face are computed in float32: within 4e-7
+        of a face's width from the border between texels, the neighbouring texel (or set of texels) may be used.
 
     Returns
     -------
@@ -193,9 +196,9 @@ def cube_lookup(
     Raises
     ------
     ValueError, TypeError
-        As `nearfar.cube_lookup`, and TypeError for numbers other than float32.
+        As in `nearfar.cube_lookup`, and TypeError for numbers other than float32.
     DeviceError
-        For faces that are too large to be read at a time, and where the device was lost or has no memory left.
+        For faces larger than a kernel can read at a time, and if the device was lost or has no memory left.
     """
     check.choice("filter", filter, FILTERS)
     maps = np.require(_single("faces", faces, "nearfar.cube_lookup"), None, ["C", "A"])
@@ -217,8 +220,8 @@ def _frame(name: str, frame: DeviceFrame) -> DeviceFrame:
 
 
 def _single(name: str, values: ArrayLike, other: str) -> NDArray[Any]:
-    """An array of float32 in native byte order; others would lose digits or take twice the way."""
-    given = check.plain(name, values)
-    if given.dtype.newbyteorder("=") != np.float32:
-        raise TypeError(f"{name}: expected float32, got {given.dtype}; {other} takes other numbers")
-    return given.astype(np.float32, copy=False)
+    """Return an array of float32 in native byte order; TypeError for others, because a conversion could lose digits."""
+    array = check.plain(name, values)
+    if array.dtype.newbyteorder("=") != np.float32:
+        raise TypeError(f"{name}: expected float32, got {array.dtype}; {other} takes other numbers")
+    return array.astype(np.float32, copy=False)

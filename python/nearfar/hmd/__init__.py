@@ -1,6 +1,6 @@
-"""Headsets by name: what their runtimes report, each with its source. They are read on first use.
+"""Headsets by name, with the geometry that their runtimes report and its sources.
 
-`names()` lists them; each is an attribute, such as `nearfar.hmd.QUEST_2`.
+`names()` lists them; each is an attribute, such as `nearfar.hmd.QUEST_2`, which is read from its file on first use.
 """
 
 from __future__ import annotations
@@ -31,15 +31,15 @@ VIVE_PRO: Hmd
 
 
 CARDBOARD_LENSES = {"Cardboard I/O 2014 (V1)": (0.441, 0.156), "Cardboard I/O 2015 (V2)": (0.34, 0.55)}
-"""Lens coefficients of viewers that have no profile, in the form of `Hmd.lens` with a `lens_radius` of 1: r is the
-tangent itself. Source: immersive-web/cardboard-vr-display src/device-info.js."""
+"""Lens coefficients of viewers that have no profile, in the form of `Hmd.lens` with a `lens_radius` of 1, so that r is
+the tangent itself. Source: immersive-web/cardboard-vr-display src/device-info.js."""
 
 _PROFILES = resources.files("nearfar.hmd") / "profiles"
 
 
 @functools.cache
 def names() -> tuple[str, ...]:
-    """Names of all headsets, in alphabetical order."""
+    """Return the names of all headsets, in alphabetical order."""
     return tuple(sorted(file.name.removesuffix(".json").upper() for file in _PROFILES.iterdir()))
 
 

@@ -1,4 +1,4 @@
-"""An eye of a headset: its view and where it sits on the head; and what two of them see together."""
+"""Eyes of headsets: field of view and pose on the head, and the total field of view of two eyes."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar._base import check
 from nearfar._camera.camera import Fov, quaternion, quaternion_from_axes
 
-# Matrices are printed with six digits: rows are off by a millionth, and nothing else is a rotation.
 ROTATION_TOLERANCE = 1e-4
+"""Greatest difference between an entry of a matrix and of the nearest rotation; runtimes print six digits."""
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class Eye:
     Parameters
     ----------
     fov
-        Tangents of its view, in its own axes.
+        Field of view in the eye's axes, tangents.
     position
         Metres in head axes: x to the right, y up, looking along −z.
     orientation
@@ -42,9 +42,9 @@ class Eye:
 
     @classmethod
     def from_matrix(cls, fov: Fov, eye_to_head: ArrayLike) -> Eye:
-        """Make an eye of OpenVR's eye-to-head matrix, (3, 4), metres; rounded entries become the nearest rotation.
+        """Make an eye from OpenVR's eye-to-head matrix (3, 4), metres; rounded entries become the nearest rotation.
 
-        ValueError where the first three columns are no rotation.
+        ValueError if the first three columns are not a rotation.
         """
         rows = check.array("eye_to_head", eye_to_head, columns=4, dtype=np.float64, finite=True)
         if len(rows) != 3:
@@ -52,7 +52,7 @@ class Eye:
         axes = rows[:, :3]
         orientation = (0.0, 0.0, 0.0, 1.0)
         if not np.array_equal(axes, np.eye(3)):
-            # The nearest rotation in the sense of least squares: the polar decomposition's (Higham, 1986).
+            # The rotation of the polar decomposition is the nearest by least squares (Higham, 1986).
             left, _, right = np.linalg.svd(axes)
             nearest = left @ right
             if np.linalg.det(nearest) < 0.0 or np.abs(nearest - axes).max() > ROTATION_TOLERANCE:
@@ -62,21 +62,21 @@ class Eye:
 
     @property
     def matrix(self) -> NDArray[np.float64]:
-        """Eye-to-head matrix, (3, 4): a rotation, and the position in metres."""
+        """Eye-to-head matrix (3, 4): a rotation, and the position in metres."""
         return np.column_stack([rotation(self.orientation), self.position])
 
     @property
     def corners(self) -> NDArray[np.float64]:
         """Directions of the view's corners in head axes, (4, 3): left bottom, right bottom, right top, left top."""
         f = self.fov
-        own = [(f.left, f.down, -1), (f.right, f.down, -1), (f.right, f.up, -1), (f.left, f.up, -1)]
-        return np.asarray(np.array(own, np.float64) @ rotation(self.orientation).T)
+        directions = [(f.left, f.down, -1), (f.right, f.down, -1), (f.right, f.up, -1), (f.left, f.up, -1)]
+        return np.asarray(np.array(directions, np.float64) @ rotation(self.orientation).T)
 
     @property
     def angles_deg(self) -> tuple[float, float, float, float]:
-        """Degrees that the eye sees to the left, right, down and up of straight ahead; left and down negative.
+        """Angles in degrees to the left, right, lower and upper edge of the view; left and down negative.
 
-        In the planes of the head's own axes through the eye, so a canted eye sees more on one side.
+        They are measured from straight ahead, in the planes of the head's axes, so a canted eye sees more on one side.
         """
         left, right = self._across("horizontal", 0, 1)
         down, up = self._across("vertical", 1, 0)
@@ -84,14 +84,14 @@ class Eye:
 
     @property
     def rotation_deg(self) -> float:
-        """Degrees between the eye's and the head's viewing axis, positive where it is turned to the right."""
+        """Angle in degrees between the eye's and the head's viewing axis, positive for a turn to the right."""
         axis = rotation(self.orientation)[:, 2]
-        # Not the cosine's inverse, which knows nothing of small angles.
+        # atan2 is accurate for small angles, for which acos is not.
         angle = math.degrees(math.atan2(math.hypot(axis[0], axis[1]), axis[2]))
         return -angle if axis[0] > 0.0 else angle
 
     def _across(self, name: str, along: int, zero: int) -> tuple[float, float]:
-        """Least and greatest angle of the view's edge where it crosses the plane through the viewing axis."""
+        """Least and greatest angle, degrees, at which the view's edge crosses a plane through the head's axis."""
         corners = self.corners
         angles = []
         for one, other in zip(corners, np.roll(corners, -1, axis=0), strict=True):
@@ -105,20 +105,20 @@ class Eye:
 
 
 class TotalFov(NamedTuple):
-    """What both eyes see together, degrees, as hmdq counts it without hidden areas."""
+    """Total field of view of both eyes, degrees, as hmdq computes it without hidden areas."""
 
     horizontal_deg: float
-    """From the left eye's left side to the right eye's right side."""
+    """Angle from the left eye's left edge to the right eye's right edge."""
     vertical_deg: float
-    """The mean of both eyes."""
+    """Mean of both eyes' vertical angles."""
     diagonal_deg: float
-    """The mean of both diagonals, from a corner of one eye to the opposite corner of the other."""
+    """Mean of both diagonals, from a corner of one eye to the opposite corner of the other."""
     overlap_deg: float
-    """Horizontally, what both eyes see."""
+    """Horizontal angle that both eyes see."""
 
 
 def total_fov(left: Eye, right: Eye) -> TotalFov:
-    """Return what two eyes see together, far away: where they sit does not matter."""
+    """Compute the total field of view of two eyes for distant objects, for which the eyes' positions do not matter."""
     of_left, of_right = left.angles_deg, right.angles_deg
     one, other = left.corners, right.corners
     return TotalFov(
@@ -130,7 +130,7 @@ def total_fov(left: Eye, right: Eye) -> TotalFov:
 
 
 def rotation(orientation: tuple[float, float, float, float]) -> NDArray[np.float64]:
-    """Rotation matrix of a unit quaternion (x, y, z, w)."""
+    """Compute the rotation matrix (3, 3) of a unit quaternion (x, y, z, w)."""
     x, y, z, w = orientation
     return np.array(
         [
@@ -144,7 +144,7 @@ def rotation(orientation: tuple[float, float, float, float]) -> NDArray[np.float
 def turned(
     first: tuple[float, float, float, float], then: tuple[float, float, float, float]
 ) -> tuple[float, float, float, float]:
-    """Quaternion of one rotation after another, of unit length."""
+    """Compute the unit quaternion of the rotation `first` followed by `then`."""
     (ax, ay, az, aw), (bx, by, bz, bw) = then, first
     product = (
         aw * bx + ax * bw + ay * bz - az * by,

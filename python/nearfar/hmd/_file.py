@@ -1,4 +1,4 @@
-"""Headsets as JSON of our own; and how documents of others are read: every mistake names the file and the key."""
+"""Reads and writes headsets as JSON, with a checked reader of JSON documents whose errors name file and key."""
 
 from __future__ import annotations
 
@@ -16,25 +16,26 @@ from nearfar.hmd._eye import Eye
 
 FORMAT, VERSION = "hmd", 1
 SIDES = ("left", "right", "down", "up")
-# What may be missing or null.
+"""Names of the tangents of a field of view."""
 OPTIONAL = ("panel_size", "refresh_hz", "lens_radius", "triangle_budget", "hidden_area_percent")
+"""Keys that may be missing or null."""
 
-Made = TypeVar("Made")
+Built = TypeVar("Made")
 
 
 def write(path: Path, fields: dict[str, Any]) -> None:
-    """Write a headset's fields as a document of ours."""
+    """Write a headset's fields as a JSON document."""
     save(path, document(fields))
 
 
 def save(path: Path, content: dict[str, Any]) -> None:
-    """Write JSON whole or not at all."""
-    with files.atomic_file(path) as aside:
-        aside.write_text(formats.to_json(content), encoding="utf-8")
+    """Write JSON completely or not at all."""
+    with files.atomic_file(path) as temporary:
+        temporary.write_text(formats.to_json(content), encoding="utf-8")
 
 
 def document(fields: dict[str, Any]) -> dict[str, Any]:
-    """Return the document of a headset."""
+    """Make the document of a headset from its fields."""
     eyes = {side: _eye_document(fields[side]) for side in ("left", "right")}
     names = ("name", "render_size", "panel_size", "refresh_hz", "lens", "lens_radius", "triangle_budget")
     rest = {name: fields[name] for name in (*names, "hidden_area_percent", "sources")}
@@ -43,24 +44,24 @@ def document(fields: dict[str, Any]) -> dict[str, Any]:
 
 
 def fields(content: dict[str, Any], where: str) -> dict[str, Any]:
-    """Return a headset's fields by name from a document of ours."""
+    """Return a headset's fields by name from a document that `write` made; FormatError for others."""
     formats.check(content, FORMAT, VERSION, where)
     read = Reader(content, where)
-    found: dict[str, Any] = {"name": read.text("name")}
+    result: dict[str, Any] = {"name": read.text("name")}
     for side in ("left", "right"):
-        found[side] = _eye(read.inside("eyes").inside(side))
-    found["render_size"] = read.pair("render_size")
+        result[side] = _eye(read.inside("eyes").inside(side))
+    result["render_size"] = read.pair("render_size")
     for name in OPTIONAL:
         if content.get(name) is not None:
-            found[name] = read.pair(name) if name in ("panel_size", "triangle_budget") else read.number(name)
+            result[name] = read.pair(name) if name in ("panel_size", "triangle_budget") else read.number(name)
     if content.get("lens") is not None:
-        found["lens"] = built(where, lambda: RadialLens(read.numbers("lens", None)))
-    found["sources"] = read.texts("sources")
-    return found
+        result["lens"] = convert(where, lambda: RadialLens(read.numbers("lens", None)))
+    result["sources"] = read.texts("sources")
+    return result
 
 
 def parse(text: bytes, where: str) -> dict[str, Any]:
-    """Return the object that JSON text holds; FormatError for anything else."""
+    """Parse JSON text to an object; FormatError for anything else."""
     try:
         content = json.loads(text)
     except (ValueError, RecursionError) as error:
@@ -70,8 +71,8 @@ def parse(text: bytes, where: str) -> dict[str, Any]:
     return content
 
 
-def built(where: str, make: Callable[[], Made]) -> Made:
-    """Make something of what a file says; what is wrong with it is the file's fault."""
+def convert(where: str, make: Callable[[], Built]) -> Built:
+    """Call a constructor with values of a file; its errors become FormatError."""
     try:
         return make()
     except (OverflowError, TypeError, ValueError) as error:
@@ -79,85 +80,85 @@ def built(where: str, make: Callable[[], Made]) -> Made:
 
 
 def finite(value: object) -> float | None:
-    """A number of JSON as float64; nothing for anything else, and for what float64 does not hold."""
+    """Convert a JSON number to float64; None for other types and for numbers beyond float64's range."""
     if not isinstance(value, int | float) or isinstance(value, bool):
         return None
     try:
-        found = float(value)
+        number = float(value)
     except OverflowError:
         return None
-    return found if math.isfinite(found) else None
+    return number if math.isfinite(number) else None
 
 
 def finite_row(value: object) -> list[float] | None:
-    """Numbers of JSON in the same way; nothing if one of them is none."""
-    found = [finite(item) for item in value] if isinstance(value, list) else [None]
-    return None if None in found else [item for item in found if item is not None]
+    """Convert a JSON list of numbers to float64; None if an item is not a finite number."""
+    numbers = [finite(item) for item in value] if isinstance(value, list) else [None]
+    return None if None in numbers else [item for item in numbers if item is not None]
 
 
 class Reader:
-    """An object within a document, which knows what it is called."""
+    """An object within a JSON document; errors contain its path within the document."""
 
     def __init__(self, content: dict[str, Any], where: str, name: str = "") -> None:
         self.content, self.where, self.name = content, where, name
 
     def inside(self, key: str) -> Reader:
-        """The object of a key."""
+        """Return a reader of the object at a key."""
         value = self._value(key)
         if not isinstance(value, dict):
             raise self.wrong(key, "an object", value)
         return Reader(value, self.where, self._named(key))
 
     def number(self, key: str) -> float:
-        """A number."""
+        """Return the number at a key."""
         value = self._value(key)
-        found = finite(value)
-        if found is None:
+        number = finite(value)
+        if number is None:
             raise self.wrong(key, "a number", value)
-        return found
+        return number
 
     def numbers(self, key: str, count: int | None) -> tuple[float, ...]:
-        """So many numbers."""
+        """Return the numbers at a key, exactly `count` of them if not None."""
         value = self._value(key)
-        found = finite_row(value)
-        if found is None or count not in (None, len(found)):
+        numbers = finite_row(value)
+        if numbers is None or count not in (None, len(numbers)):
             raise self.wrong(key, "numbers" if count is None else f"{count} numbers", value)
-        return tuple(found)
+        return tuple(numbers)
 
     def pair(self, key: str) -> tuple[Any, Any]:
-        """Two numbers, kept as they are: whole ones stay whole."""
+        """Return the two numbers at a key without conversion, so that whole numbers stay whole."""
         self.numbers(key, 2)
         one, other = self._value(key)
         return one, other
 
     def text(self, key: str) -> str:
-        """A string."""
+        """Return the string at a key."""
         value = self._value(key)
         if not isinstance(value, str):
             raise self.wrong(key, "a string", value)
         return value
 
     def texts(self, key: str) -> tuple[str, ...]:
-        """Strings."""
+        """Return the strings at a key."""
         value = self._value(key)
         if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
             raise self.wrong(key, "strings", value)
         return tuple(value)
 
     def rows(self, key: str) -> Any:
-        """Rows of numbers."""
+        """Return the rows of numbers at a key."""
         value = self._value(key)
-        found = [finite_row(row) for row in value] if isinstance(value, list) else [None]
-        if None in found:
+        rows = [finite_row(row) for row in value] if isinstance(value, list) else [None]
+        if None in rows:
             raise self.wrong(key, "rows of numbers", value)
-        return found
+        return rows
 
-    def made(self, make: Callable[[], Made]) -> Made:
-        """Make something of what stands here."""
-        return built(f"{self.where}: {self.name}", make)
+    def convert(self, make: Callable[[], Built]) -> Built:
+        """Call a constructor with values of this object; its errors become FormatError."""
+        return convert(f"{self.where}: {self.name}", make)
 
     def wrong(self, key: str, expected: str, value: object) -> FormatError:
-        """Say what was expected of a key."""
+        """Make the error for a key with an unexpected value."""
         got = json.dumps(value)
         return FormatError(
             f"{self.where}: {self._named(key)}: expected {expected}, got {got if len(got) < 60 else got[:57] + '...'}"
@@ -179,7 +180,7 @@ def _eye_document(eye: Eye) -> dict[str, Any]:
 
 def _eye(read: Reader) -> Eye:
     tangents = [read.inside("fov").number(side) for side in SIDES]
-    fov = read.inside("fov").made(lambda: Fov(*tangents))
+    fov = read.inside("fov").convert(lambda: Fov(*tangents))
     x, y, z = read.numbers("position", 3)
     a, b, c, d = read.numbers("orientation", 4)
-    return read.made(lambda: Eye(fov, (x, y, z), (a, b, c, d)))
+    return read.convert(lambda: Eye(fov, (x, y, z), (a, b, c, d)))

@@ -1,4 +1,4 @@
-"""Headsets: what their runtimes report, with sources; cameras of their eyes; files."""
+"""The `Hmd` class: a headset's geometry as its runtime reports it, cameras of its eyes, and files."""
 
 from __future__ import annotations
 
@@ -18,7 +18,9 @@ from nearfar.hmd import _file, _hmdq
 from nearfar.hmd._eye import Eye, TotalFov, rotation, total_fov, turned
 
 EYES = ("left", "right")
+"""Names of the eyes."""
 FORMATS = ("nearfar", "hmdq")
+"""Names of the file formats that `Hmd.save` describes."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -28,26 +30,26 @@ class Hmd:
     Parameters
     ----------
     name
-        Of the device.
+        Name of the device.
     left, right
-        The eyes: view, position and orientation on the head.
+        The eyes: field of view, position and orientation on the head.
     render_size
-        Width and height in pixels that the runtime recommends to draw for an eye, before lenses.
+        Width and height in pixels of an eye's picture that the runtime recommends, before the lens warp.
     panel_size
-        Width and height of what an eye has of the panel, where it is known.
+        Width and height in pixels of an eye's part of the panel; None if unknown.
     refresh_hz
-        Pictures a second, where it is known.
+        Number of pictures per second; None if unknown.
     lens
-        The lens, where its coefficients are known in the form of `RadialLens`, without tangential terms. The
-        coefficients of OpenHMD and Monado (panotools) have odd powers of r, for which it has no place.
+        The lens, if its coefficients are known in the form of `RadialLens`, without tangential terms. The coefficients
+        of OpenHMD and Monado (panotools) have odd powers of r, which `RadialLens` cannot express.
     lens_radius
-        The tangent of the angle where r = 1; None stands for `tan_half_angle`.
+        Tangent of the angle at which r = 1; None stands for `tan_half_angle`.
     triangle_budget
-        Least and greatest number of triangles a frame that the maker advises, where it is published.
+        Least and greatest number of triangles per frame that the maker recommends; None if unpublished.
     hidden_area_percent
-        How much of a view the lens hides, by the runtime's mesh; None where there is none.
+        Percentage of a view that the runtime's hidden-area mesh covers; None without a mesh.
     sources
-        Where all this is said, one sentence each.
+        Sources of these data, one sentence each.
 
     Raises
     ------
@@ -93,10 +95,10 @@ class Hmd:
         self._check_sources()
 
     def _check_sources(self) -> None:
-        given: object = self.sources
-        listed = tuple(given) if isinstance(given, Iterable) and not isinstance(given, str) else (None,)
+        value: object = self.sources
+        listed = tuple(value) if isinstance(value, Iterable) and not isinstance(value, str) else (None,)
         if not all(isinstance(source, str) for source in listed):
-            raise TypeError(f"sources: expected strings, got {given!r}")
+            raise TypeError(f"sources: expected strings, got {value!r}")
         for number, source in enumerate(listed):
             _check_text(f"sources[{number}]", source)
         _set(self, "sources", listed)
@@ -112,22 +114,22 @@ class Hmd:
 
     @property
     def ipd(self) -> float:
-        """Metres between the eyes."""
+        """Distance between the eyes, metres."""
         return math.dist(self.left.position, self.right.position)
 
     @property
     def tan_half_angle(self) -> float:
-        """The greatest tangent to the left or right in either eye: where r of a lens is 1, as a rule."""
+        """Greatest tangent to the left or right in either eye: the usual tangent at which a lens has r = 1."""
         return max(abs(tangent) for eye in (self.left, self.right) for tangent in (eye.fov.left, eye.fov.right))
 
     @property
     def half_angle(self) -> float:
-        """Half the horizontal field of view in radians, ω; the larger side of an asymmetric one."""
+        """Half the horizontal field of view ω in radians; the larger side of an asymmetric one."""
         return math.atan(self.tan_half_angle)
 
     @property
     def total_fov(self) -> TotalFov:
-        """What both eyes see together, degrees; without hidden areas, which make it smaller for some headsets."""
+        """Total field of view of both eyes, degrees; hidden areas, which reduce it for some headsets, are ignored."""
         return total_fov(self.left, self.right)
 
     def camera(
@@ -141,7 +143,7 @@ class Hmd:
         """Make the camera of an eye, "left" or "right", from the pose of the head.
 
         The pose is a world position in metres and a unit quaternion (x, y, z, w) that turns head axes into world axes.
-        `size` is the render size if not given.
+        `size` in pixels is `render_size` by default.
         """
         chosen: Eye = getattr(self, check.choice("eye", eye, EYES))
         head = quaternion(orientation)
@@ -151,20 +153,20 @@ class Hmd:
         return Camera(place, way, fov=chosen.fov, size=self.render_size if size is None else size)
 
     def with_ipd(self, ipd: float) -> Hmd:
-        """Return the headset for eyes so many metres apart, about the same middle."""
-        wanted, one, other = check.positive("ipd", ipd), np.array(self.left.position), np.array(self.right.position)
+        """Return the headset with the eyes `ipd` metres apart, about the same middle."""
+        distance, one, other = check.positive("ipd", ipd), np.array(self.left.position), np.array(self.right.position)
         if self.ipd == 0.0:
             raise ValueError("ipd: expected eyes that are apart already, which say in which direction")
-        half = (other - one) * (0.5 * wanted / self.ipd)
+        half = (other - one) * (0.5 * distance / self.ipd)
         middle = (one + other) / 2.0
         left = replace(self.left, position=tuple((middle - half).tolist()))
         return replace(self, left=left, right=replace(self.right, position=tuple((middle + half).tolist())))
 
     def save(self, path: str | os.PathLike[str], *, format: str = "nearfar") -> None:  # noqa: A002
-        """Write the headset as JSON, whole or not at all.
+        """Write the headset as JSON, completely or not at all.
 
-        `format` is "nearfar", which comes back bit for bit, or "hmdq": the geometry for hmdq's viewer hmdv, without
-        what that has no place for (panel, lens, hidden area, budget, sources).
+        `format` is "nearfar", which is read back bit for bit, or "hmdq", the geometry for hmdq's viewer hmdv, whose
+        format has no panel, lens, hidden area, budget and sources.
         """
         check.choice("format", format, FORMATS)
         write = _file.write if format == "nearfar" else _hmdq.write
@@ -172,12 +174,12 @@ class Hmd:
 
     @classmethod
     def load(cls, path: str | os.PathLike[str], *, runtime: str | None = None) -> Hmd:
-        """Read a headset from JSON: a file of ours, or what hmdq wrote, of any version.
+        """Read a headset from a JSON file that `save` or hmdq (any version) wrote.
 
-        A file of hmdq's may hold what several runtimes said: `runtime` is "openvr", "oculus" (the default view) or
-        "oculus_max"; if not given, the first of them that is there. The name is the file's where hmdq recorded none.
-        FormatError for other files, naming the file and the key; ValueError for a runtime beside a file of ours;
-        OSError where there is none.
+        A file of hmdq may have data of several runtimes: `runtime` is "openvr", "oculus" (the default view) or
+        "oculus_max"; by default the first of these in the file. If hmdq recorded no name, the file's name is used.
+        FormatError for other files, naming file and key; ValueError for a `runtime` with a file of nearfar; OSError if
+        the file is missing.
         """
         place = check.path("path", path)
         if runtime is not None:
@@ -194,7 +196,7 @@ class Hmd:
             fields = _file.fields(document, where)
             if runtime is not None:
                 raise ValueError(f"runtime: expected None for {where}, which is no file of hmdq's, got {runtime!r}")
-        return _file.built(where, lambda: cls(**fields))
+        return _file.convert(where, lambda: cls(**fields))
 
     def _fields(self) -> dict[str, Any]:
         return {name: getattr(self, name) for name in self.__dataclass_fields__}

@@ -1,4 +1,4 @@
-"""Headset geometry as hmdq writes it and its viewer hmdv reads it (github.com/risa2000/hmdq, output version 5)."""
+"""Reads and writes headset geometry in the format of hmdq and its viewer hmdv (github.com/risa2000/hmdq, version 5)."""
 
 from __future__ import annotations
 
@@ -14,35 +14,40 @@ from nearfar.hmd._eye import Eye, total_fov
 from nearfar.hmd._file import Reader, finite, save
 
 RUNTIMES = ("openvr", "oculus", "oculus_max")
+"""Runtimes and views whose geometry a file may contain."""
 SIDES = {"left": "Left", "right": "Right"}
+"""hmdq's names of the eyes."""
 TANGENTS = ("tan_left", "tan_right", "tan_bottom", "tan_top")
-# The version whose format this is: hmdv brings files of older ones up to date.
+"""Keys of the tangents of a field of view."""
 HMDQ_VERSION, OUTPUT_VERSION = "2.2.1", 5
-# OpenVR's class of headsets among its devices.
+"""Version of hmdq whose format is written, and that format's version; hmdv converts files of older versions."""
 HEADSET = 1
+"""OpenVR's device class of headsets."""
 NAMES = (
     ("Prop_ManufacturerName_String", "Prop_ModelNumber_String"),
     ("Prop_Manufacturer_String", "Prop_ProductName_String"),
 )
+"""Keys of manufacturer and model, of OpenVR and of Oculus."""
 REFRESH = ("Prop_DisplayFrequency_Float", "Prop_DisplayRefreshRate_Float")
+"""Keys of the refresh rate in hertz."""
 
 
 def is_one(content: dict[str, Any]) -> bool:
-    """Whether a document is hmdq's: it says so in its section `misc`."""
+    """Whether a document has hmdq's version in its section `misc`."""
     misc = content.get("misc")
     return isinstance(misc, dict) and ("hmdq_ver" in misc or "hmdv_ver" in misc)
 
 
 def fields(content: dict[str, Any], where: str, runtime: str | None) -> dict[str, Any]:
-    """Return a headset's fields by name from what one of the runtimes said."""
-    found = {name: reader for name in RUNTIMES if (reader := _geometry(content, where, name)) is not None}
-    if not found:
+    """Return a headset's fields by name from the data of one runtime; the first that is present if None."""
+    geometries = {name: reader for name in RUNTIMES if (reader := _geometry(content, where, name)) is not None}
+    if not geometries:
         raise FormatError(f"{where}: geometry: expected it in openvr or oculus, found none without an error")
-    if runtime is not None and runtime not in found:
-        raise FormatError(f"{where}: expected geometry from {runtime}, found {', '.join(found)}")
-    chosen = runtime or next(iter(found))
-    read = found[chosen]
-    # Names of files may hold bytes that are no text, as lone surrogates.
+    if runtime is not None and runtime not in geometries:
+        raise FormatError(f"{where}: expected geometry from {runtime}, found {', '.join(geometries)}")
+    chosen = runtime or next(iter(geometries))
+    read = geometries[chosen]
+    # File names may contain bytes that are not text, which Python stores as lone surrogates.
     file = Path(where.encode("utf-8", "replace").decode("utf-8"))
     name, refresh = _device(content, chosen)
     result: dict[str, Any] = {side: _eye(read, key) for side, key in SIDES.items()}
@@ -55,7 +60,7 @@ def fields(content: dict[str, Any], where: str, runtime: str | None) -> dict[str
 
 
 def write(path: Path, fields: dict[str, Any]) -> None:
-    """Write the geometry of a headset and what hmdv shows of it."""
+    """Write the geometry of a headset and the angles that hmdv shows."""
     left, right = fields["left"], fields["right"]
     eyes = {"Left": left, "Right": right}
     total = total_fov(left, right)
@@ -69,7 +74,7 @@ def write(path: Path, fields: dict[str, Any]) -> None:
             "right_rot": right.rotation_deg,
             "ipd": sum((a - b) ** 2 for a, b in zip(left.position, right.position, strict=True)) ** 0.5,
         },
-        # hmdv shows both eyes' own angles or none.
+        # hmdv shows angles in the eyes' axes for both eyes or for none.
         "fov_eye": {name: _angles(Eye(eye.fov, eye.position)) for name, eye in eyes.items()} if canted else None,
         "fov_head": {name: _angles(eye) for name, eye in eyes.items()},
         "fov_tot": {
@@ -95,11 +100,11 @@ def write(path: Path, fields: dict[str, Any]) -> None:
 
 
 def _geometry(content: dict[str, Any], where: str, runtime: str) -> Reader | None:
-    """What a runtime said of the geometry; nothing where it was not there or failed."""
+    """Reader of a runtime's geometry; None if it is missing or has an error."""
     section, *view = {"openvr": ["openvr"], "oculus": ["oculus", "default_fov"]}.get(runtime, ["oculus", "max_fov"])
     keys = [section, "geometry", *view]
     if runtime == "openvr" and "geometry" in content:
-        # Before hmdq 1.3.4 everything was OpenVR's.
+        # Before hmdq 1.3.4 files had OpenVR's data only, at the top level.
         keys = ["geometry"]
     node: Any = content
     for key in keys:
@@ -112,20 +117,20 @@ def _geometry(content: dict[str, Any], where: str, runtime: str) -> Reader | Non
 def _eye(read: Reader, key: str) -> Eye:
     raw = read.inside("raw_eye").inside(key)
     left, right, down, up = (raw.number(name) for name in TANGENTS)
-    fov = raw.made(lambda: Fov(left, right, down, up))
+    fov = raw.convert(lambda: Fov(left, right, down, up))
     if "eye2head" in read.content:
         placed = read.inside("eye2head")
         rows = placed.rows(key)
-        return placed.made(lambda: Eye.from_matrix(fov, rows))
-    # As collected from LibOVR, before anything is computed of it.
+        return placed.convert(lambda: Eye.from_matrix(fov, rows))
+    # Raw data of LibOVR, without the computed matrix.
     pose = read.inside("render_desc").inside(key).inside("hmd2eye_pose")
     x, y, z = pose.numbers("position", 3)
     a, b, c, d = pose.numbers("orientation", 4)
-    return pose.made(lambda: Eye(fov, (x, y, z), (a, b, c, d)))
+    return pose.convert(lambda: Eye(fov, (x, y, z), (a, b, c, d)))
 
 
 def _device(content: dict[str, Any], runtime: str) -> tuple[str, float | None]:
-    """Name and refresh rate among a runtime's properties, as far as they are there."""
+    """Name and refresh rate in hertz from a runtime's properties; "" and None if they are missing."""
     section = content.get(runtime.removesuffix("_max"))
     listed = (section if isinstance(section, dict) else content).get("properties")
     devices = list(listed.values()) if isinstance(listed, dict) else []
@@ -134,7 +139,7 @@ def _device(content: dict[str, Any], runtime: str) -> tuple[str, float | None]:
             continue
         for keys in NAMES:
             words = [device[key] for key in keys if isinstance(device.get(key), str)]
-            # Runtimes that do not know it say 0.
+            # A rate of 0 means unknown.
             rates = [rate for key in REFRESH if (rate := finite(device.get(key))) is not None and rate > 0.0]
             if words:
                 return " ".join(words), rates[0] if rates else None
@@ -142,12 +147,12 @@ def _device(content: dict[str, Any], runtime: str) -> tuple[str, float | None]:
 
 
 def _hidden(read: Reader) -> float | None:
-    """Percent of the views that meshes hide: the mean of both eyes."""
+    """Percentage of a view that the hidden-area mesh covers, the mean of both eyes; None without meshes."""
     meshes = read.content.get("ham_mesh")
     listed = meshes.values() if isinstance(meshes, dict) else []
     areas = [finite(mesh.get("ham_area")) for mesh in listed if isinstance(mesh, dict)]
-    known = [area for area in areas if area is not None]
-    return 100.0 * sum(known) / len(known) if known else None
+    percentages = [area for area in areas if area is not None]
+    return 100.0 * sum(percentages) / len(percentages) if percentages else None
 
 
 def _raw(fov: Fov) -> dict[str, float]:
@@ -162,7 +167,7 @@ def _angles(eye: Eye) -> dict[str, Any]:
 
 
 def _points(eye: Eye) -> list[list[float]]:
-    """Eight points of a view's edge at depth 1: corners, each followed by the middle straight down, right, up, left."""
+    """Eight points of a view's edge at depth 1: each corner, followed by a middle (below, right, above, left)."""
     left, right, down, up = (math.radians(angle) for angle in eye.angles_deg)
     at = {
         angle: (math.sin(angle) / abs(math.cos(angle)), -math.copysign(1.0, math.cos(angle)))
