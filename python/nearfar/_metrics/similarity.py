@@ -152,8 +152,8 @@ def ssim(
     Returns
     -------
     Similarity
-        The mean, a float of at most 1; exactly 1 for equal pictures, and the same for exchanged arguments. If no window lies
-        within the picture, all windows count. With `full` its `map`, (H, W) or (H, W, C) (smaller if downsampled),
+        The mean, a float of at most 1; exactly 1 for equal pictures, and the same for exchanged arguments. If no window
+        lies within the picture, all windows count. With `full` its `map`, (H, W) or (H, W, C) (smaller if downsampled),
         float64 for float64 and float32 for other types; for the map, pictures are mirrored at their borders. The map is
         NaN where a window contains no pixel of the mask. In float64, mean and map differ from scikit-image's by less
         than 1e-12 and 1e-10. Other types are computed in float32 about local means and differ from float64's results
