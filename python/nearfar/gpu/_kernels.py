@@ -53,8 +53,8 @@ def ssim(
     -------
     Similarity
         The mean, a float of at most 1; exactly 1 for equal pictures, and the same bits in every run on one device. If
-        no window lies within the picture, all windows count. With `full` its `map`, (H, W) float32. Both are computed in
-        float32 about local means; the mean differs from float64's by less than 1e-6, the map by less than 2e-5.
+        no window lies within the picture, all windows count. With `full` its `map`, (H, W) float32. Both are computed
+        in float32 about local means; the mean differs from float64's by less than 1e-6, the map by less than 2e-5.
 
     Raises
     ------
