@@ -77,7 +77,8 @@ CIRCLES: dict[str, tuple[dict[str, str], list[str]]] = {
     "through a chain of re-exports": (
         {
             "lib.rs": "pub mod shapes;\npub mod walk;\npub use shapes::Round;\n",
-            "shapes/mod.rs": "mod cube;\nmod ball;\npub use self::ball::Ball as Round;\npub use {ball::Ball, cube::Cube as Box6};\n",
+            "shapes/mod.rs": "mod cube;\nmod ball;\npub use self::ball::Ball as Round;\n"
+            "pub use {ball::Ball, cube::Cube as Box6};\n",
             "walk.rs": "use crate::Round;\npub fn step() {}\n",
             "shapes/ball.rs": "pub struct Ball;\nfn f() { super::super::walk::step() }\n",
         },
@@ -143,8 +144,10 @@ def test_circles_are_found(tmp_path: Path, name: str) -> None:
 INNOCENT = {
     "tests": "pub struct Ball;\n#[cfg(test)]\nmod tests { use crate::walk::step; #[test] fn f() { step() } }\n",
     "imports for tests alone": "#[cfg(test)]\nuse crate::walk::step;\npub struct Ball;\n",
-    "comments and strings": 'pub struct Ball; // crate::walk::step\n/* use crate::walk; */ const S: &str = "crate::walk::f";\n',
-    "names of other crates": "use std::fmt;\nuse walk::step;\npub struct Ball;\nfn f<\'a>(c: &\'a str) { fmt::walk(\'{\', b\'}\') }\n",
+    "comments and strings": "pub struct Ball; // crate::walk::step\n/* use crate::walk; */ "
+    'const S: &str = "crate::walk::f";\n',
+    "names of other crates": "use std::fmt;\nuse walk::step;\npub struct Ball;\n"
+    "fn f<'a>(c: &'a str) { fmt::walk('{', b'}') }\n",
 }
 
 

@@ -1,7 +1,7 @@
 """Which file of a Rust crate uses which: a parser of imports and paths, enough to find circles.
 
-An import counts to the file that defines the name, however many `pub use` stand between. A `mod.rs` or `lib.rs` that only
-declares, documents and re-exports is no file of the graph; one that defines something is. Tests are left out.
+An import counts to the file that defines the name, however many `pub use` stand between. A `mod.rs` or `lib.rs` that
+only declares, documents and re-exports is no file of the graph; one that defines something is. Tests are left out.
 """
 
 from __future__ import annotations
