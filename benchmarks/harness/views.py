@@ -1,4 +1,4 @@
-"""Where the figures of the near-far methods are taken: centres with something at r₂, and users around them."""
+"""Chooses views for measuring the near–far methods: centres with surfaces at r₂, and users around them."""
 
 from __future__ import annotations
 
@@ -10,17 +10,18 @@ from numpy.typing import NDArray
 import nearfar as nf
 
 GOLDEN = 0.381966
-"""Of a turn: directions that never repeat."""
+"""Golden angle as a share of a turn; its multiples give directions that never repeat."""
 
 Point = tuple[float, float, float]
 
 _RING = 90
 _NEAREST, _FARTHEST = 5.0, 8.0
-"""Metres from the centre between which users stand."""
+"""Least and greatest distance of users from the centre, metres."""
 
 
 def center_for(scene: nf.Scene, radius: float, *, grid: int = 38, reach: float = 600.0) -> Point:
-    """The place on the ground, with free space for all users, from where most directions meet something about `radius`.
+    """Find the place on the ground, with free space for all users, from which most directions hit a surface near
+    `radius`.
 
     What ends nowhere near the radius says nothing about how a near part ends.
     """
@@ -41,7 +42,7 @@ def center_for(scene: nf.Scene, radius: float, *, grid: int = 38, reach: float =
 def views(
     reduced: nf.ReducedScene, size: tuple[int, int], count: int, *, least_boundary: int = 100
 ) -> Iterator[nf.Camera]:
-    """Users 5 to 8 m from the centre all around it who look across the way they went and see where the near part ends.
+    """Choose users 5 to 8 m from the centre in all directions, who look back across the centre at the near part's end.
 
     At most a hundred places are tried, so that there may be fewer than `count`.
     """
@@ -60,7 +61,7 @@ def views(
 
 
 def boundary_length(reduced: nf.ReducedScene, camera: nf.Camera) -> int:
-    """Pixels along which the near part of the continuous picture ends."""
+    """Number of pixels along the end of the near part in the continuous picture."""
     frame = reduced.render(camera, channels=("position",))
     return int(nf.boundary(frame, center=reduced.center, radius=reduced.r2).sum())
 
@@ -72,7 +73,7 @@ def _is_free(
     away: NDArray[np.float64],
     across: NDArray[np.float64],
 ) -> bool:
-    """Whether nothing is within 2 m of the user, nor between the centre and there."""
+    """Whether nothing lies within 2 m of the user, nor between the centre and the user."""
     around = np.stack([away, -away, across, -across])
     room = float(nf.cast_rays(scene, np.tile(user, (4, 1)), around).t_hit.min())
     way = float(nf.cast_rays(scene, center[None], away[None]).t_hit[0])
@@ -80,7 +81,7 @@ def _is_free(
 
 
 def _around(scene: nf.Scene, eyes: NDArray[np.float64]) -> NDArray[np.float32]:
-    """How far each eye sees in directions all around."""
+    """Distances in metres that each eye sees in directions all around."""
     angle = np.arange(_RING) * (2.0 * np.pi / _RING)
     ring = np.column_stack([np.cos(angle), np.zeros(_RING), np.sin(angle)])
     hits = nf.cast_rays(scene, np.repeat(eyes, _RING, axis=0), np.tile(ring, (len(eyes), 1)))

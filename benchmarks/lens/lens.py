@@ -1,4 +1,4 @@
-"""Run time against error of lenses: inverses, warped pictures and sizes seen through them, beside their peers."""
+"""Run time against error of lenses: inverses, warped pictures and sizes seen through them, compared with peers."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from benchmarks.harness.timing import machine
 Array = NDArray[np.float64]
 
 RIFT_S = nf.RadialLens((0.22, 0.24))
-"""Liebisch (2021)."""
+"""Lens of the Rift S, from Liebisch (2021)."""
 
 COUNT = 1_000_000
 
 
 def inverse(title: str, end: float) -> str:
-    """Radii spread evenly up to `end`; errors are how far they come back beside themselves."""
+    """Table for radii spread evenly up to `end`; the error is the difference after the way back."""
     radii = np.random.default_rng(0).random(COUNT) * end
     shown = RIFT_S.distort(radii)
     points = np.zeros((COUNT, 1, 2))
@@ -63,7 +63,8 @@ def inverse(title: str, end: float) -> str:
 
 
 def warps() -> str:
-    """A colour picture of an eye, warped for the lens; errors are levels beside cubics in float64."""
+    """Table for a colour picture of an eye, warped for the lens; errors are 8-bit codes compared with cubics in
+    float64."""
     width, height = 1832, 1920
     x, y = np.meshgrid(np.linspace(0, 40, width), np.linspace(0, 42, height))
     waves = [np.sin(x + 0.3 * y), np.cos(y - 0.2 * x), np.sin(0.7 * x * y / 40)]
@@ -75,7 +76,7 @@ def warps() -> str:
     best = RIFT_S.warp(exact, True, fov=fov, filter="cubic")
 
     def error(found: NDArray[np.uint8]) -> float:
-        # Where the picture ends, filters do as they like.
+        # Filters treat the picture's edge differently.
         inside = np.hypot(places[..., 0], places[..., 1]) < 0.7
         return float(np.sqrt(np.mean((found[inside].astype(np.float64) - best[inside]) ** 2)))
 
@@ -99,7 +100,7 @@ def warps() -> str:
 
 
 def sizes() -> str:
-    """Spheres before a headset; errors are shares of the published size by NumPy."""
+    """Table for spheres in front of a headset; errors are relative to the published size computed by NumPy."""
     random = np.random.default_rng(0)
     centers = random.normal(size=(COUNT // 10, 3)) * 20 - (0, 0, 40)
     radii = random.random(len(centers)) + 0.1

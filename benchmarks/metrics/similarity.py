@@ -1,4 +1,4 @@
-"""Run time against error of the image metrics: structural similarity beside scikit-image and OpenCV, errors, breaks."""
+"""Run time against error of structural similarity (peers: scikit-image, OpenCV), pixel errors and discontinuity."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ LEVEL = "Map of SSIM, gaussian, float32 at a level of 10⁴"
 
 
 def pictures(height: int, width: int, dtype: Any = np.float32) -> tuple[Image, Image, float]:
-    """Clouds and the same with noise, and their range."""
+    """Clouds, the same clouds with noise, and their range of values."""
     random = np.random.default_rng(0)
     extent = 255.0 if dtype == np.uint8 else 1.0
     clouds = cv2.GaussianBlur(random.normal(size=(height, width)), (0, 0), 3.0)
@@ -51,7 +51,7 @@ def box(image: Image) -> Image:
 
 
 def similarity(label: str, a: Image, b: Image, extent: float, *, window: str = "gaussian", repeat: int = 7) -> str:
-    """Means by every peer; the truth is scikit-image's in float64, of the same values."""
+    """Table of means by every peer; the truth is scikit-image's in float64, of the same values."""
     size, ours = (11, {}) if window == "gaussian" else (7, {"window": "uniform", "size": 7})
     theirs: dict[str, Any] = {"gaussian_weights": True} if window == "gaussian" else {"win_size": 7}
     channels = {"channel_axis": -1} if a.ndim == 3 else {}
@@ -68,7 +68,7 @@ def similarity(label: str, a: Image, b: Image, extent: float, *, window: str = "
     def error(found: float) -> float:
         return abs(found - exact)
 
-    # Five moments, along rows and down columns: the separable form that every implementation here has.
+    # Five moments, along rows and columns: the separable form that every implementation here uses.
     work = Work(multiply_adds=5 * 2 * size * a.size, bytes=2 * a.nbytes, double=a.dtype == np.float64)
     cases = [
         Case(OURS, lambda: nf.ssim(a, b, data_range=extent, **ours), error, peer=False),  # type: ignore[arg-type]
@@ -79,7 +79,8 @@ def similarity(label: str, a: Image, b: Image, extent: float, *, window: str = "
 
 
 def maps_at_a_level() -> str:
-    """Maps of float32 pictures at 10⁴ times their contrast; the truth is float64 about means."""
+    """Table of maps of float32 pictures with an offset of 10⁴ times their contrast; the truth is float64 about
+    means."""
     a, b = (picture + np.float32(1e4) for picture in pictures(1080, 1920)[:2])
     exact = nf.ssim(a.astype(np.float64), b.astype(np.float64), data_range=1, full=True)[1]
 
@@ -100,7 +101,7 @@ def maps_at_a_level() -> str:
 
 
 def pairs() -> str:
-    """144 views of ten levels, each in a silhouette of a box."""
+    """Table for 144 views of ten levels, each in the silhouette of a box."""
     random = np.random.default_rng(0)
     views = random.random((144, 1, 96, 96), dtype=np.float32)
     levels = views + np.float32(0.1) * random.random((144, 10, 96, 96), dtype=np.float32)
@@ -172,7 +173,7 @@ def scales_and_sequences() -> str:
 
 
 def frames() -> str:
-    """Breaks and objects of frames of the procedural city, as large as a headset's eye."""
+    """Table of discontinuity and object completion of frames of the procedural city, of a headset eye's size."""
     center = np.array((0.0, 1.7, 0.0))
     scene = nf.datasets.city()
     reduced = nf.reduce(scene, center=center, r1=30, r2=50, face_size=512, channels=("color", "range"))
@@ -192,7 +193,7 @@ def frames() -> str:
     def error(found: tuple[float, float]) -> float:
         return float(np.abs(np.subtract(found, exact)).max())
 
-    # Half of the neighbours within 17 pixels, as each pair is looked at once; some 25 multiply-adds a pair.
+    # Each pair of neighbours within 17 pixels is processed once, hence half; about 25 multiply-adds per pair.
     pairs = 1920 * 1080 * np.pi * 17**2 / 2
     breaks = compare(
         "Discontinuity, 1080p, ε = 17 px",

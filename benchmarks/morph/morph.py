@@ -1,4 +1,4 @@
-"""Run time against error of the morph: 10 million float32 points, beside NumPy, numba and the copy limit."""
+"""Run time against error of the morph of 10 million float32 points, compared with NumPy, numba and a copy."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ USER, CENTER, R1, R2 = (3.0, 1.0, 2.0), (0.0, 1.7, 0.0), 30.0, 50.0
 
 
 def numpy_morph(points: NDArray[Any], real: Any = np.float32) -> NDArray[Any]:
-    """Eq. 1–3 as written, in one precision throughout."""
+    """Eq. 1–3 as published, in one precision throughout."""
     p, u, o = (np.asarray(x, real) for x in (points, USER, CENTER))
     from_o, from_u = p - o, p - u
     rho = np.sqrt(from_o[:, 0] ** 2 + from_o[:, 2] ** 2)

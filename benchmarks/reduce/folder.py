@@ -1,4 +1,4 @@
-"""Saved reduced scenes: seconds and bytes by size, beside trimesh's GLB of the same near part."""
+"""Time and size of saved reduced scenes, compared with trimesh's GLB of the same near part."""
 
 from __future__ import annotations
 

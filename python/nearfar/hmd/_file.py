@@ -20,7 +20,7 @@ SIDES = ("left", "right", "down", "up")
 OPTIONAL = ("panel_size", "refresh_hz", "lens_radius", "triangle_budget", "hidden_area_percent")
 """Keys that may be missing or null."""
 
-Built = TypeVar("Made")
+Built = TypeVar("Built")
 
 
 def write(path: Path, fields: dict[str, Any]) -> None:
