@@ -56,9 +56,9 @@ def error(lines: Array, rays: Array) -> float:
     """Greatest angle in radians, seen from U, between a ray and the morphed middles of its chords."""
     rows = slice(0, len(rays), 20)
     chords = 0.5 * (lines[rows, 1:-1] + lines[rows, 2:])
-    known = np.isfinite(chords[..., 0])
-    shown = nf.morph(chords[known], user=USER, **RADII) - np.array(USER)
-    ray = np.broadcast_to(rays[rows, None], chords.shape)[known]
+    defined = np.isfinite(chords[..., 0])
+    shown = nf.morph(chords[defined], user=USER, **RADII) - np.array(USER)
+    ray = np.broadcast_to(rays[rows, None], chords.shape)[defined]
     return float(np.arctan2(np.linalg.norm(np.cross(shown, ray), axis=1), (shown * ray).sum(axis=1)).max())
 
 

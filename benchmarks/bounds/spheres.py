@@ -29,8 +29,8 @@ def spheres(title: str, points: Array, *peers: str, repeat: int = 5) -> str:
     """Table of methods and peers; an error is the relative excess of the radius over the least one."""
     least = nf.bounding_sphere(points)[1]
 
-    def error(found: tuple[Array, float]) -> float:
-        return abs(found[1] / least - 1)
+    def error(sphere: tuple[Array, float]) -> float:
+        return abs(sphere[1] / least - 1)
 
     cases = [Case(f"{OURS}, exact", lambda: nf.bounding_sphere(points), error, peer=False)]
     single = points.astype(np.float32)

@@ -52,8 +52,8 @@ def ranges(side: int) -> str:
     depth = (NEAR / z).astype(np.float32)
     true = exact(depth)
 
-    def error(found: Array) -> float:
-        return float(np.abs(found / true - 1).max())
+    def error(result: Array) -> float:
+        return float(np.abs(result / true - 1).max())
 
     cases = [
         Case(OURS, lambda: nf.range_from_depth(depth, FOV, near=NEAR), error, peer=False),

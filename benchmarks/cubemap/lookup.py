@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import map_coordinates
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, Work, compare, describe, done, draw
+from benchmarks.harness.compare import OURS, Case, Work, compare, comparisons, describe, draw
 from benchmarks.harness.timing import machine, table
 
 Array = NDArray[Any]
@@ -72,8 +72,8 @@ def cv2_remap(faces: Array, d: Array, interpolation: int) -> Array:
     rows = (face * size + np.clip(y, 0, size - 1)).astype(np.float32).reshape(1000, -1)
     columns = np.clip(x, 0, size - 1).astype(np.float32).reshape(1000, -1)
     image = faces.reshape(6 * size, size, *faces.shape[3:])
-    found = cv2.remap(image, columns, rows, interpolation, borderMode=cv2.BORDER_REPLICATE)
-    return np.asarray(found).reshape(len(d), *faces.shape[3:])
+    result = cv2.remap(image, columns, rows, interpolation, borderMode=cv2.BORDER_REPLICATE)
+    return np.asarray(result).reshape(len(d), *faces.shape[3:])
 
 
 Lookup = Callable[[Array, Array], Array]
@@ -104,8 +104,8 @@ def lookups(title: str, d: Array, *, channels: int = 1) -> str:
         faces = np.repeat(faces[..., None], channels, axis=3)
         truth = np.repeat(truth[:, None], channels, axis=1)
 
-    def error(found: Array) -> float:
-        return float(np.sqrt(np.mean((found - truth) ** 2)))
+    def error(result: Array) -> float:
+        return float(np.sqrt(np.mean((result - truth) ** 2)))
 
     chosen = [entry for entry in LOOKUPS if channels == 1 or "scipy" not in entry[0]]
     cases = [Case(name, lambda job=job: job(faces, d), error, peer=peer) for name, job, peer in chosen]  # type: ignore[misc]
@@ -215,7 +215,7 @@ def conversions() -> str:
     around = smooth(nf.envmap_directions(shape, layout="equirectangular")).astype(np.float32)
 
     def error(truth: Array) -> Callable[[Array], float]:
-        return lambda found: float(np.abs(found - truth).max())
+        return lambda result: float(np.abs(result - truth).max())
 
     def convert(values: Array, source: str, target: str, size: Any, name: str) -> Callable[[], Array]:
         return lambda: nf.convert_envmap(values, source=source, target=target, size=size, filter=name)
@@ -253,7 +253,7 @@ def main() -> None:
     print(cones(), flush=True)
     print(conversions())
     chosen = ("10⁶ random directions in faces of 512², float32", "Cube of 6 × 512² to equirectangular of 2048 × 1024")
-    draw([done[title] for title in chosen], "cube maps")
+    draw([comparisons[title] for title in chosen], "cube maps")
 
 
 if __name__ == "__main__":

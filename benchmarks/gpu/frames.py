@@ -1,4 +1,4 @@
-"""Frames on graphics adapters beside the tracer and pyrender, reduced frames beside full ones, and what a frame moves.
+"""Times and uploads of frames on graphics adapters, full and reduced, compared with the tracer and pyrender.
 
 `python -m benchmarks.gpu.frames`. Without a GPU the adapters are software on the processor (lavapipe, llvmpipe). With
 one, the last table gives the time of a headset's frames on it.
@@ -19,7 +19,7 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness import tokyo
-from benchmarks.harness.compare import FOLDER, Case, compare, describe, done
+from benchmarks.harness.compare import FOLDER, Case, compare, comparisons, describe
 from benchmarks.harness.timing import machine, table
 from benchmarks.harness.views import center_for
 from benchmarks.render.truth import view
@@ -118,9 +118,9 @@ def draw(scene: nf.Scene, camera: nf.Camera, title: str) -> None:
     rows, columns = np.nonzero(differ)
     middle.scatter(columns, rows, s=2, color="red")
     middle.set_title(f"{differ.sum()} of {differ.size:,} pixels show another face than the tracer's")
-    results = [result for result in done[title].results if result.name != "pyrender, lit"]
+    results = [result for result in comparisons[title].results if result.name != "pyrender, lit"]
     right.barh([result.name for result in results], [1e3 * result.timing.wall for result in results])
-    lit = [result.timing.wall for result in done[title].results if result.name == "pyrender, lit"]
+    lit = [result.timing.wall for result in comparisons[title].results if result.name == "pyrender, lit"]
     right.set_xlabel("ms a frame" + "".join(f" (pyrender, lit: {1e3 * wall:.0f})" for wall in lit))
     right.invert_yaxis()
     for axes in (left, middle):
@@ -132,12 +132,12 @@ def draw(scene: nf.Scene, camera: nf.Camera, title: str) -> None:
 def seconds(job: Callable[[], Any], rounds: int = 3) -> float:
     """Least time of some rounds in seconds, after one that uploads data."""
     job()
-    taken = []
+    timings = []
     for _ in range(rounds):
         started = time.perf_counter()
         job()
-        taken.append(time.perf_counter() - started)
-    return min(taken)
+        timings.append(time.perf_counter() - started)
+    return min(timings)
 
 
 def whole_city() -> nf.Scene:
@@ -175,8 +175,7 @@ def near_and_far(scene: nf.Scene) -> str:
 
 
 def path(scene: nf.Scene, camera: nf.Camera, count: int = 20) -> str:
-    """Table of frames rendered one by one and as a path (the next starts before one is read), with allocations and
-    uploads."""
+    """Table of frames one by one and as a path (the next starts before one is read), with allocations and uploads."""
     x, y, z = camera.position
     cameras = [
         nf.Camera((x + 0.05 * i, y, z), camera.orientation, fov=camera.fov, size=camera.size) for i in range(count)
@@ -189,9 +188,9 @@ def path(scene: nf.Scene, camera: nf.Camera, count: int = 20) -> str:
         before = nf.gpu.stats()
         ahead = seconds(partial(walk, scene, cameras), 2) / count
         after = nf.gpu.stats()
-        made = after["allocations"] - before["allocations"]
+        allocations = after["allocations"] - before["allocations"]
         sent = (after["uploaded_bytes"] - before["uploaded_bytes"]) / (3 * count)
-        rows.append([name, f"{1e3 * alone:.0f}", f"{1e3 * ahead:.0f}", str(made), f"{sent:.0f}"])
+        rows.append([name, f"{1e3 * alone:.0f}", f"{1e3 * ahead:.0f}", str(allocations), f"{sent:.0f}"])
     header = ["adapter", "ms a frame", "ms in a path", f"buffers made in {3 * count} frames", "bytes sent a frame"]
     return table(f"Paths of {scene.triangle_count:,} triangles", header, rows)
 
@@ -225,8 +224,8 @@ def headset(scene: nf.Scene) -> str:
     rows = []
     for name, source in (("full", scene), ("reduced", reduced)):
         both = seconds(partial(walk, source, 10 * eyes)) / 10
-        kept = nf.gpu.render(source, eyes[0], channels=("color",))
-        read = 2 * seconds(kept.read)
+        frame = nf.gpu.render(source, eyes[0], channels=("color",))
+        read = 2 * seconds(frame.read)
         rows.append([name, f"{1e3 * both:.1f}", f"{1 / both:.0f}", f"{1e3 * (both - read):.1f}", f"{1e3 * read:.1f}"])
     bake = seconds(lambda: nf.reduce(scene, center=center, r1=NEAR, r2=FAR, face_size=2048, backend="gpu"))
     text = table(

@@ -61,7 +61,7 @@ class Limits:
     """Measured limits of this machine with all of its cores."""
 
     multiply_adds: dict[bool, float] = field(default_factory=dict)
-    """Multiply-adds per second of float32 (False) and float64 (True), by NumPy's matrix product, which is near the
+    """Multiply-adds per second of float32 (False) and float64 (True), by NumPy's matrix product, which nears the
     limit."""
     read: float = 0.0
     """Bytes per second read from memory."""
@@ -104,15 +104,15 @@ def compare(title: str, cases: Sequence[Case], *, work: Work | None = None, repe
     Parameters
     ----------
     title
-        Of the table and of the plot.
+        Title of the table and of the plot.
     cases
-        The first one is ours: ratios are to it.
+        The cases; the first one is nearfar's, and ratios are relative to it.
     work
-        What the job cannot do without; the table says how far each case is from that.
+        Least work of the job; the table lists each case's time relative to the machine's limit for it.
     repeat
-        Turns; the least time counts. Cases of seconds are run fewer times.
+        Number of rounds, of which the least time counts. Cases that take seconds run fewer times.
     unit
-        Of errors.
+        Unit of errors.
     """
     outcomes, timings = [], []
     for case in cases:
@@ -154,7 +154,7 @@ def compare(title: str, cases: Sequence[Case], *, work: Work | None = None, repe
     text = table(title, [*header, f"error{', ' + unit if unit else ''}"], rows)
     shown = Comparison(title, results, least, unit)
     picture = draw([shown], title)
-    done[title] = shown
+    comparisons[title] = shown
     return text if picture is None else f"{text}\n![{title}]({picture})\n"
 
 
@@ -169,7 +169,7 @@ class Comparison:
     unit: str
 
 
-done: dict[str, Comparison] = {}
+comparisons: dict[str, Comparison] = {}
 """Results by title, so that several can be drawn together."""
 
 
@@ -206,12 +206,12 @@ def draw(comparisons: Sequence[Comparison], title: str) -> str | None:
 
 def _panel(axes: Any, shown: Comparison) -> None:
     """Draw cases by time and error, nearfar's in red, with the Pareto front and the machine's limit."""
-    known = [(result, result.error) for result in shown.results if result.error is not None]
+    measured = [(result, result.error) for result in shown.results if result.error is not None]
     # Zero errors have no place on a logarithmic axis and are drawn below all others.
-    floor = min(error for _, error in known if error) / 10
-    points = [(result.timing.wall * 1e3, max(error, floor)) for result, error in known]
+    floor = min(error for _, error in measured if error) / 10
+    points = [(result.timing.wall * 1e3, max(error, floor)) for result, error in measured]
     placed: list[tuple[float, float]] = []
-    for (x, y), (result, error) in zip(points, known, strict=True):
+    for (x, y), (result, error) in zip(points, measured, strict=True):
         axes.scatter(x, y, s=60, color="#888888" if result.peer else "#c8102e", zorder=3)
         label = result.name if error else f"{result.name} (0)"
         # Labels of close points are stacked.

@@ -94,8 +94,8 @@ def _draw_inverses(lens: nf.RadialLens, axis: Any) -> None:
         ("look-up table", "lut", 0, "#e08a1e"),
         ("Newton (0)", "newton", 0, "#c8102e"),
     ):
-        left = np.abs(lens.distort(lens.undistort(shown, method=method, iterations=steps)) - shown)
-        axis.semilogy(r, np.maximum(left, 1e-17), label=label, color=color)
+        residual = np.abs(lens.distort(lens.undistort(shown, method=method, iterations=steps)) - shown)
+        axis.semilogy(r, np.maximum(residual, 1e-17), label=label, color=color)
     axis.axvline(1.0, linestyle=":", color="black")
     axis.set(xlabel="r (the screen's edge is 1)", ylabel="residual |f(r̂) − f(r)|", title="inverses of a strong lens")
     axis.set_ylim(5e-18, 1e6)
@@ -108,13 +108,13 @@ def _draw_sizes(lens: nf.RadialLens, axis: Any) -> None:
     camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(87), size=(1000, 1000))
     angles = np.radians(np.linspace(0, 50, 200))
     centers = np.column_stack([np.sin(angles), np.zeros_like(angles), -np.cos(angles)]) * 10
-    own = nf.solid_angle(centers, 0.05, eye=camera.position)
+    plain = nf.solid_angle(centers, 0.05, eye=camera.position)
     for exact, label, color in (
         (False, "as published: along the radius only", "#555555"),
         (True, "its area", "#c8102e"),
     ):
-        seen = nf.corrected_solid_angle(centers, 0.05, camera=camera, lens=lens, exact=exact)
-        axis.plot(np.degrees(angles), seen / own, label=label, color=color)
+        corrected = nf.corrected_solid_angle(centers, 0.05, camera=camera, lens=lens, exact=exact)
+        axis.plot(np.degrees(angles), corrected / plain, label=label, color=color)
     axis.set(xlabel="degrees from the axis", ylabel="solid angle seen / solid angle", title="sizes through the lens")
     axis.legend(fontsize=8)
     axis.grid(alpha=0.3)

@@ -20,10 +20,9 @@ _NEAREST, _FARTHEST = 5.0, 8.0
 
 
 def center_for(scene: nf.Scene, radius: float, *, grid: int = 38, reach: float = 600.0) -> Point:
-    """Find the place on the ground, with free space for all users, from which most directions hit a surface near
-    `radius`.
+    """Find the place on the ground, free for all users, where most directions hit a surface near `radius`.
 
-    What ends nowhere near the radius says nothing about how a near part ends.
+    Without surfaces near the radius, a view does not show the boundary of the near part.
     """
     low, high = scene.bounds
     axis = np.linspace(-1.0, 1.0, grid)
@@ -33,30 +32,30 @@ def center_for(scene: nf.Scene, radius: float, *, grid: int = 38, reach: float =
     down = nf.cast_rays(scene, above, np.tile([0.0, -1.0, 0.0], (len(x), 1))).t_hit
     ground = np.where(np.isfinite(down), high[1] + 1.0 - down, low[1])
     eyes = np.column_stack([x, ground + 1.7, z])[ground <= np.percentile(ground, 10.0) + 2.0]
-    seen = _around(scene, eyes)
-    ends = ((seen > 0.9 * radius) & (seen < 1.1 * radius)).sum(axis=1)
-    best = eyes[np.argmax(ends * (seen.min(axis=1) >= _FARTHEST + 1.0))]
+    distances = _around(scene, eyes)
+    ends = ((distances > 0.9 * radius) & (distances < 1.1 * radius)).sum(axis=1)
+    best = eyes[np.argmax(ends * (distances.min(axis=1) >= _FARTHEST + 1.0))]
     return float(best[0]), float(best[1]), float(best[2])
 
 
 def views(
     reduced: nf.ReducedScene, size: tuple[int, int], count: int, *, least_boundary: int = 100
 ) -> Iterator[nf.Camera]:
-    """Choose users 5 to 8 m from the centre in all directions, who look back across the centre at the near part's end.
+    """Choose users 5 to 8 m from the centre all around it, who look at right angles to the way from it.
 
     At most a hundred places are tried, so that there may be fewer than `count`.
     """
-    center, found = np.array(reduced.center), 0
+    center, count_so_far = np.array(reduced.center), 0
     for k in range(100):
         turn = 2.0 * np.pi * GOLDEN * k
         away = np.array([np.cos(turn), 0.0, np.sin(turn)])
         across = np.array([-np.sin(turn), -0.02, np.cos(turn)]) * (1 if k % 2 else -1)
-        user = center + away * (_NEAREST + (_FARTHEST - _NEAREST) * found / (count - 1))
+        user = center + away * (_NEAREST + (_FARTHEST - _NEAREST) * count_so_far / (count - 1))
         camera = nf.Camera.look_at(user, user + across, fov=nf.Fov.symmetric(90, size[0] / size[1]), size=size)
         if _is_free(reduced.scene, center, user, away, across) and boundary_length(reduced, camera) >= least_boundary:
-            found += 1
+            count_so_far += 1
             yield camera
-        if found == count:
+        if count_so_far == count:
             return
 
 
@@ -85,5 +84,5 @@ def _around(scene: nf.Scene, eyes: NDArray[np.float64]) -> NDArray[np.float32]:
     angle = np.arange(_RING) * (2.0 * np.pi / _RING)
     ring = np.column_stack([np.cos(angle), np.zeros(_RING), np.sin(angle)])
     hits = nf.cast_rays(scene, np.repeat(eyes, _RING, axis=0), np.tile(ring, (len(eyes), 1)))
-    seen: NDArray[np.float32] = hits.t_hit.reshape(-1, _RING)
-    return seen
+    distances: NDArray[np.float32] = hits.t_hit.reshape(-1, _RING)
+    return distances

@@ -32,12 +32,12 @@ def inverse(title: str, end: float) -> str:
     k1, k2 = RIFT_S.k
     coefficients = np.array([k1, k2, 0.0, 0.0])
 
-    def error(found: Array) -> float:
-        return float(np.abs(found - radii).max())
+    def error(result: Array) -> float:
+        return float(np.abs(result - radii).max())
 
     def opencv() -> Array:
-        found = cv2.undistortPoints(points, np.eye(3), coefficients)
-        return np.asarray(found, np.float64)[:, 0, 0]
+        result = cv2.undistortPoints(points, np.eye(3), coefficients)
+        return np.asarray(result, np.float64)[:, 0, 0]
 
     def newton() -> Array:
         square = shown * shown
@@ -63,8 +63,7 @@ def inverse(title: str, end: float) -> str:
 
 
 def warps() -> str:
-    """Table for a colour picture of an eye, warped for the lens; errors are 8-bit codes compared with cubics in
-    float64."""
+    """Table for a colour picture of an eye, warped for the lens; errors in 8-bit codes against cubics in float64."""
     width, height = 1832, 1920
     x, y = np.meshgrid(np.linspace(0, 40, width), np.linspace(0, 42, height))
     waves = [np.sin(x + 0.3 * y), np.cos(y - 0.2 * x), np.sin(0.7 * x * y / 40)]
@@ -75,10 +74,10 @@ def warps() -> str:
     places[..., 1] -= height / width - 1
     best = RIFT_S.warp(exact, True, fov=fov, filter="cubic")
 
-    def error(found: NDArray[np.uint8]) -> float:
+    def error(result: NDArray[np.uint8]) -> float:
         # Filters treat the picture's edge differently.
         inside = np.hypot(places[..., 0], places[..., 1]) < 0.7
-        return float(np.sqrt(np.mean((found[inside].astype(np.float64) - best[inside]) ** 2)))
+        return float(np.sqrt(np.mean((result[inside].astype(np.float64) - best[inside]) ** 2)))
 
     def maps() -> list[NDArray[np.float32]]:
         scale = RIFT_S.distort(np.hypot(places[..., 0], places[..., 1])) / np.hypot(places[..., 0], places[..., 1])
@@ -112,14 +111,14 @@ def sizes() -> str:
         distance = np.linalg.norm(centers, axis=1)
         mu = np.arcsin(radii / distance)
         alpha = np.arccos(-centers[:, 2] / distance)
-        own = 4 * np.pi * np.sin(mu / 2) ** 2
+        sigma = 4 * np.pi * np.sin(mu / 2) ** 2
         shown = [np.arctan(scale * RIFT_S.undistort(np.tan(angle) / scale)) for angle in (alpha + mu, alpha - mu)]
-        return np.asarray(np.where(alpha + mu < np.pi / 2, own * (shown[0] - shown[1]) / (2 * mu), own))
+        return np.asarray(np.where(alpha + mu < np.pi / 2, sigma * (shown[0] - shown[1]) / (2 * mu), sigma))
 
     expected = numpy()
 
-    def error(found: Array) -> float:
-        return float(np.abs(found / expected - 1)[ahead].max())
+    def error(result: Array) -> float:
+        return float(np.abs(result / expected - 1)[ahead].max())
 
     ours = functools.partial(nf.corrected_solid_angle, centers, radii, camera=view, lens=RIFT_S)
     cases = [

@@ -73,11 +73,11 @@ def main() -> None:
     random = np.random.default_rng(0)
     points = (random.random((COUNT, 3), np.float32) - np.float32(0.5)) * np.float32(150)
     points[:, 1] += np.float32(40)
-    kept, theirs = np.empty_like(points), np.empty_like(points)
+    output, theirs = np.empty_like(points), np.empty_like(points)
     of = functools.partial(error, points=points)
     cases = [
         Case(OURS, lambda: ours(points), of, peer=False),
-        Case(f"{OURS}, out=", lambda: ours(points, out=kept), of, peer=False),
+        Case(f"{OURS}, out=", lambda: ours(points, out=output), of, peer=False),
         Case(f"{OURS}, all inside r1", lambda: ours(points, 200, 300), peer=False),
         Case(f"{OURS}, all beyond r2", lambda: ours(points, 0.1, 0.2), peer=False),
         Case(f"{OURS}, cylinder", lambda: ours(points, kind="cylinder"), peer=False),

@@ -59,7 +59,7 @@ def times(name: str, vertices: NDArray[np.float32], faces: NDArray[np.uint32]) -
     return table(f"{name}: {len(faces):,} triangles", ["", "wall ms", "CPU ms", "wall / copy"], rows)
 
 
-def left(scenes: list[tuple[str, nf.Scene]]) -> str:
+def triangles_left(scenes: list[tuple[str, nf.Scene]]) -> str:
     """Table of triangles that stay geometry around a place in each scene, and of the work needed."""
     header = ["r2, m", "Manhattan as published", *(f"{name}, {scene.triangle_count:,}" for name, scene in scenes)]
     centers = [np.zeros(3) if "Tokyo" in name else np.mean(scene.bounds, axis=0) for name, scene in scenes]
@@ -90,9 +90,9 @@ def main() -> None:
         ("Manhattan core", "city/manhattan_deckgl/manhattan_core.glb"),
         ("Tokyo core", "city/tokyo23/tokyo_core_lod1.glb"),
     ):
-        found = data.find(path)
-        if found is not None:
-            scenes.append((name, nf.Scene.load(found)))
+        file = data.find(path)
+        if file is not None:
+            scenes.append((name, nf.Scene.load(file)))
     city = whole()
     if city is not None:
         print(times("Whole Tokyo", *city))
@@ -101,7 +101,7 @@ def main() -> None:
         corners = scenes[-1][1].triangles().reshape(-1, 3)
         print(times(scenes[-1][0], corners, np.arange(len(corners), dtype=np.uint32).reshape(-1, 3)))
     if scenes:
-        print(left(scenes))
+        print(triangles_left(scenes))
 
 
 if __name__ == "__main__":

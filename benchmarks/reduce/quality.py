@@ -46,8 +46,8 @@ class Case:
 def cases(quick: bool) -> Iterator[Case]:
     """Yield the available cities, each with a centre around which surfaces cross r2.
 
-    On the ground, users |U−O| away see what lies between the radii sheared by |U−O| r1 / ((r2−r1) h) pixels a pixel,
-    h being the height of their eyes: the procedural city, which has a ground, is measured for two pairs of radii.
+    A user at the distance |U−O| sees the ground between the radii sheared by |U−O| r1 / ((r2−r1) h) pixels per pixel,
+    where h is the height of the eyes. So the procedural city, which has a ground, is measured for two pairs of radii.
     """
     for name, file in (
         ("tokyo_core_lod1", "city/tokyo23/tokyo_core_lod1.glb"),
@@ -63,9 +63,12 @@ def cases(quick: bool) -> Iterator[Case]:
 
 def measures(truth: nf.Frame, frame: nf.Frame, case: Case) -> list[float]:
     """Mean and 99th percentile of discontinuity, its absolute mean along the boundary, PSNR in decibels and SSIM."""
-    found = nf.compare(truth, frame, center=case.center, radius=case.r2)
-    torn = [np.nan if v is None else v for v in (found.discontinuity, found.discontinuity_p99, found.boundary)]
-    return [*torn, found.psnr, found.ssim]
+    comparison = nf.compare(truth, frame, center=case.center, radius=case.r2)
+    torn = [
+        np.nan if v is None else v
+        for v in (comparison.discontinuity, comparison.discontinuity_p99, comparison.boundary)
+    ]
+    return [*torn, comparison.psnr, comparison.ssim]
 
 
 def discontinuity(case: Case, size: tuple[int, int], plots: Path | None) -> str:
@@ -96,8 +99,7 @@ def _pairs(values: NDArray[np.float64]) -> list[str]:
 
 
 def errors(case: Case, size: tuple[int, int], faces: list[int], plots: Path | None) -> str:
-    """Tables: error of maps by size compared with the ideal picture, and of the ideal picture by the user's
-    distance."""
+    """Tables: error of maps by size against the ideal picture, and of the ideal picture by the user's distance."""
     how: dict[str, Any] = {"method": "exact", "channels": ("color",), "samples": 4}
     reduced = case.reduce(faces[0], channels=("color", "range"))
     camera = next(views(reduced, size, VIEWS), None)

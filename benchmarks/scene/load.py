@@ -1,5 +1,4 @@
-"""Times of loading and deriving scenes: tokyo_core_lod1 compared with trimesh, whole Tokyo with a copy of its
-arrays."""
+"""Times of loading and deriving scenes: tokyo_core_lod1 against trimesh, whole Tokyo against a copy of its arrays."""
 
 from __future__ import annotations
 

@@ -114,9 +114,9 @@ def scenes_by_tolerance(quick: bool) -> str:
                 reach=REACH,
                 tolerance=pixels * PIXEL,
             )
-            made, counts = job()
+            split, counts = job()
             timing = best(job, repeat=3)
-            error = misses(touching(scene._derived(made, scene._rest), center), center, eyes).max()
+            error = misses(touching(scene._derived(split, scene._rest), center), center, eyes).max()
             rows.append(
                 [
                     name,
@@ -133,8 +133,7 @@ def scenes_by_tolerance(quick: bool) -> str:
 
 
 def against_peer(quick: bool) -> tuple[str, dict[str, list[tuple[int, float]]]]:
-    """Table for ground of 120 m × 120 m: trimesh's subdivide_to_size is refined until it reaches nearfar's measured
-    error."""
+    """Table for ground of 120 m × 120 m: trimesh's subdivide_to_size until it reaches nearfar's measured error."""
     center = np.array([0.3, 1.7, 0.2])
     eyes = users(center, 6)
     mesh = plane(60.0)

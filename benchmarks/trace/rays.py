@@ -79,8 +79,7 @@ def primary(scene: nf.Scene, embree: Any, views: dict[str, Any], size: tuple[int
 
 
 def incoherent(scene: nf.Scene, embree: Any, points: Array, repeat: int) -> list[list[str]]:
-    """Rows for rays between random points: nearest hits, and Embree's occlusion compared with nearfar's nearest
-    hits."""
+    """Rows for rays between random points: nearest hits, and Embree's occlusion beside nearfar's nearest hits."""
     draw = np.random.default_rng(1)
     directions = draw.normal(size=(500_000, 3)).astype(np.float32)
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
@@ -132,10 +131,10 @@ def main() -> None:
     width, height = (int(part) for part in options.view_size.split("x"))
     print(f"{machine()}; {_core.instruction_sets()[-1]}; one thread\n")
     builds = []
-    for name, made in {"tokyo_core_lod1": tokyo(), "procedural city": city()}.items():
-        if made is None:
+    for name, arrays in {"tokyo_core_lod1": tokyo(), "procedural city": city()}.items():
+        if arrays is None:
             continue
-        scene, points, faces, views = made
+        scene, points, faces, views = arrays
         embree = embree_scene(points, faces.astype(np.int32))
         header = ["view", "order", "embreex Mray/s", "nearfar Mray/s", "ratio", "same triangle"]
         rows = primary(scene, embree, views, (width, height), options.repeat)
