@@ -1,4 +1,4 @@
-"""Build backend: maturin, after a check that says in one sentence when cargo is missing or too old.
+"""Build backend: maturin, after a check for cargo whose message is one sentence if it is missing or too old.
 
 Run as a script it only checks. Maturin alone would try to download a toolchain, which nobody asked for.
 """
@@ -17,7 +17,7 @@ Settings = dict[str, Any] | None
 
 
 def require_cargo() -> None:
-    """Leave with a sentence unless cargo is there and new enough; Cargo.toml says how new."""
+    """Exit with a message unless cargo is installed and new enough; Cargo.toml states the least version."""
     manifest = (Path(__file__).resolve().parent.parent / "Cargo.toml").read_text(encoding="utf-8")
     stated = re.search(r'^rust-version = "([\d.]+)"', manifest, re.MULTILINE)
     least = stated.group(1) if stated else "1.89"
@@ -33,19 +33,19 @@ def require_cargo() -> None:
 
 
 def get_requires_for_build_wheel(config_settings: Settings = None) -> list[str]:
-    """Nothing beyond what pyproject.toml names."""
+    """Return no requirements beyond those in pyproject.toml."""
     require_cargo()
     return []
 
 
 def get_requires_for_build_editable(config_settings: Settings = None) -> list[str]:
-    """Nothing beyond what pyproject.toml names."""
+    """Return no requirements beyond those in pyproject.toml."""
     require_cargo()
     return []
 
 
 def get_requires_for_build_sdist(config_settings: Settings = None) -> list[str]:
-    """Nothing beyond what pyproject.toml names."""
+    """Return no requirements beyond those in pyproject.toml."""
     require_cargo()
     return []
 
@@ -83,8 +83,8 @@ def build_sdist(sdist_directory: str, config_settings: Settings = None) -> str:
 
 
 def _maturin() -> Any:
-    # Imported late: the check must speak before maturin is there. Its Python part looks for its program on the PATH,
-    # where an environment that is used without being activated does not have it.
+    # A late import, because the check must run before maturin is installed. Maturin's Python part searches PATH for its
+    # program, which is not there if the environment is not activated.
     import maturin
 
     os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])

@@ -26,7 +26,7 @@ Box = tuple[float, float, float, float]
 
 
 def main() -> None:
-    """Make those named, or all."""
+    """Make the pictures named, or all."""
     DOCS.mkdir(exist_ok=True)
     wanted = sys.argv[1:] or ["city", "tokyo", "curve", "lod"]
     if "city" in wanted or "curve" in wanted:
@@ -54,7 +54,7 @@ def compare(
     target: tuple[float, float, float],
     part: Box,
 ) -> None:
-    """Render the three pictures, put them beside one another, and the part of each below."""
+    """Render the three pictures side by side, with an enlarged part of each below."""
     view = nf.Camera.look_at(user, target, fov=nf.Fov.symmetric(90, SIZE[0] / SIZE[1]), size=SIZE)
     reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=2048, samples=2)
     conventional = reduced.with_morph("none")
@@ -72,7 +72,7 @@ def compare(
 
 
 def column(picture: NDArray[np.uint8], text: str, part: Box) -> NDArray[np.uint8]:
-    """A picture made small under its caption, above an enlarged part."""
+    """A picture scaled down under its caption, above an enlarged part."""
     whole, (width, height) = Image.fromarray(picture), SIZE
     small = whole.resize((COLUMN, COLUMN * height // width), Image.Resampling.LANCZOS)
     box = (part[0] * width, part[1] * height, part[2] * width, part[3] * height)

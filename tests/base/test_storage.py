@@ -1,4 +1,4 @@
-"""Files, formats, the cache and the data folder behave as ARCHITECTURE.md says."""
+"""Tests of atomic files, formats, the cache and the data folder."""
 
 from __future__ import annotations
 

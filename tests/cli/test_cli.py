@@ -1,4 +1,4 @@
-"""The command line does the main job, prints what its schemas say, and answers mistakes with one sentence."""
+"""Tests of the command line: its main job, output that fits its schemas, and error messages."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def test_render_writes_a_picture(method: str, city: Path, tmp_path: Path, capsys
 def test_demo_does_the_whole_job(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = tmp_path / "deep" / "demo"
     settings = ("--size", "96x64", "--samples", "1", "--face-size", "64", "--json")
-    # Twice: the second replaces the first.
+    # The second run replaces the first one's folder.
     for _ in range(2):
         status, out, err = command(capsys, "demo", "-i", city, "-o", folder, *settings)
         assert status == 0, err
@@ -119,7 +119,7 @@ def test_procedural_scenes_need_no_file(capsys: pytest.CaptureFixture[str]) -> N
         (["info"], 2, "--input"),
         (["nonsense"], 2, "nonsense"),
         (["partition", "-i", "CITY", "--r1", "50", "--r2", "30"], 1, "r1: expected less than r2"),
-        # Radii are looked at before a scene that may take long to load.
+        # Radii are checked before the scene is loaded, which may take long.
         (["partition", "-i", "missing.glb", "--r1", "-1"], 1, "r1: expected a radius of at least 0"),
         (["bake", "-i", "missing.glb", "-o", "a.exr", "--r2", "20"], 1, "r1: expected less than r2"),
         (["render", "-i", "missing.glb", "-o", "a.png", "--r2", "nan"], 1, "r2: expected a finite number"),
@@ -180,10 +180,10 @@ def test_the_chosen_place_is_open_ground(city: Path) -> None:
 
     scene = nf.Scene.load(city)
     place = viewpoint.find(scene)
-    # Float32 distances from the sky, 25 m up; the centimetre is what a person would not notice.
+    # Rays start 25 m up, with float32 distances; a centimetre is irrelevant for a viewpoint.
     assert place.eye[1] == pytest.approx(viewpoint.EYE_HEIGHT, abs=0.01)
     around = viewpoint._view(scene, np.array(place.eye))
     assert around.min() >= viewpoint.CLEARANCE
-    # The view is a quarter turn about the direction, and sees farther than the other three on the whole.
+    # The chosen quarter turn sees farther than the other three.
     turned = np.roll(np.minimum(around, 500.0), 9 - int(np.argmax(viewpoint._ring() @ place.forward)))
     assert turned[:19].mean() >= turned[19:].mean()

@@ -1,4 +1,4 @@
-"""`nearfar lod`: from a mesh to what engines load."""
+"""Tests of `nearfar lod`, from a mesh to files for engines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which adapter works, when none does, what is said of it, and what frames cost in memory and bytes."""
+"""Tests of adapter selection, messages without one, the command line, and memory and bytes of frames."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def test_only_measuring_lets_auto_take_the_processor_as_an_adapter() -> None:
         for faster in (True, False):
             backends.remember(scene, work, nf.gpu.selected().label, faster)
             assert (backends.device_for("auto", scene, work) is not None) == faster
-            # Other work and other scenes were not measured.
+            # Other work and other scenes have no measurements.
             assert backends.device_for("auto", scene, (("range",), 1)) is None
             assert backends.device_for("auto", crowd(), work) is None
     with pytest.raises(TypeError, match="source: expected a Scene, a ReducedScene"):
@@ -102,7 +102,7 @@ def test_auto_says_once_that_there_is_only_the_processor() -> None:
         pytest.skip("there is an adapter that auto takes")
     done = program("for _ in range(3): nf.render(scene, camera)")
     assert done.returncode == 0, done.stderr
-    # Not a word of Mesa's either, with XDG_RUNTIME_DIR unset.
+    # Mesa prints nothing either, although XDG_RUNTIME_DIR is unset.
     assert done.stderr.count("\n") == 1
     assert done.stderr.startswith("rendering on the CPU: the processor itself is the only graphics adapter found")
     assert "install the driver of a graphics card" in done.stderr
@@ -253,10 +253,10 @@ def test_images_larger_than_a_window_are_whole() -> None:
         same = cpu.require("face_id") == gpu.require("face_id")
         assert same.mean() > 0.9999
         near, far = gpu.require("range")[same], cpu.require("range")[same]
-        # Some pixels of fifteen million see a face nearly edge on.
+        # Some of fifteen million pixels see a face nearly edge-on.
         np.testing.assert_allclose(near, far, rtol=5e-5)
         whole = nf.render(scene, camera, channels=("color", "range", "object_id", "position", "normal"), backend="gpu")
-        # Other channels, other windows: rays are rounded once more or less.
+        # With other channels or other windows rays are rounded once more or less.
         assert np.isclose(whole.require("range"), gpu.require("range"), rtol=5e-5).mean() > 0.9999
         missed = ~np.isfinite(whole.require("range"))
         assert missed.any()

@@ -1,4 +1,4 @@
-"""Kernels on the graphics device, against those of the CPU, which have oracles of their own."""
+"""Tests of the kernels on the graphics device against those of the CPU, which have their own oracles."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from tests.support.reduce_cases import CENTER, camera, street
 
 CHANNELS = ("color", "range", "object_id", "face_id", "position", "normal")
 EPSILON = 2.0**-24
-"""Of a float32 rounding."""
+"""Greatest relative error of a float32 rounding."""
 
-# A fixture of the module's is as good for every example.
+# Sharing a module's fixture between examples is safe.
 SHARED = settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
@@ -181,7 +181,7 @@ def test_discontinuity_is_that_of_the_cpu(device: _core.GpuDevice, name: str, ep
 
 
 def test_heaps_of_many_points_are_added_up_whole(device: _core.GpuDevice) -> None:
-    # More points in one cell than the turns after which drivers in software end a loop.
+    # More points in one cell than the iterations after which software drivers end a loop.
     frame = gpu.render(street(), view(size=(390, 240)), channels=("position",))
     heap = nf.Camera(view().position, view().orientation, fov=view().fov, size=(2, 2))
     found = gpu.discontinuity(frame, heap, epsilon=9.0)
@@ -294,8 +294,7 @@ def test_lookups_are_those_of_the_cpu(device: _core.GpuDevice, seed: int, size: 
     found = gpu.cube_lookup(faces, directions, filter=chosen)
     expected = nf.cube_lookup(faces, directions, filter=chosen)
     same = (found == expected) | (np.isnan(found) & np.isnan(expected))
-    # Within some roundings of a border between texels, or between their centres, the others may be taken: what lies
-    # beside the direction.
+    # Within some roundings of a border between texels, or between their centres, the neighbouring ones may be used.
     assert (~same).mean() < 0.01
     for n in np.flatnonzero(~same):
         beside = directions[n] * (1 + 1e-6 * random.normal(size=(200, 3)))

@@ -1,4 +1,4 @@
-"""Errors of pictures' values, and the objects that they show, against their definitions."""
+"""Tests of pixel errors and object completion against their definitions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Notebooks are kept without outputs, hold no algorithms, and run."""
+"""Tests that notebooks are stored without outputs, contain no algorithms, and run."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from tests.support import need
 CHECKOUT = Path(__file__).resolve().parents[2]
 NOTEBOOKS = sorted((CHECKOUT / "notebooks").glob("*.ipynb"))
 
-# What a reader waits for a notebook. It is measured with a wide margin, because other work may share the machine.
+# Greatest run time of a notebook in seconds, with a wide margin, because other work may share the machine.
 SECONDS = 60.0
 
 
@@ -43,7 +43,7 @@ def test_notebooks_are_stripped(path: Path) -> None:
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_notebooks_hold_no_algorithms(path: Path) -> None:
-    """A cell worth keeping moves into the package with a test: here are calls, and loops over what is shown."""
+    """Reusable code belongs to the package, with a test; cells contain calls, and loops over displayed results."""
     for cell in cells(path):
         if cell["cell_type"] == "code":
             tree = ast.parse("".join(cell["source"]))

@@ -1,4 +1,4 @@
-"""The wheel is small, complete, installs into an empty environment, and imports without what it may not need."""
+"""Tests of the wheel: small, complete, installs into an empty environment, imports without optional packages."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ BACKEND = CHECKOUT / "scripts" / "nearfar_build.py"
 
 IMPORT_BACKEND = f"import sys; sys.path.insert(0, {str(BACKEND.parent)!r}); import nearfar_build as b"
 
-# One wheel with everything inside stays small enough to download without a thought.
+# Greatest size of the wheel in bytes.
 LARGEST_WHEEL = 12_000_000
 
 HEAVY = ("trimesh", "PIL", "typer", "rich", "matplotlib", "scipy", "cv2", "jsonschema", "networkx")
-"""Packages that `import nearfar` must not load: each costs tens of milliseconds that most scripts would not use."""
+"""Packages that `import nearfar` must not load: each takes tens of milliseconds that most scripts do not need."""
 
 
 def run(*command: str | Path, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -42,7 +42,7 @@ def run(*command: str | Path, **environment: str) -> subprocess.CompletedProcess
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Built from the tree with the environment's maturin: the release build is there, so this only packs."""
+    """Wheel built from the tree with the environment's maturin; the release build exists, so this only packs."""
     need("release")
     folder = tmp_path_factory.mktemp("wheel")
     done = run(
@@ -56,7 +56,7 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Python of an environment that holds the wheel, what its metadata requires, and nothing else.
+    """Python of an environment that contains the wheel, the packages that its metadata require, and nothing else.
 
     The requirements are linked from this environment, so that no package index is asked.
     """

@@ -1,4 +1,4 @@
-"""The stub of the compiled module says what the binary has, name by name and argument by argument."""
+"""Tests that the stub of the compiled module agrees with the binary, name by name and argument by argument."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 CHECKOUT = Path(__file__).resolve().parents[2]
 
 
-# pyo3 makes __all__ of all names; nothing imports from the module by asterisk, which ruff sees to.
+# pyo3 defines __all__ with all names; star imports are refused by ruff.
 NOT_IN_THE_STUB = r"nearfar\._core\.__all__"
 
 

@@ -1,4 +1,4 @@
-"""Pictures along a path are those of single calls, two are under way at a time, and any end is a clean one."""
+"""Tests of camera paths: the same pictures as single calls, two in progress at a time, and clean ends."""
 
 from __future__ import annotations
 
@@ -148,7 +148,7 @@ def test_what_iterators_bring_is_checked_when_it_comes(backend: str) -> None:
 
 
 def interrupted(frames: Iterator[nf.Frame], seconds: float) -> float:
-    """Seconds from a Ctrl-C to its exception."""
+    """Time in seconds from Ctrl-C to its exception."""
     sent = []
 
     def press() -> None:
@@ -169,7 +169,7 @@ def interrupted(frames: Iterator[nf.Frame], seconds: float) -> float:
 def test_a_long_path_ends_with_control_c(backend: str) -> None:
     need("linux")
     scene = crowd()
-    # The machine's other work decides how long an answer takes; a frame of these takes some milliseconds.
+    # Other work on the machine decides how long a reaction takes; one of these frames takes some milliseconds.
     assert interrupted(nf.render_path(scene, itertools.repeat(CAMERAS[0]), backend=backend), 0.5) < 5.0
     equal(next(nf.render_path(scene, CAMERAS, backend=backend)), nf.render(scene, CAMERAS[0], backend=backend))
 
@@ -183,7 +183,7 @@ def test_a_long_frame_ends_with_control_c(name: str) -> None:
         started = time.monotonic()
         frames = nf.render_path(scene, itertools.repeat(camera), samples=1024, channels=("color",), backend="gpu")
         waited = interrupted(frames, 1.0)
-        # Between two of 128 submissions the caller is looked at.
+        # Ctrl-C is checked between two of 128 submissions.
         assert waited < 10.0
         assert time.monotonic() - started < 15.0
         assert np.isfinite(nf.render(scene, CAMERAS[0], backend="gpu").require("color")).all()

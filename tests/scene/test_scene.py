@@ -1,4 +1,4 @@
-"""The scene: what is merged, what is shared, what may move."""
+"""Tests of scenes: merged, shared and moving meshes."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def turn(angle: float) -> NDArray[np.float64]:
 
 
 def street() -> tuple[SceneBuilder, list[int]]:
-    """A wall and a house used once, three trees of one mesh, and a car."""
+    """A wall and a house placed once, three trees of one mesh, and a car."""
     builder = SceneBuilder()
     meshes = [builder.mesh(TRIANGLE, FACE, material=builder.material((r, 0, 0, 1))) for r in (0, 0.25, 0.5, 1)]
     builder.instance(meshes[0], name="wall")
@@ -116,7 +116,7 @@ def test_scenes_made_from_a_scene_share_meshes_and_trees() -> None:
         np.testing.assert_array_equal(other._core.mesh_ids(), scene._core.mesh_ids())
         start = time.perf_counter()
         other._core.build()
-        # Trees over 200,000 triangles take a tenth of a second; to find that they exist, microseconds.
+        # Building search trees over 200,000 triangles takes a tenth of a second; reusing them takes microseconds.
         assert time.perf_counter() - start < built / 3
 
 

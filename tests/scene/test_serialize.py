@@ -1,4 +1,4 @@
-"""Scenes that travel to other processes: the same pictures, byte for byte, and poses as before."""
+"""Tests of pickled scenes: the same pictures, byte for byte, and the same poses."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from nearfar._scene.serialize import core_of_parts, parts_of
 
 
 def furnished() -> nf.Scene:
-    """Instances, a texture that cuts out, colours and normals of vertices, a moving object, far from the middle."""
+    """Instances, a cut-out texture, vertex colours and normals, a moving object, far from the origin."""
     builder = SceneBuilder()
     random = np.random.default_rng(0)
     texture = random.integers(0, 256, (8, 8, 4)).astype(np.uint8)

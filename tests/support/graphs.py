@@ -1,4 +1,4 @@
-"""Circles in graphs of files."""
+"""Finds circles in graphs of files."""
 
 from __future__ import annotations
 
