@@ -19,8 +19,8 @@ def main() -> None:
     """Run all benchmarks, or those named; exit with status 1 if one fails."""
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else "out/bench")
     folder.mkdir(parents=True, exist_ok=True)
-    wanted = set(sys.argv[2:])
-    chosen = [name for name in names() if not wanted or wanted & {name, name.partition(".")[0]}]
+    requested = set(sys.argv[2:])
+    chosen = [name for name in names() if not requested or requested & {name, name.partition(".")[0]}]
     failed = [name for name in chosen if not run(name, folder)]
     parts = [(folder / f"{name}.md").read_text(encoding="utf-8") for name in chosen if name not in failed]
     (folder / "report.md").write_text("# Run time against error\n\n" + "\n".join(parts), encoding="utf-8")

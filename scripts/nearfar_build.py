@@ -1,6 +1,6 @@
 """Build backend: maturin, after a check for cargo whose message is one sentence if it is missing or too old.
 
-Run as a script it only checks. Maturin alone would try to download a toolchain, which nobody asked for.
+Run as a script it only checks. Maturin alone would try to download a Rust toolchain without asking.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ def require_cargo() -> None:
     remedy = f"install Rust {least} or newer from https://rustup.rs and try again"
     if not shutil.which("cargo"):
         sys.exit(f"nearfar: building from source needs cargo, which is not on the PATH; {remedy}")
-    said = subprocess.run(["cargo", "--version"], capture_output=True, text=True, check=False).stdout
-    found = re.match(r"cargo (\d+)\.(\d+)", said)
-    if not found:
-        sys.exit(f"nearfar: building from source needs cargo, but `cargo --version` says {said.strip()!r}; {remedy}")
-    if (int(found[1]), int(found[2])) < tuple(int(part) for part in least.split(".")[:2]):
-        sys.exit(f"nearfar: building from source needs cargo {least}, but found {found[1]}.{found[2]}; {remedy}")
+    output = subprocess.run(["cargo", "--version"], capture_output=True, text=True, check=False).stdout
+    version = re.match(r"cargo (\d+)\.(\d+)", output)
+    if not version:
+        sys.exit(f"nearfar: building from source needs cargo, but `cargo --version` says {output.strip()!r}; {remedy}")
+    if (int(version[1]), int(version[2])) < tuple(int(part) for part in least.split(".")[:2]):
+        sys.exit(f"nearfar: building from source needs cargo {least}, but found {version[1]}.{version[2]}; {remedy}")
 
 
 def get_requires_for_build_wheel(config_settings: Settings = None) -> list[str]:

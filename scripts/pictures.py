@@ -28,21 +28,21 @@ Box = tuple[float, float, float, float]
 def main() -> None:
     """Make the pictures named, or all."""
     DOCS.mkdir(exist_ok=True)
-    wanted = sys.argv[1:] or ["city", "tokyo", "curve", "lod"]
-    if "city" in wanted or "curve" in wanted:
+    requested = sys.argv[1:] or ["city", "tokyo", "curve", "lod"]
+    if "city" in requested or "curve" in requested:
         city = nf.datasets.city()
         eye, _ = nf.datasets.street_view()
-        if "city" in wanted:
+        if "city" in requested:
             user = (eye[0] - 8.0, eye[1], eye[2])
             compare("city", city, eye, user, (user[0], user[1] + 6.0, user[2] - 40.0), (0.56, 0.22, 0.86, 0.72))
-        if "curve" in wanted:
+        if "curve" in requested:
             save_curve(DOCS, nf.load_curve(city, center=eye), R2)
-    if "tokyo" in wanted:
+    if "tokyo" in requested:
         tokyo = nf.Scene.load(data.require("city/tokyo23/tokyo_core_lod1.glb"))
         center, forward = np.array([115.0, 1.7, 192.15]), np.array([-0.866, 0.15, 0.5])
         aside = center + 8.0 * np.array([0.5, 0.0, 0.866])
         compare("tokyo", tokyo, point(center), point(aside), point(aside + forward), (0.34, 0.1, 0.8, 0.72))
-    if "lod" in wanted:
+    if "lod" in requested:
         draw_lod(DOCS / "lod.png")
 
 

@@ -14,10 +14,10 @@ def main() -> None:
     """Read pyproject.toml in the folder above this one, and print."""
     document = tomllib.loads((Path(__file__).resolve().parent.parent / "pyproject.toml").read_text(encoding="utf-8"))
     project = document["project"]
-    wanted = [*document["build-system"]["requires"], *project["dependencies"]]
+    requirements = [*document["build-system"]["requires"], *project["dependencies"]]
     for extra in sys.argv[1:]:
-        wanted += project["optional-dependencies"][extra]
-    print("\n".join(wanted))
+        requirements += project["optional-dependencies"][extra]
+    print("\n".join(requirements))
 
 
 if __name__ == "__main__":
