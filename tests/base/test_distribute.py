@@ -67,7 +67,7 @@ def test_progress_is_that_of_all_items(monkeypatch: pytest.MonkeyPatch) -> None:
     @contextmanager
     def bar(label: str) -> Iterator[progress.Report]:
         shown.append(label)
-        yield lambda done, total: shown.append(done / total)
+        yield lambda finished, total: shown.append(finished / total)
 
     monkeypatch.setattr(progress, "bar", bar)
     distribute(squared, [1, 2], label="squaring")

@@ -153,15 +153,15 @@ def run(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
 
 @pytest.mark.parametrize("count", ["1", "3"])
 def test_thread_count_follows_the_variable(count: str) -> None:
-    done = run("from nearfar import _core; print(_core.thread_count())", NEARFAR_NUM_THREADS=count)
-    assert done.stdout.strip() == count, done.stderr
+    process = run("from nearfar import _core; print(_core.thread_count())", NEARFAR_NUM_THREADS=count)
+    assert process.stdout.strip() == count, process.stderr
 
 
 @pytest.mark.parametrize("wrong", ["0", "-2", "two", "1.5"])
 def test_a_wrong_thread_count_is_a_value_error(wrong: str) -> None:
-    done = run("from nearfar import _core; _core.thread_count()", NEARFAR_NUM_THREADS=wrong)
+    process = run("from nearfar import _core; _core.thread_count()", NEARFAR_NUM_THREADS=wrong)
     words = f"ValueError: NEARFAR_NUM_THREADS: expected a whole number from 1 to 1024, got '{wrong}'"
-    assert words in done.stderr
+    assert words in process.stderr
 
 
 PICTURE = """
@@ -194,13 +194,13 @@ def test_ctrl_c_stops_a_long_kernel_within_a_second(code: str) -> None:
 
 
 def test_other_threads_run_while_a_kernel_works() -> None:
-    done = threading.Event()
+    finished = threading.Event()
 
     def stop(_done: int, _total: int) -> None:
-        if done.is_set():
+        if finished.is_set():
             raise InterruptedError
 
-    worker = threading.Thread(target=done.set)
+    worker = threading.Thread(target=finished.set)
     timer = threading.Timer(0.05, worker.start)
     timer.start()
     with pytest.raises(InterruptedError):

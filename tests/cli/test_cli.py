@@ -29,10 +29,10 @@ def pixels(path: Path) -> NDArray[np.uint8]:
 def test_info_says_what_a_scene_holds(city: Path, capsys: pytest.CaptureFixture[str]) -> None:
     status, out, _ = command(capsys, "info", "-i", city, "--json")
     assert status == 0
-    said = document(out, "info")
-    assert said["triangles"] == 12 * 101
+    report = document(out, "info")
+    assert report["triangles"] == 12 * 101
     # Corners of up to 100 m in float32: half a step is 4e-6 m, and the file was written from float64.
-    np.testing.assert_allclose(said["bounds"][0], [-100, -1, -100], atol=1e-4)
+    np.testing.assert_allclose(report["bounds"][0], [-100, -1, -100], atol=1e-4)
     status, out, _ = command(capsys, "info", "-i", city)
     assert status == 0
     assert out.count("1,212") == 1
@@ -44,12 +44,12 @@ def test_partition_counts_and_refuses_above_a_limit(
     arguments = ("partition", "-i", city, "--center", "0,1.7,0", "--r1", "10", "--r2", "20")
     status, out, _ = command(capsys, *arguments, "--json", "-o", tmp_path / "partition.json")
     assert status == 0
-    said = document(out, "partition")
-    assert said == json.loads((tmp_path / "partition.json").read_text())
-    assert 0 < said["summary"]["nsf"] < 12 * 101
-    counts = [entry["triangles"] for entry in said["load_curve"]]
+    report = document(out, "partition")
+    assert report == json.loads((tmp_path / "partition.json").read_text())
+    assert 0 < report["summary"]["nsf"] < 12 * 101
+    counts = [entry["triangles"] for entry in report["load_curve"]]
     assert counts == sorted(counts)
-    assert said["load_curve"][0] == {"radius": 20.0, "triangles": said["summary"]["nsf"]}
+    assert report["load_curve"][0] == {"radius": 20.0, "triangles": report["summary"]["nsf"]}
     status, _, err = command(capsys, *arguments, "--max-triangles", "3")
     assert status == 1
     assert re.fullmatch(r"nearfar: expected at most 3 triangles near, got \d+\n", err)
@@ -86,14 +86,14 @@ def test_demo_does_the_whole_job(city: Path, tmp_path: Path, capsys: pytest.Capt
     for _ in range(2):
         status, out, err = command(capsys, "demo", "-i", city, "-o", folder, *settings)
         assert status == 0, err
-    said = document(out, "report")
-    assert said == json.loads((folder / "report.json").read_text(encoding="utf-8"))
-    assert sorted(path.name for path in folder.iterdir()) == sorted(said["files"])
-    assert {"truth.png", "conventional.png", "continuous.png", "side_by_side.png", "report.md"} <= set(said["files"])
-    assert said["triangles_left"] < said["triangles"]
+    report = document(out, "report")
+    assert report == json.loads((folder / "report.json").read_text(encoding="utf-8"))
+    assert sorted(path.name for path in folder.iterdir()) == sorted(report["files"])
+    assert {"truth.png", "conventional.png", "continuous.png", "side_by_side.png", "report.md"} <= set(report["files"])
+    assert report["triangles_left"] < report["triangles"]
     assert pixels(folder / "side_by_side.png").shape[1] == 3 * 96 + 2 * 6
     text = (folder / "report.md").read_text(encoding="utf-8")
-    assert f"{said['triangles']:,} triangles become {said['triangles_left']:,}" in text
+    assert f"{report['triangles']:,} triangles become {report['triangles_left']:,}" in text
 
 
 def test_demo_plots_the_load_curve(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -163,16 +163,16 @@ def test_mistakes_are_one_sentence(
 
 def test_the_program_itself_leaves_with_the_status() -> None:
     for arguments, status in ((["--version"], 0), (["info", "-i", "missing.glb"], 1), (["info"], 2)):
-        done = subprocess.run(
+        process = subprocess.run(
             [sys.executable, "-m", "nearfar.cli", *arguments], capture_output=True, text=True, timeout=60, check=False
         )
-        assert done.returncode == status, done.stderr
+        assert process.returncode == status, process.stderr
 
 
 def test_the_command_line_loads_late() -> None:
     code = "import sys, nearfar.cli; print(any(m.partition('.')[0] in ('typer', 'rich') for m in sys.modules))"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True)
-    assert done.stdout.strip() == "False"
+    process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True)
+    assert process.stdout.strip() == "False"
 
 
 def test_the_chosen_place_is_open_ground(city: Path) -> None:

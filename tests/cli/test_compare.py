@@ -107,13 +107,13 @@ def test_thresholds_end_the_command(
 ) -> None:
     out = tmp_path / "out"
     arguments = ("-i", city, "-o", out, *PLACE, *FAST, option, limit, "--json", "--exact")
-    found, printed, said = command(capsys, "compare", *arguments)
+    found, printed, errors = command(capsys, "compare", *arguments)
     document = json.loads(printed)
     assert found == status
     assert valid(document, "compare")
     assert document["method"] == "exact"
     assert document["thresholds"][0]["kept"] == (status == 0)
-    assert (option in said) == (status == 3)
+    assert (option in errors) == (status == 3)
     assert (out / "report.html").exists()
 
 
@@ -124,7 +124,7 @@ def test_mistakes_are_sentences(city: Path, tmp_path: Path, capsys: pytest.Captu
         (("--r1", "60"), "r1: expected less than r2"),
         (("--min-psnr", "nan"), "--min-psnr: expected a finite number"),
     ]:
-        status, _, said = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *FAST, *wrong)
+        status, _, errors = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *FAST, *wrong)
         assert status == 1
-        assert words in said
+        assert words in errors
         assert not (tmp_path / "out").exists()

@@ -133,9 +133,9 @@ print(caught)
 def test_without_memory_there_is_an_error_and_the_next_frame_is_right(name: str, what: str) -> None:
     need("linux")
     need(name)
-    done = program(OUT_OF_MEMORY.format(name=name, what=what))
-    assert done.returncode == 0, done.stderr[-2000:]
-    assert int(done.stdout) >= 3
+    process = program(OUT_OF_MEMORY.format(name=name, what=what))
+    assert process.returncode == 0, process.stderr[-2000:]
+    assert int(process.stdout) >= 3
 
 
 FORK = """
@@ -174,15 +174,15 @@ np.testing.assert_array_equal(nf.render(scene, camera, backend="gpu").color, bef
 def test_a_forked_child_is_refused_and_ends(name: str) -> None:
     need("fork")
     need(name)
-    done = program(FORK.format(name=name))
-    assert done.returncode == 0, done.stderr
-    sentences = done.stdout.splitlines()
+    process = program(FORK.format(name=name))
+    assert process.returncode == 0, process.stderr
+    sentences = process.stdout.splitlines()
     assert len(sentences) == 3
     for sentence in sentences:
         assert "graphics drivers do not survive a fork" in sentence
         assert "'spawn' or 'forkserver', or use backend='cpu'" in sentence
     # "auto" logs the same once before it uses the CPU.
-    assert done.stderr.startswith("rendering on the CPU: graphics drivers do not survive a fork")
+    assert process.stderr.startswith("rendering on the CPU: graphics drivers do not survive a fork")
 
 
 def test_a_spawned_child_draws() -> None:
@@ -194,8 +194,8 @@ if __name__ == "__main__":
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         print(pool.apply(drawn_in_a_child))
 """
-    done = program(code)
-    assert done.stdout.strip() == "True", done.stderr
+    process = program(code)
+    assert process.stdout.strip() == "True", process.stderr
 
 
 def drawn_in_a_child() -> bool:
@@ -214,5 +214,5 @@ nf.gpu.select("vulkan")
 nf.render(scene, camera, backend="gpu")
 raise SystemExit(0 if child == 0 else os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
 """
-    done = program(code)
-    assert done.returncode == 0, done.stderr
+    process = program(code)
+    assert process.returncode == 0, process.stderr

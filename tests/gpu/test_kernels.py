@@ -42,15 +42,15 @@ def test_a_kept_frame_is_the_one_that_is_read_back(device: _core.GpuDevice) -> N
     scene, shot = street(), view()
     core = core_of(scene)
     expected = device.truth(core, shot._core, channels=list(CHANNELS), samples=4).finish()
-    kept = gpu.render(scene, shot, channels=CHANNELS, samples=4)
+    device_frame = gpu.render(scene, shot, channels=CHANNELS, samples=4)
     for _ in range(2):
-        frame = kept.read()
-        assert frame.channels == kept.channels == CHANNELS
+        frame = device_frame.read()
+        assert frame.channels == device_frame.channels == CHANNELS
         assert frame.origin == core.origin
-        assert frame.camera is kept.camera is shot
+        assert frame.camera is device_frame.camera is shot
         for name in CHANNELS:
             np.testing.assert_array_equal(frame.require(name), expected[name])
-    assert repr(kept).startswith("DeviceFrame(96 × 60, color, range, object_id, face_id, position, normal, on ")
+    assert repr(device_frame).startswith("DeviceFrame(96 × 60, color, range, object_id, face_id, position, normal, on ")
 
 
 def test_dropped_frames_lend_their_memory(device: _core.GpuDevice) -> None:

@@ -93,15 +93,15 @@ LESS = {
 def test_total_fields_of_view_are_those_that_hmdv_prints(devices: dict[str, Any]) -> None:
     for configuration, name in CONFIGURATIONS.items():
         hmd = nf.hmd.get(name)
-        for what, printed in devices[configuration]["total_fov_deg"].items():
+        for quantity, printed in devices[configuration]["total_fov_deg"].items():
             if printed is None:
                 continue
-            ours = getattr(hmd.total_fov, f"{what}_deg")
-            if what in LESS.get(name, ()):
+            ours = getattr(hmd.total_fov, f"{quantity}_deg")
+            if quantity in LESS.get(name, ()):
                 assert hmd.hidden_area_percent is not None
-                assert ours > printed + PRINTED_DEG, (name, what)
+                assert ours > printed + PRINTED_DEG, (name, quantity)
             else:
-                assert abs(ours - printed) <= PRINTED_DEG, (name, what, ours, printed)
+                assert abs(ours - printed) <= PRINTED_DEG, (name, quantity, ours, printed)
 
 
 def test_a_view_canted_by_ten_degrees_is_that_of_its_print_out() -> None:

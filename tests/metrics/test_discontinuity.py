@@ -38,11 +38,11 @@ def frames() -> dict[str, nf.Frame]:
     scene = street()
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=256, samples=1, channels=("color", "range"))
     view = camera(CENTER + np.array([0, 0.2, 7.0]), (1, -0.03, 0.1), (96, 60))
-    wanted = ("color", "position")
+    channels = ("color", "position")
     return {
-        "truth": nf.render(scene, view, channels=wanted),
-        "conventional": reduced.with_morph("none").render(view, channels=wanted),
-        "continuous": reduced.render(view, channels=wanted),
+        "truth": nf.render(scene, view, channels=channels),
+        "conventional": reduced.with_morph("none").render(view, channels=channels),
+        "continuous": reduced.render(view, channels=channels),
     }
 
 

@@ -56,7 +56,7 @@ def test_notebooks_run(path: Path, tmp_path: Path) -> None:
     need("notebook")
     need("matplotlib")
     started = time.monotonic()
-    done = subprocess.run(
+    process = subprocess.run(
         [sys.executable, CHECKOUT / "scripts" / "notebooks.py", tmp_path, path.stem],
         cwd=tmp_path,
         capture_output=True,
@@ -64,7 +64,7 @@ def test_notebooks_run(path: Path, tmp_path: Path) -> None:
         timeout=5 * SECONDS,
         check=False,
     )
-    assert done.returncode == 0, done.stderr[-4000:]
+    assert process.returncode == 0, process.stderr[-4000:]
     print(f"{path.stem}: {time.monotonic() - started:.0f} s of {SECONDS:.0f}")
     shown = [output for cell in cells(tmp_path / path.name) for output in cell.get("outputs", [])]
     assert any("image/png" in output.get("data", {}) for output in shown)

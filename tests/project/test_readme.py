@@ -25,11 +25,11 @@ def example() -> str:
 def test_the_example_is_short_and_runs(tmp_path: Path) -> None:
     code = example()
     assert len(code.splitlines()) <= 20
-    done = subprocess.run(
+    process = subprocess.run(
         [sys.executable, "-W", "error", "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=300
     )
-    assert done.returncode == 0, done.stderr
-    assert re.search(r"[\d,]+ triangles", done.stdout)
+    assert process.returncode == 0, process.stderr
+    assert re.search(r"[\d,]+ triangles", process.stdout)
     with Image.open(tmp_path / "truth.png") as truth, Image.open(tmp_path / "continuous.png") as continuous:
         assert truth.size == continuous.size
 

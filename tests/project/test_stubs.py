@@ -17,7 +17,7 @@ def test_the_stub_matches_the_binary(tmp_path: Path) -> None:
     allowed = tmp_path / "allowed.txt"
     allowed.write_text(NOT_IN_THE_STUB)
     options = ["--mypy-config-file", "pyproject.toml", "--concise", "--allowlist", str(allowed)]
-    done = subprocess.run(
+    process = subprocess.run(
         [sys.executable, "-m", "mypy.stubtest", "nearfar._core", *options],
         cwd=CHECKOUT,
         capture_output=True,
@@ -25,4 +25,4 @@ def test_the_stub_matches_the_binary(tmp_path: Path) -> None:
         timeout=300,
         check=False,
     )
-    assert done.returncode == 0, done.stdout + done.stderr
+    assert process.returncode == 0, process.stdout + process.stderr

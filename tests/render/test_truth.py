@@ -222,8 +222,8 @@ for call in (
     except MemoryError as error:
         print(error)
 """
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True)
-    assert re.fullmatch(r"(the result needs \d+ bytes, which the system does not have\n){3}", done.stdout)
+    process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True)
+    assert re.fullmatch(r"(the result needs \d+ bytes, which the system does not have\n){3}", process.stdout)
 
 
 def test_degenerate_triangles_are_not_seen() -> None:

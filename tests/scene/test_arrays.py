@@ -198,6 +198,6 @@ print((kilobytes("VmHWM") - before + size) / size)
 
 def test_a_scene_of_large_arrays_takes_little_memory_besides() -> None:
     need("linux")
-    done = subprocess.run([sys.executable, "-c", MEMORY], capture_output=True, text=True, check=True)
+    process = subprocess.run([sys.executable, "-c", MEMORY], capture_output=True, text=True, check=True)
     # The documented limit is 1.5 times the arrays' memory, including the arrays.
-    assert float(done.stdout) < 1.5
+    assert float(process.stdout) < 1.5

@@ -36,8 +36,8 @@ def _pyrender() -> str:
     code = "import pyrender; pyrender.OffscreenRenderer(8, 8).delete()"
     for platform in platforms:
         environment = os.environ | {"PYOPENGL_PLATFORM": platform}
-        done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, timeout=120)
-        if done.returncode == 0:
+        process = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, timeout=120)
+        if process.returncode == 0:
             os.environ["PYOPENGL_PLATFORM"] = platform
             return ""
     return f"pyrender finds no off-screen OpenGL ({', '.join(platforms)}); see scripts/system-packages.sh"
@@ -63,10 +63,10 @@ def _git() -> str:
     """A source archive has no list of files, and git refuses a checkout of another user."""
     command = ["git", "-C", str(Path(__file__).parent), "ls-files", "--error-unmatch", Path(__file__).name]
     try:
-        done = subprocess.run(command, capture_output=True, check=False)
+        process = subprocess.run(command, capture_output=True, check=False)
     except FileNotFoundError:
         return "git is not installed"
-    return "" if done.returncode == 0 else "this is no git checkout"
+    return "" if process.returncode == 0 else "this is no git checkout"
 
 
 def _release() -> str:
@@ -132,9 +132,9 @@ def printed_by_threads(code: str) -> set[str]:
     for threads in "123":
         environment = os.environ | {"NEARFAR_NUM_THREADS": threads, "PYTHONPATH": os.pathsep.join(sys.path)}
         command = [sys.executable, "-c", code]
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=300)
-        assert done.returncode == 0, done.stderr
-        printed.add(done.stdout)
+        process = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=300)
+        assert process.returncode == 0, process.stderr
+        printed.add(process.stdout)
     return printed
 
 

@@ -168,22 +168,22 @@ Found = tuple[set[Module], set[tuple[str, str]]]
 """Modules found, and items found as file and kind."""
 
 
-def look_up(module: Module, name: str, seen: set[tuple[int, str]]) -> Found:
+def look_up(module: Module, name: str, visited: set[tuple[int, str]]) -> Found:
     """Find all items of a name in a module: its definitions and its imports."""
     modules: set[Module] = set()
     items: set[tuple[str, str]] = set()
-    if (id(module), name) in seen:
+    if (id(module), name) in visited:
         return modules, items
-    seen.add((id(module), name))
+    visited.add((id(module), name))
     if name in module.children:
         modules.add(module.children[name])
     items |= {(module.file, kind) for kind in module.items.get(name, ())}
     for alias, path in module.imports:
         if alias == name:
-            found = resolve(module, path, seen)
+            found = resolve(module, path, visited)
         elif alias == "*":
-            sources = resolve(module, path, seen)[0]
-            each = [look_up(source, name, seen) for source in sources]
+            sources = resolve(module, path, visited)[0]
+            each = [look_up(source, name, visited) for source in sources]
             found = set().union(*(one[0] for one in each)), set().union(*(one[1] for one in each))
         else:
             continue
@@ -192,9 +192,9 @@ def look_up(module: Module, name: str, seen: set[tuple[int, str]]) -> Found:
     return modules, items
 
 
-def resolve(module: Module, path: list[str], seen: set[tuple[int, str]] | None = None) -> Found:
+def resolve(module: Module, path: list[str], visited: set[tuple[int, str]] | None = None) -> Found:
     """Find the items that a path in a module refers to; none for names of other crates."""
-    seen = set() if seen is None else seen
+    visited = set() if visited is None else visited
     at = module
     rest = list(path)
     anchored = False
@@ -211,7 +211,7 @@ def resolve(module: Module, path: list[str], seen: set[tuple[int, str]] | None =
     items: set[tuple[str, str]] = set()
     for number, name in enumerate(rest):
         # A look-up by a longer path differs from one by a name on its way.
-        fresh = seen if number == 0 else set(seen)
+        fresh = visited if number == 0 else set(visited)
         each = [look_up(one, name, fresh) for one in modules]
         inner = set().union(*(one[0] for one in each))
         found = set().union(*(one[1] for one in each))
@@ -224,16 +224,16 @@ def resolve(module: Module, path: list[str], seen: set[tuple[int, str]] | None =
     return modules, items
 
 
-def names_of(module: Module, seen: set[int] | None = None) -> set[str]:
+def names_of(module: Module, visited: set[int] | None = None) -> set[str]:
     """Names that a module offers to a glob import."""
-    seen = set() if seen is None else seen
-    if id(module) in seen:
+    visited = set() if visited is None else visited
+    if id(module) in visited:
         return set()
-    seen.add(id(module))
+    visited.add(id(module))
     names = set(module.items) | set(module.children)
     for alias, path in module.imports:
         if alias == "*":
-            names = names.union(*(names_of(source, seen) for source in resolve(module, path)[0]))
+            names = names.union(*(names_of(source, visited) for source in resolve(module, path)[0]))
         else:
             names.add(alias)
     return names

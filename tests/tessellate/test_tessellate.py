@@ -137,8 +137,8 @@ def test_what_needs_no_split_keeps_its_bits() -> None:
     both = trimesh.util.concatenate([near, ground(), far])
     made = split(both)
     np.testing.assert_array_equal(made.vertices[: len(both.vertices)], both.vertices)
-    kept = len(near.faces)
-    np.testing.assert_array_equal(made.faces[:kept], both.faces[:kept])
+    unchanged = len(near.faces)
+    np.testing.assert_array_equal(made.faces[:unchanged], both.faces[:unchanged])
     np.testing.assert_array_equal(made.faces[-len(far.faces) :], both.faces[-len(far.faces) :])
 
 

@@ -154,8 +154,8 @@ def furnish(width: float, depth: float, wall: int, draw: Draw, *, tower: bool, d
     cells = [(i, j) for j in range(rows) for i in range(columns)]
     order = np.argsort(draw.uniform(len(cells)), kind="stable")
     parts = []
-    wanted = ["stairs", "plant", "tank" if draw.chance(0.35) and not tower else "plant", "plant", "mast", "plant"]
-    for kind, at in zip(wanted[: max(2, len(cells) - 1)], order, strict=False):
+    pieces = ["stairs", "plant", "tank" if draw.chance(0.35) and not tower else "plant", "plant", "mast", "plant"]
+    for kind, at in zip(pieces[: max(2, len(cells) - 1)], order, strict=False):
         i, j = cells[int(at)]
         x = ((i + 0.5) / columns - 0.5) * (width - 1.6) + draw.number(-0.5, 0.5)
         z = ((j + 0.5) / rows - 0.5) * (depth - 1.6) + draw.number(-0.5, 0.5)

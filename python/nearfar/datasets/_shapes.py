@@ -138,8 +138,8 @@ def loft(sections: ArrayLike, materials: ArrayLike, *, bottom: bool = True, top:
     sides = np.stack([rows[:-1], after[:-1], after[1:], rows[1:]], 2)
     soups = [quads(sides.reshape(-1, 4, 3), np.repeat(bands, rows.shape[1]))]
     # Convex caps are fans around their middle, which avoids slivers on many-sided rings.
-    for wanted, row, order, band in ((bottom, 0, -1, 0), (top, -1, 1, -1)):
-        if wanted:
+    for has_cap, row, order, band in ((bottom, 0, -1, 0), (top, -1, 1, -1)):
+        if has_cap:
             edge = rows[row][::order]
             # A plain loop, because NumPy may order sums differently on another processor.
             middle = sum(edge[1:], edge[0]) / len(edge)
