@@ -1,4 +1,4 @@
-"""Runs every benchmark and keeps what each prints, as Markdown, and its plots in a folder, with a report of all.
+"""Runs all benchmarks; saves each one's output as Markdown, its plots, and a report of all in a folder.
 
 One after the other, because they measure time: `python scripts/bench.py [FOLDER] [NAME ...]`, where a name is a stage,
 such as `trace`, or one benchmark of it, such as `lod.fit`.
@@ -16,11 +16,11 @@ CHECKOUT = Path(__file__).resolve().parent.parent
 
 
 def main() -> None:
-    """Run all benchmarks, or those named; leave with status 1 if one fails."""
+    """Run all benchmarks, or those named; exit with status 1 if one fails."""
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else "out/bench")
     folder.mkdir(parents=True, exist_ok=True)
-    wanted = set(sys.argv[2:])
-    chosen = [name for name in names() if not wanted or wanted & {name, name.partition(".")[0]}]
+    requested = set(sys.argv[2:])
+    chosen = [name for name in names() if not requested or requested & {name, name.partition(".")[0]}]
     failed = [name for name in chosen if not run(name, folder)]
     parts = [(folder / f"{name}.md").read_text(encoding="utf-8") for name in chosen if name not in failed]
     (folder / "report.md").write_text("# Run time against error\n\n" + "\n".join(parts), encoding="utf-8")
@@ -29,14 +29,14 @@ def main() -> None:
 
 
 def names() -> list[str]:
-    """Benchmarks as stage.name; files whose names begin with an underscore, and `harness`, only help them."""
+    """Names of the benchmarks, stage.name, without `harness` and files whose names begin with an underscore."""
     files = sorted((CHECKOUT / "benchmarks").glob("*/*.py"))
     runs = [path for path in files if '__name__ == "__main__"' in path.read_text(encoding="utf-8")]
     return [f"{path.parent.name}.{path.stem}" for path in runs]
 
 
 def run(name: str, folder: Path) -> bool:
-    """Run one benchmark; what it prints goes to the terminal and to a file of its name."""
+    """Run one benchmark; its output goes to the terminal and to a file of its name."""
     print(f"## {name}", flush=True)
     started = time.perf_counter()
     command = [sys.executable, "-m", f"benchmarks.{name}"]

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Rebuilds the extension in place with the quick profile: seconds instead of half a minute after an edit.
+# Rebuilds the extension in place with the quick profile, in seconds instead of half a minute.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cargo build --profile quick -p nearfar-py

@@ -1,4 +1,4 @@
-"""Makes the picture of levels of detail in docs/: their looks, their scores, and what a turn of the head draws.
+"""Makes the picture of levels of detail in docs/: the levels, their score curves, and the triangles drawn by mode.
 
 The object is Khronos' FlightHelmet (CC0), the headset a Rift S as Liebisch (2021) describes it.
 """
@@ -24,7 +24,7 @@ COLORS = {"depth": "#555555", "depth+eccentricity": "#e08a1e", "fovea": "#c8102e
 
 
 def draw_lod(path: Path) -> None:
-    """Draw levels above, their curves and triangles by mode below."""
+    """Draw the levels in the upper row, their curves and the triangles by mode in the lower row."""
     mpl.use("agg")
     from matplotlib import pyplot as plt
 
@@ -42,7 +42,7 @@ def draw_lod(path: Path) -> None:
 
 
 def _draw_levels(model: nf.lod.LodModel, axes: Any) -> None:
-    """All from one side, and from where on each is good enough."""
+    """Draw all levels from one side, with the size up to which each is good enough."""
     switch = nf.lod.switches(model, view=FOV)
     way = np.array([0.55, 0.3, 1.0])
     eye = model.center + 3.2 * model.radius * way / np.linalg.norm(way)
@@ -58,7 +58,7 @@ def _draw_levels(model: nf.lod.LodModel, axes: Any) -> None:
 
 
 def _draw_curves(model: nf.lod.LodModel, axis: Any) -> None:
-    """With the score that is enough."""
+    """Draw the score curves with the score that is good enough."""
     model.plot(axis)
     sigma = np.geomspace(*model.sigma, 200)
     axis.plot(sigma, nf.lod.LodThreshold()(sigma, nf.lod.reference_solid_angle(FOV)), "k--", label="threshold f(σ)")
@@ -69,7 +69,7 @@ def _draw_curves(model: nf.lod.LodModel, axis: Any) -> None:
 
 
 def _draw_turn(model: nf.lod.LodModel, axis: Any) -> None:
-    """Triangles of objects at random in a ball, in view of an eye in its middle."""
+    """Draw the triangles of randomly placed objects in the view of an eye in their middle."""
     random = np.random.default_rng(0)
     ways = random.normal(size=(COUNT, 3))
     places = BALL * ways / np.linalg.norm(ways, axis=1, keepdims=True) * random.random((COUNT, 1)) ** (1 / 3)

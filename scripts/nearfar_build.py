@@ -1,6 +1,6 @@
-"""Build backend: maturin, after a check that says in one sentence when cargo is missing or too old.
+"""Build backend: maturin, after a check for cargo whose message is one sentence if it is missing or too old.
 
-Run as a script it only checks. Maturin alone would try to download a toolchain, which nobody asked for.
+Run as a script it only checks. Maturin alone would try to download a Rust toolchain without asking.
 """
 
 from __future__ import annotations
@@ -17,35 +17,35 @@ Settings = dict[str, Any] | None
 
 
 def require_cargo() -> None:
-    """Leave with a sentence unless cargo is there and new enough; Cargo.toml says how new."""
+    """Exit with a message unless cargo is installed and new enough; Cargo.toml states the least version."""
     manifest = (Path(__file__).resolve().parent.parent / "Cargo.toml").read_text(encoding="utf-8")
     stated = re.search(r'^rust-version = "([\d.]+)"', manifest, re.MULTILINE)
     least = stated.group(1) if stated else "1.89"
     remedy = f"install Rust {least} or newer from https://rustup.rs and try again"
     if not shutil.which("cargo"):
         sys.exit(f"nearfar: building from source needs cargo, which is not on the PATH; {remedy}")
-    said = subprocess.run(["cargo", "--version"], capture_output=True, text=True, check=False).stdout
-    found = re.match(r"cargo (\d+)\.(\d+)", said)
-    if not found:
-        sys.exit(f"nearfar: building from source needs cargo, but `cargo --version` says {said.strip()!r}; {remedy}")
-    if (int(found[1]), int(found[2])) < tuple(int(part) for part in least.split(".")[:2]):
-        sys.exit(f"nearfar: building from source needs cargo {least}, but found {found[1]}.{found[2]}; {remedy}")
+    output = subprocess.run(["cargo", "--version"], capture_output=True, text=True, check=False).stdout
+    version = re.match(r"cargo (\d+)\.(\d+)", output)
+    if not version:
+        sys.exit(f"nearfar: building from source needs cargo, but `cargo --version` says {output.strip()!r}; {remedy}")
+    if (int(version[1]), int(version[2])) < tuple(int(part) for part in least.split(".")[:2]):
+        sys.exit(f"nearfar: building from source needs cargo {least}, but found {version[1]}.{version[2]}; {remedy}")
 
 
 def get_requires_for_build_wheel(config_settings: Settings = None) -> list[str]:
-    """Nothing beyond what pyproject.toml names."""
+    """Return no requirements beyond those in pyproject.toml."""
     require_cargo()
     return []
 
 
 def get_requires_for_build_editable(config_settings: Settings = None) -> list[str]:
-    """Nothing beyond what pyproject.toml names."""
+    """Return no requirements beyond those in pyproject.toml."""
     require_cargo()
     return []
 
 
 def get_requires_for_build_sdist(config_settings: Settings = None) -> list[str]:
-    """Nothing beyond what pyproject.toml names."""
+    """Return no requirements beyond those in pyproject.toml."""
     require_cargo()
     return []
 
@@ -83,8 +83,8 @@ def build_sdist(sdist_directory: str, config_settings: Settings = None) -> str:
 
 
 def _maturin() -> Any:
-    # Imported late: the check must speak before maturin is there. Its Python part looks for its program on the PATH,
-    # where an environment that is used without being activated does not have it.
+    # A late import, because the check must run before maturin is installed. Maturin's Python part searches PATH for its
+    # program, which is not there if the environment is not activated.
     import maturin
 
     os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])

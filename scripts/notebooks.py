@@ -1,4 +1,4 @@
-"""Runs the notebooks and keeps them with their pictures: `python scripts/notebooks.py [FOLDER] [NAME ...]`."""
+"""Runs the notebooks and saves them with their outputs: `python scripts/notebooks.py [FOLDER] [NAME ...]`."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ CHECKOUT = Path(__file__).resolve().parent.parent
 
 
 def main() -> None:
-    """Run notebooks/*.ipynb, or those named, in their order; the first that fails ends it with its error."""
+    """Run notebooks/*.ipynb, or those named, in order; the first one that fails stops the run with its error."""
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else "out/notebooks")
     folder.mkdir(parents=True, exist_ok=True)
     every = sorted((CHECKOUT / "notebooks").glob("*.ipynb"))
     for path in [path for path in every if path.stem in sys.argv[2:]] or every:
         started = time.perf_counter()
         notebook = nbformat.read(path, as_version=4)
-        # As an editor does it: a notebook runs in the folder that it lies in.
+        # A notebook runs in its own folder, as in an editor.
         where = {"metadata": {"path": str(path.parent)}}
         NotebookClient(notebook, timeout=600, kernel_name="python3", resources=where).execute()
         nbformat.write(notebook, folder / path.name)

@@ -26,23 +26,23 @@ Box = tuple[float, float, float, float]
 
 
 def main() -> None:
-    """Make those named, or all."""
+    """Make the pictures named, or all."""
     DOCS.mkdir(exist_ok=True)
-    wanted = sys.argv[1:] or ["city", "tokyo", "curve", "lod"]
-    if "city" in wanted or "curve" in wanted:
+    requested = sys.argv[1:] or ["city", "tokyo", "curve", "lod"]
+    if "city" in requested or "curve" in requested:
         city = nf.datasets.city()
         eye, _ = nf.datasets.street_view()
-        if "city" in wanted:
+        if "city" in requested:
             user = (eye[0] - 8.0, eye[1], eye[2])
             compare("city", city, eye, user, (user[0], user[1] + 6.0, user[2] - 40.0), (0.56, 0.22, 0.86, 0.72))
-        if "curve" in wanted:
+        if "curve" in requested:
             save_curve(DOCS, nf.load_curve(city, center=eye), R2)
-    if "tokyo" in wanted:
+    if "tokyo" in requested:
         tokyo = nf.Scene.load(data.require("city/tokyo23/tokyo_core_lod1.glb"))
         center, forward = np.array([115.0, 1.7, 192.15]), np.array([-0.866, 0.15, 0.5])
         aside = center + 8.0 * np.array([0.5, 0.0, 0.866])
         compare("tokyo", tokyo, point(center), point(aside), point(aside + forward), (0.34, 0.1, 0.8, 0.72))
-    if "lod" in wanted:
+    if "lod" in requested:
         draw_lod(DOCS / "lod.png")
 
 
@@ -54,7 +54,7 @@ def compare(
     target: tuple[float, float, float],
     part: Box,
 ) -> None:
-    """Render the three pictures, put them beside one another, and the part of each below."""
+    """Render the three pictures side by side, with an enlarged part of each below."""
     view = nf.Camera.look_at(user, target, fov=nf.Fov.symmetric(90, SIZE[0] / SIZE[1]), size=SIZE)
     reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=2048, samples=2)
     conventional = reduced.with_morph("none")
@@ -72,7 +72,7 @@ def compare(
 
 
 def column(picture: NDArray[np.uint8], text: str, part: Box) -> NDArray[np.uint8]:
-    """A picture made small under its caption, above an enlarged part."""
+    """A picture scaled down under its caption, above an enlarged part."""
     whole, (width, height) = Image.fromarray(picture), SIZE
     small = whole.resize((COLUMN, COLUMN * height // width), Image.Resampling.LANCZOS)
     box = (part[0] * width, part[1] * height, part[2] * width, part[3] * height)

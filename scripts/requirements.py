@@ -1,4 +1,4 @@
-"""Prints the requirements of the package and of the extras named on the command line, one a line.
+"""Prints the requirements of the package and of the extras named on the command line, one per line.
 
 The Makefile installs them apart from the build, so that an edit of a Rust file does not ask the package index.
 """
@@ -11,13 +11,13 @@ from pathlib import Path
 
 
 def main() -> None:
-    """Read pyproject.toml beside this folder."""
+    """Read pyproject.toml in the folder above this one, and print."""
     document = tomllib.loads((Path(__file__).resolve().parent.parent / "pyproject.toml").read_text(encoding="utf-8"))
     project = document["project"]
-    wanted = [*document["build-system"]["requires"], *project["dependencies"]]
+    requirements = [*document["build-system"]["requires"], *project["dependencies"]]
     for extra in sys.argv[1:]:
-        wanted += project["optional-dependencies"][extra]
-    print("\n".join(wanted))
+        requirements += project["optional-dependencies"][extra]
+    print("\n".join(requirements))
 
 
 if __name__ == "__main__":

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# A C++ compiler, which building needs, and system libraries that some tests use. Running nearfar needs none of them.
+# Installs the C++ compiler for building and the system libraries for some tests. Running nearfar needs none of them.
 #   g++                           meshoptimizer, one of the two simplifiers, is C++
-#   libegl1, libgl1, libosmesa6   off-screen OpenGL for pyrender, an independent renderer that pictures are compared with
-#   libvulkan1, mesa-vulkan-drivers   graphics adapters in software, which are tested like those of a graphics card
-# As root on Debian or Ubuntu it installs what is missing; elsewhere it prints the line and goes on.
+#   libegl1, libgl1, libosmesa6   off-screen OpenGL for pyrender, an independent renderer for comparisons
+#   libvulkan1, mesa-vulkan-drivers   software graphics adapters, which are tested like those of a graphics card
+# As root on Debian or Ubuntu it installs missing packages; elsewhere it prints the command and continues.
 set -euo pipefail
 
 packages=(g++ libegl1 libgl1 libosmesa6 libvulkan1 mesa-vulkan-drivers)

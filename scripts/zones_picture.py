@@ -18,7 +18,7 @@ import nearfar as nf
 PATH = Path(__file__).resolve().parent.parent / "docs" / "zones.svg"
 
 R1, R2, EDGE = 30.0, 50.0, 76.0
-"""Radii of the near and the intermediate zone and half the width of the picture, metres."""
+"""Radii that bound the near and the intermediate zone, and half the width of the picture, metres."""
 
 CENTER, USER = np.array([0.0, 0.0, 0.0]), np.array([0.0, 0.0, 14.0])
 """O and U in world metres: x to the right, z towards the bottom of the picture."""
@@ -136,12 +136,12 @@ def draw_weight(axes: Any) -> None:
 
 
 def shown_at(point: Array) -> Array:
-    """Where the morph shows a point to the user."""
+    """Position where the morph shows a point to the user."""
     return np.asarray(nf.morph(point[None], user=USER, center=CENTER, r1=R1, r2=R2)[0])
 
 
 def plan(point: Array) -> Array:
-    """Its x and z."""
+    """Coordinates x and z of a point."""
     return point[[0, 2]]
 
 

@@ -1,1 +1,1 @@
-"""Tests by stage, and in `project` those of the project as a whole; run from the checkout."""
+"""Tests by stage, and in `project` tests of the project as a whole; run from the checkout."""

@@ -9,7 +9,7 @@ from hypothesis import HealthCheck, settings
 
 from tests.support import PARTS, required
 
-# No deadline: the machine's other work would decide it. The thorough profile is for `make stress`.
+# No deadline, because other work on the machine would decide the result. The thorough profile is for `make stress`.
 settings.register_profile("fast", deadline=None, max_examples=50, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("thorough", deadline=None, max_examples=2000, suppress_health_check=list(HealthCheck))
 settings.load_profile(os.environ.get("NEARFAR_HYPOTHESIS", "fast"))
@@ -18,7 +18,7 @@ os.environ.setdefault("NEARFAR_PROGRESS", "0")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Refuse a part that nobody asks for: a misspelt name would skip for ever."""
+    """Refuse unknown names of required parts; a misspelt name would skip tests for ever."""
     unknown = required() - PARTS.keys()
     if unknown:
         raise pytest.UsageError(f"NEARFAR_REQUIRE: expected names from {sorted(PARTS)}, got {sorted(unknown)}")
@@ -26,5 +26,5 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.fixture(autouse=True)
 def _own_cache(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Tests never see or fill the user's cache."""
+    """Give tests a separate cache folder."""
     monkeypatch.setenv("NEARFAR_CACHE", str(tmp_path_factory.getbasetemp() / "cache"))

@@ -1,4 +1,4 @@
-"""Run time against error of bent rays: ours by tolerance, beside NumPy with fixed points found by bisection."""
+"""Run time against error of bent rays by tolerance; the peer finds fixed points by bisection in NumPy."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ COUNT = 20_000
 RADII: dict[str, Any] = {"center": (0.0, 1.7, 0.0), "r1": 30.0, "r2": 50.0}
 USER = (6.0, 1.5, -5.0)
 HALVINGS = 52
-"""Of the interval in which NumPy looks for a point: float64's digits."""
+"""Number of halvings of the interval in which NumPy searches for a point, for float64's digits."""
 
 Array = NDArray[np.float64]
 
 
 def directions(count: int) -> Array:
-    """Directions all around, evenly (a spherical Fibonacci set)."""
+    """Evenly spread directions (a spherical Fibonacci set)."""
     n = np.arange(count) + 0.5
     y, turn = 1.0 - 2.0 * n / count, n * np.pi * (3.0 - np.sqrt(5.0))
     r = np.sqrt(1.0 - y * y)
@@ -36,7 +36,7 @@ def bisected(rays: Array, points: int) -> Array:
     side = v - (rays @ v)[:, None] * rays
     most = np.linalg.norm(side, axis=1)[:, None]
     e = side / most
-    # The curve bends between the horizontal distances r1 and r2; a little more on both sides holds all of it.
+    # The curve bends between the horizontal distances r1 and r2; a margin on both sides covers all of it.
     flat = np.linalg.norm(rays[:, [0, 2]], axis=1)[:, None]
     reach = np.linalg.norm(v)
     steps = np.linspace(RADII["r1"] - reach, RADII["r2"] + reach, points)[None] / flat
@@ -53,23 +53,23 @@ def bisected(rays: Array, points: int) -> Array:
 
 
 def error(lines: Array, rays: Array) -> float:
-    """Greatest angle in radians, seen from U, between a ray and where the morph shows the middles of its chords."""
+    """Greatest angle in radians, seen from U, between a ray and the morphed middles of its chords."""
     rows = slice(0, len(rays), 20)
     chords = 0.5 * (lines[rows, 1:-1] + lines[rows, 2:])
-    known = np.isfinite(chords[..., 0])
-    shown = nf.morph(chords[known], user=USER, **RADII) - np.array(USER)
-    ray = np.broadcast_to(rays[rows, None], chords.shape)[known]
+    defined = np.isfinite(chords[..., 0])
+    shown = nf.morph(chords[defined], user=USER, **RADII) - np.array(USER)
+    ray = np.broadcast_to(rays[rows, None], chords.shape)[defined]
     return float(np.arctan2(np.linalg.norm(np.cross(shown, ray), axis=1), (shown * ray).sum(axis=1)).max())
 
 
 def peer(rays: Array, count: int) -> Array:
-    """Rays of `count` bisected points, the user before them, as `bend_rays` has them."""
+    """Polylines of `count` bisected points, with the user in front, as `bend_rays` returns them."""
     points = bisected(rays, count)
     return np.concatenate([np.broadcast_to(np.array(USER), (len(points), 1, 3)), points], axis=1)
 
 
 def margins() -> str:
-    """Fold margins of users on their way from O, and the time of one."""
+    """Table of fold margins at several distances from O, and the time of one."""
     rows = []
     for away in (0.0, 5.0, 10.0, 15.0, 19.0):
         margin = nf.fold_margin((away, 1.7, 0.0), **RADII)
@@ -79,7 +79,7 @@ def margins() -> str:
 
 def main() -> None:
     rays = directions(COUNT)
-    # Nearly vertical rays bend kilometres away; the peer's equal steps are for the others.
+    # Nearly vertical rays bend kilometres away, where the peer's equal steps are too coarse.
     rays = rays[np.abs(rays[:, 1]) < 0.9]
     of = functools.partial(error, rays=rays)
     cases = []

@@ -1,4 +1,4 @@
-"""Peers that can't live in this environment, as processes that answer: one line in, one line out."""
+"""Peers that cannot be installed in this environment, run as processes: one line in, one line out."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ CHECKOUT = FOLDER.parents[2]
 
 @contextmanager
 def sphere_peers(points: NDArray[np.float64], *names: str) -> Iterator[list[Case]]:
-    """Other exact solvers with the points at hand; those that can't be built here are told of and left out.
+    """Exact solvers with the points loaded; those that cannot be built here are reported and left out.
 
     Their times include a line to the process and one back, some ten microseconds.
     """
@@ -49,7 +49,7 @@ def sphere_peers(points: NDArray[np.float64], *names: str) -> Iterator[list[Case
 
 
 def cyminiball() -> list[str]:
-    """Gärtner's Miniball in C++. It needs NumPy 1, so that it gets an environment of its own, once."""
+    """Gärtner's Miniball in C++. It needs NumPy 1, so it gets a separate environment, which is made once."""
     folder = CHECKOUT / ".venv" / "cyminiball"
     python = folder / "bin" / "python"
     if not (folder / "ready").exists():

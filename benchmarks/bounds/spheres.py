@@ -1,4 +1,4 @@
-"""Run time against error of bounding spheres: exact ones beside trimesh's and the cheaper kinds."""
+"""Run time against error of bounding spheres: all methods, and peers such as trimesh."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 
 def surface(count: int) -> Array:
-    """Points on a knobbly ellipsoid, as meshes have them."""
+    """Points on an uneven ellipsoid, similar to the vertices of meshes."""
     random = np.random.default_rng(0)
     points = random.normal(size=(count, 3))
     points /= np.linalg.norm(points, axis=1, keepdims=True)
@@ -26,11 +26,11 @@ def surface(count: int) -> Array:
 
 
 def spheres(title: str, points: Array, *peers: str, repeat: int = 5) -> str:
-    """Errors are by how much radii exceed the least one, as shares."""
+    """Table of methods and peers; an error is the relative excess of the radius over the least one."""
     least = nf.bounding_sphere(points)[1]
 
-    def error(found: tuple[Array, float]) -> float:
-        return abs(found[1] / least - 1)
+    def error(sphere: tuple[Array, float]) -> float:
+        return abs(sphere[1] / least - 1)
 
     cases = [Case(f"{OURS}, exact", lambda: nf.bounding_sphere(points), error, peer=False)]
     single = points.astype(np.float32)
@@ -47,7 +47,7 @@ def spheres(title: str, points: Array, *peers: str, repeat: int = 5) -> str:
 
 
 def groups() -> str:
-    """Ten thousand objects of a hundred points."""
+    """Table for ten thousand objects of a hundred points each."""
     points = surface(1_000_000)
     offsets = np.arange(0, len(points) + 1, 100)
 

@@ -1,4 +1,4 @@
-"""Run time against error of ranges from depth buffers, and what rounding depth costs from 0.1 m to 10 km."""
+"""Run time against error of ranges from depth buffers, and the error of rounded depth from 0.1 m to 10 km."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ NEAR = 0.1
 
 
 def straightforward(depth: NDArray[Any]) -> NDArray[Any]:
-    """What a user writes, in the type of the buffer."""
+    """The formula as users write it, in the type of the buffer."""
     height, width = depth.shape
     x = np.linspace(FOV.left, FOV.right, 2 * width + 1, dtype=depth.dtype)[1::2]
     y = np.linspace(FOV.up, FOV.down, 2 * height + 1, dtype=depth.dtype)[1::2, None]
@@ -25,7 +25,7 @@ def straightforward(depth: NDArray[Any]) -> NDArray[Any]:
 
 
 def unprojected(depth: Array) -> Array:
-    """What general code does: every pixel through the inverse of the projection matrix."""
+    """General code: every pixel through the inverse of the projection matrix."""
     height, width = depth.shape
     rows = np.zeros((4, 4), np.float32)
     rows[0, 0], rows[0, 2] = 2 / (FOV.right - FOV.left), (FOV.right + FOV.left) / (FOV.right - FOV.left)
@@ -39,7 +39,7 @@ def unprojected(depth: Array) -> Array:
 
 
 def exact(depth: Array) -> NDArray[np.longdouble]:
-    """The same in extended precision, whose error is 2⁻¹¹ of float64's."""
+    """The formula in extended precision, whose error is 2⁻¹¹ of float64's."""
     height, width = depth.shape
     sides = [np.longdouble(v) for v in (FOV.left, FOV.right, FOV.up, FOV.down)]
     x = sides[0] + (sides[1] - sides[0]) * (np.arange(width, dtype=np.longdouble) + 0.5) / width
@@ -52,8 +52,8 @@ def ranges(side: int) -> str:
     depth = (NEAR / z).astype(np.float32)
     true = exact(depth)
 
-    def error(found: Array) -> float:
-        return float(np.abs(found / true - 1).max())
+    def error(result: Array) -> float:
+        return float(np.abs(result / true - 1).max())
 
     cases = [
         Case(OURS, lambda: nf.range_from_depth(depth, FOV, near=NEAR), error, peer=False),
@@ -70,7 +70,7 @@ def ranges(side: int) -> str:
 
 
 def costs() -> str:
-    """Bounds on the error in metres of perfectly rounded depth, near plane at 0.1 m and no far plane."""
+    """Table of bounds of the error in metres of perfectly rounded depth, near plane at 0.1 m and no far plane."""
     distances = [0.1, 1.0, 10.0, 100.0, 1e3, 1e4]
     rows = []
     for title, reverse, kind in (

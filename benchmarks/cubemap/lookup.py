@@ -1,4 +1,4 @@
-"""Run time against error of cube map lookups and conversions beside what people write with NumPy, scipy and OpenCV."""
+"""Run time against error of cube map look-ups and conversions, compared with NumPy, SciPy and OpenCV."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import map_coordinates
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, Work, compare, describe, done, draw
+from benchmarks.harness.compare import OURS, Case, Work, compare, comparisons, describe, draw
 from benchmarks.harness.timing import machine, table
 
 Array = NDArray[Any]
@@ -21,13 +21,13 @@ DIRECTIONS = 1_000_000
 
 
 def smooth(d: Array) -> Array:
-    """What the maps show: errors are differences from it."""
+    """Smooth function that fills the maps and that errors are measured against."""
     d = d / np.linalg.norm(d, axis=-1, keepdims=True)
     return np.asarray(np.sin(3 * d[..., 0] - d[..., 1]) + np.cos(2 * d[..., 2] + d[..., 1]))
 
 
 def addresses(d: Array, size: int) -> tuple[Array, Array, Array]:
-    """Face, column and row of directions as NumPy users write it."""
+    """Face, column and row of directions, as NumPy users write it."""
     lengths = np.abs(d)
     axis = lengths.argmax(1)
     rows = np.arange(len(d))
@@ -59,7 +59,7 @@ def numpy_linear(faces: Array, d: Array) -> Array:
 
 
 def scipy_spline(faces: Array, d: Array, order: int) -> Array:
-    """Faces below each other; what lies within half a texel of an edge is clamped to its face."""
+    """Spline interpolation of stacked faces; positions within half a texel of an edge are clamped to their face."""
     size = faces.shape[1]
     face, x, y = addresses(d, size)
     places = [face * size + np.clip(y, 0, size - 1), np.clip(x, 0, size - 1)]
@@ -72,8 +72,8 @@ def cv2_remap(faces: Array, d: Array, interpolation: int) -> Array:
     rows = (face * size + np.clip(y, 0, size - 1)).astype(np.float32).reshape(1000, -1)
     columns = np.clip(x, 0, size - 1).astype(np.float32).reshape(1000, -1)
     image = faces.reshape(6 * size, size, *faces.shape[3:])
-    found = cv2.remap(image, columns, rows, interpolation, borderMode=cv2.BORDER_REPLICATE)
-    return np.asarray(found).reshape(len(d), *faces.shape[3:])
+    result = cv2.remap(image, columns, rows, interpolation, borderMode=cv2.BORDER_REPLICATE)
+    return np.asarray(result).reshape(len(d), *faces.shape[3:])
 
 
 Lookup = Callable[[Array, Array], Array]
@@ -97,15 +97,15 @@ LOOKUPS: list[tuple[str, Lookup, bool]] = [
 
 
 def lookups(title: str, d: Array, *, channels: int = 1) -> str:
-    """Errors are rms against what fills the map, of all directions."""
+    """Table of look-ups in all directions; errors are root mean squares."""
     faces = smooth(nf.envmap_directions(SIZE)).astype(np.float32)
     truth = smooth(d.astype(np.float64))
     if channels > 1:
         faces = np.repeat(faces[..., None], channels, axis=3)
         truth = np.repeat(truth[:, None], channels, axis=1)
 
-    def error(found: Array) -> float:
-        return float(np.sqrt(np.mean((found - truth) ** 2)))
+    def error(result: Array) -> float:
+        return float(np.sqrt(np.mean((result - truth) ** 2)))
 
     chosen = [entry for entry in LOOKUPS if channels == 1 or "scipy" not in entry[0]]
     cases = [Case(name, lambda job=job: job(faces, d), error, peer=peer) for name, job, peer in chosen]  # type: ignore[misc]
@@ -113,7 +113,7 @@ def lookups(title: str, d: Array, *, channels: int = 1) -> str:
 
 
 def seams() -> str:
-    """Errors inside faces, and within half a texel of an edge or of a corner."""
+    """Table of errors inside faces, and within half a texel of an edge or a corner."""
     rows = []
     for size in (64, SIZE):
         faces = smooth(nf.envmap_directions(size)).astype(np.float32)
@@ -137,7 +137,7 @@ def seams() -> str:
 
 
 def numpy_mips(faces: Array) -> list[Array]:
-    """Plain means of 2 × 2: the mean over the sphere changes."""
+    """Mip levels by plain means of 2 × 2 texels, which change the mean over the sphere."""
     levels = [faces]
     while (size := levels[-1].shape[1]) > 1:
         levels.append(levels[-1].reshape(6, size // 2, 2, size // 2, 2).mean((2, 4)))
@@ -145,7 +145,7 @@ def numpy_mips(faces: Array) -> list[Array]:
 
 
 def mips() -> str:
-    """Errors are how far the last level's mean is from the mean of the map over the sphere."""
+    """Table of mip chains; the error is the difference of the last level's mean from the map's mean over the sphere."""
     faces = smooth(nf.envmap_directions(1024)).astype(np.float32)
     mean = float((faces * nf.cube_solid_angles(1024)).sum() / (4 * np.pi))
 
@@ -171,7 +171,7 @@ def cv2_mips(faces: Array) -> list[Array]:
 
 
 def cones() -> str:
-    """Greatest of all texels within an angle; nothing else does it, so that only the time is told."""
+    """Table of cone look-ups (greatest texel within an angle); there is no peer, so only times are listed."""
     faces = smooth(nf.envmap_directions(SIZE)).astype(np.float32)
     d = np.random.default_rng(0).normal(size=(10_000, 3))
     cases = []
@@ -182,7 +182,7 @@ def cones() -> str:
 
 
 def peer_convert(values: Array, width: int) -> Array:
-    """Cube to equirectangular: directions of all texels, then as any lookup."""
+    """Convert a cube to equirectangular: directions of all texels, then a look-up."""
     latitude = (0.5 - (np.arange(width // 2) + 0.5) / (width // 2)) * np.pi
     longitude = ((np.arange(width) + 0.5) / width - 0.5) * 2 * np.pi
     latitude, longitude = np.meshgrid(latitude, longitude, indexing="ij")
@@ -196,7 +196,7 @@ def peer_convert(values: Array, width: int) -> Array:
 
 
 def peer_back(values: Array, size: int) -> Array:
-    """Equirectangular to cube, with a column more on either side for the seam."""
+    """Convert equirectangular to a cube, with an additional column on each side for the seam."""
     height, width = values.shape
     x, y, z = np.moveaxis(nf.envmap_directions(size), -1, 0)
     columns = (np.arctan2(x, -z) / (2 * np.pi) + 0.5) * width + 0.5
@@ -209,13 +209,13 @@ def peer_back(values: Array, size: int) -> Array:
 
 
 def conversions() -> str:
-    """Errors are the greatest ones: peers break at seams and poles."""
+    """Table of conversions with greatest errors; peers break at seams and poles."""
     cube = smooth(nf.envmap_directions(SIZE)).astype(np.float32)
     shape = (1024, 2048)
     around = smooth(nf.envmap_directions(shape, layout="equirectangular")).astype(np.float32)
 
     def error(truth: Array) -> Callable[[Array], float]:
-        return lambda found: float(np.abs(found - truth).max())
+        return lambda result: float(np.abs(result - truth).max())
 
     def convert(values: Array, source: str, target: str, size: Any, name: str) -> Callable[[], Array]:
         return lambda: nf.convert_envmap(values, source=source, target=target, size=size, filter=name)
@@ -253,7 +253,7 @@ def main() -> None:
     print(cones(), flush=True)
     print(conversions())
     chosen = ("10⁶ random directions in faces of 512², float32", "Cube of 6 × 512² to equirectangular of 2048 × 1024")
-    draw([done[title] for title in chosen], "cube maps")
+    draw([comparisons[title] for title in chosen], "cube maps")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Frames on graphics adapters beside the tracer and pyrender, reduced frames beside full ones, and what a frame moves.
+"""Times and uploads of frames on graphics adapters, full and reduced, compared with the tracer and pyrender.
 
 `python -m benchmarks.gpu.frames`. Without a GPU the adapters are software on the processor (lavapipe, llvmpipe). With
 one, the last table gives the time of a headset's frames on it.
@@ -19,14 +19,14 @@ import numpy as np
 
 import nearfar as nf
 from benchmarks.harness import tokyo
-from benchmarks.harness.compare import FOLDER, Case, compare, describe, done
+from benchmarks.harness.compare import FOLDER, Case, compare, comparisons, describe
 from benchmarks.harness.timing import machine, table
 from benchmarks.harness.views import center_for
 from benchmarks.render.truth import view
 
 SIZE = (1024, 1024)
 EYE = (1832, 1920)
-"""Pixels of a headset's eye."""
+"""Width and height of a headset's eye, pixels."""
 CHANNELS = ("color", "range", "object_id")
 NEAR, FAR = 30.0, 50.0
 
@@ -36,7 +36,7 @@ def adapters() -> list[str]:
 
 
 def on(adapter: str, job: Callable[[], Any]) -> Callable[[], Any]:
-    """The job on an adapter."""
+    """Wrap a job so that it runs on an adapter."""
 
     def selected() -> Any:
         nf.gpu.select(adapter)
@@ -46,7 +46,7 @@ def on(adapter: str, job: Callable[[], Any]) -> Callable[[], Any]:
 
 
 def drawn_by_pyrender(scene: nf.Scene, camera: nf.Camera) -> list[Case]:
-    """Lit, in one colour, and depth alone; the upload is not counted."""
+    """Time pyrender with lighting in one colour, and with depth alone, without the upload."""
     if not importlib.util.find_spec("pyrender"):
         return []
     os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
@@ -78,7 +78,7 @@ def drawn_by_pyrender(scene: nf.Scene, camera: nf.Camera) -> list[Case]:
 
 
 def frames(scene: nf.Scene, camera: nf.Camera) -> str:
-    """Colour, range and ids with read-back, the error of ranges against the tracer's."""
+    """Table of frames with colour, range and ids, including read-back; errors of range compared with the tracer's."""
     exact = nf.render(scene, camera, channels=("range", "face_id"), backend="cpu")
 
     def error(frame: nf.Frame) -> float:
@@ -98,7 +98,7 @@ def frames(scene: nf.Scene, camera: nf.Camera) -> str:
 
 
 def draw(scene: nf.Scene, camera: nf.Camera, title: str) -> None:
-    """Keep a picture: a frame, where its faces differ from the tracer's, and what it took beside others."""
+    """Save a picture: a frame, the pixels whose faces differ from the tracer's, and the times."""
     folder = os.environ.get(FOLDER)
     if not folder:
         return
@@ -118,9 +118,9 @@ def draw(scene: nf.Scene, camera: nf.Camera, title: str) -> None:
     rows, columns = np.nonzero(differ)
     middle.scatter(columns, rows, s=2, color="red")
     middle.set_title(f"{differ.sum()} of {differ.size:,} pixels show another face than the tracer's")
-    results = [result for result in done[title].results if result.name != "pyrender, lit"]
+    results = [result for result in comparisons[title].results if result.name != "pyrender, lit"]
     right.barh([result.name for result in results], [1e3 * result.timing.wall for result in results])
-    lit = [result.timing.wall for result in done[title].results if result.name == "pyrender, lit"]
+    lit = [result.timing.wall for result in comparisons[title].results if result.name == "pyrender, lit"]
     right.set_xlabel("ms a frame" + "".join(f" (pyrender, lit: {1e3 * wall:.0f})" for wall in lit))
     right.invert_yaxis()
     for axes in (left, middle):
@@ -130,24 +130,24 @@ def draw(scene: nf.Scene, camera: nf.Camera, title: str) -> None:
 
 
 def seconds(job: Callable[[], Any], rounds: int = 3) -> float:
-    """The least of some rounds, after one that sends what is missing."""
+    """Least time of some rounds in seconds, after one that uploads data."""
     job()
-    taken = []
+    timings = []
     for _ in range(rounds):
         started = time.perf_counter()
         job()
-        taken.append(time.perf_counter() - started)
-    return min(taken)
+        timings.append(time.perf_counter() - started)
+    return min(timings)
 
 
 def whole_city() -> nf.Scene:
-    """Tokyo, or the procedural city where there is no data."""
+    """Tokyo, or the procedural city if there is no data."""
     arrays = tokyo.with_buildings()
     return nf.datasets.city() if arrays is None else nf.Scene.from_arrays(arrays[0], arrays[1], face_object=arrays[2])
 
 
 def near_and_far(scene: nf.Scene) -> str:
-    """A reduced frame of a scene beside the full one: times and triangles."""
+    """Table of times and triangles of a reduced and a full frame of a scene."""
     center = center_for(scene, FAR)
     camera = nf.Camera.look_at(
         np.add(center, (2.0, 0.2, 1.0)), np.add(center, (0.0, 2.0, -40.0)), fov=nf.Fov.symmetric(90), size=SIZE
@@ -175,7 +175,7 @@ def near_and_far(scene: nf.Scene) -> str:
 
 
 def path(scene: nf.Scene, camera: nf.Camera, count: int = 20) -> str:
-    """Frames one after the other, and with the next one begun before one is read; what a frame makes and sends."""
+    """Table of frames one by one and as a path (the next starts before one is read), with allocations and uploads."""
     x, y, z = camera.position
     cameras = [
         nf.Camera((x + 0.05 * i, y, z), camera.orientation, fov=camera.fov, size=camera.size) for i in range(count)
@@ -188,9 +188,9 @@ def path(scene: nf.Scene, camera: nf.Camera, count: int = 20) -> str:
         before = nf.gpu.stats()
         ahead = seconds(partial(walk, scene, cameras), 2) / count
         after = nf.gpu.stats()
-        made = after["allocations"] - before["allocations"]
+        allocations = after["allocations"] - before["allocations"]
         sent = (after["uploaded_bytes"] - before["uploaded_bytes"]) / (3 * count)
-        rows.append([name, f"{1e3 * alone:.0f}", f"{1e3 * ahead:.0f}", str(made), f"{sent:.0f}"])
+        rows.append([name, f"{1e3 * alone:.0f}", f"{1e3 * ahead:.0f}", str(allocations), f"{sent:.0f}"])
     header = ["adapter", "ms a frame", "ms in a path", f"buffers made in {3 * count} frames", "bytes sent a frame"]
     return table(f"Paths of {scene.triangle_count:,} triangles", header, rows)
 
@@ -201,12 +201,12 @@ def one_by_one(scene: nf.Scene, cameras: list[nf.Camera]) -> None:
 
 
 def walk(source: nf.Scene | nf.ReducedScene, cameras: list[nf.Camera]) -> int:
-    """Draw and read colour along a path; returns how many frames there were."""
+    """Draw and read colour along a path; returns the number of frames."""
     return sum(1 for _ in nf.render_path(source, cameras, channels=("color",), backend="gpu"))
 
 
 def headset(scene: nf.Scene) -> str:
-    """Both eyes of a headset, full and reduced, and a map of 6 x 2048 x 2048, where there is a GPU."""
+    """Table for both eyes of a headset, full and reduced, and a map of 6 x 2048 x 2048, if there is a GPU."""
     hardware = [adapter for adapter in nf.gpu.adapters() if adapter.usable and adapter.kind != "software"]
     if not hardware:
         return "No GPU: a headset's frames are not timed on the processor.\n"
@@ -224,8 +224,8 @@ def headset(scene: nf.Scene) -> str:
     rows = []
     for name, source in (("full", scene), ("reduced", reduced)):
         both = seconds(partial(walk, source, 10 * eyes)) / 10
-        kept = nf.gpu.render(source, eyes[0], channels=("color",))
-        read = 2 * seconds(kept.read)
+        frame = nf.gpu.render(source, eyes[0], channels=("color",))
+        read = 2 * seconds(frame.read)
         rows.append([name, f"{1e3 * both:.1f}", f"{1 / both:.0f}", f"{1e3 * (both - read):.1f}", f"{1e3 * read:.1f}"])
     bake = seconds(lambda: nf.reduce(scene, center=center, r1=NEAR, r2=FAR, face_size=2048, backend="gpu"))
     text = table(

@@ -1,4 +1,4 @@
-"""Run time against error of the kernels on graphics devices: frames that stay there, long arrays, beside the CPU's."""
+"""Run time against error of the kernels on graphics devices (frames and long arrays), compared with the CPU."""
 
 from __future__ import annotations
 
@@ -18,27 +18,27 @@ SIZE = (1920, 1080)
 PLACE: dict[str, Any] = {"user": (3.0, 1.0, 2.0), "center": (0.0, 1.7, 0.0), "r1": 30.0, "r2": 50.0}
 
 
-def greatest(found: NDArray[Any], expected: NDArray[Any]) -> float:
-    """Difference of what is known."""
-    apart = np.abs(found.astype(np.float64) - expected)
-    return float(np.nanmax(np.where(found == expected, 0.0, apart)))
+def greatest(result: NDArray[Any], expected: NDArray[Any]) -> float:
+    """Greatest difference of values that are defined in both arrays."""
+    apart = np.abs(result.astype(np.float64) - expected)
+    return float(np.nanmax(np.where(result == expected, 0.0, apart)))
 
 
 FEW = slice(100_000)
 
 
-def of_first(found: NDArray[Any], expected: NDArray[Any]) -> float:
-    """Difference of the first rows."""
-    return greatest(found[FEW], expected)
+def of_first(result: NDArray[Any], expected: NDArray[Any]) -> float:
+    """Greatest difference of the first rows."""
+    return greatest(result[FEW], expected)
 
 
-def share(found: NDArray[Any], expected: NDArray[Any]) -> float:
-    """How many of the first rows differ."""
-    return float((found[FEW] != expected).mean())
+def share(result: NDArray[Any], expected: NDArray[Any]) -> float:
+    """Share of the first rows that differ."""
+    return float((result[FEW] != expected).mean())
 
 
 def frames(label: str) -> None:
-    """Similarity and discontinuity of two pictures of a city that are drawn on the device."""
+    """Compare similarity and discontinuity of two pictures of a city that are drawn on the device."""
     scene = nf.datasets.city(blocks=4, seed=0)
     fov = nf.Fov.symmetric(90, SIZE[0] / SIZE[1])
     views = [nf.Camera.look_at((x, 12, 0), (60, 5, 20), fov=fov, size=SIZE) for x in (0.0, 0.5)]
@@ -46,15 +46,15 @@ def frames(label: str) -> None:
     read = one.read(), other.read()
     mean, similarities = nf.ssim(*read, full=True)
     cases = [
-        Case(f"{OURS}, on the device", lambda: gpu.ssim(one, other), lambda found: abs(found - mean), peer=False),
+        Case(f"{OURS}, on the device", lambda: gpu.ssim(one, other), lambda result: abs(result - mean), peer=False),
         Case(
             f"{OURS}, on the device, with map",
             lambda: gpu.ssim(one, other, full=True),
-            lambda found: greatest(found[1], similarities),
+            lambda result: greatest(result[1], similarities),
             peer=False,
         ),
-        Case("read back, then CPU", lambda: nf.ssim(one.read(), other.read()), lambda found: abs(found - mean)),
-        Case("CPU alone", lambda: nf.ssim(*read), lambda found: abs(found - mean)),
+        Case("read back, then CPU", lambda: nf.ssim(one.read(), other.read()), lambda result: abs(result - mean)),
+        Case("CPU alone", lambda: nf.ssim(*read), lambda result: abs(result - mean)),
         Case("reading both back alone", lambda: (one.read(), other.read())),
     ]
     print(compare(f"SSIM of two frames of {SIZE[0]} × {SIZE[1]} pixels, {label}", cases))
@@ -70,7 +70,7 @@ def frames(label: str) -> None:
 
 
 def arrays(label: str) -> None:
-    """Morph and lookup of 10⁷ rows, sent and read back."""
+    """Compare morph and look-up of 10⁷ rows, including upload and read-back."""
     random = np.random.default_rng(0)
     points = (random.random((10_000_000, 3), np.float32) - np.float32(0.5)) * np.float32(150)
     for kind in ("blend", "cylinder"):

@@ -1,4 +1,4 @@
-"""Run time against error: kernels and their peers in one run, beside the limits of the machine, as table and plot."""
+"""Compares kernels with peers by run time and error in one run, with the machine's limits, as table and plot."""
 
 from __future__ import annotations
 
@@ -18,37 +18,37 @@ import numpy as np
 from benchmarks.harness.timing import Timing, table
 
 FOLDER = "NEARFAR_BENCH_OUT"
-"""Where plots are kept; none are made without it. `scripts/bench.py` sets it."""
+"""Environment variable that names the folder for plots; without it none are made. `scripts/bench.py` sets it."""
 
 OURS = "nearfar"
 
 
 @dataclass(frozen=True)
 class Work:
-    """What a kernel cannot do without."""
+    """Least work of a kernel."""
 
     multiply_adds: float = 0.0
-    """Of float32, or of float64 where `double`."""
+    """Number of multiply-adds, in float32, or in float64 if `double`."""
     bytes: float = 0.0
-    """Read and written, each once."""
+    """Number of bytes that must be read and written."""
     double: bool = False
 
 
 @dataclass(frozen=True)
 class Case:
-    """One way to do a job."""
+    """One implementation of a job."""
 
     name: str
     job: Callable[[], Any]
     error: Callable[[Any], float] | None = None
-    """How far its result is from the truth."""
+    """Function that computes the error of its result."""
     peer: bool = True
-    """Ours where False."""
+    """False for nearfar's implementation."""
 
 
 @dataclass(frozen=True)
 class Result:
-    """What a case took."""
+    """Time and error of a case."""
 
     name: str
     timing: Timing
@@ -58,21 +58,22 @@ class Result:
 
 @dataclass(frozen=True)
 class Limits:
-    """What this machine reaches with all of its cores, measured."""
+    """Measured limits of this machine with all of its cores."""
 
     multiply_adds: dict[bool, float] = field(default_factory=dict)
-    """A second, of float32 (False) and float64 (True), by NumPy's matrix product, which is nearly at the limit."""
+    """Multiply-adds per second of float32 (False) and float64 (True), by NumPy's matrix product, which nears the
+    limit."""
     read: float = 0.0
-    """Bytes a second from memory."""
+    """Bytes per second read from memory."""
 
     def seconds(self, work: Work) -> float:
-        """The least time that some work takes."""
+        """Least time in seconds for some work."""
         return max(work.multiply_adds / self.multiply_adds[work.double], work.bytes / self.read)
 
 
 @functools.cache
 def limits() -> Limits:
-    """Measure once."""
+    """Measure the machine's limits once."""
     rates = {}
     for double in (False, True):
         side = 1536
@@ -98,20 +99,20 @@ def _seconds(job: Callable[[], object]) -> float:
 
 
 def compare(title: str, cases: Sequence[Case], *, work: Work | None = None, repeat: int = 7, unit: str = "") -> str:
-    """Time cases in turns, because machines are noisy; returns a table, and keeps a plot of time against error.
+    """Time cases alternately, because machines are noisy; returns a table, and saves a plot of time against error.
 
     Parameters
     ----------
     title
-        Of the table and of the plot.
+        Title of the table and of the plot.
     cases
-        The first one is ours: ratios are to it.
+        The cases; the first one is nearfar's, and ratios are relative to it.
     work
-        What the job cannot do without; the table says how far each case is from that.
+        Least work of the job; the table lists each case's time relative to the machine's limit for it.
     repeat
-        Turns; the least time counts. Cases of seconds are run fewer times.
+        Number of rounds, of which the least time counts. Cases that take seconds run fewer times.
     unit
-        Of errors.
+        Unit of errors.
     """
     outcomes, timings = [], []
     for case in cases:
@@ -121,13 +122,13 @@ def compare(title: str, cases: Sequence[Case], *, work: Work | None = None, repe
     errors = [case.error(outcome) if case.error else None for case, outcome in zip(cases, outcomes, strict=True)]
     for turn in range(repeat):
         for n, case in enumerate(cases):
-            # Peers of seconds would be most of the run.
+            # Cases that take seconds would dominate the run.
             if turn and timings[n].wall > 1.0 and turn > 1:
                 continue
             if timings[n].wall < 0.5:
-                # What ran before left other threads awake and other data in the caches.
+                # The job that ran before has woken other threads and filled the caches.
                 case.job()
-            # Fast ones more often: a machine that others use is quiet for a moment only.
+            # Fast cases run more often, because a shared machine is quiet only for moments.
             for _ in range(1 if timings[n].wall > 0.05 else 5):
                 cpu = time.process_time()
                 wall = _seconds(case.job)
@@ -153,27 +154,27 @@ def compare(title: str, cases: Sequence[Case], *, work: Work | None = None, repe
     text = table(title, [*header, f"error{', ' + unit if unit else ''}"], rows)
     shown = Comparison(title, results, least, unit)
     picture = draw([shown], title)
-    done[title] = shown
+    comparisons[title] = shown
     return text if picture is None else f"{text}\n![{title}]({picture})\n"
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """What `compare` found."""
+    """Result of `compare`."""
 
     title: str
     results: Sequence[Result]
     least: float | None
-    """Seconds that the work takes on this machine."""
+    """Least time in seconds that the work takes on this machine."""
     unit: str
 
 
-done: dict[str, Comparison] = {}
-"""By title, so that several can be drawn together."""
+comparisons: dict[str, Comparison] = {}
+"""Results by title, so that several can be drawn together."""
 
 
 def describe() -> str:
-    """One line with the machine's limits."""
+    """Describe the machine's limits in one line."""
     here = limits()
     return (
         f"limits of this machine, measured: {here.multiply_adds[False] / 1e9:.0f} · 10⁹ multiply-adds a second in "
@@ -182,7 +183,7 @@ def describe() -> str:
 
 
 def draw(comparisons: Sequence[Comparison], title: str) -> str | None:
-    """Keep time against error as a picture, and return its name; None where nobody asked for it or nothing errs."""
+    """Save a plot of time against error and return its name; None if no folder is set or no case has an error."""
     folder = os.environ.get(FOLDER)
     if not folder or not all(any(result.error for result in shown.results) for shown in comparisons):
         return None
@@ -195,7 +196,7 @@ def draw(comparisons: Sequence[Comparison], title: str) -> str | None:
     figure, grid = plt.subplots(1, len(comparisons), figsize=size, squeeze=False, layout="constrained")
     for axes, shown in zip(grid[0], comparisons, strict=True):
         _panel(axes, shown)
-    # Exponents become digits, so that 10⁴ and 10⁶ are told apart.
+    # Superscripts become digits, so that names of 10⁴ and 10⁶ differ.
     plain = unicodedata.normalize("NFKC", title)
     name = re.sub(r"[^a-z0-9]+", "-", plain.lower()).strip("-") + ".png"
     figure.savefig(Path(folder) / name, dpi=100)
@@ -204,16 +205,16 @@ def draw(comparisons: Sequence[Comparison], title: str) -> str | None:
 
 
 def _panel(axes: Any, shown: Comparison) -> None:
-    """Draw cases by time and error, ours in red, with the front of those that none betters and the machine's limit."""
-    known = [(result, result.error) for result in shown.results if result.error is not None]
-    # Errors of nothing have no place on a logarithmic axis: they are put below all others.
-    floor = min(error for _, error in known if error) / 10
-    points = [(result.timing.wall * 1e3, max(error, floor)) for result, error in known]
+    """Draw cases by time and error, nearfar's in red, with the Pareto front and the machine's limit."""
+    measured = [(result, result.error) for result in shown.results if result.error is not None]
+    # Zero errors have no place on a logarithmic axis and are drawn below all others.
+    floor = min(error for _, error in measured if error) / 10
+    points = [(result.timing.wall * 1e3, max(error, floor)) for result, error in measured]
     placed: list[tuple[float, float]] = []
-    for (x, y), (result, error) in zip(points, known, strict=True):
+    for (x, y), (result, error) in zip(points, measured, strict=True):
         axes.scatter(x, y, s=60, color="#888888" if result.peer else "#c8102e", zorder=3)
         label = result.name if error else f"{result.name} (0)"
-        # Labels of points that lie close together are stacked.
+        # Labels of close points are stacked.
         at = (np.log10(x), np.log10(y))
         above = sum(abs(at[0] - other[0]) < 0.8 and abs(at[1] - other[1]) < 0.6 for other in placed)
         placed.append(at)
@@ -230,7 +231,7 @@ def _panel(axes: Any, shown: Comparison) -> None:
 
 
 def _better(one: tuple[float, float], other: tuple[float, float]) -> bool:
-    """No worse in both and better in one."""
+    """Whether `one` is at least as good in both values and better in one."""
     return one != other and one[0] <= other[0] and one[1] <= other[1]
 
 

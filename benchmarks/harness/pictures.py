@@ -1,4 +1,4 @@
-"""Pictures and plots of what the benchmarks measure."""
+"""Draws the plots and picture rows of the benchmarks."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ import numpy as np
 import nearfar as nf
 
 Points = Sequence[tuple[float, float, float]]
-"""Where, PSNR and SSIM."""
+"""Position on the axis, PSNR in decibels and SSIM."""
 
 
 def draw_torn(truth: nf.Frame, frames: Mapping[str, nf.Frame], title: str, path: Path) -> None:
-    """Draw the truth and each method's picture, and below these their discontinuity on one scale."""
+    """Draw the truth and each method's picture, and below them their discontinuity on one scale."""
     plt = _pyplot()
     figure, axes = plt.subplots(2, 1 + len(frames), figsize=(4.4 * (1 + len(frames)), 5.4), layout="constrained")
     axes[0, 0].imshow(truth.to_image())
@@ -37,7 +37,7 @@ def draw_torn(truth: nf.Frame, frames: Mapping[str, nf.Frame], title: str, path:
 
 
 def draw_errors(by_size: Points, by_distance: Points, title: str, path: Path) -> None:
-    """Draw the error of maps by size and that of parallax by distance side by side, on one scale."""
+    """Draw the error of maps by size and the error of parallax by distance side by side, on one scale."""
     plt = _pyplot()
     figure, axes = plt.subplots(1, 2, figsize=(8.0, 3.6), sharey=True, layout="constrained")
     for axis, points, label in (
@@ -68,7 +68,7 @@ def _pyplot() -> Any:
 
 
 def draw_lens(lens: nf.RadialLens, frame: nf.Frame, path: Path) -> None:
-    """Draw by how much inverses miss, how much smaller things look, and a picture put right with its mesh."""
+    """Draw errors of inverses, sizes seen through the lens, and a picture corrected with its mesh."""
     plt = _pyplot()
     figure, axes = plt.subplots(1, 3, figsize=(15, 4.6), layout="constrained", width_ratios=(1.2, 1, 1))
     _draw_inverses(lens, axes[0])
@@ -85,7 +85,7 @@ def draw_lens(lens: nf.RadialLens, frame: nf.Frame, path: Path) -> None:
 
 
 def _draw_inverses(lens: nf.RadialLens, axis: Any) -> None:
-    """What is left between a radius and the image of its root."""
+    """Draw the residual between a radius and the image of its root."""
     r = np.linspace(0.01, 1.6, 800)
     shown = lens.distort(r)
     for label, method, steps, color in (
@@ -94,8 +94,8 @@ def _draw_inverses(lens: nf.RadialLens, axis: Any) -> None:
         ("look-up table", "lut", 0, "#e08a1e"),
         ("Newton (0)", "newton", 0, "#c8102e"),
     ):
-        left = np.abs(lens.distort(lens.undistort(shown, method=method, iterations=steps)) - shown)
-        axis.semilogy(r, np.maximum(left, 1e-17), label=label, color=color)
+        residual = np.abs(lens.distort(lens.undistort(shown, method=method, iterations=steps)) - shown)
+        axis.semilogy(r, np.maximum(residual, 1e-17), label=label, color=color)
     axis.axvline(1.0, linestyle=":", color="black")
     axis.set(xlabel="r (the screen's edge is 1)", ylabel="residual |f(r̂) − f(r)|", title="inverses of a strong lens")
     axis.set_ylim(5e-18, 1e6)
@@ -104,17 +104,17 @@ def _draw_inverses(lens: nf.RadialLens, axis: Any) -> None:
 
 
 def _draw_sizes(lens: nf.RadialLens, axis: Any) -> None:
-    """Sizes seen through the lens, of what is small."""
+    """Draw sizes of small spheres seen through the lens."""
     camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(87), size=(1000, 1000))
     angles = np.radians(np.linspace(0, 50, 200))
     centers = np.column_stack([np.sin(angles), np.zeros_like(angles), -np.cos(angles)]) * 10
-    own = nf.solid_angle(centers, 0.05, eye=camera.position)
+    plain = nf.solid_angle(centers, 0.05, eye=camera.position)
     for exact, label, color in (
         (False, "as published: along the radius only", "#555555"),
         (True, "its area", "#c8102e"),
     ):
-        seen = nf.corrected_solid_angle(centers, 0.05, camera=camera, lens=lens, exact=exact)
-        axis.plot(np.degrees(angles), seen / own, label=label, color=color)
+        corrected = nf.corrected_solid_angle(centers, 0.05, camera=camera, lens=lens, exact=exact)
+        axis.plot(np.degrees(angles), corrected / plain, label=label, color=color)
     axis.set(xlabel="degrees from the axis", ylabel="solid angle seen / solid angle", title="sizes through the lens")
     axis.legend(fontsize=8)
     axis.grid(alpha=0.3)

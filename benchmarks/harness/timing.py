@@ -14,9 +14,9 @@ class Timing:
     """Best of several runs."""
 
     wall: float
-    """Seconds on the clock."""
+    """Wall-clock seconds."""
     cpu: float
-    """Seconds of all threads of this process."""
+    """CPU seconds of all threads of this process."""
 
 
 def best(job: Callable[[], object], *, repeat: int = 5) -> Timing:
@@ -32,13 +32,13 @@ def best(job: Callable[[], object], *, repeat: int = 5) -> Timing:
 
 
 def machine() -> str:
-    """One line that says what the figures were measured on."""
+    """Describe the machine in one line."""
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
     return f"{platform.machine()}, {cores} cores, {platform.system()}, Python {platform.python_version()}"
 
 
 def table(title: str, header: list[str], rows: list[list[str]]) -> str:
-    """A Markdown table under a title."""
+    """Format a Markdown table under a title."""
     lines = [f"### {title}", "", "| " + " | ".join(header) + " |", "|" + " --- |" * len(header)]
     lines += ["| " + " | ".join(row) + " |" for row in rows]
     return "\n".join([*lines, ""])

@@ -1,4 +1,4 @@
-"""The whole of Tokyo as arrays, made once by the tool beside the data and kept in nearfar's cache."""
+"""Loads the whole of Tokyo as arrays, which a tool beside the data makes once; they are kept in nearfar's cache."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from nearfar._base import cache, data
 
 
 def whole() -> tuple[NDArray[np.float32], NDArray[np.uint32]] | None:
-    """Vertices and faces of 29.8 million triangles, or None without the tool. The first time takes a minute."""
+    """Load vertices and faces of 29.8 million triangles, or None without the tool. The first call takes a minute."""
     stored = _stored()
     return None if stored is None else (stored["vertices"], stored["faces"])
 
 
 def with_buildings() -> tuple[NDArray[np.float32], NDArray[np.uint32], NDArray[np.int32]] | None:
-    """The same, and the building of each face."""
+    """Load the same arrays and the building of each face."""
     stored = _stored()
     return None if stored is None else (stored["vertices"], stored["faces"], stored["building"])
 

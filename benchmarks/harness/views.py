@@ -1,4 +1,4 @@
-"""Where the figures of the near-far methods are taken: centres with something at r₂, and users around them."""
+"""Chooses views for measuring the near–far methods: centres with surfaces at r₂, and users around them."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from numpy.typing import NDArray
 import nearfar as nf
 
 GOLDEN = 0.381966
-"""Of a turn: directions that never repeat."""
+"""Golden angle as a share of a turn; its multiples give directions that never repeat."""
 
 Point = tuple[float, float, float]
 
 _RING = 90
 _NEAREST, _FARTHEST = 5.0, 8.0
-"""Metres from the centre between which users stand."""
+"""Least and greatest distance of users from the centre, metres."""
 
 
 def center_for(scene: nf.Scene, radius: float, *, grid: int = 38, reach: float = 600.0) -> Point:
-    """The place on the ground, with free space for all users, from where most directions meet something about `radius`.
+    """Find the place on the ground, free for all users, where most directions hit a surface near `radius`.
 
-    What ends nowhere near the radius says nothing about how a near part ends.
+    Without surfaces near the radius, a view does not show the boundary of the near part.
     """
     low, high = scene.bounds
     axis = np.linspace(-1.0, 1.0, grid)
@@ -32,35 +32,35 @@ def center_for(scene: nf.Scene, radius: float, *, grid: int = 38, reach: float =
     down = nf.cast_rays(scene, above, np.tile([0.0, -1.0, 0.0], (len(x), 1))).t_hit
     ground = np.where(np.isfinite(down), high[1] + 1.0 - down, low[1])
     eyes = np.column_stack([x, ground + 1.7, z])[ground <= np.percentile(ground, 10.0) + 2.0]
-    seen = _around(scene, eyes)
-    ends = ((seen > 0.9 * radius) & (seen < 1.1 * radius)).sum(axis=1)
-    best = eyes[np.argmax(ends * (seen.min(axis=1) >= _FARTHEST + 1.0))]
+    distances = _around(scene, eyes)
+    ends = ((distances > 0.9 * radius) & (distances < 1.1 * radius)).sum(axis=1)
+    best = eyes[np.argmax(ends * (distances.min(axis=1) >= _FARTHEST + 1.0))]
     return float(best[0]), float(best[1]), float(best[2])
 
 
 def views(
     reduced: nf.ReducedScene, size: tuple[int, int], count: int, *, least_boundary: int = 100
 ) -> Iterator[nf.Camera]:
-    """Users 5 to 8 m from the centre all around it who look across the way they went and see where the near part ends.
+    """Choose users 5 to 8 m from the centre all around it, who look at right angles to the way from it.
 
     At most a hundred places are tried, so that there may be fewer than `count`.
     """
-    center, found = np.array(reduced.center), 0
+    center, count_so_far = np.array(reduced.center), 0
     for k in range(100):
         turn = 2.0 * np.pi * GOLDEN * k
         away = np.array([np.cos(turn), 0.0, np.sin(turn)])
         across = np.array([-np.sin(turn), -0.02, np.cos(turn)]) * (1 if k % 2 else -1)
-        user = center + away * (_NEAREST + (_FARTHEST - _NEAREST) * found / (count - 1))
+        user = center + away * (_NEAREST + (_FARTHEST - _NEAREST) * count_so_far / (count - 1))
         camera = nf.Camera.look_at(user, user + across, fov=nf.Fov.symmetric(90, size[0] / size[1]), size=size)
         if _is_free(reduced.scene, center, user, away, across) and boundary_length(reduced, camera) >= least_boundary:
-            found += 1
+            count_so_far += 1
             yield camera
-        if found == count:
+        if count_so_far == count:
             return
 
 
 def boundary_length(reduced: nf.ReducedScene, camera: nf.Camera) -> int:
-    """Pixels along which the near part of the continuous picture ends."""
+    """Number of pixels along the end of the near part in the continuous picture."""
     frame = reduced.render(camera, channels=("position",))
     return int(nf.boundary(frame, center=reduced.center, radius=reduced.r2).sum())
 
@@ -72,7 +72,7 @@ def _is_free(
     away: NDArray[np.float64],
     across: NDArray[np.float64],
 ) -> bool:
-    """Whether nothing is within 2 m of the user, nor between the centre and there."""
+    """Whether nothing lies within 2 m of the user, nor between the centre and the user."""
     around = np.stack([away, -away, across, -across])
     room = float(nf.cast_rays(scene, np.tile(user, (4, 1)), around).t_hit.min())
     way = float(nf.cast_rays(scene, center[None], away[None]).t_hit[0])
@@ -80,9 +80,9 @@ def _is_free(
 
 
 def _around(scene: nf.Scene, eyes: NDArray[np.float64]) -> NDArray[np.float32]:
-    """How far each eye sees in directions all around."""
+    """Distances in metres that each eye sees in directions all around."""
     angle = np.arange(_RING) * (2.0 * np.pi / _RING)
     ring = np.column_stack([np.cos(angle), np.zeros(_RING), np.sin(angle)])
     hits = nf.cast_rays(scene, np.repeat(eyes, _RING, axis=0), np.tile(ring, (len(eyes), 1)))
-    seen: NDArray[np.float32] = hits.t_hit.reshape(-1, _RING)
-    return seen
+    distances: NDArray[np.float32] = hits.t_hit.reshape(-1, _RING)
+    return distances

@@ -1,4 +1,4 @@
-"""Run time against error of lenses: inverses, warped pictures and sizes seen through them, beside their peers."""
+"""Run time against error of lenses: inverses, warped pictures and sizes seen through them, compared with peers."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from benchmarks.harness.timing import machine
 Array = NDArray[np.float64]
 
 RIFT_S = nf.RadialLens((0.22, 0.24))
-"""Liebisch (2021)."""
+"""Lens of the Rift S, from Liebisch (2021)."""
 
 COUNT = 1_000_000
 
 
 def inverse(title: str, end: float) -> str:
-    """Radii spread evenly up to `end`; errors are how far they come back beside themselves."""
+    """Table for radii spread evenly up to `end`; the error is the difference after the way back."""
     radii = np.random.default_rng(0).random(COUNT) * end
     shown = RIFT_S.distort(radii)
     points = np.zeros((COUNT, 1, 2))
@@ -32,12 +32,12 @@ def inverse(title: str, end: float) -> str:
     k1, k2 = RIFT_S.k
     coefficients = np.array([k1, k2, 0.0, 0.0])
 
-    def error(found: Array) -> float:
-        return float(np.abs(found - radii).max())
+    def error(result: Array) -> float:
+        return float(np.abs(result - radii).max())
 
     def opencv() -> Array:
-        found = cv2.undistortPoints(points, np.eye(3), coefficients)
-        return np.asarray(found, np.float64)[:, 0, 0]
+        result = cv2.undistortPoints(points, np.eye(3), coefficients)
+        return np.asarray(result, np.float64)[:, 0, 0]
 
     def newton() -> Array:
         square = shown * shown
@@ -63,7 +63,7 @@ def inverse(title: str, end: float) -> str:
 
 
 def warps() -> str:
-    """A colour picture of an eye, warped for the lens; errors are levels beside cubics in float64."""
+    """Table for a colour picture of an eye, warped for the lens; errors in 8-bit codes against cubics in float64."""
     width, height = 1832, 1920
     x, y = np.meshgrid(np.linspace(0, 40, width), np.linspace(0, 42, height))
     waves = [np.sin(x + 0.3 * y), np.cos(y - 0.2 * x), np.sin(0.7 * x * y / 40)]
@@ -74,10 +74,10 @@ def warps() -> str:
     places[..., 1] -= height / width - 1
     best = RIFT_S.warp(exact, True, fov=fov, filter="cubic")
 
-    def error(found: NDArray[np.uint8]) -> float:
-        # Where the picture ends, filters do as they like.
+    def error(result: NDArray[np.uint8]) -> float:
+        # Filters treat the picture's edge differently.
         inside = np.hypot(places[..., 0], places[..., 1]) < 0.7
-        return float(np.sqrt(np.mean((found[inside].astype(np.float64) - best[inside]) ** 2)))
+        return float(np.sqrt(np.mean((result[inside].astype(np.float64) - best[inside]) ** 2)))
 
     def maps() -> list[NDArray[np.float32]]:
         scale = RIFT_S.distort(np.hypot(places[..., 0], places[..., 1])) / np.hypot(places[..., 0], places[..., 1])
@@ -99,7 +99,7 @@ def warps() -> str:
 
 
 def sizes() -> str:
-    """Spheres before a headset; errors are shares of the published size by NumPy."""
+    """Table for spheres in front of a headset; errors are relative to the published size computed by NumPy."""
     random = np.random.default_rng(0)
     centers = random.normal(size=(COUNT // 10, 3)) * 20 - (0, 0, 40)
     radii = random.random(len(centers)) + 0.1
@@ -111,14 +111,14 @@ def sizes() -> str:
         distance = np.linalg.norm(centers, axis=1)
         mu = np.arcsin(radii / distance)
         alpha = np.arccos(-centers[:, 2] / distance)
-        own = 4 * np.pi * np.sin(mu / 2) ** 2
+        sigma = 4 * np.pi * np.sin(mu / 2) ** 2
         shown = [np.arctan(scale * RIFT_S.undistort(np.tan(angle) / scale)) for angle in (alpha + mu, alpha - mu)]
-        return np.asarray(np.where(alpha + mu < np.pi / 2, own * (shown[0] - shown[1]) / (2 * mu), own))
+        return np.asarray(np.where(alpha + mu < np.pi / 2, sigma * (shown[0] - shown[1]) / (2 * mu), sigma))
 
     expected = numpy()
 
-    def error(found: Array) -> float:
-        return float(np.abs(found / expected - 1)[ahead].max())
+    def error(result: Array) -> float:
+        return float(np.abs(result / expected - 1)[ahead].max())
 
     ours = functools.partial(nf.corrected_solid_angle, centers, radii, camera=view, lens=RIFT_S)
     cases = [

@@ -1,4 +1,4 @@
-"""Run time against error of the image metrics: structural similarity beside scikit-image and OpenCV, errors, breaks."""
+"""Run time against error of structural similarity (peers: scikit-image, OpenCV), pixel errors and discontinuity."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from skimage.metrics import peak_signal_noise_ratio, structural_similarity
 
 import nearfar as nf
-from benchmarks.harness.compare import OURS, Case, Work, compare, describe, done, draw
+from benchmarks.harness.compare import OURS, Case, Work, compare, comparisons, describe, draw
 from benchmarks.harness.timing import machine
 
 Image = NDArray[Any]
@@ -22,14 +22,14 @@ LEVEL = "Map of SSIM, gaussian, float32 at a level of 10⁴"
 
 
 def pictures(height: int, width: int, dtype: Any = np.float32) -> tuple[Image, Image, float]:
-    """Clouds and the same with noise, and their range."""
+    """Clouds, the same clouds with noise, and their range of values."""
     random = np.random.default_rng(0)
     extent = 255.0 if dtype == np.uint8 else 1.0
     clouds = cv2.GaussianBlur(random.normal(size=(height, width)), (0, 0), 3.0)
     clouds = (clouds - clouds.min()) / np.ptp(clouds)
     noisy = np.clip(clouds + 0.05 * random.normal(size=clouds.shape), 0.0, 1.0)
-    kept = [(extent * picture).round() if dtype == np.uint8 else picture for picture in (clouds, noisy)]
-    return kept[0].astype(dtype), kept[1].astype(dtype), extent
+    scaled = [(extent * picture).round() if dtype == np.uint8 else picture for picture in (clouds, noisy)]
+    return scaled[0].astype(dtype), scaled[1].astype(dtype), extent
 
 
 def five_blurs(a: Image, b: Image, extent: float, blur: Blur, border: int) -> tuple[float, Image]:
@@ -38,8 +38,8 @@ def five_blurs(a: Image, b: Image, extent: float, blur: Blur, border: int) -> tu
     c1, c2 = (0.01 * extent) ** 2, (0.03 * extent) ** 2
     ma, mb = blur(a), blur(b)
     va, vb, cov = blur(a * a) - ma * ma, blur(b * b) - mb * mb, blur(a * b) - ma * mb
-    found = (2 * ma * mb + c1) * (2 * cov + c2) / ((ma * ma + mb * mb + c1) * (va + vb + c2))
-    return float(found[border:-border, border:-border].mean()), found
+    result = (2 * ma * mb + c1) * (2 * cov + c2) / ((ma * ma + mb * mb + c1) * (va + vb + c2))
+    return float(result[border:-border, border:-border].mean()), result
 
 
 def gaussian(image: Image) -> Image:
@@ -51,24 +51,24 @@ def box(image: Image) -> Image:
 
 
 def similarity(label: str, a: Image, b: Image, extent: float, *, window: str = "gaussian", repeat: int = 7) -> str:
-    """Means by every peer; the truth is scikit-image's in float64, of the same values."""
+    """Table of means by every peer; the truth is scikit-image's in float64, of the same values."""
     size, ours = (11, {}) if window == "gaussian" else (7, {"window": "uniform", "size": 7})
     theirs: dict[str, Any] = {"gaussian_weights": True} if window == "gaussian" else {"win_size": 7}
     channels = {"channel_axis": -1} if a.ndim == 3 else {}
 
     def scikit(a: Image, b: Image) -> float:
-        found = structural_similarity(a, b, data_range=extent, use_sample_covariance=False, **theirs, **channels)
-        return float(found)
+        result = structural_similarity(a, b, data_range=extent, use_sample_covariance=False, **theirs, **channels)
+        return float(result)
 
     def opencv() -> float:
         return five_blurs(a, b, extent, gaussian if window == "gaussian" else box, size // 2)[0]
 
     exact = scikit(a.astype(np.float64), b.astype(np.float64))
 
-    def error(found: float) -> float:
-        return abs(found - exact)
+    def error(result: float) -> float:
+        return abs(result - exact)
 
-    # Five moments, along rows and down columns: the separable form that every implementation here has.
+    # Five moments, along rows and columns: the separable form that every implementation here uses.
     work = Work(multiply_adds=5 * 2 * size * a.size, bytes=2 * a.nbytes, double=a.dtype == np.float64)
     cases = [
         Case(OURS, lambda: nf.ssim(a, b, data_range=extent, **ours), error, peer=False),  # type: ignore[arg-type]
@@ -79,7 +79,7 @@ def similarity(label: str, a: Image, b: Image, extent: float, *, window: str = "
 
 
 def maps_at_a_level() -> str:
-    """Maps of float32 pictures at 10⁴ times their contrast; the truth is float64 about means."""
+    """Table of maps of float32 pictures at 10⁴ times their contrast; the truth is float64 about means."""
     a, b = (picture + np.float32(1e4) for picture in pictures(1080, 1920)[:2])
     exact = nf.ssim(a.astype(np.float64), b.astype(np.float64), data_range=1, full=True).map
 
@@ -87,8 +87,8 @@ def maps_at_a_level() -> str:
         options: dict[str, Any] = {"gaussian_weights": True, "use_sample_covariance": False, "full": True}
         return np.asarray(structural_similarity(a, b, data_range=1, **options)[1])
 
-    def error(found: Image) -> float:
-        return float(np.abs(found - exact)[5:-5, 5:-5].max())
+    def error(result: Image) -> float:
+        return float(np.abs(result - exact)[5:-5, 5:-5].max())
 
     cases = [
         Case(OURS, lambda: nf.ssim(a, b, data_range=1, full=True).map, error, peer=False),
@@ -100,7 +100,7 @@ def maps_at_a_level() -> str:
 
 
 def pairs() -> str:
-    """144 views of ten levels, each in a silhouette of a box."""
+    """Table for 144 views of ten levels, each in the silhouette of a box."""
     random = np.random.default_rng(0)
     views = random.random((144, 1, 96, 96), dtype=np.float32)
     levels = views + np.float32(0.1) * random.random((144, 10, 96, 96), dtype=np.float32)
@@ -108,26 +108,26 @@ def pairs() -> str:
     disc = np.broadcast_to(np.hypot(y - 48, x - 48) < 36, (144, 1, 96, 96))
 
     def scikit() -> Image:
-        found = np.empty((144, 10))
+        result = np.empty((144, 10))
         for i, j in np.ndindex(144, 10):
             options: dict[str, Any] = {"gaussian_weights": True, "use_sample_covariance": False, "full": True}
-            found[i, j] = structural_similarity(views[i, 0], levels[i, j], data_range=1, **options)[1][
+            result[i, j] = structural_similarity(views[i, 0], levels[i, j], data_range=1, **options)[1][
                 disc[i, 0]
             ].mean()
-        return found
+        return result
 
     exact = nf.ssim_pairs(views.astype(np.float64), levels.astype(np.float64), data_range=1, masks=disc)
 
-    def error(found: Image) -> float:
-        return float(np.abs(found - exact).max())
+    def error(result: Image) -> float:
+        return float(np.abs(result - exact).max())
 
-    def seen() -> Image:
+    def masked_windows() -> Image:
         return nf.ssim_pairs(views, levels, data_range=1, masks=disc, masking="windows")
 
     cases = [
         Case(OURS, lambda: nf.ssim_pairs(views, levels, data_range=1, masks=disc), error, peer=False),
         Case("scikit-image, one by one", scikit, error),
-        Case(f"{OURS}, windows that see only the mask", seen, None, peer=False),
+        Case(f"{OURS}, windows that see only the mask", masked_windows, None, peer=False),
     ]
     return compare("SSIM of 1,440 pairs of 96² in a silhouette", cases, repeat=4)
 
@@ -140,8 +140,8 @@ def errors(dtype: Any) -> str:
     def numpy() -> float:
         return float(10 * np.log10(extent**2 / np.mean((a.astype(np.float64) - b.astype(np.float64)) ** 2)))
 
-    def error(found: float) -> float:
-        return abs(found - exact)
+    def error(result: float) -> float:
+        return abs(result - exact)
 
     cases = [
         Case(OURS, lambda: nf.psnr(a, b, data_range=extent), error, peer=False),
@@ -172,7 +172,7 @@ def scales_and_sequences() -> str:
 
 
 def frames() -> str:
-    """Breaks and objects of frames of the procedural city, as large as a headset's eye."""
+    """Table of discontinuity and object completion of frames of the procedural city, of a headset eye's size."""
     center = np.array((0.0, 1.7, 0.0))
     scene = nf.datasets.city()
     reduced = nf.reduce(scene, center=center, r1=30, r2=50, face_size=512, channels=("color", "range"))
@@ -183,16 +183,16 @@ def frames() -> str:
     ids[1] = np.roll(ids[1], 5, axis=1)
 
     def unique() -> tuple[float, float]:
-        wanted, found = (dict(zip(*np.unique(i[i >= 0], return_counts=True), strict=True)) for i in ids)
-        shares = [min(found.get(number, 0), pixels) / pixels for number, pixels in wanted.items()]
+        expected, result = (dict(zip(*np.unique(i[i >= 0], return_counts=True), strict=True)) for i in ids)
+        shares = [min(result.get(number, 0), pixels) / pixels for number, pixels in expected.items()]
         return float(np.mean([share > 0 for share in shares])), float(np.mean(shares))
 
     exact = unique()
 
-    def error(found: tuple[float, float]) -> float:
-        return float(np.abs(np.subtract(found, exact)).max())
+    def error(result: tuple[float, float]) -> float:
+        return float(np.abs(np.subtract(result, exact)).max())
 
-    # Half of the neighbours within 17 pixels, as each pair is looked at once; some 25 multiply-adds a pair.
+    # Each pair of neighbours within 17 pixels is processed once, hence half; about 25 multiply-adds per pair.
     pairs = 1920 * 1080 * np.pi * 17**2 / 2
     breaks = compare(
         "Discontinuity, 1080p, ε = 17 px",
@@ -228,7 +228,7 @@ def main() -> None:
         print(job(), flush=True)
     print(frames())
     chosen = ["SSIM, gaussian, 1080p, float32", LEVEL]
-    draw([done[title] for title in chosen], "ssim error and time")
+    draw([comparisons[title] for title in chosen], "ssim error and time")
 
 
 if __name__ == "__main__":

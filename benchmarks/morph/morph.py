@@ -1,4 +1,4 @@
-"""Run time against error of the morph: 10 million float32 points, beside NumPy, numba and the copy limit."""
+"""Run time against error of the morph of 10 million float32 points, compared with NumPy, numba and a copy."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ USER, CENTER, R1, R2 = (3.0, 1.0, 2.0), (0.0, 1.7, 0.0), 30.0, 50.0
 
 
 def numpy_morph(points: NDArray[Any], real: Any = np.float32) -> NDArray[Any]:
-    """Eq. 1–3 as written, in one precision throughout."""
+    """Eq. 1–3 as published, in one precision throughout."""
     p, u, o = (np.asarray(x, real) for x in (points, USER, CENTER))
     from_o, from_u = p - o, p - u
     rho = np.sqrt(from_o[:, 0] ** 2 + from_o[:, 2] ** 2)
@@ -73,11 +73,11 @@ def main() -> None:
     random = np.random.default_rng(0)
     points = (random.random((COUNT, 3), np.float32) - np.float32(0.5)) * np.float32(150)
     points[:, 1] += np.float32(40)
-    kept, theirs = np.empty_like(points), np.empty_like(points)
+    output, theirs = np.empty_like(points), np.empty_like(points)
     of = functools.partial(error, points=points)
     cases = [
         Case(OURS, lambda: ours(points), of, peer=False),
-        Case(f"{OURS}, out=", lambda: ours(points, out=kept), of, peer=False),
+        Case(f"{OURS}, out=", lambda: ours(points, out=output), of, peer=False),
         Case(f"{OURS}, all inside r1", lambda: ours(points, 200, 300), peer=False),
         Case(f"{OURS}, all beyond r2", lambda: ours(points, 0.1, 0.2), peer=False),
         Case(f"{OURS}, cylinder", lambda: ours(points, kind="cylinder"), peer=False),

@@ -1,4 +1,4 @@
-"""Radii, partition and load curve of cities: run time beside a copy and NumPy, and triangles left against r2."""
+"""Run times of radii, partition and load curve of cities, compared with a copy and NumPy; triangles left by r2."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from nearfar._base import data
 R1, R2 = 30.0, 50.0
 RADII = (20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0)
 PUBLISHED = {30.0: "371", 50.0: "< 1,000"}
-"""Popescu et al. (2022): a Manhattan of 3.7 million triangles."""
+"""Triangles within each r2 in metres by Popescu et al. (2022), Manhattan with 3.7 million triangles."""
 
 
 def numpy_zones(vertices: NDArray[np.float32], faces: NDArray[np.uint32]) -> NDArray[np.int64]:
-    """Classes by the triangle's distance from the axis at 0, in whole-array float64."""
+    """Zones by the triangle's distance from the axis at 0, in whole-array float64."""
     plan = vertices[:, [0, 2]].astype(np.float64)[faces]
     following = np.roll(plan, -1, axis=1)
     edge = following - plan
@@ -31,7 +31,7 @@ def numpy_zones(vertices: NDArray[np.float32], faces: NDArray[np.uint32]) -> NDA
 
 
 def times(name: str, vertices: NDArray[np.float32], faces: NDArray[np.uint32]) -> str:
-    """Everything in one run, so that other programs on the machine slow all of it down alike."""
+    """Table of all times, taken in one run, so that other programs slow all of them down alike."""
     scene = nf.Scene.from_arrays(vertices, faces)
     center = (0.0, 1.7, 0.0)
     copy = best(lambda: (np.copy(vertices), np.copy(faces)))
@@ -59,8 +59,8 @@ def times(name: str, vertices: NDArray[np.float32], faces: NDArray[np.uint32]) -
     return table(f"{name}: {len(faces):,} triangles", ["", "wall ms", "CPU ms", "wall / copy"], rows)
 
 
-def left(scenes: list[tuple[str, nf.Scene]]) -> str:
-    """Triangles that stay geometry about a place in each scene, and the work that it took."""
+def triangles_left(scenes: list[tuple[str, nf.Scene]]) -> str:
+    """Table of triangles that stay geometry around a place in each scene, and of the work needed."""
     header = ["r2, m", "Manhattan as published", *(f"{name}, {scene.triangle_count:,}" for name, scene in scenes)]
     centers = [np.zeros(3) if "Tokyo" in name else np.mean(scene.bounds, axis=0) for name, scene in scenes]
     counts = [
@@ -90,9 +90,9 @@ def main() -> None:
         ("Manhattan core", "city/manhattan_deckgl/manhattan_core.glb"),
         ("Tokyo core", "city/tokyo23/tokyo_core_lod1.glb"),
     ):
-        found = data.find(path)
-        if found is not None:
-            scenes.append((name, nf.Scene.load(found)))
+        file = data.find(path)
+        if file is not None:
+            scenes.append((name, nf.Scene.load(file)))
     city = whole()
     if city is not None:
         print(times("Whole Tokyo", *city))
@@ -101,7 +101,7 @@ def main() -> None:
         corners = scenes[-1][1].triangles().reshape(-1, 3)
         print(times(scenes[-1][0], corners, np.arange(len(corners), dtype=np.uint32).reshape(-1, 3)))
     if scenes:
-        print(left(scenes))
+        print(triangles_left(scenes))
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""A car that drives from near to far: where each method shows it, by how much that jumps, and what hides it.
+"""A car that drives from near to far: its position in each method's picture, its jumps, and its occlusion.
 
 python -m benchmarks.reduce.dynamic [--quick] [--plot out/bench/car_path.png]
 """
@@ -23,15 +23,15 @@ R1, R2 = 30.0, 50.0
 CENTER, USER = np.array([0.0, 1.7, -4.0]), np.array([5.0, 1.7, -2.0])
 CAR, MIDDLE = "car_0", np.array([0.0, 0.75, 0.0, 1.0])
 SPEED, RATE, END = 50.0 / 3.6, 30.0, 80.0
-"""Metres and pictures a second, and how far the car goes, metres from the centre."""
+"""Speed in metres per second, pictures per second, and the car's greatest distance from the centre, metres."""
 METHODS = ("truth", "conventional", "continuous")
 TURNS = {"left": "along the park", "right": "behind the corner house"}
 
 
 def drive(turn: str, rate: float = RATE) -> Array:
-    """Poses (N, 4, 4), one a picture: ahead along the avenue, and round the next corner."""
+    """Poses (N, 4, 4), one per picture: ahead along the avenue and around the next corner."""
     lane, side, radius = 1.7, (-1.0 if turn == "left" else 1.0), (6.0 if turn == "left" else 5.0)
-    # The street's middle is at z = -66; traffic keeps to the right.
+    # The street's middle is at z = -66, and traffic keeps to the right.
     street = -66.0 + side * 1.6
     straight, arc = CENTER[2] - 15.0 - (street + radius), 0.5 * np.pi * radius
     way = np.arange(0.0, 200.0, SPEED / rate)
@@ -39,7 +39,7 @@ def drive(turn: str, rate: float = RATE) -> Array:
     beyond = np.maximum(way - straight - arc, 0.0)
     x = lane + side * (radius * (1.0 - np.cos(turned)) + beyond)
     z = CENTER[2] - 15.0 - np.minimum(way, straight) - radius * np.sin(turned)
-    # Cars are made with their front towards +z.
+    # Cars are modelled with their front towards +z.
     heading = np.pi - side * turned
     poses = np.tile(np.eye(4), (len(way), 1, 1))
     poses[:, 0, 0], poses[:, 0, 2] = np.cos(heading), np.sin(heading)
@@ -49,18 +49,18 @@ def drive(turn: str, rate: float = RATE) -> Array:
 
 
 def distances(poses: Array) -> Array:
-    """Metres from the axis to the car's middle."""
+    """Distances in metres from the axis to the car's middle."""
     return np.asarray(np.hypot(poses[:, 0, 3] - CENTER[0], poses[:, 2, 3] - CENTER[2]), np.float64)
 
 
 def camera(width: int) -> nf.Camera:
-    """A view from the user's place towards where the car will be."""
+    """A view from the user's position towards the car's way."""
     size = (width, width * 9 // 16)
     return nf.Camera.look_at(USER, USER + [-22.0, -1.0, -64.0], fov=nf.Fov.symmetric(90, 16 / 9), size=size)  # noqa: RUF005
 
 
 def projected(view: nf.Camera, poses: Array, method: str) -> Array:
-    """Where a method shows the car's middle, (N, 2) pixels."""
+    """Positions (N, 2) in pixels at which a method shows the car's middle."""
     middles = (poses @ MIDDLE)[:, :3]
     if method == "conventional":
         middles = np.where((distances(poses) <= R2)[:, None], middles, middles + USER - CENTER)
@@ -70,7 +70,7 @@ def projected(view: nf.Camera, poses: Array, method: str) -> Array:
 
 
 def lone_car(scene: nf.Scene, view: nf.Camera, poses: Array, method: str) -> list[Mask]:
-    """Its pixels in each picture, with nothing else in the world."""
+    """Masks of the car's pixels in each picture, without any other object."""
     alone, number = scene.subset(objects=[CAR]), scene.object_names.index(CAR)
     if method == "truth":
         frames = (nf.render(alone.at({CAR: pose}), view, channels=("object_id",)) for pose in poses)
@@ -83,28 +83,28 @@ def lone_car(scene: nf.Scene, view: nf.Camera, poses: Array, method: str) -> lis
 
 
 def centroids(masks: Iterable[Mask]) -> Array:
-    """Middles of pixels, (N, 2)."""
+    """Centroids of masks, (N, 2) pixels."""
     return np.array([[np.nonzero(mask)[axis].mean() + 0.5 for axis in (1, 0)] for mask in masks])
 
 
 def torn(mask: Mask) -> bool:
-    """Whether there are empty columns between pixels of the car."""
+    """Whether there are empty columns between the car's pixels."""
     columns = np.flatnonzero(mask.any(axis=0))
     return bool((np.diff(columns) > 1).any())
 
 
 def steps(path: Array) -> Array:
-    """Pixels from each picture to the next, (N − 1,)."""
+    """Steps between consecutive pictures, pixels (N − 1,)."""
     return np.asarray(np.linalg.norm(np.diff(path, axis=0), axis=1))
 
 
 def changes(path: Array) -> Array:
-    """Pixels by which each step differs from the one before, (N − 2,): what is seen as a jump."""
+    """Differences between consecutive steps, pixels (N − 2,), which are visible as jumps."""
     return np.asarray(np.linalg.norm(np.diff(path, n=2, axis=0), axis=1))
 
 
 def jumps(scene: nf.Scene, view: nf.Camera, rate: float) -> tuple[str, dict[str, Array]]:
-    """Steps and jumps of every method, and the paths."""
+    """Table of steps and jumps of every method, and the paths."""
     poses = drive("left", rate)
     away, rows, paths = distances(poses), [], {}
     for method in METHODS:
@@ -124,7 +124,7 @@ def jumps(scene: nf.Scene, view: nf.Camera, rate: float) -> tuple[str, dict[str,
 
 
 def hiding(reduced: nf.ReducedScene, view: nf.Camera, turn: str, stride: int) -> str:
-    """The car's pixels among all else: those of both methods, and of the ideal picture without a map."""
+    """Table of the car's visible pixels among all other objects: both methods, and the ideal picture without a map."""
     poses = drive(turn)[::stride]
     away, number = distances(poses), reduced.scene.object_names.index(CAR)
     how: list[dict[str, Any]] = [{"method": "exact"}, {"method": "vertex"}, {"method": "exact", "env": False}]
@@ -147,7 +147,7 @@ def hiding(reduced: nf.ReducedScene, view: nf.Camera, turn: str, stride: int) ->
 
 
 def draw(paths: dict[str, Array], away: Array, rate: float, path: Path) -> None:
-    """Draw the car's way in the image, and its pixels a picture by distance."""
+    """Draw the car's path in the image, and its speed in pixels per picture by distance."""
     import matplotlib as mpl
 
     mpl.use("agg")
@@ -155,7 +155,7 @@ def draw(paths: dict[str, Array], away: Array, rate: float, path: Path) -> None:
 
     figure, (left, right) = plt.subplots(1, 2, figsize=(12, 4), layout="constrained")
     for (name, places), style in zip(paths.items(), (":", "-", "--"), strict=True):
-        # Where it jumps the line is broken: the car is nowhere in between.
+        # The line is interrupted at jumps, because the car is nowhere in between.
         shown = np.insert(places, np.flatnonzero(steps(places) > 5.0 * np.median(steps(places))) + 1, np.nan, axis=0)
         left.plot(*shown.T, style, label=name)
         right.plot(away[1:], steps(places), style, label=name)
@@ -184,7 +184,7 @@ def draw(paths: dict[str, Array], away: Array, rate: float, path: Path) -> None:
 
 
 def city(blocks: int, detail: int) -> nf.Scene:
-    """The city with one moving car: the others would stand in its way."""
+    """The city with a single moving car, because the others would stand in its way."""
     scene = nf.datasets.city(blocks=blocks, detail=detail)
     others = {f"car_{k}" for k in range(8)} - {CAR}
     return scene.subset(objects=[name for name in scene.object_names if name not in others])

@@ -1,4 +1,4 @@
-"""Saved reduced scenes: seconds and bytes by size, beside trimesh's GLB of the same near part."""
+"""Time and size of saved reduced scenes, compared with trimesh's GLB of the same near part."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from nearfar._base import data
 
 
 def scenes(quick: bool) -> list[tuple[str, nf.Scene]]:
-    found = [("city", nf.datasets.city(blocks=2 if quick else 4))]
+    result = [("city", nf.datasets.city(blocks=2 if quick else 4))]
     for name, file in [
         ("tokyo_core_lod1", "city/tokyo23/tokyo_core_lod1.glb"),
         ("FlightHelmet", "objects/gltf/FlightHelmet/FlightHelmet.gltf"),
         ("garage", "interior/garage/garage.gltf"),
     ]:
         if path := data.find(file):
-            found.append((name, nf.Scene.load(path)))
-    return found
+            result.append((name, nf.Scene.load(path)))
+    return result
 
 
 def main() -> None:

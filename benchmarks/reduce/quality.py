@@ -1,4 +1,4 @@
-"""What the near-far methods cost in image quality: discontinuity, map sizes, and not being at the centre.
+"""Image quality of the near–far methods: discontinuity, size of the map, and distance of the user from the centre.
 
 python -m benchmarks.reduce.quality [--quick] [--plots FOLDER]
 """
@@ -25,7 +25,7 @@ VIEWS = 10
 
 @dataclass(frozen=True)
 class Case:
-    """A scene reduced about a centre."""
+    """A scene and the centre and radii of its reduction."""
 
     name: str
     scene: nf.Scene
@@ -35,19 +35,19 @@ class Case:
 
     @property
     def label(self) -> str:
-        """For titles."""
+        """Label for titles."""
         return f"{self.name}, r1 = {self.r1:g} m, r2 = {self.r2:g} m"
 
     def reduce(self, face_size: int, **how: Any) -> nf.ReducedScene:
-        """Bake a map of a size."""
+        """Reduce the scene with a map of a size."""
         return nf.reduce(self.scene, center=self.center, r1=self.r1, r2=self.r2, face_size=face_size, **how)
 
 
 def cases(quick: bool) -> Iterator[Case]:
-    """The cities that there are, with a centre around which something ends at r2.
+    """Yield the available cities, each with a centre around which surfaces cross r2.
 
-    On the ground, users |U−O| away see what lies between the radii sheared by |U−O| r1 / ((r2−r1) h) pixels a pixel,
-    h being the height of their eyes: the procedural city, which has a ground, is measured for two pairs of radii.
+    A user at the distance |U−O| sees the ground between the radii sheared by |U−O| r1 / ((r2−r1) h) pixels per pixel,
+    where h is the height of the eyes. So the procedural city, which has a ground, is measured for two pairs of radii.
     """
     for name, file in (
         ("tokyo_core_lod1", "city/tokyo23/tokyo_core_lod1.glb"),
@@ -62,14 +62,17 @@ def cases(quick: bool) -> Iterator[Case]:
 
 
 def measures(truth: nf.Frame, frame: nf.Frame, case: Case) -> list[float]:
-    """Mean and 99th percentile of discontinuity, its absolute mean along the boundary, PSNR and SSIM."""
-    found = nf.compare(truth, frame, center=case.center, radius=case.r2)
-    torn = [np.nan if v is None else v for v in (found.discontinuity, found.discontinuity_p99, found.boundary)]
-    return [*torn, found.psnr, found.ssim]
+    """Mean and 99th percentile of discontinuity, its absolute mean along the boundary, PSNR in decibels and SSIM."""
+    comparison = nf.compare(truth, frame, center=case.center, radius=case.r2)
+    torn = [
+        np.nan if v is None else v
+        for v in (comparison.discontinuity, comparison.discontinuity_p99, comparison.boundary)
+    ]
+    return [*torn, comparison.psnr, comparison.ssim]
 
 
 def discontinuity(case: Case, size: tuple[int, int], plots: Path | None) -> str:
-    """Both methods in ten views, and their means."""
+    """Table of both methods in ten views, and their means."""
     reduced = case.reduce(1024, channels=("color", "range"))
     methods = {"conventional": reduced.with_morph("none"), "continuous": reduced}
     rows, all_values = [], []
@@ -96,7 +99,7 @@ def _pairs(values: NDArray[np.float64]) -> list[str]:
 
 
 def errors(case: Case, size: tuple[int, int], faces: list[int], plots: Path | None) -> str:
-    """Error of maps by size against the ideal picture, and of that against the truth by the user's distance."""
+    """Tables: error of maps by size against the ideal picture, and of the ideal picture by the user's distance."""
     how: dict[str, Any] = {"method": "exact", "channels": ("color",), "samples": 4}
     reduced = case.reduce(faces[0], channels=("color", "range"))
     camera = next(views(reduced, size, VIEWS), None)

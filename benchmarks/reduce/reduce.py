@@ -1,4 +1,4 @@
-"""Near–far reduction: bakes by size, frames beside the truth."""
+"""Times of near–far reduction: bakes by size, and frames compared with the full scene."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ R1, R2 = 30.0, 50.0
 
 
 def city() -> tuple[str, nf.Scene, NDArray[np.float64]]:
-    """Return a city and a place in one of its streets."""
+    """Return the name of a city, the city, and a place in one of its streets."""
     path = data.find("city/tokyo23/tokyo_core_lod1.glb")
     if path is not None:
         return "tokyo_core_lod1", nf.Scene.load(path), np.array([275.0, 1.7, -60.7])
@@ -29,7 +29,7 @@ def city() -> tuple[str, nf.Scene, NDArray[np.float64]]:
 
 
 def bakes(name: str, scene: nf.Scene, center: NDArray[np.float64], sizes: list[int]) -> str:
-    """Time of a bake by face size, one colour sample a texel, trees already built."""
+    """Table of the time of a bake by face size, one colour sample per texel, with trees already built."""
     rows = []
     for size in sizes:
         settings: dict[str, Any] = {"r1": R1, "r2": R2, "face_size": size, "samples": 1}
@@ -44,7 +44,7 @@ def bakes(name: str, scene: nf.Scene, center: NDArray[np.float64], sizes: list[i
 
 
 def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[int, int]) -> str:
-    """Time of one frame of colour, by method, 9 m from the centre."""
+    """Table of the time of one frame of colour by method, 9 m from the centre."""
     fov = nf.Fov.symmetric(90, size[0] / size[1])
     user = center + np.array([-7.5, 0, -5])
     camera = nf.Camera.look_at(user, user + np.array([1, 0.1, 0.3]), fov=fov, size=size)
@@ -62,7 +62,7 @@ def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[
     for method, morph, how in jobs:
         reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=512, samples=1, morph=morph)
         job = partial(reduced.render, camera, channels=("color",), **how)
-        # A user who moves sees other edges in each frame: what is kept for one who stands still must not count.
+        # A user who moves sees other edges in each frame, so data kept for a standing user must not count.
         job = partial(_fresh, reduced, job)
         timing: Timing = best(job, repeat=3)
         error = np.sqrt(np.mean((job().require("color") - exact) ** 2))
@@ -75,14 +75,14 @@ def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[
 
 
 def _fresh(reduced: nf.ReducedScene, job: Callable[[], nf.Frame]) -> nf.Frame:
-    """A frame for a user who has just moved."""
+    """Render a frame for a user who has just moved."""
     elsewhere = nf.Camera(tuple(np.add(reduced.center, (1.0, 0.0, 0.0))), fov=nf.Fov.symmetric(90), size=(1, 1))
     reduced.render(elsewhere, channels=("color",), tolerance_px=1e3)
     return job()
 
 
 def poses(size: tuple[int, int]) -> str:
-    """Time of posing a car of the procedural city, and of a frame, for a user who stands still."""
+    """Table of the time of posing a car of the procedural city, and of a frame, for a user who stands still."""
     scene = nf.datasets.city(blocks=12, seed=0, detail=2)
     car = next(name for name in scene.object_names if name.startswith("car"))
     scene = scene.with_dynamic([car])

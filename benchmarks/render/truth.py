@@ -1,4 +1,4 @@
-"""Time of a 1080p frame of ground truth by channels and samples, beside embreex' tracing alone and pyrender.
+"""Times of 1080p frames of ground truth by channels and samples, compared with embreex (tracing only) and pyrender.
 
 `python -m benchmarks.render.truth [file …]`; without files the core of Tokyo, or the procedural city where there is no
 data. CPU seconds are those of all threads; error is against 256 samples, root mean square in linear light.
@@ -32,7 +32,7 @@ def scenes(files: list[str]) -> dict[str, nf.Scene]:
 
 
 def view(scene: nf.Scene, size: tuple[int, int]) -> nf.Camera:
-    """Over the roofs of the middle: every distance from near to far in one picture."""
+    """A view over the roofs of the middle, with all distances from near to far."""
     low, high = scene.bounds
     middle, reach = (low + high) / 2, min(float(np.linalg.norm(high - low)), 2000.0)
     eye = middle + reach * np.array([0.12, 0.0, 0.25])
@@ -55,7 +55,7 @@ def ours(scene: nf.Scene, camera: nf.Camera, reference: Timing | None) -> list[l
 
 
 def by_samples(scene: nf.Scene) -> list[list[str]]:
-    """A quarter of the picture's sides, so that the exact one takes seconds."""
+    """Table by samples, at a quarter of the picture's width and height, so that the exact one takes seconds."""
     camera = view(scene, (SIZE[0] // 4, SIZE[1] // 4))
     exact = nf.render(scene, camera, samples=256, channels=["color"]).require("color")
     rows = []
@@ -67,7 +67,7 @@ def by_samples(scene: nf.Scene) -> list[list[str]]:
 
 
 def embree(scene: nf.Scene, camera: nf.Camera) -> Timing | None:
-    """The same primary rays, traced and not shaded, on one thread: embreex has no other."""
+    """Time the same primary rays, traced without shading, on one thread, because embreex has no other."""
     if not importlib.util.find_spec("embreex"):
         return None
     from embreex import rtcore_scene
@@ -75,7 +75,7 @@ def embree(scene: nf.Scene, camera: nf.Camera) -> Timing | None:
 
     device_scene = rtcore_scene.EmbreeScene()
     starts, directions = camera.rays()
-    # embreex has no types of its own.
+    # embreex has no type annotations.
     mesh: Any = TriangleMesh
     mesh(device_scene, scene.triangles())
     origins = (starts - scene.origin).reshape(-1, 3).astype(np.float32)
@@ -84,7 +84,7 @@ def embree(scene: nf.Scene, camera: nf.Camera) -> Timing | None:
 
 
 def pyrender(scene: nf.Scene, camera: nf.Camera) -> Timing | None:
-    """Depth alone by OpenGL, in software where there is no GPU; the upload is not counted."""
+    """Time depth alone by OpenGL, in software if there is no GPU, without the upload."""
     if not importlib.util.find_spec("pyrender"):
         return None
     os.environ.setdefault("PYOPENGL_PLATFORM", "egl")

@@ -1,4 +1,4 @@
-"""Loading and making scenes: tokyo_core_lod1 against trimesh, the whole of Tokyo against copying its arrays."""
+"""Times of loading and deriving scenes: tokyo_core_lod1 against trimesh, whole Tokyo against a copy of its arrays."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def main() -> None:
 
 
 def loading() -> None:
-    """Seconds from the file to something that can be drawn: trimesh's scene still has 12,408 meshes."""
+    """Time in seconds from the file to a scene that can be drawn; trimesh's scene still has 12,408 meshes."""
     rows = []
     for name in FILES:
         path = data.find(name)
@@ -41,7 +41,7 @@ def loading() -> None:
 
 
 def changing() -> None:
-    """Milliseconds to make a scene from a scene."""
+    """Time in milliseconds of deriving a scene from a scene."""
     path = data.find(FILES[0])
     if path is None:
         return
@@ -63,7 +63,7 @@ def changing() -> None:
 
 
 def whole_city(*arrays: NDArray[Any]) -> None:
-    """Seconds and memory for 29.8 M triangles, against copying them."""
+    """Time and memory for 29.8 M triangles, compared with a copy."""
     size = sum(array.nbytes for array in arrays)
     Path("/proc/self/clear_refs").write_text("5")
     before = _kilobytes("VmRSS")

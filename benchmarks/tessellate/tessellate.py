@@ -1,4 +1,4 @@
-"""Tessellation: pixels by which the vertex morph misses, before and after, and what the same error costs a peer."""
+"""Error of the vertex morph before and after tessellation, and the triangles that a peer needs for the same error."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def misses(triangles: Array, center: Array, eyes: Array) -> Array:
 
 
 def grid(length: float, extent: float = 60.0) -> Array:
-    """Ground of right triangles with legs of a length."""
+    """Ground of right triangles with legs of a length in metres."""
     count = round(2 * extent / length)
     x, z = (v.ravel() * length - extent for v in np.meshgrid(np.arange(count), np.arange(count)))
     low = np.stack([x, np.zeros(len(x)), z], axis=1)
@@ -61,7 +61,7 @@ def grid(length: float, extent: float = 60.0) -> Array:
 
 
 def by_length() -> str:
-    """Return errors of the vertices as they are by the length of a triangle's legs, on ground 1.7 m below the eye."""
+    """Table of errors of unsplit triangles by the length of their legs, on ground 1.7 m below the eye."""
     center = np.array([0.3, 1.7, 0.2])
     eyes = users(center, 12)
     rows = []
@@ -80,7 +80,7 @@ def plane(extent: float) -> trimesh.Trimesh:
 
 
 def scenes(quick: bool) -> Iterator[tuple[str, nf.Scene, Array]]:
-    """Two triangles, procedural streets, and Tokyo where it is."""
+    """Yield two triangles, procedural streets, and Tokyo if its data exist."""
     yield "two triangles of ground, 8 km wide", nf.Scene.from_trimesh(plane(4000.0)), np.array([0.3, 1.7, 0.2])
     city = nf.datasets.city(blocks=4 if quick else 12, seed=0, detail=2)
     low, high = city.bounds
@@ -91,14 +91,14 @@ def scenes(quick: bool) -> Iterator[tuple[str, nf.Scene, Array]]:
 
 
 def touching(scene: nf.Scene, center: Array) -> Array:
-    """World triangles that stand and reach between the radii."""
+    """Static triangles in world coordinates that reach between the radii."""
     triangles = scene.triangles()[: scene._core.standing_triangle_count].astype(np.float64) + scene.origin
     radii = nf.triangle_radii(triangles, center=center)
     return np.asarray(triangles[(radii[:, 0] < R2) & (radii[:, 1] > R1)])
 
 
 def scenes_by_tolerance(quick: bool) -> str:
-    """Triangles, time and measured error of each scene by tolerance."""
+    """Table of triangles, time and measured error of each scene by tolerance."""
     rows = []
     for name, scene, center in scenes(quick):
         eyes = users(center, 4 if quick else 12)
@@ -114,9 +114,9 @@ def scenes_by_tolerance(quick: bool) -> str:
                 reach=REACH,
                 tolerance=pixels * PIXEL,
             )
-            made, counts = job()
+            split, counts = job()
             timing = best(job, repeat=3)
-            error = misses(touching(scene._derived(made, scene._rest), center), center, eyes).max()
+            error = misses(touching(scene._derived(split, scene._rest), center), center, eyes).max()
             rows.append(
                 [
                     name,
@@ -133,7 +133,7 @@ def scenes_by_tolerance(quick: bool) -> str:
 
 
 def against_peer(quick: bool) -> tuple[str, dict[str, list[tuple[int, float]]]]:
-    """Ground of 120 m × 120 m: trimesh's subdivide_to_size until it reaches the error that we measure."""
+    """Table for ground of 120 m × 120 m: trimesh's subdivide_to_size until it reaches nearfar's measured error."""
     center = np.array([0.3, 1.7, 0.2])
     eyes = users(center, 6)
     mesh = plane(60.0)
@@ -161,7 +161,7 @@ def against_peer(quick: bool) -> tuple[str, dict[str, list[tuple[int, float]]]]:
 
 
 def draw(curves: dict[str, list[tuple[int, float]]], path: Path) -> None:
-    """Draw the error by the number of triangles."""
+    """Plot the error by the number of triangles."""
     import matplotlib as mpl
 
     mpl.use("agg")

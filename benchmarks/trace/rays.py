@@ -1,4 +1,4 @@
-"""Rays and search trees beside Embree's, with the same rays in the same run.
+"""Times of rays and search trees, compared with Embree's, with the same rays in the same run.
 
 python -m benchmarks.trace.rays [--view-size 1920x1080] [--repeat 5]
 """
@@ -10,7 +10,7 @@ import os
 from collections.abc import Callable
 from typing import Any
 
-# One thread: the figures are rays per CPU-second, and idle threads of a pool would count.
+# Rates are rays per CPU-second, and idle threads of a pool would count, hence one thread.
 os.environ.setdefault("NEARFAR_NUM_THREADS", "1")
 
 import numpy as np
@@ -44,7 +44,7 @@ def camera_rays(eye: tuple[float, ...], target: tuple[float, ...], size: tuple[i
 
 
 def embree_scene(points: Array, faces: NDArray[np.int32]) -> Any:
-    """Built: Embree does so at its first ray."""
+    """Embree scene with its tree built, which Embree does at the first ray."""
     scene = rtcore_scene.EmbreeScene()
     TriangleMesh(scene, points, faces)
     scene.run(np.zeros((1, 3), np.float32), np.array([[0, 1, 0]], np.float32))
@@ -52,13 +52,13 @@ def embree_scene(points: Array, faces: NDArray[np.int32]) -> Any:
 
 
 def rates(ours: Callable[[], Any], theirs: Callable[[], Any], rays: int, repeat: int) -> list[str]:
-    """Million rays per CPU-second of both, and their ratio."""
+    """Million rays per CPU-second of both tracers, and their ratio."""
     peer, mine = best(theirs, repeat=repeat).cpu, best(ours, repeat=repeat).cpu
     return [f"{rays / peer / 1e6:.2f}", f"{rays / mine / 1e6:.2f}", f"{peer / mine:.2f}"]
 
 
 def primary(scene: nf.Scene, embree: Any, views: dict[str, Any], size: tuple[int, int], repeat: int) -> list[list[str]]:
-    """Camera rays in both orders and shuffled, then rays that only ask whether anything is hit."""
+    """Rows for camera rays in both orders and shuffled, then for occlusion rays."""
     rows = []
     for name, (eye, target) in views.items():
         orders = {"tiles of 8×8": camera_rays(eye, target, size, 8), "row by row": camera_rays(eye, target, size, 1)}
@@ -79,7 +79,7 @@ def primary(scene: nf.Scene, embree: Any, views: dict[str, Any], size: tuple[int
 
 
 def incoherent(scene: nf.Scene, embree: Any, points: Array, repeat: int) -> list[list[str]]:
-    """Rays from anywhere to anywhere; nearest hits, and Embree's occlusion beside our nearest hits."""
+    """Rows for rays between random points: nearest hits, and Embree's occlusion beside nearfar's nearest hits."""
     draw = np.random.default_rng(1)
     directions = draw.normal(size=(500_000, 3)).astype(np.float32)
     directions /= np.linalg.norm(directions, axis=1, keepdims=True)
@@ -103,7 +103,7 @@ def build(points: Array, faces: NDArray[Any], repeat: int) -> list[str]:
 
 
 def tokyo() -> tuple[nf.Scene, Array, NDArray[Any], dict[str, Any]] | None:
-    """The middle of Tokyo, from a street and from above."""
+    """The middle of Tokyo, seen from a street and from above."""
     path = data.find("city/tokyo23/tokyo_core_lod1.glb")
     if path is None:
         return None
@@ -116,7 +116,7 @@ def tokyo() -> tuple[nf.Scene, Array, NDArray[Any], dict[str, Any]] | None:
 
 
 def city() -> tuple[nf.Scene, Array, NDArray[Any], dict[str, Any]]:
-    """The procedural city: instances and cut-out leaves for us, one merged opaque mesh for Embree."""
+    """The procedural city: nearfar has instances and cut-out leaves, Embree one merged opaque mesh."""
     scene = nf.datasets.city()
     points = scene.triangles().reshape(-1, 3)
     views = {"street": ((2.0, 1.7, 2.0), (30.0, 8.0, -100.0)), "above": ((0.0, 60.0, 0.0), (100.0, 0.0, -100.0))}
@@ -131,10 +131,10 @@ def main() -> None:
     width, height = (int(part) for part in options.view_size.split("x"))
     print(f"{machine()}; {_core.instruction_sets()[-1]}; one thread\n")
     builds = []
-    for name, made in {"tokyo_core_lod1": tokyo(), "procedural city": city()}.items():
-        if made is None:
+    for name, arrays in {"tokyo_core_lod1": tokyo(), "procedural city": city()}.items():
+        if arrays is None:
             continue
-        scene, points, faces, views = made
+        scene, points, faces, views = arrays
         embree = embree_scene(points, faces.astype(np.int32))
         header = ["view", "order", "embreex Mray/s", "nearfar Mray/s", "ratio", "same triangle"]
         rows = primary(scene, embree, views, (width, height), options.repeat)

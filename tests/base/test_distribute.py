@@ -1,4 +1,4 @@
-"""A function over items gives the same in this process, over processes and on a cluster; errors and Ctrl-C end all."""
+"""Tests that `distribute` gives the same results in this process, in processes and on a cluster, and ends on errors."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def test_progress_is_that_of_all_items(monkeypatch: pytest.MonkeyPatch) -> None:
     @contextmanager
     def bar(label: str) -> Iterator[progress.Report]:
         shown.append(label)
-        yield lambda done, total: shown.append(done / total)
+        yield lambda finished, total: shown.append(finished / total)
 
     monkeypatch.setattr(progress, "bar", bar)
     distribute(squared, [1, 2], label="squaring")
@@ -138,7 +138,7 @@ def test_ctrl_c_ends_all_processes(tmp_path: Path) -> None:
         message = program.communicate(timeout=60)[1]
         assert message.splitlines()[-1] == "KeyboardInterrupt"
         assert until(lambda: not any(Path(f"/proc/{worker}").exists() for worker in begun()))
-        # An executor hands out one item more than it has workers; that one ends at its first report.
+        # An executor starts one item more than it has workers; that one ends at its first report.
         assert len(begun()) <= 3
     finally:
         program.kill()

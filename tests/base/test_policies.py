@@ -1,4 +1,4 @@
-"""Arguments, errors, threads, progress and random numbers behave as ARCHITECTURE.md says."""
+"""Tests of argument checks, errors, threads, progress and random numbers."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ def test_right_arguments_pass() -> None:
 
 
 def masked(values: Any) -> Any:
-    """With the first value masked."""
+    """Return values with the first one masked."""
     mask = np.zeros(np.shape(values), bool)
     mask.flat[0] = True
     return np.ma.array(values, mask=mask)
@@ -153,15 +153,15 @@ def run(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
 
 @pytest.mark.parametrize("count", ["1", "3"])
 def test_thread_count_follows_the_variable(count: str) -> None:
-    done = run("from nearfar import _core; print(_core.thread_count())", NEARFAR_NUM_THREADS=count)
-    assert done.stdout.strip() == count, done.stderr
+    process = run("from nearfar import _core; print(_core.thread_count())", NEARFAR_NUM_THREADS=count)
+    assert process.stdout.strip() == count, process.stderr
 
 
 @pytest.mark.parametrize("wrong", ["0", "-2", "two", "1.5"])
 def test_a_wrong_thread_count_is_a_value_error(wrong: str) -> None:
-    done = run("from nearfar import _core; _core.thread_count()", NEARFAR_NUM_THREADS=wrong)
+    process = run("from nearfar import _core; _core.thread_count()", NEARFAR_NUM_THREADS=wrong)
     words = f"ValueError: NEARFAR_NUM_THREADS: expected a whole number from 1 to 1024, got '{wrong}'"
-    assert words in done.stderr
+    assert words in process.stderr
 
 
 PICTURE = """
@@ -182,7 +182,7 @@ def test_ctrl_c_stops_a_long_kernel(code: str) -> None:
     with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         assert process.stdout is not None
         assert process.stdout.readline().strip() == b"ready"
-        # Long enough for the kernel to have begun; the interruption counts either way.
+        # Usually the kernel has begun by then; the interruption must count either way.
         time.sleep(0.2)
         process.send_signal(signal.SIGINT)
         # Left alone, the probe waits for ever, and the picture takes hours.
@@ -191,13 +191,13 @@ def test_ctrl_c_stops_a_long_kernel(code: str) -> None:
 
 
 def test_other_threads_run_while_a_kernel_works() -> None:
-    done = threading.Event()
+    finished = threading.Event()
 
     def stop(_done: int, _total: int) -> None:
-        if done.is_set():
+        if finished.is_set():
             raise InterruptedError
 
-    worker = threading.Thread(target=done.set)
+    worker = threading.Thread(target=finished.set)
     timer = threading.Timer(0.05, worker.start)
     timer.start()
     with pytest.raises(InterruptedError):
@@ -213,7 +213,7 @@ def test_an_exception_from_report_stops_the_kernel_and_comes_out() -> None:
         _core.probe("wait", report)
 
 
-# Python warns of forking beside threads, which is just what this is about.
+# Python warns of forking in a process with threads, which this test does on purpose.
 @pytest.mark.filterwarnings("ignore:.*fork.*:DeprecationWarning")
 def test_a_forked_child_computes() -> None:
     need("fork")
@@ -244,7 +244,7 @@ def test_bars_are_silent_off_a_terminal(capfd: pytest.CaptureFixture[str], monke
 
 
 class Terminal:
-    """A standard error that calls itself a terminal and keeps what it is told."""
+    """A standard error stream that reports to be a terminal and stores its text."""
 
     encoding = "utf-8"
 
@@ -282,7 +282,7 @@ def test_bars_appear_on_a_terminal_only_after_a_while(
 
 # random numbers ------------------------------------------------------------------------------------------------------
 def mix(z: int) -> int:
-    """SplitMix64's finaliser in Python's unbounded integers: the oracle."""
+    """SplitMix64's finaliser in Python's unbounded integers, the oracle."""
     mask = 2**64 - 1
     z = ((z ^ (z >> 30)) * 0xBF58476D1CE4E5B9) & mask
     z = ((z ^ (z >> 27)) * 0x94D049BB133111EB) & mask
@@ -304,7 +304,7 @@ def test_uniform_equals_the_oracle_exactly(seed: int, cell: int, index: list[int
 
 
 def test_draws_keep_their_values_for_ever() -> None:
-    # Scenes and studies are named by their seeds: a changed mixer would change them all silently.
+    # Scenes and studies are identified by their seeds; another mixer would change all of them.
     assert random.integers(0, 0, np.arange(6), 0, 1000).tolist() == [int(oracle(0, 0, i) * 1000) for i in range(6)]
     assert random.uniform(0, 0, [[0, 1], [2, 3]]).shape == (2, 2)
 

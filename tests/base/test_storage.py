@@ -1,4 +1,4 @@
-"""Files, formats, the cache and the data folder behave as ARCHITECTURE.md says."""
+"""Tests of atomic files, formats, the cache and the data folder."""
 
 from __future__ import annotations
 
@@ -47,8 +47,8 @@ def test_a_killed_writer_leaves_no_half_file(tmp_path: Path) -> None:
         "with files.atomic_file(sys.argv[1]) as aside:\n"
         "    aside.write_bytes(b'half'); os._exit(9)"
     )
-    done = subprocess.run([sys.executable, "-c", code, str(target)], timeout=60, check=False)
-    assert done.returncode == 9
+    process = subprocess.run([sys.executable, "-c", code, str(target)], timeout=60, check=False)
+    assert process.returncode == 9
     assert not target.exists()
 
 

@@ -1,4 +1,4 @@
-"""Bent rays: where they run, when pictures fold, and frames that show the morph pixel by pixel."""
+"""Tests of bent rays, fold margins, and frames that show the morph pixel by pixel."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def angle(a: Array, b: Array) -> Array:
 
 
 def directions(count: int, seed: float = 0.5) -> Array:
-    """Directions all around, evenly (a spherical Fibonacci set)."""
+    """Evenly spread directions (a spherical Fibonacci set)."""
     n = np.arange(count) + seed
     y, turn = 1.0 - 2.0 * n / count, n * np.pi * (3.0 - np.sqrt(5.0))
     r = np.sqrt(1.0 - y * y)
@@ -49,7 +49,7 @@ def test_bent_rays_are_where_the_morph_shows_their_points(kind: str, offset: tup
         assert angle(shown, rays[row]).max() < 1e-9
         chords = (points[:-1, None] + np.linspace(0, 1, 33)[:, None] * np.diff(points, axis=0)[:, None]).reshape(-1, 3)
         assert angle(nf.morph(chords, user=user, kind=kind, **RADII) - user, rays[row]).max(initial=0) <= tolerance
-        # From r₂ on, the rest lies on the parallel ray from the centre, to the rounding of its 50 m and more.
+        # Beyond r₂ the polyline follows the parallel ray from the centre, up to the rounding of its 50 m and more.
         assert abs(np.hypot(*(points[-1] - CENTER)[[0, 2]]) - R2) < 1e-9
         assert angle(points[-1] - CENTER, rays[row]) < 1e-12
 
@@ -57,11 +57,11 @@ def test_bent_rays_are_where_the_morph_shows_their_points(kind: str, offset: tup
 @pytest.mark.parametrize(
     ("user", "rays", "tolerance"),
     [
-        # A curve that winds about its chord: it meets it near all three of its quarters.
+        # A curve that winds about its chord and meets it near all three of its quarters.
         ((5, 1.7, 0), [[-0.29435804, 0.01554978, 0.95556871]], 1e-4),
-        # Users outside r1 who look up: the bend is as near as the centre, the end as far as the sky.
+        # Users outside r1 who look up: the bend is about as near as the centre, the end extremely far.
         *[((away, 1.7, 0), [[0, 1, 0], [1e-3, 1, 0], [0.003, 1, 0.002], [0.03, 1, 0]], 1e-3) for away in (12, 20, 25)],
-        # Close to the least tolerance.
+        # A tolerance close to the least allowed one.
         ((5, 1.7, 0), [[0, 0.1, 1]], 1e-9),
     ],
 )
@@ -71,7 +71,7 @@ def test_chords_stay_on_curves_that_wind_and_on_upright_ones(
     curve: dict[str, Any] = {"user": np.array(user), "center": (0, 1.7, 0), "r1": 10, "r2": 100}
     for direction in rays:
         line = nf.bend_rays([direction], tolerance=tolerance, **curve)[0]
-        # Chords by shares that are dense at both ends: the last one of an upright curve is kilometres long.
+        # Positions along chords are dense at both ends, because the last chord of a steep curve is kilometres long.
         share = np.concatenate([np.geomspace(1e-6, 0.5, 60), 1 - np.geomspace(1e-6, 0.5, 60)])
         chords = (line[:-1, None] + share[:, None] * np.diff(line, axis=0)[:, None]).reshape(-1, 3)
         chords = chords[np.linalg.norm(chords - curve["user"], axis=1) > 0.1]
@@ -119,7 +119,7 @@ def test_refuses_rays_that_have_no_curve(changes: dict[str, Any], message: str) 
 
 
 def determinants(points: Array, user: Array, r1: float, r2: float) -> Array:
-    """Determinants of the morph's Jacobian by differences: 1e-9 of rounding over 2e-4, squared errors of 1e-8."""
+    """Determinants of the morph's Jacobian by differences: rounding of 1e-9 over 2e-4, truncation errors of 1e-8."""
     step = 1e-4 * np.eye(3)
     shown = [
         nf.morph(np.concatenate([points + e, points - e]), user=user, center=[0, 0, 0], r1=r1, r2=r2) for e in step
@@ -142,7 +142,7 @@ def test_folds_begin_where_the_margin_ends(r1: float, r2: float, height: float) 
     points, slack = ring(r1, r2), 0.02 * (r2 - r1)
     assert 0 < margin <= r2 - r1
     assert determinants(points, np.array([margin - 1e-3 * (r2 - r1), height, 0]), r1, r2).min() > 0
-    # The grid's places are half a metre apart, so that a fold is seen a little later.
+    # The grid's points are half a metre apart, so that it detects a fold slightly late.
     assert determinants(points, np.array([margin + slack, height, 0]), r1, r2).min() < 0
     away = nf.fold_margin([3, height, -4], center=[0, 0, 0], r1=r1, r2=r2)
     assert away == pytest.approx(margin - 5, abs=2e-4 * (r2 - r1))
@@ -161,7 +161,7 @@ def test_margins_of_the_paper_and_of_the_cylinder() -> None:
 
 
 def cards(count: int = 6000) -> nf.Scene:
-    """Small upright cards between the radii, on the far side of the centre from users at +x, each an object's face."""
+    """Small upright cards between the radii, beyond the centre for users at +x, each an object's face."""
     n = np.arange(count)
     share = [np.modf((n + 0.5) * step)[0] for step in (0.8191725134, 0.6710436067, 0.5497004779)]
     radius, turn, lift = R1 + (R2 - R1) * share[0], np.pi + (share[1] - 0.5), 1.9 * (share[2] - 0.5)
@@ -180,8 +180,8 @@ def test_pictures_fold_where_the_margin_says_and_nowhere_else(beyond: float, fol
     view = nf.Camera.look_at(user, CENTER, fov=nf.Fov.symmetric(100, 1), size=(512, 512))
     by_distance = reduced.render(view, channels=("face_id",), tolerance_px=0.1).require("face_id")
     along_ray = reduced.render(view, channels=("face_id",), method="exact").require("face_id")
-    # A z-buffer orders by the distance shown, the tracer along the ray: they part only where one direction shows its
-    # points in another order. Pixels at a card's edge may go either way.
+    # A z-buffer orders points by displayed distance, the tracer along the ray; they differ only where one direction
+    # shows its points in another order. At a card's edge either face may be shown.
     differs = (by_distance != along_ray)[1:-1, 1:-1]
     inside = np.ones_like(differs)
     for image in (by_distance, along_ray):
@@ -203,7 +203,7 @@ def reduced(scene: nf.Scene, request: pytest.FixtureRequest) -> nf.ReducedScene:
 
 
 def oracle(reduced: nf.ReducedScene, scene: nf.Scene, view: nf.Camera) -> NDArray[np.int64]:
-    """Triangles along bent rays, each traced leg by leg by itself with a tolerance of a ten thousandth of a pixel."""
+    """Triangles along bent rays, each traced segment by segment with a tolerance of 1e-4 pixels."""
     width, height = view.size
     _, rays = view.rays()
     rays = rays.reshape(-1, 3)
@@ -228,7 +228,7 @@ def test_exact_frames_are_those_of_rays_bent_one_by_one(
     expected = oracle(reduced, scene, view)
     standing = frame.require("face_id")
     assert (expected >= 0).mean() > 0.2
-    # Rays that pass an edge by less than the tolerance may go either way: 160 × 90 pixels have some thousand at edges.
+    # Rays that pass an edge within the tolerance may hit either side: of 160 × 90 pixels about a thousand are at edges.
     assert (standing != expected).mean() < 1e-3
 
 
@@ -260,7 +260,7 @@ def test_vertex_and_exact_frames_agree_but_for_edges(reduced: nf.ReducedScene) -
     for env in (True, False):
         a, b = images["vertex", env], images["exact", env]
         assert (a.require("face_id") != b.require("face_id")).mean() < 5e-3
-    # The map is what the ideal picture's rays meet, looked up.
+    # The map shows the hits of the ideal picture's rays, resampled.
     far = (images["exact", True].require("face_id") < 0) & (images["exact", False].require("face_id") >= 0)
     error = np.abs(images["exact", True].require("color") - images["exact", False].require("color"))[far]
     assert far.sum() > 1000
@@ -276,7 +276,7 @@ def test_the_ideal_picture_of_the_conventional_method_has_its_break(scene: nf.Sc
     x, y = np.meshgrid(np.arange(160) + 0.5, np.arange(90) + 0.5)
     pixels = np.stack([x, y], axis=-1)[beyond & (ideal.require("face_id") >= 0)]
     points = points[np.isfinite(points[:, 0])]
-    # Seen from O: as if the user stood there.
+    # The view from O has the same camera, moved there.
     np.testing.assert_allclose(view.project(points - CENTER + view.position)[:, :2], pixels, atol=1e-2)
     same = plain.render(view, env=False, method="exact", channels=("face_id",)).require("face_id")
     np.testing.assert_array_equal(same, ideal.require("face_id"))
@@ -323,7 +323,7 @@ def test_exact_frames_miss_the_morph_by_no_more_than_their_tolerance(
     flat = nf.reduce(floor, face_size=16, **radii)
     view = nf.Camera.look_at(user, aim, fov=nf.Fov.symmetric(fov, 1.6), size=(320, 200))
     _, rays = view.rays()
-    # What a pixel covers where it is: tangents per pixel times cos² of its angle off the axis.
+    # Size of a pixel at its place in radians: tangents per pixel times cos² of its angle off the axis.
     cosine = rays @ (np.array(aim) - user) / np.linalg.norm(np.array(aim) - user) / np.linalg.norm(rays, axis=-1)
     pixel = 2 * math.tan(math.radians(fov / 2)) / 320 * cosine**2
     for tolerance in (0.1, 0.02):

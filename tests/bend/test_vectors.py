@@ -1,4 +1,4 @@
-"""Bent rays against the vectors that all languages read."""
+"""Tests of bent rays with the vectors that all languages read."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ import nearfar as nf
 from tests.support.vectors import cases, check
 
 TOLERANCE = 1e-6
-"""Radians; the vectors' bounds for polylines are of this tolerance."""
+"""Tolerance in radians of the polylines; the vectors' bounds are for this value."""
 
 
 def at(line: NDArray[np.float64], user: Any, direction: NDArray[np.float64], s: float) -> NDArray[np.float64]:
-    """The polyline's point at a distance along the direction; its last leg goes on along it."""
+    """Point of the polyline at a distance along the direction; its last segment continues without end."""
     along = (line - user) @ direction
     if s >= along[-1]:
         return np.asarray(line[-1] + (s - along[-1]) * direction)

@@ -1,4 +1,4 @@
-"""Solid angles against arithmetic of 60 digits, and through lenses against sums over what is shown."""
+"""Tests of solid angles against arithmetic of 60 digits, and through lenses against numerical integrals."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ VIEW = nf.Camera((1.0, 2.0, 3.0), fov=nf.Fov(-1.03553, 0.965689, -1.15, 1.0), si
 
 
 def exact_angle(center: Array, radius: float, eye: Array) -> Any:
-    """4π sin²(μ/2)."""
+    """Exact solid angle 4π sin²(μ/2)."""
     with mpmath.workdps(60):
         distance = mpmath.sqrt(sum((mpf(float(c)) - mpf(float(e))) ** 2 for c, e in zip(center, eye, strict=True)))
         if distance <= radius:
@@ -31,13 +31,13 @@ def exact_angle(center: Array, radius: float, eye: Array) -> Any:
 
 
 def placed(alpha: float, around: float, mu: float, distance: float = 10.0) -> tuple[Array, float]:
-    """A sphere of half angle μ whose centre is α from VIEW's axis."""
+    """A sphere of angular radius μ whose centre is at the angle α from VIEW's axis."""
     direction = np.array([math.sin(alpha) * math.cos(around), math.sin(alpha) * math.sin(around), -math.cos(alpha)])
     return np.array(VIEW.position) + distance * direction, distance * math.sin(mu)
 
 
 def published(alpha: float, mu: float, lens: nf.RadialLens, omega: float) -> Any:
-    """σ′/σ of Eq. 4.12, by 60 digits and halving."""
+    """Exact σ′/σ of Eq. 4.12, by 60 digits and bisection."""
     with mpmath.workdps(60):
 
         def shown(angle: Any) -> Any:
@@ -53,7 +53,7 @@ def published(alpha: float, mu: float, lens: nf.RadialLens, omega: float) -> Any
 
 
 def area(alpha: float, mu: float, lens: nf.RadialLens, omega: float) -> float:
-    """Area of what a lens shows of a sphere: the magnification summed over the directions that it covers."""
+    """Shown area of a sphere through a lens: the magnification integrated over the directions that it covers."""
     node, weight = np.polynomial.legendre.leggauss(200)
     # u = sin²(θ/2) has equal areas for equal steps, and no cancellation.
     top = math.sin(mu / 2) ** 2
@@ -72,15 +72,16 @@ def area(alpha: float, mu: float, lens: nf.RadialLens, omega: float) -> float:
 
 @given(st.floats(-300, 300), st.floats(-300, 300), st.floats(1e-6, 1e3), st.floats(0, 1.5))
 def test_solid_angles_are_right_to_a_few_ulps(x: float, y: float, z: float, share: float) -> None:
-    # Whether the eye is inside is decided by the rounded distance.
+    # Rounding of the distance decides whether the eye is inside, so close cases are left out.
     assume(abs(share - 1) > 1e-12)
     eye = np.array([0.5, -1.25, 2.0])
-    # Differences from the eye are exact where places are whole quarters.
+    # Multiples of 1/4 make the differences from the eye exact.
     center = np.round(np.array([x, y, z]) * 4) / 4
     radius = share * float(np.linalg.norm(center - eye))
     exact = exact_angle(center, radius, eye)
     found = nf.solid_angle(center[None], radius, eye=eye)[0]
-    # The sine is right to three roundings; beside the sphere, 1 − sin μ is not, and σ is off by the root of that.
+    # The sine is exact to three roundings. Near the surface 1 − sin μ loses digits, and σ has the square root of that
+    # error.
     beside = math.sqrt(max(0.0, 1 - share)) if share < 1 else 1.0
     assert abs(found - exact) <= 12 * 2.0**-52 * exact / max(beside, 1e-8) + 1e-320
 
@@ -101,7 +102,7 @@ def test_the_published_size(alpha: float, around: float, power: float) -> None:
     center, radius = placed(alpha, around, mu)
     own = nf.solid_angle(center[None], radius, eye=VIEW.position)[0]
     found = nf.corrected_solid_angle(center[None], radius, camera=VIEW, lens=RIFT_S)[0]
-    # Where the centre is placed is rounded: 1e-15 of 10 m, against α's effect on the size.
+    # The centre's position is rounded by 1e-15 of 10 m, which changes α and with it the size.
     assert found / own == pytest.approx(float(published(alpha, mu, RIFT_S, 1.03553)), rel=1e-11)
 
 
@@ -119,7 +120,7 @@ def test_the_area_that_is_shown(alpha: float, mu: float) -> None:
 def test_small_spheres_before_ninety_degrees(alpha: float, mu: float) -> None:
     center, radius = placed(alpha, 0.3, mu)
     found = nf.corrected_solid_angle(center[None], radius, camera=VIEW, lens=RIFT_S, exact=True)[0]
-    # Where the centre is placed is rounded: 1e-15 of 10 m against the 0.003 to 90°. The sum cancels as documented.
+    # The centre's position is rounded by 1e-15 of 10 m, compared with 0.003 to 90°. The sum cancels as documented.
     assert found == pytest.approx(
         area(alpha, mu, RIFT_S, 1.03553), rel=1e-11 + 1e-15 / mu + 1e-14 / (math.pi / 2 - alpha)
     )
@@ -150,12 +151,12 @@ def test_sizes_that_no_lens_changes() -> None:
     own = nf.solid_angle(centers, radii, eye=VIEW.position)
     for exact in (False, True):
         found = nf.corrected_solid_angle(centers, radii, camera=VIEW, lens=RIFT_S, exact=exact)
-        # Behind, around the eye and beyond 90° they keep their size; ahead they shrink.
+        # Spheres behind or around the eye or beyond 90° keep their size; those ahead shrink.
         assert np.array_equal(found[:3], own[:3])
         assert 0.9 * own[3] < found[3] < own[3]
         same = nf.corrected_solid_angle(centers, radii, camera=VIEW, lens=nf.RadialLens(()), exact=exact)
         assert same == pytest.approx(own, rel=1e-12)
-    # Beyond the fold of a lens nothing is known of what it shows.
+    # Beyond the fold of a lens its picture is undefined.
     center, radius = placed(1.3, 0.0, 0.05)
     folded = nf.RadialLens((-0.2,))
     own = nf.solid_angle(center[None], radius, eye=VIEW.position)

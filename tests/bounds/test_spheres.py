@@ -1,4 +1,4 @@
-"""Bounding spheres against exact arithmetic over all supports, and where points are degenerate."""
+"""Tests of bounding spheres against exact arithmetic over all supports, and with degenerate points."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def dot(a: Point, b: Point) -> Fraction:
 
 
 def solved(matrix: list[Point], right: Point) -> Point | None:
-    """Solution of a small system in rational numbers; none where it is singular."""
+    """Solution of a small linear system in rational numbers; None if it is singular."""
     rows = [[*row, value] for row, value in zip(matrix, right, strict=True)]
     size = len(rows)
     for i in range(size):
@@ -43,13 +43,14 @@ def solved(matrix: list[Point], right: Point) -> Point | None:
 
 
 def least_radius(points: Array) -> float:
-    """Radius of the smallest sphere: the least of those about every two to four points that hold all, exactly."""
+    """Exact radius of the smallest sphere: the least of the spheres about two to four points that enclose all."""
     exact = [[Fraction(float(x)) for x in point] for point in points]
     least: Fraction | None = None
     for count in range(1, 5):
         for chosen in combinations(exact, count):
             from_first = [[a - b for a, b in zip(p, chosen[0], strict=True)] for p in chosen[1:]]
-            # The centre lies in the span of the differences: Gram's matrix times its shares is half their squares.
+            # The centre lies in the span of the differences: Gram's matrix times its coefficients is half of their
+            # squares.
             gram = [[dot(u, v) for v in from_first] for u in from_first]
             shares = solved(gram, [dot(u, u) / 2 for u in from_first])
             if shares is None:
@@ -62,13 +63,13 @@ def least_radius(points: Array) -> float:
             squared = max(dot(a, a) for a in away)
             least = squared if least is None or squared < least else least
     assert least is not None
-    # Scaled, so that the conversion to float neither overflows nor vanishes.
+    # Scaling avoids overflow and underflow in the conversion to float.
     scale = Fraction(2) ** (2 * (math.floor(math.log2(float(max(map(abs, points.ravel().tolist())) or 1.0)))))
     return math.sqrt(float(least / scale)) * math.sqrt(float(scale)) if least else 0.0
 
 
 def outside(points: Array, center: Array, radius: float) -> float:
-    """By how many units in the last place of the radius the farthest point lies outside."""
+    """Distance of the farthest point outside the sphere, in units in the last place of the radius."""
     away = points.astype(np.longdouble) - center.astype(np.longdouble)
     farthest = float(np.sqrt((away**2).sum(axis=1)).max())
     return float((farthest - radius) / np.spacing(radius))
@@ -82,14 +83,14 @@ def test_few_points_have_the_least_sphere_in_exact_arithmetic(rows: list[tuple[f
     points = np.array(rows) * scale
     center, radius = nf.bounding_sphere(points)
     assert outside(points, center, radius) <= 4
-    # The centre is rounded to float64 where the points are.
+    # The centre is rounded to float64 at the points' distance from zero.
     rounding = 1e-15 * np.abs(points).max()
     assert radius <= least_radius(points) * (1 + 1e-12) + rounding
     assert radius >= least_radius(points) * (1 - 1e-12) - rounding
 
 
 def families() -> Iterator[tuple[str, Array, float]]:
-    """Points whose least sphere is known."""
+    """Yield point sets whose smallest sphere is known."""
     random = np.random.default_rng(5)
     sphere = random.normal(size=(20_000, 3))
     sphere /= np.linalg.norm(sphere, axis=1, keepdims=True)
@@ -115,7 +116,7 @@ def families() -> Iterator[tuple[str, Array, float]]:
 def test_degenerate_points_have_the_least_sphere(case: tuple[str, Array, float], scale: float) -> None:
     _, points, radius = case
     center, found = nf.bounding_sphere(points * scale)
-    # Differences of points near zero by so much smaller ones have no digits below 1e-308.
+    # Differences between points near zero and much smaller ones have no digits below 1e-308.
     assert outside(points * scale, center, found) <= 4 or scale == 1e-300
     if not math.isnan(radius):
         assert found == pytest.approx(radius * scale, rel=1e-12, abs=0 if scale > 1e-300 else 1e-320)
@@ -130,7 +131,7 @@ def test_far_from_zero_digits_of_differences_are_kept() -> None:
     grid = np.round(points * 2**20) / 2**20
     _, radius = nf.bounding_sphere(grid)
     center, found = nf.bounding_sphere(grid + 1e8)
-    # 1e8 + 2⁻²⁰ steps are exact: what is left is the centre's rounding to 1.5e-8.
+    # Steps of 2⁻²⁰ at 1e8 are exact; only the centre is rounded, to 1.5e-8.
     assert found == pytest.approx(radius, abs=2e-8)
     assert outside(grid + 1e8, center, found) <= 4
     np.testing.assert_allclose(center, 1e8, atol=1e-6)
@@ -151,7 +152,7 @@ def test_any_cloud_is_held_and_no_smaller_sphere_holds_its_extremes(seed: int, c
     center, radius = nf.bounding_sphere(cloud)
     wide = cloud.astype(np.float64)
     assert outside(wide, center, radius) <= 4
-    # Points on the sphere alone have the same one: it rests on them.
+    # The points on the sphere alone have the same smallest sphere.
     distance = np.linalg.norm(wide - center, axis=1)
     near = wide[distance >= radius * (1 - 1e-9)]
     assert nf.bounding_sphere(near)[1] == pytest.approx(radius, rel=1e-12)
@@ -169,7 +170,8 @@ def test_another_exact_solver_finds_the_same(scale: float) -> None:
     for cloud in clouds:
         center, radius = nf.bounding_sphere(cloud * scale)
         theirs, square = miniball.get_bounding_ball(cloud * scale, rng=np.random.default_rng(0))
-        # They keep points within 1e-12 of the sphere's square inside; a centre follows the root of the radius' error.
+        # The peers accept points within 1e-12 of the squared radius; a centre's error is the square root of the radius'
+        # error.
         assert radius == pytest.approx(math.sqrt(square), rel=1e-12)
         assert np.linalg.norm(center - theirs) <= 1e-6 * radius
 

@@ -1,4 +1,4 @@
-"""Cameras: every projection against formulas written out again, and everything that is no view."""
+"""Tests of cameras: every projection against independent formulas, and invalid arguments."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ TURNED = (0.18257418583505536, 0.3651483716701107, -0.5477225575051661, 0.730296
 
 
 def grid(width: int, height: int) -> tuple[np.ndarray, np.ndarray]:
-    """Fractions from the left and from the top of all pixel centres."""
+    """Positions of all pixel centres as fractions of width and height, from the left and from the top."""
     return np.meshgrid((np.arange(width) + 0.5) / width, (np.arange(height) + 0.5) / height)
 
 

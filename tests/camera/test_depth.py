@@ -1,4 +1,4 @@
-"""Ranges from depth buffers against exact arithmetic, planes against matrices, and the bound of what rounding costs."""
+"""Tests of ranges from depth buffers against exact arithmetic, of matrices, and of the bound on rounding errors."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ tangents = st.tuples(st.floats(-3, 1), st.floats(0.1, 2), st.floats(-3, 1), st.f
 )
 nears = st.floats(1e-3, 10)
 fars = st.one_of(st.just(math.inf), st.floats(1.001, 1e7))
-"""As multiples of near."""
+"""Distances of the far plane as multiples of near."""
 
 
 def exact_depth(z: Any, near: float, far: float, reverse: bool) -> Any:
-    """What a buffer would hold at a distance along the axis, without rounding: the projections of graphics books."""
+    """Exact depth of a distance along the axis, by the projections of graphics textbooks."""
     n, z = Decimal(near), Decimal(z)
     if math.isinf(far):
         return n / z if reverse else 1 - n / z
@@ -43,7 +43,7 @@ def exact_depth(z: Any, near: float, far: float, reverse: bool) -> Any:
 
 
 def exact_distance(depth: Any, near: float, far: float, reverse: bool) -> Any:
-    """The same solved for the distance."""
+    """Exact distance along the axis of a depth."""
     n, t = Decimal(near), Decimal(depth)
     if math.isinf(far):
         return n / t if reverse else n / (1 - t)
@@ -63,7 +63,7 @@ def off(found: float, true: Any) -> float:
 
 
 def matrix(fov: nf.Fov, near: float, far: float, *, reverse: bool, opengl: bool, sign: int) -> Array:
-    """A projection as a program builds it, in float64: z is `sign` times the distance."""
+    """A projection matrix as programs build it, in float64: z is `sign` times the distance."""
     sx, sy = 2 / (fov.right - fov.left), 2 / (fov.up - fov.down)
     ox = (fov.right + fov.left) / (fov.right - fov.left)
     oy = (fov.up + fov.down) / (fov.up - fov.down)
@@ -159,7 +159,7 @@ def test_a_matrix_says_it_all(fov: nf.Fov, reverse: bool, far: float, opengl: bo
     z = np.geomspace(0.1001, 299.0, 90).reshape(9, 10)
     depth = np.vectorize(lambda z: float(exact_depth(z, near, far, reverse)))(z)
     found = nf.range_from_depth(depth, rows, depth_range=depths)
-    # Entries and depths are rounded, relative to 1 and not to 1/z: z/near times as much at z.
+    # Entries and depths are rounded relative to 1, not to 1/z; at z that error is z/near times as large.
     np.testing.assert_allclose(
         found, nf.range_from_depth(depth, fov, near=near, far=far, reverse=reverse), rtol=16 * 2.0**-53 * 299 / 0.1
     )
@@ -183,7 +183,7 @@ def test_a_matrix_of_parallel_rays() -> None:
 
 
 def test_a_matrix_whose_far_plane_lies_beyond_infinity() -> None:
-    """Depth that is nudged towards the eye, so that nothing at infinity is clipped (Lengyel's 2⁻²²)."""
+    """Depth moved towards the eye, so that nothing at infinity is clipped (Lengyel's 2⁻²²)."""
     rows = matrix(FOV, 0.1, math.inf, reverse=False, opengl=False, sign=-1)
     rows[2, 2] += 2.0**-22
     depth = np.array([[0.5, 1 - 2.0**-22, 1 - 2.0**-23, 1.0]])
@@ -219,7 +219,7 @@ def test_ranges_of_a_rendered_scene_come_back() -> None:
     np.testing.assert_array_equal(np.isfinite(back), seen)
     # Two roundings to float32: of the depth and of the range.
     np.testing.assert_allclose(back[seen], ranges[seen], rtol=2 * SINGLE)
-    # And what Camera.project calls depth is the distance along the axis.
+    # `Camera.project` returns the distance along the axis as depth.
     _, directions = camera.rays()
     points = np.array(camera.position) + directions * np.where(seen, ranges, 1.0)[..., None]
     along = camera.project(points.reshape(-1, 3))[:, 2].reshape(seen.shape)
@@ -240,7 +240,7 @@ def test_beyond_the_far_plane_nothing_is_drawn() -> None:
 def stored(depth: Any, depth_format: str) -> Array:
     """An exact depth rounded once to the nearest value that a format has."""
     if depth_format == "float32":
-        # By way of float64, which may round a second time: that is 2⁻²⁹ of a step.
+        # The conversion through float64 may round twice, an error of 2⁻²⁹ of a step.
         return np.array([[float(depth)]], np.float32)
     most = 2 ** int(depth_format.removeprefix("uint")) - 1
     return np.array([[int((depth * most).to_integral_value())]], np.uint16 if depth_format == "uint16" else np.uint32)
@@ -267,8 +267,8 @@ def test_the_bound_is_never_exceeded_and_never_far_off(
             assert error <= allowed
             if math.isfinite(error):
                 worst, bound = max(worst, error), max(bound, allowed if math.isfinite(allowed) else 0.0)
-        # Twice, for float32's steps that double within the interval, and a little, because sixty distances may miss
-        # the worst one; where the error nears the distance itself, few depths are left.
+        # A factor of 2 for float32's steps, which double within the interval, and a margin, because sixty distances may
+        # miss the worst one. Where the error approaches the distance, too few depths are left.
         if worst and bound < 0.05 * middle:
             assert bound <= 2.6 * worst, middle
 
@@ -278,7 +278,7 @@ def test_the_bound_holds_for_any_planes(
     near: float, far: float, reverse: bool, depth_format: str, share: float
 ) -> None:
     far *= near
-    # Evenly in the logarithm, up to a million times the near plane where there is no end.
+    # Evenly spread in the logarithm, up to a million times the near plane if there is no far plane.
     z = min(near * (1e6 if math.isinf(far) else far / near) ** share, far)
     z = max(z, near)
     allowed = float(nf.range_error(z, near=near, far=far, reverse=reverse, depth_format=depth_format))
@@ -294,7 +294,7 @@ def test_the_bound_has_the_published_orders() -> None:
     standard = nf.range_error(z, near=0.1, reverse=False)
     half = z > 0.2  # depth above 1/2, where steps are 2⁻²⁴
     np.testing.assert_allclose(standard[half], z[half] ** 2 / 0.1 * 2.0**-25 + z[half] * 2.0**-24, rtol=1e-2)
-    # A depth buffer of 16 bits sees 0.1 m … infinity as if the world ended at 13 km.
+    # With a 16-bit depth buffer, 0.1 m … infinity ends at 13 km.
     assert np.isinf(nf.range_error(0.1 * 2.0**17, near=0.1, depth_format="uint16"))
     assert nf.range_error([], near=0.1).shape == (0,)
 

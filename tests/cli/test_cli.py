@@ -1,4 +1,4 @@
-"""The command line does the main job, prints what its schemas say, and answers mistakes with one sentence."""
+"""Tests of the command line: its main job, output that fits its schemas, and error messages."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ def pixels(path: Path) -> NDArray[np.uint8]:
 def test_info_says_what_a_scene_holds(city: Path, capsys: pytest.CaptureFixture[str]) -> None:
     status, out, _ = command(capsys, "info", "-i", city, "--json")
     assert status == 0
-    said = document(out, "info")
-    assert said["triangles"] == 12 * 101
+    report = document(out, "info")
+    assert report["triangles"] == 12 * 101
     # Corners of up to 100 m in float32: half a step is 4e-6 m, and the file was written from float64.
-    np.testing.assert_allclose(said["bounds"][0], [-100, -1, -100], atol=1e-4)
+    np.testing.assert_allclose(report["bounds"][0], [-100, -1, -100], atol=1e-4)
     status, out, _ = command(capsys, "info", "-i", city)
     assert status == 0
     assert out.count("1,212") == 1
@@ -44,12 +44,12 @@ def test_partition_counts_and_refuses_above_a_limit(
     arguments = ("partition", "-i", city, "--center", "0,1.7,0", "--r1", "10", "--r2", "20")
     status, out, _ = command(capsys, *arguments, "--json", "-o", tmp_path / "partition.json")
     assert status == 0
-    said = document(out, "partition")
-    assert said == json.loads((tmp_path / "partition.json").read_text())
-    assert 0 < said["summary"]["nsf"] < 12 * 101
-    counts = [entry["triangles"] for entry in said["load_curve"]]
+    report = document(out, "partition")
+    assert report == json.loads((tmp_path / "partition.json").read_text())
+    assert 0 < report["summary"]["nsf"] < 12 * 101
+    counts = [entry["triangles"] for entry in report["load_curve"]]
     assert counts == sorted(counts)
-    assert said["load_curve"][0] == {"radius": 20.0, "triangles": said["summary"]["nsf"]}
+    assert report["load_curve"][0] == {"radius": 20.0, "triangles": report["summary"]["nsf"]}
     status, _, err = command(capsys, *arguments, "--max-triangles", "3")
     assert status == 1
     assert re.fullmatch(r"nearfar: expected at most 3 triangles near, got \d+\n", err)
@@ -82,18 +82,18 @@ def test_render_writes_a_picture(method: str, city: Path, tmp_path: Path, capsys
 def test_demo_does_the_whole_job(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = tmp_path / "deep" / "demo"
     settings = ("--size", "96x64", "--samples", "1", "--face-size", "64", "--json")
-    # Twice: the second replaces the first.
+    # The second run replaces the first one's folder.
     for _ in range(2):
         status, out, err = command(capsys, "demo", "-i", city, "-o", folder, *settings)
         assert status == 0, err
-    said = document(out, "report")
-    assert said == json.loads((folder / "report.json").read_text(encoding="utf-8"))
-    assert sorted(path.name for path in folder.iterdir()) == sorted(said["files"])
-    assert {"truth.png", "conventional.png", "continuous.png", "side_by_side.png", "report.md"} <= set(said["files"])
-    assert said["triangles_left"] < said["triangles"]
+    report = document(out, "report")
+    assert report == json.loads((folder / "report.json").read_text(encoding="utf-8"))
+    assert sorted(path.name for path in folder.iterdir()) == sorted(report["files"])
+    assert {"truth.png", "conventional.png", "continuous.png", "side_by_side.png", "report.md"} <= set(report["files"])
+    assert report["triangles_left"] < report["triangles"]
     assert pixels(folder / "side_by_side.png").shape[1] == 3 * 96 + 2 * 6
     text = (folder / "report.md").read_text(encoding="utf-8")
-    assert f"{said['triangles']:,} triangles become {said['triangles_left']:,}" in text
+    assert f"{report['triangles']:,} triangles become {report['triangles_left']:,}" in text
 
 
 def test_demo_plots_the_load_curve(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -119,7 +119,7 @@ def test_procedural_scenes_need_no_file(capsys: pytest.CaptureFixture[str]) -> N
         (["info"], 2, "--input"),
         (["nonsense"], 2, "nonsense"),
         (["partition", "-i", "CITY", "--r1", "50", "--r2", "30"], 1, "r1: expected less than r2"),
-        # Radii are looked at before a scene that may take long to load.
+        # Radii are checked before the scene is loaded, which may take long.
         (["partition", "-i", "missing.glb", "--r1", "-1"], 1, "r1: expected a radius of at least 0"),
         (["bake", "-i", "missing.glb", "-o", "a.exr", "--r2", "20"], 1, "r1: expected less than r2"),
         (["render", "-i", "missing.glb", "-o", "a.png", "--r2", "nan"], 1, "r2: expected a finite number"),
@@ -163,16 +163,16 @@ def test_mistakes_are_one_sentence(
 
 def test_the_program_itself_leaves_with_the_status() -> None:
     for arguments, status in ((["--version"], 0), (["info", "-i", "missing.glb"], 1), (["info"], 2)):
-        done = subprocess.run(
+        process = subprocess.run(
             [sys.executable, "-m", "nearfar.cli", *arguments], capture_output=True, text=True, timeout=60, check=False
         )
-        assert done.returncode == status, done.stderr
+        assert process.returncode == status, process.stderr
 
 
 def test_the_command_line_loads_late() -> None:
     code = "import sys, nearfar.cli; print(any(m.partition('.')[0] in ('typer', 'rich') for m in sys.modules))"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True)
-    assert done.stdout.strip() == "False"
+    process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True)
+    assert process.stdout.strip() == "False"
 
 
 def test_the_chosen_place_is_open_ground(city: Path) -> None:
@@ -180,10 +180,10 @@ def test_the_chosen_place_is_open_ground(city: Path) -> None:
 
     scene = nf.Scene.load(city)
     place = viewpoint.find(scene)
-    # Float32 distances from the sky, 25 m up; the centimetre is what a person would not notice.
+    # Rays start 25 m up, with float32 distances; a centimetre is irrelevant for a viewpoint.
     assert place.eye[1] == pytest.approx(viewpoint.EYE_HEIGHT, abs=0.01)
     around = viewpoint._view(scene, np.array(place.eye))
     assert around.min() >= viewpoint.CLEARANCE
-    # The view is a quarter turn about the direction, and sees farther than the other three on the whole.
+    # The chosen quarter turn sees farther than the other three.
     turned = np.roll(np.minimum(around, 500.0), 9 - int(np.argmax(viewpoint._ring() @ place.forward)))
     assert turned[:19].mean() >= turned[19:].mean()

@@ -1,4 +1,4 @@
-"""`nearfar compare`: measures that are right, pages that are whole, thresholds that end the command."""
+"""Tests of `nearfar compare`: its measures, its report pages, and the exit status of its thresholds."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_measures_are_those_of_the_functions(city: Path, compared: tuple[Path, d
         values = document["pictures"][name]
         torn = nf.discontinuity(frame)
         edge = nf.boundary(frame, center=(0, 1.7, 0), radius=50) & ~np.isnan(torn)
-        # Written with four to six decimals.
+        # The document has four to six decimals.
         assert values["psnr"] == pytest.approx(nf.psnr(truth, frame), abs=1e-4)
         assert values["ssim"] == pytest.approx(nf.ssim(truth, frame), abs=1e-6)
         assert values["discontinuity"] == pytest.approx(np.nanmean(torn), abs=1e-5)
@@ -63,7 +63,7 @@ def test_measures_are_those_of_the_functions(city: Path, compared: tuple[Path, d
 
 
 class Page(HTMLParser):
-    """Opens and closes every element that needs it."""
+    """Parser that checks that every element is closed."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -107,13 +107,13 @@ def test_thresholds_end_the_command(
 ) -> None:
     out = tmp_path / "out"
     arguments = ("-i", city, "-o", out, *PLACE, *FAST, option, limit, "--json", "--exact")
-    found, printed, said = command(capsys, "compare", *arguments)
+    found, printed, errors = command(capsys, "compare", *arguments)
     document = json.loads(printed)
     assert found == status
     assert valid(document, "compare")
     assert document["method"] == "exact"
     assert document["thresholds"][0]["kept"] == (status == 0)
-    assert (option in said) == (status == 3)
+    assert (option in errors) == (status == 3)
     assert (out / "report.html").exists()
 
 
@@ -124,7 +124,7 @@ def test_mistakes_are_sentences(city: Path, tmp_path: Path, capsys: pytest.Captu
         (("--r1", "60"), "r1: expected less than r2"),
         (("--min-psnr", "nan"), "--min-psnr: expected a finite number"),
     ]:
-        status, _, said = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *FAST, *wrong)
+        status, _, errors = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *FAST, *wrong)
         assert status == 1
-        assert words in said
+        assert words in errors
         assert not (tmp_path / "out").exists()

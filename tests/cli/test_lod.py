@@ -1,4 +1,4 @@
-"""`nearfar lod`: from a mesh to what engines load."""
+"""Tests of `nearfar lod`, from a mesh to files for engines."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ def test_a_mesh_becomes_a_model(mesh: Path, tmp_path: Path, capsys: pytest.Captu
     target = tmp_path / "stone.glb"
     status, out, err = command(capsys, "lod", "-i", mesh, "-o", target, "--hmd", "rift_s", *QUICK, "--json")
     assert (status, err) == (0, "")
-    said = document(out, "levels")
+    report = document(out, "levels")
     model = nf.lod.LodModel.load(target)
-    assert said["name"] == model.name == "stone"
-    assert [level["triangles"] for level in said["levels"]] == model.triangles.tolist()
-    assert said["bytes"] == target.stat().st_size
+    assert report["name"] == model.name == "stone"
+    assert [level["triangles"] for level in report["levels"]] == model.triangles.tolist()
+    assert report["bytes"] == target.stat().st_size
     found = nf.lod.switches(model, view=nf.hmd.RIFT_S)
-    assert said["screen_coverage"] == found.coverages()
+    assert report["screen_coverage"] == found.coverages()
     assert nf.Scene.load(target).triangle_count == 1280
     status, out, _ = command(capsys, "lod", "-i", mesh, "-o", tmp_path / "stone.json", *QUICK)
     assert status == 0

@@ -1,4 +1,4 @@
-"""Environment maps: files, channels, samples."""
+"""Tests of environment maps: files, channels, look-up."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def test_maps_keep_object_names(tmp_path: Path) -> None:
 
 
 def test_half_ranges(tmp_path: Path) -> None:
-    """Rounded to 11 bits, exact in files, and found by the same lookups."""
+    """Ranges of float16 are rounded to 11 bits, exact in files, and looked up by the same code."""
     whole = example()
     assert whole.range is not None
     env = dataclasses.replace(whole, range=envmap.to_half(np.minimum(whole.range, np.float32(65504))))
@@ -98,7 +98,7 @@ def test_half_ranges_are_off_by_their_stated_error(metres: float) -> None:
 def test_half_ranges_keep_infinity_and_refuse_what_they_cannot_hold() -> None:
     kept = envmap.to_half(np.array([np.inf, 65504, 0], np.float32))
     np.testing.assert_array_equal(kept, np.array([np.inf, 65504, 0], np.float16))
-    # 65,505 would round down to what float16 holds: the limit is stated, and it is the same for every number.
+    # 65,505 would round down to a float16; the documented limit applies to all values above 65,504.
     for beyond in (65505, 7e4, 1e30):
         with pytest.raises(ValueError, match=r"range_dtype: expected float32 .* ends at 65,504 m"):
             envmap.to_half(np.array([1, beyond, np.inf], np.float32))

@@ -1,4 +1,4 @@
-"""Cubic lookups, cones, mip chains and solid angles of cube maps against slow definitions."""
+"""Tests of cubic look-ups, cones, mip chains and solid angles of cube maps against slow definitions."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def smooth(d: Array) -> Array:
 
 
 def everywhere(size: int, count: int = 40_000) -> Array:
-    """Directions of all kinds: a quarter about edges, a quarter about corners."""
+    """Directions over the whole sphere, a quarter of them near edges, a quarter near corners."""
     d = np.random.default_rng(size).uniform(-1, 1, (count, 3))
     near = np.sign(d) + 4 * d / size
     d[::4] = near[::4]
@@ -35,7 +35,7 @@ def everywhere(size: int, count: int = 40_000) -> Array:
 
 
 def from_edge(d: Array, size: int) -> Array:
-    """Texels from the nearest edge of the face that a direction meets."""
+    """Distance in texels from the nearest edge of the face that a direction hits."""
     ordered = np.sort(np.abs(d), axis=1)
     return np.asarray((1 - ordered[:, 1] / ordered[:, 2]) * size / 2)
 
@@ -68,7 +68,7 @@ def test_cubic_keeps_constants_and_texels(size: int) -> None:
     np.testing.assert_allclose(constant, 0.3, rtol=0, atol=1e-14)
     faces = np.random.default_rng(size).uniform(-1, 1, (6, size, size))
     at_centers = nf.cube_lookup(faces, nf.envmap_directions(size), filter="cubic")
-    # Where the neighbour has no share and this face's other weights vanish.
+    # At these centres the neighbour face has no weight, and this face's other weights vanish.
     np.testing.assert_allclose(at_centers, faces, rtol=0, atol=1e-13)
 
 
@@ -95,7 +95,8 @@ def test_cubic_errors_at_seams_are_no_larger_and_fall_as_fast() -> None:
         assert error[seam].max() <= error[~seam].max()
         assert error[corner].max() <= error[~seam].max()
         worst.append((error[~seam].max(), error[seam].max()))
-    # Keys' order is three: 8 a step in the limit. A rim of the second order would give 4 at seams.
+    # Keys' interpolation has the third order: a factor of 8 per doubling. A border of the second order would give 4 at
+    # seams.
     ratios = np.array(worst)[1:-1] / np.array(worst)[2:]
     assert (ratios > 6).all(), ratios
 
@@ -115,20 +116,21 @@ def test_lookups_are_continuous(size: int, seed: int, name: str) -> None:
 
 
 def test_cubic_joins_faces_smoothly() -> None:
-    """The slope across an edge is the same on both sides."""
+    """The slope is the same on both sides of an edge."""
     size = 16
     faces = np.random.default_rng(0).uniform(-1, 1, (6, size, size))
     angle, z = np.meshgrid(np.pi / 4 + np.array([-2e-4, -1e-4, 0, 1e-4, 2e-4]), np.linspace(-0.6, 0.6, 50))
     d = np.stack([np.cos(angle), np.sin(angle), z], -1)
     value = nf.cube_lookup(faces, d, filter="cubic")
     before, after = (value[:, 2] - value[:, 0]) / 2e-4, (value[:, 4] - value[:, 2]) / 2e-4
-    # Second derivatives of some (16/2)² · 10 a unit of angle, over 2e-4; a kink would be of the size of slopes, 10.
+    # Second derivatives of about (16/2)² · 10 per unit of angle, over 2e-4; a break in the slope would be as large as
+    # the slopes, 10.
     assert np.abs(before).max() > 5
     assert np.abs(after - before).max() < 0.3
 
 
 def angles_to_texels(d: Array, size: int) -> Array:
-    """Angle between a direction and each texel (6, S, S): 0 within it, else that to the nearest point of its sides."""
+    """Angle between a direction and each texel (6, S, S): 0 inside it, else the angle to its nearest border point."""
     edges = np.arange(size + 1) * 2 / size - 1
     v, u = np.meshgrid(edges, edges, indexing="ij")
     one = np.ones_like(u)
@@ -151,7 +153,7 @@ def angles_to_texels(d: Array, size: int) -> Array:
         between = (np.einsum("...k,...k", np.cross(a, foot), normal) >= 0) & (
             np.einsum("...k,...k", np.cross(foot, b), normal) >= 0
         )
-        # The foot may be as short as rounding; its angle is known all the same.
+        # The perpendicular may be as short as rounding; its angle is still valid.
         best = np.where(between, np.minimum(best, np.arctan2(np.abs(height), np.linalg.norm(foot, axis=-1))), best)
         for point in (a, b):
             best = np.minimum(best, np.arctan2(np.linalg.norm(np.cross(point, d), axis=-1), point @ d))
@@ -166,7 +168,7 @@ def test_cones_hold_all_texels_that_they_touch(size: int, seed: int, radius: flo
 def check_cone(d: Array, size: int, radius: float, seed: int = 0) -> None:
     angles = angles_to_texels(d, size)
     faces = np.random.default_rng(seed).uniform(-1, 1, (6, size, size))
-    # The stated width, and the oracle's own rounding.
+    # The documented tolerance, and the oracle's own rounding.
     surely, perhaps = faces[angles <= radius - 1e-13], faces[angles <= radius + 6.5e-8]
     least, greatest = (float(nf.cube_lookup(faces, d, filter=name, radius=radius)) for name in ("min", "max"))
     assert perhaps.min() <= least <= surely.min(initial=np.inf)
@@ -174,7 +176,7 @@ def check_cone(d: Array, size: int, radius: float, seed: int = 0) -> None:
 
 
 def check_every_texel(d: Array, size: int, radius: float) -> None:
-    """One channel for each texel, so that none hides behind another."""
+    """Use one channel for each texel, so that no texel hides behind another."""
     angles = angles_to_texels(d, size).ravel()
     faces = np.eye(angles.size, dtype=np.float32).reshape(6, size, size, -1)
     taken = nf.cube_lookup(faces, d, filter="max", radius=radius) == 1
@@ -253,7 +255,7 @@ def test_solid_angles(size: int) -> None:
 
 
 def shares(size: int) -> Array:
-    """How much of each row of a level each row of the next one covers: (S', S, 2) positions −1..1, empty ones 0."""
+    """Coverage of each row of a level by each row of the next: (S', S, 2) positions −1..1, empty ones 0."""
     after = max(1, size // 2)
     low = np.maximum(np.arange(after)[:, None] * 2 / after, np.arange(size) * 2 / size)
     high = np.minimum((np.arange(after)[:, None] + 1) * 2 / after, (np.arange(size) + 1) * 2 / size)
@@ -304,8 +306,8 @@ def test_mips_are_as_good_at_seams_as_inside() -> None:
         error = np.abs(nf.cube_lookup(level, d, filter="linear") - smooth(d))
         seam = from_edge(d, size) < 0.5
         assert error[seam].max() <= error[~seam].max()
-        # Second derivatives in two directions add up to 10 + 5; texels of 2/S are off by a 24th of it times their
-        # width squared, because they are means, and what lies between them by an 8th.
+        # Second derivatives in both directions add up to 10 + 5. Texels of width 2/S are means, with an error of 1/24
+        # of that times their squared width; interpolation adds 1/8.
         assert error.max() < 15 * (1 / 24 + 1 / 8) * (2 / size) ** 2
 
 
@@ -341,7 +343,7 @@ def with_nan(size: int, channels: int, share: float, seed: int) -> Array:
 
 
 def known(values: Array, name: str) -> Array:
-    """The least or greatest of rows (N, C), NaN where all are: NumPy's, but it warns there."""
+    """Least or greatest of rows (N, C), NaN if all are NaN, without NumPy's warning."""
     choose, nothing = (np.min, np.inf) if name == "min" else (np.max, -np.inf)
     found = choose(np.where(np.isnan(values), nothing, values), axis=0, initial=nothing)
     return np.asarray(np.where(np.isnan(values).all(axis=0), np.nan, found))
@@ -358,7 +360,7 @@ def test_extremes_skip_nan(size: int, channels: int, share: float, seed: int, na
     faces = with_nan(size, channels, share, seed)
     texels = faces.reshape(-1, channels)
     d = everywhere(size, 8)
-    # Of a texel alone in a face the filter keeps its weight.
+    # A face with a single texel keeps that texel's weight.
     weights = nf.cube_lookup(np.eye(len(texels)).reshape(6, size, size, -1), d, filter="linear")
     expected = np.array([known(texels[row > 0], name) for row in weights])
     np.testing.assert_array_equal(nf.cube_lookup(faces, d, filter=name), expected)
@@ -386,11 +388,11 @@ def test_extremes_skip_nan(size: int, channels: int, share: float, seed: int, na
 
 @pytest.mark.parametrize("name", ["min", "max"])
 def test_nan_do_not_depend_on_places(name: str) -> None:
-    """Mirrored faces, whose first texels are the last ones, give what the mirrored cone gives."""
+    """A mirrored map, whose first texels are the last ones, gives the results of the mirrored cone."""
     for size, radius in itertools.product((4, 5, 16, 33), (None, 0.1, 0.9)):
         faces = with_nan(size, 1, 0.7, size)[..., 0]
         d = everywhere(size, 200)
-        # Turned by half about z: opposite faces but ±z change places, and all six turn by half.
+        # A half turn about z: opposite faces except ±z change places, and all six turn by half.
         turned = faces[[1, 0, 3, 2, 4, 5], ::-1, ::-1]
         one = nf.cube_lookup(faces, d, filter=name, radius=radius)
         other = nf.cube_lookup(turned, d * (-1, -1, 1), filter=name, radius=radius)

@@ -1,4 +1,4 @@
-"""Pictures of all directions: where directions lie in each layout, and from one to another."""
+"""Tests of environment map layouts: directions of texels, and conversion between layouts."""
 
 from __future__ import annotations
 
@@ -54,13 +54,13 @@ def test_texels_are_where_the_formulas_say(size: int, seed: int) -> None:
             number = int(nf.envmap_texels(d, size=size, layout=layout))
             width = 2 * size if layout == "equirectangular" else size
             row, column = equirectangular(d, size, width) if layout == "equirectangular" else octahedral(d, size)
-            # Unless the direction lies on a border but for rounding.
+            # Directions on a border of texels, up to rounding, are left out.
             if all(abs(p - round(p)) > 1e-9 for p in (row, column)):
                 assert number == int(row) * width + int(column)
 
 
 def test_orientation() -> None:
-    """Six marked directions, by eye: front −z, right +x, up +y."""
+    """Six marked directions, checked by eye: front −z, right +x, up +y."""
     marks = {"front": (0, 0, -1), "right": (1, 0, 0), "back": (0, 0, 1), "left": (-1, 0, 0), "up": (0, 1, 0)}
     cube = np.zeros((6, 3, 3), np.int32)
     for number, face in enumerate((5, 0, 4, 1, 2, 3), 1):
@@ -85,7 +85,7 @@ def test_orientation() -> None:
 @pytest.mark.parametrize("source", LAYOUTS)
 @pytest.mark.parametrize("target", LAYOUTS)
 def test_errors_of_smooth_pictures(source: str, target: str) -> None:
-    """Everywhere, so at every edge and pole too: a wrong neighbour would be off by a texel, 0.1."""
+    """Errors in all directions, including every edge and pole: a wrong neighbour would be off by a texel, 0.1."""
     size = 48
     values = smooth(nf.envmap_directions(size, layout=source))
     truth = smooth(nf.envmap_directions(40, layout=target))
@@ -101,7 +101,7 @@ def test_errors_of_smooth_pictures(source: str, target: str) -> None:
     assert linear <= 15 * width**2 / 8 + kink
     # Keys' error is (2s³ − 3s² + s)/12, at most 0.008, of the third derivative in each direction, and higher orders.
     assert cubic <= 2 * (2 * 0.008 * 43) * width**3 + kink
-    # Half a texel's diagonal.
+    # The greatest distance to a texel's centre is half a diagonal.
     assert nearest <= 5.4 * width * math.sqrt(0.5)
 
 
@@ -111,10 +111,11 @@ def test_round_trips(layout: str) -> None:
     there = nf.convert_envmap(values, source="cube", target=layout, size=256, filter="cubic")
     back = nf.convert_envmap(there, source=layout, target="cube", size=64, filter="linear")
     assert there.dtype == back.dtype == np.float32
-    # As above, twice: cubic at a width of 2/64 leaves 3e-4; linear at 4/256 leaves 1.1e-3, and 1.3e-2 at kinks.
+    # Two conversions with the errors above: cubic at a width of 2/64 gives 3e-4; linear at 4/256 gives 1.1e-3, and
+    # 1.3e-2 at folds.
     assert np.abs(back - values).max() < (1.5e-2 if layout == "octahedral" else 1.5e-3)
     same = nf.convert_envmap(there, source=layout, target=layout, size=256, filter="linear")
-    # At its own centres nothing is mixed, but for angles' rounding: 1e-15 · 256 of slopes.
+    # At texel centres nothing is mixed, up to the rounding of angles: 1e-15 · 256 of slopes.
     np.testing.assert_allclose(same, there, rtol=0, atol=3e-7)
 
 
@@ -133,7 +134,7 @@ def test_nearest_and_extremes_pick_texels(source: str) -> None:
         np.testing.assert_array_equal(results["nearest"], values.reshape(-1, 2)[numbers])
         assert np.isin(results["min"], values).all()
         assert np.isin(results["max"], values).all()
-        # Up to three texels with weights of 1e-10 are mixed but not chosen; they differ by up to 2.
+        # Up to three texels with weights below 1e-10 are mixed but not searched; they differ by up to 2.
         assert (results["min"] <= results["linear"] + 6e-10).all()
         assert (results["linear"] <= results["max"] + 6e-10).all()
         if source == "cube":
@@ -154,7 +155,7 @@ def test_infinite_ranges_do_not_become_nan(source: str) -> None:
 
 @pytest.mark.parametrize("target", LAYOUTS)
 def test_samples_are_means_of_finer_pictures(target: str) -> None:
-    """Places of 3 × 3 samples are the texels of a picture three times as fine."""
+    """The 3 × 3 samples lie at the texel centres of a map three times as fine."""
     values = np.random.default_rng(0).uniform(-1, 1, (32, 64))
     for name, choose in (("linear", np.mean), ("cubic", np.mean), ("min", np.min), ("max", np.max)):
         settings: dict[str, Any] = {"source": "equirectangular", "target": target, "filter": name}
@@ -162,7 +163,7 @@ def test_samples_are_means_of_finer_pictures(target: str) -> None:
         blocks = fine.reshape(*fine.shape[:-2], fine.shape[-2] // 3, 3, -1, 3)
         expected = choose(blocks, axis=(-3, -1))
         found = nf.convert_envmap(values, size=10, samples=3, **settings)
-        # Places are the same but for rounding, of slopes of some 50 a unit.
+        # Positions agree up to rounding, times slopes of about 50 per unit.
         np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12)
 
 
@@ -180,7 +181,7 @@ def test_samples_are_means_of_finer_pictures(target: str) -> None:
     ],
 )
 def test_picked_texels_stay_in_their_own_layout(layout: str, shape: tuple[int, ...], name: str) -> None:
-    """At a texel's centre its neighbours have no weight but for rounding."""
+    """At a texel's centre its neighbours have no weight, up to rounding."""
     values = np.random.default_rng(0).uniform(size=shape)
     values[..., ::5] = np.nan
     size: Any = shape if layout == "equirectangular" else shape[-1]
@@ -190,7 +191,7 @@ def test_picked_texels_stay_in_their_own_layout(layout: str, shape: tuple[int, .
 
 @pytest.mark.parametrize("source", ["equirectangular", "octahedral"])
 def test_extremes_skip_nan(source: str) -> None:
-    """Those of the texels to which the linear filter gives weight."""
+    """The search covers the texels to which the linear filter gives weight."""
     shape = (4, 8) if source == "equirectangular" else (6, 6)
     count = math.prod(shape)
     values = np.random.default_rng(0).uniform(-1, 1, shape)
@@ -207,7 +208,7 @@ def test_extremes_skip_nan(source: str) -> None:
 
 
 def test_folds_of_octahedra_are_of_the_first_order() -> None:
-    """What the documentation says of them."""
+    """Errors at and away from folds are those that the documentation states."""
     found = []
     for size in (64, 128, 256):
         values = smooth(nf.envmap_directions(size, layout="octahedral"))

@@ -1,4 +1,4 @@
-"""Cube maps against slow definitions written down independently."""
+"""Tests of cube map look-ups against independent slow definitions."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 import nearfar as nf
 
 FILTERS = ("nearest", "linear", "min", "max")
-"""Those whose values lie between those of texels."""
+"""Filters whose values lie between those of texels."""
 
 # Right and down of each face: Vulkan 1.3 specification, table "Cube map face selection".
 AXES = {
@@ -70,7 +70,7 @@ def oracle(faces: NDArray[np.float64], direction: NDArray[np.float64]) -> float:
             if weights.sum() > 0 and (weights / weights.sum() >= -1e-9).all():
                 return float(weights @ values / weights.sum())
             continue
-        # Newton for P(s, t) = k d, from the middle; patches are nearly planar, so that eight steps are plenty.
+        # Newton's method for P(s, t) = k d, from the middle; eight steps suffice, because patches are nearly planar.
         unknown = np.array([0.5, 0.5, np.linalg.norm(p.mean(0)) / np.linalg.norm(direction)])
         for _ in range(8):
             s, t, k = unknown

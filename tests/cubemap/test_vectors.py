@@ -1,4 +1,4 @@
-"""Orientation of cube maps and look-ups in them against the vectors that all languages read."""
+"""Tests of cube map orientation and look-up with the vectors that all languages read."""
 
 from __future__ import annotations
 

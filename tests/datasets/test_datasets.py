@@ -1,4 +1,4 @@
-"""The procedural scenes: the same bytes everywhere, closed solids, names, sizes, free sight."""
+"""Tests of the procedural scenes: identical bytes, closed solids, names, sizes, free views."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from nearfar.datasets._shapes import Soup, weld
 
 
 def volume(soup: Soup) -> float:
-    """Signed volume: positive where faces look outwards."""
+    """Signed volume, positive if faces point outwards."""
     a, b, c = soup.corners.transpose(1, 0, 2)
     return float((np.cross(a, b) * c).sum() / 6.0)
 
@@ -53,7 +53,7 @@ def areas(corners: NDArray[Any]) -> NDArray[np.float64]:
 
 
 def covered(corners: NDArray[np.float64]) -> int:
-    """Triangles whose middle lies inside another one of the same plane and facing: they would flicker."""
+    """Number of triangles whose middle lies inside another coplanar one with the same facing, which would flicker."""
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.linalg.norm(normals, axis=1)[:, None]
     # Planes half a millimetre apart, or turned by a thousandth, count as different.
@@ -158,7 +158,7 @@ def test_prototypes_are_well_formed(name: str) -> None:
     assert volume(soup) > 0
     joined = weld(soup)
     corners = joined.positions[joined.faces]
-    # A square tenth of a millimetre: far below the smallest part, far above float32's rounding at 100 m.
+    # A square of a tenth of a millimetre: far below the smallest part, far above float32's rounding at 100 m.
     assert areas(corners).min() > 1e-8
     distinct = np.unique(np.sort(joined.faces, axis=1), axis=0)
     assert len(distinct) == len(joined.faces)
@@ -171,7 +171,7 @@ def test_no_surface_lies_in_another(name: str) -> None:
 
 
 def test_facade_rows_meet_at_corners() -> None:
-    """Walls of all four sides are one sheet: in the planes of the walls only the upper and lower rims are open."""
+    """The walls of all four sides form one sheet: only the upper and lower rims are open."""
     ends = lone_edges(building(Kind(200, 160, 1, 3, 0), 0, 1))
     on_wall = (np.abs(ends[..., 0]) == 10.0).all(1) | (np.abs(ends[..., 2]) == 8.0).all(1)
     assert on_wall.any()
@@ -221,7 +221,7 @@ def test_city_is_the_same_on_every_run() -> None:
     assert digest(datasets.city(blocks=2, seed=1).triangles()) != digest(first.triangles())
 
 
-# Fixed so that a change of platform, of NumPy or of the drawing order is noticed; replace them on purpose only.
+# Fixed hashes detect changes of platform, NumPy or drawing order; replace them only on purpose.
 GOLDEN = {
     "building": "72b9bd332af9ca70",
     "tree": "cf41023a7039f2d2",
@@ -262,12 +262,12 @@ def test_geometry_has_the_same_bytes_everywhere() -> None:
 def test_street_view_is_free(blocks: int) -> None:
     (x, y, z), target = datasets.street_view()
     corners = datasets.city(blocks=blocks).triangles()
-    # Above the street's surface and its paint, nothing comes near the eye.
+    # Above the street's surface and its markings, nothing is near the eye.
     low, high = corners.min(axis=1), corners.max(axis=1)
     nearest = np.clip((x, z), low[:, [0, 2]], high[:, [0, 2]]) - np.array((x, z))
     near = np.hypot(nearest[:, 0], nearest[:, 1]) < 2.0
     assert (high[near, 1] < 0.2).all()
-    # The way along the avenue is open for 200 m at the height of the eye.
+    # The view along the avenue is open for 200 m at the eye's height.
     across = (low[:, 0] < 0.2) & (high[:, 0] > -0.2) & (low[:, 1] < y + 0.2) & (high[:, 1] > y - 0.2)
     assert not (across & (low[:, 2] < z) & (high[:, 2] > -200.0)).any()
     assert target[2] < z
@@ -369,13 +369,13 @@ def test_trees_stand_on_the_land() -> None:
     assert float(land.height(0.0, 0.0)) == 0.0
     corners = datasets.forest(400, seed=3, detail=0).triangles().reshape(-1, 3)
     near = corners[np.abs(corners[:, [0, 2]]).max(axis=1) < 0.5 * land.side]
-    # Nothing is deeper in the ground than a trunk's foot, enlarged, on the sheet's own chords.
+    # Nothing is deeper in the ground than a scaled trunk's foot, measured on the sheet's chords.
     assert (near[:, 1] - land.height(near[:, 0].astype(float), near[:, 2].astype(float))).min() > -1.5
 
 
 def test_textures_repeat_and_are_cut_out() -> None:
     planks = _textures.planks(0)[..., :3].astype(int)
-    # The seam is no rougher than the picture itself (joints between boards included).
+    # The seam is no rougher than the rest of the texture (including joints between boards).
     assert np.abs(planks[:, 0] - planks[:, -1]).mean() < 2.0 * np.abs(np.diff(planks, axis=1)).mean()
     alpha = _vegetation.leaf_texture()[..., 3]
     assert set(np.unique(alpha)) == {0, 255}

@@ -1,4 +1,4 @@
-"""The tasks of the user study: what the picture says of tape and ball is so with the continuous method only."""
+"""Tests of the user study's tasks: only the continuous method shows tape and ball correctly."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ TAPE_FOV, TAPE_SIZE = nf.Fov.symmetric(40, 16 / 9), (960, 540)
 BALL_FOV, BALL_SIZE = nf.Fov.symmetric(45, 16 / 9), (640, 360)
 BALL_FOCAL = 320 / np.tan(np.radians(22.5))
 RATE = 30.0
-"""Pictures of the flying ball a second."""
+"""Pictures per second of the flying ball."""
 
 USERS = [
     (d * np.cos(k * np.pi / 4), 0.05 * k, d * np.sin(k * np.pi / 4)) for k, d in enumerate([5.0, 8.0, 6.0, 7.0] * 2)
 ]
-"""All around the centre, standing and stretching."""
+"""Positions all around the centre, standing and stretching."""
 
 
 def light(scene: nf.Scene, task: TapeTask | SphereTask, face_size: int) -> nf.ReducedScene:
@@ -37,7 +37,7 @@ def light(scene: nf.Scene, task: TapeTask | SphereTask, face_size: int) -> nf.Re
 
 @pytest.fixture(scope="module", params=[1, 3])
 def tape(request: pytest.FixtureRequest) -> tuple[nf.ReducedScene, TapeTask]:
-    """Two seeds whose answers have neighbours on both sides, so that there is something else to point at."""
+    """Two seeds whose correct answers have neighbours on both sides, so that a wrong answer is possible."""
     scene, task = tape_task(request.param)
     return light(scene, task, 1024), task
 
@@ -75,7 +75,7 @@ def leads_to(ids: Ids, names: tuple[str, ...], rows: Array, middles: Array) -> s
 
 
 def seen(reduced: nf.ReducedScene, task: TapeTask, user: tuple[float, float, float], **how: Any) -> tuple[Any, Ids]:
-    """What a user who looks the way from the centre to the row sees."""
+    """Render the view of a user who looks in the direction from the centre to the row."""
     eye = np.add(task.center, user)
     view = nf.Camera.look_at(eye, eye + np.subtract(task.target, task.center), fov=TAPE_FOV, size=TAPE_SIZE)
     return view, reduced.render(view, channels=("object_id",), **how).require("object_id")
@@ -92,12 +92,12 @@ def test_the_continuous_tape_leads_to_the_right_rectangle(
     names = reduced.scene.object_names
     for user in USERS:
         view, ids = seen(reduced, task, user, **how)
-        # One piece from end to end: every row shows it, and the runs of neighbouring rows touch.
+        # A single piece: every row shows the tape, and the runs of neighbouring rows touch.
         ((rows, middles),) = pieces(ids, names.index("tape"))
         morphing: dict[str, Any] = {"center": task.center, "r1": task.r1, "r2": task.r2}
         end = view.project(nf.morph(np.array([task.end]), user=view.position, **morphing))[0]
-        # The end is cut off square to the tape, not to the view: half its width, 6 px, times their angle, and a texel
-        # of the map, 2.6 px.
+        # The end is cut at right angles to the tape, not to the view: half its width, 6 px, times their angle, plus a
+        # texel of the map, 2.6 px.
         assert np.hypot(rows[0] - end[1], middles[0] - end[0]) < 6.0, user
         assert leads_to(ids, names, rows, middles) == task.answer, user
 
@@ -105,20 +105,20 @@ def test_the_continuous_tape_leads_to_the_right_rectangle(
 def test_the_conventional_tape_breaks_and_misleads(tape: tuple[nf.ReducedScene, TapeTask]) -> None:
     reduced, task = tape
     conventional, names = reduced.with_morph("none"), reduced.scene.object_names
-    # Where the tape's middle crosses r₂: a fine sampling is off by less than a centimetre, 0.3 px.
+    # Image position at which the tape's middle crosses r₂: the sampling is exact to less than a centimetre, 0.3 px.
     along = np.array(task.start) + np.linspace(0.0, 1.0, 10_001)[:, None] * np.subtract(task.end, task.start)
     crossing = along[np.argmin(np.abs(np.hypot(along[:, 0], along[:, 2]) - task.r2))]
     answers = []
-    # Those who stray to the side; who goes forwards or backwards sees a tape that is too long or too short.
+    # Users who moved sideways; users who moved forwards or backwards see a tape of the wrong length instead.
     for user in [user for user in USERS if abs(user[0]) > 3.0]:
         for method in ("vertex", "exact"):
             view, ids = seen(conventional, task, user, method=method)
             far, near = pieces(ids, names.index("tape"))
-            # Its place at r₂ is shown where the user sees it and, from there on, where the centre does.
+            # The tape's point at r₂ is shown where the user sees it, and just beyond where the centre sees it.
             ends = view.project(np.stack([crossing, crossing + user]))[:, :2]
             torn = np.linalg.norm(ends[1] - ends[0])
             measured = np.hypot(far[1][-1] - near[1][0], far[0][-1] - near[0][0])
-            # Cut along a circle, a tape that runs askew has its last rows on one side: half its width, 8 px, twice.
+            # A tape that is cut obliquely along a circle has its last rows on one side: twice half its width, 8 px.
             assert abs(measured - torn) < 16.0, (user, method)
             # 5 m to the side are 118 px from 56 m, where the furthest sees it.
             assert measured > 118.0 - 16.0, (user, method)
@@ -149,7 +149,7 @@ def ball_path(reduced: nf.ReducedScene, task: SphereTask, view: nf.Camera, times
 
 
 def jump(path: Array) -> float:
-    """Greatest change of the step from picture to picture, pixels."""
+    """Greatest change of the step between pictures, pixels."""
     return float(np.linalg.norm(np.diff(path, n=2, axis=0), axis=1).max())
 
 
@@ -171,7 +171,7 @@ def test_the_ball_jumps_with_the_conventional_method_only(
     step = np.hypot(task.velocity[0], task.velocity[2]) / RATE
     bend = np.hypot(user[0], user[2]) / task.r1 * step / (task.r2 - task.r1) * BALL_FOCAL + 2.0
     path = ball_path(reduced, task, view, times, method=method)
-    # Symmetric about its middle but for the pixels of its rim and what the morph stretches of half a metre.
+    # The ball's outline is symmetric about its middle up to rim pixels and the morph's stretching of half a metre.
     assert np.linalg.norm(path - expected, axis=1).max() < 1.0
     assert jump(path) < bend < 14.0
     torn = ball_path(reduced.with_morph("none"), task, view, times, method=method)
@@ -211,7 +211,7 @@ def test_the_ball_is_hidden_by_the_same_pixels_as_in_the_ideal_picture(
             wrong = (ball_ids(reduced, task, view, t, method=method) == number) ^ (ideal == number)
             assert not (wrong & ~edge).any(), (t, method)
         counts.append(int((ideal == number).sum()))
-    # It does pass behind the bar, and comes out again: less than half of it is left in between.
+    # The ball passes behind the bar and reappears: less than half of it remains visible in between.
     middle = int(np.argmin(counts))
     assert 2 * counts[middle] < min(counts[0], counts[-1])
     assert 0 < middle < len(counts) - 1

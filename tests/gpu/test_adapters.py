@@ -1,4 +1,4 @@
-"""Which adapter works, when none does, what is said of it, and what frames cost in memory and bytes."""
+"""Tests of adapter selection, messages without one, the command line, and memory and bytes of frames."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def test_only_measuring_lets_auto_take_the_processor_as_an_adapter() -> None:
         for faster in (True, False):
             backends.remember(scene, work, nf.gpu.selected().label, faster)
             assert (backends.device_for("auto", scene, work) is not None) == faster
-            # Other work and other scenes were not measured.
+            # Other work and other scenes have no measurements.
             assert backends.device_for("auto", scene, (("range",), 1)) is None
             assert backends.device_for("auto", crowd(), work) is None
     with pytest.raises(TypeError, match="source: expected a Scene, a ReducedScene"):
@@ -100,25 +100,25 @@ def test_auto_says_once_that_there_is_only_the_processor() -> None:
     need("vulkan")
     if backends.is_hardware(None):
         pytest.skip("there is an adapter that auto takes")
-    done = program("for _ in range(3): nf.render(scene, camera)")
-    assert done.returncode == 0, done.stderr
-    # Not a word of Mesa's either, with XDG_RUNTIME_DIR unset.
-    assert done.stderr.count("\n") == 1
-    assert done.stderr.startswith("rendering on the CPU: the processor itself is the only graphics adapter found")
-    assert "install the driver of a graphics card" in done.stderr
+    process = program("for _ in range(3): nf.render(scene, camera)")
+    assert process.returncode == 0, process.stderr
+    # Mesa prints nothing either, although XDG_RUNTIME_DIR is unset.
+    assert process.stderr.count("\n") == 1
+    assert process.stderr.startswith("rendering on the CPU: the processor itself is the only graphics adapter found")
+    assert "install the driver of a graphics card" in process.stderr
     silent = program("nf.render(scene, camera, backend='cpu'); nf.render(scene, camera, backend='gpu')")
     assert (silent.returncode, silent.stderr) == (0, "")
 
 
 def test_the_variable_that_silences_mesa_is_not_left_behind() -> None:
     need("vulkan")
-    done = program("import os; nf.gpu.adapters(); print('NODEVICE_SELECT' in os.environ)")
-    assert done.stdout == "False\n"
+    process = program("import os; nf.gpu.adapters(); print('NODEVICE_SELECT' in os.environ)")
+    assert process.stdout == "False\n"
 
 
 def test_importing_looks_for_nothing() -> None:
-    done = program("import sys; print('logging' in sys.modules, nf._render.backend._searched)", **NO_DRIVERS)
-    assert done.stdout == "False set()\n", done.stderr
+    process = program("import sys; print('logging' in sys.modules, nf._render.backend._searched)", **NO_DRIVERS)
+    assert process.stdout == "False set()\n", process.stderr
 
 
 def test_without_drivers_auto_renders_and_gpu_says_what_to_install() -> None:
@@ -132,22 +132,22 @@ for call in (lambda: nf.render(scene, camera, backend="gpu"), nf.gpu.stats, lamb
     except nf.DeviceError as error:
         print(error)
 """
-    done = program(code, **NO_DRIVERS)
-    assert done.returncode == 0, done.stderr
-    sentences = done.stdout.splitlines()
+    process = program(code, **NO_DRIVERS)
+    assert process.returncode == 0, process.stderr
+    sentences = process.stdout.splitlines()
     assert len(sentences) == 3
-    for sentence in [*sentences, done.stderr]:
+    for sentence in [*sentences, process.stderr]:
         assert "no graphics adapter can be used, found none; install a Vulkan driver, such as" in sentence
         assert "mesa-vulkan-drivers and libvulkan1" in sentence
-    assert done.stderr.startswith("rendering on the CPU: ")
-    assert done.stderr.count("\n") == 1
+    assert process.stderr.startswith("rendering on the CPU: ")
+    assert process.stderr.count("\n") == 1
 
 
 def test_a_name_that_nothing_has_is_said_by_auto_too() -> None:
     need("vulkan")
-    done = program("nf.render(scene, camera)", NEARFAR_ADAPTER="abacus")
-    assert done.returncode == 0
-    assert "no graphics adapter 'abacus' can be used, found" in done.stderr
+    process = program("nf.render(scene, camera)", NEARFAR_ADAPTER="abacus")
+    assert process.returncode == 0
+    assert "no graphics adapter 'abacus' can be used, found" in process.stderr
 
 
 # the command line ----------------------------------------------------------------------------------------------------
@@ -170,12 +170,12 @@ def test_info_lists_adapters(capsys: pytest.CaptureFixture[str]) -> None:
 def test_info_says_why_there_is_none() -> None:
     need("linux")
     code = "from nearfar.cli._app import run; raise SystemExit(run(['info', '--gpu', '--json']))"
-    done = program(code, **NO_DRIVERS)
-    assert done.returncode == 0, done.stderr
-    said = json.loads(done.stdout)
-    jsonschema.validate(said, formats.load_schema("adapters"))
-    assert (said["adapters"], said["gpu"], said["auto"]) == ([], None, None)
-    assert "install a Vulkan driver" in said["why"]
+    process = program(code, **NO_DRIVERS)
+    assert process.returncode == 0, process.stderr
+    document = json.loads(process.stdout)
+    jsonschema.validate(document, formats.load_schema("adapters"))
+    assert (document["adapters"], document["gpu"], document["auto"]) == ([], None, None)
+    assert "install a Vulkan driver" in document["why"]
 
 
 @pytest.mark.parametrize("backend", ["cpu", "gpu"])
@@ -253,10 +253,10 @@ def test_images_larger_than_a_window_are_whole() -> None:
         same = cpu.require("face_id") == gpu.require("face_id")
         assert same.mean() > 0.9999
         near, far = gpu.require("range")[same], cpu.require("range")[same]
-        # Some pixels of fifteen million see a face nearly edge on.
+        # Some of fifteen million pixels see a face nearly edge-on.
         np.testing.assert_allclose(near, far, rtol=5e-5)
         whole = nf.render(scene, camera, channels=("color", "range", "object_id", "position", "normal"), backend="gpu")
-        # Other channels, other windows: rays are rounded once more or less.
+        # With other channels or other windows rays are rounded once more or less.
         assert np.isclose(whole.require("range"), gpu.require("range"), rtol=5e-5).mean() > 0.9999
         missed = ~np.isfinite(whole.require("range"))
         assert missed.any()

@@ -1,4 +1,4 @@
-"""What goes wrong with adapters ends in a sentence, and the next picture is right."""
+"""Tests of adapter failures: each raises an error with a sentence, and the next picture is right."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def test_a_device_lost_between_frames_is_opened_again(name: str) -> None:
         device.lose()
         after = nf.render(scene, CAMERA, backend="gpu")
         np.testing.assert_array_equal(after.require("color"), before.require("color"))
-        # A new device holds nothing: the scene was sent again.
+        # A new device has no data, so the scene was sent again.
         assert nf.gpu.stats()["uploaded_bytes"] > 1000
         with pytest.raises(nf.DeviceError, match="the device was lost"):
             device.truth(scene._core, CAMERA._core, channels=["range"], samples=1)
@@ -51,7 +51,7 @@ def test_a_device_lost_during_a_frame_says_what_to_try(name: str) -> None:
 
 @pytest.mark.parametrize("name", ADAPTERS)
 def test_a_device_lost_in_another_thread_while_frames_are_drawn(name: str) -> None:
-    """At any moment: each frame is right or a DeviceError."""
+    """Whenever the device is lost, each frame is right or raises a DeviceError."""
     scene, stop = crowd(), threading.Event()
     with adapter(name):
         right = nf.render(scene, CAMERA, backend="gpu").require("color")
@@ -81,7 +81,7 @@ def test_a_device_lost_in_another_thread_while_frames_are_drawn(name: str) -> No
 
 @pytest.mark.parametrize("name", ADAPTERS)
 def test_two_threads_draw_one_scene_at_once(name: str) -> None:
-    """Also when it is sent: neither waits for a lock that its own thread holds."""
+    """The first upload, too, must not wait for a lock that its own thread holds."""
     with adapter(name):
         for _ in range(5):
             scene = crowd()
@@ -133,9 +133,9 @@ print(caught)
 def test_without_memory_there_is_an_error_and_the_next_frame_is_right(name: str, what: str) -> None:
     need("linux")
     need(name)
-    done = program(OUT_OF_MEMORY.format(name=name, what=what))
-    assert done.returncode == 0, done.stderr[-2000:]
-    assert int(done.stdout) >= 3
+    process = program(OUT_OF_MEMORY.format(name=name, what=what))
+    assert process.returncode == 0, process.stderr[-2000:]
+    assert int(process.stdout) >= 3
 
 
 FORK = """
@@ -174,15 +174,15 @@ np.testing.assert_array_equal(nf.render(scene, camera, backend="gpu").color, bef
 def test_a_forked_child_is_refused_and_ends(name: str) -> None:
     need("fork")
     need(name)
-    done = program(FORK.format(name=name))
-    assert done.returncode == 0, done.stderr
-    sentences = done.stdout.splitlines()
+    process = program(FORK.format(name=name))
+    assert process.returncode == 0, process.stderr
+    sentences = process.stdout.splitlines()
     assert len(sentences) == 3
     for sentence in sentences:
         assert "graphics drivers do not survive a fork" in sentence
         assert "'spawn' or 'forkserver', or use backend='cpu'" in sentence
-    # And "auto" says the same once before it takes the CPU.
-    assert done.stderr.startswith("rendering on the CPU: graphics drivers do not survive a fork")
+    # "auto" logs the same once before it uses the CPU.
+    assert process.stderr.startswith("rendering on the CPU: graphics drivers do not survive a fork")
 
 
 def test_a_spawned_child_draws() -> None:
@@ -194,8 +194,8 @@ if __name__ == "__main__":
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         print(pool.apply(drawn_in_a_child))
 """
-    done = program(code)
-    assert done.stdout.strip() == "True", done.stderr
+    process = program(code)
+    assert process.stdout.strip() == "True", process.stderr
 
 
 def drawn_in_a_child() -> bool:
@@ -204,7 +204,7 @@ def drawn_in_a_child() -> bool:
 
 
 def test_a_child_forked_before_draws() -> None:
-    """Nothing was loaded yet."""
+    """A child that was forked before any library was loaded draws."""
     need("fork")
     need("vulkan")
     code = """
@@ -214,5 +214,5 @@ nf.gpu.select("vulkan")
 nf.render(scene, camera, backend="gpu")
 raise SystemExit(0 if child == 0 else os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
 """
-    done = program(code)
-    assert done.returncode == 0, done.stderr
+    process = program(code)
+    assert process.returncode == 0, process.stderr

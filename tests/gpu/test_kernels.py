@@ -1,4 +1,4 @@
-"""Kernels on the graphics device, against those of the CPU, which have oracles of their own."""
+"""Tests of the kernels on the graphics device against those of the CPU, which have their own oracles."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from tests.support.reduce_cases import CENTER, camera, street
 
 CHANNELS = ("color", "range", "object_id", "face_id", "position", "normal")
 EPSILON = 2.0**-24
-"""Of a float32 rounding."""
+"""Greatest relative error of a float32 rounding."""
 
-# A fixture of the module's is as good for every example.
+# Sharing a module's fixture between examples is safe.
 SHARED = settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
@@ -42,15 +42,15 @@ def test_a_kept_frame_is_the_one_that_is_read_back(device: _core.GpuDevice) -> N
     scene, shot = street(), view()
     core = core_of(scene)
     expected = device.truth(core, shot._core, channels=list(CHANNELS), samples=4).finish()
-    kept = gpu.render(scene, shot, channels=CHANNELS, samples=4)
+    device_frame = gpu.render(scene, shot, channels=CHANNELS, samples=4)
     for _ in range(2):
-        frame = kept.read()
-        assert frame.channels == kept.channels == CHANNELS
+        frame = device_frame.read()
+        assert frame.channels == device_frame.channels == CHANNELS
         assert frame.origin == core.origin
-        assert frame.camera is kept.camera is shot
+        assert frame.camera is device_frame.camera is shot
         for name in CHANNELS:
             np.testing.assert_array_equal(frame.require(name), expected[name])
-    assert repr(kept).startswith("DeviceFrame(96 × 60, color, range, object_id, face_id, position, normal, on ")
+    assert repr(device_frame).startswith("DeviceFrame(96 × 60, color, range, object_id, face_id, position, normal, on ")
 
 
 def test_dropped_frames_lend_their_memory(device: _core.GpuDevice) -> None:
@@ -181,7 +181,7 @@ def test_discontinuity_is_that_of_the_cpu(device: _core.GpuDevice, name: str, ep
 
 
 def test_heaps_of_many_points_are_added_up_whole(device: _core.GpuDevice) -> None:
-    # More points in one cell than the turns after which drivers in software end a loop.
+    # More points in one cell than the iterations after which software drivers end a loop.
     frame = gpu.render(street(), view(size=(390, 240)), channels=("position",))
     heap = nf.Camera(view().position, view().orientation, fov=view().fov, size=(2, 2))
     found = gpu.discontinuity(frame, heap, epsilon=9.0)
@@ -294,8 +294,7 @@ def test_lookups_are_those_of_the_cpu(device: _core.GpuDevice, seed: int, size: 
     found = gpu.cube_lookup(faces, directions, filter=chosen)
     expected = nf.cube_lookup(faces, directions, filter=chosen)
     same = (found == expected) | (np.isnan(found) & np.isnan(expected))
-    # Within some roundings of a border between texels, or between their centres, the others may be taken: what lies
-    # beside the direction.
+    # Within some roundings of a border between texels, or between their centres, the neighbouring ones may be used.
     assert (~same).mean() < 0.01
     for n in np.flatnonzero(~same):
         beside = directions[n] * (1 + 1e-6 * random.normal(size=(200, 3)))

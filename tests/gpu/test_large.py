@@ -1,4 +1,4 @@
-"""What is larger than an adapter takes at once is drawn in parts, by one definition and without gaps."""
+"""Tests of scenes and images that an adapter draws in parts, because they exceed its limits."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_a_mesh_larger_than_a_binding_is_drawn_page_by_page(backend: str) -> Non
     if 18 * scene.triangle_count <= bound:
         pytest.skip("this adapter binds the whole mesh")
     size = 300
-    # From above, so that a pixel's place on the ground is known exactly; no pixel's centre lies on an edge.
+    # A view from above gives exact ground positions; no pixel's centre lies on an edge.
     camera = nf.Camera(
         (cells / 2 + 0.21, 10.0, cells / 2 + 0.13),
         (-np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)),

@@ -62,7 +62,7 @@ def test_frames_are_those_of_the_tracer(
 ) -> None:
     reduced = nf.reduce(city, center=CENTER, r1=30, r2=50, face_size=128, morph=morph, channels=CHANNELS, samples=1)
     for env in (True, False):
-        # The same vertices: what differs is rounding. In a picture that has no map all pixels have faces.
+        # Both morph the same vertices and differ by rounding only. Without a map all pixels have faces.
         cpu, gpu = both(reduced, view(USERS[user]), at=poses, channels=ALL, tolerance_px=np.inf, env=env)
         check_ids(cpu.require("object_id"), gpu.require("object_id"))
         check_ids(cpu.require("face_id"), gpu.require("face_id"))
@@ -88,14 +88,14 @@ def test_split_frames_show_the_same_within_the_tolerance(
 ) -> None:
     reduced = nf.reduce(city, center=CENTER, r1=30, r2=50, face_size=128, morph=morph, channels=CHANNELS, samples=1)
     cpu, gpu = both(reduced, view(USERS["near"]), at=poses, channels=ALL)
-    # Both are split for half a pixel, the device's for a few more users: edges may be apart by a small part of that.
+    # The CPU splits for this user, the device for several users; edges may differ by a small part of half a pixel.
     check_ids(cpu.require("object_id"), gpu.require("object_id"))
     check_color(cpu, gpu)
     assert reduced.stats["tolerance_held"] == (morph == "blend")
 
 
 def test_a_large_mover_is_split_where_it_stands() -> None:
-    """Its corners alone would bend a train of 60 m wrongly by many pixels."""
+    """Morphing only its corners would bend a train of 60 m wrongly by many pixels."""
     ground = trimesh.creation.box((400, 0.2, 400))
     train = trimesh.creation.box((60, 3, 2))
     train.visual.face_colors = np.tile([[200, 60, 40, 255], [40, 90, 200, 255]], (6, 1))
@@ -127,14 +127,14 @@ def test_maps_are_equal_face_by_face(city: nf.Scene) -> None:
             inside = ~edges(cpu.env.object_id[face])  # type: ignore[index]
             expected, got = cpu.env.range[face][inside], gpu.env.range[face][inside]  # type: ignore[index]
             finite = np.isfinite(expected) & np.isfinite(got)
-            # An object's own edges are not edges of objects: all but a few texels of a thousand.
+            # Edges inside an object are not edges of objects: all but a few of a thousand texels agree.
             apart = np.abs(got[finite] - expected[finite]) / expected[finite]
             assert apart.size == 0 or np.percentile(apart, 99) <= 1e-5
         assert gpu.stats["rays"] == 0 < cpu.stats["rays"]
 
 
 def test_each_face_looks_its_own_way() -> None:
-    """Six walls of their own colours, each with a dark corner that tells how the face is turned."""
+    """Six walls of different colours, each with a dark corner that shows how the face is turned."""
     walls, marks = [], []
     for axis in range(3):
         for sign in (1, -1):
@@ -235,12 +235,12 @@ def test_tokyo_looks_the_same_on_both(tmp_path: Path) -> None:
     cpu, gpu = both(reduced, view((3.0, 2.0, 1.0), 512), channels=ALL, tolerance_px=np.inf)
     check_ids(cpu.require("object_id"), gpu.require("object_id"))
     check_color(cpu, gpu)
-    # Where a long thin triangle was bent, float64 tells errors of 3e-4 on the CPU and of 2e-4 on the adapter.
+    # For a bent long thin triangle, float64 finds errors of 3e-4 on the CPU and of 2e-4 on the adapter.
     check_range(cpu, gpu, worst=1e-3)
 
 
 def street_with_a_drone() -> tuple[nf.Scene, dict[str, NDArray[np.float64]]]:
-    """One ground across both radii, a façade within r2, and behind it something that moves beyond r2."""
+    """A ground across both radii, a façade within r2, and behind it an object that moves beyond r2."""
     ground = trimesh.creation.box((600, 0.2, 600))
     facade = trimesh.creation.box((0.5, 60, 80))
     facade.apply_translation((40, 30, 0))
@@ -255,7 +255,7 @@ def street_with_a_drone() -> tuple[nf.Scene, dict[str, NDArray[np.float64]]]:
 @pytest.mark.parametrize("morph", ["blend", "cylinder", "none"])
 @pytest.mark.parametrize("user", [(-16.0, 1.7, 0.0), (-25.0, 1.7, 3.0)])
 def test_what_moves_beyond_is_hidden_by_all_that_is_near(morph: str, user: tuple[float, float, float]) -> None:
-    """Also where nothing lies wholly within r1, and where the centre is nearer to it than the user is to the wall."""
+    """Includes a user nearer to the wall than the centre is, and scenes without triangles wholly within r1."""
     scene, pose = street_with_a_drone()
     reduced = nf.reduce(scene, center=CENTER, r1=30, r2=50, face_size=64, morph=morph, channels=CHANNELS, samples=1)
     drone = scene.object_names.index("drone")
@@ -271,7 +271,7 @@ def test_what_moves_beyond_is_hidden_by_all_that_is_near(morph: str, user: tuple
 
 @pytest.mark.parametrize("morph", ["blend", "cylinder"])
 def test_a_mover_across_both_radii_has_no_hole(morph: str) -> None:
-    """Its vertices are bent on both sides of r2, so that the parts that are drawn apart meet."""
+    """Its vertices are morphed on both sides of r2, so that the parts, which are drawn separately, meet."""
     scene, _ = street_with_a_drone()
     reduced = nf.reduce(scene, center=CENTER, r1=10, r2=25, face_size=64, morph=morph, channels=CHANNELS, samples=1)
     wall = np.diag([8.0, 3.0, 1.0, 1.0]) @ np.eye(4)

@@ -1,4 +1,4 @@
-"""Ground truth of graphics adapters shows what the tracer's does, and both agree with float64."""
+"""Tests of ground truth on graphics adapters against the tracer and against float64."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_the_procedural_city_is_the_same(city: nf.Scene, eye: tuple[float, float
     [
         ("city/tokyo23/tokyo_core_lod1.glb", (115, 1.7, 192.15), (200, 30, 100)),
         ("city/tokyo23/tokyo_core_lod1.glb", (115, 300, 192), (400, 0, -200)),
-        # From outside, where coplanar faces lie beside each other, and from within.
+        # From outside, where coplanar faces lie next to each other, and from inside.
         ("interior/garage/garage.gltf", (0, 1.4, 7.8), (0, 1.4, 0)),
         ("interior/garage/garage.gltf", (0, 1.4, 0.3), (1, 1.5, 0.7)),
         ("objects/gltf/FlightHelmet/FlightHelmet.gltf", (0, 0.36, 0.75), (0, 0.36, 0)),
@@ -49,12 +49,12 @@ def test_the_procedural_city_is_the_same(city: nf.Scene, eye: tuple[float, float
 def test_scenes_from_files_are_the_same(
     name: str, eye: tuple[float, float, float], target: tuple[float, float, float]
 ) -> None:
-    # From outside the garage is mostly edges and surfaces that lie in each other.
+    # From outside the garage is mostly edges and coincident surfaces.
     agree(*both(nf.Scene.load(data(name)), view(eye, target)), same=0.998 if eye[2] == 7.8 else 0.999)
 
 
 def test_ranges_are_as_exact_as_the_tracers(city: nf.Scene) -> None:
-    """Planes in float64 along float64 rays: adapters err at most half as much again as the tracer, on slants too."""
+    """Planes along rays in float64: adapters' errors are at most 1.5 times the tracer's, also at slanted surfaces."""
     camera = view((0, 1.7, 0), (20, 5, -40), size=(480, 320))
     cpu, gpu = both(city, camera)
     equal = agree(cpu, gpu)
@@ -72,7 +72,7 @@ def test_ranges_are_as_exact_as_the_tracers(city: nf.Scene) -> None:
 
 @pytest.mark.parametrize("fov", PROJECTIONS, ids=lambda fov: f"{type(fov).__name__}{getattr(fov, 'face', '')}")
 def test_every_projection_and_kind_of_surface(fov: Projection) -> None:
-    """A room with a repeated texture, colours of vertices and a cut-out leaf; brute force in float64 beside it."""
+    """A room with a repeated texture, vertex colours and a cut-out leaf, compared with brute force in float64."""
     surfaces = room()
     turn = (0.0, 0.0, 0.0, 1.0) if isinstance(fov, nf.CubeFace) else (0.1, 0.2, -0.1, 0.9695359714832659)
     camera = nf.Camera(
@@ -106,7 +106,7 @@ def test_cube_faces_look_where_they_should() -> None:
 
 
 def test_images_on_a_wall_keep_their_sides() -> None:
-    """One texel of each colour in a quarter of the picture: nothing is mirrored or turned."""
+    """One texel of each colour in each quarter of the picture: nothing is mirrored or turned."""
     texture = np.zeros((2, 2, 4), np.uint8)
     texture[..., 3] = 255
     texture[0, 0, 0] = texture[0, 1, 1] = texture[1, 0, 2] = 255
@@ -196,7 +196,7 @@ def test_an_empty_scene_is_all_sky() -> None:
 
 @pytest.mark.parametrize("samples", [2, 4, 16])
 def test_antialiasing_tends_to_the_same_picture(city: nf.Scene, samples: int) -> None:
-    """The tracer's places are the same but for the hardware's own four, where edges differ a little."""
+    """The tracer's sample positions are the same except for the hardware's four, whose edges differ slightly."""
     cpu, gpu = both(city, view((0, 1.7, 0), (20, 5, -40)), samples=samples)
     difference = np.abs(cpu.to_image().astype(int) - gpu.to_image()).max(-1)
     plain = nf.render(city, cpu.camera, backend="cpu").to_image().astype(int)

@@ -1,4 +1,4 @@
-"""Shaders against the vectors that all languages read, on every usable adapter."""
+"""Tests of shaders on every usable adapter with the vectors that all languages read."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def check_morph(case: dict[str, Any], kind: str) -> None:
 
 
 def held(file: str, section: str = "cases") -> list[Any]:
-    """The cases that are the same in float32."""
+    """Cases whose inputs are exact in float32."""
     return [parameters for parameters in cases(file, section) if "wgsl" in parameters.values[0]["tolerance"]]
 
 

@@ -1,4 +1,4 @@
-"""Headsets as files: they come back bit for bit, and damaged ones say where."""
+"""Tests of headset files: lossless round trips, and errors that name the damaged key."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def test_what_hmdq_has_a_place_for_comes_back(tmp_path_factory: pytest.TempPathF
     assert (again.name, again.render_size, again.refresh_hz) == (hmd.name, hmd.render_size, hmd.refresh_hz)
     for one, other in ((again.left, hmd.left), (again.right, hmd.right)):
         assert (one.fov, one.position) == (other.fov, other.position)
-        # A matrix in between: what its rounding leaves of the quaternion.
+        # hmdq stores a matrix, whose rounding changes the quaternion.
         np.testing.assert_allclose(one.matrix, other.matrix, rtol=0, atol=1e-15)
     assert again.lens is None
 

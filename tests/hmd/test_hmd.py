@@ -1,4 +1,4 @@
-"""Headsets: profiles against the data they come from, views against brute force, and cameras."""
+"""Tests of headsets: profiles against their data, views against brute force, and cameras."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ CONFIGURATIONS = {
 }
 # hmdv 2.1.7 counted what hidden areas have outside of the view; hmdv 2.2.1, which the profile cites, does not.
 RECOUNTED = {"RIFT_CV1": 10.03}
-# Digits that print-outs have: half a unit in the last one, and as much again for tangents of six digits.
+# Tolerances of printed digits: half a unit in the last one, doubled for tangents of six digits.
 PRINTED_DEG, PRINTED_MM = 0.0051, 0.051
 
 
@@ -73,8 +73,8 @@ def test_every_number_is_that_of_the_data(devices: dict[str, Any]) -> None:
         assert path in hmd.sources[0]
 
 
-# What a hidden-area mesh takes from the lines through the middle and from the corners is not in the data: these
-# print-outs are smaller than the views. All others are matched to the last digit.
+# The data do not include how far a hidden-area mesh cuts the lines through the middle and the corners, so these printed
+# values are smaller than the views. All others agree to the last digit.
 LESS = {
     "VIVE": {"diagonal", "overlap"},
     "VIVE_PRO": {"vertical", "diagonal", "overlap"},
@@ -93,19 +93,19 @@ LESS = {
 def test_total_fields_of_view_are_those_that_hmdv_prints(devices: dict[str, Any]) -> None:
     for configuration, name in CONFIGURATIONS.items():
         hmd = nf.hmd.get(name)
-        for what, printed in devices[configuration]["total_fov_deg"].items():
+        for quantity, printed in devices[configuration]["total_fov_deg"].items():
             if printed is None:
                 continue
-            ours = getattr(hmd.total_fov, f"{what}_deg")
-            if what in LESS.get(name, ()):
+            ours = getattr(hmd.total_fov, f"{quantity}_deg")
+            if quantity in LESS.get(name, ()):
                 assert hmd.hidden_area_percent is not None
-                assert ours > printed + PRINTED_DEG, (name, what)
+                assert ours > printed + PRINTED_DEG, (name, quantity)
             else:
-                assert abs(ours - printed) <= PRINTED_DEG, (name, what, ours, printed)
+                assert abs(ours - printed) <= PRINTED_DEG, (name, quantity, ours, printed)
 
 
 def test_a_view_canted_by_ten_degrees_is_that_of_its_print_out() -> None:
-    """The Pimax 5K Plus is not in the data; these are its numbers at the cited source."""
+    """The Pimax 5K Plus is not in the data; these numbers are from the cited source."""
     hmd = nf.hmd.PIMAX_5K_PLUS
     np.testing.assert_allclose(hmd.left.angles_deg, (-80.14, 43.39, -51.35, 51.35), rtol=0, atol=PRINTED_DEG)
     np.testing.assert_allclose(hmd.right.angles_deg, (-43.39, 80.14, -51.35, 51.35), rtol=0, atol=PRINTED_DEG)
@@ -139,7 +139,7 @@ def test_profiles_say_what_is_published() -> None:
 
 def test_profiles_are_files_of_our_format() -> None:
     folder = Path(nf.hmd.__file__).parent / "profiles"
-    # Constants are declared for type checkers, and made of files.
+    # Constants are declared for type checkers and loaded from files.
     assert sorted(nf.hmd.__annotations__) == sorted(path.stem.upper() for path in folder.iterdir())
     assert nf.hmd.names() == tuple(sorted(nf.hmd.__annotations__))
     for path in folder.iterdir():
@@ -165,7 +165,7 @@ def test_names_that_are_not_there_are_said() -> None:
 # eyes ----------------------------------------------------------------------------------------------------------------
 @given(eyes)
 def test_angles_are_those_of_a_search(eye: nf.hmd.Eye) -> None:
-    """The last direction of the head's horizontal and vertical plane that the eye sees, by halving."""
+    """The outermost direction of the head's horizontal and vertical plane that the eye sees, by bisection."""
     back = rotation(eye.orientation).T
 
     def sees(direction: Any) -> bool:
@@ -226,7 +226,7 @@ def test_cameras_stand_where_the_head_and_the_eye_say(
         assert camera.fov == eye.fov
         assert camera.size == (200, 100)
         np.testing.assert_allclose(camera.position, place + rotation(head) @ eye.position, rtol=0, atol=1e-13)
-        # A point ahead of the eye lies in the picture where its own axes say.
+        # A point ahead of the eye is projected to the place that the eye's axes give.
         own = np.array([eye.fov.left / 2, eye.fov.up / 3, -1.0]) * 5.0
         world = camera.position + rotation(head) @ rotation(eye.orientation) @ own
         x, y, depth = camera.project(world[None])[0]

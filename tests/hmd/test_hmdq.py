@@ -1,4 +1,4 @@
-"""Files of hmdq: documents made here as its format has them, from OpenVR and from LibOVR, of new and old versions."""
+"""Tests of hmdq files: documents in its format, from OpenVR and from LibOVR, of new and old versions."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import nearfar as nf
 
 
 def single(value: float) -> float:
-    """As hmdq prints it: OpenVR's and LibOVR's numbers are float32."""
+    """Round as hmdq does: the numbers of OpenVR and LibOVR are float32."""
     return float(np.float32(value))
 
 
@@ -31,7 +31,7 @@ def turn(degrees: float, x: float) -> list[list[float]]:
 
 
 def openvr_geometry() -> dict[str, Any]:
-    """A headset that nobody sells, canted by eight degrees."""
+    """A made-up headset, canted by eight degrees."""
     mesh = {"ham_area": 0.125, "verts_raw": [[0, 0], [0.5, 0], [0, 0.5]], "verts_opt": [[0, 0], [0.5, 0], [0, 0.5]]}
     return {
         "rec_rts": [1600, 1500],
@@ -121,7 +121,7 @@ def test_oculus_is_read(tmp_path: Path) -> None:
 
 
 def test_old_versions_are_read(tmp_path: Path) -> None:
-    """Before 1.3.4 everything was OpenVR's, and stood at the top."""
+    """Before version 1.3.4 all data were OpenVR's, at the top level."""
     new = document()
     openvr = new["openvr"]
     old = {"misc": {"time": "2019-08-30T20:51:12", "hmdq_ver": "1.2.2", "openvr_ver": "1.7.12"}}
@@ -160,7 +160,7 @@ def test_names_of_files_that_are_no_text_are_read() -> None:
 
 
 def test_what_is_written_is_what_hmdv_shows(tmp_path: Path) -> None:
-    """The print-out of the Valve Index in the geometry database, as far as its mesh hides nothing."""
+    """The values listed for the Valve Index in the geometry database that its mesh does not affect."""
     path = tmp_path / "index.json"
     nf.hmd.INDEX.save(path, format="hmdq")
     written = json.loads(path.read_text(encoding="utf-8"))
@@ -172,7 +172,7 @@ def test_what_is_written_is_what_hmdv_shows(tmp_path: Path) -> None:
     assert round(geometry["view_geom"]["left_rot"], 1) == -5.0
     assert round(geometry["view_geom"]["ipd"] * 1e3, 1) == 58.0
     np.testing.assert_allclose(geometry["eye2head"]["Left"][0], [0.996195, 0, 0.087156, -0.029], atol=1e-6)
-    # Points of the edge lie at depth 1, and see what the angles say.
+    # Points of the edge are at depth 1 and agree with the angles.
     points = np.array(left["fov_pts"])
     assert points.shape == (8, 3)
     np.testing.assert_allclose(points[:, 2], -1.0, atol=1e-12)
@@ -181,7 +181,7 @@ def test_what_is_written_is_what_hmdv_shows(tmp_path: Path) -> None:
     np.testing.assert_allclose(angles[1], [left["deg_bottom"], left["deg_top"]], atol=1e-9)
     for key in ("time", "hmdq_ver", "log_ver", "os_ver"):
         assert key in written["misc"]
-    # Parallel views have no angles of their own.
+    # Files of parallel views have no angles in the eyes' axes.
     nf.hmd.VIVE.save(path, format="hmdq")
     assert json.loads(path.read_text(encoding="utf-8"))["openvr"]["geometry"]["fov_eye"] is None
 

@@ -1,4 +1,4 @@
-"""Lenses against arithmetic of 60 digits, where they fold, and where the published iteration fails."""
+"""Tests of lenses against arithmetic of 60 digits, at their folds, and where the published iteration fails."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 mpmath.mp.dps = 60
 
 RIFT_S = (0.22, 0.24)
-"""Liebisch (2021)."""
+"""Lens of the Rift S, from Liebisch (2021)."""
 
 LENSES = (RIFT_S, (), (0.1,), (0.0, 0.0, 0.7), (-0.2, 0.0), (-0.4, 0.05), (-0.3, 0.1), (5.0, -1.0), (0.441, 0.156))
 
@@ -32,13 +32,13 @@ coefficients = st.lists(st.just(0.0) | st.floats(1e-30, 2) | st.floats(-2, -1e-3
 
 
 def exactly(k: tuple[float, ...], r: Any) -> Any:
-    """f(r)."""
+    """Exact f(r)."""
     r = mpf(r)
     return r + sum((mpf(c) * r ** (2 * n + 3) for n, c in enumerate(k)), mpf(0))
 
 
 def slope(k: tuple[float, ...], r: Any) -> Any:
-    """f′(r)."""
+    """Exact f′(r)."""
     r = mpf(r)
     return 1 + sum(((2 * n + 3) * mpf(c) * r ** (2 * n + 2) for n, c in enumerate(k)), mpf(0))
 
@@ -51,7 +51,7 @@ def fold(k: tuple[float, ...]) -> float:
 
 
 def is_root(k: tuple[float, ...], r: float, x: float) -> bool:
-    """Whether f(r) is within 2 ulps of x, or the true root between the neighbours of r."""
+    """Whether f(r) is within 2 ulps of x, or the true root lies between the neighbours of r."""
     if abs(exactly(k, r) - mpf(x)) <= 2 * mpf(math.ulp(x)):
         return True
     return bool(exactly(k, math.nextafter(r, 0)) <= x <= exactly(k, math.nextafter(r, math.inf)))
@@ -65,7 +65,7 @@ def covered(lens: nf.RadialLens, count: int) -> Array:
 
 
 def in_data() -> list[tuple[float, ...]]:
-    """Coefficients of the even kind in the data."""
+    """Sets of coefficients with even powers in the data."""
     viewers = json.loads(data("optics/lens_distortion.json").read_text())["cardboard"]["viewers"]
     return [tuple(viewer[name]) for viewer in viewers for name in ("k1k2", "inverse")]
 
@@ -105,7 +105,7 @@ def test_newton_finds_the_root_for_any_lens(k: tuple[float, ...], power: int, sh
     lens = nf.RadialLens(k)
     end = float(lens.distort(lens.r_max)) if math.isfinite(lens.r_max) else 1e3
     x = np.array(shares) * end
-    # Copies reach the vectors as well as the ends of blocks.
+    # Copies test the vector instructions and the ends of blocks.
     roots = lens.undistort(np.concatenate([x] * 3))
     assert np.array_equal(roots[: len(x)], roots[-len(x) :])
     assert all(is_root(k, root, shown) for shown, root in zip(x, roots, strict=False))
@@ -130,13 +130,13 @@ def test_lenses_at_the_ends_of_what_floats_can_say(k: tuple[float, ...]) -> None
                     assert is_root(k, root, shown), (shown, root)
     for call in (lens.distort, lens.undistort):
         assert np.isnan(call([math.inf, math.nan], outside="nan")).all()
-    # By hand: the first term below zero that is not outweighed folds it.
+    # By hand: the lens folds at the first negative term that is not outweighed.
     assert math.isinf(lens.r_max) == (min(k[:1] + k[-1:]) >= 0 or k[1:] == (-1e-300,)), lens.r_max
 
 
 @given(st.integers(1, 64), st.floats(-29, 29), st.floats(-10, 10), st.booleans(), st.floats(0, 1))
 def test_any_scale(power: int, exponent: float, other: float, negative: bool, share: float) -> None:
-    # A term that reaches r at 10^exponent, and a first one that may or may not matter.
+    # A term that reaches r at 10^exponent, and a first one that may be negligible.
     size = -2 * power * exponent
     assume(-288 < size < 288 and -288 < -2 * exponent + other < 288)
     k = [0.0] * power
@@ -158,7 +158,7 @@ def test_rounded_images_of_the_edge_come_back() -> None:
     for share in (3e-9, 1e-8, 1e-12):
         points = circle * (lens.r_max * (1 - share))
         back = lens.undistort_points(lens.distort_points(points))
-        # Beside the fold a rounding of the image moves its root by the square root of it.
+        # Near the fold a rounding of the image moves its root by the square root of it.
         assert np.abs(back - points).max() < 1e-7
         single = points.astype(np.float32) * np.float32(1 - 1e-6)
         assert lens.undistort_points(lens.distort_points(single)).dtype == np.float32
@@ -171,7 +171,7 @@ def test_the_domain_ends_at_the_fold(k: tuple[float, ...]) -> None:
     assume(all(c == 0 or abs(c) > 1e-6 for c in k))
     lens, expected = nf.RadialLens(k), fold(k)
     if math.isfinite(lens.r_max):
-        # Before it f rises, and there it stops. Where zeros of f′ lie close together their places are blurred.
+        # f rises up to the fold and ends there. Where zeros of f′ are close together, their positions are inexact.
         r = np.linspace(0, lens.r_max * (1 - 1e-6), 50)
         assert (lens.derivative(r) > 0).all()
         terms = slope(tuple(abs(c) for c in k), lens.r_max)
@@ -224,10 +224,10 @@ def test_tables_hold_their_bound(k: tuple[float, ...]) -> None:
     exact = lens.undistort(x)
     off = np.abs(lens.undistort(x, method="lut") - exact)
     assert lens.lut_bound <= 5e-10
-    # What is so small that its roundings are larger than shares of it is left out.
+    # Values so small that their rounding exceeds any relative error are left out.
     assert (off <= lens.lut_bound * exact + 1e-320).all()
     if k:
-        # The bound is not far from what happens, or it would say nothing.
+        # The bound must be close to the actual errors to be useful.
         assert off[exact > 0].max() > 0
         assert (off / np.maximum(exact, 1e-300)).max() >= 0.02 * lens.lut_bound
 
@@ -246,7 +246,7 @@ def test_the_published_iteration_fails_where_they_say() -> None:
     assert off[0][0] == pytest.approx(0.57, abs=0.01)
     assert off[1][0] == pytest.approx(0.58, abs=0.01)
     assert off[2][0] == pytest.approx(0.077, abs=0.01)
-    # At the edge it arrives at last, beyond it never.
+    # At the edge the iteration converges eventually, beyond it never.
     assert off[3][0] < 1e-6
     assert off[3][1] > 0.1
     weak = nf.RadialLens((0.01,))
@@ -351,7 +351,7 @@ def test_points_come_back(k: tuple[float, ...], p: tuple[float, float], seed: in
         exact = brown(k, p, x, y)
         assert max(abs(exact[0] - mpf(u)), abs(exact[1] - mpf(v))) <= 40 * 2.0**-52 * size
     back = lens.undistort_points(shown)
-    # A root in the disc is the only one there; how far rounding moves it depends on the slope beside the disc's edge.
+    # A root in the disc is the only one; its rounding error depends on the slope near the disc's edge.
     assert np.abs(lens.distort_points(back, outside="nan") - shown).max() <= 200 * 2.0**-52 * size
 
 

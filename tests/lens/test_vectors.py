@@ -1,4 +1,4 @@
-"""Radial lenses against the vectors that all languages read."""
+"""Tests of radial lenses with the vectors that all languages read."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Warped pictures against plain loops and other libraries, and meshes against the map they stand for."""
+"""Tests of warped pictures against plain loops and other libraries, and of meshes against the exact map."""
 
 from __future__ import annotations
 
@@ -19,23 +19,23 @@ Array = NDArray[Any]
 
 RIFT_S = nf.RadialLens((0.22, 0.24))
 EYE = nf.Fov(-1.28, 1.0, -1.19, 1.11)
-"""Asymmetric, as headsets have it."""
+"""An asymmetric field of view, typical of headsets."""
 
 
 def smooth(width: int, height: int) -> Array:
-    """A picture without detail."""
+    """A smooth picture."""
     x, y = np.meshgrid(np.linspace(0, 3, width), np.linspace(0, 2, height))
     return np.asarray(128 + 60 * np.sin(2.1 * x + y) + 50 * np.cos(1.7 * y - x))
 
 
 def sources(lens: nf.RadialLens, inverse: bool, fov: nf.Fov, output: nf.Fov, size: tuple[int, int]) -> Array:
-    """Where each pixel comes from, as shares of the picture from its top left corner."""
+    """Source position of each pixel, as shares of the picture from its top left corner."""
     width, height = size
     omega = max(abs(fov.left), abs(fov.right))
     x = output.left + (np.arange(width) + 0.5) / width * (output.right - output.left)
     y = output.up - (np.arange(height) + 0.5) / height * (output.up - output.down)
     places = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2) / omega
-    # What is at r is shown at f(r): a pixel of the distorted picture comes from f⁻¹ of its place.
+    # The point at r is shown at f(r), so a pixel of the distorted picture comes from f⁻¹ of its position.
     map_ = lens.distort_points if inverse else lens.undistort_points
     found = map_(places, outside="nan") * omega
     across, down = (found[:, 0] - fov.left) / (fov.right - fov.left), (fov.up - found[:, 1]) / (fov.up - fov.down)
@@ -51,7 +51,7 @@ def keys(t: float) -> float:
 
 
 def looked_up(image: Array, across: float, down: float, reach: int, kernel: Any) -> float:
-    """One value by its definition."""
+    """One interpolated value by the definition."""
     height, width = image.shape
     x, y = across * width - 0.5, down * height - 0.5
     total = 0.0
@@ -81,7 +81,7 @@ def test_pixels_by_definition(lens: nf.RadialLens, name: str, reach: int, kernel
             beside += 1
             assert value == -7.0
     assert beside < shown.size
-    # Barrels pull what is beside the picture away from the edges; the others show it.
+    # Barrel distortion shows nothing outside the picture; the others do.
     assert beside > 0 or not (inverse and lens.k[0] > 0)
 
 
@@ -89,7 +89,7 @@ def test_a_lens_that_changes_nothing_changes_nothing() -> None:
     for dtype in (np.uint8, np.uint16, np.float32, np.float64):
         image = (np.random.default_rng(1).random((40, 30, 4)) * 200).astype(dtype)
         for name in ("linear", "cubic"):
-            # Places are right to 1e-15 of the picture, values of 200 to 1e-12 before they are rounded.
+            # Positions are exact to 1e-15 of the picture, values of 200 to 1e-12 before rounding.
             shown = nf.RadialLens(()).warp(image, filter=name)
             assert shown.dtype == dtype
             assert np.abs(shown.astype(float) - image).max() <= (0 if dtype in (np.uint8, np.uint16) else 1e-4)
@@ -117,7 +117,7 @@ def test_warps_agree_with_others(name: str, order: int, theirs: int | None) -> N
 def test_the_lens_puts_right_what_was_warped_for_it() -> None:
     image = smooth(400, 400)
     back = RIFT_S.warp(RIFT_S.warp(image, True, filter="cubic"), filter="cubic", fill=np.nan)
-    # The warped picture shrinks nothing near the middle; what it moved beside itself cannot come back.
+    # The warped picture does not shrink near the middle; parts moved outside it cannot come back.
     x, y = np.meshgrid(np.linspace(-1, 1, 400), np.linspace(-1, 1, 400))
     near = np.hypot(x, y) < 0.6
     assert np.abs(back - image)[near].max() < 0.05
@@ -173,14 +173,14 @@ def test_bad_arguments(arguments: dict[str, Any], error: type[Exception], messag
 
 
 def through(mesh: nf.WarpMesh, lens: int, random: np.random.Generator, count: int) -> tuple[Array, Array]:
-    """Random places within faces, in clip coordinates, and what the mesh shows there."""
+    """Random positions within faces, in clip coordinates, and the texture coordinates shown there."""
     faces = mesh.faces[random.integers(0, len(mesh.faces), count)]
     weights = random.dirichlet([1.0, 1.0, 1.0], count)[..., None]
     return (mesh.positions[faces] * weights).sum(axis=1), (mesh.texcoords[lens][faces] * weights).sum(axis=1)
 
 
 def off_by(mesh: nf.WarpMesh, lens: nf.RadialLens, inverse: bool, fov: nf.Fov, output: nf.Fov, size: Array) -> float:
-    """Greatest distance in pixels between what a mesh shows and what it should, at many places."""
+    """Greatest distance in pixels between shown and exact positions, at many places."""
     places, shown = through(mesh, 0, np.random.default_rng(3), 40_000)
     omega = max(abs(fov.left), abs(fov.right))
     x = output.left + (places[:, 0] + 1) / 2 * (output.right - output.left)
@@ -188,7 +188,7 @@ def off_by(mesh: nf.WarpMesh, lens: nf.RadialLens, inverse: bool, fov: nf.Fov, o
     map_ = lens.distort_points if inverse else lens.undistort_points
     exact = map_(np.column_stack([x, y]) / omega, outside="nan") * omega
     across, down = (exact[:, 0] - fov.left) / (fov.right - fov.left), (fov.up - exact[:, 1]) / (fov.up - fov.down)
-    # What lies beside the picture does not matter.
+    # Positions outside the picture do not count.
     inside = (across >= 0) & (across <= 1) & (down >= 0) & (down <= 1)
     return float(np.nanmax(np.linalg.norm((np.column_stack([across, down]) - shown) * size, axis=1)[inside]))
 
@@ -234,7 +234,7 @@ def test_bounds_look_where_tangential_terms_come_from(
 
 
 def test_the_lens_is_the_same_whatever_the_picture_shows() -> None:
-    # A guard band around the picture changes what is read, not where the lens bends it.
+    # A guard band around the picture changes the source picture, not the lens's distortion.
     screen, wide = nf.Fov(-1, 1, -1, 1), nf.Fov(-1.3, 1.3, -1.3, 1.3)
     image = np.zeros((260, 260))
     image[:, 180] = 1.0

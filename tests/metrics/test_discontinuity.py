@@ -1,4 +1,4 @@
-"""How far pictures are torn, against the definition written down."""
+"""Tests of discontinuity against its definition."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ def frames() -> dict[str, nf.Frame]:
     scene = street()
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=256, samples=1, channels=("color", "range"))
     view = camera(CENTER + np.array([0, 0.2, 7.0]), (1, -0.03, 0.1), (96, 60))
-    wanted = ("color", "position")
+    channels = ("color", "position")
     return {
-        "truth": nf.render(scene, view, channels=wanted),
-        "conventional": reduced.with_morph("none").render(view, channels=wanted),
-        "continuous": reduced.render(view, channels=wanted),
+        "truth": nf.render(scene, view, channels=channels),
+        "conventional": reduced.with_morph("none").render(view, channels=channels),
+        "continuous": reduced.render(view, channels=channels),
     }
 
 
@@ -96,7 +96,7 @@ def test_pixels_without_a_surface_or_neighbours_have_none(frames: dict[str, nf.F
 
 @given(st.integers(0, 2**32 - 1), st.floats(0.3, 40), st.floats(0.05, 3))
 def test_any_points_have_their_definition(seed: int, epsilon: float, least: float) -> None:
-    # Points anywhere: in heaps, far outside of the picture, behind the camera, missing.
+    # Points in clusters, far outside the picture, behind the camera, and missing ones.
     random = np.random.default_rng(seed)
     view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 1.5), size=(27, 18))
     position = random.normal(size=(18, 27, 3)) * random.choice([0.01, 1, 30]) + [0, 0, random.choice([-50, -3, 0])]
@@ -104,7 +104,7 @@ def test_any_points_have_their_definition(seed: int, epsilon: float, least: floa
     frame = nf.Frame(view, position=position.astype(np.float32))
     expected = slow_discontinuity(frame, epsilon, least)
     found = nf.discontinuity(frame, epsilon=epsilon, min_distance=least)
-    # A pair whose distance is ε but for its rounding may count or not.
+    # A pair at the distance ε, up to rounding, may count or not.
     differs = ~np.isclose(found, expected, rtol=2e-3, atol=2e-3, equal_nan=True)
     assert differs.mean() <= 0.02
 
@@ -112,7 +112,7 @@ def test_any_points_have_their_definition(seed: int, epsilon: float, least: floa
 def test_every_pixel_at_one_place_and_none_at_all() -> None:
     view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 1), size=(12, 12))
     heap = nf.Frame(view, position=np.full((12, 12, 3), [0, 0, -5], np.float32))
-    # All are neighbours at distance 0, raised to a pixel: δ + 1 is the mean distance of pixels.
+    # All pixels are neighbours at distance 0, which is raised to a pixel: δ + 1 is the mean distance of pixels.
     y, x = np.mgrid[:12, :12]
     apart = np.hypot(x[..., None, None] - x, y[..., None, None] - y).sum(axis=(2, 3)) / 143
     np.testing.assert_allclose(nf.discontinuity(heap), apart - 1, rtol=1e-5)

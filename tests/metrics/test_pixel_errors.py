@@ -1,4 +1,4 @@
-"""Errors of pictures' values, and the objects that they show, against their definitions."""
+"""Tests of pixel errors and object completion against their definitions."""
 
 from __future__ import annotations
 
@@ -90,12 +90,12 @@ def test_refuses_what_cannot_be_compared(call: Any, message: str) -> None:
 @given(st.lists(st.tuples(st.integers(-1, 5), st.integers(-1, 5)), min_size=1, max_size=60))
 def test_object_completion_is_its_definition(pairs: list[tuple[int, int]]) -> None:
     reference, test = (np.array(ids, np.int32) for ids in zip(*pairs, strict=True))
-    wanted = [o for o in range(6) if (reference == o).any()]
+    objects = [o for o in range(6) if (reference == o).any()]
     found = nf.object_completion(reference, test)
-    if not wanted:
+    if not objects:
         assert all(math.isnan(value) for value in found)
         return
-    counts = [(int((reference == o).sum()), int((test == o).sum())) for o in wanted]
+    counts = [(int((reference == o).sum()), int((test == o).sum())) for o in objects]
     assert found[0] == pytest.approx(np.mean([here > 0 for _, here in counts]))
     assert found[1] == pytest.approx(np.mean([min(here, there) / there for there, here in counts]))
 

@@ -1,4 +1,4 @@
-"""Structural similarity against its definition, against scikit-image, and where others break."""
+"""Tests of structural similarity against its definition and scikit-image, and of difficult inputs."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ TYPES: dict[Any, float] = {np.uint8: 255.0, np.uint16: 65535.0, np.float32: 1.0,
 
 
 def typed(kind: type, *, height: int = 23, width: int = 29) -> tuple[NDArray[Any], NDArray[Any], float]:
-    """Two pictures of a type, and their range."""
+    """Two pictures of a type, and their data range."""
     extent = TYPES[kind]
     a, b = pictures(height, width)
     if kind in (np.uint8, np.uint16):
@@ -51,7 +51,7 @@ def test_every_convention_has_its_definition() -> None:
     mean, found = nf.ssim(a, b, convention="skimage", full=True, **options)
     np.testing.assert_allclose(found, sample, rtol=0, atol=1e-12)
     assert mean == pytest.approx(inside(sample, 5).mean(), abs=1e-13)
-    # Less than 384 pixels are not made smaller, 900 by 4, with boxes that begin a pixel before.
+    # Pictures of less than 384 pixels are not downsampled; 900 pixels are, by 4, with boxes that begin a pixel earlier.
     assert nf.ssim(a, b, convention="wang-downsampled", **options) == nf.ssim(a, b, **options)
     large = pictures(900, 1001)
     mean, found = nf.ssim(*large, data_range=1, convention="wang-downsampled", full=True)
@@ -143,11 +143,11 @@ def test_masks_choose_what_counts() -> None:
     _, found = nf.ssim(a, b, data_range=1, full=True)
     mean, same = nf.ssim(a, b, data_range=1, mask=mask, full=True)
     assert mean == pytest.approx(found[mask].mean(), abs=1e-14)
-    # Levels are those of the mask.
+    # Local means are those of the mask.
     np.testing.assert_allclose(same, found, rtol=0, atol=1e-14)
     assert nf.ssim(a, b, data_range=1, mask=mask) == pytest.approx(mean, abs=1e-14)
     assert nf.ssim(a, b, data_range=1, mask=mask.astype(np.int64) * 7) == pytest.approx(mean, abs=1e-14)
-    # What no window of the mask sees does not matter.
+    # Pixels that no window of the mask contains do not matter.
     broken = a.copy()
     broken[30:] = np.nan
     assert nf.ssim(broken, b, data_range=1, mask=mask) == pytest.approx(mean, abs=1e-14)
@@ -176,7 +176,7 @@ def test_windows_that_see_only_the_mask(seed: int, shape: tuple[int, int], size:
 
 
 def layouts(a: NDArray[Any]) -> Iterator[NDArray[Any]]:
-    """The same values, otherwise in memory."""
+    """The same values in other memory layouts."""
     yield np.asfortranarray(a)
     yield np.repeat(np.repeat(a, 2, axis=0), 3, axis=1)[::2, ::3]
     yield a[::-1, ::-1].copy()[::-1, ::-1]
@@ -278,7 +278,7 @@ def test_several_scales_are_their_definition() -> None:
     assert double == pytest.approx((nf.ms_ssim(a, b, data_range=1) + 1) / 2, abs=1e-14)
     byte = [np.round(255 * p).astype(np.uint8) for p in (a, b)]
     assert nf.ms_ssim(*byte, data_range=255) == pytest.approx(nf.ms_ssim(a, b, data_range=1), abs=1e-3)
-    # Negative means count as none.
+    # Negative means count as 0.
     assert nf.ms_ssim(a, 1 - a, data_range=1) == 0.0
     with pytest.raises(ValueError, match="reference: expected windows of 11 pixels within the picture at every scale"):
         nf.ms_ssim(a[:150], b[:150], data_range=1)

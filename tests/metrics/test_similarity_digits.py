@@ -1,4 +1,4 @@
-"""Digits of structural similarity where they are easily lost: high levels, outliers, values beyond all ranges."""
+"""Tests of the precision of structural similarity: high means, outliers, extreme values."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tests.support.similarity_oracle import pictures, slow_maps, slow_masked, we
 
 
 def hard_pictures() -> Iterator[tuple[str, NDArray[np.float32], NDArray[np.float32], float]]:
-    """Pictures of float32 whose variance is easily lost."""
+    """Float32 pictures whose variance is easily lost in rounding."""
     a, b = (p.astype(np.float32) for p in pictures(150, 210))
     for offset in (10.0, 1e3, 1e4):
         yield f"offset {offset:g}", a + np.float32(offset), b + np.float32(offset), 1.0
@@ -40,7 +40,7 @@ def test_float32_stays_with_float64(case: tuple[str, NDArray[np.float32], NDArra
 
 
 def outliers(kind: type) -> Iterator[tuple[str, NDArray[Any], NDArray[Any]]]:
-    """Pictures whose values lie far apart: what is near their mean is none of them."""
+    """Pictures whose values lie far apart, so that no value is near their mean."""
     random = np.random.default_rng(3)
     base = 0.5 + 0.1 * random.random((100, 140))
     noisy = base + 0.02 * random.random(base.shape)
@@ -94,13 +94,13 @@ def test_what_no_window_of_a_mask_sees_has_no_effect(kind: type) -> None:
             continue
         plain: list[NDArray[Any]] = [np.where(np.abs(a) > 1, 0.5, p).astype(kind) for p in (a, b)]
         expected = nf.ssim(*plain, data_range=1, mask=~far)
-        # Levels differ, and with them what is rounded.
+        # Local means differ, and with them rounding.
         tolerance = 1e-12 if kind == np.float64 else 1e-6
         assert nf.ssim(a, b, data_range=1, mask=~far) == pytest.approx(expected, abs=tolerance), name
 
 
 def test_even_areas_far_from_the_level_are_rounded_alike_and_still_exact() -> None:
-    # Halves of one tile: what is rounded is the same for all windows of a half, and does not average out.
+    # Two halves of one tile: rounding is the same for all windows of a half and does not average out.
     left = np.arange(128) < 64
     random = np.random.default_rng(0)
 
@@ -134,7 +134,7 @@ def test_values_about_zero_and_beyond_the_range_keep_their_luminance() -> None:
 def test_contrasts_beyond_the_exponents_are_not_taken_for_none() -> None:
     checks = (np.indices((60, 80)).sum(axis=0) % 2) * 2.0 - 1.0
     for kind in (np.float32, np.float64):
-        # Beyond, the mean of nothing is rounded by more than c1, and so is what similarity is.
+        # At greater scales the rounding of the mean exceeds c1, and the similarity is undefined.
         for scale in (1.0, 1e10, 1e20):
             a = (checks * scale).astype(kind)
             assert nf.ssim(a, -a, data_range=1, window="uniform", size=8) == pytest.approx(-1.0, abs=1e-2)
@@ -157,7 +157,7 @@ def test_any_width_of_the_window_has_weights(size: int, sigma: float) -> None:
 
 def test_float64_keeps_the_variance_at_any_level() -> None:
     a, b = pictures(40, 50)
-    # Halves of 2⁻²⁰ survive adding 10⁸, so that the shifted pictures are the same but for their level.
+    # Multiples of 2⁻²⁰ survive adding 10⁸, so that the shifted pictures differ only by their mean.
     a, b = (np.round(p * 2**20) / 2**20 for p in (a, b))
     shifted, _ = slow_maps(a + 1e8, b + 1e8, weights("gaussian", 11), 1.0)
     found = nf.ssim(a + 1e8, b + 1e8, data_range=1, full=True).map

@@ -1,4 +1,4 @@
-"""The morph against Eq. 1–3 written down in high precision, and at the places where it may go wrong."""
+"""Tests of the morph against Eq. 1–3 in high precision, and in special cases."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_inside_r1_keeps_bits_and_beyond_r2_shifts(dtype: Any, far_away: float) 
     center = np.array([far_away, 1.7, -far_away])
     user = center + np.array([4.0, 0.3, -5.0])
     rings = [around(center, rho, 400.0 * (rho < 20) + rho) for rho in (0.0, 1e-3, 10.0, 29.9, 40.0, 50.5, 3e4)]
-    # Exactly on both radii.
+    # Points exactly on both radii.
     rings.append(center + np.array([[30, 0, 0], [18, 5, -24], [0, 9, -30], [50, 0, 0], [-30, 4, 40]]))
     points = np.concatenate(rings).astype(dtype)
     points[0] = [center[0], -0.0, center[2]]
@@ -103,7 +103,7 @@ def test_continuous_at_both_radii(kind: str, radius: float) -> None:
 
 
 def test_towers_keep_their_place() -> None:
-    """A tower 400 m high at 10 m lies inside r1 up to its top, however long the way to it is."""
+    """A tower 400 m high at a distance of 10 m is inside r1 up to its top."""
     tower = around((0.0, 0.0, 0.0), 10.0, np.linspace(0.0, 400.0, 64)).astype(np.float32)
     np.testing.assert_array_equal(nf.morph(tower, user=(8, 2, 0), center=(0, 1.7, 0), r1=R1, r2=R2), tower)
 
@@ -124,7 +124,7 @@ def test_points_on_the_axis_at_the_eye_and_above(kind: str) -> None:
     still = np.array([center, user, center + up, user + up, center - up])
     np.testing.assert_array_equal(nf.morph(still, user=user, center=center, r1=R1, r2=R2, kind=kind), still)
     outside = center + np.array([40.0, 0.0, 0.0])
-    # At the eye itself the direction from there is undefined: the centre's is taken, with t = (1−w) |P−O| = 20.
+    # At the eye the user's direction is undefined: the centre's is taken, with t = (1−w) |P−O| = 20.
     shown = nf.morph(outside[None], user=outside, center=center, r1=R1, r2=R2)
     np.testing.assert_allclose(shown[0], outside + np.array([20.0, 0.0, 0.0]), atol=1e-13)
 
@@ -202,7 +202,7 @@ def test_cylinder_kind_without_a_cylinder_or_outside_it() -> None:
     none = nf.morph(points, user=user, center=center, r1=0, r2=0, kind="cylinder")
     # Some twenty roundings of float64, most of which cancel.
     np.testing.assert_allclose(np.hypot(none[:, 0], none[:, 2]), 40.0, rtol=1e-14)
-    # The user stands outside the point's cylinder: the blend's distance is taken.
+    # The user is outside the point's cylinder, so the blend's distance is taken.
     inner = around(center, 36.0, 3.0)
     far_user = (39.0, 0.0, 0.0)
     shown, blended = (
@@ -229,7 +229,7 @@ def test_shapes_types_and_places() -> None:
     assert nf.morph([[1, 2, 3]], **arguments).dtype == np.float64
     points = np.random.default_rng(5).uniform(-60, 60, (3000, 3))
     whole = nf.morph(points, **arguments)
-    # The answer for a point does not depend on its neighbours or its place in memory.
+    # The result for a point does not depend on its neighbours or its place in memory.
     np.testing.assert_array_equal(nf.morph(points[::-1], **arguments), whole[::-1])
     np.testing.assert_array_equal(nf.morph(np.asfortranarray(points), **arguments), whole)
     one_by_one = np.concatenate([nf.morph(points[i : i + 1], **arguments) for i in range(300)])

@@ -1,4 +1,4 @@
-"""Both morphs against the vectors that all languages read."""
+"""Tests of both morphs with the vectors that all languages read."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Partition, radii and load curve against slow definitions."""
+"""Tests of partition, radii and load curve against slow definitions."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def exact_radii(triangle: Any, center: Any) -> tuple[float, float]:
 
 
 def numpy_radii(corners: NDArray[Any], center: Any) -> NDArray[np.float64]:
-    """The same in float64 arrays, for many triangles."""
+    """Least and greatest ρ in float64 arrays, for many triangles."""
     plan = corners[..., [0, 2]].astype(np.float64) - [center[0], center[2]]
     following = np.roll(plan, -1, axis=1)
     edge = following - plan
@@ -100,7 +100,7 @@ def test_radii_against_fractions(triangles: list[Any], center: Any) -> None:
         # Two dozen float64 roundings at most, each relative to the greatest distance.
         assert abs(radii[0] - least) <= 3e-15 * greatest
         assert abs(radii[1] - greatest) <= 1e-15 * greatest
-    # Corners that float32 holds: its answer is the float64 one, rounded once.
+    # If float32 holds the corners, the float32 result is the float64 one, rounded once.
     if np.array_equal(corners.astype(np.float32), corners):
         np.testing.assert_array_equal(single, double.astype(np.float32))
 
@@ -124,21 +124,21 @@ def test_faces_and_corner_lists_agree() -> None:
 def test_a_large_ground_triangle_is_at_the_axis() -> None:
     ground = [[[-1e3, 0, -1e3], [1e3, 0, -1e3], [0, 0, 1e3]]]
     assert nf.triangle_radii(ground, center=(0, 50, 0))[0, 0] == 0.0
-    # Outside by a hair: the distance to the edge, not to a corner.
+    # Just outside: the distance to the edge, not to a corner.
     assert nf.triangle_radii(ground, center=(0, 0, -1000.5))[0, 0] == 0.5
 
 
 def test_walls_and_slivers_are_segments() -> None:
     wall = [[[-3, 0, 4], [3, 0, 4], [3, 9, 4]], [[10, 0, 10], [20, 0, 20], [20, 5, 20]], [[3, 0, 4]] * 3]
     np.testing.assert_array_equal(nf.triangle_radii(wall, center=(0, 0, 0))[:, 0], [4.0, math.sqrt(200), 5.0])
-    # Slivers on lines through the axis: a careless side test takes some of them for triangles around it.
+    # Slivers on lines through the axis: an inexact side test takes some of them for triangles around it.
     random = np.random.default_rng(3)
     direction = random.normal(size=(5000, 1, 2))
     along = random.uniform(10, 20, (5000, 3, 1)) * direction
     sliver = np.insert(along * (1 + random.integers(-2, 3, (5000, 3, 2)) * 2.0**-52), 1, 0, axis=2)
     radii = nf.triangle_radii(sliver, center=(0, 0, 0))
     corners = np.linalg.norm(sliver[..., [0, 2]], axis=2)
-    # Corners were moved by up to four steps of float64, and so may the foot of the perpendicular be.
+    # Corners were moved by up to four float64 steps, and the foot of the perpendicular may be too.
     np.testing.assert_allclose(radii[:, 0], corners.min(1), rtol=1e-14)
 
 
@@ -237,7 +237,7 @@ def test_instances_divide_as_merged_geometry_does(origin: float) -> None:
         for name in SETS:
             np.testing.assert_array_equal(getattr(partition, name), expected[name])
         assert nf.load_curve(scene, center=center).count(r2) == len(expected["nsf"])
-    # At 30 and 50 m boxes decide most trees; only the others are looked into.
+    # At 30 and 50 m boxes decide most trees; only the others are examined.
     counts = nf.partition(scene, center=center, r1=30, r2=50).summary()
     assert counts["far_instances"] > 30
     assert 0 < counts["examined"] < total / 2
@@ -349,7 +349,7 @@ def test_a_thousand_budgets_take_less_than_a_millisecond() -> None:
         start = time.perf_counter()
         curve.radius(budgets)
         times.append(time.perf_counter() - start)
-    # Twenty probes each: a few tens of microseconds; the best of many leaves other programs' time out.
+    # Twenty probes each, some tens of microseconds; the best of many runs excludes other programs' time.
     assert min(times) < 1e-3
 
 

@@ -19,8 +19,8 @@ GPU = CHECKOUT / "rust" / "gpu" / "src"
 BINDINGS = CHECKOUT / "rust" / "py" / "src"
 PACKAGE = CHECKOUT / "python" / "nearfar"
 
-# What each stage may use, in the order of the data flow: nothing that comes later. A name that is missing here fails:
-# adding a stage is a decision.
+# Stages in the order of the data flow, and the earlier stages that each may use. A stage that is missing here fails the
+# test, so that adding one is a decision.
 RUST_STAGES: dict[str, set[str]] = {
     "base": set(),
     "bvh": {"base"},
@@ -39,9 +39,9 @@ RUST_STAGES: dict[str, set[str]] = {
     "lens": {"base", "camera", "bounds"},
     "lod": {"base", "camera", "trace", "bounds", "lens"},
 }
-"""The order is that of lib.rs."""
+"""Stages of the core crate and their dependencies, in the order of lib.rs."""
 
-# The same for the GPU back end: of other crates it uses the core alone.
+# Modules of the GPU crate and their dependencies; of other crates it uses only the core.
 GPU_MODULES: dict[str, set[str]] = {
     "device": set(),
     "upload": {"device"},
@@ -49,9 +49,10 @@ GPU_MODULES: dict[str, set[str]] = {
     "render": {"device", "upload", "draw"},
     "compute": {"device", "draw"},
 }
-"""The order is that of lib.rs. A device keeps state by type, so that it knows none of the modules that define it."""
+"""Modules in the order of lib.rs. A device stores state by type, so that it depends on none of the modules that define
+it."""
 
-# Lines of a file. Above the first number a file is listed, above the second it fails.
+# Numbers of lines of a file: above the first number it is listed, above the second it fails.
 THINK, SPLIT = 400, 500
 
 
@@ -60,7 +61,7 @@ def rust_files(folder: Path) -> list[Path]:
 
 
 def rust_code(path: Path) -> str:
-    """Without comments, strings and the tests at the end."""
+    """Code without comments, strings and the tests at the end."""
     text = re.split(r"#\[cfg\(test\)\]\s*mod \w+ \{", path.read_text(encoding="utf-8"))[0]
     return re.sub(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\])*"', "", text, flags=re.DOTALL)
 
@@ -118,7 +119,7 @@ def test_no_file_uses_itself_through_others(crate: Path, least: int) -> None:
     assert circles(graph) == []
 
 
-# The kernels compute: no interpreter, no files, no clock, no environment but the pool's variable, no printing.
+# Kernels only compute: no interpreter, no files, no clock, no environment except the pool's variable, no printing.
 FORBIDDEN_IN_CORE = {
     r"\bpyo3\b|\bnumpy::": "",
     r"\bstd::fs\b|\bFile::(?:open|create)\b": "",
@@ -147,14 +148,14 @@ def test_kernels_do_not_panic_on_purpose() -> None:
     wrong = []
     for path in [*rust_files(CORE), *rust_files(GPU), *rust_files(BINDINGS)]:
         if not is_rust_test(path):
-            # Strings are stripped, so that `.expect("…")` reads `.expect()`, and Progress has a method of that name.
+            # Strings are stripped, so that `.expect("…")` reads `.expect()`; Progress has a method of that name.
             found = re.findall(r"\.unwrap\(\)|\.expect\(\)|\bpanic!|\bunreachable!", rust_code(path))
             wrong += [f"{path.relative_to(CHECKOUT)}: {name}" for name in found]
     assert wrong == []
 
 
 def test_bindings_hold_no_arithmetic() -> None:
-    """A loop with arithmetic in it is a kernel, and kernels live in the core."""
+    """A loop with arithmetic is a kernel, which belongs to the core."""
     wrong = []
     for path in rust_files(BINDINGS):
         code = rust_code(path)
@@ -198,7 +199,7 @@ def test_files_are_short(record_property: Callable[[str, object], None]) -> None
 
 
 def test_nothing_in_the_tree_is_unfinished_or_tied_to_a_machine() -> None:
-    # Written in two pieces, so that this file does not find itself.
+    # The words are split, so that this file does not match itself.
     words = [a + b for a, b in (("TO", "DO"), ("FIX", "ME"), ("XX", "X"), ("raise Not", "ImplementedError"))]
     words += [a + b for a, b in (("/ho", "me/"), ("/Us", "ers/"), ("/wo", "rk/"))]
     pattern = re.compile("|".join(rf"(?<![\w.~]){re.escape(word)}" for word in words))

@@ -1,4 +1,4 @@
-"""The harness of the benchmarks: what it times, compares and draws."""
+"""Tests of the benchmarks' harness: timing, comparison, plots."""
 
 from __future__ import annotations
 

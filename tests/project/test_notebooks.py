@@ -1,4 +1,4 @@
-"""Notebooks are kept without outputs, hold no algorithms, and run."""
+"""Tests that notebooks are stored without outputs, contain no algorithms, and run."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from tests.support import need
 CHECKOUT = Path(__file__).resolve().parents[2]
 NOTEBOOKS = sorted((CHECKOUT / "notebooks").glob("*.ipynb"))
 
-# What a reader waits for a notebook. It is measured with a wide margin, because other work may share the machine.
+# Greatest run time of a notebook in seconds, with a wide margin, because other work may share the machine.
 SECONDS = 60.0
 
 
@@ -43,7 +43,7 @@ def test_notebooks_are_stripped(path: Path) -> None:
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_notebooks_hold_no_algorithms(path: Path) -> None:
-    """A cell worth keeping moves into the package with a test: here are calls, and loops over what is shown."""
+    """Reusable code belongs to the package, with a test; cells contain calls, and loops over displayed results."""
     for cell in cells(path):
         if cell["cell_type"] == "code":
             tree = ast.parse("".join(cell["source"]))
@@ -56,7 +56,7 @@ def test_notebooks_run(path: Path, tmp_path: Path) -> None:
     need("notebook")
     need("matplotlib")
     started = time.monotonic()
-    done = subprocess.run(
+    process = subprocess.run(
         [sys.executable, CHECKOUT / "scripts" / "notebooks.py", tmp_path, path.stem],
         cwd=tmp_path,
         capture_output=True,
@@ -64,7 +64,7 @@ def test_notebooks_run(path: Path, tmp_path: Path) -> None:
         timeout=5 * SECONDS,
         check=False,
     )
-    assert done.returncode == 0, done.stderr[-4000:]
+    assert process.returncode == 0, process.stderr[-4000:]
     print(f"{path.stem}: {time.monotonic() - started:.0f} s of {SECONDS:.0f}")
     shown = [output for cell in cells(tmp_path / path.name) for output in cell.get("outputs", [])]
     assert any("image/png" in output.get("data", {}) for output in shown)

@@ -1,4 +1,4 @@
-"""The wheel is small, complete, installs into an empty environment, and imports without what it may not need."""
+"""Tests of the wheel: small, complete, installs into an empty environment, imports without optional packages."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ BACKEND = CHECKOUT / "scripts" / "nearfar_build.py"
 
 IMPORT_BACKEND = f"import sys; sys.path.insert(0, {str(BACKEND.parent)!r}); import nearfar_build as b"
 
-# One wheel with everything inside stays small enough to download without a thought.
+# Greatest size of the wheel in bytes.
 LARGEST_WHEEL = 12_000_000
 
 HEAVY = ("trimesh", "PIL", "typer", "rich", "matplotlib", "scipy", "cv2", "jsonschema", "networkx")
-"""Packages that `import nearfar` must not load: each costs tens of milliseconds that most scripts would not use."""
+"""Packages that `import nearfar` must not load: each takes tens of milliseconds that most scripts do not need."""
 
 
 def run(*command: str | Path, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -42,21 +42,21 @@ def run(*command: str | Path, **environment: str) -> subprocess.CompletedProcess
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Built from the tree with the environment's maturin: the release build is there, so this only packs."""
+    """Wheel built from the tree with the environment's maturin; the release build exists, so this only packs."""
     need("release")
     folder = tmp_path_factory.mktemp("wheel")
-    done = run(
+    process = run(
         *(sys.executable, "-m", "pip", "wheel", "--no-deps", "--no-build-isolation", "--no-index"),
         *("--wheel-dir", folder, CHECKOUT),
     )
-    assert done.returncode == 0, done.stdout + done.stderr
+    assert process.returncode == 0, process.stdout + process.stderr
     (path,) = folder.glob("*.whl")
     return path
 
 
 @pytest.fixture(scope="module")
 def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Python of an environment that holds the wheel, what its metadata requires, and nothing else.
+    """Python of an environment that contains the wheel, the packages that its metadata require, and nothing else.
 
     The requirements are linked from this environment, so that no package index is asked.
     """
@@ -64,11 +64,11 @@ def installed(wheel: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     venv.create(folder, with_pip=False, symlinks=os.name != "nt")
     python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
     where = run(python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))").stdout.strip()
-    done = run(
+    process = run(
         *(sys.executable, "-m", "pip", "--python", python, "install", "--no-deps", "--no-index"),
         *("--no-warn-script-location", wheel),
     )
-    assert done.returncode == 0, done.stdout + done.stderr
+    assert process.returncode == 0, process.stdout + process.stderr
     for top in _requirements(wheel):
         (Path(where) / top.name).symlink_to(top)
     return python
@@ -122,13 +122,13 @@ def test_the_wheel_works_in_an_empty_environment(installed: Path, tmp_path: Path
         "nf.render(scene, view).save('box.png')\n"
         "print(scene.triangle_count)"
     )
-    done = subprocess.run([installed, "-I", "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=60)
-    assert (done.returncode, done.stdout.strip()) == (0, "12"), done.stderr
-    done = subprocess.run(
+    process = subprocess.run([installed, "-I", "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    assert (process.returncode, process.stdout.strip()) == (0, "12"), process.stderr
+    process = subprocess.run(
         [installed.with_name("nearfar"), "--help"], cwd=tmp_path, capture_output=True, text=True, timeout=60
     )
-    assert done.returncode == 0, done.stderr
-    assert "render" in done.stdout
+    assert process.returncode == 0, process.stderr
+    assert "render" in process.stdout
 
 
 def test_importing_loads_nothing_heavy(installed: Path, tmp_path: Path) -> None:
@@ -137,15 +137,15 @@ def test_importing_loads_nothing_heavy(installed: Path, tmp_path: Path) -> None:
         "start = time.perf_counter(); import nearfar; took = time.perf_counter() - start\n"
         "print(took, *sorted({name.partition('.')[0] for name in sys.modules}))"
     )
-    done = subprocess.run([installed, "-I", "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=60)
-    took, *loaded = done.stdout.split()
+    process = subprocess.run([installed, "-I", "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    took, *loaded = process.stdout.split()
     print(f"import nearfar: {float(took):.3f} s beside NumPy's")
     assert not set(HEAVY) & set(loaded)
 
 
 def test_the_sources_pack(tmp_path: Path) -> None:
-    done = run(sys.executable, "-c", f"{IMPORT_BACKEND}; b.build_sdist({str(tmp_path)!r})")
-    assert done.returncode == 0, done.stdout + done.stderr
+    process = run(sys.executable, "-c", f"{IMPORT_BACKEND}; b.build_sdist({str(tmp_path)!r})")
+    assert process.returncode == 0, process.stdout + process.stderr
     (path,) = tmp_path.glob("nearfar-*.tar.gz")
     with tarfile.open(path) as archive:
         names = {name.partition("/")[2] for name in archive.getnames()}
@@ -172,18 +172,18 @@ def test_one_version_everywhere() -> None:
         ("nonsense", "but `cargo --version` says 'nonsense'; install Rust 1.89 or newer"),
     ],
 )
-def test_a_build_without_a_good_cargo_says_so_in_one_sentence(said: str | None, words: str, tmp_path: Path) -> None:
+def test_a_build_without_a_good_cargo_says_so_in_one_sentence(output: str | None, words: str, tmp_path: Path) -> None:
     need("fork")  # the stand-in for cargo is a shell script
-    if said is not None:
+    if output is not None:
         script = tmp_path / "cargo"
-        script.write_text(f"#!/bin/sh\necho '{said}'\n")
+        script.write_text(f"#!/bin/sh\necho '{output}'\n")
         script.chmod(script.stat().st_mode | stat.S_IEXEC)
     path = os.pathsep.join([str(tmp_path), "/nonexistent"])
     for command in ([sys.executable, BACKEND], [sys.executable, "-c", f"{IMPORT_BACKEND}; b.build_wheel('.')"]):
-        done = run(*command, PATH=path if said is None else os.pathsep.join([str(tmp_path), "/bin"]))
-        assert done.returncode == 1
-        assert done.stderr.count("\n") == 1
-        assert words in done.stderr
+        process = run(*command, PATH=path if output is None else os.pathsep.join([str(tmp_path), "/bin"]))
+        assert process.returncode == 1
+        assert process.stderr.count("\n") == 1
+        assert words in process.stderr
 
 
 def test_every_script_a_person_runs_is_executable() -> None:

@@ -1,4 +1,5 @@
-"""Public names exist, are documented, and take few positional arguments; the stub names every binding."""
+"""Tests that public names exist, have documentation and few positional arguments, and that the stub has every
+binding."""
 
 from __future__ import annotations
 
@@ -19,7 +20,7 @@ STUB = Path(__file__).resolve().parents[2] / "python" / "nearfar" / "_core.pyi"
 
 
 def public() -> Iterator[tuple[str, Any]]:
-    """Everything that `nearfar.__all__` offers, and the public methods of its classes."""
+    """Yield all names of `nearfar.__all__` and the public methods of its classes."""
     for name in nf.__all__:
         value = getattr(nf, name)
         yield name, value
@@ -40,7 +41,7 @@ def test_all_names_exist_once_and_in_order() -> None:
 def test_public_names_are_documented(name: str, value: Any) -> None:
     text = inspect.getdoc(value)
     assert text, name
-    # Functions state each argument; methods and named constructors may say it in a sentence or two.
+    # Functions document each argument; methods and named constructors may use a sentence or two.
     if isinstance(value, types.FunctionType) and "." not in name:
         arguments = list(inspect.signature(value).parameters)
         assert "\nParameters\n" in text, f"{name}: expected a section Parameters"
@@ -51,7 +52,7 @@ def test_public_names_are_documented(name: str, value: Any) -> None:
 
 @pytest.mark.parametrize("name", nf.__all__)
 def test_readers_find_every_public_function_by_keyword(name: str) -> None:
-    """Arguments after the first two or three are keyword-only, so that a call says what its numbers are."""
+    """Arguments after the first two or three are keyword-only, so that a call names its numbers."""
     value = getattr(nf, name)
     if isinstance(value, types.FunctionType):
         kinds = [p.kind for p in inspect.signature(value).parameters.values()]

@@ -1,4 +1,4 @@
-"""Rules of ARCHITECTURE.md for the Python package: which stage may use which, no circles between files, small rooms."""
+"""Tests of ARCHITECTURE.md's rules for the Python package: dependencies of stages, no circles, small files."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from tests.support.python_modules import uses
 CHECKOUT = Path(__file__).resolve().parents[2]
 PACKAGE = CHECKOUT / "python" / "nearfar"
 
-# Stages in the order of the data flow, and the earlier ones that each uses besides `_base`. A missing name fails:
-# another dependency is a decision.
+# Stages in the order of the data flow, and the earlier ones that each uses besides `_base`. A missing name fails, so
+# that a new dependency is a decision.
 STAGES: dict[str, set[str]] = {
     "_base": set(),
     "_camera": set(),
@@ -38,9 +38,9 @@ STAGES: dict[str, set[str]] = {
 }
 
 PRIVATE_TO_COMMANDS = {"nearfar._trace.viewpoint", "nearfar._metrics.comparison"}
-"""Modules that the command line uses besides the public names and the policies of `_base`."""
+"""Modules that the command line uses besides the public names and `_base`."""
 
-# Each stage's tests, benchmarks and page; a reason in the place of benchmarks where there is nothing to time.
+# Each stage's tests, benchmark and page; instead of a benchmark a reason why nothing is timed.
 ROOMS = {
     "base": "policies, which compute nothing",
     "datasets": "scenes to test with",
@@ -64,10 +64,10 @@ ROOMS = {
 }
 
 MOST_ENTRIES = 24
-"""Files and folders in python/nearfar: what a reader takes in at a glance."""
+"""Greatest number of files and folders in python/nearfar."""
 
 MEDIAN_LINES, MOST_LINES = 150, 400
-"""Lines of a Python file of the package; the stub may be longer while the extension is one module."""
+"""Greatest median and greatest number of lines of the package's Python files; the stub may be longer."""
 
 
 def stage_of(module: str) -> str:

@@ -1,4 +1,4 @@
-"""The graph of imports, on a made-up package with every way to hide a circle."""
+"""Tests of the graph of imports, on a made-up package with every way to hide a circle."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the README says is so: its example runs, its commands exist, its pictures are there."""
+"""Tests that the README is right: its example runs, its commands exist, its pictures exist."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from PIL import Image
 CHECKOUT = Path(__file__).resolve().parents[2]
 README = CHECKOUT / "README.md"
 
-# A page on a telephone should not wait for its pictures.
+# Greatest size of a picture in bytes, for readers with slow connections.
 LARGEST_PICTURE = 400_000
 
 
@@ -25,11 +25,11 @@ def example() -> str:
 def test_the_example_is_short_and_runs(tmp_path: Path) -> None:
     code = example()
     assert len(code.splitlines()) <= 20
-    done = subprocess.run(
+    process = subprocess.run(
         [sys.executable, "-W", "error", "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=300
     )
-    assert done.returncode == 0, done.stderr
-    assert re.search(r"[\d,]+ triangles", done.stdout)
+    assert process.returncode == 0, process.stderr
+    assert re.search(r"[\d,]+ triangles", process.stdout)
     with Image.open(tmp_path / "truth.png") as truth, Image.open(tmp_path / "continuous.png") as continuous:
         assert truth.size == continuous.size
 
@@ -76,7 +76,7 @@ def test_the_readme_opens_with_a_picture_and_two_commands() -> None:
 
 
 def test_the_architecture_fits_two_pages() -> None:
-    # About 60 lines of 120 characters a page.
+    # A page has about 60 lines of 120 characters.
     text = (CHECKOUT / "ARCHITECTURE.md").read_text(encoding="utf-8")
     assert sum(1 + len(line) // 120 for line in text.splitlines()) <= 130
 
@@ -85,7 +85,7 @@ def test_every_work_that_the_sources_cite_is_listed() -> None:
     listed = set(re.findall(r"year\s*=\s*\{(\d{4})\}", (CHECKOUT / "references.bib").read_text(encoding="utf-8")))
     cited = set()
     for path in [*(CHECKOUT / "rust/core/src").rglob("*.rs"), *(CHECKOUT / "python").rglob("*.py")]:
-        # A year after a word, a comma or a bracket; numbers in code have a digit before the comma or after a point.
+        # A year follows a word, a comma or a bracket; numbers in code have a digit before the comma or after a point.
         years = re.findall(
             r"(?:\(|[^\d], |of |al\. )((?:19[5-9]|20[0-2])\d)(?![\d.]\d)", path.read_text(encoding="utf-8")
         )

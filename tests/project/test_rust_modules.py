@@ -1,4 +1,4 @@
-"""The parser of Rust imports, on a crate made up with every kind of circle."""
+"""Tests of the parser of Rust imports, on a made-up crate with every kind of circle."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def crate(folder: Path, files: dict[str, str]) -> dict[str, set[str]]:
     return file_graph(folder)
 
 
-# A stage whose mod.rs only declares and re-exports, and one whose mod.rs computes.
+# One stage whose mod.rs only declares and re-exports, and one whose mod.rs computes.
 BASE = {
     "lib.rs": "//! Doc.\npub mod shapes;\npub mod walk;\n",
     "shapes/mod.rs": "//! Doc.\nmod cube;\nmod ball;\npub use ball::Ball;\npub use cube::{Cube as Box6, volume};\n",

@@ -1,4 +1,4 @@
-"""Sizes at which mistakes of memory, of 32-bit numbers and of growth show: for `make stress`, not for `make test`."""
+"""Tests of large sizes, which show errors of memory, 32-bit numbers and complexity; for `make stress` only."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tests.support import need
 pytestmark = pytest.mark.stress
 
 STATION = (0.0, 1.7, 0.0)
-"""Tokyo Station: the middle of the whole city."""
+"""Tokyo Station, the middle of the whole city, world metres."""
 
 City = tuple[NDArray[np.float32], NDArray[np.uint32]]
 
@@ -34,7 +34,7 @@ def tokyo(arrays: City) -> nf.Scene:
 
 
 def test_a_scene_borrows_the_arrays_of_a_whole_city(arrays: City) -> None:
-    # Half of the arrays' own size is the most that may come on top; nothing but a few tiles is expected.
+    # At most half of the arrays' size may be added; only a few tiles are expected.
     before = psutil.Process().memory_info().rss
     scene = nf.Scene.from_arrays(*arrays)
     grown = psutil.Process().memory_info().rss - before
@@ -54,18 +54,18 @@ def test_radii_partition_and_curve_agree_on_every_triangle(arrays: City, tokyo: 
 
 
 def test_metrics_of_pictures_of_a_gigapixel_are_those_of_their_parts() -> None:
-    # 32,768 × 32,768 bytes: more than 2³⁰ pixels, and rows that repeat, so that the truth is known.
+    # 32,768 × 32,768 bytes: more than 2³⁰ pixels, with repeated rows, so that the result is known.
     random = np.random.default_rng(0)
     a, b = random.integers(0, 256, (2, 512, 32_768), dtype=np.uint8)
     tall = [np.lib.stride_tricks.as_strided(p, (64, *p.shape), (0, *p.strides)).reshape(-1, 32_768) for p in (a, b)]
     assert nf.rmse(*tall) == nf.rmse(a, b)
-    # Windows across the seams see other pixels: 11 of 512 rows, whose mean is about the same.
+    # Windows across the seams see other pixels: 11 of 512 rows, with about the same mean.
     assert nf.ssim(*tall, data_range=255) == pytest.approx(nf.ssim(a, b, data_range=255), abs=1e-4)
     assert nf.ssim(tall[0], tall[0], data_range=255) == 1.0
 
 
 def test_breaks_of_a_large_frame_do_not_depend_on_its_size() -> None:
-    # Four thousand pixels square of a plane that is seen straight on, with one half moved by three pixels.
+    # A frontal view of a plane with 4,000 × 4,000 pixels, one half of which is moved by three pixels.
     side = 4096
     view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 1), size=(side, side))
     step = 2.0 / side
@@ -88,7 +88,7 @@ def test_the_map_of_a_whole_city_is_what_rays_meet(tokyo: nf.Scene) -> None:
         view = nf.Camera(STATION, fov=nf.CubeFace(face), size=(256, 256))
         truth = nf.render(tokyo, view, channels=("range", "position")).require("range")
         baked = reduced.env.range[face]
-        # Where the truth is beyond r2 in every direction's horizontal part, both see the same surface by the same ray.
+        # Where the truth is beyond r2 in every direction's horizontal part, both hit the same surface by the same ray.
         directions = view.rays()[1]
         far = truth * np.hypot(directions[..., 0], directions[..., 2]) > 50.0
         far &= np.isfinite(truth)
@@ -102,11 +102,11 @@ def test_a_city_of_hundreds_of_millions_by_instances() -> None:
     eye, target = nf.datasets.street_view()
     view = nf.Camera.look_at(eye, target, fov=nf.Fov.symmetric(90, 16 / 9), size=(480, 270))
     reduced = nf.reduce(scene, center=eye, r1=30, r2=50, face_size=256, samples=1)
-    # What stays depends on the street, not on the size of the city.
+    # The remaining triangles depend on the street, not on the size of the city.
     assert reduced.stats["drawn"] < 1e6
     truth, light = nf.render(scene, view), reduced.render(view, samples=1)
     near = np.isfinite(truth.require("range")) & (truth.require("range") < 30)
-    # From the centre nothing moves: inside r1 both trace the same triangles by the same rays.
+    # For a user at the centre nothing is morphed: inside r1 both trace the same triangles by the same rays.
     assert np.mean(np.any(truth.require("color")[near] != light.require("color")[near], axis=-1)) < 1e-3
 
 

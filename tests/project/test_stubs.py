@@ -1,4 +1,4 @@
-"""The stub of the compiled module says what the binary has, name by name and argument by argument."""
+"""Tests that the stub of the compiled module agrees with the binary, name by name and argument by argument."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 CHECKOUT = Path(__file__).resolve().parents[2]
 
 
-# pyo3 makes __all__ of all names; nothing imports from the module by asterisk, which ruff sees to.
+# pyo3 defines __all__ with all names; star imports are refused by ruff.
 NOT_IN_THE_STUB = r"nearfar\._core\.__all__"
 
 
@@ -17,7 +17,7 @@ def test_the_stub_matches_the_binary(tmp_path: Path) -> None:
     allowed = tmp_path / "allowed.txt"
     allowed.write_text(NOT_IN_THE_STUB)
     options = ["--mypy-config-file", "pyproject.toml", "--concise", "--allowlist", str(allowed)]
-    done = subprocess.run(
+    process = subprocess.run(
         [sys.executable, "-m", "mypy.stubtest", "nearfar._core", *options],
         cwd=CHECKOUT,
         capture_output=True,
@@ -25,4 +25,4 @@ def test_the_stub_matches_the_binary(tmp_path: Path) -> None:
         timeout=300,
         check=False,
     )
-    assert done.returncode == 0, done.stdout + done.stderr
+    assert process.returncode == 0, process.stdout + process.stderr

@@ -1,4 +1,4 @@
-"""A car that drives from near to far: no jump, and hidden alike by both methods (benchmarks/reduce/dynamic.py)."""
+"""Tests of a car that drives from near to far: no jump, equal occlusion (benchmarks/reduce/dynamic.py)."""
 
 from __future__ import annotations
 
@@ -31,7 +31,8 @@ from benchmarks.reduce.dynamic import (
 
 VIEW = camera(960)
 FOCAL = 480.0
-"""Pixels by tangent of 960 across 90°; the car is seen within 30° of the axis, where they are 4/3 by angle at most."""
+"""Focal length in pixels: 960 pixels across 90°. The car is within 30° of the axis, where pixels per angle are at most
+4/3 of it."""
 
 
 @pytest.fixture(scope="module")
@@ -45,12 +46,12 @@ def test_the_way_is_a_way_for_a_car(scene: nf.Scene, turn: str) -> None:
     away = distances(poses)
     assert away[0] == pytest.approx(np.hypot(15.0, 1.7))
     assert END - SPEED / RATE < away[-1] < END
-    # Always onwards, as far from picture to picture as the speed says (a chord of the bend is 2e-4 shorter), and ahead.
+    # The car moves ahead at constant speed (a chord of the bend is 2e-4 shorter).
     assert (np.diff(away) > 0.0).all()
     moved = np.diff(poses[:, :3, 3], axis=0)
     np.testing.assert_allclose(np.linalg.norm(moved, axis=1), SPEED / RATE, rtol=1e-3)
     ahead = (moved * poses[1:, :3, 2]).sum(axis=1) / (SPEED / RATE)
-    # A picture turns it by 5° at most.
+    # The car turns by at most 5° per picture.
     assert ahead.min() > np.cos(np.radians(5.0))
     np.testing.assert_allclose(np.linalg.det(poses), 1.0, rtol=1e-12)
 
@@ -63,7 +64,7 @@ def test_its_middle_jumps_with_the_conventional_method_only() -> None:
     # metre: that begins at once, and so does its end. The truth's own changes, where it turns, come elsewhere.
     bend = np.linalg.norm(USER - CENTER) / R1 * (SPEED / RATE) / (R2 - R1) * FOCAL * 4.0 / 3.0
     assert jump["continuous"].max() < bend + jump["truth"].max() < 3.1
-    # Across r₂ it goes from the user's view to the centre's at once: the 5 m to the side, 50 m away.
+    # With the conventional method the car jumps at r₂ from the user's view to the centre's: 5 m sideways at 50 m.
     at = int(jump["conventional"].argmax())
     assert abs(away[at + 1] - R2) < 2.0 * SPEED / RATE
     assert jump["conventional"].max() > 0.9 * (USER - CENTER)[0] / R2 * FOCAL > 10.0 * jump["continuous"].max()
@@ -76,7 +77,7 @@ def test_its_middle_jumps_with_the_conventional_method_only() -> None:
 def around(radius: float) -> Array:
     """Poses of pictures in which some of the car is within a metre of a radius."""
     poses = drive("left")
-    # Half its length is 2.25 m.
+    # Half of the car's length is 2.25 m.
     return poses[np.abs(distances(poses) - radius) < 3.25]
 
 
@@ -117,5 +118,5 @@ def test_vertex_and_exact_pictures_hide_the_same_of_it(scene: nf.Scene, turn: st
     # wrong order of car and tree, or of car and house, would be a good part of it in several of 17 pictures.
     assert differ < 0.01 * sum(seen)
     assert seen[0] > 1000
-    # Round the corner of the house it is gone; along the park it is seen to the end.
+    # The car disappears behind the house; along the park it is visible to the end.
     assert (seen[-1] == 0) == (turn == "right")

@@ -1,4 +1,4 @@
-"""Objects that move: one rule for near and far, hidden by what is before them, posed without rebuilding."""
+"""Tests of moving objects: near and far, occluded by nearer objects, posed without rebuilding."""
 
 from __future__ import annotations
 
@@ -68,9 +68,9 @@ def test_a_car_that_leaves_moves_without_a_jump(scene: nf.Scene, kind: str) -> N
         expected.append(view.project(nf.morph(at[None], user=USER, center=CENTER, r1=R1, r2=R2, kind=kind))[0, :2])
     # A car of 40 px or less is symmetric about its middle to a pixel.
     assert np.abs(np.array(path) - np.array(expected))[5:].max() < 1.5
-    # A metre a frame. Where the weight begins to fall, the picture turns by 7 m / 30 m / 20 m a metre: 2.8 px.
+    # One metre per frame. Where the weight begins to fall, the picture turns by 7 m / 30 m / 20 m per metre: 2.8 px.
     assert np.linalg.norm(np.diff(path, n=2, axis=0), axis=1).max() < 3.5
-    # With the conventional method it jumps from the user's view to the centre's: 7 m at 50 m are 33 px.
+    # With the conventional method the car jumps from the user's view to the centre's: 7 m at 50 m are 33 px.
     conventional = reduced.with_morph("none")
     broken = []
     for x in np.arange(35.0, 65.0, 1.0):
@@ -80,7 +80,7 @@ def test_a_car_that_leaves_moves_without_a_jump(scene: nf.Scene, kind: str) -> N
 
 
 def test_far_buildings_hide_the_car_in_the_same_pixels_as_in_the_exact_picture(reduced: nf.ReducedScene) -> None:
-    # Beside the tower at (100..120, 0..70, 60..80), from before it to behind it.
+    # Positions beside the tower at (100..120, 0..70, 60..80), from the front to behind it.
     view = camera(USER, (1, 0.05, 0.65), SIZE)
     seen = []
     for x in np.arange(70.0, 180.0, 10.0):
@@ -89,7 +89,7 @@ def test_far_buildings_hide_the_car_in_the_same_pixels_as_in_the_exact_picture(r
         ideal = shown(reduced, view, pose, method="exact", env=False)
         for method in ("vertex", "exact"):
             mask = shown(reduced, view, pose, method=method)
-            # The map's silhouettes are those of its texels: two pixels, along the car's few dozen.
+            # The map's silhouettes are as coarse as its texels: two pixels of the car's few dozen.
             edge = ideal ^ mask
             grown = np.zeros_like(ideal)
             for dy in range(-2, 3):
@@ -103,7 +103,7 @@ def test_far_buildings_hide_the_car_in_the_same_pixels_as_in_the_exact_picture(r
 
 
 def test_near_parts_are_before_all_that_is_far_wherever_the_user_is(reduced: nf.ReducedScene) -> None:
-    """Beyond r₁ the picture folds, and distances shown say nothing about the order along a ray."""
+    """Beyond r₁ the picture folds, and displayed distances do not give the order along a ray."""
     user = CENTER + np.array([-35.0, 0.0, 0.0])
     view = camera(user, (1, 0.0, 0.3), SIZE)
     near = reduced.scene.object_names.index("near")

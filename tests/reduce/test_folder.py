@@ -1,4 +1,4 @@
-"""Saved reduced scenes: the same pictures after loading, and files that other programs read."""
+"""Tests of saved reduced scenes: the same pictures after loading, and files that other programs read."""
 
 from __future__ import annotations
 
@@ -196,8 +196,8 @@ def test_trimesh_sees_the_same_triangles_names_and_textures(tmp_path: Path) -> N
         rows = np.asarray(corners, np.float64).reshape(-1, 9)
         return rows[np.lexsort(rows.round(3).T)]
 
-    # trimesh multiplies matrices in float64 and we in float32: a few roundings at 50 m. Mirrored instances: trimesh
-    # turns no faces, so that corners are compared sorted.
+    # trimesh multiplies matrices in float64, nearfar in float32: a few roundings at 50 m. trimesh does not reverse the
+    # faces of mirrored instances, so corners are compared sorted.
     mine = np.sort(near.triangles(), axis=1)
     np.testing.assert_allclose(ordered(mine), ordered(np.sort(triangles, axis=1)), atol=2e-5)
     textured = [mesh for mesh in seen.geometry.values() if getattr(mesh.visual, "kind", None) == "texture"]
@@ -212,7 +212,7 @@ def test_our_loader_reads_the_near_part_as_any_glb(tmp_path: Path) -> None:
     assert loaded.triangle_count == near.triangle_count
     view = camera(USER, (1, 0, 0.3))
     one, other = nf.render(near, view).require("color"), nf.render(loaded, view).require("color")
-    # The same textures the same way up; 1 − v twice, in float32, moves a lookup by a rounding.
+    # The textures must not be flipped; computing 1 − v twice in float32 moves a look-up by a rounding.
     assert np.mean(np.abs(one - other).max(axis=-1) > 1e-3) < 2e-3
 
 
@@ -269,7 +269,7 @@ def test_damage_is_a_sentence_about_the_file(name: str, where: float, value: int
         shutil.rmtree(broken, ignore_errors=True)
         shutil.copytree(folder, broken)
         (broken / name).write_bytes(damaged)
-        # What can still be read may be. Files that contradict each other are both suspects.
+        # A damaged file may still be readable. If files contradict each other, the error may name either.
         try:
             nf.ReducedScene.load(broken)
         except nf.FormatError as error:

@@ -1,4 +1,4 @@
-"""Levels of detail in reduced scenes: near objects take them, the map keeps what was baked, the morph moves spheres."""
+"""Tests of levels of detail in reduced scenes: near objects change, the map stays, the morph moves spheres."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ PLACES = {
 
 @pytest.fixture(scope="module")
 def scene() -> nf.Scene:
-    """Balls with three levels in every zone, one of which moves, over a ground."""
+    """Balls with three levels in every zone, one of which moves, above a ground."""
     frames = np.tile(np.eye(4), (len(PLACES), 1, 1))
     frames[:, :3, 3] = list(PLACES.values())
     models = [model_of((3, 2, 1), color=RED), model_of((3, 1), color=GREY)]
@@ -48,7 +48,7 @@ def test_near_objects_show_their_levels_before_the_same_map(scene: nf.Scene, red
     levels = {"near": 2, "between": 1, "across": 2, "far": 1, "mover": 1}
     coarse = reduced.at_levels(levels)
     assert coarse.env is reduced.env
-    # The same near part as that of a scene whose objects have these levels for good.
+    # The near part is that of a scene whose objects have only these levels.
     expected = nf.reduce(scene.at_levels(levels), center=CENTER, r1=R1, r2=R2, face_size=64)
     assert coarse.triangle_count == expected.triangle_count < reduced.triangle_count
     (camera,) = views(1)
@@ -92,7 +92,7 @@ def test_poses_and_levels_go_together(scene: nf.Scene, reduced: nf.ReducedScene)
     assert bytes_of(one) == bytes_of(other)
     assert bytes_of(one) == bytes_of(reduced.at_levels(levels).render(camera, at={"mover": pose}))
     assert not (one.require("object_id") == list(PLACES).index("near")).any()
-    # A mover that is left out needs no place.
+    # A moving object that is left out needs no pose.
     gone = reduced.at({"mover": pose}).at_levels({"mover": -1}).render(camera)
     assert not (gone.require("object_id") == list(PLACES).index("mover")).any()
 
@@ -117,7 +117,7 @@ place = st.tuples(*[st.floats(-60, 60)] * 3)
 def test_shown_spheres_hold_the_points_that_they_held(
     middle: tuple[float, float, float], radius: float, step: tuple[float, float, float], kind: str
 ) -> None:
-    """The bound on how far the morph stretches a ball, for users within half of r₁."""
+    """The bound of the morph's stretching of a ball, for users within half of r₁."""
     user = np.add(CENTER, np.multiply(step, R1))
     sphere = Leveled(("ball",), np.array([0]), (), np.array([0]), np.array([middle], np.float64), np.array([radius]))
     shown = morphed(sphere, user, center=CENTER, r1=R1, r2=R2, kind=kind)

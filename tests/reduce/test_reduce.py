@@ -1,4 +1,4 @@
-"""Near–far reduction: where points are shown, what the map holds, and that nothing breaks where they meet."""
+"""Tests of near–far reduction: shown positions, content of the map, and continuity where the parts meet."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ def test_far_pixels_are_lookups_of_the_map(blend: nf.ReducedScene, offset: tuple
     # Rays have float32 directions: 6e-8 of a face of 512 texels, times a contrast of 1.
     np.testing.assert_allclose(frame.require("color")[far], blend.env.sample(directions), atol=1e-4)
     ranges = blend.env.sample(directions, channel="range")
-    # For the same reason a ray on the border of two texels may take the other one.
+    # For the same reason a ray on the border of two texels may hit the other one.
     same = frame.require("range")[far] == ranges
     assert same.mean() > 0.999
     assert (frame.require("object_id")[far] == blend.env.sample(directions, channel="object_id")).mean() > 0.999
@@ -110,7 +110,7 @@ def test_far_pixels_are_lookups_of_the_map(blend: nf.ReducedScene, offset: tuple
 
 
 def crossing(reduced: nf.ReducedScene, view: nf.Camera, point: Array) -> tuple[float, float]:
-    """Image x at which the near part and the map show a point, from the pixels whose points come nearest to it."""
+    """Image x at which the near part and the map show a point, from the pixels whose points are nearest to it."""
     frame = reduced.render(view, channels=("position", "face_id"))
     row = int(view.project(point[None])[0, 1])
     found = []
@@ -125,7 +125,7 @@ def test_conventional_breaks_by_the_predicted_pixels_and_blend_does_not(
 ) -> None:
     # Where the wall's face at z = -20 crosses r₂, at the height of the eye.
     point = np.array([CENTER[0] + np.sqrt(R2**2 - 18.0**2), 1.7, -20.0])
-    # On this side of the centre the near part does not cover the map's copy.
+    # On this side of the centre the near part does not cover the same place in the map.
     user = CENTER + np.array([0, 0, 8])
     view = camera(user, (1, 0, -0.45), (640, 360))
     near, far = view.project(np.stack([point, point + user - CENTER]))[:, 0]
@@ -149,7 +149,7 @@ def test_no_cracks_in_the_ground_and_no_sky_in_walls(kind: str, face_size: int) 
     for offset in USERS:
         view = camera(CENTER + np.array(offset), (-1, -0.2, 0.4), (320, 180))
         color = reduced.render(view, channels=("color",)).require("color")
-        # Towards -x there is nothing but ground: below the horizon by two texels everything is one grey.
+        # Towards -x there is only ground: two texels below the horizon everything is one grey.
         below = view.rays()[1][..., 1] < -2.0 * 2 / face_size
         ground = nf.render(scene, view, channels=("color",)).require("color")[below][0]
         # Linear filtering of equal colours rounds once or twice.
@@ -177,8 +177,8 @@ def test_at_the_centre_the_truth_is_reproduced(
     for name in ALL:
         np.testing.assert_array_equal(frame.require(name)[near], truth.require(name)[near], err_msg=name)
     difference = frame.require("color") - truth.require("color")
-    # Far pixels are resampled: they differ at silhouettes only, by the contrast there (0.5) on a few pixels in a
-    # hundred. A map turned by one texel would be as good; a mirrored or turned one differs by 0.2 everywhere.
+    # Far pixels are resampled: they differ only at silhouettes, by the contrast there (0.5) on a few pixels in a
+    # hundred. A shift by one texel would be tolerated; a mirrored or turned map differs by 0.2 everywhere.
     assert np.sqrt(np.mean(difference**2)) < 0.03
     assert np.median(np.abs(difference[~near])) < 2e-3
 
@@ -254,7 +254,7 @@ def test_moving_objects_are_seen_wherever_they_are() -> None:
             if kind == "blend":
                 points = nf.morph(points, user=user, center=CENTER, r1=R1, r2=R2)
             else:
-                # The conventional method's weight is a step: what is far is seen from the centre.
+                # The conventional method's weight is a step: the far part is seen from the centre.
                 points[rho(points) > R2] += user - CENTER
             # The displayed distance: float32 at 300 m.
             np.testing.assert_allclose(
@@ -294,7 +294,7 @@ def test_placed_instances_and_far_origins_agree_with_merged_geometry() -> None:
     for scene, at in ((placed, shift), (merged, np.zeros(3))):
         reduced = nf.reduce(scene, center=CENTER + at, r1=R1, r2=R2, face_size=64, samples=1)
         frames.append(reduced.render(camera(CENTER + at + [0, 0, -6], (1, 0.05, 0.6)), channels=("face_id", "color")))
-    # The same numbers in the same order; rounding decides on silhouettes only.
+    # The same numbers in the same order; rounding matters only at silhouettes.
     assert (frames[0].require("face_id") == frames[1].require("face_id")).mean() > 0.999
     assert np.abs(frames[0].require("color") - frames[1].require("color")).mean() < 1e-3
 

@@ -1,4 +1,4 @@
-"""Near–far reduction of scenes with cut-out materials, placed instances and moving objects."""
+"""Tests of near–far reduction with cut-out materials, placed instances and moving objects."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ def fences() -> nf.Scene:
     texture[::2, ::2, 3] = 0
     build = SceneBuilder()
     material = build.material((0.2, 0.7, 0.2, 1), texture, 0.5)
-    # Upright squares across x; holes are a quarter of each.
+    # Upright squares across x; holes take a quarter of each.
     quad = np.array([[0, 0, -1], [0, 0, 1], [0, 2, 1], [0, 2, -1]], float)
     uvs = np.array([[0, 0], [4, 0], [4, 4], [0, 4]], float)
     fence = build.mesh(quad, [[0, 1, 2], [0, 2, 3]], material=material, uvs=uvs)
-    # The one across r₂ stands askew and is stretched; the far one is mirrored.
+    # The fence across r₂ is turned and stretched; the far one is mirrored.
     turn = np.array([[0.6, 0, 0.8], [0, 1, 0], [-0.8, 0, 0.6]])
     for name, x, z, linear in [
         ("near", 12.0, 0.0, np.diag([1, 4, 8])),
@@ -59,13 +59,13 @@ def test_holes_are_holes_in_maps_and_near_parts(kind: str) -> None:
     ids = reduced.render(view, channels=BAKED).require("object_id")
     expected = nf.render(scene, view).require("object_id")
     for name in ("near", "across", "far", "moving", "wall"):
-        # All of them are seen, so that each shows the others through its holes.
+        # All fences are visible, so each shows the others through its holes.
         assert (expected == number[name]).sum() > 200, name
     # A texel is 2 mrad wide, a pixel 6: where a silhouette passes within a texel of a pixel's centre, they may differ.
     assert (ids == expected).mean() > 0.995
     near = np.isin(expected, [number["near"], number["moving"]])
     np.testing.assert_array_equal(ids[near], expected[near])
-    # A step aside everything near r₁ is still the truth, whichever way it is traced.
+    # One step aside, everything near r₁ is still exact, whichever way it is traced.
     view = nf.Camera.look_at(beside(0, 0.2, 0.5), beside(12, 0, 0.5), fov=fov, size=(200, 200))
     near = nf.render(scene, view, channels=BAKED).require("object_id") == number["near"]
     assert near.sum() > 200

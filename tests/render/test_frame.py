@@ -1,4 +1,4 @@
-"""Frames: colour codes, files that come back bit for bit, and what they refuse."""
+"""Tests of frames: colour codes, lossless files, and errors."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_the_image_is_the_srgb_code_nearest_to_each_value() -> None:
     image = frame.to_image()
     assert image.dtype == np.uint8
     assert image.shape == (CAMERA.height, CAMERA.width, 3)
-    # Nearest, but for float32's rounding of the code: 255 · 2⁻²³.
+    # The nearest code, up to float32's rounding of it: 255 · 2⁻²³.
     assert np.abs(image.ravel() - code).max() <= 0.5 + 4e-5
 
 

@@ -1,4 +1,4 @@
-"""Ground truth against pyrender, one picture of each real scene: depth of every surface, base colour without lights."""
+"""Tests of ground truth against pyrender, one picture of each real scene: depth, and unlit base colour."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SIZE = (480, 360)
 
 @dataclass
 class Case:
-    """A scene, a view of it, and how near and far pyrender has to look."""
+    """A scene, a view of it, and pyrender's near and far plane, metres."""
 
     file: str
     eye: tuple[float, float, float]
@@ -42,7 +42,7 @@ CASES = {
 
 @dataclass
 class Pictures:
-    """Of one view: ours, pyrender's, and where both show the inside of a triangle."""
+    """Pictures of one view: nearfar's, pyrender's, and the pixels where both show the inside of a triangle."""
 
     frame: nf.Frame
     depth: np.ndarray
@@ -63,7 +63,7 @@ def pictures(request: pytest.FixtureRequest) -> Pictures:
 
 
 def flat(scene: nf.Scene) -> nf.Scene:
-    """The same without normals of vertices: colours are divided by the light on what the channel `normal` shows."""
+    """The scene without vertex normals: colours are divided by the light on the normal in the channel `normal`."""
     parts = serialize.parts_of(scene._core)
     for mesh in parts["meshes"]:
         mesh["normals"] = None
@@ -71,7 +71,7 @@ def flat(scene: nf.Scene) -> nf.Scene:
 
 
 def inside_of_faces(faces: np.ndarray) -> np.ndarray:
-    """Pixels whose eight neighbours show the same triangle: there, half a pixel more or less changes nothing."""
+    """Pixels whose eight neighbours show the same triangle, so that a shift by half a pixel changes nothing."""
     same = np.zeros(faces.shape, bool)
     same[1:-1, 1:-1] = faces[1:-1, 1:-1] >= 0
     for dy in (-1, 0, 1):
@@ -109,7 +109,7 @@ def rasterised(source: Any, camera: nf.Camera, case: Case) -> tuple[np.ndarray, 
 
 
 def meshes(source: Any, pyrender: Any) -> list[Any]:
-    """A mesh for each geometry; the thousands of a city without materials in one, or it takes a minute."""
+    """A mesh for each geometry; a city without materials is merged to one, because thousands take a minute."""
     if len(source.geometry) > 1000:
         whole = source.to_mesh()
         corners = np.asarray(whole.vertices)[np.asarray(whole.faces)].reshape(-1, 3)
@@ -132,7 +132,7 @@ def test_surfaces_lie_where_pyrender_draws_them(pictures: Pictures) -> None:
     # A 24-bit depth buffer with far/near of 200 resolves 200 · 2⁻²⁴ of the distance at its far end; pyrender's matrices
     # in float32 add as much.
     np.testing.assert_allclose(ours[inside], depth[inside], rtol=3e-5)
-    # Where only one of the two sees something, it is at an edge: a pixel there belongs to either.
+    # Where only one of both shows a surface, the pixel is at an edge.
     differs = (depth > 0) != np.isfinite(ours)
     assert differs.mean() < 1e-3
 

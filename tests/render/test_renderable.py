@@ -1,4 +1,4 @@
-"""Renderables: a third kind beside scenes and reduced scenes, and what every kind is told of a shot."""
+"""Tests of a third kind of renderable beside scenes and reduced scenes, and of the shots that each kind receives."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SIZE = (40, 30)
 
 @dataclass
 class Pending:
-    """A picture that is made when it is asked for."""
+    """A picture that is computed when it is read."""
 
     image: Callable[[], NDArray[np.float32]]
 
@@ -28,7 +28,7 @@ class Pending:
 
 
 class Sky(nf.Renderable):
-    """An environment map and nothing else: neither a scene nor a reduced scene."""
+    """An environment map without any scene."""
 
     def __init__(self, env: nf.EnvMap) -> None:
         self.env = env
@@ -107,7 +107,7 @@ def test_kinds_that_neither_move_nor_have_levels_say_so(sky: Sky) -> None:
 
 
 class Still(nf.Renderable):
-    """Nothing but the defaults."""
+    """A renderable with only the defaults."""
 
 
 @pytest.mark.parametrize(("t_min", "t_max"), [(-1.0, 2.0), (2.0, 2.0), (3.0, 1.0), (np.nan, 1.0), (0.0, np.nan)])

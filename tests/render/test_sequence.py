@@ -1,4 +1,4 @@
-"""Pictures along a path are those of single calls, two are under way at a time, and any end is a clean one."""
+"""Tests of camera paths: the same pictures as single calls, two in progress at a time, and clean ends."""
 
 from __future__ import annotations
 

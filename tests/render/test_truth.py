@@ -1,4 +1,4 @@
-"""Ground truth against brute force in float64, and against what physics says without any code."""
+"""Tests of ground truth against brute force in float64 and against known physics."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ def test_textures_are_the_right_way_up() -> None:
     color = nf.render(build([picture]), camera).require("color")
     light = oracle.irradiance(np.array([[0.0, 0.0, 1.0]]))[0]
     expected = np.array([[light * (1, 0, 0), np.zeros(3)], [np.zeros(3), light * (0, 0, 1)]])
-    # Neighbours shine through by the rounding of the texture coordinate.
+    # Neighbouring texels mix in by the rounding of the texture coordinate.
     np.testing.assert_allclose(color, expected, atol=1e-6)
 
 
@@ -198,7 +198,7 @@ def test_places_that_float32_cannot_hold_are_refused(far: float) -> None:
         reduced.render(camera)
     with pytest.raises(ValueError, match="center: expected a place within 1e30 m"):
         nf.reduce(scene, center=(far, 0, 0), r1=1, r2=2, face_size=4)
-    # As far as one may go there is nothing but sky.
+    # At the greatest allowed distance only sky is visible.
     edge = nf.render(scene, nf.Camera((1e30, 0, 0), fov=WIDE, size=(4, 4)))
     assert np.isinf(edge.require("range")).all()
 
@@ -222,8 +222,8 @@ for call in (
     except MemoryError as error:
         print(error)
 """
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True)
-    assert re.fullmatch(r"(the result needs \d+ bytes, which the system does not have\n){3}", done.stdout)
+    process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True)
+    assert re.fullmatch(r"(the result needs \d+ bytes, which the system does not have\n){3}", process.stdout)
 
 
 def test_degenerate_triangles_are_not_seen() -> None:
@@ -239,7 +239,7 @@ def test_odd_sizes_are_complete() -> None:
     scene = build(room())
     whole = nf.render(scene, nf.Camera((0, 0, 2), fov=nf.Fov(-1, 1, -1, 1), size=(40, 40)), channels=["range"])
     for width, height in ((1, 1), (8, 1), (7, 40), (40, 9), (17, 23)):
-        # The same pixels, cut from the top left corner.
+        # The same pixels in a window from the top left corner.
         fov = nf.Fov(-1, -1 + width / 20, 1 - height / 20, 1)
         part = nf.render(scene, nf.Camera((0, 0, 2), fov=fov, size=(width, height)), channels=["range"])
         # Bounds in float64 are rounded once.

@@ -1,4 +1,4 @@
-"""Scenes from arrays: what is borrowed, converted, refused, and how much memory it takes."""
+"""Tests of scenes from arrays: borrowed, converted and refused arrays, and memory."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def test_arrays_of_the_right_types_are_borrowed_and_frozen() -> None:
     np.testing.assert_array_equal(scene.triangles(), vertices[faces])
     for array in (vertices, faces, owner):
         assert not array.flags.writeable
-    # Only somebody who writes behind the scene's back sees that the memory is the same.
+    # A write behind the scene's back shows that the memory is shared.
     before = vertices[0, 0]
     vertices.setflags(write=True)
     vertices[0, 0] = 55
@@ -198,6 +198,6 @@ print((kilobytes("VmHWM") - before + size) / size)
 
 def test_a_scene_of_large_arrays_takes_little_memory_besides() -> None:
     need("linux")
-    done = subprocess.run([sys.executable, "-c", MEMORY], capture_output=True, text=True, check=True)
-    # The promise is 1.5 times the arrays' own memory, the arrays included.
-    assert float(done.stdout) < 1.5
+    process = subprocess.run([sys.executable, "-c", MEMORY], capture_output=True, text=True, check=True)
+    # The documented limit is 1.5 times the arrays' memory, including the arrays.
+    assert float(process.stdout) < 1.5

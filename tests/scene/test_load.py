@@ -1,4 +1,4 @@
-"""Scenes from files and from trimesh: what is kept, and what the report says is not."""
+"""Tests of scenes from files and from trimesh, and of the report."""
 
 from __future__ import annotations
 
@@ -35,14 +35,14 @@ def sorted_triangles(triangles: NDArray[np.floating]) -> NDArray[np.float64]:
 
 
 def reference_triangles(path: Path | trimesh.Scene) -> NDArray[np.float32]:
-    """Trimesh's own answer, through its scene graph."""
+    """Trimesh's result, through its scene graph."""
     scene = path if isinstance(path, trimesh.Scene) else trimesh.load_scene(path, process=False)
     return np.asarray(scene.to_mesh().triangles, np.float32)
 
 
 @pytest.fixture
 def town() -> trimesh.Scene:
-    """Two houses of one mesh, the second turned and mirrored, below a moved node; and a lone tower."""
+    """Two houses of one mesh, the second turned and mirrored, under a moved node; and a single tower."""
     scene = trimesh.Scene()
     house, tower = trimesh.creation.box((2, 3, 4)), trimesh.creation.icosphere(2, 1.5)
     scene.graph.update(frame_to="block", frame_from="world", matrix=shift(10, 0, -7))
@@ -94,7 +94,7 @@ DATA = {
     "objects/armadillo.obj": (86_482, 1),
     "objects/bun_zipper.ply": (69_451, 1),
 }
-"""Files with their triangles and objects."""
+"""Files with their numbers of triangles and objects."""
 
 
 @pytest.mark.parametrize("name", DATA)

@@ -1,4 +1,4 @@
-"""Files that are damaged, empty, missing or something else: a scene with a report, or a sentence, and soon."""
+"""Tests of damaged, empty, missing and foreign files: a scene with a report, or an error sentence, in short time."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ LONGEST = 2.0
 
 @pytest.fixture(autouse=True)
 def nothing_leaks(capfd: pytest.CaptureFixture[str]) -> Iterator[None]:
-    """Warnings are errors in all tests; here nothing may be printed either."""
+    """Nothing may be printed; warnings are errors in all tests."""
     yield
     captured = capfd.readouterr()
     assert captured.out + captured.err == ""
@@ -199,7 +199,7 @@ def test_damaged_files_never_do_more_than_raise(tmp_path: Path) -> None:
             kinds[type(outcome(tmp_path / name, dice.choice(["raise", "drop"])))] += 1
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
-    # Each file has a few kilobytes; readers may claim a little more than it, not what a flipped count says.
+    # Each file has a few kilobytes; readers may use little memory, not the amount that a changed count claims.
     assert peak < 300e6
     assert min(kinds.values()) > 40  # the damage is neither always fatal nor always harmless
 

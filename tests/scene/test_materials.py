@@ -1,4 +1,4 @@
-"""Base colours of loaded scenes: factors, textures, vertex and face colours, alpha."""
+"""Tests of base colours of loaded scenes: factors, textures, vertex and face colours, alpha."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def test_gltf_keeps_factor_texture_and_cutoff(tmp_path: Path) -> None:
     assert material.texture is not None
     np.testing.assert_array_equal(material.texture, np.asarray(image))
     assert shape.uvs is not None
-    # The file turns v over, 1 - v in float32: once out, once in.
+    # The file flips v, 1 - v in float32, on writing and on reading.
     np.testing.assert_allclose(shape.uvs, box.visual.uv, atol=1.2e-7)
     report = nf.Scene.load(tmp_path / "box.glb").report
     assert (report.materials, report.textures) == (1, 1)

@@ -1,4 +1,4 @@
-"""Normals of vertices: what they are for, where they come from, and that they go wherever their vertices go."""
+"""Tests of vertex normals: shading, sources, and their way through all stages."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def scene_of(
 
 
 def placed(vertices: Array, faces: Array, normals: Array, place: Array, **attributes: Any) -> Surface:
-    """The mesh in the world by textbook means, its outside outside."""
+    """The mesh in world coordinates by textbook formulas, with outsides outside."""
     linear = place[:3, :3]
     rows = normals @ np.linalg.inv(linear)  # rows times the inverse are columns times the inverse transpose
     length = np.linalg.norm(rows, axis=1, keepdims=True)
@@ -82,7 +82,7 @@ def test_colours_agree_with_brute_force(place: Array, how: str) -> None:
 
 @pytest.mark.parametrize("lean", [0.5, 2.0, 8.0])
 def test_normals_that_lean_away_from_the_viewer_stay_so(lean: float) -> None:
-    """A quad from all sides; by 8 to 1 its normals lean so far that most viewers see them from behind."""
+    """A quad from all sides; at 8 to 1 most viewers see its leaning normals from behind."""
     corners = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], float)
     normals = corners * lean + [0, 0, 1]
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
@@ -136,7 +136,7 @@ def test_zeros_stand_for_the_faces_own_normal() -> None:
 
 
 def test_normals_may_point_inwards_as_those_of_files_do() -> None:
-    """Faces are seen from both sides, so which of them their corners' order calls the outside changes nothing."""
+    """Both sides of faces are visible, so the order of their corners does not matter."""
     vertices, faces = ball()
     reference = colors(scene_of(vertices, faces, vertices))
     for other in (scene_of(vertices, faces, -vertices), scene_of(vertices, faces[:, [0, 2, 1]], vertices)):
@@ -187,7 +187,7 @@ def test_meshes_without_normals_stay_flat_among_others() -> None:
 
 # further stages ------------------------------------------------------------------------------------------------------
 def test_split_triangles_are_shaded_as_whole_ones() -> None:
-    """The middle of two normals is normalised, which turns those between it and the ends a little."""
+    """The mean of two normals is normalised, which turns those between it and the ends slightly."""
     vertices, faces = ball(1)
     place = np.diag([12.0, 9.0, 12.0, 1.0])
     place[:3, 3] = 40, 4, 1
@@ -289,7 +289,7 @@ def test_kernels_refuse_normals_of_other_vertices() -> None:
 
 # files ---------------------------------------------------------------------------------------------------------------
 def hard() -> trimesh.Trimesh:
-    """A mesh with normals that nobody could work out from its faces."""
+    """A mesh with normals that cannot be computed from its faces."""
     vertices, faces = ball(2)
     rows = vertices + np.random.default_rng(3).normal(scale=0.3, size=vertices.shape)
     rows /= np.linalg.norm(rows, axis=1, keepdims=True)
@@ -316,7 +316,7 @@ def test_normals_of_files_are_kept(tmp_path: Path, suffix: str) -> None:
 
 
 def test_corners_of_an_obj_have_normals_and_coordinates_of_their_own(tmp_path: Path) -> None:
-    """A box of eight vertices and six normals: each vertex is three things."""
+    """A box of eight vertices and six normals: each vertex has three."""
     box = trimesh.creation.box()
     sides, side = np.unique(np.rint(box.face_normals), axis=0, return_inverse=True)
     lines = [f"v {x} {y} {z}" for x, y, z in box.vertices] + [f"vn {x} {y} {z}" for x, y, z in sides]
@@ -398,7 +398,7 @@ def test_saved_scenes_have_the_same_normals() -> None:
     loaded = nf.Scene(decoded, Names(scene.object_names))
     for x in (-4, 0, 2):
         np.testing.assert_array_equal(colors(loaded, camera((x, 0, 0))), colors(scene, camera((x, 0, 0))))
-    # Where an object has none among others that have them, the file says nothing, which is flat in glTF too.
+    # If an object has no normals in a mesh where others have some, the file has none, which is flat in glTF too.
     document = Reader(encoded).document
     with_normals = {
         node["name"]: "NORMAL" in document["meshes"][node["mesh"]]["primitives"][0]["attributes"]

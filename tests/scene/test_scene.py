@@ -1,4 +1,4 @@
-"""The scene: what is merged, what is shared, what may move."""
+"""Tests of scenes: merged, shared and moving meshes."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def turn(angle: float) -> NDArray[np.float64]:
 
 
 def street() -> tuple[SceneBuilder, list[int]]:
-    """A wall and a house used once, three trees of one mesh, and a car."""
+    """A wall and a house placed once, three trees of one mesh, and a car."""
     builder = SceneBuilder()
     meshes = [builder.mesh(TRIANGLE, FACE, material=builder.material((r, 0, 0, 1))) for r in (0, 0.25, 0.5, 1)]
     builder.instance(meshes[0], name="wall")

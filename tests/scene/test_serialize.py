@@ -1,4 +1,4 @@
-"""Scenes that travel to other processes: the same pictures, byte for byte, and poses as before."""
+"""Tests of pickled scenes: the same pictures, byte for byte, and the same poses."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from nearfar._scene.serialize import core_of_parts, parts_of
 
 
 def furnished() -> nf.Scene:
-    """Instances, a texture that cuts out, colours and normals of vertices, a moving object, far from the middle."""
+    """Instances, a cut-out texture, vertex colours and normals, a moving object, far from the origin."""
     builder = SceneBuilder()
     random = np.random.default_rng(0)
     texture = random.integers(0, 256, (8, 8, 4)).astype(np.uint8)
@@ -94,7 +94,7 @@ def test_meshes_that_are_shared_travel_once() -> None:
 def test_hashes_tell_content_and_nothing_else(tmp_path: Path) -> None:
     key = cache.key(parts_of(furnished()._core))
     code = "from tests.scene import test_serialize as own\nprint(own.cache.key(own.parts_of(own.furnished()._core)))"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60)
-    assert done.stdout.strip() == key
+    process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60)
+    assert process.stdout.strip() == key
     moved = furnished().at({"board1": np.eye(4)})
     assert cache.key(parts_of(moved._core)) != key

@@ -1,4 +1,4 @@
-"""What every test may use: the one way to skip, and data files."""
+"""Support for all tests: skipping of tests with missing parts, data files, and common checks."""
 
 from __future__ import annotations
 
@@ -29,15 +29,15 @@ def _data_folder() -> str:
 
 
 def _pyrender() -> str:
-    """Imports by itself only tell half: an off-screen context needs EGL or OSMesa from the system."""
+    """An import is not sufficient: an off-screen context needs EGL or OSMesa from the system."""
     if not importlib.util.find_spec("pyrender"):
         return "the Python package pyrender is not installed"
     platforms = [os.environ["PYOPENGL_PLATFORM"]] if "PYOPENGL_PLATFORM" in os.environ else ["egl", "osmesa"]
     code = "import pyrender; pyrender.OffscreenRenderer(8, 8).delete()"
     for platform in platforms:
         environment = os.environ | {"PYOPENGL_PLATFORM": platform}
-        done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, timeout=120)
-        if done.returncode == 0:
+        process = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, timeout=120)
+        if process.returncode == 0:
             os.environ["PYOPENGL_PLATFORM"] = platform
             return ""
     return f"pyrender finds no off-screen OpenGL ({', '.join(platforms)}); see scripts/system-packages.sh"
@@ -52,7 +52,7 @@ def _adapter(name: str) -> Callable[[], str]:
 
 
 def _tokyo() -> str:
-    """The whole city is made by a tool beside the data."""
+    """A tool beside the data makes the whole city."""
     root = data_files.root()
     return (
         "" if root and (root.parent / "tools" / "tokyo.py").is_file() else "there is no tools/tokyo.py beside the data"
@@ -60,17 +60,17 @@ def _tokyo() -> str:
 
 
 def _git() -> str:
-    """A source archive has no list of its files, and git refuses a checkout that belongs to somebody else."""
+    """A source archive has no list of files, and git refuses a checkout of another user."""
     command = ["git", "-C", str(Path(__file__).parent), "ls-files", "--error-unmatch", Path(__file__).name]
     try:
-        done = subprocess.run(command, capture_output=True, check=False)
+        process = subprocess.run(command, capture_output=True, check=False)
     except FileNotFoundError:
         return "git is not installed"
-    return "" if done.returncode == 0 else "this is no git checkout"
+    return "" if process.returncode == 0 else "this is no git checkout"
 
 
 def _release() -> str:
-    """A wheel of a tree without a release build would compile everything within a test."""
+    """Without a release build, making a wheel would compile everything within a test."""
     folder = Path(os.environ.get("CARGO_TARGET_DIR", Path(__file__).resolve().parents[2] / "target")) / "release"
     return "" if any(folder.glob("*_core.*")) else "there is no release build; `make setup` makes one"
 
@@ -94,23 +94,23 @@ PARTS: dict[str, Callable[[], str]] = {
     "tokyo": _tokyo,
     "vulkan": _adapter("vulkan"),
 }
-"""Parts that a system may lack. Each returns why it is missing, or nothing where it is there."""
+"""Parts that a system may lack, each with a function that returns why it is missing, or "" if it is present."""
 
 
 @functools.cache
 def missing(part: str) -> str:
-    """Why a part is missing; empty where it is there. Each part is looked for once."""
+    """Return why a part is missing, or "" if it is present. Each part is checked once."""
     return PARTS[part]()
 
 
 def required() -> set[str]:
-    """Parts that must be there: the comma-separated names in `NEARFAR_REQUIRE`."""
+    """Parts that must be present: the comma-separated names in `NEARFAR_REQUIRE`."""
     names = {name.strip() for name in os.environ.get("NEARFAR_REQUIRE", "").split(",")}
     return names - {""}
 
 
 def need(part: str) -> None:
-    """Skip the test, module or fixture where a part is missing, and fail it if `NEARFAR_REQUIRE` names the part."""
+    """Skip the test, module or fixture if a part is missing; fail it if `NEARFAR_REQUIRE` names the part."""
     reason = missing(part)
     if reason and part in required():
         pytest.fail(f"NEARFAR_REQUIRE names {part}, but {reason}", pytrace=False)
@@ -123,29 +123,29 @@ def peak():
     with open("/proc/self/status") as status:
         return 1024 * int(next(line for line in status if line.startswith("VmHWM")).split()[1])
 """
-"""For programs on Linux: the most bytes that they have held. `getrusage` begins with what the parent held."""
+"""Code for programs on Linux: peak memory in bytes. `getrusage` includes the parent's memory at the start."""
 
 
 def printed_by_threads(code: str) -> set[str]:
-    """Return what a program prints in processes with one, two and three threads: a single text where they agree."""
+    """Return the output of a program in processes with one, two and three threads; one text if all agree."""
     printed = set()
     for threads in "123":
         environment = os.environ | {"NEARFAR_NUM_THREADS": threads, "PYTHONPATH": os.pathsep.join(sys.path)}
         command = [sys.executable, "-c", code]
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=300)
-        assert done.returncode == 0, done.stderr
-        printed.add(done.stdout)
+        process = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=300)
+        assert process.returncode == 0, process.stderr
+        printed.add(process.stdout)
     return printed
 
 
 def valid(document: dict[str, Any], name: str) -> bool:
-    """Whether a document fits the schema of a format of ours."""
+    """Whether a document fits the schema of a format."""
     header = Resource.from_contents(formats.load_schema("header"))
     registry: Registry[Any] = Registry().with_resource("urn:nearfar:schema:header", header)
     return bool(jsonschema.Draft202012Validator(formats.load_schema(name), registry=registry).is_valid(document))
 
 
 def data(relative: str) -> Path:
-    """A file below the data folder; skips or fails as `need("data")` does."""
+    """Path of a file below the data folder; skips or fails as `need("data")` does."""
     need("data")
     return data_files.require(relative)

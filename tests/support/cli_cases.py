@@ -1,4 +1,4 @@
-"""Tests of the command line: a small scene as a file, a call, and documents checked by their schemas."""
+"""Support for tests of the command line: a small scene as a file, a call, and documents checked by schemas."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nearfar.cli._app import run
 
 @pytest.fixture(scope="module")
 def city(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A file of a few boxes about a square, so that no command needs a large scene."""
+    """A file of a few boxes around a square, so that no command needs a large scene."""
     path = tmp_path_factory.mktemp("scene") / "boxes.glb"
     boxes = [trimesh.creation.box((200, 1, 200), trimesh.transformations.translation_matrix((0, -0.5, 0)))]
     for x in range(-90, 91, 20):

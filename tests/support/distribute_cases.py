@@ -18,12 +18,12 @@ def squared(item: int, report: Report, *, offset: int = 0) -> int:
 
 
 def environment(item: str, report: Report) -> tuple[int, str | None]:
-    """Process and value of an environment variable."""
+    """Return the process number and the value of an environment variable."""
     return os.getpid(), os.environ.get(item)
 
 
 def endless(item: Path, report: Report) -> None:
-    """Leave a file that says that it began, and report until that raises."""
+    """Write a file as a sign of the start, and report until that raises."""
     item.write_text(str(os.getpid()))
     while True:
         time.sleep(0.02)

@@ -1,4 +1,4 @@
-"""What tests of graphics adapters share: which adapters, which views, and where two pictures may differ."""
+"""Support for tests of graphics adapters: adapters, views, and comparison of pictures."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ RENDERED = ("color", "range", "object_id", "face_id", "position", "normal")
 
 @contextmanager
 def adapter(name: str) -> Iterator[None]:
-    """An adapter selected for a while; skips or fails as `need` does."""
+    """Select an adapter within a block; skips or fails as `need` does."""
     need(name)
     before = backends._selected
     nf.gpu.select(name)
@@ -77,7 +77,7 @@ def agree(cpu: nf.Frame, gpu: nf.Frame, *, same: float = 0.999) -> NDArray[np.bo
 
 
 def both(scene: nf.Scene, camera: nf.Camera, **settings: Any) -> tuple[nf.Frame, nf.Frame]:
-    """The same picture of the CPU and of the selected adapter."""
+    """Render the same picture on the CPU and on the selected adapter."""
     settings = {"channels": RENDERED} | settings
     cpu, gpu = (nf.render(scene, camera, backend=backend, **settings) for backend in ("cpu", "gpu"))
     return cpu, gpu
@@ -89,14 +89,14 @@ def codes_apart(reference: nf.Frame, test: nf.Frame) -> NDArray[np.int64]:
 
 
 def check_ids(reference: NDArray[Any], test: NDArray[Any], share: float = 0.999) -> None:
-    """Numbers are equal but for a share of pixels, and every other one lies at an edge of one of the pictures."""
+    """Check that numbers agree except for a share of pixels, and that every exception is at an edge of a picture."""
     differ = reference != test
     assert differ.mean() <= 1 - share, f"{differ.sum()} of {differ.size} differ"
     assert not (differ & ~edges(reference) & ~edges(test)).any()
 
 
 def check_range(reference: nf.Frame, test: nf.Frame, *, tolerance: float = 1e-5, worst: float = 1e-4) -> None:
-    """Where both show one face, all but a thousandth show it as far away, relative to the distance, and none is off.
+    """Check ranges where both show one face: all but a thousandth agree to `tolerance`, all to `worst`, relatively.
 
     The exceptions are large faces seen at a slant and slivers, where float32 has no more digits on either back end.
     """
@@ -109,12 +109,12 @@ def check_range(reference: nf.Frame, test: nf.Frame, *, tolerance: float = 1e-5,
 
 
 def check_color(reference: nf.Frame, test: nf.Frame, codes: int = 2, percentile: float = 99.9) -> None:
-    """All but a share of pixels have colours that nobody tells apart."""
+    """Check that all but a share of pixels have indistinguishable colours."""
     assert np.percentile(codes_apart(reference, test), percentile) <= codes
 
 
 def crowd(dynamic: tuple[str, ...] = ()) -> nf.Scene:
-    """A mesh placed many times, some mirrored, over a ground."""
+    """A mesh placed many times, sometimes mirrored, above a ground."""
     builder = SceneBuilder()
     texture = noise(16, 16, 4, seed=5)
     material = builder.material((1, 0.8, 0.6, 1), texture)
@@ -144,7 +144,7 @@ camera = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(60), size=(16, 16))
 
 
 def program(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    """Run a program in a process of its own, without this one's selection."""
+    """Run a program in a separate process, without this process's selection."""
     kept = {
         name: value for name, value in os.environ.items() if not name.startswith(("XDG_RUNTIME", "NEARFAR_ADAPTER"))
     }

@@ -1,4 +1,4 @@
-"""Circles in graphs of files."""
+"""Finds circles in graphs of files."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ def circles(graph: dict[str, set[str]]) -> list[list[str]]:
 
 
 def reachable(graph: dict[str, set[str]], start: str) -> set[str]:
-    seen: set[str] = set()
+    visited: set[str] = set()
     pending = [start]
     while pending:
-        for name in graph.get(pending.pop(), set()) - seen:
-            seen.add(name)
+        for name in graph.get(pending.pop(), set()) - visited:
+            visited.add(name)
             pending.append(name)
-    return seen
+    return visited

@@ -1,4 +1,4 @@
-"""Eyes that headsets may have, for the tests of headsets."""
+"""Strategies for eyes of headsets."""
 
 from __future__ import annotations
 

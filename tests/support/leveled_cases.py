@@ -1,4 +1,4 @@
-"""Models of levels for tests, made by hand: balls of fewer and fewer triangles with curves that are given."""
+"""Hand-made models with levels for tests: balls of decreasing numbers of triangles with set curves."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def ball(
 
 
 def curves(count: int) -> nf.lod.Curve4PL:
-    """SSIM that falls with size, the sooner the coarser: 1 where things are tiny, 0.6 where they fill the screen."""
+    """SSIM curves that fall with size, earlier for coarser levels: 1 for tiny objects, 0.6 for the largest."""
     full = np.ones(count)
     middles = 0.2 / np.arange(1, count + 1)
     return nf.lod.Curve4PL(
@@ -42,7 +42,7 @@ def curves(count: int) -> nf.lod.Curve4PL:
 
 
 def model_from(scenes: list[nf.Scene], name: str = "ball") -> nf.lod.LodModel:
-    """A model of given geometry, the finest first."""
+    """A model of scenes, the finest first."""
     ratios = [scene.triangle_count / scenes[0].triangle_count for scene in scenes]
     levels = nf.lod.Levels(
         [
@@ -77,13 +77,13 @@ def model_of(
 
 
 def checkers() -> NDArray[np.uint8]:
-    """A texture of squares."""
+    """A checkerboard texture."""
     squares = (np.indices((16, 16)).sum(axis=0) // 2 % 2 * 200 + 30).astype(np.uint8)
     return np.dstack([squares, squares // 2, 255 - squares, np.full_like(squares, 255)])
 
 
 def frames(count: int, *, seed: int, mirrored: bool = False) -> NDArray[np.float64]:
-    """Places before the camera of `view`, turned and scaled by different amounts along the axes."""
+    """Placements in front of the camera of `view`, turned and scaled differently along the axes."""
     rng = np.random.default_rng(seed)
     matrices = np.tile(np.eye(4), (count, 1, 1))
     for number, matrix in enumerate(matrices):
@@ -100,7 +100,7 @@ def view(eye: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> nf.Camera:
 
 
 def bytes_of(frame: nf.Frame) -> str:
-    """Of all images but the numbers of faces, which depend on the order of instances."""
+    """Hash of all images except triangle numbers, which depend on the order of instances."""
     digest = hashlib.sha256()
     for name in frame.channels:
         if name != "face_id":
@@ -109,7 +109,7 @@ def bytes_of(frame: nf.Frame) -> str:
 
 
 def same_triangles(one: nf.Scene, other: nf.Scene) -> bool:
-    """Whether scenes have the same triangles in the same places, in whatever order, with the same sides outside."""
+    """Whether scenes have the same triangles in any order, with the same outsides."""
 
     def rows(scene: nf.Scene) -> NDArray[np.float32]:
         corners = scene.triangles() + np.float32(0)  # no −0

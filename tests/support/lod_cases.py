@@ -1,4 +1,4 @@
-"""Objects in several levels that need no files, and what measuring them means written out."""
+"""Objects with several levels that need no files, and a slow definition of their measurement."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def scene(rows: int, **options: Any) -> nf.Scene:
 
 
 def smooth(rows: int) -> nf.Scene:
-    """The same with normals at its vertices, those of the sphere."""
+    """The sphere with vertex normals, those of an exact sphere."""
     builder = SceneBuilder()
     vertices, faces = ball(rows)
     builder.instance(builder.mesh(vertices, faces, normals=vertices - (3, -2, 1)), name="smooth")
@@ -47,12 +47,12 @@ def smooth(rows: int) -> nf.Scene:
 
 
 def levels(*rows: int, name: str = "ball") -> nf.lod.Levels:
-    """Bumpy spheres of fewer and fewer rows."""
+    """Levels of bumpy spheres with decreasing numbers of rows."""
     return nf.lod.Levels([nf.lod.Level(scene=scene(count), error=1 / count) for count in rows], name=name)
 
 
 def checkered(rows: int) -> nf.Scene:
-    """The same with a texture."""
+    """The sphere with a texture."""
     builder = SceneBuilder()
     board = np.kron((np.indices((8, 8)).sum(axis=0) % 2) * 200 + 30, np.ones((2, 2))).astype(np.uint8)
     texture = np.dstack([board, board[::-1], np.full_like(board, 120), np.full_like(board, 255)])
@@ -68,7 +68,7 @@ AXES = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]]) / np.sqrt([[1], [1
 
 
 def turn(view: int, views: int) -> Array:
-    """Matrix by which the object is turned: a quarter of the views goes about each axis (Rodrigues)."""
+    """Rotation of the object for a view: a quarter of the views turns about each axis (Rodrigues)."""
     steps = views // 4
     x, y, z = AXES[view // steps]
     angle = 2 * np.pi * (view % steps) / steps
@@ -107,7 +107,7 @@ def straightforward(
     samples: int,
     similarity: Any,
 ) -> Array:
-    """Scores (K, D, V): whole pictures of base and level for each level, view and distance, compared one by one."""
+    """Scores (K, D, V): whole pictures of base and level, compared one by one for each level, view and distance."""
     found = np.empty((len(own), len(numbers), views))
     for k, level in enumerate(own):
         for d, number in enumerate(numbers):
@@ -120,7 +120,7 @@ def straightforward(
 
 
 def assert_same(one: nf.lod.LodModel, other: nf.lod.LodModel) -> None:
-    """Bit for bit, but for what was done."""
+    """Check that models are equal bit for bit, except for counts of work."""
     assert one.samples is not None
     assert other.samples is not None
     assert (one.name, one.radius, one.sigma) == (other.name, other.radius, other.sigma)

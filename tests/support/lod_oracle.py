@@ -1,4 +1,4 @@
-"""Choosing levels again, slowly and as the formulas are printed: one object at a time in 40 digits, or all by NumPy."""
+"""Slow choice of levels by the published formulas: one object at a time in 40 digits, or all by NumPy."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Array = NDArray[np.float64]
 
 
 def curves(rows: Sequence[Sequence[float]]) -> nf.lod.Curve4PL:
-    """Curves of parameters; NaN for those that could not be fitted."""
+    """Make curves of parameters; NaN for those that could not be fitted."""
     a, b, c, d = np.array(rows, np.float64).reshape(-1, 4).T
     status = np.where(np.isnan(a), "unfittable", np.where(a == d, "flat", "fitted"))
     return nf.lod.Curve4PL(a, b, c, d, 0 * a, status, np.full(len(a), ""))
@@ -37,7 +37,7 @@ def model(rows: Sequence[Sequence[float]], sigma: tuple[float, float] = (1e-4, 0
 
 
 def usual(count: int = 7, seed: int | None = None) -> nf.lod.LodModel:
-    """Curves as objects have them, coarser ones below finer ones; with a seed they differ and cross."""
+    """Typical curves, coarser ones below finer ones; with a seed they vary and cross."""
     random = np.random.default_rng(seed)
     share = np.linspace(0, 1, count) if count > 1 else np.zeros(count)
     rows = np.stack([1 - 0.03 * share, np.ones(count), 0.3 * 0.005**share, 0.6 - 0.5 * share], axis=1)
@@ -48,7 +48,7 @@ def usual(count: int = 7, seed: int | None = None) -> nf.lod.LodModel:
 
 
 def rotation(camera: nf.Camera) -> Array:
-    """Columns are the camera's axes in the world."""
+    """Rotation matrix whose columns are the camera's axes in world coordinates."""
     x, y, z, w = camera.orientation
     return np.array(
         [
@@ -66,7 +66,7 @@ def score(row: Sequence[float], x: Any) -> Any:
 
 
 def line(threshold: str, k: float, d: float, reference: float, sigma: Any) -> Any:
-    """f(σ) of the three readings."""
+    """Threshold f(σ) of the three kinds."""
     if threshold == "literal":
         return k * sigma + d
     return d + (k * (sigma - reference) if threshold == "anchored" else k * (sigma / reference - 1))
@@ -75,7 +75,7 @@ def line(threshold: str, k: float, d: float, reference: float, sigma: Any) -> An
 def size(
     center: Array, radius: float, camera: nf.Camera, lens: nf.RadialLens | None, tan_omega: float
 ) -> tuple[Any, Any, Any]:
-    """σ, σ′ and μ, by 40 digits; the lens's inverse by halving."""
+    """Exact σ, σ′ and μ by 40 digits; the lens's inverse by bisection."""
     position = [mpf(float(c)) - mpf(float(e)) for c, e in zip(center, camera.position, strict=True)]
     distance = mpmath.sqrt(sum(v * v for v in position))
     if distance <= radius:
@@ -119,7 +119,7 @@ def chosen(
     fovea: tuple[float, float] | None = None,
     gaze: Array | None = None,
 ) -> tuple[int, float]:
-    """The level of an object whether it is in view or not, and how near the decision was."""
+    """Level of an object regardless of visibility, and how close the decision was."""
     with mpmath.workdps(40):
         fov = camera.fov
         assert isinstance(fov, nf.Fov)
@@ -151,7 +151,7 @@ def chosen(
 
 
 def distance_to_view(points: Array, fov: nf.Fov) -> Array:
-    """Metres from points in camera axes to the pyramid of a view: its projection on a cone of four rays."""
+    """Distances in metres from points in camera axes to a view's pyramid: the projection on a cone of four rays."""
     from scipy.optimize import nnls
 
     corners = [(x, y, -1.0) for x in (fov.left, fov.right) for y in (fov.down, fov.up)]
@@ -160,7 +160,7 @@ def distance_to_view(points: Array, fov: nf.Fov) -> Array:
 
 
 def around(count: int, seed: int, camera: nf.Camera, spread: float = 1.1) -> tuple[Array, Array]:
-    """Spheres of very different sizes before an eye, some of them outside of its view."""
+    """Spheres of very different sizes in front of an eye, some outside of its view."""
     random = np.random.default_rng(seed)
     x, y = random.uniform(-spread, spread, (2, count))
     ahead = np.exp(random.uniform(-1, 4, count))

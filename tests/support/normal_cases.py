@@ -1,4 +1,4 @@
-"""Meshes with normals that tests of pictures share."""
+"""Meshes with vertex normals for tests of pictures."""
 
 from __future__ import annotations
 

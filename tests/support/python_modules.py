@@ -1,4 +1,4 @@
-"""Which file of a Python package uses which other one, read from the imports alone."""
+"""Finds which file of a Python package uses which other one, from the imports alone."""
 
 from __future__ import annotations
 
@@ -50,12 +50,12 @@ class _Package:
         return module.partition(".")[0] == self.name
 
     def definer(self, module: str, name: str) -> str:
-        """The module that defines what another one offers under a name."""
+        """Return the module that defines a name offered by another module."""
         if module not in self.trees or name in self.defined[module]:
             return module
         if name in self.imported[module] and self.imported[module][name] != (module, name):
             return self.definer(*self.imported[module][name])
-        # A folder's other names are its files, the compiled module among them.
+        # Other names of a folder are its files, including the compiled module.
         return f"{module}.{name}" if module in self.folders else module
 
 
@@ -75,7 +75,7 @@ def _definitions(tree: ast.Module) -> Iterator[str]:
 
 
 def _names(tree: ast.Module) -> Iterator[tuple[str, tuple[str, str]]]:
-    """Names that the module's own `from` imports bind: where each comes from."""
+    """Names that the module's `from` imports bind, with their origins."""
     for node in tree.body:
         if isinstance(node, ast.ImportFrom) and node.module:
             yield from ((alias.asname or alias.name, (node.module, alias.name)) for alias in node.names)

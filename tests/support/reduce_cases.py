@@ -1,4 +1,4 @@
-"""The street that tests of near–far reduction share: ground, a wall across both radii, a near box, a far tower."""
+"""The street for tests of near–far reduction: ground, a wall across both radii, a near box, a far tower."""
 
 from __future__ import annotations
 

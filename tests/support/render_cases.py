@@ -1,4 +1,4 @@
-"""Surfaces and projections that tests of pictures share."""
+"""Surfaces and projections for tests of pictures."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ QUAD = np.array([[0, 1, 2], [0, 2, 3]])
 
 
 def noise(*shape: int, seed: int = 0) -> np.ndarray:
-    """Bytes that look random: a hash of their index."""
+    """Pseudo-random bytes: a hash of their index."""
     index = np.arange(int(np.prod(shape)), dtype=np.uint64) + np.uint64(seed << 32)
     mixed = (index * np.uint64(0x9E3779B97F4A7C15)) ^ (index >> np.uint64(7))
     return (mixed * np.uint64(0xBF58476D1CE4E5B9) >> np.uint64(56)).astype(np.uint8).reshape(shape)
@@ -51,7 +51,7 @@ def build(surfaces: list[Surface]) -> nf.Scene:
 
 
 def room() -> list[Surface]:
-    """A box around the origin and things in it: plain, textured, coloured at the corners, cut out."""
+    """A box around the origin with objects: plain, textured, with vertex colours, cut out."""
     corners = np.array([[x, y, z] for x in (-8, 8) for y in (-3, 5) for z in (-7, 9)], np.float32).astype(float)
     sides = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
     box = np.array([[s[0], s[a], s[a + 1]] for s in sides for a in (1, 2)])

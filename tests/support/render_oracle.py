@@ -1,4 +1,4 @@
-"""Slow, obvious ray casting in float64: every ray against every triangle, the shading formula written out again."""
+"""Slow ray casting in float64, the oracle: every ray against every triangle, with an independent shading formula."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Surface:
 
 @dataclass
 class Pixels:
-    """What rays met; arrays of the rays' count."""
+    """Hits of N rays; arrays of length N."""
 
     color: Array
     range: Array
@@ -80,7 +80,7 @@ def rotate(quaternion: tuple[float, ...], vectors: Array) -> Array:
 
 
 def view(camera: nf.Camera, offset: tuple[float, float] = (0.5, 0.5), samples: int = 1) -> View:
-    """Rays through one position in every pixel, in row-major order; each stands for a share of its pixel."""
+    """Rays through one position in every pixel, in row-major order; each covers a share of its pixel."""
     (width, height), fov = camera.size, camera.fov
     axes = rotate(camera.orientation, np.eye(3))
     bounds = (-1.0, 1.0, -1.0, 1.0)
@@ -104,14 +104,14 @@ def view(camera: nf.Camera, offset: tuple[float, float] = (0.5, 0.5), samples: i
 
 
 def irradiance(normals: Array) -> Array:
-    """Linear RGB of white surfaces (N, 3)."""
+    """Linear RGB (N, 3) of white surfaces by their normals."""
     sky = 0.5 + 0.5 * normals @ SKY_DIRECTION
     sun = np.maximum(normals @ SUN_DIRECTION, 0.0)
     return np.asarray(SKY_LOW + (SKY_HIGH - SKY_LOW) * sky[:, None] + SUN * sun[:, None])
 
 
 def background(directions: Array) -> Array:
-    """Linear RGB where nothing is hit, by unit directions (N, 3)."""
+    """Linear RGB of the sky by unit directions (N, 3)."""
     y = directions[:, 1:2]
     end = np.where(y < 0.0, NADIR, ZENITH)
     return np.asarray(HORIZON + (end - HORIZON) * np.sqrt(np.abs(y)))
@@ -134,7 +134,7 @@ def levels_of(texture: NDArray[np.uint8], cutout: bool) -> list[Array]:
 
 
 def halved(image: Array, axis: int) -> Array:
-    """Half as many texels along an axis: each is the integral over its share of the old ones."""
+    """Half the texels along an axis: each is the integral over its share of the old ones."""
     count = image.shape[axis]
     integral = np.concatenate([np.zeros_like(image.take([0], axis)), np.cumsum(image, axis)], axis)
     edges = np.linspace(0.0, count, max(count // 2, 1) + 1)
@@ -167,7 +167,7 @@ def trilinear(levels: list[Array], uv: Array, level: Array) -> Array:
 
 
 def cast(surfaces: list[Surface], rays: View) -> Pixels:
-    """What rays meet: the nearest of all triangles."""
+    """Find the nearest hit of each ray among all triangles."""
     origins, directions, count = rays.origins, rays.directions, len(rays.directions)
     best = np.full(count, np.inf)
     color, normal = background(directions), np.full((count, 3), np.nan)
@@ -243,7 +243,7 @@ def _shade(
 def _smooth(
     surface: Surface, face: NDArray[np.int64], u: Array, v: Array, outside: Array, cosine: Array, flat: Array
 ) -> Array:
-    """Normals that colours take: between the corners', where zeros are the face's; both sides of a face are alike."""
+    """Shading normals: interpolated between the corners', where zeros mean the face's; the same for both sides."""
     if surface.normals is None or not surface.normals[face].any():
         return flat
     corners = surface.normals[face]

@@ -1,4 +1,4 @@
-"""Which file of a Rust crate uses which: a parser of imports and paths, enough to find circles.
+"""Finds which file of a Rust crate uses which: a parser of imports and paths, sufficient to find circles.
 
 An import counts to the file that defines the name, however many `pub use` stand between. A `mod.rs` or `lib.rs` that
 only declares, documents and re-exports is no file of the graph; one that defines something is. Tests are left out.
@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 TYPES = {"struct", "enum", "union", "trait", "type"}
-"""Kinds of items that a path may go on behind."""
+"""Kinds of items that a path may continue after."""
 
 NOISE = re.compile(
     r"""//[^\n]* | /\*.*?\*/ | b?r(?P<hashes>\#*)".*?"(?P=hashes) | b?"(?:\\.|[^"\\])*" | b?'(?:\\[^']+|[^\\'\n])'""",
@@ -34,20 +34,20 @@ class Module:
     parent: Module | None
     children: dict[str, Module] = field(default_factory=dict)
     items: dict[str, set[str]] = field(default_factory=dict)
-    """Names that it defines, each with its kinds: a function and a type may share one."""
+    """Names that the module defines, each with its kinds: a function and a type may share a name."""
     imports: list[tuple[str, list[str]]] = field(default_factory=list)
     """Name (`*` for all) and path of each import."""
     code: str = ""
-    """All but imports and declarations."""
+    """Code without imports and declarations."""
 
     def share_macros(self) -> None:
-        """Marks its macros as known to other files without an import."""
+        """Mark the module's macros as known to other files without an import."""
         for kinds in self.items.values():
             if "macro" in kinds:
                 kinds.add("shared")
 
     def within(self) -> Iterator[Module]:
-        """Itself and the modules within braces in it."""
+        """Yield the module and the modules within braces in it."""
         yield self
         for child in self.children.values():
             if child.file == self.file:
@@ -56,12 +56,12 @@ class Module:
 
 # reading -------------------------------------------------------------------------------------------------------------
 def bare(text: str) -> str:
-    """The code without comments and strings."""
+    """Remove comments and strings from code."""
     return NOISE.sub(" ", text).replace("$crate", "crate")
 
 
 def statements(text: str) -> Iterator[str]:
-    """Items of a module, each with its attributes."""
+    """Yield the items of a module, each with its attributes."""
     start = depth = 0
     for found in re.finditer(r"[(){}\[\];]", text):
         depth += {"(": 1, "[": 1, "{": 1, ";": 0}.get(found[0], -1)
@@ -83,7 +83,7 @@ def without_attributes(statement: str) -> str:
 
 
 def leaves(tree: str, before: list[str]) -> Iterator[tuple[str, list[str]]]:
-    """Name and path of everything that the tree of a `use` brings in."""
+    """Yield name and path of everything that the tree of a `use` imports."""
     tree = tree.strip()
     if found := re.match(r"([\w\s:]*?)(?:::)?\s*\{(.*)\}$", tree, re.DOTALL):
         path = before + re.findall(r"\w+", found[1])
@@ -109,7 +109,7 @@ def split_at_commas(text: str) -> Iterator[str]:
 
 
 def read(module: Module, text: str, folder: Path, root: Path) -> None:
-    """Fills a module from its text; `folder` has the files of the modules that it declares."""
+    """Fill a module from its text; `folder` has the files of the modules that it declares."""
     for statement in statements(text):
         head = VISIBILITY.sub("", without_attributes(statement), count=1)
         attributes = statement[: len(statement) - len(head)]
@@ -142,12 +142,12 @@ def note_items(module: Module, head: str) -> None:
     elif found := re.match(r"macro_rules!\s*(\w+)", head):
         note(found[1], "macro")
     elif re.match(r"[\w:]+!", head):
-        # A macro that is handed functions or types, as a rule, makes items of these names.
+        # A macro that receives functions or types usually makes items of these names.
         for name in re.findall(r"\bfn\s+(\w+)", head):
             note(name, "fn")
         for kind, name in re.findall(r"\b(struct|enum|trait|static|const)\s+(\w+)", head):
             note(name, kind)
-    # Imports within functions are taken for the module's, and so are those of modules that a macro makes.
+    # Imports within functions, and those of modules that a macro makes, count to the module.
     for opening, inner in re.findall(r"(mod\s+\$\w+\s*\{|[{;])\s*use\b([^;]*);", head):
         for alias, path in leaves(inner, []):
             made = opening.startswith("mod") and path[0] == "super"
@@ -165,25 +165,25 @@ def file_module(folder: Path, name: str, parent: Module, root: Path) -> Module:
 
 # resolving -----------------------------------------------------------------------------------------------------------
 Found = tuple[set[Module], set[tuple[str, str]]]
-"""Modules, and items as file and kind."""
+"""Modules found, and items found as file and kind."""
 
 
-def look_up(module: Module, name: str, seen: set[tuple[int, str]]) -> Found:
-    """Everything of a name in a module: its own, and what it imports."""
+def look_up(module: Module, name: str, visited: set[tuple[int, str]]) -> Found:
+    """Find all items of a name in a module: its definitions and its imports."""
     modules: set[Module] = set()
     items: set[tuple[str, str]] = set()
-    if (id(module), name) in seen:
+    if (id(module), name) in visited:
         return modules, items
-    seen.add((id(module), name))
+    visited.add((id(module), name))
     if name in module.children:
         modules.add(module.children[name])
     items |= {(module.file, kind) for kind in module.items.get(name, ())}
     for alias, path in module.imports:
         if alias == name:
-            found = resolve(module, path, seen)
+            found = resolve(module, path, visited)
         elif alias == "*":
-            sources = resolve(module, path, seen)[0]
-            each = [look_up(source, name, seen) for source in sources]
+            sources = resolve(module, path, visited)[0]
+            each = [look_up(source, name, visited) for source in sources]
             found = set().union(*(one[0] for one in each)), set().union(*(one[1] for one in each))
         else:
             continue
@@ -192,9 +192,9 @@ def look_up(module: Module, name: str, seen: set[tuple[int, str]]) -> Found:
     return modules, items
 
 
-def resolve(module: Module, path: list[str], seen: set[tuple[int, str]] | None = None) -> Found:
-    """What a path in a module leads to; nothing for names of other crates."""
-    seen = set() if seen is None else seen
+def resolve(module: Module, path: list[str], visited: set[tuple[int, str]] | None = None) -> Found:
+    """Find the items that a path in a module refers to; none for names of other crates."""
+    visited = set() if visited is None else visited
     at = module
     rest = list(path)
     anchored = False
@@ -210,13 +210,13 @@ def resolve(module: Module, path: list[str], seen: set[tuple[int, str]] | None =
     modules: set[Module] = {at}
     items: set[tuple[str, str]] = set()
     for number, name in enumerate(rest):
-        # A look-up by a longer path is another one than that of the name which it passes through.
-        fresh = seen if number == 0 else set(seen)
+        # A look-up by a longer path differs from one by a name on its way.
+        fresh = visited if number == 0 else set(visited)
         each = [look_up(one, name, fresh) for one in modules]
         inner = set().union(*(one[0] for one in each))
         found = set().union(*(one[1] for one in each))
         if not inner and not found and (number > 0 or anchored):
-            # A name that is not understood counts to the module that should have it.
+            # A name that cannot be resolved counts to the module that should have it.
             return modules, items
         modules = inner
         is_last = number == len(rest) - 1
@@ -224,16 +224,16 @@ def resolve(module: Module, path: list[str], seen: set[tuple[int, str]] | None =
     return modules, items
 
 
-def names_of(module: Module, seen: set[int] | None = None) -> set[str]:
-    """Names that a module has to offer to a glob import."""
-    seen = set() if seen is None else seen
-    if id(module) in seen:
+def names_of(module: Module, visited: set[int] | None = None) -> set[str]:
+    """Names that a module offers to a glob import."""
+    visited = set() if visited is None else visited
+    if id(module) in visited:
         return set()
-    seen.add(id(module))
+    visited.add(id(module))
     names = set(module.items) | set(module.children)
     for alias, path in module.imports:
         if alias == "*":
-            names = names.union(*(names_of(source, seen) for source in resolve(module, path)[0]))
+            names = names.union(*(names_of(source, visited) for source in resolve(module, path)[0]))
         else:
             names.add(alias)
     return names
@@ -275,7 +275,7 @@ def file_graph(source: Path) -> dict[str, set[str]]:
 
 
 def used_by(module: Module, macros: dict[str, str]) -> set[str]:
-    """Files that a module's imports and paths lead to."""
+    """Files that a module's imports and paths refer to."""
     words = set(re.findall(r"\w+", module.code))
     paths = [re.findall(r"\w+", found) for found in PATH.findall(module.code)]
     imported = {alias for alias, _ in module.imports}

@@ -1,4 +1,4 @@
-"""Structural similarity as it is written down, window by window, and pictures to try it on."""
+"""Structural similarity by its definition, window by window, and pictures for tests."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def weights(window: str, size: int, sigma: float = 1.5) -> Array:
 
 
 def of_window(x: Array, y: Array, window: Array, c1: float, c2: float, sample: float = 1.0) -> tuple[float, float]:
-    """Wang et al. (2004), Eq. 13, and its second factor; `sample` is what covariances are multiplied by."""
+    """Wang et al. (2004), Eq. 13, and its second factor; `sample` is a factor of covariances."""
     mx, my = (window * x).sum(), (window * y).sum()
     vx, vy = (window * (x - mx) ** 2).sum() * sample, (window * (y - my) ** 2).sum() * sample
     cov = (window * (x - mx) * (y - my)).sum() * sample
@@ -47,7 +47,7 @@ def slow_maps(a: Any, b: Any, line: Array, extent: float, sample: float = 1.0) -
 
 
 def inside(values: Array, size: int) -> Array:
-    """Those of windows within the picture; all where none is."""
+    """Values of windows within the picture; all if there is none."""
     before, after = size // 2, size - 1 - size // 2
     rows, columns = (slice(before, length - after) for length in values.shape)
     kept = values[rows, columns]
@@ -55,7 +55,7 @@ def inside(values: Array, size: int) -> Array:
 
 
 def slow_masked(a: Any, b: Any, mask: NDArray[np.bool_], line: Array, extent: float) -> Array:
-    """Similarity of what a mask names, around each of its pixels, weights raised to a sum of 1; NaN elsewhere."""
+    """Similarity of a mask's pixels, with weights scaled to a sum of 1; NaN elsewhere."""
     size = len(line)
     pads = [(size // 2, size - 1 - size // 2)] * 2
     x, y = (np.pad(np.where(mask, p, 0).astype(np.float64), pads) for p in (a, b))
@@ -69,7 +69,7 @@ def slow_masked(a: Any, b: Any, mask: NDArray[np.bool_], line: Array, extent: fl
 
 
 def shrunk(picture: Any, factor: int) -> Array:
-    """Every factor-th pixel of the means over boxes of as many, as MATLAB's imfilter(…, 'symmetric') has them."""
+    """Every `factor`-th pixel of box means of that width, as MATLAB's imfilter(…, 'symmetric') computes them."""
     reach = (factor - 1) // 2
     padded = np.pad(np.asarray(picture, np.float64), [(reach, factor - 1 - reach)] * 2, mode="symmetric")
     views = np.lib.stride_tricks.sliding_window_view(padded, (factor, factor))

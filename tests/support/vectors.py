@@ -21,7 +21,7 @@ def cases(file: str, section: str = "cases") -> list[Any]:
 
 
 def check(found: ArrayLike, expected: ArrayLike, bound: float, *, share: float = 0.0) -> None:
-    """Fail where numbers are further from the expected ones than a bound and a share of these."""
+    """Fail if numbers differ from the expected ones by more than a bound plus a share of these."""
     values, exact = np.asarray(found, np.float64), np.asarray(expected, np.float64)
     assert values.shape == exact.shape
     np.testing.assert_allclose(values, exact, rtol=share, atol=bound)

@@ -1,4 +1,4 @@
-"""Tessellation: within its tolerance for every user, without cracks, and nothing done that is not needed."""
+"""Tests of tessellation: within its tolerance for every user, without cracks, and without needless splits."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def greatest_error(triangles: Array, eyes: Array, seed: int = 0) -> float:
 
 
 def open_edges(triangles: NDArray[Any]) -> int:
-    """Edges, by the bits of their ends, that do not separate two triangles."""
+    """Number of edges, by the bits of their ends, that do not separate two triangles."""
     ends = [tuple(sorted(map(tuple, (t[i].tolist(), t[i - 1].tolist())))) for t in triangles for i in range(3)]
     return sum(count != 2 for count in Counter(ends).values())
 
@@ -72,7 +72,7 @@ def test_two_triangles_of_ground_stay_within_the_tolerance(tolerance: float) -> 
     before = greatest_error(np.asarray(ground().triangles), users(5.0, 8, 0))
     after = greatest_error(np.asarray(made.triangles), users(5.0, 24, 1))
     assert before > 100
-    # Not far below either: the bound is a tight one.
+    # Not far below either, so that the bound is tight.
     assert 0.3 * tolerance < after <= tolerance
     assert made.area == pytest.approx(ground().area, rel=1e-9)
     assert (made.face_normals[:, 1] > 0.999).all()
@@ -101,7 +101,7 @@ def test_nothing_cracks_within_a_mesh_or_between_objects() -> None:
     scene = split(build.build())
     assert open_edges(scene.triangles()) == 0
     assert len(scene.object_names) == 12
-    # Rounding float32 vertices moves edges' crossings a little, and their number with it.
+    # Rounding of float32 vertices changes the edges' crossings slightly, and with them their number.
     assert scene.triangle_count == pytest.approx(len(made.faces), rel=0.1)
 
 
@@ -137,8 +137,8 @@ def test_what_needs_no_split_keeps_its_bits() -> None:
     both = trimesh.util.concatenate([near, ground(), far])
     made = split(both)
     np.testing.assert_array_equal(made.vertices[: len(both.vertices)], both.vertices)
-    kept = len(near.faces)
-    np.testing.assert_array_equal(made.faces[:kept], both.faces[:kept])
+    unchanged = len(near.faces)
+    np.testing.assert_array_equal(made.faces[:unchanged], both.faces[:unchanged])
     np.testing.assert_array_equal(made.faces[-len(far.faces) :], both.faces[-len(far.faces) :])
 
 
@@ -178,7 +178,7 @@ def test_scenes_keep_objects_and_share_what_is_whole() -> None:
     view = nf.Camera.look_at(CENTER, CENTER + np.array([1, -0.1, 0.1]), fov=nf.Fov.symmetric(90, 16 / 9), size=(96, 54))
     one, other = (nf.render(s, view, channels=("color", "object_id")) for s in (scene, made))
     np.testing.assert_array_equal(one.require("object_id"), other.require("object_id"))
-    # Silhouettes are the same; normals of pieces are rounded anew.
+    # Silhouettes are the same; normals of pieces are rounded again.
     np.testing.assert_allclose(one.require("color"), other.require("color"), atol=1e-5)
 
 

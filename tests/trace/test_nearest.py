@@ -1,4 +1,4 @@
-"""Nearest points of surfaces beside all triangles one by one."""
+"""Tests of nearest points against a search of all triangles."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def segment(a: Array, b: Array, p: Array) -> Array:
 
 
 def oracle(triangles: NDArray[Any], points: Array) -> Array:
-    """Squared distances (N, T): of the foot of the perpendicular where it lies inside, else of the edges."""
+    """Squared distances (N, T): to the foot of the perpendicular if it lies inside, else to the edges."""
     a, b, c = (corner[None] for corner in triangles.astype(np.float64).transpose(1, 0, 2))
     p = points[:, None]
     normal = np.cross(b - a, c - a)
@@ -44,7 +44,7 @@ def places(triangles: NDArray[Any], found: nf.Nearest) -> Array:
 
 
 def check(scene: nf.Scene, points: Array, slack: float = 1e-12) -> None:
-    """Distances are float64's of the float32 triangles: some roundings of the coordinates' size, more for slivers."""
+    """Check distances against float64 distances to the float32 triangles, up to some roundings, more for slivers."""
     triangles = scene.triangles().astype(np.float64)
     local = points - scene.origin
     squares = oracle(triangles, local)

@@ -1,4 +1,4 @@
-"""Rays against other tracers, at the seams between triangles, and with bad input."""
+"""Tests of rays against other tracers, at the seams between triangles, and with invalid input."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ Mesh = tuple[NDArray[np.float32], NDArray[np.uint32]]
 
 @pytest.fixture(scope="module", params=SCENES)
 def mesh(request: pytest.FixtureRequest) -> Mesh:
-    """Vertices that are the same point are one: what is shared shows in the faces."""
+    """Mesh with merged vertices, so that shared edges show in the faces."""
     need("data")
     loaded = trimesh.load_scene(data.require(SCENES[request.param])).to_geometry()
     points, inverse = np.unique(np.asarray(loaded.vertices, np.float32), axis=0, return_inverse=True)
@@ -59,7 +59,7 @@ def test_no_ray_aimed_at_shared_edges_and_vertices_is_lost(mesh: Mesh) -> None:
     size = np.linalg.norm(points.max(0) - points.min(0))
     distance = 0.05 * size * generator.uniform(0.1, 1.0, (len(targets), 1))
     origins = (targets - distance * directions).astype(np.float32)
-    # Towards the target as float32 holds it, so that the ray meets the very edge.
+    # Directions to the float32 target, so that the ray meets the edge exactly.
     hits = nf.cast_rays(nf.Scene.from_arrays(points, faces), origins, targets - origins)
     reach = np.linalg.norm(targets - origins, axis=1)
     # A hit behind the target would mean that the surface was passed. Interpolated targets lie off the edge by the
@@ -76,7 +76,7 @@ def shared_places(points: NDArray[np.float32], faces: NDArray[np.uint32]) -> tup
     corners = points[faces].astype(float)
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     areas = np.linalg.norm(normals, axis=1, keepdims=True)
-    # Slivers thinner than the roundings of their corners have no side that they face.
+    # Slivers thinner than the roundings of their corners have no definite orientation.
     solid = areas[:, 0] > 1e-12
     normals = np.divide(normals, areas, out=np.zeros_like(normals), where=areas > 0)
     edges = np.sort(faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
@@ -86,7 +86,7 @@ def shared_places(points: NDArray[np.float32], faces: NDArray[np.uint32]) -> tup
     first = np.concatenate([[0], np.cumsum(count)[:-1]])
     pairs = np.flatnonzero(count == 2)
     one, two = owner[order[first[pairs]]], owner[order[first[pairs] + 1]]
-    # Seen from between both normals, the triangles lie on the two sides of their edge, unless they fold back.
+    # Seen from between both normals, the triangles lie on both sides of their edge, unless they fold back.
     facing = (np.einsum("ij,ij->i", normals[one], normals[two]) > 0.0) & solid[one] & solid[two]
     chosen = generator.choice(np.flatnonzero(facing), 12_000)
     weight = np.where(np.arange(12_000) % 2 == 0, 0.5, generator.uniform(0.02, 0.98, 12_000))[:, None]
@@ -128,7 +128,7 @@ def test_hits_are_those_of_embree(mesh: Mesh) -> None:
     # Grazing triangles magnify the roundings of coordinates, 2⁻²⁴ of the bounds, by 1/cos of the angle.
     assert np.quantile(near, 0.999) <= 1e-5 * size
     other = hits.triangle_index[both] != theirs["primID"][both]
-    # Other triangles only at the same place: copies, and both sides of a seam.
+    # Other triangles may be hit only at the same place: copies, and both sides of a seam.
     assert np.count_nonzero(other & (near > 1e-4 * size)) <= 40
 
 

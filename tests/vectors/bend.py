@@ -1,4 +1,4 @@
-"""Rays bent so that tracing them through the scene as it is shows the morph per pixel, in exact arithmetic.
+"""Vectors of bent rays in exact arithmetic: tracing them through the unmorphed scene shows the morph for each pixel.
 
 With v = O−U, v⊥ = v − (v·d) d, y₁ = |v⊥| and e = v⊥/y₁, the points that the morph shows in the unit direction d are
 P(s) = U + s d + y(s) e, with y(s) in [0, y₁] the root of w y/|P−U| + (1−w)(y−y₁)/|P−O| = 0, w = w(ρ(P)).
@@ -14,11 +14,11 @@ from tests.vectors import morph
 from tests.vectors.exact import STEP_64, Vector, above, add, document, dot, exact, horizontal, length, rounded, vector
 
 HALVINGS = 130
-"""Of an interval of some metres: 38 digits."""
+"""Number of halvings of an interval of some metres, for 38 digits."""
 TRIALS = 16
-"""Places at which the equation's sign is looked at: between a curve's only root and any other it would change again."""
+"""Number of positions at which the equation's sign is tested; a second root would change it again."""
 POLYLINE = 1e-6
-"""Radians by which the chords of `nearfar.bend_rays` may miss the curve when it is compared with it."""
+"""Tolerance in radians of the polylines of `nearfar.bend_rays` in the comparison."""
 
 
 @dataclass(frozen=True)
@@ -32,17 +32,17 @@ class Curve:
 
     @cached_property
     def across(self) -> list[Any]:
-        """v⊥."""
+        """The vector v⊥."""
         v = add(self.center, self.user, -1)
         return add(v, self.direction, -dot(v, self.direction))
 
     @cached_property
     def beside(self) -> Any:
-        """y₁."""
+        """The length y₁."""
         return length(self.across)
 
     def point(self, s: Any, y: Any) -> list[Any]:
-        """P for s and y."""
+        """The point P for s and y."""
         return add(add(self.user, self.direction, s), self.across, y / self.beside if self.beside else 0)
 
     def residual(self, s: Any, y: Any) -> Any:
@@ -53,7 +53,7 @@ class Curve:
         return w * y / by_user + (1 - w) * (y - self.beside) / by_center
 
     def offset(self, s: float) -> Any:
-        """y(s)."""
+        """The root y(s)."""
         low, high = exact.mpf(0), self.beside
         if high == 0:
             return low
@@ -67,7 +67,7 @@ class Curve:
         return high
 
     def slope(self, s: float, y: Any) -> Any:
-        """Derivative of the equation's left side by y: change of the direction shown, over the blend's length."""
+        """Derivative of the equation's left side by y: change of the shown direction, divided by the blend's length."""
         step = exact.mpf(10) ** -20
         return (self.residual(s, y + step) - self.residual(s, y - step)) / (2 * step)
 
@@ -104,7 +104,7 @@ def case(
 
 
 def _check(curve: Curve, s: float, y: Any) -> None:
-    """The morph must show a curve's point in the curve's direction."""
+    """Check that the morph shows a point of the curve in the curve's direction."""
     if s > 0:
         shown = morph.shown("blend", curve.point(s, y), curve.user, curve.center, *curve.radii)
         seen = add(shown.point, curve.user, -1)

@@ -1,4 +1,4 @@
-"""Orientation of cube maps and look-ups in them, in exact arithmetic.
+"""Vectors of cube map orientation and look-up in exact arithmetic.
 
 A face's right, down and outward axes are those of the table of faces; u = d·right/|d·out| and v = d·down/|d·out|. A
 direction lies on the face of its longest component; where two are equally long, on that of the axis which comes first
@@ -28,7 +28,7 @@ AXES = (
 """Out, right and down of each face: Vulkan 1.3 specification, table "Cube map face selection"."""
 
 SIZES = (1, 3, 4, 8)
-"""Texels across the faces in which directions are looked up."""
+"""Numbers of texels across the faces of the tested maps."""
 
 
 def along(d: Vector, axis: Vector) -> Fraction:
@@ -69,14 +69,14 @@ def center_of(number: int, size: int) -> list[Fraction]:
 
 
 def _is_clear(d: Vector, size: int) -> bool:
-    """Whether a direction is so far from borders of texels and of faces that float32 places it as exact numbers do."""
+    """Whether a direction is so far from borders of texels and faces that float32 finds the same texel."""
     _, u, v = place(d)
     near_border = any(abs(x * size - round(x * size)) < Fraction(1, 10**5) for x in ((u + 1) / 2, (v + 1) / 2))
     return not near_border and max(abs(u), abs(v)) < 1 - Fraction(1, 10**5)
 
 
 def faces() -> list[dict[str, Any]]:
-    """Places on faces and their directions: exact in float64, because components are ±1, ±u and ±v."""
+    """Positions on faces and their directions: exact in float64, because components are ±1, ±u and ±v."""
     found = []
     places = [
         (0.0, 0.0),
@@ -134,7 +134,7 @@ def scattered(count: int, first: int = 0) -> Iterator[Vector]:
 
 
 def directions() -> list[dict[str, Any]]:
-    """Directions and the places that they pass through, by what decides the face or the texel."""
+    """Directions and their positions, by the rule that decides face or texel."""
     signs = list(itertools.product((1.0, -1.0), repeat=2))
     edges = {
         "x and y": [(s, t, z) for s, t in signs for z in (0.3125, -0.6875)],

@@ -1,4 +1,4 @@
-"""Arithmetic of 50 digits for the oracles, and the files that they write.
+"""Arithmetic of 50 digits for the oracles, and the format of their files.
 
 A context of its own: other users of mpmath may change the precision of the shared one.
 """
@@ -21,7 +21,7 @@ Vector = Sequence[Any]
 
 STEP_64 = 2.0**-53
 STEP_32 = 2.0**-24
-"""Greatest relative error of one rounding to float64 and float32."""
+"""Greatest relative errors of one rounding to float64 and float32."""
 
 
 def vector(values: Iterable[Any]) -> list[Any]:

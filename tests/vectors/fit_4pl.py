@@ -1,4 +1,4 @@
-"""The four-parameter logistic curve (4PL), in exact arithmetic: y = d + (a−d) / (1 + (x/c)^b), b > 0, c > 0."""
+"""Vectors of the four-parameter logistic curve in exact arithmetic: y = d + (a−d) / (1 + (x/c)^b), b > 0, c > 0."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ CURVES: tuple[tuple[str, Parameters], ...] = (
 )
 
 SHARES = (0.0, 1e-6, 0.01, 0.3, 0.75, 1.0, 1.25, 3.0, 100.0, 1e6)
-"""x as shares of c: the first plateau, the bend, the second plateau."""
+"""Values of x as shares of c: the first plateau, the bend, the second plateau."""
 
 
 def values() -> list[dict[str, Any]]:

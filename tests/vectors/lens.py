@@ -1,4 +1,4 @@
-"""Radial lenses and their inverses, in exact arithmetic.
+"""Vectors of radial lenses and their inverses in exact arithmetic.
 
 r_d = f(r) = r (1 + k₁r² + k₂r⁴ + …), odd in r, and its inverse on the branch from 0 to the fold, the least r_max > 0
 with f′(r_max) = 0. Points move along their radii; Brown's tangential terms add 2p₁xy + p₂(r² + 2x²) to x and
@@ -15,11 +15,11 @@ from tests.vectors.exact import STEP_64, above, document, exact, rounded
 Coefficients = tuple[float, ...]
 
 STEPS = 4
-"""Of the published fixed-point iteration."""
+"""Number of steps of the published fixed-point iteration."""
 HALVINGS = 150
-"""Of an interval of some units: 45 digits."""
+"""Number of halvings of an interval of some units, for 45 digits."""
 PLACES = 500
-"""At which the sign of f′ is looked at: closer than any two of its roots here."""
+"""Number of positions at which the sign of f′ is tested: closer together than any two of its roots here."""
 
 
 def distort(k: Coefficients, r: Any) -> Any:
@@ -37,7 +37,8 @@ def fold(k: Coefficients) -> Any:
     """r_max, or None for lenses that never fold: the first change of sign of f′, a polynomial in r², by halving."""
     if not any(k):
         return None
-    # Cauchy: no root of a polynomial is larger than 1 and its coefficients' greatest ratio to the highest one.
+    # Cauchy's bound: no root of a polynomial is larger than 1 plus the greatest ratio of a coefficient to the highest
+    # one.
     reach = 1 + max([1.0, *((2 * n + 3) * abs(c) for n, c in enumerate(k))]) / abs(k[-1])
     places = [exact.sqrt(exact.mpf(reach) * n / PLACES) for n in range(PLACES + 1)]
     high = next((r for r in places if derivative(k, r) < 0), None)
@@ -74,7 +75,7 @@ def fixed_point(k: Coefficients, shown: Any, steps: int) -> Any:
 
 
 def distort_point(k: Coefficients, p: tuple[float, float], point: tuple[Any, Any]) -> list[Any]:
-    """Where a point is shown."""
+    """Position at which a point is shown."""
     x, y = point
     p1, p2 = (exact.mpf(c) for c in p)
     square = x * x + y * y
@@ -86,7 +87,7 @@ def distort_point(k: Coefficients, p: tuple[float, float], point: tuple[Any, Any
 
 
 def undistort_point(k: Coefficients, p: tuple[float, float], start: tuple[float, float], shown: list[Any]) -> list[Any]:
-    """The point near a start that is shown at a place, by Newton's method with differences of 25 digits."""
+    """The point near a start that is shown at a position, by Newton's method with differences of 25 digits."""
     at = [exact.mpf(x) for x in start]
     step = exact.mpf(10) ** -25
     for _ in range(12):
@@ -121,7 +122,7 @@ LENSES: tuple[tuple[str, Coefficients], ...] = (
 MONOTONE = (0.0, 1e-9, -0.015625, 0.25, -0.5, 0.8, 1.0, -1.3, 2.5, -7.0)
 """Radii of either sign for lenses that never fold."""
 SHARES = (0.0, 1e-9, -0.05, 0.2, -0.4, 0.6, -0.8, 0.95)
-"""The same as shares of r_max."""
+"""Radii as shares of r_max."""
 NEAR_FOLD = (0.99, -0.999, 0.99999, -0.9999999)
 
 

@@ -1,4 +1,4 @@
-"""Look-ups in a cube map, in exact arithmetic: nearest, bilinear, and the least and greatest that bilinear mixes."""
+"""Vectors of look-ups in a cube map in exact arithmetic: nearest, bilinear, least and greatest texel."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tests.vectors.exact import STEP_64, Vector, document, rounded
 
 MAP_SIZE = 4
 MAP = [float(37 * n % 96) for n in range(6 * MAP_SIZE**2)]
-"""A map whose texels all differ."""
+"""Values of a map whose texels all differ."""
 
 
 def cases() -> list[dict[str, Any]]:
@@ -48,7 +48,7 @@ def cases() -> list[dict[str, Any]]:
 
 
 def _position(x: Fraction) -> tuple[int, Fraction]:
-    """The texel whose centre lies at or before a position, and how far on the next one it is."""
+    """The texel whose centre lies at or before a position, and the fraction of the way to the next centre."""
     at = (x + 1) / 2 * MAP_SIZE - Fraction(1, 2)
     return int(at), at - int(at)
 

@@ -1,4 +1,4 @@
-"""Points that the near–far blend and the cylinder morph show, in exact arithmetic.
+"""Vectors of points that the near–far blend and the cylinder morph show, in exact arithmetic.
 
 With w = clamp((r₂−ρ)/(r₂−r₁), 0, 1), d_U = (P−U)/|P−U| and d_O = (P−O)/|P−O|: d is w d_U + (1−w) d_O, normalised.
 Blend: Q = U + t d with t = w|P−U| + (1−w)|P−O|. Cylinder: Q is where the ray (U, d) leaves the cylinder of radius ρ(P)
@@ -31,13 +31,13 @@ from tests.vectors.exact import (
 
 @dataclass(frozen=True)
 class Shown:
-    """A point's image, and how it came about."""
+    """A morphed point and the quantities of its computation."""
 
     point: list[Any]
     weight: Any
-    """w."""
+    """The weight w."""
     distance: Any
-    """|Q−U|."""
+    """The distance |Q−U|."""
     opposed: bool
     """Whether the blend of both directions has no length, so that the user's direction was taken."""
     blend: Any

@@ -1,4 +1,4 @@
-"""The files of vectors are those that their oracles write."""
+"""Tests that the files of vectors are those that their oracles write."""
 
 from __future__ import annotations
 

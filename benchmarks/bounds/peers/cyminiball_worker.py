@@ -1,4 +1,4 @@
-"""Reads points from a file of raw float64 triples; for each line that comes it prints the radius of their sphere."""
+"""Reads points from a file of raw float64 triples; for each input line it prints the radius of their sphere."""
 
 import sys
 

@@ -71,15 +71,15 @@ def plain(name: str, value: ArrayLike) -> NDArray[Any]:
         raise ValueError(f"{name}: expected rows of equal length") from None
 
 
-def output(name: str, value: NDArray[Any], given: NDArray[Any]) -> NDArray[Any]:
-    """Check a caller's output array: shape and type of `given`, and no memory shared with it."""
+def output(name: str, value: NDArray[Any], source: NDArray[Any]) -> NDArray[Any]:
+    """Check a caller's output array: shape and type of `source`, and no memory shared with it."""
     if not isinstance(value, np.ndarray):
         raise TypeError(f"{name}: expected an array, got {_describe(value)}")
-    if value.shape != given.shape or value.dtype != given.dtype:
-        raise ValueError(f"{name}: expected {given.shape} of {given.dtype}, got {value.shape} of {value.dtype}")
+    if value.shape != source.shape or value.dtype != source.dtype:
+        raise ValueError(f"{name}: expected {source.shape} of {source.dtype}, got {value.shape} of {value.dtype}")
     if not (value.flags.c_contiguous and value.flags.aligned and value.flags.writeable):
         raise ValueError(f"{name}: expected a C-contiguous array that can be written, got one that is not")
-    if np.may_share_memory(value, given):
+    if np.may_share_memory(value, source):
         raise ValueError(f"{name}: expected memory of its own, got that of the argument")
     return value
 

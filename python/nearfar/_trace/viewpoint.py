@@ -55,11 +55,11 @@ def find(scene: Scene) -> Viewpoint:
     far = min(10.0, 0.25 * float(np.hypot(*(scene.bounds[1] - scene.bounds[0])[[0, 2]] / 2.0)))
     open_places: list[tuple[float, Point]] = []
     for block in np.split(eyes, range(BLOCK, len(eyes), BLOCK)):
-        seen = np.minimum(_views(scene, block), 10.0 * far)
-        is_free = seen.min(axis=1) >= min(CLEARANCE, far / 2.0)
-        meets = (seen < 10.0 * far).mean(axis=1) >= 0.25
-        is_open = is_free & meets & (np.median(seen, axis=1) >= far)
-        open_places += [(float(seen[n].mean()), _point(block[n])) for n in np.flatnonzero(is_open)]
+        distances = np.minimum(_views(scene, block), 10.0 * far)
+        is_free = distances.min(axis=1) >= min(CLEARANCE, far / 2.0)
+        meets = (distances < 10.0 * far).mean(axis=1) >= 0.25
+        is_open = is_free & meets & (np.median(distances, axis=1) >= far)
+        open_places += [(float(distances[n].mean()), _point(block[n])) for n in np.flatnonzero(is_open)]
         if len(open_places) >= MOST_COMPARED:
             break
     best = max(open_places[:MOST_COMPARED])[1] if open_places else _point(eyes[0])
@@ -123,9 +123,9 @@ def open_direction(scene: Scene, eye: Point) -> Point:
     quarter = DIRECTIONS // 4
     kernel = np.ones(quarter + 1)
     around = np.concatenate([view[-(quarter // 2) :], view, view[: quarter // 2]])
-    seen = np.convolve(np.sqrt(around), kernel, mode="valid")
+    visible = np.convolve(np.sqrt(around), kernel, mode="valid")
     # argmax takes the first of equal values: −z, the default direction of cameras.
-    return _point(_ring()[int(np.argmax(seen))])
+    return _point(_ring()[int(np.argmax(visible))])
 
 
 def _ring() -> NDArray[np.float64]:

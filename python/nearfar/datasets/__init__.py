@@ -1,4 +1,4 @@
-"""Procedural scenes: deterministic, from thousands to tens of millions of triangles; and where data files lie."""
+"""Procedural scenes, from thousands to tens of millions of triangles, and the look-up of data files."""
 
 from nearfar._base.data import find
 from nearfar.datasets._city import city, street_view

@@ -13,7 +13,7 @@ from nearfar.datasets._shapes import Soup, boxes, join
 from nearfar.datasets._styles import HIGH_STYLES, ROW_STYLES, TOWER_STYLES, Style
 from nearfar.datasets._walls import Paint, Plan, wall
 
-# How far walls reach below the ground, so that they never end on it.
+# Depth of walls below the ground in metres, so that no wall ends at ground level.
 _FOOT = 0.4
 _DECKS = materials("roof_gravel", "roof_felt", "concrete", "roof_gravel")
 _TILES = materials("roof_tile", "roof_tile_dark", "roof_slate", "roof_tile")
@@ -21,7 +21,7 @@ _TILES = materials("roof_tile", "roof_tile_dark", "roof_slate", "roof_tile")
 
 @dataclass(frozen=True, order=True)
 class Kind:
-    """What a prototype is asked for; equal kinds are the same building.
+    """Parameters of a prototype; equal kinds are the same building.
 
     Width and depth in decimetres; `form` 0 low, 1 middle, 2 high, 3 tower; `place` 0 between neighbours, 1 with a
     street on its right, 2 on its left, 3 free on all sides; `variant` numbers buildings of the same kind.
@@ -46,7 +46,7 @@ _STOREYS = ((2, 4), (5, 7), (8, 13), (17, 38))
 
 @dataclass(frozen=True)
 class Design:
-    """All that is decided once for a building."""
+    """Decisions that are made once for a building."""
 
     kind: Kind
     style: Style
@@ -58,19 +58,19 @@ class Design:
 
 @dataclass(frozen=True)
 class Tier:
-    """A part of a building between two heights; set back from the one below it."""
+    """A part of a building between two heights, set back from the part below."""
 
     width: float
     depth: float
     rows: Floats
-    """Edges of its storeys, the last the top of a blank band."""
+    """Heights of its storeys' edges in metres, the last one the top of a blank band."""
     faces: tuple[str, ...]
     first: bool
     last: bool
 
 
 def building(kind: Kind, seed: int, detail: int) -> Soup:
-    """A building on the ground y = 0 around the y axis, its front towards +z."""
+    """Build a building on the ground y = 0 around the y axis, its front towards +z."""
     draw = Draw(seed, 1, kind.width, kind.depth, kind.form, kind.place, kind.variant)
     styles = TOWER_STYLES if kind.form == 3 else HIGH_STYLES if kind.form == 2 else ROW_STYLES
     style = draw.pick(styles)
@@ -92,7 +92,7 @@ def _tiers(design: Design, draw: Draw) -> list[Tier]:
         first = number == 0
         ground = design.style.storey + (1.0 if first else 0.0)
         heights = floor + ground + design.style.storey * np.arange(count)
-        # Walls start inside what is below them, so that they never end on it.
+        # Walls start inside the part below, so that they never end on its surface.
         rows = np.concatenate([[-_FOOT if first else floor - 0.3], heights, [heights[-1] + 0.6]])
         faces = _FACES[design.kind.place if first else 3]
         tiers.append(Tier(width, depth, rows, faces, first, number == len(sizes) - 1))
@@ -152,7 +152,7 @@ def _roof(tier: Tier, design: Design, draw: Draw) -> list[Soup]:
 
 
 def _pitched(tier: Tier, top: float, design: Design, draw: Draw) -> list[Soup]:
-    """A roof of tiles with a chimney; between neighbours it has gables."""
+    """A tiled roof with a chimney; between neighbours it has gables."""
     tiles, pitch, paint = draw.pick(_TILES), draw.number(0.55, 0.85), design.paint
     x = draw.number(-0.3, 0.3) * tier.width
     if design.kind.place == 3:

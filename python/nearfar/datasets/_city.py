@@ -1,4 +1,4 @@
-"""The city: which parts it has and in what order they are built."""
+"""The city: calls the builders of its parts in order."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2) -> Scene:
 
 
 def street_view() -> tuple[tuple[float, float, float], tuple[float, float, float]]:
-    """A view for pictures of any `city`: where an eye stands on the crossing of the avenues, and what it looks at.
+    """Return a view for pictures of any `city`: an eye on the crossing of the avenues, and its target.
 
     Returns
     -------
@@ -88,7 +88,7 @@ def _buildings(stage: Stage, plots: list[Plot], seed: int, detail: int) -> None:
 
 
 def _parks(stage: Stage, grid: Grid, seed: int, detail: int) -> None:
-    """Paths and fountains of parks; garden walls between the rows of the other blocks."""
+    """Add paths and fountains of parks, and garden walls between the rows of the other blocks."""
     middles = []
     for j in range(grid.blocks):
         for i in range(grid.blocks):
@@ -110,7 +110,7 @@ def _parks(stage: Stage, grid: Grid, seed: int, detail: int) -> None:
 
 
 def _paint(stage: Stage, grid: Grid) -> None:
-    """Crossings and lane lines: prototypes along z, turned for the streets along x."""
+    """Add crossings and lane lines: prototypes along z, turned for the streets along x."""
     crossings: dict[float, list[tuple[float, float, float]]] = {STREET: [], AVENUE: []}
     lines: dict[tuple[float, float], list[tuple[float, float, float]]] = {}
     last = grid.blocks

@@ -1,4 +1,4 @@
-"""Numbers that come out alike on every platform: draws by counter, and circles without the C library's sine."""
+"""Random draws by counter, and sine and cosine without the C library, with the same bits on every platform."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from nearfar import _core
 Floats = NDArray[np.float64]
 _T = TypeVar("_T")
 _WORD = (1 << 64) - 1
-# Numbers drawn at once: a call costs as much as some thousand numbers.
+# Count of numbers drawn at once: a call takes as long as some thousand numbers.
 _AHEAD = 96
 
 
 class Draw:
-    """A stream of random numbers for one thing of a scene, named by integers; streams do not depend on each other."""
+    """A stream of random numbers for one object of a scene, named by integers; streams are independent."""
 
     def __init__(self, seed: int, *name: int) -> None:
         self._seed = seed & _WORD
@@ -30,7 +30,7 @@ class Draw:
         self._ahead: Floats = np.zeros(0)
 
     def uniform(self, count: int, low: float = 0.0, high: float = 1.0) -> Floats:
-        """`count` float64 numbers in [low, high)."""
+        """Draw `count` float64 numbers in [low, high)."""
         start = self._next - self._first
         if start + count > len(self._ahead):
             index = np.arange(self._next, self._next + max(count, _AHEAD), dtype=np.uint64)
@@ -40,24 +40,24 @@ class Draw:
         return low + (high - low) * self._ahead[start : start + count]
 
     def number(self, low: float = 0.0, high: float = 1.0) -> float:
-        """One number in [low, high)."""
+        """Draw one number in [low, high)."""
         return float(self.uniform(1, low, high)[0])
 
     def integers(self, count: int, high: int) -> NDArray[np.int64]:
-        """`count` integers in [0, high)."""
+        """Draw `count` integers in [0, high)."""
         return np.minimum((self.uniform(count) * high).astype(np.int64), high - 1)
 
     def pick(self, options: Sequence[_T]) -> _T:
-        """One of the options."""
+        """Draw one of the options."""
         return options[int(self.integers(1, len(options))[0])]
 
     def chance(self, probability: float) -> bool:
-        """True with this probability."""
+        """Draw True with this probability."""
         return self.number() < probability
 
 
 def turn(fraction: Floats | float) -> tuple[Floats, Floats]:
-    """Cosine and sine of a fraction of a full turn, by Taylor series on an eighth of it.
+    """Compute cosine and sine of a fraction of a full turn, by Taylor series on an eighth of it.
 
     Only additions and multiplications are used, so that the result has the same bits everywhere; the error is below
     1e-13.

@@ -1,4 +1,4 @@
-"""What stands along the streets and in the parks: trees, lamps, benches, parked cars."""
+"""Objects along the streets and in the parks: trees, lamps, benches, parked cars."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ _FURNITURE: dict[str, Callable[[int], Soup]] = {
 _TREES = 9
 _PARKED = 14
 _CLEAR = 2.2
-"""No street furniture stands nearer to the origin than this, metres."""
+"""Least distance of street furniture from the origin, metres."""
 
 
 @dataclass(frozen=True)
 class Side:
-    """A block's edge along a street: positions count from its left end as seen from the street's far side."""
+    """A block's edge along a street; positions count from its left end as seen from across the street."""
 
     block: int
     number: int
@@ -43,10 +43,10 @@ class Side:
     quarter: int
     """Quarter turns from +z to the direction that faces the street."""
     half: float
-    """Half the width of the carriageway before it."""
+    """Half the width of the carriageway in front of it, metres."""
 
     def at(self, along: ArrayLike, inward: ArrayLike) -> tuple[Floats, Floats]:
-        """World x and z of places along the kerb and inward from it."""
+        """World x and z of positions along the kerb and inward from it, metres."""
         t, o = np.asarray(along, np.float64), np.asarray(inward, np.float64)
         x, z = self.start
         along_x, along_z = ((1.0, 0.0), (0.0, -1.0), (-1.0, 0.0), (0.0, 1.0))[self.quarter]
@@ -55,8 +55,8 @@ class Side:
 
 
 def sides(grid: Grid) -> list[Side]:
-    """All edges of all blocks."""
-    found = []
+    """List all edges of all blocks."""
+    edges = []
     for j in range(grid.blocks):
         for i in range(grid.blocks):
             x0, x1, z0, z1 = grid.block(i, j)
@@ -65,25 +65,25 @@ def sides(grid: Grid) -> list[Side]:
             for quarter, (start, street) in enumerate(zip(starts, streets, strict=True)):
                 length = x1 - x0 if quarter % 2 == 0 else z1 - z0
                 number = j * grid.blocks + i
-                found.append(Side(number, quarter, length, start, quarter, grid.half(street)))
-    return found
+                edges.append(Side(number, quarter, length, start, quarter, grid.half(street)))
+    return edges
 
 
 class Places:
-    """Gathers where things of one sort stand."""
+    """Collects the positions of objects of one kind."""
 
     def __init__(self) -> None:
         self._rows: list[Floats] = []
 
     def add(self, x: ArrayLike, y: ArrayLike, z: ArrayLike, turn: ArrayLike, size: ArrayLike = 1.0) -> None:
-        """Places with their turns (fractions) and sizes."""
+        """Add positions in metres with turns (fractions of a full turn) and sizes (factors)."""
         rows = np.empty((np.size(x), 5))
         for column, values in enumerate((x, y, z, turn, size)):
             rows[:, column] = values
         self._rows.append(rows)
 
     def rows(self, *, clear: float = 0.0) -> Floats:
-        """All of them (K, 5), without those nearer than `clear` to the vertical axis."""
+        """Return rows (K, 5) of x, y, z, turn, size, without those within `clear` metres of the vertical axis."""
         rows = np.concatenate(self._rows) if self._rows else np.zeros((0, 5))
         return rows[rows[:, 0] * rows[:, 0] + rows[:, 2] * rows[:, 2] >= clear * clear]
 
@@ -91,7 +91,7 @@ class Places:
 def spread(
     stage: Stage, rows: Floats, prototypes: int, make: Callable[[int], Soup], name: str, draw: Draw, first: int = 0
 ) -> None:
-    """Place things, each one of several prototypes; objects are numbered through all of them, from `first` on."""
+    """Place objects, each with one of several prototypes, numbered through from `first`."""
     chosen = draw.integers(len(rows), prototypes)
     for variant in range(prototypes):
         mine = np.flatnonzero(chosen == variant)
@@ -100,7 +100,7 @@ def spread(
 
 
 def dress(stage: Stage, grid: Grid, built: Sequence[Plot], seed: int, detail: int) -> None:
-    """Everything but buildings, ground and moving cars."""
+    """Add everything except buildings, ground and moving cars."""
     things: dict[str, Places] = {name: Places() for name in (*_FURNITURE, "tree", "far_tree", "parked_car")}
     for side in sides(grid):
         draw = Draw(seed, 30, side.block, side.number)
@@ -147,7 +147,7 @@ def _street_trees(side: Side, trees: Places, draw: Draw, detail: int) -> None:
 
 
 def _along(side: Side, things: dict[str, Places], draw: Draw) -> None:
-    """Lamps, benches, bins, signals and bollards of a side; stops and planters on avenues."""
+    """Add lamps, benches, bins, signals and bollards of a side; stops and planters on avenues."""
     turn, end = 0.25 * side.quarter, side.length
     x, z = side.at(np.arange(9.0, end - 6.0, 24.0), 0.6)
     things["lamp_post"].add(x, KERB, z, turn)
@@ -185,7 +185,7 @@ def _parked(side: Side, parked: Places, draw: Draw) -> None:
 def _inside(
     grid: Grid, i: int, j: int, use: str, built: Sequence[Plot], things: dict[str, Places], draw: Draw, detail: int
 ) -> None:
-    """Trees and benches of a park, a plaza or a courtyard, where nothing is built."""
+    """Add trees and benches of a park, a plaza or a courtyard, where nothing is built."""
     x0, x1, z0, z1 = grid.block(i, j)
     x, z = 0.5 * (x0 + x1), 0.5 * (z0 + z1)
     if use == "park":
@@ -207,14 +207,14 @@ def _inside(
     for plot in built if use == "towers" else ():
         reach = np.array([plot.kind.width, plot.kind.depth]) * 0.05 + 2.4
         at = at[(np.abs(at - [plot.x, plot.z]) > reach).any(1)]
-    # Nobody comes near the trees of courtyards.
+    # Trees of courtyards are always seen from afar, so they are simple ones.
     things["far_tree" if use == "rows" else "tree"].add(
         at[:, 0], KERB, at[:, 1], draw.uniform(len(at)), draw.uniform(len(at), *sizes)
     )
 
 
 def _outskirts(grid: Grid, trees: Places, draw: Draw, detail: int) -> None:
-    """Groves on the level land around the city."""
+    """Add groves on the level land around the city."""
     groves = (10, 30, 90, 220)[detail]
     low = np.array([grid.x[0], grid.z[0]]) - 25.0
     high = np.array([grid.x[-1], grid.z[-1]]) + 25.0

@@ -1,4 +1,4 @@
-"""Façades: rectangles of wall with openings, seen as a plane with u to the right, v upwards and n outwards."""
+"""Parts of façades: rectangles of wall with openings, in a plane with u to the right, v up and n outwards."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ Rectangles = Floats  # (K, 4): least u, greatest u, least v, greatest v
 
 @dataclass(frozen=True)
 class Window:
-    """How the openings of a storey are made."""
+    """Shape of the openings of a storey."""
 
     width: float
-    """Share of the bay that the opening takes."""
+    """Width of the opening as a share of the bay's."""
     sill: float
     """Height of the opening's lower edge above the floor, metres."""
     head: float
-    """Share of the storey's height at which the opening ends."""
+    """Height at which the opening ends as a share of the storey's."""
     reveal: float
     """Depth of the pane behind the wall, metres."""
     bars: str = "+"
-    """Bars before the pane: "+" a post and a rail, "|" a post, "" none."""
+    """Bars in front of the pane: "+" a post and a rail, "|" a post, "" none."""
 
 
 def rectangles(u: ArrayLike, v: ArrayLike) -> Rectangles:
@@ -62,7 +62,7 @@ def openings(
     *,
     recessed: bool = True,
 ) -> Soup:
-    """Cells with a hole each: wall around it, the reveal, and a pane at its back.
+    """Cells with a hole each: wall around the hole, its reveal, and a pane at its back.
 
     Without `recessed` the pane is flush with the wall: two triangles for the pane, eight around it.
     """
@@ -76,7 +76,7 @@ def openings(
 
 
 def pierced(cells: Rectangles, holes: Rectangles, thickness: float, inside: int, lining: int, outside: int) -> Soup:
-    """A wall of some thickness with a hole through each cell; n = 0 is its face with the material `inside`."""
+    """A wall with a hole through each cell; n = 0 is its face with the material `inside`."""
     front, hole = _corners(cells, 0.0), _corners(holes, 0.0)
     shift = np.array([0.0, 0.0, thickness])
     back = _band(front - shift, hole - shift, outside)
@@ -101,7 +101,7 @@ def holes_in(cells: Rectangles, window: Window) -> Rectangles:
 def bars(
     holes: Rectangles, reveal: float, kind: str, material: int, *, frame: bool = False, hidden: str = "-z"
 ) -> Soup:
-    """Glazing bars before the panes, their ends inside the wall; `hidden` are sides that nobody sees."""
+    """Glazing bars in front of the panes, with ends inside the wall; `hidden` names sides that are never visible."""
     if not kind and not frame:
         return join([])
     a0, a1, b0, b1 = holes.T
@@ -109,13 +109,13 @@ def bars(
     slim, back, front = 0.03, np.full_like(a0, -reveal - 0.02), np.full_like(a0, 0.05 - reveal)
     uprights, rails = [middle] if kind else [], [across] if kind == "+" else []
     if frame:
-        # Half of a frame's bar stands inside the lining.
+        # Half of each bar of the frame lies inside the lining.
         uprights += [a0, a1]
         rails += [b0, b1]
     parts = [
         _boxes(u - slim, u + slim, b0 - 0.04, b1 + 0.04, back, front, material, f"{hidden} -y +y") for u in uprights
     ]
-    # Rails are a little slimmer, so that no two faces share a plane where bars cross.
+    # Rails are slightly thinner than posts, so that no two faces share a plane where bars cross.
     back, front = back + 0.008, front - 0.008
     parts += [_boxes(a0 - 0.04, a1 + 0.04, v - slim, v + slim, back, front, material, f"{hidden} -x +x") for v in rails]
     return join(parts)
@@ -151,19 +151,19 @@ def shutters(holes: Rectangles, material: int) -> Soup:
 
 
 def courses(u0: float, u1: float, heights: ArrayLike, material: int, *, high: float = 0.18, out: float = 0.07) -> Soup:
-    """Bands along the façade at some heights."""
+    """Horizontal bands along the façade at the given heights."""
     v = np.asarray(heights, np.float64)
     return _boxes(u0, u1, v - 0.5 * high, v + 0.5 * high, -0.05, out, material, "-z")
 
 
 def pilasters(at: ArrayLike, v0: float, v1: float, material: int, *, wide: float = 0.5, out: float = 0.12) -> Soup:
-    """Upright bands along the façade."""
+    """Vertical bands along the façade."""
     u = np.asarray(at, np.float64)
     return _boxes(u - 0.5 * wide, u + 0.5 * wide, v0, v1, -0.05, out, material, "-z -y")
 
 
 def balconies(cells: Rectangles, slab: int, rail: int, *, detail: int, solid: bool, out: float = 1.15) -> Soup:
-    """Slabs with a parapet or a railing before cells."""
+    """Balconies in front of cells: slabs with a parapet or a railing."""
     u0, u1, v0 = cells[:, 0] + 0.12, cells[:, 1] - 0.12, cells[:, 2]
     parts = [_boxes(u0, u1, v0 - 0.16, v0 + 0.02, -0.05, out, slab, "-z")]
     if solid:

@@ -1,4 +1,4 @@
-"""The forest: rolling land with a trail, under spruces, oaks and birches."""
+"""The forest: hills with a trail, under spruces, oaks and birches."""
 
 from __future__ import annotations
 
@@ -17,25 +17,25 @@ from nearfar.datasets._stage import Stage, placements
 
 _MOST_TREES = 2_000_000
 _AREA = 34.0
-"""Land for each tree, square metres."""
+"""Area of land for each tree, square metres."""
 _HORIZON = 3000.0
 
 
 @dataclass(frozen=True)
 class Land:
-    """The lie of the land; 0 high at the origin."""
+    """The shape of the land; its height at the origin is 0."""
 
     side: float
-    """Length of the wooded square's sides, metres."""
+    """Side length of the wooded square, metres."""
     phases: Floats
 
     @classmethod
     def of(cls, trees: int, seed: int) -> Land:
-        """Land for so many trees."""
+        """Make the land for a number of trees."""
         return cls(float(np.sqrt(max(trees, 60) * _AREA)), Draw(seed, 50).uniform(12))
 
     def height(self, x: Floats | float, z: Floats | float) -> Floats:
-        """Height at places, metres."""
+        """Height of the land at positions, metres."""
         return self._raw(np.asarray(x, float), np.asarray(z, float)) - self._raw(np.zeros(()), np.zeros(()))
 
     def _raw(self, x: Floats, z: Floats) -> Floats:
@@ -49,7 +49,7 @@ class Land:
         return rise + 160.0 * share * share
 
     def trail(self, z: Floats | float) -> Floats:
-        """Where the trail crosses a line of constant z: its x, 0 at the origin."""
+        """Position of the trail: its x at a given z, metres; 0 at the origin."""
         places = np.asarray(z, float)
         return 5.0 * (turn(places / 90.0 + self.phases[10])[1] - turn(self.phases[10])[1])
 
@@ -96,7 +96,7 @@ def forest(trees: int = 6000, seed: int = 0, detail: int = 2) -> Scene:
 
 
 def _lines(land: Land, detail: int) -> Floats:
-    """Break lines of the land's grid along one axis: even among the trees, ever wider apart to the horizon."""
+    """Break lines of the land's grid along one axis: even among the trees, increasingly wide towards the horizon."""
     spacing = max((14.0, 6.0, 3.0, 1.5)[detail], land.side / 700.0)
     half = 0.5 * land.side
     inner = np.linspace(-half, half, 2 * int(np.ceil(half / spacing)) + 1)
@@ -106,7 +106,7 @@ def _lines(land: Land, detail: int) -> Floats:
 
 
 def _surface(land: Land, detail: int) -> Soup:
-    """The land as one sheet, its columns bent along the trail."""
+    """The land as one sheet, with columns that follow the trail."""
     lines = _lines(land, detail)
     across, z = np.meshgrid(np.sort(np.concatenate([lines[np.abs(lines) > 2.2], [-1.4, -0.4, 0.4, 1.4]])), lines)
     half = 0.5 * land.side
@@ -129,7 +129,7 @@ def _surface(land: Land, detail: int) -> Soup:
 
 
 def _scattered(land: Land, count: int, clear: float, draw: Draw, reach: float = 1.0e9) -> tuple[Floats, Floats]:
-    """`count` places among the trees, one in each cell of a grid, `clear` metres off the trail, at most `reach`."""
+    """Choose `count` positions, one in each cell of a grid, `clear` metres off the trail and within `reach` metres."""
     half = 0.5 * land.side
     across = 2.0 * min(half, reach)
     extra = 1.25
@@ -144,8 +144,8 @@ def _scattered(land: Land, count: int, clear: float, draw: Draw, reach: float = 
         chosen = np.flatnonzero(good)
         if len(chosen) >= count:
             order = np.argsort(draw.uniform(len(chosen)), kind="stable")[:count]
-            kept = np.sort(chosen[order])
-            return x[kept], z[kept]
+            inside = np.sort(chosen[order])
+            return x[inside], z[inside]
         extra *= 1.5
 
 
@@ -153,7 +153,7 @@ def _plant(stage: Stage, land: Land, trees: int, seed: int, detail: int) -> None
     draw = Draw(seed, 52)
     x, z = _scattered(land, trees, 2.6, draw)
     y, turns, sizes = land.height(x, z), draw.uniform(trees), draw.uniform(trees, 0.7, 1.25)
-    # Kinds stand in groups: slow waves with some salt.
+    # Trees of a kind stand in groups: slow waves plus random noise choose the kind.
     wet = turn(x / 170.0 + land.phases[3])[1] + turn(z / 130.0 + land.phases[4])[1] + draw.uniform(trees, -1.1, 1.1)
     kinds: NDArray[np.int64] = np.where(wet < 0.45, 0, np.where(wet < 1.2, 1, 2))
     card = stage.material((1.0, 1.0, 1.0, 1.0), vegetation.leaf_texture(), cutoff=0.5)
@@ -172,7 +172,7 @@ def _plant(stage: Stage, land: Land, trees: int, seed: int, detail: int) -> None
 
 
 def _undergrowth(stage: Stage, land: Land, trees: int, seed: int, detail: int) -> None:
-    """Rocks and bushes everywhere, grass along the trail."""
+    """Add rocks and bushes everywhere, and grass along the trail."""
     shares = (
         ("rock", 4, 0.06, 1.9, 1.0e9),
         ("bush", 3, 0.12, 2.2, 1.0e9),
@@ -195,7 +195,7 @@ def _undergrowth(stage: Stage, land: Land, trees: int, seed: int, detail: int) -
 
 
 def _sward(seed: int, variant: int, detail: int) -> Soup:
-    """A few tufts together."""
+    """Several tufts of grass side by side."""
     draw = Draw(seed, 54, variant)
     tufts = []
     for k in range(5):

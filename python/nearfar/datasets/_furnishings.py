@@ -1,4 +1,4 @@
-"""Furniture of rooms, as prototypes standing on y = 0 around the y axis, their fronts towards +z."""
+"""Furniture of rooms: prototypes that stand on y = 0 around the y axis, with fronts towards +z."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ _SPINES = materials(
 
 
 def cushion(low: ArrayLike, high: ArrayLike, radius: float, kind: int, detail: int) -> Soup:
-    """A box with round edges."""
+    """A box with rounded edges."""
     a, b = np.asarray(low, float), np.asarray(high, float)
     steps = (1, 2, 4, 10)[detail]
     middle, half = 0.5 * (a + b), 0.5 * (b - a)
-    # A quarter circle from the rim of the flat bottom to the side, and the same upside down.
+    # A quarter circle from the rim of the flat bottom to the side, and its mirror image on top.
     cosine, sine = turn(0.25 * np.arange(steps + 1) / steps)
     insets = np.concatenate([radius * (1.0 - sine), radius * (1.0 - sine[::-1])])
     heights = np.concatenate([-half[1] + radius * (1.0 - cosine), (half[1] - radius * (1.0 - cosine))[::-1]])
@@ -28,7 +28,7 @@ def cushion(low: ArrayLike, high: ArrayLike, radius: float, kind: int, detail: i
     sections = np.empty((len(insets), 4 * (steps + 1), 3))
     for k in range(4):
         cx, cz = ((1, -1), (-1, -1), (-1, 1), (1, 1))[k]
-        # Quarter circles from +x over −z, as `loft` lists its sections.
+        # Quarter circles from +x over −z, the order of sections in `loft`.
         c, s = corner if k % 2 == 0 else corner[::-1]
         columns = slice(k * (steps + 1), (k + 1) * (steps + 1))
         reach = radius - insets[:, None]
@@ -39,7 +39,7 @@ def cushion(low: ArrayLike, high: ArrayLike, radius: float, kind: int, detail: i
 
 
 def sofa(detail: int) -> Soup:
-    """A sofa for three, 2.2 m wide."""
+    """A sofa with three seats, 2.2 m wide."""
     cloth, legs = material("fabric_teal"), material("wood_dark")
     parts = [cushion([-1.0, 0.14, -0.42], [1.0, 0.36, 0.42], 0.04, cloth, detail)]
     for x in (-0.98, -0.32, 0.34):
@@ -66,7 +66,7 @@ def table(detail: int) -> Soup:
 
 
 def chair(detail: int) -> Soup:
-    """A chair with a back of slats, its front towards +z."""
+    """A chair with a slatted back, its front towards +z."""
     wood, cloth = material("wood_dark"), material("fabric_sand")
     sides = (4, 6, 10, 24)[detail]
     parts = [cushion([-0.22, 0.42, -0.21], [0.22, 0.47, 0.22], 0.02, cloth, detail)]
@@ -108,12 +108,12 @@ def shelf(seed: int, detail: int) -> Soup:
 
 
 def _book(x: float, y: float, thick: float, high: float, deep: float, cover: int, detail: int) -> Soup:
-    """A book on its lower edge, its spine towards +z."""
+    """A book standing upright, its spine towards +z."""
     front = 0.1
     if detail <= 1:
         return boxes([x, y, front - deep], [x + thick, y + high, front], cover)
     skin = 0.003
-    # Covers and pages are of different heights: none of their faces share a plane.
+    # Covers and pages have different heights, so that no two faces share a plane.
     parts = [
         boxes([[x, y, front - deep], [x + thick - skin, y, front - deep]],
               [[x + skin, y + high, front], [x + thick, y + high, front]], cover),
@@ -178,7 +178,7 @@ def curtain(width: float, height: float, detail: int) -> Soup:
     """A curtain in folds, hanging from y = height."""
     columns = (6, 16, 48, 240)[detail]
     x = np.linspace(-0.5 * width, 0.5 * width, columns + 1)
-    # An eighth of a wave to a column, where there are columns enough.
+    # An eighth of a wave for each column, if there are enough columns.
     waves = (0.25, 0.125, 0.125, 0.025)[detail] * np.arange(columns + 1.0)
     fold = 0.035 * turn(waves)[1]
     outline = np.concatenate([np.stack([x, fold + 0.004], -1), np.stack([x, fold - 0.004], -1)[::-1]])

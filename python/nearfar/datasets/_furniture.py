@@ -1,4 +1,4 @@
-"""Street furniture, as prototypes standing on y = 0 and facing +z (towards the carriageway)."""
+"""Street furniture: prototypes that stand on y = 0 and face +z (the carriageway)."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def lamp_post(detail: int) -> Soup:
 
 
 def bench(detail: int) -> Soup:
-    """A slatted bench for three."""
+    """A slatted bench with three seats."""
     wood, iron = material("wood"), material("iron")
     if detail <= 1:
         return join(
@@ -44,7 +44,7 @@ def bench(detail: int) -> Soup:
 
 
 def bollard(detail: int) -> Soup:
-    """A cast bollard."""
+    """A cast-iron bollard."""
     profile = [(0.1, -0.1), (0.1, 0.08), (0.07, 0.12), (0.065, 0.72), (0.09, 0.76), (0.085, 0.84), (0.04, 0.9)]
     return lathe(profile, 6 if detail <= 1 else 8 if detail == 2 else 16, material("iron"), bottom=False)
 
@@ -59,7 +59,7 @@ def litter_bin(detail: int) -> Soup:
 
 
 def traffic_light(detail: int) -> Soup:
-    """A signal post; its lamps look towards +z."""
+    """A signal post with lamps towards +z."""
     iron = material("metal_dark")
     sides = 6 if detail <= 1 else 12
     parts = [tube([(0, -0.1, 0), (0, 1.7, 0), (0, 3.28, 0)], [0.07, 0.06, 0.055], sides, iron)]
@@ -67,7 +67,7 @@ def traffic_light(detail: int) -> Soup:
     for height, name in ((3.12, "tail_light"), (2.83, "sign_mustard"), (2.54, "sign_green")):
         lamp = lathe([(0.09, 0.23), (0.09, 0.26), (0.05, 0.275)], sides, material(name), bottom=False)
         x, y, z = lamp.corners[..., 0], lamp.corners[..., 1], lamp.corners[..., 2]
-        # The y axis becomes z, x stays: y and z trade places with one sign, so that the outside stays outside.
+        # The y axis becomes z and x stays. Swapping y and z with one changed sign keeps the outside outside.
         parts.append(lamp.mapped(np.stack([x, -z, y], -1)).moved([0.0, height, 0.0]))
     return join(parts)
 

@@ -1,4 +1,4 @@
-"""The ground: one sheet from the carriageways to the hills at the horizon, and the paint on the streets."""
+"""The ground: one sheet from the carriageways to the hills at the horizon, and the markings on the streets."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from nearfar.datasets._layout import KERB, PAVEMENT, YARD, Grid
 from nearfar.datasets._palette import material, materials
 from nearfar.datasets._shapes import Soup, boxes, join, lathe, quads
 
-# Classes of the strips between two break lines of one axis.
+# Classes of the strips between two break lines of an axis.
 _OUT, _ROAD, _EDGE, _WALK, _ROW, _COURT = range(6)
 _RIM = 3.0
-"""Width of the pavement around the city."""
+"""Width of the pavement around the city, metres."""
 FLAT = 260.0
-"""Distance from the city up to which the land is level, metres."""
+"""Distance from the city within which the land is level, metres."""
 
 
 def _breaks(grid: Grid, axis: int, detail: int) -> tuple[Floats, NDArray[np.int64], NDArray[np.int64]]:
-    """Break lines of an axis, and class and number (street or block) of each strip between them."""
+    """Break lines of an axis in metres, and class and number (street or block) of each strip between them."""
     middles = grid.x if axis == 0 else grid.z
     lines: list[float] = []
     classes: list[tuple[int, int]] = []
@@ -61,14 +61,14 @@ def _breaks(grid: Grid, axis: int, detail: int) -> tuple[Floats, NDArray[np.int6
 
 
 def _outer(detail: int) -> Floats:
-    """Distances of break lines from the city's rim, ever wider apart."""
+    """Distances in metres of break lines from the city's rim, increasingly wide."""
     steps = (5, 14, 34, 40)[detail]
     growth = np.arange(1, steps + 1) / steps
     return np.round(9000.0 * growth * growth * growth + 200.0 * growth, 1)
 
 
 def hill(grid: Grid, x: Floats, z: Floats, seed: int) -> Floats:
-    """Height of the land: level around the city, hills beyond."""
+    """Height of the land in metres: level around the city, hills beyond."""
     reach_x = np.maximum(np.abs(x - 0.5 * (grid.x[0] + grid.x[-1])) - 0.5 * (grid.x[-1] - grid.x[0]), 0.0)
     reach_z = np.maximum(np.abs(z - 0.5 * (grid.z[0] + grid.z[-1])) - 0.5 * (grid.z[-1] - grid.z[0]), 0.0)
     away = np.sqrt(reach_x * reach_x + reach_z * reach_z)
@@ -82,7 +82,7 @@ def hill(grid: Grid, x: Floats, z: Floats, seed: int) -> Floats:
 
 
 def ground(grid: Grid, seed: int, detail: int) -> Soup:
-    """The sheet with its kerbs; neighbouring cells share their edges."""
+    """Build the sheet with its kerbs; neighbouring cells share their edges."""
     xs, x_class, x_number = _breaks(grid, 0, detail)
     zs, z_class, z_number = _breaks(grid, 1, detail)
     kinds = _kinds(grid, x_class, x_number, z_class, z_number, _fields(xs, zs, seed), seed)
@@ -94,14 +94,14 @@ def ground(grid: Grid, seed: int, detail: int) -> Soup:
     tops = corner.copy()
     tops[..., 1] += level[..., None]
     soups = [quads(tops.reshape(-1, 4, 3), kinds[0].reshape(-1))]
-    # A kerb stands between two cells of different height and faces the lower one.
+    # A kerb lies between two cells of different height and faces the lower one.
     east = _walls(tops[:, :-1, [2, 1]], tops[:, 1:, [3, 0]], level[:, :-1], level[:, 1:])
     south = _walls(tops[:-1, :, [1, 0]], tops[1:, :, [2, 3]], level[:-1], level[1:])
     return join([*soups, east, south])
 
 
 def _walls(first: Floats, second: Floats, low: Floats, high: Floats) -> Soup:
-    """Upright faces between the same edge of two cells."""
+    """Vertical faces between the same edge of two cells."""
     differs = low != high
     a, b = first[differs], second[differs]
     corners = np.stack([a[:, 0], a[:, 1], b[:, 1], b[:, 0]], 1)
@@ -112,7 +112,7 @@ _FIELDS = materials("meadow", "lawn", "meadow_dry", "meadow", "field", "hill")
 
 
 def _fields(xs: Floats, zs: Floats, seed: int) -> NDArray[np.int64]:
-    """Which crop grows in each cell (z, x): fields of some 200 m, whatever the break lines."""
+    """Material of each cell (z, x) of farmland: fields of about 200 m, independent of the break lines."""
     column = np.floor(0.5 * (xs[1:] + xs[:-1]) / 210.0).astype(np.int64)
     row = np.floor(0.5 * (zs[1:] + zs[:-1]) / 160.0).astype(np.int64)
     table = Draw(seed, 21).integers(128 * 128, len(_FIELDS)).reshape(128, 128)
@@ -160,12 +160,12 @@ def _surface(use: str, seed: int, i: int, j: int) -> tuple[int, int]:
     return material("yard"), material("lawn" if Draw(seed, 22, i, j).chance(0.6) else "yard")
 
 
-# Paint lies this high above the asphalt, as thermoplastic does; slabs reach below it.
+# Lower and upper height of paint relative to the asphalt, metres; slabs reach below the surface.
 _PAINT = (-0.03, 0.006)
 
 
 def _stripes(low: Floats, high: Floats) -> Soup:
-    """Slabs of paint between corners (K, 2) in x and z."""
+    """Make slabs of paint between corners (K, 2) in x and z."""
     bottom = np.stack([low[:, 0], np.full(len(low), _PAINT[0]), low[:, 1]], -1)
     top = np.stack([high[:, 0], np.full(len(high), _PAINT[1]), high[:, 1]], -1)
     return boxes(bottom, top, material("paint_white"), without="-y")
@@ -181,7 +181,7 @@ def zebra(half: float) -> Soup:
 
 
 def lane_lines(length: float, half: float) -> Soup:
-    """Lines of a street along z, from z = 0 to its length, between two junctions."""
+    """Lane lines of a street along z, from z = 0 to its length, between two junctions."""
     first, last = 6.2, length - 6.2
     dashes = np.arange(first, last - 3.0, 6.0)
     center = np.array([[-0.07, first]]) if half < 7.0 else np.array([[-0.22, first], [0.1, first]])
@@ -201,7 +201,7 @@ def lane_lines(length: float, half: float) -> Soup:
 
 
 def paths(x0: float, x1: float, z0: float, z1: float) -> Soup:
-    """Gravel paths of a park, a round place in the middle, all a little above the lawn."""
+    """Gravel paths of a park and a round place in the middle, all slightly above the lawn."""
     gravel = material("gravel")
     x, z, wide = 0.5 * (x0 + x1), 0.5 * (z0 + z1), 1.4
     low = [[x0, z - wide], [x - wide, z0], [x - wide, z + wide], [x + wide, z - wide]]

@@ -10,19 +10,19 @@ from nearfar.datasets._buildings import Kind
 from nearfar.datasets._draw import Draw, Floats
 
 PITCH = (84.0, 64.0)
-"""Distance between the middles of neighbouring streets along x and z, metres."""
+"""Distances between the middle lines of neighbouring streets along x and z, metres."""
 STREET, AVENUE = 6.0, 8.0
-"""Half the width of a carriageway."""
+"""Half the width of a carriageway of a street and of an avenue, metres."""
 PAVEMENT = 4.0
 KERB = 0.15
-"""Height of pavements above the carriageway."""
+"""Height of pavements above the carriageway, metres."""
 YARD = 10.0
-"""Depth of the courtyard between the rows of a block."""
+"""Depth of the courtyard between the rows of a block, metres."""
 
 
 @dataclass(frozen=True)
 class Plot:
-    """A building's place: middle of its footprint, and the quarter turns that make its front face the street."""
+    """A building's place: the middle of its footprint, and the quarter turns that make its front face the street."""
 
     name: str
     block: int
@@ -38,33 +38,33 @@ class Grid:
 
     blocks: int
     x: Floats
-    """Middles of the streets that run along z."""
+    """x of the middle lines of the streets that run along z, metres."""
     z: Floats
-    """Middles of the streets that run along x."""
+    """z of the middle lines of the streets that run along x, metres."""
     avenue: int
-    """Which of both is the avenue."""
+    """Index of the avenue, in both directions."""
 
     @classmethod
     def of(cls, blocks: int) -> Grid:
-        """The grid for `blocks` × `blocks` blocks."""
+        """Make the grid for `blocks` × `blocks` blocks."""
         avenue = blocks // 2
         steps = np.arange(blocks + 1.0) - avenue
         widened = np.sign(steps) * (AVENUE - STREET)
         return cls(blocks, steps * PITCH[0] + widened, steps * PITCH[1] + widened, avenue)
 
     def half(self, street: int) -> float:
-        """Half the width of a street's carriageway."""
+        """Half the width of a street's carriageway, metres."""
         return AVENUE if street == self.avenue else STREET
 
     def block(self, i: int, j: int) -> tuple[float, float, float, float]:
-        """Kerb lines of a block: least and greatest x, least and greatest z."""
+        """Kerb lines of a block: least and greatest x, least and greatest z, metres."""
         return (
             float(self.x[i] + self.half(i)), float(self.x[i + 1] - self.half(i + 1)),
             float(self.z[j] + self.half(j)), float(self.z[j + 1] - self.half(j + 1)),
         )  # fmt: skip
 
     def use(self, i: int, j: int, seed: int) -> str:
-        """What a block is for: "park", "towers" or "rows"."""
+        """Use of a block: "park", "towers" or "rows"."""
         a, b = i - self.avenue, j - self.avenue
         if (a, b) == (-1, -1) or (self.blocks > 8 and (a, b) in ((3, 2), (-4, 3), (2, -6))):
             return "park"
@@ -74,7 +74,7 @@ class Grid:
         return "rows"
 
     def downtown(self, i: int, j: int) -> float:
-        """Distance of a block from the middle of down-town, 1 at its border."""
+        """Distance of a block from the middle of down-town, scaled to 1 at down-town's border."""
         reach = max(0.8, 0.15 * self.blocks)
         a = (i - self.avenue - 0.4) / reach
         b = (j - self.avenue + 0.5 + 0.34 * self.blocks) / reach
@@ -88,26 +88,26 @@ _VARIANTS = (3, 2, 2)
 
 
 def plots(grid: Grid, seed: int) -> list[Plot]:
-    """All buildings of the city, block by block."""
-    found: list[Plot] = []
+    """List all buildings of the city, block by block."""
+    buildings: list[Plot] = []
     for j in range(grid.blocks):
         for i in range(grid.blocks):
             use = grid.use(i, j, seed)
             draw = Draw(seed, 11, i, j)
             if use == "rows":
-                found += _rows(grid, i, j, draw)
+                buildings += _rows(grid, i, j, draw)
             elif use == "towers":
-                found += _towers(grid, i, j, draw)
-    return found
+                buildings += _towers(grid, i, j, draw)
+    return buildings
 
 
 def _rows(grid: Grid, i: int, j: int, draw: Draw) -> list[Plot]:
     x0, x1, z0, z1 = grid.block(i, j)
     away, block = grid.downtown(i, j), j * grid.blocks + i
-    found: list[Plot] = []
+    buildings: list[Plot] = []
     for quarter, front, towards in ((0, z1 - PAVEMENT, -1.0), (2, z0 + PAVEMENT, 1.0)):
         widths = draw.pick(_ROWS)
-        # Local +x of a row that faces −z points to −x, so its plots are listed from the other end.
+        # Local +x of a row that faces −z is −x of the world, so its plots are listed from the other end.
         at, step = (x0 + PAVEMENT, 1.0) if quarter == 0 else (x1 - PAVEMENT, -1.0)
         for number, width in enumerate(widths):
             place = 2 if number == 0 else 1 if number == len(widths) - 1 else 0
@@ -117,16 +117,16 @@ def _rows(grid: Grid, i: int, j: int, draw: Draw) -> list[Plot]:
                 continue
             depth = 150 + 10 * ((width // 4 + form) % 3)
             variant = int(draw.integers(1, _VARIANTS[place])[0])
-            # A decimetre between neighbours: their walls never share a plane.
+            # A gap of a decimetre between neighbours, so that their walls never share a plane.
             kind = Kind(width * 10 - 1, depth, form, place, variant)
             x, z = at + step * 0.5 * width, front + towards * 0.05 * depth
-            found.append(Plot(f"building_{block}_{len(found)}", block, kind, x, z, quarter))
+            buildings.append(Plot(f"building_{block}_{len(buildings)}", block, kind, x, z, quarter))
             at += step * width
-    return found
+    return buildings
 
 
 def _form(away: float, draw: Draw) -> int:
-    """Low, middle or high, by the distance from down-town."""
+    """Form of a building (0 low, 1 middle, 2 high) by its distance from down-town."""
     level = 2.3 - 0.55 * away + draw.number(-0.75, 0.75)
     return int(np.clip(np.floor(level), 0, 2))
 
@@ -134,7 +134,7 @@ def _form(away: float, draw: Draw) -> int:
 def _towers(grid: Grid, i: int, j: int, draw: Draw) -> list[Plot]:
     x0, x1, z0, z1 = grid.block(i, j)
     middle, block = 0.5 * (z0 + z1), j * grid.blocks + i
-    found = []
+    buildings = []
     for number in range(2):
         width, depth = draw.pick(_TOWERS)
         variant = int(draw.integers(1, 3)[0])
@@ -142,5 +142,5 @@ def _towers(grid: Grid, i: int, j: int, draw: Draw) -> list[Plot]:
         z = middle + draw.number(-1.0, 1.0) * 0.45 * (z1 - z0 - 2.0 * PAVEMENT - depth)
         kind = Kind(width * 10, depth * 10, 3, 3, variant)
         quarter = 2 * int(draw.integers(1, 2)[0])
-        found.append(Plot(f"building_{block}_{number}", block, kind, float(x), float(z), quarter))
-    return found
+        buildings.append(Plot(f"building_{block}_{number}", block, kind, float(x), float(z), quarter))
+    return buildings

@@ -1,8 +1,8 @@
-"""The colours of everything: one table of materials that all procedural scenes share."""
+"""The table of materials that all procedural scenes share."""
 
 from __future__ import annotations
 
-# sRGB, as a painter would write them. A material's number is its place in this table.
+# sRGB as 0xRRGGBB. A material's number is its position in this table.
 _COLORS = {
     # ground
     "asphalt": 0x5D6064,
@@ -135,21 +135,21 @@ _NUMBERS = {name: number for number, name in enumerate(_COLORS)}
 
 
 def material(name: str) -> int:
-    """The number of a material."""
+    """Return the number of a material."""
     return _NUMBERS[name]
 
 
 def materials(*names: str) -> tuple[int, ...]:
-    """The numbers of several materials."""
+    """Return the numbers of several materials."""
     return tuple(_NUMBERS[name] for name in names)
 
 
 def linear_colors() -> list[tuple[float, float, float, float]]:
-    """Linear RGBA of every material, in the order of their numbers."""
+    """Return linear RGBA of every material, in the order of their numbers."""
     return [(_decoded(rgb >> 16), _decoded(rgb >> 8 & 0xFF), _decoded(rgb & 0xFF), 1.0) for rgb in _COLORS.values()]
 
 
 def _decoded(byte: int) -> float:
-    """The linear value of an sRGB byte, by a cubic: powers are not rounded alike on every platform."""
+    """Decode an sRGB byte to linear light by a cubic, because powers are not rounded alike on every platform."""
     c = byte / 255.0
     return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878)

@@ -1,4 +1,4 @@
-"""What stands on buildings: parapets and cornices, pitched roofs, plant, tanks and masts."""
+"""Roofs and the structures on them: parapets and cornices, pitched roofs, plant, tanks and masts."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ def rectangle(width: float, depth: float, height: float) -> Floats:
 
 
 def surround(width: float, depth: float, height: float, profile: ArrayLike, kind: int, party: str = "") -> Soup:
-    """A closed profile swept around a rectangle, mitred at the corners; it hardly stands out on `party` sides."""
+    """A closed profile swept around a rectangle, mitred at the corners; it hardly protrudes on `party` sides."""
     outline = np.asarray(profile, np.float64)
-    # A twentieth of the overhang stays: enough to keep the profile's points apart, too little to reach a neighbour.
+    # A twentieth of the overhang remains: enough to keep the profile's points apart, too little to reach a neighbour.
     right, left = (0.05 if side in party else 1.0 for side in ("+x", "-x"))
     loops = np.stack([rectangle(width, depth, height + up) for _, up in outline])
     out = np.where(outline[:, 0] > 0.0, outline[:, 0], 0.0)[:, None]
@@ -45,12 +45,12 @@ def surround(width: float, depth: float, height: float, profile: ArrayLike, kind
 
 
 def parapet(width: float, depth: float, height: float, cornice: str, kind: int, party: str = "") -> Soup:
-    """A cornice with its parapet; it takes the upper edge of the walls inside."""
+    """A cornice with its parapet; the upper edge of the walls ends inside it."""
     return surround(width, depth, height, _PROFILES[cornice], kind, party)
 
 
 def gabled(width: float, depth: float, height: float, pitch: float, kind: int, eaves: int, wall: int) -> Soup:
-    """A roof with its ridge along x between two gables, which stand 2 cm before the walls below."""
+    """A roof with its ridge along x between two gables, which are 2 cm in front of the walls below."""
     z, x = 0.5 * depth + 0.45, 0.5 * width + 0.02
     low, high = height - 0.12, height + 0.06
     outline = np.array([[high + z * pitch, 0.0], [high, z], [low, z], [low, -z], [high, -z]])
@@ -64,7 +64,7 @@ def gabled(width: float, depth: float, height: float, pitch: float, kind: int, e
 
 
 def deck(width: float, depth: float, height: float, kind: int) -> Soup:
-    """A flat roof between the parapets, its edge inside them."""
+    """A flat roof between the parapets, with its edge inside them."""
     return quads(rectangle(width - 0.2, depth - 0.2, height), kind)
 
 
@@ -94,7 +94,7 @@ def chimney(x: float, z: float, low: float, high: float) -> Soup:
 
 
 def air_handler(draw: Draw, detail: int) -> Soup:
-    """A box of plant with fans, on rails."""
+    """An air handler: a box with fans on rails."""
     wide, deep, high = draw.number(1.6, 3.0), draw.number(1.2, 1.8), draw.number(1.0, 1.6)
     metal = material("metal_light" if draw.chance(0.6) else "metal")
     parts = [boxes([-wide / 2, 0.15, -deep / 2], [wide / 2, 0.15 + high, deep / 2], metal)]
@@ -109,7 +109,7 @@ def air_handler(draw: Draw, detail: int) -> Soup:
 
 
 def stair_head(draw: Draw, wall: int) -> Soup:
-    """The small house over the stairs, with its door."""
+    """The structure over the staircase, with its door."""
     wide, deep, high = draw.number(2.6, 3.6), draw.number(3.2, 4.6), draw.number(2.5, 3.0)
     x, z = wide / 2, deep / 2
     return join(
@@ -122,7 +122,7 @@ def stair_head(draw: Draw, wall: int) -> Soup:
 
 
 def water_tank(detail: int) -> Soup:
-    """A wooden tank with a conical hat, on a steel frame."""
+    """A wooden tank with a conical roof, on a steel frame."""
     sides = 20 if detail >= 2 else 8
     wood, iron = material("wood"), material("iron")
     parts = [
@@ -149,13 +149,13 @@ def mast(high: float) -> Soup:
 
 
 def furnish(width: float, depth: float, wall: int, draw: Draw, *, tower: bool, detail: int) -> Soup:
-    """Plant for a flat roof of this size, each piece in its own cell of a grid."""
+    """Equipment for a flat roof of this size, each piece in its own cell of a grid."""
     columns, rows = max(1, int(width // 7.0)), max(1, int(depth // 6.5))
     cells = [(i, j) for j in range(rows) for i in range(columns)]
     order = np.argsort(draw.uniform(len(cells)), kind="stable")
     parts = []
-    wanted = ["stairs", "plant", "tank" if draw.chance(0.35) and not tower else "plant", "plant", "mast", "plant"]
-    for kind, at in zip(wanted[: max(2, len(cells) - 1)], order, strict=False):
+    pieces = ["stairs", "plant", "tank" if draw.chance(0.35) and not tower else "plant", "plant", "mast", "plant"]
+    for kind, at in zip(pieces[: max(2, len(cells) - 1)], order, strict=False):
         i, j = cells[int(at)]
         x = ((i + 0.5) / columns - 0.5) * (width - 1.6) + draw.number(-0.5, 0.5)
         z = ((j + 0.5) / rows - 0.5) * (depth - 1.6) + draw.number(-0.5, 0.5)

@@ -16,7 +16,7 @@ from nearfar.datasets._palette import material
 from nearfar.datasets._shapes import Soup, boxes, join, quads, textured
 from nearfar.datasets._stage import Stage, placements
 
-# Half the inner width along x and z, inner height, thickness of the walls, metres.
+# Half the inner width along x and z, the inner height, and the thickness of the walls, metres.
 _X, _Z, _HIGH, _WALL = 3.2, 2.6, 2.7, 0.3
 _FOOT, _TOP = -0.08, _HIGH + 0.04
 _CHAIRS = ((-0.45, -0.95, 0.0), (0.45, -0.95, 0.0), (-0.45, 0.95, 0.5), (0.5, 1.05, 0.55))
@@ -70,7 +70,7 @@ def room_view() -> tuple[tuple[float, float, float], tuple[float, float, float]]
 
 
 def _holes() -> list[tuple[np.ndarray[tuple[int, int], np.dtype[np.float64]], ...]]:
-    """Cells and holes of the four walls, from the one at −z on, over −x and +z to +x."""
+    """Cells and holes of the four walls, in the order −z, −x, +z, +x."""
     windows = np.array([[-_X, 0.0, _FOOT, _TOP], [0.0, _X, _FOOT, _TOP]])
     cut = np.array([[-2.5, -0.7, 0.85, 2.3], [0.7, 2.5, 0.85, 2.3]])
     door = np.array([[-_Z, _Z, _FOOT, _TOP]])
@@ -154,7 +154,7 @@ def _floor(stage: Stage, seed: int) -> None:
     boards = stage.material(white, textures.planks(seed))
     x, z = _X + 0.1, _Z + 0.1
     corners = np.array([[-x, 0.0, z], [x, 0.0, z], [x, 0.0, -z], [-x, 0.0, -z]])
-    # One picture shows eight boards, 1.2 m by 1.2 m.
+    # The texture shows eight boards, 1.2 m by 1.2 m.
     stage.once(textured([corners], boards, corners[:, [0, 2]] * [1.0, -1.0] / 1.2), "floor")
     cloth = stage.material(white, textures.checks(((214.0, 202.0, 178.0), (176.0, 108.0, 78.0), (92.0, 74.0, 70.0))))
     rug = boxes([-2.75, 0.0, -0.6], [-0.75, 0.012, 1.1], material("fabric_rust"), without="-y +y")

@@ -1,4 +1,4 @@
-"""Triangle soups and the solids that everything is made of; corners are joined once, at the end."""
+"""Triangle soups, the solids that datasets are built from, and the joining of equal vertices."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _SIDES = {
 
 @dataclass(frozen=True)
 class Soup:
-    """Triangles, each with its own corners.
+    """Triangles that do not share corners.
 
     corners (T, 3, 3) metres; materials (T,) int32; tints (T, 3) float64, the brightness that multiplies the material
     at each corner (1 where nothing is said); uvs (T, 3, 2) texture coordinates (0 where nothing is said).
@@ -38,31 +38,31 @@ class Soup:
         return len(self.corners)
 
     def moved(self, offset: ArrayLike) -> Soup:
-        """The soup shifted by an offset."""
+        """Return the soup shifted by an offset (3,), metres."""
         return self.mapped(self.corners + np.asarray(offset, np.float64))
 
     def mapped(self, corners: Floats) -> Soup:
-        """The same triangles with other corners."""
+        """Return the same triangles with other corners."""
         return Soup(corners, self.materials, self.tints, self.uvs)
 
     def scaled(self, factors: ArrayLike) -> Soup:
-        """The soup stretched along its axes by positive factors."""
+        """Return the soup stretched along its axes by positive factors."""
         return self.mapped(self.corners * np.asarray(factors, np.float64))
 
     def rotated(self, fraction: float) -> Soup:
-        """The soup turned about the vertical axis by a fraction of a full turn; quarters are exact."""
+        """Return the soup turned about the vertical axis by a fraction of a full turn; quarter turns are exact."""
         cosine, sine = turn(fraction)
         x, y, z = self.corners[..., 0], self.corners[..., 1], self.corners[..., 2]
         return self.mapped(np.stack([cosine * x + sine * z, y, cosine * z - sine * x], -1))
 
     def tinted(self, tints: Floats) -> Soup:
-        """The soup with a brightness for each corner."""
+        """Return the soup with a brightness for each corner."""
         return Soup(self.corners, self.materials, np.broadcast_to(tints, self.corners.shape[:2]), self.uvs)
 
 
 @dataclass(frozen=True)
 class Indexed:
-    """Triangles that share vertices: what a mesh takes."""
+    """Triangles that share vertices, as a mesh needs them."""
 
     positions: NDArray[np.float32]
     faces: NDArray[np.uint32]
@@ -72,7 +72,7 @@ class Indexed:
 
 
 def join(soups: Iterable[Soup]) -> Soup:
-    """All triangles of several soups, in order."""
+    """Concatenate the triangles of several soups, in order."""
     parts = [soup for soup in soups if len(soup)]
     if not parts:
         return Soup(np.zeros((0, 3, 3)), np.zeros(0, np.int32))
@@ -87,7 +87,7 @@ def join(soups: Iterable[Soup]) -> Soup:
 
 
 def quads(corners: ArrayLike, materials: ArrayLike) -> Soup:
-    """Two triangles for each quadrilateral (K, 4, 3), counter-clockwise from outside; one material each or for all."""
+    """Make two triangles per quadrilateral (K, 4, 3), counter-clockwise from outside; one material each or for all."""
     points = np.asarray(corners, np.float64).reshape(-1, 4, 3)
     both = points[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 3)
     return Soup(both, np.repeat(np.broadcast_to(np.asarray(materials, np.int32), len(points)), 2))
@@ -97,20 +97,20 @@ _SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 
 
 def textured(corners: ArrayLike, materials: ArrayLike, uvs: ArrayLike = _SQUARE) -> Soup:
-    """Quadrilaterals (K, 4, 3) with texture coordinates (4, 2) or (K, 4, 2), by default the whole texture on each."""
+    """Make quadrilaterals (K, 4, 3) with texture coordinates (4, 2) or (K, 4, 2), by default the whole texture."""
     soup = quads(corners, materials)
     points = np.broadcast_to(np.asarray(uvs, np.float64), (len(soup) // 2, 4, 2))
     return Soup(soup.corners, soup.materials, None, points[:, [[0, 1, 2], [0, 2, 3]]].reshape(-1, 3, 2))
 
 
 def triangles(corners: ArrayLike, materials: ArrayLike) -> Soup:
-    """Triangles (K, 3, 3), counter-clockwise from outside; one material each or for all."""
+    """Make triangles (K, 3, 3), counter-clockwise from outside; one material each or for all."""
     points = np.asarray(corners, np.float64).reshape(-1, 3, 3)
     return Soup(points, np.array(np.broadcast_to(np.asarray(materials, np.int32), len(points))))
 
 
 def boxes(low: ArrayLike, high: ArrayLike, materials: ArrayLike, *, without: str = "") -> Soup:
-    """Boxes between two corners (K, 3); `without` names sides to leave out, such as "-y +y" (hidden ones)."""
+    """Make boxes between two corners (K, 3); `without` names sides to leave out, such as "-y +y" for hidden ones."""
     lows, highs = np.broadcast_arrays(np.atleast_2d(np.asarray(low, float)), np.atleast_2d(np.asarray(high, float)))
     ends = np.stack([lows, highs])
     bits = np.arange(8)
@@ -122,13 +122,13 @@ def boxes(low: ArrayLike, high: ArrayLike, materials: ArrayLike, *, without: str
 
 
 def ring(count: int, radius: float = 1.0, phase: float = 0.0) -> Floats:
-    """Points (count, 2) of a circle, from +x towards −z, so that a loft upwards faces outwards."""
+    """Make points (count, 2) of a circle, from +x towards −z, so that a loft upwards faces outwards."""
     cosine, sine = turn((np.arange(count) + phase) / count)
     return np.stack([cosine, -sine], -1) * radius
 
 
 def loft(sections: ArrayLike, materials: ArrayLike, *, bottom: bool = True, top: bool = True) -> Soup:
-    """A solid through closed sections (S, N, 3), each listed as `ring` lists them; a section may shrink to a point.
+    """Make a solid through closed sections (S, N, 3), in the order of `ring`; a section may shrink to a point.
 
     `materials` is one for all, or one for each of the S−1 bands; caps take the first and the last.
     """
@@ -137,11 +137,11 @@ def loft(sections: ArrayLike, materials: ArrayLike, *, bottom: bool = True, top:
     after = np.roll(rows, -1, axis=1)
     sides = np.stack([rows[:-1], after[:-1], after[1:], rows[1:]], 2)
     soups = [quads(sides.reshape(-1, 4, 3), np.repeat(bands, rows.shape[1]))]
-    # Convex caps as fans around their middle: no slivers on many-sided rings.
-    for wanted, row, order, band in ((bottom, 0, -1, 0), (top, -1, 1, -1)):
-        if wanted:
+    # Convex caps are fans around their middle, which avoids slivers on many-sided rings.
+    for has_cap, row, order, band in ((bottom, 0, -1, 0), (top, -1, 1, -1)):
+        if has_cap:
             edge = rows[row][::order]
-            # A plain loop: NumPy's sums may be ordered differently on another processor.
+            # A plain loop, because NumPy may order sums differently on another processor.
             middle = sum(edge[1:], edge[0]) / len(edge)
             fan = np.stack([np.broadcast_to(middle, edge.shape), edge, np.roll(edge, -1, axis=0)], 1)
             soups.append(triangles(fan, bands[band]))
@@ -149,14 +149,14 @@ def loft(sections: ArrayLike, materials: ArrayLike, *, bottom: bool = True, top:
 
 
 def _without_slivers(soup: Soup) -> Soup:
-    """Drops triangles whose corners coincide (where a section is a point)."""
+    """Drop triangles whose corners coincide (where a section is a point)."""
     a, b, c = soup.corners[:, 0], soup.corners[:, 1], soup.corners[:, 2]
     keep = ~((a == b).all(1) | (b == c).all(1) | (c == a).all(1))
     return soup if keep.all() else Soup(soup.corners[keep], soup.materials[keep])
 
 
 def lathe(profile: ArrayLike, count: int, materials: ArrayLike, *, phase: float = 0.5, **caps: bool) -> Soup:
-    """A solid of revolution about the y axis through (radius, height) points, from bottom to top."""
+    """Make a solid of revolution about the y axis through (radius, height) points, from bottom to top."""
     points = np.asarray(profile, np.float64)
     circle = ring(count, phase=phase)
     sections = np.empty((len(points), count, 3))
@@ -167,13 +167,13 @@ def lathe(profile: ArrayLike, count: int, materials: ArrayLike, *, phase: float 
 
 
 def tube(path: ArrayLike, radii: ArrayLike, count: int, materials: ArrayLike, **caps: bool) -> Soup:
-    """A round bar along points (P, 3), one radius each."""
+    """Make a round bar along points (P, 3), one radius in metres each."""
     points = np.asarray(path, np.float64)
     widths = np.broadcast_to(np.asarray(radii, np.float64), len(points))
     along = np.gradient(points, axis=0)
     along = along / np.sqrt(along[:, :1] ** 2 + along[:, 1:2] ** 2 + along[:, 2:] ** 2)
     helper = np.where(np.abs(along[:, 1:2]) < 0.9, [[0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0]])
-    # One helper for the whole bar, or it would twist where the choice changes.
+    # One helper direction for the whole bar; otherwise it would twist where the helper changes.
     side = _cross(np.broadcast_to(helper[:1], along.shape), along)
     side = side / np.sqrt(side[:, :1] ** 2 + side[:, 1:2] ** 2 + side[:, 2:] ** 2)
     other = _cross(along, side)
@@ -191,7 +191,7 @@ def _cross(a: Floats, b: Floats) -> Floats:
 
 
 def sphere(subdivisions: int) -> Floats:
-    """Corners (T, 3, 3) of a unit sphere of 20 · 4ˢ triangles."""
+    """Make the corners (T, 3, 3) of a unit sphere of 20 · 4ˢ triangles, s being the number of subdivisions."""
     golden = 1.618033988749895
     base = np.array([[-1, golden, 0], [1, golden, 0], [-1, -golden, 0], [1, -golden, 0]])
     points = np.concatenate([base, base[:, [2, 0, 1]], base[:, [1, 2, 0]]])
@@ -208,14 +208,14 @@ def sphere(subdivisions: int) -> Floats:
 
 
 def weld(soup: Soup) -> Indexed:
-    """Joins corners that agree in position, tint and texture coordinate."""
+    """Join corners that agree in position, tint and texture coordinate."""
     columns = [soup.corners.reshape(-1, 3)]
     if soup.tints is not None:
         columns.append(soup.tints.reshape(-1, 1))
     if soup.uvs is not None:
         columns.append(soup.uvs.reshape(-1, 2))
     rows = np.concatenate(columns, 1).astype(np.float32) + np.float32(0)
-    # One 64-bit word for each row sorts fast; equal rows have equal words, and a collision is found below.
+    # Rows are sorted by a 64-bit hash, which is fast. Equal rows have equal hashes; a collision is detected below.
     words = rows.view(np.uint32).astype(np.uint64)
     key = np.zeros(len(rows), np.uint64)
     for column in words.T:
@@ -224,7 +224,7 @@ def weld(soup: Soup) -> Indexed:
     _, first, inverse = np.unique(key, return_index=True, return_inverse=True)
     if not np.array_equal(rows[first][inverse], rows):
         _, first, inverse = np.unique(rows, axis=0, return_index=True, return_inverse=True)
-    # Vertices in order of first use: neighbours in the mesh are neighbours in memory.
+    # Vertices are listed by their first use, so that neighbours in the mesh are neighbours in memory.
     order = np.argsort(first, kind="stable")
     rank = np.empty(len(order), np.uint32)
     rank[order] = np.arange(len(order), dtype=np.uint32)
@@ -240,7 +240,7 @@ def weld(soup: Soup) -> Indexed:
 
 
 def _encoded(linear: Floats) -> Floats:
-    """About the sRGB value of a linear one, from square roots only, which every platform rounds alike."""
+    """Approximate sRGB encoding by square roots only, which every platform rounds alike."""
     root = np.sqrt(np.clip(linear, 0.0, 1.0))
     fourth = np.sqrt(root)
     return 0.585122381 * root + 0.783140355 * fourth - 0.368262736 * np.sqrt(fourth)

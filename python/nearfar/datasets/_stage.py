@@ -1,4 +1,4 @@
-"""Puts soups into a scene: prototypes are joined once and placed many times."""
+"""Collects triangle soups and adds them to a scene; prototypes are joined once and placed many times."""
 
 from __future__ import annotations
 
@@ -13,14 +13,15 @@ from nearfar.datasets import _palette
 from nearfar.datasets._draw import Floats, turn
 from nearfar.datasets._shapes import Indexed, Soup, weld
 
-# Smaller prototypes cost less as copies in the one merged tree than as trees of their own under a second level.
+# Least number of triangles of a prototype that becomes instances; copies of smaller ones in the merged tree are faster
+# to trace.
 _MERGED_BELOW = 100
-# Beyond so many triangles in all, copies would take more memory than they save time.
+# Greatest number of triangles of all copies; beyond it they would take more memory than they save time.
 _MERGED_TOTAL = 200_000
 
 
 class Stage:
-    """A scene in the making."""
+    """A scene under construction."""
 
     def __init__(self) -> None:
         self._builder = SceneBuilder()
@@ -29,18 +30,18 @@ class Stage:
     def material(
         self, base_color: tuple[float, float, float, float], texture: NDArray[np.uint8], cutoff: float | None = None
     ) -> int:
-        """A textured material; its number goes into `Soup.materials`."""
+        """Add a textured material and return its number for `Soup.materials`."""
         number = self._builder.material(base_color, texture=texture, cutoff=cutoff)
         self._numbers = np.append(self._numbers, np.int32(number))
         return len(self._numbers) - 1
 
     def once(self, soup: Soup, name: str) -> None:
-        """A soup that stands in the world as it is."""
+        """Add a soup that is placed once, in world coordinates."""
         if len(soup):
             self._builder.instance(self._mesh(weld(soup)), name=name)
 
     def many(self, soup: Soup, transforms: Floats, names: Sequence[str] | str, *, moves: bool = False) -> None:
-        """A prototype placed by transforms (K, 4, 4); `names` as `SceneBuilder.place_many` takes them."""
+        """Add a prototype placed by transforms (K, 4, 4); `names` as in `SceneBuilder.place_many`."""
         if not len(soup) or not len(transforms):
             return
         joined = weld(soup)
@@ -61,12 +62,12 @@ class Stage:
         )
 
     def build(self, dynamic: Iterable[str] = ()) -> Scene:
-        """The finished scene."""
+        """Build the scene."""
         return self._builder.build(dynamic=dynamic)
 
 
 def placements(x: ArrayLike, y: ArrayLike, z: ArrayLike, fraction: ArrayLike = 0.0, scale: ArrayLike = 1.0) -> Floats:
-    """Transforms (K, 4, 4): scaled, turned about the vertical by fractions of a full turn, and moved."""
+    """Make transforms (K, 4, 4): scaled, turned about the vertical by fractions of a full turn, and moved."""
     xs, ys, zs, turns, sizes = np.broadcast_arrays(
         *(np.atleast_1d(np.asarray(v, float)) for v in (x, y, z, fraction, scale))
     )

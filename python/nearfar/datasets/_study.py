@@ -1,7 +1,7 @@
-"""The two tasks of a user study: to say which rectangle a tape leads to, and which box a ball lands on.
+"""The two tasks of a user study: name the rectangle that a tape leads to, and the box that a ball lands on.
 
-Popescu, Lee, Choi, Fahmy (2022) asked both of users who saw near and far part joined in different ways. What is told
-there of the scenes is what happens in them; sizes and distances are ours, for their radii of 30 m and 50 m.
+Popescu, Lee, Choi, Fahmy (2022) gave both tasks to users who saw near and far part joined by different methods. The
+events of the scenes follow the paper; sizes and distances are nearfar's, for the paper's radii of 30 m and 50 m.
 """
 
 from __future__ import annotations
@@ -28,67 +28,69 @@ _COLORS = materials(
     "fabric_rust", "glass_sky", "paint_mint", "brick_red", "paint_cream", "car_blue", "wood_dark",
 )  # fmt: skip
 
-# Rectangles stand further apart than they are wide, and nearer to each other than the 5 m that users stray, so that
-# what is seen from the centre instead of from there is another one, or a gap.
+# Distance of the row of rectangles, their spacing, width and height, metres. The gaps are wider than the rectangles;
+# the spacing is less than the 5 m that users walk away from the centre, so that a picture from the centre would show
+# another rectangle or a gap.
 _ROW, _SPACING, _WIDE, _TALL = 90.0, 4.0, 2.4, 4.0
 _TAPE_FROM, _TAPE_TO, _TAPE_WIDE, _TAPE_HIGH = 6.0, 70.0, 0.6, 0.1
 _STEP = 0.5
 
 _BOXES, _BOX, _BOX_HIGH, _BALL = 80.0, 2.5, 2.0, 0.5
 _BALL_FROM, _GRAVITY = 8.0, 9.81
-# Nearer edge and foot of the crossbar, farther edge and top.
+# Distance and height of the crossbar, metres: near edge and bottom, far edge and top.
 _BAR = ((60.0, 4.0), (60.3, 4.4))
 
 
 @dataclass(frozen=True)
 class TapeTask:
-    """What `tape_task` asks: the rectangle that the tape leads to."""
+    """Geometry and answer of `tape_task`: the user names the rectangle that the tape leads to."""
 
     center: Point
-    """The centre O, an eye's height above the ground, world metres; so are all places."""
+    """The centre O, an eye's height above the ground, world metres; all points below are world metres too."""
     target: Point
-    """The middle of the row of rectangles: what users look at."""
+    """The middle of the row of rectangles, which users look at."""
     r1: float
-    """Radius in metres inside which all is near."""
+    """Radius that bounds the near zone, metres."""
     r2: float
-    """Radius in metres beyond which all is far: the tape starts near and ends far, the rectangles are far."""
+    """Radius that bounds the intermediate zone, metres. The tape starts near and ends far; the rectangles are far."""
     rectangles: tuple[str, ...]
     """Names of the objects to choose from, from −x to +x."""
     answer: str
-    """Name of the right one."""
+    """Name of the correct object."""
     start: Point
     """The middle of the tape's near end."""
     end: Point
-    """The middle of its far end; the line from start to end meets the middle of the right rectangle's foot."""
+    """The middle of the tape's far end. The line from start to end meets the middle of the correct rectangle's bottom
+    edge."""
 
 
 @dataclass(frozen=True)
 class SphereTask:
-    """What `sphere_task` asks: the box that the ball lands on."""
+    """Geometry, motion and answer of `sphere_task`: the user names the box that the ball lands on."""
 
     center: Point
-    """The centre O, an eye's height above the ground, world metres; so are all places."""
+    """The centre O, an eye's height above the ground, world metres; all points below are world metres too."""
     target: Point
-    """The middle of the row of boxes: what users look at."""
+    """The middle of the row of boxes, which users look at."""
     r1: float
-    """Radius in metres inside which all is near."""
+    """Radius that bounds the near zone, metres."""
     r2: float
-    """Radius in metres beyond which all is far: the ball starts near and lands far."""
+    """Radius that bounds the intermediate zone, metres. The ball starts near and lands far."""
     boxes: tuple[str, ...]
     """Names of the objects to choose from, from −x to +x."""
     answer: str
-    """Name of the right one."""
+    """Name of the correct object."""
     radius: float
-    """Of the ball, metres."""
+    """Radius of the ball, metres."""
     start: Point
-    """The ball's middle at time 0."""
+    """Centre of the ball at time 0, world metres."""
     velocity: Point
-    """At time 0, metres per second."""
+    """Velocity of the ball at time 0, metres per second."""
     duration: float
-    """Seconds until it lands."""
+    """Time from the start to the landing, seconds."""
 
     def position(self, t: float) -> NDArray[np.float64]:
-        """Return where the ball's middle is after `t` seconds, (3,); it rests before it starts and after it lands."""
+        """Return the centre of the ball after `t` seconds, (3,); it rests before the start and after the landing."""
         time = min(max(check.number("t", t), 0.0), self.duration)
         fall = np.array([0.0, 0.5 * _GRAVITY * time * time, 0.0])
         return np.asarray(np.array(self.start) + time * np.array(self.velocity) - fall)
@@ -137,7 +139,7 @@ def tape_task(seed: int = 0, rectangles: int = 7) -> tuple[Scene, TapeTask]:
     stage.once(_ground(), "ground")
     names = _stand(stage, "rectangle", places, (_WIDE, _TALL, 0.1), _ROW)
     start = np.array([draw.number(-2.0, 2.0), _TAPE_HIGH, -_TAPE_FROM])
-    # All of the way but its last part, which users have to add.
+    # The tape covers the way except for its last part, which users have to extrapolate.
     share = (_TAPE_TO - _TAPE_FROM) / (_ROW - _TAPE_FROM)
     end = start + share * (np.array([places[chosen], _TAPE_HIGH, -_ROW]) - start)
     stage.once(_tape(start, end), "tape")
@@ -192,7 +194,7 @@ def sphere_task(seed: int = 0, boxes: int = 7) -> tuple[Scene, SphereTask]:
 
 
 def _row(name: str, seed: int, count: int, stream: int, spacing: float) -> tuple[Draw, NDArray[np.float64], int]:
-    """Random numbers, places along x about the middle, and which of them is the answer."""
+    """Random stream, x positions of the objects (count,) about the middle, and the index of the answer."""
     seed = check.integer("seed", seed, 0, 2**63 - 1)
     count = check.integer(name, count, 2, _MOST)
     draw = Draw(seed, stream)
@@ -203,7 +205,7 @@ def _row(name: str, seed: int, count: int, stream: int, spacing: float) -> tuple
 def _stand(
     stage: Stage, name: str, places: NDArray[np.float64], size: tuple[float, float, float], away: float
 ) -> tuple[str, ...]:
-    """Boxes of one size in a row, each an object of its own colour; returns their names."""
+    """Add boxes of one size in a row, each an object with a colour of its own; returns their names."""
     half, names = 0.5 * np.array(size), []
     for number, x in enumerate(places):
         middle = np.array([x, half[1], -away])
@@ -218,7 +220,7 @@ def _ground(extent: float = 400.0) -> Soup:
 
 
 def _tape(start: NDArray[np.float64], end: NDArray[np.float64]) -> Soup:
-    """A level strip from start to end, in pieces of half a metre."""
+    """A horizontal strip from start to end, in pieces of half a metre."""
     away = end - start
     length = float(np.sqrt((away * away).sum()))
     side = 0.5 * _TAPE_WIDE / length * np.array([-away[2], 0.0, away[0]])
@@ -228,7 +230,7 @@ def _tape(start: NDArray[np.float64], end: NDArray[np.float64]) -> Soup:
 
 
 def _crossbar(half: float) -> Soup:
-    """A bar across the way on a post at either end."""
+    """A bar across the view, with a post at each end."""
     (near, low), (far, high) = _BAR
     lows = [[-half, low, -far], [-half, 0.0, -far], [half - 0.3, 0.0, -far]]
     highs = [[half, high, -near], [0.3 - half, low, -near], [half, low, -near]]

@@ -1,4 +1,4 @@
-"""Architectural styles: what a building's façades are made of."""
+"""Architectural styles: shapes and materials of a building's façades."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from nearfar.datasets._facade import Window
 
 @dataclass(frozen=True)
 class Style:
-    """One way of building; colours are names of `_palette`."""
+    """One style; colours are names of `_palette`."""
 
     walls: tuple[str, ...]
     trims: tuple[str, ...]
@@ -24,14 +24,14 @@ class Style:
     lintel: bool = False
     shutters: bool = False
     course_every: int = 0
-    """A band at every so many storeys; 0 for none."""
+    """Number of storeys between bands; 0 for none."""
     pilasters: bool = False
     balcony: str = ""
-    """"rail", "solid" or nothing."""
+    """Kind of balcony: "rail", "solid" or "" for none."""
     cornice: str = "plain"
-    """"plain", "moulded" or "slim"."""
+    """Kind of cornice: "plain", "moulded" or "slim"."""
     pitched: bool = False
-    """A tiled roof on low buildings."""
+    """Whether low buildings have a tiled roof."""
 
 
 BRICK = Style(

@@ -1,4 +1,4 @@
-"""Pictures drawn by arithmetic: wood, checks, paintings. sRGB, row 0 on top."""
+"""Textures drawn by arithmetic: wood, checks, paintings; sRGB, row 0 on top."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Image = NDArray[np.uint8]
 
 
 def _grid(height: int, width: int) -> tuple[Floats, Floats]:
-    """Pixel centres, 0..1 to the right and downwards."""
+    """Pixel centres, 0..1 to the right and down."""
     y, x = np.meshgrid((np.arange(height) + 0.5) / height, (np.arange(width) + 0.5) / width, indexing="ij")
     return x, y
 
@@ -23,7 +23,7 @@ def _image(rgb: Floats) -> Image:
 
 
 def planks(seed: int, rows: int = 8, size: int = 512) -> Image:
-    """Floor boards along the picture's width; repeats in both directions."""
+    """Floor boards along the picture's width; the texture repeats in both directions."""
     x, y = _grid(size, size)
     row = np.floor(y * rows).astype(np.int64)
     draw = Draw(seed, 60)
@@ -31,7 +31,7 @@ def planks(seed: int, rows: int = 8, size: int = 512) -> Image:
     along = (x + start[row]) % 1.0
     board = 2 * row + (along > 0.5)
     inside = (y * rows) % 1.0
-    # Whole numbers of waves along the width, so that the picture repeats.
+    # A whole number of waves along the width makes the texture repeat.
     wave = turn(3.0 * x + phase[board])[1] + 0.5 * turn(7.0 * x + 2.0 * phase[board])[1]
     grain = turn(inside * 2.3 + 0.1 * wave + phase[board])[1]
     fine = turn(inside * 23.0 + 0.5 * wave + 3.0 * phase[board])[1]
@@ -43,7 +43,7 @@ def planks(seed: int, rows: int = 8, size: int = 512) -> Image:
 
 
 def checks(colors: tuple[tuple[float, float, float], ...], size: int = 256, count: int = 8) -> Image:
-    """A woven check of three colours: two plain, and their crossing."""
+    """A woven check of two plain colours and the colour of their crossing."""
     x, y = _grid(size, size)
     a, b = np.floor(x * count).astype(np.int64) % 2, np.floor(y * count).astype(np.int64) % 2
     weave = 1.0 + 0.05 * turn(x * size / 4.0)[1] * turn(y * size / 4.0)[1]
@@ -51,7 +51,7 @@ def checks(colors: tuple[tuple[float, float, float], ...], size: int = 256, coun
 
 
 def painting(seed: int, number: int, size: int = 192) -> Image:
-    """A landscape in bands: sky, hills, a sun."""
+    """A painted landscape in bands: sky, hills, a sun."""
     draw = Draw(seed, 61, number)
     x, y = _grid(size, size)
     low, high = draw.uniform(3, 90.0, 180.0), draw.uniform(3, 190.0, 250.0)

@@ -1,4 +1,4 @@
-"""Trees, shrubs, grass and rocks, as prototypes."""
+"""Prototypes of trees, shrubs, grass and rocks."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _BARKS = materials("bark", "bark_dark", "bark")
 
 
 def blob(draw: Draw, subdivisions: int, roughness: float) -> Floats:
-    """Corners of a lumpy unit sphere: each lump pushes out what faces it."""
+    """Corners of a lumpy unit sphere: each lump pushes out the points that face it."""
     corners = sphere(subdivisions)
     lumps = _directions(draw, 14)
     swell = np.zeros(corners.shape[:2])
@@ -25,7 +25,7 @@ def blob(draw: Draw, subdivisions: int, roughness: float) -> Floats:
 
 
 def _directions(draw: Draw, count: int) -> Floats:
-    """Unit vectors, evenly spread over the sphere and then shaken."""
+    """Unit vectors (count, 3), evenly spread over the sphere and then randomly displaced."""
     height = 1.0 - 2.0 * (np.arange(count) + draw.uniform(count)) / count
     cosine, sine = turn(np.arange(count) * 0.6180339887498949 + draw.uniform(count, 0.0, 0.25))
     flat = np.sqrt(np.clip(1.0 - height * height, 0.0, 1.0))
@@ -33,13 +33,13 @@ def _directions(draw: Draw, count: int) -> Floats:
 
 
 def _shaded(soup: Soup, low: float, high: float, *, darkest: float = 0.5) -> Soup:
-    """Darker towards the ground, as foliage is."""
+    """Darken a soup towards the ground, like foliage."""
     share = np.clip((soup.corners[..., 1] - low) / (high - low), 0.0, 1.0)
     return soup.tinted(darkest + (1.0 - darkest) * share)
 
 
 def broadleaf(seed: int, variant: int, detail: int) -> Soup:
-    """A street tree about 8 m high, around the y axis, its foot a little below y = 0."""
+    """A street tree about 8 m high around the y axis, its foot slightly below y = 0."""
     draw = Draw(seed, 2, variant)
     high, crown = draw.number(6.5, 9.5), draw.number(1.9, 2.6)
     leaf, bark = _LEAVES[variant % len(_LEAVES)], draw.pick(_BARKS)
@@ -86,7 +86,7 @@ def _foliage(draw: Draw, center: Floats, radius: Floats, leaf: int, high: float,
 
 
 def _leaf_cloud(draw: Draw, count: int, radius: Floats, center: Floats, leaf: int) -> Soup:
-    """Sprays of leaves over an ellipsoid's shell: rhombi of two triangles."""
+    """Sprays of leaves over an ellipsoid's surface: rhombi of two triangles."""
     normals = _directions(draw, count)
     at = normals * draw.uniform(count, 0.72, 1.08)[:, None] * radius + center
     tilt = _directions(draw, count)
@@ -137,7 +137,7 @@ def conifer(seed: int, variant: int, detail: int) -> Soup:
 
 
 def _skirt(draw: Draw, low: float, top: float, radius: float, sides: int, needle: int) -> Soup:
-    """A cone of branches: every other rib reaches out and droops."""
+    """A cone of branches: every second rib reaches out and droops."""
     ribs = np.where(np.arange(sides) % 2 == 0, 1.0, 0.66) * draw.uniform(sides, 0.85, 1.1)
     circle = ring(sides, phase=draw.number())
     sections = np.zeros((4, sides, 3))
@@ -186,7 +186,7 @@ def leaf_texture(size: int = 128) -> NDArray[np.uint8]:
     ):  # fmt: skip
         a = (c * (x / size - u) + s * (y / size - v)) / length
         b = (c * (y / size - v) - s * (x / size - u)) / length
-        # Two parabolas meet in the leaf's tips; its rib is lighter.
+        # Two parabolas that meet in the tips bound the leaf; its rib is lighter.
         inside = np.abs(b) < 0.5 * (1.0 - a * a)
         rib = np.abs(b) < 0.06
         shade = light * np.where(rib, 1.15, 1.0)
@@ -226,7 +226,7 @@ def rock(seed: int, variant: int, detail: int) -> Soup:
     """A boulder about a metre across, half in the ground."""
     draw = Draw(seed, 7, variant)
     corners = sphere(1 if detail <= 1 else 2 if detail == 2 else 3)
-    # Cut by random planes: faces like those of broken stone.
+    # Cuts by random planes give faces like those of broken stone.
     for normal, reach in zip(_directions(draw, 16), draw.uniform(16, 0.6, 0.9), strict=True):
         beyond = corners[..., 0] * normal[0] + corners[..., 1] * normal[1] + corners[..., 2] * normal[2] - reach
         corners = corners - np.clip(beyond, 0.0, None)[..., None] * normal * 0.92

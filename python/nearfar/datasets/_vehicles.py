@@ -1,4 +1,4 @@
-"""Cars, vans and buses, as prototypes: front towards +z, wheels on y = 0."""
+"""Cars, vans and buses: prototypes with fronts towards +z and wheels on y = 0."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ PAINTS = materials(
 
 @dataclass(frozen=True)
 class Body:
-    """Side view of a vehicle: stations along its length, metres from the middle, with heights."""
+    """Side view of a vehicle: stations along its length in metres from the middle, with heights in metres."""
 
     half_width: float
     stations: tuple[tuple[float, float], ...]
     """(z, height of the body's shoulder), from the tail to the nose."""
     cabin: tuple[tuple[float, float], ...]
-    """Foot and roof of the glass house: rear foot, rear roof, front roof, front foot, as (z, height)."""
+    """Lower and upper edge of the windows: rear foot, rear roof, front roof, front foot, as (z, height)."""
     wheels: tuple[float, ...]
     wheel_radius: float = 0.32
     clearance: float = 0.22
@@ -60,7 +60,7 @@ BODIES = (SALOON, HATCH, ESTATE, HATCH, SALOON, VAN)
 
 
 def car(body: Body, paint: int, detail: int) -> Soup:
-    """A vehicle of one colour; without detail, two boxes on four wheels' worth of shadow."""
+    """A vehicle of one colour; at detail 0 two boxes without wheels."""
     if detail == 0:
         tail, nose, half = body.stations[0][0], body.stations[-1][0], body.half_width
         (z0, _), (_, top), _, (z3, _) = body.cabin
@@ -82,7 +82,7 @@ def car(body: Body, paint: int, detail: int) -> Soup:
 
 
 def _section(half: float, low: float, high: float, z: float) -> Floats:
-    """An outline with rounded edges across the car, counter-clockwise as seen from its nose."""
+    """A cross-section with rounded edges, counter-clockwise as seen from the nose."""
     r = 0.09
     return np.array(
         [
@@ -98,7 +98,7 @@ def _shell(body: Body, paint: int) -> Soup:
     first, last = body.stations[0][0], body.stations[-1][0]
     sections = []
     for z, high in body.stations:
-        # The plan tapers a little towards both ends.
+        # The plan narrows slightly towards both ends.
         share = abs(2.0 * (z - first) / (last - first) - 1.0)
         low = body.clearance + (0.1 if share > 0.97 else 0.0)
         sections.append(_section(body.half_width * (1.0 - 0.12 * share * share * share * share), low, high, z))
@@ -106,7 +106,7 @@ def _shell(body: Body, paint: int) -> Soup:
 
 
 def _glass_house(body: Body, paint: int, *, opaque: bool) -> Soup:
-    """Windows all around under a painted roof; a van has glass in front only."""
+    """Windows all around under a painted roof; a van has glass at the front only."""
     (z0, y0), (z1, y1), (z2, y2), (z3, y3) = body.cabin
     half, top = body.half_width - 0.07, body.half_width - 0.2
     glass = material("glass_dark")
@@ -123,7 +123,7 @@ def _glass_house(body: Body, paint: int, *, opaque: bool) -> Soup:
 
 
 def _pillars(foot: Floats, roof: Floats, paint: int) -> Soup:
-    """Posts at the four corners and between the doors, standing out of the glass."""
+    """Posts at the four corners and between the doors, slightly outside the glass."""
     parts = []
     pairs = [(foot[i], roof[i]) for i in range(4)]
     pairs += [
@@ -140,7 +140,7 @@ def _pillars(foot: Floats, roof: Floats, paint: int) -> Soup:
 
 
 def _wheel(body: Body, sides: int) -> Soup:
-    """A tyre with its rim, axle along x, the outside towards +x."""
+    """A tyre with its rim, its axle along x and its outside towards +x."""
     r = body.wheel_radius
     tyre = lathe([(r, -0.1), (r, 0.08), (0.9 * r, 0.11)], sides, material("tyre"))
     rim = lathe([(0.6 * r, 0.05), (0.58 * r, 0.118), (0.2 * r, 0.135)], sides, material("metal_light"), bottom=False)
@@ -148,7 +148,7 @@ def _wheel(body: Body, sides: int) -> Soup:
 
 
 def _upright(lying: Soup) -> Soup:
-    """A solid about the y axis laid down along x."""
+    """Turn a solid about the y axis to lie along x."""
     x, y, z = lying.corners[..., 0], lying.corners[..., 1], lying.corners[..., 2]
     return lying.mapped(np.stack([y, z, x], -1))
 

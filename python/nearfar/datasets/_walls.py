@@ -31,7 +31,7 @@ _DOOR = Window(0.0, 0.05, 0.0, 0.4, "")
 
 @dataclass(frozen=True)
 class Paint:
-    """The materials chosen for one building."""
+    """Numbers of the materials chosen for one building."""
 
     wall: int
     trim: int
@@ -42,7 +42,7 @@ class Paint:
 
     @classmethod
     def chosen(cls, style: Style, draw: Draw) -> Paint:
-        """Colours of a style."""
+        """Choose the colours of a style."""
         wall, trim, frame = (material(draw.pick(names)) for names in (style.walls, style.trims, style.frames))
         base = trim if draw.chance(0.45) else wall
         return cls(wall, trim, frame, base, draw.pick(_SHUTTERS), "glass" in "".join(style.walls) or style.bay < 2.0)
@@ -50,11 +50,11 @@ class Paint:
 
 @dataclass(frozen=True)
 class Plan:
-    """What one façade consists of."""
+    """Layout of one façade."""
 
     width: float
     rows: Floats
-    """Heights of the storeys' edges, the first below the ground, the last the top of the blank band."""
+    """Heights of the storeys' edges in metres, from below the ground to the top of the blank band."""
     face: str
     """"street", "yard" or "party" (against a neighbour)."""
     shops: bool
@@ -62,7 +62,7 @@ class Plan:
 
 
 def wall(plan: Plan, style: Style, paint: Paint, draw: Draw, detail: int) -> Soup:
-    """The façade in its own plane, u from −width/2 to width/2."""
+    """Build the façade in its own plane, u from −width/2 to width/2."""
     half, rows = 0.5 * plan.width, plan.rows
     if plan.face == "party":
         return facade.plain(facade.rectangles([-half, half], rows), paint.wall)
@@ -76,7 +76,7 @@ def wall(plan: Plan, style: Style, paint: Paint, draw: Draw, detail: int) -> Sou
     soups += _upper_storeys(upper, count, plan, style, paint, draw, detail)
     if plan.on_ground:
         ground = facade.rectangles(inner, rows[:2])
-        # Floors stand at v = 0; the wall below it is hidden in the ground.
+        # Floors are at v = 0; the wall below is hidden in the ground.
         soups += _ground_storey(ground, plan, style, paint, draw, detail)
     if detail >= 2:
         soups += _bands(inner, plan, style, paint)
@@ -118,7 +118,7 @@ def _upper_storeys(
 def _balcony_cells(
     column: NDArray[np.int64], storey: NDArray[np.int64], count: int, storeys: int, draw: Draw
 ) -> NDArray[np.bool_]:
-    """Balconies on some axes, the same on both sides of the middle, or on one storey."""
+    """Choose cells for balconies: on some axes, symmetric about the middle, or on one storey."""
     mirrored = np.minimum(column, count - 1 - column)
     if draw.chance(0.3):
         return np.asarray(storey == (0 if draw.chance(0.6) else max(0, storeys - 2)))
@@ -131,7 +131,7 @@ def _ground_storey(cells: Rectangles, plan: Plan, style: Style, paint: Paint, dr
     door = np.arange(count) == int(draw.integers(1, count)[0])
     shop = ~door & (plan.shops and plan.face == "street")
     holes = facade.holes_in(cells, style.window)
-    # Sills and heads count from the floor, not from the wall's hidden foot.
+    # Sills and heads are measured from the floor, not from the wall's hidden foot.
     height = cells[:, 3]
     holes[:, 2], holes[:, 3] = style.window.sill + 0.25, style.window.head * height - 0.15
     middle = 0.5 * (cells[:, 0] + cells[:, 1])
@@ -162,7 +162,7 @@ def _ground_storey(cells: Rectangles, plan: Plan, style: Style, paint: Paint, dr
 
 
 def _shop_signs(cells: Rectangles, draw: Draw) -> list[Soup]:
-    """Fascia boards, some with an awning under them."""
+    """Fascia boards, some with an awning below."""
     soups = []
     kinds = draw.integers(len(cells), 3)
     sign, cloth = draw.pick(_SIGNS), draw.pick(_AWNINGS)
@@ -175,7 +175,7 @@ def _shop_signs(cells: Rectangles, draw: Draw) -> list[Soup]:
 
 
 def _doorstep(hole: NDArray[np.float64], paint: Paint, draw: Draw) -> Soup:
-    """A step, a frame around the door, a roof over it."""
+    """A doorstep, a frame around the door, and a roof over it."""
     u0, u1, top = float(hole[0]), float(hole[1]), float(hole[3])
     parts = [
         boxes([u0 - 0.2, -0.1, -0.05], [u1 + 0.2, 0.06, 0.35], paint.trim, without="-z -y"),
@@ -192,7 +192,7 @@ def _doorstep(hole: NDArray[np.float64], paint: Paint, draw: Draw) -> Soup:
 def _bands(inner: Floats, plan: Plan, style: Style, paint: Paint) -> list[Soup]:
     rows, half = plan.rows, 0.5 * plan.width
     every = style.course_every
-    # Without bands of its own a style still marks where the ground floor ends.
+    # A style without bands still gets one at the top of the ground floor.
     heights = rows[1:-2:every] if every else rows[1:2] if plan.on_ground else rows[:0]
     soups = [facade.courses(0.02 - half, half - 0.02, heights, paint.trim, high=0.16 if every == 1 else 0.26)]
     if style.pilasters:
