@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::pair::Pair;
 use super::plane::Plane;
 use super::similarity::{Counted, Mask, Shrunk, Similarity, SimilaritySums, Source, Window, multiscale, similarity};
-use super::squares::mean_squared_error;
+use super::squared_error::mean_squared_error;
 use crate::base::{Error, Progress, Result};
 
 /// Settings of a comparison.

@@ -2,18 +2,18 @@
 //! objects, torn neighbourhoods.
 
 mod batch;
-mod completion;
+mod object_completion;
 mod discontinuity;
 mod pair;
 mod pixel_rows;
 mod plane;
 mod similarity;
-mod squares;
-mod vectors;
+mod squared_error;
+mod lanes;
 
 pub use batch::{Comparison, Stacks};
-pub use completion::object_completion;
 pub use discontinuity::{Neighbourhood, discontinuity};
+pub use object_completion::object_completion;
 pub use pair::Pair;
 pub use plane::{Pixel, Plane, RoundingLimits};
 pub use similarity::{Similarity, SimilaritySums, Source, Window};

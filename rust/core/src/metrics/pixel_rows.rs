@@ -1,7 +1,7 @@
 //! Kernels over rows of pixels: sums and differences, squared differences.
 
+use super::lanes::LANES;
 use super::plane::Pixel;
-use super::vectors::LANES;
 use crate::base::simd::vectorized;
 
 /// Pixels of which rows are compared.

@@ -4,9 +4,9 @@ use rayon::prelude::*;
 
 use super::super::pair::Pair;
 use super::super::plane::{Plane, Region};
-use super::counted::{Counted, Mask, SimilaritySums};
 use super::direct::measured;
 use super::measure::{Measured, Source};
+use super::window_sums::{Counted, Mask, SimilaritySums};
 use crate::base::Real;
 
 /// Pixels of one task, and of a row at once: fixed, so that sums do not depend on the number of threads.

@@ -3,12 +3,12 @@
 
 use rayon::prelude::*;
 
+use super::super::lanes::{LANES, lanes};
 use super::super::pair::Pair;
 use super::super::plane::{Plane, Region};
-use super::super::vectors::{LANES, lanes};
-use super::counted::SimilaritySums;
 use super::direct::Patch;
 use super::measure::{Measure, Measurement, Source};
+use super::window_sums::SimilaritySums;
 use crate::base::Real;
 use crate::base::simd::vectorized;
 

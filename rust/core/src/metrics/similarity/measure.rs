@@ -1,8 +1,8 @@
 //! The measure itself, from means and variances of both images' sum and difference.
 
+use super::super::lanes::LANES;
 use super::super::pixel_rows::PixelRows;
 use super::super::plane::RoundingLimits;
-use super::super::vectors::LANES;
 use super::moments::{COLUMNS, Kernels, Moments};
 use crate::base::Real;
 use crate::base::simd::vectorized;

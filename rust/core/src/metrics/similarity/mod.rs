@@ -4,7 +4,7 @@
 //! With s = x + y and d = x − y, σx² + σy² = (σs² + σd²)/2 and 2 σxy = (σs² − σd²)/2: four moments instead of five, and
 //! both factors of the measure are 1 less something that is never negative and nothing for equal images.
 
-mod counted;
+mod window_sums;
 mod direct;
 mod global;
 mod masked;
@@ -15,10 +15,10 @@ mod ssim;
 #[cfg(test)]
 mod tests;
 mod window;
-mod windows;
+mod tiles;
 
-pub use counted::{Counted, Mask, SimilaritySums};
 pub use measure::Source;
 pub use scales::{Shrunk, multiscale};
 pub use ssim::similarity;
 pub use window::{Similarity, Window};
+pub use window_sums::{Counted, Mask, SimilaritySums};

@@ -5,7 +5,7 @@
 //! what is left to subtract is at most the variance over the middle's weight (one of the values averaged is the middle
 //! itself), so that the relative error is a few roundings over that weight, at any level.
 
-use super::super::vectors::{LANES, lanes};
+use super::super::lanes::{LANES, lanes};
 use crate::base::Real;
 use crate::base::simd::vectorized;
 

@@ -5,10 +5,10 @@ use rayon::prelude::*;
 
 use super::super::pair::Pair;
 use super::super::plane::{Pixel, Plane, mirror};
-use super::counted::Counted;
 use super::measure::Source;
 use super::ssim::similarity;
 use super::window::{Similarity, Window};
+use super::window_sums::Counted;
 use crate::base::{Error, Real, Result};
 
 /// Both images of a pair made smaller.

@@ -1,12 +1,12 @@
 //! Similarity of a pair by any window.
 
 use super::super::pair::Pair;
-use super::counted::{Counted, Mask, SimilaritySums};
 use super::global::global;
 use super::masked::Masked;
 use super::measure::Source;
+use super::tiles::Windows;
 use super::window::{Similarity, Window};
-use super::windows::Windows;
+use super::window_sums::{Counted, Mask, SimilaritySums};
 use crate::base::{Error, Result};
 
 /// Sums of the similarity of windows, and where wanted its map: rows of the image's width. Outside of images these are

@@ -3,9 +3,9 @@
 use super::moments::{COLUMNS, Kernels, Moments, across, down};
 use super::*;
 use crate::metrics::Stacks;
+use crate::metrics::lanes::LANES;
 use crate::metrics::pair::Pair;
 use crate::metrics::plane::{self, Plane};
-use crate::metrics::vectors::LANES;
 use proptest::prelude::*;
 
 const CONSTANTS: Similarity = Similarity { c1: 1e-4, c2: 9e-4 };

@@ -2,13 +2,13 @@
 
 use rayon::prelude::*;
 
+use super::super::lanes::LANES;
 use super::super::pair::Pair;
 use super::super::plane::{Region, mirror};
-use super::super::vectors::LANES;
-use super::counted::{Counted, Mask, SimilaritySums};
 use super::direct::Patch;
 use super::measure::{Measure, Measured, Source, WindowRow};
 use super::moments::{COLUMNS, Kernels, Moments};
+use super::window_sums::{Counted, Mask, SimilaritySums};
 use crate::base::Real;
 use crate::base::simd::prefetch;
 
