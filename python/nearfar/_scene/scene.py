@@ -63,8 +63,8 @@ class Scene:
         """Load a file: GLB, glTF with its buffers and images, OBJ with MTL, PLY, STL, OFF or another format of trimesh.
 
         Nodes become objects; meshes that are placed more than once stay instances; base colour factors, base colour
-        textures and vertex colours are kept. `report` says what is not drawn. A single-file format may be packed
-        (``.ply.gz``).
+        textures and vertex colours are kept. `report` lists parts that are not drawn. A single-file format may be
+        packed (``.ply.gz``).
 
         Parameters
         ----------

@@ -33,7 +33,7 @@ def city(blocks: int = 12, seed: int = 0, detail: int = 2) -> Scene:
     blocks
         Blocks along each side of the grid, 1 to 64; a block takes 84 m by 64 m.
     seed
-        0 to 2⁶³ − 1: what is built where. The streets are the same for all seeds.
+        0 to 2⁶³ − 1; it decides the buildings and their places. The streets are the same for all seeds.
     detail
         0: boxes. 1: windows painted on, low-poly trees. 2: windows with reveals, bars and sills, balconies, roofs with
         their plant, street furniture. 3: frames, dense railings and trees of single leaves. With 12 blocks these are

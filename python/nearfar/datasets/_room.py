@@ -32,7 +32,7 @@ def room(seed: int = 0, detail: int = 2) -> Scene:
     Parameters
     ----------
     seed
-        0 to 2⁶³ − 1: the books, the plant, the pictures, the garden.
+        0 to 2⁶³ − 1; it decides the books, the plant, the pictures and the garden.
     detail
         0: some thousand triangles. 1: ten thousand and more. 2: about eighty thousand. 3: several hundred
         thousand, round edges and folds included.

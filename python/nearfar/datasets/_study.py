@@ -115,9 +115,9 @@ def tape_task(seed: int = 0, rectangles: int = 7) -> tuple[Scene, TapeTask]:
     Parameters
     ----------
     seed
-        0 to 2⁶³ − 1: where the tape starts and which rectangle it leads to.
+        0 to 2⁶³ − 1; it decides the start of the tape and the rectangle that it leads to.
     rectangles
-        How many there are, 2 to 15.
+        Number of rectangles or boxes to choose from, 2 to 15.
 
     Returns
     -------
@@ -128,7 +128,7 @@ def tape_task(seed: int = 0, rectangles: int = 7) -> tuple[Scene, TapeTask]:
     Raises
     ------
     ValueError, TypeError
-        For numbers out of range, and for what is no whole number.
+        For numbers out of range, and for values that are not whole numbers.
 
     References
     ----------
@@ -157,9 +157,9 @@ def sphere_task(seed: int = 0, boxes: int = 7) -> tuple[Scene, SphereTask]:
     Parameters
     ----------
     seed
-        0 to 2⁶³ − 1: where the ball starts, how high it flies and which box it lands on.
+        0 to 2⁶³ − 1; it decides the start of the ball, the height of its flight and the box that it lands on.
     boxes
-        How many there are, 2 to 15.
+        Number of rectangles or boxes to choose from, 2 to 15.
 
     Returns
     -------
@@ -170,7 +170,7 @@ def sphere_task(seed: int = 0, boxes: int = 7) -> tuple[Scene, SphereTask]:
     Raises
     ------
     ValueError, TypeError
-        For numbers out of range, and for what is no whole number.
+        For numbers out of range, and for values that are not whole numbers.
 
     References
     ----------
