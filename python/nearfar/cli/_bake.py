@@ -10,21 +10,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, formats
-from nearfar.cli._options import (
-    Backend,
-    Center,
-    FaceSize,
-    Inner,
-    Input,
-    Invalid,
-    Json,
-    Outer,
-    Samples,
-    Up,
-    check_backend,
-    open_scene,
-    read_point,
-)
+from nearfar.cli import _options as options
 from nearfar.cli._output import bytes_text, check_target, count, metres, show
 from nearfar.cli._viewpoint import choose
 
@@ -32,26 +18,26 @@ VERSION = 1
 
 
 def bake(
-    scene: Input,
+    scene: options.Input,
     output: Annotated[Path, typer.Option("-o", "--output", metavar="FILE", help="Map file to write, .exr.")],
-    center: Center = None,
-    r1: Inner = 30.0,
-    r2: Outer = 50.0,
-    face_size: FaceSize = 1024,
-    samples: Samples = 1,
+    center: options.Center = None,
+    r1: options.Inner = 30.0,
+    r2: options.Outer = 50.0,
+    face_size: options.FaceSize = 1024,
+    samples: options.Samples = 1,
     with_range: Annotated[bool, typer.Option("--range", help="Bake range in metres too.")] = False,
     with_ids: Annotated[bool, typer.Option("--object-id", help="Bake object numbers too.")] = False,
-    backend: Backend = "auto",
-    up: Up = "y",
-    on_invalid: Invalid = "raise",
-    as_json: Json = False,
+    backend: options.Backend = "auto",
+    up: options.Up = "y",
+    on_invalid: options.Invalid = "raise",
+    as_json: options.Json = False,
 ) -> None:
     """Bake the static part of a scene beyond r2 into a cube map seen from the centre."""
     check.radii(r1, r2)
-    check_backend(backend)
-    middle = read_point("--center", center)
+    options.check_backend(backend)
+    middle = options.read_point("--center", center)
     check_target(output, ".exr")
-    loaded = open_scene(scene, up=up, on_invalid=on_invalid)
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid)
     middle = middle or choose(loaded, scene).eye
     channels = ("color", *(("range",) if with_range else ()), *(("object_id",) if with_ids else ()))
     started = time.perf_counter()

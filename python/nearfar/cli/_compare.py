@@ -14,24 +14,8 @@ from nearfar._base import check as checks
 from nearfar._base import files, formats
 from nearfar._trace import viewpoint
 from nearfar.cli import _comparison_page, _report_page
+from nearfar.cli import _options as options
 from nearfar.cli._methods import METHODS, Setting, render_all
-from nearfar.cli._options import (
-    Backend,
-    Center,
-    FaceSize,
-    Inner,
-    Input,
-    Invalid,
-    Json,
-    Outer,
-    Samples,
-    Size,
-    Up,
-    check_backend,
-    open_scene,
-    read_point,
-    read_size,
-)
 from nearfar.cli._output import Clock, count, metres, show
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
@@ -67,9 +51,9 @@ class Threshold:
 
 
 def compare(
-    scene: Input,
+    scene: options.Input,
     output: Annotated[Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder to write.")],
-    center: Center = None,
+    center: options.Center = None,
     user: Annotated[
         str | None,
         typer.Option("--user", metavar="X,Y,Z", help="User's eye U in metres. By default beside the centre."),
@@ -82,11 +66,11 @@ def compare(
         typer.Option("--target", metavar="X,Y,Z", help="Point to look at, metres. By default the longest open view."),
     ] = None,
     fov: Annotated[float, typer.Option("--fov", metavar="DEGREES", help="Horizontal field of view.")] = 90.0,
-    r1: Inner = 30.0,
-    r2: Outer = 50.0,
-    face_size: FaceSize = 1024,
-    size: Size = "960x600",
-    samples: Samples = 4,
+    r1: options.Inner = 30.0,
+    r2: options.Outer = 50.0,
+    face_size: options.FaceSize = 1024,
+    size: options.Size = "960x600",
+    samples: options.Samples = 4,
     exact: Annotated[
         bool, typer.Option("--exact", help="Bend a ray for every pixel; trace the far part instead of using the map.")
     ] = False,
@@ -110,17 +94,17 @@ def compare(
             help="Greatest mean discontinuity along the boundary; exit status 3 above it.",
         ),
     ] = None,
-    backend: Backend = "auto",
-    up: Up = "y",
-    on_invalid: Invalid = "raise",
-    as_json: Json = False,
+    backend: options.Backend = "auto",
+    up: options.Up = "y",
+    on_invalid: options.Invalid = "raise",
+    as_json: options.Json = False,
 ) -> None:
     """Compare the conventional and the continuous method with the truth, seen from one eye.
 
     Thresholds apply to the continuous method; the exit status is 3 if one is broken.
     """
     checks.radii(r1, r2)
-    check_backend(backend)
+    options.check_backend(backend)
     thresholds = [
         Threshold(option, measure, checks.number(option, limit), least)
         for option, measure, limit, least in (
@@ -131,13 +115,13 @@ def compare(
         )
         if limit is not None
     ]
-    pixels, middle = read_size("--size", size), read_point("--center", center)
-    eye, aim = read_point("--user", user), read_point("--target", target)
+    pixels, middle = options.read_size("--size", size), options.read_point("--center", center)
+    eye, aim = options.read_point("--user", user), options.read_point("--target", target)
     away, clock = checks.positive("--distance", distance), Clock()
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="compare.json") as folder:
         with clock.step("scene"):
-            loaded = open_scene(scene, up=up, on_invalid=on_invalid)
+            loaded = options.open_scene(scene, up=up, on_invalid=on_invalid)
         with clock.step("place"):
             place = choose(loaded, scene, middle)
             eye = eye or viewpoint.beside(loaded, place, away)

@@ -11,7 +11,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import formats
-from nearfar.cli._options import Backend, Input, Invalid, Json, Up, check_backend, open_scene
+from nearfar.cli import _options as options
 from nearfar.cli._output import bytes_text, check_target, count, show
 
 VERSION = 1
@@ -21,7 +21,7 @@ Settings, Threshold = nf.lod.MeasureSettings, nf.lod.LodThreshold
 
 
 def lod(
-    scene: Input,
+    scene: options.Input,
     output: Annotated[
         Path, typer.Option("-o", "--output", metavar="FILE", help="The model: .glb with its levels, or .json without.")
     ],
@@ -48,17 +48,17 @@ def lod(
     threshold: Annotated[
         str, typer.Option("--threshold", metavar="KIND", help="Its formula: anchored, literal or normalized.")
     ] = Threshold.kind,
-    backend: Backend = "auto",
-    up: Up = "y",
-    on_invalid: Invalid = "raise",
-    as_json: Json = False,
+    backend: options.Backend = "auto",
+    up: options.Up = "y",
+    on_invalid: options.Invalid = "raise",
+    as_json: options.Json = False,
 ) -> None:
     """Simplify an object, measure the SSIM of each level over its size, and write the model with sizes to switch at."""
-    check_backend(backend)
+    options.check_backend(backend)
     check_target(output, ".glb", ".json")
     device = headset(hmd)
     shares = None if ratios is None else read_ratios(ratios)
-    loaded = open_scene(scene, up=up, on_invalid=on_invalid)
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid)
     started = time.perf_counter()
     name = Path(scene.partition(":")[0]).stem
     simplify = functools.partial(nf.lod.simplify, loaded, method=method, normals=normals, name=name)

@@ -9,7 +9,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, formats
-from nearfar.cli._options import Center, Inner, Input, Invalid, Json, Outer, Point, Up, open_scene, read_point
+from nearfar.cli import _options as options
 from nearfar.cli._output import check_target, count, metres, show, write_json
 from nearfar.cli._viewpoint import choose
 
@@ -20,12 +20,12 @@ CURVE_RADII = (20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0)
 
 
 def partition(
-    scene: Input,
-    center: Center = None,
-    r1: Inner = 30.0,
-    r2: Outer = 50.0,
-    up: Up = "y",
-    on_invalid: Invalid = "raise",
+    scene: options.Input,
+    center: options.Center = None,
+    r1: options.Inner = 30.0,
+    r2: options.Outer = 50.0,
+    up: options.Up = "y",
+    on_invalid: options.Invalid = "raise",
     output: Annotated[
         Path | None, typer.Option("-o", "--output", metavar="FILE", help="Also write the JSON document to a file.")
     ] = None,
@@ -33,14 +33,14 @@ def partition(
         int | None,
         typer.Option("--max-triangles", metavar="N", help="Exit with status 1 if more than N triangles stay geometry."),
     ] = None,
-    as_json: Json = False,
+    as_json: options.Json = False,
 ) -> None:
     """Count the triangles that stay geometry, at these radii and along the load curve."""
     check.radii(r1, r2)
     if output:
         check_target(output, ".json")
-    loaded = open_scene(scene, up=up, on_invalid=on_invalid)
-    middle = read_point("--center", center) or choose(loaded, scene).eye
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid)
+    middle = options.read_point("--center", center) or choose(loaded, scene).eye
     document = describe(loaded, scene, middle, r1, r2)
     if output:
         write_json(output, document)
@@ -57,7 +57,7 @@ def partition(
         raise typer.Exit(1)
 
 
-def describe(scene: nf.Scene, source: str, center: Point, r1: float, r2: float) -> dict[str, Any]:
+def describe(scene: nf.Scene, source: str, center: options.Point, r1: float, r2: float) -> dict[str, Any]:
     """Make the document of a partition; schema "partition"."""
     parts = nf.partition(scene, center=center, r1=r1, r2=r2)
     curve = nf.load_curve(scene, center=center)

@@ -14,25 +14,9 @@ import nearfar as nf
 from nearfar._base import check, files, formats
 from nearfar._metrics.comparison import visible_difference
 from nearfar._trace import viewpoint
+from nearfar.cli import _options as options
 from nearfar.cli import _report_page
 from nearfar.cli._methods import METHODS, Setting, render_all
-from nearfar.cli._options import (
-    Backend,
-    Center,
-    FaceSize,
-    Inner,
-    Input,
-    Invalid,
-    Json,
-    Outer,
-    Samples,
-    Size,
-    Up,
-    check_backend,
-    open_scene,
-    read_point,
-    read_size,
-)
 from nearfar.cli._output import Clock, bytes_text, count, metres, show
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
@@ -45,18 +29,18 @@ ASIDE = 0.4
 
 
 def reduce(
-    scene: Input,
+    scene: options.Input,
     output: Annotated[Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder to write.")],
-    center: Center = None,
-    r1: Inner = 30.0,
-    r2: Outer = 50.0,
-    face_size: FaceSize = 1024,
-    size: Size = "960x600",
-    samples: Samples = 4,
-    backend: Backend = "auto",
-    up: Up = "y",
-    on_invalid: Invalid = "raise",
-    as_json: Json = False,
+    center: options.Center = None,
+    r1: options.Inner = 30.0,
+    r2: options.Outer = 50.0,
+    face_size: options.FaceSize = 1024,
+    size: options.Size = "960x600",
+    samples: options.Samples = 4,
+    backend: options.Backend = "auto",
+    up: options.Up = "y",
+    on_invalid: options.Invalid = "raise",
+    as_json: options.Json = False,
 ) -> None:
     """Reduce a scene to near.glb, far.exr and reduced.json for a client, and write a report with pictures.
 
@@ -64,12 +48,12 @@ def reduce(
     `nearfar.ReducedScene.load` reads the folder.
     """
     check.radii(r1, r2)
-    check_backend(backend)
-    clock, pixels, middle = Clock(), read_size("--size", size), read_point("--center", center)
+    options.check_backend(backend)
+    clock, pixels, middle = Clock(), options.read_size("--size", size), options.read_point("--center", center)
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="reduced.json") as folder:
         with clock.step("scene"):
-            loaded = open_scene(scene, up=up, on_invalid=on_invalid)
+            loaded = options.open_scene(scene, up=up, on_invalid=on_invalid)
         with clock.step("place"):
             place = choose(loaded, scene, middle)
             user = viewpoint.beside(loaded, place, ASIDE * (r2 - r1))

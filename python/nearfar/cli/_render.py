@@ -12,24 +12,7 @@ import typer
 import nearfar as nf
 from nearfar._base import check, formats
 from nearfar._trace import viewpoint
-from nearfar.cli._options import (
-    Backend,
-    Center,
-    FaceSize,
-    Inner,
-    Input,
-    Invalid,
-    Json,
-    Outer,
-    Point,
-    Samples,
-    Size,
-    Up,
-    check_backend,
-    open_scene,
-    read_point,
-    read_size,
-)
+from nearfar.cli import _options as options
 from nearfar.cli._output import bytes_text, check_target, metres, show
 from nearfar.cli._viewpoint import choose
 
@@ -40,7 +23,7 @@ MORPHS = {"continuous": "blend", "conventional": "none"}
 
 
 def render(
-    scene: Input,
+    scene: options.Input,
     output: Annotated[Path, typer.Option("-o", "--output", metavar="FILE", help="Picture to write, .png or .exr.")],
     eye: Annotated[
         str | None,
@@ -53,32 +36,32 @@ def render(
         typer.Option("--target", metavar="X,Y,Z", help="Point to look at, metres. By default the longest open view."),
     ] = None,
     fov: Annotated[float, typer.Option("--fov", metavar="DEGREES", help="Horizontal field of view.")] = 90.0,
-    size: Size = "1280x720",
-    samples: Samples = 4,
+    size: options.Size = "1280x720",
+    samples: options.Samples = 4,
     method: Annotated[
         str,
         typer.Option(
             "--method", metavar="truth|continuous|conventional", help="Full scene, or a method of near-far reduction."
         ),
     ] = "truth",
-    center: Center = None,
-    r1: Inner = 30.0,
-    r2: Outer = 50.0,
-    face_size: FaceSize = 1024,
-    backend: Backend = "auto",
-    up: Up = "y",
-    on_invalid: Invalid = "raise",
-    as_json: Json = False,
+    center: options.Center = None,
+    r1: options.Inner = 30.0,
+    r2: options.Outer = 50.0,
+    face_size: options.FaceSize = 1024,
+    backend: options.Backend = "auto",
+    up: options.Up = "y",
+    on_invalid: options.Invalid = "raise",
+    as_json: options.Json = False,
 ) -> None:
     """Render a scene from one eye to a PNG or EXR file."""
     check.radii(r1, r2)
-    check_backend(backend)
+    options.check_backend(backend)
     if method != "truth" and method not in MORPHS:
         raise ValueError(f"--method: expected truth, continuous or conventional, got {method!r}")
-    pixels, aim = read_size("--size", size), read_point("--target", target)
-    user, middle = read_point("--eye", eye), read_point("--center", center)
+    pixels, aim = options.read_size("--size", size), options.read_point("--target", target)
+    user, middle = options.read_point("--eye", eye), options.read_point("--center", center)
     check_target(output, ".png", ".exr")
-    loaded = open_scene(scene, up=up, on_invalid=on_invalid)
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid)
     place = choose(loaded, scene) if user is None or (middle is None and method != "truth") else None
     user = user or (place.eye if place else (0.0, 0.0, 0.0))
     view = camera(loaded, user, aim, fov, pixels)
@@ -113,7 +96,9 @@ def render(
     show(document, rows, title=scene, as_json=as_json)
 
 
-def camera(scene: nf.Scene, eye: Point, target: Point | None, fov: float, size: tuple[int, int]) -> nf.Camera:
+def camera(
+    scene: nf.Scene, eye: options.Point, target: options.Point | None, fov: float, size: tuple[int, int]
+) -> nf.Camera:
     """Make a camera that looks at `target`, by default horizontally along the longest open view; `fov` in degrees."""
     if target is None:
         target = viewpoint.ahead(eye, viewpoint.open_direction(scene, eye), rise=0.0)
