@@ -36,6 +36,6 @@ pub(super) fn ritter<T: Scanned>(cloud: &Cloud<'_, T>) -> Sphere {
             radius = wider;
         }
     }
-    // What steps have rounded away.
+    // The steps round: the farthest point sets the radius.
     Sphere { center, radius: cloud.farthest(center).0 }
 }

@@ -210,7 +210,7 @@ pub(super) fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]
         let x = x[n].abs();
         let bits = x.to_bits();
         let low = x < table.first;
-        // What the number of the interval leaves of the mantissa, as a float of 1..2.
+        // Bits of the mantissa below the interval's number, as a float in 1..2.
         let within = f64::from_bits((bits << fineness) & MANTISSA | 1.0f64.to_bits()) - 1.0;
         place[n] = if low { x * scale } else { within };
         let number = (bits >> table.shift).wrapping_sub(table.base - 1);

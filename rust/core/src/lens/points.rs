@@ -195,7 +195,7 @@ impl RadialLens {
                     break;
                 }
                 share *= 0.5;
-                // What no part of a step improves is as good as rounding lets it be, or beside the disc.
+                // No part of the step improves the point: it is a root up to rounding, or it lies outside the disc.
                 if share < 1e-3 {
                     return self.is_root(at, image, wanted).then_some(at);
                 }

@@ -34,7 +34,7 @@ impl Radial {
         let r_max = polynomial::first_zero(&slope).map_or(f64::INFINITY, f64::sqrt);
         let one = |(n, c): (usize, &f64)| if *c == 0.0 { f64::INFINITY } else { c.abs().powf(-0.5 / (n + 1) as f64) };
         let unit = k.iter().enumerate().map(one).fold(f64::INFINITY, f64::min);
-        // What overflows, not even f's highest power may be followed to.
+        // Where f overflows, so does its highest power: the search ends before it.
         let end = if r_max.is_finite() { residual(&k, r_max, 0.0) } else { FARTHEST };
         let x_max = if end <= FARTHEST { end } else { FARTHEST };
         Self { k, slope, r_max, x_max, unit }

@@ -105,7 +105,7 @@ impl Packet {
             }
             let is_ray = i < rays.len();
             self.t_min[i] = ray.t_min;
-            // What only fills up the last group has an empty segment.
+            // Slots without a ray, which fill the last group, get an empty segment.
             self.t_max[i] = if is_ray { ray.t_max.min(f32::MAX) } else { f32::NEG_INFINITY };
             if ray.t_min < 0.0 {
                 return false;

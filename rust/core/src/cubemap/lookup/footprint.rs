@@ -139,7 +139,7 @@ impl<'a, T: Number> Pyramid<'a, T> {
                         take(&values[(start + from) * channels..(start + to) * channels]);
                     }
                 };
-                // What a block of the next level holds already is left out.
+                // Texels within a block of the next level are left out: the block holds them.
                 match parents.map(|parents| parents.columns[row / 2 - parents.first]) {
                     Some((from, to)) if from < to => {
                         piece(low, (2 * from).min(high));

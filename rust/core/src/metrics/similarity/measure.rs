@@ -23,7 +23,7 @@ impl<R: RoundingLimits> Measure<R> {
     #[inline(always)]
     pub fn of<const CONTRAST: bool, const FUSED: bool>(&self, [s, s2]: [R; 2], [d, d2]: [R; 2]) -> Measurement<R> {
         let (half, zero) = (R::narrow(0.5), R::default());
-        // What is no number stays none.
+        // Negative variances are rounding; NaN fails the comparison and stays.
         let s2 = if s2 < zero { zero } else { s2 };
         let d2 = if d2 < zero { zero } else { d2 };
         let sum = (self.levels[0] + self.levels[1]) + s;

@@ -64,7 +64,7 @@ impl Picture for Bent<'_> {
         if self.shown.moving_triangles() == 0 || !hits.iter().any(Hit::is_miss) {
             return;
         }
-        // What lies within r₂ comes before all that lies beyond it, along the bent ray if not by the distance shown.
+        // Surfaces within r₂ hide all that lies beyond it, by the order along the bent ray, if not by the distance shown.
         let (mut others, mut found) = ([rays[0]; PIXELS], [Hit::MISS; PIXELS]);
         for (other, (ray, hit)) in others.iter_mut().zip(rays.iter().zip(hits.iter())) {
             *other = if hit.is_miss() { *ray } else { Ray { t_max: -1.0, ..*ray } };

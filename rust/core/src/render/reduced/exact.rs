@@ -143,7 +143,7 @@ impl<'a> Exact<'a> {
                 return;
             }
         }
-        // What does not bend: along the line through user and centre, and upwards within r₁.
+        // Straight curves: along the line through user and centre, and upwards within r₁.
         let straight = match end {
             Some(s) if curve.beside == 0.0 => (s > 0.0).then_some(s as f32),
             None if points.len() == 1 => Some(f32::INFINITY),
