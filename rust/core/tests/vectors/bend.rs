@@ -1,6 +1,6 @@
 use glam::DVec3;
 use nearfar_core::base::Progress;
-use nearfar_core::bend::{Curve, bend_rays, margin};
+use nearfar_core::bend::{RayCurve, bend_rays, margin};
 use nearfar_core::morph::Kind;
 use serde_json::Value;
 
@@ -17,7 +17,7 @@ fn curves_run_where_the_equation_says() {
         let bound = number(&case["tolerance"]["float64"]);
         for &kind in kinds(&case) {
             let morph = morph_of(&case, kind);
-            let curve = Curve::new(&morph, DVec3::from_array(row(&case["direction"])).normalize());
+            let curve = RayCurve::new(&morph, DVec3::from_array(row(&case["direction"])).normalize());
             let (s, y, points) = (numbers(&case["s"]), numbers(&case["y"]), rows::<3>(&case["points"]));
             for n in 0..s.len() {
                 for guess in [0.0, 0.5 * curve.beside, curve.beside] {

@@ -1,8 +1,6 @@
 use glam::DVec3;
-use nearfar_core::cubemap::{
-    Faces, Filter, along_face, direction_from_face, direction_from_texel, face_from_direction, lookup, nearest,
-    texel_from_direction,
-};
+use nearfar_core::camera::{along_face, direction_from_face, face_from_direction};
+use nearfar_core::cubemap::{CubeFaces, TexelFilter, direction_from_texel, lookup, nearest, texel_from_direction};
 
 use super::{assert_near, cases, indices, number, numbers, rows};
 
@@ -42,7 +40,7 @@ fn directions_pass_through_their_texels() {
                 directions.iter().map(|&d| texel_from_direction(DVec3::from_array(d), size)).collect();
             assert_eq!(found, expected, "{}, {size} texels across", case["region"]);
             let map: Vec<u32> = (0..6 * size * size).collect();
-            let faces = Faces::new(&map, size, 1).unwrap();
+            let faces = CubeFaces::new(&map, size, 1).unwrap();
             let mut found = vec![0; directions.len()];
             nearest(faces, &directions, &mut found).unwrap();
             assert_eq!(found, expected, "{}, {size} texels across", case["region"]);
@@ -68,14 +66,14 @@ fn texels_have_their_directions() {
 fn filters_give_the_values_of_the_map() {
     for case in cases("cubemap", "lookups") {
         let map = numbers(&case["map"]);
-        let faces = Faces::new(&map, number(&case["size"]) as u32, 1).unwrap();
+        let faces = CubeFaces::new(&map, number(&case["size"]) as u32, 1).unwrap();
         let directions = rows::<3>(&case["directions"]);
         let mut found = vec![0.0; directions.len()];
         nearest(faces, &directions, &mut found).unwrap();
         assert_near(&case, &found, &numbers(&case["nearest"]), 0.0);
         let bound = number(&case["tolerance"]["float64"]);
         for (filter, name, bound) in
-            [(Filter::Linear, "linear", bound), (Filter::Min, "min", 0.0), (Filter::Max, "max", 0.0)]
+            [(TexelFilter::Linear, "linear", bound), (TexelFilter::Min, "min", 0.0), (TexelFilter::Max, "max", 0.0)]
         {
             lookup(faces, &directions, filter, &mut found).unwrap();
             assert_near(&case, &found, &numbers(&case[name]), bound);

@@ -1,4 +1,4 @@
-use nearfar_core::lens::{Method, RadialLens};
+use nearfar_core::lens::{InverseMethod, RadialLens};
 use serde_json::Value;
 
 use super::{assert_near, assert_share, cases, number, numbers, row, rows};
@@ -30,7 +30,9 @@ fn radii_come_back_by_every_method() {
         let expected = numbers(&case["undistorted"]);
         let exact = number(&tolerance["undistort"]);
         let mut found = vec![0.0; x.len()];
-        for (method, share) in [(Method::Newton, exact), (Method::Table, exact + number(&tolerance["lut"]))] {
+        for (method, share) in
+            [(InverseMethod::Newton, exact), (InverseMethod::Table, exact + number(&tolerance["lut"]))]
+        {
             lens.undistort_all(&x, &mut found, method, true).unwrap();
             assert_share(&case, &found, &expected, share);
         }
@@ -45,7 +47,7 @@ fn the_published_iteration_takes_its_steps() {
     for case in cases("lens", "radial") {
         let (lens, x) = (lens_of(&case), numbers(&case["distorted"]));
         let mut found = vec![0.0; x.len()];
-        lens.undistort_all(&x, &mut found, Method::FixedPoint(4), true).unwrap();
+        lens.undistort_all(&x, &mut found, InverseMethod::FixedPoint(4), true).unwrap();
         assert_share(&case, &found, &numbers(&case["fixed_point"]), number(&case["tolerance"]["fixed_point"]));
     }
 }
