@@ -15,10 +15,10 @@ pub(crate) fn prefetch<P>(values: &[P]) {
 
 /// Wraps `#[inline(always)]` kernels in functions that run them with the widest vectors of this machine.
 ///
-/// - `fn name(…) = kernel;`: Rust fuses no multiplication with an addition unless written so, and every width gives the same
-///   bits.
-/// - `fn name(…) = fused kernel;` for a kernel that is generic in `FUSED`, `fused kernel<_>` with a type before it: `FUSED` is
-///   true where the machine can, which saves time and one rounding.
+/// - `fn name(…) = kernel;`: Rust fuses a multiplication with an addition only where code says so, so that every width
+///   gives the same bits.
+/// - `fn name(…) = fused kernel;` for a kernel generic in `FUSED`, `fused kernel<_>` with a type before it: `FUSED` is true
+///   where the machine can fuse, which saves time and one rounding.
 macro_rules! vectorized {
     () => {};
     (

@@ -5,20 +5,20 @@ use std::ops::AddAssign;
 /// Objects of one task: their numbers stay in a near cache.
 pub(super) const TILE: usize = 1 << 9;
 
-/// Objects, as many of each.
+/// Arrays of objects, one entry for each.
 #[derive(Clone, Copy, Debug)]
 pub struct Objects<'a> {
-    /// Numbers of their models.
+    /// Number of each one's model.
     pub model: &'a [i64],
-    /// Middles of their bounding spheres.
+    /// Centres of their bounding spheres.
     pub centers: &'a [[f64; 3]],
-    /// Their radii.
+    /// Radii of their bounding spheres, metres.
     pub radii: &'a [f64],
-    /// Levels of the frame before, −1 for none.
+    /// Levels in the previous frame, −1 for none.
     pub previous: Option<&'a [i32]>,
 }
 
-/// Numbers beside the level: σ, the size that is seen, f, the score, and the level as it fades over.
+/// Columns beside the level: σ, the σ′ that the eye sees, f, the score, and the fading level.
 pub const COLUMNS: usize = 5;
 
 /// Objects by the stage that settled them, of all eyes together.

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::lens::RadialLens;
 
-/// f(σ) = level + rise · σ.
+/// SSIM threshold that is linear in the solid angle: f(σ) = level + rise · σ.
 #[derive(Clone, Copy, Debug)]
 pub struct ThresholdLine {
     /// f at σ = 0.
@@ -13,12 +13,12 @@ pub struct ThresholdLine {
     pub rise: f64,
 }
 
-/// SSIM threshold as a function of solid angle, and the rules about it.
+/// SSIM threshold as a function of solid angle, and its limits.
 #[derive(Clone, Copy, Debug)]
 pub struct Rules {
-    /// The least score over the solid angle.
+    /// SSIM threshold f(σ).
     pub line: ThresholdLine,
-    /// Solid angle above which level 0 is used.
+    /// Solid angle in steradians above which level 0 is used.
     pub reference: f64,
     /// True where objects out of view get no level.
     pub cull: bool,
@@ -28,7 +28,7 @@ pub struct Rules {
     pub fade: f64,
 }
 
-/// A lens as eyes look through it.
+/// A lens between an eye and its screen.
 #[derive(Clone, Copy, Debug)]
 pub struct EyeLens<'a> {
     /// The lens.
@@ -45,11 +45,11 @@ pub struct EyeLens<'a> {
 pub struct Acuity {
     /// Viewing direction in the world, of length 1.
     pub gaze: DVec3,
-    /// Degrees a degree.
+    /// Degrees of the least angle for each degree of eccentricity.
     pub slope: f64,
-    /// Degrees.
+    /// Least angle at the gaze, degrees.
     pub limit: f64,
-    /// Degrees of the least angle that is drawn, at least `limit`.
+    /// Angle of a pixel in degrees, at least `limit`: nothing finer is drawn.
     pub best: f64,
 }
 
