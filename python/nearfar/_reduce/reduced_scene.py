@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import math
 import os
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -104,7 +105,7 @@ class ReducedScene:
             near geometry); `rays` (0 where a graphics adapter baked) and `ranges_computed` while baking; of the last
             frame `frame_triangles` (after splitting; 0 where the scene's own trees were used), `dynamic_triangles`
             (moving ones that were looked for; 0 where there was no pass for them), `tolerance_held` (whether
-            `tolerance_px` was a bound for "vertex": "blend", and a user within 0.6 r1 of the centre) and
+            `tolerance_px` was a bound for "vertex": "blend", and a user at the camera, within 0.6 r1 of the centre) and
             `opposed_directions` (vertices that user and centre see in opposite directions, which happens only outside
             the near cylinder).
         """
@@ -130,6 +131,8 @@ class ReducedScene:
         *,
         at: Mapping[str, ArrayLike] | None = None,
         user: ArrayLike | None = None,
+        t_min: float = 0.0,
+        t_max: float = math.inf,
         samples: int = 1,
         channels: Iterable[str] | None = None,
         lod: Lod | None = None,
@@ -138,17 +141,21 @@ class ReducedScene:
         tolerance_px: float | None = None,
         backend: str = "auto",
     ) -> Frame:
-        """Render what a thin client shows to a user at the camera's position.
+        """Render what a thin client shows.
 
         Parameters
         ----------
         camera
-            The user's view.
+            The view.
         at
             Poses of moving objects, as in `Scene.at`. They are seen wherever they are, never in the map; beyond the
             near part in the direction in which the centre sees them, where nothing in the map is nearer.
         user
-            World position (3,) of the eye U that near geometry is bent for; by default the camera's.
+            World position (3,) of the eye U that near geometry is bent for; by default the camera's. Another camera,
+            such as one of two eyes, sees the bent geometry from where it is, before the map along its own directions.
+        t_min, t_max
+            Metres along each pixel's ray between which near geometry and moving objects are seen, by the displayed
+            distance. The map is seen only where `t_max` is infinite and its range, if it has any, is at least `t_min`.
         samples
             Colour samples of each pixel; all other images are taken at the pixel's centre.
         channels
@@ -185,7 +192,8 @@ class ReducedScene:
         ValueError, TypeError
             For arguments out of their domains, for a range or object_id that was not baked, for `env` False where what
             is far was not saved, for parallel rays where there is a map or rays are bent, which show what one eye
-            sees, and for "exact" with "gpu".
+            sees, for "exact" with "gpu" or a `user` apart from the camera, and for parts of rays with "exact" or `env`
+            False.
         DeviceError
             As `render`.
         """
@@ -193,7 +201,7 @@ class ReducedScene:
         if backends.check(backend) == "gpu" and "gpu" not in drawn.backends:
             raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
         renderer = Renderer(drawn, channels, samples, lod)
-        (frame,) = renderer.frames(renderer.shot([camera], user), at, renderer.device(backend, self))
+        (frame,) = renderer.frames(renderer.shot([camera], user, t_min, t_max), at, renderer.device(backend, self))
         return frame
 
     @property
@@ -260,28 +268,25 @@ class ReducedScene:
 
     def trace(self, shot: Shot, report: Report = None) -> list[Images]:
         """Trace the pictures of a shot, one for each camera."""
+        settings = self._settings(shot)
         return [
-            self._core.render(self._scene._core, camera._core, **self._settings(shot, camera), report=report)
-            for camera in shot.cameras
+            self._core.render(self._scene._core, camera._core, **settings, report=report) for camera in shot.cameras
         ]
 
     def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> list[_core.GpuJob]:
         """Begin the pictures of a shot on a graphics device, one for each camera."""
+        settings = self._settings(shot)
         return [
-            device.reduced(self._core, self._scene._core, camera._core, **self._settings(shot, camera), report=report)
+            device.reduced(self._core, self._scene._core, camera._core, **settings, report=report)
             for camera in shot.cameras
         ]
 
-    def _settings(self, shot: Shot, camera: Camera) -> dict[str, Any]:
+    def _settings(self, shot: Shot) -> dict[str, Any]:
         if not (self._drawing.env or self._is_whole or self._env is None):
             raise ValueError("env: expected True for a loaded scene, whose far geometry was not saved, got False")
-        return {
-            "channels": list(shot.channels),
-            "samples": shot.samples,
-            "method": self._drawing.method,
-            "mapped": self._drawing.env,
-            "tolerance_px": self._drawing.tolerance,
-        }
+        drawing = self._drawing
+        drawn = {"method": drawing.method, "mapped": drawing.env, "tolerance_px": drawing.tolerance}
+        return {**shot.settings, "user": shot.user, **drawn}
 
     def _drawn_by(self, drawing: Drawing) -> ReducedScene:
         drawn = copy.copy(self)

@@ -44,7 +44,8 @@ def render(
         World position (3,) of the eye that a reduced scene is bent for; by default the camera's. A scene is the same
         for every user.
     t_min, t_max
-        Metres along each pixel's ray between which surfaces are seen; what lies nearer or farther is not there.
+        Metres along each pixel's ray between which surfaces are seen, along parallel rays from the image plane; what
+        lies nearer or farther is not there. Of reduced scenes see `ReducedScene.render`.
     samples
         Colour samples of each pixel, spread evenly over its square, 1 to 1024. All other images are taken at the
         pixel's centre whatever the number.
@@ -71,7 +72,7 @@ def render(
         centre by 1/256 of a pixel or less, either face may be shown, and nothing nearer than a micrometre is drawn on
         the GPU. With 4 samples most adapters take their own multisampling, which finds each sample's face and shades it
         once, at the pixel's centre: another antialiasing of edges and textures, by tens of codes in single pixels. With
-        other numbers, and behind OpenGL, they take the tracer's samples.
+        other numbers, behind OpenGL, and for a part of each ray they take the tracer's samples.
 
     Raises
     ------

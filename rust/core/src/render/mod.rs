@@ -10,4 +10,4 @@ pub mod reduced;
 
 pub use frame::{Channels, Frame, Sample};
 pub use surface::{Facet, Surface};
-pub use tiles::{Picture, View, draw};
+pub use tiles::{Picture, Segment, View, draw};
