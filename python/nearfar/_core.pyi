@@ -238,7 +238,14 @@ def envmap_texels(shape: _Shape, directions: NDArray[Any], out: NDArray[np.int64
 
 # render -------------------------------------------------------------------------------------------------------------
 def render_truth(
-    scene: Scene, camera: Camera, *, channels: list[str], samples: int, report: _Report | None = None
+    scene: Scene,
+    camera: Camera,
+    *,
+    channels: list[str],
+    samples: int,
+    t_min: float = 0.0,
+    t_max: float = ...,
+    report: _Report | None = None,
 ) -> dict[str, NDArray[Any]]: ...
 def encode_srgb(linear: _F32) -> NDArray[np.uint8]: ...
 
@@ -276,6 +283,9 @@ class Reduced:
         *,
         channels: list[str],
         samples: int,
+        t_min: float,
+        t_max: float,
+        user: _Point | None,
         method: str,
         mapped: bool,
         tolerance_px: float,
@@ -420,7 +430,15 @@ class GpuDevice:
     def counters(self) -> tuple[int, int, int, int]: ...
     def lose(self) -> None: ...
     def truth(
-        self, scene: Scene, camera: Camera, *, channels: list[str], samples: int, report: _Report | None = None
+        self,
+        scene: Scene,
+        camera: Camera,
+        *,
+        channels: list[str],
+        samples: int,
+        t_min: float = 0.0,
+        t_max: float = ...,
+        report: _Report | None = None,
     ) -> GpuJob: ...
     def bake(
         self,
@@ -442,6 +460,9 @@ class GpuDevice:
         *,
         channels: list[str],
         samples: int,
+        t_min: float,
+        t_max: float,
+        user: _Point | None,
         method: str,
         mapped: bool,
         tolerance_px: float,

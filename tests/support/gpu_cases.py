@@ -35,6 +35,16 @@ def adapter(name: str) -> Iterator[None]:
         nf.gpu.select(before)
 
 
+@contextmanager
+def backend_of(name: str) -> Iterator[str]:
+    """The `backend` that renders on the CPU ("cpu"), or on an adapter, which is selected for a while."""
+    if name == "cpu":
+        yield "cpu"
+    else:
+        with adapter(name):
+            yield "gpu"
+
+
 def view(eye: Any, target: Any, size: tuple[int, int] = (480, 320), fov: float = 80.0) -> nf.Camera:
     return nf.Camera.look_at(tuple(eye), tuple(target), fov=nf.Fov.symmetric(fov, size[0] / size[1]), size=size)
 

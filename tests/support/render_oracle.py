@@ -166,8 +166,8 @@ def trilinear(levels: list[Array], uv: Array, level: Array) -> Array:
     return np.asarray(values[fine, ray] * (1 - part) + values[coarse, ray] * part)
 
 
-def cast(surfaces: list[Surface], rays: View) -> Pixels:
-    """Find the nearest hit of each ray among all triangles."""
+def cast(surfaces: list[Surface], rays: View, segment: tuple[float, float] = (0.0, np.inf)) -> Pixels:
+    """Find the nearest hit of each ray among all triangles, between two distances."""
     origins, directions, count = rays.origins, rays.directions, len(rays.directions)
     best = np.full(count, np.inf)
     color, normal = background(directions), np.full((count, 3), np.nan)
@@ -176,7 +176,7 @@ def cast(surfaces: list[Surface], rays: View) -> Pixels:
     for number, surface in enumerate(surfaces):
         for index, face in enumerate(surface.faces):
             t, u, v = _meet(surface.vertices[face], origins, directions)
-            hit = t < best
+            hit = (t < best) & (t >= segment[0]) & (t <= segment[1])
             hit[hit] &= _solid(surface, face, u[hit], v[hit])
             if hit.any():
                 best[hit] = t[hit]

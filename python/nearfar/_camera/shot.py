@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 from nearfar._camera.camera import Camera
 
@@ -24,6 +25,16 @@ class Shot:
     """Least distance along each ray at which surfaces are visible, metres."""
     t_max: float = math.inf
     """Greatest distance along each ray at which surfaces are visible, metres."""
+
+    @property
+    def settings(self) -> dict[str, Any]:
+        """Images, samples and part of the rays, as kernels take them beside the camera."""
+        return {
+            "channels": list(self.channels),
+            "samples": self.samples,
+            "t_min": self.t_min,
+            "t_max": self.t_max,
+        }
 
     @property
     def eye(self) -> tuple[float, float, float]:

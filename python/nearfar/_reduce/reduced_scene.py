@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import math
 import os
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -104,9 +105,9 @@ class ReducedScene:
             `map_bytes`, and `near_bytes` for copies of near geometry. Of baking: `rays` (0 on a graphics adapter) and
             `ranges_computed`. Of the last frame: `frame_triangles` (after splitting; 0 if the scene's own trees were
             traced), `dynamic_triangles` (moving ones in a separate pass; 0 without such a pass), `tolerance_held`
-            (whether `tolerance_px` was a proven bound, which needs "vertex", "blend" and a user within 0.6 r1 of the
-            centre) and `opposed_directions` (vertices that user and centre see in opposite directions, which happens
-            only with the user outside the near cylinder).
+            (whether `tolerance_px` was a proven bound, which needs "vertex", "blend" and a user at the camera, within
+            0.6 r1 of the centre) and `opposed_directions` (vertices that user and centre see in opposite directions,
+            which happens only with the user outside the near cylinder).
         """
         counts = self._counts
         triangles, moving, opposed, bounded = self._core.last_frame()
@@ -130,6 +131,8 @@ class ReducedScene:
         *,
         at: Mapping[str, ArrayLike] | None = None,
         user: ArrayLike | None = None,
+        t_min: float = 0.0,
+        t_max: float = math.inf,
         samples: int = 1,
         channels: Iterable[str] | None = None,
         lod: Lod | None = None,
@@ -138,18 +141,22 @@ class ReducedScene:
         tolerance_px: float | None = None,
         backend: str = "auto",
     ) -> Frame:
-        """Render the picture that a thin client shows to a user.
+        """Render the picture that a thin client shows.
 
         Parameters
         ----------
         camera
-            The user's view.
+            The view.
         at
             Poses of moving objects, as in `Scene.at`. Moving objects are never in the map. Beyond the near part they
             are drawn in the direction in which the centre sees them, if nothing in the map is nearer.
         user
             World position (3,), metres, of the eye U that near geometry is morphed for; by default the camera's
-            position.
+            position. Another camera, such as one of two eyes, sees the morphed geometry from its own position, in front
+            of the map along its own directions.
+        t_min, t_max
+            Limits in metres of the displayed distance along each pixel's ray, for near geometry and moving objects. The
+            map is drawn only if `t_max` is infinite and its range, where it has one, is at least `t_min`.
         samples
             Number of colour samples of each pixel; all other images are sampled once, at the pixel's centre.
         channels
@@ -187,7 +194,8 @@ class ReducedScene:
         ValueError, TypeError
             For arguments out of their domains; for a range or object_id that was not baked; for `env` False after
             `load`, because far geometry is not saved; for parallel rays with a map or bent rays, which both belong to
-            one eye; and for "exact" with "gpu".
+            one eye; for "exact" with "gpu" or a `user` apart from the camera; and for limits of rays with "exact" or
+            `env` False.
         DeviceError
             As in `render`.
         """
@@ -195,7 +203,7 @@ class ReducedScene:
         if backends.check(backend) == "gpu" and "gpu" not in drawn.backends:
             raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
         renderer = Renderer(drawn, channels, samples, lod)
-        (frame,) = renderer.frames(renderer.shot([camera], user), at, renderer.device(backend, self))
+        (frame,) = renderer.frames(renderer.shot([camera], user, t_min, t_max), at, renderer.device(backend, self))
         return frame
 
     @property
@@ -262,28 +270,25 @@ class ReducedScene:
 
     def trace(self, shot: Shot, report: Report = None) -> list[Images]:
         """Trace the pictures of a shot, one for each camera."""
+        settings = self._settings(shot)
         return [
-            self._core.render(self._scene._core, camera._core, **self._settings(shot, camera), report=report)
-            for camera in shot.cameras
+            self._core.render(self._scene._core, camera._core, **settings, report=report) for camera in shot.cameras
         ]
 
     def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> list[_core.GpuJob]:
         """Start the pictures of a shot on a graphics device, one for each camera."""
+        settings = self._settings(shot)
         return [
-            device.reduced(self._core, self._scene._core, camera._core, **self._settings(shot, camera), report=report)
+            device.reduced(self._core, self._scene._core, camera._core, **settings, report=report)
             for camera in shot.cameras
         ]
 
-    def _settings(self, shot: Shot, camera: Camera) -> dict[str, Any]:
+    def _settings(self, shot: Shot) -> dict[str, Any]:
         if not (self._drawing.env or self._is_whole or self._env is None):
             raise ValueError("env: expected True for a loaded scene, whose far geometry was not saved, got False")
-        return {
-            "channels": list(shot.channels),
-            "samples": shot.samples,
-            "method": self._drawing.method,
-            "mapped": self._drawing.env,
-            "tolerance_px": self._drawing.tolerance,
-        }
+        drawing = self._drawing
+        drawn = {"method": drawing.method, "mapped": drawing.env, "tolerance_px": drawing.tolerance}
+        return {**shot.settings, "user": shot.user, **drawn}
 
     def _drawn_by(self, drawing: Drawing) -> ReducedScene:
         drawn = copy.copy(self)

@@ -44,7 +44,8 @@ def render(
         World position (3,), metres, of the eye that a reduced scene is morphed for; by default the camera's position.
         A scene does not depend on it.
     t_min, t_max
-        Limits in metres along each pixel's ray; surfaces nearer than `t_min` or farther than `t_max` are not drawn.
+        Limits in metres along each pixel's ray, for parallel rays from the image plane; surfaces nearer than `t_min` or
+        farther than `t_max` are not drawn. For reduced scenes see `ReducedScene.render`.
     samples
         Number of colour samples of each pixel, spread evenly over its square, 1 to 1024. All other images are sampled
         once, at the pixel's centre.
@@ -70,7 +71,7 @@ def render(
         edge passes within 1/256 of a pixel of its centre, either face may be shown, and the GPU draws nothing nearer
         than a micrometre. With 4 samples most adapters use their own multisampling, which finds a face for each sample
         and shades each face once, at the pixel's centre; edges and textures then differ by tens of 8-bit codes in
-        single pixels. With other numbers, and with OpenGL, adapters use the tracer's samples.
+        single pixels. With other numbers, with OpenGL, and for limits of rays, adapters use the tracer's samples.
 
     Raises
     ------

@@ -318,21 +318,13 @@ class Scene:
 
     def trace(self, shot: Shot, report: Callable[[int, int], None] | None = None) -> list[dict[str, NDArray[Any]]]:
         """Trace the pictures of a shot, one for each camera; `nearfar.render` makes frames of them."""
-        return [
-            _core.render_truth(
-                self._core, camera._core, channels=list(shot.channels), samples=shot.samples, report=report
-            )
-            for camera in shot.cameras
-        ]
+        return [_core.render_truth(self._core, camera._core, **shot.settings, report=report) for camera in shot.cameras]
 
     def begin(
         self, device: _core.GpuDevice, shot: Shot, report: Callable[[int, int], None] | None = None
     ) -> list[_core.GpuJob]:
         """Begin the pictures of a shot on a graphics device, one for each camera."""
-        return [
-            device.truth(self._core, camera._core, channels=list(shot.channels), samples=shot.samples, report=report)
-            for camera in shot.cameras
-        ]
+        return [device.truth(self._core, camera._core, **shot.settings, report=report) for camera in shot.cameras]
 
     def subset(self, *, objects: Iterable[str] | None = None, triangles: ArrayLike | None = None) -> Scene:
         """Return a scene of only some objects or some triangles.

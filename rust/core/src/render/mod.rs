@@ -10,4 +10,4 @@ pub mod reduced;
 
 pub use frame::{Channels, Frame, Sample};
 pub use surface::{Facet, Surface};
-pub use tiles::{Picture, RenderView, draw};
+pub use tiles::{Picture, RenderView, Segment, draw};

@@ -59,6 +59,20 @@ impl Spots<'_> {
     }
 }
 
+/// The part of each pixel's ray on which surfaces are seen, metres from the camera, for parallel rays from the image plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Segment {
+    /// Where it begins.
+    pub t_min: f32,
+    /// Where it ends; may be infinite.
+    pub t_max: f32,
+}
+
+impl Segment {
+    /// The whole ray.
+    pub const WHOLE: Self = Self { t_min: 0.0, t_max: f32::INFINITY };
+}
+
 /// A view to be drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct RenderView<'a> {
@@ -70,6 +84,8 @@ pub struct RenderView<'a> {
     pub channels: Channels,
     /// Colour samples of each pixel, 1 to `MAX_SAMPLES`; the other channels always take the pixel's centre.
     pub samples: u32,
+    /// Where surfaces are seen.
+    pub segment: Segment,
 }
 
 /// Draws a picture pixel by pixel.
@@ -88,6 +104,7 @@ pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) 
         channels: view.channels,
         offsets: sample_offsets(view.samples),
         scale: 1.0 / f64::from(view.samples).sqrt(),
+        segment: view.segment,
     };
     frame.bands(width * TILE).into_par_iter().enumerate().try_for_each(|(index, mut band)| {
         let first_row = index * TILE;
@@ -160,6 +177,7 @@ struct Painter<'a, P> {
     offsets: Vec<[f64; 2]>,
     /// Side of a sample's share of the pixel.
     scale: f64,
+    segment: Segment,
 }
 
 impl<P: Picture> Painter<'_, P> {
@@ -198,8 +216,8 @@ impl<P: Picture> Painter<'_, P> {
             *ray = Ray {
                 origin: (self.eye + start).as_vec3(),
                 direction: direction.as_vec3(),
-                t_min: 0.0,
-                t_max: f32::INFINITY,
+                t_min: self.segment.t_min,
+                t_max: self.segment.t_max,
             };
         }
         self.picture.trace(rays, hits, &Spots { tile, offset });

@@ -3,16 +3,23 @@
 use super::frame::{Channels, Frame, Sample};
 use super::shade::background;
 use super::surface::{Surface, add_colors};
-use super::tiles::{Picture, RenderView, Spots, draw};
+use super::tiles::{Picture, RenderView, Segment, Spots, draw};
 use crate::base::{Progress, Result};
 use crate::camera::{Camera, Footprint};
 use crate::scene::Scene;
 use crate::trace::{All, AlphaFilter, Hit, HitFilter, Ray, closest_hits};
 
 /// Renders a scene. Range is the distance from the camera, for parallel rays from the image plane.
-pub fn render(scene: &Scene, camera: &Camera, channels: Channels, samples: u32, progress: &Progress) -> Result<Frame> {
+pub fn render(
+    scene: &Scene,
+    camera: &Camera,
+    channels: Channels,
+    samples: u32,
+    segment: Segment,
+    progress: &Progress,
+) -> Result<Frame> {
     scene.build(progress)?;
-    let view = RenderView { camera, origin: scene.origin, channels, samples };
+    let view = RenderView { camera, origin: scene.origin, channels, samples, segment };
     if scene.has_cutouts() {
         draw(&view, &Truth { scene, filter: AlphaFilter { scene, inner: All } }, progress)
     } else {

@@ -13,8 +13,9 @@ pub(crate) struct Frustum {
 }
 
 impl Frustum {
-    /// The frustum of a camera's window, `slack` metres wider on all sides; `eye` is relative to the scene's origin.
-    pub fn new(camera: &Camera, window: &Window, eye: DVec3, slack: f64) -> Self {
+    /// The frustum of a camera's window up to a distance, which may be infinite, `slack` metres wider on all sides; `eye` is
+    /// relative to the scene's origin.
+    pub fn new(camera: &Camera, window: &Window, eye: DVec3, far: f64, slack: f64) -> Self {
         let Axes { right, up, ahead, fov } = Axes::of(camera);
         let fov = window.part_of(camera, &fov);
         let sides = [(right, fov.left, 1.0), (right, fov.right, -1.0), (up, fov.down, 1.0), (up, fov.up, -1.0)];
@@ -31,6 +32,9 @@ impl Frustum {
             })
             .collect();
         planes.push(plane(ahead, 0.0));
+        if far.is_finite() {
+            planes.push(plane(-ahead, -far));
+        }
         Self { planes }
     }
 
@@ -63,9 +67,10 @@ mod tests {
         for projection in [Projection::Perspective(fov), Projection::Orthographic(fov), Projection::CubeFace(1)] {
             let turn = DQuat::from_rotation_y(2.0) * DQuat::from_rotation_x(-0.5);
             let camera = Camera::new(DVec3::new(3.0, 1.0, 2.0), turn, projection, 16, 16).unwrap();
-            let frustum =
-                Frustum::new(&camera, &Window { column: 0, row: 0, width: 16, height: 16 }, camera.position, 0.0);
-            let (mut seen, mut unseen) = (0, 0);
+            let window = Window { column: 0, row: 0, width: 16, height: 16 };
+            let [frustum, near] =
+                [f64::INFINITY, 4.0].map(|far| Frustum::new(&camera, &window, camera.position, far, 0.0));
+            let (mut seen, mut unseen, mut culled) = (0, 0, 0);
             for n in 0..4000u64 {
                 let draw = |axis: u64| nearfar_core::base::random::uniform(7, n, axis) * 12.0 - 6.0;
                 let point = DVec3::new(draw(0), draw(1), draw(2));
@@ -74,10 +79,13 @@ mod tests {
                     at.truncate().cmpge(glam::DVec2::ZERO).all() && at.truncate().cmple(glam::DVec2::splat(16.0)).all()
                 });
                 assert!(!inside || frustum.sees(&spot), "{projection:?} {point}");
+                let close = (point - camera.position).length() < 4.0;
+                assert!(!(inside && close) || near.sees(&spot), "{projection:?} {point}");
+                culled += u32::from(frustum.sees(&spot) && !near.sees(&spot));
                 seen += u32::from(inside);
                 unseen += u32::from(!frustum.sees(&spot));
             }
-            assert!(seen > 50 && unseen > 500, "{projection:?} {seen} {unseen}");
+            assert!(seen > 50 && unseen > 500 && culled > 20, "{projection:?} {seen} {unseen} {culled}");
         }
     }
 }

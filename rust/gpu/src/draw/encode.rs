@@ -114,7 +114,7 @@ impl<'a> Bound<'a> {
             let count = (0..groups.len()).take_while(|&n| same(n)).count();
             let pipeline = |g: &Group, single| {
                 let used = g.calls.iter().any(|call| call.single == single);
-                let key = raster_key(&layers[g.layer], single, samples);
+                let key = raster_key(self.picture, &layers[g.layer], single, samples);
                 used.then(|| self.device.state::<Pipelines>().raster(self.device, key)).transpose()
             };
             let pipelines: Vec<_> =
@@ -163,6 +163,7 @@ impl<'a> Bound<'a> {
         let key = |style: Style, single, first, layer: Option<&Layer>| ResolveKey {
             style,
             mapped: first && self.picture.backdrop.is_some(),
+            segment: first && self.picture.backdrop.is_some() && self.picture.segment.is_some(),
             color: kind.color,
             surface: kind.surface,
             single,
@@ -203,8 +204,9 @@ impl<'a> Bound<'a> {
     }
 }
 
-fn raster_key(layer: &Layer, single: bool, samples: u32) -> RasterKey {
-    RasterKey { style: layer.style, cut: layer.cut, cutout: layer.scene.has_cutouts(), single, samples }
+fn raster_key(picture: &Picture, layer: &Layer, single: bool, samples: u32) -> RasterKey {
+    let (cutout, segment) = (layer.scene.has_cutouts(), picture.segment.is_some());
+    RasterKey { style: layer.style, cut: layer.cut, cutout, segment, single, samples }
 }
 
 fn targets(device: &Device, layouts: &Layouts, slot: &Slot) -> [Option<BindGroup>; 2] {

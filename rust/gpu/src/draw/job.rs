@@ -164,7 +164,9 @@ impl Job {
         if surface {
             passes.push((pass(0, false, true, false), Sampling::CENTER));
         }
-        if self.samples == SAMPLES && self.device.multisamples && self.picture.multisampled {
+        // Fragments are discarded at the ends of a segment for a whole pixel, which multisampling would leave jagged.
+        let smooth = self.picture.multisampled && self.picture.segment.is_none();
+        if self.samples == SAMPLES && self.device.multisamples && smooth {
             passes.push((pass(passes.len(), true, false, true), Sampling::CENTER));
             return passes;
         }
@@ -179,7 +181,8 @@ impl Job {
     /// Half-spaces that visible points of a layer lie in; none where its displacement has no bound.
     fn frustum(&self, layer: &Layer, window: &Window) -> Option<Frustum> {
         let eye = eye_of(&self.camera, &self.picture);
-        layer.displacement.map(|moved| Frustum::new(&self.camera, window, eye - moved.shift, moved.slack))
+        let far = self.picture.segment.map_or(f64::INFINITY, |segment| f64::from(segment.t_max));
+        layer.displacement.map(|moved| Frustum::new(&self.camera, window, eye - moved.shift, far, moved.slack))
     }
 
     /// Depth of the farthest point along parallel rays.

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use nearfar_core::base::Buffer;
+use nearfar_core::render::Segment;
 
 use super::layers::Layer;
 use super::style::{Parameters, Style};
@@ -24,6 +25,8 @@ pub(crate) struct Picture {
     pub origin: DVec3,
     /// Four samples may be the adapter's own, which shade each face once per pixel: for frames, not for baked maps.
     pub multisampled: bool,
+    /// The part of each ray on which surfaces and map are seen; none for the whole, which costs nothing to test.
+    pub segment: Option<Segment>,
 }
 
 /// An environment map behind everything that is drawn.
@@ -46,6 +49,7 @@ impl Picture {
             backdrop_style: Style::PLAIN,
             origin,
             multisampled: true,
+            segment: None,
         }
     }
 }

@@ -4,6 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec2, DVec3, DVec4};
 use nearfar_core::camera::direction_from_face;
 use nearfar_core::camera::{Camera, Fov, Projection};
+use nearfar_core::render::Segment;
 
 use super::picture::Picture;
 use super::style::Parameters;
@@ -67,6 +68,7 @@ pub(super) struct Pass {
     environment: [u32; 4],
     outputs: [u32; 4],
     more_outputs: [u32; 4],
+    segment: [f32; 4],
     parameters: Parameters,
 }
 
@@ -162,8 +164,15 @@ pub(super) fn pass_of(
         environment,
         outputs: [color, range, ids, position],
         more_outputs: [normal, 0, 0, 0],
+        segment: segment_of(picture),
         parameters: picture.parameters,
     }
+}
+
+/// Ends of the part of each ray that is seen, and whether it has no end: infinity itself is no number for shaders.
+fn segment_of(picture: &Picture) -> [f32; 4] {
+    let Segment { t_min, t_max } = picture.segment.unwrap_or(Segment::WHOLE);
+    [t_min.min(f32::MAX), t_max.min(f32::MAX), f32::from(u8::from(t_max.is_infinite())), 0.0]
 }
 
 /// The direction of pixel (0, 0) and its steps, each as a multiple of a grid so coarse that shaders add and multiply it

@@ -22,8 +22,13 @@ pub fn bake(device: &Arc<Device>, scene: &Scene, settings: &Bake, progress: &Pro
     let tables = device.state::<Residents>().scene(device, &standing)?;
     let cut = if settings.radius > 0.0 { Zone::Overlapping } else { Zone::Whole }.cut();
     let layer = Layer { cut, ..Layer::plain(standing, tables, Set::Standing) };
-    let near_far =
-        NearFar { offset: DVec3::ZERO, radii: [0.0; 2], split: settings.radius, two_texels: settings.two_texels() };
+    let near_far = NearFar {
+        offset: DVec3::ZERO,
+        apart: DVec3::ZERO,
+        radii: [0.0; 2],
+        split: settings.radius,
+        two_texels: settings.two_texels(),
+    };
     let picture =
         Picture { parameters: near_far.parameters(), multisampled: false, ..Picture::plain(vec![layer], scene.origin) };
     let begin =

@@ -21,6 +21,8 @@ pub(super) enum Shown {
     FromCenter = 3,
     /// The same, but as far away as they are shown by CloVR's cylinder.
     FromCenterOnCylinder = 4,
+    /// By CloVR's cylinder, but drawn as far away as the centre sees it, before what is drawn from there.
+    CylinderFromCenter = 5,
 }
 
 impl From<Kind> for Shown {
@@ -41,16 +43,17 @@ impl Shown {
         }
     }
 
-    /// How far points are moved for a user at an offset from the centre; none where that has no bound.
-    pub fn displacement(self, offset: DVec3, r1: f64) -> Option<Displacement> {
+    /// How far points are moved; none where that has no bound.
+    pub fn displacement(self, near_far: &NearFar) -> Option<Displacement> {
+        let NearFar { offset, apart, radii: [r1, _], .. } = *near_far;
         match self {
             Self::AsItIs => Some(Displacement::NONE),
-            Self::FromCenter | Self::FromCenterOnCylinder => Some(Displacement { shift: offset, slack: 0.0 }),
+            Self::FromCenter | Self::FromCenterOnCylinder => Some(Displacement { shift: offset + apart, slack: 0.0 }),
             // Points move at most by the user's offset, where user and centre don't see them in opposite directions.
             Self::Blend if offset.length() < r1 => {
                 Some(Displacement { shift: DVec3::ZERO, slack: 2.0 * offset.length() })
             }
-            Self::Blend | Self::Cylinder => None,
+            Self::Blend | Self::Cylinder | Self::CylinderFromCenter => None,
         }
     }
 }
@@ -88,6 +91,8 @@ impl Zone {
 pub(super) struct NearFar {
     /// The user's position relative to the centre O.
     pub offset: DVec3,
+    /// The camera's position relative to the user's.
+    pub apart: DVec3,
     /// r₁ and r₂.
     pub radii: [f64; 2],
     /// Radius where pixels are split.
@@ -102,8 +107,9 @@ impl NearFar {
         let [r1, r2] = self.radii;
         let slope = if r2 > r1 { 1.0 / (r2 - r1) } else { 0.0 };
         let mut parameters = Parameters::default();
-        parameters[0] = self.offset.as_vec3().extend(self.two_texels as f32).to_array();
+        parameters[0] = (self.offset + self.apart).as_vec3().extend(self.two_texels as f32).to_array();
         parameters[1] = [r1, r2, self.split, slope].map(|x| x as f32);
+        parameters[2] = self.apart.as_vec3().extend(0.0).to_array();
         parameters
     }
 }

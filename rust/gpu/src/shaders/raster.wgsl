@@ -5,6 +5,8 @@ override CUT: u32 = 0u;
 override FACE_NORMALS: bool = false;
 // Holes of cut-out materials are not drawn.
 override CUTOUT: bool = false;
+// Fragments are drawn on a part of each ray.
+override SEGMENT: bool = false;
 
 @group(0) @binding(6) var<storage, read> order: array<u32>;
 
@@ -120,7 +122,21 @@ fn is_drawn(in: Vertex) -> bool {
     if CUTOUT {
         drawn = drawn && is_solid(in);
     }
+    if SEGMENT {
+        drawn = drawn && is_on_segment(in.from_eye);
+    }
     return drawn;
+}
+
+// By the distance that is shown; along parallel rays from the image plane.
+fn is_on_segment(from_eye: vec3<f32>) -> bool {
+    var distance = length(from_eye);
+    if view.footprint.y > 0.0 {
+        distance = dot(from_eye, normalize(view.direction.xyz + view.rest.xyz));
+    } else {
+        distance = shown_range(from_eye / distance, distance);
+    }
+    return distance >= view.segment.x && distance <= view.segment.y;
 }
 
 fn is_solid(in: Vertex) -> bool {

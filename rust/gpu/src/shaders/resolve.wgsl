@@ -1,6 +1,8 @@
 // Everything that is known of a pixel once its face is: along the pixel's own ray, in the wanted channels only.
 
 override MAPPED: bool = false;
+// The map is seen on a part of each ray.
+override SEGMENT: bool = false;
 override COLOR: bool = true;
 // Any of the other channels: of one sample, at the pixel's centre.
 override SURFACE: bool = true;
@@ -111,8 +113,22 @@ fn surface_color(record: Record, part: Part, face: u32, surface: Surface, ray: R
     return albedo(part, face, surface.at, footprint, surface.doubled_area) * irradiance(normal);
 }
 
+// Whether the map is seen along a direction: where the part of the ray has no end and the map's surface is not nearer
+// than its beginning.
+fn sees_map(direction: vec3<f32>) -> bool {
+    if !SEGMENT {
+        return true;
+    }
+    var seen = view.segment.z > 0.0;
+    if seen && view.environment.w != 0u {
+        let range = map_range_of(texel_number(direction, view.environment.x));
+        seen = range > 1e30 || backdrop_range(direction, range) >= view.segment.x;
+    }
+    return seen;
+}
+
 fn missed_color(ray: Ray) -> vec3<f32> {
-    if MAPPED {
+    if MAPPED && sees_map(ray.direction) {
         return environment_color(ray.direction);
     }
     return background(ray.direction);
@@ -239,7 +255,7 @@ fn store_miss(number: u32, ray: Ray) {
     let nan = bitcast<f32>(0x7fc00000u + view.window.w * 0u);
     var range = infinite;
     var texel = NONE;
-    if MAPPED {
+    if MAPPED && sees_map(ray.direction) {
         texel = texel_number(ray.direction, view.environment.x);
         if view.environment.w != 0u {
             range = map_range_of(texel);

@@ -32,6 +32,8 @@ struct Pass {
     outputs: vec4<u32>,
     // First word of normals.
     more_outputs: vec4<u32>,
+    // The part of each ray that is seen: from, to, and 1 where it has no end.
+    segment: vec4<f32>,
     // Numbers that the style and the cut read.
     parameters: array<vec4<f32>, 4>,
 }

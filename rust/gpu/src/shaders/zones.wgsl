@@ -44,7 +44,9 @@ fn is_kept(from_center: vec3<f32>, from_eye: vec3<f32>, normal: vec3<f32>) -> bo
     if CUT == BEYOND_AND_UNHIDDEN {
         let distance = length(from_eye);
         let direction = from_eye / distance;
-        kept = kept && distance <= backdrop_range(direction, range_limit(direction));
+        let limit = backdrop_range(direction, range_limit(direction));
+        // A surface of the map that is nearer than surfaces are seen hides nothing.
+        kept = kept && (distance <= limit || limit < view.segment.x);
     }
     return kept;
 }

@@ -3,6 +3,8 @@
 use std::sync::Arc;
 
 use glam::DVec3;
+use nearfar_core::base::Progress;
+use nearfar_core::render::Segment;
 use nearfar_core::render::bake::Bake;
 use nearfar_gpu::render::{bake, truth};
 use nearfar_gpu::{Device, device};
@@ -81,7 +83,8 @@ impl GpuDevice {
     }
 
     /// Begins a frame of a scene.
-    #[pyo3(signature = (scene, camera, *, channels, samples, report=None))]
+    #[pyo3(signature = (scene, camera, *, channels, samples, t_min=0.0, t_max=f32::INFINITY, report=None))]
+    #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn truth(
         &self,
         py: Python<'_>,
@@ -89,11 +92,15 @@ impl GpuDevice {
         camera: &Camera,
         channels: Vec<String>,
         samples: u32,
+        t_min: f32,
+        t_max: f32,
         report: Option<Py<PyAny>>,
     ) -> PyResult<GpuJob> {
         let wanted = self::channels(&channels)?;
         let (scene, camera) = (&scene.0, &camera.0);
-        let job = run::long(py, report, |progress| truth::begin(&self.0, scene, camera, wanted, samples, progress))?;
+        let segment = Segment { t_min, t_max };
+        let begin = |progress: &Progress| truth::begin(&self.0, scene, camera, wanted, samples, segment, progress);
+        let job = run::long(py, report, begin)?;
         Ok(GpuJob::new(job, camera))
     }
 
@@ -118,7 +125,9 @@ impl GpuDevice {
     }
 
     /// Begins a frame of a reduced scene; `scene` is the one that was reduced, in any pose.
-    #[pyo3(signature = (reduced, scene, camera, *, channels, samples, method, mapped, tolerance_px, report=None))]
+    #[pyo3(signature = (
+        reduced, scene, camera, *, channels, samples, t_min, t_max, user, method, mapped, tolerance_px, report=None
+    ))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn reduced(
         &self,
@@ -128,12 +137,15 @@ impl GpuDevice {
         camera: &Camera,
         channels: Vec<String>,
         samples: u32,
+        t_min: f32,
+        t_max: f32,
+        user: Option<[f64; 3]>,
         method: &str,
         mapped: bool,
         tolerance_px: f64,
         report: Option<Py<PyAny>>,
     ) -> PyResult<GpuJob> {
-        let drawing = drawing(&channels, samples, method, mapped, tolerance_px)?;
+        let drawing = drawing(&channels, samples, Segment { t_min, t_max }, user, method, mapped, tolerance_px)?;
         let (device, scene, camera) = (&self.0, &scene.0, &camera.0);
         let job = run::long(py, report, |progress| {
             reduced.on_gpu()?.begin(device, (&reduced.core, scene), camera, &drawing, progress)

@@ -2,9 +2,11 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
+use glam::DVec3;
 use nearfar_core::base::Error;
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::morph::Kind;
+use nearfar_core::render::Segment;
 use nearfar_core::render::reduced::{self, Drawing, Join, MorphMethod};
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
@@ -43,13 +45,22 @@ impl Reduced {
 }
 
 /// Settings of a drawing by their public names.
-pub fn drawing(channels: &[String], samples: u32, method: &str, mapped: bool, tolerance_px: f64) -> PyResult<Drawing> {
+pub fn drawing(
+    channels: &[String],
+    samples: u32,
+    segment: Segment,
+    user: Option<[f64; 3]>,
+    method: &str,
+    mapped: bool,
+    tolerance_px: f64,
+) -> PyResult<Drawing> {
     let method = match method {
         "vertex" => MorphMethod::Vertex,
         "exact" => MorphMethod::Exact,
         _ => return Err(to_python(Error::value("method", "'vertex' or 'exact'", method))),
     };
-    Ok(Drawing { channels: self::channels(channels)?, samples, method, mapped, tolerance_px })
+    let (channels, user) = (self::channels(channels)?, user.map(DVec3::from_array));
+    Ok(Drawing { channels, samples, segment, user, method, mapped, tolerance_px })
 }
 
 #[pymethods]
@@ -91,7 +102,7 @@ impl Reduced {
     }
 
     /// Images of a view by name; `scene` is the one that was reduced, in any pose.
-    #[pyo3(signature = (scene, camera, *, channels, samples, method, mapped, tolerance_px, report=None))]
+    #[pyo3(signature = (scene, camera, *, channels, samples, t_min, t_max, user, method, mapped, tolerance_px, report=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn render<'py>(
         &self,
@@ -100,12 +111,15 @@ impl Reduced {
         camera: &Camera,
         channels: Vec<String>,
         samples: u32,
+        t_min: f32,
+        t_max: f32,
+        user: Option<[f64; 3]>,
         method: &str,
         mapped: bool,
         tolerance_px: f64,
         report: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let drawing = drawing(&channels, samples, method, mapped, tolerance_px)?;
+        let drawing = drawing(&channels, samples, Segment { t_min, t_max }, user, method, mapped, tolerance_px)?;
         let (scene, camera) = (&scene.0, &camera.0);
         let frame = run::long(py, report, |progress| self.core.render(scene, camera, &drawing, progress))?;
         images(py, frame, (camera.height as usize, camera.width as usize))

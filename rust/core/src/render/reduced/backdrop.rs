@@ -6,7 +6,7 @@ use glam::{DVec3, Vec3};
 use super::super::frame::Sample;
 use super::super::shade::background;
 use super::super::surface::Surface;
-use super::super::tiles::PIXELS;
+use super::super::tiles::{PIXELS, Segment};
 use crate::camera::Footprint;
 use crate::cubemap::EnvironmentMap;
 use crate::morph::Morph;
@@ -35,13 +35,16 @@ pub(super) struct Backdrop<'a> {
     pub center: DVec3,
     /// How far away the user is shown what lies in the far part; without one, as far as it is from O.
     pub morph: Option<Morph>,
+    /// Displayed distances at which surfaces are seen.
+    pub segment: Segment,
 }
 
 impl Backdrop<'_> {
     pub fn color(&self, direction: Vec3, footprint: Footprint) -> [f32; 3] {
         match self.far {
             Far::Nothing => background(direction),
-            Far::Map(map) => map.color(direction),
+            Far::Map(map) if self.shows(map, direction) => map.color(direction),
+            Far::Map(_) => background(direction),
             Far::Traced(scene, radius) => {
                 let (ray, hit) = self.cast(scene, radius, direction);
                 if hit.is_miss() {
@@ -56,6 +59,7 @@ impl Backdrop<'_> {
     pub fn sample(&self, direction: Vec3) -> Sample {
         match self.far {
             Far::Nothing => Sample::default(),
+            Far::Map(map) if !self.shows(map, direction) => Sample::default(),
             Far::Map(map) => {
                 let (range, object_id) = map.surface(direction);
                 let mut sample = Sample { range: self.displayed(direction, range), object_id, ..Sample::default() };
@@ -74,19 +78,29 @@ impl Backdrop<'_> {
         }
     }
 
+    /// Whether the map is seen: where the part of the ray has no end, and the map's surface is not nearer than its
+    /// beginning. Maps without ranges are infinitely far.
+    fn shows(&self, map: &EnvironmentMap, direction: Vec3) -> bool {
+        let Segment { t_min, t_max } = self.segment;
+        let is_behind = || map.range.is_none() || self.displayed(direction, map.surface(direction).0) >= t_min;
+        t_max.is_infinite() && (t_min == 0.0 || is_behind())
+    }
+
     /// How far away something beyond the near part may be shown before what is far hides it. What lies within the near
     /// part comes before all that is far, along its bent ray, and is not tested.
     pub fn hides_beyond(&self, direction: Vec3) -> f32 {
         self.displayed(direction, self.range_limit(direction))
     }
 
-    /// The same as a distance from O. Maps without ranges hide nothing.
+    /// The same as a distance from O. Maps without ranges hide nothing, nor does what is nearer than surfaces are seen.
     pub fn range_limit(&self, direction: Vec3) -> f32 {
-        match self.far {
+        let limit = match self.far {
             Far::Map(map) if map.range.is_some() => map.farthest(direction) * (1.0 + BIAS),
             Far::Traced(scene, radius) => self.cast(scene, radius, direction).1.t,
             _ => f32::INFINITY,
-        }
+        };
+        let t_min = self.segment.t_min;
+        if t_min > 0.0 && self.displayed(direction, limit) < t_min { f32::INFINITY } else { limit }
     }
 
     /// |Q−U| of what O sees at a range.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::Vec3;
 
-use super::super::tiles::PIXELS;
+use super::super::tiles::{PIXELS, Segment};
 use super::backdrop::Backdrop;
 use crate::scene::Scene;
 use crate::trace::{AlphaFilter, Hit, HitFilter, Ray, closest_hits};
@@ -41,7 +41,9 @@ impl Moving {
         for ((other, ray), hit) in others.iter_mut().zip(rays).zip(hits.iter()) {
             let from_center = backdrop.ray(radius, ray.direction);
             if hit.is_miss() && from_center.t_min.is_finite() {
-                *other = from_center;
+                // Without a morph it is shown as far away as it is from the centre; bent rays are always seen whole.
+                let Segment { t_min, t_max } = backdrop.segment;
+                *other = Ray { t_min: from_center.t_min.max(t_min), t_max, ..from_center };
             }
         }
         self.search(Before { backdrop }, others, found);

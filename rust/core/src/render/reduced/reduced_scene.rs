@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::DVec3;
 
 use super::super::frame::{Channels, Frame};
-use super::super::tiles::{RenderView, check_reach, draw};
+use super::super::tiles::{RenderView, Segment, check_reach, draw};
 use super::backdrop::{Backdrop, Far};
 use super::shown::NearGeometry;
 use super::{bent, exact, straight};
@@ -55,6 +55,10 @@ pub struct Drawing {
     pub channels: Channels,
     /// Colour samples of each pixel.
     pub samples: u32,
+    /// Displayed distances at which surfaces are seen.
+    pub segment: Segment,
+    /// World position of the eye U that near geometry is morphed for; none for the camera's.
+    pub user: Option<DVec3>,
     /// Points that the morph is applied to.
     pub method: MorphMethod,
     /// True for the map as it was baked; false for the ideal picture, whose far part is traced from the centre.
@@ -62,6 +66,13 @@ pub struct Drawing {
     /// By how many of this view's finest pixels a triangle may miss the morph of its points (larger ones are split for the
     /// frame; infinite morphs the vertices that there are), or by how many pixels a ray its bent one.
     pub tolerance_px: f64,
+}
+
+impl Drawing {
+    /// World position of the eye U that a camera's picture is morphed for.
+    pub fn user(&self, camera: &Camera) -> DVec3 {
+        self.user.unwrap_or(camera.position)
+    }
 }
 
 /// A scene divided at two radii about a centre, with what surrounds it.
@@ -85,7 +96,7 @@ pub struct FrameCounts {
     pub moving: u64,
     /// Vertices that user and centre see in opposite directions.
     pub opposed: u64,
-    /// No vertex was morphed, or the tolerance was a bound: it was finite, and the user is well inside r₁.
+    /// No vertex was morphed, or the tolerance was a bound: it was finite, and the camera is the user's eye, well inside r₁.
     pub bounded: bool,
 }
 
@@ -123,20 +134,22 @@ impl Reduced {
         FrameCounts { triangles, moving, opposed, bounded: bounded != 0 }
     }
 
-    /// Draws a view from the user's position, the camera's. `scene` is the reduced one, its moving objects in any pose.
+    /// Draws a view. `scene` is the reduced one, its moving objects in any pose.
     pub fn render(&self, scene: &Scene, camera: &Camera, drawing: &Drawing, progress: &Progress) -> Result<Frame> {
         self.check(scene, camera, drawing)?;
-        let view = RenderView { camera, origin: scene.origin, channels: drawing.channels, samples: drawing.samples };
+        let Drawing { channels, samples, segment, .. } = *drawing;
+        let view = RenderView { camera, origin: scene.origin, channels, samples, segment };
         let center = self.center - scene.origin;
         let [r1, r2] = self.radii;
         let radius = if let Join::Conventional { radius } = self.join { radius } else { r2 };
-        let backdrop = Backdrop { far: self.far(drawing.mapped, radius, progress)?, center, morph: None };
-        let Some(kind) = self.join.kind().filter(|_| camera.position != self.center) else {
+        let backdrop = Backdrop { far: self.far(drawing.mapped, radius, progress)?, center, morph: None, segment };
+        let Some(kind) = self.morph_kind(camera, drawing) else {
             let picture = straight::Straight::new(scene, backdrop, radius, progress)?;
             self.remember(FrameCounts { moving: picture.moving_triangles(), bounded: true, ..FrameCounts::default() });
             return draw(&view, &picture, progress);
         };
-        let morph = Morph::new(camera.position - scene.origin, center, r1, r2, kind)?;
+        let user = drawing.user(camera);
+        let morph = Morph::new(user - scene.origin, center, r1, r2, kind)?;
         let backdrop = Backdrop { morph: Some(morph), ..backdrop };
         let tolerance = drawing.tolerance_px * self.pixel_angle(camera);
         if drawing.method == MorphMethod::Exact {
@@ -149,9 +162,15 @@ impl Reduced {
             triangles: shown.triangle_count(),
             moving: shown.moving_triangles(),
             opposed: shown.opposed,
-            bounded: shown.bounded,
+            bounded: shown.bounded && user == camera.position,
         });
         draw(&view, &bent::Bent { scene, shown, backdrop, radius: r2 }, progress)
+    }
+
+    /// How points are morphed; none where user and camera stand at the centre, which sees everything where it is.
+    pub fn morph_kind(&self, camera: &Camera, drawing: &Drawing) -> Option<Kind> {
+        let at_center = [camera.position, drawing.user(camera)] == [self.center; 2];
+        self.join.kind().filter(|_| !at_center)
     }
 
     /// Far part: nothing where nothing was baked.
@@ -172,10 +191,18 @@ impl Reduced {
             return Err(Error::value("at", "poses of the scene that was reduced", "another scene"));
         }
         check_reach("position", camera.position - scene.origin)?;
+        let user = drawing.user(camera);
+        check_reach("user", user - scene.origin)?;
         if drawing.mapped {
             self.check_channels(drawing.channels)?;
         }
         let bends = drawing.method == MorphMethod::Exact && self.join.kind().is_some();
+        if bends && user != camera.position {
+            let expected = "the camera's own position with method='exact', because bent rays start at the eye that they are \
+                            bent for; method='vertex' takes any";
+            return Err(Error::value("user", expected, user));
+        }
+        check_segment(drawing, bends)?;
         if camera.is_parallel() && (self.map.is_some() || bends) {
             let expected = "a perspective view or a cube face, because a map and bent rays show what one eye sees";
             return Err(Error::value("camera", expected, "parallel rays"));
@@ -215,4 +242,21 @@ impl Reduced {
         }
         Ok(())
     }
+}
+
+/// Refuses a part of each ray where rays are bent or the far part is traced.
+fn check_segment(drawing: &Drawing, bends: bool) -> Result<()> {
+    let Segment { t_min, t_max } = drawing.segment;
+    let method = match (bends, drawing.mapped) {
+        (true, _) => "method='exact'; method='vertex' takes any",
+        (_, false) => "env=False; env=True takes any",
+        _ => return Ok(()),
+    };
+    if t_min > 0.0 {
+        return Err(Error::value("t_min", format!("0 with {method}"), t_min));
+    }
+    if t_max < f32::INFINITY {
+        return Err(Error::value("t_max", format!("infinity with {method}"), t_max));
+    }
+    Ok(())
 }

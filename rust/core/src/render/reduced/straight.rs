@@ -36,7 +36,8 @@ impl<'a> Straight<'a> {
 impl Picture for Straight<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
         for ray in rays.iter_mut() {
-            (ray.t_min, ray.t_max) = within_cylinder(ray, self.backdrop.center, self.radius);
+            let (enter, leave) = within_cylinder(ray, self.backdrop.center, self.radius);
+            (ray.t_min, ray.t_max) = (ray.t_min.max(enter), ray.t_max.min(leave));
         }
         if self.cutouts {
             closest_hits(self.scene, rays, &AlphaFilter { scene: self.scene, inner: All }, hits);

@@ -6,6 +6,7 @@ use glam::DVec3;
 use nearfar_core::base::Result;
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::morph::Kind;
+use nearfar_core::render::Segment;
 use nearfar_core::scene::Scene;
 
 use super::near::{Geometry, Moving};
@@ -31,6 +32,7 @@ pub(super) struct View<'a> {
     pub texels: Option<Arc<EnvTexels>>,
     /// False where the far part is drawn from the centre instead of taken from the map.
     pub mapped: bool,
+    pub segment: Segment,
 }
 
 impl View<'_> {
@@ -51,7 +53,15 @@ impl View<'_> {
         let zone = if has_range { Zone::BeyondAndUnhidden } else { Zone::Beyond };
         // Morphed vertices on both sides of r₂, so that nothing gapes where triangles cross it. Without a map, what
         // stands is drawn as far away as it is from the centre, so what moves is too.
-        let moved = if self.kind.is_none() || covered_far { beyond } else { near };
+        // Beside the user's eye it has parallax, which what stands beyond r₂ has not.
+        let is_apart = self.near_far.apart != DVec3::ZERO;
+        let moved = match self.kind {
+            None => beyond,
+            Some(_) if !covered_far => near,
+            Some(Kind::Blend) if is_apart => near,
+            Some(Kind::Cylinder) if is_apart => Shown::CylinderFromCenter,
+            Some(_) => beyond,
+        };
         for (geometry, set) in &movers {
             layers.push(self.near_layer(device, geometry, *set, moved, zone)?);
         }
@@ -73,6 +83,7 @@ impl View<'_> {
             parameters: self.near_far.parameters(),
             backdrop: self.texels.as_ref().map(backdrop),
             backdrop_style: missed.style(),
+            segment: (self.segment != Segment::WHOLE).then_some(self.segment),
             ..Picture::plain(layers, self.scene.origin)
         })
     }
@@ -82,7 +93,7 @@ impl View<'_> {
         Ok(Layer {
             style: shown.style(),
             cut: zone.cut(),
-            displacement: shown.displacement(self.near_far.offset, self.near_far.radii[0]),
+            displacement: shown.displacement(&self.near_far),
             ..Layer::plain(scene.clone(), tables, set)
         })
     }

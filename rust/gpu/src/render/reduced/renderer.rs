@@ -47,8 +47,8 @@ impl Reduced {
         })
     }
 
-    /// Begins a frame of the user at the camera's position. `scene` is the one that was reduced, its moving objects in
-    /// any pose; `reduced` checks the drawing and records its counts.
+    /// Begins a frame. `scene` is the one that was reduced, its moving objects in any pose; `reduced` checks the drawing
+    /// and records its counts.
     pub fn begin(
         &self,
         device: &Arc<Device>,
@@ -62,11 +62,10 @@ impl Reduced {
             let expected = "'vertex' on a graphics adapter: rays are bent by the tracer, backend='cpu'";
             return Err(Error::value("method", expected, "'exact'"));
         }
-        let user = camera.position - scene.origin;
-        let kind = match self.join {
-            Join::Morph(kind) if user != self.center => Some(kind),
-            _ => None,
-        };
+        let kind = reduced.morph_kind(camera, drawing);
+        // Without a morph only the camera's position matters.
+        let eye = if kind.is_some() { drawing.user(camera) } else { camera.position };
+        let (user, apart) = (eye - scene.origin, camera.position - eye);
         let tolerance = drawing.tolerance_px * reduced.pixel_angle(camera);
         let bent = match kind.filter(|_| tolerance.is_finite()) {
             Some(kind) => self.near.split((user - self.center).length(), tolerance, kind, progress)?,
@@ -83,7 +82,7 @@ impl Reduced {
             triangles: self.near.triangle_count(&bent) + moved,
             moving: moved,
             opposed: kind.map_or(Ok(0), |kind| self.opposed(scene, user, kind, &bent.geometry.scene))?,
-            bounded: kind.is_none() || bent.rule.as_ref().is_some_and(|rule| rule.holds()),
+            bounded: kind.is_none() || apart == DVec3::ZERO && bent.rule.as_ref().is_some_and(|rule| rule.holds()),
         });
         let split = match self.join {
             Join::Conventional { radius } => radius,
@@ -92,13 +91,14 @@ impl Reduced {
         let view = View {
             scene,
             center: self.center,
-            near_far: NearFar { offset: user - self.center, radii: self.radii, split, two_texels: 0.0 },
+            near_far: NearFar { offset: user - self.center, apart, radii: self.radii, split, two_texels: 0.0 },
             kind,
             near: [&self.near.fixed, &bent.geometry],
             moving: &moving,
             map: self.map.as_ref(),
             texels,
             mapped: drawing.mapped,
+            segment: drawing.segment,
         };
         Job::begin(device, view.picture(device)?, camera, drawing.channels, drawing.samples, progress)
     }

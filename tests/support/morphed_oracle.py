@@ -1,0 +1,75 @@
+"""A street whose corners are all morphed for a user apart from the camera: what a camera sees of a reduced scene."""
+
+from __future__ import annotations
+
+import functools
+from typing import Any
+
+import numpy as np
+import trimesh
+
+import nearfar as nf
+from tests.support.gpu_cases import edges
+from tests.support.reduce_cases import CENTER, R1, R2, Array, place, rho, street
+
+ALL = ("color", "range", "object_id", "face_id", "position")
+MAPPED = ("color", "range", "object_id")
+USER = CENTER + np.array([4.0, 0.2, 3.0])
+# Cameras seen from the user, and a direction in which they look.
+APART = [(0.5, 0.1, -0.3), (-3.0, 0.6, 2.0)]
+AHEAD = (1.0, -0.02, -0.3)
+# Of the car: near, between the radii, across r₂, and beyond it.
+PLACES = {"near": (20, 0.75, -8), "between": (40, 0.75, 2), "across": (52.6, 0.75, -6), "beyond": (75, 0.75, -8)}
+LONGEST = 0.6
+
+
+@functools.cache
+def reduced_street(kind: str) -> nf.ReducedScene:
+    """The street without ground, with a map of colours, ranges and objects."""
+    scene = street(dynamic=True, ground=False)
+    return nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=256, samples=1, morph=kind, channels=MAPPED)
+
+
+@functools.cache
+def morphed_street(kind: str, where: str) -> tuple[nf.Scene, Array]:
+    """Short triangles with their corners morphed for the user, and how far each is from the axis without the morph."""
+    scene = street(dynamic=True, ground=False).at({"car": place(*PLACES[where])})
+    corners = scene.triangles().astype(np.float64).reshape(-1, 3)
+    faces = np.arange(len(corners)).reshape(-1, 3)
+    vertices, faces, source = trimesh.remesh.subdivide_to_size(
+        corners, faces, max_edge=LONGEST, max_iter=12, return_index=True
+    )
+    # Boxes of twelve triangles.
+    owner = (source // 12).astype(np.int32)
+    shown = vertices
+    if kind != "none":
+        shown = nf.morph(vertices, user=USER, center=CENTER, r1=R1, r2=R2, kind=kind)
+    static = nf.Scene.from_arrays(shown, faces, owner, object_names=scene.object_names)
+    return static, rho(vertices[faces].mean(axis=1))
+
+
+def pictures(kind: str, view: nf.Camera, where: str, **segment: Any) -> tuple[nf.Frame, nf.Frame, Array]:
+    """The reduced street's picture for the user, that of the morphed street, and the radii of the faces seen there."""
+    pose = {"car": place(*PLACES[where])}
+    reduced = reduced_street(kind)
+    frame = reduced.render(view, user=USER, at=pose, channels=ALL, tolerance_px=0.1, backend="cpu", **segment)
+    static, radii = morphed_street(kind, where)
+    expected = nf.render(static, view, channels=ALL, backend="cpu", **segment)
+    seen = expected.require("face_id")
+    return frame, expected, np.where(seen >= 0, radii[np.maximum(seen, 0)], np.nan)
+
+
+def check_near(frame: nf.Frame, expected: nf.Frame, radii: Array, least: int = 1500) -> None:
+    """The near part of the morphed street is there, as far away as there, and no other standing geometry is."""
+    near = frame.require("face_id") >= 0
+    within, stands = radii < R2 - 1.0, frame.require("object_id") != 3
+    assert within.sum() > least
+    clear = ~edges(expected.require("object_id")) & ~edges(frame.require("object_id"))
+    assert near[within & clear].all()
+    assert (radii[near & clear & stands] < R2 + 1.0).all()
+    both = near & within & clear
+    np.testing.assert_array_equal(frame.require("object_id")[both], expected.require("object_id")[both])
+    apart = np.abs(frame.require("range")[both] / expected.require("range")[both] - 1.0)
+    # A tenth of a pixel on walls that are seen at a slant.
+    assert np.percentile(apart, 99) < 2e-3
+    assert apart.max() < 0.02
