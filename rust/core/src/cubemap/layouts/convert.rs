@@ -49,7 +49,7 @@ fn resample<T: Number, S: SampledPicture<T> + Sync>(
     out: &mut [T],
     progress: &Progress,
 ) -> Result<()> {
-    let &Sampler { channels, filter, .. } = source;
+    let (channels, filter) = (source.texels.channels, source.texels.filter);
     // A row of many samples takes minutes.
     progress.expect(u64::from(target.rows()) * (target.width as usize).div_ceil(SEGMENT) as u64);
     out.par_chunks_mut(target.width as usize * channels).zip(0..target.rows()).try_for_each(|(out, row)| {

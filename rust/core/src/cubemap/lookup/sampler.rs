@@ -17,13 +17,18 @@ pub(in crate::cubemap) trait SampledPicture<T> {
     fn sample(&self, d: DVec3, filter: TexelFilter, out: &mut [T]);
 }
 
-/// Lookups in one picture with one filter.
-pub(in crate::cubemap) struct Sampler<'a, T, S> {
+/// Texels in rows, and the filter that reads them where it crosses no edge.
+pub(in crate::cubemap) struct Texels<'a, T> {
     values: &'a [T],
     /// Texels of a row.
     width: usize,
     pub(in crate::cubemap) channels: usize,
     pub(in crate::cubemap) filter: TexelFilter,
+}
+
+/// Lookups in one picture with one filter.
+pub(in crate::cubemap) struct Sampler<'a, T, S> {
+    pub(in crate::cubemap) texels: Texels<'a, T>,
     /// Whether there are directions for which the filter crosses no edge.
     has_inside: bool,
     surface: S,
@@ -38,17 +43,18 @@ impl<'a, T: Number, S: SampledPicture<T>> Sampler<'a, T, S> {
         surface: S,
     ) -> Self {
         let [before, after] = filter.reach();
-        Self { values, width: width as usize, channels, filter, has_inside: edge > before + after, surface }
+        let texels = Texels { values, width: width as usize, channels, filter };
+        Self { texels, has_inside: edge > before + after, surface }
     }
 
     /// Writes values along directions; the index of the first one that is zero or not finite.
     pub(in crate::cubemap) fn sample<D: Number>(&self, directions: &[[D; 3]], out: &mut [T]) -> Option<usize> {
         let mut placed = Placed::new();
-        in_blocks(directions, out, self.channels, |block, out| {
-            let wrong = self.surface.find_places(block, self.filter.reach(), &mut placed);
+        in_blocks(directions, out, self.texels.channels, |block, out| {
+            let wrong = self.surface.find_places(block, self.texels.filter.reach(), &mut placed);
             if wrong == 0 {
                 if self.has_inside {
-                    self.inside(&placed, out);
+                    self.texels.inside(&placed, out);
                 }
                 self.at_seams(block, &placed.seam, out);
             }
@@ -56,6 +62,22 @@ impl<'a, T: Number, S: SampledPicture<T>> Sampler<'a, T, S> {
         })
     }
 
+    fn at_seams<D: Real>(&self, block: &[[D; 3]; BLOCK], seam: &BlockValues<u8>, out: &mut [T]) {
+        for (eight, flags) in seam.0.as_chunks::<8>().0.iter().enumerate() {
+            if u64::from_ne_bytes(*flags) == 0 {
+                continue;
+            }
+            for lane in (0..8).filter(|&lane| flags[lane] != 0).map(|lane| 8 * eight + lane) {
+                // Blocks at the end are not full.
+                let Some(values) = out.chunks_exact_mut(self.texels.channels).nth(lane) else { return };
+                self.surface.sample(DVec3::from_array(block[lane].map(Real::wide)), self.texels.filter, values);
+            }
+        }
+    }
+}
+
+// For cubes and flat pictures alike, so that the kernels exist once.
+impl<T: Number> Texels<'_, T> {
     /// Values of a block; those of directions at seams mean nothing.
     fn inside(&self, placed: &Placed, out: &mut [T]) {
         match (self.filter, self.channels) {
@@ -114,19 +136,6 @@ impl<'a, T: Number, S: SampledPicture<T>> Sampler<'a, T, S> {
                 T::add_row(&texels, &across, weights, &mut sums);
             }
             scatter(&[BlockValues(sums.0.map(T::narrow))], channel, self.channels, out);
-        }
-    }
-
-    fn at_seams<D: Real>(&self, block: &[[D; 3]; BLOCK], seam: &BlockValues<u8>, out: &mut [T]) {
-        for (eight, flags) in seam.0.as_chunks::<8>().0.iter().enumerate() {
-            if u64::from_ne_bytes(*flags) == 0 {
-                continue;
-            }
-            for lane in (0..8).filter(|&lane| flags[lane] != 0).map(|lane| 8 * eight + lane) {
-                // Blocks at the end are not full.
-                let Some(values) = out.chunks_exact_mut(self.channels).nth(lane) else { return };
-                self.surface.sample(DVec3::from_array(block[lane].map(Real::wide)), self.filter, values);
-            }
         }
     }
 }
