@@ -9,9 +9,10 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
+from nearfar._scene.builder import SceneBuilder
 from tests.support.gpu_cases import ADAPTERS, adapter, backend_of, check_color, check_ids, check_range, edges
 from tests.support.morphed_oracle import AHEAD, ALL, APART, PLACES, USER, check_near, pictures, reduced_street
-from tests.support.reduce_cases import CENTER, R1, R2, camera, place, rho
+from tests.support.reduce_cases import CENTER, R1, R2, box, camera, place, rho
 
 
 @pytest.fixture(params=["blend", "cylinder"])
@@ -129,6 +130,26 @@ def test_adapters_draw_what_the_tracer_shows(
         finer = reduced.render(view, user=USER, at=pose, channels=ALL, env=env, backend="cpu")
         check_ids(finer.require("object_id"), split.require("object_id"))
         check_color(finer, split)
+
+
+@pytest.mark.parametrize("kind", ["blend", "cylinder"])
+def test_far_instances_at_the_edges_of_a_view_are_drawn(kind: str) -> None:
+    """Culling knows that what is far has no parallax between user and camera."""
+    builder = SceneBuilder()
+    angles = np.linspace(0, 2 * np.pi, 120, endpoint=False)
+    places = [place(70 * np.cos(angle), 0.0, 70 * np.sin(angle)) for angle in angles]
+    builder.place_many(builder.mesh(*box((-1, 0, -1), (1, 6, 1))), np.array(places), "post")
+    ring = nf.reduce(builder.build(), center=(0, 1.7, 0), r1=R1, r2=R2, face_size=16, samples=1, morph=kind)
+    user = np.array([2.0, 1.7, -1.0])
+    for side in (-9.0, 9.0):
+        view = camera(user + np.array([0, 0, side]), (1, 0, 0))
+        with adapter("vulkan"):
+            cpu, gpu = (
+                ring.render(view, user=user, channels=("object_id",), env=False, backend=backend).require("object_id")
+                for backend in ("cpu", "gpu")
+            )
+        assert (cpu >= 0).sum() > 300
+        check_ids(cpu, gpu, share=0.995)
 
 
 def test_bent_rays_begin_at_the_eye_that_they_are_bent_for(reduced: nf.ReducedScene) -> None:
