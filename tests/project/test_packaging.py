@@ -165,7 +165,7 @@ def test_one_version_everywhere() -> None:
 
 
 @pytest.mark.parametrize(
-    ("said", "words"),
+    ("output", "words"),
     [
         (None, "needs cargo, which is not on the PATH; install Rust 1.89 or newer from https://rustup.rs"),
         ("cargo 1.70.0 (old)", "needs cargo 1.89, but found 1.70; install Rust 1.89 or newer"),
