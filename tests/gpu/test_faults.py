@@ -72,7 +72,6 @@ def test_a_device_lost_in_another_thread_while_frames_are_drawn(name: str) -> No
                     continue
                 np.testing.assert_array_equal(frame.require("color"), right)
                 drawn += 1
-                assert time.monotonic() < end + 60.0
         finally:
             stop.set()
             thread.join()
