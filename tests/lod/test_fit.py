@@ -1,93 +1,18 @@
-"""Logistic curves against known parameters, a fine search, and SciPy; and what becomes of data that has none."""
+"""Logistic curves against known parameters, and what becomes of data that has none."""
 
 from __future__ import annotations
 
 import subprocess
 import sys
-import warnings
-from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 import pytest
-import scipy.optimize
 from hypothesis import given
 from hypothesis import strategies as st
-from hypothesis.extra import numpy as npst
-from numpy.typing import NDArray
 
 import nearfar as nf
 from tests.support import PEAK, need, printed_by_threads
-
-Array = NDArray[np.float64]
-SIZES = np.geomspace(1e-4, 3, 30)
-"""Solid angles in steradians."""
-
-
-def formula(x: Any, a: Any, b: Any, c: Any, d: Any) -> Any:
-    """The definition as written, in extended precision where x is."""
-    return d + (a - d) / (1 + (x / c) ** b)
-
-
-def best_for(x: Array, y: Array, log_b: Array, log_c: Array) -> Array:
-    """Squared residuals of the best a and d for each b and c: a regression of y over 1/(1 + (x/c)^b)."""
-    steps = np.exp(log_b)[:, None] * (np.log(x) - log_c[:, None])
-    p = 1 / (1 + np.exp(np.clip(steps, -700, 700)))
-    p = p - p.mean(axis=1, keepdims=True)
-    centred = y - y.mean()
-    square = (p**2).sum(axis=1)
-    slope = np.divide(p @ centred, square, out=np.zeros(len(p)), where=square > 0)
-    result: Array = ((centred - slope[:, None] * p) ** 2).sum(axis=1)
-    return result
-
-
-def searched(x: Array, y: Array) -> float:
-    """The least residual by a fine grid over b and c, whose best places are polished without derivatives."""
-    log_b, log_c = (
-        grid.ravel()
-        for grid in np.meshgrid(np.log(np.geomspace(0.01, 300, 120)), np.linspace(np.log(1e-6), np.log(300), 400))
-    )
-    residuals = best_for(x, y, log_b, log_c)
-    least = np.inf
-    for n in np.argsort(residuals)[:200:20]:
-        options = {"xatol": 1e-10, "fatol": 0.0, "maxiter": 600}
-        job = lambda at: best_for(x, y, at[:1], at[1:])[0]  # noqa: E731
-        found = scipy.optimize.minimize(job, [log_b[n], log_c[n]], method="Nelder-Mead", options=options)
-        least = min(least, float(found.fun))
-    return least
-
-
-def by_scipy(x: Array, y: Array) -> float:
-    """The least residual that curve_fit finds from sensible starts, unbounded and bounded."""
-    middle = float(np.exp(np.log(x).mean()))
-    first, last = y[0], y[-1]
-    starts = [(first, 1, middle, last), (first, 3, middle, last), (y.max(), 0.5, np.median(x), y.min())]
-    bounds = ([-np.inf, 1e-6, 1e-12, -np.inf], [np.inf, 1e3, 1e12, np.inf])
-    least = np.inf
-    for start in starts:
-        for options in ({"maxfev": 5000}, {"bounds": bounds, "max_nfev": 1000}):
-            with warnings.catch_warnings(), np.errstate(all="ignore"):
-                warnings.simplefilter("ignore")
-                try:
-                    found = scipy.optimize.curve_fit(formula, x, y, p0=start, **options)[0]
-                except RuntimeError:
-                    continue
-                least = min(least, float(((formula(x, *found) - y) ** 2).sum()))
-    return least
-
-
-def noisy(seed: int, count: int, samples: int, noise: float) -> Iterator[tuple[Array, Array]]:
-    """Curves of any slope and middle, with normal noise as a share of their height."""
-    random = np.random.default_rng(seed)
-    x = np.geomspace(1e-4, 3, samples)
-    for _ in range(count):
-        a, d = random.uniform(-1, 1, 2)
-        y = formula(x, a, np.exp(random.uniform(-1.2, 2.0)), np.exp(random.uniform(-8.0, 0.5)), d)
-        yield x, y + noise * abs(a - d) * random.normal(size=samples)
-
-
-def squared(curve: nf.lod.Curve4PL, x: Array, y: Array) -> float:
-    return float(((curve(x) - y) ** 2).sum())
+from tests.support.fit_cases import SIZES, formula, noisy
 
 
 @given(
@@ -140,19 +65,6 @@ def test_offsets_cost_only_their_own_rounding() -> None:
     np.testing.assert_allclose(nf.lod.fit_4pl(x, y)(x), y, atol=1e-7)
 
 
-@pytest.mark.parametrize("samples", [8, 20, 40])
-@pytest.mark.parametrize("noise", [0.01, 0.05, 0.1, 0.2])
-def test_residuals_are_never_above_scipys(samples: int, noise: float) -> None:
-    compared = 0
-    for x, y in noisy(7, 20, samples, noise):
-        curve = nf.lod.fit_4pl(x, y)
-        if curve.ok:
-            compared += 1
-            assert squared(curve, x, y) <= by_scipy(x, y) * (1 + 1e-9)
-            assert curve.rms**2 * samples == pytest.approx(squared(curve, x, y), rel=1e-9)
-    assert compared >= (4 if samples == 8 else 15)
-
-
 VALLEYS = (
     (np.linspace(0.1, 1, 6), (0.9, 6, 0.1, 0.2)),
     (np.linspace(0.1, 1, 6), (0.9, 6, 0.07, 0.2)),
@@ -170,58 +82,6 @@ def test_clean_curves_pass_samples_that_show_one_plateau() -> None:
         assert curve.ok
         # Parameters far along the valley fit nearly as well: measured SSIM has a thousand times this noise.
         np.testing.assert_allclose(curve(x), y, atol=5e-5)
-
-
-def guessed(x: Array, y: Array) -> list[Array]:
-    """Results of curve_fit from three common first guesses."""
-    found = []
-    for b, c in ((2, np.median(x)), (1, np.exp(np.log(x).mean())), (4, x.mean())):
-        with warnings.catch_warnings(), np.errstate(all="ignore"):
-            warnings.simplefilter("ignore")
-            try:
-                found.append(scipy.optimize.curve_fit(formula, x, y, p0=[y[0], b, c, y[-1]])[0])
-            except RuntimeError:
-                continue
-    return found
-
-
-@pytest.mark.parametrize("samples", [5, 6, 9, 14, 20])
-def test_nothing_is_better_on_clean_data(samples: int) -> None:
-    random = np.random.default_rng(samples)
-    recovered = 0
-    for k in range(60):
-        x = (np.linspace(0.1, 1, samples), np.linspace(0.01, 1, samples), np.geomspace(0.01, 1, samples))[k % 3]
-        # Middles up to a factor of 4 before the samples and 2 beyond.
-        truth = np.array([0.9, random.uniform(0.5, 8), np.exp(random.uniform(np.log(x[0] / 4), np.log(2))), 0.2])
-        y = formula(x, *truth)
-        curve = nf.lod.fit_4pl(x, y)
-        assert curve.ok
-        for found in guessed(x, y):
-            rms = np.sqrt(((formula(x, *found) - y) ** 2).mean())
-            # Descents stop where less is left than any measurement tells.
-            assert curve.rms <= rms + 1e-9 * np.ptp(y), truth
-            if curve.status != "step" and np.allclose(found, truth, rtol=1e-6, atol=0):
-                recovered += 1
-                np.testing.assert_allclose(list(curve), truth, rtol=1e-6)
-    assert recovered > 60
-
-
-def test_nearly_clean_data_is_fitted_to_its_noise() -> None:
-    for noise in (1e-12, 1e-9, 1e-6):
-        for x, y in noisy(19, 20, 20, noise):
-            curve = nf.lod.fit_4pl(x, y)
-            if curve.status == "fitted":
-                for found in guessed(x, y):
-                    least = float(np.sqrt(((formula(x, *found) - y) ** 2).mean()))
-                    assert curve.rms <= least * (1 + 1e-9) + 1e-15 * np.ptp(y)
-
-
-@pytest.mark.parametrize("noise", [0.05, 0.2, 0.5])
-def test_no_fine_search_finds_less(noise: float) -> None:
-    for x, y in noisy(11, 8, 16, noise):
-        curve = nf.lod.fit_4pl(x, y)
-        if curve.ok:
-            assert squared(curve, x, y) <= searched(x, y) * (1 + 1e-9)
 
 
 def test_curves_whose_best_parameters_are_infinite_are_fitted_in_the_limit() -> None:
@@ -302,110 +162,6 @@ def test_curves_of_nothing_but_noise_are_flat() -> None:
         assert (curve.status, curve.a, curve.d, curve(0.5)) == ("flat", constant, constant, constant)
     rounding = 1e6 + 1e-11 * np.arange(30)
     assert nf.lod.fit_4pl(SIZES, rounding).status == "flat"
-
-
-anything = st.floats(width=64) | st.sampled_from([0.0, -0.0, 1.0, 2.0, 1e-320, 1.7e308, np.inf, np.nan])
-
-
-@given(npst.arrays(np.float64, (2, 9), elements=anything))
-def test_no_data_raises_and_every_answer_can_be_evaluated(rows: Array) -> None:
-    for x, y in (rows, (np.abs(rows[0]), rows[1]), (np.arange(9.0), rows[1])):
-        curve = nf.lod.fit_4pl(x, y)
-        counts = np.isfinite(x) & np.isfinite(y)
-        if curve.status == "unfittable":
-            assert np.isnan(list(curve)).all()
-            continue
-        assert np.isfinite(list(curve)).all()
-        assert curve.b > 0
-        assert curve.c > 0
-        values = curve(x[counts])
-        assert np.isfinite(values).all()
-        # No residual is above the root of all squares, which are no more than those of the mean: N (spread/2)².
-        # Eighths, because spreads overflow.
-        values, given = values / 8, y[counts] / 8
-        assert (np.abs(values - given) <= 1.5 * (1 + 1e-6) * np.ptp(given) + 1e-15 * np.abs(given)).all()
-
-
-def test_many_curves_are_what_single_calls_find() -> None:
-    rows = list(noisy(8, 40, 25, 0.1))
-    x, y = rows[0][0], np.array([y for _, y in rows])
-    y[3, 4:9] = np.nan
-    y[5] = np.nan
-    y[7] = 2.0
-    own = x * np.random.default_rng(0).uniform(0.9, 1.1, y.shape)
-    for places in (x, own):
-        curves = nf.lod.fit_4pl(places, y)
-        assert curves.a.shape == curves.status.shape == curves.ok.shape == (40,)
-        values = curves(x)
-        assert values.shape == (40, 25)
-        for k in range(40):
-            single = nf.lod.fit_4pl(places if places.ndim == 1 else places[k], y[k])
-            np.testing.assert_array_equal([*single, single.rms], [*curves[k], curves[k].rms])
-            assert (single.status, single.reason, single.ok) == (curves[k].status, curves[k].reason, curves.ok[k])
-            np.testing.assert_array_equal(single(x), values[k])
-    dropped = nf.lod.fit_4pl(np.delete(x, np.s_[4:9]), np.delete(y[3], np.s_[4:9]))
-    np.testing.assert_array_equal(list(dropped), list(nf.lod.fit_4pl(x, y)[3]))
-    np.testing.assert_array_equal(list(nf.lod.fit_4pl(own, y[0])[2]), list(nf.lod.fit_4pl(own[2], y[0])))
-    assert nf.lod.fit_4pl(x, y[:0]).a.shape == (0,)
-    assert nf.lod.fit_4pl(x[:0], y[:, :0]).status.tolist() == ["unfittable"] * 40
-    single = nf.lod.fit_4pl(x.astype(np.float32), y[0].astype(np.float32))
-    assert single.rms == pytest.approx(nf.lod.fit_4pl(x, y[0]).rms, rel=1e-4)
-
-
-@given(st.floats(-5, 5), st.floats(0.01, 50), st.floats(1e-6, 1e6), st.floats(-5, 5), st.floats(0, 1e7))
-def test_evaluation_is_the_formula(a: float, b: float, c: float, d: float, x: float) -> None:
-    curve = nf.lod.Curve4PL(a, b, c, d, 0.0, "fitted", "")
-    with np.errstate(over="ignore", under="ignore"):
-        expected = float(formula(np.longdouble(x), *map(np.longdouble, (a, b, c, d))))
-    # The exponent b ln(x/c) is up to 1,500 here and rounds to 2⁻⁵³ of itself.
-    assert curve(x) == pytest.approx(expected, abs=1e-11)
-
-
-@pytest.mark.parametrize(
-    ("call", "error", "message"),
-    [
-        (lambda: nf.lod.fit_4pl([1, 2, 3], [1, 2]), ValueError, r"x: expected shape \(2,\), as y has"),
-        (lambda: nf.lod.fit_4pl([[1, 2]], [[1, 2], [3, 4]]), ValueError, r"x: expected shape \(2,\) or \(2, 2\)"),
-        (lambda: nf.lod.fit_4pl([1], 1.0), ValueError, r"y: expected shape \(N,\) or \(K, N\), got \(\)"),
-        (lambda: nf.lod.fit_4pl([1], [[[1]]]), ValueError, "y: expected shape"),
-        (lambda: nf.lod.fit_4pl(["x"], [1]), TypeError, "x: expected real numbers"),
-        (lambda: nf.lod.fit_4pl([1], [1j]), TypeError, "y: expected real numbers"),
-        (lambda: nf.lod.fit_4pl(SIZES, SIZES)(-1.0), ValueError, "x: expected numbers of at least 0"),
-        (lambda: nf.lod.fit_4pl(SIZES, [SIZES, SIZES])([[1.0]]), ValueError, r"x: expected shape \(M,\) or \(2, M\)"),
-        (lambda: nf.lod.fit_4pl(SIZES, SIZES)[0], TypeError, "single"),
-        (lambda: len(nf.lod.fit_4pl(SIZES, SIZES)), TypeError, "single"),
-        (lambda: nf.lod.fit_4pl(SIZES, [SIZES, SIZES])[2], IndexError, "index: expected numbers from -2 to 1, got 2"),
-        (lambda: nf.lod.fit_4pl(SIZES, [SIZES, SIZES])[[0, -3]], IndexError, "from -2 to 1, got -3"),
-        (lambda: nf.lod.fit_4pl(SIZES, [SIZES, SIZES])[[True]], IndexError, r"mask of shape \(2,\), got \(1,\)"),
-        (lambda: nf.lod.fit_4pl(SIZES, [SIZES, SIZES])["a"], TypeError, "index: expected a number, a slice"),
-        (lambda: nf.lod.fit_4pl(SIZES, [SIZES, SIZES])[0.5], TypeError, "index: expected a number, a slice"),
-        (lambda: nf.lod.fit_4pl(SIZES, [SIZES, SIZES])[None], TypeError, "index: expected a number, a slice"),
-    ],
-)
-def test_refuses_wrong_shapes_and_types(call: Any, error: type[Exception], message: str) -> None:
-    with pytest.raises(error, match=message):
-        call()
-
-
-def test_some_of_many_curves_are_curves() -> None:
-    x, y = next(noisy(8, 1, 25, 0.1))
-    curves = nf.lod.fit_4pl(x, y * np.arange(1.0, 6.0)[:, None])
-    assert len(curves) == 5
-    mask = np.array([True, False, True, False, False])
-    chosen: list[Any] = [slice(1, 4), slice(None, None, -2), mask, mask.tolist(), [3, -1, 3], np.array([], np.intp)]
-    assert len(curves[[]]) == 0
-    for index in chosen:
-        some = curves[index]
-        expected = np.arange(5)[index]
-        assert isinstance(some, nf.lod.Curve4PL)
-        assert len(some) == len(expected)
-        for field in ("a", "b", "c", "d", "rms", "status", "reason"):
-            np.testing.assert_array_equal(getattr(some, field), getattr(curves, field)[expected])
-        assert some(x).shape == (len(expected), 25)
-    assert list(curves[np.int32(-1)]) == list(curves[4])
-    assert isinstance(curves[4].a, float)
-    assert curves[:0]
-    assert curves[4]
 
 
 MEMORY = f"""{PEAK}
