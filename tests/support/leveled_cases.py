@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from typing import Any
 
 import numpy as np
 import trimesh
@@ -118,3 +119,15 @@ def same_triangles(one: nf.Scene, other: nf.Scene) -> bool:
         return turned[np.lexsort(turned.T[::-1])]
 
     return bool(np.array_equal(rows(one), rows(other)))
+
+
+def mesh_of(builder: SceneBuilder, scene: nf.Scene, material: int) -> int:
+    """A mesh with the triangles of a scene, in one material."""
+    vertices, faces = np.unique(scene.triangles().reshape(-1, 3), axis=0, return_inverse=True)
+    return builder.mesh(vertices, faces.reshape(-1, 3).astype(np.uint32), material=material)
+
+
+def leveled(scene: nf.Scene) -> Any:
+    """The objects with levels of a scene that has some."""
+    assert scene.leveled is not None
+    return scene.leveled

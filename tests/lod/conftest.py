@@ -1,0 +1,21 @@
+"""Fixtures of several tests of levels of detail."""
+
+from __future__ import annotations
+
+import pytest
+
+import nearfar as nf
+from tests.support.leveled_cases import model_of
+
+METHODS = ("fast", "meshopt")
+
+
+@pytest.fixture(scope="module")
+def models() -> list[nf.lod.LodModel]:
+    return [model_of((4, 3, 2), name="ball"), model_of((3, 1), name="egg", stretch=(0.5, 1.5, 0.7))]
+
+
+@pytest.fixture(params=METHODS)
+def method(request: pytest.FixtureRequest) -> str:
+    pytest.importorskip("fast_simplification")
+    return str(request.param)

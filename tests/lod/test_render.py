@@ -1,0 +1,127 @@
+"""Levels that modes, selectors and functions choose while scenes and paths are rendered."""
+
+from __future__ import annotations
+
+import pickle
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import nearfar as nf
+from tests.support.leveled_cases import bytes_of, frames, leveled, view
+
+Array = NDArray[np.float64]
+
+
+def test_without_lod_everything_is_at_level_0(models: list[nf.lod.LodModel]) -> None:
+    scene = nf.lod.place(models, [0, 1, 0], frames(3, seed=2))
+    plain = nf.render(scene, view(), backend="cpu")
+    assert plain.lod is None
+    assert bytes_of(nf.render(scene, view(), lod=[0, 0, 0], backend="cpu")) == bytes_of(plain)
+    assert bytes_of(nf.render(scene, view(), lod={"object_1": 0}, backend="cpu")) == bytes_of(plain)
+    assert bytes_of(nf.render(scene, view(), lod={"object_1": 1}, backend="cpu")) != bytes_of(plain)
+
+
+class Remembering:
+    """A selector that says what it was asked."""
+
+    fade = 0.5
+
+    def __init__(self, answers: list[list[int]]) -> None:
+        self.answers, self.asked = answers, []  # type: ignore[var-annotated]
+
+    def select(self, *where: Any, camera: nf.Camera, previous: Any, full: bool) -> Any:
+        self.asked.append((where, camera, previous, full))
+        return np.array(self.answers[len(self.asked) - 1])
+
+
+def test_paths_remember_what_was_shown(models: list[nf.lod.LodModel]) -> None:
+    scene = nf.lod.place(models, [0, 1], frames(2, seed=10), dynamic=["object_0"])
+    selector = Remembering([[2, 1], [1, -1], [0, 0]])
+    cameras = [view((0.1 * number, 0.0, 0.0)) for number in range(3)]
+    pose = frames(1, seed=11)[0]
+    poses = [{}, {"object_0": pose}, {}]
+    seen = list(nf.render_path(scene, cameras, at=poses, lod=selector, backend="cpu"))
+    assert [frame.lod.levels.tolist() for frame in seen] == selector.answers
+    assert [None if before is None else before.tolist() for _, _, before, _ in selector.asked] == [
+        None,
+        [2, 1],
+        [1, -1],
+    ]
+    assert [full for *_, full in selector.asked] == [True] * 3
+    (_, _, centers, radii), camera, _, _ = selector.asked[1]
+    posed = scene.at({"object_0": pose})
+    assert np.array_equal(centers, leveled(posed).centers)
+    assert np.array_equal(radii, leveled(posed).radii)
+    assert camera is cameras[1]
+    alone = nf.render(posed, cameras[1], lod=[1, -1], backend="cpu")
+    assert bytes_of(seen[1]) == bytes_of(alone)
+    assert seen[1].lod.triangles == alone.lod.triangles == models[0].triangles[1]
+
+
+def test_any_function_may_choose(models: list[nf.lod.LodModel]) -> None:
+    scene = nf.lod.place(models, [0, 1], frames(2, seed=12))
+
+    def nearest_only(models: Any, index: Any, centers: Array, radii: Array, *, camera: nf.Camera) -> NDArray[np.int64]:
+        return np.where(centers[:, 2] == centers[:, 2].max(), 0, -1)
+
+    frame = nf.render(scene, view(), lod=nearest_only, backend="cpu")
+    assert sorted(frame.lod.levels) == [-1, 0]
+    assert frame.lod.selection.tolist() == frame.lod.levels.tolist()
+
+
+def crowd(models: list[nf.lod.LodModel]) -> nf.Scene:
+    """Objects all around the eye, most of them out of view."""
+    rng = np.random.default_rng(15)
+    transforms = frames(60, seed=15)
+    transforms[:, :3, 3] = rng.normal(size=(60, 3)) * 12
+    return nf.lod.place(models, rng.integers(0, 2, 60), transforms)
+
+
+@pytest.mark.parametrize("mode", ["off", "depth", "depth+eccentricity", "fovea"])
+def test_modes_are_those_of_select(models: list[nf.lod.LodModel], mode: str) -> None:
+    scene = crowd(models)
+    objects = leveled(scene)
+    expected = nf.lod.select(
+        objects.models, objects.model_index, objects.centers, objects.radii, camera=view(), mode=mode
+    )
+    frame = nf.render(scene, view(), lod=mode, backend="cpu")
+    assert frame.lod.levels.tolist() == expected.tolist()
+    assert bytes_of(frame) == bytes_of(nf.render(scene.at_levels(expected), view(), backend="cpu"))
+    # Objects out of view change nothing in the picture.
+    everywhere = scene.at_levels(np.maximum(expected, 0))
+    assert bytes_of(frame) == bytes_of(nf.render(everywhere, view(), backend="cpu"))
+    if mode == "off":
+        assert bytes_of(frame) == bytes_of(nf.render(scene, view(), backend="cpu"))
+    else:
+        assert (expected == -1).sum() > 20
+        assert (expected > 0).any()
+        assert frame.lod.triangles < frame.lod.full_triangles / 2
+
+
+def test_selectors_fade_beside_the_picture(models: list[nf.lod.LodModel]) -> None:
+    scene = crowd(models)
+    selector = nf.lod.Selector(mode="depth", fade=0.5, hysteresis=0.02)
+    frame = nf.render(scene, view(), lod=selector, backend="cpu")
+    selection = frame.lod.selection
+    assert isinstance(selection, nf.lod.Selection)
+    assert selection.level.tolist() == frame.lod.levels.tolist()
+    assert (selection.shown <= selection.level).all()
+    cameras = [view((0.0, 0.0, 0.4 * step)) for step in range(4)]
+    objects = leveled(scene)
+    before = None
+    for camera, picture in zip(cameras, nf.render_path(scene, cameras, lod=selector, backend="cpu"), strict=True):
+        where = (objects.models, objects.model_index, objects.centers, objects.radii)
+        before = selector.select(*where, camera=camera, previous=before)
+        assert picture.lod.levels.tolist() == before.tolist()
+
+
+def test_scenes_travel_with_their_levels(models: list[nf.lod.LodModel]) -> None:
+    scene = crowd(models)
+    back = pickle.loads(pickle.dumps(scene))
+    levels = np.arange(60) % 2
+    pictures = [nf.render(s, view(), lod=levels, backend="cpu") for s in (scene, back)]
+    assert bytes_of(pictures[0]) == bytes_of(pictures[1])
+    assert leveled(back).radii.tolist() == leveled(scene).radii.tolist()
