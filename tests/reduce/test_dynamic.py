@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from tests.support.reduce_cases import CENTER, R1, R2, camera, place, street
+from tests.support.reduce_cases import CENTER, R1, R2, camera, place, rho, street
 
 Array = NDArray[np.float64]
 USER = CENTER + np.array([0.0, 0.0, 7.0])
@@ -126,3 +126,48 @@ def test_posing_keeps_what_stands(scene: nf.Scene, reduced: nf.ReducedScene) -> 
         reduced.render(view, at={"car": place(x, 1, 0)}, channels=("color",))
         triangles.append(reduced.stats["frame_triangles"] - reduced.stats["dynamic_triangles"])
     assert len(set(triangles)) == 1
+
+
+def test_moving_objects_are_seen_wherever_they_are() -> None:
+    scene = street(dynamic=True).at({"car": place(100, 0.75, 0)})
+    car = scene.object_names.index("car")
+    for kind in ("blend", "none"):
+        reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=256, samples=1, morph=kind)
+        assert reduced.env is not None
+        assert reduced.env.channels == ("color", "range")
+        assert reduced.stats["ranges_computed"] == 6 * 256 * 256
+        user = CENTER + np.array([0, 0, 3])
+        view = camera(user, (1, -0.02, 0))
+        wanted = ("color", "range", "position", "face_id", "normal")
+        first = scene.triangle_count - 12
+        for x, z in [(20.0, 0.0), (40.0, 0.0), (70.0, 0.0), (300.0, 5.0)]:
+            frame = reduced.render(view, at={"car": place(x, 0.75, z)}, channels=wanted)
+            seen = frame.require("face_id") >= first
+            assert seen.any(), (kind, x)
+            points = frame.require("position")[seen].astype(np.float64)
+            if kind == "blend":
+                points = nf.morph(points, user=user, center=CENTER, r1=R1, r2=R2)
+            else:
+                # The conventional method's weight is a step: the far part is seen from the centre.
+                points[rho(points) > R2] += user - CENTER
+            # The displayed distance: float32 at 300 m.
+            np.testing.assert_allclose(
+                frame.require("range")[seen], np.linalg.norm(points - user, axis=1), rtol=0, atol=5e-3
+            )
+        # Behind the wall, beyond r₂ and within it.
+        for x, z in [(90.0, -60.0), (30.0, -35.0)]:
+            behind = reduced.render(camera(CENTER, (1, 0, -0.6)), at={"car": place(x, 0.75, z)}, channels=("face_id",))
+            assert (behind.require("face_id") < first).all(), (kind, x)
+    truth = nf.render(scene, camera(CENTER, (1, 0, 0)), channels=("object_id",))
+    assert (truth.require("object_id") == car).any()
+
+
+def test_moving_objects_are_not_in_the_map() -> None:
+    scene = street(dynamic=True)
+    maps = [
+        nf.reduce(scene.at({"car": place(x, 0.75, 0)}), center=CENTER, r1=R1, r2=R2, face_size=32, samples=1).env
+        for x in (80.0, -80.0)
+    ]
+    assert maps[0] is not None
+    assert maps[1] is not None
+    np.testing.assert_array_equal(maps[0].color, maps[1].color)

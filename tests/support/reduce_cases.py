@@ -22,6 +22,9 @@ FOV = nf.Fov.symmetric(90, 16 / 9)
 SIZE = (160, 90)
 
 
+ALL = ("color", "range", "object_id", "face_id", "position", "normal")
+
+
 Array = NDArray[np.float64]
 
 
