@@ -42,3 +42,24 @@ def around(center: Array) -> nf.Scene:
     corners = np.array([[-1, 0, -1], [-1, 0, 1], [1, 0, 1], [1, 0, -1]]) * 90.0 + center * [1, 0, 1]
     builder.instance(builder.mesh(corners, [[0, 1, 2], [0, 2, 3]]), name="ground")
     return builder.build(dynamic=["ball 1"])
+
+
+def camera(target: Any = (0, 0, 0), distance: float = 4.0, size: int = 61) -> nf.Camera:
+    """A square camera that looks at the target from above and aside."""
+    eye = np.asarray(target, float) + distance * np.array([0.35, 0.45, 0.82])
+    return nf.Camera.look_at(tuple(eye), tuple(target), fov=nf.Fov.symmetric(35), size=(size, size))
+
+
+def colors(scene: nf.Scene, view: nf.Camera | None = None) -> Array:
+    return nf.render(scene, view or camera()).require("color")
+
+
+def scene_of(
+    vertices: Array, faces: Array, normals: Array | None, *places: Array, dynamic: bool = False, **attributes: Any
+) -> nf.Scene:
+    """Balls of one mesh, by default a single one that is placed as it is."""
+    builder = SceneBuilder()
+    mesh = builder.mesh(vertices, faces, normals=normals, copy=True, **attributes)
+    for number, place in enumerate(places or (np.eye(4),)):
+        builder.instance(mesh, place, name=f"ball {number}")
+    return builder.build(dynamic=[f"ball {n}" for n in range(len(places))] if dynamic else ())
