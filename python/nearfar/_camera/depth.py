@@ -258,7 +258,5 @@ def _matrix_buffer(
 def _parallel_planes(near: float | None, far: float) -> tuple[float, float]:
     if near is None or not math.isfinite(check.number("far", far, finite=False)):
         raise ValueError(f"far: expected finite near and far planes for parallel rays, got {near} and {far}")
-    nearest = check.number("near", near)
-    if nearest < 0.0:
-        raise ValueError(f"near: expected a number of at least 0, got {nearest}")
+    nearest = check.at_least_zero("near", near)
     return nearest, _above("far", far, nearest)

@@ -270,8 +270,7 @@ class ChromaticLens:
 
     def __post_init__(self) -> None:
         for name in ("red", "green", "blue"):
-            if not isinstance(getattr(self, name), RadialLens):
-                raise TypeError(f"{name}: expected a RadialLens, got {type(getattr(self, name)).__name__}")
+            check.instance(name, getattr(self, name), RadialLens)
 
     def warp(
         self,
@@ -354,14 +353,8 @@ def corrected_solid_angle(
     ----------
     Liebisch (2021), Eq. 4.10–4.12.
     """
-    if not isinstance(camera, Camera):
-        raise TypeError(f"camera: expected a Camera, got {type(camera).__name__}")
-    if not isinstance(camera.fov, Fov):
-        raise TypeError(f"camera: expected one with a Fov, got {type(camera.fov).__name__}")
-    if not isinstance(lens, RadialLens):
-        raise TypeError(f"lens: expected a RadialLens, got {type(lens).__name__}")
-    if any(lens.tangential):
-        raise ValueError(f"lens: expected one without tangential terms, got {lens.tangential}")
+    fov = check.instance("camera", check.instance("camera", camera, Camera).fov, Fov, "one with a Fov")
+    check_symmetric(lens)
     x, y, z, w = camera.orientation
     return _core.corrected_solid_angles(
         lens._core,
@@ -369,9 +362,15 @@ def corrected_solid_angle(
         eye=camera.position,
         # The viewing axis: −z rotated by the quaternion.
         forward=(-2 * (x * z + w * y), -2 * (y * z - w * x), 2 * (x * x + y * y) - 1),
-        tan_omega=radius_of(camera.fov, lens_radius),
+        tan_omega=radius_of(fov, lens_radius),
         exact=bool(exact),
     )
+
+
+def check_symmetric(lens: RadialLens) -> None:
+    """Raise TypeError for anything but a lens, and ValueError for one with tangential terms."""
+    if any(check.instance("lens", lens, RadialLens).tangential):
+        raise ValueError(f"lens: expected one without tangential terms, got {lens.tangential}")
 
 
 def _coefficients(name: str, value: ArrayLike) -> tuple[float, ...]:

@@ -149,8 +149,8 @@ def radius_of(fov: Fov, lens_radius: float | None) -> float:
 def _view(fov: Fov | None, output_fov: Fov | None, lens_radius: float | None, aspect: float) -> dict[str, Any]:
     """Fields of view of the source and the result, and the tangent at which r = 1, as arguments of kernels."""
     for name, each_fov in (("fov", fov), ("output_fov", output_fov)):
-        if each_fov is not None and not isinstance(each_fov, Fov):
-            raise TypeError(f"{name}: expected a Fov, got {type(each_fov).__name__}")
+        if each_fov is not None:
+            check.instance(name, each_fov, Fov)
     source = fov or Fov(-1.0, 1.0, -1.0 / aspect, 1.0 / aspect)
     result = output_fov or source
     bounds = [(each.left, each.right, each.down, each.up) for each in (source, result)]

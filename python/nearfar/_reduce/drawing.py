@@ -30,8 +30,7 @@ class Drawing:
     def checked(cls, method: str, env: bool, tolerance_px: float | None) -> Drawing:
         """Make settings from checked values; ValueError or TypeError for others."""
         check.choice("method", method, tuple(TOLERANCES))
-        if not isinstance(env, bool):
-            raise TypeError(f"env: expected True or False, got {type(env).__name__}")
+        check.instance("env", env, bool, "True or False")
         tolerance = None if tolerance_px is None else check.number("tolerance_px", tolerance_px, finite=False)
         return cls(method, env, tolerance)
 

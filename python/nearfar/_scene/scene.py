@@ -382,6 +382,4 @@ class Scene:
 
 def core_of(scene: Scene) -> _core.Scene:
     """Return the compiled scene that kernels take; TypeError for other arguments."""
-    if not isinstance(scene, Scene):
-        raise TypeError(f"scene: expected a Scene, got {type(scene).__name__}")
-    return scene._core
+    return check.instance("scene", scene, Scene)._core

@@ -70,7 +70,7 @@ def ssim(
     check.choice("window", window, WINDOWS)
     taps, deviation = check.integer("size", size, 1, LARGEST), check.positive("sigma", sigma)
     for name, frame in (("reference", reference), ("test", test)):
-        _frame(name, frame).require("color")
+        check.instance(name, frame, DeviceFrame).require("color")
     settings: dict[str, Any] = {"window": window, "size": taps, "sigma": deviation}
     mean, flat = _core.gpu_similarity(reference._core, test._core, **settings, full=bool(full))
     width, height = reference.camera.size
@@ -113,10 +113,8 @@ def discontinuity(
     ----------
     Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
     """
-    _frame("frame", frame).require("position")
-    camera = frame.camera if truth_camera is None else truth_camera
-    if not isinstance(camera, Camera):
-        raise TypeError(f"truth_camera: expected a Camera, got {type(camera).__name__}")
+    check.instance("frame", frame, DeviceFrame).require("position")
+    camera = frame.camera if truth_camera is None else check.instance("truth_camera", truth_camera, Camera)
     with progress.bar("measuring discontinuity") as report:
         flat = _core.gpu_discontinuity(
             frame._core,
@@ -211,12 +209,6 @@ def cube_lookup(
     values = np.empty((len(rows), deep.shape[3]), np.float32)
     _core.gpu_cube_lookup(backends.opened(), (np.ascontiguousarray(deep), values), rows, filter)
     return values.reshape(along.shape[:-1] + maps.shape[3:])
-
-
-def _frame(name: str, frame: DeviceFrame) -> DeviceFrame:
-    if not isinstance(frame, DeviceFrame):
-        raise TypeError(f"{name}: expected a DeviceFrame, got {type(frame).__name__}")
-    return frame
 
 
 def _single(name: str, values: ArrayLike, other: str) -> NDArray[Any]:

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from nearfar._base import check
 from nearfar._camera.camera import Camera, quaternion
-from nearfar._lens.lens import RadialLens
+from nearfar._lens.lens import RadialLens, check_symmetric
 from nearfar.hmd import _file, _hmdq
 from nearfar.hmd._eye import Eye, TotalFov, rotation, total_fov, turned
 
@@ -74,8 +74,7 @@ class Hmd:
             raise ValueError(f"name: expected a name, got {self.name!r}")
         _check_text("name", self.name)
         for side in EYES:
-            if not isinstance(getattr(self, side), Eye):
-                raise TypeError(f"{side}: expected Eye, got {type(getattr(self, side)).__name__}")
+            check.instance(side, getattr(self, side), Eye, "Eye")
         _set(self, "render_size", check.pair("render_size", self.render_size, 1, check.MAX_SIZE))
         if self.panel_size is not None:
             _set(self, "panel_size", check.pair("panel_size", self.panel_size, 1, check.MAX_SIZE))
@@ -105,10 +104,7 @@ class Hmd:
 
     def _check_lens(self) -> None:
         if self.lens is not None:
-            if not isinstance(self.lens, RadialLens):
-                raise TypeError(f"lens: expected a RadialLens, got {type(self.lens).__name__}")
-            if any(self.lens.tangential):
-                raise ValueError(f"lens: expected one without tangential terms, got {self.lens.tangential}")
+            check_symmetric(self.lens)
         if self.lens_radius is not None:
             _set(self, "lens_radius", check.positive("lens_radius", self.lens_radius))
 

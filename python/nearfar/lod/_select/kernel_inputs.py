@@ -46,8 +46,7 @@ def curves_of(
     if isinstance(models, MeasuredLevels) or not isinstance(models, Sequence):
         raise TypeError(f"models: expected a sequence of LodModel, got {type(models).__name__}")
     for number, model in enumerate(models):
-        if not isinstance(model, MeasuredLevels):
-            raise TypeError(f"models: expected a LodModel at index {number}, got {type(model).__name__}")
+        check.instance("models", model, MeasuredLevels, f"a LodModel at index {number}")
     rows = [_curve_rows(model) for model in models]
     firsts = np.zeros(len(rows) + 1, np.int64)
     np.cumsum([len(part) for part in rows], out=firsts[1:])
@@ -75,9 +74,7 @@ def cameras_of(camera: Camera | Sequence[Camera]) -> tuple[Camera, ...]:
     if not cameras:
         raise ValueError("camera: expected at least one, got none")
     for one in cameras:
-        if not isinstance(one, Camera):
-            raise TypeError(f"camera: expected a Camera or a sequence of them, got {type(one).__name__}")
-        _fov_of(one)
+        _fov_of(check.instance("camera", one, Camera, "a Camera or a sequence of them"))
     return cameras
 
 
@@ -103,6 +100,4 @@ def eye_of(camera: Camera, gaze: tuple[float, float, float] | None) -> Eye:
 
 
 def _fov_of(camera: Camera) -> Fov:
-    if not isinstance(camera.fov, Fov):
-        raise TypeError(f"camera: expected one with a Fov, got {type(camera.fov).__name__}")
-    return camera.fov
+    return check.instance("camera", camera.fov, Fov, "one with a Fov")

@@ -50,8 +50,8 @@ class Base:
         self, mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[str], name: str | None = None
     ) -> None:
         scene = _scene_of(mesh)
-        if name is not None and not isinstance(name, str):
-            raise TypeError(f"name: expected a string, got {type(name).__name__}")
+        if name is not None:
+            check.instance("name", name, str, "a string")
         if not scene.triangle_count:
             raise ValueError("mesh: expected triangles, got none")
         only = _only_object(scene)
