@@ -219,7 +219,18 @@ def _buffer(
     height, width = shape[-2:]
     if not isinstance(projection, Projection):
         rows = check.array("projection", projection, columns=None, dtype=np.float64)
-        return _matrix_buffer((width, height), rows, near, far, reverse, depth_range)
+        if rows.shape != (4, 4):
+            raise ValueError(f"projection: expected a (4, 4) matrix, got shape {rows.shape}")
+        if near is not None or far != math.inf:
+            raise ValueError("near: expected None beside a matrix, which has its own planes")
+        if reverse is not None:
+            raise ValueError(f"reverse: expected None beside a matrix, which says it itself, got {reverse!r}")
+        if depth_range is None:
+            raise ValueError(
+                "depth_range: expected '0..1' or '-1..1' (OpenGL's) beside a matrix, which does not say it, got None"
+            )
+        low = -float(CLIP_SPACES.index(check.choice("depth_range", depth_range, CLIP_SPACES)))
+        return _core.DepthBuffer.from_matrix((width, height), rows.tolist(), low)
     if depth_range is not None:
         raise ValueError(f"depth_range: expected None beside {type(projection).__name__}, got {depth_range!r}")
     if isinstance(projection, CubeFace) and width != height:
@@ -229,30 +240,8 @@ def _buffer(
     nearest, farthest = (_parallel_planes if parallel else _planes)(near, far)
     options: dict[str, Any] = {"kind": kind, "near": nearest, "far": farthest}
     if not isinstance(projection, CubeFace):
-        options["bounds"] = (projection.left, projection.right, projection.down, projection.up)
+        options["bounds"] = projection._sides
     return _core.DepthBuffer((width, height), reverse=reverse is None or bool(reverse), **options)
-
-
-def _matrix_buffer(
-    size: tuple[int, int],
-    rows: NDArray[np.float64],
-    near: float | None,
-    far: float,
-    reverse: bool | None,
-    depth_range: str | None,
-) -> _core.DepthBuffer:
-    if rows.shape != (4, 4):
-        raise ValueError(f"projection: expected a (4, 4) matrix, got shape {rows.shape}")
-    if near is not None or far != math.inf:
-        raise ValueError("near: expected None beside a matrix, which has its own planes")
-    if reverse is not None:
-        raise ValueError(f"reverse: expected None beside a matrix, which says it itself, got {reverse!r}")
-    if depth_range is None:
-        raise ValueError(
-            "depth_range: expected '0..1' or '-1..1' (OpenGL's) beside a matrix, which does not say it, got None"
-        )
-    low = -float(CLIP_SPACES.index(check.choice("depth_range", depth_range, CLIP_SPACES)))
-    return _core.DepthBuffer.from_matrix(size, rows.tolist(), low)
 
 
 def _parallel_planes(near: float | None, far: float) -> tuple[float, float]:

@@ -171,8 +171,6 @@ def ssim(
     """
     settings = Window.checked(window, size, sigma, k1, k2, convention, masking, masked=mask is not None)
     pair = inputs.pair(reference, test, data_range)
-    if pair.reference.ndim not in (2, 3):
-        raise ValueError(f"reference: expected shape (H, W) or (H, W, C), got {pair.reference.shape}")
     channels = _channels_first(pair)
     masks = None if mask is None else _masks(mask, channels.reference.shape, settings)
     sums, maps = _compare(channels, settings, masks, masking, full=full)
@@ -294,8 +292,6 @@ def ms_ssim(
     if exponents.ndim != 1 or not len(exponents) or (exponents < 0.0).any():
         raise ValueError(f"weights: expected numbers of at least 0, one for each scale, got {weights!r}")
     pair = inputs.pair(reference, test, data_range)
-    if pair.reference.ndim not in (2, 3):
-        raise ValueError(f"reference: expected shape (H, W) or (H, W, C), got {pair.reference.shape}")
     channels = _channels_first(pair)
     settings = window_settings.settings(channels)
     means = np.array(_core.multiscale(channels.reference, channels.test, settings=settings, scales=len(exponents)))
@@ -341,7 +337,9 @@ def visual_continuity(frames: Iterable[ArrayLike | Frame], *, data_range: float 
 
 
 def _channels_first(pair: Pair) -> Pair:
-    """Move the channels to the front, without a copy."""
+    """Move the channels of pictures to the front, without a copy; ValueError for arrays that are no pictures."""
+    if pair.reference.ndim not in (2, 3):
+        raise ValueError(f"reference: expected shape (H, W) or (H, W, C), got {pair.reference.shape}")
     if pair.reference.ndim == 2:
         return pair
     return Pair(np.moveaxis(pair.reference, -1, 0), np.moveaxis(pair.test, -1, 0), pair.data_range)

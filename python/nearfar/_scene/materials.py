@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-_MOST_TEXELS = 1 << 27
+MOST_TEXELS = 1 << 27
 """Greatest number of texels of one texture (half a gigabyte); a damaged header can claim billions."""
 
 _TRIMESH_DEFAULT = (102, 102, 102, 255)
@@ -167,7 +167,7 @@ class Materials:
         return texels, () if texels is not None else (_UNREADABLE,)
 
     def _decoded(self, image: Any) -> NDArray[np.uint8] | None:
-        if image.size[0] * image.size[1] > _MOST_TEXELS:
+        if image.size[0] * image.size[1] > MOST_TEXELS:
             return None
         try:
             if image.mode.startswith("I;16"):  # Pillow would clip 16-bit values instead of scaling them

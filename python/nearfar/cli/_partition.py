@@ -10,7 +10,7 @@ import typer
 import nearfar as nf
 from nearfar._base import check, formats
 from nearfar.cli import _options as options
-from nearfar.cli._output import check_target, count, metres, show, write_json
+from nearfar.cli._output import check_target, count, metres, show
 from nearfar.cli._viewpoint import choose
 
 VERSION = 1
@@ -43,7 +43,7 @@ def partition(
     middle = options.read_point("--center", center) or choose(loaded, scene).eye
     document = describe(loaded, scene, middle, r1, r2)
     if output:
-        write_json(output, document)
+        formats.write_json(output, document)
     rows = [
         ("centre", metres(middle)),
         ("radii", f"{r1:g} m and {r2:g} m"),

@@ -92,11 +92,7 @@ def spread(
     stage: Stage, rows: Floats, prototypes: int, make: Callable[[int], Soup], name: str, draw: Draw, first: int = 0
 ) -> None:
     """Place objects, each with one of several prototypes, numbered through from `first`."""
-    chosen = draw.integers(len(rows), prototypes)
-    for variant in range(prototypes):
-        mine = np.flatnonzero(chosen == variant)
-        if len(mine):
-            stage.many(make(variant), placements(*rows[mine].T), [f"{name}_{first + k}" for k in mine])
+    stage.mixed(make, draw.integers(len(rows), prototypes), placements(*rows.T), name, first)
 
 
 def dress(stage: Stage, grid: Grid, built: Sequence[Plot], seed: int, detail: int) -> None:

@@ -10,8 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera
+from nearfar._cubemap.lookup import directions_of, faces_of, with_channels
 from nearfar._metrics.result import Similarity
-from nearfar._morph import KINDS, radii_of
+from nearfar._morph import placed
 from nearfar._render import backend as backends
 from nearfar.gpu._frames import DeviceFrame
 
@@ -158,13 +159,10 @@ def morph(
     ----------
     Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3; CloVR (2024), Alg. 1.
     """
-    check.choice("kind", kind, KINDS)
-    near, far = radii_of(r1, r2, kind)
-    source = _single("points", points, "nearfar.morph")
-    rows = check.array("points", source)
+    place = placed(user, center, r1, r2, kind)
+    rows = check.array("points", _single("points", points, "nearfar.morph"))
     shown = np.empty_like(rows)
-    place = {"user": check.vector("user", user), "center": check.vector("center", center)}
-    _core.gpu_morph(backends.opened(), rows, shown, **place, r1=near, r2=far, kind=kind)
+    _core.gpu_morph(backends.opened(), rows, shown, **place)
     return shown
 
 
@@ -199,16 +197,12 @@ def cube_lookup(
         For faces larger than a kernel can read at a time, and if the device was lost or has no memory left.
     """
     check.choice("filter", filter, FILTERS)
-    maps = np.require(_single("faces", faces, "nearfar.cube_lookup"), None, ["C", "A"])
-    if maps.ndim not in (3, 4) or maps.shape[0] != 6 or maps.shape[1] != maps.shape[2] or maps.shape[1] == 0:
-        raise ValueError(f"faces: expected shape (6, S, S) or (6, S, S, C), got {maps.shape}")
-    along = np.require(_single("directions", directions, "nearfar.cube_lookup"), None, ["C", "A"])
-    if along.ndim == 0 or along.shape[-1] != 3:
-        raise ValueError(f"directions: expected shape (..., 3), got {along.shape}")
-    rows, deep = along.reshape(-1, 3), maps.reshape(*maps.shape[:3], -1) if maps.ndim == 4 else maps[..., None]
+    maps = faces_of(_single("faces", faces, "nearfar.cube_lookup"))
+    rows, shape = directions_of(_single("directions", directions, "nearfar.cube_lookup"))
+    deep = with_channels(maps)
     values = np.empty((len(rows), deep.shape[3]), np.float32)
-    _core.gpu_cube_lookup(backends.opened(), (np.ascontiguousarray(deep), values), rows, filter)
-    return values.reshape(along.shape[:-1] + maps.shape[3:])
+    _core.gpu_cube_lookup(backends.opened(), (deep, values), rows, filter)
+    return values.reshape(shape + maps.shape[3:])
 
 
 def _single(name: str, values: ArrayLike, other: str) -> NDArray[Any]:

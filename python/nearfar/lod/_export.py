@@ -42,7 +42,7 @@ def write(
     document = _file.document(model) | {"switches": engine_levels(model, sizes)}
     match path.suffix.lower():
         case ".json":
-            _save(path, formats.to_json(document).encode())
+            formats.write_json(path, document)
         case ".glb":
             _save(path, _glb_of(model, sizes, document))
         case _:

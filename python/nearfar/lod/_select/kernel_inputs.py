@@ -95,8 +95,7 @@ def eye_of(camera: Camera, gaze: tuple[float, float, float] | None) -> Eye:
     """Numbers of a camera for the kernel. A pixel takes the most degrees on the axis."""
     fov = _fov_of(camera)
     pitch = max((fov.right - fov.left) / camera.width, (fov.up - fov.down) / camera.height)
-    bounds = (fov.left, fov.right, fov.down, fov.up)
-    return camera.position, camera.orientation, bounds, gaze, math.degrees(math.atan(pitch))
+    return camera.position, camera.orientation, fov._sides, gaze, math.degrees(math.atan(pitch))
 
 
 def _fov_of(camera: Camera) -> Fov:
