@@ -96,8 +96,7 @@ def mask_of(mask: ArrayLike, name: str = "mask") -> NDArray[np.uint8]:
     values = check.plain(name, mask)
     if values.dtype.kind not in "biu":
         raise TypeError(f"{name}: expected true and false, got {values.dtype}")
-    named: NDArray[np.uint8] = _readable((values if values.dtype.kind == "b" else values != 0).view(np.uint8), np.uint8)
-    return named
+    return _readable((values if values.dtype.kind == "b" else values != 0).view(np.uint8), np.uint8)
 
 
 def numbers(name: str, value: ArrayLike) -> NDArray[Any]:

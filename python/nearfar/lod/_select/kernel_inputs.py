@@ -21,13 +21,8 @@ _CURVE_ROWS: WeakKeyDictionary[MeasuredLevels, NDArray[np.float64]] = WeakKeyDic
 MIN_SIGHT_LENGTH = 1e-6
 """Least length of the mean of the unit lines of sight of several eyes. Below it they look in opposite directions."""
 
-Eye = tuple[
-    tuple[float, float, float],
-    tuple[float, float, float, float],
-    tuple[float, float, float, float],
-    tuple[float, float, float] | None,
-    float,
-]
+Four = tuple[float, float, float, float]
+Eye = tuple[tuple[float, float, float], Four, Four, tuple[float, float, float] | None, float]
 """Position, orientation, tangents (left, right, down, up), gaze, and degrees of a pixel on the axis."""
 
 
