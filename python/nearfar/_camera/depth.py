@@ -73,9 +73,7 @@ def range_from_depth(
     if values.dtype.name not in STORED:
         raise TypeError(f"depth: expected {', '.join(STORED[:-1])} or {STORED[-1]}, got {values.dtype}")
     images, shape = _images("depth", values, values.dtype.newbyteorder("="))
-    buffer = _buffer(images.shape, projection, near, far, reverse, depth_range)
-    ranges: NDArray[Any] = buffer.ranges(images)
-    return ranges.reshape(shape)
+    return _buffer(images.shape, projection, near, far, reverse, depth_range).ranges(images).reshape(shape)
 
 
 def depth_from_range(
@@ -114,9 +112,7 @@ def depth_from_range(
         For values that are not numbers.
     """
     images, shape = _images("ranges", ranges, None)
-    buffer = _buffer(images.shape, projection, near, far, reverse, depth_range)
-    depths: NDArray[Any] = buffer.depths(images)
-    return depths.reshape(shape)
+    return _buffer(images.shape, projection, near, far, reverse, depth_range).depths(images).reshape(shape)
 
 
 def range_error(

@@ -83,11 +83,11 @@ def cube_lookup(
     """
     check.choice("filter", filter, FILTERS)
     angle = None if radius is None else _radius(radius, filter)
-    maps = faces_of(faces)
+    maps = _faces(faces)
     rows, shape = directions_of(directions)
     if maps.dtype.kind in "iub" and filter != "nearest":
         raise ValueError(f"filter: expected 'nearest' for faces of type {maps.dtype}, got {filter!r}")
-    deep = with_channels(maps)
+    deep = _deep(maps)
     values: NDArray[Any] = np.empty((len(rows), deep.shape[3]), maps.dtype)
     if filter == "nearest":
         bits = BITS[maps.itemsize]
@@ -127,12 +127,12 @@ def cube_mips(faces: ArrayLike, *, filter: str = "mean") -> list[NDArray[Any]]: 
     check.choice("filter", filter, ("mean", "min", "max"))
     texels = check.plain("faces", faces)
     texels = texels.astype(np.float64) if texels.dtype.kind == "b" else texels
-    levels = [faces_of(check.array("faces", texels, columns=None))]
+    levels = [_faces(check.array("faces", texels, columns=None))]
     while levels[-1].shape[1] > 1:
         above = levels[-1]
         size = above.shape[1] // 2
         levels.append(np.empty((6, size, size, *above.shape[3:]), above.dtype))
-        _core.cube_next_level((with_channels(above), with_channels(levels[-1])), filter)
+        _core.cube_next_level((_deep(above), _deep(levels[-1])), filter)
     return levels
 
 
@@ -191,13 +191,12 @@ def _radius(radius: float, chosen: str) -> float:
     return angle
 
 
-def with_channels(maps: NDArray[Any]) -> NDArray[Any]:
+def _deep(maps: NDArray[Any]) -> NDArray[Any]:
     """Add an axis for channels if there is none."""
     return np.require(maps if maps.ndim == 4 else maps[..., None], None, ["C", "A"])
 
 
-def faces_of(faces: ArrayLike) -> NDArray[Any]:
-    """Check the faces of a cube map, with or without channels; numbers as in `numbers_of`."""
+def _faces(faces: ArrayLike) -> NDArray[Any]:
     array = numbers_of("faces", faces)
     if array.ndim not in (3, 4) or array.shape[0] != 6 or array.shape[1] != array.shape[2] or array.shape[1] == 0:
         raise ValueError(f"faces: expected shape (6, S, S) or (6, S, S, C), got {array.shape}")

@@ -10,7 +10,6 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera
-from nearfar._cubemap.lookup import directions_of, faces_of, with_channels
 from nearfar._metrics.result import Similarity
 from nearfar._morph import placed
 from nearfar._render import backend as backends
@@ -72,8 +71,8 @@ def ssim(
     taps, deviation = check.integer("size", size, 1, LARGEST), check.positive("sigma", sigma)
     for name, frame in (("reference", reference), ("test", test)):
         check.instance(name, frame, DeviceFrame).require("color")
-    settings: dict[str, Any] = {"window": window, "size": taps, "sigma": deviation}
-    mean, flat = _core.gpu_similarity(reference._core, test._core, **settings, full=bool(full))
+    cores = reference._core, test._core
+    mean, flat = _core.gpu_similarity(*cores, window=window, size=taps, sigma=deviation, full=bool(full))
     width, height = reference.camera.size
     return Similarity(mean, None if flat is None else flat.reshape(height, width))
 
@@ -197,12 +196,16 @@ def cube_lookup(
         For faces larger than a kernel can read at a time, and if the device was lost or has no memory left.
     """
     check.choice("filter", filter, FILTERS)
-    maps = faces_of(_single("faces", faces, "nearfar.cube_lookup"))
-    rows, shape = directions_of(_single("directions", directions, "nearfar.cube_lookup"))
-    deep = with_channels(maps)
+    maps = np.require(_single("faces", faces, "nearfar.cube_lookup"), None, ["C", "A"])
+    if maps.ndim not in (3, 4) or maps.shape[0] != 6 or maps.shape[1] != maps.shape[2] or maps.shape[1] == 0:
+        raise ValueError(f"faces: expected shape (6, S, S) or (6, S, S, C), got {maps.shape}")
+    along = np.require(_single("directions", directions, "nearfar.cube_lookup"), None, ["C", "A"])
+    if along.ndim == 0 or along.shape[-1] != 3:
+        raise ValueError(f"directions: expected shape (..., 3), got {along.shape}")
+    rows, deep = along.reshape(-1, 3), maps.reshape(*maps.shape[:3], -1) if maps.ndim == 4 else maps[..., None]
     values = np.empty((len(rows), deep.shape[3]), np.float32)
-    _core.gpu_cube_lookup(backends.opened(), (deep, values), rows, filter)
-    return values.reshape(shape + maps.shape[3:])
+    _core.gpu_cube_lookup(backends.opened(), (np.ascontiguousarray(deep), values), rows, filter)
+    return values.reshape(along.shape[:-1] + maps.shape[3:])
 
 
 def _single(name: str, values: ArrayLike, other: str) -> NDArray[Any]:
