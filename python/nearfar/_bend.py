@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check, progress
-from nearfar._morph import KINDS, radii_of
+from nearfar._morph import KINDS, placed
 
 
 def bend_rays(
@@ -58,20 +58,10 @@ def bend_rays(
     ----------
     The inverse of Eq. 1 of Popescu, Lee, Choi, Fahmy (2022), and of Alg. 1 of CloVR (2024).
     """
-    check.choice("kind", kind, KINDS)
-    near, far = radii_of(r1, r2, kind)
+    place, least = placed(user, center, r1, r2, kind), check.positive("tolerance", tolerance)
     rays = np.ascontiguousarray(check.array("directions", directions), np.float64)
     with progress.bar("bending rays") as report:
-        points, longest = _core.bend_rays(
-            rays,
-            user=check.vector("user", user),
-            center=check.vector("center", center),
-            r1=near,
-            r2=far,
-            kind=kind,
-            tolerance=check.positive("tolerance", tolerance),
-            report=report,
-        )
+        points, longest = _core.bend_rays(rays, **place, tolerance=least, report=report)
     return points.reshape(len(rays), longest, 3)
 
 

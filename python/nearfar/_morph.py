@@ -69,24 +69,20 @@ def morph(
     Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3, for "blend". CloVR (2024), Alg. 1, for "cylinder", with the brackets
     that are missing in its formula of the weight w.
     """
-    check.choice("kind", kind, KINDS)
-    near, far = radii_of(r1, r2, kind)
+    place = placed(user, center, r1, r2, kind)
     source = check.array("points", points)
     shown = np.empty_like(source) if out is None else check.output("out", out, source)
-    _core.morph(
-        source,
-        shown,
-        user=check.vector("user", user),
-        center=check.vector("center", center),
-        r1=near,
-        r2=far,
-        kind=kind,
-    )
+    _core.morph(source, shown, **place)
     return shown
 
 
-def radii_of(r1: float, r2: float, kind: str) -> tuple[float, float]:
-    """Check radii in metres and return them as floats; both may be 0 for "cylinder"."""
-    if kind == "cylinder" and check.number("r1", r1) == 0.0 == check.number("r2", r2):
-        return 0.0, 0.0
-    return check.radii(r1, r2)
+def placed(user: ArrayLike, center: ArrayLike, r1: float, r2: float, kind: str) -> dict[str, Any]:
+    """Check user, centre, radii and kind of a morph, and return them as kernels take them.
+
+    Both radii may be 0 for "cylinder".
+    """
+    check.choice("kind", kind, KINDS)
+    empty = kind == "cylinder" and check.number("r1", r1) == 0.0 == check.number("r2", r2)
+    near, far = (0.0, 0.0) if empty else check.radii(r1, r2)
+    eye, middle = check.vector("user", user), check.vector("center", center)
+    return {"user": eye, "center": middle, "r1": near, "r2": far, "kind": kind}

@@ -93,8 +93,7 @@ def tessellate(
 
 
 def _pixel_angle(camera: Camera) -> float:
-    if not isinstance(camera, Camera):
-        raise TypeError(f"camera: expected a Camera, got {type(camera).__name__}")
+    check.instance("camera", camera, Camera)
     if camera._core.is_parallel:
         raise ValueError("camera: expected a perspective view or a cube face, got parallel rays")
     return camera._core.least_pixel_angle
@@ -120,8 +119,7 @@ def _tessellate_trimesh(mesh: trimesh.Trimesh, settings: dict[str, Any]) -> trim
 
     from nearfar._scene.load_trimesh import source_normals
 
-    if not isinstance(mesh, trimesh.Trimesh):
-        raise TypeError(f"mesh: expected a Scene or a trimesh.Trimesh, got {type(mesh).__name__}")
+    check.instance("mesh", mesh, trimesh.Trimesh, "a Scene or a trimesh.Trimesh")
     vertices = check.array("mesh.vertices", mesh.vertices.view(np.ndarray), dtype=np.float64, finite=True)
     faces = check.array("mesh.faces", mesh.faces.view(np.ndarray), dtype=np.uint32)
     if faces.size and int(faces.max()) >= len(vertices):

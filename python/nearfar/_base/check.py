@@ -7,10 +7,12 @@ import operator
 import os
 from collections.abc import Collection
 from pathlib import Path
-from typing import Any, SupportsFloat, SupportsIndex
+from typing import Any, SupportsFloat, SupportsIndex, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+Kind = TypeVar("Kind")
 
 MAX_SIZE = 1 << 16
 """Greatest width or height of an image in pixels."""
@@ -53,10 +55,8 @@ def array(
         raise ValueError(f"{name}: expected shape (N, {columns}), got {values.shape}")
     if target.kind in "iu":
         _whole(name, values, target)
-    if finite and values.dtype.kind == "f" and not np.isfinite(values).all():
-        bad = np.argwhere(~np.isfinite(values))
-        where = tuple(int(i) for i in bad[0])
-        raise ValueError(f"{name}: expected finite numbers, got {len(bad)} that are not, the first at {where}")
+    if finite and (flaw := not_finite(name, values)):
+        raise flaw
     return np.require(values, target, ["C_CONTIGUOUS", "ALIGNED"])
 
 
@@ -69,6 +69,15 @@ def plain(name: str, value: ArrayLike) -> NDArray[Any]:
         return np.asarray(value)
     except ValueError:
         raise ValueError(f"{name}: expected rows of equal length") from None
+
+
+def not_finite(name: str, values: NDArray[Any]) -> ValueError | None:
+    """Make the error for an array with NaN or infinities, which names the first; None for an array without any."""
+    if values.dtype.kind != "f" or np.isfinite(values).all():
+        return None
+    bad = np.argwhere(~np.isfinite(values))
+    where = tuple(int(i) for i in bad[0])
+    return ValueError(f"{name}: expected finite numbers, got {len(bad)} that are not, the first at {where}")
 
 
 def output(name: str, value: NDArray[Any], source: NDArray[Any]) -> NDArray[Any]:
@@ -102,6 +111,29 @@ def number(name: str, value: SupportsFloat, *, finite: bool = True) -> float:
     result = float(value)
     if finite and not math.isfinite(result):
         raise ValueError(f"{name}: expected a finite number, got {result}")
+    return result
+
+
+def instance(name: str, value: object, kind: type[Kind], expected: str = "") -> Kind:
+    """Return a value of a type, which `expected` describes if "a" and the type's name do not; TypeError otherwise."""
+    if not isinstance(value, kind):
+        raise TypeError(f"{name}: expected {expected or f'a {kind.__name__}'}, got {type(value).__name__}")
+    return value
+
+
+def within(name: str, value: SupportsFloat, low: float, high: float) -> float:
+    """Return one number within [low, high]; ValueError or TypeError otherwise."""
+    result = number(name, value)
+    if not low <= result <= high:
+        raise ValueError(f"{name}: expected a number from {low:g} to {high:g}, got {result}")
+    return result
+
+
+def at_least_zero(name: str, value: SupportsFloat) -> float:
+    """Return one finite number of at least zero; ValueError or TypeError otherwise."""
+    result = number(name, value)
+    if result < 0.0:
+        raise ValueError(f"{name}: expected a number of at least 0, got {result}")
     return result
 
 

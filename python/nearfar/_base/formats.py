@@ -10,6 +10,7 @@ from contextlib import contextmanager
 from importlib import resources
 from typing import Any
 
+from nearfar._base import files
 from nearfar._base.errors import FormatError
 from nearfar._base.version import __version__
 
@@ -112,6 +113,12 @@ def guarded(path: str | os.PathLike[str], kind: str = "") -> Iterator[None]:
 def to_json(document: dict[str, Any]) -> str:
     """Encode a document as indented strict JSON (no NaN or infinity) that ends with a line break."""
     return json.dumps(document, indent=2, allow_nan=False, ensure_ascii=False) + "\n"
+
+
+def write_json(path: str | os.PathLike[str], document: dict[str, Any]) -> None:
+    """Write a document as JSON, completely or not at all."""
+    with files.atomic_file(path) as temporary:
+        temporary.write_text(to_json(document), encoding="utf-8")
 
 
 def load_schema(name: str) -> dict[str, Any]:

@@ -84,12 +84,8 @@ class Writer:
             "bufferViews": self._views,
             "buffers": [{"byteLength": self._size}] if self._size else [],
         }
-        text = _padded(json.dumps({key: value for key, value in whole.items() if value != []}, allow_nan=False))
-        chunks = [_CHUNK.pack(len(text), b"JSON"), text]
-        if self._size:
-            chunks += [_CHUNK.pack(self._size, b"BIN\0"), *self._pieces]
-        size = _HEADER.size + sum(map(len, chunks))
-        return b"".join([_HEADER.pack(b"glTF", _VERSION, size), *chunks])
+        text = json.dumps({key: value for key, value in whole.items() if value != []}, allow_nan=False)
+        return _file(text, *([_CHUNK.pack(self._size, b"BIN\0"), *self._pieces] if self._size else []))
 
 
 def header(data: bytes) -> tuple[dict[str, Any], int]:
@@ -106,10 +102,7 @@ def header(data: bytes) -> tuple[dict[str, Any], int]:
 
 def with_document(data: bytes, end: int, document: dict[str, Any]) -> bytes:
     """A GLB with another JSON document; `end` is the place where its second chunk begins."""
-    text = _padded(json.dumps(document))
-    rest = data[end:]
-    size = _HEADER.size + _CHUNK.size + len(text) + len(rest)
-    return b"".join([_HEADER.pack(b"glTF", _VERSION, size), _CHUNK.pack(len(text), b"JSON"), text, rest])
+    return _file(json.dumps(document), data[end:])
 
 
 def json_object(text: bytes) -> dict[str, Any]:
@@ -120,10 +113,12 @@ def json_object(text: bytes) -> dict[str, Any]:
     return document
 
 
-def _padded(text: str) -> bytes:
-    """A JSON chunk's content, filled up to whole words."""
+def _file(text: str, *rest: bytes) -> bytes:
+    """A GLB with this JSON, filled up to whole words, and the bytes of its other chunk."""
     content = text.encode()
-    return content + b" " * (-len(content) % 4)
+    content += b" " * (-len(content) % 4)
+    chunks = [_CHUNK.pack(len(content), b"JSON"), content, *rest]
+    return b"".join([_HEADER.pack(b"glTF", _VERSION, _HEADER.size + sum(map(len, chunks))), *chunks])
 
 
 class Reader:

@@ -15,11 +15,8 @@ from nearfar._base.pickling import WithTwin
 
 
 @dataclass(frozen=True)
-class Fov:
-    """Field of view of a perspective camera: tangents of the angles to the four sides.
-
-    Left and down are negative in a symmetric view. Asymmetric views, as headsets have them, are allowed.
-    """
+class _Bounded:
+    """A projection with four sides."""
 
     left: float
     right: float
@@ -27,7 +24,25 @@ class Fov:
     up: float
 
     def __post_init__(self) -> None:
-        _bounds("fov", self)
+        for side in ("left", "right", "down", "up"):
+            object.__setattr__(self, side, check.number(f"fov.{side}", getattr(self, side)))
+        if self.left >= self.right:
+            raise ValueError(f"fov: expected left < right, got {self.left} and {self.right}")
+        if self.down >= self.up:
+            raise ValueError(f"fov: expected down < up, got {self.down} and {self.up}")
+
+    @property
+    def _sides(self) -> tuple[float, float, float, float]:
+        """Left, right, down and up, as kernels take them."""
+        return self.left, self.right, self.down, self.up
+
+
+@dataclass(frozen=True)
+class Fov(_Bounded):
+    """Field of view of a perspective camera: tangents of the angles to the four sides.
+
+    Left and down are negative in a symmetric view. Asymmetric views, as headsets have them, are allowed.
+    """
 
     @classmethod
     def symmetric(cls, horizontal_deg: float, aspect: float = 1.0) -> Fov:
@@ -49,16 +64,8 @@ class Fov:
 
 
 @dataclass(frozen=True)
-class Orthographic:
+class Orthographic(_Bounded):
     """Projection by parallel rays along the viewing direction; bounds of the image in metres from the position."""
-
-    left: float
-    right: float
-    down: float
-    up: float
-
-    def __post_init__(self) -> None:
-        _bounds("fov", self)
 
 
 @dataclass(frozen=True)
@@ -178,17 +185,7 @@ class Camera(WithTwin):
         if isinstance(fov, CubeFace):
             return _core.Camera(self.position, self.orientation, self.size, kind="cube", face=fov.face)
         kind = "perspective" if isinstance(fov, Fov) else "orthographic"
-        bounds = (fov.left, fov.right, fov.down, fov.up)
-        return _core.Camera(self.position, self.orientation, self.size, kind=kind, bounds=bounds)
-
-
-def _bounds(name: str, bounds: Fov | Orthographic) -> None:
-    for side in ("left", "right", "down", "up"):
-        object.__setattr__(bounds, side, check.number(f"{name}.{side}", getattr(bounds, side)))
-    if bounds.left >= bounds.right:
-        raise ValueError(f"{name}: expected left < right, got {bounds.left} and {bounds.right}")
-    if bounds.down >= bounds.up:
-        raise ValueError(f"{name}: expected down < up, got {bounds.down} and {bounds.up}")
+        return _core.Camera(self.position, self.orientation, self.size, kind=kind, bounds=fov._sides)
 
 
 def quaternion(value: ArrayLike) -> tuple[float, float, float, float]:

@@ -73,9 +73,7 @@ def range_from_depth(
     if values.dtype.name not in STORED:
         raise TypeError(f"depth: expected {', '.join(STORED[:-1])} or {STORED[-1]}, got {values.dtype}")
     images, shape = _images("depth", values, values.dtype.newbyteorder("="))
-    buffer = _buffer(images.shape, projection, near, far, reverse, depth_range)
-    ranges: NDArray[Any] = buffer.ranges(images)
-    return ranges.reshape(shape)
+    return _buffer(images.shape, projection, near, far, reverse, depth_range).ranges(images).reshape(shape)
 
 
 def depth_from_range(
@@ -114,9 +112,7 @@ def depth_from_range(
         For values that are not numbers.
     """
     images, shape = _images("ranges", ranges, None)
-    buffer = _buffer(images.shape, projection, near, far, reverse, depth_range)
-    depths: NDArray[Any] = buffer.depths(images)
-    return depths.reshape(shape)
+    return _buffer(images.shape, projection, near, far, reverse, depth_range).depths(images).reshape(shape)
 
 
 def range_error(
@@ -219,7 +215,18 @@ def _buffer(
     height, width = shape[-2:]
     if not isinstance(projection, Projection):
         rows = check.array("projection", projection, columns=None, dtype=np.float64)
-        return _matrix_buffer((width, height), rows, near, far, reverse, depth_range)
+        if rows.shape != (4, 4):
+            raise ValueError(f"projection: expected a (4, 4) matrix, got shape {rows.shape}")
+        if near is not None or far != math.inf:
+            raise ValueError("near: expected None beside a matrix, which has its own planes")
+        if reverse is not None:
+            raise ValueError(f"reverse: expected None beside a matrix, which says it itself, got {reverse!r}")
+        if depth_range is None:
+            raise ValueError(
+                "depth_range: expected '0..1' or '-1..1' (OpenGL's) beside a matrix, which does not say it, got None"
+            )
+        low = -float(CLIP_SPACES.index(check.choice("depth_range", depth_range, CLIP_SPACES)))
+        return _core.DepthBuffer.from_matrix((width, height), rows.tolist(), low)
     if depth_range is not None:
         raise ValueError(f"depth_range: expected None beside {type(projection).__name__}, got {depth_range!r}")
     if isinstance(projection, CubeFace) and width != height:
@@ -229,36 +236,12 @@ def _buffer(
     nearest, farthest = (_parallel_planes if parallel else _planes)(near, far)
     options: dict[str, Any] = {"kind": kind, "near": nearest, "far": farthest}
     if not isinstance(projection, CubeFace):
-        options["bounds"] = (projection.left, projection.right, projection.down, projection.up)
+        options["bounds"] = projection._sides
     return _core.DepthBuffer((width, height), reverse=reverse is None or bool(reverse), **options)
-
-
-def _matrix_buffer(
-    size: tuple[int, int],
-    rows: NDArray[np.float64],
-    near: float | None,
-    far: float,
-    reverse: bool | None,
-    depth_range: str | None,
-) -> _core.DepthBuffer:
-    if rows.shape != (4, 4):
-        raise ValueError(f"projection: expected a (4, 4) matrix, got shape {rows.shape}")
-    if near is not None or far != math.inf:
-        raise ValueError("near: expected None beside a matrix, which has its own planes")
-    if reverse is not None:
-        raise ValueError(f"reverse: expected None beside a matrix, which says it itself, got {reverse!r}")
-    if depth_range is None:
-        raise ValueError(
-            "depth_range: expected '0..1' or '-1..1' (OpenGL's) beside a matrix, which does not say it, got None"
-        )
-    low = -float(CLIP_SPACES.index(check.choice("depth_range", depth_range, CLIP_SPACES)))
-    return _core.DepthBuffer.from_matrix(size, rows.tolist(), low)
 
 
 def _parallel_planes(near: float | None, far: float) -> tuple[float, float]:
     if near is None or not math.isfinite(check.number("far", far, finite=False)):
         raise ValueError(f"far: expected finite near and far planes for parallel rays, got {near} and {far}")
-    nearest = check.number("near", near)
-    if nearest < 0.0:
-        raise ValueError(f"near: expected a number of at least 0, got {nearest}")
+    nearest = check.at_least_zero("near", near)
     return nearest, _above("far", far, nearest)

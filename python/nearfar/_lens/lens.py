@@ -14,7 +14,7 @@ from nearfar import _core
 from nearfar._base import check
 from nearfar._base.pickling import WithTwin
 from nearfar._camera.camera import Camera, Fov
-from nearfar._lens.warp import WarpMesh, radius_of, warp, warp_mesh
+from nearfar._lens.warp import Warping, radius_of
 
 METHODS = ("newton", "fixed_point", "lut")
 """Names of the methods that `RadialLens.undistort` describes."""
@@ -24,7 +24,7 @@ OUTSIDE = ("raise", "nan")
 
 
 @dataclass(frozen=True)
-class RadialLens(WithTwin):
+class RadialLens(WithTwin, Warping):
     """A lens that shows radius r at f(r) = r (1 + k₁r² + k₂r⁴ + …).
 
     Radii are ratios of tangents: r = tan α / tan ω, where α is the angle from the lens's axis and ω half the horizontal
@@ -171,89 +171,9 @@ class RadialLens(WithTwin):
         """Compute the points that the lens shows at positions: the inverse of `distort_points`, same arguments."""
         return self._core.undistort_points(check.array("points", points, columns=2), _raises_outside(outside))
 
-    def warp(
-        self,
-        image: ArrayLike,
-        inverse: bool = False,
-        *,
-        fov: Fov | None = None,
-        output_fov: Fov | None = None,
-        lens_radius: float | None = None,
-        size: tuple[int, int] | None = None,
-        filter: str = "linear",  # noqa: A002
-        fill: float = 0.0,
-    ) -> NDArray[Any]:
-        """Distort a picture as the lens does, or warp it so that the lens's distortion cancels out.
-
-        Parameters
-        ----------
-        image
-            (H, W) or (H, W, C): uint8, uint16, float32 or float64, in the colour space in which pixels are to be mixed.
-        inverse
-            False moves the pixel at r to f(r), like the lens. True moves the pixel at f(r) to r, so that the lens moves
-            it back.
-        fov
-            Field of view of the picture, as tangents from the lens's axis. By default the axis is in the middle, pixels
-            are square, and r = 1 at the left and right edges.
-        output_fov, size
-            Field of view and (width, height) in pixels of the result; by default those of `image`.
-        lens_radius
-            Tangent at which r = 1, such as `Hmd.tan_half_angle`. It is the same for both eyes, and for pictures that
-            show more or less than the screen. By default the larger of left and right of `fov`.
-        filter
-            "linear" or "cubic" (Keys 1981, a = −1/2, equal to Catmull–Rom).
-        fill
-            Value of pixels that show no part of the picture.
-
-        Returns
-        -------
-        NDArray
-            The warped picture, in the type of `image`. The position that a pixel is read from has an error of at most
-            5·10⁻¹⁰ of its distance from the axis.
-
-        Raises
-        ------
-        ValueError, TypeError
-            For wrong shapes and types, and unknown filters.
-        """
-        return warp([self._core], image, inverse, (fov, output_fov, lens_radius), size, filter, fill)
-
-    def warp_mesh(
-        self,
-        size: tuple[int, int],
-        inverse: bool = True,
-        *,
-        fov: Fov | None = None,
-        output_fov: Fov | None = None,
-        lens_radius: float | None = None,
-        cells: tuple[int, int] | None = None,
-        tolerance_px: float = 0.25,
-    ) -> WarpMesh:
-        """Make a mesh with which a runtime warps pictures of one size, and bound its error between vertices.
-
-        Parameters
-        ----------
-        size
-            (width, height) of the source picture in pixels.
-        inverse, fov, output_fov, lens_radius
-            As in `warp`. Runtimes need the inverse, which cancels the lens's distortion.
-        cells
-            Columns and rows of the grid, 1 to 4096 each. By default as many as `tolerance_px` needs.
-        tolerance_px
-            Greatest error in pixels of the source picture.
-
-        Returns
-        -------
-        WarpMesh
-            The mesh, without cells that reach beyond the lens's domain.
-
-        Raises
-        ------
-        ValueError
-            For a tolerance that 2¹⁸ cells do not satisfy, as near the fold of an inverse, and for a field of view
-            beyond the lens's domain.
-        """
-        return warp_mesh([self._core], size, inverse, (fov, output_fov, lens_radius), cells, tolerance_px)
+    @property
+    def _cores(self) -> list[_core.RadialLens]:
+        return [self._core]
 
     @cached_property
     def _core(self) -> _core.RadialLens:
@@ -261,7 +181,7 @@ class RadialLens(WithTwin):
 
 
 @dataclass(frozen=True)
-class ChromaticLens:
+class ChromaticLens(Warping):
     """A lens with chromatic aberration: one `RadialLens` for each of red, green and blue."""
 
     red: RadialLens
@@ -270,37 +190,7 @@ class ChromaticLens:
 
     def __post_init__(self) -> None:
         for name in ("red", "green", "blue"):
-            if not isinstance(getattr(self, name), RadialLens):
-                raise TypeError(f"{name}: expected a RadialLens, got {type(getattr(self, name)).__name__}")
-
-    def warp(
-        self,
-        image: ArrayLike,
-        inverse: bool = False,
-        *,
-        fov: Fov | None = None,
-        output_fov: Fov | None = None,
-        lens_radius: float | None = None,
-        size: tuple[int, int] | None = None,
-        filter: str = "linear",  # noqa: A002
-        fill: float = 0.0,
-    ) -> NDArray[Any]:
-        """Distort a picture (H, W, 3) as the lens does, or warp it inversely; see `RadialLens.warp`."""
-        return warp(self._cores, image, inverse, (fov, output_fov, lens_radius), size, filter, fill)
-
-    def warp_mesh(
-        self,
-        size: tuple[int, int],
-        inverse: bool = True,
-        *,
-        fov: Fov | None = None,
-        output_fov: Fov | None = None,
-        lens_radius: float | None = None,
-        cells: tuple[int, int] | None = None,
-        tolerance_px: float = 0.25,
-    ) -> WarpMesh:
-        """Make a mesh with texture coordinates for red, green and blue; see `RadialLens.warp_mesh`."""
-        return warp_mesh(self._cores, size, inverse, (fov, output_fov, lens_radius), cells, tolerance_px)
+            check.instance(name, getattr(self, name), RadialLens)
 
     @property
     def _cores(self) -> list[_core.RadialLens]:
@@ -354,14 +244,8 @@ def corrected_solid_angle(
     ----------
     Liebisch (2021), Eq. 4.10–4.12.
     """
-    if not isinstance(camera, Camera):
-        raise TypeError(f"camera: expected a Camera, got {type(camera).__name__}")
-    if not isinstance(camera.fov, Fov):
-        raise TypeError(f"camera: expected one with a Fov, got {type(camera.fov).__name__}")
-    if not isinstance(lens, RadialLens):
-        raise TypeError(f"lens: expected a RadialLens, got {type(lens).__name__}")
-    if any(lens.tangential):
-        raise ValueError(f"lens: expected one without tangential terms, got {lens.tangential}")
+    fov = check.instance("camera", check.instance("camera", camera, Camera).fov, Fov, "one with a Fov")
+    check_symmetric(lens)
     x, y, z, w = camera.orientation
     return _core.corrected_solid_angles(
         lens._core,
@@ -369,9 +253,15 @@ def corrected_solid_angle(
         eye=camera.position,
         # The viewing axis: −z rotated by the quaternion.
         forward=(-2 * (x * z + w * y), -2 * (y * z - w * x), 2 * (x * x + y * y) - 1),
-        tan_omega=radius_of(camera.fov, lens_radius),
+        tan_omega=radius_of(fov, lens_radius),
         exact=bool(exact),
     )
+
+
+def check_symmetric(lens: RadialLens) -> None:
+    """Raise TypeError for anything but a lens, and ValueError for one with tangential terms."""
+    if any(check.instance("lens", lens, RadialLens).tangential):
+        raise ValueError(f"lens: expected one without tangential terms, got {lens.tangential}")
 
 
 def _coefficients(name: str, value: ArrayLike) -> tuple[float, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import abc
 import math
 from dataclasses import dataclass, field
 from typing import Any
@@ -21,9 +22,6 @@ TYPES = (np.uint8, np.uint16, np.float32, np.float64)
 
 MOST_CELLS = 1 << 18
 """Greatest number of cells of a mesh that is made for a tolerance."""
-
-View = tuple[Fov | None, Fov | None, float | None]
-"""Fields of view of the source and the result, and the tangent at which r = 1; None for the defaults."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,79 +45,151 @@ class WarpMesh:
     """
 
 
-def warp(
-    lenses: list[_core.RadialLens],
-    image: ArrayLike,
-    inverse: bool,
-    view: View,
-    size: tuple[int, int] | None,
-    filter: str,  # noqa: A002
-    fill: float,
-) -> NDArray[Any]:
-    """Warp a picture by one lens, or by one for each of its channels."""
-    picture = _picture(image, len(lenses))
-    height, width = picture.shape[:2]
-    check.choice("filter", filter, FILTERS)
-    shown = _view(*view, width / height)
-    values = picture if picture.ndim == 3 else picture[..., None]
-    result = _core.warp(
-        lenses,
-        values,
-        **shown,
-        size=check.size("size", (width, height) if size is None else size),
-        distort=not inverse,
-        filter=filter,
-        fill=_fill(fill, picture.dtype),
-    )
-    return result.reshape(result.shape[:2] + picture.shape[2:])
+class Warping(abc.ABC):
+    """What lenses of one and of three colours have in common: they warp pictures, and make meshes for that."""
 
+    @property
+    @abc.abstractmethod
+    def _cores(self) -> list[_core.RadialLens]:
+        """The lens, or one for each of red, green and blue."""
 
-def warp_mesh(
-    lenses: list[_core.RadialLens],
-    size: tuple[int, int],
-    inverse: bool,
-    view: View,
-    cells: tuple[int, int] | None,
-    tolerance_px: float,
-) -> WarpMesh:
-    """Make a mesh with a set number of cells, or with as many as a tolerance needs."""
-    width, height = check.size("size", size)
-    shown = _view(*view, width / height)
-    tolerance = check.positive("tolerance_px", tolerance_px)
+    def warp(
+        self,
+        image: ArrayLike,
+        inverse: bool = False,
+        *,
+        fov: Fov | None = None,
+        output_fov: Fov | None = None,
+        lens_radius: float | None = None,
+        size: tuple[int, int] | None = None,
+        filter: str = "linear",  # noqa: A002
+        fill: float = 0.0,
+    ) -> NDArray[Any]:
+        """Distort a picture as the lens does, or warp it so that the lens's distortion cancels out.
 
-    def grid(columns: int, rows: int) -> WarpMesh:
-        mesh = _core.warp_mesh(lenses, **shown, cells=(columns, rows), size=(width, height), distort=not inverse)
-        return _compact(*mesh, size=max(width, height))
+        Parameters
+        ----------
+        image
+            (H, W) or (H, W, C), for a `ChromaticLens` (H, W, 3): uint8, uint16, float32 or float64, in the colour space
+            in which pixels are to be mixed.
+        inverse
+            False moves the pixel at r to f(r), like the lens. True moves the pixel at f(r) to r, so that the lens moves
+            it back.
+        fov
+            Field of view of the picture, as tangents from the lens's axis. By default the axis is in the middle, pixels
+            are square, and r = 1 at the left and right edges.
+        output_fov, size
+            Field of view and (width, height) in pixels of the result; by default those of `image`.
+        lens_radius
+            Tangent at which r = 1, such as `Hmd.tan_half_angle`. It is the same for both eyes, and for pictures that
+            show more or less than the screen. By default the larger of left and right of `fov`.
+        filter
+            "linear" or "cubic" (Keys 1981, a = −1/2, equal to Catmull–Rom).
+        fill
+            Value of pixels that show no part of the picture.
 
-    if cells is not None:
-        return grid(*check.pair("cells", cells, 1, 4096))
-    left, right, down, up = shown["to_fov"]
-    aspect = (up - down) / (right - left)
+        Returns
+        -------
+        NDArray
+            The warped picture, in the type of `image`. The position that a pixel is read from has an error of at most
+            5·10⁻¹⁰ of its distance from the axis.
 
-    def square_grid(finest: int) -> WarpMesh:
-        """Make a mesh of nearly square cells, `finest` of them along the longer side."""
-        return grid(max(1, round(finest / max(1.0, aspect))), max(1, round(finest * min(1.0, aspect))))
+        Raises
+        ------
+        ValueError, TypeError
+            For wrong shapes and types, and unknown filters.
+        """
+        picture = _picture(image, len(self._cores))
+        height, width = picture.shape[:2]
+        check.choice("filter", filter, FILTERS)
+        shown = _view(fov, output_fov, lens_radius, width / height)
+        values = picture if picture.ndim == 3 else picture[..., None]
+        result = _core.warp(
+            self._cores,
+            values,
+            **shown,
+            size=check.size("size", (width, height) if size is None else size),
+            distort=not inverse,
+            filter=filter,
+            fill=_fill(fill, picture.dtype),
+        )
+        return result.reshape(result.shape[:2] + picture.shape[2:])
 
-    most = math.isqrt(round(MOST_CELLS * max(aspect, 1 / aspect)))
-    high = 4
-    mesh = square_grid(high)
-    while mesh.error_px > tolerance:
-        if high == most:
-            raise ValueError(
-                f"tolerance_px: expected one that {MOST_CELLS:,} cells hold, got {tolerance}; "
-                f"they may be off by up to {mesh.error_px:.3g} px"
+    def warp_mesh(
+        self,
+        size: tuple[int, int],
+        inverse: bool = True,
+        *,
+        fov: Fov | None = None,
+        output_fov: Fov | None = None,
+        lens_radius: float | None = None,
+        cells: tuple[int, int] | None = None,
+        tolerance_px: float = 0.25,
+    ) -> WarpMesh:
+        """Make a mesh with which a runtime warps pictures of one size, and bound its error between vertices.
+
+        Parameters
+        ----------
+        size
+            (width, height) of the source picture in pixels.
+        inverse, fov, output_fov, lens_radius
+            As in `warp`. Runtimes need the inverse, which cancels the lens's distortion.
+        cells
+            Columns and rows of the grid, 1 to 4096 each. By default as many as `tolerance_px` needs.
+        tolerance_px
+            Greatest error in pixels of the source picture.
+
+        Returns
+        -------
+        WarpMesh
+            The mesh, without cells that reach beyond the lens's domain. Of a `ChromaticLens` it has texture coordinates
+            for red, green and blue.
+
+        Raises
+        ------
+        ValueError
+            For a tolerance that 2¹⁸ cells do not satisfy, as near the fold of an inverse, and for a field of view
+            beyond the lens's domain.
+        """
+        width, height = check.size("size", size)
+        shown = _view(fov, output_fov, lens_radius, width / height)
+        tolerance = check.positive("tolerance_px", tolerance_px)
+
+        def grid(columns: int, rows: int) -> WarpMesh:
+            mesh = _core.warp_mesh(
+                self._cores, **shown, cells=(columns, rows), size=(width, height), distort=not inverse
             )
-        high = min(2 * high, most)
+            return _compact(*mesh, size=max(width, height))
+
+        if cells is not None:
+            return grid(*check.pair("cells", cells, 1, 4096))
+        left, right, down, up = shown["to_fov"]
+        aspect = (up - down) / (right - left)
+
+        def square_grid(finest: int) -> WarpMesh:
+            """Make a mesh of nearly square cells, `finest` of them along the longer side."""
+            return grid(max(1, round(finest / max(1.0, aspect))), max(1, round(finest * min(1.0, aspect))))
+
+        most = math.isqrt(round(MOST_CELLS * max(aspect, 1 / aspect)))
+        high = 4
         mesh = square_grid(high)
-    low = high // 2 if high > 4 else 0
-    while high - low > 1:
-        middle = (low + high) // 2
-        between = square_grid(middle)
-        if between.error_px <= tolerance:
-            high, mesh = middle, between
-        else:
-            low = middle
-    return mesh
+        while mesh.error_px > tolerance:
+            if high == most:
+                raise ValueError(
+                    f"tolerance_px: expected one that {MOST_CELLS:,} cells hold, got {tolerance}; "
+                    f"they may be off by up to {mesh.error_px:.3g} px"
+                )
+            high = min(2 * high, most)
+            mesh = square_grid(high)
+        low = high // 2 if high > 4 else 0
+        while high - low > 1:
+            middle = (low + high) // 2
+            between = square_grid(middle)
+            if between.error_px <= tolerance:
+                high, mesh = middle, between
+            else:
+                low = middle
+        return mesh
 
 
 def _compact(
@@ -149,12 +219,11 @@ def radius_of(fov: Fov, lens_radius: float | None) -> float:
 def _view(fov: Fov | None, output_fov: Fov | None, lens_radius: float | None, aspect: float) -> dict[str, Any]:
     """Fields of view of the source and the result, and the tangent at which r = 1, as arguments of kernels."""
     for name, each_fov in (("fov", fov), ("output_fov", output_fov)):
-        if each_fov is not None and not isinstance(each_fov, Fov):
-            raise TypeError(f"{name}: expected a Fov, got {type(each_fov).__name__}")
+        if each_fov is not None:
+            check.instance(name, each_fov, Fov)
     source = fov or Fov(-1.0, 1.0, -1.0 / aspect, 1.0 / aspect)
     result = output_fov or source
-    bounds = [(each.left, each.right, each.down, each.up) for each in (source, result)]
-    return {"from_fov": bounds[0], "to_fov": bounds[1], "tan_omega": radius_of(source, lens_radius)}
+    return {"from_fov": source._sides, "to_fov": result._sides, "tan_omega": radius_of(source, lens_radius)}
 
 
 def _fill(fill: float, dtype: np.dtype[Any]) -> float:

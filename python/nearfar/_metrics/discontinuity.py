@@ -48,11 +48,8 @@ def discontinuity(
     ----------
     Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
     """
-    if not isinstance(frame, Frame):
-        raise TypeError(f"frame: expected a Frame, got {type(frame).__name__}")
-    camera = frame.camera if truth_camera is None else truth_camera
-    if not isinstance(camera, Camera):
-        raise TypeError(f"truth_camera: expected a Camera, got {type(camera).__name__}")
+    check.instance("frame", frame, Frame)
+    camera = frame.camera if truth_camera is None else check.instance("truth_camera", truth_camera, Camera)
     position = np.ascontiguousarray(frame.require("position"), np.float32)
     with progress.bar("measuring discontinuity") as report:
         flat = _core.discontinuity(
@@ -95,8 +92,7 @@ def boundary(frame: Frame, *, center: ArrayLike, radius: float, width: int = 2) 
     ValueError, TypeError
         For frames without positions and arguments out of their domains.
     """
-    if not isinstance(frame, Frame):
-        raise TypeError(f"frame: expected a Frame, got {type(frame).__name__}")
+    check.instance("frame", frame, Frame)
     middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)
     reach = check.integer("width", width, 1, 1000)
     away = frame.require("position").astype(np.float64) + np.array(frame.origin) - middle

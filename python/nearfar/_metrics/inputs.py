@@ -16,19 +16,8 @@ LUMA = (0.2126, 0.7152, 0.0722)
 GREATEST = 1e150
 """Greatest absolute value of a pixel, so that float64 holds its square."""
 
-_KERNEL_TYPES: dict[np.dtype[Any], DTypeLike] = {
-    np.dtype(source): np.dtype(target)
-    for source, target in {
-        np.bool_: np.uint8,
-        np.uint8: np.uint8,
-        np.uint16: np.uint16,
-        np.int8: np.float32,
-        np.int16: np.float32,
-        np.float16: np.float32,
-        np.float32: np.float32,
-    }.items()
-}
-"""Type in which kernels read each number type: the smallest that holds its values; float64 for types not listed."""
+_KERNEL_TYPES = (np.uint8, np.uint16, np.float32)
+"""Types that kernels read beside float64, which they take for all that do not fit into these."""
 
 
 class Pair(NamedTuple):
@@ -42,10 +31,8 @@ class Pair(NamedTuple):
     def refuse(self, names: tuple[str, str] = ("reference", "test")) -> ValueError:
         """Make the error for a result that is not finite; it names the picture and position that cause it."""
         for name, values in zip(names, (self.reference, self.test), strict=True):
-            if values.dtype.kind == "f" and not np.isfinite(values).all():
-                bad = np.argwhere(~np.isfinite(values))
-                where = tuple(int(i) for i in bad[0])
-                return ValueError(f"{name}: expected finite numbers, got {len(bad)} that are not, the first at {where}")
+            if flaw := check.not_finite(name, values):
+                return flaw
         return ValueError(
             f"{names[0]}: expected values up to {GREATEST:g}, whose squares float64 holds, got greater ones"
         )
@@ -88,9 +75,13 @@ def stack(
 ) -> tuple[NDArray[Any], NDArray[Any]]:
     """Convert two arrays of any shapes to one type that kernels read."""
     first, second = numbers(names[0], reference), numbers(names[1], test)
-    types = [_KERNEL_TYPES.get(array.dtype.newbyteorder("="), np.float64) for array in (first, second)]
-    common = np.result_type(*types)
+    common = np.result_type(_kernel_type(first.dtype), _kernel_type(second.dtype))
     return _readable(first, common), _readable(second, common)
+
+
+def _kernel_type(dtype: np.dtype[Any]) -> type[np.generic]:
+    """Smallest type that kernels read and that holds all values of a type."""
+    return next((kind for kind in _KERNEL_TYPES if np.can_cast(dtype, kind)), np.float64)
 
 
 def luma(frame: Frame) -> NDArray[np.float64]:
@@ -105,8 +96,7 @@ def mask_of(mask: ArrayLike, name: str = "mask") -> NDArray[np.uint8]:
     values = check.plain(name, mask)
     if values.dtype.kind not in "biu":
         raise TypeError(f"{name}: expected true and false, got {values.dtype}")
-    named: NDArray[np.uint8] = _readable((values if values.dtype.kind == "b" else values != 0).view(np.uint8), np.uint8)
-    return named
+    return _readable((values if values.dtype.kind == "b" else values != 0).view(np.uint8), np.uint8)
 
 
 def numbers(name: str, value: ArrayLike) -> NDArray[Any]:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any, NamedTuple
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -38,47 +39,32 @@ _CONSTANTS = (1e-140, 1e140)
 """Least and greatest constants c1 and c2 whose product float64 holds with all digits."""
 
 
-class Window(NamedTuple):
-    """Settings of the windows and constants of the similarity."""
+@dataclass(frozen=True)
+class Window:
+    """Settings of the windows and constants of the similarity, checked."""
 
     name: str
     size: int
     sigma: float
     k1: float
     k2: float
-    convention: str
+    convention: str = "wang"
+    masking: str = "mean"
+    masked: bool = False
 
-    @classmethod
-    def checked(
-        cls,
-        window: str,
-        size: int,
-        sigma: float,
-        k1: float,
-        k2: float,
-        convention: str = "wang",
-        masking: str = "mean",
-        *,
-        masked: bool = False,
-    ) -> Window:
-        """Make settings from checked values; ValueError or TypeError for values out of their domains."""
-        check.choice("window", window, WINDOWS)
-        check.choice("convention", convention, CONVENTIONS)
-        check.choice("masking", masking, MASKINGS)
-        least = 2 if convention == "skimage" and window != "global" else 1
-        if masking == "windows" and not masked:
+    def __post_init__(self) -> None:
+        check.choice("window", self.name, WINDOWS)
+        convention = check.choice("convention", self.convention, CONVENTIONS)
+        check.choice("masking", self.masking, MASKINGS)
+        if self.masking == "windows" and not self.masked:
             raise ValueError("masking: expected a mask with 'windows', got none")
-        if masking == "windows" and convention in ("skimage", "wang-downsampled"):
+        if self.masking == "windows" and convention in ("skimage", "wang-downsampled"):
             reason = "knows no masked windows" if convention == "skimage" else "makes pictures smaller without the mask"
             raise ValueError(f"masking: expected 'mean' with convention={convention!r}, which {reason}, got 'windows'")
-        return cls(
-            window,
-            check.integer("size", size, least, 10_001),
-            check.positive("sigma", sigma),
-            check.positive("k1", k1),
-            check.positive("k2", k2),
-            convention,
-        )
+        least = 2 if convention == "skimage" and self.name != "global" else 1
+        object.__setattr__(self, "size", check.integer("size", self.size, least, 10_001))
+        for name in ("sigma", "k1", "k2"):
+            object.__setattr__(self, name, check.positive(name, getattr(self, name)))
 
     def shrink(self, height: int, width: int) -> int:
         """Factor of the downsampling before the comparison: to about 256 pixels for "wang-downsampled", else 1."""
@@ -86,7 +72,7 @@ class Window(NamedTuple):
             return 1
         return max(1, math.floor(min(height, width) / 256 + 0.5))
 
-    def settings(self, pair: Pair, masking: str = "mean") -> _core._Settings:
+    def settings(self, pair: Pair) -> _core._Settings:
         """Return the kernel's settings, which are the same for every pair of a comparison."""
         height, width = pair.reference.shape[-2:]
         extent = pair.extent()
@@ -102,7 +88,15 @@ class Window(NamedTuple):
             count = height * width if self.name == "global" else self.size**2
             c2 *= (count - 1) / count if count > 1 else 1.0
         factor = self.shrink(height, width)
-        return (self.name, self.size, self.sigma, (c1, c2), factor, self.convention == "full", masking == "windows")
+        return (
+            self.name,
+            self.size,
+            self.sigma,
+            (c1, c2),
+            factor,
+            self.convention == "full",
+            self.masking == "windows",
+        )
 
 
 def ssim(
@@ -169,13 +163,11 @@ def ssim(
     ----------
     Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13. Masked windows: Knutsson, Westin (1993).
     """
-    settings = Window.checked(window, size, sigma, k1, k2, convention, masking, masked=mask is not None)
+    settings = Window(window, size, sigma, k1, k2, convention, masking, mask is not None)
     pair = inputs.pair(reference, test, data_range)
-    if pair.reference.ndim not in (2, 3):
-        raise ValueError(f"reference: expected shape (H, W) or (H, W, C), got {pair.reference.shape}")
     channels = _channels_first(pair)
     masks = None if mask is None else _masks(mask, channels.reference.shape, settings)
-    sums, maps = _compare(channels, settings, masks, masking, full=full)
+    sums, maps = _compare(channels, settings, masks, full=full)
     if not np.isfinite(sums).all():
         raise pair.refuse()
     if not sums[..., 1].all():
@@ -221,7 +213,7 @@ def ssim_pairs(
     ValueError, TypeError
         As in `ssim`, and for axes that do not broadcast.
     """
-    settings = Window.checked(window, size, sigma, k1, k2, convention, masking, masked=masks is not None)
+    settings = Window(window, size, sigma, k1, k2, convention, masking, masks is not None)
     first, second = inputs.stack(references, tests, NAMES)
     for name, array in (("references", first), ("tests", second)):
         if array.ndim < 2 or 0 in array.shape[-2:]:
@@ -244,7 +236,7 @@ def ssim_pairs(
     if not math.prod(outer):
         pair.extent()
         return np.empty(outer)
-    sums, _ = _compare(pair, settings, spread[2] if named is not None else None, masking)
+    sums, _ = _compare(pair, settings, spread[2] if named is not None else None)
     if not np.isfinite(sums).all():
         raise Pair(first, second, data_range).refuse(NAMES)
     counted = sums[..., 1] > 0
@@ -289,13 +281,11 @@ def ms_ssim(
     ----------
     Wang, Simoncelli, Bovik (2003), Eq. 7.
     """
-    window_settings = Window.checked(window, size, sigma, k1, k2)
+    window_settings = Window(window, size, sigma, k1, k2)
     exponents = check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
     if exponents.ndim != 1 or not len(exponents) or (exponents < 0.0).any():
         raise ValueError(f"weights: expected numbers of at least 0, one for each scale, got {weights!r}")
     pair = inputs.pair(reference, test, data_range)
-    if pair.reference.ndim not in (2, 3):
-        raise ValueError(f"reference: expected shape (H, W) or (H, W, C), got {pair.reference.shape}")
     channels = _channels_first(pair)
     settings = window_settings.settings(channels)
     means = np.array(_core.multiscale(channels.reference, channels.test, settings=settings, scales=len(exponents)))
@@ -341,7 +331,9 @@ def visual_continuity(frames: Iterable[ArrayLike | Frame], *, data_range: float 
 
 
 def _channels_first(pair: Pair) -> Pair:
-    """Move the channels to the front, without a copy."""
+    """Move the channels of pictures to the front, without a copy; ValueError for arrays that are no pictures."""
+    if pair.reference.ndim not in (2, 3):
+        raise ValueError(f"reference: expected shape (H, W) or (H, W, C), got {pair.reference.shape}")
     if pair.reference.ndim == 2:
         return pair
     return Pair(np.moveaxis(pair.reference, -1, 0), np.moveaxis(pair.test, -1, 0), pair.data_range)
@@ -358,13 +350,13 @@ def _masks(mask: ArrayLike, shape: tuple[int, ...], window: Window) -> NDArray[n
 
 
 def _compare(
-    pair: Pair, window: Window, masks: NDArray[np.uint8] | None, masking: str, *, full: bool = False
+    pair: Pair, window: Window, masks: NDArray[np.uint8] | None, *, full: bool = False
 ) -> tuple[NDArray[np.float64], NDArray[Any] | None]:
     """Sums of similarity and of pixel weights (..., 2) for each pair, and the maps if `full`."""
     shape = pair.reference.shape
     factor = window.shrink(*shape[-2:])
     map_shape = (*shape[:-2], -(-shape[-2] // factor), -(-shape[-1] // factor)) if full else None
-    settings = window.settings(pair, masking)
+    settings = window.settings(pair)
 
     def run(report: Any) -> tuple[NDArray[np.float64], NDArray[Any] | None]:
         sums, maps = _core.similarity(

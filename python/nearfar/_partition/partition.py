@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -57,6 +58,7 @@ def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, cente
         return _core.triangle_radii(rows, indices, axis, report)
 
 
+@dataclass(frozen=True, eq=False, repr=False)
 class Partition:
     """Zones of a scene's triangles, divided at two radii about the vertical axis through a centre.
 
@@ -69,24 +71,13 @@ class Partition:
     `Scene.triangles`. Distances are rounded to float32 as in `triangle_radii`, so that both agree.
     """
 
-    def __init__(self, core: _core.Partition, center: tuple[float, float, float], r1: float, r2: float) -> None:
-        self._core = core
-        self._center, self._r1, self._r2 = center, r1, r2
-
-    @property
-    def center(self) -> tuple[float, float, float]:
-        """World position of the centre, metres."""
-        return self._center
-
-    @property
-    def r1(self) -> float:
-        """Radius that bounds the near zone, metres."""
-        return self._r1
-
-    @property
-    def r2(self) -> float:
-        """Radius that bounds the intermediate zone, metres."""
-        return self._r2
+    _core: _core.Partition
+    center: tuple[float, float, float]
+    """World position of the centre, metres."""
+    r1: float
+    """Radius that bounds the near zone, metres."""
+    r2: float
+    """Radius that bounds the intermediate zone, metres."""
 
     @property
     def near(self) -> NDArray[np.int64]:
@@ -134,7 +125,7 @@ class Partition:
     def __repr__(self) -> str:
         counts = self.summary()
         return (
-            f"Partition(r1={self._r1:g}, r2={self._r2:g}: {counts['near']:,} near, "
+            f"Partition(r1={self.r1:g}, r2={self.r2:g}: {counts['near']:,} near, "
             f"{counts['intermediate']:,} intermediate, {counts['far']:,} far)"
         )
 

@@ -26,14 +26,11 @@ class Drawing:
     env: bool = True
     tolerance_px: float | None = None
 
-    @classmethod
-    def checked(cls, method: str, env: bool, tolerance_px: float | None) -> Drawing:
-        """Make settings from checked values; ValueError or TypeError for others."""
-        check.choice("method", method, tuple(TOLERANCES))
-        if not isinstance(env, bool):
-            raise TypeError(f"env: expected True or False, got {type(env).__name__}")
-        tolerance = None if tolerance_px is None else check.number("tolerance_px", tolerance_px, finite=False)
-        return cls(method, env, tolerance)
+    def __post_init__(self) -> None:
+        check.choice("method", self.method, tuple(TOLERANCES))
+        check.instance("env", self.env, bool, "True or False")
+        if self.tolerance_px is not None:
+            object.__setattr__(self, "tolerance_px", check.number("tolerance_px", self.tolerance_px, finite=False))
 
     @property
     def tolerance(self) -> float:

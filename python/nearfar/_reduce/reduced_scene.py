@@ -199,7 +199,7 @@ class ReducedScene:
         DeviceError
             As in `render`.
         """
-        drawn = self._drawn_by(Drawing.checked(method, env, tolerance_px))
+        drawn = self._drawn_by(Drawing(method, env, tolerance_px))
         if backends.check(backend) == "gpu" and "gpu" not in drawn.backends:
             raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
         renderer = Renderer(drawn, channels, samples, lod)

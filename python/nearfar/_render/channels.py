@@ -23,3 +23,9 @@ def channel_names(channels: Iterable[str]) -> tuple[str, ...]:
     if not names:
         raise ValueError(f"channels: expected at least one of {', '.join(CHANNELS)}, got none")
     return tuple(name for name in CHANNELS if name in names)
+
+
+def missing(channel: str, channels: Iterable[str]) -> ValueError:
+    """Make the error for a frame with other channels, which names those to render."""
+    needed = tuple(name for name in CHANNELS if name in {channel, *channels})
+    return ValueError(f"frame has no {channel}: render it with channels={needed!r}")

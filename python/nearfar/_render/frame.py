@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base import exr, files, formats
 from nearfar._camera.camera import Camera, CubeFace, Fov, Orthographic
-from nearfar._render.channels import CHANNELS
+from nearfar._render.channels import CHANNELS, missing
 
 VERSION = 1
 """Version of the format of saved EXR frames."""
@@ -69,8 +69,7 @@ class Frame:
             raise ValueError(f"channel: expected one of {', '.join(CHANNELS)}, got {channel!r}")
         image: NDArray[Any] | None = getattr(self, channel)
         if image is None:
-            needed = tuple(name for name in CHANNELS if name in {channel, *self.channels})
-            raise ValueError(f"frame has no {channel}: render it with channels={needed!r}")
+            raise missing(channel, self.channels)
         return image
 
     def to_image(self) -> NDArray[np.uint8]:

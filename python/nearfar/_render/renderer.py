@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
@@ -17,6 +18,33 @@ from nearfar._render.frame import Frame
 from nearfar._render.level_choice import LevelChoice, Lod
 from nearfar._render.renderable import Images, Job, Renderable, Report, check_renderable
 from nearfar._scene.levels import Shown
+
+
+@dataclass(frozen=True)
+class View:
+    """A shot, and the source in the pose and at the levels in which it is drawn."""
+
+    shot: Shot
+    drawn: Renderable
+    shown: Shown | None = None
+
+    def trace(self, report: Report = None) -> list[Frame]:
+        """Render the frames on the CPU, one for each camera."""
+        return self._frames(self.drawn.trace(self.shot, report))
+
+    def begin(self, device: _core.GpuDevice, report: Report = None) -> Sequence[Job]:
+        """Start the pictures on a device."""
+        return self.drawn.begin(device, self.shot, report)
+
+    def finish(self, jobs: Sequence[Job], report: Report = None) -> list[Frame]:
+        """Wait for the pictures that `begin` started, and return the frames."""
+        return self._frames([job.finish(report) for job in jobs])
+
+    def _frames(self, pictures: Sequence[Images]) -> list[Frame]:
+        origin, cameras = check.vector("origin", self.drawn.origin), self.shot.cameras
+        return [
+            Frame(camera, origin, **images, lod=self.shown) for camera, images in zip(cameras, pictures, strict=True)
+        ]
 
 
 class Renderer:
@@ -47,7 +75,7 @@ class Renderer:
     ) -> Shot:
         """Check the arguments and make a shot of them."""
         for camera in cameras:
-            check_camera(camera)
+            check.instance("camera", camera, Camera)
         near, far = check.number("t_min", t_min), check.number("t_max", t_max, finite=False)
         if not 0.0 <= near < far:
             raise ValueError(f"t_max: expected more than t_min and t_min at least 0, got {near:g} to {far:g}")
@@ -69,34 +97,13 @@ class Renderer:
             return None
         return backends.device_for(backend, self.source if measured is None else measured, self.work)
 
-    def drawn(self, shot: Shot, poses: Mapping[str, ArrayLike] | None) -> tuple[Renderable, Shown | None]:
-        """Return the source in a pose and at the levels chosen for a shot, and these levels."""
+    def view(self, shot: Shot, poses: Mapping[str, ArrayLike] | None) -> View:
+        """Pose the source and choose its levels for a shot."""
         posed = self.source if poses is None else self.source.at(poses)
-        return (posed, None) if self._choice is None else self._choice(posed, shot)
+        return View(shot, posed) if self._choice is None else View(shot, *self._choice(posed, shot))
 
     def frames(self, shot: Shot, poses: Mapping[str, ArrayLike] | None, device: _core.GpuDevice | None) -> list[Frame]:
         """Render the frames of a shot, one for each camera."""
-        drawn, shown = self.drawn(shot, poses)
+        view = self.view(shot, poses)
         with progress.bar("rendering") as report:
-            if device is None:
-                return collected(drawn, shot, drawn.trace(shot, report), shown)
-            return finished(drawn, shot, drawn.begin(device, shot, report), shown, report)
-
-
-def finished(
-    drawn: Renderable, shot: Shot, jobs: Sequence[Job], shown: Shown | None, report: Report = None
-) -> list[Frame]:
-    """Wait for a shot's pictures on a device and return its frames."""
-    return collected(drawn, shot, [job.finish(report) for job in jobs], shown)
-
-
-def collected(drawn: Renderable, shot: Shot, pictures: Sequence[Images], shown: Shown | None) -> list[Frame]:
-    """Make the frames of a shot from its pictures."""
-    origin = check.vector("origin", drawn.origin)
-    return [Frame(camera, origin, **images, lod=shown) for camera, images in zip(shot.cameras, pictures, strict=True)]
-
-
-def check_camera(camera: Camera) -> None:
-    """Raise TypeError for anything that is not a `Camera`."""
-    if not isinstance(camera, Camera):
-        raise TypeError(f"camera: expected a Camera, got {type(camera).__name__}")
+            return view.trace(report) if device is None else view.finish(view.begin(device, report), report)

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import repeat
 
 from numpy.typing import ArrayLike
 
 from nearfar import _core
 from nearfar._camera.camera import Camera
-from nearfar._camera.shot import Shot
 from nearfar._render.frame import Frame
 from nearfar._render.level_choice import Lod
 from nearfar._render.renderable import Job, Renderable
-from nearfar._render.renderer import Renderer, collected, finished
-from nearfar._scene.levels import Shown
+from nearfar._render.renderer import Renderer, View
 
 Pose = Mapping[str, ArrayLike]
 
@@ -78,7 +75,7 @@ def render_path(
         renderer.source = source.at(at)
     views = _views(renderer, cameras, iter(poses))
     device = renderer.device(backend, source)
-    return (view.trace() for view in views) if device is None else _drawn(device, views)
+    return (frame for view in views for frame in view.trace()) if device is None else _drawn(device, views)
 
 
 def _check_sequences(cameras: Iterable[Camera], poses: Iterable[Pose | None]) -> None:
@@ -96,40 +93,18 @@ def _check_camera(number: int, camera: Camera) -> None:
         raise TypeError(f"cameras: expected Cameras, got {type(camera).__name__} as number {number}")
 
 
-@dataclass(frozen=True)
-class _View:
-    """One view of the sequence: the posed source at its levels, and the shot."""
-
-    drawn: Renderable
-    shot: Shot
-    shown: Shown | None
-
-    def trace(self) -> Frame:
-        (frame,) = collected(self.drawn, self.shot, self.drawn.trace(self.shot), self.shown)
-        return frame
-
-    def begin(self, device: _core.GpuDevice) -> Sequence[Job]:
-        return self.drawn.begin(device, self.shot)
-
-    def finish(self, jobs: Sequence[Job]) -> Frame:
-        (frame,) = finished(self.drawn, self.shot, jobs, self.shown)
-        return frame
-
-
-def _views(renderer: Renderer, cameras: Iterable[Camera], poses: Iterator[Pose | None]) -> Iterator[_View]:
+def _views(renderer: Renderer, cameras: Iterable[Camera], poses: Iterator[Pose | None]) -> Iterator[View]:
     for number, camera in enumerate(cameras):
         _check_camera(number, camera)
         try:
             pose = next(poses)
         except StopIteration:
             raise ValueError(f"at: expected a pose for each camera, got {number}") from None
-        shot = renderer.shot([camera])
-        drawn, shown = renderer.drawn(shot, pose)
-        yield _View(drawn, shot, shown)
+        yield renderer.view(renderer.shot([camera]), pose)
 
 
-def _drawn(device: _core.GpuDevice, views: Iterator[_View]) -> Iterator[Frame]:
-    started: list[tuple[_View, Sequence[Job]]] = []
+def _drawn(device: _core.GpuDevice, views: Iterator[View]) -> Iterator[Frame]:
+    started: list[tuple[View, Sequence[Job]]] = []
     failure: Exception | None = None
     while failure is None:
         try:
@@ -142,8 +117,8 @@ def _drawn(device: _core.GpuDevice, views: Iterator[_View]) -> Iterator[Frame]:
             failure = error
         if len(started) == AHEAD:
             view, jobs = started.pop(0)
-            yield view.finish(jobs)
+            yield from view.finish(jobs)
     for view, jobs in started:
-        yield view.finish(jobs)
+        yield from view.finish(jobs)
     if failure is not None:
         raise failure

@@ -65,8 +65,7 @@ def object_count_of(name: str, value: ArrayLike) -> int:
 
 def uvs_of(name: str, value: ArrayLike) -> NDArray[np.float32]:
     """Convert texture coordinates (V, 2) to C-contiguous float32."""
-    array: NDArray[np.float32] = check.array(name, value, columns=2, dtype=np.float32)
-    return array
+    return check.array(name, value, columns=2, dtype=np.float32)
 
 
 def normals_of(name: str, value: ArrayLike, vertex_count: int, *, copy: bool = False) -> NDArray[np.float32]:

@@ -19,13 +19,11 @@ from PIL import Image
 from nearfar import _core
 from nearfar._base import check, glb
 from nearfar._base.version import __version__
-from nearfar._scene.materials import colors_of, to_linear
+from nearfar._scene.materials import MOST_TEXELS, colors_of, to_linear
 from nearfar._scene.names import Names
 
 _IDENTITY = np.eye(4)[:3]
 _NO_OBJECT = -1
-_MOST_TEXELS = 1 << 27
-"""Greatest number of texels of one texture; a damaged header can claim billions."""
 
 
 def encode(core: _core.Scene, names: tuple[str, ...]) -> bytes:
@@ -330,7 +328,7 @@ def _png(texels: NDArray[np.uint8]) -> bytes:
 def _texels(data: bytes) -> NDArray[np.uint8]:
     try:
         with Image.open(io.BytesIO(data), formats=["png"]) as image:
-            if image.size[0] * image.size[1] > _MOST_TEXELS:
+            if image.size[0] * image.size[1] > MOST_TEXELS:
                 raise ValueError("too large")
             return np.ascontiguousarray(np.asarray(image.convert("RGBA"))[::-1])
     except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.names import Names
+from nearfar._scene.serialize import mesh_of
 
 
 @runtime_checkable
@@ -137,9 +138,7 @@ def _restored(
     model_of: NDArray[np.int32],
     row_of: NDArray[np.int32],
 ) -> LevelTable:
-    meshes = tuple(
-        tuple(_core.Mesh(mesh.pop("positions"), mesh.pop("faces"), **mesh) for mesh in map(dict, row)) for row in parts
-    )
+    meshes = tuple(tuple(map(mesh_of, row)) for row in parts)
     return LevelTable(models, meshes, _core.Levels([list(row) for row in meshes]), model_of, row_of)
 
 

@@ -121,8 +121,7 @@ def _shape(arrays: dict[str, Any], primitive: dict[str, Any], header: dict[str, 
 
 def _accessor(primitive: dict[str, Any], attribute: str, header: dict[str, Any]) -> dict[str, Any]:
     number = primitive.get("attributes", {}).get(attribute)
-    accessor: dict[str, Any] = {} if number is None else header["accessors"][number]
-    return accessor
+    return {} if number is None else header["accessors"][number]
 
 
 def _component(primitive: dict[str, Any], attribute: str, header: dict[str, Any]) -> int:

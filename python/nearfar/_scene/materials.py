@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-_MOST_TEXELS = 1 << 27
+MOST_TEXELS = 1 << 27
 """Greatest number of texels of one texture (half a gigabyte); a damaged header can claim billions."""
 
 _TRIMESH_DEFAULT = (102, 102, 102, 255)
@@ -41,16 +41,14 @@ def to_linear(srgb: NDArray[Any]) -> NDArray[np.float64]:
     """Decode sRGB in 0..1 (IEC 61966-2-1)."""
     low = srgb / 12.92
     high = ((np.maximum(srgb, 0.04045) + 0.055) / 1.055) ** 2.4
-    linear: NDArray[np.float64] = np.where(srgb <= 0.04045, low, high)
-    return linear
+    return np.where(srgb <= 0.04045, low, high)
 
 
 def to_srgb(linear: NDArray[Any]) -> NDArray[np.float64]:
     """Encode linear light in 0..1 as sRGB (IEC 61966-2-1)."""
     low = linear * 12.92
     high = 1.055 * np.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055
-    srgb: NDArray[np.float64] = np.where(linear <= 0.0031308, low, high)
-    return srgb
+    return np.where(linear <= 0.0031308, low, high)
 
 
 def colors_of(values: NDArray[Any], count: int, *, linear: bool) -> NDArray[np.uint8] | None:
@@ -167,7 +165,7 @@ class Materials:
         return texels, () if texels is not None else (_UNREADABLE,)
 
     def _decoded(self, image: Any) -> NDArray[np.uint8] | None:
-        if image.size[0] * image.size[1] > _MOST_TEXELS:
+        if image.size[0] * image.size[1] > MOST_TEXELS:
             return None
         try:
             if image.mode.startswith("I;16"):  # Pillow would clip 16-bit values instead of scaling them

@@ -50,5 +50,4 @@ def current_pose(frame: Floats, placement: Floats, rest: Floats, origin: Floats)
         return frame.copy()
     for matrix in (now, loaded):
         matrix[:3, 3] += origin
-    moved: Floats = now @ np.linalg.solve(loaded, frame)
-    return moved
+    return now @ np.linalg.solve(loaded, frame)

@@ -356,22 +356,18 @@ class Scene:
         return self._derived(self._core.subset_of_triangles(mask), self._rest[remains])
 
     def _derived(self, core: _core.Scene, rest: NDArray[np.float64], table: LevelTable | None = None) -> Scene:
-        return Scene(
-            core,
-            self._names,
-            frames=self._frames,
-            rest=rest,
-            dropped=self._dropped,
-            notes=self._notes,
-            table=table,
-        )
+        return Scene(core, self._names, **{**self._own, "rest": rest, "table": table})
+
+    @property
+    def _own(self) -> dict[str, Any]:
+        """Keyword arguments that make this scene of its core and its names."""
+        return {name: getattr(self, f"_{name}") for name in ("frames", "rest", "dropped", "notes", "table")}
 
     def __getstate__(self) -> dict[str, Any]:
         """Pickle a scene as arrays; its search trees are rebuilt after unpickling."""
-        source, fields = self._names.source, ("frames", "rest", "dropped", "notes", "table")
+        source = self._names.source
         names = source if isinstance(source, int) else list(source)
-        settings = {name: getattr(self, f"_{name}") for name in fields}
-        return {"parts": parts_of(self._core), "names": names, "own": settings}
+        return {"parts": parts_of(self._core), "names": names, "own": self._own}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         Scene.__init__(self, core_of_parts(state["parts"]), Names(state["names"]), **state["own"])
@@ -382,6 +378,4 @@ class Scene:
 
 def core_of(scene: Scene) -> _core.Scene:
     """Return the compiled scene that kernels take; TypeError for other arguments."""
-    if not isinstance(scene, Scene):
-        raise TypeError(f"scene: expected a Scene, got {type(scene).__name__}")
-    return scene._core
+    return check.instance("scene", scene, Scene)._core

@@ -23,9 +23,11 @@ def parts_of(core: _core.Scene) -> dict[str, Any]:
 def core_of_parts(parts: dict[str, Any]) -> _core.Scene:
     """Rebuild the scene from the result of `parts_of`; its pictures are the same, byte for byte."""
     remaining = dict(parts)
-    meshes = [_core.Mesh(mesh["positions"], mesh["faces"], **_attributes(mesh)) for mesh in remaining.pop("meshes")]
+    meshes = [mesh_of(mesh) for mesh in remaining.pop("meshes")]
     return _core.Scene(meshes=[meshes[number] for number in remaining.pop("mesh_of")], **remaining)
 
 
-def _attributes(mesh: dict[str, Any]) -> dict[str, Any]:
-    return {name: values for name, values in mesh.items() if name not in ("positions", "faces")}
+def mesh_of(parts: dict[str, Any]) -> _core.Mesh:
+    """Rebuild a mesh from the result of `_core.mesh_parts`."""
+    rest = dict(parts)
+    return _core.Mesh(rest.pop("positions"), rest.pop("faces"), **rest)

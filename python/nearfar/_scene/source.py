@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -172,8 +173,5 @@ def _finite(normals: NDArray[Any]) -> NDArray[Any]:
 
 def _material_notes(shapes: Iterable[Shape]) -> list[str]:
     materials = {id(material): material for shape in shapes for material in shape.materials}
-    counts: dict[str, int] = {}
-    for material in materials.values():
-        for note in material.notes:
-            counts[note] = counts.get(note, 0) + 1
+    counts = Counter(note for material in materials.values() for note in material.notes)
     return [f"{count(number, 'material')} {note}" for note, number in counts.items()]

@@ -11,6 +11,7 @@ import typer
 import nearfar as nf
 from nearfar._base import check, formats
 from nearfar.cli import _options as options
+from nearfar.cli._options import option
 from nearfar.cli._output import bytes_text, check_target, count, metres, show
 from nearfar.cli._viewpoint import choose
 
@@ -19,7 +20,7 @@ VERSION = 1
 
 def bake(
     scene: options.Input,
-    output: Annotated[Path, typer.Option("-o", "--output", metavar="FILE", help="Map file to write, .exr.")],
+    output: Annotated[Path, option("-o --output", "FILE", "Map file to write, .exr.")],
     center: options.Center = None,
     r1: options.Inner = 30.0,
     r2: options.Outer = 50.0,

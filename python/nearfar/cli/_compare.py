@@ -15,7 +15,8 @@ from nearfar._base import files, formats
 from nearfar._trace import viewpoint
 from nearfar.cli import _comparison_page, _report_page
 from nearfar.cli import _options as options
-from nearfar.cli._methods import METHODS, Setting, render_all
+from nearfar.cli._methods import METHODS, render_all
+from nearfar.cli._options import option
 from nearfar.cli._output import Clock, count, metres, show
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
@@ -52,20 +53,14 @@ class Threshold:
 
 def compare(
     scene: options.Input,
-    output: Annotated[Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder to write.")],
+    output: options.Folder,
     center: options.Center = None,
     user: Annotated[
-        str | None,
-        typer.Option("--user", metavar="X,Y,Z", help="User's eye U in metres. By default beside the centre."),
+        str | None, option("--user", "X,Y,Z", "User's eye U in metres. By default beside the centre.")
     ] = None,
-    distance: Annotated[
-        float, typer.Option("--distance", metavar="METRES", help="Distance of U from O without --user.")
-    ] = 6.0,
-    target: Annotated[
-        str | None,
-        typer.Option("--target", metavar="X,Y,Z", help="Point to look at, metres. By default the longest open view."),
-    ] = None,
-    fov: Annotated[float, typer.Option("--fov", metavar="DEGREES", help="Horizontal field of view.")] = 90.0,
+    distance: Annotated[float, option("--distance", "METRES", "Distance of U from O without --user.")] = 6.0,
+    target: options.Target = None,
+    fov: options.Degrees = 90.0,
     r1: options.Inner = 30.0,
     r2: options.Outer = 50.0,
     face_size: options.FaceSize = 1024,
@@ -75,23 +70,18 @@ def compare(
         bool, typer.Option("--exact", help="Bend a ray for every pixel; trace the far part instead of using the map.")
     ] = False,
     min_psnr: Annotated[
-        float | None, typer.Option("--min-psnr", metavar="DB", help="Least PSNR in decibels; exit status 3 below it.")
+        float | None, option("--min-psnr", "DB", "Least PSNR in decibels; exit status 3 below it.")
     ] = None,
-    min_ssim: Annotated[
-        float | None, typer.Option("--min-ssim", metavar="VALUE", help="Least SSIM; exit status 3 below it.")
-    ] = None,
+    min_ssim: Annotated[float | None, option("--min-ssim", "VALUE", "Least SSIM; exit status 3 below it.")] = None,
     max_discontinuity: Annotated[
-        float | None,
-        typer.Option(
-            "--max-discontinuity", metavar="VALUE", help="Greatest mean discontinuity; exit status 3 above it."
-        ),
+        float | None, option("--max-discontinuity", "VALUE", "Greatest mean discontinuity; exit status 3 above it.")
     ] = None,
     max_boundary: Annotated[
         float | None,
-        typer.Option(
+        option(
             "--max-boundary-discontinuity",
-            metavar="VALUE",
-            help="Greatest mean discontinuity along the boundary; exit status 3 above it.",
+            "VALUE",
+            "Greatest mean discontinuity along the boundary; exit status 3 above it.",
         ),
     ] = None,
     backend: options.Backend = "auto",
@@ -128,20 +118,16 @@ def compare(
             view = camera(loaded, eye, aim or viewpoint.ahead(eye, place.forward), fov, pixels)
         with clock.step("load curve"):
             curve = nf.load_curve(loaded, center=place.eye)
-        setting = Setting(
+        # The discontinuity of far pixels needs their scene points, which follow from the map's range.
+        place_and_map = {"center": place.eye, "r1": r1, "r2": r2, "channels": ("color", "range")}
+        frames, reduced = render_all(
+            loaded,
             view,
-            place.eye,
-            r1,
-            r2,
-            face_size,
-            samples,
-            backend,
-            channels=("color", "position"),
-            # The discontinuity of far pixels needs their scene points, which follow from the map's range.
-            baked=("color", "range"),
-            render_options={"method": "exact", "env": False} if exact else None,
+            clock,
+            pictures={"samples": samples, "channels": ("color", "position")},
+            reduction=place_and_map | {"face_size": face_size, "backend": backend},
+            drawing={"method": "exact", "env": False} if exact else None,
         )
-        frames, reduced = render_all(loaded, setting, clock)
         with clock.step("measures"):
             measured = {
                 name: nf.compare(frames["truth"], frames[name], center=place.eye, radius=r2) for name in METHODS

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar.cli._output import bytes_text, count, metres, write_json
+from nearfar._base import formats
+from nearfar.cli._output import bytes_text, count, metres
 
 MEASURES = {
     "psnr": "PSNR, dB",
@@ -67,7 +68,7 @@ def text(value: float | None) -> str:
 
 def save(folder: Path, document: dict[str, Any]) -> None:
     """Write compare.json, report.md and report.html."""
-    write_json(folder / "compare.json", document)
+    formats.write_json(folder / "compare.json", document)
     (folder / "report.md").write_text(markdown(document), encoding="utf-8")
     (folder / "report.html").write_text(page(document, folder), encoding="utf-8")
 

@@ -7,11 +7,10 @@ import time
 from pathlib import Path
 from typing import Annotated, Any
 
-import typer
-
 import nearfar as nf
 from nearfar._base import formats
 from nearfar.cli import _options as options
+from nearfar.cli._options import option
 from nearfar.cli._output import bytes_text, check_target, count, show
 
 VERSION = 1
@@ -22,31 +21,21 @@ Settings, Threshold = nf.lod.MeasureSettings, nf.lod.LodThreshold
 
 def lod(
     scene: options.Input,
-    output: Annotated[
-        Path, typer.Option("-o", "--output", metavar="FILE", help="The model: .glb with its levels, or .json without.")
-    ],
+    output: Annotated[Path, option("-o --output", "FILE", "The model: .glb with its levels, or .json without.")],
     hmd: Annotated[
-        str, typer.Option("--hmd", metavar="NAME", help="Headset that levels are measured for: a name or a .json file.")
+        str, option("--hmd", "NAME", "Headset that levels are measured for: a name or a .json file.")
     ] = "quest_2",
-    ratios: Annotated[
-        str | None, typer.Option("--ratios", metavar="R,R,…", help="Shares of the triangles, as in 0.5,0.2,0.05.")
-    ] = None,
-    method: Annotated[
-        str, typer.Option("--method", metavar="fast|meshopt", help="The simplifier: see nf.lod.simplify.")
-    ] = "fast",
+    ratios: Annotated[str | None, option("--ratios", "R,R,…", "Shares of the triangles, as in 0.5,0.2,0.05.")] = None,
+    method: Annotated[str, option("--method", "fast|meshopt", "The simplifier: see nf.lod.simplify.")] = "fast",
     normals: Annotated[
-        str, typer.Option("--normals", metavar="keep|smooth|flat", help="How levels are shaded: see nf.lod.simplify.")
+        str, option("--normals", "keep|smooth|flat", "How levels are shaded: see nf.lod.simplify.")
     ] = "keep",
-    views: Annotated[
-        int, typer.Option("--views", metavar="N", help="Number of sides to look at levels from.")
-    ] = Settings.views,
-    distances: Annotated[
-        int, typer.Option("--distances", metavar="N", help="Number of sizes to measure levels at.")
-    ] = Settings.distances,
-    k: Annotated[float, typer.Option("--k", metavar="K", help="Slope of the threshold.")] = Threshold.k,
-    d: Annotated[float, typer.Option("--d", metavar="D", help="The threshold at 1/16 of the screen.")] = Threshold.d,
+    views: Annotated[int, option("--views", "N", "Number of sides to look at levels from.")] = Settings.views,
+    distances: Annotated[int, option("--distances", "N", "Number of sizes to measure levels at.")] = Settings.distances,
+    k: Annotated[float, option("--k", "K", "Slope of the threshold.")] = Threshold.k,
+    d: Annotated[float, option("--d", "D", "The threshold at 1/16 of the screen.")] = Threshold.d,
     threshold: Annotated[
-        str, typer.Option("--threshold", metavar="KIND", help="Its formula: anchored, literal or normalized.")
+        str, option("--threshold", "KIND", "Its formula: anchored, literal or normalized.")
     ] = Threshold.kind,
     backend: options.Backend = "auto",
     up: options.Up = "y",

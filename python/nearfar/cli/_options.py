@@ -6,7 +6,7 @@ import difflib
 import inspect
 import math
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -41,39 +41,37 @@ def read_size(option: str, text: str) -> tuple[int, int]:
     return width, height
 
 
-INPUT = typer.Option(
-    "-i",
-    "--input",
-    metavar="SCENE",
-    help="Scene file (GLB, glTF, OBJ, PLY, STL …), or city, room or forest, as in city:blocks=4,seed=1.",
+def option(names: str, metavar: str, text: str) -> Any:
+    """Describe an option with a value: its names, separated by spaces, the value's, and a sentence on it."""
+    return typer.Option(*names.split(), metavar=metavar, help=text)
+
+
+INPUT = option(
+    "-i --input",
+    "SCENE",
+    "Scene file (GLB, glTF, OBJ, PLY, STL …), or city, room or forest, as in city:blocks=4,seed=1.",
 )
 Input = Annotated[str, INPUT]
-Up = Annotated[str, typer.Option("--up", metavar="AXIS", help="Axis of the file that points up: x, y or z.")]
+Up = Annotated[str, option("--up", "AXIS", "Axis of the file that points up: x, y or z.")]
 Invalid = Annotated[
-    str,
-    typer.Option(
-        "--on-invalid", metavar="raise|drop", help="Stop at vertices that are not finite, or drop their faces."
-    ),
+    str, option("--on-invalid", "raise|drop", "Stop at vertices that are not finite, or drop their faces.")
 ]
 Center = Annotated[
     str | None,
-    typer.Option(
-        "-c",
-        "--center",
-        metavar="X,Y,Z",
-        help="Centre O in metres. By default 1.7 m above open ground near the scene's middle.",
-    ),
+    option("-c --center", "X,Y,Z", "Centre O in metres. By default 1.7 m above open ground near the scene's middle."),
 ]
-Inner = Annotated[float, typer.Option("--r1", metavar="METRES", help="Radius of the near zone.")]
-Outer = Annotated[float, typer.Option("--r2", metavar="METRES", help="Radius beyond which the map shows the scene.")]
-FaceSize = Annotated[int, typer.Option("--face-size", metavar="TEXELS", help="Texels across a face of the cube map.")]
-Size = Annotated[str, typer.Option("--size", metavar="WxH", help="Width and height of a picture in pixels.")]
-Samples = Annotated[int, typer.Option("--samples", metavar="N", help="Colour samples of each pixel.")]
+Target = Annotated[
+    str | None, option("--target", "X,Y,Z", "Point to look at, metres. By default the longest open view.")
+]
+Degrees = Annotated[float, option("--fov", "DEGREES", "Horizontal field of view.")]
+Folder = Annotated[Path, option("-o --output", "FOLDER", "Folder to write.")]
+Inner = Annotated[float, option("--r1", "METRES", "Radius of the near zone.")]
+Outer = Annotated[float, option("--r2", "METRES", "Radius beyond which the map shows the scene.")]
+FaceSize = Annotated[int, option("--face-size", "TEXELS", "Texels across a face of the cube map.")]
+Size = Annotated[str, option("--size", "WxH", "Width and height of a picture in pixels.")]
+Samples = Annotated[int, option("--samples", "N", "Colour samples of each pixel.")]
 Backend = Annotated[
-    str,
-    typer.Option(
-        "--backend", metavar="auto|cpu|gpu", help="Renderer; `nearfar info --gpu` lists the graphics adapters."
-    ),
+    str, option("--backend", "auto|cpu|gpu", "Renderer; `nearfar info --gpu` lists the graphics adapters.")
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print a JSON document instead of text.")]
 

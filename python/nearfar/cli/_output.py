@@ -57,12 +57,6 @@ class _TrialWrite(Exception):  # noqa: N818
     """Ends a trial write, so that the target stays unchanged."""
 
 
-def write_json(path: Path, document: dict[str, Any]) -> None:
-    """Write a document completely or not at all."""
-    with files.atomic_file(path) as temporary:
-        temporary.write_text(formats.to_json(document), encoding="utf-8")
-
-
 def count(value: int) -> str:
     """Format a count with thousands separators."""
     return f"{value:,}"

@@ -10,7 +10,8 @@ import typer
 import nearfar as nf
 from nearfar._base import check, formats
 from nearfar.cli import _options as options
-from nearfar.cli._output import check_target, count, metres, show, write_json
+from nearfar.cli._options import option
+from nearfar.cli._output import check_target, count, metres, show
 from nearfar.cli._viewpoint import choose
 
 VERSION = 1
@@ -26,12 +27,9 @@ def partition(
     r2: options.Outer = 50.0,
     up: options.Up = "y",
     on_invalid: options.Invalid = "raise",
-    output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Also write the JSON document to a file.")
-    ] = None,
+    output: Annotated[Path | None, option("-o --output", "FILE", "Also write the JSON document to a file.")] = None,
     max_triangles: Annotated[
-        int | None,
-        typer.Option("--max-triangles", metavar="N", help="Exit with status 1 if more than N triangles stay geometry."),
+        int | None, option("--max-triangles", "N", "Exit with status 1 if more than N triangles stay geometry.")
     ] = None,
     as_json: options.Json = False,
 ) -> None:
@@ -43,7 +41,7 @@ def partition(
     middle = options.read_point("--center", center) or choose(loaded, scene).eye
     document = describe(loaded, scene, middle, r1, r2)
     if output:
-        write_json(output, document)
+        formats.write_json(output, document)
     rows = [
         ("centre", metres(middle)),
         ("radii", f"{r1:g} m and {r2:g} m"),

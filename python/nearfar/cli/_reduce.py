@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Any
 
 import numpy as np
 import typer
@@ -16,7 +16,7 @@ from nearfar._metrics.comparison import visible_difference
 from nearfar._trace import viewpoint
 from nearfar.cli import _options as options
 from nearfar.cli import _report_page
-from nearfar.cli._methods import METHODS, Setting, render_all
+from nearfar.cli._methods import METHODS, render_all
 from nearfar.cli._output import Clock, bytes_text, count, metres, show
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
@@ -30,7 +30,7 @@ ASIDE = 0.4
 
 def reduce(
     scene: options.Input,
-    output: Annotated[Path, typer.Option("-o", "--output", metavar="FOLDER", help="Folder to write.")],
+    output: options.Folder,
     center: options.Center = None,
     r1: options.Inner = 30.0,
     r2: options.Outer = 50.0,
@@ -60,8 +60,11 @@ def reduce(
         view = camera(loaded, user, viewpoint.ahead(user, place.forward), 90.0, pixels)
         with clock.step("load curve"):
             curve = nf.load_curve(loaded, center=place.eye)
-        setting = Setting(view, place.eye, r1, r2, face_size, samples, backend, map_samples=samples)
-        frames, reduced = render_all(loaded, setting, clock)
+        reduction = {"center": place.eye, "r1": r1, "r2": r2, "face_size": face_size, "samples": samples}
+        pictures_of = {"samples": samples, "channels": ("color",)}
+        frames, reduced = render_all(
+            loaded, view, clock, pictures=pictures_of, reduction=reduction | {"backend": backend}
+        )
         with clock.step("files"):
             reduced.save(folder)
         with clock.step("pictures"):

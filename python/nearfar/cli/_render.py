@@ -7,42 +7,30 @@ import time
 from pathlib import Path
 from typing import Annotated
 
-import typer
-
 import nearfar as nf
 from nearfar._base import check, formats
 from nearfar._trace import viewpoint
 from nearfar.cli import _options as options
+from nearfar.cli._methods import METHODS
+from nearfar.cli._options import option
 from nearfar.cli._output import bytes_text, check_target, metres, show
 from nearfar.cli._viewpoint import choose
 
 VERSION = 1
 
-MORPHS = {"continuous": "blend", "conventional": "none"}
-"""Morph of each method, by the method's name."""
-
 
 def render(
     scene: options.Input,
-    output: Annotated[Path, typer.Option("-o", "--output", metavar="FILE", help="Picture to write, .png or .exr.")],
+    output: Annotated[Path, option("-o --output", "FILE", "Picture to write, .png or .exr.")],
     eye: Annotated[
-        str | None,
-        typer.Option(
-            "--eye", metavar="X,Y,Z", help="User's eye U in metres. By default over open ground in the middle."
-        ),
+        str | None, option("--eye", "X,Y,Z", "User's eye U in metres. By default over open ground in the middle.")
     ] = None,
-    target: Annotated[
-        str | None,
-        typer.Option("--target", metavar="X,Y,Z", help="Point to look at, metres. By default the longest open view."),
-    ] = None,
-    fov: Annotated[float, typer.Option("--fov", metavar="DEGREES", help="Horizontal field of view.")] = 90.0,
+    target: options.Target = None,
+    fov: options.Degrees = 90.0,
     size: options.Size = "1280x720",
     samples: options.Samples = 4,
     method: Annotated[
-        str,
-        typer.Option(
-            "--method", metavar="truth|continuous|conventional", help="Full scene, or a method of near-far reduction."
-        ),
+        str, option("--method", "truth|continuous|conventional", "Full scene, or a method of near-far reduction.")
     ] = "truth",
     center: options.Center = None,
     r1: options.Inner = 30.0,
@@ -56,7 +44,7 @@ def render(
     """Render a scene from one eye to a PNG or EXR file."""
     check.radii(r1, r2)
     options.check_backend(backend)
-    if method != "truth" and method not in MORPHS:
+    if method != "truth" and method not in METHODS:
         raise ValueError(f"--method: expected truth, continuous or conventional, got {method!r}")
     pixels, aim = options.read_size("--size", size), options.read_point("--target", target)
     user, middle = options.read_point("--eye", eye), options.read_point("--center", center)
@@ -72,7 +60,7 @@ def render(
     else:
         middle = middle or (place.eye if place else user)
         reduced = nf.reduce(
-            loaded, center=middle, r1=r1, r2=r2, face_size=face_size, morph=MORPHS[method], backend=backend
+            loaded, center=middle, r1=r1, r2=r2, face_size=face_size, morph=METHODS[method], backend=backend
         )
         frame = reduced.render(view, samples=samples, channels=("color",))
     seconds = time.perf_counter() - started

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar.cli._output import bytes_text, count, metres, write_json
+from nearfar._base import formats
+from nearfar.cli._output import bytes_text, count, metres
 
 CAPTION = 0.07
 """Height of a picture's caption as a share of the picture's height."""
@@ -69,7 +70,7 @@ def save_curve(folder: Path, curve: nf.LoadCurve, r2: float) -> bool:
 
 def save(folder: Path, document: dict[str, Any]) -> None:
     """Write report.json and report.md."""
-    write_json(folder / "report.json", document)
+    formats.write_json(folder / "report.json", document)
     (folder / "report.md").write_text(markdown(document), encoding="utf-8")
 
 

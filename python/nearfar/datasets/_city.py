@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import itertools
+import operator
+
 import numpy as np
 
 from nearfar._base import check
 from nearfar._scene.scene import Scene
 from nearfar.datasets import _ground as streets
 from nearfar.datasets import _layout as layout
-from nearfar.datasets._buildings import Kind, building
+from nearfar.datasets._buildings import building
 from nearfar.datasets._dressing import dress
 from nearfar.datasets._furniture import fountain
 from nearfar.datasets._layout import AVENUE, KERB, STREET, Grid, Plot
@@ -78,11 +81,9 @@ def street_view() -> tuple[tuple[float, float, float], tuple[float, float, float
 
 
 def _buildings(stage: Stage, plots: list[Plot], seed: int, detail: int) -> None:
-    kinds: dict[Kind, list[Plot]] = {}
-    for plot in plots:
-        kinds.setdefault(plot.kind, []).append(plot)
-    for kind in sorted(kinds):
-        mine = kinds[kind]
+    kind_of = operator.attrgetter("kind")
+    for kind, alike in itertools.groupby(sorted(plots, key=kind_of), kind_of):
+        mine = list(alike)
         where = placements([p.x for p in mine], KERB, [p.z for p in mine], [0.25 * p.quarter for p in mine])
         stage.many(building(kind, seed, detail), where, [p.name for p in mine])
 

@@ -82,6 +82,11 @@ class Places:
             rows[:, column] = values
         self._rows.append(rows)
 
+    def line(self, side: Side, spots: ArrayLike, inward: float, turn: ArrayLike, size: ArrayLike = 1.0) -> None:
+        """Add positions on the pavement along a side, `inward` metres from the kerb."""
+        x, z = side.at(spots, inward)
+        self.add(x, KERB, z, turn, size)
+
     def rows(self, *, clear: float = 0.0) -> Floats:
         """Return rows (K, 5) of x, y, z, turn, size, without those within `clear` metres of the vertical axis."""
         rows = np.concatenate(self._rows) if self._rows else np.zeros((0, 5))
@@ -92,11 +97,7 @@ def spread(
     stage: Stage, rows: Floats, prototypes: int, make: Callable[[int], Soup], name: str, draw: Draw, first: int = 0
 ) -> None:
     """Place objects, each with one of several prototypes, numbered through from `first`."""
-    chosen = draw.integers(len(rows), prototypes)
-    for variant in range(prototypes):
-        mine = np.flatnonzero(chosen == variant)
-        if len(mine):
-            stage.many(make(variant), placements(*rows[mine].T), [f"{name}_{first + k}" for k in mine])
+    stage.mixed(make, draw.integers(len(rows), prototypes), placements(*rows.T), name, first)
 
 
 def dress(stage: Stage, grid: Grid, built: Sequence[Plot], seed: int, detail: int) -> None:
@@ -141,36 +142,29 @@ def _street_trees(side: Side, trees: Places, draw: Draw, detail: int) -> None:
         return
     step = 8.0 if detail >= 3 else 16.0
     along = np.arange(13.0, side.length - 12.0, step)
-    keep = draw.uniform(len(along)) < 0.9
-    x, z = side.at(along[keep], 1.1)
-    trees.add(x, KERB, z, draw.uniform(len(x)), draw.uniform(len(x), 0.72, 1.05))
+    spots = along[draw.uniform(len(along)) < 0.9]
+    trees.line(side, spots, 1.1, draw.uniform(len(spots)), draw.uniform(len(spots), 0.72, 1.05))
 
 
 def _along(side: Side, things: dict[str, Places], draw: Draw) -> None:
     """Add lamps, benches, bins, signals and bollards of a side; stops and planters on avenues."""
     turn, end = 0.25 * side.quarter, side.length
-    x, z = side.at(np.arange(9.0, end - 6.0, 24.0), 0.6)
-    things["lamp_post"].add(x, KERB, z, turn)
+    things["lamp_post"].line(side, np.arange(9.0, end - 6.0, 24.0), 0.6, turn)
     # Benches turn their backs to the street.
     for name, first, inward, chance, fraction in (
         ("bench", 17.0, 0.75, 0.35, 0.5),
         ("litter_bin", 23.0, 0.8, 0.5, 0.0),
     ):
         spots = np.arange(first, end - 14.0, 18.0)
-        spots = spots[draw.uniform(len(spots)) < chance]
-        x, z = side.at(spots, inward)
-        things[name].add(x, KERB, z, turn + fraction)
-    x, z = side.at(0.8, 0.8)
-    things["traffic_light"].add(x, KERB, z, turn - 0.25)
-    x, z = side.at([6.2, end - 6.2], 0.45)
-    things["bollard"].add(x, KERB, z, 0.0)
+        things[name].line(side, spots[draw.uniform(len(spots)) < chance], inward, turn + fraction)
+    things["traffic_light"].line(side, 0.8, 0.8, turn - 0.25)
+    things["bollard"].line(side, [6.2, end - 6.2], 0.45, 0.0)
     if side.half == AVENUE:
         if draw.chance(0.3):
-            x, z = side.at(37.6, 2.3)
-            things["bus_stop"].add(x, KERB, z, turn)
+            things["bus_stop"].line(side, 37.6, 2.3, turn)
         spots = np.arange(20.0, end - 14.0, 11.0)
-        x, z = side.at(spots[draw.uniform(len(spots)) < 0.4], 3.3)
-        things["planter"].add(x, KERB, z, draw.uniform(len(x)))
+        spots = spots[draw.uniform(len(spots)) < 0.4]
+        things["planter"].line(side, spots, 3.3, draw.uniform(len(spots)))
 
 
 def _parked(side: Side, parked: Places, draw: Draw) -> None:

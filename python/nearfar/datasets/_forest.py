@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +14,7 @@ from nearfar._scene.scene import Scene
 from nearfar.datasets import _vegetation as vegetation
 from nearfar.datasets._draw import Draw, Floats, turn
 from nearfar.datasets._palette import material, materials
-from nearfar.datasets._shapes import Soup, join, quads
+from nearfar.datasets._shapes import Soup, join, quads, sheet
 from nearfar.datasets._stage import Stage, placements
 
 _MOST_TREES = 2_000_000
@@ -113,10 +115,9 @@ def _surface(land: Land, detail: int) -> Soup:
     x = across + land.trail(z) * np.clip(1.0 - np.abs(across) / half, 0.0, 1.0) * np.clip(
         2.0 - np.abs(z) / half, 0.0, 1.0
     )
-    sheet = np.stack([x, land.height(x, z), z], -1)
     shade = 0.86 + 0.07 * (turn(x / 17.0 + 0.3 * turn(z / 11.0)[1])[1] + turn(z / 14.0 + 0.2 * turn(x / 31.0)[1])[0])
-    cells = np.stack([sheet[1:, :-1], sheet[1:, 1:], sheet[:-1, 1:], sheet[:-1, :-1]], 2).reshape(-1, 4, 3)
-    tints = np.stack([shade[1:, :-1], shade[1:, 1:], shade[:-1, 1:], shade[:-1, :-1]], 2).reshape(-1, 4)
+    cells = sheet(np.stack([x, land.height(x, z), z], -1)).reshape(-1, 4, 3)
+    tints = sheet(shade).reshape(-1, 4)
     middle = 0.25 * (cells[:, 0] + cells[:, 1] + cells[:, 2] + cells[:, 3])
     patch = turn(middle[:, 0] / 47.0 + 0.2 * turn(middle[:, 2] / 29.0)[1])[1] + turn(middle[:, 2] / 53.0)[0]
     floor = np.array(materials("moss_dark", "moss", "moss", "litter"), np.int32)
@@ -157,18 +158,15 @@ def _plant(stage: Stage, land: Land, trees: int, seed: int, detail: int) -> None
     wet = turn(x / 170.0 + land.phases[3])[1] + turn(z / 130.0 + land.phases[4])[1] + draw.uniform(trees, -1.1, 1.1)
     kinds: NDArray[np.int64] = np.where(wet < 0.45, 0, np.where(wet < 1.2, 1, 2))
     card = stage.material((1.0, 1.0, 1.0, 1.0), vegetation.leaf_texture(), cutoff=0.5)
-    for kind, (name, variants) in enumerate((("spruce", 6), ("oak", 4), ("birch", 3))):
-        variant = draw.integers(trees, variants)
-        for number in range(variants):
-            mine = np.flatnonzero((kinds == kind) & (variant == number))
-            if kind == 0:
-                soup = vegetation.conifer(seed, number, detail)
-            elif kind == 1:
-                soup = vegetation.broadleaf(seed, number, detail)
-            else:
-                soup = vegetation.birch(seed, number, detail, card)
-            where = placements(x[mine], y[mine], z[mine], turns[mine], sizes[mine])
-            stage.many(soup, where, [f"{name}_{k}" for k in mine])
+    where = placements(x, y, z, turns, sizes)
+    makers: tuple[tuple[str, int, Callable[..., Soup]], ...] = (
+        ("spruce", 6, vegetation.conifer),
+        ("oak", 4, vegetation.broadleaf),
+        ("birch", 3, functools.partial(vegetation.birch, card=card)),
+    )
+    for kind, (name, variants, make) in enumerate(makers):
+        chosen = np.where(kinds == kind, draw.integers(trees, variants), -1)
+        stage.mixed(functools.partial(make, seed, detail=detail), chosen, where, name)
 
 
 def _undergrowth(stage: Stage, land: Land, trees: int, seed: int, detail: int) -> None:
@@ -186,12 +184,9 @@ def _undergrowth(stage: Stage, land: Land, trees: int, seed: int, detail: int) -
         x, z = _scattered(land, count, clear, draw, reach)
         y, turns = land.height(x, z), draw.uniform(count)
         sizes = draw.uniform(count, 0.3, 1.6) if kind == 0 else draw.uniform(count, 0.7, 1.5)
-        variant = draw.integers(count, variants)
-        make = (vegetation.rock, vegetation.shrub, _sward)[kind]
-        for number in range(variants):
-            mine = np.flatnonzero(variant == number)
-            where = placements(x[mine], y[mine], z[mine], turns[mine], sizes[mine])
-            stage.many(make(seed, number, detail), where, [f"{name}_{k}" for k in mine])
+        make: Callable[..., Soup] = (vegetation.rock, vegetation.shrub, _sward)[kind]
+        where = placements(x, y, z, turns, sizes)
+        stage.mixed(functools.partial(make, seed, detail=detail), draw.integers(count, variants), where, name)
 
 
 def _sward(seed: int, variant: int, detail: int) -> Soup:

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from nearfar.datasets._draw import Draw, turn
 from nearfar.datasets._palette import material, materials
-from nearfar.datasets._shapes import Soup, boxes, join, lathe, loft, quads, sphere, textured, triangles, tube
+from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, loft, quads, sphere, textured, triangles, tube
 
 _SPINES = materials(
     "sign_red", "sign_teal", "sign_mustard", "sign_navy", "sign_green", "paper", "brick_brown", "door_red",
@@ -24,12 +24,10 @@ def cushion(low: ArrayLike, high: ArrayLike, radius: float, kind: int, detail: i
     cosine, sine = turn(0.25 * np.arange(steps + 1) / steps)
     insets = np.concatenate([radius * (1.0 - sine), radius * (1.0 - sine[::-1])])
     heights = np.concatenate([-half[1] + radius * (1.0 - cosine), (half[1] - radius * (1.0 - cosine))[::-1]])
-    corner = turn(0.25 * np.arange(steps + 1) / steps)
     sections = np.empty((len(insets), 4 * (steps + 1), 3))
-    for k in range(4):
-        cx, cz = ((1, -1), (-1, -1), (-1, 1), (1, 1))[k]
+    for k, (cx, cz) in enumerate(((1, -1), (-1, -1), (-1, 1), (1, 1))):
         # Quarter circles from +x over −z, the order of sections in `loft`.
-        c, s = corner if k % 2 == 0 else corner[::-1]
+        c, s = (cosine, sine) if k % 2 == 0 else (sine, cosine)
         columns = slice(k * (steps + 1), (k + 1) * (steps + 1))
         reach = radius - insets[:, None]
         sections[:, columns, 0] = middle[0] + cx * (half[0] - radius + reach * c)
@@ -48,11 +46,9 @@ def sofa(detail: int) -> Soup:
     parts.append(cushion([-1.1, 0.12, -0.48], [1.1, 0.8, -0.3], 0.07, cloth, detail))
     for x in (-1.12, 0.96):
         parts.append(cushion([x, 0.12, -0.44], [x + 0.16, 0.64, 0.46], 0.06, cloth, detail))
-    parts.append(
-        cushion([-0.2, 0.0, -0.07], [0.2, 0.36, 0.07], 0.065, material("fabric_rust"), detail).moved([0.7, 0.5, 0.0])
-    )
+    pillow = cushion([-0.2, 0.0, -0.07], [0.2, 0.36, 0.07], 0.065, material("fabric_rust"), detail)
     feet = np.array([[x, 0.0, z] for x in (-0.98, 0.92) for z in (-0.38, 0.32)])
-    return join([*parts, boxes(feet, np.add(feet, [0.06, 0.16, 0.06]), legs)])
+    return join([*parts, pillow.moved([0.7, 0.5, 0.0]), bars(feet, [0.06, 0.16, 0.06], legs)])
 
 
 def table(detail: int) -> Soup:
@@ -62,7 +58,7 @@ def table(detail: int) -> Soup:
     rails_low = [[-0.8, 0.62, -0.36], [-0.8, 0.62, 0.33], [-0.81, 0.625, -0.34], [0.78, 0.625, -0.34]]
     rails_high = [[0.8, 0.725, -0.33], [0.8, 0.725, 0.36], [-0.78, 0.7225, 0.34], [0.81, 0.7225, 0.34]]
     top = cushion([-0.9, 0.72, -0.45], [0.9, 0.76, 0.45], 0.015, wood, detail)
-    return join([top, boxes(legs, np.add(legs, [0.08, 0.73, 0.08]), wood), boxes(rails_low, rails_high, wood)])
+    return join([top, bars(legs, [0.08, 0.73, 0.08], wood), boxes(rails_low, rails_high, wood)])
 
 
 def chair(detail: int) -> Soup:
@@ -74,13 +70,8 @@ def chair(detail: int) -> Soup:
         parts.append(tube([(x, 0.0, 0.2), (x, 0.25, 0.19), (x, 0.44, 0.18)], [0.016, 0.02, 0.022], sides, wood))
         parts.append(tube([(x, 0.0, -0.24), (x, 0.45, -0.19), (x, 0.92, -0.26)], [0.016, 0.022, 0.016], sides, wood))
     rails = [[-0.19, 0.87, -0.27], [-0.19, 0.58, -0.235], [-0.19, 0.34, -0.215], [-0.19, 0.34, 0.175]]
-    parts.append(
-        boxes(
-            rails,
-            np.add(rails, [[0.38, 0.07, 0.025], [0.38, 0.03, 0.025], [0.38, 0.04, 0.02], [0.38, 0.04, 0.02]]),
-            wood,
-        )
-    )
+    sizes = [[0.38, 0.07, 0.025], [0.38, 0.03, 0.025], [0.38, 0.04, 0.02], [0.38, 0.04, 0.02]]
+    parts.append(bars(rails, sizes, wood))
     for x in np.linspace(-0.12, 0.12, 4):
         parts.append(tube([(x, 0.59, -0.222), (x, 0.74, -0.242), (x, 0.9, -0.256)], 0.008, max(4, sides // 2), wood))
     return join(parts)
@@ -91,7 +82,7 @@ def shelf(seed: int, detail: int) -> Soup:
     wood, draw = material("wood_pale"), Draw(seed, 70)
     boards = np.array([[-0.88, y, -0.15] for y in (0.06, 0.44, 0.82, 1.2, 1.58)])
     parts = [
-        boxes(boards, np.add(boards, [1.76, 0.025, 0.3]), wood),
+        bars(boards, [1.76, 0.025, 0.3], wood),
         boxes([[-0.9, 0.0, -0.16], [0.875, 0.0, -0.16]], [[-0.875, 2.0, 0.16], [0.9, 2.0, 0.16]], wood),
         boxes([[-0.92, 1.98, -0.17], [-0.88, 0.02, -0.158]], [[0.92, 2.02, 0.17], [0.88, 2.0, -0.148]], wood),
     ]

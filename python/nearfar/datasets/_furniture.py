@@ -5,21 +5,17 @@ from __future__ import annotations
 import numpy as np
 
 from nearfar.datasets._palette import material
-from nearfar.datasets._shapes import Soup, boxes, join, lathe, tube
+from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, tube
 
 
 def lamp_post(detail: int) -> Soup:
     """A post 7 m high with an arm over the street."""
     sides = 6 if detail <= 1 else 9
     dark = material("metal_dark")
+    path = [(0, 0.7, 0), (0, 6.2, 0), (0, 6.75, 0.15), (0, 6.98, 0.6), (0, 7.02, 1.6)]
     parts = [
         lathe([(0.14, -0.1), (0.14, 0.7), (0.1, 0.8), (0.08, 0.82)], sides, dark, top=False),
-        tube(
-            [(0, 0.7, 0), (0, 6.2, 0), (0, 6.75, 0.15), (0, 6.98, 0.6), (0, 7.02, 1.6)],
-            [0.07, 0.055, 0.05, 0.045, 0.04],
-            sides,
-            dark,
-        ),
+        tube(path, [0.07, 0.055, 0.05, 0.045, 0.04], sides, dark),
         boxes([-0.13, 6.93, 1.45], [0.13, 7.08, 2.2], dark),
         boxes([-0.1, 6.9, 1.55], [0.1, 6.94, 2.15], material("paint_white")),
     ]
@@ -30,12 +26,10 @@ def bench(detail: int) -> Soup:
     """A slatted bench with three seats."""
     wood, iron = material("wood"), material("iron")
     if detail <= 1:
-        return join(
-            [boxes([-0.9, 0.4, -0.25], [0.9, 0.46, 0.25], wood), boxes([-0.9, 0.46, -0.3], [0.9, 0.85, -0.25], wood)]
-        )
+        return boxes([[-0.9, 0.4, -0.25], [-0.9, 0.46, -0.3]], [[0.9, 0.46, 0.25], [0.9, 0.85, -0.25]], wood)
     seat = np.array([[-0.9, 0.42, z] for z in (-0.2, -0.08, 0.04, 0.16)])
     back = np.array([[-0.9, y, -0.31 - 0.12 * (y - 0.5)] for y in (0.52, 0.65, 0.78)])
-    parts = [boxes(seat, np.add(seat, [1.8, 0.035, 0.09]), wood), boxes(back, np.add(back, [1.8, 0.09, 0.03]), wood)]
+    parts = [bars(seat, [1.8, 0.035, 0.09], wood), bars(back, [1.8, 0.09, 0.03], wood)]
     for x in (-0.75, 0.0, 0.75):
         low = [[x - 0.025, -0.05, -0.27], [x - 0.025, -0.05, 0.17], [x - 0.025, 0.38, -0.26], [x - 0.025, 0.4, -0.29]]
         high = [[x + 0.025, 0.42, -0.21], [x + 0.025, 0.42, 0.23], [x + 0.025, 0.425, 0.22], [x + 0.025, 0.86, -0.25]]
@@ -66,9 +60,8 @@ def traffic_light(detail: int) -> Soup:
     parts.append(boxes([-0.16, 2.35, 0.02], [0.16, 3.3, 0.24], iron))
     for height, name in ((3.12, "tail_light"), (2.83, "sign_mustard"), (2.54, "sign_green")):
         lamp = lathe([(0.09, 0.23), (0.09, 0.26), (0.05, 0.275)], sides, material(name), bottom=False)
-        x, y, z = lamp.corners[..., 0], lamp.corners[..., 1], lamp.corners[..., 2]
         # The y axis becomes z and x stays. Swapping y and z with one changed sign keeps the outside outside.
-        parts.append(lamp.mapped(np.stack([x, -z, y], -1)).moved([0.0, height, 0.0]))
+        parts.append(lamp.mapped(lamp.corners[..., [0, 2, 1]] * [1.0, -1.0, 1.0]).moved([0.0, height, 0.0]))
     return join(parts)
 
 
@@ -78,7 +71,7 @@ def shelter(detail: int) -> Soup:
     posts = np.array([[x, -0.1, z] for x in (-1.9, 0.0, 1.86) for z in (-0.6, 0.56)])
     parts = [
         boxes([-2.1, 2.45, -0.8], [2.1, 2.57, 1.0], iron),
-        boxes(posts, np.add(posts, [0.05, 2.6, 0.05]), iron, without="-y +y"),
+        bars(posts, [0.05, 2.6, 0.05], iron, without="-y +y"),
         boxes([-1.82, 0.25, -0.585], [1.83, 2.3, -0.565], glass),
         boxes([-1.885, 0.25, -0.5], [-1.865, 2.3, 0.5], glass),
         boxes([-1.5, 0.42, -0.45], [0.9, 0.48, -0.1], material("wood")),

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from nearfar.datasets._draw import Draw, Floats, turn
 from nearfar.datasets._layout import KERB, PAVEMENT, YARD, Grid
 from nearfar.datasets._palette import material, materials
-from nearfar.datasets._shapes import Soup, boxes, join, lathe, quads
+from nearfar.datasets._shapes import Soup, boxes, join, lathe, quads, sheet
 
 # Classes of the strips between two break lines of an axis.
 _OUT, _ROAD, _EDGE, _WALK, _ROW, _COURT = range(6)
@@ -89,9 +89,7 @@ def ground(grid: Grid, seed: int, detail: int) -> Soup:
     level = np.where(kinds[1], KERB, 0.0)
     gx, gz = np.meshgrid(xs, zs)
     land = hill(grid, gx, gz, seed)
-    sheet = np.stack([gx, land, gz], -1)
-    corner = np.stack([sheet[1:, :-1], sheet[1:, 1:], sheet[:-1, 1:], sheet[:-1, :-1]], 2)
-    tops = corner.copy()
+    tops = sheet(np.stack([gx, land, gz], -1))
     tops[..., 1] += level[..., None]
     soups = [quads(tops.reshape(-1, 4, 3), kinds[0].reshape(-1))]
     # A kerb lies between two cells of different height and faces the lower one.
@@ -204,16 +202,9 @@ def paths(x0: float, x1: float, z0: float, z1: float) -> Soup:
     """Gravel paths of a park and a round place in the middle, all slightly above the lawn."""
     gravel = material("gravel")
     x, z, wide = 0.5 * (x0 + x1), 0.5 * (z0 + z1), 1.4
-    low = [[x0, z - wide], [x - wide, z0], [x - wide, z + wide], [x + wide, z - wide]]
-    high = [[x - wide, z + wide], [x + wide, z - wide], [x + wide, z1], [x1, z + wide]]
+    low = [[x0, z - wide], [x - wide, z0], [x - wide, z + wide], [x + wide, z - wide], [x - wide, z - wide]]
+    high = [[x - wide, z + wide], [x + wide, z - wide], [x + wide, z1], [x1, z + wide], [x + wide, z + wide]]
     corners = np.array([[[a, KERB + 0.03, d], [c, KERB + 0.03, d], [c, KERB + 0.03, b], [a, KERB + 0.03, b]]
                         for (a, b), (c, d) in zip(low, high, strict=True)])  # fmt: skip
-    middle = [
-        [x - wide, KERB + 0.03, z + wide],
-        [x + wide, KERB + 0.03, z + wide],
-        [x + wide, KERB + 0.03, z - wide],
-        [x - wide, KERB + 0.03, z - wide],
-    ]
-    flat = quads(np.concatenate([corners, [middle]]), gravel)
     place = lathe([(7.5, KERB - 0.1), (7.5, KERB + 0.05)], 40, gravel, bottom=False)
-    return join([flat, place.moved([x, 0.0, z])])
+    return join([quads(corners, gravel), place.moved([x, 0.0, z])])

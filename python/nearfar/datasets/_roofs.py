@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from nearfar.datasets._draw import Draw, Floats
 from nearfar.datasets._palette import material
-from nearfar.datasets._shapes import Soup, boxes, join, lathe, loft, quads, tube
+from nearfar.datasets._shapes import Soup, bars, boxes, join, lathe, loft, quads, tube
 
 # Closed profiles (outwards, upwards) around the top of the walls, counter-clockwise, metres.
 _PROFILES = {
@@ -73,12 +73,8 @@ def hipped(width: float, depth: float, height: float, pitch: float, kind: int, e
     wide, deep = width + 0.9, depth + 0.9
     rise, ridge = 0.5 * min(wide, deep) * pitch, abs(wide - deep)
     along = (ridge, 0.0) if wide >= deep else (0.0, ridge)
-    sections = [
-        rectangle(wide, deep, height - 0.12),
-        rectangle(wide, deep, height + 0.06),
-        rectangle(along[0], along[1], height + 0.06 + rise),
-    ]
-    return loft(sections, [eaves, kind], top=False)
+    eave = [rectangle(wide, deep, height + up) for up in (-0.12, 0.06)]
+    return loft([*eave, rectangle(*along, height + 0.06 + rise)], [eaves, kind], top=False)
 
 
 def chimney(x: float, z: float, low: float, high: float) -> Soup:
@@ -101,7 +97,7 @@ def air_handler(draw: Draw, detail: int) -> Soup:
     if detail >= 2:
         dark = material("metal_dark")
         low = [[-wide / 2 - 0.1, -0.1, side * deep * 0.35 - 0.06] for side in (-1, 1)]
-        parts.append(boxes(low, np.add(low, [wide + 0.2, 0.27, 0.12]), dark, without="-y"))
+        parts.append(bars(low, [wide + 0.2, 0.27, 0.12], dark, without="-y"))
         for shift in (-0.25, 0.25):
             fan = lathe([(0.42, high + 0.1), (0.42, high + 0.3)], 14, dark, bottom=False)
             parts.append(fan.moved([shift * wide, 0.0, 0.0]))
@@ -133,8 +129,7 @@ def water_tank(detail: int) -> Soup:
     legs = np.array([[x, 0.0, z] for x in (-1.1, 1.1) for z in (-1.1, 1.1)])
     parts.append(boxes(legs - [0.08, 0.1, 0.08], np.add(legs, [0.08, 2.3, 0.08]), iron, without="-y +y"))
     if detail >= 2:
-        hoops = [lathe([(1.385, h), (1.385, h + 0.06)], sides, iron) for h in (2.7, 3.5, 4.3, 5.0)]
-        parts += hoops
+        parts += [lathe([(1.385, h), (1.385, h + 0.06)], sides, iron) for h in (2.7, 3.5, 4.3, 5.0)]
     return join(parts)
 
 

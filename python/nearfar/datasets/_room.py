@@ -13,7 +13,7 @@ from nearfar.datasets import _vegetation as vegetation
 from nearfar.datasets._buildings import Kind, building
 from nearfar.datasets._draw import Draw
 from nearfar.datasets._palette import material
-from nearfar.datasets._shapes import Soup, boxes, join, quads, textured
+from nearfar.datasets._shapes import Soup, boxes, join, quads, sheet, textured
 from nearfar.datasets._stage import Stage, placements
 
 # Half the inner width along x and z, the inner height, and the thickness of the walls, metres.
@@ -187,9 +187,7 @@ def _garden(stage: Stage, seed: int, detail: int) -> None:
     draw = Draw(seed, 80)
     lines = np.linspace(-400.0, 400.0, 33)
     gx, gz = np.meshgrid(lines, lines)
-    sheet = np.stack([gx, np.full_like(gx, -0.35), gz], -1)
-    cells = np.stack([sheet[1:, :-1], sheet[1:, 1:], sheet[:-1, 1:], sheet[:-1, :-1]], 2)
-    stage.once(quads(cells.reshape(-1, 4, 3), material("lawn")), "lawn")
+    stage.once(quads(sheet(np.stack([gx, np.full_like(gx, -0.35), gz], -1)), material("lawn")), "lawn")
     trees = 14
     x, z = draw.uniform(trees, -28.0, 28.0), draw.uniform(trees, -34.0, -10.0)
     for variant in range(2):

@@ -121,6 +121,16 @@ def boxes(low: ArrayLike, high: ArrayLike, materials: ArrayLike, *, without: str
     return quads(corners.reshape(-1, 4, 3), kinds)
 
 
+def bars(low: ArrayLike, size: ArrayLike, materials: ArrayLike, *, without: str = "") -> Soup:
+    """Make boxes of a size (3,), or one each (K, 3), from their least corners (K, 3); `without` as in `boxes`."""
+    return boxes(low, np.add(low, size), materials, without=without)
+
+
+def sheet(points: Floats) -> Floats:
+    """Cells (R − 1, C − 1, 4, …) between the points (R, C, …) of a grid, with corners counter-clockwise from above."""
+    return np.stack([points[1:, :-1], points[1:, 1:], points[:-1, 1:], points[:-1, :-1]], 2)
+
+
 def ring(count: int, radius: float = 1.0, phase: float = 0.0) -> Floats:
     """Make points (count, 2) of a circle, from +x towards −z, so that a loft upwards faces outwards."""
     cosine, sine = turn((np.arange(count) + phase) / count)
@@ -174,9 +184,9 @@ def tube(path: ArrayLike, radii: ArrayLike, count: int, materials: ArrayLike, **
     along = along / np.sqrt(along[:, :1] ** 2 + along[:, 1:2] ** 2 + along[:, 2:] ** 2)
     helper = np.where(np.abs(along[:, 1:2]) < 0.9, [[0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0]])
     # One helper direction for the whole bar; otherwise it would twist where the helper changes.
-    side = _cross(np.broadcast_to(helper[:1], along.shape), along)
+    side = cross(np.broadcast_to(helper[:1], along.shape), along)
     side = side / np.sqrt(side[:, :1] ** 2 + side[:, 1:2] ** 2 + side[:, 2:] ** 2)
-    other = _cross(along, side)
+    other = cross(along, side)
     circle = ring(count)
     sections = points[:, None] + widths[:, None, None] * (
         side[:, None] * circle[None, :, :1] - other[:, None] * circle[None, :, 1:]
@@ -184,7 +194,8 @@ def tube(path: ArrayLike, radii: ArrayLike, count: int, materials: ArrayLike, **
     return loft(sections, materials, **caps)
 
 
-def _cross(a: Floats, b: Floats) -> Floats:
+def cross(a: Floats, b: Floats) -> Floats:
+    """Cross products of rows, without the C library."""
     x = a[:, 1] * b[:, 2] - a[:, 2] * b[:, 1]
     y = a[:, 2] * b[:, 0] - a[:, 0] * b[:, 2]
     return np.stack([x, y, a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]], -1)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -51,6 +51,14 @@ class Stage:
         listed = [f"{names}_{i}" for i in range(len(transforms))] if isinstance(names, str) else names
         for transform, name in zip(transforms, listed, strict=True):
             self._builder.instance(self._mesh(joined), transform, name=name)
+
+    def mixed(
+        self, make: Callable[[int], Soup], chosen: NDArray[np.int64], transforms: Floats, name: str, first: int = 0
+    ) -> None:
+        """Place objects (K, 4, 4), each by the number of its prototype (K,) or −1 for none, numbered from `first`."""
+        for variant in np.unique(chosen[chosen >= 0]).tolist():
+            mine = np.flatnonzero(chosen == variant)
+            self.many(make(variant), transforms[mine], [f"{name}_{first + k}" for k in mine])
 
     def _mesh(self, joined: Indexed) -> int:
         return self._builder.mesh(

@@ -42,17 +42,23 @@ _BAR = ((60.0, 4.0), (60.3, 4.4))
 
 
 @dataclass(frozen=True)
-class TapeTask:
-    """Geometry and answer of `tape_task`: the user names the rectangle that the tape leads to."""
+class _Task:
+    """What both tasks have: a place between the radii, and a row of objects beyond them."""
 
     center: Point
     """The centre O, an eye's height above the ground, world metres; all points below are world metres too."""
     target: Point
-    """The middle of the row of rectangles, which users look at."""
+    """The middle of the row of objects to choose from, which users look at."""
     r1: float
     """Radius that bounds the near zone, metres."""
     r2: float
-    """Radius that bounds the intermediate zone, metres. The tape starts near and ends far; the rectangles are far."""
+    """Radius that bounds the intermediate zone, metres. The tape or the ball starts near and ends far."""
+
+
+@dataclass(frozen=True)
+class TapeTask(_Task):
+    """Geometry and answer of `tape_task`: the user names the rectangle that the tape leads to."""
+
     rectangles: tuple[str, ...]
     """Names of the objects to choose from, from −x to +x."""
     answer: str
@@ -65,17 +71,9 @@ class TapeTask:
 
 
 @dataclass(frozen=True)
-class SphereTask:
+class SphereTask(_Task):
     """Geometry, motion and answer of `sphere_task`: the user names the box that the ball lands on."""
 
-    center: Point
-    """The centre O, an eye's height above the ground, world metres; all points below are world metres too."""
-    target: Point
-    """The middle of the row of boxes, which users look at."""
-    r1: float
-    """Radius that bounds the near zone, metres."""
-    r2: float
-    """Radius that bounds the intermediate zone, metres. The ball starts near and lands far."""
     boxes: tuple[str, ...]
     """Names of the objects to choose from, from −x to +x."""
     answer: str

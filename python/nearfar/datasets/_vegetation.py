@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from nearfar.datasets._draw import Draw, Floats, turn
 from nearfar.datasets._palette import material, materials
-from nearfar.datasets._shapes import Soup, join, lathe, loft, quads, ring, sphere, textured, triangles, tube
+from nearfar.datasets._shapes import Soup, cross, join, lathe, loft, quads, ring, sphere, textured, triangles, tube
 
 _LEAVES = materials("leaf", "leaf_deep", "leaf_light", "leaf_olive", "leaf", "leaf_deep", "leaf_autumn")
 _BARKS = materials("bark", "bark_dark", "bark")
@@ -93,19 +93,9 @@ def _leaf_cloud(draw: Draw, count: int, radius: Floats, center: Floats, leaf: in
     across = tilt[draw.integers(count, count)]
     along = across - normals * (0.6 * _dot(across, normals))[:, None]
     along = along / np.sqrt(_dot(along, along))[:, None]
-    side = np.stack(
-        [
-            along[:, 1] * normals[:, 2] - along[:, 2] * normals[:, 1],
-            along[:, 2] * normals[:, 0] - along[:, 0] * normals[:, 2],
-            along[:, 0] * normals[:, 1] - along[:, 1] * normals[:, 0],
-        ],
-        -1,
-    )
     length = draw.uniform(count, 0.12, 0.24)[:, None]
-    corners = np.stack(
-        [at - along * length, at + side * (0.5 * length), at + along * length, at - side * (0.5 * length)], 1
-    )
-    return quads(corners, leaf)
+    tip, side = along * length, cross(along, normals) * (0.5 * length)
+    return quads(np.stack([at - tip, at + side, at + tip, at - side], 1), leaf)
 
 
 def _dot(a: Floats, b: Floats) -> Floats:
@@ -119,14 +109,8 @@ def conifer(seed: int, variant: int, detail: int) -> Soup:
     wide = draw.number(0.17, 0.23) * high
     needle = material("needle" if variant % 2 == 0 else "needle_blue")
     tiers, sides = ((1, 6), (3, 8), (9, 16), (16, 36))[detail]
-    parts = [
-        tube(
-            [(0, -0.4, 0), (0, 0.45 * high, 0), (0, 0.93 * high, 0)],
-            [0.24, 0.15, 0.03],
-            (4, 5, 9, 12)[detail],
-            material("bark_dark"),
-        )
-    ]
+    trunk = [(0, -0.4, 0), (0, 0.45 * high, 0), (0, 0.93 * high, 0)]
+    parts = [tube(trunk, [0.24, 0.15, 0.03], (4, 5, 9, 12)[detail], material("bark_dark"))]
     for tier in range(tiers):
         share = tier / tiers
         low = high * (0.12 + 0.83 * share)
@@ -237,10 +221,6 @@ def rock(seed: int, variant: int, detail: int) -> Soup:
 
 def planter(detail: int) -> Soup:
     """A round tub with a bush."""
-    tub = lathe(
-        [(0.5, 0.0), (0.62, 0.55), (0.54, 0.55), (0.5, 0.42)],
-        10 if detail < 2 else 18,
-        material("terracotta"),
-        bottom=False,
-    )
+    profile = [(0.5, 0.0), (0.62, 0.55), (0.54, 0.55), (0.5, 0.42)]
+    tub = lathe(profile, 10 if detail < 2 else 18, material("terracotta"), bottom=False)
     return join([tub, shrub(11, 0, detail).scaled([0.8, 0.9, 0.8]).moved([0.0, 0.35, 0.0])])

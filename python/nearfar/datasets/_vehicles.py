@@ -68,14 +68,9 @@ def car(body: Body, paint: int, detail: int) -> Soup:
         return boxes(low, high, [paint, material("glass_dark")])
     van = body is VAN
     parts = [_shell(body, paint), _glass_house(body, paint, opaque=van)]
-    sides = 8 if detail <= 1 else 12 if detail == 2 else 32
-    for z in body.wheels:
-        for side in (-1.0, 1.0):
-            parts.append(
-                _wheel(body, sides)
-                .rotated(0.0 if side > 0 else 0.5)
-                .moved([side * (body.half_width - 0.12), body.wheel_radius, z])
-            )
+    right = _wheel(body, 8 if detail <= 1 else 12 if detail == 2 else 32)
+    left, x, y = right.rotated(0.5), body.half_width - 0.12, body.wheel_radius
+    parts += [wheel for z in body.wheels for wheel in (left.moved([-x, y, z]), right.moved([x, y, z]))]
     if detail >= 2:
         parts += _trimmings(body)
     return join(parts)
@@ -149,30 +144,25 @@ def _wheel(body: Body, sides: int) -> Soup:
 
 def _upright(lying: Soup) -> Soup:
     """Turn a solid about the y axis to lie along x."""
-    x, y, z = lying.corners[..., 0], lying.corners[..., 1], lying.corners[..., 2]
-    return lying.mapped(np.stack([y, z, x], -1))
+    return lying.mapped(lying.corners[..., [1, 2, 0]])
 
 
 def _trimmings(body: Body) -> list[Soup]:
     """Lights, bumpers, plates, mirrors, wheel wells."""
-    tail, nose, half = body.stations[0][0], body.stations[-1][0], body.half_width
+    (tail, high), *_, (front, shoulder), (nose, _) = body.stations
+    half = body.half_width
     lamp, red, dark = material("paint_white"), material("tail_light"), material("metal_dark")
-    head = body.stations[-2][1] - 0.12
+    head = shoulder - 0.12
+    well = _upright(lathe([(body.wheel_radius + 0.05, 0.0), (body.wheel_radius + 0.05, 0.16)], 14, dark))
     parts = [boxes([-0.55 * half, 0.32, nose - 0.2], [0.55 * half, 0.47, nose + 0.02], dark)]
     parts.append(boxes([-0.26, 0.5, tail - 0.02], [0.26, 0.6, tail + 0.1], lamp))
     for side in (-1.0, 1.0):
         x0, x1 = sorted((side * 0.5 * half, side * 0.82 * half))
-        z = body.stations[-2][0]
-        parts.append(boxes([x0, head - 0.13, z - 0.2], [x1, head, z + 0.045], lamp))
-        parts.append(
-            boxes([x0, body.stations[0][1] - 0.16, tail - 0.025], [x1, body.stations[0][1] - 0.02, tail + 0.1], red)
-        )
+        parts.append(boxes([x0, head - 0.13, front - 0.2], [x1, head, front + 0.045], lamp))
+        parts.append(boxes([x0, high - 0.16, tail - 0.025], [x1, high - 0.02, tail + 0.1], red))
         m0, m1 = sorted((side * (half - 0.05), side * (half + 0.17)))
-        mirror = body.cabin[3][1] + 0.02
-        parts.append(boxes([m0, mirror, body.cabin[3][0] - 0.42], [m1, mirror + 0.14, body.cabin[3][0] - 0.3], dark))
-        for wheel in body.wheels:
-            well = _upright(lathe([(body.wheel_radius + 0.05, 0.0), (body.wheel_radius + 0.05, 0.16)], 14, dark))
-            parts.append(
-                well.rotated(0.0 if side > 0 else 0.5).moved([side * (half - 0.14), body.wheel_radius + 0.02, wheel])
-            )
+        z, mirror = body.cabin[3][0], body.cabin[3][1] + 0.02
+        parts.append(boxes([m0, mirror, z - 0.42], [m1, mirror + 0.14, z - 0.3], dark))
+        turned = well.rotated(0.0 if side > 0 else 0.5)
+        parts += [turned.moved([side * (half - 0.14), body.wheel_radius + 0.02, z]) for z in body.wheels]
     return parts

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from nearfar._base import check
 from nearfar._render import backend as backends
 
 
@@ -86,8 +87,7 @@ def select(adapter: str | None) -> None:
         If no usable adapter has the name; the message lists all adapters. The previous selection stays.
     """
     if adapter is not None:
-        if not isinstance(adapter, str):
-            raise TypeError(f"adapter: expected a back end or a part of a name, got {type(adapter).__name__}")
+        check.instance("adapter", adapter, str, "a back end or a part of a name")
         if not adapter.strip():
             raise ValueError("adapter: expected a back end or a part of a name, got nothing; None selects the best one")
         adapter = adapter.strip()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 
 from numpy.typing import ArrayLike
 
@@ -10,12 +11,13 @@ from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera
 from nearfar._render import backend as backends
-from nearfar._render.channels import CHANNELS
+from nearfar._render.channels import missing
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Renderable
 from nearfar._render.renderer import Renderer
 
 
+@dataclass(frozen=True, eq=False, repr=False)
 class DeviceFrame:
     """The images of one view in the memory of the device that drew them.
 
@@ -23,43 +25,27 @@ class DeviceFrame:
     only their results are read back. After it is deleted, its memory serves later frames.
     """
 
-    def __init__(
-        self,
-        core: _core.GpuFrame,
-        camera: Camera,
-        origin: tuple[float, float, float],
-        channels: Iterable[str],
-    ) -> None:
-        self._core = core
-        self._camera = camera
-        self._origin = origin
-        self._channels = tuple(channels)
-
-    @property
-    def camera(self) -> Camera:
-        """The view."""
-        return self._camera
-
-    @property
-    def channels(self) -> tuple[str, ...]:
-        """Names of the images that the frame has."""
-        return self._channels
+    _core: _core.GpuFrame
+    camera: Camera
+    """The view."""
+    _origin: tuple[float, float, float]
+    channels: tuple[str, ...]
+    """Names of the images that the frame has."""
 
     def read(self) -> Frame:
         """Read the images back, at each call again; DeviceError if the device was lost."""
         with progress.bar("reading a frame") as report:
             images = self._core.read(report)
-        return Frame(self._camera, self._origin, **images)
+        return Frame(self.camera, self._origin, **images)
 
     def require(self, channel: str) -> None:
         """Raise ValueError, which names the channels to render, if an image was not rendered."""
-        if channel not in self._channels:
-            needed = tuple(name for name in CHANNELS if name in {channel, *self._channels})
-            raise ValueError(f"frame has no {channel}: render it with channels={needed!r}")
+        if channel not in self.channels:
+            raise missing(channel, self.channels)
 
     def __repr__(self) -> str:
-        width, height = self._camera.size
-        return f"DeviceFrame({width} × {height}, {', '.join(self._channels)}, on {self._core.label})"
+        width, height = self.camera.size
+        return f"DeviceFrame({width} × {height}, {', '.join(self.channels)}, on {self._core.label})"
 
 
 def render(
@@ -94,11 +80,10 @@ def render(
         If no adapter can be used, and for pictures that are too large for one texture.
     """
     renderer = Renderer(source, channels, samples)
-    shot = renderer.shot([camera])
-    drawn, _ = renderer.drawn(shot, at)
+    view = renderer.view(renderer.shot([camera]), at)
     with progress.bar("drawing") as report:
-        (job,) = drawn.begin(backends.opened(), shot, report)
+        (job,) = view.begin(backends.opened(), report)
         if not isinstance(job, _core.GpuJob):
             raise TypeError(f"source: expected one whose pictures a device can keep, got {type(source).__name__}")
         core = _core.gpu_keep(job)
-    return DeviceFrame(core, camera, check.vector("origin", drawn.origin), renderer.channels)
+    return DeviceFrame(core, camera, check.vector("origin", view.drawn.origin), renderer.channels)

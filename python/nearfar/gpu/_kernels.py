@@ -11,7 +11,7 @@ from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera
 from nearfar._metrics.result import Similarity
-from nearfar._morph import KINDS, radii_of
+from nearfar._morph import placed
 from nearfar._render import backend as backends
 from nearfar.gpu._frames import DeviceFrame
 
@@ -70,9 +70,9 @@ def ssim(
     check.choice("window", window, WINDOWS)
     taps, deviation = check.integer("size", size, 1, LARGEST), check.positive("sigma", sigma)
     for name, frame in (("reference", reference), ("test", test)):
-        _frame(name, frame).require("color")
-    settings: dict[str, Any] = {"window": window, "size": taps, "sigma": deviation}
-    mean, flat = _core.gpu_similarity(reference._core, test._core, **settings, full=bool(full))
+        check.instance(name, frame, DeviceFrame).require("color")
+    cores = reference._core, test._core
+    mean, flat = _core.gpu_similarity(*cores, window=window, size=taps, sigma=deviation, full=bool(full))
     width, height = reference.camera.size
     return Similarity(mean, None if flat is None else flat.reshape(height, width))
 
@@ -113,10 +113,8 @@ def discontinuity(
     ----------
     Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
     """
-    _frame("frame", frame).require("position")
-    camera = frame.camera if truth_camera is None else truth_camera
-    if not isinstance(camera, Camera):
-        raise TypeError(f"truth_camera: expected a Camera, got {type(camera).__name__}")
+    check.instance("frame", frame, DeviceFrame).require("position")
+    camera = frame.camera if truth_camera is None else check.instance("truth_camera", truth_camera, Camera)
     with progress.bar("measuring discontinuity") as report:
         flat = _core.gpu_discontinuity(
             frame._core,
@@ -160,13 +158,10 @@ def morph(
     ----------
     Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3; CloVR (2024), Alg. 1.
     """
-    check.choice("kind", kind, KINDS)
-    near, far = radii_of(r1, r2, kind)
-    source = _single("points", points, "nearfar.morph")
-    rows = check.array("points", source)
+    place = placed(user, center, r1, r2, kind)
+    rows = check.array("points", _single("points", points, "nearfar.morph"))
     shown = np.empty_like(rows)
-    place = {"user": check.vector("user", user), "center": check.vector("center", center)}
-    _core.gpu_morph(backends.opened(), rows, shown, **place, r1=near, r2=far, kind=kind)
+    _core.gpu_morph(backends.opened(), rows, shown, **place)
     return shown
 
 
@@ -211,12 +206,6 @@ def cube_lookup(
     values = np.empty((len(rows), deep.shape[3]), np.float32)
     _core.gpu_cube_lookup(backends.opened(), (np.ascontiguousarray(deep), values), rows, filter)
     return values.reshape(along.shape[:-1] + maps.shape[3:])
-
-
-def _frame(name: str, frame: DeviceFrame) -> DeviceFrame:
-    if not isinstance(frame, DeviceFrame):
-        raise TypeError(f"{name}: expected a DeviceFrame, got {type(frame).__name__}")
-    return frame
 
 
 def _single(name: str, values: ArrayLike, other: str) -> NDArray[Any]:

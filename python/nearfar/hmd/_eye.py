@@ -35,8 +35,7 @@ class Eye:
     orientation: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0)
 
     def __post_init__(self) -> None:
-        if not isinstance(self.fov, Fov):
-            raise TypeError(f"fov: expected Fov, got {type(self.fov).__name__}")
+        check.instance("fov", self.fov, Fov, "Fov")
         object.__setattr__(self, "position", check.vector("position", self.position))
         object.__setattr__(self, "orientation", quaternion(self.orientation))
 

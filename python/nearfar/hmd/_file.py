@@ -8,7 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
-from nearfar._base import files, formats
+from nearfar._base import formats
 from nearfar._base.errors import FormatError
 from nearfar._camera.camera import Fov
 from nearfar._lens.lens import RadialLens
@@ -25,13 +25,7 @@ Built = TypeVar("Built")
 
 def write(path: Path, fields: dict[str, Any]) -> None:
     """Write a headset's fields as a JSON document."""
-    save(path, document(fields))
-
-
-def save(path: Path, content: dict[str, Any]) -> None:
-    """Write JSON completely or not at all."""
-    with files.atomic_file(path) as temporary:
-        temporary.write_text(formats.to_json(content), encoding="utf-8")
+    formats.write_json(path, document(fields))
 
 
 def document(fields: dict[str, Any]) -> dict[str, Any]:
@@ -90,10 +84,16 @@ def finite(value: object) -> float | None:
     return number if math.isfinite(number) else None
 
 
-def finite_row(value: object) -> list[float] | None:
-    """Convert a JSON list of numbers to float64; None if an item is not a finite number."""
-    numbers = [finite(item) for item in value] if isinstance(value, list) else [None]
-    return None if None in numbers else [item for item in numbers if item is not None]
+def _text(value: object) -> str | None:
+    return value if isinstance(value, str) else None
+
+
+def _each(value: object, convert: Callable[[object], Built | None]) -> list[Built] | None:
+    """Convert the items of a JSON list; None for other types, and if the conversion of an item is None."""
+    if not isinstance(value, list):
+        return None
+    items = [item for item in map(convert, value) if item is not None]
+    return items if len(items) == len(value) else None
 
 
 class Reader:
@@ -104,26 +104,21 @@ class Reader:
 
     def inside(self, key: str) -> Reader:
         """Return a reader of the object at a key."""
-        value = self._value(key)
-        if not isinstance(value, dict):
-            raise self.wrong(key, "an object", value)
+        value = self._read(key, "an object", lambda value: value if isinstance(value, dict) else None)
         return Reader(value, self.where, self._named(key))
 
     def number(self, key: str) -> float:
         """Return the number at a key."""
-        value = self._value(key)
-        number = finite(value)
-        if number is None:
-            raise self.wrong(key, "a number", value)
-        return number
+        return self._read(key, "a number", finite)
 
     def numbers(self, key: str, count: int | None) -> tuple[float, ...]:
         """Return the numbers at a key, exactly `count` of them if not None."""
-        value = self._value(key)
-        numbers = finite_row(value)
-        if numbers is None or count not in (None, len(numbers)):
-            raise self.wrong(key, "numbers" if count is None else f"{count} numbers", value)
-        return tuple(numbers)
+
+        def convert(value: object) -> list[float] | None:
+            numbers = _each(value, finite)
+            return None if numbers is None or count not in (None, len(numbers)) else numbers
+
+        return tuple(self._read(key, "numbers" if count is None else f"{count} numbers", convert))
 
     def pair(self, key: str) -> tuple[Any, Any]:
         """Return the two numbers at a key without conversion, so that whole numbers stay whole."""
@@ -133,36 +128,29 @@ class Reader:
 
     def text(self, key: str) -> str:
         """Return the string at a key."""
-        value = self._value(key)
-        if not isinstance(value, str):
-            raise self.wrong(key, "a string", value)
-        return value
+        return self._read(key, "a string", _text)
 
     def texts(self, key: str) -> tuple[str, ...]:
         """Return the strings at a key."""
-        value = self._value(key)
-        if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
-            raise self.wrong(key, "strings", value)
-        return tuple(value)
+        return tuple(self._read(key, "strings", lambda value: _each(value, _text)))
 
-    def rows(self, key: str) -> Any:
+    def rows(self, key: str) -> list[list[float]]:
         """Return the rows of numbers at a key."""
-        value = self._value(key)
-        rows = [finite_row(row) for row in value] if isinstance(value, list) else [None]
-        if None in rows:
-            raise self.wrong(key, "rows of numbers", value)
-        return rows
+        return self._read(key, "rows of numbers", lambda value: _each(value, lambda row: _each(row, finite)))
 
     def convert(self, make: Callable[[], Built]) -> Built:
         """Call a constructor with values of this object; its errors become FormatError."""
         return convert(f"{self.where}: {self.name}", make)
 
-    def wrong(self, key: str, expected: str, value: object) -> FormatError:
-        """Make the error for a key with an unexpected value."""
-        got = json.dumps(value)
-        return FormatError(
-            f"{self.where}: {self._named(key)}: expected {expected}, got {got if len(got) < 60 else got[:57] + '...'}"
-        )
+    def _read(self, key: str, expected: str, convert: Callable[[Any], Built | None]) -> Built:
+        """Return a key's value converted; FormatError if the conversion returns None."""
+        value = self._value(key)
+        built = convert(value)
+        if built is None:
+            got = json.dumps(value)
+            got = got if len(got) < 60 else got[:57] + "..."
+            raise FormatError(f"{self.where}: {self._named(key)}: expected {expected}, got {got}")
+        return built
 
     def _value(self, key: str) -> Any:
         if key not in self.content:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from nearfar._base import check
 from nearfar._camera.camera import Camera, quaternion
-from nearfar._lens.lens import RadialLens
+from nearfar._lens.lens import RadialLens, check_symmetric
 from nearfar.hmd import _file, _hmdq
 from nearfar.hmd._eye import Eye, TotalFov, rotation, total_fov, turned
 
@@ -74,24 +74,13 @@ class Hmd:
             raise ValueError(f"name: expected a name, got {self.name!r}")
         _check_text("name", self.name)
         for side in EYES:
-            if not isinstance(getattr(self, side), Eye):
-                raise TypeError(f"{side}: expected Eye, got {type(getattr(self, side)).__name__}")
-        _set(self, "render_size", check.pair("render_size", self.render_size, 1, check.MAX_SIZE))
-        if self.panel_size is not None:
-            _set(self, "panel_size", check.pair("panel_size", self.panel_size, 1, check.MAX_SIZE))
-        if self.refresh_hz is not None:
-            _set(self, "refresh_hz", check.positive("refresh_hz", self.refresh_hz))
-        self._check_lens()
-        if self.triangle_budget is not None:
-            least, most = check.pair("triangle_budget", self.triangle_budget, 1, 1 << 40)
-            if least > most:
-                raise ValueError(f"triangle_budget: expected the least number first, got {self.triangle_budget}")
-            _set(self, "triangle_budget", (least, most))
-        if self.hidden_area_percent is not None:
-            hidden = check.number("hidden_area_percent", self.hidden_area_percent)
-            if not 0.0 <= hidden <= 100.0:
-                raise ValueError(f"hidden_area_percent: expected 0 to 100, got {hidden}")
-            _set(self, "hidden_area_percent", hidden)
+            check.instance(side, getattr(self, side), Eye, "Eye")
+        if self.lens is not None:
+            check_symmetric(self.lens)
+        for name, convert in _CONVERSIONS.items():
+            value = getattr(self, name)
+            if value is not None or name == "render_size":
+                object.__setattr__(self, name, convert(name, value))
         self._check_sources()
 
     def _check_sources(self) -> None:
@@ -101,16 +90,7 @@ class Hmd:
             raise TypeError(f"sources: expected strings, got {value!r}")
         for number, source in enumerate(listed):
             _check_text(f"sources[{number}]", source)
-        _set(self, "sources", listed)
-
-    def _check_lens(self) -> None:
-        if self.lens is not None:
-            if not isinstance(self.lens, RadialLens):
-                raise TypeError(f"lens: expected a RadialLens, got {type(self.lens).__name__}")
-            if any(self.lens.tangential):
-                raise ValueError(f"lens: expected one without tangential terms, got {self.lens.tangential}")
-        if self.lens_radius is not None:
-            _set(self, "lens_radius", check.positive("lens_radius", self.lens_radius))
+        object.__setattr__(self, "sources", listed)
 
     @property
     def ipd(self) -> float:
@@ -209,5 +189,30 @@ def _check_text(name: str, text: str) -> None:
         raise ValueError(f"{name}: expected text that files can hold, got a lone surrogate in {text!r}") from None
 
 
-def _set(hmd: Hmd, name: str, value: object) -> None:
-    object.__setattr__(hmd, name, value)
+def _pixels(name: str, value: tuple[int, int]) -> tuple[int, int]:
+    return check.pair(name, value, 1, check.MAX_SIZE)
+
+
+def _budget(name: str, value: tuple[int, int]) -> tuple[int, int]:
+    least, most = check.pair(name, value, 1, 1 << 40)
+    if least > most:
+        raise ValueError(f"{name}: expected the least number first, got {value}")
+    return least, most
+
+
+def _percent(name: str, value: float) -> float:
+    percent = check.number(name, value)
+    if not 0.0 <= percent <= 100.0:
+        raise ValueError(f"{name}: expected 0 to 100, got {percent}")
+    return percent
+
+
+_CONVERSIONS: dict[str, Callable[[str, Any], Any]] = {
+    "render_size": _pixels,
+    "panel_size": _pixels,
+    "refresh_hz": check.positive,
+    "lens_radius": check.positive,
+    "triangle_budget": _budget,
+    "hidden_area_percent": _percent,
+}
+"""Checks of the fields that hold numbers; all but the first may be None."""

@@ -7,11 +7,12 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+from nearfar._base import formats
 from nearfar._base.errors import FormatError
 from nearfar._base.version import __version__
 from nearfar._camera.camera import Fov
 from nearfar.hmd._eye import Eye, total_fov
-from nearfar.hmd._file import Reader, finite, save
+from nearfar.hmd._file import Reader, finite
 
 RUNTIMES = ("openvr", "oculus", "oculus_max")
 """Runtimes and views whose geometry a file may contain."""
@@ -96,7 +97,7 @@ def write(path: Path, fields: dict[str, Any]) -> None:
         "generator": f"nearfar {__version__}",
     }
     runtime = {"rt_path": "n/a", "rt_ver": "n/a", "devices": [[0, HEADSET]], "properties": {"0": properties}}
-    save(path, {"misc": misc, "openvr": runtime | {"geometry": geometry}})
+    formats.write_json(path, {"misc": misc, "openvr": runtime | {"geometry": geometry}})
 
 
 def _geometry(content: dict[str, Any], where: str, runtime: str) -> Reader | None:
@@ -157,7 +158,7 @@ def _hidden(read: Reader) -> float | None:
 
 def _raw(fov: Fov) -> dict[str, float]:
     aspect = (fov.right - fov.left) / (fov.up - fov.down)
-    return dict(zip(TANGENTS, (fov.left, fov.right, fov.down, fov.up), strict=True)) | {"aspect": aspect}
+    return dict(zip(TANGENTS, fov._sides, strict=True)) | {"aspect": aspect}
 
 
 def _angles(eye: Eye) -> dict[str, Any]:

@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from nearfar._scene import glb
 
 EXTENSION, COVERAGE, OURS = "MSFT_lod", "MSFT_screencoverage", "nearfar"
+MEASURED = ("ratio", "error", "mean_error", "note")
+"""Fields of `Level` that files hold beside its geometry: three numbers and a text."""
 _IDENTITY = np.eye(4)
 
 
@@ -42,7 +44,7 @@ def write(
     document = _file.document(model) | {"switches": engine_levels(model, sizes)}
     match path.suffix.lower():
         case ".json":
-            _save(path, formats.to_json(document).encode())
+            formats.write_json(path, document)
         case ".glb":
             _save(path, _glb_of(model, sizes, document))
         case _:
@@ -53,19 +55,17 @@ def _glb_of(model: MeasuredLevels, sizes: Switches, document: dict[str, Any]) ->
     # Files alone need an imaging library.
     from nearfar._scene import glb
 
-    core, levels = _merged(model)
+    geometry = _geometry(model)
+    # The surfaces of all levels in one scene, and a mesh for each that uses them.
+    core, levels = _core.with_surfaces(empty(), [level.scene._core for level in geometry])
     names = [model.name, *(f"{model.name}_lod{number}" for number in range(1, len(levels)))]
     everywhere = np.tile(_IDENTITY[None, :3], (len(levels), 1, 1))
     objects = np.arange(len(levels), dtype=np.int32)
     encoder = glb.Encoder(_core.with_instances(core, levels, everywhere, objects, len(levels)), names)
     nodes = [encoder.place(number) for number in range(len(levels))]
     _link(encoder.nodes, nodes, sizes)
-    geometry = [
-        {"ratio": level.ratio, "error": level.error, "mean_error": level.mean_error, "note": level.note}
-        for level in _geometry(model)
-    ]
-    frame = [] if model.levels is None else model.levels.frame.tolist()
-    _extras(encoder.nodes[nodes[0]])[OURS] = document | {"geometry": geometry, "frame": frame}
+    listed = [{name: getattr(level, name) for name in MEASURED} for level in geometry]
+    _extras(encoder.nodes[nodes[0]])[OURS] = document | {"geometry": listed, "frame": geometry.frame.tolist()}
     return encoder.finish(nodes[:1], **_used(nodes))
 
 
@@ -92,10 +92,8 @@ def _fields(decoder: glb.Decoder, path: Path) -> dict[str, Any]:
     levels = [
         Level(
             scene=_scene(decoder.mesh(node), surfaces, name),
-            ratio=check.number("ratio", level["ratio"]),
-            error=check.number("error", level["error"]),
-            mean_error=check.number("mean_error", level["mean_error"]),
             note=str(level["note"]),
+            **{name: check.number(name, level[name]) for name in MEASURED[:3]},
         )
         for node, level in zip(chain, geometry, strict=True)
     ]
@@ -204,25 +202,16 @@ def engine_levels(model: MeasuredLevels, sizes: Switches) -> list[dict[str, Any]
             "solid_angle": float(sizes.solid_angle[level]),
             "screen_coverage": float(sizes.screen_coverage[level]),
             "screen_height": float(sizes.screen_height[level]),
-            "distance_per_radius": _finite(sizes.distance[level]),
+            "distance_per_radius": float(distance) if np.isfinite(distance) else None,
         }
-        for level in range(len(model))
+        for level, distance in enumerate(sizes.distance)
     ]
-
-
-def _finite(value: float) -> float | None:
-    return float(value) if np.isfinite(value) else None
 
 
 def _geometry(model: MeasuredLevels) -> Levels:
     if model.levels is None:
         raise ValueError(f"model: expected one with the geometry of its levels, got {model.name!r} without")
     return model.levels
-
-
-def _merged(model: MeasuredLevels) -> tuple[_core.Scene, list[_core.Mesh]]:
-    """A scene with the surfaces of all levels, and a mesh for each that uses them."""
-    return _core.with_surfaces(empty(), [level.scene._core for level in _geometry(model)])
 
 
 def _link(nodes: list[dict[str, Any]], chain: list[int], sizes: Switches) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._base import check, files, formats
+from nearfar._base import check, formats
 from nearfar.lod._measure.fit import Curve4PL
 from nearfar.lod._measure.samples import Samples
 from nearfar.lod._measured_levels import MeasuredLevels
@@ -16,13 +16,6 @@ from nearfar.lod._measured_levels import MeasuredLevels
 NAME, VERSION = "lod", 1
 PARAMETERS = ("a", "b", "c", "d", "rms")
 STATUSES = ("fitted", "step", "open", "flat", "unfittable")
-
-
-def write(path: Path, model: MeasuredLevels) -> None:
-    """Write a model, whole or not at all; `LodModel.save` lists its contents."""
-    text = formats.to_json(document(model))
-    with files.atomic_file(path) as aside:
-        aside.write_text(text, encoding="utf-8")
 
 
 def document(model: MeasuredLevels) -> dict[str, Any]:

@@ -10,6 +10,7 @@ from typing import overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nearfar._base import check
 from nearfar._bounds import bounding_sphere
 from nearfar._scene.arrays import transforms_of
 from nearfar._scene.scene import Scene
@@ -69,8 +70,7 @@ class Levels(Sequence[Level]):
         if not self._levels:
             raise ValueError("levels: expected at least one, got none")
         for number, level in enumerate(self._levels):
-            if not isinstance(level, Level):
-                raise TypeError(f"levels: expected a Level at index {number}, got {type(level).__name__}")
+            check.instance("levels", level, Level, f"a Level at index {number}")
             if not level.triangle_count:
                 raise ValueError(f"levels: expected triangles in level {number}, got none")
         counts = [level.triangle_count for level in self._levels]

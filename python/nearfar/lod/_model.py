@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nearfar._base import check, plot
+from nearfar._base import check, formats, plot
 from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod import _export, _file
@@ -58,7 +58,7 @@ class LodModel(MeasuredLevels):
         target = check.path("path", path)
         if target.suffix.lower() == ".glb":
             raise ValueError(f"path: expected a place for JSON, got {target}; `export` writes the geometry as GLB")
-        _file.write(target, self)
+        formats.write_json(target, _file.document(self))
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> LodModel:

@@ -75,10 +75,9 @@ class Curve4PL:
     def __getitem__(self, index: Any) -> Curve4PL:
         """One curve of many by its number, or some by a slice, a mask (K,) of bool, or an array of numbers."""
         chosen = _chosen(index, len(self))
-        a, b, c, d, rms, status, reason = (field[chosen] for field in (*self, self.rms, self.status, self.reason))
-        if isinstance(a, np.ndarray):
-            return Curve4PL(a, b, c, d, rms, status, reason)
-        return Curve4PL(float(a), float(b), float(c), float(d), float(rms), str(status), str(reason))
+        values = [field[chosen] for field in (*self, self.rms, self.status, self.reason)]
+        is_one = not isinstance(values[0], np.ndarray)
+        return Curve4PL(*((value.item() for value in values) if is_one else values))
 
     def __repr__(self) -> str:
         if isinstance(self.a, np.ndarray):

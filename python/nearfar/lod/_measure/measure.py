@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Unpack, overload
 
+from nearfar._base import check
 from nearfar._base.distribute import distribute
 from nearfar.lod._levels import Levels
 from nearfar.lod._measure.one_object import measure_one
@@ -89,8 +90,7 @@ def measure(
 def _settings(settings: MeasureSettings | None, keywords: MeasureKeywords) -> MeasureSettings:
     if settings is None:
         return MeasureSettings(**keywords)
-    if not isinstance(settings, MeasureSettings):
-        raise TypeError(f"settings: expected MeasureSettings, got {type(settings).__name__}")
+    check.instance("settings", settings, MeasureSettings, "MeasureSettings")
     if keywords:
         raise ValueError(f"{next(iter(keywords))}: expected it in settings alone, got it beside them too")
     return settings
@@ -108,6 +108,5 @@ def _objects(levels: object) -> tuple[list[str] | None, list[Levels]]:
     else:
         raise TypeError(f"levels: expected Levels, or a mapping or a sequence of them, got {type(levels).__name__}")
     for place, one in zip(range(len(objects)) if names is None else names, objects, strict=True):
-        if not isinstance(one, Levels):
-            raise TypeError(f"levels[{place!r}]: expected Levels, got {type(one).__name__}")
+        check.instance(f"levels[{place!r}]", one, Levels, "Levels")
     return names, objects

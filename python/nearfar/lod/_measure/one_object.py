@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._base import progress
+from nearfar._base import check, progress
 from nearfar._render.renderer import Renderer
 from nearfar.lod._levels import Levels
 from nearfar.lod._measure.fit import Curve4PL, fit_4pl
@@ -31,14 +31,6 @@ STEP_TOLERANCE = 1e-9
 """Share of a step by which a score may miss it: 0.95, which no binary number is, counts as one step of 0.05 below 1."""
 
 
-@dataclass
-class WorkCounts:
-    """Pictures and comparisons made for one object."""
-
-    renders: int = 0
-    scores: int = 0
-
-
 def measure_one(levels: Levels, report: progress.Report, *, settings: MeasureSettings) -> tuple[LodModel, list[int]]:
     """Return a model without geometry, and the numbers of the levels that it keeps; the base is one of them."""
     return _Measurement(levels, settings, report).run()
@@ -51,10 +43,9 @@ class _Measurement:
         if not levels.radius > 0.0:
             raise ValueError(f"levels: expected a base that is more than a point, got radius {levels.radius}")
         self.levels, self.settings, self.report = levels, settings, report
-        self.counts = WorkCounts()
+        self.renders = self.comparisons = 0
         self.screen = settings.screen
-        center = (float(levels.center[0]), float(levels.center[1]), float(levels.center[2]))
-        self.stand = Stand(self.screen, center, levels.radius, _reach(levels))
+        self.stand = Stand(self.screen, check.vector("center", levels.center), levels.radius, _reach(levels))
         self.turns, self.turn_of_view = turns(settings.views)
         self.sizes = range(1, settings.distances + 1)
         self.scores = np.full((len(levels), settings.distances, len(self.turns)), np.nan)
@@ -140,12 +131,12 @@ class _Measurement:
                 base = self._pictures(0, size, views) if base is None else base
                 reference = base if new.all() else Pictures(base.luma[new], base.shown[new])
                 table[number, views[new]] = scores(reference, self._pictures(number, size, views[new]))
-                self.counts.scores += int(new.sum())
+                self.comparisons += int(new.sum())
             if self.cache is not None:
                 self.cache.save_at_times()
 
     def _pictures(self, level: int, size: int, views: NDArray[np.intp]) -> Pictures:
-        self.counts.renders += len(views)
+        self.renders += len(views)
         cameras = [self.stand.camera(size, self.turns[view]) for view in views]
         return pictures(self.levels[level].scene, cameras, self.settings.samples, self.backend)
 
@@ -176,9 +167,9 @@ class _Measurement:
 
     def _record(self, kept: list[int], first: NDArray[np.float64]) -> dict[str, Any]:
         """Settings and work as JSON, and the levels that are left out with their scores at the first size."""
-        settings, counts = self.settings, self.counts
+        settings = self.settings
         most = (len(self.levels) - 1) * settings.distances * settings.views
-        cached = int(self.is_measured[~self.is_base].sum()) * len(self.turns) - counts.scores
+        cached = int(self.is_measured[~self.is_base].sum()) * len(self.turns) - self.comparisons
         left_out = [number for number in range(len(self.levels)) if number not in kept]
         return {
             "tan_half_angle": self.screen.tan_half_angle,
@@ -193,10 +184,10 @@ class _Measurement:
             "samples": settings.samples,
             "device": self.device,
             "left_out": [{"triangles": self.levels[n].triangle_count, "score": float(first[n])} for n in left_out],
-            "renders": counts.renders,
-            "scores": counts.scores,
+            "renders": self.renders,
+            "scores": self.comparisons,
             "cached": cached,
-            "skipped": most - counts.scores - cached,
+            "skipped": most - self.comparisons - cached,
         }
 
 

@@ -24,8 +24,7 @@ class Samples:
         """`score` (K, D) to which curves are fitted: sizes that were skipped have the last score before them."""
         known = ~np.isnan(self.score)
         last = np.maximum.accumulate(np.where(known, np.arange(len(self.sigma)), 0), axis=1)
-        filled: NDArray[np.float64] = np.take_along_axis(self.score, last, axis=1)
-        return filled
+        return np.take_along_axis(self.score, last, axis=1)
 
     def __repr__(self) -> str:
         return f"Samples({self.score.shape[0]} levels, {self.score.shape[1]} sizes)"

@@ -77,9 +77,9 @@ class MeasureSettings:
             "size": screen.size if self.hmd is None else None,
             "views": check.integer("views", self.views, len(AXES), MAX_VIEWS),
             "distances": check.integer("distances", self.distances, 1, MAX_DISTANCES),
-            "percentile": _within("percentile", self.percentile, 0.0, 100.0),
+            "percentile": check.within("percentile", self.percentile, 0.0, 100.0),
             "step": None if self.step is None else check.positive("step", self.step),
-            "saturated": None if self.saturated is None else _within("saturated", self.saturated, -1.0, 1.0),
+            "saturated": None if self.saturated is None else check.within("saturated", self.saturated, -1.0, 1.0),
             "samples": check.integer("samples", self.samples, 1, MAX_SAMPLES),
             "backend": backends.check(self.backend),
         }
@@ -118,10 +118,3 @@ class MeasureOptions(MeasureKeywords, total=False):
     settings: MeasureSettings | None
     workers: int | None
     client: Any
-
-
-def _within(name: str, value: float, low: float, high: float) -> float:
-    number = check.number(name, value)
-    if not low <= number <= high:
-        raise ValueError(f"{name}: expected a number from {low:g} to {high:g}, got {number}")
-    return number

@@ -60,13 +60,11 @@ class Screen:
         if hmd is not None:
             if fov is not None or size is not None:
                 raise ValueError("hmd: expected None beside fov and size, which say the same, got a headset")
-            if not isinstance(hmd, Hmd):
-                raise TypeError(f"hmd: expected an Hmd such as nearfar.hmd.RIFT_S, got {type(hmd).__name__}")
+            check.instance("hmd", hmd, Hmd, "an Hmd such as nearfar.hmd.RIFT_S")
             return cls._checked(hmd.tan_half_angle, hmd.left.fov, hmd.render_size)
         if fov is None or size is None:
             raise ValueError("hmd: expected a headset such as nearfar.hmd.RIFT_S, or else both fov and size")
-        if not isinstance(fov, Fov):
-            raise TypeError(f"fov: expected Fov, got {type(fov).__name__}")
+        check.instance("fov", fov, Fov, "Fov")
         return cls._checked(max(abs(fov.left), abs(fov.right)), fov, check.size("size", size))
 
     @classmethod

@@ -21,13 +21,8 @@ _CURVE_ROWS: WeakKeyDictionary[MeasuredLevels, NDArray[np.float64]] = WeakKeyDic
 MIN_SIGHT_LENGTH = 1e-6
 """Least length of the mean of the unit lines of sight of several eyes. Below it they look in opposite directions."""
 
-Eye = tuple[
-    tuple[float, float, float],
-    tuple[float, float, float, float],
-    tuple[float, float, float, float],
-    tuple[float, float, float] | None,
-    float,
-]
+Four = tuple[float, float, float, float]
+Eye = tuple[tuple[float, float, float], Four, Four, tuple[float, float, float] | None, float]
 """Position, orientation, tangents (left, right, down, up), gaze, and degrees of a pixel on the axis."""
 
 
@@ -46,8 +41,7 @@ def curves_of(
     if isinstance(models, MeasuredLevels) or not isinstance(models, Sequence):
         raise TypeError(f"models: expected a sequence of LodModel, got {type(models).__name__}")
     for number, model in enumerate(models):
-        if not isinstance(model, MeasuredLevels):
-            raise TypeError(f"models: expected a LodModel at index {number}, got {type(model).__name__}")
+        check.instance("models", model, MeasuredLevels, f"a LodModel at index {number}")
     rows = [_curve_rows(model) for model in models]
     firsts = np.zeros(len(rows) + 1, np.int64)
     np.cumsum([len(part) for part in rows], out=firsts[1:])
@@ -75,9 +69,7 @@ def cameras_of(camera: Camera | Sequence[Camera]) -> tuple[Camera, ...]:
     if not cameras:
         raise ValueError("camera: expected at least one, got none")
     for one in cameras:
-        if not isinstance(one, Camera):
-            raise TypeError(f"camera: expected a Camera or a sequence of them, got {type(one).__name__}")
-        _fov_of(one)
+        _fov_of(check.instance("camera", one, Camera, "a Camera or a sequence of them"))
     return cameras
 
 
@@ -98,11 +90,8 @@ def eye_of(camera: Camera, gaze: tuple[float, float, float] | None) -> Eye:
     """Numbers of a camera for the kernel. A pixel takes the most degrees on the axis."""
     fov = _fov_of(camera)
     pitch = max((fov.right - fov.left) / camera.width, (fov.up - fov.down) / camera.height)
-    bounds = (fov.left, fov.right, fov.down, fov.up)
-    return camera.position, camera.orientation, bounds, gaze, math.degrees(math.atan(pitch))
+    return camera.position, camera.orientation, fov._sides, gaze, math.degrees(math.atan(pitch))
 
 
 def _fov_of(camera: Camera) -> Fov:
-    if not isinstance(camera.fov, Fov):
-        raise TypeError(f"camera: expected one with a Fov, got {type(camera.fov).__name__}")
-    return camera.fov
+    return check.instance("camera", camera.fov, Fov, "one with a Fov")

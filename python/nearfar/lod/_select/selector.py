@@ -16,14 +16,7 @@ from nearfar._lens.lens import RadialLens
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.kernel_inputs import cameras_of, curves_of, eye_of, gaze_of, whole_numbers
 from nearfar.lod._select.selection import COLUMNS, Selection
-from nearfar.lod._select.size import (
-    ACUITY_LIMIT_DEG,
-    ACUITY_SLOPE,
-    at_least_zero,
-    checked_lens,
-    reference_solid_angle,
-    widest,
-)
+from nearfar.lod._select.size import ACUITY_LIMIT_DEG, ACUITY_SLOPE, checked_lens, reference_solid_angle, widest
 from nearfar.lod._select.threshold import LodThreshold, threshold_of
 
 MODES = ("off", "depth", "depth+eccentricity", "fovea")
@@ -83,9 +76,9 @@ class Selector:
             "lens_radius": None if lens_radius is None else check.positive("lens_radius", lens_radius),
             "reference": None if reference is None else check.positive("reference", reference),
             "cull": bool(cull),
-            "hysteresis": _share("hysteresis", hysteresis),
-            "fade": _share("fade", fade),
-            "acuity_slope": at_least_zero("acuity_slope", acuity_slope),
+            "hysteresis": check.within("hysteresis", hysteresis, 0.0, 1.0),
+            "fade": check.within("fade", fade, 0.0, 1.0),
+            "acuity_slope": check.at_least_zero("acuity_slope", acuity_slope),
             "acuity_limit_deg": check.positive("acuity_limit_deg", acuity_limit_deg),
             "inverse": check.choice("inverse", inverse, INVERSES),
         }
@@ -150,10 +143,3 @@ class Selector:
             counts=dict(zip(_COUNTS, counts, strict=True)),
             columns=dict(zip(COLUMNS, columns, strict=True)) if full else {},
         )
-
-
-def _share(name: str, value: float) -> float:
-    share = check.number(name, value)
-    if not 0 <= share <= 1:
-        raise ValueError(f"{name}: expected a number from 0 to 1, got {share}")
-    return share

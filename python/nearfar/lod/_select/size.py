@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
-from nearfar._lens.lens import RadialLens
+from nearfar._lens.lens import RadialLens, check_symmetric
 from nearfar.hmd._hmd import Hmd
 
 ACUITY_SLOPE = 0.0275
@@ -91,7 +91,7 @@ def acuity(
     away = check.array("eccentricity_deg", eccentricity_deg, columns=None, dtype=np.float64)
     if not (away >= 0).all():
         raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {away.min()}")
-    rise, pixel = at_least_zero("slope", slope), at_least_zero("pixel_deg", pixel_deg)
+    rise, pixel = check.at_least_zero("slope", slope), check.at_least_zero("pixel_deg", pixel_deg)
     least = check.positive("limit_deg", limit_deg)
     with np.errstate(over="ignore"):
         return np.asarray(np.minimum(1.0, max(least, pixel) / (rise * away + least)))
@@ -149,20 +149,9 @@ def half_tangent(view: Hmd | Camera | Fov) -> float:
     return max(abs(fov.left), abs(fov.right))
 
 
-def at_least_zero(name: str, value: SupportsFloat) -> float:
-    """One finite number; ValueError below 0."""
-    number = check.number(name, value)
-    if number < 0:
-        raise ValueError(f"{name}: expected a number of at least 0, got {number}")
-    return number
-
-
 def checked_lens(lens: RadialLens, view: Hmd | Camera | Fov, lens_radius: SupportsFloat | None) -> float:
     """Refuse lenses whose sizes are not defined; return tan ω."""
-    if not isinstance(lens, RadialLens):
-        raise TypeError(f"lens: expected a RadialLens, got {type(lens).__name__}")
-    if any(lens.tangential):
-        raise ValueError(f"lens: expected one without tangential terms, got {lens.tangential}")
+    check_symmetric(lens)
     return half_tangent(view) if lens_radius is None else check.positive("lens_radius", lens_radius)
 
 

@@ -114,8 +114,7 @@ def _good_sizes(model: MeasuredLevels, reference: float, line: tuple[float, floa
 
     def is_good(sigma: NDArray[np.float64]) -> NDArray[np.bool_]:
         """(K − 1, M) for M sizes that all share, or for (K − 1, M)."""
-        good: NDArray[np.bool_] = np.asarray(model.curves(np.maximum(sigma, least)) >= slope * sigma + start)
-        return good
+        return np.asarray(model.curves(np.maximum(sigma, least)) >= slope * sigma + start)
 
     even, geometric = np.linspace(0, most, _SAMPLED_SIZES), np.geomspace(most * 1e-6, most, _SAMPLED_SIZES)
     samples = np.unique(np.concatenate([even, geometric, [min(least, most)]]))

@@ -80,13 +80,7 @@ class MeshoptSimplifier:
             if len(faces) <= _ENOUGH * target:
                 break
         used, renumbered = np.unique(left, return_inverse=True)
-        vertex = self._vertex[used]
-        return Surface(
-            np.ascontiguousarray(self._surface.positions[vertex]),
-            np.ascontiguousarray(renumbered.reshape(-1, 3), np.uint32),
-            np.ascontiguousarray(self._material[left[:, 0]]),
-            {key: np.ascontiguousarray(value[vertex]) for key, value in self._surface.attributes.items()},
-        )
+        return self._surface.with_vertices(self._vertex[used], renumbered, self._material[left[:, 0]])
 
 
 def _stretch(surface: Surface) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from nearfar._base import check, progress
@@ -126,10 +127,4 @@ def _append(levels: list[Level], level: Level | None, share: float) -> None:
         levels.append(level)
         return
     reason = f"ratio {share:g} can't be reached"
-    levels[-1] = Level(
-        scene=last.scene,
-        ratio=last.ratio,
-        error=last.error,
-        mean_error=last.mean_error,
-        note=f"{last.note}; {reason}" if last.note else reason,
-    )
+    levels[-1] = replace(last, note=f"{last.note}; {reason}" if last.note else reason)

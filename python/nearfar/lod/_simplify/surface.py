@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -42,6 +42,15 @@ class Surface:
     attributes: dict[str, Array] = field(default_factory=dict)
     """(V, 2) uvs, (V, 4) colors, (V, 3) normals, as far as there are any."""
 
+    def with_vertices(self, vertices: Array, faces: Array, materials: Array) -> Surface:
+        """Return a surface of some of the vertices, by their numbers, and of other faces (F, 3) or (3 F,)."""
+        return Surface(
+            np.ascontiguousarray(self.positions[vertices]),
+            np.ascontiguousarray(faces.reshape(-1, 3), np.uint32),
+            np.ascontiguousarray(materials),
+            {key: np.ascontiguousarray(values[vertices]) for key, values in self.attributes.items()},
+        )
+
 
 class Base:
     """One object: its surface, and the scene that its levels take materials and textures from."""
@@ -50,8 +59,8 @@ class Base:
         self, mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[str], name: str | None = None
     ) -> None:
         scene = _scene_of(mesh)
-        if name is not None and not isinstance(name, str):
-            raise TypeError(f"name: expected a string, got {type(name).__name__}")
+        if name is not None:
+            check.instance("name", name, str, "a string")
         if not scene.triangle_count:
             raise ValueError("mesh: expected triangles, got none")
         only = _only_object(scene)
@@ -72,17 +81,13 @@ class Base:
             rows, vertex = np.unique(faces, return_inverse=True)
             origin = np.empty(len(normals), np.int64)
             origin[faces.ravel()] = surface.faces.ravel()
-            others = {key: surface.attributes[key][origin[rows]] for key in surface.attributes if key != "normals"}
-            self.surface = Surface(
-                np.ascontiguousarray(surface.positions[origin[rows]]),
-                np.ascontiguousarray(vertex.reshape(-1, 3), np.uint32),
-                surface.materials,
-                {**others, "normals": np.ascontiguousarray(normals[rows])},
-            )
+            smooth = surface.with_vertices(origin[rows], vertex, surface.materials)
+            attributes = smooth.attributes | {"normals": np.ascontiguousarray(normals[rows])}
+            self.surface = replace(smooth, attributes=attributes)
             del self.places
         elif kind == "flat":
             others = {key: value for key, value in surface.attributes.items() if key != "normals"}
-            self.surface = Surface(surface.positions, surface.faces, surface.materials, others)
+            self.surface = replace(surface, attributes=others)
 
     @cached_property
     def places(self) -> NDArray[np.uint32]:
