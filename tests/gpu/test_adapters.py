@@ -117,7 +117,8 @@ def test_the_variable_that_silences_mesa_is_not_left_behind() -> None:
 
 
 def test_importing_looks_for_nothing() -> None:
-    process = program("import sys; print('logging' in sys.modules, nf._render.backend._searched)", **NO_DRIVERS)
+    code = "import sys; import nearfar.gpu; print('logging' in sys.modules, nf._render.backend._searched)"
+    process = program(code, **NO_DRIVERS)
     assert process.stdout == "False set()\n", process.stderr
 
 

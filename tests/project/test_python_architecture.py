@@ -107,8 +107,9 @@ def test_the_command_line_uses_only_the_public_face() -> None:
 
 
 def test_the_package_opens_in_the_order_of_the_pipeline() -> None:
-    lines = (PACKAGE / "__init__.py").read_text(encoding="utf-8").splitlines()
-    opened = [stage_of(line.split()[1]) for line in lines if line.startswith("from nearfar.")]
+    stub = ast.parse((PACKAGE / "__init__.pyi").read_text(encoding="utf-8"))
+    modules = [node.module for node in stub.body if isinstance(node, ast.ImportFrom) and node.module]
+    opened = [stage_of(f"nearfar.{module}") for module in modules]
     order = list(STAGES)
     assert opened == sorted(opened, key=order.index)
 

@@ -53,6 +53,13 @@ def test_re_exports_lead_to_the_file_that_defines_the_name(tmp_path: Path) -> No
     assert uses(root) == {"made.inner.deep": set(), "made.user": {"made.inner.deep"}}
 
 
+def test_names_of_a_stub_lead_to_the_file_that_defines_them(tmp_path: Path) -> None:
+    root = package(tmp_path, a="from made import g\ndef f(): ...\n", b="from made import f\ndef g(): ...\n")
+    (root / "__init__.py").write_text("import lazy_loader\n__getattr__ = lazy_loader.attach_stub(__name__, __file__)\n")
+    (root / "__init__.pyi").write_text("from .a import f\nfrom .b import g\nfrom . import b\n")
+    assert circles(uses(root)) == [["made.a", "made.b"]]
+
+
 def test_a_folder_that_computes_is_a_file_like_others(tmp_path: Path) -> None:
     root = package(
         tmp_path,

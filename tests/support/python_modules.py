@@ -23,10 +23,10 @@ class _Package:
     def __init__(self, folder: Path) -> None:
         self.name = folder.name
         paths = {_dotted(path, folder.parent): path for path in sorted(folder.rglob("*.py"))}
-        self.trees = {module: ast.parse(path.read_text(encoding="utf-8")) for module, path in paths.items()}
+        self.trees = {module: ast.parse(_read(path)) for module, path in paths.items()}
         self.folders = {module for module, path in paths.items() if path.name == "__init__.py"}
         self.defined = {module: set(_definitions(tree)) for module, tree in self.trees.items()}
-        self.imported = {module: dict(_names(tree)) for module, tree in self.trees.items()}
+        self.imported = {module: dict(_names(tree, module)) for module, tree in self.trees.items()}
 
     def graph(self) -> Graph:
         counted = [module for module in self.trees if module not in self.folders or self.defined[module]]
@@ -64,6 +64,12 @@ def _dotted(path: Path, root: Path) -> str:
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
 
+def _read(path: Path) -> str:
+    """Text of a file; of a package that imports its names on first use, the text of its stub, which lists them."""
+    stub = path.with_suffix(".pyi")
+    return (stub if path.name == "__init__.py" and stub.is_file() else path).read_text(encoding="utf-8")
+
+
 def _definitions(tree: ast.Module) -> Iterator[str]:
     for node in tree.body:
         if isinstance(node, ast.FunctionDef | ast.ClassDef | ast.AsyncFunctionDef):
@@ -74,8 +80,9 @@ def _definitions(tree: ast.Module) -> Iterator[str]:
             yield from (name for name in names if name != "__all__")
 
 
-def _names(tree: ast.Module) -> Iterator[tuple[str, tuple[str, str]]]:
-    """Names that the module's `from` imports bind, with their origins."""
+def _names(tree: ast.Module, module: str) -> Iterator[tuple[str, tuple[str, str]]]:
+    """Names that the module's `from` imports bind, with their origins; relative imports are those of a package."""
     for node in tree.body:
-        if isinstance(node, ast.ImportFrom) and node.module:
-            yield from ((alias.asname or alias.name, (node.module, alias.name)) for alias in node.names)
+        if isinstance(node, ast.ImportFrom) and (node.module or node.level):
+            origin = ".".join([module] * (node.level > 0) + ([node.module] if node.module else []))
+            yield from ((alias.asname or alias.name, (origin, alias.name)) for alias in node.names)

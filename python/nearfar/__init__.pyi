@@ -1,0 +1,104 @@
+# The public names, in the order of the pipeline, not of the alphabet: this file is what type checkers read, and what
+# lazy_loader reads to find a name on first use.
+# ruff: noqa: I001
+from ._base.errors import DeviceError, Error, FormatError, SceneError
+from ._base.version import __version__
+from ._camera.camera import Camera, CubeFace, Fov, Orthographic
+from ._camera.depth import depth_from_range, range_error, range_from_depth
+from ._camera.shot import Shot
+from ._scene.builder import SceneBuilder
+from ._scene.scene import Scene
+from ._cubemap.envmap import EnvMap
+from ._cubemap.layouts import convert_envmap, envmap_directions, envmap_texels
+from ._cubemap.lookup import cube_lookup, cube_mips, cube_solid_angles
+from ._trace.nearest import Nearest, nearest_points
+from ._trace.rays import Hits, cast_rays
+from ._partition.load_curve import LoadCurve, load_curve
+from ._partition.partition import Partition, partition, triangle_radii
+from ._morph import morph
+from ._bend import bend_rays, fold_margin
+from ._tessellate import tessellate
+from ._bounds import bounding_sphere, bounding_spheres, solid_angle
+from ._render.frame import Frame
+from ._render.renderable import Renderable
+from ._render.sequence import render_path
+from ._render.truth import render
+from ._reduce.reduce import reduce
+from ._reduce.reduced_scene import ReducedScene
+from ._metrics.comparison import Comparison, compare
+from ._metrics.discontinuity import boundary, discontinuity
+from ._metrics.pixel_errors import object_completion, psnr, rmse
+from ._metrics.result import Similarity
+from ._metrics.similarity import ms_ssim, ssim, ssim_pairs, visual_continuity
+from ._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
+from ._lens.warp import WarpMesh
+from .hmd._hmd import Hmd
+from . import datasets, hmd, gpu, lod
+
+__all__ = [
+    "Camera",
+    "ChromaticLens",
+    "Comparison",
+    "CubeFace",
+    "DeviceError",
+    "EnvMap",
+    "Error",
+    "FormatError",
+    "Fov",
+    "Frame",
+    "Hits",
+    "Hmd",
+    "LoadCurve",
+    "Nearest",
+    "Orthographic",
+    "Partition",
+    "RadialLens",
+    "ReducedScene",
+    "Renderable",
+    "Scene",
+    "SceneBuilder",
+    "SceneError",
+    "Shot",
+    "Similarity",
+    "WarpMesh",
+    "__version__",
+    "bend_rays",
+    "boundary",
+    "bounding_sphere",
+    "bounding_spheres",
+    "cast_rays",
+    "compare",
+    "convert_envmap",
+    "corrected_solid_angle",
+    "cube_lookup",
+    "cube_mips",
+    "cube_solid_angles",
+    "datasets",
+    "depth_from_range",
+    "discontinuity",
+    "envmap_directions",
+    "envmap_texels",
+    "fold_margin",
+    "gpu",
+    "hmd",
+    "load_curve",
+    "lod",
+    "morph",
+    "ms_ssim",
+    "nearest_points",
+    "object_completion",
+    "partition",
+    "psnr",
+    "range_error",
+    "range_from_depth",
+    "reduce",
+    "render",
+    "render_path",
+    "rmse",
+    "solid_angle",
+    "ssim",
+    "ssim_pairs",
+    "tessellate",
+    "triangle_radii",
+    "visual_continuity",
+]
