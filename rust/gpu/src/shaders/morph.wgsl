@@ -1,0 +1,54 @@
+// The morph: Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and CloVR (2024), Alg. 1. The renderer and the kernel of arrays
+// share these functions, so that what the kernel is tested with tests the renderer too.
+
+// A blend of unit vectors below this has no digits left.
+const OPPOSED: f32 = 1e-6;
+
+// Weight of the user's view at a distance from the axis: 1 within r1 and 0 beyond r2; slope is 1 / (r2 - r1).
+fn user_weight(rho: f32, r2: f32, slope: f32) -> f32 {
+    return clamp((r2 - rho) * slope, 0.0, 1.0);
+}
+
+// Eq. 1-3 as written: the direction in which the user is shown a point, and in w its distance.
+fn blended(from_user: vec3<f32>, from_center: vec3<f32>, w: f32) -> vec4<f32> {
+    let by_user = length(from_user);
+    let by_center = length(from_center);
+    let user_direction = from_user / max(by_user, 1e-30);
+    let mixed = w * user_direction + (1.0 - w) * from_center / max(by_center, 1e-30);
+    let size = length(mixed);
+    var direction = user_direction;
+    if size > OPPOSED {
+        direction = mixed / size;
+    }
+    return vec4<f32>(direction, w * by_user + (1.0 - w) * by_center);
+}
+
+// The user's place on the ground relative to the axis, and its distance from it.
+struct Place {
+    at: vec2<f32>,
+    rho: f32,
+}
+
+// Distance from the user along a unit direction to where it leaves the cylinder of radius rho about the axis; negative
+// where the user stands outside or the direction never leaves. The larger root in the form that does not cancel.
+fn leave_cylinder(user: Place, direction: vec3<f32>, rho: f32) -> f32 {
+    let a = dot(direction.xz, direction.xz);
+    if rho <= user.rho || a == 0.0 {
+        return -1.0;
+    }
+    let b = dot(direction.xz, user.at);
+    // Negative inside the cylinder, so that the discriminant is not.
+    let c = (user.rho - rho) * (user.rho + rho);
+    let q = sqrt(b * b - a * c);
+    if b > 0.0 {
+        return -c / (b + q);
+    }
+    return (q - b) / a;
+}
+
+// The blended direction, and in w the distance at which it leaves the point's own cylinder, if it does.
+fn on_cylinder(user: Place, from_user: vec3<f32>, from_center: vec3<f32>, w: f32, rho: f32) -> vec4<f32> {
+    let to = blended(from_user, from_center, w);
+    let exit = leave_cylinder(user, to.xyz, rho);
+    return vec4<f32>(to.xyz, select(to.w, exit, exit >= 0.0));
+}
