@@ -1,6 +1,5 @@
 //! Bindings of `bend`.
 
-use glam::DVec3;
 use nearfar_core::bend;
 use nearfar_core::morph::Morph;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2};
@@ -11,8 +10,7 @@ use crate::convert::run;
 use crate::morph::kind;
 
 fn morph(user: [f64; 3], center: [f64; 3], r1: f64, r2: f64, name: &str) -> PyResult<Morph> {
-    let make = || Morph::new(DVec3::from_array(user), DVec3::from_array(center), r1, r2, kind(name)?);
-    make().map_err(to_python)
+    kind(name).and_then(|kind| Morph::new(user.into(), center.into(), r1, r2, kind)).map_err(to_python)
 }
 
 /// Polylines (N, K, 3), padded with NaN, flat, and K.

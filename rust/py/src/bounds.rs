@@ -1,23 +1,19 @@
 //! Bindings of `bounds`.
 
-use nearfar_core::base::{Error, Result};
+use nearfar_core::base::Result;
 use nearfar_core::bounds::{self, Sphere, SphereMethod};
-use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-use crate::convert::arrays::Points;
+use crate::convert::arrays::{Points, filled, with_rows};
 use crate::convert::errors::to_python;
+use crate::convert::names::choice;
 use crate::convert::run;
 
 fn method(name: &str) -> Result<SphereMethod> {
-    match name {
-        "exact" => Ok(SphereMethod::Exact),
-        "ritter" => Ok(SphereMethod::Ritter),
-        "average" => Ok(SphereMethod::Average),
-        "minmax" => Ok(SphereMethod::MinMax),
-        "best" => Ok(SphereMethod::Best),
-        _ => Err(Error::value("method", "'exact', 'ritter', 'average', 'minmax' or 'best'", format!("'{name}'"))),
-    }
+    use SphereMethod::{Average, Best, Exact, MinMax, Ritter};
+    let choices = [("exact", Exact), ("ritter", Ritter), ("average", Average), ("minmax", MinMax), ("best", Best)];
+    choice("method", name, &choices)
 }
 
 fn row(sphere: &Sphere) -> [f64; 4] {
@@ -37,16 +33,9 @@ pub(crate) fn bounding_spheres(
 ) -> PyResult<Vec<[f64; 4]>> {
     let method = self::method(method).map_err(to_python)?;
     let offsets = offsets.as_slice()?;
-    let spheres = match &points {
-        Points::Single(points) => {
-            let points = points.as_slice()?.as_chunks::<3>().0;
-            run::long(py, report, |progress| bounds::bounding_spheres(points, offsets, method, progress))
-        }
-        Points::Double(points) => {
-            let points = points.as_slice()?.as_chunks::<3>().0;
-            run::long(py, report, |progress| bounds::bounding_spheres(points, offsets, method, progress))
-        }
-    }?;
+    let spheres = with_rows!(&points, points => {
+        run::long(py, report, |progress| bounds::bounding_spheres(points, offsets, method, progress))
+    })?;
     Ok(spheres.iter().map(row).collect())
 }
 
@@ -55,16 +44,7 @@ pub(crate) fn bounding_spheres(
 #[pyo3(signature = (points, *, method))]
 pub(crate) fn bounding_sphere(py: Python<'_>, points: Points<'_>, method: &str) -> PyResult<[f64; 4]> {
     let method = self::method(method).map_err(to_python)?;
-    let sphere = match &points {
-        Points::Single(points) => {
-            let points = points.as_slice()?.as_chunks::<3>().0;
-            run::short(py, || bounds::bounding_sphere(points, method))
-        }
-        Points::Double(points) => {
-            let points = points.as_slice()?.as_chunks::<3>().0;
-            run::short(py, || bounds::bounding_sphere(points, method))
-        }
-    }?;
+    let sphere = with_rows!(&points, points => run::short(py, || bounds::bounding_sphere(points, method)))?;
     Ok(row(&sphere))
 }
 
@@ -76,9 +56,6 @@ pub(crate) fn solid_angles<'py>(
     radii: PyReadonlyArray1<'py, f64>,
     eye: [f64; 3],
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let to = PyArray1::<f64>::zeros(py, radii.len(), false);
-    let mut write = to.readwrite();
-    let (centers, radii, into) = (centers.as_slice()?.as_chunks::<3>().0, radii.as_slice()?, write.as_slice_mut()?);
-    run::short(py, || bounds::solid_angles(centers, radii, eye.into(), into))?;
-    Ok(to)
+    let (centers, radii) = (centers.as_slice()?.as_chunks::<3>().0, radii.as_slice()?);
+    filled(py, radii.len(), |to| run::short(py, || bounds::solid_angles(centers, radii, eye.into(), to)))
 }

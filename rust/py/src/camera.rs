@@ -8,6 +8,7 @@ use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
+use crate::convert::arrays::{array_of_rows, filled, with_array};
 use crate::convert::errors::to_python;
 use crate::convert::run;
 
@@ -53,8 +54,8 @@ impl Camera {
     fn project<'py>(&self, py: Python<'py>, points: PyReadonlyArray2<'py, f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let rows = points.as_slice()?.as_chunks::<3>().0;
         let project = |&p: &[f64; 3]| self.0.project(DVec3::from_array(p)).unwrap_or(DVec3::NAN).to_array();
-        let flat = run::short(py, || Ok(rows.par_iter().map(project).collect::<Vec<_>>().into_flattened()))?;
-        PyArray1::from_vec(py, flat).reshape([rows.len(), 3])
+        let places = run::short(py, || Ok(rows.par_iter().map(project).collect::<Vec<_>>()))?;
+        array_of_rows(py, places)
     }
 
     /// World starts and unit directions of the rays through all pixel centres, (H, W, 3) each.
@@ -119,20 +120,12 @@ impl DepthBuffer {
 
     /// Distances from the eye, (N, H, W).
     fn ranges(&self, py: Python<'_>, depth: Values<'_>) -> PyResult<Py<PyAny>> {
-        match &depth {
-            Values::Single(depth) => self.ranges_of(py, depth),
-            Values::Double(depth) => self.ranges_of(py, depth),
-            Values::Bits16(depth) => self.ranges_of(py, depth),
-            Values::Bits24(depth) => self.ranges_of(py, depth),
-        }
+        with_array!(Values::{Single, Double, Bits16, Bits24}, &depth, depth => self.ranges_of(py, depth))
     }
 
     /// A buffer's values at distances from the eye, (N, H, W).
     fn depths(&self, py: Python<'_>, ranges: Reals<'_>) -> PyResult<Py<PyAny>> {
-        match &ranges {
-            Reals::Single(ranges) => self.depths_of(py, ranges),
-            Reals::Double(ranges) => self.depths_of(py, ranges),
-        }
+        with_array!(Reals::{Single, Double}, &ranges, ranges => self.depths_of(py, ranges))
     }
 }
 
@@ -141,20 +134,12 @@ impl DepthBuffer {
     where
         T: Depth<Range: Element> + Element,
     {
-        let found = PyArray3::<T::Range>::zeros(py, depth.dims(), false);
-        let (from, mut write) = (depth.as_slice()?, found.readwrite());
-        let to = write.as_slice_mut()?;
-        run::short(py, || self.0.ranges(from, to))?;
-        drop(write);
-        found.into_py_any(py)
+        let from = depth.as_slice()?;
+        filled::<T::Range, _>(py, depth.dims(), |to| run::short(py, || self.0.ranges(from, to)))?.into_py_any(py)
     }
 
     fn depths_of<T: Ranged + Element>(&self, py: Python<'_>, ranges: &PyReadonlyArray3<'_, T>) -> PyResult<Py<PyAny>> {
-        let found = PyArray3::<T>::zeros(py, ranges.dims(), false);
-        let (from, mut write) = (ranges.as_slice()?, found.readwrite());
-        let to = write.as_slice_mut()?;
-        run::short(py, || self.0.depths(from, to))?;
-        drop(write);
-        found.into_py_any(py)
+        let from = ranges.as_slice()?;
+        filled::<T, _>(py, ranges.dims(), |to| run::short(py, || self.0.depths(from, to)))?.into_py_any(py)
     }
 }

@@ -1,11 +1,12 @@
 //! Bindings of `exr`: named parts with channels and attributes.
 
 use nearfar_core::exr::{self, Attribute, Part, Values};
-use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
+use crate::convert::arrays::with_array;
 use crate::convert::run;
 
 #[derive(FromPyObject)]
@@ -40,11 +41,7 @@ impl ChannelArgument<'_> {
     }
 
     fn shape(&self) -> (usize, usize) {
-        let shape = match self {
-            Self::Half(array) => array.shape(),
-            Self::Float(array) => array.shape(),
-            Self::Unsigned(array) => array.shape(),
-        };
+        let shape = with_array!(Self::{Half, Float, Unsigned}, self, array => array.shape());
         (shape[0], shape[1])
     }
 }
@@ -96,11 +93,9 @@ fn decoded<'py>(py: Python<'py>, part: Part) -> PyResult<DecodedPart<'py>> {
     let shape = [part.height, part.width];
     let channels = PyDict::new(py);
     for (name, values) in part.channels {
-        match values {
-            Values::Half(values) => channels.set_item(name, image(py, values, shape)?)?,
-            Values::Float(values) => channels.set_item(name, image(py, values, shape)?)?,
-            Values::Unsigned(values) => channels.set_item(name, image(py, values, shape)?)?,
-        }
+        with_array!(Values::{Half, Float, Unsigned}, values, values => {
+            channels.set_item(name, PyArray1::from_vec(py, values).reshape(shape)?)?
+        });
     }
     let attributes = PyDict::new(py);
     for (name, value) in part.attributes {
@@ -110,8 +105,4 @@ fn decoded<'py>(py: Python<'py>, part: Part) -> PyResult<DecodedPart<'py>> {
         }
     }
     Ok((part.name, channels, attributes))
-}
-
-fn image<T: numpy::Element>(py: Python<'_>, values: Vec<T>, shape: [usize; 2]) -> PyResult<Bound<'_, PyArray2<T>>> {
-    PyArray1::from_vec(py, values).reshape(shape)
 }

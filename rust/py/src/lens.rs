@@ -1,7 +1,7 @@
 //! Bindings of `lens`.
 
 use glam::DVec3;
-use nearfar_core::base::{Error, Real, Result, memory};
+use nearfar_core::base::{Real, Result, memory};
 use nearfar_core::camera::Fov;
 use nearfar_core::lens::{self, Image, InverseMethod, Sizes, WarpFilter, WarpPixel, WarpView};
 use numpy::{
@@ -11,8 +11,9 @@ use numpy::{
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 
-use crate::convert::arrays::Points;
+use crate::convert::arrays::{Points, array_of_rows, filled, with_array};
 use crate::convert::errors::to_python;
+use crate::convert::names::choice;
 use crate::convert::run;
 
 #[derive(FromPyObject)]
@@ -30,20 +31,12 @@ pub(crate) enum Picture<'py> {
 }
 
 fn method(name: &str, iterations: u32) -> Result<InverseMethod> {
-    match name {
-        "newton" => Ok(InverseMethod::Newton),
-        "fixed_point" => Ok(InverseMethod::FixedPoint(iterations)),
-        "lut" => Ok(InverseMethod::Table),
-        _ => Err(Error::value("method", "'newton', 'fixed_point' or 'lut'", format!("'{name}'"))),
-    }
+    use InverseMethod::{FixedPoint, Newton, Table};
+    choice("method", name, &[("newton", Newton), ("fixed_point", FixedPoint(iterations)), ("lut", Table)])
 }
 
 fn filter(name: &str) -> Result<WarpFilter> {
-    match name {
-        "linear" => Ok(WarpFilter::Linear),
-        "cubic" => Ok(WarpFilter::Cubic),
-        _ => Err(Error::value("filter", "'linear' or 'cubic'", format!("'{name}'"))),
-    }
+    choice("filter", name, &[("linear", WarpFilter::Linear), ("cubic", WarpFilter::Cubic)])
 }
 
 fn fov([left, right, down, up]: [f64; 4]) -> Fov {
@@ -67,11 +60,8 @@ fn radii<'py, T: Real + Element>(
     from: &PyReadonlyArray1<'py, T>,
     kernel: impl FnOnce(&[T], &mut [T]) -> Result<()> + Send,
 ) -> PyResult<Py<PyAny>> {
-    let to = PyArray1::<T>::zeros(py, from.len(), false);
-    let mut write = to.readwrite();
-    let (from, into) = (from.as_slice()?, write.as_slice_mut()?);
-    run::short(py, || kernel(from, into))?;
-    to.into_py_any(py)
+    let from = from.as_slice()?;
+    filled(py, from.len(), |to| run::short(py, || kernel(from, to)))?.into_py_any(py)
 }
 
 /// An array that a kernel fills from points.
@@ -80,11 +70,8 @@ fn points<'py, T: Real + Element>(
     from: &PyReadonlyArray2<'py, T>,
     kernel: impl FnOnce(&[[T; 2]], &mut [[T; 2]]) -> Result<()> + Send,
 ) -> PyResult<Py<PyAny>> {
-    let to = PyArray2::<T>::zeros(py, [from.shape()[0], 2], false);
-    let mut write = to.readwrite();
-    let (from, into) = (from.as_slice()?.as_chunks::<2>().0, write.as_slice_mut()?.as_chunks_mut::<2>().0);
-    run::short(py, || kernel(from, into))?;
-    to.into_py_any(py)
+    let from = from.as_slice()?.as_chunks::<2>().0;
+    filled(py, [from.len(), 2], |to| run::short(py, || kernel(from, to.as_chunks_mut().0)))?.into_py_any(py)
 }
 
 #[pymethods]
@@ -114,17 +101,11 @@ impl RadialLens {
     }
 
     fn distort(&self, py: Python<'_>, r: Radii<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
-        match &r {
-            Radii::Single(r) => radii(py, r, |from, to| self.0.distort_all(from, to, refuse)),
-            Radii::Double(r) => radii(py, r, |from, to| self.0.distort_all(from, to, refuse)),
-        }
+        with_array!(Radii::{Single, Double}, &r, r => radii(py, r, |from, to| self.0.distort_all(from, to, refuse)))
     }
 
     fn derivative(&self, py: Python<'_>, r: Radii<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
-        match &r {
-            Radii::Single(r) => radii(py, r, |from, to| self.0.derivative_all(from, to, refuse)),
-            Radii::Double(r) => radii(py, r, |from, to| self.0.derivative_all(from, to, refuse)),
-        }
+        with_array!(Radii::{Single, Double}, &r, r => radii(py, r, |from, to| self.0.derivative_all(from, to, refuse)))
     }
 
     fn undistort(
@@ -136,24 +117,21 @@ impl RadialLens {
         refuse: bool,
     ) -> PyResult<Py<PyAny>> {
         let method = self::method(method, iterations).map_err(to_python)?;
-        match &r {
-            Radii::Single(r) => radii(py, r, |from, to| self.0.undistort_all(from, to, method, refuse)),
-            Radii::Double(r) => radii(py, r, |from, to| self.0.undistort_all(from, to, method, refuse)),
-        }
+        with_array!(Radii::{Single, Double}, &r, r => {
+            radii(py, r, |from, to| self.0.undistort_all(from, to, method, refuse))
+        })
     }
 
     fn distort_points(&self, py: Python<'_>, places: Points<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
-        match &places {
-            Points::Single(from) => points(py, from, |from, to| self.0.distort_points(from, to, refuse)),
-            Points::Double(from) => points(py, from, |from, to| self.0.distort_points(from, to, refuse)),
-        }
+        with_array!(Points::{Single, Double}, &places, from => {
+            points(py, from, |from, to| self.0.distort_points(from, to, refuse))
+        })
     }
 
     fn undistort_points(&self, py: Python<'_>, places: Points<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
-        match &places {
-            Points::Single(from) => points(py, from, |from, to| self.0.undistort_points(from, to, refuse)),
-            Points::Double(from) => points(py, from, |from, to| self.0.undistort_points(from, to, refuse)),
-        }
+        with_array!(Points::{Single, Double}, &places, from => {
+            points(py, from, |from, to| self.0.undistort_points(from, to, refuse))
+        })
     }
 }
 
@@ -172,12 +150,9 @@ fn warped<'py, P: WarpPixel + Element>(
 ) -> PyResult<Py<PyAny>> {
     let (rows, columns, channels) = (picture.shape()[0], picture.shape()[1], picture.shape()[2]);
     memory::room_for((height * width * channels * size_of::<P>()) as u64).map_err(to_python)?;
-    let to = PyArray3::<P>::zeros(py, [height, width, channels], false);
-    let mut write = to.readwrite();
-    let (values, into) = (picture.as_slice()?, write.as_slice_mut()?);
-    let image = Image { values, width: columns, height: rows, channels };
-    run::short(py, || lens::warp(lenses, &image, view, filter, P::nearest(fill), into, width))?;
-    to.into_py_any(py)
+    let image = Image { values: picture.as_slice()?, width: columns, height: rows, channels };
+    let warp = |to: &mut [P]| run::short(py, || lens::warp(lenses, &image, view, filter, P::nearest(fill), to, width));
+    filled(py, [height, width, channels], warp)?.into_py_any(py)
 }
 
 /// A picture (H, W, C) through one lens, or one for each channel.
@@ -199,12 +174,9 @@ pub(crate) fn warp<'py>(
     let view = WarpView { from: fov(from_fov), to: fov(to_fov), tan_omega, distort };
     let filter = self::filter(filter).map_err(to_python)?;
     let lenses = self::lenses(&lenses);
-    match &picture {
-        Picture::Byte(picture) => warped(py, &lenses, picture, &view, filter, fill, size),
-        Picture::Short(picture) => warped(py, &lenses, picture, &view, filter, fill, size),
-        Picture::Single(picture) => warped(py, &lenses, picture, &view, filter, fill, size),
-        Picture::Double(picture) => warped(py, &lenses, picture, &view, filter, fill, size),
-    }
+    with_array!(Picture::{Byte, Short, Single, Double}, &picture, picture => {
+        warped(py, &lenses, picture, &view, filter, fill, size)
+    })
 }
 
 type MeshArrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray3<f64>>, Bound<'py, PyArray2<u32>>, f64);
@@ -229,9 +201,9 @@ pub(crate) fn warp_mesh<'py>(
     let count = mesh.places.len();
     let sources = mesh.sources.concat().into_flattened();
     Ok((
-        PyArray1::from_vec(py, mesh.places.into_flattened()).reshape([count, 2])?,
+        array_of_rows(py, mesh.places)?,
         PyArray1::from_vec(py, sources).reshape([lenses.len(), count, 2])?,
-        PyArray1::from_vec(py, mesh.faces.as_flattened().to_vec()).reshape([mesh.faces.len(), 3])?,
+        array_of_rows(py, mesh.faces.to_vec())?,
         mesh.error,
     ))
 }
@@ -250,11 +222,8 @@ pub(crate) fn corrected_solid_angles<'py>(
     tan_omega: f64,
     exact: bool,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let to = PyArray1::<f64>::zeros(py, radii.len(), false);
-    let mut write = to.readwrite();
-    let (centers, radii, into) = (centers.as_slice()?.as_chunks::<3>().0, radii.as_slice()?, write.as_slice_mut()?);
-    let lens = &lens.0;
-    let sizes = Sizes { lens, eye: eye.into(), forward: DVec3::from_array(forward).normalize(), tan_omega, exact };
-    run::short(py, || lens::corrected_solid_angles(&sizes, centers, radii, into))?;
-    Ok(to)
+    let (centers, radii) = (centers.as_slice()?.as_chunks::<3>().0, radii.as_slice()?);
+    let (lens, forward) = (&lens.0, DVec3::from_array(forward).normalize());
+    let sizes = Sizes { lens, eye: eye.into(), forward, tan_omega, exact };
+    filled(py, radii.len(), |to| run::short(py, || lens::corrected_solid_angles(&sizes, centers, radii, to)))
 }

@@ -27,57 +27,34 @@ mod _core {
     use super::*;
 
     #[pymodule_export]
-    use base::{probe, thread_count, uniform};
-    #[pymodule_export]
-    use bend::{bend_rays, fold_margin};
-    #[pymodule_export]
-    use bounds::{bounding_sphere, bounding_spheres, solid_angles};
-    #[pymodule_export]
-    use camera::{Camera, DepthBuffer};
-    #[pymodule_export]
-    use cubemap::layouts::{convert_envmap, convert_envmap_nearest, envmap_directions, envmap_texels};
-    #[pymodule_export]
-    use cubemap::lookup::{cube_footprint, cube_lookup, cube_nearest, cube_next_level, cube_solid_angles};
-    #[pymodule_export]
-    use exr::{decode_exr, encode_exr};
-    #[pymodule_export]
-    use gpu::compute::{gpu_cube_lookup, gpu_discontinuity, gpu_morph, gpu_similarity};
-    #[pymodule_export]
-    use gpu::device::{GpuDevice, gpu_adapters, gpu_forked, gpu_is_hardware};
-    #[pymodule_export]
-    use gpu::frame::{GpuFrame, GpuJob, gpu_keep};
-    #[pymodule_export]
-    use lens::{RadialLens, corrected_solid_angles, warp, warp_mesh};
-    #[pymodule_export]
-    use lod::fit::fit_4pl;
-    #[pymodule_export]
-    use lod::select::select_levels;
-    #[pymodule_export]
-    use lod::simplify::{carry, collapse, first_alike, pieces};
-    #[pymodule_export]
-    use metrics::{discontinuity, mean_squared_errors, multiscale, object_completion, similarity};
-    #[pymodule_export]
-    use morph::morph;
-    #[pymodule_export]
-    use partition::{LoadCurve, Partition, triangle_radii};
-    #[pymodule_export]
-    use render::bake::bake_map;
-    #[pymodule_export]
-    use render::frame::encode_srgb;
-    #[pymodule_export]
-    use render::reduced::Reduced;
-    #[pymodule_export]
-    use render::truth::render_truth;
-    #[pymodule_export]
-    use scene::levels::{Levels, placements_of, with_instances, with_surfaces};
-    #[pymodule_export]
-    use scene::parts::{mesh_parts, scene_parts};
-    #[pymodule_export]
-    use scene::{Mesh, Scene};
-    #[pymodule_export]
-    use tessellate::{tessellate_arrays, tessellate_scene};
-    #[pymodule_export]
-    use trace::{cast_rays, instruction_sets, nearest_points, use_instruction_set};
+    use crate::{
+        base::{probe, thread_count, uniform},
+        bend::{bend_rays, fold_margin},
+        bounds::{bounding_sphere, bounding_spheres, solid_angles},
+        camera::{Camera, DepthBuffer},
+        cubemap::layouts::{convert_envmap, convert_envmap_nearest, envmap_directions, envmap_texels},
+        cubemap::lookup::{cube_footprint, cube_lookup, cube_nearest, cube_next_level, cube_solid_angles},
+        exr::{decode_exr, encode_exr},
+        gpu::compute::{gpu_cube_lookup, gpu_discontinuity, gpu_morph, gpu_similarity},
+        gpu::device::{GpuDevice, gpu_adapters, gpu_forked, gpu_is_hardware},
+        gpu::frame::{GpuFrame, GpuJob, gpu_keep},
+        lens::{RadialLens, corrected_solid_angles, warp, warp_mesh},
+        lod::fit::fit_4pl,
+        lod::select::select_levels,
+        lod::simplify::{carry, collapse, first_alike, pieces},
+        metrics::{discontinuity, mean_squared_errors, multiscale, object_completion, similarity},
+        morph::morph,
+        partition::{LoadCurve, Partition, triangle_radii},
+        render::bake::bake_map,
+        render::frame::encode_srgb,
+        render::reduced::Reduced,
+        render::truth::render_truth,
+        scene::levels::{Levels, placements_of, with_instances, with_surfaces},
+        scene::parts::{mesh_parts, scene_parts},
+        scene::{Mesh, Scene},
+        tessellate::{tessellate_arrays, tessellate_scene},
+        trace::{cast_rays, instruction_sets, nearest_points, use_instruction_set},
+    };
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -4,7 +4,7 @@ use std::slice;
 
 use glam::DVec3;
 use nearfar_core::base::{Error, Progress, Result};
-use nearfar_core::metrics::{self, Comparison, Neighbourhood, Pixel, Plane, Similarity, Source, Stacks, Window};
+use nearfar_core::metrics::{self, Comparison, Neighbourhood, Pixel, PixelRows, Plane, Similarity, Stacks, Window};
 use numpy::{
     Element, IntoPyArray, PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArrayDyn,
     PyUntypedArrayMethods,
@@ -87,7 +87,7 @@ fn comparison((window, size, sigma, (c1, c2), shrink, all, hidden): Settings) ->
 /// Sums of similarity and of pixels, and maps.
 type Compared<'py> = (Vec<(f64, f64)>, Option<Bound<'py, PyAny>>);
 
-fn compared<'py, P: Source<Real: Source<Real = P::Real> + Element> + Element>(
+fn compared<'py, P: PixelRows<Real: PixelRows<Real = P::Real> + Element> + Element>(
     py: Python<'py>,
     stacks: &Stacks<'_, P>,
     comparison: &Comparison,

@@ -1,6 +1,5 @@
 //! Bindings of `morph`.
 
-use glam::DVec3;
 use nearfar_core::base::{Error, Result};
 use nearfar_core::morph::{Kind, Morph};
 use numpy::PyReadwriteArray2;
@@ -8,6 +7,7 @@ use pyo3::prelude::*;
 
 use crate::convert::arrays::Points;
 use crate::convert::errors::to_python;
+use crate::convert::names::choice;
 use crate::convert::run;
 
 #[derive(FromPyObject)]
@@ -17,11 +17,7 @@ pub(crate) enum Shown<'py> {
 }
 
 pub(crate) fn kind(name: &str) -> Result<Kind> {
-    match name {
-        "blend" => Ok(Kind::Blend),
-        "cylinder" => Ok(Kind::Cylinder),
-        _ => Err(Error::value("kind", "'blend' or 'cylinder'", format!("'{name}'"))),
-    }
+    choice("kind", name, &[("blend", Kind::Blend), ("cylinder", Kind::Cylinder)])
 }
 
 /// Writes morphed points; tells how many of them user and centre see in opposite directions.
@@ -38,7 +34,7 @@ pub(crate) fn morph<'py>(
     r2: f64,
     kind: &str,
 ) -> PyResult<u64> {
-    let make = || Morph::new(DVec3::from_array(user), DVec3::from_array(center), r1, r2, self::kind(kind)?);
+    let make = || Morph::new(user.into(), center.into(), r1, r2, self::kind(kind)?);
     match (&points, shown) {
         (Points::Single(points), Shown::Single(mut shown)) => {
             let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, shown.as_slice_mut()?.as_chunks_mut::<3>().0);

@@ -1,18 +1,19 @@
 //! Bindings of `partition`.
 
 use glam::DVec3;
-use nearfar_core::base::{Error, Result};
-use nearfar_core::partition::{self, Coordinate, TriangleSet};
-use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, ToPyArray};
+use nearfar_core::base::{Real, Result};
+use nearfar_core::partition::{self, TriangleSet};
+use numpy::{Element, PyArray1, PyReadonlyArray1, PyReadonlyArray2, ToPyArray};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::convert::arrays::Points;
+use crate::convert::arrays::{Points, filled, with_array};
+use crate::convert::names::choice;
 use crate::convert::run;
 use crate::scene::Scene;
 
-fn measure<'py, T: Coordinate + Element>(
+fn measure<'py, T: Real + Element>(
     py: Python<'py>,
     vertices: &PyReadonlyArray2<'py, T>,
     faces: Option<&PyReadonlyArray2<'py, u32>>,
@@ -22,12 +23,12 @@ fn measure<'py, T: Coordinate + Element>(
     let rows = vertices.as_slice()?.as_chunks::<3>().0;
     let faces = faces.map(|faces| faces.as_slice()).transpose()?.map(|flat| flat.as_chunks::<3>().0);
     let count = faces.map_or(rows.len() / 3, <[_]>::len);
-    let radii = PyArray2::<T>::zeros(py, [count, 2], false);
-    let mut write = radii.readwrite();
-    let to = write.as_slice_mut()?.as_chunks_mut::<2>().0;
     let axis = [center[0], center[2]];
-    run::long(py, report, |progress| partition::triangle_radii(rows, faces, axis, to, progress))?;
-    radii.into_py_any(py)
+    let measure = |to: &mut [T]| {
+        let to = to.as_chunks_mut().0;
+        run::long(py, report, |progress| partition::triangle_radii(rows, faces, axis, to, progress))
+    };
+    filled(py, [count, 2], measure)?.into_py_any(py)
 }
 
 /// Least and greatest distance (F, 2) of triangles from a vertical axis, in the vertices' type.
@@ -40,10 +41,9 @@ pub(crate) fn triangle_radii<'py>(
     center: [f64; 3],
     report: Option<Py<PyAny>>,
 ) -> PyResult<Py<PyAny>> {
-    match &vertices {
-        Points::Single(vertices) => measure(py, vertices, faces.as_ref(), center, report),
-        Points::Double(vertices) => measure(py, vertices, faces.as_ref(), center, report),
-    }
+    with_array!(Points::{Single, Double}, &vertices, vertices => {
+        measure(py, vertices, faces.as_ref(), center, report)
+    })
 }
 
 /// A scene divided at two radii.
@@ -51,14 +51,8 @@ pub(crate) fn triangle_radii<'py>(
 pub struct Partition(pub partition::Partition);
 
 fn part(name: &str) -> Result<TriangleSet> {
-    match name {
-        "near" => Ok(TriangleSet::Near),
-        "intermediate" => Ok(TriangleSet::Intermediate),
-        "far" => Ok(TriangleSet::Far),
-        "nsf" => Ok(TriangleSet::Nsf),
-        "sf" => Ok(TriangleSet::Sf),
-        _ => Err(Error::value("part", "'near', 'intermediate', 'far', 'nsf' or 'sf'", format!("'{name}'"))),
-    }
+    use TriangleSet::{Far, Intermediate, Near, Nsf, Sf};
+    choice("part", name, &[("near", Near), ("intermediate", Intermediate), ("far", Far), ("nsf", Nsf), ("sf", Sf)])
 }
 
 #[pymethods]

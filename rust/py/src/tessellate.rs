@@ -3,10 +3,11 @@
 use glam::DVec3;
 use nearfar_core::morph::Kind;
 use nearfar_core::tessellate::{self, Precision, Rule, Settings};
-use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray2};
+use numpy::{IntoPyArray, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::convert::arrays::array_of_rows;
 use crate::convert::run;
 use crate::scene::Scene;
 
@@ -63,15 +64,10 @@ pub(crate) fn tessellate_arrays<'py>(
         tessellate::tessellate_arrays(rows, triples, &Rule::new(&settings, Precision::Double)?, progress)
     })?;
     let named = PyDict::new(py);
-    named.set_item("points", rows_of(py, made.points)?)?;
+    named.set_item("points", array_of_rows(py, made.points)?)?;
     named.set_item("point_faces", made.point_faces.into_pyarray(py))?;
-    named.set_item("weights", rows_of(py, made.weights)?)?;
-    named.set_item("faces", rows_of(py, made.faces)?)?;
+    named.set_item("weights", array_of_rows(py, made.weights)?)?;
+    named.set_item("faces", array_of_rows(py, made.faces)?)?;
     named.set_item("sources", made.sources.into_pyarray(py))?;
     Ok(named)
-}
-
-fn rows_of<T: numpy::Element>(py: Python<'_>, rows: Vec<[T; 3]>) -> PyResult<Bound<'_, PyArray2<T>>> {
-    let count = rows.len();
-    rows.into_flattened().into_pyarray(py).reshape([count, 3])
 }

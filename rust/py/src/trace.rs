@@ -1,11 +1,11 @@
 //! Bindings of `trace`.
 
 use nearfar_core::trace::{self, cast};
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::convert::arrays::Points;
+use crate::convert::arrays::{Points, array_of_rows};
 use crate::convert::errors::to_python;
 use crate::convert::run;
 use crate::scene::Scene;
@@ -40,8 +40,7 @@ pub(crate) fn cast_rays<'py>(
 ) -> PyResult<Hits<'py>> {
     let (origins, directions) = (rows(&origins)?, rows(&directions)?);
     let hits = run::long(py, report, |progress| cast(&scene.0, origins, directions, t_max, progress))?;
-    let rows = hits.barycentric.len();
-    let weights = hits.barycentric.into_flattened().into_pyarray(py).reshape([rows, 2])?;
+    let weights = array_of_rows(py, hits.barycentric)?;
     Ok((hits.t_hit.into_pyarray(py), hits.triangle_index.into_pyarray(py), hits.object_id.into_pyarray(py), weights))
 }
 
@@ -60,8 +59,7 @@ pub(crate) fn nearest_points<'py>(
     let points = rows(&points)?;
     let facing = facing.as_ref().map(|rows| rows.as_slice()).transpose()?.map(|rows| rows.as_chunks().0);
     let found = run::long(py, report, |progress| trace::nearest(&scene.0, points, facing, progress))?;
-    let rows = found.barycentric.len();
-    let weights = found.barycentric.into_flattened().into_pyarray(py).reshape([rows, 2])?;
+    let weights = array_of_rows(py, found.barycentric)?;
     Ok((found.distance.into_pyarray(py), found.triangle_index.into_pyarray(py), weights))
 }
 

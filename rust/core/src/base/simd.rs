@@ -13,7 +13,8 @@ pub(crate) fn prefetch<P>(values: &[P]) {
     let _ = values;
 }
 
-/// Wraps `#[inline(always)]` kernels in functions that run them with the widest vectors of this machine.
+/// Wraps `#[inline(always)]` kernels in functions that run them with the widest vectors of this machine. The functions may
+/// be generic in types.
 ///
 /// - `fn name(…) = kernel;`: Rust fuses a multiplication with an addition only where code says so, so that every width
 ///   gives the same bits.
@@ -22,42 +23,50 @@ pub(crate) fn prefetch<P>(values: &[P]) {
 macro_rules! vectorized {
     () => {};
     (
-        fn $name:ident($($argument:ident: $type:ty),* $(,)?) $(-> $result:ty)? = fused $kernel:ident $(<$any:tt>)?;
+        $(#[$attribute:meta])*
+        $visibility:vis fn $name:ident $(<$($generic:ident: $bound:path),+>)? ($($argument:ident: $type:ty),* $(,)?)
+            $(-> $result:ty)? = fused $kernel:ident $(<$any:tt>)?;
         $($others:tt)*
     ) => {
         vectorized! {
-            @versions fn $name($($argument: $type),*) $(-> $result)?, "fma",
+            @versions $(#[$attribute])* $visibility fn $name $(<$($generic: $bound),+>)? ($($argument: $type),*)
+            $(-> $result)?, "fma",
             $kernel::<$($any,)? true>($($argument),*),
             $kernel::<$($any,)? { cfg!(target_arch = "aarch64") }>($($argument),*)
         }
         vectorized! { $($others)* }
     };
     (
-        fn $name:ident($($argument:ident: $type:ty),* $(,)?) $(-> $result:ty)? = $kernel:path;
+        $(#[$attribute:meta])*
+        $visibility:vis fn $name:ident $(<$($generic:ident: $bound:path),+>)? ($($argument:ident: $type:ty),* $(,)?)
+            $(-> $result:ty)? = $kernel:path;
         $($others:tt)*
     ) => {
         // Every processor with AVX2 has AVX.
         vectorized! {
-            @versions fn $name($($argument: $type),*) $(-> $result)?, "avx",
+            @versions $(#[$attribute])* $visibility fn $name $(<$($generic: $bound),+>)? ($($argument: $type),*)
+            $(-> $result)?, "avx",
             $kernel($($argument),*), $kernel($($argument),*)
         }
         vectorized! { $($others)* }
     };
     (
-        @versions fn $name:ident($($argument:ident: $type:ty),*) $(-> $result:ty)?, $feature:tt,
+        @versions $(#[$attribute:meta])* $visibility:vis fn $name:ident $(<$($generic:ident: $bound:path),+>)?
+        ($($argument:ident: $type:ty),*) $(-> $result:ty)?, $feature:tt,
         $vectors:expr, $portable:expr
     ) => {
-        fn $name($($argument: $type),*) $(-> $result)? {
+        $(#[$attribute])*
+        $visibility fn $name $(<$($generic: $bound),+>)? ($($argument: $type),*) $(-> $result)? {
             #[cfg(target_arch = "x86_64")]
             {
                 #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw")]
                 #[target_feature(enable = $feature)]
-                fn wide($($argument: $type),*) $(-> $result)? {
+                fn wide $(<$($generic: $bound),+>)? ($($argument: $type),*) $(-> $result)? {
                     $vectors
                 }
                 #[target_feature(enable = "avx2")]
                 #[target_feature(enable = $feature)]
-                fn medium($($argument: $type),*) $(-> $result)? {
+                fn medium $(<$($generic: $bound),+>)? ($($argument: $type),*) $(-> $result)? {
                     $vectors
                 }
                 let has_feature = is_x86_feature_detected!($feature);

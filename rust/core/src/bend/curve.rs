@@ -100,19 +100,7 @@ impl<'a> RayCurve<'a> {
     /// The part of the user's ray inside r₁.
     fn within_r1(&self) -> Option<(f64, f64)> {
         let (p, d) = (on_ground(self.morph.user - self.morph.center), on_ground(self.direction));
-        let (a, b, c) = (d.length_squared(), p.dot(d), p.length_squared() - self.morph.r1 * self.morph.r1);
-        if a == 0.0 {
-            return (c <= 0.0).then_some((0.0, f64::INFINITY));
-        }
-        let discriminant = b * b - a * c;
-        if discriminant < 0.0 {
-            return None;
-        }
-        // Both roots in the form that does not cancel.
-        let q = -(b + discriminant.sqrt().copysign(b));
-        let (one, other) = if q == 0.0 { (0.0, 0.0) } else { (q / a, c / q) };
-        let (enter, leave) = (one.min(other), one.max(other));
-        (leave > 0.0).then_some((enter.max(0.0), leave))
+        within_cylinder(p, d, self.morph.r1).filter(|&(_, leave)| leave > 0.0)
     }
 
     /// y(s), searched from a guess. Where the picture folds there are several roots, and one of them is found.
@@ -156,8 +144,8 @@ impl<'a> RayCurve<'a> {
         let (a, b) = ((s * s + y * y).sqrt(), (q * q + z * z).sqrt());
         let value = w * y * b + (1.0 - w) * z * a;
         let turn = if w > 0.0 && w < 1.0 { -from_axis.dot(on_ground(self.across)) / (rho * (r2 - r1)) } else { 0.0 };
-        let of = |length: f64| if length > 0.0 { y * z / length } else { 0.0 };
-        let slope = w * (b + of(b)) + (1.0 - w) * (a + of(a)) + turn * (y * b - z * a);
+        // Where a length is 0 so is the value, and the slope is not used.
+        let slope = w * (b + y * z / b) + (1.0 - w) * (a + y * z / a) + turn * (y * b - z * a);
         (value, slope)
     }
 
@@ -242,4 +230,22 @@ impl<'a> RayCurve<'a> {
 /// The horizontal part.
 pub(crate) fn on_ground(p: DVec3) -> DVec2 {
     DVec2::new(p.x, p.z)
+}
+
+/// The part of a ray inside an upright cylinder, in units of its direction; its start is given relative to the axis.
+pub(crate) fn within_cylinder(start: DVec2, direction: DVec2, radius: f64) -> Option<(f64, f64)> {
+    let (a, b) = (direction.length_squared(), start.dot(direction));
+    let c = start.length_squared() - radius * radius;
+    if a == 0.0 {
+        return (c <= 0.0).then_some((0.0, f64::INFINITY));
+    }
+    let discriminant = b * b - a * c;
+    if discriminant < 0.0 {
+        return None;
+    }
+    // Both roots in the form that does not cancel.
+    let q = -(b + discriminant.sqrt().copysign(b));
+    let (one, other) = if q == 0.0 { (0.0, 0.0) } else { (q / a, c / q) };
+    let (enter, leave) = (one.min(other), one.max(other));
+    (leave >= 0.0).then_some((enter.max(0.0), leave))
 }

@@ -11,7 +11,7 @@ mod rays;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use curve::on_ground;
 pub use curve::{RayCurve, Stretch};
+pub(crate) use curve::{on_ground, within_cylinder};
 pub use fold::margin;
 pub use rays::bend_rays;

@@ -1,4 +1,4 @@
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 
 use super::curve::MAX_CHORDS;
@@ -61,6 +61,25 @@ proptest! {
         prop_assert!(!points.is_empty() && points.len() < 3 * (MAX_CHORDS / 1e-4f64.sqrt()) as usize);
         prop_assert!(points.iter().all(|point| point.is_finite()));
     }
+
+    #[test]
+    fn points_of_the_part_inside_a_cylinder_are_inside(
+        x in -20.0..20.0f64, z in -20.0..20.0f64, dx in -1.0..1.0f64, dy in -1.0..1.0f64, dz in -1.0..1.0f64,
+        radius in 0.1..15.0f64, s in 0.0..60.0f64,
+    ) {
+        let (start, direction) = (DVec2::new(x, z), on_ground(DVec3::new(dx, dy, dz).normalize_or(DVec3::Y)));
+        let part = within_cylinder(start, direction, radius);
+        let rho = (start + direction * s).length();
+        let inside = part.is_some_and(|(enter, leave)| (enter..=leave).contains(&s));
+        // Squares of up to 800 m² are rounded, and their difference is divided by twice the radius.
+        prop_assert!(inside == (rho <= radius) || (rho - radius).abs() < 1e-11);
+    }
+}
+
+#[test]
+fn upright_rays_are_in_a_cylinder_for_ever_or_never() {
+    assert_eq!(within_cylinder(DVec2::new(3.0, 0.0), DVec2::ZERO, 3.0), Some((0.0, f64::INFINITY)));
+    assert_eq!(within_cylinder(DVec2::new(3.5, 0.0), DVec2::ZERO, 3.0), None);
 }
 
 #[test]

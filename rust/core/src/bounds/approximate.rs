@@ -1,28 +1,29 @@
 //! Spheres that cost a pass or two.
 
-use super::scan::{Cloud, Scanned};
+use super::scan::Cloud;
 use super::sphere::Sphere;
+use crate::base::Real;
 
 /// About the mean of the points.
-pub(super) fn average<T: Scanned>(cloud: &Cloud<'_, T>) -> Sphere {
+pub(super) fn average<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
     let center = cloud.mean();
     Sphere { center, radius: cloud.farthest(center).0 }
 }
 
 /// About the middle of their box.
-pub(super) fn min_max<T: Scanned>(cloud: &Cloud<'_, T>) -> Sphere {
+pub(super) fn min_max<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
     let center = (cloud.bounds[0] + cloud.bounds[1]) * 0.5;
     Sphere { center, radius: cloud.farthest(center).0 }
 }
 
 /// The smaller of both.
-pub(super) fn best<T: Scanned>(cloud: &Cloud<'_, T>) -> Sphere {
+pub(super) fn best<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
     let (one, other) = (average(cloud), min_max(cloud));
     if one.radius <= other.radius { one } else { other }
 }
 
 /// About two far points, and widened to each point that lies outside, in order.
-pub(super) fn ritter<T: Scanned>(cloud: &Cloud<'_, T>) -> Sphere {
+pub(super) fn ritter<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
     let (_, one) = cloud.farthest(cloud.at(&cloud.points[0]));
     let (apart, other) = cloud.farthest(one);
     let (mut center, mut radius) = ((one + other) * 0.5, apart * 0.5);

@@ -2,16 +2,16 @@
 
 use rayon::prelude::*;
 
-use super::scan::{Cloud, Scanned};
+use super::scan::Cloud;
 use super::sphere::{Sphere, SphereMethod};
 use super::{approximate, exact};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Error, Progress, Real, Result};
 
 /// Extents whose squares neither overflow nor vanish: others are scaled by a power of two first.
 const PLAIN_EXTENTS: std::ops::Range<f64> = 1e-140..1e140;
 
 /// The sphere about points; none of them is outside by more than the rounding of the radius.
-pub fn bounding_sphere<T: Scanned>(points: &[[T; 3]], method: SphereMethod) -> Result<Sphere> {
+pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: SphereMethod) -> Result<Sphere> {
     let cloud = Cloud::new(points)?;
     let extent = cloud.extent();
     if extent == 0.0 {
@@ -33,7 +33,7 @@ pub fn bounding_sphere<T: Scanned>(points: &[[T; 3]], method: SphereMethod) -> R
 }
 
 /// In the cloud's own frame.
-fn of<T: Scanned>(cloud: &Cloud<'_, T>, method: SphereMethod) -> Sphere {
+fn of<T: Real>(cloud: &Cloud<'_, T>, method: SphereMethod) -> Sphere {
     match method {
         SphereMethod::Exact => exact::smallest(cloud),
         SphereMethod::Ritter => approximate::ritter(cloud),
@@ -44,7 +44,7 @@ fn of<T: Scanned>(cloud: &Cloud<'_, T>, method: SphereMethod) -> Sphere {
 }
 
 /// The spheres about groups of points; group n is `points[offsets[n]..offsets[n + 1]]`.
-pub fn bounding_spheres<T: Scanned>(
+pub fn bounding_spheres<T: Real>(
     points: &[[T; 3]],
     offsets: &[i64],
     method: SphereMethod,

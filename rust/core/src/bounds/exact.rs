@@ -5,9 +5,10 @@
 
 use glam::DVec3;
 
-use super::scan::{Cloud, Scanned, farthest_of};
+use super::scan::{Cloud, farthest_of};
 use super::sphere::Sphere;
 use super::support::Support;
+use crate::base::Real;
 
 /// Most points that are all kept: of more, those far inside the sphere are put aside.
 const ALL_KEPT: usize = 1 << 12;
@@ -19,7 +20,7 @@ const STALLED_STEPS: usize = 24;
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// In the cloud's frame.
-pub(super) fn smallest<T: Scanned>(cloud: &Cloud<'_, T>) -> Sphere {
+pub(super) fn smallest<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
     let extremes: Vec<[f64; 3]> = cloud.extremes.iter().map(|point| point.to_array()).collect();
     let mut support = widened(&extremes, DVec3::ZERO, Support::point(cloud.extremes[0])).1;
     if cloud.points.len() > ALL_KEPT {
@@ -41,7 +42,7 @@ pub(super) fn smallest<T: Scanned>(cloud: &Cloud<'_, T>) -> Sphere {
 }
 
 /// Adds the farthest point until none lies outside; the sphere about all points and what it rests on.
-fn widened<T: Scanned>(points: &[[T; 3]], origin: DVec3, mut support: Support) -> (Sphere, Support) {
+fn widened<T: Real>(points: &[[T; 3]], origin: DVec3, mut support: Support) -> (Sphere, Support) {
     let mut best = (Sphere { center: support.center, radius: f64::INFINITY }, support);
     let mut stale = 0;
     loop {

@@ -11,6 +11,5 @@ mod support;
 mod tests;
 
 pub use bounding::{bounding_sphere, bounding_spheres};
-pub use scan::Scanned;
 pub use solid_angle::{Seen, check, each_tile, solid_angles};
 pub use sphere::{Sphere, SphereMethod};

@@ -36,34 +36,17 @@ fn along<T: Real>(&[x, y, z]: &[T; 3]) -> [f64; DIRECTIONS] {
     [x, y, z, x + y + z, x + y - z, x - y + z, x - y - z]
 }
 
-/// Coordinates that points are scanned in: float32 or float64, with the kernels.
-pub trait Scanned: Real {
+vectorized! {
     /// Greatest squared distance from a centre, and which point has it.
-    fn farthest(points: &[[Self; 3]], origin: DVec3, center: DVec3) -> (f64, usize);
+    fn farthest<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, usize) = farthest_kernel;
     /// Appends the points whose squared distance from a centre is above a limit, from the origin.
-    fn beyond(points: &[[Self; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>);
+    fn beyond<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>)
+        = beyond_kernel;
     /// Sum of the points, from the origin.
-    fn sum(points: &[[Self; 3]], origin: DVec3) -> DVec3;
+    fn sum<T: Real>(points: &[[T; 3]], origin: DVec3) -> DVec3 = sum_kernel;
     /// Least and greatest values along each of the directions; NaN where a coordinate is not finite.
-    fn extremes(points: &[[Self; 3]]) -> Extremes;
+    fn extremes<T: Real>(points: &[[T; 3]]) -> Extremes = extremes_kernel;
 }
-
-macro_rules! scanned {
-    ($($real:ty),*) => {$(
-        impl Scanned for $real {
-            vectorized! {
-                fn farthest(points: &[[$real; 3]], origin: DVec3, center: DVec3) -> (f64, usize) = farthest;
-                fn beyond(
-                    points: &[[$real; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>,
-                ) = beyond;
-                fn sum(points: &[[$real; 3]], origin: DVec3) -> DVec3 = sum;
-                fn extremes(points: &[[$real; 3]]) -> Extremes = extremes;
-            }
-        }
-    )*};
-}
-
-scanned!(f32, f64);
 
 /// Points, all of them finite, seen from one of them: differences of neighbours have all their digits however far from
 /// zero they lie.
@@ -76,14 +59,14 @@ pub(super) struct Cloud<'a, T> {
     pub extremes: Vec<DVec3>,
 }
 
-impl<'a, T: Scanned> Cloud<'a, T> {
+impl<'a, T: Real> Cloud<'a, T> {
     /// Looks at all points; refuses none and those that are not finite.
     pub fn new(points: &'a [[T; 3]]) -> Result<Self> {
         let Some(first) = points.first() else {
             return Err(Error::value("points", "at least one point", "none"));
         };
         let origin = DVec3::from_array(first.map(T::wide));
-        let tiles: Vec<Extremes> = tiles(points).map(T::extremes).collect();
+        let tiles: Vec<Extremes> = tiles(points).map(extremes).collect();
         let all = Extremes {
             low: std::array::from_fn(|n| tiles.iter().fold(f64::INFINITY, |low, tile| lesser(tile.low[n], low))),
             high: std::array::from_fn(|n| -tiles.iter().fold(f64::INFINITY, |low, tile| lesser(-tile.high[n], low))),
@@ -129,7 +112,7 @@ impl<'a, T: Scanned> Cloud<'a, T> {
 
     /// Mean of all points.
     pub fn mean(&self) -> DVec3 {
-        let tiles: Vec<DVec3> = tiles(self.points).map(|points| T::sum(points, self.origin)).collect();
+        let tiles: Vec<DVec3> = tiles(self.points).map(|points| sum(points, self.origin)).collect();
         tiles.into_iter().sum::<DVec3>() / self.points.len() as f64
     }
 
@@ -137,7 +120,7 @@ impl<'a, T: Scanned> Cloud<'a, T> {
     pub fn beyond(&self, center: DVec3, distance: f64) -> Vec<[f64; 3]> {
         let tile = |points: &[[T; 3]]| {
             let mut found = Vec::new();
-            T::beyond(points, self.origin, center, distance * distance, &mut found);
+            beyond(points, self.origin, center, distance * distance, &mut found);
             found
         };
         let tiles: Vec<Vec<[f64; 3]>> = tiles(self.points).map(tile).collect();
@@ -155,9 +138,9 @@ impl<'a, T: Scanned> Cloud<'a, T> {
 }
 
 /// Greatest distance from a centre, and the first point that has it; both in the frame of the origin.
-pub(super) fn farthest_of<T: Scanned>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, DVec3) {
+pub(super) fn farthest_of<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, DVec3) {
     let tile = |(n, points): (usize, &[[T; 3]])| {
-        let (squared, index) = T::farthest(points, origin, center);
+        let (squared, index) = farthest(points, origin, center);
         (squared, n * TILE + index)
     };
     let tiles: Vec<(f64, usize)> = tiles(points).enumerate().map(tile).collect();
@@ -189,7 +172,7 @@ fn gather<T: Real>(block: &[[T; 3]; LANES]) -> [[f64; LANES]; 3] {
 }
 
 #[inline(always)]
-fn extremes<T: Real>(points: &[[T; 3]]) -> Extremes {
+fn extremes_kernel<T: Real>(points: &[[T; 3]]) -> Extremes {
     let mut low = [[f64::INFINITY; LANES]; DIRECTIONS];
     let mut high = [[f64::NEG_INFINITY; LANES]; DIRECTIONS];
     // Zero times a value is zero, or NaN where the value is not finite.
@@ -244,7 +227,7 @@ fn extremes<T: Real>(points: &[[T; 3]]) -> Extremes {
 }
 
 #[inline(always)]
-fn sum<T: Real>(points: &[[T; 3]], origin: DVec3) -> DVec3 {
+fn sum_kernel<T: Real>(points: &[[T; 3]], origin: DVec3) -> DVec3 {
     let from = origin.to_array();
     let (blocks, rest) = points.as_chunks::<LANES>();
     let mut sums = [[0.0; LANES]; 3];
@@ -285,7 +268,7 @@ fn squares<T: Real>(block: &[[T; 3]; LANES], origin: [f64; 3], center: [f64; 3])
 }
 
 #[inline(always)]
-fn farthest<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, usize) {
+fn farthest_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, usize) {
     let (origin, center) = (origin.to_array(), center.to_array());
     let (blocks, rest) = points.as_chunks::<LANES>();
     // The greatest of each lane and its block; of equals the first.
@@ -319,7 +302,7 @@ fn farthest<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, u
 }
 
 #[inline(always)]
-fn beyond<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>) {
+fn beyond_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>) {
     let (from, middle) = (origin.to_array(), center.to_array());
     let (blocks, rest) = points.as_chunks::<LANES>();
     let mut keep = |point: &[T; 3], squared: f64| {

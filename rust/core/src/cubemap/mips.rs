@@ -6,9 +6,9 @@
 use rayon::prelude::*;
 
 use super::faces::{CubeFaces, is_known};
-use super::lookup::Number;
+use super::lookup::{self, halve_greatest, halve_least};
 use super::solid::{edge_of, edges, row_of_angles, solid_angle};
-use crate::base::{Error, Result};
+use crate::base::{Error, Real, Result};
 
 /// Reduction of texels to one of the next level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,7 +43,7 @@ pub fn next_size(size: u32) -> u32 {
 }
 
 /// Writes the next level.
-pub fn next_level<T: Number>(faces: CubeFaces<'_, T>, reduction: Reduction, out: &mut [T]) -> Result<()> {
+pub fn next_level<T: Real>(faces: CubeFaces<'_, T>, reduction: Reduction, out: &mut [T]) -> Result<()> {
     let (size, next) = (faces.size, next_size(faces.size));
     let expected = 6 * (next as usize).pow(2) * faces.channels;
     if out.len() != expected {
@@ -82,15 +82,15 @@ pub fn next_level<T: Number>(faces: CubeFaces<'_, T>, reduction: Reduction, out:
 }
 
 /// The next row, of one channel, where a size is even.
-fn halve<T: Number>(texels: &[T], weights: &[f64], reduction: Reduction, out: &mut [T]) {
+fn halve<T: Real>(texels: &[T], weights: &[f64], reduction: Reduction, out: &mut [T]) {
     let (above, below) = texels.split_at(texels.len() / 2);
     match reduction {
         Reduction::Mean => {
             let (one, other) = weights.split_at(weights.len() / 2);
-            T::halve(above, below, [one, other], out);
+            lookup::halve(above, below, [one, other], out);
         }
-        Reduction::Min => T::halve_least(above, below, out),
-        Reduction::Max => T::halve_greatest(above, below, out),
+        Reduction::Min => halve_least(above, below, out),
+        Reduction::Max => halve_greatest(above, below, out),
     }
 }
 
@@ -121,7 +121,7 @@ fn weigh(across: &[Covered], down: &Covered) -> Vec<f64> {
     weights
 }
 
-fn mean<T: Number>(texels: &[T], across: &[Covered], weights: &[f64], faces: &CubeFaces<'_, T>, out: &mut [T]) {
+fn mean<T: Real>(texels: &[T], across: &[Covered], weights: &[f64], faces: &CubeFaces<'_, T>, out: &mut [T]) {
     let (channels, row_length) = (faces.channels, faces.size as usize * faces.channels);
     let mut next = 0;
     for (column, out) in across.iter().zip(out.chunks_exact_mut(channels)) {
@@ -140,7 +140,7 @@ fn mean<T: Number>(texels: &[T], across: &[Covered], weights: &[f64], faces: &Cu
     }
 }
 
-fn extreme<T: Number>(
+fn extreme<T: Real>(
     texels: &[T],
     across: &[Covered],
     faces: &CubeFaces<'_, T>,

@@ -25,15 +25,6 @@ pub trait WarpPixel: Copy + Send + Sync {
     fn wide(self) -> f64;
     /// The nearest one there is.
     fn nearest(value: f64) -> Self;
-    /// Writes some channels of a row of pixels that come from shares of an image.
-    fn row(
-        image: &Image<'_, Self>,
-        shares: &[[f64; 2]],
-        channels: Range<usize>,
-        filter: WarpFilter,
-        fill: Self,
-        to: &mut [Self],
-    );
 }
 
 macro_rules! pixel {
@@ -46,16 +37,6 @@ macro_rules! pixel {
             #[inline(always)]
             fn nearest($value: f64) -> Self {
                 $nearest
-            }
-            vectorized! {
-                fn row(
-                    image: &Image<'_, $type>,
-                    shares: &[[f64; 2]],
-                    channels: Range<usize>,
-                    filter: WarpFilter,
-                    fill: $type,
-                    to: &mut [$type],
-                ) = mix;
             }
         }
     )*};
@@ -149,10 +130,22 @@ pub fn warp<P: WarpPixel>(
             for source in &mut sources {
                 *source = view.share(*source);
             }
-            P::row(image, &sources, channels, filter, fill, to);
+            mix_row(image, &sources, channels, filter, fill, to);
         }
         Ok(())
     })
+}
+
+vectorized! {
+    /// Writes some channels of a row of pixels that come from shares of an image.
+    fn mix_row<P: WarpPixel>(
+        image: &Image<'_, P>,
+        shares: &[[f64; 2]],
+        channels: Range<usize>,
+        filter: WarpFilter,
+        fill: P,
+        to: &mut [P],
+    ) = mix;
 }
 
 #[inline(always)]

@@ -3,8 +3,9 @@
 use rayon::prelude::*;
 
 use super::pair::Pair;
+use super::pixel_rows::PixelRows;
 use super::plane::Plane;
-use super::similarity::{Counted, Mask, Shrunk, Similarity, SimilaritySums, Source, Window, multiscale, similarity};
+use super::similarity::{Counted, Mask, Shrunk, Similarity, SimilaritySums, Window, multiscale, similarity};
 use super::squared_error::mean_squared_error;
 use crate::base::{Error, Progress, Result};
 
@@ -41,7 +42,7 @@ struct Job<'a, P> {
 
 impl<'a, P> Stacks<'a, P>
 where
-    P: Source<Real: Source<Real = P::Real>>,
+    P: PixelRows<Real: PixelRows<Real = P::Real>>,
 {
     fn jobs(&self) -> Result<Vec<Job<'a, P>>> {
         let count = self.references.len();
@@ -101,7 +102,7 @@ impl Comparison {
         map: Option<&mut [P::Real]>,
     ) -> Result<SimilaritySums>
     where
-        P: Source<Real: Source<Real = P::Real>>,
+        P: PixelRows<Real: PixelRows<Real = P::Real>>,
     {
         let mask = mask.map(if self.hidden { Mask::Windows } else { Mask::Mean });
         let counted = Counted { all: self.all, mask, contrast: false };

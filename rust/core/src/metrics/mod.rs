@@ -15,5 +15,6 @@ pub use batch::{Comparison, Stacks};
 pub use discontinuity::{Neighbourhood, discontinuity};
 pub use object_completion::object_completion;
 pub use pair::Pair;
+pub use pixel_rows::PixelRows;
 pub use plane::{Pixel, Plane, RoundingLimits};
-pub use similarity::{Similarity, SimilaritySums, Source, Window};
+pub use similarity::{Similarity, SimilaritySums, Window};

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::pixel_rows::PixelRows;
+use super::pixel_rows::{PixelRows, sum_and_difference};
 use super::plane::{Plane, Region};
 use crate::base::{Real, Result};
 
@@ -27,7 +27,7 @@ impl<'a, P: PixelRows> Pair<'a, P> {
     pub(super) fn load(&self, row: usize, columns: Range<usize>, levels: [P::Real; 2], [s, d]: [&mut [P::Real]; 2]) {
         let Self { reference, test } = self;
         match (reference.run(row, columns.clone()), test.run(row, columns.clone())) {
-            (Some(x), Some(y)) => P::sum_and_difference(x, y, levels, s, d),
+            (Some(x), Some(y)) => sum_and_difference(x, y, levels, s, d),
             _ => self.gather(row, columns, levels, [s, d]),
         }
     }

@@ -6,26 +6,30 @@ use crate::base::simd::vectorized;
 
 /// Pixels of which rows are compared.
 pub trait PixelRows: Pixel {
-    /// Sum and difference of two rows of pixels less their levels.
-    fn sum_and_difference(x: &[Self], y: &[Self], levels: [Self::Real; 2], s: &mut [Self::Real], d: &mut [Self::Real]);
     /// Sum of the squared differences of few pixels.
     fn squares(x: &[Self], y: &[Self]) -> f64;
 }
 
 macro_rules! pixel_rows {
-    ($($pixel:ty, $real:ty: $squares:ident);*) => {$(
+    ($($pixel:ty: $squares:ident);*) => {$(
         impl PixelRows for $pixel {
-            vectorized! {
-                fn sum_and_difference(
-                    x: &[$pixel], y: &[$pixel], levels: [$real; 2], s: &mut [$real], d: &mut [$real],
-                ) = spread;
-                fn squares(x: &[$pixel], y: &[$pixel]) -> f64 = $squares;
-            }
+            vectorized! { fn squares(x: &[$pixel], y: &[$pixel]) -> f64 = $squares; }
         }
     )*};
 }
 
-pixel_rows!(u8, f32: byte_squares; u16, f32: short_squares; f32, f32: real_squares; f64, f64: real_squares);
+pixel_rows!(u8: byte_squares; u16: short_squares; f32: real_squares; f64: real_squares);
+
+vectorized! {
+    /// Sum and difference of two rows of pixels less their levels.
+    pub(super) fn sum_and_difference<P: Pixel>(
+        x: &[P],
+        y: &[P],
+        levels: [P::Real; 2],
+        s: &mut [P::Real],
+        d: &mut [P::Real],
+    ) = spread;
+}
 
 /// Without rounding: 2¹⁴ squares of 8 bits fit into 32.
 #[inline(always)]

@@ -36,10 +36,9 @@ pub(super) fn block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], shown: &mu
         let a = dx * dx + dz * dz;
         let b = dx * offset[0] + dz * offset[2];
         let c = (offset_rho - rho) * (offset_rho + rho);
-        let discriminant = b * b - a * c;
-        let q = discriminant.sqrt();
+        let q = (b * b - a * c).sqrt();
         let exit = if b > 0.0 { -c / (b + q) } else { (q - b) / a };
-        let leaves = keeps_rho & (rho > offset_rho) & (a > 0.0) & (discriminant >= 0.0);
+        let leaves = keeps_rho & (rho > offset_rho) & (a > 0.0);
         let t = if leaves { exit } else { blended };
         let shifts = !keeps_rho & (w == 0.0);
         let [sx, sy, sz] = [px + offset[0], py + offset[1], pz + offset[2]];

@@ -132,10 +132,7 @@ fn leave_cylinder(start: DVec3, direction: DVec3, rho: f64) -> Option<f64> {
     let a = direction.length_squared();
     let b = direction.dot(start);
     let c = (start_rho - rho) * (start_rho + rho);
-    let discriminant = b * b - a * c;
-    if discriminant < 0.0 {
-        return None;
-    }
-    let q = discriminant.sqrt();
+    // c < 0 inside the cylinder, so that the discriminant is not negative.
+    let q = (b * b - a * c).sqrt();
     Some(if b > 0.0 { -c / (b + q) } else { (q - b) / a })
 }

@@ -18,29 +18,17 @@ const TILE: usize = 1 << 14;
 /// next one's loads would wait. It saves a fifth of the time.
 const PREFETCHED_BLOCKS: usize = 4;
 
-/// The block kernels of a precision, compiled for each width of vectors. They return a bit for each point in doubt.
-pub(super) trait Streamed: BlendLimits {
-    fn blend(constants: &blend::Constants<Self>, points: &[[Self; 3]; BLOCK], shown: &mut [[Self; 3]; BLOCK]) -> u64;
-    fn cylinder(morph: &Morph, points: &[[Self; 3]; BLOCK], shown: &mut [[Self; 3]; BLOCK]) -> u64;
+vectorized! {
+    /// Morphs a block in the points' precision; returns a bit for each point in doubt.
+    pub(super) fn blend_block<T: Real>(
+        constants: &blend::Constants<T>,
+        points: &[[T; 3]; BLOCK],
+        shown: &mut [[T; 3]; BLOCK],
+    ) -> u64 = blend::block;
+    /// Morphs a block in float64; returns a bit for each point in doubt.
+    fn cylinder_block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], shown: &mut [[T; 3]; BLOCK]) -> u64
+        = cylinder::block;
 }
-
-macro_rules! streamed {
-    ($($float:ty),*) => {$(
-        impl Streamed for $float {
-            vectorized! {
-                fn blend(
-                    constants: &blend::Constants<$float>,
-                    points: &[[$float; 3]; BLOCK],
-                    shown: &mut [[$float; 3]; BLOCK],
-                ) -> u64 = blend::block::<$float>;
-                fn cylinder(morph: &Morph, points: &[[$float; 3]; BLOCK], shown: &mut [[$float; 3]; BLOCK]) -> u64
-                    = cylinder::block::<$float>;
-            }
-        }
-    )*};
-}
-
-streamed!(f32, f64);
 
 impl Morph {
     /// Morphs float32 points: half a float32 step of the answer and 2⁻²⁴ (6 + 3 r₂/(r₂−r₁)) |U−O| from the exact
@@ -58,7 +46,7 @@ impl Morph {
 }
 
 /// Morphs all points in tiles on the current pool; the number of opposed ones.
-fn apply_all<T: Streamed>(morph: &Morph, points: &[[T; 3]], shown: &mut [[T; 3]]) -> u64 {
+fn apply_all<T: BlendLimits>(morph: &Morph, points: &[[T; 3]], shown: &mut [[T; 3]]) -> u64 {
     assert_eq!(points.len(), shown.len(), "as many results as points");
     if morph.offset == DVec3::ZERO {
         // From the centre nothing moves.
@@ -67,12 +55,12 @@ fn apply_all<T: Streamed>(morph: &Morph, points: &[[T; 3]], shown: &mut [[T; 3]]
     }
     if morph.kind == Kind::Blend && blend::applies::<T>(morph) {
         let constants = blend::Constants::new(morph);
-        return in_tiles(morph, points, shown, |block, shown| T::blend(&constants, block, shown));
+        return in_tiles(morph, points, shown, |block, shown| blend_block(&constants, block, shown));
     }
-    in_tiles(morph, points, shown, |block, shown| T::cylinder(morph, block, shown))
+    in_tiles(morph, points, shown, |block, shown| cylinder_block(morph, block, shown))
 }
 
-fn in_tiles<T: Streamed>(
+fn in_tiles<T: BlendLimits>(
     morph: &Morph,
     points: &[[T; 3]],
     shown: &mut [[T; 3]],

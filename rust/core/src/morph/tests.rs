@@ -3,7 +3,7 @@ use proptest::prelude::*;
 
 use super::blend::{Constants, block};
 use super::lanes::BLOCK;
-use super::stream::Streamed;
+use super::stream::blend_block;
 use super::{Kind, Morph};
 
 fn blend(user: DVec3, center: DVec3) -> Morph {
@@ -132,7 +132,7 @@ fn every_width_of_vectors_gives_the_same_bits() {
     });
     let (mut narrow, mut widest) = ([[0.0; 3]; BLOCK], [[0.0; 3]; BLOCK]);
     let constants = Constants::new(&morph);
-    assert_eq!(block(&constants, &points, &mut narrow), f32::blend(&constants, &points, &mut widest));
+    assert_eq!(block(&constants, &points, &mut narrow), blend_block(&constants, &points, &mut widest));
     assert_eq!(narrow, widest);
 }
 

@@ -3,16 +3,16 @@
 use rayon::prelude::*;
 
 use super::divide::Partition;
-use super::radii::{Coordinate, Indexed, Soup, TriangleSource, measure};
+use super::radii::{Indexed, Soup, TriangleSource, measure};
 use super::zone::{Class, TriangleSet, Zone};
-use crate::base::{Error, Progress, Result};
+use crate::base::{Error, Progress, Real, Result};
 
 /// Triangles of one task.
 const TILE: usize = 1 << 14;
 
 /// Least and greatest ρ of each triangle about an axis at (x, z): exact to float64's rounding of the greatest, then
 /// rounded once to the coordinates' precision. Without faces, every three vertices are a triangle.
-pub fn triangle_radii<T: Coordinate>(
+pub fn triangle_radii<T: Real>(
     vertices: &[[T; 3]],
     faces: Option<&[[u32; 3]]>,
     axis: [f64; 2],
@@ -49,7 +49,7 @@ fn check_faces(faces: &[[u32; 3]], vertex_count: usize) -> Result<()> {
 }
 
 #[inline(always)]
-fn fill<T: Coordinate>(triangles: &impl TriangleSource<T>, axis: [f64; 2], radii: &mut [[T; 2]]) -> Result<()> {
+fn fill<T: Real>(triangles: &impl TriangleSource<T>, axis: [f64; 2], radii: &mut [[T; 2]]) -> Result<()> {
     measure(
         triangles,
         radii.len(),

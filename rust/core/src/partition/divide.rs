@@ -1,6 +1,6 @@
 //! A scene divided at two radii, with its counts.
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::axis::{axis_in, check_center};
@@ -8,6 +8,10 @@ use super::classify::Ruler;
 use super::zone::{ChosenFaces, Class, Zone};
 use crate::base::{Error, Progress, Result};
 use crate::scene::Scene;
+
+/// Share of r₂ by which a point may miss a radius and still count as lying on it: more than rounding by a rule that
+/// splits edges.
+const RADIUS_TOLERANCE: f64 = 1.0 / 8192.0;
 
 /// Numbers of triangles and instances.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -127,6 +131,17 @@ impl Partition {
             };
             all.chain(some.iter().copied()).map(move |face| (number, face))
         })
+    }
+
+    /// (instance, face) of the standing ones among them, in number order: those with all corners inside a radius, and the
+    /// others. Points of the radius itself are outside, also where they miss it by a little.
+    pub fn nsf_inside(&self, radius: f64) -> [Vec<(u32, u32)>; 2] {
+        let [x, z] = axis_in(&self.scene, self.center);
+        let least = radius - self.r2 * RADIUS_TOLERANCE;
+        let is_inside = |corner: Vec3| (f64::from(corner.x) - x).hypot(f64::from(corner.z) - z) < least;
+        let standing = self.nsf().take_while(|&(instance, _)| !self.is_moving(instance as usize));
+        let corners = |&(number, face): &(u32, u32)| self.scene.instance(number).corners(face);
+        standing.partition::<Vec<_>, _>(|triangle| corners(triangle).into_iter().all(is_inside)).into()
     }
 
     /// Zone of a triangle.

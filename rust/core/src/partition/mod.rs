@@ -20,5 +20,5 @@ mod zone;
 pub use arrays::triangle_radii;
 pub use divide::{Partition, PartitionCounts};
 pub use load_curve::LoadCurve;
-pub use radii::{Coordinate, radii_of};
+pub use radii::radii_of;
 pub use zone::{ChosenFaces, Class, Mixed, TriangleSet, Zone};

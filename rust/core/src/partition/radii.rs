@@ -15,30 +15,15 @@ const CERTAIN: f64 = 1.0 / (1u64 << 50) as f64;
 
 /// Ground coordinates of the corners of a block of triangles: `corners[2 k][i]` is x and `corners[2 k + 1][i]` is z
 /// of corner k of triangle i.
-pub type Corners<T> = [[T; BLOCK]; 6];
+type Corners<T> = [[T; BLOCK]; 6];
 
-/// Coordinates that radii are measured from: float32 or float64, with the kernel.
-pub trait Coordinate: Real {
+vectorized! {
     /// Least and greatest ρ of a block, in float64 and rounded once.
-    #[doc(hidden)]
-    fn evaluate(corners: &Corners<Self>, axis: [f64; 2], radii: &mut [[Self; 2]; BLOCK]);
+    fn evaluate<T: Real>(corners: &Corners<T>, axis: [f64; 2], radii: &mut [[T; 2]; BLOCK]) = evaluate_kernel;
 }
-
-macro_rules! coordinate {
-    ($($float:ty),*) => {$(
-        impl Coordinate for $float {
-            vectorized! {
-                fn evaluate(corners: &Corners<$float>, axis: [f64; 2], radii: &mut [[$float; 2]; BLOCK])
-                    = evaluate::<$float>;
-            }
-        }
-    )*};
-}
-
-coordinate!(f32, f64);
 
 #[inline(always)]
-fn evaluate<T: Coordinate>(corners: &Corners<T>, axis: [f64; 2], radii: &mut [[T; 2]; BLOCK]) {
+fn evaluate_kernel<T: Real>(corners: &Corners<T>, axis: [f64; 2], radii: &mut [[T; 2]; BLOCK]) {
     for i in 0..BLOCK {
         let a = [corners[0][i].wide(), corners[1][i].wide()];
         let b = [corners[2][i].wide(), corners[3][i].wide()];
@@ -146,7 +131,7 @@ impl<T: Sync> TriangleSource<T> for Soup<'_, T> {
 
 /// Evaluates triangles in blocks: `number(i)` is the i-th of `count`, and `take` receives i with its radii.
 #[inline(always)]
-pub(super) fn measure<T: Coordinate>(
+pub(super) fn measure<T: Real>(
     triangles: &impl TriangleSource<T>,
     count: usize,
     axis: [f64; 2],
@@ -158,7 +143,7 @@ pub(super) fn measure<T: Coordinate>(
     for first in (0..count).step_by(BLOCK) {
         let filled = BLOCK.min(count - first);
         (0..filled).for_each(|i| scatter(&mut corners, i, triangles.corners(number(first + i))));
-        T::evaluate(&corners, axis, &mut radii);
+        evaluate(&corners, axis, &mut radii);
         take(first, &radii[..filled]);
     }
 }

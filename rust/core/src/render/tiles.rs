@@ -7,7 +7,6 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::frame::{Band, Channels, Frame, Sample};
-use super::surface::add;
 use crate::base::{Error, Progress, REACH, Result};
 use crate::camera::{Camera, Footprint, Rays};
 use crate::trace::{Hit, Ray};
@@ -24,15 +23,8 @@ pub trait Picture: Sync {
     /// Traces a tile's coherent rays; it may shorten them first (`t_min`, `t_max`). Directions are unit.
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>);
 
-    /// Linear RGB seen along a traced ray, hit or miss.
-    fn color(&self, ray: &Ray, hit: &Hit, footprint: Footprint) -> [f32; 3];
-
-    /// Adds the colours along a tile's traced rays to their sums. Pictures that share work between neighbours do it here.
-    fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
-        for (n, (ray, hit)) in rays.iter().zip(hits).enumerate() {
-            add(&mut sums[n], self.color(ray, hit, footprint(n)));
-        }
-    }
+    /// Adds linear RGB, seen along a tile's traced rays, hits or misses, to their sums.
+    fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]);
 
     /// The other channels along a traced ray, hit or miss; those that are not wanted may be left at their defaults.
     fn sample(&self, ray: &Ray, hit: &Hit, wanted: Channels) -> Sample;

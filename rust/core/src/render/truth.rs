@@ -40,13 +40,6 @@ impl<F: HitFilter> Picture for Truth<'_, F> {
         closest_hits(self.scene, rays, &self.filter, hits);
     }
 
-    fn color(&self, ray: &Ray, hit: &Hit, footprint: Footprint) -> [f32; 3] {
-        if hit.is_miss() {
-            return background(ray.direction);
-        }
-        Surface::of_hit(self.scene, ray, hit).color(self.scene, footprint.at(hit.t))
-    }
-
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
         let missed = |n: usize| background(rays[n].direction);
         add_colors(self.scene, rays, hits, footprint, missed, sums);

@@ -19,7 +19,7 @@ impl Scene {
         if !chosen.contains(&true) {
             return Ok(self.clone());
         }
-        let is_chosen = |object: i32| usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true));
+        let is_chosen = |object| holds(chosen, object);
         let (mut standing, mut moving) = (Vec::new(), self.moving.instances().to_vec());
         for instance in self.standing.instances() {
             match instance.object {
@@ -51,17 +51,15 @@ impl Scene {
 
     /// Only the objects of `chosen`, a flag for each object.
     pub fn subset_of_objects(&self, chosen: &[bool]) -> Self {
-        let is_chosen = |object: i32| usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true));
-        self.subset(|_, instance| match instance.object {
-            Some(object) if is_chosen(object) => Kept::All,
-            Some(_) => Kept::Faces(Vec::new()),
-            None => Kept::of(&instance.mesh, |face| is_chosen(instance.mesh.objects.get(face))),
-        })
+        self.subset_by_object(|object| holds(chosen, object))
     }
 
     /// All but the objects of `chosen`, a flag for each object; faces of no object stay.
     pub fn without_objects(&self, chosen: &[bool]) -> Self {
-        let stays = |object: i32| !usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true));
+        self.subset_by_object(|object| !holds(chosen, object))
+    }
+
+    fn subset_by_object(&self, stays: impl Fn(i32) -> bool + Sync) -> Self {
         self.subset(|_, instance| match instance.object {
             Some(object) if stays(object) => Kept::All,
             Some(_) => Kept::Faces(Vec::new()),
@@ -151,6 +149,11 @@ impl Instance {
     pub fn placed(&self, to_scene: DAffine3) -> Result<Self> {
         Self::new(Arc::clone(&self.mesh), to_scene, self.object)
     }
+}
+
+/// Whether an object is chosen by flags for each object.
+pub(super) fn holds(chosen: &[bool], object: i32) -> bool {
+    usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true))
 }
 
 /// Faces of an instance that remain.

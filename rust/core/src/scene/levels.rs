@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::DAffine3;
 
+use super::edit::holds;
 use super::instance::{Instance, InstanceSet};
 use super::material::Material;
 use super::merge::{PlacedMesh, merge};
@@ -52,12 +53,8 @@ impl Scene {
         for other in others {
             let numbers = surfaces.add(other);
             let from_origin = DAffine3::from_translation(other.origin);
-            let part = |instance: &Instance| PlacedMesh {
-                mesh: Arc::clone(&instance.mesh),
-                to_scene: from_origin * instance.to_scene,
-                object: instance.object,
-            };
-            let parts: Vec<PlacedMesh> = other.instances().map(part).collect();
+            let mut parts: Vec<PlacedMesh> = other.instances().map(PlacedMesh::of).collect();
+            parts.iter_mut().for_each(|part| part.to_scene = from_origin * part.to_scene);
             let mut mesh = merge(&parts)?;
             mesh.materials = mesh.materials.renumbered(&numbers);
             meshes.push(mesh);
@@ -82,9 +79,8 @@ impl Scene {
 
     /// The instances of chosen objects, a flag for each object, whose faces all belong to one.
     pub fn instances_of(&self, chosen: &[bool]) -> impl Iterator<Item = (i32, &Instance)> {
-        let is_chosen = |object: i32| usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true));
         self.instances().filter_map(move |instance| {
-            instance.object.filter(|&object| is_chosen(object)).map(|object| (object, instance))
+            instance.object.filter(|&object| holds(chosen, object)).map(|object| (object, instance))
         })
     }
 }

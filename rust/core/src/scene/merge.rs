@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::{DAffine3, Vec3};
 use rayon::prelude::*;
 
+use super::instance::Instance;
 use super::mesh::{Mesh, TILE, turned};
 use super::normal::place_normals;
 use crate::base::{Error, FaceMap, Result};
@@ -21,6 +22,11 @@ pub struct PlacedMesh {
 }
 
 impl PlacedMesh {
+    /// An instance's mesh in its place.
+    pub fn of(instance: &Instance) -> Self {
+        Self { mesh: Arc::clone(&instance.mesh), to_scene: instance.to_scene, object: instance.object }
+    }
+
     fn stands_in_place(&self) -> bool {
         self.to_scene == DAffine3::IDENTITY
     }

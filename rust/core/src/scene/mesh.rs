@@ -50,23 +50,11 @@ impl Mesh {
         if faces.len() > u32::MAX as usize - 1 || vertex_count > u32::MAX as usize {
             return Err(Error::value("faces", "fewer than 2^32 - 1 faces and vertices in one mesh", faces.len()));
         }
-        for (argument, length) in [("uvs", uvs.as_ref().map(|a| a.len())), ("colors", colors.as_ref().map(|a| a.len()))]
-        {
-            if length.is_some_and(|length| length != vertex_count) {
-                return Err(Error::value(
-                    argument,
-                    format!("one row for each of {vertex_count} vertices"),
-                    length.unwrap_or_default(),
-                ));
-            }
-        }
+        check_rows("uvs", uvs.as_deref(), vertex_count)?;
+        check_rows("colors", colors.as_deref(), vertex_count)?;
         let greatest = faces.par_chunks(TILE).map(|tile| tile.as_flattened().iter().copied().max()).max().flatten();
-        if greatest.is_some_and(|index| index as usize >= vertex_count) {
-            return Err(Error::value(
-                "faces",
-                format!("vertex indices below {vertex_count}"),
-                greatest.unwrap_or_default(),
-            ));
+        if let Some(index) = greatest.filter(|&index| index as usize >= vertex_count) {
+            return Err(Error::value("faces", format!("vertex indices below {vertex_count}"), index));
         }
         objects.validate("objects", faces.len(), i32::MAX)?;
         materials.validate("materials", faces.len(), i32::MAX)?;
@@ -95,14 +83,8 @@ impl Mesh {
 
     /// The mesh with other normals of its vertices, by which it is shaded; none stands for flat faces.
     pub fn with_normals(self, normals: Option<Buffer<[f32; 3]>>) -> Result<Self> {
-        if let Some(normals) = &normals {
-            let vertex_count = self.positions.len();
-            if normals.len() != vertex_count {
-                let expected = format!("one row for each of {vertex_count} vertices");
-                return Err(Error::value("normals", expected, normals.len()));
-            }
-            check_finite("normals", normals)?;
-        }
+        check_rows("normals", normals.as_deref(), self.positions.len())?;
+        check_finite("normals", normals.as_deref().unwrap_or_default())?;
         Ok(Self { normals, ..self })
     }
 
@@ -111,9 +93,7 @@ impl Mesh {
         let faces: Vec<[u32; 3]> = chosen.par_iter().map(|&face| self.faces[face as usize]).collect();
         let (objects, materials) = (self.objects.selected(chosen), self.materials.selected(chosen));
         if faces.len() * 3 >= self.positions.len() {
-            let (positions, uvs, colors) = (self.positions.clone(), self.uvs.clone(), self.colors.clone());
-            let normals = self.normals.clone();
-            return Self { normals, ..Self::unchecked(positions, faces.into(), uvs, colors, objects, materials) };
+            return self.with_faces(faces, objects, materials);
         }
         let mut used: Vec<u32> = faces.as_flattened().to_vec();
         used.sort_unstable();
@@ -131,9 +111,13 @@ impl Mesh {
     /// The mesh with its faces turned inside out, for instances that are mirrored. It shares the vertices' arrays: normals
     /// keep their sides, because a mirror takes what points outwards to what does.
     pub fn turned(&self) -> Self {
-        let faces: Vec<[u32; 3]> = self.faces.par_iter().map(turned).collect();
+        let faces = self.faces.par_iter().map(turned).collect();
+        self.with_faces(faces, self.objects.clone(), self.materials.clone())
+    }
+
+    /// Other faces between the same vertices, whose arrays are shared.
+    fn with_faces(&self, faces: Vec<[u32; 3]>, objects: FaceMap, materials: FaceMap) -> Self {
         let (positions, uvs, colors) = (self.positions.clone(), self.uvs.clone(), self.colors.clone());
-        let (objects, materials) = (self.objects.clone(), self.materials.clone());
         let normals = self.normals.clone();
         Self { normals, ..Self::unchecked(positions, faces.into(), uvs, colors, objects, materials) }
     }
@@ -186,6 +170,14 @@ impl Mesh {
 /// A face seen from the other side: the same first corner, the others in the other order.
 pub(super) fn turned(face: &[u32; 3]) -> [u32; 3] {
     [face[0], face[2], face[1]]
+}
+
+/// Refuses an attribute without one row for each vertex.
+fn check_rows<T>(argument: &'static str, rows: Option<&[T]>, vertex_count: usize) -> Result<()> {
+    match rows.map(<[T]>::len).filter(|&length| length != vertex_count) {
+        Some(length) => Err(Error::value(argument, format!("one row for each of {vertex_count} vertices"), length)),
+        None => Ok(()),
+    }
 }
 
 fn check_finite(argument: &'static str, rows: &[[f32; 3]]) -> Result<()> {

@@ -37,14 +37,33 @@ struct TornBlock {
     slice: [u32; 4],
 }
 
-/// Points sorted by cells of their place in the truth.
+/// An entry point of `compute_discontinuity.wgsl`, and the bindings that it uses.
+type Kernel = (&'static str, &'static [u32]);
+
+/// Finds the cell of each pixel, and counts the pixels of each cell.
+const PLACE: Kernel = ("discontinuity_place", &[0, 1, 2, 3, 4, 8]);
+/// Adds the counts up to where each cell starts, and finds the greatest.
+const ADD_UP: Kernel = ("discontinuity_add_up", &[0, 4, 5, 9]);
+/// Lists the pixels of each cell, in any order.
+const SCATTER: Kernel = ("discontinuity_scatter", &[0, 3, 5, 6]);
+/// Counts, for each pixel, those of a slice of its cell that come before it.
+const ORDER: Kernel = ("discontinuity_order", &[0, 3, 5, 6]);
+/// Puts the points of each cell side by side.
+const GATHER: Kernel = ("discontinuity_gather", &[0, 2, 3, 5, 7]);
+/// Adds the neighbours in a slice of each cell to those of some points.
+const TEAR: Kernel = ("discontinuity_tear", &[0, 2, 3, 5, 7, 8]);
+
+/// Points sorted by cells of their place in the truth, and what is known of their neighbours.
 struct Bins<'a> {
+    positions: BindingResource<'a>,
     shifts: LentBuffer<'a>,
     cells: LentBuffer<'a>,
     counts: LentBuffer<'a>,
     starts: LentBuffer<'a>,
     list: LentBuffer<'a>,
     points: LentBuffer<'a>,
+    torn: Results<'a>,
+    most: Results<'a>,
 }
 
 /// δ for each pixel of a frame with positions, NaN where there is none.
@@ -70,9 +89,7 @@ pub fn discontinuity(
     let across = |truth: u32, here: u32| ((f64::from(truth) / cell).ceil() as u32 + 2).clamp(3, here / 2 + 3);
     let grid = [across(truth.width, width), across(truth.height, height)];
     let cells = grid[0] * grid[1];
-    let bins = Bins::new(device, u64::from(pixels), u64::from(cells))?;
-    let torn = Results::new(device, 4 * u64::from(pixels))?;
-    let most = Results::new(device, 4)?;
+    let bins = Bins::new(device, position.buffer.as_entire_binding(), u64::from(pixels), u64::from(cells))?;
     let uniform = |first: u32, count: u32, slice: u32| {
         let block = torn_block(frame, truth, around, [position.first, cells], cell);
         let block =
@@ -83,19 +100,20 @@ pub fn discontinuity(
     let alone = frame.alone();
     let mut work = Work::new(device);
     work.encoder.clear_buffer(&bins.counts, 0, None);
-    let positions = position.buffer.as_entire_binding();
-    bins.place(&mut work, &all, positions, [&torn.on_device, &most.on_device], pixels)?;
-    most.bring(&mut work.encoder);
+    bins.run(&mut work, PLACE, &all, groups(pixels))?;
+    bins.run(&mut work, ADD_UP, &all, [1, 1])?;
+    bins.run(&mut work, SCATTER, &all, groups(pixels))?;
+    bins.most.bring(&mut work.encoder);
     work.submit()?;
     drop(alone);
-    let most = most.read(progress, |bytes| bytes.first_chunk().copied().map_or(0, u32::from_ne_bytes))?;
+    let most = bins.most.read(progress, |bytes| bytes.first_chunk().copied().map_or(0, u32::from_ne_bytes))?;
     let slices = || (0..most.max(1)).step_by(POINTS_PER_SLICE as usize);
     let mut under_way = UnderWay { device, progress, last: None };
     for slice in slices() {
         let mut work = Work::new(device);
-        bins.order(&mut work, &uniform(0, pixels, slice)?, pixels)?;
+        bins.run(&mut work, ORDER, &uniform(0, pixels, slice)?, groups(pixels))?;
         if slice + POINTS_PER_SLICE >= most {
-            bins.gather(&mut work, &all, pixels)?;
+            bins.run(&mut work, GATHER, &all, groups(pixels))?;
         }
         under_way.submit(work, 0)?;
     }
@@ -105,16 +123,16 @@ pub fn discontinuity(
         let count = few.min(pixels - first);
         for slice in slices() {
             let mut work = Work::new(device);
-            bins.tear(&mut work, &uniform(first, count, slice)?, &torn.on_device, count)?;
+            bins.run(&mut work, TEAR, &uniform(first, count, slice)?, groups(count))?;
             let ends = slice + POINTS_PER_SLICE >= most;
             if ends && first + count == pixels {
-                torn.bring(&mut work.encoder);
+                bins.torn.bring(&mut work.encoder);
             }
             under_way.submit(work, if ends { count } else { 0 })?;
         }
     }
     let mut image = vec![0.0f32; pixels as usize];
-    torn.read(progress, |bytes| copy(bytemuck::cast_slice_mut(&mut image), bytes))?;
+    bins.torn.read(progress, |bytes| copy(bytemuck::cast_slice_mut(&mut image), bytes))?;
     Ok(image)
 }
 
@@ -177,81 +195,29 @@ fn torn_block(
 }
 
 impl<'a> Bins<'a> {
-    fn new(device: &'a Device, pixels: u64, cells: u64) -> Result<Self> {
+    fn new(device: &'a Device, positions: BindingResource<'a>, pixels: u64, cells: u64) -> Result<Self> {
         Ok(Self {
+            positions,
             shifts: LentBuffer::scratch(device, 8 * pixels)?,
             cells: LentBuffer::scratch(device, 8 * pixels)?,
             counts: LentBuffer::scratch(device, 4 * cells)?,
             starts: LentBuffer::scratch(device, 4 * (cells + 1))?,
             list: LentBuffer::scratch(device, 4 * pixels)?,
             points: LentBuffer::scratch(device, 16 * pixels)?,
+            torn: Results::new(device, 4 * pixels)?,
+            most: Results::new(device, 4)?,
         })
     }
 
-    /// Lists the pixels of each cell, in any order.
-    fn place(
-        &self,
-        work: &mut Work<'_>,
-        uniform: &wgpu::Buffer,
-        positions: BindingResource<'_>,
-        [torn, most]: [&LentBuffer<'_>; 2],
-        pixels: u32,
-    ) -> Result<()> {
-        let uniform = (0, uniform.as_entire_binding());
-        let cells = (3, self.cells.binding());
-        let [counts, starts] = [(4, self.counts.binding()), (5, self.starts.binding())];
-        let place = [
-            uniform.clone(),
-            (1, positions),
-            (2, self.shifts.binding()),
-            cells.clone(),
-            counts.clone(),
-            (8, torn.binding()),
-        ];
-        work.run(&program("discontinuity_place"), &place, groups(pixels))?;
-        let add_up = [uniform.clone(), counts, starts.clone(), (9, most.binding())];
-        work.run(&program("discontinuity_add_up"), &add_up, [1, 1])?;
-        let scatter = [uniform, cells, starts, (6, self.list.binding())];
-        work.run(&program("discontinuity_scatter"), &scatter, groups(pixels))
+    /// Encodes a kernel.
+    fn run(&self, work: &mut Work<'_>, kernel: Kernel, uniform: &wgpu::Buffer, groups: [u32; 2]) -> Result<()> {
+        let (entry, bindings) = kernel;
+        let text = &[include_str!("../shaders/compute_discontinuity.wgsl")];
+        let buffers = [&self.shifts, &self.cells, &self.counts, &self.starts, &self.list, &self.points];
+        let results = [&self.torn.on_device, &self.most.on_device];
+        let mut all = vec![uniform.as_entire_binding(), self.positions.clone()];
+        all.extend(buffers.into_iter().chain(results).map(LentBuffer::binding));
+        let resources: Vec<_> = bindings.iter().map(|&binding| (binding, all[binding as usize].clone())).collect();
+        work.run(&Program { text, entry, constants: &[], group: 0 }, &resources, groups)
     }
-
-    /// Counts, for each pixel, those of a slice of its cell that come before it.
-    fn order(&self, work: &mut Work<'_>, uniform: &wgpu::Buffer, pixels: u32) -> Result<()> {
-        let resources = [
-            (0, uniform.as_entire_binding()),
-            (3, self.cells.binding()),
-            (5, self.starts.binding()),
-            (6, self.list.binding()),
-        ];
-        work.run(&program("discontinuity_order"), &resources, groups(pixels))
-    }
-
-    /// Puts the points of each cell side by side.
-    fn gather(&self, work: &mut Work<'_>, uniform: &wgpu::Buffer, pixels: u32) -> Result<()> {
-        let resources = [
-            (0, uniform.as_entire_binding()),
-            (2, self.shifts.binding()),
-            (3, self.cells.binding()),
-            (5, self.starts.binding()),
-            (7, self.points.binding()),
-        ];
-        work.run(&program("discontinuity_gather"), &resources, groups(pixels))
-    }
-
-    /// Adds the neighbours in a slice of each cell to those of some points.
-    fn tear(&self, work: &mut Work<'_>, uniform: &wgpu::Buffer, torn: &LentBuffer<'_>, count: u32) -> Result<()> {
-        let resources = [
-            (0, uniform.as_entire_binding()),
-            (2, self.shifts.binding()),
-            (3, self.cells.binding()),
-            (5, self.starts.binding()),
-            (7, self.points.binding()),
-            (8, torn.binding()),
-        ];
-        work.run(&program("discontinuity_tear"), &resources, groups(count))
-    }
-}
-
-fn program(entry: &'static str) -> Program<'static> {
-    Program { text: &[include_str!("../shaders/compute_discontinuity.wgsl")], entry, constants: &[], group: 0 }
 }

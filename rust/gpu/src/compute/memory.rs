@@ -127,15 +127,8 @@ impl<'a> Results<'a> {
 
     /// Waits for the results and calls `take` with them.
     pub fn read<R>(&self, progress: &Progress, take: impl FnOnce(&[u8]) -> R) -> Result<R> {
-        let (device, buffer) = (self.on_device.device, self.staging.as_ref().unwrap_or(&self.on_device));
-        let room = self.bytes.next_multiple_of(8);
-        device.open_buffer(buffer, room, MapMode::Read, progress)?;
-        let taken = match buffer.get_mapped_range(..room) {
-            Ok(view) => Ok(take(&view[..self.bytes as usize])),
-            Err(error) => Err(device.failure(&error)),
-        };
-        buffer.unmap();
-        taken
+        let buffer = self.staging.as_ref().unwrap_or(&self.on_device);
+        self.on_device.device.read_buffer(buffer, self.bytes, progress, take)
     }
 }
 

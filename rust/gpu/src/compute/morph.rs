@@ -31,7 +31,7 @@ pub fn morph(
 ) -> Result<()> {
     device.check()?;
     let program = Program {
-        text: &[include_str!("../shaders/compute_morph.wgsl")],
+        text: &[include_str!("../shaders/morph.wgsl"), include_str!("../shaders/compute_morph.wgsl")],
         entry: match morph.kind {
             Kind::Blend => "morph_blend",
             Kind::Cylinder => "morph_cylinder",

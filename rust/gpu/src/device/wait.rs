@@ -28,6 +28,23 @@ impl Device {
         }
     }
 
+    /// Calls `take` with the beginning of a buffer once the device has finished with it.
+    pub(crate) fn read_buffer<R>(
+        &self,
+        buffer: &Buffer,
+        bytes: u64,
+        progress: &Progress,
+        take: impl FnOnce(&[u8]) -> R,
+    ) -> Result<R> {
+        // Mapped ranges are of whole pairs of words.
+        let room = bytes.next_multiple_of(8);
+        self.open_buffer(buffer, room, MapMode::Read, progress)?;
+        let view = buffer.get_mapped_range(..room);
+        let taken = view.map(|view| take(&view[..bytes as usize])).map_err(|error| self.failure(&error));
+        buffer.unmap();
+        taken
+    }
+
     /// Waits until the beginning of a buffer is mapped for the processor; on failure it is unmapped.
     pub(crate) fn open_buffer(&self, buffer: &Buffer, bytes: u64, mode: MapMode, progress: &Progress) -> Result<()> {
         let answer = Arc::new(AtomicU32::new(0));

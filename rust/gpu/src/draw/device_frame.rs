@@ -97,19 +97,12 @@ impl DeviceFrame {
     /// The output's words, copied by this thread alone: a thread that waits inside rayon may run another task, which
     /// may need the same lock.
     fn words(&self, submitted: &Submitted, progress: &Progress) -> Result<Vec<u32>> {
-        let (readable, room) = (submitted.slot.readable(), submitted.slot.shape.bytes.next_multiple_of(8));
         let _alone = self.alone();
-        self.device.open_buffer(readable, room, wgpu::MapMode::Read, progress)?;
-        let words = match readable.get_mapped_range(..room) {
-            Ok(view) => {
-                let mut words = vec![0; view.len() / size_of::<u32>()];
-                bytemuck::cast_slice_mut(&mut words).copy_from_slice(&view);
-                Ok(words)
-            }
-            Err(error) => Err(self.device.failure(&error)),
-        };
-        readable.unmap();
-        words
+        self.device.read_buffer(submitted.slot.readable(), submitted.slot.shape.bytes, progress, |bytes| {
+            let mut words = vec![0; bytes.len() / size_of::<u32>()];
+            bytemuck::cast_slice_mut(&mut words).copy_from_slice(bytes);
+            words
+        })
     }
 
     /// Linear colour, three words for each pixel.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nearfar_core::scene::{Instance, Scene};
 
 use super::style::{Cut, Displacement, Style};
-use crate::upload::{RECORD_WORDS, SceneTables};
+use crate::upload::{RECORD_WORDS, SceneTables, SetTables};
 
 /// Half of a scene's instances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,19 +64,12 @@ impl Layer {
 
     /// For each record of the set, its instance and first face.
     pub fn record_faces(&self) -> &[(u32, u32)] {
-        match self.set {
-            Set::Standing => &self.tables.standing.record_faces,
-            Set::Moving => &self.tables.moving.record_faces,
-        }
+        &self.set_tables().record_faces
     }
 
     /// A record of the set.
     pub fn record(&self, record: u32) -> [u32; RECORD_WORDS] {
-        let set = match self.set {
-            Set::Standing => &self.tables.standing,
-            Set::Moving => &self.tables.moving,
-        };
-        set.record(self.instances(), record as usize)
+        self.set_tables().record(self.instances(), record as usize)
     }
 
     /// Object of a face of the nth instance of the set.
@@ -107,10 +100,19 @@ impl Layer {
         Some((&sources.scene, instance, face))
     }
 
-    fn instances(&self) -> &[Instance] {
+    /// The set's instances.
+    pub fn instances(&self) -> &[Instance] {
         match self.set {
             Set::Standing => self.scene.standing.instances(),
             Set::Moving => self.scene.moving.instances(),
+        }
+    }
+
+    /// The set on the device.
+    pub fn set_tables(&self) -> &SetTables {
+        match self.set {
+            Set::Standing => &self.tables.standing,
+            Set::Moving => &self.tables.moving,
         }
     }
 }

@@ -106,10 +106,7 @@ impl Plan {
     }
 
     fn add(&mut self, number: usize, layer: &Layer, frustum: Option<&Frustum>, order: &mut Vec<u32>) {
-        let (set, instances) = match layer.set {
-            Set::Standing => (&layer.tables.standing, layer.scene.standing.instances()),
-            Set::Moving => (&layer.tables.moving, layer.scene.moving.instances()),
-        };
+        let (set, instances) = (layer.set_tables(), layer.instances());
         let batches: Vec<(RecordsAt, u32, u32)> = match layer.set {
             Set::Standing => {
                 let one = |r: &Records| (RecordsAt::Buffer(Arc::clone(&r.buffer)), r.first, r.count);

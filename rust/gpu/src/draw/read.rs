@@ -1,5 +1,6 @@
 //! The output as a frame's images: copies, and numbers of records and faces replaced by the scene's.
 
+use bytemuck::Pod;
 use nearfar_core::base::Result;
 use nearfar_core::render::Frame;
 use rayon::prelude::*;
@@ -8,6 +9,7 @@ use super::layers::Layer;
 use super::picture::Picture;
 use super::plan::Numbering;
 use super::submitted::Submitted;
+use super::view::Window;
 use crate::device::Device;
 
 /// Copies a window into its place in a frame of `width` pixels a row.
@@ -31,57 +33,38 @@ pub(super) fn fill(words: &[u32], submitted: &Submitted, picture: &Picture, widt
         let start = submitted.outputs[channel] as usize;
         &words[start..start + each * window.pixels()]
     };
-    let (columns, stride) = (window.width as usize, width as usize);
-    let first = window.row as usize * stride + window.column as usize;
-    // First pixel of a row of the window in the frame.
-    let place = |image_row: usize| first + image_row * stride;
     let vectors = [(0, &mut frame.color), (3, &mut frame.position), (4, &mut frame.normal)];
     for (channel, image) in vectors.into_iter().filter(|(_, image)| !image.is_empty()) {
-        let values: &[[f32; 3]] = bytemuck::cast_slice(section(channel, 3));
-        rows(image, place(0), stride, columns, window.height).zip(values.par_chunks(columns)).for_each(|(to, from)| {
-            to.copy_from_slice(from);
-        });
+        fill_rows(image, section(channel, 3), window, width, <[[f32; 3]]>::copy_from_slice);
     }
     if !frame.range.is_empty() {
-        let values: &[f32] = bytemuck::cast_slice(section(1, 1));
-        rows(&mut frame.range, place(0), stride, columns, window.height)
-            .zip(values.par_chunks(columns))
-            .for_each(|(to, from)| to.copy_from_slice(from));
+        fill_rows(&mut frame.range, section(1, 1), window, width, <[f32]>::copy_from_slice);
     }
     let numbers = FaceNumbers { picture, numbering: &submitted.numbering };
     if !frame.object_id.is_empty() {
-        let values: &[[u32; 2]] = bytemuck::cast_slice(section(2, 2));
-        rows(&mut frame.object_id, place(0), stride, columns, window.height).zip(values.par_chunks(columns)).for_each(
-            |(to, from)| {
-                numbers.fill(
-                    to,
-                    from,
-                    |layer, instance, face| layer.object_of(instance, face),
-                    |n| numbers.far_object(n),
-                    -1,
-                )
-            },
-        );
+        fill_rows(&mut frame.object_id, section(2, 2), window, width, |to, from| {
+            numbers.fill(to, from, Layer::object_of, |texel| numbers.far_object(texel), -1);
+        });
     }
     if !frame.face_id.is_empty() {
-        let values: &[[u32; 2]] = bytemuck::cast_slice(section(2, 2));
-        rows(&mut frame.face_id, place(0), stride, columns, window.height).zip(values.par_chunks(columns)).for_each(
-            |(to, from)| numbers.fill(to, from, |layer, instance, face| layer.triangle_of(instance, face), |_| -1, -1),
-        );
+        fill_rows(&mut frame.face_id, section(2, 2), window, width, |to, from| {
+            numbers.fill(to, from, Layer::triangle_of, |_| -1, -1);
+        });
     }
 }
 
-/// The parts of an image's rows that a window covers.
-fn rows<T: Send>(
+/// Fills the parts of an image's rows that a window covers from the words of the window's pixels.
+fn fill_rows<T: Send, W: Pod + Sync>(
     image: &mut [T],
-    first: usize,
-    stride: usize,
-    columns: usize,
-    height: u32,
-) -> impl IndexedParallelIterator<Item = &mut [T]> {
-    let column = first % stride;
-    let rows = image[first - column..].par_chunks_mut(stride).take(height as usize);
-    rows.map(move |row| &mut row[column..column + columns])
+    words: &[u32],
+    window: &Window,
+    width: u32,
+    fill: impl Fn(&mut [T], &[W]) + Sync,
+) {
+    let (first, columns) = (window.column as usize, window.width as usize);
+    let rows = image.par_chunks_mut(width as usize).skip(window.row as usize);
+    let pixels: &[W] = bytemuck::cast_slice(words);
+    rows.zip(pixels.par_chunks(columns)).for_each(|(row, from)| fill(&mut row[first..first + columns], from));
 }
 
 /// Numbers of the scene by numbers of a frame's records.

@@ -5,10 +5,10 @@ use nearfar_core::morph::Kind;
 
 use crate::draw::{Cut, Displacement, Parameters, Snippet, Style};
 
-const MORPH: &str = include_str!("../shaders/morph.wgsl");
+const SHOWN: &str = concat!(include_str!("../shaders/morph.wgsl"), include_str!("../shaders/shown.wgsl"));
 const ZONES: &str = include_str!("../shaders/zones.wgsl");
 
-/// Where points are shown: variants of `morph.wgsl`.
+/// Where points are shown: variants of `shown.wgsl`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Shown {
     /// Where they are.
@@ -39,7 +39,7 @@ impl Shown {
     pub fn style(self) -> Style {
         match self {
             Self::AsItIs => Style::PLAIN,
-            _ => Style(Snippet { name: "morph", text: MORPH, variant: self as u32 }),
+            _ => Style(Snippet { name: "shown", text: SHOWN, variant: self as u32 }),
         }
     }
 
@@ -102,7 +102,7 @@ pub(super) struct NearFar {
 }
 
 impl NearFar {
-    /// As `morph.wgsl` and `zones.wgsl` read them.
+    /// As `shown.wgsl` and `zones.wgsl` read them.
     pub fn parameters(&self) -> Parameters {
         let [r1, r2] = self.radii;
         let slope = if r2 > r1 { 1.0 / (r2 - r1) } else { 0.0 };

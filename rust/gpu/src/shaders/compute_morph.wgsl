@@ -1,4 +1,4 @@
-// Where points are shown: Popescu, Lee, Choi, Fahmy (2022), Eq. 1-3, and CloVR (2024), Alg. 1, of arrays.
+// The morph of arrays, by the functions of `morph.wgsl`.
 
 struct Morph {
     // The centre as the sum of two numbers.
@@ -18,8 +18,6 @@ struct Morph {
 
 // Squares beyond this come near to float32's end.
 const FAR: f32 = 1e28;
-// A blend of unit vectors below this has no digits left.
-const OPPOSED: f32 = 1e-6;
 
 fn number_of(group: vec3<u32>, local: u32) -> u32 {
     return (group.y * ROW + group.x) * GROUP + local;
@@ -40,21 +38,6 @@ fn is_finite(p: vec3<f32>) -> bool {
     return all((bitcast<vec3<u32>>(p) & vec3<u32>(0x7f800000u)) != vec3<u32>(0x7f800000u));
 }
 
-// Eq. 1-3 as written, relative to the user.
-fn blended(from_center: vec3<f32>, w: f32) -> vec4<f32> {
-    let from_user = from_center - morph.offset.xyz;
-    let by_user = length(from_user);
-    let by_center = length(from_center);
-    let user_direction = from_user / max(by_user, 1e-30);
-    let mixed = w * user_direction + (1.0 - w) * from_center / max(by_center, 1e-30);
-    let size = length(mixed);
-    var direction = user_direction;
-    if size > OPPOSED {
-        direction = mixed / size;
-    }
-    return vec4<f32>(direction, w * by_user + (1.0 - w) * by_center);
-}
-
 fn relative_to_center(p: vec3<f32>) -> vec3<f32> {
     return (p - morph.center_high.xyz) - morph.center_low.xyz;
 }
@@ -68,7 +51,7 @@ fn in_the_world(from_center: vec3<f32>) -> vec3<f32> {
 // b = 1 - w (w + (1-w) B/A)/n. Both are of the size of |v|, so that rounding is relative to the user's offset.
 fn moved_by_blend(p: vec3<f32>, from_center: vec3<f32>, rho: f32) -> vec3<f32> {
     let v = morph.offset.xyz;
-    let w = clamp((morph.radii.y - rho) * morph.radii.z, 0.0, 1.0);
+    let w = user_weight(rho, morph.radii.y, morph.radii.z);
     let from_user = from_center - v;
     let b_squared = dot(from_center, from_center);
     if b_squared > FAR {
@@ -78,7 +61,7 @@ fn moved_by_blend(p: vec3<f32>, from_center: vec3<f32>, rho: f32) -> vec3<f32> {
     let a = length(from_user);
     let b = sqrt(b_squared);
     if morph.offset.w > a * b {
-        let to = blended(from_center, w);
+        let to = blended(from_user, from_center, w);
         return in_the_world(v + to.w * to.xyz);
     }
     let difference = (morph.offset.w - 2.0 * dot(from_center, v)) / (a + b);
@@ -109,22 +92,6 @@ fn morph_blend(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocatio
     }
 }
 
-// Distance from the user along a unit direction to where it leaves the cylinder of radius rho; negative where the user
-// stands outside or the direction never leaves. The larger root in the form that does not cancel.
-fn leave_cylinder(direction: vec3<f32>, rho: f32) -> f32 {
-    let a = dot(direction.xz, direction.xz);
-    if rho <= morph.radii.w || a == 0.0 {
-        return -1.0;
-    }
-    let b = dot(direction.xz, morph.offset.xz);
-    let c = (morph.radii.w - rho) * (morph.radii.w + rho);
-    let q = sqrt(max(b * b - a * c, 0.0));
-    if b > 0.0 {
-        return -c / (b + q);
-    }
-    return (q - b) / a;
-}
-
 @compute @workgroup_size(GROUP)
 fn morph_cylinder(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) local: u32) {
     let number = number_of(group, local);
@@ -139,10 +106,9 @@ fn morph_cylinder(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invoca
     } else if rho <= morph.radii.x {
         store(number, p);
     } else {
-        let w = clamp((morph.radii.y - rho) * morph.radii.z, 0.0, 1.0);
-        let to = blended(from_center, w);
-        let exit = leave_cylinder(to.xyz, rho);
-        let distance = select(to.w, exit, exit >= 0.0);
-        store(number, in_the_world(morph.offset.xyz + distance * to.xyz));
+        let w = user_weight(rho, morph.radii.y, morph.radii.z);
+        let user = Place(morph.offset.xz, morph.radii.w);
+        let to = on_cylinder(user, from_center - morph.offset.xyz, from_center, w, rho);
+        store(number, in_the_world(morph.offset.xyz + to.w * to.xyz));
     }
 }

@@ -15,5 +15,5 @@ pub(crate) use pages::Page;
 pub(crate) use records::{RECORD_WORDS, Records};
 pub(crate) use residents::{Placeholders, Residents};
 pub(crate) use runs::CHUNK;
-pub(crate) use tables::{InstanceParts, PART_WORDS, SceneTables};
+pub(crate) use tables::{InstanceParts, PART_WORDS, SceneTables, SetTables};
 pub(crate) use texels::Texels;

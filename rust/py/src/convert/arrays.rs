@@ -3,7 +3,10 @@
 use std::slice;
 
 use nearfar_core::base::Buffer;
-use numpy::{Element, PyArrayDyn, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::ndarray::IntoDimension;
+use numpy::{
+    Element, IntoPyArray, PyArray, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods,
+};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -12,6 +15,47 @@ use pyo3::prelude::*;
 pub enum Points<'py> {
     Single(PyReadonlyArray2<'py, f32>),
     Double(PyReadonlyArray2<'py, f64>),
+}
+
+/// Evaluates an expression with the array of an enum of arrays, whatever its type.
+macro_rules! with_array {
+    ($kind:ident::{$($variant:ident),+}, $value:expr, $array:ident => $body:expr) => {
+        match $value {
+            $($kind::$variant($array) => $body,)+
+        }
+    };
+}
+
+/// Evaluates an expression with rows of 3 coordinates, whatever their type.
+macro_rules! with_rows {
+    ($points:expr, $rows:ident => $body:expr) => {
+        $crate::convert::arrays::with_array!(Points::{Single, Double}, $points, array => {
+            let $rows = array.as_slice()?.as_chunks::<3>().0;
+            $body
+        })
+    };
+}
+
+pub(crate) use {with_array, with_rows};
+
+/// A new array whose values a kernel writes.
+pub fn filled<'py, T: Element, S: IntoDimension>(
+    py: Python<'py>,
+    shape: S,
+    write: impl FnOnce(&mut [T]) -> PyResult<()>,
+) -> PyResult<Bound<'py, PyArray<T, S::Dim>>> {
+    let array = PyArray::zeros(py, shape, false);
+    write(array.readwrite().as_slice_mut()?)?;
+    Ok(array)
+}
+
+/// Rows as an array (N, C), without a copy.
+pub fn array_of_rows<T: Element, const C: usize>(
+    py: Python<'_>,
+    rows: Vec<[T; C]>,
+) -> PyResult<Bound<'_, PyArray2<T>>> {
+    let count = rows.len();
+    rows.into_flattened().into_pyarray(py).reshape([count, C])
 }
 
 /// Keeps a NumPy array alive while kernels read its memory.

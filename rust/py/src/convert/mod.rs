@@ -1,5 +1,6 @@
-//! Conversions that all bindings share: arrays, errors, and the way to run a kernel.
+//! Conversions that all bindings share: arrays, errors, names, and the way to run a kernel.
 
 pub mod arrays;
 pub mod errors;
+pub mod names;
 pub mod run;

@@ -1,24 +1,22 @@
 //! Bindings of `cubemap`: pictures of all directions in three layouts.
 
-use nearfar_core::base::{Error, Result};
-use nearfar_core::cubemap::{self, Grid, Layout, Number, Panorama};
+use nearfar_core::base::{Real, Result};
+use nearfar_core::cubemap::{self, Grid, Layout, Panorama};
 use numpy::{Element, PyReadonlyArray2, PyReadwriteArray1, PyReadwriteArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
-use super::directions::{along, filter};
-use crate::convert::arrays::Points;
+use super::directions::filter;
+use crate::convert::arrays::{Points, with_array, with_rows};
+use crate::convert::names::choice;
 use crate::convert::run;
 
 /// Layout, rows (of one face) and columns.
 pub(crate) type Shape = (String, u32, u32);
 
 fn grid((layout, height, width): &Shape) -> Result<Grid> {
-    let layout = match layout.as_str() {
-        "cube" => Layout::Cube,
-        "equirectangular" => Layout::Equirectangular,
-        "octahedral" => Layout::Octahedral,
-        _ => return Err(Error::value("layout", "'cube', 'equirectangular' or 'octahedral'", format!("'{layout}'"))),
-    };
+    use Layout::{Cube, Equirectangular, Octahedral};
+    let layouts = [("cube", Cube), ("equirectangular", Equirectangular), ("octahedral", Octahedral)];
+    let layout = choice("layout", layout, &layouts)?;
     Grid::new(layout, *height, *width)
 }
 
@@ -38,7 +36,7 @@ pub(crate) enum PictureBits<'py> {
     Eight((PyReadonlyArray2<'py, u64>, PyReadwriteArray2<'py, u64>)),
 }
 
-fn filtered<T: Number + Element>(
+fn filtered<T: Real + Element>(
     py: Python<'_>,
     (values, out): &mut (PyReadonlyArray2<'_, T>, PyReadwriteArray2<'_, T>),
     shapes: &[Shape; 2],
@@ -78,10 +76,9 @@ pub(crate) fn convert_envmap(
     samples: u32,
     report: Option<Py<PyAny>>,
 ) -> PyResult<()> {
-    match &mut pictures {
-        Pictures::Single(pictures) => filtered(py, pictures, &shapes, (filter, samples), report),
-        Pictures::Double(pictures) => filtered(py, pictures, &shapes, (filter, samples), report),
-    }
+    with_array!(Pictures::{Single, Double}, &mut pictures, pictures => {
+        filtered(py, pictures, &shapes, (filter, samples), report)
+    })
 }
 
 /// Writes a picture in another layout by the nearest texel.
@@ -93,12 +90,7 @@ pub(crate) fn convert_envmap_nearest(
     shapes: [Shape; 2],
     report: Option<Py<PyAny>>,
 ) -> PyResult<()> {
-    match &mut pictures {
-        PictureBits::One(pictures) => copied(py, pictures, &shapes, report),
-        PictureBits::Two(pictures) => copied(py, pictures, &shapes, report),
-        PictureBits::Four(pictures) => copied(py, pictures, &shapes, report),
-        PictureBits::Eight(pictures) => copied(py, pictures, &shapes, report),
-    }
+    with_array!(PictureBits::{One, Two, Four, Eight}, &mut pictures, pictures => copied(py, pictures, &shapes, report))
 }
 
 /// Writes the directions (N, 3) of all texel centres.
@@ -117,5 +109,5 @@ pub(crate) fn envmap_texels(
     mut out: PyReadwriteArray1<'_, i64>,
 ) -> PyResult<()> {
     let out = out.as_slice_mut()?;
-    along!(directions, rows => run::short(py, || cubemap::grid_texels(grid(&shape)?, rows, out)))
+    with_rows!(&directions, rows => run::short(py, || cubemap::grid_texels(grid(&shape)?, rows, out)))
 }

@@ -1,13 +1,14 @@
 //! Bindings of `cubemap`: values of a cube's faces along directions, and its coarser levels.
 
-use nearfar_core::base::Error;
-use nearfar_core::cubemap::{self, CubeFaces, Number, Reduction};
+use nearfar_core::base::Real;
+use nearfar_core::cubemap::{self, CubeFaces, Reduction};
 use numpy::{Element, PyReadonlyArray4, PyReadwriteArray2, PyReadwriteArray4, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
-use super::directions::{along, filter};
-use crate::convert::arrays::Points;
+use super::directions::filter;
+use crate::convert::arrays::{Points, with_array, with_rows};
 use crate::convert::errors::to_python;
+use crate::convert::names::choice;
 use crate::convert::run;
 
 /// Faces (6, S, S, C) and the values (N, C) to be written, of one type.
@@ -30,7 +31,7 @@ fn faces<'a, T: Element + Copy>(array: &'a PyReadonlyArray4<'_, T>) -> PyResult<
     Ok((array.as_slice()?, u32::try_from(array.shape()[1]).unwrap_or(u32::MAX), array.shape()[3]))
 }
 
-fn look<T: Number + Element>(
+fn look<T: Real + Element>(
     py: Python<'_>,
     (maps, out): &mut (PyReadonlyArray4<'_, T>, PyReadwriteArray2<'_, T>),
     directions: &Points<'_>,
@@ -38,7 +39,7 @@ fn look<T: Number + Element>(
 ) -> PyResult<()> {
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
-    along!(*directions, rows => run::short(py, || {
+    with_rows!(directions, rows => run::short(py, || {
         cubemap::lookup(CubeFaces::new(values, size, channels)?, rows, filter(name)?, out)
     }))
 }
@@ -50,27 +51,19 @@ fn pick<T: Element + Copy + Send + Sync>(
 ) -> PyResult<()> {
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
-    along!(*directions, rows => run::short(py, || cubemap::nearest(CubeFaces::new(values, size, channels)?, rows, out)))
+    with_rows!(directions, rows => run::short(py, || cubemap::nearest(CubeFaces::new(values, size, channels)?, rows, out)))
 }
 
 /// Filtered values along directions (N, 3).
 #[pyfunction]
 pub(crate) fn cube_lookup(py: Python<'_>, mut maps: Maps<'_>, directions: Points<'_>, filter: &str) -> PyResult<()> {
-    match &mut maps {
-        Maps::Single(maps) => look(py, maps, &directions, filter),
-        Maps::Double(maps) => look(py, maps, &directions, filter),
-    }
+    with_array!(Maps::{Single, Double}, &mut maps, maps => look(py, maps, &directions, filter))
 }
 
 /// The texels that directions (N, 3) pass through.
 #[pyfunction]
 pub(crate) fn cube_nearest(py: Python<'_>, mut maps: MapBits<'_>, directions: Points<'_>) -> PyResult<()> {
-    match &mut maps {
-        MapBits::One(maps) => pick(py, maps, &directions),
-        MapBits::Two(maps) => pick(py, maps, &directions),
-        MapBits::Four(maps) => pick(py, maps, &directions),
-        MapBits::Eight(maps) => pick(py, maps, &directions),
-    }
+    with_array!(MapBits::{One, Two, Four, Eight}, &mut maps, maps => pick(py, maps, &directions))
 }
 
 /// The least or greatest of the texels that cones of an angle about directions (N, 3) touch.
@@ -82,13 +75,10 @@ pub(crate) fn cube_footprint(
     filter: &str,
     radius: f64,
 ) -> PyResult<()> {
-    match &mut maps {
-        Maps::Single(maps) => touch(py, maps, &directions, filter, radius),
-        Maps::Double(maps) => touch(py, maps, &directions, filter, radius),
-    }
+    with_array!(Maps::{Single, Double}, &mut maps, maps => touch(py, maps, &directions, filter, radius))
 }
 
-fn touch<T: Number + Element>(
+fn touch<T: Real + Element>(
     py: Python<'_>,
     (maps, out): &mut (PyReadonlyArray4<'_, T>, PyReadwriteArray2<'_, T>),
     directions: &Points<'_>,
@@ -97,7 +87,7 @@ fn touch<T: Number + Element>(
 ) -> PyResult<()> {
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
-    along!(*directions, rows => run::short(py, || {
+    with_rows!(directions, rows => run::short(py, || {
         cubemap::footprint(CubeFaces::new(values, size, channels)?, rows, radius, filter(name)?, out)
     }))
 }
@@ -112,23 +102,16 @@ pub(crate) enum LevelPair<'py> {
 /// Writes the next level of a cube map.
 #[pyfunction]
 pub(crate) fn cube_next_level(py: Python<'_>, mut levels: LevelPair<'_>, filter: &str) -> PyResult<()> {
-    match &mut levels {
-        LevelPair::Single(levels) => reduce(py, levels, filter),
-        LevelPair::Double(levels) => reduce(py, levels, filter),
-    }
+    with_array!(LevelPair::{Single, Double}, &mut levels, levels => reduce(py, levels, filter))
 }
 
-fn reduce<T: Number + Element>(
+fn reduce<T: Real + Element>(
     py: Python<'_>,
     (maps, out): &mut (PyReadonlyArray4<'_, T>, PyReadwriteArray4<'_, T>),
     filter: &str,
 ) -> PyResult<()> {
-    let reduction = match filter {
-        "mean" => Reduction::Mean,
-        "min" => Reduction::Min,
-        "max" => Reduction::Max,
-        _ => return Err(to_python(Error::value("filter", "'mean', 'min' or 'max'", format!("'{filter}'")))),
-    };
+    let reductions = [("mean", Reduction::Mean), ("min", Reduction::Min), ("max", Reduction::Max)];
+    let reduction = choice("filter", filter, &reductions).map_err(to_python)?;
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
     run::short(py, || cubemap::next_level(CubeFaces::new(values, size, channels)?, reduction, out))

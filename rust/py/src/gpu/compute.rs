@@ -10,6 +10,7 @@ use pyo3::prelude::*;
 use super::device::GpuDevice;
 use super::frame::GpuFrame;
 use crate::camera::Camera;
+use crate::convert::names::choice;
 use crate::convert::run;
 use crate::morph::kind;
 
@@ -75,12 +76,7 @@ pub(crate) fn gpu_morph(
 }
 
 fn filter(name: &str) -> Result<Filter> {
-    match name {
-        "nearest" => Ok(Filter::Nearest),
-        "min" => Ok(Filter::Min),
-        "max" => Ok(Filter::Max),
-        _ => Err(Error::value("filter", "'nearest', 'min' or 'max'", format!("'{name}'"))),
-    }
+    choice("filter", name, &[("nearest", Filter::Nearest), ("min", Filter::Min), ("max", Filter::Max)])
 }
 
 /// Writes values of a cube map along directions.

@@ -2,9 +2,10 @@
 
 use nearfar_core::base::Progress;
 use nearfar_core::lod::{self, LogisticCurve, Status, Unfit};
-use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
 
+use crate::convert::arrays::array_of_rows;
 use crate::convert::run;
 
 /// The row of the table of outcomes in `nearfar.lod`.
@@ -43,7 +44,6 @@ pub(crate) fn fit_4pl<'py>(
     } else {
         run::long(py, report, |progress| lod::fit_4pl(x, y, count, progress))
     }?;
-    let rows: Vec<f64> = curves.iter().flat_map(|&LogisticCurve { a, b, c, d, rms, .. }| [a, b, c, d, rms]).collect();
-    let table = PyArray1::from_vec(py, rows).reshape([curves.len(), 5])?;
-    Ok((table, PyArray1::from_iter(py, curves.iter().map(|curve| code(curve.status)))))
+    let rows = curves.iter().map(|&LogisticCurve { a, b, c, d, rms, .. }| [a, b, c, d, rms]).collect();
+    Ok((array_of_rows(py, rows)?, PyArray1::from_iter(py, curves.iter().map(|curve| code(curve.status)))))
 }

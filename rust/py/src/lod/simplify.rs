@@ -1,11 +1,14 @@
 //! Bindings of `lod`: coarser surfaces.
 
-use nearfar_core::base::{Error, Result};
+use nearfar_core::base::Result;
 use nearfar_core::lod::{self, Allowance, Charts, Vertices};
-use numpy::PyUntypedArrayMethods;
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
+use numpy::{
+    IntoPyArray, PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3, PyUntypedArrayMethods,
+};
 use pyo3::prelude::*;
 
+use crate::convert::arrays::array_of_rows;
+use crate::convert::names::choice;
 use crate::convert::run;
 
 /// The first row that each row of bytes is equal to.
@@ -47,18 +50,12 @@ pub(crate) fn carry<'py>(
     let (corners, starts) = (corners.as_slice()?.as_chunks().0.as_chunks().0, starts.as_slice()?);
     let places = run::long(py, report, |progress| Charts::new(positions, faces)?.places(corners, starts, progress))?;
     let places = places.as_flattened();
-    let weights: Vec<f64> = places.iter().flat_map(|place| place.weights).collect();
-    let faces = PyArray1::from_iter(py, places.iter().map(|place| place.face));
-    Ok((faces, PyArray1::from_vec(py, weights).reshape([places.len(), 2])?))
+    let weights = places.iter().map(|place| place.weights).collect();
+    Ok((PyArray1::from_iter(py, places.iter().map(|place| place.face)), array_of_rows(py, weights)?))
 }
 
 fn giving_up(name: &str) -> Result<Allowance> {
-    Ok(match name {
-        "nothing" => Allowance::Nothing,
-        "seams" => Allowance::Seams,
-        "parts" => Allowance::Parts,
-        _ => return Err(Error::value("given", "'nothing', 'seams' or 'parts'", format!("'{name}'"))),
-    })
+    choice("given", name, &[("nothing", Allowance::Nothing), ("seams", Allowance::Seams), ("parts", Allowance::Parts)])
 }
 
 /// Faces after edge collapses by meshoptimizer, and its estimate of the error as a share of the extent.
@@ -82,6 +79,5 @@ pub(crate) fn collapse<'py>(
     };
     let faces = faces.as_slice()?.as_chunks().0;
     let (left, error) = run::short(py, || lod::collapse(vertices, faces, target, giving_up(given)?))?;
-    let count = left.len();
-    Ok((PyArray1::from_vec(py, left.into_flattened()).reshape([count, 3])?, error))
+    Ok((array_of_rows(py, left)?, error))
 }

@@ -2,7 +2,8 @@
 
 use nearfar_core::render::{Channels, Frame};
 use nearfar_core::scene::srgb::srgb_from_linear;
-use numpy::{Element, PyArray, PyArray1, PyArrayMethods, PyReadonlyArrayDyn};
+use numpy::ndarray::IntoDimension;
+use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArrayDyn};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -31,31 +32,21 @@ pub fn channels(names: &[String]) -> PyResult<Channels> {
 pub fn images<'py>(py: Python<'py>, frame: Frame, (height, width): (usize, usize)) -> PyResult<Bound<'py, PyDict>> {
     let images = PyDict::new(py);
     let vectors = [("color", frame.color), ("position", frame.position), ("normal", frame.normal)];
-    for (name, image) in vectors.into_iter().filter(|(_, image)| !image.is_empty()) {
-        images.set_item(name, array(py, image.into_flattened(), [height, width, 3])?)?;
+    for (name, image) in vectors {
+        put(&images, name, image.into_flattened(), [height, width, 3])?;
     }
-    if !frame.range.is_empty() {
-        images.set_item("range", array(py, frame.range, [height, width])?)?;
-    }
-    if !frame.object_id.is_empty() {
-        images.set_item("object_id", array(py, frame.object_id, [height, width])?)?;
-    }
-    if !frame.face_id.is_empty() {
-        images.set_item("face_id", array(py, frame.face_id, [height, width])?)?;
-    }
+    put(&images, "range", frame.range, [height, width])?;
+    put(&images, "object_id", frame.object_id, [height, width])?;
+    put(&images, "face_id", frame.face_id, [height, width])?;
     Ok(images)
 }
 
-fn array<T: Element, const N: usize>(
-    py: Python<'_>,
-    values: Vec<T>,
-    shape: [usize; N],
-) -> PyResult<Bound<'_, PyArray<T, numpy::ndarray::Dim<[usize; N]>>>>
-where
-    numpy::ndarray::Dim<[usize; N]>: numpy::ndarray::Dimension,
-    [usize; N]: numpy::ndarray::IntoDimension<Dim = numpy::ndarray::Dim<[usize; N]>>,
-{
-    PyArray1::from_vec(py, values).reshape(shape)
+/// Adds an image, if the frame has it.
+fn put<T: Element, S: IntoDimension>(images: &Bound<'_, PyDict>, name: &str, values: Vec<T>, shape: S) -> PyResult<()> {
+    if values.is_empty() {
+        return Ok(());
+    }
+    images.set_item(name, PyArray1::from_vec(images.py(), values).reshape(shape)?)
 }
 
 /// sRGB codes of linear values, in one dimension.

@@ -2,13 +2,12 @@
 
 use std::sync::Arc;
 
-use nearfar_core::base::Error;
 use nearfar_core::scene::{self, LevelMeshes};
 use numpy::{PyArray1, PyArray3, PyReadonlyArray1, PyReadonlyArray3};
 use pyo3::prelude::*;
 
 use super::mesh::Mesh;
-use super::placements::{affines, instances, rows_of};
+use super::placements::{affines, rows_of, standing_and_moving};
 use super::scene::Scene;
 use crate::convert::run;
 
@@ -66,11 +65,7 @@ pub(crate) fn with_instances<'py>(
     let meshes = meshes.iter().map(|mesh| Arc::clone(&mesh.0)).collect();
     let (placements, objects) = (affines(&placements), objects.as_array());
     run::short(py, || {
-        let mut standing = instances(meshes, placements, objects)?;
-        if standing_count > standing.len() {
-            return Err(Error::value("standing_count", "at most the number of instances", standing_count));
-        }
-        let moving = standing.split_off(standing_count);
+        let (standing, moving) = standing_and_moving(meshes, placements, objects, standing_count)?;
         Ok(scene.0.with_instances(standing, moving))
     })
     .map(Scene)

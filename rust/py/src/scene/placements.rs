@@ -34,15 +34,23 @@ pub(crate) fn affines(placements: &PyReadonlyArray3<'_, f64>) -> Vec<DAffine3> {
         .collect()
 }
 
-/// Placed meshes: `placements` are (I, 3, 4) object→scene, `objects` −1 leaves the object to the mesh.
-pub(crate) fn instances(
+/// Placed meshes, of which the first `standing_count` stand and the others move: `placements` are (I, 3, 4)
+/// object→scene, `objects` −1 leaves the object to the mesh.
+pub(crate) fn standing_and_moving(
     meshes: Vec<Arc<Mesh>>,
     placements: Vec<DAffine3>,
     objects: ArrayView1<'_, i32>,
-) -> Result<Vec<Instance>> {
+    standing_count: usize,
+) -> Result<(Vec<Instance>, Vec<Instance>)> {
     same_length(meshes.len(), &placements, objects.len())?;
     let placed = meshes.into_iter().zip(placements).zip(objects);
-    placed.map(|((mesh, to_scene), &object)| Instance::new(mesh, to_scene, named(object))).collect()
+    let placed = placed.map(|((mesh, to_scene), &object)| Instance::new(mesh, to_scene, named(object)));
+    let mut standing = placed.collect::<Result<Vec<_>>>()?;
+    if standing_count > standing.len() {
+        return Err(Error::value("standing_count", "at most the number of instances", standing_count));
+    }
+    let moving = standing.split_off(standing_count);
+    Ok((standing, moving))
 }
 
 /// Placements (I, 3, 4) of instances.

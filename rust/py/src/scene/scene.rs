@@ -11,7 +11,7 @@ use numpy::{
 use pyo3::prelude::*;
 
 use super::mesh::Mesh;
-use super::placements::{affines, instances, rows_of};
+use super::placements::{affines, rows_of, standing_and_moving};
 use crate::convert::arrays::buffer;
 use crate::convert::errors::to_python;
 use crate::convert::run;
@@ -56,11 +56,7 @@ impl Scene {
             .collect();
         let textures = textures.iter().map(texture).collect::<PyResult<_>>()?;
         run::short(py, || {
-            let mut standing = instances(meshes, placements, objects)?;
-            if standing_count > standing.len() {
-                return Err(Error::value("standing_count", "at most the number of instances", standing_count));
-            }
-            let moving = standing.split_off(standing_count);
+            let (standing, moving) = standing_and_moving(meshes, placements, objects, standing_count)?;
             scene::Scene::new(DVec3::from_array(origin), standing, moving, Arc::new(materials), Arc::new(textures))
         })
         .map(Self)
@@ -68,12 +64,8 @@ impl Scene {
 
     /// All instances as one mesh, relative to the origin.
     fn merged(&self, py: Python<'_>) -> PyResult<Mesh> {
-        let part = |instance: &Instance| PlacedMesh {
-            mesh: Arc::clone(&instance.mesh),
-            to_scene: instance.to_scene,
-            object: instance.object,
-        };
-        run::short(py, || scene::merge(&self.0.instances().map(part).collect::<Vec<_>>())).map(|m| Mesh(Arc::new(m)))
+        let parts: Vec<PlacedMesh> = self.0.instances().map(PlacedMesh::of).collect();
+        run::short(py, || scene::merge(&parts)).map(|mesh| Mesh(Arc::new(mesh)))
     }
 
     /// A standing mesh as object 0, with the same origin, materials and textures.

@@ -29,18 +29,21 @@ pub trait Depth: Copy + Into<f64> + Send + Sync + 'static {
     const GREATEST: f64;
     /// Accepted values, for messages.
     const EXPECTED: &'static str;
-    /// The ranges of a block.
-    #[doc(hidden)]
-    fn ranges(line: &DepthRow, column: i32, depth: &[Self; BLOCK], ranges: &mut [Self::Range; BLOCK]) -> bool;
 }
 
-/// Ranges whose depths are asked for: float32 or float64, with the kernel.
+/// Ranges whose depths are asked for: float32 or float64.
 pub trait Ranged: Depth<Range = Self> + Real {
     /// Share of its range by which a place may lie before the near plane.
     const NEAR_TOLERANCE: f64;
-    /// The depth of a block.
-    #[doc(hidden)]
-    fn depths(line: &DepthRow, column: i32, ranges: &[Self; BLOCK], depth: &mut [Self; BLOCK]) -> bool;
+}
+
+vectorized! {
+    /// The ranges of a block; true where a value is none that depth buffers hold.
+    pub fn ranges<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool
+        = ranges_kernel;
+    /// The depth of a block; true where a range is negative or before the near plane.
+    pub fn depths<T: Ranged>(line: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool
+        = depths_kernel;
 }
 
 /// A block of numbers, aligned to vectors.
@@ -61,7 +64,7 @@ fn secants(line: &DepthRow, column: i32, secants: &mut PixelLanes) {
 // Both kernels: `&` and `|` instead of `&&` and `||`, whose branches keep the compiler from making vectors.
 
 #[inline(always)]
-fn ranges<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool {
+fn ranges_kernel<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool {
     // The ends for whole numbers: what stands for 1 is divided by once.
     let [low, high] = [line.ends[0] / T::GREATEST, line.ends[1] / T::GREATEST];
     let background = line.background * T::GREATEST;
@@ -85,7 +88,7 @@ fn ranges<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &m
 }
 
 #[inline(always)]
-fn depths<T: Ranged>(line: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool {
+fn depths_kernel<T: Ranged>(line: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool {
     let scale = 1.0 / (line.ends[1] - line.ends[0]);
     let slack = T::NEAR_TOLERANCE * (line.ends[0].max(line.ends[1]) * scale).abs();
     // Towards the far plane depth rises or falls.
@@ -117,10 +120,6 @@ macro_rules! stored {
             type Range = $range;
             const GREATEST: f64 = $most;
             const EXPECTED: &'static str = $expected;
-            vectorized! {
-                fn ranges(line: &DepthRow, column: i32, depth: &[$value; BLOCK], found: &mut [$range; BLOCK]) -> bool
-                    = ranges::<$value>;
-            }
         }
     )*};
 }
@@ -129,10 +128,6 @@ macro_rules! ranged {
     ($($float:ty, $nearly:expr);*) => {$(
         impl Ranged for $float {
             const NEAR_TOLERANCE: f64 = $nearly;
-            vectorized! {
-                fn depths(line: &DepthRow, column: i32, ranges: &[$float; BLOCK], depth: &mut [$float; BLOCK]) -> bool
-                    = depths::<$float>;
-            }
         }
     )*};
 }

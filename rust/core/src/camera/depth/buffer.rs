@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::super::projection::{Fov, Projection};
-use super::block::{BLOCK, Depth, DepthRow, Ranged};
+use super::block::{self, BLOCK, Depth, DepthRow, Ranged};
 use crate::base::{Error, Result, number};
 
 /// Results of a block of a row from a column on; true where one of them is NaN, because its value is refused.
@@ -120,13 +120,13 @@ impl DepthBuffer {
 
     /// Distances from the eye, metres; infinite where nothing was drawn. Images of the view, one after another.
     pub fn ranges<T: Depth>(&self, depth: &[T], ranges: &mut [T::Range]) -> Result<()> {
-        let wrong = self.each(depth, ranges, T::ranges);
+        let wrong = self.each(depth, ranges, block::ranges);
         wrong.map_or(Ok(()), |(pixel, value)| Err(self.refusal("depth", T::EXPECTED, pixel, value)))
     }
 
     /// Depths at distances from the eye: the inverse of `ranges`. Beyond the far plane the buffer is empty.
     pub fn depths<T: Ranged>(&self, ranges: &[T], depth: &mut [T]) -> Result<()> {
-        let wrong = self.each(ranges, depth, T::depths);
+        let wrong = self.each(ranges, depth, block::depths);
         wrong.map_or(Ok(()), |(pixel, value)| {
             Err(self.refusal("ranges", "distances that are not before the near plane", pixel, value))
         })

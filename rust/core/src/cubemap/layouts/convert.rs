@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::super::faces::CubeFaces;
 use super::super::lookup::{
-    BLOCK, BlockValues, Number, SampledPicture, Sampler, TexelFilter, cube_sampler, in_blocks, in_tiles, is_wrong,
+    BLOCK, BlockValues, SampledPicture, Sampler, TexelFilter, cube_sampler, find_texels, in_blocks, in_tiles, is_wrong,
 };
 use super::flat;
 use super::layout::{Grid, GridRows, Layout};
@@ -17,7 +17,7 @@ const SEGMENT: usize = 512;
 
 /// Writes a picture in another layout. Each texel is looked up at `samples`² places, evenly spread, of which the mean is
 /// taken, or the least or greatest.
-pub fn convert<T: Number>(
+pub fn convert<T: Real>(
     picture: Panorama<'_, T>,
     target: Grid,
     filter: TexelFilter,
@@ -42,7 +42,7 @@ pub fn convert<T: Number>(
 }
 
 /// Writes all texels of a layout.
-fn resample<T: Number, S: SampledPicture<T> + Sync>(
+fn resample<T: Real, S: SampledPicture<T> + Sync>(
     source: &Sampler<'_, T, S>,
     target: Grid,
     rows: &GridRows,
@@ -105,7 +105,7 @@ pub fn convert_nearest<T: Copy + Send + Sync>(
             rows.write(0, row, (segment * SEGMENT) as u32, directions);
             in_blocks(directions, out, channels, |block, out| {
                 match picture.grid.layout {
-                    Layout::Cube => drop(f64::find_texels(block, picture.grid.width, &mut texels)),
+                    Layout::Cube => drop(find_texels(block, picture.grid.width, &mut texels)),
                     _ => flat::find_texels(block, picture.grid, &mut texels),
                 }
                 for (value, &number) in out.chunks_exact_mut(channels).zip(&texels.0) {
@@ -127,7 +127,7 @@ fn check_out<T>(target: Grid, channels: usize, out: &[T]) -> Result<()> {
 }
 
 /// Number of the texel that each direction passes through.
-pub fn grid_texels<D: Number>(grid: Grid, directions: &[[D; 3]], out: &mut [i64]) -> Result<()> {
+pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64]) -> Result<()> {
     if out.len() != directions.len() {
         return Err(Error::value("out", format!("{} numbers", directions.len()), out.len()));
     }

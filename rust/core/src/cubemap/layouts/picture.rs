@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::super::faces::is_known;
-use super::super::lookup::{BLOCK, LEAST_WEIGHT, Number, Placed, SampledPicture, Sampler, TexelFilter, keys};
+use super::super::lookup::{BLOCK, LEAST_WEIGHT, Placed, SampledPicture, Sampler, TexelFilter, keys};
 use super::flat;
 use super::layout::Grid;
 use crate::base::{Error, Real, Result};
@@ -28,16 +28,13 @@ impl<'a, T> Panorama<'a, T> {
 }
 
 /// Prepares for lookups in a layout without faces, along directions that are finite, not zero, and of moderate length.
-pub(super) fn flat_sampler<T: Number>(
-    picture: Panorama<'_, T>,
-    filter: TexelFilter,
-) -> Sampler<'_, T, Panorama<'_, T>> {
+pub(super) fn flat_sampler<T: Real>(picture: Panorama<'_, T>, filter: TexelFilter) -> Sampler<'_, T, Panorama<'_, T>> {
     let Grid { width, height, .. } = picture.grid;
     Sampler::new((picture.values, width, picture.channels), width.min(height), filter, picture)
 }
 
-impl<T: Number> SampledPicture<T> for Panorama<'_, T> {
-    fn find_places<D: Number>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], placed: &mut Placed) -> u32 {
+impl<T: Real> SampledPicture<T> for Panorama<'_, T> {
+    fn find_places<D: Real>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], placed: &mut Placed) -> u32 {
         let mut wide = [[0.0; 3]; BLOCK];
         for (wide, d) in wide.iter_mut().zip(block) {
             *wide = d.map(Real::wide);
@@ -79,7 +76,7 @@ impl<T: Number> SampledPicture<T> for Panorama<'_, T> {
 }
 
 /// The value that comes before all others, NaN where all are.
-fn first<T: Number>(texels: impl Iterator<Item = (T, f64)>, before: impl Fn(T, T) -> bool) -> T {
+fn first<T: Real>(texels: impl Iterator<Item = (T, f64)>, before: impl Fn(T, T) -> bool) -> T {
     texels.fold(
         T::narrow(f64::NAN),
         |chosen, (texel, _)| {

@@ -73,6 +73,39 @@ impl Placed {
     }
 }
 
+vectorized! {
+    /// Number of the texel that each direction passes through; returns how many directions are zero or not finite.
+    pub fn find_texels<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32
+        = find_texels_kernel;
+    /// Between which texels each direction lies; returns how many directions are zero or not finite.
+    pub fn find_places<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32
+        = find_places_kernel;
+    /// Weighted means.
+    pub fn mix<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>)
+        = mix_kernel;
+    /// The least that have weight.
+    pub fn least<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>)
+        = extreme::<T, false>;
+    /// The greatest that have weight.
+    pub fn greatest<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>)
+        = extreme::<T, true>;
+    /// Adds a row of four texels, weighted, to sums.
+    pub fn add_row<T: Real>(
+        texels: &[BlockValues<T>; 4],
+        across: &[BlockValues<f64>; 4],
+        down: &BlockValues<f64>,
+        sums: &mut BlockValues<f64>,
+    ) = add_row_kernel;
+    /// The least of 2 × 2 of two rows, NaN where all four are.
+    pub fn halve_least<T: Real>(above: &[T], below: &[T], out: &mut [T]) = halve_extreme::<T, false>;
+    /// The greatest of 2 × 2 of two rows, NaN where all four are.
+    pub fn halve_greatest<T: Real>(above: &[T], below: &[T], out: &mut [T]) = halve_extreme::<T, true>;
+    /// Weighted means of 2 × 2 of two rows.
+    pub fn halve<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) = halve_kernel;
+    fn weigh(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) = weigh_kernel;
+    fn weigh_cubic(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) = weigh_cubic_kernel;
+}
+
 /// As `face_from_direction`, without branches. Returns how many directions are zero or not finite.
 #[inline(always)]
 fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
@@ -131,7 +164,7 @@ pub(in crate::cubemap) fn index(number: f64) -> u32 {
 
 /// As `texel_from_direction`. Returns how many directions are zero or not finite.
 #[inline(always)]
-fn find_texels<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32 {
+fn find_texels_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32 {
     let mut at = Pierced::new();
     let wrong = pierce(directions, &mut at);
     let edge = f64::from(size);
@@ -145,7 +178,7 @@ fn find_texels<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut Blo
 
 /// As `Taps::new` where the texels of one face are enough. Returns how many directions are zero or not finite.
 #[inline(always)]
-fn find_places<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32 {
+fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32 {
     let mut at = Pierced::new();
     let wrong = pierce(directions, &mut at);
     let edge = f64::from(size);
@@ -170,7 +203,7 @@ fn find_places<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, o
 
 /// Weights of the four texels around each direction, row by row.
 #[inline(always)]
-fn weigh(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) {
+fn weigh_kernel(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) {
     for i in 0..BLOCK {
         let (s, t) = (placed.s.0[i], placed.t.0[i]);
         weights[0].0[i] = (1.0 - s) * (1.0 - t);
@@ -180,18 +213,16 @@ fn weigh(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) {
     }
 }
 
-vectorized! { fn weigh_wide(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) = weigh; }
-
 /// Weights of the four texels around each direction, row by row.
 pub fn bilinear(placed: &Placed) -> [BlockValues<f64>; 4] {
     let mut weights = [BlockValues([0.0; BLOCK]); 4];
-    weigh_wide(placed, &mut weights);
+    weigh(placed, &mut weights);
     weights
 }
 
 /// Keys' weights for a = −1/2 of the four texels around a fraction.
 #[inline(always)]
-fn weigh_cubic(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) {
+fn weigh_cubic_kernel(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) {
     for i in 0..BLOCK {
         let four = keys(fraction.0[i]);
         for k in 0..4 {
@@ -211,18 +242,16 @@ pub fn keys(s: f64) -> [f64; 4] {
     ]
 }
 
-vectorized! { fn weigh_cubic_wide(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) = weigh_cubic; }
-
 /// Keys' weights of the four texels around a fraction.
 pub fn cubic(fraction: &BlockValues<f64>) -> [BlockValues<f64>; 4] {
     let mut weights = [BlockValues([0.0; BLOCK]); 4];
-    weigh_cubic_wide(fraction, &mut weights);
+    weigh_cubic(fraction, &mut weights);
     weights
 }
 
 /// Weighted means. Texels without weight are left out, because 0 times infinity is NaN.
 #[inline(always)]
-fn mix<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>) {
+fn mix_kernel<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>) {
     for i in 0..BLOCK {
         let mut term = [0.0; 4];
         for k in 0..4 {
@@ -255,7 +284,7 @@ fn extreme<T: Real, const GREATEST: bool>(
 
 /// Adds a row of four texels, weighted, to sums.
 #[inline(always)]
-fn add_row<T: Real>(
+fn add_row_kernel<T: Real>(
     texels: &[BlockValues<T>; 4],
     across: &[BlockValues<f64>; 4],
     down: &BlockValues<f64>,
@@ -272,7 +301,7 @@ fn add_row<T: Real>(
 
 /// Weighted means of 2 × 2 of two rows.
 #[inline(always)]
-fn halve<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) {
+fn halve_kernel<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) {
     let count = out.len();
     let (above, below) = (&above[..2 * count], &below[..2 * count]);
     let (w, x) = (&weights[0][..2 * count], &weights[1][..2 * count]);
@@ -298,66 +327,3 @@ fn halve_extreme<T: Real, const GREATEST: bool>(above: &[T], below: &[T], out: &
         out[i] = chosen;
     }
 }
-
-/// Numbers that lookups read: float32 and float64, with their kernels.
-pub trait Number: Real {
-    /// Number of the texel that each direction passes through; how many directions are zero or not finite.
-    fn find_texels(directions: &[[Self; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32;
-    /// Between which texels each direction lies; how many directions are zero or not finite.
-    fn find_places(directions: &[[Self; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32;
-    /// Weighted means.
-    fn mix(texels: &[BlockValues<Self>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<Self>);
-    /// The least that have weight.
-    fn least(texels: &[BlockValues<Self>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<Self>);
-    /// The greatest that have weight.
-    fn greatest(texels: &[BlockValues<Self>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<Self>);
-    /// Adds a row of four texels, weighted, to sums.
-    fn add_row(
-        texels: &[BlockValues<Self>; 4],
-        across: &[BlockValues<f64>; 4],
-        down: &BlockValues<f64>,
-        sums: &mut BlockValues<f64>,
-    );
-    /// The least of 2 × 2 of two rows.
-    fn halve_least(above: &[Self], below: &[Self], out: &mut [Self]);
-    /// The greatest of 2 × 2 of two rows.
-    fn halve_greatest(above: &[Self], below: &[Self], out: &mut [Self]);
-    /// Weighted means of 2 × 2 of two rows.
-    fn halve(above: &[Self], below: &[Self], weights: [&[f64]; 2], out: &mut [Self]);
-}
-
-macro_rules! number {
-    ($($float:ty),*) => {$(
-        impl Number for $float {
-            vectorized! {
-                fn find_texels(directions: &[[$float; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32
-                    = find_texels::<$float>;
-                fn find_places(directions: &[[$float; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32
-                    = find_places::<$float>;
-                fn mix(
-                    texels: &[BlockValues<$float>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<$float>,
-                ) = mix::<$float>;
-                fn least(
-                    texels: &[BlockValues<$float>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<$float>,
-                ) = extreme::<$float, false>;
-                fn greatest(
-                    texels: &[BlockValues<$float>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<$float>,
-                ) = extreme::<$float, true>;
-                fn add_row(
-                    texels: &[BlockValues<$float>; 4],
-                    across: &[BlockValues<f64>; 4],
-                    down: &BlockValues<f64>,
-                    sums: &mut BlockValues<f64>,
-                ) = add_row::<$float>;
-                fn halve_least(above: &[$float], below: &[$float], out: &mut [$float])
-                    = halve_extreme::<$float, false>;
-                fn halve_greatest(above: &[$float], below: &[$float], out: &mut [$float])
-                    = halve_extreme::<$float, true>;
-                fn halve(above: &[$float], below: &[$float], weights: [&[f64]; 2], out: &mut [$float])
-                    = halve::<$float>;
-            }
-        }
-    )*};
-}
-
-number!(f32, f64);

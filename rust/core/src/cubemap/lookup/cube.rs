@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::super::faces::{CubeFaces, is_known};
-use super::blocks::{BLOCK, BlockValues, Inner, LEAST_WEIGHT, Number, Placed};
+use super::blocks::{self, BLOCK, BlockValues, Inner, LEAST_WEIGHT, Placed};
 use super::cubic::Rim;
 use super::filter::TexelFilter;
 use super::sampler::{SampledPicture, Sampler};
@@ -18,7 +18,7 @@ pub(in crate::cubemap) struct Cube<'a, T> {
 }
 
 /// Prepares for about `count` lookups in a cube.
-pub(in crate::cubemap) fn cube_sampler<T: Number>(
+pub(in crate::cubemap) fn cube_sampler<T: Real>(
     faces: CubeFaces<'_, T>,
     filter: TexelFilter,
     count: usize,
@@ -29,9 +29,9 @@ pub(in crate::cubemap) fn cube_sampler<T: Number>(
     Ok(Sampler::new((faces.values, faces.size, faces.channels), faces.size, filter, cube))
 }
 
-impl<T: Number> SampledPicture<T> for Cube<'_, T> {
-    fn find_places<D: Number>(&self, block: &[[D; 3]; BLOCK], [before, after]: [u32; 2], placed: &mut Placed) -> u32 {
-        D::find_places(block, self.faces.size, Inner::new(self.faces.size, before, after), placed)
+impl<T: Real> SampledPicture<T> for Cube<'_, T> {
+    fn find_places<D: Real>(&self, block: &[[D; 3]; BLOCK], [before, after]: [u32; 2], placed: &mut Placed) -> u32 {
+        blocks::find_places(block, self.faces.size, Inner::new(self.faces.size, before, after), placed)
     }
 
     fn sample(&self, d: DVec3, filter: TexelFilter, out: &mut [T]) {
@@ -70,7 +70,7 @@ fn extreme<T: Real>(texels: [T; 4], taps: &Taps, before: impl Fn(T, T) -> bool) 
 
 /// The map's value along each direction of any length, as many as faces have channels. Fails at a direction that is
 /// zero or not finite.
-pub fn lookup<T: Number, D: Number>(
+pub fn lookup<T: Real, D: Real>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
     filter: TexelFilter,
@@ -82,7 +82,7 @@ pub fn lookup<T: Number, D: Number>(
 }
 
 /// The texel that each direction of any length passes through, of faces of anything. Fails as `lookup`.
-pub fn nearest<T: Copy + Send + Sync, D: Number>(
+pub fn nearest<T: Copy + Send + Sync, D: Real>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
     out: &mut [T],
@@ -95,7 +95,7 @@ pub fn nearest<T: Copy + Send + Sync, D: Number>(
         channels => {
             let mut texel = BlockValues([0; BLOCK]);
             in_blocks(directions, out, channels, |block, out| {
-                let wrong = D::find_texels(block, faces.size, &mut texel);
+                let wrong = blocks::find_texels(block, faces.size, &mut texel);
                 for (value, &number) in out.chunks_exact_mut(channels).zip(&texel.0) {
                     value.copy_from_slice(faces.texel(number));
                 }
@@ -105,7 +105,7 @@ pub fn nearest<T: Copy + Send + Sync, D: Number>(
     })
 }
 
-fn nearest_of<T: Copy, D: Number, const CHANNELS: usize>(
+fn nearest_of<T: Copy, D: Real, const CHANNELS: usize>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
     out: &mut [T],
@@ -113,7 +113,7 @@ fn nearest_of<T: Copy, D: Number, const CHANNELS: usize>(
     let texels = faces.values.as_chunks::<CHANNELS>().0;
     let mut texel = BlockValues([0; BLOCK]);
     in_blocks(directions, out, CHANNELS, |block, out| {
-        let wrong = D::find_texels(block, faces.size, &mut texel);
+        let wrong = blocks::find_texels(block, faces.size, &mut texel);
         for (value, &number) in out.as_chunks_mut::<CHANNELS>().0.iter_mut().zip(&texel.0) {
             *value = texels[number as usize];
         }

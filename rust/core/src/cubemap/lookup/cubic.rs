@@ -10,9 +10,9 @@ use rayon::prelude::*;
 
 use super::super::faces::CubeFaces;
 use super::super::texels::{center_of, texel_from_direction};
-use super::blocks::{Number, keys};
+use super::blocks::keys;
 use super::taps::descending;
-use crate::base::{Result, memory::room_for};
+use crate::base::{Real, Result, memory::room_for};
 use crate::camera::{along_face, direction_from_face};
 
 /// Width of the border that continues faces, texels.
@@ -25,7 +25,7 @@ pub(super) struct Rim<'a, T> {
     table: Vec<f64>,
 }
 
-impl<'a, T: Number> Rim<'a, T> {
+impl<'a, T: Real> Rim<'a, T> {
     pub fn new(faces: CubeFaces<'a, T>, tabled: bool) -> Result<Self> {
         let mut rim = Self { faces, table: Vec::new() };
         if tabled && faces.channels > 0 {
@@ -197,7 +197,7 @@ impl BorderTexel {
         taps
     }
 
-    fn value<T: Number>(&self, faces: &CubeFaces<'_, T>, channel: usize) -> f64 {
+    fn value<T: Real>(&self, faces: &CubeFaces<'_, T>, channel: usize) -> f64 {
         let mut sum = 0.0;
         for (&texel, weight) in self.texel.iter().zip(self.weight) {
             if weight != 0.0 {

@@ -4,7 +4,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::super::faces::{CubeFaces, is_known};
-use super::blocks::Number;
+use super::blocks::{halve_greatest, halve_least};
 use super::cone::{Cone, ConeRows};
 use super::filter::TexelFilter;
 use super::tiles::{is_wrong, refuse};
@@ -18,7 +18,7 @@ const TILE: usize = 64;
 
 /// The least, or the greatest, of all texels that the cone of an angle about each direction touches. The angle is at
 /// least 0 and below 90°. Fails at a direction that is zero or not finite.
-pub fn footprint<T: Number, D: Number>(
+pub fn footprint<T: Real, D: Real>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
     radius: f64,
@@ -40,7 +40,7 @@ pub fn footprint<T: Number, D: Number>(
     }
 }
 
-fn all<T: Number, D: Number, const GREATEST: bool>(
+fn all<T: Real, D: Real, const GREATEST: bool>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
     radius: f64,
@@ -69,7 +69,7 @@ fn all<T: Number, D: Number, const GREATEST: bool>(
 
 /// Replaces the values of texels that others come before; NaN comes before nothing.
 #[inline]
-fn take<T: Number, const GREATEST: bool>(out: &mut [T], values: &[T]) {
+fn take<T: Real, const GREATEST: bool>(out: &mut [T], values: &[T]) {
     let before = |one: T, other: T| if GREATEST { one > other } else { one < other };
     if let [chosen] = out {
         for &value in values {
@@ -98,7 +98,7 @@ struct Scratch {
     blocks: Vec<ConeRows>,
 }
 
-impl<'a, T: Number> Pyramid<'a, T> {
+impl<'a, T: Real> Pyramid<'a, T> {
     fn new<const GREATEST: bool>(faces: CubeFaces<'a, T>, radius: f64) -> Result<Self> {
         let mut levels: Vec<(usize, Vec<T>)> = Vec::new();
         let mut across = radius * f64::from(faces.size);
@@ -192,7 +192,7 @@ fn coarsen(rows: &ConeRows, size: usize, blocks: &mut ConeRows) {
 }
 
 /// Extremes of 2 × 2 blocks of six faces.
-fn halve<T: Number, const GREATEST: bool>(values: &[T], size: usize, channels: usize) -> Vec<T> {
+fn halve<T: Real, const GREATEST: bool>(values: &[T], size: usize, channels: usize) -> Vec<T> {
     let half = size.div_ceil(2);
     let row_length = size * channels;
     let mut out = vec![T::narrow(0.0); 6 * half * half * channels];
@@ -202,7 +202,7 @@ fn halve<T: Number, const GREATEST: bool>(values: &[T], size: usize, channels: u
         let rows = &values[first * row_length..][..count * row_length];
         if channels == 1 && size.is_multiple_of(2) {
             let (above, below) = rows.split_at(row_length);
-            let halve = if GREATEST { T::halve_greatest } else { T::halve_least };
+            let halve = if GREATEST { halve_greatest } else { halve_least };
             return halve(above, below, out);
         }
         for (column, block) in out.chunks_exact_mut(channels).enumerate() {

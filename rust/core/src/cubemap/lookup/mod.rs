@@ -11,8 +11,9 @@ mod sampler;
 mod taps;
 mod tiles;
 
-pub use blocks::Number;
-pub(super) use blocks::{BLOCK, BlockValues, LEAST_WEIGHT, Placed, index, keys, whole};
+pub(super) use blocks::{
+    BLOCK, BlockValues, LEAST_WEIGHT, Placed, find_texels, halve, halve_greatest, halve_least, index, keys, whole,
+};
 pub(super) use cube::cube_sampler;
 pub use cube::{lookup, nearest};
 pub use filter::TexelFilter;

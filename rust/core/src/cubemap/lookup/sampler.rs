@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::blocks::{self, BLOCK, BlockValues, Number, Placed};
+use super::blocks::{self, BLOCK, BlockValues, Placed};
 use super::filter::TexelFilter;
 use super::tiles::in_blocks;
 use crate::base::Real;
@@ -11,7 +11,7 @@ use crate::base::Real;
 pub(in crate::cubemap) trait SampledPicture<T> {
     /// Between which texels the directions of a block lie, for a filter of that reach. Returns how many directions are zero
     /// or not finite.
-    fn find_places<D: Number>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], placed: &mut Placed) -> u32;
+    fn find_places<D: Real>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], placed: &mut Placed) -> u32;
 
     /// Writes the value along one direction (finite, not zero), which blocks must agree with.
     fn sample(&self, d: DVec3, filter: TexelFilter, out: &mut [T]);
@@ -34,7 +34,7 @@ pub(in crate::cubemap) struct Sampler<'a, T, S> {
     surface: S,
 }
 
-impl<'a, T: Number, S: SampledPicture<T>> Sampler<'a, T, S> {
+impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
     /// Texels whose rows are `width` long, in squares of `edge` at least, and the surface that they cover.
     pub(in crate::cubemap) fn new(
         (values, width, channels): (&'a [T], u32, usize),
@@ -48,7 +48,7 @@ impl<'a, T: Number, S: SampledPicture<T>> Sampler<'a, T, S> {
     }
 
     /// Writes values along directions; the index of the first one that is zero or not finite.
-    pub(in crate::cubemap) fn sample<D: Number>(&self, directions: &[[D; 3]], out: &mut [T]) -> Option<usize> {
+    pub(in crate::cubemap) fn sample<D: Real>(&self, directions: &[[D; 3]], out: &mut [T]) -> Option<usize> {
         let mut placed = Placed::new();
         in_blocks(directions, out, self.texels.channels, |block, out| {
             let wrong = self.surface.find_places(block, self.texels.filter.reach(), &mut placed);
@@ -77,7 +77,7 @@ impl<'a, T: Number, S: SampledPicture<T>> Sampler<'a, T, S> {
 }
 
 // For cubes and flat pictures alike, so that the kernels exist once.
-impl<T: Number> Texels<'_, T> {
+impl<T: Real> Texels<'_, T> {
     /// Values of a block; those of directions at seams mean nothing.
     fn inside(&self, placed: &Placed, out: &mut [T]) {
         match (self.filter, self.channels) {
@@ -110,9 +110,9 @@ impl<T: Number> Texels<'_, T> {
         let mut values = [BlockValues([zero; BLOCK]); COUNT];
         for (texels, values) in texels.iter().zip(&mut values) {
             match self.filter {
-                TexelFilter::Min => T::least(texels, &weights, values),
-                TexelFilter::Max => T::greatest(texels, &weights, values),
-                _ => T::mix(texels, &weights, values),
+                TexelFilter::Min => blocks::least(texels, &weights, values),
+                TexelFilter::Max => blocks::greatest(texels, &weights, values),
+                _ => blocks::mix(texels, &weights, values),
             }
         }
         scatter(&values, first, self.channels, out);
@@ -133,7 +133,7 @@ impl<T: Number> Texels<'_, T> {
                         texels.0[i] = four[k * self.channels];
                     }
                 }
-                T::add_row(&texels, &across, weights, &mut sums);
+                blocks::add_row(&texels, &across, weights, &mut sums);
             }
             scatter(&[BlockValues(sums.0.map(T::narrow))], channel, self.channels, out);
         }

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::blocks::{BLOCK, Number};
+use super::blocks::BLOCK;
 use crate::base::{Error, Real, Result};
 
 /// Directions handled by one task.
@@ -34,7 +34,7 @@ pub(in crate::cubemap) fn in_blocks<T, D: Real>(
 }
 
 /// Runs a kernel over tiles of directions on the current pool; fails at the first direction that it finds wrong.
-pub(in crate::cubemap) fn in_tiles<T: Send, D: Number>(
+pub(in crate::cubemap) fn in_tiles<T: Send, D: Real>(
     directions: &[[D; 3]],
     out: &mut [T],
     channels: usize,

@@ -176,6 +176,9 @@ fn basis(v: &[f64], levels: &[Level], middles: &[f64], columns: usize) -> Vec<f3
 
 vectorized! {
     fn exp_all(values: &mut [f64]) = exp_all_kernel;
+    fn fill(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize) = fill_kernel;
+    fn normalize(basis: &mut [f32], columns: usize) = normalize_kernel;
+    fn explain(basis: &[f32], y: &[f32], explained: &mut [f32]) = explain_kernel;
 }
 
 #[inline(always)]
@@ -189,10 +192,6 @@ fn exp_all_kernel(values: &mut [f64]) {
     for value in rest {
         *value = exp(*value);
     }
-}
-
-vectorized! {
-    fn fill(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize) = fill_kernel;
 }
 
 /// p of the columns of one rise.
@@ -218,10 +217,6 @@ fn fill_kernel(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize
             row_rest[i] = e / (1.0 + e);
         }
     }
-}
-
-vectorized! {
-    fn normalize(basis: &mut [f32], columns: usize) = normalize_kernel;
 }
 
 /// Takes the mean off each column and scales it to length 1; a column of equal numbers becomes 0.
@@ -257,10 +252,6 @@ fn normalize_kernel(basis: &mut [f32], columns: usize) {
             }
         }
     }
-}
-
-vectorized! {
-    fn explain(basis: &[f32], y: &[f32], explained: &mut [f32]) = explain_kernel;
 }
 
 #[inline(always)]

@@ -101,12 +101,9 @@ impl LogisticScratch {
 }
 
 vectorized! {
-    fn evaluate_widest(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratch) -> LogisticSums = evaluate_kernel;
-}
-
-/// Everything about one curve; `room` is as large as the samples are many.
-pub(super) fn evaluate(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratch) -> LogisticSums {
-    evaluate_widest(samples, line, room)
+    /// Everything about one curve; `room` is as large as the samples are many.
+    pub(super) fn evaluate(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratch) -> LogisticSums
+        = evaluate_kernel;
 }
 
 // Short loops with one result each: these become vectors, and sums of everything in one loop don't.

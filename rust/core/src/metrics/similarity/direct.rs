@@ -3,8 +3,8 @@
 //! one level for many windows does not serve.
 
 use super::super::pair::Pair;
+use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Plane, Region, mirror};
-use super::measure::Source;
 use crate::base::Real;
 use crate::base::simd::vectorized;
 
@@ -24,7 +24,7 @@ pub(super) struct Patch<'a> {
 
 impl<'a> Patch<'a> {
     /// Windows see a mirrored image, or what a mask names of it.
-    pub fn new<P: Source>(
+    pub fn new<P: PixelRows>(
         pair: &Pair<'_, P>,
         weights: &'a [f64],
         constants: [f64; 2],

@@ -3,9 +3,10 @@
 use rayon::prelude::*;
 
 use super::super::pair::Pair;
+use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Plane, Region};
 use super::direct::measured;
-use super::measure::{Measured, Source};
+use super::measure::power_sums;
 use super::window_sums::{Counted, Mask, SimilaritySums};
 use crate::base::Real;
 
@@ -13,7 +14,7 @@ use crate::base::Real;
 const TASK: usize = 1 << 14;
 
 /// The same similarity for every pixel; the window sees the whole image or what a mask names.
-pub(super) fn global<P: Source>(
+pub(super) fn global<P: PixelRows>(
     pair: &Pair<'_, P>,
     constants: [f64; 2],
     counted: Counted<'_>,
@@ -55,7 +56,7 @@ fn add(sums: [f64; 5], more: [f64; 5]) -> [f64; 5] {
 }
 
 /// Number of a row's pixels that the window sees, and their sums of s, d, s² and d².
-fn row_sums<P: Source>(
+fn row_sums<P: PixelRows>(
     pair: &Pair<'_, P>,
     row: usize,
     part: Region,
@@ -76,7 +77,7 @@ fn row_sums<P: Source>(
                 values.retain(|_| columns.next().is_some_and(|column| mask.names(row, column)));
             }
         }
-        let [sum_s, sum_d, sum_ss, sum_dd] = f64::power_sums(&s, &d);
+        let [sum_s, sum_d, sum_ss, sum_dd] = power_sums(&s, &d);
         total = add(total, [s.len() as f64, sum_s, sum_d, sum_ss, sum_dd]);
         first = columns.end;
     }

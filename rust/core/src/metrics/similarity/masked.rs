@@ -5,9 +5,10 @@ use rayon::prelude::*;
 
 use super::super::lanes::{LANES, lanes};
 use super::super::pair::Pair;
+use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Plane, Region};
 use super::direct::Patch;
-use super::measure::{Measure, Measurement, Source};
+use super::measure::{Measure, Measurement};
 use super::window_sums::SimilaritySums;
 use crate::base::Real;
 use crate::base::simd::vectorized;
@@ -32,7 +33,7 @@ pub(super) struct Masked<'a, P> {
 
 type Fields = [Vec<f64>; FIELDS];
 
-impl<P: Source> Masked<'_, P> {
+impl<P: PixelRows> Masked<'_, P> {
     /// Sums over the pixels that the mask names. In the map the others are NaN.
     pub(super) fn sums(&self, map: Option<&mut [P::Real]>) -> SimilaritySums {
         let (height, width) = (self.mask.height, self.mask.width);

@@ -1,9 +1,8 @@
 //! The measure itself, from means and variances of both images' sum and difference.
 
 use super::super::lanes::LANES;
-use super::super::pixel_rows::PixelRows;
 use super::super::plane::RoundingLimits;
-use super::moments::{COLUMNS, Kernels, Moments};
+use super::moments::{COLUMNS, Moments};
 use crate::base::Real;
 use crate::base::simd::vectorized;
 
@@ -59,18 +58,6 @@ pub struct Measurement<R> {
     pub holds: bool,
 }
 
-/// Precisions that similarity is measured in.
-pub trait Measured: RoundingLimits {
-    /// Similarity of a row of windows; adds up it and, where wanted, its second factor over those that count.
-    fn measure(measure: &Measure<Self>, s: &Moments<Self>, d: &Moments<Self>, row: &mut WindowRow<Self>);
-    /// Sums of s, d, s² and d².
-    fn power_sums(s: &[Self], d: &[Self]) -> [f64; 4];
-}
-
-/// Pixels of which similarity is measured.
-pub trait Source: PixelRows<Real: Kernels + Measured> {}
-impl<P: PixelRows<Real: Kernels + Measured>> Source for P {}
-
 /// A row of windows.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
@@ -91,20 +78,17 @@ pub struct WindowRow<R> {
     pub sums: [[f64; LANES]; 2],
 }
 
-macro_rules! measured {
-    ($($real:ty),*) => {$(
-        impl Measured for $real {
-            vectorized! {
-                fn measure(
-                    measure: &Measure<$real>, s: &Moments<$real>, d: &Moments<$real>, row: &mut WindowRow<$real>,
-                ) = fused measure_any_row<_>;
-                fn power_sums(s: &[$real], d: &[$real]) -> [f64; 4] = power_sums;
-            }
-        }
-    )*};
+vectorized! {
+    /// Similarity of a row of windows; adds up it and, where wanted, its second factor over those that count.
+    pub(super) fn measure_row<R: RoundingLimits>(
+        measure: &Measure<R>,
+        s: &Moments<R>,
+        d: &Moments<R>,
+        row: &mut WindowRow<R>,
+    ) = fused measure_any_row<_>;
+    /// Sums of s, d, s² and d².
+    pub(super) fn power_sums(s: &[f64], d: &[f64]) -> [f64; 4] = power_sums_kernel;
 }
-
-measured!(f32, f64);
 
 #[inline(always)]
 fn measure_any_row<R: RoundingLimits, const FUSED: bool>(
@@ -114,14 +98,14 @@ fn measure_any_row<R: RoundingLimits, const FUSED: bool>(
     row: &mut WindowRow<R>,
 ) {
     if row.contrast {
-        measure_row::<R, true, FUSED>(measure, s, d, row);
+        measure_row_kernel::<R, true, FUSED>(measure, s, d, row);
     } else {
-        measure_row::<R, false, FUSED>(measure, s, d, row);
+        measure_row_kernel::<R, false, FUSED>(measure, s, d, row);
     }
 }
 
 #[inline(always)]
-fn measure_row<R: RoundingLimits, const CONTRAST: bool, const FUSED: bool>(
+fn measure_row_kernel<R: RoundingLimits, const CONTRAST: bool, const FUSED: bool>(
     measure: &Measure<R>,
     s: &Moments<R>,
     d: &Moments<R>,
@@ -155,7 +139,7 @@ fn measure_row<R: RoundingLimits, const CONTRAST: bool, const FUSED: bool>(
 }
 
 #[inline(always)]
-fn power_sums<R: Real>(s: &[R], d: &[R]) -> [f64; 4] {
+fn power_sums_kernel<R: Real>(s: &[R], d: &[R]) -> [f64; 4] {
     const WIDE: usize = 8;
     let mut sums = [[0.0; WIDE]; 4];
     let (s, s_rest) = s.as_chunks::<WIDE>();

@@ -17,7 +17,6 @@ mod tests;
 mod window;
 mod tiles;
 
-pub use measure::Source;
 pub use scales::{Shrunk, multiscale};
 pub use ssim::similarity;
 pub use window::{Similarity, Window};

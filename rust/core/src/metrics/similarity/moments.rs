@@ -28,36 +28,27 @@ impl<R: Real> Default for Moments<R> {
     }
 }
 
-/// Kernels in a precision, with the widest vectors of this machine.
-pub trait Kernels: Real {
+vectorized! {
     /// Moments along a line, of the first `blocks` times `LANES` windows; the nth begins at its nth value.
-    fn across(line: &[Self], weights: &[Self], moments: &mut Moments<Self>, blocks: usize);
+    pub(super) fn across<R: Real>(line: &[R], weights: &[R], moments: &mut Moments<R>, blocks: usize)
+        = fused across_kernel<_>;
     /// Moments of rows from those along each; `order[k]` is the window's kth row among `rows`.
-    fn down(rows: &[Moments<Self>], order: &[usize], weights: &[Self], moments: &mut Moments<Self>, blocks: usize);
+    pub(super) fn down<R: Real>(
+        rows: &[Moments<R>],
+        order: &[usize],
+        weights: &[R],
+        moments: &mut Moments<R>,
+        blocks: usize,
+    ) = fused down_kernel<_>;
 }
-
-macro_rules! kernels {
-    ($($real:ty),*) => {$(
-        impl Kernels for $real {
-            vectorized! {
-                fn across(line: &[$real], weights: &[$real], moments: &mut Moments<$real>, blocks: usize)
-                    = fused across<_>;
-                fn down(
-                    rows: &[Moments<$real>],
-                    order: &[usize],
-                    weights: &[$real],
-                    moments: &mut Moments<$real>,
-                    blocks: usize,
-                ) = fused down<_>;
-            }
-        }
-    )*};
-}
-
-kernels!(f32, f64);
 
 #[inline(always)]
-pub(super) fn across<R: Real, const FUSED: bool>(line: &[R], weights: &[R], moments: &mut Moments<R>, blocks: usize) {
+pub(super) fn across_kernel<R: Real, const FUSED: bool>(
+    line: &[R],
+    weights: &[R],
+    moments: &mut Moments<R>,
+    blocks: usize,
+) {
     let middle = weights.len() / 2;
     let means = &mut moments.mean.as_chunks_mut::<LANES>().0[..blocks];
     let variances = &mut moments.variance.as_chunks_mut::<LANES>().0[..blocks];
@@ -81,7 +72,7 @@ pub(super) fn across<R: Real, const FUSED: bool>(line: &[R], weights: &[R], mome
 }
 
 #[inline(always)]
-pub(super) fn down<R: Real, const FUSED: bool>(
+pub(super) fn down_kernel<R: Real, const FUSED: bool>(
     rows: &[Moments<R>],
     order: &[usize],
     weights: &[R],

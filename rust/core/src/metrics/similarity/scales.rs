@@ -4,8 +4,8 @@
 use rayon::prelude::*;
 
 use super::super::pair::Pair;
+use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Pixel, Plane, mirror};
-use super::measure::Source;
 use super::ssim::similarity;
 use super::window::{Similarity, Window};
 use super::window_sums::Counted;
@@ -20,7 +20,7 @@ pub struct Shrunk<R> {
 impl<R: Pixel> Shrunk<R> {
     /// Every `factor`th pixel in both directions, each the mean of a box of as many pixels around it; beyond their
     /// borders images are mirrored.
-    pub fn new<P: Source<Real = R>>(pair: &Pair<'_, P>, factor: usize) -> Self {
+    pub fn new<P: PixelRows<Real = R>>(pair: &Pair<'_, P>, factor: usize) -> Self {
         let size = [pair.reference.height, pair.reference.width].map(|length| length.div_ceil(factor));
         Self { images: [&pair.reference, &pair.test].map(|image| shrunk(image, factor)), size }
     }
@@ -28,7 +28,7 @@ impl<R: Pixel> Shrunk<R> {
     /// As a pair of images.
     pub fn pair(&self) -> Result<Pair<'_, R>>
     where
-        R: Source,
+        R: PixelRows,
     {
         let [reference, test] =
             [&self.images[0], &self.images[1]].map(|image| Plane::new(image, self.size, [self.size[1], 1]));
@@ -73,7 +73,7 @@ fn shrunk<P: Pixel>(image: &Plane<'_, P>, factor: usize) -> Vec<P::Real> {
 /// Means of similarity and of its second factor at each of `scales`, each half as large as the one before it.
 pub fn multiscale<P>(pair: &Pair<'_, P>, window: &Window, constants: Similarity, scales: usize) -> Result<Vec<[f64; 2]>>
 where
-    P: Source<Real: Source<Real = P::Real>>,
+    P: PixelRows<Real: PixelRows<Real = P::Real>>,
 {
     let mut means = vec![means(pair, window, constants)?];
     let mut smaller: Option<Shrunk<P::Real>> = None;
@@ -88,7 +88,7 @@ where
     Ok(means)
 }
 
-fn means<P: Source>(pair: &Pair<'_, P>, window: &Window, constants: Similarity) -> Result<[f64; 2]> {
+fn means<P: PixelRows>(pair: &Pair<'_, P>, window: &Window, constants: Similarity) -> Result<[f64; 2]> {
     if let Window::Weights(weights) = window {
         let (size, least) = ([pair.reference.height, pair.reference.width], weights.len());
         if size[0] < least || size[1] < least {

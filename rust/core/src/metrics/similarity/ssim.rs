@@ -1,9 +1,9 @@
 //! Similarity of a pair by any window.
 
 use super::super::pair::Pair;
+use super::super::pixel_rows::PixelRows;
 use super::global::global;
 use super::masked::Masked;
-use super::measure::Source;
 use super::tiles::Windows;
 use super::window::{Similarity, Window};
 use super::window_sums::{Counted, Mask, SimilaritySums};
@@ -11,7 +11,7 @@ use crate::base::{Error, Result};
 
 /// Sums of the similarity of windows, and where wanted its map: rows of the image's width. Outside of images these are
 /// mirrored. Without a map only windows that count are looked at.
-pub fn similarity<P: Source>(
+pub fn similarity<P: PixelRows>(
     pair: &Pair<'_, P>,
     window: &Window,
     constants: Similarity,

@@ -1,6 +1,6 @@
 //! Similarity against its definition, window by window; and both forms of each kernel against each other.
 
-use super::moments::{COLUMNS, Kernels, Moments, across, down};
+use super::moments::{COLUMNS, Moments, across, across_kernel, down, down_kernel};
 use super::*;
 use crate::metrics::Stacks;
 use crate::metrics::lanes::LANES;
@@ -90,12 +90,12 @@ proptest! {
         let line: Vec<f64> = line.iter().map(|value| value + level).collect();
         let blocks = COLUMNS / LANES;
         let (mut fast, mut slow) = (Moments::default(), Moments::default());
-        Kernels::across(&line, &weights, &mut fast, blocks);
-        across::<f64, false>(&line, &weights, &mut slow, blocks);
+        across(&line, &weights, &mut fast, blocks);
+        across_kernel::<f64, false>(&line, &weights, &mut slow, blocks);
         let (rows, order) = (vec![fast.clone(); 11], (0..11).collect::<Vec<_>>());
         let (mut fast_down, mut slow_down) = (Moments::default(), Moments::default());
-        Kernels::down(&rows, &order, &weights, &mut fast_down, blocks);
-        down::<f64, false>(&rows, &order, &weights, &mut slow_down, blocks);
+        down(&rows, &order, &weights, &mut fast_down, blocks);
+        down_kernel::<f64, false>(&rows, &order, &weights, &mut slow_down, blocks);
         for (fast, slow) in [(&fast, &slow), (&fast_down, &slow_down)] {
             for i in 0..COLUMNS {
                 prop_assert!((fast.mean[i] - slow.mean[i]).abs() < 1e-12);

@@ -4,10 +4,11 @@ use rayon::prelude::*;
 
 use super::super::lanes::LANES;
 use super::super::pair::Pair;
-use super::super::plane::{Region, mirror};
+use super::super::pixel_rows::PixelRows;
+use super::super::plane::{Region, RoundingLimits, mirror};
 use super::direct::Patch;
-use super::measure::{Measure, Measured, Source, WindowRow};
-use super::moments::{COLUMNS, Kernels, Moments};
+use super::measure::{Measure, WindowRow, measure_row};
+use super::moments::{COLUMNS, Moments, across, down};
 use super::window_sums::{Counted, Mask, SimilaritySums};
 use crate::base::Real;
 use crate::base::simd::prefetch;
@@ -21,7 +22,7 @@ const TILE_BYTES: usize = 512;
 const PREFETCHED_ROWS: usize = 4;
 
 /// A comparison by windows.
-pub(super) struct Windows<'a, P: Source> {
+pub(super) struct Windows<'a, P: PixelRows> {
     pair: Pair<'a, P>,
     weights: &'a [f64],
     narrow: Vec<P::Real>,
@@ -29,7 +30,7 @@ pub(super) struct Windows<'a, P: Source> {
     counted: Counted<'a>,
 }
 
-impl<'a, P: Source> Windows<'a, P> {
+impl<'a, P: PixelRows> Windows<'a, P> {
     pub(super) fn new(pair: Pair<'a, P>, weights: &'a [f64], constants: [f64; 2], counted: Counted<'a>) -> Self {
         Self { pair, weights, narrow: weights.iter().map(|&w| P::Real::narrow(w)).collect(), constants, counted }
     }
@@ -110,7 +111,7 @@ impl<'a, P: Source> Windows<'a, P> {
     }
 
     /// All windows of a part in a precision; none where that does not hold what they need.
-    fn pass<R: Kernels + Measured>(
+    fn pass<R: RoundingLimits>(
         &self,
         part: &Region,
         inside: Region,
@@ -146,13 +147,13 @@ impl<'a, P: Source> Windows<'a, P> {
             let slot = bench.order[0];
             bench.order.rotate_left(1);
             for (line, rows) in bench.lines.iter().zip(&mut bench.rows) {
-                Kernels::across(line, weights, &mut rows[slot], blocks);
+                across(line, weights, &mut rows[slot], blocks);
             }
             let Some(row) = (part.rows[0] + read + 1).checked_sub(taps).filter(|&row| row >= part.rows[0]) else {
                 continue;
             };
             for (rows, moments) in bench.rows.iter().zip(&mut bench.moments) {
-                Kernels::down(rows, &bench.order, weights, moments, blocks);
+                down(rows, &bench.order, weights, moments, blocks);
             }
             match (inside.holds_row(row), self.counted.mask) {
                 (true, Some(mask)) => bench.mask(mask, row, part, inside),
@@ -162,7 +163,7 @@ impl<'a, P: Source> Windows<'a, P> {
             }
             counting = inside.holds_row(row);
             let [s, d] = &bench.moments;
-            Measured::measure(&measure, s, d, &mut bench.row);
+            measure_row(&measure, s, d, &mut bench.row);
             if !bench.row.holds {
                 return None;
             }

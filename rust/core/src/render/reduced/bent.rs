@@ -2,7 +2,7 @@
 //! whatever its triangle reaches; behind all these a moving one beyond r₂, where nothing far hides it.
 
 use super::super::frame::{Channels, Sample};
-use super::super::surface::Surface;
+use super::super::surface::{Surface, add};
 use super::super::tiles::{PIXELS, Picture, Spots};
 use super::backdrop::{Backdrop, sample_of};
 use super::shown::Shown;
@@ -75,11 +75,15 @@ impl Picture for Bent<'_> {
         }
     }
 
-    fn color(&self, ray: &Ray, hit: &Hit, footprint: Footprint) -> [f32; 3] {
-        if hit.is_miss() {
-            return self.backdrop.color(ray.direction, footprint);
+    fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
+        for (n, (ray, hit)) in rays.iter().zip(hits).enumerate() {
+            let color = if hit.is_miss() {
+                self.backdrop.color(ray.direction, footprint(n))
+            } else {
+                self.surface(ray, hit).color(self.scene, footprint(n).at(hit.t))
+            };
+            add(&mut sums[n], color);
         }
-        self.surface(ray, hit).color(self.scene, footprint.at(hit.t))
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, _wanted: Channels) -> Sample {

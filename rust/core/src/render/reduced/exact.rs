@@ -188,13 +188,6 @@ impl Picture for Exact<'_> {
         }
     }
 
-    fn color(&self, ray: &Ray, hit: &Hit, footprint: Footprint) -> [f32; 3] {
-        if hit.is_miss() {
-            return self.backdrop.color(ray.direction, footprint);
-        }
-        Surface::of_hit(self.scene, ray, hit).color(self.scene, footprint.at(hit.t))
-    }
-
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
         let behind = self.backdrop.behind(rays, hits);
         let missed = |n: usize| match &behind {

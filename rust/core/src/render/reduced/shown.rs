@@ -75,23 +75,12 @@ pub(super) struct Shown {
     pub bounded: bool,
 }
 
-/// Share of r₂ by which points may miss r₁ and be taken for points of it: more than any rule that splits edges does.
-const ON_R1: f64 = 1.0 / 8192.0;
-
 impl NearGeometry {
     /// Copies what is inside r₁ and lists the rest.
     pub fn gather(partition: &Partition, progress: &Progress) -> Result<Self> {
         let scene = partition.scene();
-        let center = partition.center() - scene.origin;
-        let standing = scene.standing.instances().len() as u32;
         // Edges between two points of r₁ are split for the triangles beyond them, so for those within as well.
-        let r1 = partition.r1() - partition.r2() * ON_R1;
-        let inside = |&(instance, face): &(u32, u32)| {
-            let rho = |p: Vec3| (f64::from(p.x) - center.x).hypot(f64::from(p.z) - center.z);
-            scene.instance(instance).corners(face).into_iter().all(|corner| rho(corner) < r1)
-        };
-        let nsf = partition.nsf().take_while(|&(instance, _)| instance < standing);
-        let (fixed, bending): (Vec<_>, Vec<_>) = nsf.partition(inside);
+        let [fixed, bending] = partition.nsf_inside(partition.r1());
         let pieces = fixed.into_iter().map(|(instance, face)| NearPiece { instance, face, corners: WHOLE }).collect();
         let corners = |piece: &NearPiece| scene.instance(piece.instance).corners(piece.face);
         let fixed = NearPart::new(pieces, corners)?;

@@ -3,7 +3,7 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use glam::{DAffine3, DVec3, Vec3};
+use glam::{DAffine3, DVec3};
 use nearfar_core::base::{Progress, Result};
 use nearfar_core::morph::Kind;
 use nearfar_core::partition::Partition;
@@ -16,10 +16,6 @@ use crate::draw::Sources;
 const MAX_SPLITS: usize = 3;
 /// Share of r₁ within which the error of a user's picture has a bound: 0.6, less how far triangles may pass r₁.
 const MAX_BOUNDED_REACH: f64 = 0.59;
-/// Share of r₂ by which a point may miss a radius and still count as lying on it: more than rounding by a splitting
-/// rule.
-const RADIUS_TOLERANCE: f64 = 1.0 / 8192.0;
-
 /// Near geometry of a reduced scene.
 pub(super) struct Near {
     /// Triangles with all corners inside the radius.
@@ -73,22 +69,14 @@ impl Near {
     /// Sorts the near triangles by whether they lie inside a radius.
     pub fn gather(partition: &Partition, radius: f64) -> Result<Self> {
         let scene = partition.scene();
-        let center = partition.center() - scene.origin;
-        let standing = scene.standing.instances().len() as u32;
-        let least = radius - partition.r2() * RADIUS_TOLERANCE;
-        let inside = |&(instance, face): &(u32, u32)| {
-            let rho = |p: Vec3| (f64::from(p.x) - center.x).hypot(f64::from(p.z) - center.z);
-            scene.instance(instance).corners(face).into_iter().all(|corner| rho(corner) < least)
-        };
-        let nsf = partition.nsf().take_while(|&(instance, _)| instance < standing);
-        let (fixed, bending): (Vec<_>, Vec<_>) = nsf.partition(inside);
+        let [fixed, bending] = partition.nsf_inside(radius);
         Ok(Self {
             fixed: Geometry::of(scene, fixed)?,
             bending: Geometry::of(scene, bending)?,
             split: Mutex::default(),
             moved: Mutex::default(),
             no_instances: Arc::default(),
-            center,
+            center: partition.center() - scene.origin,
             radii: [partition.r1(), partition.r2()],
         })
     }

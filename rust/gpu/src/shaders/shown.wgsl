@@ -1,0 +1,71 @@
+// The styles of the near-far method: where points are shown by the functions of `morph.wgsl`.
+//
+// Parameters: from the centre to the eye, and the tangent of two texels; r1, r2, the radius where pixels are split, and
+// 1 / (r2 - r1); from the user to the eye, which is the camera's.
+
+const BLEND: u32 = 1u;
+const CYLINDER: u32 = 2u;
+const FROM_CENTER: u32 = 3u;
+const FROM_CENTER_ON_CYLINDER: u32 = 4u;
+const CYLINDER_FROM_CENTER: u32 = 5u;
+
+// The user, on the ground.
+fn user_place() -> Place {
+    let at = view.parameters[0].xz - view.parameters[2].xz;
+    return Place(at, length(at));
+}
+
+// Where a point relative to the eye is shown, relative to the eye.
+fn shown(p: vec3<f32>) -> vec3<f32> {
+    let q = morphed(p);
+    if STYLE == CYLINDER_FROM_CENTER {
+        return as_far_as_from_center(q);
+    }
+    return q;
+}
+
+// In the direction of a point that is shown beyond r2, the place whose distance is the point's from the centre: the
+// inverse of `backdrop_range`.
+fn as_far_as_from_center(q: vec3<f32>) -> vec3<f32> {
+    let slope = length(q.xz);
+    return q * (length(user_place().at + q.xz) / max(slope, 1e-30));
+}
+
+fn morphed(p: vec3<f32>) -> vec3<f32> {
+    let from_center = p + view.parameters[0].xyz;
+    if STYLE == FROM_CENTER || STYLE == FROM_CENTER_ON_CYLINDER {
+        return from_center;
+    }
+    let rho = length(from_center.xz);
+    if rho <= view.parameters[1].x {
+        return p;
+    }
+    if rho >= view.parameters[1].y && STYLE == BLEND {
+        return from_center - view.parameters[2].xyz;
+    }
+    let w = user_weight(rho, view.parameters[1].y, view.parameters[1].w);
+    let from_user = p + view.parameters[2].xyz;
+    var to = blended(from_user, from_center, w);
+    if STYLE == CYLINDER || STYLE == CYLINDER_FROM_CENTER {
+        to = on_cylinder(user_place(), from_user, from_center, w, rho);
+    }
+    return to.w * to.xyz - view.parameters[2].xyz;
+}
+
+// How far away the user is shown what the centre sees at a distance beyond r2.
+fn backdrop_range(direction: vec3<f32>, from_center: f32) -> f32 {
+    let is_on_cylinder = STYLE == CYLINDER || STYLE == FROM_CENTER_ON_CYLINDER || STYLE == CYLINDER_FROM_CENTER;
+    if !is_on_cylinder || from_center > 1e30 {
+        return from_center;
+    }
+    let exit = leave_cylinder(user_place(), direction, from_center * length(direction.xz));
+    return select(from_center, exit, exit >= 0.0);
+}
+
+// A surface that is drawn as far away as it is from the centre is shown as far away as the cylinder says.
+fn shown_range(direction: vec3<f32>, range: f32) -> f32 {
+    if STYLE == FROM_CENTER_ON_CYLINDER || STYLE == CYLINDER_FROM_CENTER {
+        return backdrop_range(direction, range);
+    }
+    return range;
+}
