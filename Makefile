@@ -24,7 +24,7 @@ demo: .venv/built
 # Everything that must pass: formatting, lints, types, Rust tests, Python tests.
 test: lint
 	cargo test --release --quiet --workspace
-	$(bin)/python -m pytest
+	$(bin)/python -m pytest -n auto --dist worksteal
 
 # Formatting, lints and types only.
 lint: .venv/built .venv/test

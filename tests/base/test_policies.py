@@ -147,7 +147,7 @@ def test_a_kernels_refusal_is_a_value_error() -> None:
 # threads, progress, interruption -------------------------------------------------------------------------------------
 def run(code: str, **environment: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
-        [sys.executable, "-c", code], env=os.environ | environment, capture_output=True, text=True, timeout=60
+        [sys.executable, "-c", code], env=os.environ | environment, capture_output=True, text=True, timeout=600
     )
 
 

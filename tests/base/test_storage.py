@@ -47,7 +47,7 @@ def test_a_killed_writer_leaves_no_half_file(tmp_path: Path) -> None:
         "with files.atomic_file(sys.argv[1]) as aside:\n"
         "    aside.write_bytes(b'half'); os._exit(9)"
     )
-    process = subprocess.run([sys.executable, "-c", code, str(target)], timeout=60, check=False)
+    process = subprocess.run([sys.executable, "-c", code, str(target)], timeout=600, check=False)
     assert process.returncode == 9
     assert not target.exists()
 

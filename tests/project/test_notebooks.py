@@ -17,8 +17,8 @@ from tests.support import need
 CHECKOUT = Path(__file__).resolve().parents[2]
 NOTEBOOKS = sorted((CHECKOUT / "notebooks").glob("*.ipynb"))
 
-# Greatest run time of a notebook in seconds, with a wide margin, because other work may share the machine.
-SECONDS = 60.0
+# Run time after which a notebook is taken to hang, in seconds. It takes less than 60 where nothing else runs.
+SECONDS = 900.0
 
 
 def cells(path: Path) -> list[dict[str, Any]]:
@@ -61,10 +61,10 @@ def test_notebooks_run(path: Path, tmp_path: Path) -> None:
         cwd=tmp_path,
         capture_output=True,
         text=True,
-        timeout=5 * SECONDS,
+        timeout=SECONDS,
         check=False,
     )
     assert process.returncode == 0, process.stderr[-4000:]
-    print(f"{path.stem}: {time.monotonic() - started:.0f} s of {SECONDS:.0f}")
+    print(f"{path.stem}: {time.monotonic() - started:.0f} s")
     shown = [output for cell in cells(tmp_path / path.name) for output in cell.get("outputs", [])]
     assert any("image/png" in output.get("data", {}) for output in shown)

@@ -222,7 +222,7 @@ for call in (
     except MemoryError as error:
         print(error)
 """
-    process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=True)
+    process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=600, check=True)
     assert re.fullmatch(r"(the result needs \d+ bytes, which the system does not have\n){3}", process.stdout)
 
 

@@ -94,7 +94,7 @@ def test_meshes_that_are_shared_travel_once() -> None:
 def test_hashes_tell_content_and_nothing_else(tmp_path: Path) -> None:
     key = cache.key(parts_of(furnished()._core))
     code = "from tests.scene import test_serialize as own\nprint(own.cache.key(own.parts_of(own.furnished()._core)))"
-    process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60)
+    process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=600)
     assert process.stdout.strip() == key
     moved = furnished().at({"board1": np.eye(4)})
     assert cache.key(parts_of(moved._core)) != key
