@@ -3,6 +3,8 @@
 
 PYTHON ?= python3
 OUT ?= out
+# A wheel to install instead of building, which needs no Rust: `make demo WHEEL=nearfar-….whl`.
+WHEEL ?=
 
 bin := .venv/bin
 rust_sources := $(shell find rust -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
@@ -57,7 +59,7 @@ clean:
 # The environment itself, once cargo is known to be there.
 .venv/made:
 	$(PYTHON) -c 'import sys; sys.exit("nearfar: Python 3.11 or newer is needed, found " + sys.version.split()[0] if sys.version_info < (3, 11) else 0)'
-	$(PYTHON) scripts/nearfar_build.py
+	$(if $(WHEEL),,$(PYTHON) scripts/nearfar_build.py)
 	$(PYTHON) -m venv .venv
 	touch $@
 
@@ -80,7 +82,8 @@ clean:
 	$(pip) -r .venv/bench.txt
 	touch $@
 
-# The extension, built in release and placed in python/nearfar; editing Python needs no new build.
+# The package: a wheel if one is given, else the extension is built in release and placed in python/nearfar, so that
+# editing Python needs no new build.
 .venv/built: .venv/base $(rust_sources) scripts/nearfar_build.py
-	$(bin)/python -m pip install --quiet --disable-pip-version-check --no-build-isolation --no-deps --editable .
+	$(pip) --no-deps $(or $(WHEEL),--no-build-isolation --editable .)
 	touch $@
