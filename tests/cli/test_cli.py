@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 from numpy.typing import NDArray
 from PIL import Image
 
@@ -187,3 +188,34 @@ def test_the_chosen_place_is_open_ground(city: Path) -> None:
     # The chosen quarter turn sees farther than the other three.
     turned = np.roll(np.minimum(around, 500.0), 9 - int(np.argmax(viewpoint._ring() @ place.forward)))
     assert turned[:19].mean() >= turned[19:].mean()
+
+
+def test_commands_read_files_of_other_units(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "room.stl"
+    trimesh.creation.box((4000, 2500, 5000)).export(path)
+    status, out, err = command(capsys, "info", "-i", path, "--json")
+    assert status == 0
+    assert "higher than buildings" in document(out, "info")["report"]["unit_note"]
+    assert re.fullmatch(r"nearfar: \S+room.stl: the scene has 4,000 × 2,500 × 5,000 m, .* by scale .*\n", err)
+    at = ("--center", "0,1.7,0")
+    for arguments in (("partition", *at), ("reduce", *at, "-o", tmp_path / "light", "--size", "32x20")):
+        status, out, err = command(capsys, *arguments, "-i", path, "--scale", "0.001", "--json")
+        assert (status, err) == (0, "")
+    assert document(out, "report")["triangles_left"] == 12
+    status, _, err = command(capsys, "partition", "-i", "city", "--scale", "0.1")
+    assert (status, err) == (1, "nearfar: --scale: expected none with city, which is in metres already, got 0.1\n")
+    status, _, err = command(capsys, "partition", "-i", path, "--scale", "0")
+    assert (status, err) == (1, "nearfar: --scale: expected a number above 0, got 0.0\n")
+
+
+@pytest.mark.parametrize("name", ["reduce", "compare"])
+def test_reports_say_that_the_unit_may_be_another(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "room.stl"
+    trimesh.creation.box((4000, 2500, 5000)).export(path)
+    common = ("-i", path, "--center", "0,1.7,0", "-o", tmp_path / "out", "--size", "32x20", "--face-size", "16")
+    status, _, err = command(capsys, name, *common)
+    assert status == 0
+    assert "higher than buildings" in err
+    assert "\nNote: the scene has 4,000 × 2,500" in (tmp_path / "out" / "report.md").read_text(encoding="utf-8")

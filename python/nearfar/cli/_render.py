@@ -38,6 +38,7 @@ def render(
     face_size: options.FaceSize = 1024,
     backend: options.Backend = "auto",
     up: options.Up = "y",
+    scale: options.Scale = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -49,7 +50,7 @@ def render(
     pixels, aim = options.read_size("--size", size), options.read_point("--target", target)
     user, middle = options.read_point("--eye", eye), options.read_point("--center", center)
     check_target(output, ".png", ".exr")
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid)
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
     place = choose(loaded, scene) if user is None or (middle is None and method != "truth") else None
     user = user or (place.eye if place else (0.0, 0.0, 0.0))
     view = camera(loaded, user, aim, fov, pixels)
