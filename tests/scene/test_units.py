@@ -43,9 +43,7 @@ def test_a_scene_in_millimetres_keeps_its_near_triangles() -> None:
 )
 def test_units_of_trimesh_are_its_factors(unit: str, metres: float | None) -> None:
     if metres is None:
-        with pytest.raises(
-            nf.SceneError, match=r"trimesh object: expected a unit that trimesh knows, got 'km'; scale="
-        ):
+        with pytest.raises(nf.SceneError, match=r"trimesh object: expected a unit .* got 'km'; scale="):
             nf.Scene.from_trimesh(boxes(unit))
         return
     assert metres_in("it", [unit]) == metres

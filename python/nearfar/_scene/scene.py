@@ -78,9 +78,9 @@ class Scene:
             Treatment of faces with vertices that are not finite or do not exist: "raise" an error, or "drop" the faces,
             which `report` counts.
         scale
-            Metres in a unit of the file, above 0: 0.001 for millimetres. By default the unit that the file states (glTF:
-            the metre; 3MF, COLLADA), and the metre for formats without units, such as OBJ, PLY and STL. `report` has a
-            note where the extent suggests another unit.
+            Metres in a unit of the file, above 0, such as 0.001 for millimetres. By default the unit that the file
+            states (glTF: the metre; 3MF, COLLADA), and the metre for formats without units, such as OBJ, PLY and STL.
+            `report` has a note where the extent suggests another unit.
 
         Raises
         ------

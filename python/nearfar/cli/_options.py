@@ -55,7 +55,7 @@ Input = Annotated[str, INPUT]
 Up = Annotated[str, option("--up", "AXIS", "Axis of the file that points up: x, y or z.")]
 Scale = Annotated[
     float | None,
-    option("--scale", "METRES", "Metres in a unit of the file: 0.001 for millimetres. By default its own."),
+    option("--scale", "METRES", "Metres in a unit of the file, 0.001 for millimetres."),
 ]
 Invalid = Annotated[
     str, option("--on-invalid", "raise|drop", "Stop at vertices that are not finite, or drop their faces.")
