@@ -219,3 +219,47 @@ def test_reports_say_that_the_unit_may_be_another(
     assert status == 0
     assert "higher than buildings" in err
     assert "\nNote: the scene has 4,000 × 2,500" in (tmp_path / "out" / "report.md").read_text(encoding="utf-8")
+
+
+def test_both_eyes_of_a_headset_are_rendered(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "view.png"
+    common = ("render", "-i", city, "-o", path, "--eye", "0,1.7,0", "--target", "3,2,-9", "--size", "40x36", "--json")
+    status, out, _ = command(capsys, *common, "--hmd", "quest_2")
+    assert status == 0
+    report = document(out, "render")
+    assert (report["hmd"], report["lens"], report["size"]) == ("Oculus Quest 2", None, [40, 36])
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["view.png", "view_left.png", "view_right.png"]
+    left, right = pixels(tmp_path / "view_left.png"), pixels(tmp_path / "view_right.png")
+    assert left.shape == (36, 40, 3)
+    assert (left != right).any()
+    assert np.array_equal(pixels(path), np.concatenate([left, right], axis=1))
+    status, out, _ = command(capsys, *common, "--hmd", "quest_2", "--lens", "generic", "--method", "continuous")
+    assert status == 0
+    report = document(out, "render")
+    assert report["lens"].startswith("generic, that of Cardboard")
+    assert {Path(file).name for file in report["files"].values()} == {file.name for file in tmp_path.iterdir()}
+    warped = pixels(tmp_path / "view_left_warped.png")
+    assert (warped[0, 0] == 0).all()
+    assert (warped != pixels(tmp_path / "view_left.png")).any()
+    status, out, _ = command(capsys, *common[:-1], "--hmd", "vive_pro")
+    assert status == 0
+    assert "Liebisch (2021)" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (("--hmd", "quest_9"), "name: expected one of"),
+        (("--hmd", "quest_2", "--fov", "80"), "--fov: expected none with --hmd"),
+        (("--hmd", "quest_2", "--lens", "flat"), "--lens: expected one of 'own', 'generic', got 'flat'"),
+        (("--lens", "generic"), "--lens: expected it with --hmd only"),
+        (("--hmd", "quest_2", "-o", "view.exr"), "view.exr: expected a name ending in .png"),
+    ],
+)
+def test_what_headsets_cannot_do_is_said(
+    city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], sentence: str
+) -> None:
+    status, _, err = command(capsys, "render", "-i", city, "-o", tmp_path / "view.png", *arguments)
+    assert status == 1
+    assert sentence in err
+    assert list(tmp_path.iterdir()) == []

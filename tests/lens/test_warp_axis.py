@@ -32,7 +32,7 @@ def test_an_asymmetric_eyes_picture_is_warped_about_its_optical_axis(frame: nf.F
     warped = RIFT_S.warp(cone, True, fill=np.inf)[..., 0]
     # The least of the cone stays within the pixel of the axis.
     row, column = np.unravel_index(warped.argmin(), warped.shape)
-    assert (column, row) == (int(across * SIZE[0]), int(down * SIZE[1]))
+    assert (int(column), int(row)) == (int(across * SIZE[0]), int(down * SIZE[1]))
     # The lens shows all others farther out, alike on both sides of the axis.
     assert (warped >= distance - 1e-4).all()
     assert (warped - distance)[row, column + 30] == pytest.approx((warped - distance)[row, column - 30], rel=0.1)

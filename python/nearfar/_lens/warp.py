@@ -96,9 +96,9 @@ class Warping(abc.ABC):
         Returns
         -------
         NDArray
-            The warped picture, in the type of `image`; of a frame its warped colour, (H, W, 3) float32, linear RGB. (It
-            is no `Frame`, whose pixels a camera's rays would explain.) The position that a pixel is read from has an error of at most
-            5·10⁻¹⁰ of its distance from the axis.
+            The warped picture, in the type of `image`; of a frame its warped colour, (H, W, 3) float32, linear RGB, and
+            no `Frame`, because no camera has the rays of its pixels. The position that a pixel is read from has an
+            error of at most 5·10⁻¹⁰ of its distance from the axis.
 
         Raises
         ------
