@@ -65,6 +65,13 @@ def test_meshes_of_several_units_are_refused_unless_the_scale_is_stated() -> Non
     assert nf.Scene.from_trimesh(scene, scale=0.01).bounds[1, 1] == pytest.approx(25.0)
 
 
+def test_meshes_without_a_unit_are_in_metres_like_those_that_say_so() -> None:
+    scene = boxes("meters")
+    next(iter(scene.geometry.values())).metadata.pop("units")
+    report = nf.Scene.from_trimesh(scene).report
+    assert (report.triangles, report.notes) == (24, ())
+
+
 def test_the_callers_scale_replaces_the_stated_unit() -> None:
     scene = nf.Scene.from_trimesh(boxes("inches"), scale=0.001)
     assert scene.bounds[1, 1] == pytest.approx(2.5)

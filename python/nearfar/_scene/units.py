@@ -25,23 +25,28 @@ EYES_APART = 0.06
 def metres_in(label: str, units: Iterable[str]) -> float:
     """Return the metres in the unit that the meshes of a source state; 1 if they state none.
 
-    Units are trimesh's, such as "mm" or "0.0254 * meters", and "" for none. SceneError for unknown and for several.
+    Units are trimesh's, such as "mm" or "0.0254 * meters", and "" for none, which stands for the metre. SceneError for
+    unknown units, and for units of different lengths.
     """
+    factors = {unit: _metres_in(label, unit) for unit in sorted(set(units))}
+    if len(set(factors.values())) > 1:
+        names = ", ".join(unit or "none" for unit in factors)
+        raise SceneError(f"{label}: expected meshes of one unit, got {names}; scale= states the metres in a unit")
+    return next(iter(factors.values()), 1.0)
+
+
+def _metres_in(label: str, unit: str) -> float:
     from trimesh.units import unit_conversion
 
-    stated = sorted(set(units)) or [""]
-    if len(stated) > 1:
-        names = ", ".join(unit or "none" for unit in stated)
-        raise SceneError(f"{label}: expected meshes of one unit, got {names}; scale= states the metres in a unit")
-    if stated == [""]:
+    if not unit:
         return 1.0
     try:
         # The table is in inches, which leaves the last digits of its quotients to rounding.
-        factor = float(f"{unit_conversion(stated[0], 'meters'):.12g}")
+        factor = float(f"{unit_conversion(unit, 'meters'):.12g}")
     except ValueError:
         factor = 0.0
     if not 0.0 < factor < np.inf:
-        raise SceneError(f"{label}: expected a unit that trimesh knows, got {stated[0]!r}; scale= states its metres")
+        raise SceneError(f"{label}: expected a unit that trimesh knows, got {unit!r}; scale= states its metres")
     return factor
 
 
