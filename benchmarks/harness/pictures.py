@@ -73,10 +73,11 @@ def draw_lens(lens: nf.RadialLens, frame: nf.Frame, path: Path) -> None:
     figure, axes = plt.subplots(1, 3, figsize=(15, 4.6), layout="constrained", width_ratios=(1.2, 1, 1))
     _draw_inverses(lens, axes[0])
     _draw_sizes(lens, axes[1])
-    picture = frame.to_image()
+    picture, fov = frame.to_image(), frame.camera.fov
+    assert isinstance(fov, nf.Fov)
     height, width = picture.shape[:2]
-    mesh = lens.warp_mesh((width, height), tolerance_px=0.5)
-    axes[2].imshow(lens.warp(picture, True), extent=(-1, 1, -1, 1), aspect=height / width)
+    mesh = lens.warp_mesh(frame, tolerance_px=0.5)
+    axes[2].imshow(lens.warp(picture, True, fov=fov), extent=(-1, 1, -1, 1), aspect=height / width)
     axes[2].triplot(*mesh.positions.T, mesh.faces, color="white", linewidth=0.35, alpha=0.7)
     cells = len(mesh.faces) // 2
     axes[2].set(xticks=[], yticks=[], title=f"warped for it; a mesh of {cells} cells: {mesh.error_px:.2f} px")

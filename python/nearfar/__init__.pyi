@@ -33,6 +33,7 @@ from ._metrics.similarity import ms_ssim, ssim, ssim_pairs, visual_continuity
 from ._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
 from ._lens.warp import WarpMesh
 from .hmd._hmd import Hmd
+from .hmd._stereo import StereoFrame, render_eyes
 from . import datasets, hmd, gpu, lod
 
 __all__ = [
@@ -60,6 +61,7 @@ __all__ = [
     "SceneError",
     "Shot",
     "Similarity",
+    "StereoFrame",
     "WarpMesh",
     "__version__",
     "bend_rays",
@@ -93,6 +95,7 @@ __all__ = [
     "range_from_depth",
     "reduce",
     "render",
+    "render_eyes",
     "render_path",
     "rmse",
     "solid_angle",

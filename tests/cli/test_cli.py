@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 from numpy.typing import NDArray
 from PIL import Image
 
@@ -187,3 +188,78 @@ def test_the_chosen_place_is_open_ground(city: Path) -> None:
     # The chosen quarter turn sees farther than the other three.
     turned = np.roll(np.minimum(around, 500.0), 9 - int(np.argmax(viewpoint._ring() @ place.forward)))
     assert turned[:19].mean() >= turned[19:].mean()
+
+
+def test_commands_read_files_of_other_units(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "room.stl"
+    trimesh.creation.box((4000, 2500, 5000)).export(path)
+    status, out, err = command(capsys, "info", "-i", path, "--json")
+    assert status == 0
+    assert "higher than buildings" in document(out, "info")["report"]["unit_note"]
+    assert re.fullmatch(r"nearfar: \S+room.stl: the scene has 4,000 × 2,500 × 5,000 m, .* by scale .*\n", err)
+    at = ("--center", "0,1.7,0")
+    for arguments in (("partition", *at), ("reduce", *at, "-o", tmp_path / "light", "--size", "32x20")):
+        status, out, err = command(capsys, *arguments, "-i", path, "--scale", "0.001", "--json")
+        assert (status, err) == (0, "")
+    assert document(out, "report")["triangles_left"] == 12
+    status, _, err = command(capsys, "partition", "-i", "city", "--scale", "0.1")
+    assert (status, err) == (1, "nearfar: --scale: expected none with city, which is in metres already, got 0.1\n")
+    status, _, err = command(capsys, "partition", "-i", path, "--scale", "0")
+    assert (status, err) == (1, "nearfar: --scale: expected a number above 0, got 0.0\n")
+
+
+@pytest.mark.parametrize("name", ["reduce", "compare"])
+def test_reports_say_that_the_unit_may_be_another(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "room.stl"
+    trimesh.creation.box((4000, 2500, 5000)).export(path)
+    common = ("-i", path, "--center", "0,1.7,0", "-o", tmp_path / "out", "--size", "32x20", "--face-size", "16")
+    status, _, err = command(capsys, name, *common)
+    assert status == 0
+    assert "higher than buildings" in err
+    assert "\nNote: the scene has 4,000 × 2,500" in (tmp_path / "out" / "report.md").read_text(encoding="utf-8")
+
+
+def test_both_eyes_of_a_headset_are_rendered(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "view.png"
+    common = ("render", "-i", city, "-o", path, "--eye", "0,1.7,0", "--target", "3,2,-9", "--size", "40x36", "--json")
+    status, out, _ = command(capsys, *common, "--hmd", "quest_2")
+    assert status == 0
+    report = document(out, "render")
+    assert (report["hmd"], report["lens"], report["size"]) == ("Oculus Quest 2", None, [40, 36])
+    assert sorted(file.name for file in tmp_path.iterdir()) == ["view.png", "view_left.png", "view_right.png"]
+    left, right = pixels(tmp_path / "view_left.png"), pixels(tmp_path / "view_right.png")
+    assert left.shape == (36, 40, 3)
+    assert (left != right).any()
+    assert np.array_equal(pixels(path), np.concatenate([left, right], axis=1))
+    status, out, _ = command(capsys, *common, "--hmd", "quest_2", "--lens", "generic", "--method", "continuous")
+    assert status == 0
+    report = document(out, "render")
+    assert report["lens"].startswith("generic, that of Cardboard")
+    assert {Path(file).name for file in report["files"].values()} == {file.name for file in tmp_path.iterdir()}
+    warped = pixels(tmp_path / "view_left_warped.png")
+    assert (warped[0, 0] == 0).all()
+    assert (warped != pixels(tmp_path / "view_left.png")).any()
+    status, out, _ = command(capsys, *common[:-1], "--hmd", "vive_pro")
+    assert status == 0
+    assert "Liebisch (2021)" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (("--hmd", "quest_9"), "name: expected one of"),
+        (("--hmd", "quest_2", "--fov", "80"), "--fov: expected none with --hmd"),
+        (("--hmd", "quest_2", "--lens", "flat"), "--lens: expected one of 'own', 'generic', got 'flat'"),
+        (("--lens", "generic"), "--lens: expected it with --hmd only"),
+        (("--hmd", "quest_2", "-o", "view.exr"), "view.exr: expected a name ending in .png"),
+    ],
+)
+def test_what_headsets_cannot_do_is_said(
+    city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], sentence: str
+) -> None:
+    status, _, err = command(capsys, "render", "-i", city, "-o", tmp_path / "view.png", *arguments)
+    assert status == 1
+    assert sentence in err
+    assert list(tmp_path.iterdir()) == []

@@ -238,7 +238,7 @@ def test_cameras_stand_where_the_head_and_the_eye_say(
         hmd.camera("both", place)
 
 
-@given(eyes, eyes, st.floats(0.01, 0.1))
+@given(eyes, eyes, st.floats(0.04, 0.09))
 def test_eyes_move_apart_about_their_middle(left: nf.hmd.Eye, right: nf.hmd.Eye, ipd: float) -> None:
     hmd = nf.Hmd(name="one", left=left, right=right, render_size=(2, 2))
     if hmd.ipd < 1e-6:

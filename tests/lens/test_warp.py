@@ -90,7 +90,7 @@ def test_a_lens_that_changes_nothing_changes_nothing() -> None:
         image = (np.random.default_rng(1).random((40, 30, 4)) * 200).astype(dtype)
         for name in ("linear", "cubic"):
             # Positions are exact to 1e-15 of the picture, values of 200 to 1e-12 before rounding.
-            shown = nf.RadialLens(()).warp(image, filter=name)
+            shown = nf.RadialLens(()).warp(image, fov="symmetric", filter=name)
             assert shown.dtype == dtype
             assert np.abs(shown.astype(float) - image).max() <= (0 if dtype in (np.uint8, np.uint16) else 1e-4)
 
@@ -116,7 +116,8 @@ def test_warps_agree_with_others(name: str, order: int, theirs: int | None) -> N
 
 def test_the_lens_puts_right_what_was_warped_for_it() -> None:
     image = smooth(400, 400)
-    back = RIFT_S.warp(RIFT_S.warp(image, True, filter="cubic"), filter="cubic", fill=np.nan)
+    warped = RIFT_S.warp(image, True, fov="symmetric", filter="cubic")
+    back = RIFT_S.warp(warped, fov="symmetric", filter="cubic", fill=np.nan)
     # The warped picture does not shrink near the middle; parts moved outside it cannot come back.
     x, y = np.meshgrid(np.linspace(-1, 1, 400), np.linspace(-1, 1, 400))
     near = np.hypot(x, y) < 0.6
@@ -127,7 +128,7 @@ def test_the_picture_swells_as_the_lens_says() -> None:
     image = np.zeros((201, 201))
     # A pixel at r = 0.5 to the right is shown at f(0.5) = 0.535.
     image[100, 150] = 1.0
-    shown = RIFT_S.warp(image)
+    shown = RIFT_S.warp(image, fov="symmetric")
     row, column = np.unravel_index(shown.argmax(), shown.shape)
     assert row == 100
     assert (column + 0.5) / 201 * 2 - 1 == pytest.approx(float(RIFT_S.distort((150.5) / 201 * 2 - 1)), abs=0.01)
@@ -137,18 +138,20 @@ def test_colours_have_lenses_of_their_own() -> None:
     image = np.random.default_rng(2).random((60, 50, 3))
     lenses = [nf.RadialLens((c,)) for c in (0.1, 0.2, 0.3)]
     both = nf.ChromaticLens(*lenses)
-    shown = both.warp(image, True, filter="cubic")
+    shown = both.warp(image, True, fov="symmetric", filter="cubic")
     for channel, lens in enumerate(lenses):
-        assert np.array_equal(shown[..., channel], lens.warp(image[..., channel], True, filter="cubic"))
+        assert np.array_equal(
+            shown[..., channel], lens.warp(image[..., channel], True, fov="symmetric", filter="cubic")
+        )
     with pytest.raises(ValueError, match=r"image: expected shape \(H, W, 3\), a channel for each lens"):
         both.warp(image[..., :2])
     with pytest.raises(TypeError, match="green: expected a RadialLens, got tuple"):
         nf.ChromaticLens(lenses[0], (0.1,), lenses[2])  # type: ignore[arg-type]
-    mesh = both.warp_mesh((500, 500))
+    mesh = both.warp_mesh((500, 500), fov="symmetric")
     assert mesh.texcoords.shape[0] == 3
     assert mesh.error_px <= 0.25
-    single = lenses[1].warp_mesh((500, 500), cells=(8, 8))
-    assert np.array_equal(both.warp_mesh((500, 500), cells=(8, 8)).texcoords[1], single.texcoords[0])
+    single = lenses[1].warp_mesh((500, 500), fov="symmetric", cells=(8, 8))
+    assert np.array_equal(both.warp_mesh((500, 500), fov="symmetric", cells=(8, 8)).texcoords[1], single.texcoords[0])
 
 
 @pytest.mark.parametrize(
@@ -169,7 +172,7 @@ def test_colours_have_lenses_of_their_own() -> None:
 )
 def test_bad_arguments(arguments: dict[str, Any], error: type[Exception], message: str) -> None:
     with pytest.raises(error, match=message):
-        RIFT_S.warp(**{"image": np.zeros((4, 4)), **arguments})
+        RIFT_S.warp(**{"image": np.zeros((4, 4)), "fov": "symmetric", **arguments})
 
 
 def through(mesh: nf.WarpMesh, lens: int, random: np.random.Generator, count: int) -> tuple[Array, Array]:
@@ -245,21 +248,21 @@ def test_the_lens_is_the_same_whatever_the_picture_shows() -> None:
     ]
     assert np.allclose(shown[0][60:140, 60:140], shown[1][60:140, 60:140], atol=1e-9)
     with pytest.raises(ValueError, match="lens_radius: expected a number above 0"):
-        RIFT_S.warp(image, lens_radius=0)
+        RIFT_S.warp(image, fov="symmetric", lens_radius=0)
     eye = nf.hmd.VIVE.left.fov
     meshes = [RIFT_S.warp_mesh((100, 100), fov=eye, lens_radius=r, cells=(5, 5)) for r in (None, 2.0)]
     assert not np.array_equal(meshes[0].texcoords, meshes[1].texcoords)
 
 
 def test_long_pictures_are_refused_before_they_cost_much() -> None:
-    tall = RIFT_S.warp_mesh((100, 200))
+    tall = RIFT_S.warp_mesh((100, 200), fov="symmetric")
     assert tall.error_px <= 0.25
     for size, tolerance in (((20, 2000), 0.001), ((2, 6000), 1e-4)):
         with pytest.raises(ValueError, match="tolerance_px: expected one that 262,144 cells hold"):
-            RIFT_S.warp_mesh(size, tolerance_px=tolerance)
+            RIFT_S.warp_mesh(size, fov="symmetric", tolerance_px=tolerance)
     for cells in (5, (5, 5, 5)):
         with pytest.raises(TypeError, match="cells: expected two whole numbers"):
-            RIFT_S.warp_mesh((10, 10), cells=cells)  # type: ignore[arg-type]
+            RIFT_S.warp_mesh((10, 10), fov="symmetric", cells=cells)  # type: ignore[arg-type]
 
 
 def test_masked_pictures_are_refused() -> None:
@@ -275,13 +278,13 @@ def test_meshes_have_as_many_cells_as_a_tolerance_needs() -> None:
         columns = len(np.unique(mesh.positions[:, 0])) - 1
         rows = len(np.unique(mesh.positions[:, 1])) - 1
         assert RIFT_S.warp_mesh(size, fov=EYE, cells=(columns - 2, rows - 2)).error_px > 0.9 * tolerance
-    flat = nf.RadialLens(()).warp_mesh(size)
+    flat = nf.RadialLens(()).warp_mesh(size, fov="symmetric")
     assert flat.error_px < 1e-3
     assert len(flat.faces) == 2
 
 
 def test_meshes_are_drawn_counter_clockwise_over_the_whole_view() -> None:
-    mesh = RIFT_S.warp_mesh((640, 480))
+    mesh = RIFT_S.warp_mesh((640, 480), fov="symmetric")
     a, b, c = (mesh.positions[mesh.faces[:, n]].astype(np.float64) for n in range(3))
     area = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
     assert (area > 0).all()
@@ -305,6 +308,6 @@ def test_meshes_leave_out_what_the_lens_cannot_show() -> None:
     with pytest.raises(ValueError, match="fov: expected a field of view that the lens serves"):
         lens.warp_mesh((800, 800), fov=wide, output_fov=nf.Fov(2, 3, 2, 3), cells=(4, 4))
     with pytest.raises(ValueError, match=r"cells\[1\]: expected a whole number"):
-        lens.warp_mesh((800, 800), cells=(4, 0))
+        lens.warp_mesh((800, 800), fov="symmetric", cells=(4, 0))
     with pytest.raises(ValueError, match="tolerance_px: expected a number above 0"):
-        lens.warp_mesh((800, 800), tolerance_px=0)
+        lens.warp_mesh((800, 800), fov="symmetric", tolerance_px=0)

@@ -31,8 +31,8 @@ STAGES: dict[str, set[str]] = {
     "_render": {"_camera", "_cubemap", "_scene"},
     "_reduce": {"_camera", "_cubemap", "_morph", "_partition", "_render", "_scene"},
     "_metrics": {"_camera", "_render"},
-    "_lens": {"_camera"},
-    "hmd": {"_camera", "_lens"},
+    "_lens": {"_camera", "_render"},
+    "hmd": {"_camera", "_lens", "_render"},
     "gpu": {"_camera", "_metrics", "_morph", "_render"},
     "lod": {"_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "_trace", "hmd"},
 }

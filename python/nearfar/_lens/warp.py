@@ -12,10 +12,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check
-from nearfar._camera.camera import Fov
+from nearfar._camera.camera import Camera, Fov
+from nearfar._render.frame import Frame
 
 FILTERS = ("linear", "cubic")
 """Names of the filters that `RadialLens.warp` describes."""
+
+SYMMETRIC = "symmetric"
+"""Name of the field of view of a picture whose middle is on the lens's axis."""
 
 TYPES = (np.uint8, np.uint16, np.float32, np.float64)
 """Number types of pictures."""
@@ -55,10 +59,10 @@ class Warping(abc.ABC):
 
     def warp(
         self,
-        image: ArrayLike,
+        image: ArrayLike | Frame,
         inverse: bool = False,
         *,
-        fov: Fov | None = None,
+        fov: Fov | str | None = None,
         output_fov: Fov | None = None,
         lens_radius: float | None = None,
         size: tuple[int, int] | None = None,
@@ -71,13 +75,14 @@ class Warping(abc.ABC):
         ----------
         image
             (H, W) or (H, W, C), for a `ChromaticLens` (H, W, 3): uint8, uint16, float32 or float64, in the colour space
-            in which pixels are to be mixed.
+            in which pixels are to be mixed. A `Frame` of a camera with a `Fov`: its colour, linear.
         inverse
             False moves the pixel at r to f(r), like the lens. True moves the pixel at f(r) to r, so that the lens moves
             it back.
         fov
-            Field of view of the picture, as tangents from the lens's axis. By default the axis is in the middle, pixels
-            are square, and r = 1 at the left and right edges.
+            Field of view of the picture, as tangents from the lens's axis, such as `hmd.left.fov`. A frame has that of
+            its camera, and takes no other. An array has none: "symmetric" states that the axis is in the middle, that
+            pixels are square, and that r = 1 at the left and right edges.
         output_fov, size
             Field of view and (width, height) in pixels of the result; by default those of `image`.
         lens_radius
@@ -91,17 +96,22 @@ class Warping(abc.ABC):
         Returns
         -------
         NDArray
-            The warped picture, in the type of `image`. The position that a pixel is read from has an error of at most
-            5·10⁻¹⁰ of its distance from the axis.
+            The warped picture, in the type of `image`; of a frame its warped colour, (H, W, 3) float32, linear RGB, and
+            no `Frame`, because no camera has the rays of its pixels. The position that a pixel is read from has an
+            error of at most 5·10⁻¹⁰ of its distance from the axis.
 
         Raises
         ------
         ValueError, TypeError
-            For wrong shapes and types, and unknown filters.
+            For wrong shapes and types, unknown filters, a picture without a field of view, frames without colour, and
+            frames of cameras without a `Fov`.
         """
+        check.choice("filter", filter, FILTERS)
+        if isinstance(image, Frame):
+            fov = _fov_of("image", image.camera, fov)
+            image = image.require("color")
         picture = _picture(image, len(self._cores))
         height, width = picture.shape[:2]
-        check.choice("filter", filter, FILTERS)
         shown = _view(fov, output_fov, lens_radius, width / height)
         values = picture if picture.ndim == 3 else picture[..., None]
         result = _core.warp(
@@ -117,10 +127,10 @@ class Warping(abc.ABC):
 
     def warp_mesh(
         self,
-        size: tuple[int, int],
+        size: tuple[int, int] | Camera | Frame,
         inverse: bool = True,
         *,
-        fov: Fov | None = None,
+        fov: Fov | str | None = None,
         output_fov: Fov | None = None,
         lens_radius: float | None = None,
         cells: tuple[int, int] | None = None,
@@ -131,7 +141,8 @@ class Warping(abc.ABC):
         Parameters
         ----------
         size
-            (width, height) of the source picture in pixels.
+            (width, height) of the source picture in pixels; or its camera, or a frame of that camera, which have its
+            `fov` too.
         inverse, fov, output_fov, lens_radius
             As in `warp`. Runtimes need the inverse, which cancels the lens's distortion.
         cells
@@ -149,8 +160,11 @@ class Warping(abc.ABC):
         ------
         ValueError
             For a tolerance that 2¹⁸ cells do not satisfy, as near the fold of an inverse, and for a field of view
-            beyond the lens's domain.
+            beyond the lens's domain. For a size without a field of view, and cameras without a `Fov`.
         """
+        if isinstance(size, Camera | Frame):
+            camera = size if isinstance(size, Camera) else size.camera
+            size, fov = camera.size, _fov_of("size", camera, fov)
         width, height = check.size("size", size)
         shown = _view(fov, output_fov, lens_radius, width / height)
         tolerance = check.positive("tolerance_px", tolerance_px)
@@ -216,13 +230,24 @@ def radius_of(fov: Fov, lens_radius: float | None) -> float:
     return max(abs(fov.left), abs(fov.right)) if lens_radius is None else check.positive("lens_radius", lens_radius)
 
 
-def _view(fov: Fov | None, output_fov: Fov | None, lens_radius: float | None, aspect: float) -> dict[str, Any]:
+def _fov_of(name: str, camera: Camera, fov: object) -> Fov:
+    """Field of view of a frame's or a mesh's camera; refuses another one beside it."""
+    if fov is not None:
+        raise ValueError(f"fov: expected None, because {name} has the field of view of its camera, got {fov!r}")
+    if not isinstance(camera.fov, Fov):
+        raise ValueError(f"{name}: expected a camera with a Fov, got one with {type(camera.fov).__name__}")
+    return camera.fov
+
+
+def _view(fov: Fov | str | None, output_fov: Fov | None, lens_radius: float | None, aspect: float) -> dict[str, Any]:
     """Fields of view of the source and the result, and the tangent at which r = 1, as arguments of kernels."""
-    for name, each_fov in (("fov", fov), ("output_fov", output_fov)):
-        if each_fov is not None:
-            check.instance(name, each_fov, Fov)
-    source = fov or Fov(-1.0, 1.0, -1.0 / aspect, 1.0 / aspect)
-    result = output_fov or source
+    if fov is None or (isinstance(fov, str) and fov != SYMMETRIC):
+        expected = f'the Fov of the picture, such as hmd.left.fov, or "{SYMMETRIC}" for an axis in its middle'
+        raise ValueError(f"fov: expected {expected}, got {fov!r}")
+    if isinstance(fov, str):
+        fov = Fov(-1.0, 1.0, -1.0 / aspect, 1.0 / aspect)
+    source = check.instance("fov", fov, Fov)
+    result = source if output_fov is None else check.instance("output_fov", output_fov, Fov)
     return {"from_fov": source._sides, "to_fov": result._sides, "tan_omega": radius_of(source, lens_radius)}
 
 

@@ -27,17 +27,19 @@ _MOST_UNPACKED = 4 << 30
 """Greatest size in bytes of an unpacked .gz file."""
 
 
-def load(path: str | os.PathLike[str], *, up: str, on_invalid: str) -> Assembled:
+def load(path: str | os.PathLike[str], *, up: str, on_invalid: str, scale: float | None) -> Assembled:
     """Load a file; `nearfar.Scene.load` documents the arguments."""
     check.choice("up", up, ("x", "y", "z"))
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
+    if scale is not None:
+        check.positive("scale", scale)
     path = Path(path)
     data = path.read_bytes()  # a missing file, a folder and missing permissions raise OSError
     label = os.fspath(path)
     with _quiet() as messages, _explained(label):
         source = _read(label, path, data)
         source.notes += [message for message in dict.fromkeys(messages) if message not in source.notes]
-        return assemble(source, up=up, on_invalid=on_invalid)
+        return assemble(source, up=up, on_invalid=on_invalid, scale=scale)
 
 
 def _read(label: str, path: Path, data: bytes) -> Source:

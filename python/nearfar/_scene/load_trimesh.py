@@ -35,7 +35,8 @@ def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, *, fresh: bool = F
     shapes = {name: _shape(mesh, materials, fresh=fresh) for name, mesh in meshes.items()}
     other = len(loaded.geometry) - len(shapes)
     notes = [f"{count(other, 'geometry', 'geometries')} without triangles ignored"] if other else []
-    return Source(label, shapes, _nodes(loaded, shapes), notes)
+    units = [str(mesh.units or "") for mesh in meshes.values()]
+    return Source(label, shapes, _nodes(loaded, shapes), notes, units)
 
 
 def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> list[Node]:

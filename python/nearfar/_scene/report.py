@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nearfar import _core
+from nearfar._scene.units import extent_note
 
 
 @dataclass(frozen=True)
@@ -32,7 +33,14 @@ class Report:
     dropped_faces: int
     """Number of faces dropped because of non-finite or missing vertices (``on_invalid="drop"``)."""
     notes: tuple[str, ...] = ()
-    """Parts of the source that are ignored or drawn differently, one sentence each."""
+    """Parts of the source that are ignored or drawn differently, and its unit if not the metre, one sentence each."""
+    unit_note: str = ""
+    """A sentence if the extent suggests that the source's unit is not the metre, else empty.
+
+    The scene is higher than 9,000 m, which is more than any ground; or higher than 830 m, which is more than any
+    building, and a fifth of its width, which is steeper than landscapes; or smaller than 0.06 m, the distance between
+    the eyes. Nothing is rescaled: a room in centimetres has the extent of a building in metres.
+    """
 
     @classmethod
     def of(cls, core: _core.Scene, objects: int, dynamic: int, dropped: int, notes: tuple[str, ...]) -> Report:
@@ -48,6 +56,7 @@ class Report:
             degenerate_faces=core.degenerate_count(),
             dropped_faces=dropped,
             notes=notes,
+            unit_note=extent_note(core.bounds()),
         )
 
     def __str__(self) -> str:
@@ -61,7 +70,7 @@ class Report:
             counts.append(f"{count(self.degenerate_faces, 'face')} without an area")
         if self.dropped_faces:
             counts.append(f"{count(self.dropped_faces, 'unusable face')} dropped")
-        return "\n".join([*counts, *self.notes])
+        return "\n".join([*counts, *self.notes, *filter(None, [self.unit_note])])
 
 
 def count(number: int, noun: str, plural: str = "") -> str:

@@ -59,7 +59,9 @@ class Scene:
         return cls(parts.core, Names(parts.names), frames=parts.frames, dropped=parts.dropped, notes=parts.notes)
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str], *, up: str = "y", on_invalid: str = "raise") -> Scene:
+    def load(
+        cls, path: str | os.PathLike[str], *, up: str = "y", on_invalid: str = "raise", scale: float | None = None
+    ) -> Scene:
         """Load a file: GLB, glTF with its buffers and images, OBJ with MTL, PLY, STL, OFF or another format of trimesh.
 
         Nodes become objects; meshes that are placed more than once stay instances; base colour factors, base colour
@@ -69,27 +71,38 @@ class Scene:
         Parameters
         ----------
         path
-            The file. Units are taken to be metres.
+            The file.
         up
             Axis of the file that points up: "x", "y" or "z"; it is turned to y.
         on_invalid
             Treatment of faces with vertices that are not finite or do not exist: "raise" an error, or "drop" the faces,
             which `report` counts.
+        scale
+            Metres in a unit of the file, above 0, such as 0.001 for millimetres. By default the unit that the file
+            states (glTF: the metre; 3MF, COLLADA), and the metre for formats without units, such as OBJ, PLY and STL.
+            `report` has a note where the extent suggests another unit.
 
         Raises
         ------
         SceneError
             A file that cannot be used; the message names it and the reason.
+        ValueError, TypeError
+            A `scale` that is not a number above 0, and unknown names of axes and treatments.
         OSError
             A file that cannot be opened.
         """
         from nearfar._scene import load
 
-        return cls._from_assembled(load.load(path, up=up, on_invalid=on_invalid))
+        return cls._from_assembled(load.load(path, up=up, on_invalid=on_invalid, scale=scale))
 
     @classmethod
     def from_trimesh(
-        cls, loaded: trimesh.Trimesh | trimesh.Scene, *, up: str = "y", on_invalid: str = "raise"
+        cls,
+        loaded: trimesh.Trimesh | trimesh.Scene,
+        *,
+        up: str = "y",
+        on_invalid: str = "raise",
+        scale: float | None = None,
     ) -> Scene:
         """Convert one of trimesh's meshes or scenes.
 
@@ -100,11 +113,14 @@ class Scene:
             are used, but not those that trimesh computes from the faces, so that a box keeps sharp edges.
         up, on_invalid
             See `load`.
+        scale
+            Metres in a unit, above 0. By default that of `loaded.units`, which all meshes must share, and the metre if
+            it is None.
 
         Raises
         ------
         SceneError
-            No triangles, or vertices and transforms that cannot be used.
+            No triangles, vertices and transforms that cannot be used, unknown units, or meshes of several units.
         TypeError
             Anything else than a mesh or a scene.
         """
@@ -112,7 +128,7 @@ class Scene:
         from nearfar._scene import source as sources
 
         source = load_trimesh.read("trimesh object", loaded)
-        return cls._from_assembled(sources.assemble(source, up=up, on_invalid=on_invalid))
+        return cls._from_assembled(sources.assemble(source, up=up, on_invalid=on_invalid, scale=scale))
 
     @classmethod
     def from_arrays(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -15,6 +15,7 @@ from nearfar._base.errors import SceneError
 from nearfar._scene.assembly import Assembled, Assembly
 from nearfar._scene.materials import PLAIN, UNCOLORED, BaseColor
 from nearfar._scene.report import count
+from nearfar._scene.units import metres_in
 
 _UP = {
     "x": np.array([[0.0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
@@ -66,6 +67,8 @@ class Source:
     shapes: dict[str, Shape]
     nodes: list[Node]
     notes: list[str] = field(default_factory=list)
+    units: Sequence[str] = ()
+    """Units that the meshes state, in trimesh's names and "" for none; without any the unit is the metre."""
 
 
 def world_transforms(
@@ -79,10 +82,11 @@ def world_transforms(
     return world
 
 
-def assemble(source: Source, *, up: str, on_invalid: str) -> Assembled:
+def assemble(source: Source, *, up: str, on_invalid: str, scale: float | None = None) -> Assembled:
     """Assemble a scene's parts in one pass over the source's meshes; SceneError if they cannot be used."""
     check.choice("up", up, _UP)
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
+    _to_metres(source, scale)
     nodes, flaws = _usable_nodes(source)
     used = {node.shape for node in nodes}
     shapes = {name: shape for name, shape in source.shapes.items() if name in used}
@@ -111,6 +115,20 @@ def assemble(source: Source, *, up: str, on_invalid: str) -> Assembled:
     except ValueError as error:
         raise SceneError(f"{source.label}: {error}") from error
     return replace(parts, dropped=dropped, notes=tuple(source.notes + _material_notes(shapes.values())))
+
+
+def _to_metres(source: Source, scale: float | None) -> None:
+    """Scale vertices and translations, so that rotations stay rotations and poses of objects have no scale."""
+    metres = metres_in(source.label, source.units) if scale is None else check.positive("scale", scale)
+    if metres == 1.0:
+        return
+    if scale is None:
+        source.notes.append(f"unit '{source.units[0]}' converted, {metres:g} m")
+    for shape in source.shapes.values():
+        shape.vertices = np.asarray(shape.vertices, np.float64) * metres
+    factors = np.ones((4, 4))
+    factors[:3, 3] = metres
+    source.nodes = [replace(node, transform=node.transform * factors) for node in source.nodes]
 
 
 def _usable_nodes(source: Source) -> tuple[list[Node], list[str]]:

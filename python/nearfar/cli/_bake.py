@@ -30,6 +30,7 @@ def bake(
     with_ids: Annotated[bool, typer.Option("--object-id", help="Bake object numbers too.")] = False,
     backend: options.Backend = "auto",
     up: options.Up = "y",
+    scale: options.Scale = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -38,7 +39,7 @@ def bake(
     options.check_backend(backend)
     middle = options.read_point("--center", center)
     check_target(output, ".exr")
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid)
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
     middle = middle or choose(loaded, scene).eye
     channels = ("color", *(("range",) if with_range else ()), *(("object_id",) if with_ids else ()))
     started = time.perf_counter()

@@ -86,6 +86,7 @@ def compare(
     ] = None,
     backend: options.Backend = "auto",
     up: options.Up = "y",
+    scale: options.Scale = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -111,7 +112,7 @@ def compare(
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="compare.json") as folder:
         with clock.step("scene"):
-            loaded = options.open_scene(scene, up=up, on_invalid=on_invalid)
+            loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
         with clock.step("place"):
             place = choose(loaded, scene, middle)
             eye = eye or viewpoint.beside(loaded, place, away)
@@ -144,6 +145,7 @@ def compare(
         checked = [threshold.check(values["continuous"]) for threshold in thresholds]
         document = formats.header("compare", VERSION, origin=[float(v) for v in loaded.origin], color_space="sRGB") | {
             "source": scene,
+            "unit_note": loaded.report.unit_note,
             "triangles": int(loaded.triangle_count),
             "triangles_left": int(reduced.stats["drawn"]),
             "map_bytes": int(reduced.stats["map_bytes"]),

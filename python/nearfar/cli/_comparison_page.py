@@ -105,6 +105,7 @@ def _summary(document: dict[str, Any]) -> list[str]:
         else f"the picture folds {margin:.1f} m farther away from O"
     )
     return [
+        *([f"Note: {document['unit_note']}."] if document["unit_note"] else []),
         f"{count(document['triangles'])} triangles become {count(document['triangles_left'])} and a cube map of 6 × "
         f"{document['face_size']}² texels ({bytes_text(document['map_bytes'])}). Method: {document['method']}.",
         f"Centre O at {metres(document['center'])}; user U at {metres(document['user'])}; r₁ = {document['r1']:g} m, "

@@ -10,7 +10,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import formats
-from nearfar.cli._options import INPUT, Invalid, Json, Up, open_scene
+from nearfar.cli._options import INPUT, Invalid, Json, Scale, Up, open_scene
 from nearfar.cli._output import count, metres, show
 
 VERSION = 1
@@ -20,6 +20,7 @@ def info(
     scene: Annotated[str | None, INPUT] = None,
     gpu: Annotated[bool, typer.Option("--gpu", help="List the graphics adapters, and why one is not used.")] = False,
     up: Up = "y",
+    scale: Scale = None,
     on_invalid: Invalid = "raise",
     as_json: Json = False,
 ) -> None:
@@ -31,7 +32,7 @@ def info(
         show(document, _adapter_rows(document), title="graphics adapters", as_json=as_json)
         return
     started = time.perf_counter()
-    loaded = open_scene(scene, up=up, on_invalid=on_invalid)
+    loaded = open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
     document = describe(loaded, scene, time.perf_counter() - started)
     rows = [
         *((key.replace("_", " "), _text(value)) for key, value in document["report"].items() if value),

@@ -39,15 +39,16 @@ def lod(
     ] = Threshold.kind,
     backend: options.Backend = "auto",
     up: options.Up = "y",
+    scale: options.Scale = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
     """Simplify an object, measure the SSIM of each level over its size, and write the model with sizes to switch at."""
     options.check_backend(backend)
     check_target(output, ".glb", ".json")
-    device = headset(hmd)
+    device = options.headset(hmd)
     shares = None if ratios is None else read_ratios(ratios)
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid)
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
     started = time.perf_counter()
     name = Path(scene.partition(":")[0]).stem
     simplify = functools.partial(nf.lod.simplify, loaded, method=method, normals=normals, name=name)
@@ -71,11 +72,6 @@ def lod(
         *((step, f"{value:.2f} s") for step, value in seconds.items()),
     ]
     show(document, rows, title=scene, as_json=as_json)
-
-
-def headset(text: str) -> nf.Hmd:
-    """The headset of a name, in small letters too, or of a file."""
-    return nf.Hmd.load(text) if Path(text).suffix.lower() == ".json" else nf.hmd.get(text.upper())
 
 
 def read_ratios(text: str) -> list[float]:

@@ -53,6 +53,10 @@ INPUT = option(
 )
 Input = Annotated[str, INPUT]
 Up = Annotated[str, option("--up", "AXIS", "Axis of the file that points up: x, y or z.")]
+Scale = Annotated[
+    float | None,
+    option("--scale", "METRES", "Metres in a unit of the file, 0.001 for millimetres."),
+]
 Invalid = Annotated[
     str, option("--on-invalid", "raise|drop", "Stop at vertices that are not finite, or drop their faces.")
 ]
@@ -81,14 +85,26 @@ def check_backend(text: str) -> None:
     check.choice("--backend", text, ("auto", "cpu", "gpu"))
 
 
-def open_scene(text: str, *, up: str = "y", on_invalid: str = "raise") -> nf.Scene:
-    """Load the file or make the procedural scene that `-i` names."""
+def open_scene(text: str, *, up: str, on_invalid: str, scale: float | None) -> nf.Scene:
+    """Load the file or make the procedural scene that `-i` names; an extent that suggests another unit is said."""
+    if scale is not None:
+        check.positive("--scale", scale)
     name, _, settings = text.partition(":")
     if name in PROCEDURAL and not Path(text).exists():
         if up != "y":
             raise ValueError(f"--up: expected y with {name}, which stands upright already, got {up!r}")
+        if scale is not None:
+            raise ValueError(f"--scale: expected none with {name}, which is in metres already, got {scale:g}")
         return _procedural(name, settings)
-    return nf.Scene.load(text, up=up, on_invalid=on_invalid)
+    scene = nf.Scene.load(text, up=up, on_invalid=on_invalid, scale=scale)
+    if scene.report.unit_note:
+        typer.echo(f"nearfar: {text}: {scene.report.unit_note}", err=True)
+    return scene
+
+
+def headset(text: str) -> nf.Hmd:
+    """Return the headset of a name, in small letters too, or of a .json file."""
+    return nf.Hmd.load(text) if Path(text).suffix.lower() == ".json" else nf.hmd.get(text.upper())
 
 
 def _procedural(name: str, settings: str) -> nf.Scene:

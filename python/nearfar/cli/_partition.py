@@ -26,6 +26,7 @@ def partition(
     r1: options.Inner = 30.0,
     r2: options.Outer = 50.0,
     up: options.Up = "y",
+    scale: options.Scale = None,
     on_invalid: options.Invalid = "raise",
     output: Annotated[Path | None, option("-o --output", "FILE", "Also write the JSON document to a file.")] = None,
     max_triangles: Annotated[
@@ -37,7 +38,7 @@ def partition(
     check.radii(r1, r2)
     if output:
         check_target(output, ".json")
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid)
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
     middle = options.read_point("--center", center) or choose(loaded, scene).eye
     document = describe(loaded, scene, middle, r1, r2)
     if output:

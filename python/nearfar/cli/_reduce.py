@@ -39,6 +39,7 @@ def reduce(
     samples: options.Samples = 4,
     backend: options.Backend = "auto",
     up: options.Up = "y",
+    scale: options.Scale = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -53,7 +54,7 @@ def reduce(
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="reduced.json") as folder:
         with clock.step("scene"):
-            loaded = options.open_scene(scene, up=up, on_invalid=on_invalid)
+            loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
         with clock.step("place"):
             place = choose(loaded, scene, middle)
             user = viewpoint.beside(loaded, place, ASIDE * (r2 - r1))
@@ -75,6 +76,7 @@ def reduce(
             "report", VERSION, origin=[float(value) for value in loaded.origin], color_space="sRGB"
         ) | {
             "source": scene,
+            "unit_note": loaded.report.unit_note,
             "triangles": int(loaded.triangle_count),
             "triangles_left": int(reduced.stats["drawn"]),
             "map_bytes": int(reduced.stats["map_bytes"]),

@@ -80,6 +80,7 @@ def markdown(document: dict[str, Any]) -> str:
     lines = [
         f"# Near-far reduction of {document['source']}",
         "",
+        *([f"Note: {document['unit_note']}.", ""] if document["unit_note"] else []),
         f"{count(document['triangles'])} triangles become {count(document['triangles_left'])} ({share:.3g} %) "
         f"and a cube map of 6 × {document['face_size']}² texels ({bytes_text(document['map_bytes'])}).",
         "",

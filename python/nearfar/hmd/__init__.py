@@ -10,8 +10,9 @@ from importlib import resources
 
 from nearfar.hmd._eye import Eye, TotalFov
 from nearfar.hmd._hmd import Hmd
+from nearfar.hmd._lenses import CARDBOARD_LENSES, GENERIC_LENS
 
-__all__ = ["CARDBOARD_LENSES", "Eye", "Hmd", "TotalFov", "get", "names"]
+__all__ = ["CARDBOARD_LENSES", "GENERIC_LENS", "Eye", "Hmd", "TotalFov", "get", "names"]
 
 GALAXY_XR: Hmd
 INDEX: Hmd
@@ -28,11 +29,6 @@ VARJO_AERO: Hmd
 VIVE: Hmd
 VIVE_FOCUS_3: Hmd
 VIVE_PRO: Hmd
-
-
-CARDBOARD_LENSES = {"Cardboard I/O 2014 (V1)": (0.441, 0.156), "Cardboard I/O 2015 (V2)": (0.34, 0.55)}
-"""Lens coefficients of viewers that have no profile, in the form of `Hmd.lens` with a `lens_radius` of 1, so that r is
-the tangent itself. Source: immersive-web/cardboard-vr-display src/device-info.js."""
 
 _PROFILES = resources.files("nearfar.hmd") / "profiles"
 

@@ -14,11 +14,16 @@ from numpy.typing import ArrayLike
 from nearfar._base import check
 from nearfar._camera.camera import Camera, quaternion
 from nearfar._lens.lens import RadialLens, check_symmetric
-from nearfar.hmd import _file, _hmdq
+from nearfar.hmd import _file, _hmdq, _lenses
 from nearfar.hmd._eye import Eye, TotalFov, rotation, total_fov, turned
 
 EYES = ("left", "right")
 """Names of the eyes."""
+IPDS = (0.04, 0.09)
+"""Least and greatest distance between eyes, metres: that of small children, and a centimetre more than that of adults.
+"""
+LENS = "lens: "
+"""Beginning of the source of the lens among `Hmd.sources`."""
 FORMATS = ("nearfar", "hmdq")
 """Names of the file formats that `Hmd.save` describes."""
 
@@ -133,14 +138,56 @@ class Hmd:
         return Camera(place, way, fov=chosen.fov, size=self.render_size if size is None else size)
 
     def with_ipd(self, ipd: float) -> Hmd:
-        """Return the headset with the eyes `ipd` metres apart, about the same middle."""
-        distance, one, other = check.positive("ipd", ipd), np.array(self.left.position), np.array(self.right.position)
+        """Return the headset with the eyes `ipd` metres apart, 0.04 to 0.09, about the same middle.
+
+        Almost all adults have 0.045 to 0.08 m, children from five years on at least 0.04 m (Dodgson 2004). ValueError
+        for other distances, and for eyes in one place.
+        """
+        distance, one, other = check.number("ipd", ipd), np.array(self.left.position), np.array(self.right.position)
+        least, most = IPDS
+        if not least <= distance <= most:
+            raise ValueError(f"ipd: expected {least:g} to {most:g}, in metres: 0.064, not 64; got {distance:g}")
         if self.ipd == 0.0:
             raise ValueError("ipd: expected eyes that are apart already, which say in which direction")
         half = (other - one) * (0.5 * distance / self.ipd)
         middle = (one + other) / 2.0
         left = replace(self.left, position=tuple((middle - half).tolist()))
         return replace(self, left=left, right=replace(self.right, position=tuple((middle + half).tolist())))
+
+    def with_lens(
+        self, lens: RadialLens | None = None, *, lens_radius: float | None = None, source: str | None = None
+    ) -> Hmd:
+        """Return the headset with another lens.
+
+        Parameters
+        ----------
+        lens
+            The lens; None stands for the generic one, `nearfar.hmd.GENERIC_LENS`, which is a published lens of another
+            viewer. `lens_source` then says "generic".
+        lens_radius
+            Tangent at which r = 1; None stands for `tan_half_angle`. The generic lens has its own.
+        source
+            Where the coefficients are from, for `sources`; by default "given by the caller".
+
+        Raises
+        ------
+        ValueError, TypeError
+            For a lens with tangential terms, a radius that is not above 0, and a radius or source without a lens.
+        """
+        if lens is None:
+            for name, value in (("lens_radius", lens_radius), ("source", source)):
+                if value is not None:
+                    raise ValueError(f"{name}: expected None with the generic lens, which has its own, got {value!r}")
+            lens, lens_radius, source = _lenses.GENERIC_LENS, _lenses.GENERIC_RADIUS, _lenses.GENERIC_SOURCE
+        rest = tuple(text for text in self.sources if not text.startswith(LENS))
+        said = check.instance("source", "given by the caller" if source is None else source, str, "text")
+        return replace(self, lens=lens, lens_radius=lens_radius, sources=(*rest, f"{LENS}{said}"))
+
+    @property
+    def lens_source(self) -> str:
+        """Source of the lens, from `sources`; it begins with "generic" for the generic lens. "" without a lens."""
+        stated = [text.removeprefix(LENS) for text in self.sources if text.startswith(LENS)]
+        return "" if self.lens is None else stated[0] if stated else "not stated"
 
     def save(self, path: str | os.PathLike[str], *, format: str = "nearfar") -> None:  # noqa: A002
         """Write the headset as JSON, completely or not at all.

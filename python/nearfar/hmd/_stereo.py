@@ -1,0 +1,194 @@
+"""Renders what both eyes of a headset see, as one shot of a renderable."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _core
+from nearfar._base import check, files
+from nearfar._render.frame import Frame
+from nearfar._render.level_choice import Lod
+from nearfar._render.renderable import Renderable
+from nearfar._render.renderer import Renderer
+from nearfar.hmd._hmd import EYES, Hmd
+
+USERS = ("eyes", "middle")
+"""Names of the users that `render_eyes` describes."""
+
+
+@dataclass(frozen=True, eq=False)
+class StereoFrame:
+    """The frames of both eyes of a headset, as `render_eyes` returns them.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For frames of different sizes, and for other things than frames and a headset.
+    """
+
+    hmd: Hmd
+    """The headset."""
+    left: Frame
+    """What the left eye sees, before the lens warp."""
+    right: Frame
+    """What the right eye sees."""
+
+    def __post_init__(self) -> None:
+        check.instance("hmd", self.hmd, Hmd, "an Hmd")
+        for eye in EYES:
+            check.instance(eye, getattr(self, eye), Frame)
+        if self.left.camera.size != self.right.camera.size:
+            sizes = f"{self.left.camera.size} and {self.right.camera.size}"
+            raise ValueError(f"right: expected a frame of the left one's size, got {sizes}")
+
+    @property
+    def side_by_side(self) -> NDArray[np.uint8]:
+        """Colour of the left eye beside that of the right, sRGB (H, 2 W, 3) uint8; ValueError without colour."""
+        return np.concatenate([self.left.to_image(), self.right.to_image()], axis=1)
+
+    def warped(
+        self,
+        *,
+        size: tuple[int, int] | None = None,
+        filter: str = "linear",  # noqa: A002
+    ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+        """Warp both pictures so that the distortion of the headset's lens cancels out, as the panel shows them.
+
+        Each is warped about the lens's axis of its own eye. Both have r = 1 at the same tangent, `Hmd.lens_radius` or
+        `Hmd.tan_half_angle`.
+
+        Parameters
+        ----------
+        size
+            (width, height) in pixels of each picture, such as `Hmd.panel_size`; by default that of the frames.
+        filter
+            "linear" or "cubic", in linear light, as in `RadialLens.warp`.
+
+        Returns
+        -------
+        tuple
+            Left and right picture, sRGB (H, W, 3) uint8; black where the lens shows no part of the frame.
+
+        Raises
+        ------
+        ValueError
+            For a headset without a lens (see `Hmd.with_lens`), and frames without colour.
+        """
+        lens, hmd = self.hmd.lens, self.hmd
+        if lens is None:
+            raise ValueError(f"hmd: expected one with a lens, {hmd.name} has none; hmd.with_lens() adds a generic one")
+        radius = hmd.tan_half_angle if hmd.lens_radius is None else hmd.lens_radius
+
+        def picture(frame: Frame) -> NDArray[np.uint8]:
+            # The cubic filter overshoots at edges.
+            linear = np.clip(lens.warp(frame, True, lens_radius=radius, size=size, filter=filter), 0.0, 1.0)
+            return _core.encode_srgb(linear).reshape(linear.shape)
+
+        return picture(self.left), picture(self.right)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write `side_by_side` as a PNG, completely or not at all.
+
+        ValueError for a name that does not end in .png and frames without colour; OSError if it cannot be written.
+        `left.save` and `right.save` write the frames, also as EXR.
+        """
+        if Path(path).suffix.lower() != ".png":
+            raise ValueError(f"path: expected a name ending in .png, got {os.fspath(path)!r}")
+        from PIL import Image
+
+        image = Image.fromarray(self.side_by_side)
+        with files.atomic_file(path) as temporary:
+            image.save(temporary, format="PNG")
+
+
+def render_eyes(
+    source: Renderable,
+    hmd: Hmd,
+    position: ArrayLike,
+    *,
+    orientation: ArrayLike = (0.0, 0.0, 0.0, 1.0),
+    size: tuple[int, int] | None = None,
+    scale: float | None = None,
+    at: Mapping[str, ArrayLike] | None = None,
+    user: str | ArrayLike = "eyes",
+    t_min: float = 0.0,
+    t_max: float = math.inf,
+    samples: int = 1,
+    channels: Iterable[str] | None = None,
+    lod: Lod | None = None,
+    backend: str = "auto",
+) -> StereoFrame:
+    """Render a scene, a reduced scene or another `Renderable` for both eyes of a headset.
+
+    Parameters
+    ----------
+    source
+        The scene, reduced scene, or other renderable.
+    hmd
+        The headset: where its eyes are on the head, and what they see.
+    position
+        World position (3,) of the head, metres.
+    orientation
+        Unit quaternion (x, y, z, w) that turns head axes into world axes; by default the head looks along −z.
+        `Camera.look_at(…).orientation` turns it to a target.
+    size
+        Width and height in pixels of each eye's picture; by default `hmd.render_size`.
+    scale
+        Factor on width and height of `hmd.render_size` instead of `size`, above 0: 0.5 renders a quarter of the pixels.
+    at
+        Poses of dynamic objects, as `Scene.at` takes them.
+    user
+        The eye U that a reduced scene is morphed for. "eyes": each eye is its own user, so that both pictures are whole
+        at r1 and r2, and the disparity of geometry falls to that of the map, which is 0. "middle": the point between
+        the eyes for both, so that both eyes see the same morphed geometry; its pictures break at r2 by half the eyes'
+        distance / r2 radians. A world position (3,) in metres is another one for both. A scene does not depend on it.
+    t_min, t_max, samples, channels, backend
+        As in `render`.
+    lod
+        As in `render`. It chooses the levels once, for both eyes.
+
+    Returns
+    -------
+    StereoFrame
+        The frames of both eyes, which are those that `render` gives for `hmd.camera("left", …)` and "right".
+
+    Raises
+    ------
+    ValueError, TypeError
+        For arguments out of their domains, and for both `size` and `scale`.
+    DeviceError
+        As in `render`.
+    """
+    check.instance("hmd", hmd, Hmd, "an Hmd such as nearfar.hmd.QUEST_2")
+    pixels = _size(hmd, size, scale)
+    renderer = Renderer(source, channels, samples, lod)
+    cameras = [hmd.camera(eye, position, orientation, size=pixels) for eye in EYES]
+    shot = renderer.shot(cameras, _user(user, [camera.position for camera in cameras]), t_min, t_max)
+    left, right = renderer.frames(shot, at, renderer.device(backend))
+    return StereoFrame(hmd, left, right)
+
+
+def _size(hmd: Hmd, size: tuple[int, int] | None, scale: float | None) -> tuple[int, int]:
+    if scale is None:
+        return hmd.render_size if size is None else size
+    if size is not None:
+        raise ValueError(f"scale: expected None with a size, got {scale!r}")
+    factor = check.positive("scale", scale)
+    width, height = (max(1, round(min(side * factor, check.MAX_SIZE + 1))) for side in hmd.render_size)
+    return check.size("scale", (width, height))
+
+
+def _user(user: Any, eyes: list[tuple[float, float, float]]) -> ArrayLike | None:
+    """Position of the user for both eyes; None makes each eye its own."""
+    if not isinstance(user, str):
+        return check.vector("user", user)
+    middle = np.mean(eyes, axis=0)
+    return middle if check.choice("user", user, USERS) == "middle" else None
