@@ -1,6 +1,7 @@
 //! OpenEXR images with any number of parts and channels, to and from byte buffers.
 //!
-//! ZIP over 16 rows: half, float and unsigned channels come back bit for bit, infinities included.
+//! Compression is ZIP in blocks of 16 rows, which is lossless: half, float and unsigned channels keep their bits,
+//! including infinities.
 
 use std::io::Cursor;
 
@@ -25,22 +26,22 @@ pub enum Values {
 pub enum Attribute {
     /// ASCII.
     Text(String),
-    /// Three numbers, such as a place, as other programs show them.
+    /// Three numbers, such as a position, in a type that other programs can display.
     Vector([f32; 3]),
 }
 
 /// One image of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
-    /// Unique in the file.
+    /// Name, unique in the file.
     pub name: String,
-    /// Pixels across.
+    /// Width, pixels.
     pub width: usize,
-    /// Pixels down.
+    /// Height, pixels.
     pub height: usize,
-    /// Names and values; they come back sorted by name, as the format wants them.
+    /// Channels by name. Decoding returns them sorted by name, as the format requires.
     pub channels: Vec<(String, Values)>,
-    /// Texts and vectors of the header by name; they come back sorted by name.
+    /// Texts and vectors of the header by name. Decoding returns them sorted by name.
     pub attributes: Vec<(String, Attribute)>,
 }
 
@@ -60,12 +61,12 @@ pub fn encode(parts: &[Part]) -> base::Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Orders each header's attributes by name: the crate keeps them in a hash map, whose order differs from run to run, and
-/// one map should be one file.
+/// Sorts the attributes of each header by name. The crate stores them in a hash map whose order changes from run to
+/// run, but equal images should give equal files.
 ///
-/// A header is a row of attributes (name, 0, type, 0, size in four bytes, value) that ends with an empty name.
+/// A header is a sequence of attributes (name, 0, type, 0, size in four bytes, value) that ends with an empty name.
 fn sort_headers(bytes: &mut [u8], headers: usize) {
-    /// Magic number and version.
+    /// Bytes of the magic number and the version.
     const PREAMBLE: usize = 8;
     let mut start = PREAMBLE;
     for _ in 0..headers {
@@ -75,7 +76,7 @@ fn sort_headers(bytes: &mut [u8], headers: usize) {
             attributes.push(attribute);
             rest = &rest[attribute.len()..];
         }
-        // Names end with 0, below every letter: comparing whole attributes compares names first.
+        // Names end with 0, which precedes every letter, so comparing whole attributes compares names first.
         attributes.sort();
         let sorted = attributes.concat();
         let end = start + sorted.len();
@@ -84,7 +85,7 @@ fn sort_headers(bytes: &mut [u8], headers: usize) {
     }
 }
 
-/// The attribute at the start of a header's rest; none at its end.
+/// The attribute at the start of the rest of a header; `None` at its end.
 fn first_attribute(header: &[u8]) -> Option<&[u8]> {
     let name = header.iter().position(|&byte| byte == 0).filter(|&length| length > 0)?;
     let kind = header[name + 1..].iter().position(|&byte| byte == 0)?;
@@ -108,9 +109,9 @@ pub fn decode(bytes: &[u8]) -> base::Result<Vec<Part>> {
     Ok(image.layer_data.into_iter().map(part).collect())
 }
 
-/// Refuses headers that promise more than their file can hold, before memory is asked for.
+/// Refuses headers that declare more data than their file can contain, before memory is allocated.
 fn check_size(bytes: &[u8]) -> base::Result<()> {
-    /// Deflate's best is 1032 : 1, and half a file may be headers.
+    /// Greatest ratio of data to file size: deflate's greatest ratio is 1032, plus a margin.
     const MOST_EXPANSION: u128 = 1100;
     let meta = MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(unreadable)?;
     let promised: u128 = meta
@@ -247,7 +248,7 @@ mod tests {
             part.attributes = (0..9).map(|i| (format!("a{i}"), Attribute::Vector([i as f32; 3]))).collect();
         }
         let bytes = encode(&parts).unwrap();
-        // Nine attributes in one order by chance: once in 362,880.
+        // Nine attributes have the same order by chance once in 362,880 cases.
         assert!((0..6).all(|_| encode(&parts).unwrap() == bytes));
         assert_eq!(decode(&bytes).unwrap(), parts);
     }
@@ -271,7 +272,7 @@ mod tests {
             let mut bytes = good.clone();
             for flip in 0..3 {
                 let draw = crate::base::random::bits(1, round, flip);
-                // Every other round hits the header, where sizes are.
+                // Every other round changes the header, which contains the sizes.
                 let reach = if round % 2 == 0 { 400.min(bytes.len()) } else { bytes.len() };
                 bytes[draw as usize % reach] = (draw >> 40) as u8;
             }

@@ -1,9 +1,9 @@
-//! Kernels of nearfar, in the order of the data flow. No Python, no files, no clock.
+//! Kernels of nearfar, ordered by the data flow. They use no Python, no files and no clock.
 //!
 //! # Glossary
 //! - **near**, **far**: inside and outside the vertical cylinder of radius r₂ about the centre O.
-//! - **standing**, **moving**: instances that never move, and dynamic ones that are posed anew.
-//! - **object**: a name over faces or instances. **Mesh**: triangles in their own frame. **Instance**: a placed mesh.
+//! - **standing** (static), **moving**: instances that never move, and dynamic instances whose poses change.
+//! - **object**: a name of faces or instances. **Mesh**: triangles in their own frame. **Instance**: a placed mesh.
 //! - **range**: distance from the eye in metres. **depth**: distance along the viewing axis.
 //! - **ρ**: distance from the vertical axis through O.
 //!

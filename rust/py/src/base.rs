@@ -1,4 +1,4 @@
-//! Bindings of `base`: random numbers, the thread count, and a kernel by which the policies are tested.
+//! Bindings of `base`: random numbers, the thread count, and a kernel that tests of the policies call.
 
 use std::thread;
 use std::time::Duration;
@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use crate::convert::errors::to_python;
 use crate::convert::run;
 
-/// Float64 in [0, 1) for each index.
+/// A float64 in [0, 1) for each index.
 #[pyfunction]
 pub(crate) fn uniform<'py>(
     py: Python<'py>,
@@ -29,8 +29,8 @@ pub(crate) fn thread_count() -> PyResult<usize> {
     pool::thread_count().map_err(to_python)
 }
 
-/// A kernel by which cancelling, forking and panics are tested:
-/// "wait" runs until it is cancelled, "panic" panics on a thread of the pool, "value" fails as a kernel fails.
+/// A kernel for tests of cancellation, forking and panics. "wait" runs until it is cancelled, "panic" panics on a
+/// thread of the pool, "value" returns a kernel error.
 #[pyfunction]
 #[pyo3(signature = (behaviour, report=None))]
 pub(crate) fn probe(py: Python<'_>, behaviour: &str, report: Option<Py<PyAny>>) -> PyResult<()> {

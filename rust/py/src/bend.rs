@@ -13,7 +13,7 @@ fn morph(user: [f64; 3], center: [f64; 3], r1: f64, r2: f64, name: &str) -> PyRe
     kind(name).and_then(|kind| Morph::new(user.into(), center.into(), r1, r2, kind)).map_err(to_python)
 }
 
-/// Polylines (N, K, 3), padded with NaN, flat, and K.
+/// Polylines (N, K, 3) as a flat array, padded with NaN, and K.
 #[pyfunction]
 #[pyo3(signature = (directions, *, user, center, r1, r2, kind, tolerance, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
@@ -34,7 +34,7 @@ pub(crate) fn bend_rays<'py>(
     Ok((points.into_flattened().into_pyarray(py), longest))
 }
 
-/// Metres left before the picture folds.
+/// The fold margin in metres.
 #[pyfunction]
 #[pyo3(signature = (user, *, center, r1, r2, kind))]
 pub(crate) fn fold_margin(

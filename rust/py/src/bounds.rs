@@ -21,7 +21,7 @@ fn row(sphere: &Sphere) -> [f64; 4] {
     [x, y, z, sphere.radius]
 }
 
-/// Centre and radius of the sphere about each group of points.
+/// Centre and radius of the bounding sphere of each group of points.
 #[pyfunction]
 #[pyo3(signature = (points, offsets, *, method, report=None))]
 pub(crate) fn bounding_spheres(
@@ -39,7 +39,7 @@ pub(crate) fn bounding_spheres(
     Ok(spheres.iter().map(row).collect())
 }
 
-/// Centre and radius of the sphere about points.
+/// Centre and radius of the bounding sphere of points.
 #[pyfunction]
 #[pyo3(signature = (points, *, method))]
 pub(crate) fn bounding_sphere(py: Python<'_>, points: Points<'_>, method: &str) -> PyResult<[f64; 4]> {

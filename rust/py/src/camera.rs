@@ -50,7 +50,7 @@ impl Camera {
             .map_err(to_python)
     }
 
-    /// Pixel x, y and depth of world points (N, 3); rows of NaN behind the camera.
+    /// Pixel x, y and depth of world points (N, 3); NaN for points behind the camera.
     fn project<'py>(&self, py: Python<'py>, points: PyReadonlyArray2<'py, f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let rows = points.as_slice()?.as_chunks::<3>().0;
         let project = |&p: &[f64; 3]| self.0.project(DVec3::from_array(p)).unwrap_or(DVec3::NAN).to_array();
@@ -74,7 +74,7 @@ impl Camera {
         self.0.is_parallel()
     }
 
-    /// Radians that no pixel is narrower than; metres for parallel rays.
+    /// A lower bound of the angle between neighbouring pixels, radians; metres for parallel rays.
     #[getter]
     fn least_pixel_angle(&self) -> f64 {
         self.0.least_pixel_angle()
@@ -101,7 +101,7 @@ enum Reals<'py> {
 
 #[pymethods]
 impl DepthBuffer {
-    /// `kind`, `bounds` as for `Camera`.
+    /// `kind` and `bounds` are those of `Camera`.
     #[new]
     #[pyo3(signature = (size, *, kind, bounds=[0.0; 4], near, far, reverse))]
     fn new(size: (usize, usize), kind: &str, bounds: [f64; 4], near: f64, far: f64, reverse: bool) -> PyResult<Self> {
@@ -112,7 +112,7 @@ impl DepthBuffer {
             .map_err(to_python)
     }
 
-    /// Rows of a projection matrix whose depth goes from `low` to 1.
+    /// The buffer of a projection matrix, given by rows, whose depth runs from `low` to 1.
     #[staticmethod]
     fn from_matrix(size: (usize, usize), rows: [[f64; 4]; 4], low: f64) -> PyResult<Self> {
         camera::DepthBuffer::from_matrix(rows, low, size.0, size.1).map(Self).map_err(to_python)
@@ -123,7 +123,7 @@ impl DepthBuffer {
         with_array!(Values::{Single, Double, Bits16, Bits24}, &depth, depth => self.ranges_of(py, depth))
     }
 
-    /// A buffer's values at distances from the eye, (N, H, W).
+    /// Depth buffer values at distances from the eye, (N, H, W).
     fn depths(&self, py: Python<'_>, ranges: Reals<'_>) -> PyResult<Py<PyAny>> {
         with_array!(Reals::{Single, Double}, &ranges, ranges => self.depths_of(py, ranges))
     }

@@ -46,8 +46,8 @@ impl ChannelArgument<'_> {
     }
 }
 
-/// A file's bytes. A part is (name, channels, attributes): dictionaries of (H, W) float16, float32 or uint32 arrays,
-/// and of texts and triples of numbers.
+/// The bytes of a file. A part is (name, channels, attributes): a dictionary of (H, W) float16, float32 or uint32
+/// arrays, and a dictionary of texts and triples of numbers.
 #[pyfunction]
 pub(crate) fn encode_exr<'py>(
     py: Python<'py>,
@@ -61,7 +61,7 @@ pub(crate) fn encode_exr<'py>(
 
 type DecodedPart<'py> = (String, Bound<'py, PyDict>, Bound<'py, PyDict>);
 
-/// The parts of a file's bytes, as `encode_exr` takes them.
+/// The parts in the bytes of a file, in the form that `encode_exr` takes.
 #[pyfunction]
 pub(crate) fn decode_exr<'py>(py: Python<'py>, data: &[u8]) -> PyResult<Vec<DecodedPart<'py>>> {
     let parts = run::short(py, || exr::decode(data))?;

@@ -54,7 +54,7 @@ impl RadialLens {
     }
 }
 
-/// An array that a kernel fills from radii.
+/// An array that a kernel computes from radii.
 fn radii<'py, T: Real + Element>(
     py: Python<'py>,
     from: &PyReadonlyArray1<'py, T>,
@@ -64,7 +64,7 @@ fn radii<'py, T: Real + Element>(
     filled(py, from.len(), |to| run::short(py, || kernel(from, to)))?.into_py_any(py)
 }
 
-/// An array that a kernel fills from points.
+/// An array that a kernel computes from points.
 fn points<'py, T: Real + Element>(
     py: Python<'py>,
     from: &PyReadonlyArray2<'py, T>,
@@ -155,7 +155,7 @@ fn warped<'py, P: WarpPixel + Element>(
     filled(py, [height, width, channels], warp)?.into_py_any(py)
 }
 
-/// A picture (H, W, C) through one lens, or one for each channel.
+/// A picture (H, W, C) warped by one lens, or by one lens per channel.
 #[pyfunction]
 #[pyo3(signature = (lenses, picture, *, from_fov, to_fov, tan_omega, size, distort, filter, fill))]
 #[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
@@ -181,7 +181,7 @@ pub(crate) fn warp<'py>(
 
 type MeshArrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray3<f64>>, Bound<'py, PyArray2<u32>>, f64);
 
-/// Places (N, 2), sources (L, N, 2), faces (F, 3) and the greatest error in pixels.
+/// Positions (N, 2), source positions (L, N, 2), faces (F, 3) and the greatest error in pixels.
 #[pyfunction]
 #[pyo3(signature = (lenses, *, from_fov, to_fov, tan_omega, cells, size, distort))]
 #[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]
@@ -208,7 +208,7 @@ pub(crate) fn warp_mesh<'py>(
     ))
 }
 
-/// Solid angles of spheres as a lens shows them.
+/// Solid angles of the images of spheres through a lens.
 #[pyfunction]
 #[pyo3(signature = (lens, centers, radii, *, eye, forward, tan_omega, exact))]
 #[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]

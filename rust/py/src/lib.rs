@@ -1,4 +1,5 @@
-//! Bindings of nearfar-core and nearfar-gpu: each function converts, releases the interpreter, calls, and maps the error.
+//! Bindings of nearfar-core and nearfar-gpu. Each function converts its arguments, releases the interpreter, calls a
+//! kernel and maps its error.
 
 mod convert;
 
@@ -21,7 +22,7 @@ mod gpu;
 
 use pyo3::prelude::*;
 
-/// The extension module, stage by stage.
+/// The extension module, ordered by stage.
 #[pymodule]
 mod _core {
     use super::*;

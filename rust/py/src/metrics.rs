@@ -15,7 +15,8 @@ use crate::camera::Camera;
 use crate::convert::errors::to_python;
 use crate::convert::run;
 
-/// Images of any type, the last two axes of a stack; steps between values are whole and not negative.
+/// Images of any type in the last two axes of a stack; strides are whole multiples of the values' size and not
+/// negative.
 #[derive(FromPyObject)]
 pub(crate) enum Images<'py> {
     Bytes(PyReadonlyArrayDyn<'py, u8>),
@@ -24,7 +25,7 @@ pub(crate) enum Images<'py> {
     Doubles(PyReadonlyArrayDyn<'py, f64>),
 }
 
-/// Runs `$body` with the arrays of two stacks of one type.
+/// Evaluates `$body` with the arrays of two stacks of the same type.
 macro_rules! with_arrays {
     ($references:expr, $tests:expr, ($a:ident, $b:ident) => $body:expr) => {
         match ($references, $tests) {
@@ -46,8 +47,8 @@ fn planes<'a, T: Element + Pixel>(array: &'a PyReadonlyArrayDyn<'_, T>) -> Resul
     let steps = array.strides().iter().map(step).collect::<Result<Vec<_>>>()?;
     let last = array.shape().iter().zip(&steps).map(|(&length, &step)| length.saturating_sub(1) * step).sum::<usize>();
     let length = if array.is_empty() { 0 } else { last + 1 };
-    // SAFETY: the array holds its first value at `data`, and its last one `length - 1` values behind it; it is borrowed
-    // for reading as long as the slice lives.
+    // SAFETY: the array holds its first value at `data` and its last value `length - 1` values behind it. It is
+    // borrowed for reading as long as the slice lives.
     let values = unsafe { slice::from_raw_parts(array.data(), length) };
     Plane::stack(values, array.shape(), &steps)
 }
@@ -61,7 +62,7 @@ fn stacks<'a, T: Element + Pixel>(
     Ok(Stacks { references: planes(references).map_err(to_python)?, tests: planes(tests).map_err(to_python)?, masks })
 }
 
-/// Mean of squared differences of each pair of images.
+/// Mean squared error of each pair of images.
 #[pyfunction]
 pub(crate) fn mean_squared_errors(py: Python<'_>, references: Images<'_>, tests: Images<'_>) -> PyResult<Vec<f64>> {
     with_arrays!(&references, &tests, (a, b) => {
@@ -71,7 +72,7 @@ pub(crate) fn mean_squared_errors(py: Python<'_>, references: Images<'_>, tests:
 }
 
 /// Settings of a comparison: window, its size and σ, (c1, c2), the factor by which images are shrunk first, whether
-/// windows count that reach beyond the image, and whether they see only pixels in the masks.
+/// windows that reach beyond the image count, and whether windows use only pixels in the masks.
 type Settings = (String, usize, f64, (f64, f64), usize, bool, bool);
 
 fn comparison((window, size, sigma, (c1, c2), shrink, all, hidden): Settings) -> Result<Comparison> {
@@ -105,7 +106,7 @@ fn compared<'py, P: PixelRows<Real: PixelRows<Real = P::Real> + Element> + Eleme
     Ok((sums.iter().map(|sums| (sums.similarity, sums.pixels)).collect(), maps.map(Bound::into_any)))
 }
 
-/// Sums of similarity and of pixels for each pair, and the maps, of `map_shape`, where they are wanted.
+/// Sums of similarity and numbers of pixels for each pair and, if requested, the maps with `map_shape`.
 #[pyfunction]
 #[pyo3(signature = (references, tests, *, settings, masks=None, map_shape=None, report=None))]
 pub(crate) fn similarity<'py>(
@@ -123,7 +124,7 @@ pub(crate) fn similarity<'py>(
     })
 }
 
-/// Means of similarity and of its second factor for each pair at each of `scales`.
+/// Means of similarity and of its second factor, for each pair at each of `scales`.
 #[pyfunction]
 #[pyo3(signature = (references, tests, *, settings, scales))]
 pub(crate) fn multiscale(
@@ -140,7 +141,7 @@ pub(crate) fn multiscale(
     })
 }
 
-/// Discontinuity of each pixel, flat; positions are rows, relative to `origin`.
+/// Discontinuity of each pixel, as a flat array; positions are rows relative to `origin`.
 #[pyfunction]
 #[pyo3(signature = (position, *, origin, width, camera, epsilon, min_distance, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
@@ -162,7 +163,7 @@ pub(crate) fn discontinuity<'py>(
     Ok(map.into_pyarray(py))
 }
 
-/// Shares of objects and of their pixels that are visible; none without objects.
+/// Shares of objects and of their pixels that are visible; `None` without objects.
 #[pyfunction]
 pub(crate) fn object_completion(
     py: Python<'_>,

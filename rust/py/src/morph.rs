@@ -20,7 +20,7 @@ pub(crate) fn kind(name: &str) -> Result<Kind> {
     choice("kind", name, &[("blend", Kind::Blend), ("cylinder", Kind::Cylinder)])
 }
 
-/// Writes morphed points; tells how many of them user and centre see in opposite directions.
+/// Writes morphed points. Returns the number of points that user and centre see in opposite directions.
 #[pyfunction]
 #[pyo3(signature = (points, shown, *, user, center, r1, r2, kind))]
 #[expect(clippy::too_many_arguments, reason = "named ones, as Python passes them")]

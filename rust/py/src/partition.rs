@@ -102,14 +102,14 @@ impl Partition {
         Ok(named)
     }
 
-    /// Measures every triangle anew and compares.
+    /// Measures every triangle again and compares.
     #[pyo3(signature = (report=None))]
     fn validate(&self, py: Python<'_>, report: Option<Py<PyAny>>) -> PyResult<()> {
         run::long(py, report, |progress| self.0.validate(progress))
     }
 }
 
-/// Triangles that stay geometry as a function of r₂.
+/// The number of triangles that stay geometry as a function of r₂.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct LoadCurve(partition::LoadCurve);
 
@@ -122,7 +122,7 @@ impl LoadCurve {
         run::long(py, report, |progress| partition::LoadCurve::new(&scene.0, center, progress)).map(Self)
     }
 
-    /// Triangles that stay geometry at each radius.
+    /// Number of triangles that stay geometry at each radius.
     fn count<'py>(&self, py: Python<'py>, r2: PyReadonlyArray1<'py, f64>) -> PyResult<Bound<'py, PyArray1<i64>>> {
         let radii = r2.as_slice()?;
         let counts: Vec<i64> = run::short(py, || radii.iter().map(|&r2| self.0.count(r2)).collect())?;

@@ -15,7 +15,7 @@ fn settings(center: [f64; 3], r1: f64, r2: f64, reach: f64, tolerance: f64) -> S
     Settings { center: DVec3::from_array(center), r1, r2, reach, tolerance, kind: Kind::Blend }
 }
 
-/// A scene with its standing triangles split, and counts of the work by name.
+/// A scene with its static triangles split, and counts of the work by name.
 #[pyfunction]
 #[pyo3(signature = (scene, *, center, r1, r2, reach, tolerance, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
@@ -43,7 +43,7 @@ pub(crate) fn tessellate_scene<'py>(
     Ok((Scene(split), named))
 }
 
-/// New vertices with the faces that they lie on and their weights there; all faces, and the source's face of each.
+/// New vertices with the faces on which they lie and their weights there; all faces, and the source face of each.
 #[pyfunction]
 #[pyo3(signature = (vertices, faces, *, center, r1, r2, reach, tolerance, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]

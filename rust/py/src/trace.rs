@@ -10,7 +10,7 @@ use crate::convert::errors::to_python;
 use crate::convert::run;
 use crate::scene::Scene;
 
-/// Rows of 3 as the kernels take them.
+/// Rows of 3 coordinates in the kernels' type.
 fn rows<'a>(points: &'a Points<'_>) -> PyResult<trace::Points<'a>> {
     fn triples<'a, T: numpy::Element>(array: &'a PyReadonlyArray2<'_, T>) -> PyResult<&'a [[T; 3]]> {
         if !array.is_c_contiguous() || array.shape()[1] != 3 {
@@ -63,7 +63,7 @@ pub(crate) fn nearest_points<'py>(
     Ok((found.distance.into_pyarray(py), found.triangle_index.into_pyarray(py), weights))
 }
 
-/// Names of the instruction sets that tracing can use here, the best last.
+/// Names of the instruction sets that tracing can use on this processor, the best last.
 #[pyfunction]
 pub(crate) fn instruction_sets() -> Vec<&'static str> {
     trace::instruction_sets()

@@ -2,8 +2,9 @@
 
 use glam::{DAffine3, DVec3, Vec3};
 
-/// Metres from the scene's origin, along each axis, that geometry may lie and rays may start at. Beyond, distances
-/// divided by small directions leave float32's range, and empty slots of the trees look as if they were hit.
+/// Greatest distance, in metres along each axis from the scene's origin, of geometry and of ray starts. Beyond it,
+/// distances divided by small direction components overflow float32, and empty slots of the trees look as if a ray hit
+/// them.
 pub const REACH: f64 = 1e30;
 
 /// An axis-aligned box; empty while `min > max`.
@@ -16,31 +17,32 @@ pub struct Aabb {
 }
 
 impl Aabb {
-    /// The box of nothing.
+    /// The empty box.
     pub const EMPTY: Self = Self { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
 
-    /// True for the box of nothing.
+    /// True for the empty box.
     pub fn is_empty(&self) -> bool {
         self.min.x > self.max.x
     }
 
-    /// Greatest coordinate, either side of zero; 0 for the box of nothing.
+    /// Greatest absolute coordinate; 0 for the empty box.
     pub fn reach(&self) -> f32 {
         if self.is_empty() { 0.0 } else { self.min.abs().max(self.max.abs()).max_element() }
     }
 
-    /// Grows to hold a point.
+    /// Extends the box to contain a point.
     pub fn extend(&mut self, point: Vec3) {
         self.min = self.min.min(point);
         self.max = self.max.max(point);
     }
 
-    /// The least box that holds both.
+    /// The smallest box that contains both boxes.
     pub fn union(&self, other: &Self) -> Self {
         Self { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
-    /// The least float32 box around this one's image; tight only where the map keeps axes.
+    /// The smallest float32 box around the image of this box. It is tight for the transformed geometry only if the map
+    /// maps axes to axes.
     pub fn transformed(&self, map: &DAffine3) -> Self {
         if self.is_empty() {
             return Self::EMPTY;
@@ -75,7 +77,7 @@ mod tests {
         for corner in 0..8 {
             let sign = |bit: u32| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
             let p = map.transform_point3(DVec3::new(sign(0), sign(1), sign(2)));
-            // One rounding of float64 at 10⁴ is 2e-12, far below the float32 step that the box was widened by.
+            // One rounding of float64 at 10⁴ is 2e-12; the box was widened by a float32 step, which is far larger.
             assert!((p - image.min.as_dvec3()).min_element() >= -2e-12);
             assert!((image.max.as_dvec3() - p).min_element() >= -2e-12);
         }

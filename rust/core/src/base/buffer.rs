@@ -1,14 +1,14 @@
-//! Read-only arrays whose memory belongs to somebody else: a `Vec` of ours or a NumPy array of the caller's.
+//! Read-only arrays whose memory belongs to another owner: a Rust `Vec` or the caller's NumPy array.
 
 use std::fmt;
 use std::ops::Deref;
 use std::sync::Arc;
 
-/// A shared, immutable array. Cloning copies a pointer, never the elements: the whole of Tokyo is 600 MB.
+/// A shared, immutable array. Cloning copies a pointer, not the elements: the arrays of all of Tokyo take 600 MB.
 pub struct Buffer<T>(Arc<dyn AsRef<[T]> + Send + Sync>);
 
 impl<T> Buffer<T> {
-    /// Wraps an owner of the memory. Its `as_ref` must return the same slice every time.
+    /// Wraps the owner of the memory. The owner's `as_ref` must return the same slice every time.
     pub fn from_owner(owner: impl AsRef<[T]> + Send + Sync + 'static) -> Self {
         Self(Arc::new(owner))
     }

@@ -1,53 +1,53 @@
-//! The one error type of the kernels. The bindings map each kind to the Python exception named beside it.
+//! The error type of all kernels. The bindings map each kind to the Python exception named in its comment.
 
-/// Errors of kernels, each a sentence without a full stop.
+/// An error of a kernel. Its message is one sentence without a full stop.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Error {
-    /// An argument's value is out of its domain (`ValueError`).
+    /// An argument's value lies outside its domain (`ValueError`).
     #[error("{argument}: expected {expected}, got {got}")]
     Value {
         /// The argument's public name.
         argument: &'static str,
-        /// Values that would have been accepted.
+        /// Description of the accepted values.
         expected: String,
-        /// Value that came.
+        /// The refused value.
         got: String,
     },
-    /// A scene's own contents are unusable (`nearfar.SceneError`).
+    /// The contents of a scene are unusable (`nearfar.SceneError`).
     #[error("{0}")]
     Scene(String),
-    /// One of our own files is not what it should be (`nearfar.FormatError`).
+    /// A file in one of nearfar's own formats is malformed (`nearfar.FormatError`).
     #[error("{0}")]
     Format(String),
-    /// A graphics adapter that is missing, was lost or refused something (`nearfar.DeviceError`).
+    /// A graphics adapter is missing, was lost or refused a request (`nearfar.DeviceError`).
     #[error("{0}")]
     Device(String),
-    /// A result that the system has no memory for (`MemoryError`).
+    /// The system has not enough memory for a result (`MemoryError`).
     #[error("the result needs {bytes} bytes, which the system does not have")]
     Memory {
-        /// Bytes that were asked for.
+        /// Number of bytes requested.
         bytes: u64,
     },
-    /// The caller asked a long kernel to stop (the pending signal's own exception, as a rule `KeyboardInterrupt`).
+    /// The caller cancelled a long kernel (the exception of the pending signal, usually `KeyboardInterrupt`).
     #[error("cancelled")]
     Cancelled,
 }
 
 impl Error {
-    /// An argument out of its domain.
+    /// The error for an argument outside its domain.
     pub fn value(argument: &'static str, expected: impl Into<String>, got: impl ToString) -> Self {
         Self::Value { argument, expected: expected.into(), got: got.to_string() }
     }
 }
 
-/// A number for a message: with an exponent where digits alone would make a row of zeros.
+/// Formats a number for a message: with an exponent where plain digits would contain a long row of zeros.
 pub fn number(value: f64) -> String {
     let size = value.abs();
     let plain = size == 0.0 || (1e-4..1e16).contains(&size) || !size.is_finite();
     if plain { value.to_string() } else { format!("{value:e}") }
 }
 
-/// Result of a kernel.
+/// The result type of kernels.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 #[cfg(test)]

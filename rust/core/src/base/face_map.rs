@@ -1,31 +1,32 @@
-//! A number for each face of a mesh (its object, its material), stored as tightly as the mesh allows.
+//! A number for each face of a mesh (its object or its material), in the smallest layout that suits the mesh.
 
 use rayon::prelude::*;
 
 use super::{Buffer, Error, Result};
 
-/// Least mean length of a run for which ranges pay: their look-up is a binary search, against one load of 4 bytes a face,
-/// a small part of the face's 12 bytes and its share of the tree.
+/// Least mean length of a run, in faces, at which `Ranges` replaces `PerFace`. A look-up in ranges is a binary search;
+/// a look-up in `PerFace` is one load. The 4 bytes per face that ranges save are a small part of a face's memory: 12
+/// bytes of indices and its share of the tree.
 const FACES_PER_RUN: usize = 64;
 
-/// Which object or material a face belongs to; −1 stands for none.
+/// The object or material of each face; −1 stands for none.
 #[derive(Clone, Debug)]
 pub enum FaceMap {
-    /// The whole mesh has one value.
+    /// All faces have the same value.
     Uniform(i32),
-    /// Consecutive faces share values: `starts` (ascending, the first 0) and the value from each start on.
+    /// Consecutive faces share values: `starts` is ascending from 0, and each value holds from its start to the next.
     Ranges {
         /// First face of each range.
         starts: Buffer<u32>,
         /// Value of each range.
         values: Buffer<i32>,
     },
-    /// A value for every face.
+    /// One value per face.
     PerFace(Buffer<i32>),
 }
 
 impl FaceMap {
-    /// The value of a face.
+    /// The value of one face.
     #[inline]
     pub fn get(&self, face: u32) -> i32 {
         match self {
@@ -51,7 +52,7 @@ impl FaceMap {
         }
     }
 
-    /// The maps of consecutive meshes, each with its number of faces, as one map in the tightest layout.
+    /// Joins the maps of consecutive meshes, each given with its number of faces, into one map in the smallest layout.
     pub fn joined<'a>(maps: impl Iterator<Item = (&'a Self, usize)> + Clone) -> Self {
         let mut face_count = 0;
         let starts: Vec<usize> = maps
@@ -69,7 +70,8 @@ impl FaceMap {
         Self::from_runs(runs, face_count)
     }
 
-    /// The same map in a tighter layout where its runs allow one; the array of a `PerFace` is kept, not copied.
+    /// The same map in a smaller layout where its runs are long enough; otherwise the `PerFace` array is kept, not
+    /// copied.
     pub fn compacted(self, face_count: usize) -> Self {
         let run_count = self.runs(face_count).take(face_count / FACES_PER_RUN + 2).count();
         if matches!(self, Self::PerFace(_)) && (run_count == 1 || run_count * FACES_PER_RUN <= face_count) {
@@ -78,7 +80,7 @@ impl FaceMap {
         self
     }
 
-    /// The map of chosen faces, in their order.
+    /// The map of the given faces, in the given order.
     pub fn selected(&self, faces: &[u32]) -> Self {
         match self {
             Self::Uniform(value) => Self::Uniform(*value),
@@ -86,7 +88,7 @@ impl FaceMap {
         }
     }
 
-    /// The map with each value replaced by the one that stands at it in `numbers`; −1 and what lies beyond stay.
+    /// Replaces each value v by `numbers[v]`; −1 and values beyond the end of `numbers` stay.
     pub(crate) fn renumbered(&self, numbers: &[i32]) -> Self {
         let number = |&value: &i32| usize::try_from(value).ok().and_then(|at| numbers.get(at)).map_or(value, |&n| n);
         match self {
@@ -116,7 +118,7 @@ impl FaceMap {
         }
     }
 
-    /// Checks that every one of `face_count` faces has a value below `limit`.
+    /// Checks that each of `face_count` faces has a value below `limit`.
     pub fn validate(&self, argument: &'static str, face_count: usize, limit: i32) -> Result<()> {
         let (values, well_formed) = match self {
             Self::Uniform(value) => (std::slice::from_ref(value), true),

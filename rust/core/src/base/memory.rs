@@ -1,16 +1,17 @@
-//! Refusal of results too large for memory. An allocation that fails ends the process, so sizes that a caller chooses are
-//! asked for first.
+//! Refusal of results that are too large for memory. Rust ends the process when an allocation fails, so kernels test
+//! sizes that a caller chooses before they allocate.
 
 use std::hint::black_box;
 
 use super::{Error, Result};
 
-/// An error where the system refuses so many bytes at once. Nothing is kept: the pages are never touched.
+/// Fails if the system refuses an allocation of this many bytes. The test memory is freed again and its pages are never
+/// touched.
 pub fn room_for(bytes: u64) -> Result<()> {
     let refused = Error::Memory { bytes };
     let Ok(size) = usize::try_from(bytes) else { return Err(refused) };
     let mut probe = Vec::<u8>::new();
-    // Without the black box the compiler may drop an allocation that nobody uses, and assume that it succeeded.
+    // Without the black box the compiler may remove the unused allocation and assume that it succeeded.
     black_box(&mut probe).try_reserve_exact(size).map_err(|_| refused)
 }
 

@@ -1,4 +1,4 @@
-//! The ground of every stage: errors, threads, progress, random numbers, shared arrays, boxes, numbers of faces.
+//! Support for every stage: errors, threads, progress, random numbers, shared arrays, boxes, values per face.
 
 pub mod aabb;
 pub mod buffer;

@@ -1,4 +1,5 @@
-//! Our own thread pool: sized by `NEARFAR_NUM_THREADS`, made on first use, made anew in a forked child.
+//! nearfar's own thread pool. `NEARFAR_NUM_THREADS` sets its size; it is created on first use and again in a forked
+//! child.
 
 use std::process;
 use std::ptr;
@@ -7,7 +8,7 @@ use std::sync::atomic::{AtomicPtr, Ordering};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::{Error, Result};
-/// Environment variable with the number of threads.
+/// Name of the environment variable that holds the number of threads.
 const VARIABLE: &str = "NEARFAR_NUM_THREADS";
 
 struct PoolEntry {
@@ -15,8 +16,8 @@ struct PoolEntry {
     pool: ThreadPool,
 }
 
-/// The pool of this process. A pointer instead of a lock, because a lock that another thread held during a fork
-/// would stay locked in the child for ever.
+/// The pool of this process. It is an atomic pointer instead of a lock: a lock that another thread held during a fork
+/// would stay locked in the child process for ever.
 static CURRENT: AtomicPtr<PoolEntry> = AtomicPtr::new(ptr::null_mut());
 
 /// Runs `work` on the pool, so that every rayon call inside uses it.
@@ -31,7 +32,7 @@ pub fn thread_count() -> Result<usize> {
 
 fn current() -> Result<&'static ThreadPool> {
     let seen = CURRENT.load(Ordering::Acquire);
-    // SAFETY: CURRENT is null or points to an Entry that was leaked and is never freed.
+    // SAFETY: CURRENT is null or points to a leaked `PoolEntry`, which is never freed.
     if let Some(entry) = unsafe { seen.as_ref() }
         && entry.process == process::id()
     {
@@ -39,11 +40,12 @@ fn current() -> Result<&'static ThreadPool> {
     }
     let fresh = Box::into_raw(Box::new(PoolEntry { process: process::id(), pool: build()? }));
     match CURRENT.compare_exchange(seen, fresh, Ordering::AcqRel, Ordering::Acquire) {
-        // SAFETY: just leaked, never freed. A parent's entry stays leaked in a child: its threads are gone there,
-        // and joining them would hang.
+        // SAFETY: the entry was just leaked and is never freed. The entry of the parent process stays leaked in a
+        // child, because its threads do not exist there and joining them would hang.
         Ok(_) => Ok(&unsafe { &*fresh }.pool),
         Err(winner) => {
-            // SAFETY: ours was never published, and the winner's was leaked by another thread of this process.
+            // SAFETY: this thread's entry was never published; the winner's entry was leaked by another thread of this
+            // process.
             let (_ours, theirs) = unsafe { (Box::from_raw(fresh), &*winner) };
             Ok(&theirs.pool)
         }
@@ -58,7 +60,7 @@ fn build() -> Result<ThreadPool> {
         .map_err(|error| Error::value(VARIABLE, "a number of threads that the system grants", error))
 }
 
-/// Zero leaves the choice to rayon: as many as there are cores for this process.
+/// The requested number of threads. 0 leaves the choice to rayon: the number of cores available to this process.
 fn requested(value: Option<&str>) -> Result<usize> {
     match value.map(str::trim) {
         None | Some("") => Ok(0),

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use super::{Error, Result};
 
-/// Shared between the kernel's threads, which report, and the caller, who looks every 50 ms and may cancel.
+/// Progress of a kernel. The kernel's threads write it; the caller reads it every 50 ms and may cancel the kernel.
 #[derive(Debug, Default)]
 pub struct Progress {
     done: AtomicU64,
@@ -13,33 +13,33 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Nothing done, nothing known of the total.
+    /// No unit is done and the total is unknown.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Adds units of work to come.
+    /// Adds units of work to the total.
     pub fn expect(&self, units: u64) {
         self.total.fetch_add(units, Ordering::Relaxed);
     }
 
-    /// Counts finished units, and fails once the caller has cancelled.
+    /// Counts finished units; fails if the caller has cancelled.
     pub fn report(&self, units: u64) -> Result<()> {
         self.done.fetch_add(units, Ordering::Relaxed);
         self.check()
     }
 
-    /// Fails once the caller has cancelled.
+    /// Fails if the caller has cancelled.
     pub fn check(&self) -> Result<()> {
         if self.cancelled.load(Ordering::Relaxed) { Err(Error::Cancelled) } else { Ok(()) }
     }
 
-    /// Asks the kernel to stop at its next report.
+    /// Asks the kernel to stop; its next report fails.
     pub fn cancel(&self) {
         self.cancelled.store(true, Ordering::Relaxed);
     }
 
-    /// Finished and expected units.
+    /// Finished units and total units.
     pub fn state(&self) -> (u64, u64) {
         (self.done.load(Ordering::Relaxed), self.total.load(Ordering::Relaxed))
     }

@@ -1,8 +1,9 @@
-//! Random numbers as a pure function of (seed, cell, index): no state, so any order and any number of threads agree.
+//! Random numbers as a pure function of (seed, cell, index). There is no state, so results depend neither on the order
+//! of the draws nor on the number of threads.
 //!
-//! The mixer is SplitMix64's finaliser (Steele, Lea, Flood: Fast splittable pseudorandom number generators, 2014),
-//! applied after each word is folded in.
-/// 2⁶⁴ over the golden ratio.
+//! The mixing function is SplitMix64's finaliser (Steele, Lea, Flood: Fast splittable pseudorandom number generators,
+//! 2014); it runs after each word is combined with the state.
+/// 2⁶⁴ divided by the golden ratio.
 const GOLDEN: u64 = 0x9E37_79B9_7F4A_7C15;
 
 fn mix(mut z: u64) -> u64 {
@@ -11,7 +12,7 @@ fn mix(mut z: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// 64 random bits for one draw.
+/// 64 random bits of one draw.
 pub fn bits(seed: u64, cell: u64, index: u64) -> u64 {
     [cell, index].iter().fold(mix(seed.wrapping_add(GOLDEN)), |state, &word| mix((state ^ word).wrapping_add(GOLDEN)))
 }
@@ -33,7 +34,7 @@ mod tests {
 
     #[test]
     fn uniform_is_uniform() {
-        // Mean and variance of 10⁵ draws lie within five standard errors (1/√(12 n) and 1/√(180 n)).
+        // Mean and variance of 10⁵ draws must lie within five standard errors (1/√(12 n) and 1/√(180 n)).
         let n = 100_000;
         let (mut sum, mut square) = (0.0, 0.0);
         for index in 0..n {

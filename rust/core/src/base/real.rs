@@ -1,16 +1,16 @@
-//! Precisions of the arrays that kernels read and write.
+//! The floating-point types of the arrays that kernels read and write.
 
 use num_traits::Float;
 
 /// float32 or float64.
 pub trait Real: Float + Default + Send + Sync + 'static {
-    /// By how much, as a share, a rounded number may lie beyond the float64 that it was rounded from.
+    /// Greatest relative error of rounding a float64 to this type.
     const SLACK: f64;
-    /// The same value.
+    /// Converts to float64, without error.
     fn wide(self) -> f64;
-    /// Rounded once.
+    /// Rounds a float64 once to this type.
     fn narrow(value: f64) -> Self;
-    /// a b + c, rounded once where it is fused.
+    /// a b + c; rounded once if `FUSED`, otherwise twice.
     fn fuse<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self;
 }
 

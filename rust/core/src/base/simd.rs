@@ -1,25 +1,27 @@
-//! One kernel compiled for each width of vectors, chosen when it runs; and prefetching.
+//! Compiles one kernel for several vector widths and chooses among them at run time; prefetching.
 
-/// Asks memory for values that are read soon: loads behind hundreds of instructions would wait for their turn.
+/// Prefetches values that are read soon. The processor would start an ordinary load only after the hundreds of
+/// instructions before it.
 #[inline(always)]
 pub(crate) fn prefetch<P>(values: &[P]) {
     #[cfg(target_arch = "x86_64")]
     for from in (0..size_of_val(values)).step_by(64) {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-        // SAFETY: prefetching reads nothing; the address lies within the slice.
+        // SAFETY: a prefetch does not access memory; the address lies within the slice.
         unsafe { _mm_prefetch::<_MM_HINT_T0>(values.as_ptr().cast::<i8>().add(from)) };
     }
     #[cfg(not(target_arch = "x86_64"))]
     let _ = values;
 }
 
-/// Wraps `#[inline(always)]` kernels in functions that run them with the widest vectors of this machine. The functions may
-/// be generic in types.
+/// Wraps `#[inline(always)]` kernels in functions that run them with the widest vectors of this machine. The functions
+/// may have generic types.
 ///
-/// - `fn name(…) = kernel;`: Rust fuses a multiplication with an addition only where code says so, so that every width
-///   gives the same bits.
-/// - `fn name(…) = fused kernel;` for a kernel generic in `FUSED`, `fused kernel<_>` with a type before it: `FUSED` is true
-///   where the machine can fuse, which saves time and one rounding.
+/// - `fn name(…) = kernel;`: all widths give the same bits, because Rust fuses a multiplication with an addition only
+///   where code asks for it.
+/// - `fn name(…) = fused kernel;` for a kernel generic in the constant `FUSED`, or `fused kernel<_>` if a type
+///   parameter precedes `FUSED`. `FUSED` is true where the machine has fused multiply-add, which saves time and one
+///   rounding.
 macro_rules! vectorized {
     () => {};
     (
@@ -42,7 +44,7 @@ macro_rules! vectorized {
             $(-> $result:ty)? = $kernel:path;
         $($others:tt)*
     ) => {
-        // Every processor with AVX2 has AVX.
+        // "avx" adds no condition: every processor with AVX2 has AVX.
         vectorized! {
             @versions $(#[$attribute])* $visibility fn $name $(<$($generic: $bound),+>)? ($($argument: $type),*)
             $(-> $result)?, "avx",

@@ -4,50 +4,54 @@ use glam::{DVec2, DVec3};
 
 use crate::morph::Morph;
 
-/// Steps of the root's search at most: bisection alone needs as many as a float64 has digits.
+/// Greatest number of steps of the root search. Bisection alone needs one step for each of a float64's 53 bits of
+/// precision.
 const STEPS: usize = 80;
-/// Most halvings of a stretch beyond those of a chord's length that the tolerance asks for.
+/// Greatest number of halvings of a stretch beyond the number that the tolerance requires.
 const SPARE_HALVINGS: u32 = 8;
-/// Most chords of a stretch, times the root of the tolerance. Where the picture folds, curves jump and no chord is flat.
+/// Greatest number of chords of a stretch, multiplied by the square root of the tolerance in radians. Where the picture
+/// folds, the curve jumps and no chord meets the tolerance.
 pub(super) const MAX_CHORDS: f64 = 64.0;
-/// Ratio of a chord's end to its start, both as distances from the user, above which it is long.
+/// Ratio of a chord's end to its start, both as distances from the user, above which the chord is halved on a
+/// logarithmic scale.
 const LONG_CHORD: f64 = 4.0;
-/// End of an upright curve, in radii.
+/// s at which a vertical curve is cut, as a multiple of r₂ + |v⊥|.
 const UPRIGHT_END: f64 = 1e4;
-/// Share of the tolerance that a chord may miss at the points where it is tried: between them it may miss all of it.
+/// Share of the tolerance that a chord may miss by at the tested points. Between them the error may reach the full
+/// tolerance.
 const CHORD_SHARE: f64 = 0.75;
 
-/// The curve of points that are shown in one direction.
+/// The curve of points that the morph shows in one direction. Symbols are those of the module `bend`.
 #[derive(Clone, Copy, Debug)]
 pub struct RayCurve<'a> {
     morph: &'a Morph,
-    /// Unit.
+    /// The direction d, a unit vector.
     pub direction: DVec3,
-    /// v·d: how far along d the centre lies.
+    /// v·d in metres: coordinate of the centre along d.
     along: f64,
-    /// |v⊥|: how far the centre's ray runs beside the user's.
+    /// |v⊥| in metres: distance between the user's ray and the centre's parallel ray.
     pub beside: f64,
-    /// e: the unit vector from the user's ray to the centre's.
+    /// e: the unit vector from the user's ray to the centre's ray.
     pub across: DVec3,
 }
 
-/// A stretch of a curve between two values of s.
+/// A stretch of a curve between two values of s, in metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stretch {
-    /// Where it begins.
+    /// s of its start.
     pub from: f64,
-    /// Where it ends.
+    /// s of its end.
     pub to: f64,
-    /// True inside r₁, where it is the user's ray.
+    /// True inside r₁, where the curve is the user's ray.
     pub straight: bool,
 }
 
 impl<'a> RayCurve<'a> {
-    /// The curve in a unit direction.
+    /// The curve in a direction, a unit vector.
     pub fn new(morph: &'a Morph, direction: DVec3) -> Self {
         let v = morph.center - morph.user;
         let along = v.dot(direction);
-        // Twice, because the first difference may leave a part along d of the size of its rounding.
+        // The projection is removed twice: after one subtraction a part along d of the size of its rounding may remain.
         let once = v - direction * along;
         let rest = once - direction * once.dot(direction);
         let beside = rest.length();
@@ -55,26 +59,28 @@ impl<'a> RayCurve<'a> {
         Self { morph, direction, along, beside, across }
     }
 
-    /// The point at s along and y beside the user's ray.
+    /// The point at s along the user's ray and y beside it, in metres.
     pub fn point(&self, s: f64, y: f64) -> DVec3 {
         self.morph.user + self.direction * s + self.across * y
     }
 
-    /// Where the centre's parallel ray leaves r₂: s, and the distance from O; none for an upright direction.
+    /// The point where the centre's parallel ray leaves r₂: its s, and its distance from O. `None` for a vertical
+    /// direction.
     pub fn end(&self) -> Option<(f64, f64)> {
         let slope = on_ground(self.direction).length();
         let from_center = self.morph.r2 / slope;
         from_center.is_finite().then_some((self.along + from_center, from_center))
     }
 
-    /// The last point of the curve between the radii, on the centre's ray.
+    /// The curve's last point before r₂, on the centre's ray, at a distance from O.
     pub fn last(&self, from_center: f64) -> DVec3 {
         self.morph.center + self.direction * from_center
     }
 
-    /// The curve from where it begins to r₂, in order of s. Users between the radii see it in three stretches.
+    /// The stretches of the curve from its start to r₂, in order of s. There are three if the ray of a user between the
+    /// radii crosses r₁.
     pub fn stretches(&self) -> Vec<Stretch> {
-        // Upright curves never end; far above everything they are cut.
+        // Vertical curves have no end; they are cut far beyond both radii.
         let end = self.end().map_or(UPRIGHT_END * (self.morph.r2 + self.beside), |(s, _)| s);
         if self.beside == 0.0 || end <= 0.0 {
             return Vec::new();
@@ -97,18 +103,19 @@ impl<'a> RayCurve<'a> {
         stretches
     }
 
-    /// The part of the user's ray inside r₁.
+    /// The interval of s in which the user's ray lies inside r₁.
     fn within_r1(&self) -> Option<(f64, f64)> {
         let (p, d) = (on_ground(self.morph.user - self.morph.center), on_ground(self.direction));
         within_cylinder(p, d, self.morph.r1).filter(|&(_, leave)| leave > 0.0)
     }
 
-    /// y(s), searched from a guess. Where the picture folds there are several roots, and one of them is found.
+    /// y(s), found from a first guess. Where the picture folds there are several roots; the search finds one of them.
     pub fn offset(&self, s: f64, guess: f64) -> f64 {
         self.search(s, guess, f64::EPSILON)
     }
 
-    /// The same until a step is below this share of |v⊥|; after Newton's last one the error is about its square.
+    /// Like `offset`, but the search ends when a step is below `precision` |v⊥|. The error after Newton's last step is
+    /// about the square of that step.
     #[inline]
     pub fn search(&self, s: f64, guess: f64, precision: f64) -> f64 {
         let (mut low, mut high) = (0.0, self.beside);
@@ -133,7 +140,7 @@ impl<'a> RayCurve<'a> {
         y
     }
 
-    /// The equation for y, times |P−U| |P−O|, and its derivative.
+    /// The equation for y multiplied by |P−U| |P−O|, and its derivative by y.
     #[inline]
     fn residual(&self, s: f64, y: f64) -> (f64, f64) {
         let Morph { r1, r2, .. } = *self.morph;
@@ -144,13 +151,13 @@ impl<'a> RayCurve<'a> {
         let (a, b) = ((s * s + y * y).sqrt(), (q * q + z * z).sqrt());
         let value = w * y * b + (1.0 - w) * z * a;
         let turn = if w > 0.0 && w < 1.0 { -from_axis.dot(on_ground(self.across)) / (rho * (r2 - r1)) } else { 0.0 };
-        // Where a length is 0 so is the value, and the slope is not used.
+        // Where a length is 0 the value is 0 as well, and the slope is not used.
         let slope = w * (b + y * z / b) + (1.0 - w) * (a + y * z / a) + turn * (y * b - z * a);
         (value, slope)
     }
 
-    /// Angle between d and the direction in which the morph shows a point of the curve's plane: its tangent, which is no
-    /// less; infinite from a right angle on.
+    /// Upper bound of the angle between d and the direction in which the morph shows a point of the curve's plane: the
+    /// tangent of the angle. Infinite for angles of 90° or more.
     #[inline]
     pub fn miss(&self, s: f64, y: f64) -> f64 {
         let w = self.morph.weight(on_ground(self.point(s, y) - self.morph.center).length());
@@ -161,14 +168,14 @@ impl<'a> RayCurve<'a> {
         if along > 0.0 { across.abs() / along } else { f64::INFINITY }
     }
 
-    /// Appends points of the curve so that no chord between them misses its direction by more than a tolerance in
-    /// radians; the first is where it leaves `stretch.from`, the last where it arrives.
+    /// Appends the points of a polyline whose chords miss the direction by at most a tolerance in radians. The first
+    /// point lies at `stretch.from`, the last at `stretch.to`.
     fn flatten(&self, stretch: &Stretch, tolerance: f64, points: &mut Vec<DVec3>) {
         let at = |s: f64, guess: f64| (s, self.offset(s, guess));
         let first = at(stretch.from, 0.0);
         let last = at(stretch.to, self.beside);
         points.push(self.point(first.0, first.1));
-        // Chords miss by the square of their length.
+        // The error of a chord is proportional to the square of its length.
         let deepest = (-0.5 * tolerance.log2()).ceil().max(0.0) as u32 + SPARE_HALVINGS;
         let most = points.len() + (MAX_CHORDS / tolerance.sqrt()) as usize;
         let mut open = vec![(first, last, 0)];
@@ -185,7 +192,7 @@ impl<'a> RayCurve<'a> {
         }
     }
 
-    /// Whether a chord misses nothing in its middle, in the middles of its halves, and so on.
+    /// Tests a chord at its middle, at the middles of its halves and so on, over a number of levels.
     fn is_flat(&self, a: (f64, f64), b: (f64, f64), levels: u32, tolerance: f64) -> bool {
         let middle = self.middle(a, b);
         self.miss(middle.0, middle.1) <= tolerance
@@ -193,16 +200,16 @@ impl<'a> RayCurve<'a> {
                 || self.is_flat(a, middle, levels - 1, tolerance) && self.is_flat(middle, b, levels - 1, tolerance))
     }
 
-    /// A chord's point halfway. What is seen from far away bends as slowly as it is far: long chords are halved on a
-    /// logarithmic scale, from |v⊥| on.
+    /// Midpoint of a chord. The curve's bending falls with the distance from the user, so long chords are halved on a
+    /// logarithmic scale of s, which begins at |v⊥|.
     fn middle(&self, a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
         let near = a.0.max(self.beside);
         let s = if b.0 > LONG_CHORD * near { (near * b.0).sqrt() } else { 0.5 * (a.0 + b.0) };
         (s, a.1 + (b.1 - a.1) * (s - a.0) / (b.0 - a.0))
     }
 
-    /// The curve as a polyline: where it begins (U for users inside r₁), where it bends, and where it leaves r₂; from
-    /// there it goes on along d.
+    /// The curve as a polyline: its start (U for users inside r₁), its bends, and the point where it leaves r₂. From
+    /// that point it continues along d.
     pub fn polyline(&self, tolerance: f64) -> Vec<DVec3> {
         if self.morph.r2 == 0.0 {
             return vec![self.morph.center];
@@ -227,12 +234,13 @@ impl<'a> RayCurve<'a> {
     }
 }
 
-/// The horizontal part.
+/// The horizontal components.
 pub(crate) fn on_ground(p: DVec3) -> DVec2 {
     DVec2::new(p.x, p.z)
 }
 
-/// The part of a ray inside an upright cylinder, in units of its direction; its start is given relative to the axis.
+/// The interval in which a ray lies inside a vertical cylinder, in units of the direction's length. `start` is relative
+/// to the axis.
 pub(crate) fn within_cylinder(start: DVec2, direction: DVec2, radius: f64) -> Option<(f64, f64)> {
     let (a, b) = (direction.length_squared(), start.dot(direction));
     let c = start.length_squared() - radius * radius;
@@ -243,7 +251,7 @@ pub(crate) fn within_cylinder(start: DVec2, direction: DVec2, radius: f64) -> Op
     if discriminant < 0.0 {
         return None;
     }
-    // Both roots in the form that does not cancel.
+    // Both roots of the quadratic equation in the form without cancellation.
     let q = -(b + discriminant.sqrt().copysign(b));
     let (one, other) = if q == 0.0 { (0.0, 0.0) } else { (q / a, c / q) };
     let (enter, leave) = (one.min(other), one.max(other));

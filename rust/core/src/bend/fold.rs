@@ -1,4 +1,4 @@
-//! Distance that the user may go before the picture folds: before two surface points of one neighbourhood change sides.
+//! The fold margin: how far the user may move before two neighbouring surface points change sides in the picture.
 
 use glam::{DMat3, DVec3};
 
@@ -6,21 +6,22 @@ use super::curve::on_ground;
 use crate::base::{Error, Result};
 use crate::morph::{Kind, Morph};
 
-/// Places that are looked at in each direction before the worst are followed.
+/// Numbers of samples in distance, azimuth and elevation, before the worst samples are refined.
 const GRID: [usize; 3] = [13, 25, 31];
-/// Number of the worst places that are followed.
+/// Number of the worst samples that are refined.
 const FOLLOWED: usize = 6;
-/// Tolerance of the margin, as a share of r₂−r₁.
+/// Tolerance of the margin, as a share of r₂ − r₁.
 const MARGIN_PRECISION: f64 = 1e-4;
 
-/// Metres from the centre beyond which products of lengths overflow.
+/// Greatest distance of the user from the centre, metres; products of greater lengths overflow.
 const FARTHEST: f64 = 1e30;
 
-/// Metres that the user may still go horizontally, in the direction away from the axis, before the morph's Jacobian
-/// changes its sign somewhere between the radii; negative where it has, and −∞ where it has on the axis itself. The
-/// user's height counts as it is.
+/// Metres that the user may still move horizontally, away from the axis, before the determinant of the morph's Jacobian
+/// changes its sign somewhere between the radii. It is negative where the sign has changed already, and −∞ where it
+/// changes even for a user on the axis. The user's height stays as given.
 ///
-/// For `Kind::Cylinder` it is r₁ − |(U−O)_h|: beyond that the user stands outside cylinders on which points must stay.
+/// For `Kind::Cylinder` the margin is r₁ − |(U−O)_h|: a user beyond r₁ stands outside cylinders on which points must
+/// stay.
 pub fn margin(morph: &Morph) -> Result<f64> {
     if morph.r2 == 0.0 {
         return Err(Error::value("r2", "a radius above 0, because without near geometry nothing folds", morph.r2));
@@ -39,7 +40,8 @@ pub fn margin(morph: &Morph) -> Result<f64> {
         let moved = Morph::new(user, morph.center, morph.r1, morph.r2, Kind::Blend)?;
         Ok(least_determinant(&moved) <= 0.0)
     };
-    // Along the line through U and O, behind O, the distance shown falls at (r₂−r₁) for certain.
+    // A user at r₂ − r₁ from the axis always folds the picture: on the line through U and O, behind O, the distance
+    // shown falls as ρ grows.
     let (mut sound, mut folded) = (0.0, width);
     if folds(0.0)? {
         return Ok(f64::NEG_INFINITY);
@@ -55,13 +57,13 @@ pub fn margin(morph: &Morph) -> Result<f64> {
     Ok(0.5 * (sound + folded) - away)
 }
 
-/// The least determinant of the Jacobian between the radii, scaled so that it is of one size everywhere.
+/// The least determinant of the Jacobian between the radii. Its scale does not depend on the distance.
 fn least_determinant(morph: &Morph) -> f64 {
     let offset = morph.user - morph.center;
     let away = on_ground(offset).length();
     if away > morph.r1 && 3.0 * away >= morph.r1 + morph.r2 {
-        // On the line from U to O both see a point in opposite directions, and the distance shown changes with
-        // 2w − 1 + (|U−O| − 2ρ)/(r₂−r₁), which vanishes next to the user at |U−O| = (r₁+r₂)/3.
+        // On the line from U to O the two see a point in opposite directions, and the distance shown changes with
+        // 2w − 1 + (|U−O| − 2ρ)/(r₂−r₁). Next to the user this vanishes at |U−O| = (r₁+r₂)/3.
         return 0.0;
     }
     let mut worst: Vec<(f64, [f64; 3])> = Vec::with_capacity(GRID.iter().product());
@@ -79,7 +81,7 @@ fn least_determinant(morph: &Morph) -> f64 {
     followed.fold(f64::INFINITY, f64::min)
 }
 
-/// Goes down from a place until steps of a thousandth of the grid's lead no further.
+/// Follows the determinant downhill, axis by axis, until the step is below 10⁻⁴ of the range.
 fn follow(morph: &Morph, mut value: f64, mut place: [f64; 3]) -> f64 {
     let mut step = 1.0 / GRID[0] as f64;
     while step > 1e-4 {
@@ -101,7 +103,8 @@ fn follow(morph: &Morph, mut value: f64, mut place: [f64; 3]) -> f64 {
     value
 }
 
-/// At a share of the way from r₁ to r₂, of half a turn from the user's side, and of 86° up or down from the centre.
+/// Determinant of the Jacobian at a place: `depth` is the share of the way from r₁ to r₂, `turn` the share of half a
+/// turn from the user's side, `lift` the share of 86° (1.5 rad) up or down as seen from the centre.
 fn determinant(morph: &Morph, [depth, turn, lift]: [f64; 3]) -> f64 {
     let rho = morph.r1 + (morph.r2 - morph.r1) * depth;
     let (sin, cos) = (turn * std::f64::consts::PI).sin_cos();
@@ -122,6 +125,7 @@ fn determinant(morph: &Morph, [depth, turn, lift]: [f64; 3]) -> f64 {
     let blended = turned(by_user, a) * w + turned(by_center, b) * (1.0 - w) + outer(by_user - by_center, gradient);
     let across = (DMat3::IDENTITY - outer(direction, direction)) * blended;
     let along = w * by_user + (1.0 - w) * by_center + (a - b) * gradient;
-    // Lengths across are measured at a metre's distance and scaled by the point's, those along as they are.
+    // Displacements across the direction are angles, scaled by the geometric mean of both distances; displacements
+    // along it are metres.
     (across * (a * b).sqrt() + outer(direction, along)).determinant()
 }

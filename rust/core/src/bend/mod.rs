@@ -1,9 +1,16 @@
-//! The morph per pixel: the curve of points that it shows in one direction.
+//! The inverse of the morph for one direction: the curve of points that the morph shows there.
 //!
-//! The directions from user and centre to a point and the line between both are coplanar, so that the points shown in a
-//! direction d form a plane curve P(s) = U + s d + y(s) e, with v = O−U, e the unit vector of v⊥ = v − (v·d) d, and y
-//! in [0, |v⊥|] the root of w y/|P−U| + (1−w)(y−|v⊥|)/|P−O|: what the blend of both directions (Eq. 1) has across d.
-//! It leaves U along d, ends on the parallel ray from O, and is the same for both kinds of the morph.
+//! U is the user's eye, O the centre, w the weight of the user's view, v = O − U, and d a unit direction. The
+//! directions from U and O to a point and the line U O are coplanar, so the points that the morph shows in direction d
+//! form a plane curve:
+//!
+//! ```text
+//! P(s) = U + s d + y(s) e,   e the unit vector of v⊥ = v − (v·d) d
+//! ```
+//!
+//! Here y in [0, |v⊥|] is the root of w y/|P−U| + (1−w)(y−|v⊥|)/|P−O|, the component across d of the blend of both
+//! directions (Eq. 1). The curve leaves U along d, ends on the parallel ray from O, and is the same for both kinds of
+//! the morph.
 
 mod curve;
 mod fold;

@@ -1,4 +1,4 @@
-//! Polylines of many directions.
+//! Polylines of bent rays in many directions.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -7,10 +7,11 @@ use super::curve::RayCurve;
 use crate::base::{Error, Progress, Result, memory::room_for};
 use crate::morph::Morph;
 
-/// Radians: the least tolerance, which takes some thousand points.
+/// Least tolerance in radians. A polyline with this tolerance has some thousand points.
 const LEAST_TOLERANCE: f64 = 1e-9;
 
-/// Polylines of many rays, padded with NaN to the longest: (rows × `longest` points, `longest`). Directions of any length.
+/// Polylines of many rays, each padded with NaN to the longest. Returns rows × `longest` points, and `longest`.
+/// Directions may have any length above 0.
 pub fn bend_rays(
     morph: &Morph,
     directions: &[[f64; 3]],
@@ -21,7 +22,7 @@ pub fn bend_rays(
         return Err(Error::value("tolerance", format!("at least {LEAST_TOLERANCE:e} radians"), tolerance));
     }
     let unit = |row: &[f64; 3]| {
-        // Scaled first: squares of lengths overflow long before lengths do.
+        // Scaled first, because the square of a length overflows long before the length does.
         let d = DVec3::from_array(*row);
         let longest = d.abs().max_element();
         (longest > 0.0 && d.is_finite()).then(|| (d / longest).normalize())

@@ -13,7 +13,7 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
-/// Every way to test the exact picture: the morph itself shows the curve's points in the curve's direction.
+/// Angle between the curve's direction and the direction in which the morph shows a point of the curve.
 fn shown_miss(morph: &Morph, point: DVec3, direction: DVec3) -> f64 {
     angle(morph.apply(point) - morph.user, direction)
 }
@@ -32,7 +32,7 @@ proptest! {
         let points = RayCurve::new(&morph, direction).polyline(tolerance);
         prop_assert_eq!(points[0], morph.user);
         for &point in &points[1..] {
-            // 1e-9 is asked for; coordinates of up to 2,500 m are rounded to 5e-13.
+            // Coordinates of up to 2,500 m are rounded to 5e-13 m.
             prop_assert!(shown_miss(&morph, point, direction) < 1e-10);
         }
         for leg in points[1..].windows(2) {
@@ -42,7 +42,7 @@ proptest! {
             }
         }
         if points.len() == 1 {
-            // The user is at the centre, or looks along the line through it.
+            // The user is at the centre or looks along the line through it.
             return Ok(());
         }
         let last = points[points.len() - 1] - morph.center;
@@ -71,7 +71,7 @@ proptest! {
         let part = within_cylinder(start, direction, radius);
         let rho = (start + direction * s).length();
         let inside = part.is_some_and(|(enter, leave)| (enter..=leave).contains(&s));
-        // Squares of up to 800 m² are rounded, and their difference is divided by twice the radius.
+        // Rounding of squares of up to 800 m², divided by twice the radius.
         prop_assert!(inside == (rho <= radius) || (rho - radius).abs() < 1e-11);
     }
 }
@@ -106,21 +106,22 @@ fn users_between_the_radii_see_the_near_part_straight_on() {
 
 #[test]
 fn margins_are_those_of_a_dense_search() {
-    // Found with finite differences on a grid of 41 x 41 x 61 points: (r1, r2, height of the user above O, margin at O).
+    // Found with finite differences on a grid of 41 × 41 × 61 points: (r1, r2, height of the user above O, margin at
+    // O), metres.
     let cases = [
         (30.0, 50.0, 0.0, 19.112),
         (30.0, 50.0, 5.0, 18.586),
         (30.0, 50.0, 25.0, 15.384),
         (40.0, 50.0, 0.0, 9.763),
         (10.0, 50.0, 60.0, 11.941),
-        // (r1 + r2) / 3, next to the user.
+        // The fold lies next to the user, at (r1 + r2) / 3.
         (5.0, 25.0, 0.0, 10.0),
     ];
     for (r1, r2, height, expected) in cases {
         for away in [0.0, 7.0] {
             let user = DVec3::new(away * 0.6, height, away * 0.8);
             let found = margin(&Morph::new(user, DVec3::ZERO, r1, r2, Kind::Blend).unwrap()).unwrap();
-            // The grid's places are up to half a metre from the worst one.
+            // The samples of that grid lie up to half a metre from the worst point.
             assert!((found - (expected - away)).abs() < 0.02 * (r2 - r1), "{r1} {r2} {height} {found}");
         }
     }

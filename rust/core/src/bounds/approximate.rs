@@ -1,28 +1,28 @@
-//! Spheres that cost a pass or two.
+//! Bounding spheres that need one or a few passes over the points.
 
 use super::scan::Cloud;
 use super::sphere::Sphere;
 use crate::base::Real;
 
-/// About the mean of the points.
+/// The sphere about the mean of the points.
 pub(super) fn average<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
     let center = cloud.mean();
     Sphere { center, radius: cloud.farthest(center).0 }
 }
 
-/// About the middle of their box.
+/// The sphere about the middle of the bounding box.
 pub(super) fn min_max<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
     let center = (cloud.bounds[0] + cloud.bounds[1]) * 0.5;
     Sphere { center, radius: cloud.farthest(center).0 }
 }
 
-/// The smaller of both.
+/// The smaller of the two spheres above.
 pub(super) fn best<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
     let (one, other) = (average(cloud), min_max(cloud));
     if one.radius <= other.radius { one } else { other }
 }
 
-/// About two far points, and widened to each point that lies outside, in order.
+/// Ritter's sphere: it starts from two distant points and grows to contain each point outside, in order.
 pub(super) fn ritter<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
     let (_, one) = cloud.farthest(cloud.at(&cloud.points[0]));
     let (apart, other) = cloud.farthest(one);
@@ -37,6 +37,6 @@ pub(super) fn ritter<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
             radius = wider;
         }
     }
-    // The steps round: the farthest point sets the radius.
+    // Each step rounds, so the farthest point sets the final radius.
     Sphere { center, radius: cloud.farthest(center).0 }
 }

@@ -1,4 +1,4 @@
-//! The sphere about points, and about groups of them.
+//! The bounding sphere of points, and of groups of points.
 
 use rayon::prelude::*;
 
@@ -7,10 +7,11 @@ use super::sphere::{Sphere, SphereMethod};
 use super::{approximate, exact};
 use crate::base::{Error, Progress, Real, Result};
 
-/// Extents whose squares neither overflow nor vanish: others are scaled by a power of two first.
+/// Range of extents whose squares neither overflow nor underflow. Points with other extents are scaled by a power of
+/// two.
 const PLAIN_EXTENTS: std::ops::Range<f64> = 1e-140..1e140;
 
-/// The sphere about points; none of them is outside by more than the rounding of the radius.
+/// The bounding sphere of points. No point lies outside by more than the rounding of the radius.
 pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: SphereMethod) -> Result<Sphere> {
     let cloud = Cloud::new(points)?;
     let extent = cloud.extent();
@@ -20,19 +21,20 @@ pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: SphereMethod) -> Resu
     if PLAIN_EXTENTS.contains(&extent) {
         return Ok(cloud.placed(&of(&cloud, method)));
     }
-    // Exact but for denormals, and those are made large.
+    // Scaling by a power of two is exact except for denormals, and those are scaled up.
     let exponent = extent.log2().floor().clamp(-1000.0, 1000.0);
     let scale = (-exponent).exp2();
     let scaled: Vec<[f64; 3]> = points.iter().map(|point| (cloud.at(point) * scale).to_array()).collect();
     let small = Cloud::new(&scaled)?;
     let sphere = small.placed(&of(&small, method));
     let center = cloud.origin + sphere.center / scale;
-    // Distances have no squares here: by how much the centre was rounded is added to the radius.
+    // Measured distances would need squares, which overflow here. The rounding of the centre is added to the radius
+    // instead.
     let moved = ((center - cloud.origin) - sphere.center / scale).abs().max_element();
     Ok(Sphere { center, radius: sphere.radius / scale + 2.0 * moved })
 }
 
-/// In the cloud's own frame.
+/// The sphere in the cloud's own frame.
 fn of<T: Real>(cloud: &Cloud<'_, T>, method: SphereMethod) -> Sphere {
     match method {
         SphereMethod::Exact => exact::smallest(cloud),
@@ -43,7 +45,7 @@ fn of<T: Real>(cloud: &Cloud<'_, T>, method: SphereMethod) -> Sphere {
     }
 }
 
-/// The spheres about groups of points; group n is `points[offsets[n]..offsets[n + 1]]`.
+/// The bounding spheres of groups of points; group n is `points[offsets[n]..offsets[n + 1]]`.
 pub fn bounding_spheres<T: Real>(
     points: &[[T; 3]],
     offsets: &[i64],

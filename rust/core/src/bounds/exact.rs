@@ -1,7 +1,7 @@
-//! The smallest sphere: from few points, the farthest one that lies outside is added until none does.
+//! The smallest bounding sphere: starting from a few points, the farthest point outside is added until none is outside.
 //!
-//! Gärtner: Fast and robust smallest enclosing balls, 1999. Points well inside are put aside once: while the centre moves
-//! less than they are inside, none of them can come out.
+//! Gärtner: Fast and robust smallest enclosing balls, 1999. Points deep inside are put aside once: a point inside by a
+//! distance d stays inside while the centre moves less than d.
 
 use glam::DVec3;
 
@@ -10,16 +10,16 @@ use super::sphere::Sphere;
 use super::support::Support;
 use crate::base::Real;
 
-/// Most points that are all kept: of more, those far inside the sphere are put aside.
+/// Number of points up to which all points are kept. Of more points, those deep inside the sphere are put aside.
 const ALL_KEPT: usize = 1 << 12;
-/// Share of the radius, inwards from the sphere, within which points are kept.
+/// Thickness of the shell in which points are kept, as a share of the radius.
 const SHELL: f64 = 0.05;
-/// Steps without a smaller sphere after which the last digits are left to rounding.
+/// Number of steps without a smaller sphere after which the search ends; the remaining error is rounding.
 const STALLED_STEPS: usize = 24;
 /// Relative rounding error of distances.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// In the cloud's frame.
+/// The smallest sphere, in the cloud's frame.
 pub(super) fn smallest<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
     let extremes: Vec<[f64; 3]> = cloud.extremes.iter().map(|point| point.to_array()).collect();
     let mut support = widened(&extremes, DVec3::ZERO, Support::point(cloud.extremes[0])).1;
@@ -41,7 +41,7 @@ pub(super) fn smallest<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
     widened(cloud.points, cloud.origin, support).0
 }
 
-/// Adds the farthest point until none lies outside; the sphere about all points and what it rests on.
+/// Adds the farthest point until none lies outside. Returns the sphere about all points and its support.
 fn widened<T: Real>(points: &[[T; 3]], origin: DVec3, mut support: Support) -> (Sphere, Support) {
     let mut best = (Sphere { center: support.center, radius: f64::INFINITY }, support);
     let mut stale = 0;

@@ -1,4 +1,4 @@
-//! Spheres about points: the smallest one, and cheaper ones that are larger; how much of the sight they take.
+//! Bounding spheres: the smallest, and larger ones that cost less; the solid angles of spheres.
 
 mod approximate;
 mod bounding;

@@ -1,4 +1,4 @@
-//! Passes over all points: extents, means, extremes, the farthest.
+//! Passes over all points: extent, mean, extreme points, farthest point.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -7,19 +7,19 @@ use super::sphere::Sphere;
 use crate::base::simd::{prefetch, vectorized};
 use crate::base::{Error, Real, Result};
 
-/// Points that one task takes: fixed, so that results do not depend on the number of threads.
+/// Number of points in one task. It is fixed, so that results do not depend on the number of threads.
 const TILE: usize = 1 << 12;
-/// Points side by side.
+/// Number of points that one vector operation processes.
 const LANES: usize = 8;
 
-/// Blocks between the one at work and the one that is prefetched.
+/// Number of blocks by which the prefetch runs ahead of the computation.
 const PREFETCHED_BLOCKS: usize = 12;
 
-/// Directions along which extreme points are found: the axes and the space diagonals.
+/// Number of directions along which extreme points are found: three axes and four space diagonals.
 const DIRECTIONS: usize = 7;
-/// The first of them.
+/// Number of axes; they are the first directions.
 const AXES: usize = 3;
-/// Distance between the blocks that are projected on the diagonals.
+/// Stride in blocks: only every eighth block is projected on the diagonals.
 const DIAGONAL_STRIDE: usize = 8;
 
 /// Least and greatest value along each direction.
@@ -29,7 +29,7 @@ pub struct Extremes {
     high: [f64; DIRECTIONS],
 }
 
-/// A point's values along the directions.
+/// A point's coordinates along the directions; those along diagonals are not normalised.
 #[inline(always)]
 fn along<T: Real>(&[x, y, z]: &[T; 3]) -> [f64; DIRECTIONS] {
     let (x, y, z) = (x.wide(), y.wide(), z.wide());
@@ -37,30 +37,30 @@ fn along<T: Real>(&[x, y, z]: &[T; 3]) -> [f64; DIRECTIONS] {
 }
 
 vectorized! {
-    /// Greatest squared distance from a centre, and which point has it.
+    /// Greatest squared distance from a centre, and the index of the point that has it.
     fn farthest<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, usize) = farthest_kernel;
-    /// Appends the points whose squared distance from a centre is above a limit, from the origin.
+    /// Appends, relative to the origin, the points whose squared distance from a centre exceeds a limit.
     fn beyond<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3, limit: f64, found: &mut Vec<[f64; 3]>)
         = beyond_kernel;
-    /// Sum of the points, from the origin.
+    /// Sum of the points, relative to the origin.
     fn sum<T: Real>(points: &[[T; 3]], origin: DVec3) -> DVec3 = sum_kernel;
-    /// Least and greatest values along each of the directions; NaN where a coordinate is not finite.
+    /// Least and greatest value along each direction; NaN if a coordinate is not finite.
     fn extremes<T: Real>(points: &[[T; 3]]) -> Extremes = extremes_kernel;
 }
 
-/// Points, all of them finite, seen from one of them: differences of neighbours have all their digits however far from
-/// zero they lie.
+/// Finite points, relative to the first of them. This keeps all digits of differences between neighbours, however far
+/// from zero the points lie.
 pub(super) struct Cloud<'a, T> {
     pub points: &'a [[T; 3]],
     pub origin: DVec3,
-    /// Least and greatest coordinates, from the origin.
+    /// Least and greatest coordinates, relative to the origin.
     pub bounds: [DVec3; 2],
-    /// Points that are least or greatest along a direction, from the origin.
+    /// Points that are least or greatest along a direction, relative to the origin.
     pub extremes: Vec<DVec3>,
 }
 
 impl<'a, T: Real> Cloud<'a, T> {
-    /// Looks at all points; refuses none and those that are not finite.
+    /// Scans all points; refuses an empty array and points that are not finite.
     pub fn new(points: &'a [[T; 3]]) -> Result<Self> {
         let Some(first) = points.first() else {
             return Err(Error::value("points", "at least one point", "none"));
@@ -77,7 +77,7 @@ impl<'a, T: Real> Cloud<'a, T> {
             let got = points[index].map(T::wide);
             return Err(Error::value("points", "finite coordinates", format!("{got:?} at index {index}")));
         }
-        // Tiles have the extreme values; the point is then searched in the tile that has the most extreme one.
+        // A tile stores its extreme values only; the point is searched in the tile that has the most extreme value.
         let point = |is_extreme: &dyn Fn(&[f64; DIRECTIONS]) -> bool, tile: Option<usize>| {
             let from = tile.unwrap_or(0) * TILE;
             let near = points[from..].iter().take(TILE);
@@ -94,12 +94,12 @@ impl<'a, T: Real> Cloud<'a, T> {
         Ok(Self { points, origin, bounds: bounds.map(|corner| corner - origin), extremes })
     }
 
-    /// Greatest size of the box about all points.
+    /// Longest side of the bounding box.
     pub fn extent(&self) -> f64 {
         (self.bounds[1] - self.bounds[0]).max_element()
     }
 
-    /// A point in the cloud's frame.
+    /// A point relative to the cloud's origin.
     #[inline(always)]
     pub fn at(&self, point: &[T; 3]) -> DVec3 {
         DVec3::from_array(point.map(T::wide)) - self.origin
@@ -110,13 +110,12 @@ impl<'a, T: Real> Cloud<'a, T> {
         farthest_of(self.points, self.origin, center)
     }
 
-    /// Mean of all points.
     pub fn mean(&self) -> DVec3 {
         let tiles: Vec<DVec3> = tiles(self.points).map(|points| sum(points, self.origin)).collect();
         tiles.into_iter().sum::<DVec3>() / self.points.len() as f64
     }
 
-    /// Points farther than some distance from a centre, in order.
+    /// Points farther than a distance from a centre, in order.
     pub fn beyond(&self, center: DVec3, distance: f64) -> Vec<[f64; 3]> {
         let tile = |points: &[[T; 3]]| {
             let mut found = Vec::new();
@@ -127,8 +126,8 @@ impl<'a, T: Real> Cloud<'a, T> {
         tiles.concat()
     }
 
-    /// A sphere of the cloud's frame in that of the points. Its centre is rounded there, so that its radius is measured
-    /// from where it came to lie.
+    /// Moves a sphere from the cloud's frame to that of the points. The sum rounds the centre, so the radius is
+    /// measured again from the rounded centre.
     pub fn placed(&self, sphere: &Sphere) -> Sphere {
         let center = sphere.center + self.origin;
         let moved = (center - self.origin) - sphere.center;
@@ -137,7 +136,7 @@ impl<'a, T: Real> Cloud<'a, T> {
     }
 }
 
-/// Greatest distance from a centre, and the first point that has it; both in the frame of the origin.
+/// Greatest distance from a centre, and the first point that has it; both relative to the origin.
 pub(super) fn farthest_of<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, DVec3) {
     let tile = |(n, points): (usize, &[[T; 3]])| {
         let (squared, index) = farthest(points, origin, center);
@@ -153,13 +152,13 @@ fn tiles<T: Sync>(points: &[[T; 3]]) -> rayon::slice::Chunks<'_, [T; 3]> {
     points.par_chunks(TILE)
 }
 
-/// NaN where the first is.
+/// The lesser value; NaN if the first is NaN.
 #[inline(always)]
 fn lesser(a: f64, b: f64) -> f64 {
     if a.is_nan() || a < b { a } else { b }
 }
 
-/// Coordinates of a block by axis.
+/// The coordinates of a block, sorted by axis.
 #[inline(always)]
 fn gather<T: Real>(block: &[[T; 3]; LANES]) -> [[f64; LANES]; 3] {
     let mut lanes = [[0.0; LANES]; 3];
@@ -175,7 +174,7 @@ fn gather<T: Real>(block: &[[T; 3]; LANES]) -> [[f64; LANES]; 3] {
 fn extremes_kernel<T: Real>(points: &[[T; 3]]) -> Extremes {
     let mut low = [[f64::INFINITY; LANES]; DIRECTIONS];
     let mut high = [[f64::NEG_INFINITY; LANES]; DIRECTIONS];
-    // Zero times a value is zero, or NaN where the value is not finite.
+    // 0 × value is 0, or NaN if the value is not finite.
     let mut zeros = [0.0; LANES];
     let (blocks, rest) = points.as_chunks::<LANES>();
     for (n, block) in blocks.iter().enumerate() {
@@ -190,7 +189,8 @@ fn extremes_kernel<T: Real>(points: &[[T; 3]]) -> Extremes {
             }
         }
     }
-    // Points to begin with need not be the very last ones along diagonals.
+    // The diagonals only give start points for the search, which need not be the most extreme ones, so blocks are
+    // skipped.
     for block in blocks.iter().step_by(DIAGONAL_STRIDE) {
         let [x, y, z] = gather(block);
         for i in 0..LANES {
@@ -271,7 +271,7 @@ fn squares<T: Real>(block: &[[T; 3]; LANES], origin: [f64; 3], center: [f64; 3])
 fn farthest_kernel<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, usize) {
     let (origin, center) = (origin.to_array(), center.to_array());
     let (blocks, rest) = points.as_chunks::<LANES>();
-    // The greatest of each lane and its block; of equals the first.
+    // The greatest value of each lane and its block; of equal values the first.
     let (mut most, mut which) = ([f64::NEG_INFINITY; LANES], [0.0; LANES]);
     let mut number = 0.0;
     for (n, block) in blocks.iter().enumerate() {

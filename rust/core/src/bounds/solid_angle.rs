@@ -7,24 +7,24 @@ use rayon::prelude::*;
 
 use crate::base::{Error, Result};
 
-/// Spheres of one task.
+/// Number of spheres in one task.
 const TILE: usize = 1 << 12;
 
-/// A sphere as an eye sees it.
+/// A sphere as seen from an eye.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
-    /// From the eye to the centre, of length 1.
+    /// Unit vector from the eye to the centre.
     pub direction: DVec3,
-    /// Sine of half the angle that the sphere takes.
+    /// Sine of half the angle that the sphere subtends.
     pub sine: f64,
-    /// Its cosine.
+    /// Cosine of the same angle.
     pub cosine: f64,
 }
 
 impl Seen {
-    /// `None` where the eye is inside.
+    /// `None` if the eye is inside the sphere or on it. `offset` leads from the eye to the centre.
     pub fn new(offset: DVec3, radius: f64) -> Option<Self> {
-        // Squares of what is beyond 10±¹⁵⁴ are not floats.
+        // Scaled, because the squares of lengths beyond 10±¹⁵⁴ overflow or underflow.
         let scale = offset.abs().max_element().max(radius);
         if scale == 0.0 {
             return None;
@@ -39,13 +39,13 @@ impl Seen {
         })
     }
 
-    /// σ = 2π (1 − cos μ) in steradians, without its cancellation.
+    /// σ = 2π (1 − cos μ) in steradians, with μ half the subtended angle, in a form without cancellation.
     pub fn solid_angle(&self) -> f64 {
         2.0 * PI * (self.sine * self.sine / (1.0 + self.cosine))
     }
 }
 
-/// Checks spheres, and writes the results of `of` for each tile of them.
+/// Checks spheres, and writes the results of `of` tile by tile.
 pub fn each_tile(
     centers: &[[f64; 3]],
     radii: &[f64],
@@ -61,7 +61,7 @@ pub fn each_tile(
     })
 }
 
-/// Refuses spheres that are not finite; `first` is the number of the first of these.
+/// Refuses spheres that are not finite; `first` is the index of the first sphere, for the message.
 pub fn check(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, first: usize) -> Result<()> {
     for (n, (center, &radius)) in centers.iter().zip(radii).enumerate() {
         let at = first + n;
@@ -76,7 +76,7 @@ pub fn check(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, first: usize) -> R
     Ok(())
 }
 
-/// Solid angles in steradians; 4π where the eye is in or on the sphere.
+/// Solid angles in steradians; 4π if the eye is in or on the sphere.
 pub fn solid_angles(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, to: &mut [f64]) -> Result<()> {
     each_tile(centers, radii, eye, to, |centers, radii, to| {
         for ((center, &radius), to) in centers.iter().zip(radii).zip(to) {

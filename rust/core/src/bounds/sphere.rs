@@ -1,27 +1,27 @@
-//! Spheres, and the ways to find one about points.
+//! Spheres, and the methods that find a bounding sphere.
 
 use glam::DVec3;
 
 /// A centre and a radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    /// Its centre.
+    /// The centre.
     pub center: DVec3,
-    /// Its radius, at least 0.
+    /// The radius, at least 0.
     pub radius: f64,
 }
 
-/// Method that finds a sphere about points.
+/// Method that finds a bounding sphere of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SphereMethod {
-    /// The smallest one.
+    /// The smallest sphere.
     Exact,
-    /// Two far points, and then every point that lies outside. Ritter: An efficient bounding sphere, 1990.
+    /// Two distant points, then each point that lies outside. Ritter: An efficient bounding sphere, 1990.
     Ritter,
-    /// About the mean of the points.
+    /// The sphere about the mean of the points.
     Average,
-    /// About the middle of their box.
+    /// The sphere about the middle of the bounding box.
     MinMax,
-    /// The smaller of the last two, as Liebisch (2021) has it.
+    /// The smaller of `Average` and `MinMax`, after Liebisch (2021).
     Best,
 }

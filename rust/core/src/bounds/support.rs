@@ -1,8 +1,8 @@
-//! The smallest sphere about few points, by trying all that it may rest on.
+//! The smallest sphere about a few points, found by trying all possible supports.
 
 use glam::DVec3;
 
-/// Points that a sphere rests on: at most four in space.
+/// The support of a sphere: at most four points on its surface that determine it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Support {
     points: [DVec3; 4],
@@ -12,19 +12,19 @@ pub(super) struct Support {
 }
 
 impl Support {
-    /// The sphere about one point.
+    /// The sphere of radius 0 about one point.
     pub fn point(point: DVec3) -> Self {
         Self { points: [point; 4], count: 1, center: point, radius: 0.0 }
     }
 
-    /// Those that it rests on.
+    /// The points of the support.
     pub fn points(&self) -> &[DVec3] {
         &self.points[..self.count]
     }
 
-    /// The smallest sphere about these points and one more that lies outside: it rests on the new one. Of all spheres
-    /// that few of the points determine, the one is taken that has to be widened least to hold them all, so that a
-    /// degenerate set of points, whose sphere is nowhere, is not chosen.
+    /// The smallest sphere about this support and a new point outside the sphere; the new point lies on its surface. Of
+    /// all spheres that a subset of the points determines, it takes the one whose radius needs the least increase to
+    /// contain all points. So a degenerate subset, whose sphere is not defined, is never chosen.
     pub fn with(&self, new: DVec3) -> Self {
         let old = self.points();
         let mut best = Self { radius: f64::INFINITY, ..Self::point(new) };
@@ -49,12 +49,12 @@ impl Support {
     }
 }
 
-/// The greater, and NaN where either is.
+/// The greater value; NaN if either is NaN.
 fn worse(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }
 
-/// The point as far from each of one to four points, in their plane or on their line where they are fewer.
+/// The point equidistant from one to four points: in their plane if there are three, on their line if there are two.
 pub(super) fn equidistant(points: &[DVec3]) -> DVec3 {
     let from = points[0];
     match *points {

@@ -3,7 +3,7 @@ use proptest::prelude::*;
 
 use super::*;
 
-/// The least sphere of all those that two to four of the points determine and that hold all.
+/// Radius of the smallest sphere that contains all points, over all spheres that two to four points determine.
 fn slowly(points: &[[f64; 3]]) -> f64 {
     let points: Vec<DVec3> = points.iter().map(|&point| point.into()).collect();
     let mut least = f64::INFINITY;

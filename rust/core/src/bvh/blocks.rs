@@ -1,47 +1,48 @@
-//! Triangles of leaves, four side by side.
+//! Blocks of four triangles, the contents of leaves.
 
 use glam::Vec3;
 
 use super::wide::{Content, LEAF, Slot, WIDTH};
 use crate::base::{Aabb, Error, Result};
 
-/// Triangles of a block.
+/// Number of triangles in a block.
 pub(crate) const LANES: usize = 4;
-/// Blocks of a leaf at most.
+/// Greatest number of blocks in a leaf.
 const MAX_BLOCKS: usize = 8;
-/// Bits of a leaf's reference that hold its first block; three more hold the number of blocks less one.
+/// Bits of a leaf's reference that hold the number of its first block. Three more bits hold the number of blocks less
+/// one.
 const START_BITS: u32 = 28;
 
 /// Up to four triangles. Unused lanes repeat the last triangle.
 #[derive(Clone, Debug)]
 #[repr(C, align(32))]
 pub(crate) struct Block {
-    /// Corner, axis, lane.
+    /// Coordinates, indexed by corner, axis and lane.
     pub(crate) corners: [[[f32; LANES]; 3]; 3],
-    /// Faces of the mesh, ascending; repeated where a lane is unused.
+    /// Faces of the mesh, ascending; an unused lane repeats the last face.
     pub(crate) faces: [u32; LANES],
 }
 
-/// First block and number of blocks of a leaf.
+/// The blocks of a leaf, decoded from its reference.
 #[inline(always)]
 pub(crate) fn leaf_blocks(reference: u32) -> std::ops::Range<usize> {
     let start = (reference & ((1 << START_BITS) - 1)) as usize;
     start..start + (reference >> START_BITS & (MAX_BLOCKS as u32 - 1)) as usize + 1
 }
 
-/// Fails where a mesh has too many triangles to be numbered so.
+/// Fails if a mesh has more triangles than a leaf's reference can address.
 pub(crate) fn check_count(faces: usize) -> Result<()> {
-    // The worst case is a block for each triangle; all ones would look like a place without a child.
+    // In the worst case each triangle has its own block. A reference of all ones would equal `NO_CHILD`.
     if faces >= 1 << START_BITS {
         return Err(Error::value("faces", format!("fewer than {} in one mesh", 1u32 << START_BITS), faces));
     }
     Ok(())
 }
 
-/// Appends the triangles' blocks and returns what stands for them in the tree.
+/// Appends the blocks of some triangles and returns the slot that refers to them.
 pub(crate) fn push_leaf(blocks: &mut Vec<Block>, faces: &[u32], corners: &impl Fn(u32) -> [Vec3; 3]) -> Slot {
     if faces.len() > LANES * MAX_BLOCKS {
-        // Many triangles with one and the same box: no tree can tell them apart.
+        // More triangles than a leaf can hold share one box: no tree can separate them.
         let part = faces.len().div_ceil(WIDTH).max(LANES * MAX_BLOCKS);
         let parts: Vec<Slot> = faces.chunks(part).map(|part| push_leaf(blocks, part, corners)).collect();
         let bounds = parts.iter().fold(Aabb::EMPTY, |all, part| all.union(&part.bounds));
@@ -66,7 +67,7 @@ pub(crate) fn push_leaf(blocks: &mut Vec<Block>, faces: &[u32], corners: &impl F
 }
 
 impl Block {
-    /// Box of all triangles.
+    /// The bounding box of all triangles.
     pub(crate) fn bounds(&self) -> Aabb {
         let mut bounds = Aabb::EMPTY;
         for corner in &self.corners {
@@ -75,7 +76,7 @@ impl Block {
         bounds
     }
 
-    /// Its faces without repetitions.
+    /// The faces without repetitions.
     pub(crate) fn distinct_faces(&self) -> &[u32] {
         let last = self.faces[LANES - 1];
         let count = self.faces.iter().position(|&face| face == last).map_or(LANES, |at| at + 1);

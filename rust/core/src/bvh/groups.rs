@@ -1,31 +1,31 @@
-//! Triangles that the builder cannot tell apart.
+//! Groups of triangles with equal boxes.
 //!
-//! Clustering pairs of boxes takes quadratic time when thousands of boxes are the same. So each distinct box is
-//! built once, and its leaf holds all triangles that have it, without the exact copies among them.
+//! The builder's clustering takes quadratic time when thousands of boxes are equal. So each distinct box enters the
+//! builder once, and its leaf holds all triangles with that box, except exact copies.
 
 use rayon::prelude::*;
 
 use crate::base::random::bits;
 use crate::base::{Aabb, FaceMap, Progress, Result};
-/// Groups of one task.
+/// Number of groups in one task.
 const TILE: usize = 1 << 16;
 
-/// The arrays of a mesh that tell two faces apart.
+/// The arrays of a mesh that decide whether two faces are copies.
 #[derive(Clone, Copy)]
 pub struct MeshArrays<'a> {
-    /// Vertices.
+    /// Vertex positions.
     pub positions: &'a [[f32; 3]],
-    /// Corners.
+    /// Three vertex numbers per face.
     pub faces: &'a [[u32; 3]],
-    /// Texture coordinates of the vertices.
+    /// Texture coordinates per vertex.
     pub uvs: Option<&'a [[f32; 2]]>,
-    /// Colours of the vertices.
+    /// Colours per vertex.
     pub colors: Option<&'a [[u8; 4]]>,
-    /// Materials of the faces.
+    /// Material per face.
     pub materials: &'a FaceMap,
 }
 
-/// Place, texture coordinates and colour of three corners; material.
+/// Position, texture coordinates and colour of the three corners; material.
 type Identity = ([([u32; 3], [u32; 2], [u8; 4]); 3], i32);
 
 impl MeshArrays<'_> {
@@ -35,11 +35,12 @@ impl MeshArrays<'_> {
         bounds
     }
 
-    /// All that a cut-out could depend on: the corners with their attributes in a canonical order, and the material.
+    /// The data that decides whether two faces are copies: the corners with their attributes in a canonical order, and
+    /// the material. Attributes count because a cut-out may depend on them.
     fn identity(&self, face: u32) -> Identity {
         let mut corners = self.faces[face as usize].map(|v| {
             let v = v as usize;
-            // Adding zero makes −0.0 the same place as 0.0.
+            // Adding zero turns −0.0 into 0.0, which is the same position.
             let place = self.positions[v].map(|x| (x + 0.0).to_bits());
             let uv = self.uvs.map_or([0; 2], |uvs| uvs[v].map(f32::to_bits));
             (place, uv, self.colors.map_or([0; 4], |colors| colors[v]))
@@ -49,21 +50,21 @@ impl MeshArrays<'_> {
     }
 }
 
-/// Faces in groups of equal boxes.
+/// Faces in groups with equal boxes.
 pub(crate) struct Groups {
     /// One box for each group.
     pub(crate) boxes: Vec<Aabb>,
-    /// All faces without copies; those of a group side by side, ascending.
+    /// All faces without copies; the faces of a group are consecutive and ascending.
     faces: Vec<u32>,
-    /// Where each group starts, and their end.
+    /// First entry of each group in `faces`, and the number of all.
     starts: Vec<u32>,
 }
 
 impl Groups {
-    /// Groups the faces of a mesh; the numbers of groups follow their least faces.
+    /// Groups the faces of a mesh. Groups are numbered in the order of their least faces.
     pub(crate) fn new(mesh: MeshArrays<'_>, progress: &Progress) -> Result<Self> {
         let count = mesh.faces.len() as u32;
-        // Sorted by a hash of the box, then by face: equal boxes come together.
+        // Sorted by a hash of the box, then by face, so that equal boxes are consecutive.
         let mut order: Vec<(u32, u32)> = (0..count).into_par_iter().map(|f| (hash(&mesh.bounds(f)), f)).collect();
         progress.check()?;
         order.par_sort_unstable();
@@ -91,13 +92,13 @@ impl Groups {
         Ok(Self { boxes, faces, starts })
     }
 
-    /// Faces of a group.
+    /// The faces of a group.
     pub(crate) fn faces(&self, group: u32) -> &[u32] {
         &self.faces[self.starts[group as usize] as usize..self.starts[group as usize + 1] as usize]
     }
 }
 
-/// Splits faces of equal hash into groups of equal boxes: (least face, list + 1 or 0 for a single face).
+/// Splits faces of equal hash into groups of equal boxes: (least face, 1 + index of its list, or 0 for a single face).
 fn split_run(mesh: MeshArrays<'_>, run: &[(u32, u32)], groups: &mut Vec<(u32, u32)>, shared: &mut Vec<Vec<u32>>) {
     if let [(_, face)] = run {
         groups.push((*face, 0));
@@ -110,7 +111,7 @@ fn split_run(mesh: MeshArrays<'_>, run: &[(u32, u32)], groups: &mut Vec<(u32, u3
     let mut members: Vec<_> = run.iter().map(|&(_, face)| (key(face), mesh.identity(face), face)).collect();
     members.sort_unstable();
     for group in members.chunk_by(|a, b| a.0 == b.0) {
-        // The first of several copies has the lowest face: it wins ties, so the others could never be seen.
+        // Of several copies only the lowest face is kept: it wins ties, so no ray can ever report the others.
         let mut list: Vec<u32> = group.chunk_by(|a, b| a.1 == b.1).map(|copies| copies[0].2).collect();
         list.sort_unstable();
         if list.len() == 1 {

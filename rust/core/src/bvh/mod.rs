@@ -1,4 +1,5 @@
-//! Trees of boxes: one over a mesh's triangles, one over a scene's instances. Built by obvhs, traversed by `trace`.
+//! Bounding volume hierarchies: one over the triangles of each mesh, one over the instances of a scene. obvhs builds
+//! them; the module `trace` traverses them.
 
 mod blocks;
 mod groups;

@@ -1,4 +1,4 @@
-//! Both kinds of trees, built by obvhs and converted to eight-wide ones.
+//! Both kinds of trees. obvhs builds binary trees; `Wide` converts them to eight children per node.
 
 use glam::Vec3;
 use obvhs::aabb;
@@ -24,11 +24,11 @@ pub struct Tlas {
     pub(crate) bounds: Aabb,
 }
 
-/// Boxes of a leaf at most: as many as a block has lanes.
+/// Greatest number of boxes in a leaf: the number of lanes of a block.
 const LEAF_BOXES: u32 = 4;
 
 impl Bvh {
-    /// Builds over finite triangles.
+    /// Builds the tree of a mesh with finite triangles.
     pub fn build(mesh: MeshArrays<'_>, progress: &Progress) -> Result<Self> {
         let count = mesh.faces.len();
         blocks::check_count(count)?;
@@ -49,18 +49,18 @@ impl Bvh {
         Ok(bvh)
     }
 
-    /// Triangles of a leaf; none for a place without a child, which a ray with NaN may seem to hit.
+    /// The blocks of a leaf; empty for `NO_CHILD`, which a ray with NaN may appear to hit.
     #[inline(always)]
     pub(crate) fn leaf(&self, leaf: u32) -> &[Block] {
         self.blocks.get(leaf_blocks(leaf)).unwrap_or_default()
     }
 
-    /// Memory of nodes and triangles.
+    /// Memory of nodes and triangles, bytes.
     pub fn bytes(&self) -> usize {
         size_of_val(&self.wide.nodes[..]) + size_of_val(&self.blocks[..])
     }
 
-    /// Checks that boxes hold what is below them and that every face is in one leaf; the error describes the fault.
+    /// Checks that each box contains its children and that each face is in one leaf; the error describes the fault.
     pub fn validate(&self) -> Result<(), String> {
         let mut seen = vec![];
         self.wide.validate(|leaf| {
@@ -78,7 +78,7 @@ impl Bvh {
 }
 
 impl Tlas {
-    /// Builds over boxes; empty ones are left out.
+    /// Builds the tree of instance boxes; empty boxes are left out.
     pub fn build(boxes: &[Aabb], progress: &Progress) -> Result<Self> {
         let filled: Vec<u32> = (0..boxes.len() as u32).filter(|&i| !boxes[i as usize].is_empty()).collect();
         let tree = build(&filled.iter().map(|&i| boxes[i as usize]).collect::<Vec<_>>(), 1, progress)?;
@@ -101,19 +101,19 @@ impl Tlas {
         Ok(tlas)
     }
 
-    /// The instance of a leaf; none for a place without a child, which a ray with NaN may seem to hit.
+    /// The instance of a leaf; `None` for `NO_CHILD`, which a ray with NaN may appear to hit.
     #[inline(always)]
     pub(crate) fn instance(&self, leaf: u32) -> Option<u32> {
         self.order.get((leaf & !LEAF) as usize).copied()
     }
 
-    /// Checks that boxes hold the instances below them; the error describes the fault.
+    /// Checks that each box contains the instances below it; the error describes the fault.
     pub fn validate(&self, boxes: &[Aabb]) -> Result<(), String> {
         self.wide.validate(|leaf| self.instance(leaf).map_or(Aabb::EMPTY, |instance| boxes[instance as usize]))
     }
 }
 
-/// The binary tree. Between its steps the caller may cancel; obvhs offers no finer grain.
+/// Builds the binary tree. The caller can cancel only between its steps, because obvhs has no finer progress.
 fn build(boxes: &[Aabb], leaf_boxes: u32, progress: &Progress) -> Result<Bvh2> {
     if boxes.is_empty() {
         return Ok(Bvh2::default());
@@ -145,17 +145,17 @@ fn build(boxes: &[Aabb], leaf_boxes: u32, progress: &Progress) -> Result<Bvh2> {
     Ok(tree)
 }
 
-/// A power of two that brings boxes to a size whose areas neither overflow nor vanish in float32; as a rule 1.
+/// A power of two that scales boxes so that their areas neither overflow nor underflow in float32; usually 1.
 fn scale_for(boxes: &[Aabb]) -> f32 {
     let greatest = boxes.iter().map(|b| b.min.abs().max(b.max.abs()).max_element()).fold(0.0, f32::max);
     if greatest == 0.0 || (1e-9..1e12).contains(&greatest) {
         return 1.0;
     }
-    // The step between exponents is exact, so that only boxes far smaller than the greatest lose digits.
+    // A power of two scales exactly, so only boxes far smaller than the greatest lose digits.
     (-f64::from(greatest).log2().floor()).exp2().clamp(1e-38, 1e38) as f32
 }
 
-/// Gives a tree that was built over scaled boxes the true ones.
+/// Restores the unscaled boxes of a tree that was built over scaled ones.
 fn restore(tree: &mut Bvh2, boxes: &[Aabb]) {
     for node in tree.nodes.iter_mut().filter(|node| node.is_leaf()) {
         let members = &tree.primitive_indices[node.first_index as usize..][..node.prim_count as usize];

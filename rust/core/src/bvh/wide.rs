@@ -1,4 +1,4 @@
-//! Eight-wide trees: the form in which boxes are walked. One vector holds the same plane of all eight children.
+//! Trees with eight children per node. One vector holds the same plane of all eight children's boxes.
 
 use obvhs::bvh2::Bvh2;
 
@@ -6,23 +6,23 @@ use crate::base::Aabb;
 
 /// Number of children of a node.
 pub(crate) const WIDTH: usize = 8;
-/// Marks a child that is a leaf; the rest is for the tree's owner.
+/// Bit that marks a child as a leaf; the other bits belong to the tree's owner.
 pub(crate) const LEAF: u32 = 1 << 31;
-/// A place without a child; its box is never hit.
+/// Marks an unused child slot; no ray hits its box.
 pub(crate) const NO_CHILD: u32 = u32::MAX;
 
 /// Boxes and references of up to eight children.
 #[derive(Clone, Debug)]
 #[repr(C, align(64))]
 pub(crate) struct Node {
-    /// Planes: least x, greatest x, least y, …
+    /// Planes of the children's boxes: least x, greatest x, least y, …
     pub(crate) planes: [[f32; WIDTH]; 6],
-    /// A node, or a leaf.
+    /// Number of a node, or reference to a leaf with the bit `LEAF`.
     pub(crate) children: [u32; WIDTH],
 }
 
 impl Node {
-    /// The box that is never hit: +∞ to −∞.
+    /// A node without children: every box runs from +∞ to −∞, which no ray hits.
     const EMPTY: Self = {
         let (low, high) = ([f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]);
         Self { planes: [low, high, low, high, low, high], children: [NO_CHILD; WIDTH] }
@@ -43,34 +43,34 @@ impl Node {
     }
 }
 
-/// An eight-wide tree; node 0 is the root. Without nodes it is empty.
+/// A tree with eight children per node; node 0 is the root. An empty tree has no nodes.
 #[derive(Default)]
 pub(crate) struct Wide {
     pub(crate) nodes: Vec<Node>,
-    /// Entries that a depth-first walk may have to remember.
+    /// Greatest number of stack entries of a depth-first traversal.
     pub(crate) stack: usize,
 }
 
-/// A node of the binary tree, or a leaf, on its way into a wide node.
+/// An inner node of the binary tree, or a leaf, that becomes a child of a wide node.
 pub(crate) struct Slot {
     pub(crate) bounds: Aabb,
     /// A node to open, or a finished leaf.
     pub(crate) content: Content,
 }
 
-/// Content of a `Slot`.
+/// The content of a `Slot`.
 pub(crate) enum Content {
     /// Number of a node of the binary tree.
     Inner(u32),
     /// Reference to a leaf.
     Leaf(u32),
-    /// Several leaves that share one place, because the binary tree's leaf was too large for one.
+    /// Several leaves in one slot, because the binary tree's leaf has more triangles than one leaf can hold.
     Many(Vec<Slot>),
 }
 
 impl Wide {
-    /// Opens the binary tree until eight children stand side by side, the largest box first, as Embree does.
-    /// `leaf` turns a leaf of the binary tree into what stands for it.
+    /// Converts a binary tree. Each wide node opens the child with the largest box until it has eight children, as
+    /// Embree does. `leaf` converts a leaf of the binary tree to a slot.
     pub(crate) fn convert(tree: &Bvh2, mut leaf: impl FnMut(&[u32]) -> Slot) -> Self {
         let mut wide = Self::default();
         if tree.nodes.is_empty() {
@@ -85,7 +85,7 @@ impl Wide {
             let bounds = Aabb { min: node.aabb().min.into(), max: node.aabb().max.into() };
             Slot { bounds, content: Content::Inner(index) }
         };
-        // Places to fill: what to open, the node and slot that refer to it, and how deep it lies.
+        // Pending wide nodes: the slots to open, the node and slot that refer to it, and its depth.
         let mut pending = vec![(vec![slot(0)], None, 1usize)];
         let mut depth = 0;
         while let Some((mut slots, place, level)) = pending.pop() {
@@ -96,7 +96,8 @@ impl Wide {
             });
             let number = wide.nodes.len() as u32;
             let mut node = Node::EMPTY;
-            // Reversed, because the last pending one is opened first: children follow their parent in order.
+            // In reverse order, because the last pending node is opened first; so children follow their parent in
+            // order.
             for (at, slot) in slots.into_iter().enumerate().rev() {
                 match slot.content {
                     Content::Leaf(reference) => node.set(at, &slot.bounds, reference),
@@ -120,14 +121,14 @@ impl Wide {
         wide
     }
 
-    /// Box of everything.
+    /// The bounding box of the tree.
     pub(crate) fn bounds(&self) -> Aabb {
         let root = self.nodes.first().unwrap_or(&Node::EMPTY);
         (0..WIDTH).fold(Aabb::EMPTY, |all, slot| all.union(&root.bounds(slot)))
     }
 
-    /// Checks that every child lies inside its place's box and is referred to once; `leaf` gives the box of what a
-    /// leaf holds. Says what is wrong.
+    /// Checks that each child lies inside its slot's box and is referred to once; the error describes the fault. `leaf`
+    /// returns the box of a leaf's contents.
     pub(crate) fn validate(&self, mut leaf: impl FnMut(u32) -> Aabb) -> Result<(), String> {
         let mut references = vec![0u32; self.nodes.len()];
         for (number, node) in self.nodes.iter().enumerate() {
@@ -160,7 +161,7 @@ impl Wide {
     }
 }
 
-/// Replaces the largest slot that can be opened by its two children until there are eight.
+/// Replaces the slot with the largest box by its two children until there are eight slots or none can be opened.
 fn open(slots: &mut Vec<Slot>, mut children: impl FnMut(u32) -> [Slot; 2]) {
     let area = |bounds: &Aabb| {
         let size = bounds.max - bounds.min;

@@ -11,7 +11,8 @@
 
 use glam::DVec3;
 
-/// Direction (not normalised; its longest component is ±1) of a point on a face; u to the right, v down, each −1..1.
+/// Direction through a point of a face: u to the right, v down, each from −1 to 1. It is not normalised; its longest
+/// component is ±1.
 #[inline]
 pub fn direction_from_face(face: u8, u: f64, v: f64) -> DVec3 {
     match face {
@@ -24,7 +25,7 @@ pub fn direction_from_face(face: u8, u: f64, v: f64) -> DVec3 {
     }
 }
 
-/// Components of a vector to the right, down and out of a face.
+/// Components of a vector to the right, downwards and outwards of a face.
 #[inline]
 pub fn along_face(face: u8, d: DVec3) -> (f64, f64, f64) {
     match face {
@@ -37,11 +38,11 @@ pub fn along_face(face: u8, d: DVec3) -> (f64, f64, f64) {
     }
 }
 
-/// Face, u and v of a direction of any length: the inverse of `direction_from_face`. Edges belong to the axis that
-/// comes first in the alphabet.
+/// Face, u and v of a direction of any length: the inverse of `direction_from_face`. Of equal components the axis that
+/// comes first in the alphabet decides the face.
 #[inline]
 pub fn face_from_direction(d: DVec3) -> (u8, f64, f64) {
-    // Tables instead of branches, which random directions would make the processor guess wrongly.
+    // Tables instead of branches: the processor would mispredict branches on random directions.
     let size = d.abs();
     let not_x = (size.x < size.y) | (size.x < size.z);
     let axis = usize::from(not_x) + usize::from(not_x & (size.y < size.z));

@@ -1,11 +1,11 @@
-//! Projections: how directions fall on an image.
+//! Projections: which directions the points of an image have.
 
 use glam::DVec2;
 
 use crate::base::{Error, Result};
 
-/// Four bounds of a view: tangents of the half angles for a perspective view, metres for an orthographic one.
-/// Left and down are negative in the symmetric case; asymmetric is the general one.
+/// The four bounds of a view: tangents of half angles for a perspective view, metres for an orthographic view. They
+/// need not be symmetric; in the symmetric case left and down are negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fov {
     /// Leftmost x.
@@ -18,19 +18,19 @@ pub struct Fov {
     pub up: f64,
 }
 
-/// How a view's directions fall on its image.
+/// The projection of a view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Projection {
-    /// Pinhole; bounds are tangents.
+    /// Pinhole camera; the bounds are tangents.
     Perspective(Fov),
-    /// Parallel rays along the viewing direction; bounds are metres.
+    /// Parallel rays along the viewing direction; the bounds are metres.
     Orthographic(Fov),
-    /// Face 0..6 of a cube map (+x −x +y −y +z −z) in world axes; the orientation is not used.
+    /// Face 0 to 5 of a cube map (+x −x +y −y +z −z) in world axes; the camera's orientation is not used.
     CubeFace(u8),
 }
 
 impl Fov {
-    /// Point of the image plane at fractions (s, t) from the left and the top.
+    /// The point of the image plane at the fractions s from the left and t from the top.
     #[inline]
     pub(super) fn at(&self, s: f64, t: f64) -> DVec2 {
         DVec2::new(self.left + (self.right - self.left) * s, self.up + (self.down - self.up) * t)

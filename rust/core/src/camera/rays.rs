@@ -1,4 +1,4 @@
-//! The rays of a view, prepared: what depends on the camera alone is computed once.
+//! The rays of a view. Values that depend on the camera alone are computed once.
 
 use glam::DVec3;
 
@@ -13,17 +13,17 @@ pub struct Rays {
     pub(super) pixel_size: f64,
 }
 
-/// How wide a pixel is across its ray, by the distance along the ray.
+/// Width of a pixel across its ray, as a function of the distance along the ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Footprint {
-    /// Metres at the ray's start.
+    /// Width at the ray's start, metres.
     pub width: f32,
-    /// Metres for each metre of the ray.
+    /// Increase of the width per metre of distance.
     pub spread: f32,
 }
 
 impl Footprint {
-    /// Metres across the ray at a distance.
+    /// Width across the ray at a distance, metres.
     #[inline]
     pub fn at(&self, distance: f32) -> f32 {
         self.width + self.spread * distance
@@ -31,15 +31,15 @@ impl Footprint {
 }
 
 impl Rays {
-    /// Start (relative to the camera's position) and unit direction through image position (x, y).
+    /// Start (relative to the camera's position) and unit direction of the ray through image position (x, y).
     #[inline]
     pub fn at(&self, x: f64, y: f64) -> (DVec3, DVec3) {
         let start = self.start + self.start_steps[0] * x + self.start_steps[1] * y;
         (start, self.longer(x, y).normalize())
     }
 
-    /// Footprint of a square of `scale` pixels a side at image position (x, y). A pixel of size p at one metre ahead,
-    /// seen at angle θ off the axis, covers the solid angle p² cos³ θ; the footprint is its root.
+    /// Footprint of a square of `scale` × `scale` pixels at image position (x, y). A pixel of size p at 1 m distance,
+    /// seen at angle θ off the axis, covers the solid angle p² cos³ θ; the footprint is the square root of that.
     #[inline]
     pub fn footprint(&self, x: f64, y: f64, scale: f64) -> Footprint {
         let size = (self.pixel_size * scale) as f32;
@@ -50,8 +50,8 @@ impl Rays {
         Footprint { width: 0.0, spread: size / (secant * secant.sqrt()) }
     }
 
-    /// Least angle between neighbouring pixels' rays at image position (x, y), radians: away from the axis, where a
-    /// tangent of the angle θ grows with 1/cos² θ. For perspective views.
+    /// Least angle in radians between the rays of neighbouring pixels at image position (x, y). Away from the axis it
+    /// falls with cos² θ, because the tangent of θ grows with 1/cos² θ. For perspective views.
     #[inline]
     pub fn pixel_angle(&self, x: f64, y: f64) -> f64 {
         self.pixel_size / self.longer(x, y).length_squared()

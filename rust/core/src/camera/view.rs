@@ -8,26 +8,26 @@ use super::projection::{Fov, Projection};
 use super::rays::Rays;
 use crate::base::{Error, Result, memory::room_for};
 
-/// A view: position in the scene's world, orientation camera→world, looking along −z with y up.
+/// A view: position in the scene's world and orientation camera→world. It looks along −z, with y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// World position, metres.
     pub position: DVec3,
     /// Unit quaternion camera→world.
     pub orientation: DQuat,
-    /// Bounds of the view.
+    /// Projection, with the bounds of the view.
     pub projection: Projection,
-    /// Pixels across.
+    /// Width of the image, pixels.
     pub width: u32,
-    /// Pixels down.
+    /// Height of the image, pixels.
     pub height: u32,
 }
 
-/// Greatest width or height of an image.
+/// Greatest width or height of an image, pixels.
 pub const MAX_SIZE: u32 = 1 << 16;
 
 impl Camera {
-    /// Checks a view: finite position, unit quaternion, non-empty image and bounds.
+    /// Checks a view: the position is finite, the quaternion has length 1, and image and bounds are not empty.
     pub fn new(position: DVec3, orientation: DQuat, projection: Projection, width: u32, height: u32) -> Result<Self> {
         if !position.is_finite() {
             return Err(Error::value("position", "three finite numbers", position));
@@ -53,7 +53,7 @@ impl Camera {
     }
 
     /// Start (relative to `position`) and direction (not normalised) of the ray through image position (x, y) in
-    /// pixels: (0.5, 0.5) is the centre of the top left pixel.
+    /// pixels; (0.5, 0.5) is the centre of the top left pixel.
     #[inline]
     pub fn ray(&self, x: f64, y: f64) -> (DVec3, DVec3) {
         let (s, t) = (x / f64::from(self.width), y / f64::from(self.height));
@@ -66,7 +66,7 @@ impl Camera {
         }
     }
 
-    /// All rays of the view, prepared: what depends on the camera alone is computed once.
+    /// All rays of the view. Values that depend on the camera alone are computed once.
     pub fn rays(&self) -> Rays {
         let (start, direction) = self.ray(0.0, 0.0);
         let (right, down) = (self.ray(1.0, 0.0), self.ray(0.0, 1.0));
@@ -83,7 +83,7 @@ impl Camera {
     /// World starts and unit directions of the rays through all pixel centres, in row-major order.
     pub fn pixel_rays(&self) -> Result<(Vec<DVec3>, Vec<DVec3>)> {
         let (rays, width) = (self.rays(), u64::from(self.width));
-        // Twice: callers flatten the rows into arrays of their own.
+        // The factor 4 counts starts and directions twice, because callers copy them into arrays of their own.
         room_for(4 * size_of::<DVec3>() as u64 * width * u64::from(self.height))?;
         let one = |pixel: u64| {
             let (start, direction) = rays.at((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5);
@@ -92,7 +92,8 @@ impl Camera {
         Ok((0..width * u64::from(self.height)).into_par_iter().map(one).unzip())
     }
 
-    /// Image position (x, y) in pixels of a world point and its depth along the viewing axis; `None` behind the camera.
+    /// Image position (x, y) of a world point in pixels, and its distance along the viewing axis; `None` behind the
+    /// camera.
     pub fn project(&self, point: DVec3) -> Option<DVec3> {
         let offset = point - self.position;
         let axes = match self.projection {
@@ -116,8 +117,8 @@ impl Camera {
         (depth > 0.0).then(|| DVec3::new(s * f64::from(self.width), t * f64::from(self.height), depth))
     }
 
-    /// Size of a pixel: metres for parallel rays, tangent units (metres at one metre ahead) for the others; the
-    /// geometric mean of its sides.
+    /// Size of a pixel, the geometric mean of its sides: metres for parallel rays, otherwise tangent units (metres at
+    /// 1 m distance).
     pub fn pixel_size(&self) -> f64 {
         let pixels = f64::from(self.width) * f64::from(self.height);
         match self.projection {
@@ -126,15 +127,16 @@ impl Camera {
         }
     }
 
-    /// An angle in radians that no pixel is narrower than: pixels at the corner of a view are the finest. Metres for
-    /// parallel rays.
+    /// A lower bound of the angle between neighbouring pixels, in radians: pixels at the view's corner are the finest.
+    /// Metres for parallel rays.
     pub fn least_pixel_angle(&self) -> f64 {
         let (width, height) = (f64::from(self.width), f64::from(self.height));
         match self.projection {
             Projection::Perspective(fov) => {
                 let (x, y) = (fov.left.abs().max(fov.right.abs()), fov.down.abs().max(fov.up.abs()));
                 let narrowest = ((fov.right - fov.left) / width).min((fov.up - fov.down) / height);
-                // A tangent's change turns the ray by cos² of its angle off the axis at least.
+                // A small change of the tangent turns the ray by cos² θ times the change, with θ the angle off the
+                // axis; at the corner cos² θ = 1/(1 + x² + y²).
                 narrowest / (1.0 + x * x + y * y)
             }
             Projection::Orthographic(fov) => ((fov.right - fov.left) / width).min((fov.up - fov.down) / height),
@@ -142,7 +144,7 @@ impl Camera {
         }
     }
 
-    /// True where all rays are parallel.
+    /// Whether all rays are parallel.
     pub fn is_parallel(&self) -> bool {
         matches!(self.projection, Projection::Orthographic(_))
     }
@@ -173,11 +175,12 @@ mod tests {
             for (x, y) in [(0.0, 0.0), (24.0, 0.0), (3.25, 20.5), (12.0, 12.0)] {
                 let (start, direction) = camera.ray(x, y);
                 let (fast_start, fast_direction) = rays.at(x, y);
-                // A few roundings of float64 at 1.
+                // Some roundings of float64 at 1.
                 assert!((fast_start - start).length() < 1e-14);
                 assert!((fast_direction - direction.normalize()).length() < 1e-14);
                 let back = camera.project(position + start + direction * 5.0).unwrap();
-                // The world position at 10⁵ is rounded to 1.5e-11, which 24 pixels for 1.5 units and 1/5 magnify.
+                // The world position at 10⁵ m is rounded to 1.5e-11 m. The division by 5 m and the 24 pixels per 1.5
+                // units scale this error.
                 assert!((back - DVec3::new(x, y, 5.0)).length() < 1e-9, "{projection:?} {back}");
                 assert!(camera.project(position + start - direction).is_none());
             }
@@ -190,7 +193,7 @@ mod tests {
         let rays = camera.rays();
         let pixels = (0..64 * 64).map(|i| (f64::from(i % 64) + 0.5, f64::from(i / 64) + 0.5));
         let sum: f64 = pixels.map(|(x, y)| f64::from(rays.footprint(x, y, 1.0).spread).powi(2)).sum();
-        // The midpoint rule over 64² pixels is off by 1/(24 · 64²) times the curvature, about 1e-4.
+        // The error of the midpoint rule over 64² pixels is 1/(24 · 64²) times the curvature, about 1e-4.
         assert!((sum - 4.0 * std::f64::consts::PI / 6.0).abs() < 3e-4, "{sum}");
     }
 

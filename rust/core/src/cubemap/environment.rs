@@ -1,4 +1,4 @@
-//! Environment maps: colour around a point, and range and objects where they were asked for.
+//! Environment maps: the colour around a point and, if requested, the range and the objects.
 
 use glam::{DVec3, Vec3};
 
@@ -7,21 +7,21 @@ use super::lookup::Taps;
 use super::texels::texel_from_direction;
 use crate::base::{Buffer, Error, Result};
 
-/// A cube map of the surroundings of a point. Channels that are not needed are not there.
+/// A cube map of the surroundings of a point. Channels that were not requested are absent.
 #[derive(Clone, Debug)]
 pub struct EnvironmentMap {
-    /// Texels across a face.
+    /// Width of a face, texels.
     pub size: u32,
     /// Linear RGB of each texel.
     pub color: Buffer<[f32; 3]>,
-    /// Distance from the centre in metres, infinite where nothing is.
+    /// Distance from the centre in metres; infinite where there is no surface.
     pub range: Option<Buffer<f32>>,
-    /// Object, −1 where nothing is.
+    /// Object number; −1 where there is no surface.
     pub object_id: Option<Buffer<i32>>,
 }
 
 impl EnvironmentMap {
-    /// Checks that all channels fill six faces.
+    /// Checks that each channel fills six faces.
     pub fn new(
         size: u32,
         color: Buffer<[f32; 3]>,
@@ -39,7 +39,7 @@ impl EnvironmentMap {
         }
     }
 
-    /// Linear RGB along a direction.
+    /// Linear RGB in a direction.
     #[inline]
     pub fn color(&self, direction: Vec3) -> [f32; 3] {
         let taps = Taps::new(direction.as_dvec3(), self.size);
@@ -50,7 +50,7 @@ impl EnvironmentMap {
         sum.as_vec3().to_array()
     }
 
-    /// Range and object of the texel that a direction passes through; those that the map lacks are a miss.
+    /// Range and object of the texel that a direction passes through; ∞ and −1 for channels that the map lacks.
     pub fn surface(&self, direction: Vec3) -> (f32, i32) {
         let texel = texel_from_direction(direction.as_dvec3(), self.size) as usize;
         let range = self.range.as_ref().map_or(f32::INFINITY, |range| range[texel]);
@@ -58,7 +58,8 @@ impl EnvironmentMap {
         (range, object)
     }
 
-    /// The greatest range around a direction: what is farther is hidden. Infinite where the map has no range.
+    /// Greatest range of the texels around a direction: points farther away are hidden. Infinite if the map has no
+    /// range.
     pub fn farthest(&self, direction: Vec3) -> f32 {
         let Some(range) = &self.range else { return f32::INFINITY };
         let taps = Taps::new(direction.as_dvec3(), self.size);

@@ -1,9 +1,9 @@
-//! Six faces of numbers.
+//! The values of a cube map's six faces.
 
 use super::texels::MAX_SIZE;
 use crate::base::{Error, Result};
 
-/// Six faces of `size`² texels of `channels` values each.
+/// Six faces of `size` × `size` texels with `channels` values each.
 #[derive(Debug)]
 pub struct CubeFaces<'a, T> {
     pub(super) values: &'a [T],
@@ -30,13 +30,12 @@ impl<'a, T: Copy> CubeFaces<'a, T> {
         Ok(Self { values, size, channels })
     }
 
-    /// The values of one texel.
     #[inline]
     pub(super) fn texel(&self, number: u32) -> &'a [T] {
         &self.values[number as usize * self.channels..][..self.channels]
     }
 
-    /// Fails unless `out` has room for a texel for each of `count` directions.
+    /// Fails unless `out` has room for one texel per direction, for `count` directions.
     pub(super) fn check_out<U>(&self, out: &[U], count: usize) -> Result<()> {
         if out.len() == count * self.channels {
             return Ok(());
@@ -45,7 +44,7 @@ impl<'a, T: Copy> CubeFaces<'a, T> {
     }
 }
 
-/// Fails for faces without texels, or with more than texel numbers can count.
+/// Fails for faces without texels, or with more texels than texel numbers can address.
 pub(super) fn check_size(size: u32) -> Result<()> {
     if (1..=MAX_SIZE).contains(&size) {
         return Ok(());
@@ -53,8 +52,7 @@ pub(super) fn check_size(size: u32) -> Result<()> {
     Err(Error::value("faces", format!("1 to {MAX_SIZE} texels across a face"), size))
 }
 
-/// Whether a number is not NaN. The least and the greatest skip NaN, which stands for an
-/// unknown value.
+/// Whether a number is not NaN. Minima and maxima skip NaN, which stands for an unknown value.
 #[inline(always)]
 #[allow(clippy::eq_op)]
 pub(super) fn is_known<T: PartialEq + Copy>(value: T) -> bool {

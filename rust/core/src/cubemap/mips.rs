@@ -1,7 +1,7 @@
-//! The next level of a cube map: half as many texels across a face.
+//! The next mipmap level of a cube map, with half as many texels across a face.
 //!
-//! A texel of the next level covers 2 × 2 texels, or where a size is odd parts of 3 × 3. Means weigh what is covered by
-//! its solid angle, so that the mean over the sphere is kept.
+//! A texel of the next level covers 2 × 2 texels or, if the size is odd, parts of 3 × 3. Means are weighted by the
+//! solid angles of the covered parts, so the mean over the sphere does not change.
 
 use rayon::prelude::*;
 
@@ -10,34 +10,34 @@ use super::lookup::{self, halve_greatest, halve_least};
 use super::solid::{edge_of, edges, row_of_angles, solid_angle};
 use crate::base::{Error, Real, Result};
 
-/// Reduction of texels to one of the next level.
+/// Rule that reduces the covered texels to one texel of the next level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reduction {
-    /// By solid angle.
+    /// Mean weighted by solid angle.
     Mean,
-    /// The least of all that are covered, wholly or in part.
+    /// The least of all texels that are covered, wholly or in part.
     Min,
-    /// The greatest of these.
+    /// The greatest of all texels that are covered, wholly or in part.
     Max,
 }
 
-/// Rows or columns that one of the next level covers.
+/// The rows or columns that one row or column of the next level covers.
 struct Covered {
-    /// The first row or column.
+    /// The first covered row or column.
     first: u32,
-    /// From where to where in each of them.
+    /// The covered interval of each of them.
     pieces: Vec<[f64; 2]>,
 }
 
 fn covered(index: u32, size: u32, next: u32) -> Covered {
-    // Up to 16384²: products stay below 2³².
+    // Sizes are at most 16384, so products stay below 2³².
     let (first, last) = (index * size / next, ((index + 1) * size).div_ceil(next));
     let (low, high) = (edge_of(index, next), edge_of(index + 1, next));
     let pieces = (first..last).map(|i| [edge_of(i, size).max(low), edge_of(i + 1, size).min(high)]).collect();
     Covered { first, pieces }
 }
 
-/// Texels across a face of the next level.
+/// Width of a face of the next level, texels.
 pub fn next_size(size: u32) -> u32 {
     (size / 2).max(1)
 }
@@ -81,7 +81,7 @@ pub fn next_level<T: Real>(faces: CubeFaces<'_, T>, reduction: Reduction, out: &
     Ok(())
 }
 
-/// The next row, of one channel, where a size is even.
+/// One row of the next level, for one channel and an even size.
 fn halve<T: Real>(texels: &[T], weights: &[f64], reduction: Reduction, out: &mut [T]) {
     let (above, below) = texels.split_at(texels.len() / 2);
     match reduction {
@@ -94,7 +94,7 @@ fn halve<T: Real>(texels: &[T], weights: &[f64], reduction: Reduction, out: &mut
     }
 }
 
-/// Solid angles of the two rows of texels that a row covers where a size is even.
+/// Solid angles of the two rows of texels that a row of the next level covers, for an even size.
 fn pair_of_rows(row: u32, size: u32, edges: &[f64]) -> Vec<f64> {
     let mut angles = vec![0.0; 2 * size as usize];
     let (above, below) = angles.split_at_mut(size as usize);
@@ -103,7 +103,7 @@ fn pair_of_rows(row: u32, size: u32, edges: &[f64]) -> Vec<f64> {
     angles
 }
 
-/// Shares of what each texel of a row covers, in the order in which they are asked for.
+/// Weights of the parts that each texel of a row covers, in the order in which they are read.
 fn weigh(across: &[Covered], down: &Covered) -> Vec<f64> {
     let mut weights = Vec::new();
     for column in across {

@@ -1,5 +1,5 @@
-//! Cube maps: six square faces of texels. `lookup` reads them along directions and cones, `layouts` converts them to and from
-//! pictures without faces; here is what both need, and how texels are made fewer.
+//! Cube maps: six square faces of texels. `lookup` reads values in directions and cones; `layouts` converts cube maps
+//! to and from pictures without faces. This folder holds the code that both share, and mipmap levels.
 
 mod environment;
 mod faces;

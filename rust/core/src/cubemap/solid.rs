@@ -1,4 +1,4 @@
-//! Solid angles of rectangles on a face.
+//! Solid angles of rectangles on a cube face.
 
 use rayon::prelude::*;
 
@@ -6,25 +6,25 @@ use super::faces::check_size;
 use crate::base::simd::vectorized;
 use crate::base::{Error, Result};
 
-/// Least texels across a face whose half solid angles are all below 0.01.
+/// Least face width, in texels, at which half the solid angles of all triangles are below 0.01 sr.
 const FINE_SIZE: u32 = 32;
 
-/// Solid angle in steradians of a rectangle between two positions across and two down a face, within −1..1.
+/// Solid angle in steradians of a rectangle between two positions across and two down a face, all within −1 to 1.
 ///
-/// Two triangles by van Oosterom and Strackee, "The solid angle of a plane triangle" (1983), Eq. 8. The triple product
-/// of corners at distance 1 from the centre is Δu Δv, so that no digits are lost however small the rectangle is: four
-/// lengths, six products and a few sums of positive numbers leave some 8 roundings of 1.1e-16.
+/// The rectangle is two triangles (van Oosterom and Strackee, "The solid angle of a plane triangle", 1983, Eq. 8). The
+/// triple product of corners at distance 1 from the centre is Δu Δv, so small rectangles lose no digits. Four lengths,
+/// six products and some sums of positive numbers cause about 8 roundings of 1.1e-16.
 pub(super) fn solid_angle(u: [f64; 2], v: [f64; 2]) -> f64 {
     let [one, other] = tangents(u, v);
     2.0 * (one.atan() + other.atan())
 }
 
-/// Tangents of half the solid angles of both triangles; the same where u and v are exchanged.
+/// Tangents of half the solid angles of both triangles. Exchanging u and v gives the same bits.
 #[inline(always)]
 fn tangents(u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
     let (uu, vv) = (u[0] * u[1] + 1.0, v[0] * v[1] + 1.0);
     let (u0, u1, v0, v1) = (u[0] * u[0], u[1] * u[1], v[0] * v[0], v[1] * v[1]);
-    // From the first corner around: a, b across, c opposite, d down.
+    // Distances of the corners, in order: a the first, b beside it, c opposite, d below it.
     let (a, c) = ((u0 + v0 + 1.0).sqrt(), (u1 + v1 + 1.0).sqrt());
     let (b, d) = ((u1 + v0 + 1.0).sqrt(), (u0 + v1 + 1.0).sqrt());
     let product = (u[1] - u[0]) * (v[1] - v[0]);
@@ -35,14 +35,14 @@ fn tangents(u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
     ]
 }
 
-/// Solid angles of the rectangles between neighbouring positions across, all between two positions down. None has a
-/// tangent of 0.01.
+/// Solid angles of the rectangles between neighbouring positions across, all between the same two positions down. Each
+/// tangent must be below 0.01.
 #[inline(always)]
 fn fine_row(edges: &[f64], down: [f64; 2], out: &mut [f64]) {
     let (left, right) = (&edges[..out.len()], &edges[1..out.len() + 1]);
     for i in 0..out.len() {
         let t = tangents([left[i], right[i]], down);
-        // The series of the arc tangent; the first term left out is below 2e-17 of the first.
+        // Series of the arc tangent; the first omitted term is below 2e-17 of the first term.
         let (s0, s1) = (t[0] * t[0], t[1] * t[1]);
         let one = t[0] * (1.0 - s0 * (1.0 / 3.0 - s0 * (0.2 - s0 * (1.0 / 7.0))));
         let other = t[1] * (1.0 - s1 * (1.0 / 3.0 - s1 * (0.2 - s1 * (1.0 / 7.0))));
@@ -52,12 +52,12 @@ fn fine_row(edges: &[f64], down: [f64; 2], out: &mut [f64]) {
 
 vectorized! { fn fine_row_wide(edges: &[f64], down: [f64; 2], out: &mut [f64]) = fine_row; }
 
-/// Lines between the columns of a face, the first and the last one included.
+/// Positions of the lines between the columns of a face, including its first and last edge.
 pub(super) fn edges(size: u32) -> Vec<f64> {
     (0..=size).map(|index| edge_of(index, size)).collect()
 }
 
-/// Solid angles of a row of texels, given the lines between columns; mirrored rows and columns are equal bit for bit.
+/// Solid angles of a row of texels, given the lines between columns. Mirrored rows and columns are equal bit for bit.
 pub(super) fn row_of_angles(row: u32, size: u32, edges: &[f64], out: &mut [f64]) {
     let near = row.min(size - 1 - row) as usize;
     let down = [edges[near], edges[near + 1]];
@@ -75,13 +75,13 @@ pub(super) fn row_of_angles(row: u32, size: u32, edges: &[f64], out: &mut [f64])
     }
 }
 
-/// Position of the line before a row or column.
+/// Position of the line before a row or column, −1 to 1.
 #[inline]
 pub(super) fn edge_of(index: u32, size: u32) -> f64 {
     f64::from(index) * 2.0 / f64::from(size) - 1.0
 }
 
-/// Writes the solid angle of each texel of a face, the same for all six, row by row.
+/// Writes the solid angles of the texels of one face, row by row. All six faces have the same.
 pub fn solid_angles(size: u32, out: &mut [f64]) -> Result<()> {
     check_size(size)?;
     let count = (size as usize).pow(2);

@@ -55,7 +55,7 @@ fn blocks_find_what_single_lookups_find_bit_for_bit() {
             for channel in 0..channels {
                 let term = |k: usize| faces.texel(taps.texel[k])[channel] * taps.weight[k];
                 let mean = (term(0) + term(1)) + (term(2) + term(3));
-                // A weight of the last digit at an outermost centre, which blocks keep within 0..1.
+                // At an outermost centre a weight may differ in its last digit, because blocks clamp it to 0..1.
                 assert!((out[i * channels + channel] - mean).abs() <= 4.0 * f64::EPSILON);
                 let chosen = (0..4).filter(|&k| taps.weight[k] > 1e-12).map(|k| faces.texel(taps.texel[k])[channel]);
                 let (low, high) =
@@ -75,10 +75,10 @@ fn least_and_greatest_bracket_the_mean_and_infinity_stays_out_of_weightless_texe
     let mut out = vec![0.0; 96];
     for filter in [TexelFilter::Linear, TexelFilter::Min, TexelFilter::Max] {
         lookup(faces, &directions, filter, &mut out).unwrap();
-        // Powers of two: centres of inner texels are exact, so that no neighbour gets any weight.
+        // The size is a power of two, so the centres of inner texels are exact and no neighbour has weight.
         assert_eq!(out[5..7], values[5..7]);
     }
-    // Face +x, between texels 5, 6, 9 and 10.
+    // On face +x, between texels 5, 6, 9 and 10.
     let between = [[1.0, 0.01, 0.02f64]];
     let [mut least, mut mean, mut greatest] = [[0.0], [0.0], [0.0]];
     lookup(faces, &between, TexelFilter::Min, &mut least).unwrap();
@@ -126,7 +126,7 @@ fn cubic_errors_fall_as_fast_at_seams_as_inside() {
     for size in [8, 16, 32, 64, 128] {
         let values: Vec<f64> = centers(size).into_iter().map(|d| f(DVec3::from_array(d).normalize())).collect();
         let faces = CubeFaces::new(&values, size, 1).unwrap();
-        // All components equal or nearly so: a quarter near corners, a quarter near edges.
+        // Directions with nearly equal components: a quarter lie near corners, a quarter near edges.
         let mut directions = random_directions(40_000, 7);
         for (i, d) in directions.iter_mut().enumerate() {
             let near = |x: f64| x.signum() + 4.0 * x / f64::from(size);
@@ -185,7 +185,7 @@ proptest! {
     }
 }
 
-/// Angle between a direction and a texel, by the nearest point of its four sides, halved until they are found.
+/// Angle between a direction and a texel: the least angle to the texel's four sides, found by halving intervals.
 fn angle_to_texel(d: DVec3, texel: u32, size: u32) -> f64 {
     if texel_from_direction(d, size) == texel {
         return 0.0;
@@ -227,7 +227,7 @@ proptest! {
         let mut found = [[0.0], [0.0]];
         footprint(faces, &[d.to_array()], radius, TexelFilter::Min, &mut found[0]).unwrap();
         footprint(faces, &[d.to_array()], radius, TexelFilter::Max, &mut found[1]).unwrap();
-        // Cones are wider by 4e-15 / sin 2r, and by 6.4e-8 at most.
+        // Cones are wider by 4e-15 / sin 2r, at most by 6.4e-8 rad.
         let margin = (4e-15 / (2.0 * radius).sin()).min(6.4e-8) + 1e-14;
         let bounds = |radius: f64| {
             let touched = values.iter().enumerate().filter(|&(i, _)| angle_to_texel(d, i as u32, size) <= radius);
@@ -266,7 +266,7 @@ fn texels_beyond_the_edges_of_flat_layouts_lie_where_directions_go_on() {
             let number = grid.wrapped(row, column) as u32;
             let center = |number: u32| DVec2::new((number % width).into(), (number / width).into()) + 0.5;
             let inside = grid.direction(center(number)).normalize();
-            // Both formulas are followed beyond the edge: latitudes beyond 90° and folds that are folded back.
+            // Both formulas are evaluated beyond the edge: latitudes beyond 90°, and folds that are folded back.
             let p = DVec2::new(column as f64, row as f64) + 0.5;
             let beyond = match layout {
                 Layout::Equirectangular => grid.direction(p),

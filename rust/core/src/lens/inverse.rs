@@ -1,4 +1,4 @@
-//! f, f′ and f⁻¹ of many radii: blocks of them go through vectors, and what those can't settle is solved one by one.
+//! f, f′ and f⁻¹ of many radii. Vector kernels process blocks of radii; the remaining radii are solved one by one.
 
 use std::cmp::Ordering;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
@@ -13,12 +13,12 @@ use crate::base::error::number;
 use crate::base::simd::vectorized;
 use crate::base::{Error, Real, Result};
 
-/// Radii of one task: fixed, and few enough to stay in the nearest cache while they are worked on.
+/// Number of radii in one task: fixed, and small enough to fit in the first-level cache.
 const TILE: usize = 1 << 10;
-/// Radii side by side.
+/// Number of radii that a kernel processes together.
 pub(super) const LANES: usize = 32;
 
-/// A tile, where vectors can load it.
+/// A tile, aligned for vector loads.
 #[repr(align(64))]
 struct Stage([f64; TILE]);
 
@@ -27,26 +27,27 @@ struct Stage([f64; TILE]);
 pub enum InverseMethod {
     /// Newton's method to the last bits.
     Newton,
-    /// As published: r ← x / (1 + k₁r² + …), so many times. Liebisch (2021), Alg. 1.
+    /// r ← x / (1 + k₁r² + …), repeated this many times, as published. Liebisch (2021), Alg. 1.
     FixedPoint(u32),
-    /// Cubics between nodes, within the bound of `table_bound`.
+    /// Cubics between nodes, with the error bound of `table_bound`.
     Table,
 }
 
 impl RadialLens {
-    /// f(r) of radii of either sign. Beyond r_max: NaN, or with `refuse` an error.
+    /// f(r) of radii of either sign. Radii beyond r_max give NaN, or an error if `refuse`.
     pub fn distort_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool) -> Result<()> {
         let whole = each_tile(r, to, |tile| self.distort_blocks(tile));
         if whole || !refuse { Ok(()) } else { Err(refused(r, to, self.radial.r_max)) }
     }
 
-    /// f′(r) of radii of either sign, off by 2 (n + 1) roundings of the sum of its terms' sizes at most.
+    /// f′(r) of radii of either sign. The error is at most 2 (n + 1) roundings of the sum of the terms' absolute
+    /// values, for n coefficients.
     pub fn derivative_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool) -> Result<()> {
         let whole = each_tile(r, to, |tile| slope_tile(&self.radial.slope, self.radial.r_max, tile));
         if whole || !refuse { Ok(()) } else { Err(refused(r, to, self.radial.r_max)) }
     }
 
-    /// f⁻¹(x) of distorted radii of either sign. Beyond f(r_max): NaN, or with `refuse` an error.
+    /// f⁻¹(x) of distorted radii of either sign. Radii beyond f(r_max) give NaN, or an error if `refuse`.
     pub fn undistort_all<T: Real>(&self, x: &[T], to: &mut [T], method: InverseMethod, refuse: bool) -> Result<()> {
         let whole = match method {
             InverseMethod::FixedPoint(steps) => {
@@ -58,13 +59,14 @@ impl RadialLens {
         if whole || !refuse { Ok(()) } else { Err(refused(x, to, self.radial.x_max)) }
     }
 
-    /// f in place of radii, whose number is one of whole blocks.
+    /// Replaces each radius by f of it. The number of radii is a multiple of `LANES`.
     pub(super) fn distort_blocks(&self, tile: &mut [f64]) {
         distort_tile(&self.radial.k, self.radial.r_max, tile);
     }
 
-    /// f⁻¹ in place of radii, whose number is one of whole blocks: by Newton's method, or from the table. Radii that lie
-    /// beyond f(r_max) by a share of it, as rounding may have put them there, are taken for it.
+    /// Replaces each radius by f⁻¹ of it, by Newton's method or from the table. The number of radii is a multiple of
+    /// `LANES`. Radii up to a share `slack` beyond f(r_max) count as f(r_max), because rounding may have moved them
+    /// there.
     pub(super) fn undistort_blocks(&self, tile: &mut [f64], exact: bool, slack: f64) {
         let mut hard = Vec::new();
         match self.table() {
@@ -81,12 +83,12 @@ impl RadialLens {
     }
 }
 
-/// Or no number.
+/// Whether x is beyond `end` or NaN.
 fn is_beyond(x: f64, end: f64) -> bool {
     x.is_nan() || x.abs() > end
 }
 
-/// The first radius that has no image.
+/// The error for the first radius that has no image.
 fn refused<T: Real>(from: &[T], to: &[T], end: f64) -> Error {
     let index = to.iter().position(|value| value.wide().is_nan()).unwrap_or(0);
     let expected = if end < FARTHEST {
@@ -97,11 +99,11 @@ fn refused<T: Real>(from: &[T], to: &[T], end: f64) -> Error {
     Error::value("r", expected, format!("{} at index {index}", number(from[index].wide())))
 }
 
-/// Runs a kernel over float64 copies of tiles; true where all results are numbers.
+/// Runs a kernel over float64 copies of tiles. Returns whether all results are numbers.
 fn each_tile<T: Real>(from: &[T], to: &mut [T], kernel: impl Fn(&mut [f64]) + Sync) -> bool {
     let good = AtomicBool::new(true);
     from.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).for_each(|(from, to)| {
-        // Whole blocks, so that kernels need no remainder loop; the padding stays zero.
+        // Tiles are padded to whole blocks with zeros, so that kernels need no remainder loop.
         let mut stage = Stage([0.0; TILE]);
         for (one, other) in stage.0.iter_mut().zip(from) {
             *one = other.wide();
@@ -134,13 +136,13 @@ fn distort_blocks<const FUSED: bool>(k: &[f64], r_max: f64, tile: &mut [f64]) {
         distorted_block::<FUSED>(k, &r, &[0.0; LANES], block);
         for n in 0..LANES {
             let good = (r[n].abs() <= r_max) & (block[n].abs() <= FARTHEST);
-            // f is odd: the sign of zero comes back.
+            // f is odd; copying the sign also restores the sign of zero.
             block[n] = if good { block[n].copysign(r[n]) } else { f64::NAN };
         }
     }
 }
 
-/// `exact::distorted` of a block, less what is wanted: the same operations, side by side.
+/// `exact::distorted` of a block minus `wanted`, with the same operations.
 #[inline(always)]
 fn distorted_block<const FUSED: bool>(k: &[f64], r: &[f64; LANES], wanted: &[f64; LANES], to: &mut [f64; LANES]) {
     let (mut square, mut square_rest) = ([0.0; LANES], [0.0; LANES]);
@@ -198,7 +200,7 @@ fn fixed_point_blocks<const FUSED: bool>(k: &[f64], steps: u32, tile: &mut [f64]
     }
 }
 
-/// The cubics' values of a block, of |x|. Beyond the last interval they mean nothing.
+/// Values of the table's cubics at |x| for a block. They are meaningless beyond the last interval.
 #[inline(always)]
 pub(super) fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]) {
     const MANTISSA: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
@@ -210,7 +212,7 @@ pub(super) fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]
         let x = x[n].abs();
         let bits = x.to_bits();
         let low = x < table.first;
-        // Bits of the mantissa below the interval's number, as a float in 1..2.
+        // The mantissa's bits below the interval number, as a float from 1 to 2.
         let within = f64::from_bits((bits << fineness) & MANTISSA | 1.0f64.to_bits()) - 1.0;
         place[n] = if low { x * scale } else { within };
         let number = (bits >> table.shift).wrapping_sub(table.base - 1);
@@ -218,7 +220,7 @@ pub(super) fn cubic_block(table: &Table, x: &[f64; LANES], to: &mut [f64; LANES]
         index[n] = if number < last { number } else { last };
     }
     for n in 0..LANES {
-        // SAFETY: the index was held within the table, which has at least one cubic.
+        // SAFETY: the index was clamped to the table, which has at least one cubic.
         let [a, b, c, d] = *unsafe { table.cubics.get_unchecked(index[n] as usize) };
         to[n] = a + place[n] * (b + place[n] * (c + place[n] * d));
     }
@@ -243,7 +245,7 @@ fn table_blocks<const FUSED: bool>(table: &Table, tile: &mut [f64], hard: &mut V
     }
 }
 
-/// From the table's start a plain step of Newton's method, and one with the residual in twice the digits.
+/// From the table's value, one plain step of Newton's method, then one step with the residual in twice the digits.
 #[inline(always)]
 fn newton_blocks<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, tile: &mut [f64], hard: &mut Vec<u32>) {
     for (number, block) in tile.as_chunks_mut::<LANES>().0.iter_mut().enumerate() {
@@ -275,7 +277,8 @@ fn newton_blocks<const FUSED: bool>(k: &[f64], slope: &[f64], table: &Table, til
         for n in 0..LANES {
             let (first, second) = ((r[n] - start[n]).abs(), (off[n] * inverse[n]).abs());
             let root = r[n] - off[n] * inverse[n];
-            // The slope was taken at the start: the last step is off by 2 second² / first, a quarter of an ulp at most.
+            // The last step uses the slope at the start, so its error is 2 second² / first: at most a quarter of an
+            // ulp.
             let right = second * second <= 1e-17 * (root * first) || second <= 1e-14 * root && first <= 1e-9 * root;
             settled[n] = right && x[n] < table.start_end;
             all &= settled[n];

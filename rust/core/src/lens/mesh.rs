@@ -1,27 +1,27 @@
-//! The mesh with which a runtime warps its pictures: exact at its vertices, and linear between them.
+//! The warp mesh of a headset's runtime: exact at its vertices and linear between them.
 
 use super::polynomial::{derivative, range};
 use super::radial::RadialLens;
 use super::warp::WarpView;
 use crate::base::{Error, Result};
 
-/// Most parts in which a cell's radii are looked at.
+/// Greatest number of intervals into which a cell's range of radii is divided.
 const PARTS: f64 = 16.0;
 
-/// A grid over the made picture.
+/// A grid over the target picture, the picture that the warp produces.
 #[derive(Clone, Debug)]
 pub struct WarpMesh {
-    /// Shares of the made picture from its top left corner, row by row.
+    /// Positions in the target picture as fractions from its top left corner, row by row.
     pub places: Vec<[f64; 2]>,
-    /// For each lens, shares of the picture that is read.
+    /// For each lens, positions in the source picture as fractions.
     pub sources: Vec<Vec<[f64; 2]>>,
-    /// Two triangles for each cell that the lens serves, counter-clockwise with y up.
+    /// Two triangles for each cell inside the lens's reach, counter-clockwise with y up.
     pub faces: Vec<[u32; 3]>,
-    /// Nothing of the picture that is read is shown further beside its place, in pixels of that picture.
+    /// Upper bound of the error of a source position, in pixels of the source picture.
     pub error: f64,
 }
 
-/// A mesh of `columns` × `rows` cells for a picture of `width` × `height` pixels.
+/// A mesh of `columns` × `rows` cells for a source picture of `width` × `height` pixels.
 pub fn warp_mesh(
     lenses: &[RadialLens],
     view: &WarpView,
@@ -63,7 +63,7 @@ pub fn warp_mesh(
     Ok(WarpMesh { places, sources, faces, error })
 }
 
-/// Whether a cell can show some of the picture, its places being off by so much.
+/// Whether a cell can show a part of the picture, if its positions may be wrong by `off`.
 fn shows(corners: [[f64; 2]; 4], off: [f64; 2]) -> bool {
     (0..2).all(|axis| {
         let ends = corners.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), corner| {
@@ -74,18 +74,18 @@ fn shows(corners: [[f64; 2]; 4], off: [f64; 2]) -> bool {
 }
 
 impl RadialLens {
-    /// How far a triangle of a cell can be off in units of the lens.
+    /// Upper bound of the error in a cell's triangles, in units of the lens.
     ///
-    /// A linear interpolation on a triangle is off by R²/2 times the greatest second derivative along any line (Waldron
-    /// 1998), R the radius around its corners; the diagonal of a cell is twice that.
+    /// The error of linear interpolation on a triangle is at most R²/2 times the greatest second derivative along any
+    /// line, with R the circumradius (Waldron 1998). The diagonal of a cell is 2R.
     fn bend_of_cell(&self, view: &WarpView, [a, b, c, d]: [[f64; 2]; 4]) -> f64 {
         let length = |[x, y]: [f64; 2]| x.hypot(y);
         let diagonal = length([a[0] - d[0], a[1] - d[1]]);
         let high = [a, b, c, d].map(length).into_iter().fold(0.0, f64::max);
-        // The cell's point nearest to the axis.
+        // Coordinates of the cell's point nearest to the axis.
         let near = |from: f64, to: f64| if from.min(to) > 0.0 { from.min(to) } else { -from.max(to).min(0.0) };
         let low = near(a[0], d[0]).hypot(near(a[1], d[1]));
-        // Ranges of polynomials are tight on short intervals only.
+        // Polynomial ranges are tight only on short intervals.
         let parts = (PARTS * (high - low) / high).ceil().clamp(1.0, PARTS);
         let radius = |n: usize| low + (high - low) * (n as f64 / parts);
         let bends = (0..parts as usize).map(|n| {
@@ -95,17 +95,18 @@ impl RadialLens {
         diagonal * diagonal / 8.0 * bends.fold(0.0, f64::max)
     }
 
-    /// Greatest second derivative along lines of p ↦ p f(|p|)/|p| and the tangential terms, between two radii.
+    /// Greatest second derivative along lines of p ↦ p f(|p|)/|p| plus the tangential terms, between two radii.
     fn bend(&self, low: f64, high: f64) -> f64 {
         let [a, b] = self.curvatures(low, high);
         greatest(a, b) + 6.0 * self.tangential[0].hypot(self.tangential[1])
     }
 
-    /// The same of the inverse, between two distorted radii.
+    /// The same bound for the inverse map, between two distorted radii.
     fn bend_back(&self, low: f64, high: f64) -> f64 {
         let p = self.tangential[0].hypot(self.tangential[1]);
         if p > 0.0 {
-            // They move images by up to 3|p|r²; f′ > 6|p|r within reach, so that both of these rise with r.
+            // The tangential terms move images by up to 3|p|r². Within reach f′ > 6|p|r, so both functions below rise
+            // with r.
             let low = self.radius_of(|r| self.distort(r) + 3.0 * p * r * r, low)[0];
             let high = self.radius_of(|r| self.distort(r) - 3.0 * p * r * r, high)[1];
             let [slope, factor] = self.least_slopes(low, high);
@@ -120,7 +121,7 @@ impl RadialLens {
         greatest([a[0].min(0.0) * scale, a[1].max(0.0) * scale], [b[0].min(0.0) * other, b[1].max(0.0) * other])
     }
 
-    /// Radii within reach, close to each other, between which something that rises from 0 passes a value.
+    /// Two close radii within reach between which a function that rises from 0 passes a value.
     fn radius_of(&self, rising: impl Fn(f64) -> f64, value: f64) -> [f64; 2] {
         let (mut low, mut high) = (0.0, value.min(self.reach));
         while high < self.reach && rising(high) < value {
@@ -133,7 +134,7 @@ impl RadialLens {
         [low, high]
     }
 
-    /// Ranges of f″ and (f′r − f)/r².
+    /// Ranges of f″ and (f′r − f)/r² between two radii.
     fn curvatures(&self, low: f64, high: f64) -> [[f64; 2]; 2] {
         let mut f = vec![0.0; 2 * self.radial.k.len() + 2];
         let mut around = f.clone();
@@ -145,7 +146,7 @@ impl RadialLens {
         [derivative(&derivative(&f)), around].map(|each| range(&each, low, high).into())
     }
 
-    /// Least f′ and f/r.
+    /// Least f′ and least f/r between two radii.
     fn least_slopes(&self, low: f64, high: f64) -> [f64; 2] {
         let mut factor = vec![1.0];
         factor.extend(&self.radial.k);
@@ -153,8 +154,9 @@ impl RadialLens {
     }
 }
 
-/// Greatest length of the second derivative along lines whose squared cosine with the radius is c: radially
-/// A c + B (1−c), around 2 √(c (1−c)) B, for A and B in ranges. Its square is convex in both, so that ends suffice.
+/// Greatest length of the second derivative along lines at an angle to the radius with squared cosine c. Its radial
+/// part is A c + B (1−c), its tangential part 2 √(c (1−c)) B, for A and B in ranges. Its square is convex in A and in
+/// B, so the ends of the ranges suffice.
 fn greatest(a: [f64; 2], b: [f64; 2]) -> f64 {
     let square = |a: f64, b: f64, c: f64| (b + (a - b) * c).powi(2) + 4.0 * c * (1.0 - c) * b * b;
     let mut most = 0.0f64;

@@ -1,7 +1,8 @@
-//! Lenses of headsets: where a radial polynomial shows what, and back.
+//! Lenses of headsets: the radial distortion polynomial and its inverse.
 //!
-//! r_d = f(r) = r (1 + k₁r² + k₂r⁴ + …) with r = tan α / tan ω: ω is half the horizontal field of view, so that r = 1
-//! at the screen's edge (Liebisch 2021, Eq. 4.10). Lenses that are not quite centred add Brown's tangential terms.
+//! r_d = f(r) = r (1 + k₁r² + k₂r⁴ + …) with r = tan α / tan ω. Here α is the angle from the axis and ω half the
+//! horizontal field of view, so that r = 1 at the screen's edge (Liebisch 2021, Eq. 4.10). Decentred lenses add Brown's
+//! tangential terms.
 
 mod exact;
 mod inverse;

@@ -1,4 +1,4 @@
-//! Points instead of radii, with the tangential terms of lenses that are not quite centred.
+//! Distortion of points, with the tangential terms of decentred lenses.
 //!
 //! Brown (1966): x_d = x (1 + k₁r² + …) + 2p₁xy + p₂(r² + 2x²), y_d = y (1 + k₁r² + …) + p₁(r² + 2y²) + 2p₂xy.
 
@@ -13,16 +13,16 @@ use super::radial::RadialLens;
 use crate::base::simd::vectorized;
 use crate::base::{Error, Real, Result};
 
-/// Points of one task: what is known of them stays in the nearest cache.
+/// Number of points in one task; their data fits in the first-level cache.
 pub(super) const TILE: usize = 1 << 9;
 /// Relative rounding error of a radius: two squares, their sum, its root, and the scaling of points.
 pub(super) const ROUNDINGS: f64 = 8.0 * f64::EPSILON;
-/// Steps of Newton's method before it follows a path; from a good start it needs five.
+/// Greatest number of steps of Newton's method; from a good start it needs five.
 const NEWTON_STEPS: u32 = 40;
-/// Parts of the path from the disc's middle that Newton's method follows where it fails from its start.
+/// Number of parts of the path from the disc's middle along which Newton's method continues if it fails from its start.
 const PATH_PARTS: u32 = 64;
 
-/// Points of a task, apart: x, y, and the radii that become factors.
+/// The points of a task as arrays: x, y, radius, and image radius, which becomes a scale factor.
 #[repr(align(64))]
 pub(super) struct PointTile {
     x: [f64; TILE],
@@ -41,7 +41,7 @@ impl PointTile {
         tile
     }
 
-    /// Moves points along their radii.
+    /// Moves points along their radii to the radii that `radii` computes.
     pub(super) fn moved<T: Real>(&mut self, to: &mut [[T; 2]], radii: impl FnOnce(&mut [f64])) {
         let count = to.len().next_multiple_of(LANES);
         radii(&mut self.image[..count]);
@@ -75,7 +75,7 @@ fn scale_all(tile: &mut PointTile, count: usize) {
 }
 
 impl RadialLens {
-    /// Images of points. Outside the disc of radius `reach`: NaN, or with `refuse` an error.
+    /// Images of points. Points outside the disc of radius `reach` give NaN, or an error if `refuse`.
     pub fn distort_points<T: Real>(&self, points: &[[T; 2]], to: &mut [[T; 2]], refuse: bool) -> Result<()> {
         self.each_tile(points, to, refuse, |from, to| {
             let mut tile = PointTile::new(from);
@@ -91,8 +91,8 @@ impl RadialLens {
         })
     }
 
-    /// Points whose images lie at `points`. Images of no point within the disc of radius `reach`: NaN, or with `refuse`
-    /// an error.
+    /// The points whose images are given. Images of no point within the disc of radius `reach` give NaN, or an error if
+    /// `refuse`.
     pub fn undistort_points<T: Real>(&self, points: &[[T; 2]], to: &mut [[T; 2]], refuse: bool) -> Result<()> {
         self.each_tile(points, to, refuse, |from, to| {
             let mut tile = PointTile::new(from);
@@ -143,7 +143,7 @@ impl RadialLens {
     fn shown(&self, p: DVec2) -> (DVec2, DMat2) {
         let square = p.length_squared();
         let factor = 1.0 + square * polynomial::value(&self.radial.k, square);
-        // f′ = factor + 2 r² dfactor/dr²
+        // With F = f(r)/r, f′ = F + 2 r² dF/dr².
         let growth = if square > 0.0 { (polynomial::value(&self.radial.slope, square) - factor) / square } else { 0.0 };
         let [p1, p2] = self.tangential;
         let mixed = growth * p.x * p.y + 2.0 * (p1 * p.x + p2 * p.y);
@@ -156,7 +156,7 @@ impl RadialLens {
         (p * factor + self.tangential_at(p), columns)
     }
 
-    /// From the radial root; NaN where the disc holds none. A root in the disc is the only one there.
+    /// Searches from the radial root; NaN if the disc contains no root. A root in the disc is unique.
     fn undistort_point(&self, shown: DVec2, r: f64, root: f64) -> DVec2 {
         if !shown.is_finite() {
             return DVec2::NAN;
@@ -166,7 +166,7 @@ impl RadialLens {
         if let Some(found) = self.descend(start, shown) {
             return found;
         }
-        // In parts from the middle, where the root is known.
+        // The root at the disc's middle is known; the target moves from there in parts.
         let mut at = DVec2::ZERO;
         for part in 1..=PATH_PARTS {
             match self.descend(at, shown * (f64::from(part) / f64::from(PATH_PARTS))) {
@@ -177,7 +177,7 @@ impl RadialLens {
         at
     }
 
-    /// Newton's method, whose steps are shortened until they bring the image nearer and stay in the disc.
+    /// Newton's method. A step is shortened until it reduces the residual and stays in the disc.
     fn descend(&self, mut at: DVec2, wanted: DVec2) -> Option<DVec2> {
         let (mut image, mut jacobian) = self.shown(at);
         for _ in 0..NEWTON_STEPS {
@@ -195,7 +195,8 @@ impl RadialLens {
                     break;
                 }
                 share *= 0.5;
-                // No part of the step improves the point: it is a root up to rounding, or it lies outside the disc.
+                // No part of the step reduces the residual: the point is a root up to rounding, or it lies at the
+                // disc's border.
                 if share < 1e-3 {
                     return self.is_root(at, image, wanted).then_some(at);
                 }
@@ -204,7 +205,7 @@ impl RadialLens {
         self.is_root(at, image, wanted).then_some(at)
     }
 
-    /// Tolerance in float64: a hundred roundings of the largest of the terms.
+    /// Whether the residual is below a hundred float64 roundings of the largest term.
     fn is_root(&self, at: DVec2, image: DVec2, wanted: DVec2) -> bool {
         let square = at.length_squared();
         let terms = self.radial.k.iter().rev().fold(0.0, |sum, c| (sum + c.abs()) * square) + 1.0;
@@ -212,7 +213,7 @@ impl RadialLens {
     }
 }
 
-/// A point at distance r moved to another one.
+/// Moves a point at distance r from the axis to the distance `to`.
 fn scaled(p: DVec2, r: f64, to: f64) -> DVec2 {
     if r == 0.0 { p } else { p * (to / r) }
 }

@@ -1,4 +1,4 @@
-//! Polynomials as coefficients from the constant one up: values, roots, bounds.
+//! Polynomials, as coefficients in ascending order of power: values, roots, bounds.
 
 /// Value by Horner's rule.
 pub(super) fn value(coefficients: &[f64], x: f64) -> f64 {
@@ -10,14 +10,14 @@ pub(super) fn derivative(coefficients: &[f64]) -> Vec<f64> {
     coefficients.iter().enumerate().skip(1).map(|(power, c)| power as f64 * c).collect()
 }
 
-/// The least x > 0 at which a polynomial that is positive at 0 is not positive any more, as far as rounding can tell:
-/// where it only touches zero counts.
+/// The least x > 0 at which a polynomial that is positive at 0 ceases to be positive, within rounding. A point where it
+/// only touches zero counts.
 pub(super) fn first_zero(coefficients: &[f64]) -> Option<f64> {
     zeros(coefficients).first().copied()
 }
 
-/// All x > 0 where a polynomial changes its sign or touches zero, rising. Between neighbouring zeros of the derivative
-/// it is monotone, so that each sign change there is one zero, which halving finds.
+/// All x > 0 where a polynomial changes its sign or touches zero, ascending. Between neighbouring zeros of the
+/// derivative it is monotone, so each sign change there is exactly one zero, which bisection finds.
 fn zeros(coefficients: &[f64]) -> Vec<f64> {
     let degree = coefficients.iter().rposition(|&c| c != 0.0).unwrap_or(0);
     if degree == 0 {
@@ -39,25 +39,25 @@ fn zeros(coefficients: &[f64]) -> Vec<f64> {
     found
 }
 
-/// Greatest zero that is looked for.
+/// Greatest zero that is searched for.
 const GREATEST_ZERO: f64 = 1e100;
 
-/// Fujiwara's bound: twice the greatest root of a quotient of coefficients.
+/// Fujiwara's bound on the zeros: twice the greatest of the roots of coefficient quotients.
 fn beyond_all_zeros(own: &[f64]) -> f64 {
     let degree = own.len() - 1;
     let root = |i: usize| (own[i] / own[degree]).abs().powf(1.0 / (degree - i) as f64);
     (2.0 * (0..degree).map(root).fold(f64::MIN_POSITIVE, f64::max)).min(GREATEST_ZERO)
 }
 
-/// −1, 0 or 1; 0 where the value is smaller than what rounding may have made of it.
+/// −1, 0 or 1; 0 if the absolute value is below the possible rounding error.
 fn sign(own: &[f64], x: f64) -> f64 {
     let (value, size) = own.iter().rev().fold((0.0, 0.0), |(sum, size), c| (sum * x + c, size * x + c.abs()));
-    // Horner's rule is off by at most 2n roundings of the sum of all terms' sizes.
+    // The error of Horner's rule is at most 2n roundings of the sum of the terms' absolute values.
     let blur = own.len() as f64 * f64::EPSILON * size;
     if value.abs() <= blur && size.is_finite() { 0.0 } else { f64::signum(value) }
 }
 
-/// The last float before the sign changes between two places.
+/// The last float before the sign change between two positions.
 fn halve(own: &[f64], mut from: f64, mut to: f64) -> f64 {
     let before = value(own, from).signum();
     loop {
@@ -73,14 +73,14 @@ fn halve(own: &[f64], mut from: f64, mut to: f64) -> f64 {
     }
 }
 
-/// Least and greatest value a polynomial can have on [low, high], low ≥ 0. Terms of either sign rise with x, so the ends
-/// bound them; on short intervals little is lost.
+/// Bounds of a polynomial's values on [low, high] with low ≥ 0. The positive terms and the negative terms are each
+/// monotone in x, so the ends bound their sums. The bounds are tight on short intervals.
 pub(super) fn range(coefficients: &[f64], low: f64, high: f64) -> (f64, f64) {
     let part = |sign: f64, x: f64| coefficients.iter().rev().fold(0.0, |sum, c| sum * x + (sign * c).max(0.0));
     (part(1.0, low) - part(-1.0, high), part(1.0, high) - part(-1.0, low))
 }
 
-/// Greatest size of a value within `range`.
+/// Greatest absolute value that the bounds of `range` allow.
 pub(super) fn size(coefficients: &[f64], low: f64, high: f64) -> f64 {
     let (least, greatest) = range(coefficients, low, high);
     least.abs().max(greatest.abs())
@@ -108,10 +108,10 @@ mod tests {
         assert_eq!(first_zero(&[1.0]), None);
         assert_eq!(first_zero(&[1.0, 2.0, 0.0]), None);
         assert_eq!(first_zero(&[1.0, -2.0]), Some(0.5));
-        // A double zero is blurred to the root of a rounding: 1.5e-8.
+        // Rounding moves a double zero by the square root of one rounding: 1.5e-8.
         assert!((first_zero(&[1.0, -2.0, 1.0]).unwrap() - 1.0).abs() < 1e-7);
         assert_eq!(first_zero(&[1.0, -1.999, 1.0]), None);
-        // A term that only matters where no radius is hides no fold.
+        // A term that matters only at radii far beyond the fold does not hide the fold.
         assert!((first_zero(&[1.0, -0.3, 5e-310]).unwrap() - 10.0 / 3.0).abs() < 1e-14);
     }
 
@@ -124,7 +124,7 @@ mod tests {
             roots.push(first);
             roots.push(-first * (0.1 + negative));
             let found = first_zero(&from_roots(&roots)).unwrap();
-            // Coefficients are rounded: each moves a zero by its conditioning, below 1e5 roundings for gaps of a fifth.
+            // Rounded coefficients move a zero by its condition number: below 1e5 roundings for gaps of a fifth.
             prop_assert!((found / first - 1.0).abs() < 1e-10, "{found} {first}");
         }
 
@@ -135,7 +135,7 @@ mod tests {
         ) {
             let (least, greatest) = range(&coefficients, low, low + width);
             let inside = value(&coefficients, low + share * width);
-            // Both sides are sums of at most six terms up to 3 · 3⁵.
+            // Both sides are sums of at most six terms of up to 3 · 3⁵.
             prop_assert!(least - 1e-11 <= inside && inside <= greatest + 1e-11);
         }
     }

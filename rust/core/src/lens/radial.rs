@@ -1,4 +1,4 @@
-//! A lens: its polynomial, where it folds, and the table of its inverse.
+//! A lens: its polynomial, its fold, and the table of its inverse.
 
 use std::sync::OnceLock;
 
@@ -8,22 +8,22 @@ use super::table::Table;
 use crate::base::error::number;
 use crate::base::{Error, Result};
 
-/// Most coefficients that a lens may have.
+/// Greatest number of coefficients of a lens.
 const MAX_COEFFICIENTS: usize = 64;
-/// Radii at which the first term may be as large as r itself: powers of them stay floats.
+/// Accepted radii at which the first term may be as large as r: powers of these radii neither overflow nor underflow.
 const UNIT_RADII: std::ops::Range<f64> = 1e-30..1e30;
-/// A lens.
+/// A lens with radial and tangential distortion.
 #[derive(Clone, Debug)]
 pub struct RadialLens {
     pub(super) radial: Radial,
     pub(super) tangential: [f64; 2],
-    /// Radius of the disc that `points` serves: r_max, or less with tangential terms.
+    /// Radius of the disc that `points` accepts: r_max, or less with tangential terms.
     pub(super) reach: f64,
     table: OnceLock<Table>,
 }
 
 impl RadialLens {
-    /// From k₁, k₂, … and p₁, p₂ of Brown's model (0 for a centred lens).
+    /// A lens from k₁, k₂, … and p₁, p₂ of Brown's model (0 for a centred lens).
     pub fn new(k: &[f64], tangential: [f64; 2]) -> Result<Self> {
         if let Some(bad) = k.iter().find(|c| c.is_nan() || c.abs() > FARTHEST) {
             return Err(Error::value("k", format!("coefficients of at most {}", number(FARTHEST)), number(*bad)));
@@ -43,12 +43,12 @@ impl RadialLens {
         Ok(Self { radial, tangential, reach, table: OnceLock::new() })
     }
 
-    /// Radius at which f folds, f′ = 0; +∞ where it never does.
+    /// Radius at which f folds (f′ = 0); +∞ if f never folds.
     pub fn r_max(&self) -> f64 {
         self.radial.r_max
     }
 
-    /// Radius of the disc in which no two points fall on one: r_max, or less with tangential terms.
+    /// Radius of a disc in which no two points have the same image: r_max, or less with tangential terms.
     pub fn reach(&self) -> f64 {
         self.reach
     }
@@ -58,7 +58,7 @@ impl RadialLens {
         self.radial.distort(r)
     }
 
-    /// f(r_max), or the greatest radius that is looked for.
+    /// f(r_max), or the greatest distorted radius that is searched for.
     pub fn x_max(&self) -> f64 {
         self.radial.x_max
     }
@@ -68,12 +68,13 @@ impl RadialLens {
         if x <= self.radial.x_max { self.radial.undistort(x) } else { f64::NAN }
     }
 
-    /// Greatest error of `InverseMethod::Table` as a share of r, and up to which x that table goes: beyond, Newton's method takes over.
+    /// Greatest error of `InverseMethod::Table` as a share of r, and the x at which that table ends. Beyond it,
+    /// Newton's method computes the inverse.
     pub fn table_bound(&self) -> (f64, f64) {
         self.table().map_or((0.0, f64::INFINITY), |table| (table.bound, table.end))
     }
 
-    /// Made on first use. Lenses that change nothing have none.
+    /// The table, created on first use. A lens without coefficients has none.
     pub(super) fn table(&self) -> Option<&Table> {
         (!self.radial.k.is_empty()).then(|| self.table.get_or_init(|| Table::new(&self.radial)))
     }

@@ -1,12 +1,13 @@
-//! The disc in which a lens maps no two points to one.
+//! The disc in which the lens map is injective.
 
 use super::polynomial;
 use super::solve::Radial;
 
-/// Radius of the largest disc in which a lens is known to map no two points to one.
+/// Radius of a disc in which the lens map is provably injective.
 ///
-/// A map of a convex set is one to one where the symmetric part of its Jacobian is positive. Here the radial part has the
-/// eigenvalues f(r)/r and f′(r), and the tangential part, 4 (p₁y + p₂x) ± 2|p|r, is never below −6|p|r.
+/// A map of a convex set is injective where the symmetric part of its Jacobian is positive definite. Here the radial
+/// part has the eigenvalues f(r)/r and f′(r), and the eigenvalues of the tangential part, 4 (p₁y + p₂x) ± 2|p|r, are
+/// never below −6|p|r.
 pub(super) fn reach(radial: &Radial, tangential: [f64; 2]) -> f64 {
     let p = tangential[0].hypot(tangential[1]);
     if p == 0.0 {

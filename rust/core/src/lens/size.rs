@@ -9,10 +9,11 @@ use super::radial::RadialLens;
 use crate::base::{Error, Result};
 use crate::bounds::{Seen, each_tile};
 
-/// Half angles, as shares of the way to 90° and to the fold, below which an area is the mean of the lens's magnification
-/// at seven places: what lies between these is 10⁻¹⁴ of it, and in a sum around the edge more would cancel.
+/// Half angle, as a share of the distance to 90° and to the fold, below which an area is computed from the mean of the
+/// lens's magnification at seven points. The error of this mean is 10⁻¹⁴ of it; the sum around the edge would lose more
+/// digits by cancellation.
 const SMALL_ANGLE: f64 = 2e-3;
-/// A sum around the edge is refined until it changes by less than this share of itself, or has that many parts.
+/// The sum around the edge is refined until its relative change is below `AREA_TOLERANCE` or it has `MOST_PARTS` parts.
 const AREA_TOLERANCE: f64 = 1e-13;
 const MOST_PARTS: usize = 1 << 12;
 
@@ -21,18 +22,18 @@ const MOST_PARTS: usize = 1 << 12;
 pub struct Sizes<'a> {
     /// The lens.
     pub lens: &'a RadialLens,
-    /// Position of the eye.
+    /// Position of the eye, metres.
     pub eye: DVec3,
-    /// Viewing direction of length 1: the lens's axis.
+    /// Unit viewing direction: the lens's axis.
     pub forward: DVec3,
-    /// Tangent of half the horizontal field of view, the larger side of it.
+    /// Tangent of half the horizontal field of view; the larger of its two sides.
     pub tan_omega: f64,
-    /// The area that is shown instead of the published product.
+    /// Whether to compute the exact area instead of the published product.
     pub exact: bool,
 }
 
-/// Solid angles in steradians of what is shown of each sphere. Those that reach 90° from the axis, or to where the lens
-/// folds, keep their own.
+/// Solid angles in steradians of the images of spheres. Spheres that extend to 90° from the axis or to the lens's fold
+/// keep their undistorted solid angle.
 pub fn corrected_solid_angles(sizes: &Sizes<'_>, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) -> Result<()> {
     if !(sizes.tan_omega > 0.0 && sizes.tan_omega.is_finite()) {
         return Err(Error::value("lens_radius", "a tangent above 0", sizes.tan_omega));
@@ -49,7 +50,7 @@ impl Sizes<'_> {
         }
     }
 
-    /// Half a block of spheres, so that both of their edges fill one.
+    /// Half a block of spheres: the two edges of each fill a block.
     fn of(&self, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) {
         let mut caps = [const { None }; LANES / 2];
         let mut roots = [0.0; LANES];
@@ -83,7 +84,7 @@ impl Sizes<'_> {
     }
 }
 
-/// Directions that a sphere covers: those within μ of its centre, which is α from the axis.
+/// The directions that a sphere covers: those within μ of its centre, which lies α from the axis.
 struct Cap<'a> {
     lens: &'a RadialLens,
     /// tan ω
@@ -120,24 +121,25 @@ impl<'a> Cap<'a> {
         [(one + other) / self.cos_far() / self.scale, (one - other) / self.cos_near() / self.scale]
     }
 
-    /// True where the lens's magnification is nearly constant over the sphere.
+    /// Whether the lens's magnification is nearly constant over the sphere.
     fn is_small(&self) -> bool {
         let [far, near] = self.edges();
         let room = self.lens.x_max() - far;
         self.sin_mu < SMALL_ANGLE * self.cos_far() && far - near < SMALL_ANGLE * room
     }
 
-    /// (α⁺ − α⁻) / 2μ with α± = atan(tan ω · f⁻¹(tan(α ± μ) / tan ω)), from the two roots.
+    /// (α⁺ − α⁻) / 2μ with α± = atan(tan ω · f⁻¹(tan(α ± μ) / tan ω)), where a and b are the two values of f⁻¹.
     fn stretch(&self, a: f64, b: f64) -> f64 {
-        // tan(α+μ) − tan(α−μ) = sin 2μ / (cos(α+μ) cos(α−μ)), and a − b is it over f's divided difference: nothing
-        // cancels for spheres as small as they come.
+        // tan(α+μ) − tan(α−μ) = sin 2μ / (cos(α+μ) cos(α−μ)), and a − b is this divided by tan ω and by the divided
+        // difference of f. In this form nothing cancels, however small the sphere is.
         let apart = 2.0 * self.sin_mu * self.cos_mu / (self.cos_far() * self.cos_near() * self.scale);
         let apart = apart / divided_difference(&self.lens.radial.k, a, b);
         let angle = (self.scale * apart).atan2(1.0 + self.scale * self.scale * a * b);
         angle / (2.0 * self.sin_mu.atan2(self.cos_mu))
     }
 
-    /// Area of what is shown: ∮ (1 − cos α′) dφ around its edge, by trapezoids of 2ⁿ equal parts of ψ. It is symmetric.
+    /// Area of the image: ∮ (1 − cos α′) dφ around its edge, by the trapezoidal rule with 2ⁿ equal steps of ψ. Symmetry
+    /// allows half the circle.
     fn area(&self) -> f64 {
         let mut parts = 8;
         let mut sum =
@@ -155,7 +157,8 @@ impl<'a> Cap<'a> {
         }
     }
 
-    /// Sum of (1 − cos α′) dφ/dψ = Q (x dy/dψ − y dx/dψ) with Q = (1 − cos α′) / sin² α, smooth on the axis, at some ψ.
+    /// Sum of (1 − cos α′) dφ/dψ = Q (x dy/dψ − y dx/dψ) over some ψ, with Q = (1 − cos α′) / sin² α, which is smooth
+    /// on the axis.
     fn around(&self, from: f64, step: f64, count: usize) -> f64 {
         let mut sum = 0.0;
         for first in (0..count).step_by(LANES) {
@@ -178,16 +181,18 @@ impl<'a> Cap<'a> {
         sum
     }
 
-    /// tan² of the angle from the axis of a direction given by its parts away from the axis, around it, and along the cap's.
+    /// tan² of the angle from the axis, for a direction given by its components away from the axis, around it, and
+    /// along the cap's centre.
     fn tan_square(&self, away: f64, around: f64, along: f64) -> f64 {
         let out = along * self.sin_alpha + away * self.cos_alpha;
         let ahead = along * self.cos_alpha - away * self.sin_alpha;
         (out * out + around * around) / (ahead * ahead)
     }
 
-    /// Mean of sin α′ dα′ / (sin α dα) over the cap, by Radon's rule for discs, exact for polynomials of degree 5.
+    /// Mean of sin α′ dα′ / (sin α dα) over the cap, by Radon's rule for discs, which is exact for polynomials of
+    /// degree 5.
     fn mean_magnification(&self) -> f64 {
-        // Equal areas: sin(θ/2) = share · sin(μ/2).
+        // An area-preserving map from the disc to the cap: sin(θ/2) = share · sin(μ/2).
         let half = self.sin_mu / (2.0 * (1.0 + self.cos_mu)).sqrt() * (2.0f64 / 3.0).sqrt();
         let (sine, cosine) = (2.0 * half * (1.0 - half * half).sqrt(), 1.0 - 2.0 * half * half);
         let mut squares = [self.tan_square(0.0, 0.0, 1.0); 7];
@@ -210,7 +215,7 @@ impl<'a> Cap<'a> {
     }
 }
 
-/// (f(a) − f(b)) / (a − b), from sums of aⁱbʲ.
+/// (f(a) − f(b)) / (a − b), as sums of aⁱbʲ.
 pub(super) fn divided_difference(k: &[f64], a: f64, b: f64) -> f64 {
     let (mut sum, mut power, mut total) = (1.0, 1.0, 1.0);
     for c in k {

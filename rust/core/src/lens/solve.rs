@@ -1,31 +1,31 @@
-//! One root of f(r) = x at a time: Newton's method inside a bracket that holds the root, so that it cannot leave it.
+//! One root of f(r) = x: Newton's method inside a bracket that contains the root.
 
 use super::exact::residual;
 use super::polynomial;
 
-/// Greatest radius that is shown or looked for, and greatest coefficient: fourth derivatives, and halves of products, do
-/// not overflow.
+/// Greatest radius and greatest coefficient. With these limits neither fourth derivatives nor the halves of products
+/// overflow.
 pub(super) const FARTHEST: f64 = 1e290;
-/// Steps of Newton's method before halving takes turns with it.
+/// Number of Newton steps after which bisection alternates with Newton's method.
 const NEWTON_STEPS: u32 = 20;
 
-/// f and what its inverse needs.
+/// f and the data that its inverse needs.
 #[derive(Clone, Debug)]
 pub(super) struct Radial {
     /// k₁, k₂, …
     pub k: Vec<f64>,
-    /// 1, 3k₁, 5k₂, …: f′ in r².
+    /// 1, 3k₁, 5k₂, …: coefficients of f′ in r².
     pub slope: Vec<f64>,
-    /// Where f stops rising; +∞ for lenses that never fold.
+    /// Radius at which f stops rising; +∞ for lenses without a fold.
     pub r_max: f64,
     /// f(r_max), rounded, or FARTHEST.
     pub x_max: f64,
-    /// Radius at which the first of the terms is as large as r itself; +∞ without terms.
+    /// Radius at which the first of the terms is as large as r; +∞ without terms.
     pub unit: f64,
 }
 
 impl Radial {
-    /// Finds where f′ = 0.
+    /// Finds the radius at which f′ = 0.
     pub fn new(k: &[f64]) -> Self {
         let count = k.iter().rposition(|&c| c != 0.0).map_or(0, |last| last + 1);
         let k = k[..count].to_vec();
@@ -34,13 +34,13 @@ impl Radial {
         let r_max = polynomial::first_zero(&slope).map_or(f64::INFINITY, f64::sqrt);
         let one = |(n, c): (usize, &f64)| if *c == 0.0 { f64::INFINITY } else { c.abs().powf(-0.5 / (n + 1) as f64) };
         let unit = k.iter().enumerate().map(one).fold(f64::INFINITY, f64::min);
-        // Where f overflows, so does its highest power: the search ends before it.
+        // If f(r_max) overflows, the search ends at FARTHEST.
         let end = if r_max.is_finite() { residual(&k, r_max, 0.0) } else { FARTHEST };
         let x_max = if end <= FARTHEST { end } else { FARTHEST };
         Self { k, slope, r_max, x_max, unit }
     }
 
-    /// f(r), right to a rounding.
+    /// f(r), correct to one rounding.
     pub fn distort(&self, r: f64) -> f64 {
         residual(&self.k, r, 0.0)
     }
@@ -70,20 +70,20 @@ impl Radial {
             if off == 0.0 {
                 return r;
             }
-            // Beyond all floats is too far as well.
+            // A residual that overflowed also means that r is too large.
             if off < 0.0 {
                 low = r;
             } else {
                 high = r;
             }
             let next = r - off / self.derivative(r);
-            // A step that rounds away ends it: r is the nearest float there is, or its neighbour.
+            // A step below one rounding ends the search: r is the float nearest to the root, or its neighbour.
             if next == r {
                 return r;
             }
             let middle = low + 0.5 * (high - low);
             let close = (next - r).abs() <= f64::EPSILON * r;
-            // Beside the fold a step is either short of the root or far beyond it; then the bracket is halved.
+            // Near the fold a Newton step may end outside the bracket; then the bracket is halved.
             let within = low < next && next < high;
             if middle <= low || middle >= high {
                 return self.better(low, high, x);
@@ -91,7 +91,7 @@ impl Radial {
             if within && close {
                 return self.better(r, next, x);
             }
-            // Where Newton's steps are still short after so many, the bracket halves at least every other time.
+            // If Newton's method has not converged after NEWTON_STEPS, every other step halves the bracket.
             r = if within && (step < NEWTON_STEPS || step % 2 == 0) { next } else { middle };
             step += 1;
         }

@@ -1,4 +1,5 @@
-//! σ′/σ of many spheres by the table of f⁻¹ (Liebisch 2021, Eq. 4.10–4.12).
+//! σ′/σ of many spheres from the table of f⁻¹ (Liebisch 2021, Eq. 4.10–4.12), with σ and σ′ the solid angles without
+//! and with the lens.
 
 use super::inverse::{LANES, cubic_block};
 use super::radial::RadialLens;
@@ -6,11 +7,12 @@ use super::size::divided_difference;
 use super::table::Table;
 use crate::base::simd::vectorized;
 
-/// Spheres of one block.
+/// Number of spheres in a block.
 pub const STRETCHED: usize = LANES;
-/// Greatest square for which the polynomials below hold.
+/// Greatest squared argument for which the polynomials below hold.
 const GREATEST_SQUARE: f64 = 0.2;
-/// atan(√t)/√t and asin(√t)/√t for t of 0..GREATEST_SQUARE, of least greatest error (Remez): below 2.4·10⁻¹².
+/// Minimax polynomials (Remez) of atan(√t)/√t and asin(√t)/√t for t from 0 to GREATEST_SQUARE. Their error is below
+/// 2.4·10⁻¹².
 const ATAN: [f64; 8] = [
     0.999_999_999_997_646_7,
     -0.333_333_331_825_106,
@@ -32,22 +34,23 @@ const ASIN: [f64; 8] = [
     0.028_520_557_448_714_78,
 ];
 
-/// Spheres as an eye sees them, side by side: as many of each number, and whole blocks of STRETCHED, of which the last may
-/// mean nothing in part.
+/// Spheres as seen from an eye, as arrays of equal length. The length is a multiple of STRETCHED; entries that pad the
+/// last block are meaningless.
 #[derive(Clone, Copy, Debug)]
 pub struct Spheres<'a> {
-    /// Sine of the centre's angle from the lens's axis, at least 0.
+    /// Sine of the angle between the centre and the lens's axis, at least 0.
     pub sin_alpha: &'a [f64],
-    /// Its cosine.
+    /// Cosine of the same angle.
     pub cos_alpha: &'a [f64],
-    /// Sine of half the angle that the sphere takes.
+    /// Sine of half the angle that the sphere subtends.
     pub sin_mu: &'a [f64],
-    /// Its cosine.
+    /// Cosine of the same angle.
     pub cos_mu: &'a [f64],
 }
 
 impl RadialLens {
-    /// (α⁺ − α⁻) / 2μ of each sphere, within 10⁻⁸ of itself; 1 for those that reach 90° or to where the lens folds.
+    /// (α⁺ − α⁻) / 2μ of each sphere, with a relative error of at most 10⁻⁸; 1 for spheres that extend to 90° or to the
+    /// lens's fold.
     pub fn stretches<'a>(&self, tan_omega: f64, spheres: &Spheres<'a>, to: &mut [f64]) {
         let Some(table) = self.table() else {
             to.fill(1.0);
@@ -67,7 +70,7 @@ impl RadialLens {
         }
     }
 
-    /// One of a block, by Newton's method.
+    /// The stretch of one sphere of a block, by Newton's method.
     fn stretch_one(&self, tan_omega: f64, block: &SphereBlock<'_>, n: usize) -> f64 {
         let (sa, ca, sm, cm) = (block.sin_alpha[n], block.cos_alpha[n], block.sin_mu[n], block.cos_mu[n]);
         let (cos_far, cos_near) = (ca * cm - sa * sm, ca * cm + sa * sm);
@@ -103,14 +106,14 @@ vectorized! {
     fn stretch(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LANES]) = stretch_block;
 }
 
-/// 0 where the table or the polynomials end, for others to settle.
+/// Stretches of a block. 0 marks spheres beyond the range of the table or the polynomials, which the caller solves.
 #[inline(always)]
 fn stretch_block(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LANES]) {
     let SphereBlock { sin_alpha, cos_alpha, sin_mu, cos_mu } = block;
     let (mut far, mut near, mut rise) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     let (mut good, mut behind) = ([false; LANES], [false; LANES]);
     for n in 0..LANES {
-        // Edges of the sphere: tan(α ± μ) / tan ω. One division serves both, and their distance.
+        // Edges of the sphere: tan(α ± μ) / tan ω. One division serves both edges and their distance.
         let (one, other) = (cos_alpha[n] * cos_mu[n], sin_alpha[n] * sin_mu[n]);
         let (cos_far, cos_near) = (one - other, one + other);
         let (out, in_) = (sin_alpha[n] * cos_mu[n], cos_alpha[n] * sin_mu[n]);
@@ -127,7 +130,7 @@ fn stretch_block(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LA
     for n in 0..LANES {
         b[n] = b[n].copysign(near[n]);
     }
-    // f's divided difference between the roots, as in `size`.
+    // The divided difference of f between the two roots, as in `size`.
     let (mut sum, mut power, mut total) = ([1.0; LANES], [1.0; LANES], [1.0; LANES]);
     for &c in lens.k {
         for n in 0..LANES {
@@ -139,7 +142,7 @@ fn stretch_block(lens: &LensBend<'_>, block: &SphereBlock<'_>, to: &mut [f64; LA
         }
     }
     for n in 0..LANES {
-        // tan of half of α⁺ − α⁻, over sin μ, from its sine and cosine times the divided difference.
+        // tan((α⁺ − α⁻)/2) / sin μ, from the sine and cosine of α⁺ − α⁻, both multiplied by the divided difference.
         let along = total[n] * (1.0 + lens.scale * lens.scale * (a[n] * b[n]));
         let across = rise[n] * sin_mu[n];
         let half = 1.0 / ((along * along + across * across).sqrt() + along);

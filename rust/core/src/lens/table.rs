@@ -1,45 +1,46 @@
-//! f⁻¹ as cubics between nodes, with a bound on what that costs.
+//! f⁻¹ as cubics between nodes, with an error bound.
 //!
-//! Nodes are floats whose mantissas end in zeros: the bits of x are its interval's number and its place in it. Their
-//! distance grows with x, as the curvature of f⁻¹ falls.
+//! Nodes are floats whose mantissas end in zeros, so the bits of x are the number of its interval followed by its
+//! position in the interval. The distance between nodes grows with x, while the curvature of f⁻¹ falls.
 
 use super::polynomial::{derivative, range, size};
 use super::solve::Radial;
 
-/// Largest error of the table, as a share of r: below 10⁻⁹ for all radii of headsets, up to 2.
+/// Greatest error of the table as a share of r. It keeps the error below 10⁻⁹ for radii of headsets, up to 2.
 const TOLERANCE: f64 = 5e-10;
-/// Largest error of a start for Newton's method, as a share of r.
+/// Greatest error of a start value for Newton's method, as a share of r.
 const START_TOLERANCE: f64 = 1e-5;
-/// Smallest and greatest binary logarithm of x in units of the lens. Below lies one interval; above are no nodes.
+/// Range of log₂ x, in units of the lens, that has nodes. One interval lies below it.
 const OCTAVES: std::ops::Range<i32> = -8..4;
-/// Binary logarithm of the number of intervals in an octave: the least of them that serves.
+/// log₂ of the number of intervals in an octave; the table uses the least number that meets the tolerance.
 const FINENESS: std::ops::RangeInclusive<u32> = 5..=9;
-/// Range in which a table should hold its tolerance: share of r_max, or multiple of the lens's unit.
+/// Radius up to which a table should meet its tolerance: a share of r_max or, without a fold, a multiple of the lens's
+/// unit.
 const WANTED_RANGE: (f64, f64) = (0.9, 4.0);
 
 const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
 
-/// Cubics for f⁻¹.
+/// Cubics that approximate f⁻¹.
 #[derive(Clone, Debug)]
 pub(super) struct Table {
-    /// c₀ + t (c₁ + t (c₂ + t c₃)) for t of 0..1 in each interval: at least one.
+    /// c₀ + t (c₁ + t (c₂ + t c₃)) for t from 0 to 1 in each interval; there is at least one.
     pub cubics: Vec<[f64; 4]>,
     /// End of the first interval, a power of two.
     pub first: f64,
-    /// Bits of `first`, shifted: what numbers start from.
+    /// Bits of `first`, shifted. The interval that begins at `first` has number 1.
     pub base: u64,
-    /// By how much bits are shifted to become numbers.
+    /// Number of bits by which the bits of x are shifted to give an interval number.
     pub shift: u32,
-    /// Below it cubics are within START_TOLERANCE.
+    /// Below this x the error is at most START_TOLERANCE.
     pub start_end: f64,
-    /// Below it they are within TOLERANCE.
+    /// Below this x the error is at most TOLERANCE.
     pub end: f64,
-    /// No cubic below `end` is off by more, as a share of r: a bound, not an estimate.
+    /// Upper bound of the error of all cubics below `end`, as a share of r.
     pub bound: f64,
 }
 
 impl Table {
-    /// With as many nodes as the tolerance asks for.
+    /// A table with the number of nodes that the tolerance requires.
     pub fn new(lens: &Radial) -> Self {
         let (share, multiple) = WANTED_RANGE;
         let wanted = if lens.r_max.is_finite() { share * lens.r_max } else { multiple * lens.unit };
@@ -82,14 +83,14 @@ impl Table {
             from = to;
         }
         if table.cubics.is_empty() {
-            // Kernels read one in any case; nothing lies before its end.
+            // Kernels always read one cubic; `end` is 0, so its value is not used.
             table.cubics.push([0.0; 4]);
         }
         table
     }
 }
 
-/// f⁻¹ and its slope somewhere.
+/// f⁻¹ and its slope at a node.
 struct InverseNode {
     x: f64,
     r: f64,
@@ -110,7 +111,7 @@ fn cubic(from: &InverseNode, to: &InverseNode) -> [f64; 4] {
     [from.r, one, 3.0 * rise - 2.0 * one - other, one + other - 2.0 * rise]
 }
 
-/// f′ … f⁗ as polynomials in r.
+/// f′ to f⁗ as polynomials in r.
 struct Derivatives([Vec<f64>; 4]);
 
 impl Derivatives {
@@ -127,18 +128,19 @@ impl Derivatives {
         Self([first, second, third, fourth])
     }
 
-    /// Greatest error of Hermite's cubic as a share of r: x² (h−x)² max |g⁗| / 24 of g = f⁻¹, whose fourth derivative is
-    /// −(15 f″³ − 10 f′f″f‴ + f′²f⁗) / f′⁷, and four roundings of the result.
+    /// Greatest error of Hermite's cubic as a share of r: x² (h−x)² max |g⁗| / 24 with g = f⁻¹ and h the interval's
+    /// width, plus four roundings of the result. g⁗ = −(15 f″³ − 10 f′f″f‴ + f′²f⁗) / f′⁷.
     fn bound(&self, from: &InverseNode, to: &InverseNode) -> f64 {
         let Self([first, second, third, fourth]) = self;
-        // Nodes are right to a rounding; the interval is widened by more than that.
+        // Nodes are correct to one rounding; the interval is widened by more than that.
         let (low, high) = (from.r * (1.0 - 1e-14), to.r * (1.0 + 1e-14));
         let steepness = size(first, low, high);
         let (two, three, four) = (size(second, low, high), size(third, low, high), size(fourth, low, high));
         let above = 15.0 * two.powi(3) + 10.0 * steepness * two * three + steepness * steepness * four;
         let below = range(first, low, high).0.max(0.0).powi(7);
         let width = to.x - from.x;
-        // At most h⁴/16 of x² (h−x)², over the least r; from zero on, 4h³/27 of it over x, and r ≥ x / max f′.
+        // x² (h−x)² is at most h⁴/16, divided by the least r. For an interval from zero, x² (h−x)²/x is at most 4h³/27,
+        // and r ≥ x / max f′.
         let greatest =
             if from.x > 0.0 { width.powi(4) / 16.0 / from.r } else { 4.0 / 27.0 * width.powi(3) * steepness };
         greatest / 24.0 * above / below + 4.0 * f64::EPSILON

@@ -1,11 +1,11 @@
-//! f⁻¹ against f in twice the digits, where vectors settle it and where they don't.
+//! Tests of f⁻¹ against f in twice the digits, for the vector kernels and for the scalar search.
 
 use proptest::prelude::*;
 
 use super::exact::residual;
 use super::*;
 
-/// Whether r is the root: either its residual is below two ulps, or its neighbours lie on both sides of it.
+/// Whether r is the root: its residual is below two ulps, or its neighbours lie on both sides of the root.
 fn is_root(k: &[f64], r: f64, x: f64) -> bool {
     let ulp = x.abs() * f64::EPSILON;
     residual(k, r, x).abs() <= 2.0 * ulp || residual(k, r.next_down(), x) <= 0.0 && residual(k, r.next_up(), x) >= 0.0

@@ -1,4 +1,4 @@
-//! Pictures through lenses, and pictures that lenses put right.
+//! Warped pictures: distortion as a lens shows it, and the inverse distortion that a lens undoes.
 
 use std::ops::Range;
 
@@ -13,17 +13,17 @@ use crate::camera::Fov;
 /// Interpolation between pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WarpFilter {
-    /// Bilinear, of four pixels.
+    /// Bilinear, from four pixels.
     Linear,
-    /// Bicubic, of sixteen pixels: Catmull and Rom's cubics (Keys, a = −1/2).
+    /// Bicubic, from sixteen pixels: Catmull and Rom's cubics (Keys, a = −1/2).
     Cubic,
 }
 
-/// A value of a picture.
+/// The type of a picture's values.
 pub trait WarpPixel: Copy + Send + Sync {
-    /// The same value.
+    /// Converts to float64, without error.
     fn wide(self) -> f64;
-    /// The nearest one there is.
+    /// The nearest value of this type.
     fn nearest(value: f64) -> Self;
 }
 
@@ -41,7 +41,7 @@ macro_rules! pixel {
         }
     )*};
 }
-// Casts saturate, so that cubics which overshoot stay black or white.
+// Casts saturate, so a cubic's overshoot stays black or white.
 pixel! {
     u8: v => v.round_ties_even() as u8;
     u16: v => v.round_ties_even() as u16;
@@ -49,51 +49,51 @@ pixel! {
     f64: v => v
 }
 
-/// Rows of pixels with their channels side by side.
+/// Rows of pixels with interleaved channels.
 #[derive(Clone, Copy, Debug)]
 pub struct Image<'a, P> {
     /// All values.
     pub values: &'a [P],
-    /// Pixels across.
+    /// Width, pixels.
     pub width: usize,
-    /// Pixels down.
+    /// Height, pixels.
     pub height: usize,
-    /// Values of a pixel.
+    /// Number of values per pixel.
     pub channels: usize,
 }
 
-/// Fields of view of both pictures, as tangents from the lens's axis.
+/// Fields of view of the source and the target picture, as tangents from the lens's axis.
 #[derive(Clone, Copy, Debug)]
 pub struct WarpView {
-    /// Field of view of the picture that is read.
+    /// Field of view of the source picture.
     pub from: Fov,
-    /// Field of view of the picture that is made.
+    /// Field of view of the target picture.
     pub to: Fov,
     /// Tangent at which r = 1.
     pub tan_omega: f64,
-    /// Pixels are shown at f(r), as the lens does it; else at f⁻¹(r), so that the lens puts them right.
+    /// If true, a pixel at r is shown at f(r), as the lens does it; otherwise at f⁻¹(r), so that the lens undoes it.
     pub distort: bool,
 }
 
 impl WarpView {
-    /// Radii 1 apart, in pixels of a picture of that field of view: across and down.
+    /// Pixels per unit of r in a picture with that field of view: across and down.
     pub(super) fn density(&self, fov: &Fov, width: usize, height: usize) -> [f64; 2] {
         [width as f64 / (fov.right - fov.left), height as f64 / (fov.up - fov.down)].map(|each| each * self.tan_omega)
     }
 
-    /// Place in units of the lens, y up, of shares of the made picture, from its top left corner.
+    /// Position in units of the lens, y up, of a point given as fractions from the target picture's top left corner.
     pub(super) fn place(&self, across: f64, down: f64) -> [f64; 2] {
         let Fov { left, right, down: bottom, up } = self.to;
         [(left + across * (right - left)) / self.tan_omega, (up - down * (up - bottom)) / self.tan_omega]
     }
 
-    /// Shares of the picture that is read, from its top left corner.
+    /// Fractions from the source picture's top left corner of a position in units of the lens.
     pub(super) fn share(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let Fov { left, right, down, up } = self.from;
         [(x * self.tan_omega - left) / (right - left), (up - y * self.tan_omega) / (up - down)]
     }
 
-    /// Source of each place of the made picture; NaN where there is none.
+    /// Position in the source picture of each point of the target picture; NaN if there is none.
     pub(super) fn sources(&self, lens: &RadialLens, places: &[[f64; 2]], to: &mut [[f64; 2]]) -> Result<()> {
         if !self.distort {
             return lens.distort_points(places, to, false);
@@ -108,7 +108,8 @@ impl WarpView {
     }
 }
 
-/// Makes a picture row by row. `lenses` are one, or one for each channel; what shows nothing of the image is `fill`.
+/// Produces the target picture row by row. `lenses` holds one lens, or one per channel. Pixels without a source are
+/// `fill`.
 pub fn warp<P: WarpPixel>(
     lenses: &[RadialLens],
     image: &Image<'_, P>,
@@ -137,7 +138,7 @@ pub fn warp<P: WarpPixel>(
 }
 
 vectorized! {
-    /// Writes some channels of a row of pixels that come from shares of an image.
+    /// Writes some channels of a row of pixels; `shares` are their positions in the image as fractions.
     fn mix_row<P: WarpPixel>(
         image: &Image<'_, P>,
         shares: &[[f64; 2]],
@@ -163,7 +164,7 @@ fn mix<P: WarpPixel>(
     }
 }
 
-/// Mixes pixels by the weights of a fraction.
+/// Mixes pixels with weights that are a function of the fractional position.
 #[inline(always)]
 fn mix_by<P: WarpPixel, const N: usize>(
     weights: impl Fn(f64) -> [f64; N],
@@ -185,14 +186,14 @@ fn mix_by<P: WarpPixel, const N: usize>(
 }
 
 impl<P: WarpPixel> Image<'_, P> {
-    /// Column and row, 0 at the first centres, of shares of the picture; `None` beside it.
+    /// Column and row of a position given as fractions, 0 at the first centres; `None` outside the picture.
     #[inline(always)]
     fn place(&self, [across, down]: [f64; 2]) -> Option<[f64; 2]> {
         let within = (0.0..=1.0).contains(&across) && (0.0..=1.0).contains(&down);
         within.then_some([across * self.width as f64 - 0.5, down * self.height as f64 - 0.5])
     }
 
-    /// Values of some channels at a place. Beyond the outermost centres the outermost pixels go on.
+    /// Values of some channels at a position. Beyond the outermost centres the outermost pixels are repeated.
     #[inline(always)]
     fn mix<const N: usize>(&self, [x, y]: [f64; 2], first: usize, [across, down]: [[f64; N]; 2], to: &mut [P]) {
         let (mut columns, mut rows) = ([0; N], [0; N]);
@@ -214,7 +215,7 @@ impl<P: WarpPixel> Image<'_, P> {
     }
 }
 
-/// Number of one of the N pixels around a place.
+/// Index of the n-th of the N pixels around a position.
 #[inline(always)]
 fn neighbour<const N: usize>(at: f64, n: usize, size: usize) -> usize {
     let number = at.floor() as isize + n as isize - (N as isize / 2 - 1);
@@ -227,7 +228,7 @@ fn linear_weights(t: f64) -> [f64; 2] {
     [1.0 - t, t]
 }
 
-/// Keys (1981), a = −1/2: weights of the pixels at −1, 0, 1 and 2.
+/// Weights of the pixels at −1, 0, 1 and 2: Keys (1981), a = −1/2.
 #[inline(always)]
 fn cubic_weights(t: f64) -> [f64; 4] {
     let (square, cube) = (t * t, t * t * t);

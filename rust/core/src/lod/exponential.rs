@@ -1,15 +1,16 @@
 //! The exponential function in plain arithmetic.
 
-/// Beyond ±700 the exponential overflows soon, and the logistic function is 0 or 1 to 300 digits.
+/// Greatest |t|: little beyond ±700 the exponential overflows, and the logistic function is 0 or 1 to 300 digits.
 const FARTHEST: f64 = 700.0;
 
-/// e^t for |t| ≤ 700, to 2 units in the last place: t = n ln 2 + r, and Taylor's series of e^r, |r| ≤ ln 2/2, whose
-/// term after the last is below 2⁻⁵⁷. In plain arithmetic, so that it becomes vectors and has the same bits everywhere.
+/// e^t for |t| ≤ 700, with an error of at most 2 units in the last place. t = n ln 2 + r with |r| ≤ ln 2/2; the first
+/// omitted term of Taylor's series of e^r is below 2⁻⁵⁷. Plain arithmetic lets the compiler vectorise it and gives the
+/// same bits on every machine.
 #[inline(always)]
 pub(super) fn exp(t: f64) -> f64 {
-    /// Adding it leaves a number rounded to a whole one in the lowest bits.
+    /// 1.5 · 2⁵². Adding it to a number leaves the nearest whole number in the lowest bits.
     const WHOLE: f64 = 6_755_399_441_055_744.0;
-    /// ln 2 in two parts; multiples of the first by up to 11 bits are exact.
+    /// ln 2 as the sum of two parts; products of the first part with numbers of up to 11 bits are exact.
     const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
     const TAYLOR: [f64; 14] = [
         1.0,

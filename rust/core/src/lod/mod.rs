@@ -1,5 +1,5 @@
-//! Levels of detail: `simplify` makes coarser surfaces, `fit` puts curves of four parameters through samples of a level's
-//! quality over its size, `select` chooses each object's level by them.
+//! Levels of detail: `simplify` makes coarser surfaces, `fit` finds curves with four parameters of a level's quality as
+//! a function of its size, `select` chooses each object's level by these curves.
 //!
 //! Liebisch: Perceptual level of detail for head-mounted displays, 2021; y = d + (a−d)/(1+(x/c)^b).
 

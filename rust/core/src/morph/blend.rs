@@ -1,31 +1,30 @@
-//! The block kernel of `Kind::Blend`: a form of Eq. 1–3 in the points' own precision that adds a small shift to each.
+//! The block kernel of `Kind::Blend`: Eq. 1–3 in the points' own precision, as a small shift of each point.
 //!
-//! With A = |P−U|, B = |P−O|, v = U−O, e = (A−B)², h = w(1−w)/(AB) and n² = 1 − h(|v|²−e) (the squared length of the
-//! blend of both directions), Q = P + α (P−O) + β v, where α = h(e + (|v|²−e)/(1+n))/n and
-//! β = 1 − w(w + (1−w)B/A)/n.
+//! With A = |P−U|, B = |P−O|, v = U−O, e = (A−B)², h = w(1−w)/(AB) and n² = 1 − h(|v|²−e), the squared length of the
+//! blend of both directions, Q = P + α (P−O) + β v. Here α = h(e + (|v|²−e)/(1+n))/n and β = 1 − w(w + (1−w)B/A)/n.
 //!
-//! Both terms are of the size of |v|, so that rounding is relative to the user's offset, not to the distance. Points
-//! near a radius, near the user or near opposition leave n or the choice of zone in doubt.
+//! Both terms have the size of |v|, so rounding is relative to the user's offset, not to the distance. For points near
+//! a radius, near the user or near opposition, rounding leaves n or the choice of zone in doubt.
 
 use super::lanes::{BLOCK, BlendLimits, BlockCoordinates, gather, scatter};
 use super::point::Morph;
 use crate::base::Real;
 
-/// Greatest r₂/(r₂−r₁): a float32 weight w loses that factor of its digits; beyond, everything is done in float64.
+/// Greatest r₂/(r₂−r₁). Rounding of a float32 weight w grows by this factor; above the limit the morph uses float64.
 const GREATEST_STEEPNESS: f64 = 16.0;
 
-/// True where the kernel may be used: lengths neither overflow nor lose digits.
+/// Whether the kernel may be used: no length overflows or loses digits.
 pub(super) fn applies<T: BlendLimits>(morph: &Morph) -> bool {
     let [least, greatest] = T::LENGTHS;
     let in_range = morph.r2 > least && morph.r2 < greatest && morph.offset.length() < greatest;
-    // Two float32 numbers hold O to 2⁻⁴⁸ of its size, which must stay far below the doubt about the inner radius.
+    // Two float32 numbers represent O to 2⁻⁴⁸ of its length, which must stay far below `DOUBT` of the inner radius.
     let in_range = in_range && morph.center.length() < 1e6 * if morph.r1 > 0.0 { morph.r1 } else { morph.r2 };
     in_range && morph.r2 < GREATEST_STEEPNESS * (morph.r2 - morph.r1)
 }
 
 /// Constants of the kernel, in the precision of the points.
 pub(super) struct Constants<T> {
-    /// O as the sum of two numbers: float32 alone would be off by metres at 10⁷ m.
+    /// O as the sum of two numbers: one float32 would be wrong by up to half a metre at 10⁷ m.
     center: [[T; 3]; 2],
     offset: [T; 3],
     offset_squared: T,
@@ -33,7 +32,7 @@ pub(super) struct Constants<T> {
     r2: T,
     /// 1 / (r₂−r₁).
     slope: T,
-    /// Squared radii, each lowered and raised by what the points' own rounding leaves in doubt.
+    /// Squared radii, each lowered and raised by the points' rounding error.
     inner: [T; 2],
     outer: [T; 2],
 }
@@ -56,7 +55,7 @@ impl<T: BlendLimits> Constants<T> {
     }
 }
 
-/// Morphs a block; one bit for each point whose answer is in doubt.
+/// Morphs a block. Returns one bit for each point in doubt.
 #[inline(always)]
 pub(super) fn block<T: Real>(c: &Constants<T>, points: &[[T; 3]; BLOCK], shown: &mut [[T; 3]; BLOCK]) -> u64 {
     let coordinates = gather(points);
@@ -93,7 +92,7 @@ pub(super) fn block<T: Real>(c: &Constants<T>, points: &[[T; 3]; BLOCK], shown: 
     doubts
 }
 
-/// Replaces the shifted points of a block by the original or the blended ones where these hold.
+/// Chooses the original, the blended or the shifted position of each point, by its zone.
 #[inline(always)]
 fn blend<T: Real>(
     c: &Constants<T>,
@@ -110,7 +109,7 @@ fn blend<T: Real>(
         let b_squared = x * x + y * y + z * z;
         let (a, b) = (a_squared.sqrt(), b_squared.sqrt());
         let (sum, product) = (a + b, a * b);
-        // One division gives both 1/(A+B) and 1/(AB); a height whose square overflows leaves 0.
+        // One division gives both 1/(A+B) and 1/(AB). If the square of a height overflows, both are 0.
         let both = T::one() / (sum * product);
         let along = x * c.offset[0] + y * c.offset[1] + z * c.offset[2];
         let difference = (c.offset_squared - along - along) * (product * both);

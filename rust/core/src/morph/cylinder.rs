@@ -1,5 +1,5 @@
-//! The block kernel of `Kind::Cylinder`, and of whatever the blend's cannot do in the points' precision: the scalar
-//! form in float64, without its branches. Points whose directions are nearly opposed are in doubt.
+//! The block kernel of `Kind::Cylinder`, and of blends outside the limits of the kernel `blend`: the scalar form in
+//! float64, without branches. Points with nearly opposed directions are in doubt.
 
 use super::lanes::{BLOCK, BlockCoordinates, gather, scatter};
 use super::point::{Kind, Morph};
@@ -8,7 +8,7 @@ use crate::base::Real;
 /// Length of a blend of unit vectors below which the scalar form decides.
 const SHORTEST_BLEND: f64 = 1e-6;
 
-/// Morphs a block; one bit for each point whose answer is in doubt.
+/// Morphs a block. Returns one bit for each point in doubt.
 #[inline(always)]
 pub(super) fn block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], shown: &mut [[T; 3]; BLOCK]) -> u64 {
     let coordinates = gather(points);
@@ -47,7 +47,7 @@ pub(super) fn block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], shown: &mu
         moved[0][i] = T::narrow(if shifts { sx } else { qx });
         moved[1][i] = T::narrow(if shifts { sy } else { qy });
         moved[2][i] = T::narrow(if shifts { sz } else { qz });
-        // NaN, where a length is 0, is not greater either.
+        // Where a length is 0 the comparison is with NaN and fails, which marks the point as doubtful.
         doubtful[i] = !((w == 1.0) | shifts | (length > SHORTEST_BLEND));
         let stays = w == 1.0;
         moved[0][i] = if stays { coordinates[0][i] } else { moved[0][i] };

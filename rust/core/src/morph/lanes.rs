@@ -1,15 +1,15 @@
-//! Blocks of points, coordinate by coordinate.
+//! Blocks of points, sorted by coordinate.
 
 use crate::base::Real;
 
-/// Points that share a decision; their temporaries stay in the first-level cache.
+/// Number of points in a block. The block's temporaries fit in the first-level cache.
 pub(super) const BLOCK: usize = 64;
 
-/// Limits within which a precision keeps the digits of the blend morph.
+/// Limits within which a floating-point type is precise enough for the blend kernel.
 pub(super) trait BlendLimits: Real {
-    /// Relative error of squared distances that two roundings of each coordinate can cause, generously.
+    /// Upper bound of the relative error of squared distances that two roundings of each coordinate cause.
     const DOUBT: f64;
-    /// Squares of lengths within these bounds neither overflow nor lose digits.
+    /// Lengths between these bounds have squares that neither overflow nor lose digits.
     const LENGTHS: [f64; 2];
 }
 
@@ -23,7 +23,7 @@ impl BlendLimits for f64 {
     const LENGTHS: [f64; 2] = [1e-50, 1e50];
 }
 
-/// Coordinates of a block by axis.
+/// Coordinates of a block, sorted by axis.
 pub(super) type BlockCoordinates<T> = [[T; BLOCK]; 3];
 
 #[inline(always)]

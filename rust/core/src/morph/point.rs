@@ -4,25 +4,25 @@ use glam::{DVec2, DVec3};
 
 use crate::base::{Error, Result};
 
-/// Rule for the distance at which a point is shown along its morphed direction.
+/// Rule for the distance at which a point is shown in its morphed direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// At the blend of its distances from the user and from the centre (2022).
+    /// The blend of its distances from the user and from the centre (2022).
     Blend,
-    /// Where that direction leaves the vertical cylinder on which the point lies (CloVR).
+    /// The distance at which the direction leaves the vertical cylinder on which the point lies (CloVR).
     Cylinder,
 }
 
-/// A morph for one position of the user.
+/// The morph for one position of the user.
 #[derive(Clone, Copy, Debug)]
 pub struct Morph {
     /// The user's eye U.
     pub user: DVec3,
     /// The centre O, on the axis of both cylinders.
     pub center: DVec3,
-    /// Points with ρ ≤ r₁ stay (CloVR: Rₙ).
+    /// r₁: points with ρ ≤ r₁ are not moved (CloVR: Rₙ).
     pub r1: f64,
-    /// Points with ρ ≥ r₂ are shown in the direction that the centre sees them in (CloVR: R).
+    /// r₂: points with ρ ≥ r₂ are shown in the direction in which the centre sees them (CloVR: R).
     pub r2: f64,
     /// Rule for the distance along the direction.
     pub kind: Kind,
@@ -30,23 +30,24 @@ pub struct Morph {
     pub(super) offset: DVec3,
 }
 
-/// Morphed position of a point, with the weight that led to it.
+/// Morphed position of a point, and the weight used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Morphed {
-    /// The point Q that is shown.
+    /// The position Q at which the point is shown.
     pub point: DVec3,
     /// Weight w of the user's view: 1 inside r₁, 0 beyond r₂.
     pub weight: f64,
-    /// User and centre see the point in opposite directions, so that their blend has none: the user's was taken.
-    /// It happens only where the user has left the near cylinder.
+    /// Whether user and centre see the point in opposite directions, so that the blend has no direction and the user's
+    /// is used. This happens only to users outside the near cylinder.
     pub opposed: bool,
 }
 
-/// A blend of two unit vectors below this length has fewer than four digits left.
+/// Least length of a usable blend of two unit vectors; shorter blends have fewer than four correct digits.
 const OPPOSED: f64 = 1e-12;
 
 impl Morph {
-    /// Checks 0 ≤ r₁ < r₂ and that everything is finite. `Kind::Cylinder` also takes r₁ = r₂ = 0: w is 0 everywhere.
+    /// Checks 0 ≤ r₁ < r₂ and that all numbers are finite. `Kind::Cylinder` also accepts r₁ = r₂ = 0, which means w = 0
+    /// everywhere.
     pub fn new(user: DVec3, center: DVec3, r1: f64, r2: f64, kind: Kind) -> Result<Self> {
         for (argument, value) in [("user", user), ("center", center)] {
             if !value.is_finite() {
@@ -68,7 +69,7 @@ impl Morph {
         self.examine(point).point
     }
 
-    /// The weight w of the user's view at distance ρ from the axis.
+    /// Weight w of the user's view at distance ρ from the axis.
     #[inline]
     pub fn weight(&self, rho: f64) -> f64 {
         if self.r2 == 0.0 {
@@ -77,7 +78,7 @@ impl Morph {
         ((self.r2 - rho) / (self.r2 - self.r1)).clamp(0.0, 1.0)
     }
 
-    /// Morphed position of a point, with its weight and whether its directions were opposed.
+    /// Morphed position of a point, its weight, and whether its directions were opposed.
     pub fn examine(&self, point: DVec3) -> Morphed {
         let from_center = point - self.center;
         let rho = DVec2::new(from_center.x, from_center.z).length();
@@ -90,7 +91,7 @@ impl Morph {
         }
         let from_user = from_center - self.offset;
         let (direction, opposed) = blended_direction(from_user, from_center, weight);
-        // Eq. 2: the distance at which the point is shown.
+        // Eq. 2: the blended distance.
         let blended = weight * from_user.length() + (1.0 - weight) * from_center.length();
         let distance = match self.kind {
             Kind::Blend => blended,
@@ -99,8 +100,8 @@ impl Morph {
         Morphed { point: self.center + (self.offset + distance * direction), weight, opposed }
     }
 
-    /// Distance along a unit direction at which the user is shown what the centre sees in that direction, at this
-    /// distance from it and beyond r₂ (w = 0).
+    /// Distance from the user, along a unit direction, at which a point beyond r₂ (w = 0) is shown. The centre sees the
+    /// point in the same direction at distance `from_center`.
     pub fn far_distance(&self, direction: DVec3, from_center: f64) -> f64 {
         if self.kind == Kind::Blend || !from_center.is_finite() {
             return from_center;
@@ -110,7 +111,7 @@ impl Morph {
     }
 }
 
-/// Eq. 1: the direction of w d_U + (1−w) d_O. A point at the eye itself has none from there and takes the centre's.
+/// Eq. 1: the direction of w d_U + (1−w) d_O. For a point at the user's eye d_U is undefined and d_O is used.
 fn blended_direction(from_user: DVec3, from_center: DVec3, weight: f64) -> (DVec3, bool) {
     let (seen_by_user, seen_by_center) = (from_user.normalize_or_zero(), from_center.normalize_or_zero());
     let blend = weight * seen_by_user + (1.0 - weight) * seen_by_center;
@@ -121,8 +122,9 @@ fn blended_direction(from_user: DVec3, from_center: DVec3, weight: f64) -> (DVec
     (seen_by_user, seen_by_user != DVec3::ZERO)
 }
 
-/// Distance from `start` (relative to the axis) along a unit direction to where it leaves the cylinder of radius ρ;
-/// none where it starts outside or never leaves. The larger root of a t² + 2 b t + c in the form that does not cancel.
+/// Distance from `start` (relative to the axis) along a unit direction to the exit from the cylinder of radius ρ.
+/// `None` if the start lies outside or the direction never leaves. It is the larger root of a t² + 2 b t + c, in the
+/// form that does not cancel.
 fn leave_cylinder(start: DVec3, direction: DVec3, rho: f64) -> Option<f64> {
     let (start, direction) = (DVec2::new(start.x, start.z), DVec2::new(direction.x, direction.z));
     let start_rho = start.length();
@@ -132,7 +134,7 @@ fn leave_cylinder(start: DVec3, direction: DVec3, rho: f64) -> Option<f64> {
     let a = direction.length_squared();
     let b = direction.dot(start);
     let c = (start_rho - rho) * (start_rho + rho);
-    // c < 0 inside the cylinder, so that the discriminant is not negative.
+    // Inside the cylinder c < 0, so the discriminant is not negative.
     let q = (b * b - a * c).sqrt();
     Some(if b > 0.0 { -c / (b + q) } else { (q - b) / a })
 }

@@ -1,5 +1,4 @@
-//! The morph of long arrays: blocks of points run through kernels that the compiler turns into vectors; what these
-//! leave in doubt is morphed point by point.
+//! The morph of long arrays. Vector kernels morph blocks of points; points in doubt are morphed one by one.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -12,44 +11,43 @@ use super::{blend, cylinder};
 use crate::base::Real;
 use crate::base::simd::{prefetch, vectorized};
 
-/// Points of one task.
+/// Number of points in one task.
 const TILE: usize = 1 << 14;
-/// Blocks between the one at work and the one that is prefetched: a block is hundreds of instructions, behind which the
-/// next one's loads would wait. It saves a fifth of the time.
+/// Number of blocks by which the prefetch runs ahead of the computation. Without it the loads of the next block would
+/// wait behind the hundreds of instructions of this block. It saves a fifth of the time.
 const PREFETCHED_BLOCKS: usize = 4;
 
 vectorized! {
-    /// Morphs a block in the points' precision; returns a bit for each point in doubt.
+    /// Morphs a block in the points' precision. Returns one bit for each point in doubt.
     pub(super) fn blend_block<T: Real>(
         constants: &blend::Constants<T>,
         points: &[[T; 3]; BLOCK],
         shown: &mut [[T; 3]; BLOCK],
     ) -> u64 = blend::block;
-    /// Morphs a block in float64; returns a bit for each point in doubt.
+    /// Morphs a block in float64. Returns one bit for each point in doubt.
     fn cylinder_block<T: Real>(morph: &Morph, points: &[[T; 3]; BLOCK], shown: &mut [[T; 3]; BLOCK]) -> u64
         = cylinder::block;
 }
 
 impl Morph {
-    /// Morphs float32 points: half a float32 step of the answer and 2⁻²⁴ (6 + 3 r₂/(r₂−r₁)) |U−O| from the exact
-    /// answer at most, where the directions are not opposed. Inside r₁ they keep their bits; beyond r₂ they are
-    /// U + P − O, rounded once.
-    /// Points with NaN give NaN. Returns the number of opposed points. Both slices have one length.
+    /// Morphs float32 points. Where directions are not opposed, the error is at most half a float32 step of the result
+    /// plus 2⁻²⁴ (6 + 3 r₂/(r₂−r₁)) |U−O|. Points inside r₁ keep their bits; points beyond r₂ are U + P − O, rounded
+    /// once. Points with NaN give NaN. Returns the number of opposed points. Both slices have the same length.
     pub fn apply_all_f32(&self, points: &[[f32; 3]], shown: &mut [[f32; 3]]) -> u64 {
         apply_all(self, points, shown)
     }
 
-    /// The same for float64 points, where each step is a float64 one.
+    /// Morphs float64 points, with the same bounds for float64 steps.
     pub fn apply_all_f64(&self, points: &[[f64; 3]], shown: &mut [[f64; 3]]) -> u64 {
         apply_all(self, points, shown)
     }
 }
 
-/// Morphs all points in tiles on the current pool; the number of opposed ones.
+/// Morphs all points in tiles on the current thread pool. Returns the number of opposed points.
 fn apply_all<T: BlendLimits>(morph: &Morph, points: &[[T; 3]], shown: &mut [[T; 3]]) -> u64 {
     assert_eq!(points.len(), shown.len(), "as many results as points");
     if morph.offset == DVec3::ZERO {
-        // From the centre nothing moves.
+        // If user and centre coincide, no point moves.
         points.par_chunks(TILE).zip(shown.par_chunks_mut(TILE)).for_each(|(from, to)| to.copy_from_slice(from));
         return 0;
     }
@@ -78,7 +76,7 @@ fn in_tiles<T: BlendLimits>(
             count += resolve(morph, kernel(block, shown), block, shown);
         }
         if let Some(&first) = rest.first() {
-            // Padded to a block: a point's answer does not depend on its place.
+            // The rest is padded to a block: a point's result does not depend on its position in the block.
             let mut block = [first; BLOCK];
             let mut shown = block;
             block[..rest.len()].copy_from_slice(rest);
@@ -91,7 +89,7 @@ fn in_tiles<T: BlendLimits>(
     opposed.into_inner()
 }
 
-/// Morphs the points of a block that are in doubt one by one.
+/// Morphs the points of a block that are in doubt one by one. Returns the number of opposed points.
 fn resolve<T: Real>(morph: &Morph, mut doubts: u64, points: &[[T; 3]], shown: &mut [[T; 3]]) -> u64 {
     let mut opposed = 0;
     while doubts != 0 {

@@ -10,7 +10,7 @@ fn blend(user: DVec3, center: DVec3) -> Morph {
     Morph::new(user, center, 30.0, 50.0, Kind::Blend).unwrap()
 }
 
-/// Eq. 1–3 as printed, in the frame of the centre.
+/// Eq. 1–3 as printed, relative to the centre.
 fn printed(morph: &Morph, p: DVec3) -> DVec3 {
     let u = morph.user - morph.center;
     let rho = p.x.hypot(p.z);
@@ -29,7 +29,7 @@ proptest! {
         let morph = blend(o + u, o);
         let expected = printed(&morph, p);
         let shown = morph.apply(o + p) - o;
-        // A dozen roundings at coordinates of 10³, w amplified by r₂/(r₂−r₁) = 2.5.
+        // A dozen roundings at coordinates of 10³ m; the error of w grows by r₂/(r₂−r₁) = 2.5.
         prop_assert!((shown - expected).length() < 1e-11, "{shown} {expected}");
     }
 
@@ -45,7 +45,7 @@ proptest! {
             let exact = morph.apply(DVec3::from_array(point.map(f64::from)));
             for axis in 0..3 {
                 let step = f64::from((exact[axis] as f32).abs().next_up() - (exact[axis] as f32).abs());
-                // The documented bound; 4e-9 for the float64 oracle's own rounding at 10⁷.
+                // The documented bound, plus 4e-9 m for the float64 oracle's own rounding at 10⁷ m.
                 let bound = 0.5 * step + 2f64.powi(-24) * (6.0 + 3.0 * 2.5) * u.length() + 4e-9;
                 prop_assert!((f64::from(shown[axis]) - exact[axis]).abs() <= bound, "{point:?} {shown:?} {exact}");
             }
@@ -68,7 +68,7 @@ proptest! {
     fn both_kinds_of_wide_blocks_agree_with_the_scalar_form(
         p in prop::collection::vec(point(70.0), 1..200), u in point(60.0), is_blend in any::<bool>(),
     ) {
-        // Radii so close that the blend in the points' own precision is not used.
+        // These radii are too close for the blend kernel in the points' own precision.
         let (kind, r1) = if is_blend { (Kind::Blend, 49.0) } else { (Kind::Cylinder, 35.0) };
         let morph = Morph::new(u, DVec3::ZERO, r1, 50.0, kind).unwrap();
         let points: Vec<[f64; 3]> = p.iter().map(DVec3::to_array).chain([u.to_array(), [0.0; 3]]).collect();
@@ -78,7 +78,8 @@ proptest! {
         morph.apply_all_f32(&single, &mut shown_single);
         for i in 0..points.len() {
             let exact = morph.apply(DVec3::from_array(points[i]));
-            // w loses a factor of 50; an exit along a steep direction, or beside the user's own cylinder, some more.
+            // The error of w grows by 50, more for exits in steep directions or near the cylinder of the user's own
+            // radius.
             prop_assert!((DVec3::from_array(shown[i]) - exact).length() < 1e-8 * (1.0 + exact.length()));
             let exact = morph.apply(DVec3::from_array(single[i].map(f64::from)));
             let single = DVec3::from_array(shown_single[i].map(f64::from));
@@ -92,8 +93,8 @@ proptest! {
         let morph = Morph::new(u, DVec3::ZERO, 30.0, 50.0, Kind::Cylinder).unwrap();
         let (rho, shown) = (p.x.hypot(p.z), morph.apply(p));
         prop_assume!(rho > u.x.hypot(u.z) + 1.0);
-        // The exit is a root of a quadratic whose coefficients are of size 10⁴; steep directions divide by |d_h|, which
-        // is at least 0.01 here.
+        // The exit is a root of a quadratic equation with coefficients of size 10⁴; steep directions divide by |d_h|,
+        // which is at least 0.01 here.
         prop_assert!((shown.x.hypot(shown.z) - rho).abs() < 1e-9 * (1.0 + shown.length()));
     }
 }
@@ -143,7 +144,7 @@ fn both_radii_are_crossed_continuously() {
         for radius in [30.0, 50.0] {
             for height in [-2.0, 0.0, 400.0] {
                 let at = |rho: f64| morph.apply(DVec3::new(rho, height, 0.0));
-                // w changes by 5e-14 over the step of 1e-12; points at 400 m move by w · |U−O| · 20 at most.
+                // w changes by 5e-14 over the step of 1e-12 m; points at 400 m move by at most w · |U−O| · 20.
                 assert!((at(radius - 5e-13) - at(radius + 5e-13)).length() < 1e-10, "{kind:?} {radius} {height}");
             }
         }
@@ -153,7 +154,7 @@ fn both_radii_are_crossed_continuously() {
 #[test]
 fn degenerate_places_have_answers() {
     let center = DVec3::new(5.0, 1.5, 5.0);
-    // Seen from the centre, nothing moves.
+    // If the user is at the centre, nothing moves.
     for kind in [Kind::Blend, Kind::Cylinder] {
         let still = Morph::new(center, center, 30.0, 50.0, kind).unwrap();
         for p in [center, center + DVec3::Y * 400.0, DVec3::new(46.0, 3.0, 4.0), DVec3::new(1e5, -3.0, 1e5)] {
@@ -163,19 +164,19 @@ fn degenerate_places_have_answers() {
         for p in [center, morph.user, center + DVec3::Y * 400.0, center + DVec3::new(10.0, 400.0, 0.0)] {
             assert_eq!(morph.apply(p), p);
         }
-        // The eye in the intermediate zone, at the point itself.
+        // The user's eye in the intermediate zone, at the point itself.
         let outside = Morph::new(center + DVec3::X * 40.0, center, 30.0, 50.0, kind).unwrap();
         let shown = outside.examine(outside.user);
         assert!(shown.point.is_finite() && !shown.opposed);
     }
-    // Half way between the radii, the user twice as far out on the same side: opposed.
+    // A point halfway between the radii, with the user twice as far out on the same side: opposed directions.
     let morph = Morph::new(center + DVec3::X * 80.0, center, 30.0, 50.0, Kind::Blend).unwrap();
     let shown = morph.examine(center + DVec3::X * 40.0);
     assert!(shown.opposed && shown.point.is_finite());
     let points = [[45f32, 1.5, 5.0]; 70];
     let mut out = [[0.0; 3]; 70];
     assert_eq!(morph.apply_all_f32(&points, &mut out), 70);
-    // Without near geometry w is 0 and ρ stays.
+    // Without near geometry w is 0 and ρ does not change.
     let none = Morph::new(center + DVec3::X, center, 0.0, 0.0, Kind::Cylinder).unwrap();
     let shown = none.apply(center + DVec3::X * 40.0);
     assert!((shown - (center + DVec3::X * 40.0)).length() < 1e-13);
@@ -211,7 +212,7 @@ fn far_distances_are_those_of_far_points() {
                 for range in [51.0, 90.0, 200.0, 4e3].map(|rho| rho / direction.x.hypot(direction.z)) {
                     let shown = morph.apply(center + direction * range);
                     let expected = (shown - morph.user).length();
-                    // Float64's roundings of kilometres.
+                    // Float64 roundings of kilometres.
                     assert!((morph.far_distance(direction, range) - expected).abs() < 1e-10 * range);
                     assert!((shown - morph.user).normalize().dot(direction) > 1.0 - 1e-12);
                 }

@@ -7,11 +7,11 @@ use super::radii::{Indexed, Soup, TriangleSource, measure};
 use super::zone::{Class, TriangleSet, Zone};
 use crate::base::{Error, Progress, Real, Result};
 
-/// Triangles of one task.
+/// Number of triangles in one task.
 const TILE: usize = 1 << 14;
 
-/// Least and greatest ρ of each triangle about an axis at (x, z): exact to float64's rounding of the greatest, then
-/// rounded once to the coordinates' precision. Without faces, every three vertices are a triangle.
+/// Least and greatest ρ of each triangle about an axis at (x, z). The error is float64's rounding of the greatest ρ,
+/// plus one rounding to the type of the coordinates. Without faces, every three vertices are a triangle.
 pub fn triangle_radii<T: Real>(
     vertices: &[[T; 3]],
     faces: Option<&[[u32; 3]]>,
@@ -57,7 +57,7 @@ fn fill<T: Real>(triangles: &impl TriangleSource<T>, axis: [f64; 2], radii: &mut
         |i| i,
         |first, block| radii[first..first + block.len()].copy_from_slice(block),
     );
-    // One NaN or infinity among the corners makes their radii so.
+    // A NaN or infinite corner makes the radii NaN or infinite.
     if radii.as_flattened().iter().all(|&radius| radius.is_finite()) {
         return Ok(());
     }

@@ -1,4 +1,4 @@
-//! From boxes to classes, and from triangles to zones.
+//! Classes of instances from their boxes, and zones of triangles.
 
 use rayon::prelude::*;
 
@@ -7,18 +7,18 @@ use super::zone::{Class, Mixed, Zone};
 use crate::base::{Aabb, Progress, Result};
 use crate::scene::Instance;
 
-/// Faces of one task.
+/// Number of faces in one task.
 const TILE: usize = 1 << 15;
-/// Twice the relative error of a radius rounded to float32: what a box decides with this margin, all its triangles
-/// agree with.
+/// Twice the relative error of a radius rounded to float32. If a box decides a class with this margin, the radii of all
+/// its triangles agree.
 const MARGIN: f64 = 1.0 / (1u64 << 23) as f64;
 
-/// Both radii about an axis, with the thresholds that spare most of the work.
+/// Both radii about an axis, with thresholds that decide most triangles without their radii.
 pub(super) struct Ruler {
     axis: [f64; 2],
     r1: f64,
     r2: f64,
-    /// Coordinates (x, z) below `low` or above `high` are beyond r₂ by more than any rounding.
+    /// Coordinates (x, z) below `low` or above `high` lie beyond r₂ by more than any rounding.
     low: [f32; 2],
     high: [f32; 2],
 }
@@ -26,13 +26,13 @@ pub(super) struct Ruler {
 impl Ruler {
     pub fn new(axis: [f64; 2], r1: f64, r2: f64) -> Self {
         let reach = r2 * (1.0 + MARGIN) + f64::from(f32::MIN_POSITIVE);
-        // One step outwards makes the rounding to float32 harmless.
+        // One float32 step outwards covers the rounding to float32.
         let low = axis.map(|center| ((center - reach) as f32).next_down());
         let high = axis.map(|center| ((center + reach) as f32).next_up());
         Self { axis, r1, r2, low, high }
     }
 
-    /// The class of an instance: by its box where that suffices, else by its triangles.
+    /// The class of an instance, by its box if that suffices, otherwise by its triangles.
     pub fn classify(&self, instance: &Instance, progress: &Progress) -> Result<Class> {
         let class = match self.class_of_box(&secure_bounds(instance)) {
             Some(class) => class,
@@ -108,7 +108,7 @@ impl Ruler {
         mixed
     }
 
-    /// A byte for each vertex, so that faces need not fetch coordinates.
+    /// One byte per vertex, so that faces need not load coordinates.
     fn outcodes(&self, positions: &[[f32; 3]]) -> Vec<u8> {
         let mut codes = vec![0; positions.len()];
         codes.par_chunks_mut(TILE).zip(positions.par_chunks(TILE)).for_each(|(codes, positions)| {
@@ -119,7 +119,7 @@ impl Ruler {
         codes
     }
 
-    /// One bit for each side of the square around the cylinder r₂ on which a point lies outside (Cohen and Sutherland).
+    /// One bit for each side of the square around the cylinder r₂ beyond which a point lies (Cohen and Sutherland).
     #[inline(always)]
     fn outcode(&self, [x, _, z]: &[f32; 3]) -> u8 {
         u8::from(*x < self.low[0])
@@ -132,7 +132,7 @@ impl Ruler {
         self.outcode(a) & self.outcode(b) & self.outcode(c) != 0
     }
 
-    /// Zone by radii in the precision of the geometry; none for far.
+    /// Zone by radii in the precision of the geometry; `None` for far.
     pub fn zone(&self, radii: [f32; 2]) -> Option<Zone> {
         let (least, greatest) = (f64::from(radii[0]), f64::from(radii[1]));
         match (least <= self.r1, least <= self.r2, greatest > self.r2) {
@@ -145,7 +145,8 @@ impl Ruler {
     }
 }
 
-/// The box of an instance, one float32 step wider where its corners are computed: box and corners may round apart.
+/// The box of an instance, one float32 step wider if its corners are computed, because box and corners may round
+/// differently.
 fn secure_bounds(instance: &Instance) -> Aabb {
     let Aabb { min, max } = instance.bounds;
     if instance.in_place || instance.bounds.is_empty() {
@@ -154,7 +155,7 @@ fn secure_bounds(instance: &Instance) -> Aabb {
     Aabb { min: min.map(f32::next_down), max: max.map(f32::next_up) }
 }
 
-/// Faces of a tile that their vertices' codes do not show to be far.
+/// Faces of a tile that the codes of their vertices do not prove to be far.
 fn candidates(codes: &[u8], faces: &[[u32; 3]]) -> Vec<u32> {
     let mut candidates = vec![0; faces.len()];
     let mut count = 0;

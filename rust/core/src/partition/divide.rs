@@ -9,8 +9,8 @@ use super::zone::{ChosenFaces, Class, Zone};
 use crate::base::{Error, Progress, Result};
 use crate::scene::Scene;
 
-/// Share of r₂ by which a point may miss a radius and still count as lying on it: more than rounding by a rule that
-/// splits edges.
+/// Distance, as a share of r₂, by which a point may miss a radius and still count as lying on it. It exceeds the
+/// rounding of a rule that splits edges.
 const RADIUS_TOLERANCE: f64 = 1.0 / 8192.0;
 
 /// Numbers of triangles and instances.
@@ -18,19 +18,19 @@ const RADIUS_TOLERANCE: f64 = 1.0 / 8192.0;
 pub struct PartitionCounts {
     /// All triangles.
     pub triangles: i64,
-    /// Least ρ ≤ r₁.
+    /// Triangles with least ρ ≤ r₁.
     pub near: i64,
-    /// r₁ < least ρ ≤ r₂.
+    /// Triangles with r₁ < least ρ ≤ r₂.
     pub intermediate: i64,
-    /// Least ρ > r₂.
+    /// Triangles with least ρ > r₂.
     pub far: i64,
-    /// Standing triangles on both sides of r₂.
+    /// Static triangles on both sides of r₂.
     pub straddling: i64,
-    /// Drawn as geometry.
+    /// Triangles drawn as geometry.
     pub nsf: i64,
-    /// Drawn as geometry where that ends at r₁ already: near ones, and everything that moves.
+    /// Triangles drawn as geometry if geometry ends at r₁: near triangles and all moving ones.
     pub nsf_at_r1: i64,
-    /// Baked.
+    /// Triangles baked into the map.
     pub sf: i64,
     /// Instances whose triangles are all near.
     pub near_instances: i64,
@@ -38,11 +38,11 @@ pub struct PartitionCounts {
     pub intermediate_instances: i64,
     /// Instances whose triangles are all far.
     pub far_instances: i64,
-    /// Instances that their boxes did not decide.
+    /// Instances whose boxes did not decide their class.
     pub mixed_instances: i64,
-    /// Triangles of mixed instances: the only ones whose corners were read.
+    /// Triangles of mixed instances; only their corners were read.
     pub examined: i64,
-    /// Triangles whose radii were computed; far coordinates decided the other examined ones.
+    /// Triangles whose radii were computed. The other examined triangles were proved far by coordinates alone.
     pub measured: i64,
 }
 
@@ -58,7 +58,7 @@ pub struct Partition {
 }
 
 impl Partition {
-    /// Divides a scene about a world position; 0 ≤ r₁ < r₂.
+    /// Divides a scene about a centre in world coordinates; 0 ≤ r₁ < r₂.
     pub fn new(scene: &Scene, center: DVec3, r1: f64, r2: f64, progress: &Progress) -> Result<Self> {
         check_center(center)?;
         if !(r1.is_finite() && r1 >= 0.0) {
@@ -78,7 +78,7 @@ impl Partition {
         Ok(partition)
     }
 
-    /// The scene that was divided.
+    /// The divided scene.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
@@ -88,17 +88,17 @@ impl Partition {
         self.center
     }
 
-    /// Radius of the near zone.
+    /// r₁: radius of the near zone, metres.
     pub fn r1(&self) -> f64 {
         self.r1
     }
 
-    /// Radius of the intermediate zone.
+    /// r₂: outer radius of the intermediate zone, metres.
     pub fn r2(&self) -> f64 {
         self.r2
     }
 
-    /// Class of each instance, in number order.
+    /// Class of each instance, ordered by instance number.
     pub fn classes(&self) -> &[Class] {
         &self.classes
     }
@@ -108,7 +108,7 @@ impl Partition {
         &self.counts
     }
 
-    /// Instances with faces that are drawn as geometry, in number order.
+    /// Instances with faces that are drawn as geometry, ordered by instance number.
     pub fn nsf_instances(&self) -> impl Iterator<Item = (u32, ChosenFaces<'_>)> {
         let standing = self.scene.standing.instances().len();
         self.classes.iter().enumerate().filter_map(move |(number, class)| {
@@ -122,7 +122,7 @@ impl Partition {
         })
     }
 
-    /// (instance, face) of every triangle that is drawn as geometry, in number order.
+    /// (instance, face) of each triangle that is drawn as geometry, ordered by triangle number.
     pub fn nsf(&self) -> impl Iterator<Item = (u32, u32)> {
         self.nsf_instances().flat_map(|(number, faces)| {
             let (all, some) = match faces {
@@ -133,8 +133,9 @@ impl Partition {
         })
     }
 
-    /// (instance, face) of the standing ones among them, in number order: those with all corners inside a radius, and the
-    /// others. Points of the radius itself are outside, also where they miss it by a little.
+    /// (instance, face) of the static triangles drawn as geometry, ordered by triangle number: those with all corners
+    /// inside a radius, and the others. Points on the radius count as outside, even if rounding moved them slightly
+    /// inwards.
     pub fn nsf_inside(&self, radius: f64) -> [Vec<(u32, u32)>; 2] {
         let [x, z] = axis_in(&self.scene, self.center);
         let least = radius - self.r2 * RADIUS_TOLERANCE;

@@ -1,4 +1,4 @@
-//! Number of triangles that stay geometry as a function of r₂, and the greatest r₂ for a budget.
+//! The number of triangles that stay geometry as a function of r₂, and the greatest r₂ for a budget.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -8,19 +8,19 @@ use super::radii::{Indexed, Soup, measure, placed};
 use crate::base::{Error, Progress, Result};
 use crate::scene::{Instance, Scene};
 
-/// Triangles of one task.
+/// Number of triangles in one task.
 const TILE: usize = 1 << 14;
 
-/// Least ρ of every standing triangle, sorted once: a question costs a binary search.
+/// Least ρ of every static triangle, sorted once; a query is then a binary search.
 #[derive(Clone, Debug)]
 pub struct LoadCurve {
-    /// Float32 bits, which sort as the numbers do, because none is negative.
+    /// Bits of float32 numbers. They sort like the numbers, because none is negative.
     sorted: Vec<u32>,
     moving: i64,
 }
 
 impl LoadCurve {
-    /// Measures and sorts all standing triangles about a world position.
+    /// Measures and sorts all static triangles about a centre in world coordinates.
     pub fn new(scene: &Scene, center: DVec3, progress: &Progress) -> Result<Self> {
         check_center(center)?;
         let axis = axis_in(scene, center);
@@ -44,17 +44,17 @@ impl LoadCurve {
         Ok(Self { sorted: least, moving: scene.moving.triangle_count() })
     }
 
-    /// Triangles that stay geometry whatever r₂ is, because they move.
+    /// Number of moving triangles, which stay geometry for any r₂.
     pub fn moving(&self) -> i64 {
         self.moving
     }
 
-    /// Triangles of the scene.
+    /// Number of triangles in the scene.
     pub fn total(&self) -> i64 {
         self.sorted.len() as i64 + self.moving
     }
 
-    /// Triangles that stay geometry at r₂; exactly those of `Partition`. Negative radii and NaN are refused.
+    /// Number of triangles that stay geometry at r₂, equal to that of `Partition`. Negative radii and NaN are refused.
     pub fn count(&self, r2: f64) -> Result<i64> {
         if r2.is_nan() || r2 < 0.0 {
             return Err(Error::value("r2", "a radius of at least 0", r2));
@@ -62,14 +62,14 @@ impl LoadCurve {
         Ok(self.sorted.partition_point(|&bits| f64::from(f32::from_bits(bits)) <= r2) as i64 + self.moving)
     }
 
-    /// The greatest r₂ at which at most `budget` triangles stay geometry; infinite where the whole scene fits.
+    /// The greatest r₂ at which at most `budget` triangles stay geometry; infinite if the whole scene fits.
     pub fn radius(&self, budget: i64) -> Result<f64> {
         if budget >= self.total() {
             return Ok(f64::INFINITY);
         }
         let first_too_many = usize::try_from(budget - self.moving).ok().map(|index| f32::from_bits(self.sorted[index]));
         match first_too_many {
-            // Just below the triangle that would be one too many.
+            // Just below the least ρ of the first triangle beyond the budget.
             Some(least) if least > 0.0 => Ok(f64::from(least).next_down()),
             _ => {
                 let at_axis = self.sorted.partition_point(|&bits| bits == 0) as i64 + self.moving;

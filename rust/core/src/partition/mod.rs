@@ -1,10 +1,9 @@
-//! Which triangles stay geometry and which become part of the environment map.
+//! The division of a scene into triangles that stay geometry and triangles that become part of the environment map.
 //!
 //! A triangle's zone follows from its least distance ρ from the vertical axis through the centre: near (≤ r₁),
-//! intermediate (≤ r₂) or far. Standing triangles that reach beyond r₂ are baked, all others are drawn; those that
-//! straddle r₂ are in both parts, and pixels are split there. Distances are measured in float64 and rounded once to
-//! float32, the precision of the geometry, so that `triangle_radii`, `Partition` and `LoadCurve` agree about every
-//! triangle.
+//! intermediate (≤ r₂) or far. Static triangles that reach beyond r₂ are baked; all others are drawn. Static triangles
+//! across r₂ are in both parts, and pixels are split there. Distances are computed in float64 and rounded once to
+//! float32, the precision of the geometry, so `triangle_radii`, `Partition` and `LoadCurve` agree about every triangle.
 
 mod arrays;
 mod axis;

@@ -1,24 +1,24 @@
 //! Least and greatest distance of triangles from a vertical axis.
 //!
-//! The least one is taken to the triangle in the ground plane, not to its corners: a large ground triangle around the
-//! axis has all corners far away. All arithmetic is in float64; edges are differences of the given coordinates, which
-//! are exact where these are float32, so that short edges far from the axis lose nothing.
+//! The least distance is measured to the triangle in the ground plane, not to its corners: a large ground triangle
+//! around the axis has all corners far away. All arithmetic is in float64. Edges are differences of the given
+//! coordinates, which are exact for float32, so short edges far from the axis lose no digits.
 
 use crate::base::Real;
 use crate::base::simd::vectorized;
 use crate::scene::Instance;
 
-/// Triangles that are evaluated together; their temporaries stay in the first-level cache.
+/// Number of triangles in a block; its temporaries fit in the first-level cache.
 pub(super) const BLOCK: usize = 64;
-/// A side test is certain where its determinant exceeds this share of its terms: each has three roundings of 2⁻⁵³.
+/// A side test is certain if its determinant exceeds this share of its terms. Each term has three roundings of 2⁻⁵³.
 const CERTAIN: f64 = 1.0 / (1u64 << 50) as f64;
 
-/// Ground coordinates of the corners of a block of triangles: `corners[2 k][i]` is x and `corners[2 k + 1][i]` is z
-/// of corner k of triangle i.
+/// Ground coordinates of a block of triangles: `corners[2 k][i]` is x and `corners[2 k + 1][i]` is z of corner k of
+/// triangle i.
 type Corners<T> = [[T; BLOCK]; 6];
 
 vectorized! {
-    /// Least and greatest ρ of a block, in float64 and rounded once.
+    /// Least and greatest ρ of a block, computed in float64 and rounded once.
     fn evaluate<T: Real>(corners: &Corners<T>, axis: [f64; 2], radii: &mut [[T; 2]; BLOCK]) = evaluate_kernel;
 }
 
@@ -33,8 +33,8 @@ fn evaluate_kernel<T: Real>(corners: &Corners<T>, axis: [f64; 2], radii: &mut [[
     }
 }
 
-/// Least and greatest ρ of one triangle, given (x, z) of its corners and of the axis. Degenerate ones (vertical walls
-/// are segments in the ground plane) are measured as what they are. NaN where a coordinate is not finite.
+/// Least and greatest ρ of one triangle, given (x, z) of its corners and of the axis. Degenerate triangles are measured
+/// as segments or points; a vertical wall is a segment in the ground plane. NaN if a coordinate is not finite.
 #[inline(always)]
 pub fn radii_of(a: [f64; 2], b: [f64; 2], c: [f64; 2], axis: [f64; 2]) -> [f64; 2] {
     let (from_a, from_b, from_c) = (minus(a, axis), minus(b, axis), minus(c, axis));
@@ -42,35 +42,35 @@ pub fn radii_of(a: [f64; 2], b: [f64; 2], c: [f64; 2], axis: [f64; 2]) -> [f64; 
     let (ab, bc, ca) = (Edge::new(from_a, minus(b, a)), Edge::new(from_b, minus(c, b)), Edge::new(from_c, minus(a, c)));
     let corner = less(less(square_a, square_b), square_c);
     let outside = less(less(ab.distance_squared, bc.distance_squared), less(ca.distance_squared, corner));
-    // On the same side of all edges: the axis pierces the triangle. In doubt it is within rounding of an edge, and the
-    // distance to that edge stands.
+    // If the axis lies on the same side of all edges, it intersects the triangle. If a side is uncertain, the axis is
+    // within rounding of that edge, and the distance to the edge is used.
     let is_pierced = (ab.left & bc.left & ca.left) | (ab.right & bc.right & ca.right);
     let least = if is_pierced { 0.0 } else { outside };
     let greatest = more(more(square_a, square_b), square_c);
-    // A sum with every coordinate in it is NaN or infinite where one of them is.
+    // A sum with every coordinate in it, which is NaN or infinite if a coordinate is.
     let poison = 0.0 * (square_a + square_b + square_c);
     [least.sqrt() + poison, greatest.sqrt() + poison]
 }
 
 /// An edge in the ground plane, relative to the axis.
 struct Edge {
-    /// Squared distance of the axis, where the foot of its perpendicular lies on the edge; else infinite.
+    /// Squared distance of the axis if its perpendicular meets the edge, otherwise infinite.
     distance_squared: f64,
-    /// The axis lies to the left, for certain.
+    /// Whether the axis certainly lies to the left.
     left: bool,
-    /// The axis lies to the right, for certain.
+    /// Whether the axis certainly lies to the right.
     right: bool,
 }
 
 impl Edge {
-    /// From the axis to the edge's start, and along the edge.
+    /// An edge from the vector axis → edge's start and the vector along the edge.
     #[inline(always)]
     fn new(start: [f64; 2], along: [f64; 2]) -> Self {
         let (first, second) = (start[0] * along[1], start[1] * along[0]);
         let determinant = first - second;
         let doubt = (first.abs() + second.abs()) * CERTAIN;
         let (length_squared, foot) = (dot(along, along), -dot(start, along));
-        // |start × along| / |along|; a quotient of a degenerate edge is not used.
+        // |start × along| / |along|; for a degenerate edge the quotient is not used.
         let distance_squared = determinant * (determinant / length_squared);
         let on_edge = (foot > 0.0) & (foot < length_squared);
         let distance_squared = if on_edge { distance_squared } else { f64::INFINITY };
@@ -98,7 +98,7 @@ fn more(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// Where the corners of numbered triangles come from.
+/// A source of the corners of numbered triangles.
 pub(super) trait TriangleSource<T>: Sync {
     /// Corners of a triangle.
     fn corners(&self, number: usize) -> [&[T; 3]; 3];
@@ -129,7 +129,7 @@ impl<T: Sync> TriangleSource<T> for Soup<'_, T> {
     }
 }
 
-/// Evaluates triangles in blocks: `number(i)` is the i-th of `count`, and `take` receives i with its radii.
+/// Measures triangles in blocks: `number(i)` is the i-th of `count` triangles, and `take` receives i with its radii.
 #[inline(always)]
 pub(super) fn measure<T: Real>(
     triangles: &impl TriangleSource<T>,
@@ -158,7 +158,7 @@ fn scatter<T: Copy>(corners: &mut Corners<T>, lane: usize, [a, b, c]: [&[T; 3]; 
     corners[5][lane] = c[2];
 }
 
-/// Places faces of an instance where they stand, as consecutive triangles.
+/// The corners of an instance's faces, relative to the scene's origin, as consecutive triangles.
 pub(super) fn placed(instance: &Instance, faces: impl Iterator<Item = u32>) -> Vec<[[f32; 3]; 3]> {
     faces.map(|face| instance.corners(face).map(|corner| corner.to_array())).collect()
 }

@@ -7,7 +7,7 @@ use super::{LoadCurve, Partition, TriangleSet};
 use crate::base::{Error, FaceMap, Progress};
 use crate::scene::{Instance, Mesh, Scene};
 
-/// Triangles with corners on a coarse grid, so that touching the axis, collinear and coincident corners are common.
+/// Triangles with corners on a coarse grid, which often touch the axis or have collinear or coincident corners.
 fn triangles(count: usize) -> impl Strategy<Value = Vec<[[f32; 3]; 3]>> {
     let coordinate = (-40i32..40).prop_map(|i| i as f32 * 0.5);
     prop::collection::vec(prop::array::uniform3(prop::array::uniform3(coordinate)), 1..count)
@@ -33,7 +33,7 @@ fn radii_of<T: Into<f64>>(corners: [[T; 2]; 3], axis: [f64; 2]) -> [f64; 2] {
     super::radii_of(a, b, c, axis)
 }
 
-/// The least ρ by the definition: the corners' convex hull, sampled on a fine grid of weights.
+/// Least ρ by definition: the convex hull of the corners, sampled on a fine grid of weights.
 fn sampled(triangle: &[[f32; 3]; 3], axis: [f64; 2]) -> f64 {
     let n = 60;
     let mut least = f64::INFINITY;
@@ -58,7 +58,8 @@ proptest! {
                 let (a, b) = (triangle[i], triangle[(i + 1) % 3]);
                 f64::from(a[0] - b[0]).hypot(f64::from(a[2] - b[2]))
             }).fold(0.0, f64::max);
-            // Samples lie inside: never nearer; and the nearest point has a sample within a grid step, longest / 60.
+            // Samples lie inside the triangle, so none is nearer; the nearest point has a sample within a grid step,
+            // longest / 60.
             prop_assert!(least <= grid + 1e-12);
             prop_assert!(grid <= least + longest / 60.0 + 1e-12, "{least} {grid} {triangle:?}");
             let corners = triangle.map(|c| (f64::from(c[0]) - axis[0]).hypot(f64::from(c[2]) - axis[1]));
@@ -100,7 +101,7 @@ proptest! {
 #[test]
 fn degenerate_triangles_are_what_they_are() {
     let at = |corners: [[f32; 2]; 3]| radii_of(corners, [0.0, 0.0]);
-    // A large triangle around the axis; one that touches it with a corner and with an edge.
+    // A large triangle around the axis, and triangles that touch it with a corner and with an edge.
     assert_eq!(at([[-100.0, -100.0], [100.0, -100.0], [0.0, 100.0]])[0], 0.0);
     assert_eq!(at([[0.0, 0.0], [10.0, 0.0], [0.0, 10.0]])[0], 0.0);
     assert_eq!(at([[-5.0, 0.0], [5.0, 0.0], [0.0, 10.0]])[0], 0.0);
@@ -111,10 +112,10 @@ fn degenerate_triangles_are_what_they_are() {
     // A point, and the axis itself.
     assert_eq!(at([[3.0, 4.0]; 3]), [5.0, 5.0]);
     assert_eq!(at([[0.0; 2]; 3]), [0.0, 0.0]);
-    // A sliver on a line that nearly passes the axis must not be taken for one around it.
+    // A sliver on a line that nearly meets the axis does not contain it.
     let [least, _] = at([[10.0, 1e-7], [20.0, 2.0001e-7], [15.0, 1.5e-7]]);
     assert!((least - 10.0).abs() < 1e-12);
-    // A millimetre at 100 km: edges are differences of what was given.
+    // A millimetre at 100 km: edges are differences of the given coordinates.
     let corners = [[1e5f64, 0.0], [1e5 + 1e-3, 5e-4], [1e5, 1e-3]];
     assert!((radii_of(corners, [0.0, 5e-4])[0] - 1e5).abs() < 1e-10);
     assert!(at([[f32::NAN, 0.0], [1.0, 0.0], [0.0, 1.0]])[1].is_nan());
@@ -132,7 +133,7 @@ fn moving_triangles_stay_geometry() {
     assert_eq!(partition.triangles(TriangleSet::Nsf), [0, 2]);
     assert_eq!(partition.triangles(TriangleSet::Sf), [1]);
     assert_eq!(partition.triangles(TriangleSet::Far), [1, 2]);
-    // Boxes decided everything: no triangle was looked at.
+    // The boxes decided all classes: no triangle was examined.
     assert_eq!((partition.counts().examined, partition.counts().far_instances), (0, 2));
     let curve = LoadCurve::new(&both, DVec3::ZERO, &progress).unwrap();
     assert_eq!((curve.count(50.0), curve.count(1e9)), (Ok(2), Ok(3)));

@@ -1,4 +1,4 @@
-//! A partition's check of itself, from every triangle's own radii.
+//! A check of a partition against the radii of every triangle.
 
 use rayon::prelude::*;
 
@@ -10,7 +10,7 @@ use super::zone::{Class, Zone};
 use crate::base::{Error, Progress, Result};
 
 impl Partition {
-    /// Measures every triangle anew, without boxes and shortcuts, and compares. An error is a bug of ours.
+    /// Measures every triangle again, without boxes and thresholds, and compares. An error is a bug in nearfar.
     pub fn validate(&self, progress: &Progress) -> Result<()> {
         let axis = axis_in(self.scene(), self.center());
         let ruler = Ruler::new(axis, self.r1(), self.r2());

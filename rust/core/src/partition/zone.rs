@@ -1,27 +1,27 @@
-//! Zones of triangles, classes of instances, and the sets that a partition names.
+//! Zones of triangles, classes of instances, and the named sets of a partition.
 
 /// Zone of a triangle, and whether it crosses r₂.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Zone {
-    /// Least ρ ≤ r₁, and all of it within r₂.
+    /// Least ρ ≤ r₁, and the whole triangle within r₂.
     Near,
-    /// Least ρ ≤ r₁, and part of it beyond r₂.
+    /// Least ρ ≤ r₁, and a part beyond r₂.
     NearStraddling,
-    /// r₁ < least ρ ≤ r₂, and all of it within r₂.
+    /// r₁ < least ρ ≤ r₂, and the whole triangle within r₂.
     Intermediate,
-    /// r₁ < least ρ ≤ r₂, and part of it beyond r₂.
+    /// r₁ < least ρ ≤ r₂, and a part beyond r₂.
     IntermediateStraddling,
-    /// All of it beyond r₂.
+    /// The whole triangle beyond r₂.
     Far,
 }
 
 impl Zone {
-    /// Least ρ ≤ r₁.
+    /// Whether least ρ ≤ r₁.
     pub fn is_near(self) -> bool {
         matches!(self, Self::Near | Self::NearStraddling)
     }
 
-    /// On both sides of r₂.
+    /// Whether the triangle lies on both sides of r₂.
     pub fn is_straddling(self) -> bool {
         matches!(self, Self::NearStraddling | Self::IntermediateStraddling)
     }
@@ -36,42 +36,42 @@ pub enum Class {
     Intermediate,
     /// All are [`Zone::Far`].
     Far,
-    /// Looked at one by one.
+    /// The zones differ, or the box did not decide them.
     Mixed(Mixed),
 }
 
-/// Zones of the triangles of an instance that its box does not decide.
+/// Zones of the triangles of an instance whose box does not decide its class.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Mixed {
-    /// Faces that are not far, ascending; all others are.
+    /// Faces that are not far, ascending; all other faces are far.
     pub faces: Vec<u32>,
-    /// Zone of each of them.
+    /// Zone of each of these faces.
     pub zones: Vec<Zone>,
-    /// Faces whose radii were needed: the others are far by their coordinates alone.
+    /// Number of faces whose radii were computed; the other faces were proved far by coordinates alone.
     pub measured: u32,
 }
 
-/// Faces of an instance.
+/// A selection of an instance's faces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChosenFaces<'a> {
-    /// Every one.
+    /// All faces.
     All,
-    /// These, ascending.
+    /// These faces, ascending.
     Some(&'a [u32]),
 }
 
-/// One of the sets that a partition names.
+/// A named set of a partition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TriangleSet {
-    /// Least ρ ≤ r₁.
+    /// Triangles with least ρ ≤ r₁.
     Near,
-    /// r₁ < least ρ ≤ r₂.
+    /// Triangles with r₁ < least ρ ≤ r₂.
     Intermediate,
-    /// Least ρ > r₂.
+    /// Triangles with least ρ > r₂.
     Far,
-    /// Triangles drawn as geometry: near, intermediate, and everything that moves.
+    /// Triangles drawn as geometry: near, intermediate and all moving ones.
     Nsf,
-    /// Baked triangles: standing ones that reach beyond r₂.
+    /// Baked triangles: static ones that reach beyond r₂.
     Sf,
 }
 

@@ -1,4 +1,5 @@
-//! The far part of a scene as an environment map: rays from the centre that start where they leave the near cylinder.
+//! The far part of a scene as an environment map, by rays from the centre that start where they leave the near
+//! cylinder.
 
 use glam::{DQuat, DVec3};
 
@@ -16,20 +17,20 @@ use crate::trace::{AlphaFilter, Hit, HitFilter, Ray};
 pub struct Bake {
     /// World position of the centre O.
     pub center: DVec3,
-    /// Radius of the cylinder about the vertical axis through O, inside which nothing is baked.
+    /// Radius, in metres, of the cylinder about the vertical axis through O; nothing inside it is baked.
     pub radius: f64,
-    /// Texels across a face.
+    /// Width of a face, texels.
     pub size: u32,
-    /// Colour samples of each texel; range and objects always take its centre.
+    /// Number of colour samples per texel; range and objects always use its centre.
     pub samples: u32,
-    /// Whether distances from O are wanted.
+    /// Whether to store the distances from O.
     pub range: bool,
-    /// Whether objects are wanted.
+    /// Whether to store object numbers.
     pub object_id: bool,
 }
 
 impl Bake {
-    /// Fails for settings that no map can be made with.
+    /// Fails for invalid settings.
     pub fn check(&self, scene: &Scene) -> Result<()> {
         if !(1..=MAX_SIZE).contains(&self.size) {
             return Err(Error::value("face_size", format!("1 to {MAX_SIZE} texels"), self.size));
@@ -40,7 +41,7 @@ impl Bake {
         check_reach("center", self.center - scene.origin)
     }
 
-    /// Images of each face.
+    /// The images of each face.
     pub fn channels(&self) -> Channels {
         Channels { color: true, range: self.range, object_id: self.object_id, ..Channels::default() }
     }
@@ -50,13 +51,14 @@ impl Bake {
         Camera::new(self.center, DQuat::IDENTITY, Projection::CubeFace(face), self.size, self.size)
     }
 
-    /// Width at one metre of the two texels by which the map reaches inside the radius.
+    /// Width in metres, at 1 m distance, of the two texels by which the map reaches inside the radius.
     pub fn two_texels(&self) -> f64 {
         4.0 / f64::from(self.size)
     }
 }
 
-/// Six faces, one after the other, of what stands; moving objects are never in the map. Geometry is traced where it lies, without copies.
+/// Six faces, one after the other, of the static geometry; moving objects are never in the map. Geometry is traced in
+/// place, without copies.
 pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame> {
     settings.check(scene)?;
     let channels = settings.channels();
@@ -82,29 +84,29 @@ pub fn bake(scene: &Scene, settings: &Bake, progress: &Progress) -> Result<Frame
     Ok(whole)
 }
 
-/// Number of rays that a bake casts.
+/// Number of rays that a bake traces.
 pub fn rays(settings: &Bake) -> u64 {
     let surface = settings.samples > 1 && (settings.range || settings.object_id);
     6 * u64::from(settings.size).pow(2) * (u64::from(settings.samples) + u64::from(surface))
 }
 
-/// Surfaces beyond the cylinder, and those inside it whose two-texel footprint reaches beyond.
+/// Surfaces beyond the cylinder, and surfaces inside it whose two-texel footprint reaches beyond.
 ///
-/// That overlap is needed where the near geometry ends: the last visible bit of a surface inside r₂ borders on a
-/// direction whose lookup mixes this texel. Measured across the ray it would be a few centimetres and would leave a
-/// crack in the ground, which a ray at eye height meets at a few degrees; measured on the surface, walls that face the
-/// centre get none and the ground gets the metres that it needs.
+/// This overlap is needed where the near geometry ends: the last visible part of a surface inside r₂ borders on a
+/// direction whose look-up mixes this texel. Measured across the ray the overlap would be a few centimetres and would
+/// leave a crack in the ground, which a ray at eye height meets at an angle of a few degrees. Measured on the surface,
+/// the ground gets an overlap of metres as it needs, and walls that face the centre get none.
 struct BeyondRadius<'a> {
     scene: &'a Scene,
     radius: f64,
-    /// Width at one metre.
+    /// Width of two texels in metres at 1 m distance.
     two_texels: f64,
 }
 
 impl HitFilter for &BeyondRadius<'_> {
     #[inline]
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
-        // Rays start at the centre and have unit length.
+        // Rays start at the centre and have unit direction.
         let (direction, t) = (ray.direction.as_dvec3(), f64::from(candidate.t));
         let horizontal = DVec3::new(direction.x, 0.0, direction.z);
         let rho = t * horizontal.length();
@@ -113,15 +115,16 @@ impl HitFilter for &BeyondRadius<'_> {
 }
 
 impl BeyondRadius<'_> {
-    /// How much ρ grows along the surface when the direction turns by two texels. Turning it by δ moves the point by
-    /// t (δ − d (n·δ)/(n·d)), and ρ by r·that, with r the horizontal unit vector away from the axis.
+    /// Growth of ρ along the surface when the direction turns by two texels. Turning the direction d by δ moves the
+    /// point by t (δ − d (n·δ)/(n·d)) and ρ by the component of this along r. Here n is the surface normal, t the
+    /// distance, and r the horizontal unit vector away from the axis.
     #[cold]
     fn reach(&self, hit: &Hit, direction: DVec3, horizontal: DVec3, t: f64) -> f64 {
         let [a, b, c] = self.scene.instance(hit.instance).corners(hit.face).map(|corner| corner.as_dvec3());
         let normal = (b - a).cross(c - a);
         let away = horizontal.normalize_or_zero();
         let slant = away.dot(direction) / normal.dot(direction);
-        // A surface seen edge-on has no footprint; 0 times infinity is NaN and compares as outside.
+        // A surface seen edge-on has no footprint: 0 × ∞ is NaN, and the comparison treats it as outside.
         (away - normal * slant).length() * t * self.two_texels
     }
 }
@@ -167,7 +170,7 @@ mod tests {
         let map = baked(&scene(&[wall(5.0, 3.0), wall(20.0, 50.0)]), 10.0, 16);
         let (range, object) = map.surface(glam::Vec3::X);
         assert_eq!(object, 1);
-        // The texel next to the axis is off it by 1/16 of the distance each way.
+        // The centre of the texel next to the axis is 1/16 of the distance away from it in both directions.
         let expected = 20.0 * (1.0f32 + 2.0 / 256.0).sqrt();
         assert!((range - expected).abs() < 1e-5 * expected);
         assert_eq!(map.surface(glam::Vec3::NEG_X), (f32::INFINITY, -1));
@@ -182,7 +185,8 @@ mod tests {
 
     #[test]
     fn ground_overlaps_by_its_footprint_and_no_more() {
-        // Ground 1.7 m below: at ρ = 10 m a texel of 1/128 is 0.47 m of ground, so that the overlap is about 0.9 m.
+        // Ground 1.7 m below the centre: at ρ = 10 m a texel of 1/128 covers 0.47 m of ground, so the overlap is about
+        // 0.9 m.
         let far = 1000.0;
         let ground = [[-far, -1.7, -far], [-far, -1.7, far], [far, -1.7, far], [far, -1.7, -far]];
         let size = 256;
@@ -195,7 +199,8 @@ mod tests {
             let rho = expected * d.x.hypot(d.z);
             let found = f64::from(range[texel as usize]);
             if d.y < 0.0 && rho > 10.0 {
-                // Sheared corners 1,400 m away are rounded by 6e-8 of that, which is 5e-5 of the 1.7 m that the ray falls.
+                // Sheared corners 1,400 m away are rounded by 6e-8 of that: 5e-5 of the 1.7 m by which the ray
+                // descends.
                 assert!((found - expected).abs() < 1e-4 * expected, "{d} {found} {expected}");
             } else if found.is_finite() {
                 least = least.min(rho);

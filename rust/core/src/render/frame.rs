@@ -1,31 +1,31 @@
-//! The images of one view, as many channels as were asked for.
+//! The images of one view; only requested channels are computed.
 
 use crate::base::{Result, memory::room_for};
 
-/// Which images of a view are computed.
+/// The images of a view that are computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Channels {
     /// Linear RGB.
     pub color: bool,
-    /// Displayed distance |Q−U| in metres, infinite where nothing was hit.
+    /// Displayed distance |Q−U| in metres; infinite where nothing was hit.
     pub range: bool,
-    /// Object, −1 where nothing was hit.
+    /// Object number; −1 where nothing was hit.
     pub object_id: bool,
-    /// Triangle number in the scene, −1 where nothing was hit.
+    /// Triangle number in the scene; −1 where nothing was hit.
     pub face_id: bool,
-    /// Unmorphed surface point relative to the scene's origin, NaN where nothing was hit.
+    /// Unmorphed surface point relative to the scene's origin; NaN where nothing was hit.
     pub position: bool,
-    /// Unit geometric normal towards the viewer, NaN where nothing was hit.
+    /// Unit geometric normal towards the viewer; NaN where nothing was hit.
     pub normal: bool,
 }
 
 impl Channels {
-    /// True where a channel other than colour is wanted: one ray through each pixel's centre.
+    /// Whether a channel other than colour is requested; these channels need one ray through each pixel's centre.
     pub fn any_surface(&self) -> bool {
         self.range || self.object_id || self.face_id || self.position || self.normal
     }
 
-    /// An error where the wanted images of so many pixels do not fit into memory.
+    /// Fails if the requested images do not fit into memory.
     pub fn check_room(&self, pixels: u64) -> Result<()> {
         let wanted = |wanted: bool, bytes: usize| if wanted { bytes as u64 } else { 0 };
         let bytes = wanted(self.color, size_of::<[f32; 3]>())
@@ -38,18 +38,18 @@ impl Channels {
     }
 }
 
-/// Channels of one ray through a pixel's centre; the default is a miss.
+/// Channels of the ray through a pixel's centre; the default is a miss.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// Metres.
+    /// Displayed distance, metres.
     pub range: f32,
     /// Object number.
     pub object_id: i32,
     /// Triangle number.
     pub face_id: i64,
-    /// Unmorphed point.
+    /// Unmorphed point relative to the scene's origin.
     pub position: [f32; 3],
-    /// Unit normal.
+    /// Unit geometric normal.
     pub normal: [f32; 3],
 }
 
@@ -59,20 +59,20 @@ impl Default for Sample {
     }
 }
 
-/// Images in row-major order; those that were not asked for are empty.
+/// Images in row-major order; images that were not requested are empty.
 #[derive(Debug, Default)]
 pub struct Frame {
     /// Linear RGB.
     pub color: Vec<[f32; 3]>,
-    /// Metres.
+    /// Displayed distances, metres.
     pub range: Vec<f32>,
     /// Object numbers.
     pub object_id: Vec<i32>,
     /// Triangle numbers.
     pub face_id: Vec<i64>,
-    /// Unmorphed points.
+    /// Unmorphed points relative to the scene's origin.
     pub position: Vec<[f32; 3]>,
-    /// Unit normals.
+    /// Unit geometric normals.
     pub normal: Vec<[f32; 3]>,
 }
 
@@ -88,7 +88,7 @@ pub(super) struct Band<'a> {
 }
 
 impl Frame {
-    /// Allocates the wanted images for a number of pixels, as if nothing was hit and all is black.
+    /// Allocates the requested images, black and with every pixel a miss.
     pub fn new(channels: Channels, pixels: usize) -> Result<Self> {
         channels.check_room(pixels as u64)?;
         let size = |wanted: bool| if wanted { pixels } else { 0 };
@@ -103,7 +103,7 @@ impl Frame {
         })
     }
 
-    /// The frame in bands of so many pixels; the last may be shorter.
+    /// Splits the frame into bands of `pixels` pixels; the last may be shorter.
     pub(super) fn bands(&mut self, pixels: usize) -> Vec<Band<'_>> {
         let lengths = [
             self.color.len(),
@@ -133,13 +133,13 @@ impl Frame {
 }
 
 impl Band<'_> {
-    /// Stores a pixel's colour, where colour is wanted.
+    /// Stores a pixel's colour if colour was requested.
     #[inline]
     pub fn set_color(&mut self, pixel: usize, color: [f32; 3]) {
         set(self.color, pixel, color);
     }
 
-    /// Stores a pixel's other channels, those that are wanted.
+    /// Stores those of a pixel's other channels that were requested.
     #[inline]
     pub fn set_sample(&mut self, pixel: usize, sample: &Sample) {
         set(self.range, pixel, sample.range);

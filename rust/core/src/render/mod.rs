@@ -1,4 +1,4 @@
-//! Pictures: ground truth from the scene, environment maps baked from the centre, and what a thin client would show.
+//! Pictures: ground truth of a scene, environment maps baked from the centre, and frames of a thin client.
 
 pub mod frame;
 pub mod shade;

@@ -1,22 +1,23 @@
-//! The one shading formula: linear albedo × (sky(n) + sun · max(0, n·l)), two-sided, at most 1 for white.
+//! The shading formula of all renderers: linear albedo × (sky(n) + sun · max(0, n·l)), two-sided, at most 1 for white.
+//! Here n is the surface normal and l the direction towards the sun.
 //!
-//! Sky and sun are colours: a bluish sky that is brighter above than below and leans a little to one side, so that
-//! walls in the shade differ, and a warm sun that strikes all three axes at different angles, so that lit walls differ.
+//! Sky and sun are colours. The bluish sky is brighter above than below and slightly asymmetric, so that walls in the
+//! shade differ. The warm sun meets the three axes at different angles, so that lit walls differ.
 
 use glam::Vec3;
 
-/// Direction towards the sun (unit).
+/// Unit direction towards the sun.
 pub const SUN_DIRECTION: Vec3 = Vec3::new(0.526_315_8, 0.789_473_7, 0.315_789_5);
 /// Linear RGB of the sun.
 pub const SUN: [f32; 3] = [0.60, 0.56, 0.50];
-/// Direction of the brightest sky (unit).
+/// Unit direction of the brightest sky.
 pub const SKY_DIRECTION: Vec3 = Vec3::new(-0.206_284_3, 0.928_279_1, 0.309_426_4);
-/// Linear RGB of the sky for surfaces that face away from its brightest point, and towards it.
+/// Linear RGB of the sky for surfaces that face away from its brightest direction, and towards it.
 pub const SKY: [[f32; 3]; 2] = [[0.130, 0.135, 0.150], [0.380, 0.420, 0.480]];
-/// Linear RGB of the background straight below, at the horizon, and straight above.
+/// Linear RGB of the background at the nadir, the horizon and the zenith.
 pub const BACKGROUND: [[f32; 3]; 3] = [[0.24, 0.25, 0.26], [0.66, 0.74, 0.82], [0.16, 0.34, 0.66]];
 
-/// Radiance of the background, by direction (unit).
+/// Radiance of the background in a unit direction.
 #[inline]
 pub fn background(direction: Vec3) -> [f32; 3] {
     let [nadir, horizon, zenith] = BACKGROUND;
@@ -25,7 +26,7 @@ pub fn background(direction: Vec3) -> [f32; 3] {
     std::array::from_fn(|i| horizon[i] + (end[i] - horizon[i]) * away)
 }
 
-/// Linear RGB that a white surface with unit normal `n` (towards the viewer) reflects.
+/// Linear RGB reflected by a white surface with unit normal `n` towards the viewer.
 #[inline]
 pub fn irradiance(n: Vec3) -> [f32; 3] {
     let sky = 0.5 + 0.5 * n.dot(SKY_DIRECTION);
@@ -37,7 +38,7 @@ pub fn irradiance(n: Vec3) -> [f32; 3] {
 mod tests {
     use super::*;
 
-    /// Directions spread evenly: a Fibonacci lattice.
+    /// Evenly spread directions: a Fibonacci lattice.
     fn sphere(count: u32) -> impl Iterator<Item = Vec3> {
         (0..count).map(move |i| {
             let (y, turn) = (1.0 - 2.0 * (i as f32 + 0.5) / count as f32, i as f32 * 2.399_963_2);
@@ -64,7 +65,7 @@ mod tests {
     fn the_six_sides_of_a_box_differ() {
         let sides = [Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z].map(|n| irradiance(n)[1]);
         for (i, a) in sides.iter().enumerate() {
-            // A twentieth in linear light is about 6 of sRGB's 255 steps at middle grey: an edge that is seen.
+            // A fiftieth in linear light is about 6 of sRGB's 255 steps at middle grey, which makes an edge visible.
             assert!(sides[..i].iter().all(|b| (a - b).abs() > 0.02), "{sides:?}");
         }
     }

@@ -1,4 +1,4 @@
-//! Surface points that rays hit: a point of a face with its normal, ready to be shaded or stored.
+//! Surface points hit by rays: a point of a face with its normal, ready to be shaded or stored.
 
 use glam::Vec3;
 
@@ -16,24 +16,25 @@ pub struct Surface {
     pub face: u32,
     /// Weights of the face's second and third corner.
     pub at: (f32, f32),
-    /// The point, relative to the scene's origin.
+    /// The point relative to the scene's origin.
     pub point: Vec3,
-    /// Unit geometric normal, towards the viewer; the colour may take another.
+    /// Unit geometric normal towards the viewer; the colour may use another normal.
     pub normal: Vec3,
-    /// Cosine of the angle between normal and ray, 0..1.
+    /// Cosine of the angle between normal and ray, 0 to 1.
     pub cosine: f32,
     /// Twice the area of the face, square metres.
     pub doubled_area: f32,
 }
 
-/// A face as it stands: what all its points share. Neighbouring rays mostly hit the same one.
+/// The data of an instance's face that all its points share. It is reused, because neighbouring rays usually hit the
+/// same face.
 #[derive(Clone, Copy, Debug)]
 pub struct Facet {
     instance: u32,
     face: u32,
     corner: Vec3,
     sides: [Vec3; 2],
-    /// Unit normal, counter-clockwise side; zero for a face without an area.
+    /// Unit normal of the counter-clockwise side; zero for a face without area.
     outside: Vec3,
     doubled_area: f32,
 }
@@ -44,14 +45,14 @@ impl Facet {
     pub fn new(scene: &Scene, instance: u32, face: u32) -> Self {
         let [a, b, c] = scene.instance(instance).corners(face);
         let (ab, ac) = (b - a, c - a);
-        // In float64, because the square of a millimetre's area is below what float32 tells from zero.
+        // In float64, because float32 rounds the squared area of a face of square millimetres to zero.
         let cross = ab.as_dvec3().cross(ac.as_dvec3());
         let doubled_area = cross.length();
         let outside = if doubled_area > 0.0 { (cross / doubled_area).as_vec3() } else { Vec3::ZERO };
         Self { instance, face, corner: a, sides: [ab, ac], outside, doubled_area: doubled_area as f32 }
     }
 
-    /// True where a hit lies on this face.
+    /// Whether a hit lies on this face.
     #[inline]
     pub fn holds(&self, hit: &Hit) -> bool {
         self.face == hit.face && self.instance == hit.instance
@@ -74,7 +75,8 @@ impl Facet {
     }
 }
 
-/// Adds the colours of surfaces along neighbouring rays to their sums; `missed` is what a ray sees that met nothing.
+/// Adds the colours of surfaces along neighbouring rays to their sums; `missed` gives the colour of a ray without a
+/// hit.
 pub(super) fn add_colors(
     scene: &Scene,
     rays: &[Ray],
@@ -98,14 +100,13 @@ pub(super) fn add_colors(
     }
 }
 
-/// Adds a colour to a sum.
 #[inline]
 pub(super) fn add(sum: &mut [f32; 3], color: [f32; 3]) {
     (0..3).for_each(|i| sum[i] += color[i]);
 }
 
 impl Surface {
-    /// The surface that a ray with a unit direction hit; not for a miss.
+    /// The surface that a ray with a unit direction hit; the hit must not be a miss.
     #[inline]
     pub fn of_hit(scene: &Scene, ray: &Ray, hit: &Hit) -> Self {
         Facet::new(scene, hit.instance, hit.face).surface((hit.u, hit.v), ray.direction)
@@ -116,7 +117,7 @@ impl Surface {
         Facet::new(scene, instance, face).surface(at, direction.normalize_or(Vec3::NEG_Z))
     }
 
-    /// Linear RGB, for a ray that is `width` metres wide where it arrives (`Footprint::at`).
+    /// Linear RGB, for a ray that is `width` metres wide at the surface (`Footprint::at`).
     #[inline]
     pub fn color(&self, scene: &Scene, width: f32) -> [f32; 3] {
         let instance = scene.instance(self.instance);
@@ -126,8 +127,8 @@ impl Surface {
         std::array::from_fn(|i| albedo[i] * light[i])
     }
 
-    /// Unit normal that the colour takes: between those of the face's corners, where the mesh has normals. Near a
-    /// silhouette it may point away from the viewer, whom the face itself is turned to.
+    /// Unit normal for the colour, interpolated between the normals of the corners if the mesh has normals. Near a
+    /// silhouette it may point away from the viewer, although the face itself points towards the viewer.
     #[inline]
     fn shading_normal(&self, instance: &Instance) -> Vec3 {
         let corners = instance.corner_normals(self.face);
@@ -137,7 +138,7 @@ impl Surface {
         }
     }
 
-    /// Object of the face.
+    /// Object number of the face.
     pub fn object_id(&self, scene: &Scene) -> i32 {
         scene.instance(self.instance).object_of(self.face)
     }
@@ -148,5 +149,5 @@ impl Surface {
     }
 }
 
-/// Least cosine that a footprint is divided by: at smaller angles a texture is its mean anyway.
+/// Least cosine by which a footprint is divided; at smaller cosines a texture shows its mean anyway.
 const GRAZING: f32 = 1e-4;

@@ -1,7 +1,7 @@
-//! The loop over a view's pixels, the same for ground truth, environment maps and the thin client's pictures.
+//! The loop over a view's pixels, shared by ground truth, environment maps and reduced scenes.
 //!
-//! Bands of eight rows go to threads, tiles of 8×8 pixels within them to the tracer. Every pixel is computed alone and
-//! in a fixed order, so that the bytes do not depend on the number of threads.
+//! Threads process bands of eight rows, and the tracer receives tiles of 8 × 8 pixels within them. Each pixel is
+//! computed independently and in a fixed order, so the result does not depend on the number of threads.
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -11,38 +11,38 @@ use crate::base::{Error, Progress, REACH, Result};
 use crate::camera::{Camera, Footprint, Rays};
 use crate::trace::{Hit, Ray};
 
-/// Pixels on a tile's side: 64 neighbouring rays.
+/// Width of a tile, pixels; a tile has 64 neighbouring rays.
 pub(super) const TILE: usize = 8;
 pub(super) const PIXELS: usize = TILE * TILE;
 
-/// Most colour samples of a pixel.
+/// Greatest number of colour samples per pixel.
 pub const MAX_SAMPLES: u32 = 1024;
 
-/// A picture by rays: the samples that they see.
+/// A picture that is rendered by rays.
 pub trait Picture: Sync {
-    /// Traces a tile's coherent rays; it may shorten them first (`t_min`, `t_max`). Directions are unit.
+    /// Traces a tile's coherent rays; it may first shorten them (`t_min`, `t_max`). Directions are unit vectors.
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>);
 
-    /// Adds linear RGB, seen along a tile's traced rays, hits or misses, to their sums.
+    /// Adds the linear RGB of a tile's traced rays, hits or misses, to their sums.
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]);
 
-    /// The other channels along a traced ray, hit or miss; those that are not wanted may be left at their defaults.
+    /// The other channels of a traced ray, hit or miss; channels that are not requested may keep their defaults.
     fn sample(&self, ray: &Ray, hit: &Hit, wanted: Channels) -> Sample;
 }
 
-/// Where a tile's rays pass through the image.
+/// Positions of a tile's rays in the image.
 pub struct Spots<'a> {
     tile: &'a ImageTile,
     offset: [f64; 2],
 }
 
 impl Spots<'_> {
-    /// Column and row of the tile among the image's tiles of `TILE` pixels a side.
+    /// Column and row of the tile, in tiles.
     pub(super) fn tile(&self) -> (usize, usize) {
         (self.tile.first_column / TILE, self.tile.first_row / TILE)
     }
 
-    /// Place of the nth ray in the tile, as shares of its full width and height.
+    /// Position of the n-th ray in the tile, as fractions of the full tile's width and height.
     #[inline]
     pub(super) fn within(&self, n: usize) -> [f32; 2] {
         let (column, row) = (n % self.tile.columns, n / self.tile.columns);
@@ -51,12 +51,13 @@ impl Spots<'_> {
     }
 }
 
-/// The part of each pixel's ray on which surfaces are seen, metres from the camera, for parallel rays from the image plane.
+/// The part of each pixel's ray in which surfaces are visible, in metres from the camera or, for parallel rays, from
+/// the image plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
-    /// Where it begins.
+    /// Start, metres.
     pub t_min: f32,
-    /// Where it ends; may be infinite.
+    /// End, metres; may be infinite.
     pub t_max: f32,
 }
 
@@ -68,15 +69,15 @@ impl Segment {
 /// A view to be drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct RenderView<'a> {
-    /// Where from and which way.
+    /// The camera.
     pub camera: &'a Camera,
     /// World position of the scene's origin.
     pub origin: DVec3,
-    /// Which images.
+    /// Requested images.
     pub channels: Channels,
-    /// Colour samples of each pixel, 1 to `MAX_SAMPLES`; the other channels always take the pixel's centre.
+    /// Number of colour samples per pixel, 1 to `MAX_SAMPLES`; the other channels always use the pixel's centre.
     pub samples: u32,
-    /// Where surfaces are seen.
+    /// The part of each ray in which surfaces are visible.
     pub segment: Segment,
 }
 
@@ -111,7 +112,7 @@ pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) 
     Ok(frame)
 }
 
-/// Refuses a place relative to the scene's origin from which rays would leave float32's range.
+/// Refuses a position relative to the scene's origin from which rays would exceed float32's range.
 pub(super) fn check_reach(argument: &'static str, place: DVec3) -> Result<()> {
     let farthest = place.abs().max_element();
     if farthest <= REACH {
@@ -120,9 +121,9 @@ pub(super) fn check_reach(argument: &'static str, place: DVec3) -> Result<()> {
     Err(Error::value(argument, format!("a place within {REACH:e} m of the scene's origin"), format!("{farthest:e} m")))
 }
 
-/// Positions of colour samples within a pixel: a Hammersley set (Hammersley, Monte Carlo methods, 1960), its second
-/// coordinate replaced by its rank, so that any number of samples fills every row and column once and its mean is the
-/// pixel's centre. One sample is the centre itself.
+/// Positions of colour samples within a pixel: a Hammersley set (Hammersley, Monte Carlo methods, 1960) whose second
+/// coordinate is replaced by its rank. For any number of samples each row and column contains one sample, and their
+/// mean is the pixel's centre. One sample lies at the centre.
 pub fn sample_offsets(samples: u32) -> Vec<[f64; 2]> {
     let mut order: Vec<u32> = (0..samples).collect();
     order.sort_by_key(|i| i.reverse_bits());
@@ -139,7 +140,7 @@ struct ImageTile {
     first_column: usize,
     rows: usize,
     columns: usize,
-    /// Of the image.
+    /// Width of the image, pixels.
     width: usize,
 }
 
@@ -148,13 +149,13 @@ impl ImageTile {
         self.rows * self.columns
     }
 
-    /// Column and row in the image of the tile's nth pixel.
+    /// Column and row in the image of the tile's n-th pixel.
     #[inline]
     fn pixel(&self, n: usize) -> (usize, usize) {
         (self.first_column + n % self.columns, self.first_row + n / self.columns)
     }
 
-    /// Index in the band of the tile's nth pixel.
+    /// Index in the band of the tile's n-th pixel.
     #[inline]
     fn slot(&self, n: usize) -> usize {
         n / self.columns * self.width + self.first_column + n % self.columns
@@ -167,7 +168,7 @@ struct Painter<'a, P> {
     eye: DVec3,
     channels: Channels,
     offsets: Vec<[f64; 2]>,
-    /// Side of a sample's share of the pixel.
+    /// Side of the square that a sample represents, pixels.
     scale: f64,
     segment: Segment,
 }
@@ -234,7 +235,7 @@ mod tests {
             for axis in 0..2 {
                 assert!(offsets.iter().all(|offset| (0.0..1.0).contains(&offset[axis])), "{count}");
                 let mean = offsets.iter().map(|offset| offset[axis]).sum::<f64>() / f64::from(count);
-                // Sums of a thousand float64 of size 1.
+                // Sum of a thousand float64 numbers of size 1.
                 assert!((mean - 0.5).abs() < 1e-12, "{count} {mean}");
             }
         }

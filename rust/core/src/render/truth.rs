@@ -1,4 +1,4 @@
-//! Ground truth: the scene as it is.
+//! Ground truth: the unchanged scene.
 
 use super::frame::{Channels, Frame, Sample};
 use super::shade::background;
@@ -9,7 +9,7 @@ use crate::camera::{Camera, Footprint};
 use crate::scene::Scene;
 use crate::trace::{All, AlphaFilter, Hit, HitFilter, Ray, closest_hits};
 
-/// Renders a scene. Range is the distance from the camera, for parallel rays from the image plane.
+/// Renders a scene. Range is the distance from the camera or, for parallel rays, from the image plane.
 pub fn render(
     scene: &Scene,
     camera: &Camera,
@@ -27,11 +27,11 @@ pub fn render(
     }
 }
 
-/// A scene seen along straight rays, with the surfaces that a filter leaves; the sky behind them.
+/// A scene seen along straight rays, with the surfaces that a filter accepts in front of the sky.
 pub struct Truth<'a, F> {
-    /// Scene, which must have been built.
+    /// The scene, which must have been built.
     pub scene: &'a Scene,
-    /// Which intersections count.
+    /// Filter that decides which intersections count.
     pub filter: F,
 }
 

@@ -1,4 +1,5 @@
-//! The colour of a point of a surface: factor × texture × vertex colour, and whether it is cut out.
+//! The base colour of a point of a surface (factor × texture × vertex colour), and whether a cut-out leaves a hole
+//! there.
 
 use super::material::{Alpha, Material};
 use super::mesh::Mesh;
@@ -7,16 +8,17 @@ use super::texture::Texture;
 use super::world::Scene;
 
 /// Level of the texture for a footprint on the surface (metres) and the texture's density there (texels per metre):
-/// log₂ of the texels across the footprint.
+/// log₂ of the number of texels across the footprint.
 ///
-/// A footprint's width on a surface is the ray's width across its direction, divided by √cos of the angle between
-/// normal and ray: the geometric mean of the ellipse's axes, which neither blurs streets nor lets them flicker.
+/// A footprint's width on a surface is the ray's width across its direction divided by √cos of the angle between normal
+/// and ray. This is the geometric mean of the ellipse's axes, a compromise between blur and flicker on streets.
 #[inline]
 pub fn texture_level(footprint: f32, density: f32) -> f32 {
     (footprint * density).log2()
 }
 
-/// Texels per metre on a face: the root of its area in the texture over its area in the scene, both doubled.
+/// Texels per metre on a face: the square root of its area in the texture divided by its area in the scene, both
+/// doubled.
 #[inline]
 pub fn texel_density(texture: &Texture, uvs: [[f32; 2]; 3], doubled_area: f32) -> f32 {
     let [a, b, c] = uvs;
@@ -25,7 +27,7 @@ pub fn texel_density(texture: &Texture, uvs: [[f32; 2]; 3], doubled_area: f32) -
     (texels / doubled_area).sqrt()
 }
 
-/// Value at weights (u, v) of the second and third corner.
+/// Interpolated value at weights (u, v) of the second and third corner.
 #[inline]
 fn interpolate<const N: usize>([a, b, c]: [[f32; N]; 3], (u, v): (f32, f32)) -> [f32; N] {
     std::array::from_fn(|i| a[i] + (b[i] - a[i]) * u + (c[i] - a[i]) * v)
@@ -44,20 +46,20 @@ impl Mesh {
 }
 
 impl Scene {
-    /// Material of a face of a mesh; the default one where it has none.
+    /// Material of a face of a mesh; the default material if the face has none.
     #[inline]
     pub fn material_of(&self, mesh: &Mesh, face: u32) -> Material {
         let number = usize::try_from(mesh.materials.get(face)).ok();
         number.and_then(|number| self.materials.get(number)).copied().unwrap_or_default()
     }
 
-    /// True where a material is cut out, so that rays need `trace::AlphaFilter`.
+    /// Whether any material is cut out, so that rays need `trace::AlphaFilter`.
     pub fn has_cutouts(&self) -> bool {
         self.materials.iter().any(|material| material.alpha != Alpha::Opaque)
     }
 
-    /// Linear base colour at weights (u, v) of a face: factor × texture × vertex colour. `footprint` is its width on
-    /// the surface in metres, `doubled_area` twice the area of the face as placed, in square metres.
+    /// Linear base colour at weights (u, v) of a face: factor × texture × vertex colour. `footprint` is the width of
+    /// the footprint on the surface in metres, `doubled_area` twice the area of the placed face in square metres.
     pub fn albedo(&self, mesh: &Mesh, face: u32, at: (f32, f32), footprint: f32, doubled_area: f32) -> [f32; 3] {
         let material = self.material_of(mesh, face);
         let [r, g, b, _] = material.base_color;
@@ -76,8 +78,8 @@ impl Scene {
         albedo
     }
 
-    /// False where a cut-out material leaves a hole at weights (u, v) of a face. The texture is read at its finest
-    /// level, so that a hole has the same shape at every distance.
+    /// False if a cut-out material leaves a hole at weights (u, v) of a face. The texture is read at its finest level,
+    /// so a hole has the same shape at every distance.
     pub fn is_solid(&self, mesh: &Mesh, face: u32, at: (f32, f32)) -> bool {
         let material = self.material_of(mesh, face);
         let Alpha::Mask { cutoff } = material.alpha else { return true };

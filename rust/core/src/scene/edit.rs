@@ -1,4 +1,4 @@
-//! Scenes made from scenes: other objects move, or only some triangles remain. Untouched meshes, their trees and the
+//! Scenes derived from scenes: other objects move, or only some triangles remain. Unchanged meshes, their trees and the
 //! textures are shared.
 
 use std::sync::Arc;
@@ -13,8 +13,9 @@ use super::world::Scene;
 use crate::base::{Error, FaceMap, Result};
 
 impl Scene {
-    /// The same scene in which also the objects of `chosen` (a flag for each object) move. Faces of merged meshes become
-    /// meshes of their own, one for each object, appended to the moving instances in the order of instances and objects.
+    /// The same scene in which the objects of `chosen` (a flag for each object) move as well. Faces of merged meshes
+    /// become separate meshes, one for each object, appended to the moving instances in the order of instances and
+    /// objects.
     pub fn with_moving(&self, chosen: &[bool]) -> Result<Self> {
         if !chosen.contains(&true) {
             return Ok(self.clone());
@@ -54,7 +55,7 @@ impl Scene {
         self.subset_by_object(|object| holds(chosen, object))
     }
 
-    /// All but the objects of `chosen`, a flag for each object; faces of no object stay.
+    /// All but the objects of `chosen`, a flag for each object; faces without an object stay.
     pub fn without_objects(&self, chosen: &[bool]) -> Self {
         self.subset_by_object(|object| !holds(chosen, object))
     }
@@ -67,7 +68,7 @@ impl Scene {
         })
     }
 
-    /// The same scene and some instances more, which come after those that stand or move already.
+    /// The same scene with additional instances, placed after the existing static and moving ones.
     pub fn with_instances(&self, standing: Vec<Instance>, moving: Vec<Instance>) -> Self {
         let appended = |old: &Arc<InstanceSet>, new: Vec<Instance>| {
             if new.is_empty() {
@@ -91,8 +92,8 @@ impl Scene {
         }))
     }
 
-    /// One mesh of chosen faces (instance and face, those of an instance together) where they stand. The object of each
-    /// is its place in the list.
+    /// One mesh of chosen faces (instance, face), placed relative to the scene's origin. The faces of an instance must
+    /// be consecutive. The object of each face is its index in the list.
     pub fn gathered(&self, chosen: &[(u32, u32)]) -> Result<Mesh> {
         if chosen.len() > i32::MAX as usize {
             return Err(Error::value("triangles", "fewer than 2^31 in one mesh", chosen.len()));
@@ -139,7 +140,7 @@ impl Scene {
 }
 
 impl Instance {
-    /// Another mesh in the same place.
+    /// The same placement with another mesh.
     pub(super) fn with_mesh(&self, mesh: Arc<Mesh>, object: Option<i32>) -> Self {
         let bounds = mesh.bounds().transformed(&self.to_scene);
         Self { mesh, object, bounds, ..self.clone() }
@@ -151,12 +152,12 @@ impl Instance {
     }
 }
 
-/// Whether an object is chosen by flags for each object.
+/// Whether `chosen`, a flag for each object, contains an object.
 pub(super) fn holds(chosen: &[bool], object: i32) -> bool {
     usize::try_from(object).is_ok_and(|object| chosen.get(object) == Some(&true))
 }
 
-/// Faces of an instance that remain.
+/// The faces of an instance that remain.
 enum Kept {
     All,
     Faces(Vec<u32>),
@@ -170,7 +171,8 @@ impl Kept {
     }
 }
 
-/// The faces that belong to no chosen object, and each chosen object's own; the first is none where no face is chosen.
+/// Splits a mesh into the faces of no chosen object and the faces of each chosen object. The first is `None` if no face
+/// is chosen.
 fn split(mesh: &Mesh, is_chosen: impl Fn(i32) -> bool + Sync) -> (Option<Mesh>, Vec<(i32, Mesh)>) {
     if !mesh.objects.runs(mesh.faces.len()).any(|(_, object)| is_chosen(object)) {
         return (None, Vec::new());
@@ -178,7 +180,7 @@ fn split(mesh: &Mesh, is_chosen: impl Fn(i32) -> bool + Sync) -> (Option<Mesh>, 
     let object = |face: &u32| mesh.objects.get(*face);
     let all = 0..mesh.faces.len() as u32;
     let (mut chosen, rest): (Vec<u32>, Vec<u32>) = all.into_par_iter().partition(|face| is_chosen(object(face)));
-    // Stable, so that each object keeps the order of its faces.
+    // A stable sort, so that each object keeps the order of its faces.
     chosen.par_sort_by_key(object);
     let own = chosen.chunk_by(|a, b| object(a) == object(b));
     let own = own.map(|faces| (object(&faces[0]), mesh.selected(faces))).collect();
@@ -194,7 +196,8 @@ mod tests {
     use super::*;
     use crate::scene::Material;
 
-    /// A row of triangles along x, one for each entry of `objects`, and an instance of the first further up.
+    /// A row of triangles along x, one for each entry of `objects`, and an instance of the first triangle at a greater
+    /// height.
     fn row(objects: &[i32]) -> Scene {
         let corners = |i: usize| [[i as f32, 0.0, 0.0], [i as f32 + 0.5, 0.0, 0.0], [i as f32, 0.5, 0.0]];
         let positions: Vec<[f32; 3]> = (0..objects.len()).flat_map(corners).collect();
@@ -224,7 +227,7 @@ mod tests {
         assert!(scene.gathered(&[]).unwrap().faces.is_empty());
     }
 
-    /// Object and corners of every triangle, sorted: what a scene shows, in whatever order.
+    /// Object and corners of each triangle, sorted, so that scenes can be compared in any order.
     fn contents(scene: &Scene) -> Vec<(i32, [Vec3; 3])> {
         let of = |instance: &Instance| {
             (0..instance.mesh.faces.len() as u32)

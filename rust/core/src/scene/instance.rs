@@ -8,25 +8,25 @@ use super::mesh::Mesh;
 use crate::base::{Aabb, Error, Progress, REACH, Result};
 use crate::bvh::Tlas;
 
-/// A mesh and where it stands. Positions are relative to the scene's origin.
+/// A placed mesh. Positions are relative to the scene's origin.
 #[derive(Clone, Debug)]
 pub struct Instance {
-    /// Mesh that is placed.
+    /// The mesh.
     pub mesh: Arc<Mesh>,
-    /// Object→scene.
+    /// Transform object→scene.
     pub to_scene: DAffine3,
-    /// Scene→object.
+    /// Transform scene→object.
     pub to_object: DAffine3,
-    /// Object that all faces belong to; none leaves it to the mesh.
+    /// Object of all faces; `None` if the mesh gives the objects.
     pub object: Option<i32>,
-    /// The transform is the identity: vertices are used bit for bit.
+    /// Whether the transform is the identity; vertices are then used bit for bit.
     pub in_place: bool,
-    /// Box of the placed mesh, tight where the transform keeps axes.
+    /// Box of the placed mesh; tight if the transform maps axes to axes.
     pub bounds: Aabb,
 }
 
 impl Instance {
-    /// Places a mesh; the transform must be invertible and finite.
+    /// Places a mesh; the transform must be finite and invertible.
     pub fn new(mesh: Arc<Mesh>, to_scene: DAffine3, object: Option<i32>) -> Result<Self> {
         let to_object = to_scene.inverse();
         if !to_scene.is_finite() || !to_object.is_finite() {
@@ -39,7 +39,7 @@ impl Instance {
         Ok(Self { in_place: to_scene == DAffine3::IDENTITY, mesh, to_scene, to_object, object, bounds })
     }
 
-    /// Corners of a face where they stand, rounded once to float32.
+    /// Corners of a face relative to the scene's origin, rounded once to float32.
     #[inline]
     pub fn corners(&self, face: u32) -> [Vec3; 3] {
         let corners = self.mesh.corners(face);
@@ -56,18 +56,18 @@ impl Instance {
     }
 }
 
-/// Instances below one top-level tree. A scene has two: what stands, shared between poses, and what moves.
+/// Instances below one top-level tree. A scene has two sets: static instances, which all poses share, and moving ones.
 #[derive(Debug, Default)]
 pub struct InstanceSet {
     instances: Vec<Instance>,
-    /// Triangles before each instance, and their total.
+    /// Number of triangles before each instance, and of all.
     offsets: Vec<i64>,
     tlas: OnceLock<Tlas>,
     building: Mutex<()>,
 }
 
 impl InstanceSet {
-    /// Numbers the triangles of the instances in their order.
+    /// Numbers the triangles of the instances in order.
     pub fn new(instances: Vec<Instance>) -> Self {
         let mut offsets = vec![0];
         let mut total = 0;
@@ -83,17 +83,17 @@ impl InstanceSet {
         &self.instances
     }
 
-    /// Triangles before an instance; with the instance count, their total.
+    /// Number of triangles before an instance; for the instance count, the total.
     pub fn offset(&self, instance: usize) -> i64 {
         self.offsets.get(instance).copied().unwrap_or(0)
     }
 
-    /// Triangles of all instances.
+    /// Number of triangles of all instances.
     pub fn triangle_count(&self) -> i64 {
         self.offset(self.instances.len())
     }
 
-    /// The instance that a triangle number belongs to, and its face there.
+    /// The instance and face of a triangle number.
     pub fn locate(&self, triangle: i64) -> Option<(usize, u32)> {
         if !(0..self.triangle_count()).contains(&triangle) {
             return None;
@@ -102,13 +102,13 @@ impl InstanceSet {
         Some((instance, (triangle - self.offsets[instance]) as u32))
     }
 
-    /// The top-level tree, where it has been built.
+    /// The top-level tree, if it has been built.
     #[inline]
     pub fn tlas(&self) -> Option<&Tlas> {
         self.tlas.get()
     }
 
-    /// Builds the trees of all meshes and the one over them, each on first use.
+    /// Builds the trees of all meshes and the top-level tree, each on first use.
     pub fn build(&self, progress: &Progress) -> Result<()> {
         let _one_builder = self.building.lock().unwrap_or_else(PoisonError::into_inner);
         if self.tlas.get().is_some() {

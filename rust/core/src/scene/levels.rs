@@ -1,5 +1,5 @@
-//! Objects shown in more or less detail: every level of a model is a mesh, and instances take the one that was chosen.
-//! Nothing but lists of instances is made for a choice, so that thousands of objects change within a frame.
+//! Objects at chosen levels of detail. Each level of a model is a mesh, and an instance takes the mesh of the chosen
+//! level. A choice creates only lists of instances, so thousands of objects can change within a frame.
 
 use std::sync::Arc;
 
@@ -14,15 +14,15 @@ use super::texture::Texture;
 use super::world::Scene;
 use crate::base::{Buffer, Error, Result};
 
-/// Stands for an object without a model, and for a level that is not drawn.
+/// Marks an object without a model, and a level that is not drawn.
 const NONE: i32 = -1;
 
-/// The meshes of each model, one for each level, level 0 first.
+/// The meshes of each model, one per level, level 0 first.
 #[derive(Clone, Debug, Default)]
 pub struct LevelMeshes(pub Vec<Vec<Arc<Mesh>>>);
 
 impl LevelMeshes {
-    /// The mesh of a level; none for a level that is not drawn.
+    /// The mesh of a level; `None` for a level that is not drawn.
     fn mesh(&self, model: usize, level: i32) -> Result<Option<&Arc<Mesh>>> {
         let levels = self.0.get(model).ok_or_else(|| Error::value("models", self.models(), model))?;
         match usize::try_from(level) {
@@ -45,8 +45,8 @@ fn below(count: usize) -> String {
 }
 
 impl Scene {
-    /// The scene with materials and textures of others added to its own, equal ones once, and each of the others as one
-    /// mesh in its own frame whose materials are numbered so.
+    /// Adds the materials and textures of other scenes to this scene, equal ones once. Also returns each of the other
+    /// scenes as one mesh in its own frame, with the new material numbers.
     pub fn with_surfaces(&self, others: &[&Self]) -> Result<(Self, Vec<Mesh>)> {
         let mut surfaces = Surfaces::of(self);
         let mut meshes = Vec::new();
@@ -62,8 +62,8 @@ impl Scene {
         Ok((surfaces.into_scene(self)?, meshes))
     }
 
-    /// The scene with its objects at levels. `models` and `chosen` have a number for each object: which of the `meshes`
-    /// are its levels, −1 for none, and the level that it shows, −1 for an object that is left out.
+    /// The scene with its objects at levels. `models` and `chosen` have one number per object: the index of its model
+    /// in `meshes`, −1 for none, and the level to show, −1 to leave the object out.
     pub fn at_levels(&self, meshes: &LevelMeshes, models: &[i32], chosen: &[i32]) -> Result<Self> {
         if models.len() != chosen.len() {
             return Err(Error::value("levels", format!("one for each of {} objects", models.len()), chosen.len()));
@@ -77,7 +77,7 @@ impl Scene {
         })
     }
 
-    /// The instances of chosen objects, a flag for each object, whose faces all belong to one.
+    /// The instances that belong entirely to an object of `chosen`, a flag for each object.
     pub fn instances_of(&self, chosen: &[bool]) -> impl Iterator<Item = (i32, &Instance)> {
         self.instances().filter_map(move |instance| {
             instance.object.filter(|&object| holds(chosen, object)).map(|object| (object, instance))
@@ -86,7 +86,7 @@ impl Scene {
 }
 
 impl InstanceSet {
-    /// None where no instance changes.
+    /// `None` if no instance changes.
     fn at_levels(&self, meshes: &LevelMeshes, models: &[i32], chosen: &[i32]) -> Result<Option<Self>> {
         let mut instances = Vec::with_capacity(self.instances().len());
         let mut unchanged = true;
@@ -110,10 +110,10 @@ impl InstanceSet {
     }
 }
 
-/// Materials and textures of several scenes, each once.
+/// Materials and textures of several scenes, equal ones once.
 struct Surfaces {
     materials: Vec<Material>,
-    /// Image and texels of each texture: textures themselves are made in the end.
+    /// Size and texels of each texture; the textures themselves are created at the end.
     textures: Vec<TextureImage>,
     own: (usize, usize),
 }
@@ -141,7 +141,7 @@ impl Surfaces {
         Self { materials: scene.materials.to_vec(), own: (scene.materials.len(), textures.len()), textures }
     }
 
-    /// Adds a scene's surfaces; returns the new number of each of its materials.
+    /// Adds a scene's materials and textures; returns the new number of each of its materials.
     fn add(&mut self, scene: &Scene) -> Vec<i32> {
         let links: Vec<u32> = scene.textures.iter().map(|texture| self.texture(TextureImage::of(texture))).collect();
         let number = |material: &Material| {
@@ -167,7 +167,8 @@ impl Surfaces {
         }) as i32
     }
 
-    /// The scene with these surfaces; its own lists, by whose addresses devices find them, where nothing was added.
+    /// The scene with these materials and textures. If nothing was added it keeps its own lists, because devices find
+    /// lists by their address.
     fn into_scene(self, scene: &Scene) -> Result<Scene> {
         let mut result = scene.clone();
         if self.textures.len() > self.own.1 {
@@ -188,7 +189,7 @@ mod tests {
     use super::*;
     use crate::base::FaceMap;
 
-    /// A fan of `count` triangles with one material of a scene's.
+    /// A fan of `count` triangles with one material of a scene.
     fn fan(count: u32, material: i32) -> Arc<Mesh> {
         let rim = (0..=count).map(|i| [f64::from(i).cos() as f32, f64::from(i).sin() as f32, 0.0]);
         let positions: Vec<[f32; 3]> = std::iter::once([0.0; 3]).chain(rim).collect();
@@ -219,7 +220,7 @@ mod tests {
         assert_eq!(*joined.materials, vec![red(Some(0)), red(Some(1))]);
         assert_eq!(joined.textures.iter().map(|t| t.texels[0][0]).collect::<Vec<_>>(), [7, 9]);
         for level in &meshes {
-            // The other's material 1 has the texels that the scene had already.
+            // The other scene's material 1 has texels that this scene had already.
             assert_eq!(level.materials.get(2), 0);
             assert_eq!(level.positions.as_ptr(), mesh.positions.as_ptr());
         }

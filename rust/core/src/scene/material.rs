@@ -1,11 +1,11 @@
-//! Base colours: all of a surface that the shading formula uses.
+//! Base colours, the only surface property that the shading formula uses.
 
 /// Treatment of a base colour's alpha below 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Alpha {
-    /// Alpha is ignored. Blended materials are drawn so too.
+    /// Alpha is ignored; blended materials are treated like this as well.
     Opaque,
-    /// Surfaces are cut out where alpha is below the cutoff.
+    /// The surface has holes where alpha is below the cutoff.
     Mask {
         /// Least alpha that is drawn.
         cutoff: f32,
@@ -15,11 +15,11 @@ pub enum Alpha {
 /// Base colour of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// Linear RGB and alpha, multiplied with texture and vertex colour.
+    /// Linear RGB and alpha, multiplied by texture and vertex colour.
     pub base_color: [f32; 4],
     /// Number of a texture.
     pub texture: Option<u32>,
-    /// Cut-out or not.
+    /// Treatment of alpha.
     pub alpha: Alpha,
 }
 

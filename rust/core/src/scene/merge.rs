@@ -1,4 +1,4 @@
-//! One mesh from many that are used once: a single tree is faster than one for each of thousands of small meshes.
+//! One mesh from many meshes that are used once: one tree is faster than a tree for each of thousands of small meshes.
 
 use std::sync::Arc;
 
@@ -10,19 +10,19 @@ use super::mesh::{Mesh, TILE, turned};
 use super::normal::place_normals;
 use crate::base::{Error, FaceMap, Result};
 
-/// A mesh on its way into a merged one.
+/// A mesh to be merged.
 #[derive(Clone, Debug)]
 pub struct PlacedMesh {
-    /// Mesh in its own frame.
+    /// The mesh in its own frame.
     pub mesh: Arc<Mesh>,
-    /// Object→scene; need not be invertible.
+    /// Transform object→scene; need not be invertible.
     pub to_scene: DAffine3,
-    /// Object that all faces belong to; none leaves it to the mesh.
+    /// Object of all faces; `None` if the mesh gives the objects.
     pub object: Option<i32>,
 }
 
 impl PlacedMesh {
-    /// An instance's mesh in its place.
+    /// An instance's mesh with its placement.
     pub fn of(instance: &Instance) -> Self {
         Self { mesh: Arc::clone(&instance.mesh), to_scene: instance.to_scene, object: instance.object }
     }
@@ -31,14 +31,14 @@ impl PlacedMesh {
         self.to_scene == DAffine3::IDENTITY
     }
 
-    /// A mirror turns faces inside out, unless their corners are taken in the other order.
+    /// Whether the transform is a mirror; the corners of its faces are then reordered, because a mirror turns faces
+    /// inside out.
     fn is_mirrored(&self) -> bool {
         self.to_scene.matrix3.determinant() < 0.0
     }
 }
 
-/// Merges meshes into one whose vertices stand where the parts are placed. A lone part keeps the arrays that its
-/// placement does not change.
+/// Merges placed meshes into one mesh. A single part keeps the arrays that its placement does not change.
 pub fn merge(parts: &[PlacedMesh]) -> Result<Mesh> {
     if parts.iter().any(|part| !part.to_scene.is_finite()) {
         return Err(Error::value("transform", "finite numbers", "NaN or infinity"));
@@ -67,7 +67,7 @@ pub fn merge(parts: &[PlacedMesh]) -> Result<Mesh> {
     Mesh::new(positions, faces, uvs, colors, objects, materials)?.with_normals(normals)
 }
 
-/// Cuts an array into consecutive pieces of the given lengths.
+/// Splits an array into consecutive pieces of the given lengths.
 fn pieces<T>(mut rest: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&mut [T]> {
     lengths
         .map(|length| {
@@ -94,7 +94,7 @@ fn placed_positions(parts: &[PlacedMesh]) -> Vec<[f32; 3]> {
     positions
 }
 
-/// Normals of all parts, zero for those without; none where no part has them.
+/// Normals of all parts, zero for parts without normals; `None` if no part has normals.
 fn placed_normals(parts: &[PlacedMesh]) -> Option<Vec<[f32; 3]>> {
     if parts.iter().all(|part| part.mesh.normals.is_none()) {
         return None;
@@ -142,7 +142,7 @@ fn joined_faces(parts: &[PlacedMesh], counts: &[usize]) -> Result<Vec<[u32; 3]>>
     Ok(faces)
 }
 
-/// An attribute of all parts, with a neutral value for those without; none where no part has it.
+/// An attribute of all parts, with a neutral value for parts without it; `None` if no part has it.
 fn joined<T: Copy + Send + Sync>(
     parts: &[PlacedMesh],
     attribute: impl Fn(&Mesh) -> Option<&[T]>,
@@ -200,7 +200,7 @@ mod tests {
         for count in [1, 2] {
             let part = PlacedMesh { mesh: triangle(FaceMap::Uniform(0), false), to_scene: mirror, object: None };
             let merged = merge(&vec![part; count]).unwrap();
-            // The front of the triangle looks along +z, that of its mirror image along −z.
+            // The triangle's front faces +z, the front of its mirror image −z.
             assert_eq!(normal(&merged, 0), -Vec3::Z);
         }
     }

@@ -1,4 +1,4 @@
-//! Triangles with their attributes: what instances place in the world.
+//! Triangle meshes with their attributes, which instances place in the world.
 
 use std::sync::{Mutex, OnceLock, PoisonError};
 
@@ -8,28 +8,28 @@ use rayon::prelude::*;
 use crate::base::{Aabb, Buffer, Error, FaceMap, Progress, REACH, Result};
 use crate::bvh::{Bvh, MeshArrays};
 
-/// Faces or vertices handled by one task: fixed, so that reductions do not depend on the number of threads.
+/// Number of faces or vertices in one task. It is fixed, so that reductions do not depend on the number of threads.
 pub(super) const TILE: usize = 1 << 16;
 
-/// Faces that fit into the first-level cache.
+/// Number of faces that fit in the first-level cache.
 const PIECE: usize = 1 << 11;
 
 /// An immutable triangle mesh in its own frame.
 #[derive(Debug)]
 pub struct Mesh {
-    /// Vertices, metres.
+    /// Vertex positions, metres.
     pub positions: Buffer<[f32; 3]>,
-    /// Three vertices of each triangle, counter-clockwise from outside.
+    /// Three vertex numbers per triangle, counter-clockwise from outside.
     pub faces: Buffer<[u32; 3]>,
-    /// Texture coordinates of each vertex, v upwards.
+    /// Texture coordinates per vertex, v upwards.
     pub uvs: Option<Buffer<[f32; 2]>>,
-    /// Colour of each vertex, sRGB with linear alpha.
+    /// Colour per vertex, sRGB with linear alpha.
     pub colors: Option<Buffer<[u8; 4]>>,
-    /// Unit normal of each vertex, outwards; zero where a vertex has none. See `Self::with_normals`.
+    /// Outward unit normal per vertex; zero for a vertex without normal. See `Self::with_normals`.
     pub normals: Option<Buffer<[f32; 3]>>,
-    /// Object of each face; an instance may override it.
+    /// Object per face; an instance may override it.
     pub objects: FaceMap,
-    /// Material of each face.
+    /// Material per face.
     pub materials: FaceMap,
     bounds: Aabb,
     bvh: OnceLock<Bvh>,
@@ -37,7 +37,7 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// Takes the arrays as they are (no copies) and checks that they fit together.
+    /// Takes the arrays without copies and checks that they fit together.
     pub fn new(
         positions: Buffer<[f32; 3]>,
         faces: Buffer<[u32; 3]>,
@@ -81,14 +81,14 @@ impl Mesh {
         Self { positions, faces, uvs, colors, normals, objects, materials, bounds, bvh, building }
     }
 
-    /// The mesh with other normals of its vertices, by which it is shaded; none stands for flat faces.
+    /// The mesh with other vertex normals for shading; `None` for flat faces.
     pub fn with_normals(self, normals: Option<Buffer<[f32; 3]>>) -> Result<Self> {
         check_rows("normals", normals.as_deref(), self.positions.len())?;
         check_finite("normals", normals.as_deref().unwrap_or_default())?;
         Ok(Self { normals, ..self })
     }
 
-    /// A mesh of chosen faces, in their order. It shares the vertices' arrays, unless most of them would be left over.
+    /// A mesh of chosen faces, in their order. It shares the vertex arrays unless most vertices would be unused.
     pub fn selected(&self, chosen: &[u32]) -> Self {
         let faces: Vec<[u32; 3]> = chosen.par_iter().map(|&face| self.faces[face as usize]).collect();
         let (objects, materials) = (self.objects.selected(chosen), self.materials.selected(chosen));
@@ -98,7 +98,7 @@ impl Mesh {
         let mut used: Vec<u32> = faces.as_flattened().to_vec();
         used.sort_unstable();
         used.dedup();
-        // Every vertex of the faces is in `used`, so the search finds it.
+        // Each vertex of the faces is in `used`, so the search finds it.
         let renumber = |vertex: u32| used.partition_point(|&other| other < vertex) as u32;
         let faces: Vec<[u32; 3]> = faces.par_iter().map(|face| face.map(renumber)).collect();
         let uvs = self.uvs.as_ref().map(|values| gathered(values, &used));
@@ -108,8 +108,8 @@ impl Mesh {
         Self { normals, ..Self::unchecked(positions, faces.into(), uvs, colors, objects, materials) }
     }
 
-    /// The mesh with its faces turned inside out, for instances that are mirrored. It shares the vertices' arrays: normals
-    /// keep their sides, because a mirror takes what points outwards to what does.
+    /// The mesh with its faces turned inside out, for mirrored instances. It shares the vertex arrays. Normals do not
+    /// change, because a mirror maps outward normals to outward normals.
     pub fn turned(&self) -> Self {
         let faces = self.faces.par_iter().map(turned).collect();
         self.with_faces(faces, self.objects.clone(), self.materials.clone())
@@ -122,7 +122,7 @@ impl Mesh {
         Self { normals, ..Self::unchecked(positions, faces.into(), uvs, colors, objects, materials) }
     }
 
-    /// Number of faces without an area: two corners at one place, or all three on a line, in exact arithmetic of the
+    /// Number of faces without area: two corners at one position, or all three on a line, in exact arithmetic of the
     /// float32 edges.
     pub fn degenerate_count(&self) -> usize {
         let is_degenerate = |face: &&[u32; 3]| {
@@ -132,7 +132,7 @@ impl Mesh {
         self.faces.par_chunks(TILE).map(|tile| tile.iter().filter(is_degenerate).count()).sum()
     }
 
-    /// Box of all faces; vertices that no face uses are left out.
+    /// Box of all faces; unused vertices are left out.
     pub fn bounds(&self) -> Aabb {
         self.bounds
     }
@@ -143,13 +143,13 @@ impl Mesh {
         self.faces[face as usize].map(|vertex| Vec3::from_array(self.positions[vertex as usize]))
     }
 
-    /// The acceleration structure, where it has been built.
+    /// The bounding volume hierarchy, if it has been built.
     #[inline]
     pub fn bvh(&self) -> Option<&Bvh> {
         self.bvh.get()
     }
 
-    /// Builds the acceleration structure on first use.
+    /// Builds the bounding volume hierarchy on first use.
     pub fn build_bvh(&self, progress: &Progress) -> Result<&Bvh> {
         let _one_builder = self.building.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(bvh) = self.bvh.get() {
@@ -167,12 +167,12 @@ impl Mesh {
     }
 }
 
-/// A face seen from the other side: the same first corner, the others in the other order.
+/// The face seen from the other side: the second and third corner are exchanged.
 pub(super) fn turned(face: &[u32; 3]) -> [u32; 3] {
     [face[0], face[2], face[1]]
 }
 
-/// Refuses an attribute without one row for each vertex.
+/// Fails unless an attribute has one row per vertex.
 fn check_rows<T>(argument: &'static str, rows: Option<&[T]>, vertex_count: usize) -> Result<()> {
     match rows.map(<[T]>::len).filter(|&length| length != vertex_count) {
         Some(length) => Err(Error::value(argument, format!("one row for each of {vertex_count} vertices"), length)),
@@ -188,13 +188,14 @@ fn check_finite(argument: &'static str, rows: &[[f32; 3]]) -> Result<()> {
     }
 }
 
-/// Box of all faces. Following faces to their vertices reads memory in disorder, so a large mesh first looks whether the
-/// six vertices that make the box of all vertices are used, which they are unless there are strays.
+/// Box of all faces. Reading vertices through faces is random access, so for a large mesh this first tests whether
+/// faces use the six vertices that define the box of all vertices. That is the case unless the mesh has unused
+/// vertices.
 fn bounds_of(positions: &[[f32; 3]], faces: &[[u32; 3]]) -> Aabb {
     if faces.len() > TILE {
         let all = box_of(positions, |bounds, &point| bounds.extend(point.into()));
         let extremes = extremes(positions, &all);
-        // One comparison at a time over a piece that stays in the cache: a loop that the compiler turns into vectors.
+        // One comparison at a time over a piece that stays in the cache; the compiler vectorises this loop.
         let holds = |piece: &[u32], sought: u32| piece.iter().fold(0, |any, &v| any | u32::from(v == sought)) != 0;
         let found = |tile: &[[u32; 3]]| extremes.map(|vertex| holds(tile.as_flattened(), vertex));
         let either = |a: [bool; 6], b: [bool; 6]| std::array::from_fn(|i| a[i] | b[i]);
@@ -205,7 +206,7 @@ fn bounds_of(positions: &[[f32; 3]], faces: &[[u32; 3]]) -> Aabb {
     box_of(faces, |bounds, face| face.iter().for_each(|&v| bounds.extend(positions[v as usize].into())))
 }
 
-/// A vertex on each side of a box that encloses them tightly.
+/// For each side of a tight box, the number of a vertex on it.
 fn extremes(positions: &[[f32; 3]], bounds: &Aabb) -> [u32; 6] {
     std::array::from_fn(|side| {
         let axis = side % 3;

@@ -1,4 +1,4 @@
-//! Scenes: meshes shared between instances, objects as names over faces or instances, base colours.
+//! Scenes: meshes shared between instances, objects as names of faces or instances, base colours.
 
 mod albedo;
 mod edit;

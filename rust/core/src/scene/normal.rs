@@ -1,7 +1,7 @@
-//! Normals of vertices where a mesh is placed.
+//! Vertex normals of placed meshes.
 //!
-//! A normal is a plane's, not an edge's: it goes by the inverse transpose, which a mirror and unequal scales make
-//! differ from the matrix itself. Rows are unit where they stand, so that a merged mesh is shaded as its instances are.
+//! A normal belongs to a plane, so it is transformed by the inverse transpose, which differs from the matrix itself for
+//! mirrors and unequal scales. Placed normals have length 1, so a merged mesh is shaded like its instances.
 
 use glam::{DAffine3, DMat3, Vec3};
 use rayon::prelude::*;
@@ -9,20 +9,21 @@ use rayon::prelude::*;
 use super::instance::Instance;
 use super::mesh::{Mesh, TILE};
 
-/// Matrix that transforms normals, up to their length: the cofactors of the placement, which a singular one has too.
+/// Matrix that transforms normals, except for their length: the cofactors of the placement, which exist for singular
+/// matrices too.
 pub(super) fn normal_matrix(to_scene: &DAffine3) -> DMat3 {
     let m = to_scene.matrix3;
     let cofactors = DMat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));
     if m.determinant() < 0.0 { -cofactors } else { cofactors }
 }
 
-/// A normal where its mesh is placed, unit; zero stays zero.
+/// Unit normal of the placed mesh; zero stays zero.
 #[inline]
 fn placed(matrix: &DMat3, normal: [f32; 3]) -> Vec3 {
     (*matrix * Vec3::from_array(normal).as_dvec3()).normalize_or_zero().as_vec3()
 }
 
-/// Writes normals where their mesh is placed.
+/// Writes the normals of the placed mesh.
 pub(super) fn place_normals(to_scene: &DAffine3, normals: &[[f32; 3]], slots: &mut [[f32; 3]]) {
     if *to_scene == DAffine3::IDENTITY {
         slots.copy_from_slice(normals);
@@ -35,7 +36,7 @@ pub(super) fn place_normals(to_scene: &DAffine3, normals: &[[f32; 3]], slots: &m
 }
 
 impl Mesh {
-    /// Normals of a face's corners; none where the mesh has no normals.
+    /// Normals of a face's corners; `None` if the mesh has no normals.
     #[inline]
     fn corner_normals(&self, face: u32) -> Option<[[f32; 3]; 3]> {
         let normals = self.normals.as_ref()?;
@@ -44,8 +45,7 @@ impl Mesh {
 }
 
 impl Instance {
-    /// Unit normals of a face's corners where they stand, zero for a vertex without one; none where the mesh has no
-    /// normals.
+    /// Unit normals of a face's corners as placed, zero for a vertex without one; `None` if the mesh has no normals.
     #[inline]
     pub fn corner_normals(&self, face: u32) -> Option<[Vec3; 3]> {
         let normals = self.mesh.corner_normals(face)?;
@@ -56,7 +56,7 @@ impl Instance {
         Some(normals.map(|normal| placed(&matrix, normal)))
     }
 
-    /// Normals of all vertices where they stand; those of a mesh that stands in place keep their bits.
+    /// Normals of all vertices as placed; those of a mesh whose transform is the identity keep their bits.
     pub fn vertex_normals(&self) -> Option<Vec<[f32; 3]>> {
         let normals = self.mesh.normals.as_deref()?;
         let mut slots = vec![[0.0; 3]; normals.len()];
@@ -65,11 +65,11 @@ impl Instance {
     }
 }
 
-/// Normals of a face's corners as a point of the face takes them: on the side of the face's own `normal`, which also
-/// stands in at corners without one; none where no corner has one.
+/// Normals of a face's corners for shading, turned to the side of the face's own `normal`. A corner without a normal
+/// gets `normal`. `None` if the corners' normals add up to zero.
 ///
-/// The side is the whole face's, that of the corners' sum: files disagree with the order of their faces' corners, and
-/// poses may be mirrored.
+/// The sum of the corners' normals decides the side for the whole face, because files order the corners of faces
+/// inconsistently and poses may be mirrored.
 #[inline]
 pub fn facing_normals(corners: [Vec3; 3], normal: Vec3) -> Option<[Vec3; 3]> {
     let sum = corners[0] + corners[1] + corners[2];
@@ -90,7 +90,7 @@ mod tests {
     use crate::base::{Buffer, FaceMap};
     use crate::scene::{PlacedMesh, merge};
 
-    /// A triangle whose normals lean away from its plane's, the third vertex without one.
+    /// A triangle whose normals differ from its plane's; the third vertex has none.
     fn leaning() -> Arc<Mesh> {
         let positions: Buffer<[f32; 3]> = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].into();
         let normals = vec![[0.6, 0.0, 0.8], [0.0, -0.6, 0.8], [0.0; 3]];
@@ -107,14 +107,14 @@ mod tests {
     fn placed_normals_stay_across_what_they_were_across() {
         let instance = Instance::new(leaning(), slanted(), None).unwrap();
         let [a, b, none] = instance.corner_normals(0).unwrap();
-        // Two directions in the plane that each normal belongs to, placed as points are.
+        // Two directions in the plane that each normal belongs to, transformed like points.
         for (normal, tangents) in [(a, [[0.8, 0.0, -0.6], [0.0, 1.0, 0.0]]), (b, [[1.0, 0.0, 0.0], [0.0, 0.8, 0.6]])] {
             assert!(normal.is_normalized());
             for tangent in tangents {
                 let placed = slanted().transform_vector3(DVec3::from_array(tangent)).normalize();
                 assert!(placed.dot(normal.as_dvec3()).abs() < 1e-6, "{tangent:?}");
             }
-            // Outside stays outside: what lies ahead of the face lies ahead of it still.
+            // Outside stays outside: a direction in front of the face is still in front of it.
             assert!(slanted().transform_vector3(DVec3::Z).dot(normal.as_dvec3()) > 0.0);
         }
         assert_eq!(none, Vec3::ZERO);
@@ -129,7 +129,7 @@ mod tests {
         let instance = Instance::new(leaning(), slanted(), None).unwrap();
         let expected = instance.corner_normals(0).unwrap().map(|n| n.to_array());
         let normals = merged.normals.as_deref().unwrap();
-        // The mirrored part's faces are turned, its vertices are not.
+        // The mirrored part's faces are turned, its normals are not.
         assert_eq!(normals[..3], expected);
         assert_eq!(normals[3..6], [[0.0; 3]; 3]);
         assert_eq!(&normals[6..], leaning().normals.as_deref().unwrap());

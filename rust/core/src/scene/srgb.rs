@@ -1,4 +1,4 @@
-//! sRGB's transfer function (IEC 61966-2-1), both ways. Everything between files is linear.
+//! sRGB's transfer function (IEC 61966-2-1) and its inverse. All values except those in files are linear.
 
 use std::sync::LazyLock;
 
@@ -10,13 +10,13 @@ static LINEAR: LazyLock<[f32; 256]> = LazyLock::new(|| {
     })
 });
 
-/// The table of linear values: fetch it once for a loop.
+/// The table of linear values. Loops should fetch it once.
 #[inline]
 pub fn linear_from_srgb() -> &'static [f32; 256] {
     &LINEAR
 }
 
-/// The code of a linear value, rounded to the nearest; clipped to 0..1, NaN is black.
+/// The nearest code of a linear value clamped to 0..1; NaN is black.
 #[inline]
 pub fn srgb_from_linear(linear: f32) -> u8 {
     let x = linear.clamp(0.0, 1.0);

@@ -1,44 +1,44 @@
 //! Base colour images, filtered in linear light.
 //!
-//! Williams: Pyramidal parametrics, 1983 (trilinear filtering). Level 0 stays as it came, in sRGB; coarser levels are
-//! means of linear light and are made on first use. Cut-out materials have coarser levels of their own, weighted by
-//! alpha: what is painted in the holes, often black, must not darken leaves at a distance.
+//! Williams: Pyramidal parametrics, 1983 (trilinear filtering). Level 0 is the original image in sRGB; coarser levels
+//! are means of linear light, computed on first use. Cut-out materials have separate coarser levels, weighted by alpha,
+//! so that the colour in the holes, often black, does not darken leaves at a distance.
 
 use std::sync::OnceLock;
 
 use super::srgb::linear_from_srgb;
 use crate::base::{Buffer, Error, Result};
 
-/// An sRGB image with linear alpha; row 0 on top, repeated in both directions.
+/// An sRGB image with linear alpha, row 0 on top; it repeats in both directions.
 #[derive(Debug)]
 pub struct Texture {
-    /// Texels across.
+    /// Width, texels.
     pub width: u32,
-    /// Texels down.
+    /// Height, texels.
     pub height: u32,
     /// `width * height` texels, rows from the top.
     pub texels: Buffer<[u8; 4]>,
-    /// Level 1 and coarser.
+    /// Levels 1 and coarser.
     mips: OnceLock<Vec<MipLevel>>,
-    /// The same, weighted by alpha.
+    /// The same levels, weighted by alpha.
     cutout_mips: OnceLock<Vec<MipLevel>>,
 }
 
-/// Weight of what cannot be seen: enough to give holes a colour where a whole texel lies in one.
+/// Weight of a transparent texel: enough to give holes a colour where a whole coarser texel lies in one.
 const LEAST_WEIGHT: f32 = 1.0 / 1024.0;
 
-/// A coarser image: linear RGB in steps of 1/65535, a twentieth of sRGB's finest step.
+/// A coarser level: linear RGB in steps of 1/65535, a twentieth of sRGB's finest step.
 #[derive(Debug)]
 pub struct MipLevel {
-    /// Texels across.
+    /// Width, texels.
     pub width: u32,
-    /// Texels down.
+    /// Height, texels.
     pub height: u32,
-    /// Rows from the top.
+    /// Texels, rows from the top.
     pub texels: Vec<[u16; 3]>,
 }
 
-/// Four texels around a point and the weights of the right and the lower ones.
+/// Four texels around a point, and the weights of the right column and the lower row.
 struct TextureTaps {
     columns: [u32; 2],
     rows: [u32; 2],
@@ -55,10 +55,10 @@ impl Texture {
     }
 
     /// Linear RGB at (u, v), v upwards: bilinear within a level, linear between levels. Level 0 and below is the image
-    /// itself, each further level halves both sides, and beyond the last one everything is the image's mean. `cutout`
+    /// itself. Each further level halves both sides, and beyond the last level the colour is the image's mean. `cutout`
     /// weights the means by alpha.
     pub fn color(&self, uv: [f32; 2], level: f32, cutout: bool) -> [f32; 3] {
-        // NaN counts as level 0: `max` returns the other operand.
+        // NaN counts as level 0, because `max` returns the other operand.
         let level = level.max(0.0);
         if level == 0.0 {
             return self.finest(uv);
@@ -74,12 +74,12 @@ impl Texture {
         std::array::from_fn(|i| fine[i] + (coarse[i] - fine[i]) * between)
     }
 
-    /// Level 1 and coarser, down to one texel; `cutout` weights their means by alpha.
+    /// Levels 1 and coarser, down to one texel; `cutout` weights their means by alpha.
     pub fn coarser(&self, cutout: bool) -> &[MipLevel] {
         if cutout { &self.cutout_mips } else { &self.mips }.get_or_init(|| self.build(cutout))
     }
 
-    /// Alpha at (u, v) in 0..1, bilinear in the image itself: what cut-out materials compare with their cutoff.
+    /// Alpha at (u, v), 0 to 1, bilinear in level 0; cut-out materials compare it with their cutoff.
     pub fn alpha(&self, uv: [f32; 2]) -> f32 {
         let taps = TextureTaps::new(uv, self.width, self.height);
         taps.blend(|column, row| [f32::from(self.texel(column, row)[3])])[0] / 255.0
@@ -99,8 +99,8 @@ impl Texture {
         self.texels[row as usize * self.width as usize + column as usize]
     }
 
-    /// All levels down to one texel. Runs on the calling thread: a pool's thread that waited for others in here could
-    /// be handed a task that waits for this very texture.
+    /// Builds all levels down to one texel, on the calling thread. A rayon thread that waited here could be given a
+    /// task that waits for this texture.
     fn build(&self, cutout: bool) -> Vec<MipLevel> {
         let linear = linear_from_srgb();
         let weighted = |&[r, g, b, alpha]: &[u8; 4]| {
@@ -153,19 +153,21 @@ impl TextureTaps {
     }
 }
 
-/// The two texels whose centres enclose a coordinate, of `count` in a period of 1, and the second one's weight.
+/// The two texels whose centres enclose a coordinate, with `count` texels in a period of 1, and the weight of the
+/// second.
 #[inline]
 fn neighbours(coordinate: f32, count: u32) -> (u32, u32, f32) {
     let within = if coordinate.is_finite() { coordinate - coordinate.floor() } else { 0.0 };
     let x = within * count as f32 - 0.5;
     let floor = x.floor();
-    // −1 at the seam's one side, where the left neighbour is the last texel; a period that rounded up to 1 ends there too.
+    // At the seam `floor` is −1, and the left neighbour is the last texel. A coordinate that rounds up to 1 gives the
+    // last texel as well.
     let first = if floor < 0.0 { count - 1 } else { (floor as u32).min(count - 1) };
     (first, if first + 1 == count { 0 } else { first + 1 }, x - floor)
 }
 
-/// Shrinks rows from `from` to `to` texels; each new texel is the mean over its share of the old ones, so that the
-/// mean of the image stays for any size.
+/// Shrinks rows from `from` to `to` texels. Each new texel is the mean over the part of the old texels that it covers,
+/// so the image's mean does not change for any size.
 fn shrink(image: &[[f32; 4]], from: u32, to: u32) -> Vec<[f32; 4]> {
     if from == to {
         return image.to_vec();
@@ -227,7 +229,7 @@ mod tests {
             for level in texture.build(false) {
                 for c in 0..3 {
                     let sum: f64 = level.texels.iter().map(|t| f64::from(t[c]) / 65535.0).sum();
-                    // Half a step of 1/65535 for each texel at most, and float32 sums (2e-7 each) below it.
+                    // At most half a step of 1/65535 per texel, and less from float32 sums (2e-7 each).
                     assert!((sum / level.texels.len() as f64 - expected[c]).abs() < 0.6 / 65535.0);
                 }
             }
@@ -245,7 +247,7 @@ mod tests {
                 let uv = [(column as f32 + 0.5) / 3.0 - 2.0, 1.0 - (row as f32 + 0.5) / 2.0 + 7.0];
                 let texel = texture.texel(column, row);
                 for c in 0..3 {
-                    // The weights of the neighbours are roundings of u at 7 periods: 7 · 2⁻²³ · 3 texels.
+                    // The weights of the neighbours come from rounding of u at 7 periods: 7 · 2⁻²³ · 3 texels.
                     assert!((texture.color(uv, -1.0, false)[c] - linear[usize::from(texel[c])]).abs() < 3e-6);
                 }
                 assert!((texture.alpha(uv) - f32::from(texel[3]) / 255.0).abs() < 3e-6);
@@ -281,7 +283,8 @@ mod tests {
         let texture = Texture::new(8, 8, texels.into()).unwrap();
         let leaf = linear_from_srgb()[200];
         let [plain, cutout] = [false, true].map(|cutout| texture.color([0.5, 0.5], 3.0, cutout)[1]);
-        // A third is leaf; of the weighted mean all but two weights of 1/1024 for each leaf's 1.
+        // A third of the texels is leaf. The weighted mean is leaf except for two weights of 1/1024 per leaf texel of
+        // weight 1.
         assert!((plain - leaf * 22.0 / 64.0).abs() < 1e-4);
         assert!(cutout > 0.997 * leaf && cutout <= leaf);
     }

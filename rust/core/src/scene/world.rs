@@ -1,4 +1,4 @@
-//! The scene itself: what stands and what moves in the world, with its materials and textures.
+//! The scene: static and moving instances with their materials and textures.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -14,23 +14,23 @@ use crate::base::{Aabb, Error, Progress, Result, memory::room_for};
 
 /// An immutable scene. Copies share meshes, textures and trees; only instance lists differ.
 ///
-/// Instances are numbered with the standing ones first, then the moving ones, and triangles in that order.
+/// Static instances are numbered first, then moving ones; triangles are numbered in the order of instances.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// World position of the float32 geometry's zero.
+    /// World position of the zero point of the float32 geometry.
     pub origin: DVec3,
     /// Instances that never move.
     pub standing: Arc<InstanceSet>,
-    /// Instances that may be posed anew.
+    /// Instances whose poses may change.
     pub moving: Arc<InstanceSet>,
-    /// Base colours, numbered by the meshes' material maps.
+    /// Base colours, indexed by the meshes' material maps.
     pub materials: Arc<Vec<Material>>,
-    /// Textures, numbered by the materials.
+    /// Textures, indexed by the materials.
     pub textures: Arc<Vec<Texture>>,
 }
 
 impl Scene {
-    /// Puts a scene together and checks its numbers.
+    /// Creates a scene and checks its references.
     pub fn new(
         origin: DVec3,
         standing: Vec<Instance>,
@@ -55,17 +55,17 @@ impl Scene {
         Ok(Self { origin, standing, moving, materials, textures })
     }
 
-    /// The same scene with its moving instances in other places.
+    /// The same scene with its moving instances replaced.
     pub fn posed(&self, moving: Vec<Instance>) -> Self {
         Self { moving: Arc::new(InstanceSet::new(moving)), ..self.clone() }
     }
 
-    /// Both sets: standing, moving.
+    /// Both sets: static, moving.
     pub fn sets(&self) -> [&InstanceSet; 2] {
         [&self.standing, &self.moving]
     }
 
-    /// All instances in number order.
+    /// All instances, ordered by number.
     pub fn instances(&self) -> impl Iterator<Item = &Instance> {
         self.standing.instances().iter().chain(self.moving.instances())
     }
@@ -80,12 +80,12 @@ impl Scene {
         }
     }
 
-    /// Number of instances, standing and moving.
+    /// Number of instances, static and moving.
     pub fn instance_count(&self) -> usize {
         self.standing.instances().len() + self.moving.instances().len()
     }
 
-    /// Triangles before an instance.
+    /// Number of triangles before an instance.
     pub fn triangle_offset(&self, number: u32) -> i64 {
         let standing = self.standing.instances().len();
         match (number as usize).checked_sub(standing) {
@@ -94,7 +94,7 @@ impl Scene {
         }
     }
 
-    /// Triangles of all instances.
+    /// Number of triangles of all instances.
     pub fn triangle_count(&self) -> i64 {
         self.standing.triangle_count() + self.moving.triangle_count()
     }
@@ -109,12 +109,13 @@ impl Scene {
         Some(((instance + self.standing.instances().len()) as u32, face))
     }
 
-    /// Builds all trees that rays need; each is built once and shared by every copy of the scene.
+    /// Builds all trees that rays need; each is built once and shared by all copies of the scene.
     pub fn build(&self, progress: &Progress) -> Result<()> {
         self.sets().into_iter().try_for_each(|set| set.build(progress))
     }
 
-    /// Corners of all triangles in number order, nine floats each, relative to the origin. For exchange, not for kernels.
+    /// Corners of all triangles ordered by number, nine floats each, relative to the origin. For export, not for
+    /// kernels.
     pub fn triangles(&self) -> Result<Vec<f32>> {
         room_for(self.triangle_count() as u64 * 9 * size_of::<f32>() as u64)?;
         let mut flat = vec![0.0; self.triangle_count() as usize * 9];
@@ -131,7 +132,7 @@ impl Scene {
         Ok(flat)
     }
 
-    /// Faces without an area, each mesh counted once.
+    /// Number of faces without area, counting each mesh once.
     pub fn degenerate_count(&self) -> usize {
         distinct_meshes(self.instances()).map(Mesh::degenerate_count).sum()
     }
@@ -140,7 +141,7 @@ impl Scene {
     pub fn bounds(&self) -> Aabb {
         let mut tight = Aabb::EMPTY;
         for instance in self.instances() {
-            // A loose box that is inside already cannot hold a vertex that is outside.
+            // If the loose box of an instance already lies inside, none of its vertices lies outside.
             if tight.union(&instance.bounds) == tight {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! Meshes as plain arrays.
+//! Splitting of meshes given as plain arrays.
 
 use glam::DVec3;
 
@@ -7,20 +7,20 @@ use super::counts::SplitCounts;
 use super::rule::{Precision, Rule};
 use crate::base::{Progress, Result};
 
-/// A mesh after splitting: the source's vertices, then new ones.
+/// A split mesh: the source's vertices, followed by new ones.
 #[derive(Debug, Default)]
 pub struct Arrays {
     /// New vertices.
     pub points: Vec<[f64; 3]>,
-    /// Face of the source that each new vertex lies on.
+    /// Face of the source on which each new vertex lies.
     pub point_faces: Vec<u32>,
     /// Weights of that face's corners.
     pub weights: Vec<[f64; 3]>,
-    /// Three vertices of each face.
+    /// Three vertex numbers per face.
     pub faces: Vec<[u32; 3]>,
-    /// Face of the source that each face is a part of.
+    /// Face of the source of which each face is a part.
     pub sources: Vec<u32>,
-    /// Numbers of triangles before and after.
+    /// Numbers of triangles before and after splitting.
     pub counts: SplitCounts,
 }
 

@@ -1,4 +1,4 @@
-//! Faces and new vertices from pieces: neighbours share vertices where the source's faces do.
+//! Faces and new vertices from pieces. Neighbouring pieces share vertices where the source's faces do.
 
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -11,12 +11,12 @@ use super::rule::{Precision, Rule};
 use super::split::Piece;
 use crate::base::{Error, Progress, Result, memory::room_for};
 
-/// Faces handled by one task: fixed, so that nothing depends on the number of threads.
+/// Number of faces in one task. It is fixed, so that the result does not depend on the number of threads.
 const TILE: usize = 1 << 12;
-/// Bytes that a piece takes while it is made: itself, its face and its share of the new vertices.
+/// Bytes that a piece needs while it is created: the piece, its face and its share of the new vertices.
 const BYTES: u64 = size_of::<Piece>() as u64 + 64;
 
-/// A vertex that the source does not have, on one of its faces.
+/// A vertex that the source does not have, on one of the source's faces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct NewVertex {
     pub point: DVec3,
@@ -27,21 +27,21 @@ pub(super) struct NewVertex {
 /// A face of the source and its pieces.
 type Split = (u32, Vec<Piece>);
 
-/// Faces of a mesh after splitting. Vertices from `vertex_count` on are new.
+/// Faces of a split mesh. Vertices from `vertex_count` on are new.
 #[derive(Debug, Default)]
 pub(super) struct Assembled {
     pub faces: Vec<[u32; 3]>,
-    /// Face of the source that each face is a part of.
+    /// Face of the source of which each face is a part.
     pub sources: Vec<u32>,
     pub new: Vec<NewVertex>,
 }
 
-/// Counts pieces of all tasks and refuses what the system has no memory for.
+/// Counts the pieces of all tasks and refuses them if the system lacks the memory.
 #[derive(Debug, Default)]
 pub(super) struct Budget(AtomicU64);
 
 impl Budget {
-    /// Counts pieces that were made.
+    /// Adds a number of created pieces.
     pub fn made(&self, pieces: usize, progress: &Progress) -> Result<()> {
         let all = self.0.fetch_add(pieces as u64, Ordering::Relaxed) + pieces as u64;
         if all > u64::from(u32::MAX) {
@@ -51,13 +51,13 @@ impl Budget {
                 format!("{all} triangles"),
             ));
         }
-        // Twice, because the result is put together beside the pieces.
+        // Twice the memory, because the result is assembled while the pieces still exist.
         room_for(2 * BYTES * all)?;
         progress.check()
     }
 }
 
-/// Splits the faces of a mesh, `corners` telling where those of a face are; none where no face is split.
+/// Splits the faces of a mesh; `corners` gives the corners of a face. `None` if no face is split.
 pub(super) fn assemble(
     source: &[[u32; 3]],
     vertex_count: usize,
@@ -93,7 +93,7 @@ pub(super) fn assemble(
     joined(source, vertex_count, &split).map(Some)
 }
 
-/// Identity of a new vertex: the source's edge or face that it lies on, and its position, bit by bit.
+/// Identity of a new vertex: the edge or face of the source on which it lies, and the bits of its position.
 type Key = ([u32; 2], [u64; 3]);
 
 fn joined(source: &[[u32; 3]], vertex_count: usize, split: &[Split]) -> Result<Assembled> {
@@ -140,7 +140,7 @@ enum VertexPlace {
     New([u32; 2]),
 }
 
-/// Place of a point with these weights on the source. Two zero weights mark a corner, one marks an edge.
+/// Position on the source of a point with these weights. Two zero weights mark a corner, one marks an edge.
 fn on_source(vertices: [u32; 3], face: u32, weights: [f64; 3]) -> VertexPlace {
     let used: [bool; 3] = weights.map(|weight| weight != 0.0);
     match used {
@@ -150,7 +150,7 @@ fn on_source(vertices: [u32; 3], face: u32, weights: [f64; 3]) -> VertexPlace {
         [true, true, false] => VertexPlace::New(ordered(vertices[0], vertices[1])),
         [false, true, true] => VertexPlace::New(ordered(vertices[1], vertices[2])),
         [true, false, true] => VertexPlace::New(ordered(vertices[2], vertices[0])),
-        // No edge joins a vertex with itself: such a pair can name the inside of a face.
+        // No edge joins a vertex with itself, so such a pair can denote the inside of a face.
         _ => VertexPlace::New([face, face]),
     }
 }

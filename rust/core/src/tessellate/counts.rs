@@ -1,4 +1,4 @@
-//! Counts of triangles before and after splitting.
+//! Numbers of triangles before and after splitting.
 
 /// Numbers of triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -7,7 +7,7 @@ pub struct SplitCounts {
     pub before: u64,
     /// Triangles of the result.
     pub after: u64,
-    /// Triangles of the source that were looked at: the others lie within r₁ or beyond r₂, or move.
+    /// Triangles of the source that were examined; the others lie within r₁ or beyond r₂, or move.
     pub examined: u64,
     /// Triangles of the source that were split.
     pub split: u64,

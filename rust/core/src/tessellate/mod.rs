@@ -1,10 +1,10 @@
-//! Splits triangles until morphing their vertices shows them where morphing every point would, within a tolerance and for
-//! every user of a region.
+//! Splits triangles until the interpolated morph of their vertices is within a tolerance of the morph of every point,
+//! for every user of a region.
 //!
-//! Popescu, Lee, Choi, Fahmy (2022) morph vertices; the bound is ours (`bound.rs`). Edges are cut where they cross r₁ and r₂,
-//! because the morph has kinks there, and in between until the bound holds. Whether and where an edge is cut follows from
-//! the edge alone, so that nothing cracks between triangles, meshes or objects. Edges that touch no point between the
-//! radii are never cut: what lies within r₁ or beyond r₂ stays as it is, bit for bit.
+//! Popescu, Lee, Choi, Fahmy (2022) morph vertices; the error bound is nearfar's own (`bound.rs`). Edges are cut where
+//! they cross r₁ and r₂, because the morph has kinks there, and between the radii until the bound holds. The cut of an
+//! edge depends on the edge alone, so there are no cracks between triangles, meshes or objects. Edges without points
+//! between the radii are never cut, so geometry within r₁ or beyond r₂ stays as it is, bit for bit.
 
 mod bound;
 mod arrays;

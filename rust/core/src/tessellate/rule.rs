@@ -1,4 +1,4 @@
-//! Whether and where an edge is split: from its two ends alone, so that every triangle at an edge splits it alike.
+//! The rule that splits edges. It depends on the two ends of an edge alone, so all triangles at an edge split it alike.
 
 use glam::{DVec2, DVec3};
 
@@ -6,24 +6,24 @@ use super::bound::{Form, LEAST_CLEARANCE, RadialZone};
 use crate::base::{Error, Result};
 use crate::morph::Kind;
 
-/// Cylinders and users that surfaces are split for.
+/// The cylinders and the region of users for which surfaces are split.
 #[derive(Clone, Copy, Debug)]
 pub struct Settings {
     /// The centre O, in the frame of the points.
     pub center: DVec3,
-    /// Radius inside which nothing is morphed.
+    /// r₁, metres: points inside are not moved.
     pub r1: f64,
-    /// Radius beyond which everything is moved alike.
+    /// r₂, metres: for points outside, the weight w of the user's view is 0.
     pub r2: f64,
     /// Greatest distance of a user from the centre, metres.
     pub reach: f64,
-    /// Greatest error in radians, as the user sees it.
+    /// Greatest error in radians as the user sees it.
     pub tolerance: f64,
-    /// The morph; for `Kind::Cylinder` the error is estimated, not bounded.
+    /// Kind of the morph. For `Kind::Cylinder` the error is an estimate, not a bound.
     pub kind: Kind,
 }
 
-/// Spacing of the coordinates that new vertices are rounded to, as a share of the coordinate.
+/// Floating-point type to which the coordinates of new vertices are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
     /// float32.
@@ -33,7 +33,7 @@ pub enum Precision {
 }
 
 impl Precision {
-    /// A point as it is stored.
+    /// A point rounded to this type.
     pub fn round(self, p: DVec3) -> DVec3 {
         match self {
             Self::Single => p.as_vec3().as_dvec3(),
@@ -49,48 +49,50 @@ impl Precision {
     }
 }
 
-/// Share of the tolerance that goes to points of triangles outside r₁ which pass it. The more, the fewer triangles lie along
-/// r₁ and the more elsewhere near it. Edges that the shares leave whole must be short enough for the rest: 4/3 of this
-/// and the next stays below it.
+/// Share of the tolerance for points of triangles outside r₁ that lie inside it. A greater share gives fewer triangles
+/// along r₁ and more triangles elsewhere near it. Edges that these shares leave whole must be short enough for the
+/// rest, because 4/3 of the sum of this share and the next stays below the tolerance.
 const PASSING_R1: f64 = 0.25;
-/// Share that goes to vertices of triangles inside r₁ which miss it.
+/// Share of the tolerance for vertices of triangles inside r₁ that lie outside it.
 const MISSING_R1: f64 = 0.05;
-/// Share that goes to triangles beyond r₂ which pass it; 4/3 of it is below 1.
+/// Share of the tolerance for triangles beyond r₂ that reach inside it; 4/3 of it is below 1.
 const PASSING_R2: f64 = 0.7;
-/// Share of the longest edge that any form lets pass; measured, as the first share is.
+/// Greatest edge length between the radii as a share of the longest edge that any form allows. Its value, like that of
+/// PASSING_R1, was chosen by measurement.
 const LONGEST: f64 = 0.7;
-/// Distances for which a form is kept: those between are rounded towards the axis.
+/// Number of distances for which a form is stored; a distance between two is rounded towards the axis.
 const RINGS: usize = 64;
-/// Shares of r₂ − r₁ below which edges are not split: where the tolerance is a bound, and where nothing is. Of r₂, the first
-/// is the narrowest width that has a bound.
+/// Shares of r₂ − r₁ below which edges are not split: the first if the tolerance is a bound, the second otherwise. The
+/// first is also the least (r₂ − r₁)/r₂ for which there is a bound.
 const SHORTEST: f64 = 1.0 / 4096.0;
 const COARSEST: f64 = 1.0 / 64.0;
 
-/// The rule for one place, region of users and tolerance.
+/// The rule for one centre, region of users and tolerance.
 #[derive(Clone, Debug)]
 pub struct Rule {
     settings: Settings,
-    /// Forms by distance from the axis, from r₁ outwards, and the distance between two.
+    /// Forms by distance from the axis, from r₁ outwards, and the distance between two of them in metres.
     forms: Vec<Form>,
     ring: f64,
-    /// Greatest horizontal length of an edge between the radii: what forms hold for.
+    /// Greatest horizontal length of an edge between the radii, metres; the forms hold up to it.
     longest: f64,
-    /// Length below which edges are not halved.
+    /// Length below which edges are not halved, metres.
     shortest: f64,
-    /// By how much points of a triangle outside r₁ may lie inside, and vertices of one inside may lie outside.
+    /// Metres by which points of a triangle outside r₁ may lie inside it, and vertices of a triangle inside may lie
+    /// outside it.
     passing_r1: f64,
     missing_r1: f64,
-    /// By how much points and vertices of a triangle beyond r₂ may lie inside.
+    /// Metres by which points and vertices of a triangle beyond r₂ may lie inside it.
     passing_r2: f64,
-    /// Length of edges that need no split, wherever they are.
+    /// Length up to which no edge needs a split, wherever it lies, metres.
     harmless: f64,
-    /// By how much a vertex on a radius may miss it: rounding, and what edges dip that are too short to be split.
+    /// Metres by which a vertex on a radius may miss it: rounding, and the sag of edges that are too short to be split.
     rounding: f64,
     holds: bool,
 }
 
 impl Rule {
-    /// Checks the settings and prepares the forms.
+    /// Checks the settings and computes the forms.
     pub fn new(settings: &Settings, precision: Precision) -> Result<Self> {
         let Settings { center, r1, r2, reach, tolerance, kind } = *settings;
         if !center.is_finite() {
@@ -111,7 +113,7 @@ impl Rule {
         let width = r2 - r1;
         let zone = RadialZone { reach, width, kind };
         let rounding = (center.abs().max_element() + r2) * precision.step() * 2.0;
-        // A hundredth of the width: that far the forms reach into the other zones.
+        // At most a hundredth of the width: the forms extend that far into the other zones.
         let passing = |share: f64, rho: f64| (share * tolerance / zone.slope(rho)).min(width / 100.0).max(rounding);
         let [passing_r1, missing_r1, passing_r2] =
             [passing(PASSING_R1, r1), passing(MISSING_R1, r1), passing(PASSING_R2, r2)];
@@ -133,13 +135,15 @@ impl Rule {
             passing_r1,
             missing_r1,
             passing_r2,
-            // A chord across a kink misses it by the change of slope times a quarter of its length; it may cross both.
+            // A chord across a kink has an error of the change of slope times a quarter of its length; it may cross
+            // both kinks.
             harmless: pitch(narrowest.across + narrowest.along + narrowest.any)
                 .min(2.0 * tolerance / zone.slope(least)),
             rounding: rounding.max(shortest * shortest / (2.0 * r1.max(width))),
             holds: holds && kind == Kind::Blend,
         };
-        // Of the longest edges that any form lets pass: the shorter, the nearer are the places that a form counts for.
+        // A share of the longest edges that any form allows. The shorter these are, the closer to an edge is the
+        // distance at which its form is taken.
         let widest = zone.form(r2, 0.0);
         rule.longest = (LONGEST * pitch(widest.along + widest.any)).min(width / 2.0).min(r1 / 2.0);
         rule.longest = rule.longest.max(4.0 * shortest);
@@ -152,13 +156,13 @@ impl Rule {
         Ok(rule)
     }
 
-    /// True where the tolerance is a bound for every user of the region: they stay well inside r₁, and the tolerance is not
-    /// below what coordinates resolve.
+    /// Whether the tolerance is a bound for every user of the region: they stay well inside r₁, and the tolerance is
+    /// not below the resolution of the coordinates.
     pub fn holds(&self) -> bool {
         self.holds
     }
 
-    /// Fails where the tolerance is no bound.
+    /// Fails if the tolerance is not a bound.
     pub fn demand(&self) -> Result<()> {
         let Settings { r1, reach, kind, .. } = self.settings;
         let greatest = (1.0 - LEAST_CLEARANCE) * (r1 - self.passing_r1);
@@ -175,19 +179,21 @@ impl Rule {
         Ok(())
     }
 
-    /// Length of edges that miss the morph by less than the tolerance wherever they are, also across the radii.
+    /// Length up to which edges have an error below the tolerance wherever they lie, also across the radii.
     pub fn harmless(&self) -> f64 {
         self.harmless
     }
 
-    /// The settings that it was made for.
+    /// The settings of this rule.
     pub fn settings(&self) -> &Settings {
         &self.settings
     }
 
-    /// Share of the way from a to b at which their edge is split. Call it with the ends in one order.
+    /// Share of the way from a to b at which their edge is split. The caller must order the ends of an edge
+    /// consistently.
     ///
-    /// Every part of an edge that is left whole is left whole too: otherwise thin triangles would be split for ever.
+    /// If an edge is left whole, each part of it must be left whole as well; otherwise thin triangles would be split
+    /// for ever.
     pub(super) fn share(&self, a: DVec3, b: DVec3) -> Option<f64> {
         let Settings { r1, r2, .. } = self.settings;
         let (p, q) = (self.on_ground(a), self.on_ground(b));
@@ -198,7 +204,7 @@ impl Rule {
         }
         let (nearest, room) = (segment_distance(p, q), self.shortest / length);
         if greatest <= r1 + self.missing_r1 {
-            // Both ends on r₁: the triangle beyond is shown as if it ended here.
+            // Both ends on r₁: the triangle beyond is displayed as if it ended at this edge.
             return (least >= r1 - self.rounding && nearest < r1 - self.passing_r1).then_some(0.5);
         }
         if least >= r2 - self.passing_r2 {
@@ -212,12 +218,12 @@ impl Rule {
         {
             return Some(share);
         }
-        // Parts of one length: the edge is split at the part's end that is nearest to the middle.
+        // The edge consists of equal parts and is split at the end of a part that is nearest to its middle.
         let parts = self.parts(p, q, a.y - b.y, nearest);
         (parts >= 2.0).then(|| (parts / 2.0).floor() / parts)
     }
 
-    /// Into how many parts an edge between the radii is to be split.
+    /// Number of parts into which an edge between the radii is to be split.
     fn parts(&self, p: DVec2, q: DVec2, height: f64, nearest: f64) -> f64 {
         let Settings { r1, tolerance, .. } = self.settings;
         let (edge, middle) = (q - p, (p + q) / 2.0);
@@ -234,7 +240,8 @@ impl Rule {
         (parts * (1.0 - 1e-9)).ceil().min(fewest.floor())
     }
 
-    /// A point that a triangle is to be split at although no edge asks for it: it holds the whole cylinder.
+    /// A point at which a triangle must be split although none of its edges is: the triangle contains the whole
+    /// cylinder.
     pub(super) fn inside(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
         let [a, b, c] = corners.map(|corner| self.on_ground(corner));
         if [a, b, c].iter().any(|p| p.length() < self.settings.r2 - self.passing_r2) {
@@ -246,24 +253,25 @@ impl Rule {
         weights.iter().all(|&weight| weight > 0.0).then_some(weights)
     }
 
-    /// True where a triangle is not to be looked at: no point of it lies between the radii, by its box and its corners.
+    /// Whether a triangle needs no examination: by its box and corners, no point of it lies between the radii.
     pub(super) fn leaves_alone(&self, corners: &[DVec3; 3]) -> bool {
         let p = corners.map(|corner| self.on_ground(corner));
         let (low, high) = (p[0].min(p[1]).min(p[2]), p[0].max(p[1]).max(p[2]));
         low.max(-high).max(DVec2::ZERO).length() >= self.settings.r2 || p.iter().all(|p| self.is_within(p.length()))
     }
 
-    /// True for distances from the axis that no end of a split edge has: edges between two points of r₁ are split too.
+    /// Whether a distance from the axis is less than that of any end of a split edge. Edges between two points of r₁
+    /// are split too.
     pub(super) fn is_within(&self, rho: f64) -> bool {
         rho < self.settings.r1 - self.rounding
     }
 
-    /// True where no point of a triangle is inside r₂, by the side of one edge.
+    /// Whether no point of a triangle is inside r₂, by a separating line.
     pub fn is_beyond(&self, corners: &[DVec3; 3]) -> bool {
         let r2 = self.settings.r2;
         let p = corners.map(|corner| self.on_ground(corner));
         let beyond = |axis: DVec2| p.iter().all(|p| p.dot(axis) > r2);
-        // The directions of the corners and of the edges' normals.
+        // The directions of the corners, and of the edges' normals.
         let normal = |a: DVec2, b: DVec2| {
             let n = (b - a).perp().normalize_or_zero();
             if n.dot(a) < 0.0 { -n } else { n }
@@ -285,8 +293,8 @@ fn segment_distance(p: DVec2, q: DVec2) -> f64 {
     (p + d * share).length()
 }
 
-/// Share of the way from p to q at which their segment crosses one of the radii, the one nearest to the middle; none
-/// within `room` of the ends.
+/// Share of the way from p to q at which their segment crosses one of the radii: the crossing nearest to the middle.
+/// `None` if there is no crossing or all lie within `room` of the ends.
 fn crossing(p: DVec2, q: DVec2, radii: &[f64], room: f64) -> Option<f64> {
     let d = q - p;
     let (squared, along) = (d.length_squared(), p.dot(d));
@@ -294,7 +302,7 @@ fn crossing(p: DVec2, q: DVec2, radii: &[f64], room: f64) -> Option<f64> {
         let root = (along * along - squared * (p.length_squared() - radius * radius)).sqrt();
         [(-along - root) / squared, (-along + root) / squared]
     });
-    // NaN, where the edge misses a cylinder or is upright, is in no range.
+    // A share is NaN if the edge misses a cylinder or is vertical; NaN lies in no range.
     roots
         .filter(|share| (room..=1.0 - room).contains(share))
         .min_by(|a, b| (a - 0.5).abs().total_cmp(&(b - 0.5).abs()).then(a.total_cmp(b)))

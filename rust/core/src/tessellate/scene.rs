@@ -1,4 +1,4 @@
-//! Scenes: standing meshes are split where they stand; moving ones are posed anew and stay as they are.
+//! Splitting of scenes. Static meshes are split as placed; moving ones change their pose and are not split.
 
 use std::sync::Arc;
 
@@ -12,14 +12,14 @@ use crate::base::{Buffer, Progress, Result};
 use crate::scene::srgb::{linear_from_srgb, srgb_from_linear};
 use crate::scene::{Instance, InstanceSet, Mesh, Scene, facing_normals};
 
-/// The scene with its standing triangles split, where the rule's tolerance is a bound.
+/// The scene with its static triangles split; fails unless the rule's tolerance is a bound.
 pub fn tessellate_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(Scene, SplitCounts)> {
     rule.demand()?;
     split_scene(scene, rule, progress)
 }
 
-/// The scene with its standing triangles split by a rule, bound or not; what needs no split is shared with the source.
-/// The rule's centre is relative to the scene's origin.
+/// The scene with its static triangles split by a rule, whether its tolerance is a bound or not. Meshes that need no
+/// split are shared with the source. The rule's centre is relative to the scene's origin.
 pub fn split_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(Scene, SplitCounts)> {
     let mut counts = SplitCounts { before: scene.triangle_count() as u64, ..SplitCounts::default() };
     let standing = scene.standing.instances();
@@ -51,7 +51,7 @@ pub fn split_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(S
     Ok((split, counts))
 }
 
-/// True where an instance reaches between the radii with edges that are too long to be left as they are.
+/// Whether an instance reaches between the radii and has edges that need a split.
 pub fn needs_split(instance: &Instance, rule: &Rule) -> bool {
     let longest = || {
         let faces = (0..instance.mesh.faces.len() as u32).into_par_iter();
@@ -64,14 +64,14 @@ pub fn needs_split(instance: &Instance, rule: &Rule) -> bool {
     touches(instance, rule) && longest() > rule.harmless()
 }
 
-/// False where an instance's box alone shows that it reaches no point between the radii.
+/// False if an instance's box alone proves that it has no point between the radii.
 fn touches(instance: &Instance, rule: &Rule) -> bool {
     let [low, high] = [instance.bounds.min, instance.bounds.max].map(|corner| rule.on_ground(corner.as_dvec3()));
     let (least, greatest) = (low.max(-high).max(glam::DVec2::ZERO), low.abs().max(high.abs()));
     !instance.mesh.faces.is_empty() && least.length() < rule.settings().r2 && !rule.is_within(greatest.length())
 }
 
-/// The mesh where it stands. Vertices that no face is split at keep their bits.
+/// The placed mesh. Vertices at which no face is split keep their bits.
 fn mesh_of(instance: &Instance, made: Assembled) -> Result<Mesh> {
     let mesh = &instance.mesh;
     let place = |p: &[f32; 3]| match instance.in_place {
@@ -91,7 +91,7 @@ fn mesh_of(instance: &Instance, made: Assembled) -> Result<Mesh> {
     Mesh::new(positions.into(), made.faces.into(), uvs, colors, objects, materials)?.with_normals(normals)
 }
 
-/// As the shading takes it between corners; none between corners without one.
+/// Normal interpolated as in shading; zero between corners without normals.
 fn interpolated_normal(instance: &Instance, new: &NewVertex) -> [f32; 3] {
     let rows = instance.corner_normals(new.face).unwrap_or_default();
     let is_plain = |(row, weight): (&Vec3, f64)| *row == Vec3::ZERO || weight == 0.0;
@@ -100,7 +100,8 @@ fn interpolated_normal(instance: &Instance, new: &NewVertex) -> [f32; 3] {
     }
     let [a, b, c] = instance.corners(new.face).map(|corner| corner.as_dvec3());
     let plane = (b - a).cross(c - a).normalize_or_zero().as_vec3();
-    // On the rows' side, so that they keep it and the new one has it too.
+    // Turned to the side of the corners' normals, so that these stay as they are and the new normal is on the same
+    // side.
     let side = if rows.iter().sum::<Vec3>().dot(plane) < 0.0 { -plane } else { plane };
     let corners = facing_normals(rows, side).unwrap_or_default();
     let sum: DVec3 = corners.iter().zip(new.weights).map(|(corner, weight)| corner.as_dvec3() * weight).sum();
@@ -122,7 +123,7 @@ fn interpolated_uv(uvs: [[f32; 2]; 3], weights: [f64; 3]) -> [f32; 2] {
     [0, 1].map(|i| (0..3).map(|k| f64::from(uvs[k][i]) * weights[k]).sum::<f64>() as f32)
 }
 
-/// In linear light, as the shading does between corners; alpha is linear already.
+/// Colour interpolated in linear light, as in shading; alpha is linear already.
 fn interpolated_color(colors: [[u8; 4]; 3], weights: [f64; 3]) -> [u8; 4] {
     let linear = linear_from_srgb();
     let mix = |value: &dyn Fn(usize) -> f64| (0..3).map(|k| value(k) * weights[k]).sum::<f64>();

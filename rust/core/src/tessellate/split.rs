@@ -5,37 +5,38 @@ use glam::DVec3;
 use super::rule::{Precision, Rule};
 use crate::base::Result;
 
-/// A triangle or a piece of one, with the places of its corners on the whole.
+/// A triangle or a piece of one, with the weights of its corners on the whole triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// Where its corners are.
+    /// Positions of its corners.
     pub corners: [DVec3; 3],
-    /// Weights of the whole's corners at each corner. One weight of exactly 0 marks an edge, two mark a corner.
+    /// Weights of the whole triangle's corners at each corner. One weight of exactly 0 marks an edge, two mark a
+    /// corner.
     pub weights: [[f64; 3]; 3],
 }
 
-/// Corners of a triangle on itself.
+/// Weights of a whole triangle's own corners.
 const WHOLE: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// Thickness, as a share of its length, below which a triangle covers no pixel.
+/// Height of a triangle, as a share of its longest edge, below which it covers no pixel.
 const THINNEST: f64 = 1e-9;
 
-/// Steps after which a piece is left as it is: the rule ends long before, but rounding could make an edge come back.
+/// Greatest depth of splits. The rule ends long before, but rounding could make an edge reappear.
 const DEEPEST: u32 = 192;
 
-/// Pieces between two calls of `made`.
+/// Number of pieces between two calls of `made`.
 const BATCH: usize = 4096;
 
 type Corner = (DVec3, [f64; 3]);
 
 impl Piece {
-    /// A triangle as a whole.
+    /// A whole triangle.
     pub fn whole(corners: [DVec3; 3]) -> Self {
         Self { corners, weights: WHOLE }
     }
 
-    /// Pieces that cover a triangle; a single one is the triangle itself. Pieces for which `unseen` is true are left out.
-    /// `made` is reported of thousands of pieces at a time and may stop it.
+    /// Pieces that cover a triangle; a single piece is the triangle itself. Pieces for which `unseen` is true are left
+    /// out. `made` receives the number of pieces after every few thousand and may stop the split.
     pub fn split(
         self,
         rule: &Rule,
@@ -62,7 +63,7 @@ impl Piece {
         Ok(pieces)
     }
 
-    /// Its parts in the first step, none where the rule leaves it whole.
+    /// The parts after one split; `None` if the rule leaves the piece whole.
     fn parts(&self, rule: &Rule, precision: Precision) -> Option<Vec<Self>> {
         let corner = |i: usize| (self.corners[i], self.weights[i]);
         let [a, b, c] = [corner(0), corner(1), corner(2)];
@@ -83,7 +84,7 @@ impl Piece {
         Some(parts.into_iter().map(Self::from_corners).collect())
     }
 
-    /// True for triangles without a visible area.
+    /// Whether a triangle has no visible area.
     pub fn is_thin([a, b, c]: &[DVec3; 3]) -> bool {
         let [a, b, c] = [*a, *b, *c];
         let longest = (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
@@ -95,11 +96,11 @@ impl Piece {
     }
 }
 
-/// The new vertex on an edge. Both triangles at the edge get the same bits: its ends are put in one order.
+/// The new vertex on an edge. The ends are ordered, so both triangles at the edge get the same bits.
 fn cut(rule: &Rule, precision: Precision, a: Corner, b: Corner) -> Option<Corner> {
     let (a, b) = if (a.0.x, a.0.y, a.0.z) > (b.0.x, b.0.y, b.0.z) { (b, a) } else { (a, b) };
     let share = rule.share(a.0, b.0)?;
     let point = precision.round(a.0.lerp(b.0, share));
-    // Rounded onto an end, it would be split for ever.
+    // A point that rounds to an end would cause endless splits.
     (point != a.0 && point != b.0).then(|| (point, std::array::from_fn(|i| a.1[i] + (b.1[i] - a.1[i]) * share)))
 }

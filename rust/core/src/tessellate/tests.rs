@@ -16,7 +16,7 @@ fn pieces(corners: [DVec3; 3], rule: &Rule) -> Vec<Piece> {
     Piece::whole(corners).split(rule, Precision::Double, |_| false, |_| Ok(())).unwrap()
 }
 
-/// Numbers from 0 to 1, a new one at each call.
+/// Random numbers from 0 to 1, a new one at each call.
 fn numbers(seed: u64) -> impl FnMut() -> f64 {
     let mut count = 0;
     move || {
@@ -25,7 +25,7 @@ fn numbers(seed: u64) -> impl FnMut() -> f64 {
     }
 }
 
-/// Angle by which the morph of a piece's corners shows a point of it elsewhere than the morph of the point.
+/// Angle between the interpolated morph of a piece's corners and the morph of the point itself.
 fn miss(morph: &Morph, corners: &[DVec3; 3], [s, t, u]: [f64; 3]) -> f64 {
     let [a, b, c] = *corners;
     let exact = morph.apply(a * s + b * t + c * u) - morph.user;
@@ -34,7 +34,7 @@ fn miss(morph: &Morph, corners: &[DVec3; 3], [s, t, u]: [f64; 3]) -> f64 {
     exact.cross(shown).length().atan2(exact.dot(shown))
 }
 
-/// The greatest miss of some points of each piece for some users, most of them at the region's border.
+/// The greatest error at some points of each piece for some users, most of them at the region's border.
 fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, users: usize, points: usize) -> f64 {
     let mut next = numbers(seed);
     let mut greatest: f64 = 0.0;
@@ -44,7 +44,7 @@ fn greatest_miss(pieces: &[Piece], settings: &Settings, seed: u64, users: usize,
         let morph = Morph::new(user, settings.center, settings.r1, settings.r2, settings.kind).unwrap();
         for piece in pieces {
             for point in 0..points {
-                // Middles of edges, the middle, and places anywhere.
+                // Middles of edges, the centroid, and random points.
                 let weights = match point {
                     0 => [0.5, 0.5, 0.0],
                     1 => [0.0, 0.5, 0.5],
@@ -97,7 +97,7 @@ proptest! {
         let made = pieces([a, a + (b - a) * size, a + (c - a) * size], &rule);
         prop_assert!(made.len() < 300_000);
         let (users, points) = if made.len() > 5_000 { (3, 5) } else { (12, 10) };
-        // Coordinates of up to 700 m lose 1e-13 of a metre.
+        // Coordinates of up to 700 m are rounded to 1e-13 m.
         prop_assert!(greatest_miss(&made, &settings, seed, users, points) <= settings.tolerance + 1e-12);
     }
 
@@ -111,7 +111,8 @@ proptest! {
         let on_edge = |third: DVec3, turned: bool| {
             let corners = if turned { [b, a, third] } else { [a, b, third] };
             let made = Piece::whole(corners).split(&rule, precision, |_| false, |_| Ok(())).unwrap();
-            // Vectors: a piece that is turned over would be missing. New vertices are rounded, to 4e-6 m for float32.
+            // Area vectors: a piece that is turned over would reduce the sum. New vertices are rounded, to 4e-6 m for
+            // float32.
             let sum: DVec3 = made.iter().map(|piece| area(&piece.corners)).sum();
             assert!((sum - area(&corners)).length() <= 1e-4 * (1.0 + area(&corners).length()));
             for piece in &made {
@@ -120,7 +121,7 @@ proptest! {
                     assert!((expected - corner).length() < 1e-4);
                 }
             }
-            // Vertices on the edge ab, by their bits: the weight of the third corner is exactly 0 there.
+            // Bits of the vertices on the edge ab, where the weight of the third corner is exactly 0.
             let corners = made.iter().flat_map(|piece| piece.corners.into_iter().zip(piece.weights));
             let mut bits: Vec<[u64; 3]> = corners
                 .filter(|(_, weights)| weights[2] == 0.0)
@@ -154,7 +155,7 @@ fn two_triangles_of_ground_are_bounded_tightly() {
         let rule = Rule::new(&settings, Precision::Double).unwrap();
         let all: Vec<Piece> = ground(4000.0).into_iter().flat_map(|corners| pieces(corners, &rule)).collect();
         let share = greatest_miss(&all, &settings, 3, 30, 8) / tolerance;
-        // The bound is for the worst of all triangles, users and heights; half of it is met on the ground.
+        // The bound covers the worst of all triangles, users and heights; on the ground the error reaches half of it.
         assert!((0.3..=1.0).contains(&share), "{share} of {tolerance}, {} pieces", all.len());
         assert!(all.len() < 25_000, "{}", all.len());
     }
@@ -202,6 +203,6 @@ fn what_has_no_bound_is_refused_and_the_argument_named() {
 fn a_user_who_stays_at_the_centre_needs_nothing() {
     let rule = Rule::new(&settings(0.0, 5e-4), Precision::Double).unwrap();
     let [first, _] = ground(45.0);
-    // The morph is none: only the radii are crossed.
+    // With this rule nothing is moved: edges are cut at the radii only.
     assert!(pieces(first, &rule).len() < 2_000);
 }

@@ -3,11 +3,11 @@
 use super::ray::{Hit, HitFilter, Ray};
 use crate::scene::Scene;
 
-/// Leaves out the holes of cut-out materials; what is solid is up to `inner`.
+/// Rejects hits in the holes of cut-out materials; `inner` decides about the others.
 pub struct AlphaFilter<'a, F> {
-    /// Whose materials are looked up.
+    /// The scene whose materials are looked up.
     pub scene: &'a Scene,
-    /// The filter for the rest.
+    /// The filter for hits outside holes.
     pub inner: F,
 }
 

@@ -10,17 +10,17 @@ use super::triangle::{self, Crossing};
 use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
 use crate::scene::{Instance, InstanceSet};
 
-/// Least rays of a beam; fewer are traced one by one.
+/// Least number of rays of a beam; fewer are traced one by one.
 const LEAST_BEAM: usize = 8;
 
 /// Query of a packet: its rays and their filter.
 pub(crate) struct Quest<'a, F> {
-    /// In scene space, in the packet's order.
+    /// Rays in scene space, in the packet's order.
     pub(crate) rays: &'a [Ray],
     pub(crate) filter: &'a F,
 }
 
-/// Room for a packet in the frame of a placed instance, made where the first one is met.
+/// Buffers for a packet in the frame of a placed instance, allocated when the first such instance is met.
 pub(crate) struct BeamScratch {
     packet: Packet,
     rays: Vec<Ray>,
@@ -33,7 +33,8 @@ impl BeamScratch {
     }
 }
 
-/// Walks one set of instances; the packet has been filled for the set's bounds. `first` is its first instance's number.
+/// Traverses one set of instances. The packet must be filled for the set's bounds; `first` is the number of its first
+/// instance.
 #[inline(always)]
 pub(crate) fn walk_set<I: Isa, F: HitFilter>(
     isa: I,
@@ -55,7 +56,7 @@ pub(crate) fn walk_set<I: Isa, F: HitFilter>(
     walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances: set.instances(), first, quest, room });
 }
 
-/// Action at a leaf, by its box; true where a hit was found.
+/// Action at a leaf, given its box. Returns true if a hit was found.
 trait BeamLeaves<I> {
     fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool;
 }
@@ -106,7 +107,7 @@ impl<I: Isa, F: HitFilter> BeamLeaves<I> for BeamInstances<'_, F> {
 }
 
 impl<F: HitFilter> BeamInstances<'_, F> {
-    /// Traces the rays that `room` holds through a placed instance, side by side if they still make a beam.
+    /// Traces the rays in `room` through a placed instance, together if they still make a beam.
     #[inline(always)]
     fn enter_instance<I: Isa>(&mut self, isa: I, bvh: &Bvh, number: u32, packet: &mut Packet) {
         let Some(room) = self.room.as_deref_mut() else { return };
@@ -158,7 +159,7 @@ impl<I: Isa, F: HitFilter> BeamLeaves<I> for BeamTriangles<'_, F> {
 }
 
 impl<F: HitFilter> BeamTriangles<'_, F> {
-    /// A group of rays against the triangles of a block, one after the other.
+    /// Intersects a group of rays with the triangles of a block, one triangle after the other.
     #[inline(always)]
     fn test_block<I: Isa>(&self, isa: I, block: &Block, packet: &mut Packet, at: usize, mask: u32) -> bool {
         let load = Loader(isa);
@@ -184,7 +185,7 @@ impl<F: HitFilter> BeamTriangles<'_, F> {
         found
     }
 
-    /// Takes the crossings that are nearer than the best hits. The same conditions as `single::test_block`.
+    /// Stores the crossings that are nearer than the best hits, by the same conditions as `single::test_block`.
     #[inline(always)]
     fn accept<I: Isa>(
         &self,
@@ -229,7 +230,7 @@ impl<F: HitFilter> BeamTriangles<'_, F> {
         self.ask(packet, at, mask, face, &lanes)
     }
 
-    /// The careful way: ties, and filters.
+    /// The slow path, for ties and filters.
     #[inline(never)]
     fn ask(&self, packet: &mut Packet, at: usize, mut mask: u32, face: u32, lanes: &[[f32; 16]; 3]) -> bool {
         let mut found = false;
@@ -256,19 +257,19 @@ fn greatest(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
-/// Stacks up to this size need no allocation.
+/// Greatest stack size, in entries, that needs no allocation.
 const LOCAL_STACK: usize = 256;
 
-/// A child of a node, and where the beam enters it.
+/// A child of a node, and the distance at which the beam enters it.
 #[derive(Clone, Copy)]
 struct Entry {
     near: f32,
     child: u32,
-    /// Its node and slot there, for the box.
+    /// Number of its node and slot, from which its box is read.
     place: u32,
 }
 
-/// Visits leaves whose boxes the beam meets before all its rays have hit something, the nearest first.
+/// Visits leaves whose boxes the beam meets before all its rays have hit something, the nearest leaf first.
 #[inline(always)]
 fn walk<I: Isa>(isa: I, tree: &Wide, packet: &mut Packet, leaves: &mut impl BeamLeaves<I>) {
     if tree.nodes.is_empty() {
@@ -314,7 +315,7 @@ fn walk<I: Isa>(isa: I, tree: &Wide, packet: &mut Packet, leaves: &mut impl Beam
                 }
                 let mut to = size;
                 while to > base {
-                    // SAFETY: written by this loop: `base <= to - 1 < size`.
+                    // SAFETY: this loop has written the entry, because `base <= to - 1 < size`.
                     let below = unsafe { stack[to - 1].assume_init() };
                     if below.near >= other.near {
                         break;

@@ -1,4 +1,4 @@
-//! Many rays of a user's: world positions in, arrays out.
+//! Many rays with world positions as input and arrays as output.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -9,10 +9,10 @@ use super::ray::{All, Hit, HitFilter, Ray};
 use crate::base::{Error, Progress, REACH, Result};
 use crate::scene::Scene;
 
-/// Rays handled by one task: fixed, so that groups of neighbours do not depend on the number of threads.
+/// Number of rays in one task. It is fixed, so that groups of neighbours do not depend on the number of threads.
 pub(super) const TILE: usize = 4096;
 
-/// Rows of three coordinates in either precision.
+/// Rows of three coordinates, float32 or float64.
 #[derive(Clone, Copy, Debug)]
 pub enum Points<'a> {
     /// Float32.
@@ -30,7 +30,7 @@ impl Points<'_> {
         }
     }
 
-    /// True without rows.
+    /// Whether there are no rows.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -43,7 +43,7 @@ impl Points<'_> {
         }
     }
 
-    /// Number of rows that are wrong, and the first of them.
+    /// Number of invalid rows, and the index of the first.
     pub(super) fn find(&self, is_wrong: impl Fn(DVec3) -> bool + Sync) -> Option<(usize, usize)> {
         let tile = |start: usize| {
             let rows = start..(start + TILE).min(self.len());
@@ -55,21 +55,21 @@ impl Points<'_> {
     }
 }
 
-/// Hits of rays, one entry for each.
+/// Hits of rays, one entry per ray.
 #[derive(Debug, Default)]
 pub struct Hits {
-    /// Metres; infinite for a miss.
+    /// Distance in metres; infinite for a miss.
     pub t_hit: Vec<f32>,
     /// Triangle number in the scene; −1 for a miss.
     pub triangle_index: Vec<i64>,
-    /// Object; −1 for a miss or for none.
+    /// Object number; −1 for a miss or a face without an object.
     pub object_id: Vec<i32>,
     /// Weights of the second and third corner; NaN for a miss.
     pub barycentric: Vec<[f32; 2]>,
 }
 
-/// Nearest hits of rays from world positions (one for all rays, or one for each) within `t_max` metres. Directions
-/// of any length are normalised. Cut-out materials are respected.
+/// Nearest hits, within `t_max` metres, of rays from world positions (one for all rays, or one per ray). Directions of
+/// any length are normalised. Rays pass through the holes of cut-out materials.
 pub fn cast(
     scene: &Scene,
     origins: Points<'_>,
@@ -113,7 +113,7 @@ pub(super) fn refuse(argument: &'static str, expected: &str, wrong: Option<(usiz
     }
 }
 
-/// Length 1, also where the squares would overflow or vanish.
+/// Unit direction, also for directions whose squares overflow or underflow.
 #[inline(always)]
 fn unit(direction: DVec3) -> DVec3 {
     let square = direction.length_squared();

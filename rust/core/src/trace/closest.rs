@@ -1,7 +1,8 @@
-//! The point of a triangle that is nearest to zero.
+//! The point of a triangle nearest to the origin.
 //!
-//! Ericson: Real-time collision detection, 2005, section 5.1.5, sorts the cases by signs of barycentric weights. Those of
-//! slivers are noise, so here the least of the three edges and the plane decides.
+//! Ericson: Real-time collision detection, 2005, section 5.1.5, distinguishes cases by the signs of barycentric
+//! weights. These signs are unreliable for slivers, so here the least distance among the three edges and the plane
+//! decides.
 
 use glam::DVec3;
 
@@ -12,15 +13,15 @@ pub struct Closest {
     pub u: f64,
     /// Weight of the third corner.
     pub v: f64,
-    /// Squared distance from zero.
+    /// Squared distance from the origin.
     pub square: f64,
 }
 
-/// Square of the sine below which a triangle is taken for its edges: no point of it is farther from them than 10⁻¹³
-/// of their length.
+/// Squared sine below which a triangle is treated as its edges: no point of it is farther from them than 10⁻¹³ of their
+/// length.
 const SLIVER: f64 = 1e-26;
 
-/// Weight of the second end and squared distance of an edge's nearest point.
+/// Weight of the second end, and squared distance, of an edge's nearest point.
 #[inline(always)]
 fn on_edge(a: DVec3, b: DVec3) -> (f64, f64) {
     let edge = b - a;
@@ -33,12 +34,12 @@ fn on_edge(a: DVec3, b: DVec3) -> (f64, f64) {
     } else {
         along / length
     };
-    // From the nearer end, so that a far one costs no digits.
+    // Measured from the nearer end, so that a distant end costs no digits.
     let from = if t > 0.5 { b - edge * (1.0 - t) } else { a + edge * t };
     (t, from.length_squared())
 }
 
-/// Weights and squared distance within the plane, where the foot of the perpendicular lies in the triangle.
+/// Weights and squared distance within the plane, if the foot of the perpendicular lies in the triangle.
 #[inline(always)]
 fn on_plane([a, b, c]: [DVec3; 3]) -> Option<([f64; 2], f64)> {
     let (ab, ac) = (b - a, c - a);
@@ -55,7 +56,7 @@ fn on_plane([a, b, c]: [DVec3; 3]) -> Option<([f64; 2], f64)> {
     Some(([v, w], height * height / area))
 }
 
-/// Squared distance of a triangle from zero.
+/// Squared distance of a triangle from the origin.
 #[inline(always)]
 pub(super) fn square(corners: [DVec3; 3]) -> f64 {
     match on_plane(corners) {
@@ -67,7 +68,7 @@ pub(super) fn square(corners: [DVec3; 3]) -> f64 {
     }
 }
 
-/// The nearest point of a triangle to zero.
+/// The point of a triangle nearest to the origin.
 pub fn closest(corners: [DVec3; 3]) -> Closest {
     if let Some(([u, v], square)) = on_plane(corners) {
         return Closest { u, v, square };

@@ -11,7 +11,7 @@ use super::ray::{Hit, HitFilter, Ray};
 use super::single::{Search, walk_set};
 use crate::scene::{InstanceSet, Scene};
 
-/// The nearest hit. The scene must have been built (`Scene::build`).
+/// The nearest hit of one ray. The scene must have been built (`Scene::build`).
 pub fn closest_hit(scene: &Scene, ray: &Ray, filter: &impl HitFilter) -> Hit {
     let mut hit = [Hit::MISS];
     closest_hits(scene, slice::from_ref(ray), filter, &mut hit);
@@ -23,13 +23,13 @@ pub fn closest_hits(scene: &Scene, rays: &[Ray], filter: &impl HitFilter, hits: 
     closest_hits_with(InstructionSet::current(), scene, rays, filter, hits);
 }
 
-/// True where a ray hits anything within its segment.
+/// Writes for each ray whether it hits anything within its segment.
 pub fn any_hits(scene: &Scene, rays: &[Ray], filter: &impl HitFilter, hits: &mut [bool]) {
     any_hits_with(InstructionSet::current(), scene, rays, filter, hits);
 }
 
-/// One function for each instruction set around a kernel that is generic over it: what is inlined into them is
-/// compiled with their instructions.
+/// Defines one function per instruction set around a generic kernel. The inlined code is compiled with the instructions
+/// of that set.
 macro_rules! kernels {
     ($name:ident, $kernel:ident, $out:ty) => {
         pub(super) fn $name<F: HitFilter>(
@@ -50,7 +50,7 @@ macro_rules! kernels {
                     $kernel(isa, scene, rays, filter, out);
                 }
                 match level {
-                    // SAFETY: the value proves that the processor has the instructions.
+                    // SAFETY: the value `isa` proves that the processor has the instructions.
                     InstructionSet::Avx2(isa) => return unsafe { avx2(isa, scene, rays, filter, out) },
                     // SAFETY: as above.
                     InstructionSet::Avx512(isa) => return unsafe { avx512(isa, scene, rays, filter, out) },
@@ -78,7 +78,7 @@ fn closest<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F
         let mut is_beam = false;
         for (set, first) in numbered(scene) {
             let Some(tlas) = set.tlas() else { continue };
-            // Both sets have the same rays, so either all make a beam or none does.
+            // Both sets have the same rays, so either both make a beam or neither does.
             is_beam = packet.fill(isa, rays, &tlas.bounds);
             if !is_beam {
                 break;
@@ -94,10 +94,10 @@ fn closest<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F
     }
 }
 
-/// Fewer rays than this are not worth a packet.
+/// Least number of rays for which a packet saves time.
 const LEAST_PACKET: usize = 8;
 
-/// Sets of instances with their first instance's number; empty ones are left out.
+/// Sets of instances with the number of their first instance; empty sets are left out.
 #[inline(always)]
 fn numbered(scene: &Scene) -> impl Iterator<Item = (&InstanceSet, u32)> {
     let moving = scene.standing.instances().len() as u32;

@@ -1,4 +1,4 @@
-//! Rays against a scene: nearest hits through both levels of trees; and nearest points of its surface.
+//! Rays traced through a scene: nearest hits through both levels of trees; and nearest points of the scene's surface.
 
 mod alpha;
 mod beam;

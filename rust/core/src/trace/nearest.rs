@@ -1,7 +1,7 @@
 //! Nearest points of a scene's surface: branch and bound over both levels of trees.
 //!
-//! Boxes are compared in float32 with bounds that are never too great; distances of triangles are float64 of the
-//! float32 corners, by the plane and the three edges, so that slivers need no care.
+//! Boxes are compared in float32 with lower bounds of their distances. Distances of triangles are computed in float64
+//! from the float32 corners, by the plane and the three edges, so slivers need no special treatment.
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -12,10 +12,10 @@ use crate::base::{Error, Progress, REACH, Result};
 use crate::bvh::{Block, LEAF, NO_CHILD, Node, WIDTH, Wide};
 use crate::scene::{Instance, Scene};
 
-/// Nearest surface points, one entry for each query point.
+/// Nearest surface points, one entry per query point.
 #[derive(Debug, Default)]
 pub struct Nearest {
-    /// Metres; infinite where no triangle faces the wanted way.
+    /// Distance in metres; infinite if no triangle faces the given direction.
     pub distance: Vec<f64>,
     /// Triangle number in the scene; −1 for none.
     pub triangle_index: Vec<i64>,
@@ -23,8 +23,8 @@ pub struct Nearest {
     pub barycentric: Vec<[f64; 2]>,
 }
 
-/// The nearest point of the surface for each world position. With `facing`, a direction for each point, only triangles
-/// whose outside is within 90° of it count.
+/// The nearest surface point of each world position. `facing` gives a direction for each point; only triangles whose
+/// outward normal is within 90° of it count.
 pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, progress: &Progress) -> Result<Nearest> {
     let count = points.len();
     if let Some(rows) = facing.map(<[_]>::len).filter(|&rows| rows != count) {
@@ -69,7 +69,7 @@ pub fn nearest(scene: &Scene, points: Points<'_>, facing: Option<&[[f32; 3]]>, p
     Ok(found)
 }
 
-/// A triangle and the square of its distance.
+/// A triangle and its squared distance.
 #[derive(Clone, Copy)]
 struct Found {
     square: f64,
@@ -80,7 +80,7 @@ struct Found {
 impl Found {
     const NOTHING: Self = Self { square: f64::INFINITY, instance: u32::MAX, face: u32::MAX };
 
-    /// Ties go to the lower (instance, face), so that the answer depends neither on the tree nor on the start.
+    /// Ties go to the lower (instance, face), so the result depends neither on the tree nor on the start.
     fn is_before(&self, other: &Self) -> bool {
         self.square < other.square
             || (self.square == other.square && (self.instance, self.face) < (other.instance, other.face))
@@ -88,21 +88,21 @@ impl Found {
 }
 
 struct NearestSearch {
-    /// Relative to the scene's origin.
+    /// The query point relative to the scene's origin.
     point: DVec3,
     facing: Option<DVec3>,
     best: Found,
 }
 
-/// Boxes still to be opened, with their least squared distances.
+/// Boxes still to be opened: least squared distance and reference.
 type Room = Vec<(f32, u32)>;
 
-/// Frame of a tree's boxes: the query point in it, and the greatest shrinkage of its distances in scene space.
+/// The frame of a tree's boxes: the query point in it, and the relation of its distances to those in scene space.
 struct TreeFrame {
     point: Vec3,
     /// Metres that the rounding of the point to float32 may add to a distance.
     slack: f32,
-    /// Square of the least factor by which lengths grow into scene space.
+    /// Square of the least factor by which the transform to scene space stretches lengths.
     scale: f64,
 }
 
@@ -112,10 +112,10 @@ impl TreeFrame {
         Self { point: rounded, slack: rounded.abs().max_element() * f32::EPSILON, scale }
     }
 
-    /// Least squared distances of the children of a node, in the frame's own units; never too great.
+    /// Lower bounds of the squared distances of a node's children, in the frame's own units.
     #[inline(always)]
     fn squares(&self, node: &Node) -> [f32; WIDTH] {
-        /// Covers the roundings of the sum.
+        /// Factor that covers the rounding of the sum.
         const SHRINK: f32 = 1.0 - 8.0 * f32::EPSILON;
         let mut squares = [0.0f32; WIDTH];
         for axis in 0..3 {
@@ -132,7 +132,8 @@ impl TreeFrame {
 
 impl NearestSearch {
     fn run(mut self, scene: &Scene, start: Found, room: &mut Room) -> Found {
-        // Neighbours in the list lie near each other as a rule: what was nearest is a good bound to begin with.
+        // Neighbours in the list are usually close to each other, so the last nearest triangle gives a good first
+        // bound.
         if start.instance != u32::MAX {
             self.try_triangle(scene.instance(start.instance).corners(start.face), start.instance, start.face);
         }
@@ -156,7 +157,8 @@ impl NearestSearch {
         let frame = if instance.in_place {
             TreeFrame::new(self.point, 1.0)
         } else {
-            // The least stretch of a map is one over the greatest of its inverse, of which this norm is a bound.
+            // The least stretch of a map is the reciprocal of the greatest stretch of its inverse, which this norm
+            // bounds.
             let inverse = instance.to_object.matrix3;
             let columns = [inverse.x_axis, inverse.y_axis, inverse.z_axis];
             let norm: f64 = columns.iter().map(|column| column.length_squared()).sum();
@@ -167,7 +169,7 @@ impl NearestSearch {
         });
     }
 
-    /// Visits leaves that may be as near as the best, the nearest first.
+    /// Visits leaves that may be as near as the best triangle, the nearest leaf first.
     #[inline(always)]
     fn walk(&mut self, tree: &Wide, frame: &TreeFrame, room: &mut Room, leaf: impl Fn(&mut Self, u32, &mut Room)) {
         if tree.nodes.is_empty() {
@@ -193,7 +195,7 @@ impl NearestSearch {
                 }
                 room.push((square, child));
                 let mut at = room.len() - 1;
-                // Nearer ones on top.
+                // Nearer boxes are moved to the top.
                 while at > start && room[at - 1].0 < square {
                     room.swap(at - 1, at);
                     at -= 1;

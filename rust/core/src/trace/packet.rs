@@ -1,9 +1,9 @@
-//! Up to 64 rays side by side, and the beam that holds them all.
+//! Up to 64 rays as arrays, and the beam that contains them all.
 //!
 //! After Overbeck, Ramamoorthi, Mark: Large ray packets for real-time Whitted ray tracing, 2008, and Boulos, Wald,
 //! Benthin: Adaptive ray packet reordering, 2008. Boxes inside the tree are tested against the beam, eight boxes at a
-//! time; single rays are looked at again only in front of leaves. Every test of the beam keeps what any of its rays
-//! would keep, and what is computed for a ray is what `single` computes, so both find the same bits.
+//! time; single rays are tested only at leaves. A test of the beam accepts each box that any of its rays would accept,
+//! and values of a ray are computed as in `single`, so both give the same bits.
 
 use super::lanes::{Isa, Lanes};
 use super::ray::{Hit, Ray};
@@ -11,18 +11,19 @@ use super::triangle::Shear;
 use crate::base::Aabb;
 use crate::bvh::Node;
 
-/// Rays of a packet at most: a tile of 8×8 pixels.
+/// Greatest number of rays in a packet: a tile of 8 × 8 pixels.
 pub(crate) const RAYS: usize = 64;
-/// Widest spread of slopes across the main axis at which rays still make a beam.
+/// Greatest range of slopes across the main axis at which rays still make a beam.
 const MAX_SLOPE_SPREAD: f32 = 0.35;
-/// Relative widening of a beam: far more than the roundings between a ray's own box test and the beam's.
+/// Relative widening of a beam, far more than the rounding between a ray's own box test and the beam's.
 const BEAM_MARGIN: f32 = 16.0 * f32::EPSILON;
-/// See `slab`.
+/// The constant of `slab`.
 const LEAST_SLOPE: f32 = super::slab::LEAST_SLOPE;
 
 type Row = [f32; RAYS];
 
-/// Rays in columns. Rows that belong to axes are in the order x, y, z, but `origin` and `scale` in the shear's.
+/// Rays in columns. Rows that belong to axes are in the order x, y, z; those of `origin` and `scale` are in the
+/// shear's.
 #[repr(align(64))]
 pub(crate) struct Packet {
     pub(crate) count: usize,
@@ -33,18 +34,18 @@ pub(crate) struct Packet {
     far_origin: [Row; 3],
     near_scale: [Row; 3],
     far_scale: [Row; 3],
-    /// Rays that run backwards on each axis, a bit for each.
+    /// Rays with a negative direction on each axis, one bit per ray.
     backwards: [u64; 3],
     pub(crate) t_min: Row,
     pub(crate) t_max: Row,
     pub(crate) floor: Row,
-    /// Length along the main axis of a step of t.
+    /// Distance along the main axis per unit of t.
     step: Row,
     pub(crate) best: Best,
     beam: Beam,
 }
 
-/// The best hits in columns; numbers of instances and faces as bits.
+/// The best hits in columns; numbers of instances and faces are stored as bits.
 pub(crate) struct Best {
     pub(crate) t: Row,
     pub(crate) u: Row,
@@ -61,14 +62,14 @@ struct Beam {
     near_scale: [f32; 3],
     far_origin: [f32; 3],
     far_scale: [f32; 3],
-    /// Axes on which rays run both ways: there both planes bound the entry, and none the exit.
+    /// Axes on which ray directions have both signs: there both planes bound the entry, and neither bounds the exit.
     both_ways: [bool; 3],
-    /// No ray has a use for what begins beyond.
+    /// Distance beyond which no ray can find a nearer hit.
     limit: f32,
 }
 
 impl Packet {
-    /// Without rays.
+    /// An empty packet.
     pub(crate) fn new() -> Self {
         let rows = [[0.0; RAYS]; 3];
         Self {
@@ -90,13 +91,13 @@ impl Packet {
         }
     }
 
-    /// Takes rays for boxes inside `bounds`. False where they do not make a beam.
+    /// Fills the packet with rays, for boxes inside `bounds`. Returns false if the rays do not make a beam.
     #[inline(always)]
     pub(crate) fn fill<I: Isa>(&mut self, isa: I, rays: &[Ray], bounds: &Aabb) -> bool {
         let Some(lead) = rays.first() else { return false };
         self.count = rays.len();
         self.axes = Shear::new(lead.direction).axes;
-        // Columns first: origins into the rows of near planes, directions into those of their reciprocals.
+        // The rows of near planes first hold the origins, and the rows of their reciprocals first hold the directions.
         for i in 0..RAYS {
             let ray = rays.get(i).unwrap_or(lead);
             for axis in 0..3 {
@@ -105,7 +106,7 @@ impl Packet {
             }
             let is_ray = i < rays.len();
             self.t_min[i] = ray.t_min;
-            // Slots without a ray, which fill the last group, get an empty segment.
+            // Slots without a ray, which pad the last group, get an empty segment.
             self.t_max[i] = if is_ray { ray.t_max.min(f32::MAX) } else { f32::NEG_INFINITY };
             if ray.t_min < 0.0 {
                 return false;
@@ -123,7 +124,7 @@ impl Packet {
         self.aim(&extent.rows::<I>(), lead_backwards)
     }
 
-    /// Forgets what was hit.
+    /// Resets the best hits.
     pub(crate) fn clear(&mut self) {
         self.best.t = [f32::INFINITY; RAYS];
         self.best.instance = [f32::from_bits(u32::MAX); RAYS];
@@ -133,7 +134,7 @@ impl Packet {
         self.beam.limit = f32::INFINITY;
     }
 
-    /// The same arithmetic as `Shear::new` and `Slabs::new`.
+    /// The same arithmetic as `Shear::new` and `Slabs::new`, for a group of rays.
     #[inline(always)]
     fn fill_group<I: Isa>(
         &mut self,
@@ -189,7 +190,7 @@ impl Packet {
         true
     }
 
-    /// Makes the beam. False where it would be too wide.
+    /// Computes the beam. Returns false if it would be too wide.
     fn aim(&mut self, extent: &[[f32; 4]; 3], lead_backwards: bool) -> bool {
         let main = self.axes[2];
         for (axis, &[low, high, least, greatest]) in extent.iter().enumerate() {
@@ -218,7 +219,7 @@ impl Packet {
         true
     }
 
-    /// Children of a node that any ray may have a use for, and where the beam enters them.
+    /// The children of a node that some ray may need to visit, and the distance at which the beam enters them.
     #[inline(always)]
     pub(crate) fn intersect_node<I: Isa>(&self, isa: I, node: &Node) -> (u32, I::Eight) {
         let beam = &self.beam;
@@ -240,13 +241,13 @@ impl Packet {
         (near.le(far), near)
     }
 
-    /// Where the beam has no more use for boxes.
+    /// Distance beyond which no box needs to be visited.
     #[inline(always)]
     pub(crate) fn limit(&self) -> f32 {
         self.beam.limit
     }
 
-    /// Rays of a group that enter a box within their segments and no later than their best hits.
+    /// The rays of a group that enter a box within their segments and not beyond their best hits.
     #[inline(always)]
     pub(crate) fn enter<I: Isa>(&self, isa: I, at: usize, planes: &[f32; 6]) -> u32 {
         let (near, far) = self.slabs(isa, at, planes);
@@ -256,7 +257,7 @@ impl Packet {
         near.le(far.min(limit))
     }
 
-    /// Where the rays of a group enter and leave a box: the same arithmetic as `Slabs::intersect`.
+    /// The distances at which the rays of a group enter and leave a box, by the same arithmetic as `Slabs::intersect`.
     #[inline(always)]
     pub(crate) fn slabs<I: Isa>(&self, isa: I, at: usize, planes: &[f32; 6]) -> (I::Group, I::Group) {
         let (x, y, z) = (self.slab(isa, at, 0, planes), self.slab(isa, at, 1, planes), self.slab(isa, at, 2, planes));
@@ -281,7 +282,7 @@ impl Packet {
         (near, far)
     }
 
-    /// Looks again how far the beam must go, after hits.
+    /// Recomputes the limit of the beam after hits.
     #[inline(always)]
     pub(crate) fn shorten<I: Isa>(&mut self, isa: I) {
         let load = Loader(isa);
@@ -296,7 +297,6 @@ impl Packet {
             lanes[..I::Group::N].iter().fold(0.0, |a: f32, &b| if a > b { a } else { b }) * (1.0 + BEAM_MARGIN);
     }
 
-    /// The best hit of a ray.
     #[inline(always)]
     pub(crate) fn hit(&self, ray: usize) -> Hit {
         let best = &self.best;
@@ -304,7 +304,6 @@ impl Packet {
         Hit { t: best.t[ray], u: best.u[ray], v: best.v[ray], instance, face }
     }
 
-    /// Replaces the best hit of a ray.
     #[inline(always)]
     pub(crate) fn set_hit(&mut self, ray: usize, hit: &Hit) {
         let best = &mut self.best;

@@ -2,10 +2,10 @@
 
 use glam::Vec3;
 
-/// A segment of a ray in scene space. The direction needs no particular length; `t` is in units of it.
+/// A segment of a ray in scene space. The direction may have any length; `t` is in units of it.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// Start, relative to the scene's origin and no farther from it than `base::REACH`.
+    /// Start, relative to the scene's origin, with coordinates of at most `base::REACH`.
     pub origin: Vec3,
     /// Direction, finite and not zero.
     pub direction: Vec3,
@@ -31,30 +31,30 @@ pub struct Hit {
 }
 
 impl Hit {
-    /// Nothing was hit.
+    /// The value for a ray without a hit.
     pub const MISS: Self = Self { t: f32::INFINITY, u: 0.0, v: 0.0, instance: u32::MAX, face: u32::MAX };
 
-    /// True where nothing was hit.
+    /// Whether nothing was hit.
     pub fn is_miss(&self) -> bool {
         self.instance == u32::MAX
     }
 
-    /// Ties go to the lower (instance, face), so that the answer depends neither on the tree nor on the order of visits.
+    /// Ties go to the lower (instance, face), so the result depends neither on the tree nor on the order of visits.
     pub(super) fn is_before(&self, other: &Self) -> bool {
         self.t < other.t || (self.t == other.t && (self.instance, self.face) < (other.instance, other.face))
     }
 }
 
-/// Decides which intersections count: cut-out materials, pixels split at a radius.
+/// Decides which intersections count, for cut-out materials and for pixels split at a radius.
 pub trait HitFilter: Sync {
-    /// True where every intersection counts, so that `accepts` need not be called.
+    /// Whether every intersection counts, so that `accepts` need not be called.
     const ACCEPTS_ALL: bool = false;
 
-    /// True where the candidate is a hit.
+    /// Whether the candidate counts as a hit.
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool;
 }
 
-/// Everything counts.
+/// The filter that accepts every intersection.
 pub struct All;
 
 impl HitFilter for All {

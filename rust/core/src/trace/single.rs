@@ -12,7 +12,7 @@ use crate::base::Aabb;
 use crate::bvh::{Block, Bvh, LEAF, Tlas, WIDTH, Wide};
 use crate::scene::{Instance, InstanceSet};
 
-/// A ray made ready for one space: the scene's, or an instance's own.
+/// A ray prepared for one frame: the scene's, or an instance's own.
 #[derive(Clone, Copy)]
 pub(crate) struct Local {
     pub(crate) origin: Vec3,
@@ -20,13 +20,13 @@ pub(crate) struct Local {
     pub(crate) slabs: Slabs,
     pub(crate) t_min: f32,
     pub(crate) t_max: f32,
-    /// Where the ray enters the instance's box in scene space: no hit comes before it, so that culling by the box
-    /// agrees with every hit below it.
+    /// Parameter at which the ray enters the instance's box in scene space. No hit counts before it, so that culling by
+    /// the box agrees with every hit below it.
     pub(crate) floor: f32,
 }
 
 impl Local {
-    /// For trees inside `bounds`.
+    /// Prepares a ray for trees inside `bounds`.
     #[inline(always)]
     pub(crate) fn new(ray: &Ray, bounds: &Aabb) -> Self {
         Self {
@@ -42,7 +42,7 @@ impl Local {
 }
 
 impl Ray {
-    /// The ray in an instance's own frame; its parameter stays the same.
+    /// The ray in an instance's own frame, with the same parameter.
     #[inline(always)]
     pub(crate) fn in_object(&self, instance: &Instance) -> Self {
         let origin = instance.to_object.transform_point3(self.origin.as_dvec3()).as_vec3();
@@ -51,13 +51,13 @@ impl Ray {
     }
 }
 
-/// Search of one ray: its segment and filter, and the best hit so far.
+/// The search of one ray: its segment and filter, and the best hit so far.
 pub(crate) struct Search<'a, F> {
-    /// In scene space.
+    /// The ray in scene space.
     pub(crate) ray: &'a Ray,
     pub(crate) filter: &'a F,
     pub(crate) best: Hit,
-    /// Any hit ends the search.
+    /// Whether any hit ends the search.
     pub(crate) any: bool,
 }
 
@@ -68,7 +68,7 @@ impl<F: HitFilter> Search<'_, F> {
     }
 }
 
-/// Walks one set of instances; `first` is its first instance's number.
+/// Traverses one set of instances; `first` is the number of its first instance.
 #[inline(always)]
 pub(crate) fn walk_set<I: Isa, F: HitFilter>(isa: I, set: &InstanceSet, first: u32, search: &mut Search<'_, F>) {
     let Some(tlas) = set.tlas() else { return };
@@ -85,7 +85,8 @@ pub(crate) fn walk_set<I: Isa, F: HitFilter>(isa: I, set: &InstanceSet, first: u
     walk(isa, &tlas.wide, &local, search, &Instances { tlas, instances, first });
 }
 
-/// Action at a leaf. A trait and no closure: only code that is surely inlined gets the caller's instruction set.
+/// Action at a leaf. It is a trait instead of a closure, because only code that is certainly inlined is compiled with
+/// the caller's instruction set.
 trait Leaves<I, F> {
     fn visit(&self, isa: I, leaf: u32, local: &Local, search: &mut Search<'_, F>);
 }
@@ -126,14 +127,14 @@ impl<I: Isa, F: HitFilter> Leaves<I, F> for Triangles<'_> {
     }
 }
 
-/// Where a ray enters a box, if it does within its segment.
+/// Parameter at which a ray enters a box; `None` if it does not within its segment.
 #[inline(always)]
 pub(crate) fn enter(local: &Local, bounds: &Aabb) -> Option<f32> {
     let (near, far) = local.slabs.enter_leave(bounds);
     (near <= far && near <= local.t_max && local.t_min <= far).then_some(near)
 }
 
-/// Walks one mesh.
+/// Traverses one mesh.
 #[inline(always)]
 pub(crate) fn walk_mesh<I: Isa, F: HitFilter>(
     isa: I,
@@ -145,10 +146,10 @@ pub(crate) fn walk_mesh<I: Isa, F: HitFilter>(
     walk(isa, &bvh.wide, local, search, &Triangles { bvh, instance });
 }
 
-/// Stacks up to this size need no allocation.
+/// Greatest stack size, in entries, that needs no allocation.
 const LOCAL_STACK: usize = 256;
 
-/// Visits leaves whose boxes the ray meets within its segment and no later than the best hit, the nearest first.
+/// Visits leaves whose boxes the ray meets within its segment and not beyond the best hit, the nearest leaf first.
 #[inline(always)]
 fn walk<I: Isa, F: HitFilter>(
     isa: I,
@@ -194,7 +195,7 @@ fn walk<I: Isa, F: HitFilter>(
             }
             let mut distances = [0.0; WIDTH];
             near.store(&mut distances);
-            // The nearest goes on; the others are kept in order, the nearer ones on top.
+            // The nearest child is opened next; the others go on the stack, sorted, with the nearest on top.
             let mut nearest = (distances[slot], node.children[slot]);
             let base = size;
             while mask != 0 {
@@ -206,7 +207,7 @@ fn walk<I: Isa, F: HitFilter>(
                 }
                 let mut at = size;
                 while at > base {
-                    // SAFETY: written by this loop: `base <= at - 1 < size`.
+                    // SAFETY: this loop has written the entry, because `base <= at - 1 < size`.
                     let below = unsafe { stack[at - 1].assume_init() };
                     if below.0 >= entry.0 {
                         break;
@@ -228,7 +229,7 @@ fn walk<I: Isa, F: HitFilter>(
     }
 }
 
-/// One ray against the triangles of a block.
+/// Intersects one ray with the triangles of a block.
 #[inline(always)]
 fn test_block<I: Isa, F: HitFilter>(isa: I, block: &Block, local: &Local, instance: u32, search: &mut Search<'_, F>) {
     type Four<I> = <I as Isa>::Four;
@@ -270,7 +271,7 @@ fn test_block<I: Isa, F: HitFilter>(isa: I, block: &Block, local: &Local, instan
     }
 }
 
-/// A corner of the triangles of a block relative to the origin, its axes in the shear's order.
+/// One corner of each triangle of a block relative to the ray's origin, with axes in the shear's order.
 #[inline(always)]
 fn gather<I: Isa>(isa: I, block: &Block, local: &Local, corner: usize) -> [I::Four; 3] {
     let rows = &block.corners[corner];

@@ -1,12 +1,12 @@
 //! Conservative ray–box intersection.
 //!
 //! Woop, Benthin, Wald: Watertight ray/triangle intersection, JCGT 2(1), 2013, section 5, and Ize: Robust BVH ray
-//! traversal, JCGT 2(2), 2013. The triangle test may find a point that lies outside its triangle by the rounding of
-//! the sheared corners. A box must not exclude such a point, or rays fall through the seams between boxes. So the
-//! origin used for the near planes is moved towards them, the one for the far planes away from them.
+//! traversal, JCGT 2(2), 2013. The triangle test may find a point that lies outside its triangle by the rounding of the
+//! sheared corners. A box must not exclude such a point; otherwise rays would pass through the seams between boxes. So
+//! the origin for the near planes is moved towards them, and the origin for the far planes away from them.
 //!
-//! Boxes below one another answer monotonically: every operation keeps the order of its operands, so a ray that
-//! enters a box enters each box around it no later, and that by the very same float32 arithmetic at all widths.
+//! Nested boxes give monotone results: every operation preserves the order of its operands, so a ray that enters a box
+//! enters each box around it no later. The float32 arithmetic is the same at all vector widths.
 
 use glam::Vec3;
 
@@ -14,20 +14,20 @@ use super::lanes::{Isa, Lanes};
 use crate::base::Aabb;
 use crate::bvh::{Node, WIDTH};
 
-/// How far the sheared corners may lie off, relative to the reach: five roundings of half an ulp, as in the paper, of
-/// two coordinates.
+/// Greatest error of the sheared corners, relative to the reach: five roundings of half an ulp, as in the paper, of two
+/// coordinates.
 pub(super) const ERROR: f32 = 2.0 * 5.0 / (1 << 24) as f32;
-/// Factors that cover the roundings of a reciprocal and a product, towards zero and away from it.
+/// Factors, towards zero and away from zero, that cover the rounding of a reciprocal and a product.
 pub(super) const SHORTER: f32 = 1.0 - 4.0 * f32::EPSILON;
 pub(super) const LONGER: f32 = 1.0 + 4.0 * f32::EPSILON;
-/// Slopes below this are taken for it: no product with a plane's distance becomes NaN, and over the whole of a box
-/// the ray leaves its true course by far less than a rounding.
+/// Least slope; smaller slopes are replaced by it. So no product with a plane's distance is NaN, and the deviation of
+/// the ray over the whole box is far below one rounding.
 pub(super) const LEAST_SLOPE: f32 = 1e-12;
 
-/// A ray made ready for boxes below one root.
+/// A ray prepared for all boxes below one root.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slabs {
-    /// Plane of a node that comes first on each axis: `2 axis` or `2 axis + 1`.
+    /// Plane of a node that the ray meets first on each axis: `2 axis` or `2 axis + 1`.
     pub(crate) first: [usize; 3],
     /// Origins for the near planes.
     pub(crate) near_origin: [f32; 3],
@@ -40,7 +40,7 @@ pub(crate) struct Slabs {
 }
 
 impl Slabs {
-    /// For boxes inside `bounds`.
+    /// Prepares a ray for boxes inside `bounds`.
     #[inline(always)]
     pub(crate) fn new(origin: Vec3, direction: Vec3, bounds: &Aabb) -> Self {
         let reach = (bounds.min - origin).abs().max((bounds.max - origin).abs()).max_element();
@@ -56,7 +56,7 @@ impl Slabs {
         for axis in 0..3 {
             let d = direction[axis];
             let scale = 1.0 / d.abs().max(least);
-            // −0.0 counts as positive: with the least slope both signs keep every box that touches the ray.
+            // −0.0 counts as positive: with the least slope, either sign accepts each box that touches the ray.
             let negative = d < 0.0;
             let sign = if negative { -1.0 } else { 1.0 };
             slabs.first[axis] = 2 * axis + usize::from(negative);
@@ -68,7 +68,7 @@ impl Slabs {
         slabs
     }
 
-    /// Where the ray enters and leaves boxes, given the planes that come first and last on each axis.
+    /// Parameters at which the ray enters and leaves boxes, given the first and last plane on each axis.
     #[inline(always)]
     pub(crate) fn intersect<I: Isa, L: Lanes<I>>(&self, isa: I, first: [L; 3], last: [L; 3]) -> (L, L) {
         let near = self.near(isa, 0, first[0]).max(self.near(isa, 1, first[1])).max(self.near(isa, 2, first[2]));
@@ -86,7 +86,7 @@ impl Slabs {
         plane.sub(L::splat(isa, self.far_origin[axis])).mul(L::splat(isa, self.far_scale[axis]))
     }
 
-    /// The same for the children of a node.
+    /// Parameters at which the ray enters and leaves the children of a node.
     #[inline(always)]
     pub(crate) fn intersect_node<I: Isa>(&self, isa: I, node: &Node) -> (I::Eight, I::Eight) {
         let [x, y, z] = self.first;
@@ -96,7 +96,7 @@ impl Slabs {
         self.intersect(isa, first, last)
     }
 
-    /// Where the ray enters and leaves one box.
+    /// Parameters at which the ray enters and leaves one box.
     #[inline(always)]
     pub(crate) fn enter_leave(&self, bounds: &Aabb) -> (f32, f32) {
         let plane = |number: usize| if number & 1 == 0 { bounds.min[number / 2] } else { bounds.max[number / 2] };

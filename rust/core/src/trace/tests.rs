@@ -1,5 +1,5 @@
-//! The tracer against the slow obvious way: every triangle of every instance, in order. And against itself: one ray at
-//! a time, packets, and every instruction set must give the same bits.
+//! Tests of the tracer against a brute-force search over every triangle of every instance. Single rays, packets and
+//! every instruction set must also give the same bits.
 
 mod defects;
 mod watertight;
@@ -40,7 +40,7 @@ fn point() -> impl Strategy<Value = Vec3> {
     [-1.0f32..1.0, -1.0f32..1.0, -1.0f32..1.0].prop_map(Vec3::from_array)
 }
 
-/// Möller–Trumbore in float64, two-sided.
+/// The Möller–Trumbore intersection in float64, two-sided.
 fn oracle(triangles: &[[Vec3; 3]], ray: &Ray) -> Option<(f64, usize)> {
     let (o, d) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
     let hit = |(face, corners): (usize, &[Vec3; 3])| {
@@ -59,7 +59,8 @@ fn bits(hit: &Hit) -> [u32; 5] {
     [hit.t.to_bits(), hit.u.to_bits(), hit.v.to_bits(), hit.instance, hit.face]
 }
 
-/// Traces by packets on every instruction set and one by one, asserts that all are the same bits, and returns them.
+/// Traces in packets and one by one on every instruction set, asserts that all results have the same bits, and returns
+/// them.
 fn trace_all_ways(scene: &Scene, rays: &[Ray], filter: &impl HitFilter) -> Vec<Hit> {
     let mut expected = vec![Hit::MISS; rays.len()];
     for (ray, hit) in rays.iter().zip(&mut expected) {
@@ -85,7 +86,7 @@ fn trace_all_ways(scene: &Scene, rays: &[Ray], filter: &impl HitFilter) -> Vec<H
     expected
 }
 
-/// A beam of 10×10 rays around a direction.
+/// A beam of 10 × 10 rays around a direction.
 fn beam(origin: Vec3, direction: Vec3, width: f32) -> Vec<Ray> {
     let side = direction.any_orthonormal_vector();
     let up = direction.cross(side);
@@ -118,7 +119,7 @@ proptest! {
         let rays: Vec<Ray> = rays.into_iter().map(|(origin, direction)| ray(origin, direction)).collect();
         for (ray, found) in rays.iter().zip(trace_all_ways(&scene, &rays, &All)) {
             let expected = oracle(&triangles, ray);
-            // Corners within 2 of the origin, 24 bits: a relative 1e-4 leaves three digits for slivers.
+            // Corners within 2 m of the origin, 24 bits: a relative tolerance of 1e-4 leaves three digits for slivers.
             match expected {
                 Some((t, _)) => prop_assert!((f64::from(found.t) - t).abs() <= 1e-4 * (1.0 + t), "{found:?} {expected:?}"),
                 None => prop_assert!(found.is_miss()),
@@ -171,8 +172,8 @@ proptest! {
             .collect();
         let rays = beam(origin * 3.0, toward, 0.4);
         for (ray, found) in rays.iter().zip(trace_all_ways(&instanced, &rays, &All)) {
-            // Corners are rounded once when merged, rays twice when placed: near an edge one may hit and the other
-            // miss, so the merged one decides only where the ray stays clear of all edges.
+            // Corners are rounded once when merged; rays are rounded twice when placed. Near an edge one may hit and
+            // the other miss, so the merged mesh decides only where the ray stays clear of all edges.
             let Some((t, face, clear)) = clear_oracle(&merged, ray) else { continue };
             if clear {
                 prop_assert!((f64::from(found.t) - t).abs() <= 1e-4 * (1.0 + t));
@@ -183,7 +184,7 @@ proptest! {
     }
 }
 
-/// Lets every second face be hit.
+/// A filter that accepts every second face.
 struct EvenFaces;
 
 impl HitFilter for EvenFaces {

@@ -1,4 +1,4 @@
-//! NumPy arrays as kernel buffers. The Python side has made them contiguous and of the right type.
+//! NumPy arrays as kernel buffers. The Python side guarantees that they are contiguous and of the right type.
 
 use std::slice;
 
@@ -10,14 +10,14 @@ use numpy::{
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-/// Rows of coordinates in either precision.
+/// Rows of coordinates, float32 or float64.
 #[derive(FromPyObject)]
 pub enum Points<'py> {
     Single(PyReadonlyArray2<'py, f32>),
     Double(PyReadonlyArray2<'py, f64>),
 }
 
-/// Evaluates an expression with the array of an enum of arrays, whatever its type.
+/// Evaluates an expression with the array in an enum of arrays, for any type.
 macro_rules! with_array {
     ($kind:ident::{$($variant:ident),+}, $value:expr, $array:ident => $body:expr) => {
         match $value {
@@ -26,7 +26,7 @@ macro_rules! with_array {
     };
 }
 
-/// Evaluates an expression with rows of 3 coordinates, whatever their type.
+/// Evaluates an expression with rows of 3 coordinates, for any type.
 macro_rules! with_rows {
     ($points:expr, $rows:ident => $body:expr) => {
         $crate::convert::arrays::with_array!(Points::{Single, Double}, $points, array => {
@@ -58,15 +58,15 @@ pub fn array_of_rows<T: Element, const C: usize>(
     rows.into_flattened().into_pyarray(py).reshape([count, C])
 }
 
-/// Keeps a NumPy array alive while kernels read its memory.
+/// A NumPy array that is kept alive while kernels read its memory.
 struct Borrowed<T> {
     _owner: Py<PyAny>,
     first: *const T,
     length: usize,
 }
 
-// SAFETY: the memory is only read, its owner is alive as long as this value, and `buffer` has made it read-only;
-// dropping a `Py` from any thread is sound.
+// SAFETY: the memory is only read, its owner lives as long as this value, and `buffer` has made it read-only. A `Py`
+// may be dropped on any thread.
 unsafe impl<T: Sync> Send for Borrowed<T> {}
 // SAFETY: as above.
 unsafe impl<T: Sync> Sync for Borrowed<T> {}
@@ -77,12 +77,12 @@ impl<T> AsRef<[T]> for Borrowed<T> {
             return &[];
         }
         // SAFETY: `buffer` checked that `first` points to `length` initialised, aligned elements of a C-contiguous
-        // array, and `_owner` keeps them alive.
+        // array; `_owner` keeps them alive.
         unsafe { slice::from_raw_parts(self.first, self.length) }
     }
 }
 
-/// Borrows a C-contiguous array of rows of `R` elements as a buffer of rows, without a copy. The array is made
+/// Borrows a C-contiguous array of rows of `R` elements as a buffer of rows, without a copy. The array becomes
 /// read-only, because a scene is immutable.
 pub fn buffer<T: Element + Sync + 'static, const R: usize>(
     array: &Bound<'_, PyArrayDyn<T>>,
@@ -101,7 +101,7 @@ pub fn buffer<T: Element + Sync + 'static, const R: usize>(
     Ok(Buffer::from_owner(Borrowed::<[T; R]> { _owner: owner, first: array.data().cast(), length: rows }))
 }
 
-/// Borrows a one-dimensional array as a buffer, as `buffer` does.
+/// Borrows a one-dimensional array like `buffer`.
 pub fn flat_buffer<T: Element + Sync + 'static>(array: &Bound<'_, PyArrayDyn<T>>) -> PyResult<Buffer<T>> {
     struct Flat<T>(Buffer<[T; 1]>);
     impl<T> AsRef<[T]> for Flat<T> {

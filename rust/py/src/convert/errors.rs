@@ -1,4 +1,4 @@
-//! The one place where kernel errors become Python exceptions. `nearfar._errors` re-exports them.
+//! The only place where kernel errors become Python exceptions. `nearfar._errors` re-exports them.
 
 use std::any::Any;
 
@@ -29,7 +29,7 @@ pub fn to_python(error: Error) -> PyErr {
     }
 }
 
-/// A panic as a `RuntimeError` that asks for a report: panics are bugs of ours.
+/// Converts a panic to a `RuntimeError` that asks for a report, because every panic is a bug in nearfar.
 pub fn from_panic(payload: &(dyn Any + Send)) -> PyErr {
     let text = payload
         .downcast_ref::<&str>()

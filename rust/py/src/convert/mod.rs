@@ -1,4 +1,4 @@
-//! Conversions that all bindings share: arrays, errors, names, and the way to run a kernel.
+//! Conversions that all bindings share: arrays, errors, names, and the functions that run a kernel.
 
 pub mod arrays;
 pub mod errors;

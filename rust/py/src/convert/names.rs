@@ -1,8 +1,8 @@
-//! Public names of the kernels' choices.
+//! Public names of enum values.
 
 use nearfar_core::base::{Error, Result};
 
-/// The choice with a name. The error lists the names of all choices.
+/// The value with a name. The error lists all names.
 pub fn choice<T: Copy>(argument: &'static str, name: &str, choices: &[(&str, T)]) -> Result<T> {
     let found = choices.iter().find(|(known, _)| *known == name);
     found.map(|(_, choice)| *choice).ok_or_else(|| {

@@ -1,4 +1,4 @@
-//! Runs kernels without the interpreter: short ones in place, long ones watched for signals.
+//! Runs kernels with the interpreter released. Short kernels block the caller; for long ones the caller polls signals.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{RecvTimeoutError, channel};
@@ -10,18 +10,18 @@ use pyo3::prelude::*;
 
 use super::errors::{from_panic, to_python};
 
-/// Time between two looks of a waiting caller at signals; it reports progress as often.
+/// Time between two checks for signals, and between two progress reports, of a caller that waits.
 const POLL_INTERVAL: Duration = Duration::from_millis(50);
 
-/// Runs a kernel of milliseconds on the pool with the interpreter released.
+/// Runs a kernel that takes milliseconds on the pool, with the interpreter released.
 pub fn short<R: Send>(py: Python<'_>, kernel: impl FnOnce() -> Result<R> + Send) -> PyResult<R> {
     py.detach(|| catch_unwind(AssertUnwindSafe(|| pool::install(kernel).and_then(|result| result))))
         .map_err(|payload| from_panic(payload.as_ref()))?
         .map_err(to_python)
 }
 
-/// Runs a long kernel on the pool. Every 50 ms the calling thread polls signals and calls `report(done, total)`;
-/// an exception from either cancels the kernel and is raised once it has stopped.
+/// Runs a long kernel on the pool. Every 50 ms the calling thread polls signals and calls `report(done, total)`. An
+/// exception from either cancels the kernel and is raised after the kernel has stopped.
 pub fn long<R: Send>(
     py: Python<'_>,
     report: Option<Py<PyAny>>,
@@ -35,7 +35,7 @@ pub fn long<R: Send>(
             scope.spawn(move || {
                 let outcome =
                     catch_unwind(AssertUnwindSafe(|| pool::install(|| kernel(progress)).and_then(|result| result)));
-                // The receiver outlives this thread: it waits for the outcome.
+                // Sending cannot fail: the receiver waits for the outcome and so outlives this thread.
                 let _ = sender.send(outcome);
             });
             let mut raised = None;

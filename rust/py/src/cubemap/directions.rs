@@ -1,4 +1,4 @@
-//! Filters by name.
+//! Texture filters by their public names.
 
 use nearfar_core::base::Result;
 use nearfar_core::cubemap::TexelFilter;

@@ -10,7 +10,7 @@ use crate::convert::arrays::{Points, with_array, with_rows};
 use crate::convert::names::choice;
 use crate::convert::run;
 
-/// Layout, rows (of one face) and columns.
+/// Layout, number of rows (of one face) and number of columns.
 pub(crate) type Shape = (String, u32, u32);
 
 fn grid((layout, height, width): &Shape) -> Result<Grid> {
@@ -20,14 +20,14 @@ fn grid((layout, height, width): &Shape) -> Result<Grid> {
     Grid::new(layout, *height, *width)
 }
 
-/// Values (N, C) of a picture and those (M, C) of another one.
+/// Values (N, C) of a picture, and values (M, C) of another picture to be written.
 #[derive(FromPyObject)]
 pub(crate) enum Pictures<'py> {
     Single((PyReadonlyArray2<'py, f32>, PyReadwriteArray2<'py, f32>)),
     Double((PyReadonlyArray2<'py, f64>, PyReadwriteArray2<'py, f64>)),
 }
 
-/// Pictures of values of any type, by their bytes.
+/// Pictures with values of any type, by the size of the type.
 #[derive(FromPyObject)]
 pub(crate) enum PictureBits<'py> {
     One((PyReadonlyArray2<'py, u8>, PyReadwriteArray2<'py, u8>)),
@@ -65,7 +65,7 @@ fn copied<T: Element + Copy + Send + Sync>(
     })
 }
 
-/// Writes a picture in another layout; `shapes` are those of both.
+/// Converts a picture to another layout; `shapes` are the shapes of both.
 #[pyfunction]
 #[pyo3(signature = (pictures, shapes, *, filter, samples, report=None))]
 pub(crate) fn convert_envmap(
@@ -81,7 +81,7 @@ pub(crate) fn convert_envmap(
     })
 }
 
-/// Writes a picture in another layout by the nearest texel.
+/// Converts a picture to another layout, with the nearest texels.
 #[pyfunction]
 #[pyo3(signature = (pictures, shapes, *, report=None))]
 pub(crate) fn convert_envmap_nearest(

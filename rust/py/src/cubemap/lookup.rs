@@ -1,4 +1,4 @@
-//! Bindings of `cubemap`: values of a cube's faces along directions, and its coarser levels.
+//! Bindings of `cubemap`: look-ups of cube maps in directions, and coarser levels.
 
 use nearfar_core::base::Real;
 use nearfar_core::cubemap::{self, CubeFaces, Reduction};
@@ -11,14 +11,14 @@ use crate::convert::errors::to_python;
 use crate::convert::names::choice;
 use crate::convert::run;
 
-/// Faces (6, S, S, C) and the values (N, C) to be written, of one type.
+/// Faces (6, S, S, C), and values (N, C) of the same type to be written.
 #[derive(FromPyObject)]
 pub(crate) enum Maps<'py> {
     Single((PyReadonlyArray4<'py, f32>, PyReadwriteArray2<'py, f32>)),
     Double((PyReadonlyArray4<'py, f64>, PyReadwriteArray2<'py, f64>)),
 }
 
-/// Faces and values of any type, by their bytes.
+/// Faces and values of any type, by the size of the type.
 #[derive(FromPyObject)]
 pub(crate) enum MapBits<'py> {
     One((PyReadonlyArray4<'py, u8>, PyReadwriteArray2<'py, u8>)),
@@ -54,19 +54,19 @@ fn pick<T: Element + Copy + Send + Sync>(
     with_rows!(directions, rows => run::short(py, || cubemap::nearest(CubeFaces::new(values, size, channels)?, rows, out)))
 }
 
-/// Filtered values along directions (N, 3).
+/// Writes filtered values in directions (N, 3).
 #[pyfunction]
 pub(crate) fn cube_lookup(py: Python<'_>, mut maps: Maps<'_>, directions: Points<'_>, filter: &str) -> PyResult<()> {
     with_array!(Maps::{Single, Double}, &mut maps, maps => look(py, maps, &directions, filter))
 }
 
-/// The texels that directions (N, 3) pass through.
+/// Writes the texels that directions (N, 3) pass through.
 #[pyfunction]
 pub(crate) fn cube_nearest(py: Python<'_>, mut maps: MapBits<'_>, directions: Points<'_>) -> PyResult<()> {
     with_array!(MapBits::{One, Two, Four, Eight}, &mut maps, maps => pick(py, maps, &directions))
 }
 
-/// The least or greatest of the texels that cones of an angle about directions (N, 3) touch.
+/// Writes the least or greatest value of the texels that cones about directions (N, 3) touch.
 #[pyfunction]
 pub(crate) fn cube_footprint(
     py: Python<'_>,
@@ -92,7 +92,7 @@ fn touch<T: Real + Element>(
     }))
 }
 
-/// Faces (6, S, S, C) and those of the next level.
+/// Faces (6, S, S, C), and those of the next level to be written.
 #[derive(FromPyObject)]
 pub(crate) enum LevelPair<'py> {
     Single((PyReadonlyArray4<'py, f32>, PyReadwriteArray4<'py, f32>)),
@@ -117,7 +117,7 @@ fn reduce<T: Real + Element>(
     run::short(py, || cubemap::next_level(CubeFaces::new(values, size, channels)?, reduction, out))
 }
 
-/// Writes the solid angle of each texel of a face (S, S) in steradians.
+/// Writes the solid angle of each texel of a face (S, S), steradians.
 #[pyfunction]
 pub(crate) fn cube_solid_angles(py: Python<'_>, mut out: PyReadwriteArray2<'_, f64>) -> PyResult<()> {
     let size = u32::try_from(out.shape()[0]).unwrap_or(u32::MAX);

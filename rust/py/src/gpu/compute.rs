@@ -14,7 +14,7 @@ use crate::convert::names::choice;
 use crate::convert::run;
 use crate::morph::kind;
 
-/// Mean similarity of two frames, and its map, flat, where it is wanted.
+/// Mean similarity of two frames and, if `full`, its map as a flat array.
 #[pyfunction]
 #[pyo3(signature = (reference, test, *, window, size, sigma, full))]
 pub(crate) fn gpu_similarity<'py>(
@@ -37,7 +37,7 @@ pub(crate) fn gpu_similarity<'py>(
     Ok((compared.mean, compared.map.map(|map| map.into_pyarray(py))))
 }
 
-/// Discontinuity of each pixel of a frame, flat.
+/// Discontinuity of each pixel of a frame, as a flat array.
 #[pyfunction]
 #[pyo3(signature = (frame, *, camera, epsilon, min_distance, report=None))]
 pub(crate) fn gpu_discontinuity<'py>(
@@ -79,7 +79,7 @@ fn filter(name: &str) -> Result<Filter> {
     choice("filter", name, &[("nearest", Filter::Nearest), ("min", Filter::Min), ("max", Filter::Max)])
 }
 
-/// Writes values of a cube map along directions.
+/// Writes values of a cube map in directions.
 #[pyfunction]
 pub(crate) fn gpu_cube_lookup(
     py: Python<'_>,

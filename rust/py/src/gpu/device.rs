@@ -18,7 +18,7 @@ use crate::render::frame::{channels, images};
 use crate::render::reduced::{Reduced, drawing};
 use crate::scene::Scene;
 
-/// All adapters: name, back end, kind, driver, why it is refused, largest binding and image.
+/// All adapters: name, back end, kind, driver, reason for refusal, greatest binding and image size.
 #[pyfunction]
 #[expect(clippy::type_complexity, reason = "a row of a table")]
 pub(crate) fn gpu_adapters(
@@ -31,20 +31,20 @@ pub(crate) fn gpu_adapters(
     Ok(found.into_iter().map(row).collect())
 }
 
-/// True where a wanted adapter is more than the processor itself.
+/// Whether the wanted adapter is hardware, not software that runs on the CPU.
 #[pyfunction]
 #[pyo3(signature = (wanted=None))]
 pub(crate) fn gpu_is_hardware(py: Python<'_>, wanted: Option<&str>) -> PyResult<bool> {
     run::short(py, || device::is_hardware(wanted))
 }
 
-/// Makes a forked child exit without the exit handlers of drivers.
+/// Makes a forked child process exit without the exit handlers of drivers.
 #[pyfunction]
 pub(crate) fn gpu_forked() {
     device::end_without_drivers();
 }
 
-/// The device on the best of the wanted adapters.
+/// The device of the best adapter among the wanted ones.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct GpuDevice(pub(crate) Arc<Device>);
 
@@ -56,25 +56,25 @@ impl GpuDevice {
         run::short(py, || device::device(wanted)).map(Self)
     }
 
-    /// Name and back end of its adapter.
+    /// Name and back end of the device's adapter.
     #[getter]
     fn label(&self) -> String {
         self.0.report().label()
     }
 
-    /// The kind of processor that executes its work.
+    /// The kind of processor that executes the device's work.
     #[getter]
     fn kind(&self) -> &'static str {
         self.0.report().kind.name()
     }
 
-    /// Numbers of buffers and textures made, their bytes, bytes sent, and triangles in draw calls.
+    /// Number of buffers and textures created, their bytes, bytes uploaded, and triangles in draw calls.
     fn counters(&self) -> (u64, u64, u64, u64) {
         let counters = self.0.counters();
         (counters.allocations, counters.allocated_bytes, counters.uploaded_bytes, counters.triangles)
     }
 
-    /// Closes the device as a driver's fault would.
+    /// Closes the device in the way a driver fault would.
     fn lose(&self, py: Python<'_>) -> PyResult<()> {
         run::short(py, || {
             self.0.lose();
@@ -82,7 +82,7 @@ impl GpuDevice {
         })
     }
 
-    /// Begins a frame of a scene.
+    /// Starts a frame of a scene.
     #[pyo3(signature = (scene, camera, *, channels, samples, t_min=0.0, t_max=f32::INFINITY, report=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn truth(
@@ -104,7 +104,7 @@ impl GpuDevice {
         Ok(GpuJob::new(job, camera))
     }
 
-    /// An environment map's channels by name, as `bake` gives them.
+    /// The channels of an environment map by name, as `bake` returns them.
     #[pyo3(signature = (scene, *, center, radius, size, samples, range, object_id, report=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn bake<'py>(
@@ -124,7 +124,7 @@ impl GpuDevice {
         images(py, frame, (6 * size as usize, size as usize))
     }
 
-    /// Begins a frame of a reduced scene; `scene` is the one that was reduced, in any pose.
+    /// Starts a frame of a reduced scene; `scene` is the scene that was reduced, in any pose.
     #[pyo3(signature = (
         reduced, scene, camera, *, channels, samples, t_min, t_max, user, method, mapped, tolerance_px, report=None
     ))]

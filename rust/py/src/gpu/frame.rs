@@ -1,4 +1,4 @@
-//! Frames of the GPU back end: under way, and left on the device.
+//! Frames of the GPU back end: frames being drawn, and frames kept on the device.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -12,7 +12,7 @@ use crate::convert::errors::to_python;
 use crate::convert::run;
 use crate::render::frame::images;
 
-/// A frame under way.
+/// A frame that is being drawn.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct GpuJob {
     job: Mutex<Option<Job>>,
@@ -25,7 +25,7 @@ impl GpuJob {
         Self { job: Mutex::new(Some(job)), shape: (camera.height as usize, camera.width as usize) }
     }
 
-    /// Takes the job out; fails the second time.
+    /// Takes the job; fails on the second call.
     fn take(&self) -> PyResult<Job> {
         let job = self.job.lock().unwrap_or_else(PoisonError::into_inner).take();
         job.ok_or_else(|| to_python(Error::value("frame", "one that was not read yet", "one that was")))
@@ -34,7 +34,7 @@ impl GpuJob {
 
 #[pymethods]
 impl GpuJob {
-    /// Waits for the frame and returns its images by name; once.
+    /// Waits for the frame and returns its images by name. It can be called once.
     #[pyo3(signature = (report=None))]
     fn finish<'py>(&self, py: Python<'py>, report: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyDict>> {
         let job = self.take()?;
@@ -43,7 +43,7 @@ impl GpuJob {
     }
 }
 
-/// A frame that stays on the device.
+/// A frame kept on the device.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct GpuFrame {
     pub(crate) frame: DeviceFrame,
@@ -52,13 +52,13 @@ pub struct GpuFrame {
 
 #[pymethods]
 impl GpuFrame {
-    /// Name and back end of the adapter that holds it.
+    /// Name and back end of the adapter that holds the frame.
     #[getter]
     fn label(&self) -> String {
         self.frame.device().report().label()
     }
 
-    /// Its images by name.
+    /// The images by name.
     #[pyo3(signature = (report=None))]
     fn read<'py>(&self, py: Python<'py>, report: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyDict>> {
         let frame = run::long(py, report, |progress| self.frame.read(progress))?;
@@ -66,7 +66,7 @@ impl GpuFrame {
     }
 }
 
-/// Leaves a frame under way on its device; once.
+/// Finishes a job and keeps its frame on the device. It can be called once per job.
 #[pyfunction]
 #[pyo3(signature = (job, report=None))]
 pub(crate) fn gpu_keep(py: Python<'_>, job: &GpuJob, report: Option<Py<PyAny>>) -> PyResult<GpuFrame> {

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use crate::convert::arrays::array_of_rows;
 use crate::convert::run;
 
-/// The row of the table of outcomes in `nearfar.lod`.
+/// The code of a result, its row in the table of results in `nearfar.lod`.
 fn code(status: Status) -> u8 {
     match status {
         Status::Fitted => 0,
@@ -22,13 +22,13 @@ fn code(status: Status) -> u8 {
     }
 }
 
-/// Samples from which on fits may take more than a few milliseconds.
+/// Number of samples from which fits may take more than a few milliseconds.
 const LONG: usize = 10_000;
 
-/// Rows of numbers, and a code for each.
+/// Rows of numbers, and a code for each row.
 type Fits<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u8>>);
 
-/// Rows of a, b, c, d and rms, and the outcome of each fit.
+/// Rows of a, b, c, d and rms, and the code of each fit's result.
 #[pyfunction]
 #[pyo3(signature = (x, y, *, count, report=None))]
 pub(crate) fn fit_4pl<'py>(

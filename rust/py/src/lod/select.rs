@@ -9,8 +9,8 @@ use pyo3::prelude::*;
 use crate::convert::run;
 use crate::lens::RadialLens;
 
-/// Curves of all models (N, 4), the first curve of each model and the number of all (M + 1,), and least and greatest
-/// sizes (M, 2).
+/// Curves of all models (N, 4); index of the first curve of each model and the number of all curves (M + 1,); least and
+/// greatest sizes (M, 2).
 type Models<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i64>, PyReadonlyArray2<'py, f64>);
 
 fn models<'a>((curves, firsts, ranges): &'a Models<'_>) -> PyResult<Vec<Model<'a>>> {
@@ -23,7 +23,7 @@ fn models<'a>((curves, firsts, ranges): &'a Models<'_>) -> PyResult<Vec<Model<'a
     Ok(pairs.map(model).collect())
 }
 
-/// Position, orientation, tangents of the view, gaze, and degrees of a pixel.
+/// Position, orientation, tangents of the view, gaze, and size of a pixel in degrees.
 type EyeParts = ([f64; 3], [f64; 4], [f64; 4], Option<[f64; 3]>, f64);
 
 fn eye((position, orientation, [left, right, down, up], gaze, pixel): EyeParts, acuity: Option<(f64, f64)>) -> Eye {
@@ -34,7 +34,7 @@ fn eye((position, orientation, [left, right, down, up], gaze, pixel): EyeParts, 
     Eye { view, acuity }
 }
 
-/// A vector scaled to length 1, without overflow.
+/// The unit vector of a direction, computed without overflow.
 fn direction(vector: DVec3) -> DVec3 {
     (vector / vector.abs().max_element()).normalize()
 }
@@ -44,10 +44,10 @@ fn listed(counts: &SelectionCounts) -> Vec<u64> {
     vec![culled, one_level, settled, large, asked, lens, table, formula]
 }
 
-/// Levels of objects, numbers beside them where wanted, and counts of the work.
+/// Levels of objects, the additional columns if requested, and counts of the work.
 type Selected<'py> = (Bound<'py, PyArray1<i32>>, Vec<Bound<'py, PyArray1<f64>>>, Vec<u64>);
 
-/// The level of each object: the finest that any eye needs.
+/// The level of each object: the finest level that any eye needs.
 #[pyfunction]
 #[pyo3(signature = (models, model_index, centers, radii, *, previous, eyes, line, reference, off, cull, lens, tan_omega,
     exact, acuity, hysteresis, fade, full))]

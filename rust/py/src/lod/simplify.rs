@@ -11,7 +11,7 @@ use crate::convert::arrays::array_of_rows;
 use crate::convert::names::choice;
 use crate::convert::run;
 
-/// The first row that each row of bytes is equal to.
+/// For each row of bytes, the first row equal to it.
 #[pyfunction]
 pub(crate) fn first_alike<'py>(
     py: Python<'py>,
@@ -21,7 +21,7 @@ pub(crate) fn first_alike<'py>(
     Ok(run::short(py, || lod::first_alike(rows, width))?.into_pyarray(py))
 }
 
-/// The number of each face's piece, where faces that share a vertex belong to one piece.
+/// The number of each face's piece; faces that share a vertex belong to one piece.
 #[pyfunction]
 pub(crate) fn pieces<'py>(
     py: Python<'py>,
@@ -35,7 +35,7 @@ pub(crate) fn pieces<'py>(
 /// Faces, and weights of their second and third corner.
 type Places<'py> = (Bound<'py, PyArray1<u32>>, Bound<'py, PyArray2<f64>>);
 
-/// Where corners (T, 3, 3) of triangles lie on a base without crossing seams; rows are 3 T corners.
+/// Positions on a base, without crossing seams, of the corners (T, 3, 3) of triangles. The rows are the 3 T corners.
 #[pyfunction]
 #[pyo3(signature = (positions, faces, corners, starts, *, report=None))]
 pub(crate) fn carry<'py>(
@@ -58,7 +58,7 @@ fn giving_up(name: &str) -> Result<Allowance> {
     choice("given", name, &[("nothing", Allowance::Nothing), ("seams", Allowance::Seams), ("parts", Allowance::Parts)])
 }
 
-/// Faces after edge collapses by meshoptimizer, and its estimate of the error as a share of the extent.
+/// Faces after meshoptimizer's edge collapses, and its estimate of the error as a share of the extent.
 #[pyfunction]
 #[expect(clippy::too_many_arguments, reason = "what the simplifier weighs")]
 pub(crate) fn collapse<'py>(

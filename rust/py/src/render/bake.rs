@@ -9,8 +9,8 @@ use super::frame::images;
 use crate::convert::run;
 use crate::scene::Scene;
 
-/// An environment map's channels by name: colour (6, S, S, 3), and range and object_id (6, S, S) where wanted; and the
-/// number of rays.
+/// The channels of an environment map by name: colour (6, S, S, 3) and, if requested, range and object_id (6, S, S);
+/// and the number of rays.
 #[pyfunction(name = "bake")]
 #[pyo3(signature = (scene, *, center, radius, size, samples, range, object_id, report=None))]
 #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]

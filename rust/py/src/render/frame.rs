@@ -1,4 +1,4 @@
-//! Bindings of `render::Frame`: its images by name, and their sRGB codes.
+//! Bindings of `render::Frame`: images by name, and sRGB codes.
 
 use nearfar_core::render::{Channels, Frame};
 use nearfar_core::scene::srgb::srgb_from_linear;
@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use crate::convert::run;
 
-/// The wanted images, by their public names.
+/// The requested channels, by their public names.
 pub fn channels(names: &[String]) -> PyResult<Channels> {
     let mut channels = Channels::default();
     for name in names {
@@ -41,7 +41,7 @@ pub fn images<'py>(py: Python<'py>, frame: Frame, (height, width): (usize, usize
     Ok(images)
 }
 
-/// Adds an image, if the frame has it.
+/// Adds an image if the frame has it.
 fn put<T: Element, S: IntoDimension>(images: &Bound<'_, PyDict>, name: &str, values: Vec<T>, shape: S) -> PyResult<()> {
     if values.is_empty() {
         return Ok(());
@@ -49,7 +49,7 @@ fn put<T: Element, S: IntoDimension>(images: &Bound<'_, PyDict>, name: &str, val
     images.set_item(name, PyArray1::from_vec(images.py(), values).reshape(shape)?)
 }
 
-/// sRGB codes of linear values, in one dimension.
+/// sRGB codes of linear values, as a one-dimensional array.
 #[pyfunction]
 pub(crate) fn encode_srgb<'py>(
     py: Python<'py>,

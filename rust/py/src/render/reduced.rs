@@ -27,24 +27,25 @@ type Array<'py, T> = Bound<'py, PyArrayDyn<T>>;
 pub struct Reduced {
     pub core: reduced::Reduced,
     partition: Py<Partition>,
-    /// Gathered when a device draws it for the first time.
+    /// The GPU's copy of the near part, created when a device draws it for the first time.
     gpu: Mutex<Option<Arc<nearfar_gpu::Reduced>>>,
 }
 
 impl Reduced {
-    /// The near part as devices draw it.
+    /// The near part in the form in which devices draw it.
     pub fn on_gpu(&self) -> nearfar_core::base::Result<Arc<nearfar_gpu::Reduced>> {
         let gathered = || self.gpu.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(known) = gathered().clone() {
             return Ok(known);
         }
-        // Not while it is locked: a thread that waits for its share of this may take up another frame.
+        // The lock is not held here: a thread that waits inside rayon may run the task of another frame, which takes
+        // this lock.
         let made = Arc::new(nearfar_gpu::Reduced::new(&self.partition.get().0, &self.core)?);
         Ok(Arc::clone(gathered().get_or_insert(made)))
     }
 }
 
-/// Settings of a drawing by their public names.
+/// Settings of a frame, by their public names.
 pub fn drawing(
     channels: &[String],
     samples: u32,
@@ -65,8 +66,8 @@ pub fn drawing(
 
 #[pymethods]
 impl Reduced {
-    /// `morph` is "blend", "cylinder" or "none"; `boundary` is where the near part of the latter ends. The map's channels
-    /// are rows: (6 S S, 3), (6 S S,), (6 S S,).
+    /// `morph` is "blend", "cylinder" or "none"; for "none", `boundary` is the radius at which the near part ends. The
+    /// map's channels are rows: (6 S S, 3), (6 S S,), (6 S S,).
     #[new]
     #[pyo3(signature = (partition, *, morph, boundary, size=0, color=None, range=None, object_id=None, report=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python constructor")]
@@ -101,7 +102,7 @@ impl Reduced {
         Ok(Self { core, partition, gpu: Mutex::default() })
     }
 
-    /// Images of a view by name; `scene` is the one that was reduced, in any pose.
+    /// Images of a view by name; `scene` is the scene that was reduced, in any pose.
     #[pyo3(signature = (scene, camera, *, channels, samples, t_min, t_max, user, method, mapped, tolerance_px, report=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn render<'py>(
@@ -125,14 +126,14 @@ impl Reduced {
         images(py, frame, (camera.height as usize, camera.width as usize))
     }
 
-    /// Bytes of the copies of near geometry.
+    /// Size of the copies of near geometry, bytes.
     #[getter]
     fn near_bytes(&self) -> usize {
         self.core.near_bytes()
     }
 
-    /// Triangles that were traced for the last frame, those that move, vertices seen in opposite directions, and whether
-    /// the tolerance was a bound.
+    /// Triangles traced for the last frame, moving triangles, vertices seen in opposite directions, and whether the
+    /// tolerance was an upper bound.
     fn last_frame(&self) -> (u64, u64, u64, bool) {
         let counts = self.core.last_frame();
         (counts.triangles, counts.moving, counts.opposed, counts.bounded)

@@ -14,20 +14,20 @@ use crate::convert::run;
 /// Placements (K, 3, 4) and objects (K,).
 type Placed<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray1<i32>>);
 
-/// The meshes of models' levels, shared by every scene that shows them.
+/// The meshes of the models' levels, shared by every scene that shows them.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Levels(LevelMeshes);
 
 #[pymethods]
 impl Levels {
-    /// For each model a mesh for each level, level 0 first.
+    /// `models` holds for each model one mesh per level, level 0 first.
     #[new]
     fn new(models: Vec<Vec<PyRef<'_, Mesh>>>) -> Self {
         let shared = |mesh: &PyRef<'_, Mesh>| Arc::clone(&mesh.0);
         Self(LevelMeshes(models.iter().map(|levels| levels.iter().map(shared).collect()).collect()))
     }
 
-    /// The scene with its objects at levels: `models` and `chosen` have a number for each object, −1 for none.
+    /// The scene with its objects at levels: `models` and `chosen` have one number per object, −1 for none.
     fn choose<'py>(
         &self,
         py: Python<'py>,
@@ -40,7 +40,8 @@ impl Levels {
     }
 }
 
-/// A scene with others' materials and textures added to its own, and each of the others as one mesh that uses them.
+/// A scene with the materials and textures of other scenes added, and each of the other scenes as one mesh that uses
+/// them.
 #[pyfunction]
 pub(crate) fn with_surfaces(
     py: Python<'_>,
@@ -52,7 +53,7 @@ pub(crate) fn with_surfaces(
     Ok((Scene(joined), meshes.into_iter().map(|mesh| Mesh(Arc::new(mesh))).collect()))
 }
 
-/// A scene with more instances, of which the first `standing_count` stand; see `Scene` for the arrays.
+/// A scene with additional instances, of which the first `standing_count` are static; `Scene` describes the arrays.
 #[pyfunction]
 pub(crate) fn with_instances<'py>(
     py: Python<'py>,

@@ -11,7 +11,7 @@ use super::placements::{affines, named, same_length};
 use crate::convert::arrays::{buffer, flat_buffer};
 use crate::convert::run;
 
-/// Triangles with their attributes, sharing the arrays' memory.
+/// Triangles with their attributes; they share the memory of the arrays.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Mesh(pub Arc<scene::Mesh>);
 
@@ -61,7 +61,7 @@ impl Mesh {
             .map(|mesh| Self(Arc::new(mesh)))
     }
 
-    /// Meshes joined to one, each placed by its row of `placements` (I, 3, 4); `objects` −1 leaves the object to the mesh.
+    /// Joins meshes, each placed by a row of `placements` (I, 3, 4); object −1 means that the mesh gives the objects.
     #[staticmethod]
     fn merged<'py>(
         py: Python<'py>,
@@ -86,7 +86,7 @@ impl Mesh {
         run::short(py, || Ok(self.0.turned())).map(|mesh| Self(Arc::new(mesh)))
     }
 
-    /// Box of all faces (2, 3) in the mesh's own frame, inverted infinities without faces.
+    /// Box of all faces (2, 3) in the mesh's own frame; (+∞, −∞) without faces.
     fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let bounds = self.0.bounds();
         let rows = [bounds.min, bounds.max].map(|corner| corner.as_dvec3().to_array().to_vec());

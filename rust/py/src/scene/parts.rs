@@ -1,4 +1,4 @@
-//! Parts of a scene as arrays: copies, for files.
+//! Parts of a scene as arrays: copies, to be written to files.
 
 use std::sync::Arc;
 
@@ -39,7 +39,7 @@ pub(crate) fn scene_parts<'py>(py: Python<'py>, scene: &Scene) -> PyResult<Bound
     Ok(parts)
 }
 
-/// The arguments of `Mesh`, by name; objects and materials are one number for each face.
+/// The arguments of `Mesh`, by name; objects and materials are one number per face.
 #[pyfunction]
 pub(crate) fn mesh_parts<'py>(py: Python<'py>, mesh: &Mesh) -> PyResult<Bound<'py, PyDict>> {
     let mesh = &mesh.0;

@@ -9,7 +9,7 @@ use numpy::ndarray::ArrayView1;
 use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray3};
 use pyo3::prelude::*;
 
-/// Fails where there isn't one placement and one object for each mesh.
+/// Fails unless there are one placement and one object per mesh.
 pub(crate) fn same_length(meshes: usize, placements: &[DAffine3], objects: usize) -> Result<()> {
     if meshes != placements.len() || objects != placements.len() {
         return Err(Error::value("placements", "one for each mesh and object", placements.len()));
@@ -17,12 +17,12 @@ pub(crate) fn same_length(meshes: usize, placements: &[DAffine3], objects: usize
     Ok(())
 }
 
-/// An object's number, or none below 0.
+/// An object's number; `None` for negative numbers.
 pub(crate) fn named(object: i32) -> Option<i32> {
     (object >= 0).then_some(object)
 }
 
-/// Transforms of placements (I, 3, 4).
+/// The transforms of placements (I, 3, 4).
 pub(crate) fn affines(placements: &PyReadonlyArray3<'_, f64>) -> Vec<DAffine3> {
     placements
         .as_array()
@@ -34,8 +34,8 @@ pub(crate) fn affines(placements: &PyReadonlyArray3<'_, f64>) -> Vec<DAffine3> {
         .collect()
 }
 
-/// Placed meshes, of which the first `standing_count` stand and the others move: `placements` are (I, 3, 4)
-/// object→scene, `objects` −1 leaves the object to the mesh.
+/// Placed meshes, of which the first `standing_count` are static and the others move. `placements` are (I, 3, 4)
+/// object→scene; object −1 means that the mesh gives the objects.
 pub(crate) fn standing_and_moving(
     meshes: Vec<Arc<Mesh>>,
     placements: Vec<DAffine3>,

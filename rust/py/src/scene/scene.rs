@@ -22,8 +22,8 @@ pub struct Scene(pub scene::Scene);
 
 #[pymethods]
 impl Scene {
-    /// `placements` are (I, 3, 4) object→scene, relative to the origin, standing instances first; `objects` −1 leaves
-    /// the object to the mesh; a material's texture is −1 for none, its cutoff NaN for opaque.
+    /// `placements` are (I, 3, 4) object→scene, relative to the origin, static instances first. Object −1 means that
+    /// the mesh gives the objects. A material's texture is −1 for none, and its cutoff is NaN for opaque materials.
     #[new]
     #[pyo3(signature = (*, origin, meshes, placements, objects, standing_count, material_colors, material_textures,
                         material_cutoffs, textures))]
@@ -68,7 +68,7 @@ impl Scene {
         run::short(py, || scene::merge(&parts)).map(|mesh| Mesh(Arc::new(mesh)))
     }
 
-    /// A standing mesh as object 0, with the same origin, materials and textures.
+    /// A scene of one static mesh as object 0, with the same origin, materials and textures.
     fn of_mesh(&self, py: Python<'_>, mesh: &Mesh) -> PyResult<Self> {
         let mesh = Arc::clone(&mesh.0);
         run::short(py, || {
@@ -79,7 +79,7 @@ impl Scene {
         .map(Self)
     }
 
-    /// The same scene with the moving instances placed anew, in their order.
+    /// The same scene with new placements of the moving instances, in their order.
     fn posed<'py>(&self, py: Python<'py>, placements: PyReadonlyArray3<'py, f64>) -> PyResult<Self> {
         let placements = affines(&placements);
         run::short(py, || {
@@ -93,7 +93,7 @@ impl Scene {
         .map(Self)
     }
 
-    /// The same scene in which also the chosen objects, a flag for each, move.
+    /// The same scene in which the chosen objects, a flag for each, move as well.
     fn with_moving<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
         let chosen = chosen.as_slice()?;
         run::short(py, || self.0.with_moving(chosen)).map(Self)
@@ -117,7 +117,7 @@ impl Scene {
         run::short(py, || self.0.subset_of_triangles(chosen)).map(Self)
     }
 
-    /// Where the moving instances are (M, 3, 4), relative to the origin.
+    /// Placements of the moving instances (M, 3, 4), relative to the origin.
     fn moving_placements<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f64>>> {
         rows_of(py, self.0.moving.instances())
     }
@@ -142,12 +142,12 @@ impl Scene {
         self.0.textures.len()
     }
 
-    /// Faces of the distinct meshes without an area.
+    /// Number of faces without area, counting each mesh once.
     fn degenerate_count(&self, py: Python<'_>) -> PyResult<usize> {
         run::short(py, || Ok(self.0.degenerate_count()))
     }
 
-    /// Identities of the instances' meshes, in order: equal numbers are one mesh in memory.
+    /// Identities of the instances' meshes, in order; equal numbers mean one mesh in memory.
     fn mesh_ids<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u64>> {
         let ids: Vec<u64> = self.0.instances().map(|instance| Arc::as_ptr(&instance.mesh).addr() as u64).collect();
         PyArray1::from_vec(py, ids)
@@ -174,13 +174,13 @@ impl Scene {
         self.0.instance_count()
     }
 
-    /// Triangles before each instance, and their total last.
+    /// Number of triangles before each instance, and the total last.
     fn triangle_offsets<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<i64>> {
         let count = self.0.instance_count() as u32;
         PyArray1::from_iter(py, (0..=count).map(|number| self.0.triangle_offset(number)))
     }
 
-    /// World box (2, 3), inverted infinities for an empty scene.
+    /// World box (2, 3); (+∞, −∞) for an empty scene.
     fn bounds<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let bounds = run::short(py, || Ok(self.0.bounds()))?;
         let world = |corner: glam::Vec3| (corner.as_dvec3() + self.0.origin).to_array().to_vec();

@@ -1,56 +1,56 @@
-//! Blocks of a row of a depth buffer, which the compiler turns into vectors.
+//! Kernels over blocks of a row of a depth buffer, written so that the compiler vectorises them.
 
 use crate::base::Real;
 use crate::base::simd::vectorized;
 
-/// Pixels of a block.
+/// Number of pixels in a block.
 pub const BLOCK: usize = 64;
 
 /// A row of a view's depth buffer.
 #[derive(Clone, Copy, Debug)]
 pub struct DepthRow {
-    /// Tangents x, y of its first pixel.
+    /// Tangents x, y of the direction through the first pixel's centre.
     pub start: [f64; 2],
-    /// How they change from pixel to pixel.
+    /// Change of the tangents from one pixel to the next.
     pub step: [f64; 2],
-    /// Inverse distance along the axis where the buffer is 0 and 1; the distance itself for parallel rays.
+    /// Inverse distances along the viewing axis at depths 0 and 1; for parallel rays the distances themselves.
     pub ends: [f64; 2],
-    /// Value where nothing was drawn, 0 or 1.
+    /// Depth of pixels where nothing was drawn: 0 or 1.
     pub background: f64,
     /// Whether all rays are parallel.
     pub parallel: bool,
 }
 
-/// A value that depth buffers hold: from 0 to `GREATEST`.
+/// A type that depth buffers store, with values from 0 to `GREATEST`.
 pub trait Depth: Copy + Into<f64> + Send + Sync + 'static {
-    /// Precision of its range.
+    /// Type of the ranges.
     type Range: Real + Into<f64>;
-    /// Value that stands for 1.
+    /// The stored value that stands for depth 1.
     const GREATEST: f64;
-    /// Accepted values, for messages.
+    /// Description of the accepted values, for messages.
     const EXPECTED: &'static str;
 }
 
-/// Ranges whose depths are asked for: float32 or float64.
+/// Types of ranges that can be converted to depths: float32 or float64.
 pub trait Ranged: Depth<Range = Self> + Real {
-    /// Share of its range by which a place may lie before the near plane.
+    /// A point may lie before the near plane by this share of its range.
     const NEAR_TOLERANCE: f64;
 }
 
 vectorized! {
-    /// The ranges of a block; true where a value is none that depth buffers hold.
+    /// The ranges of a block. Returns true if a value is no valid depth.
     pub fn ranges<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool
         = ranges_kernel;
-    /// The depth of a block; true where a range is negative or before the near plane.
+    /// The depths of a block. Returns true if a range is negative or lies before the near plane.
     pub fn depths<T: Ranged>(line: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool
         = depths_kernel;
 }
 
-/// A block of numbers, aligned to vectors.
+/// A block of numbers, aligned for vector loads.
 #[repr(align(64))]
 struct PixelLanes([f64; BLOCK]);
 
-/// Length of the directions through the columns of a block whose component along the axis is 1.
+/// Length of the direction through each column of a block, if its component along the viewing axis is 1.
 #[inline(always)]
 fn secants(line: &DepthRow, column: i32, secants: &mut PixelLanes) {
     let [[x, y], [dx, dy]] = [line.start, line.step];
@@ -61,11 +61,11 @@ fn secants(line: &DepthRow, column: i32, secants: &mut PixelLanes) {
     }
 }
 
-// Both kernels: `&` and `|` instead of `&&` and `||`, whose branches keep the compiler from making vectors.
+// Both kernels use `&` and `|` instead of `&&` and `||`, because the branches of the latter prevent vectorisation.
 
 #[inline(always)]
 fn ranges_kernel<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ranges: &mut [T::Range; BLOCK]) -> bool {
-    // The ends for whole numbers: what stands for 1 is divided by once.
+    // For whole numbers the ends are divided by `GREATEST` here, once instead of per pixel.
     let [low, high] = [line.ends[0] / T::GREATEST, line.ends[1] / T::GREATEST];
     let background = line.background * T::GREATEST;
     let mut lengths = PixelLanes([1.0; BLOCK]);
@@ -77,7 +77,7 @@ fn ranges_kernel<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ran
         let value: f64 = depth[i].into();
         let along = low * (T::GREATEST - value) + high * value;
         let range = if line.parallel { along } else { lengths.0[i] / along };
-        // Nothing was drawn, or farther away than any place: a matrix may have its far plane there.
+        // Nothing was drawn, or the point lies beyond infinity: a matrix may place its far plane there.
         let nothing = (value == background) | (along < 0.0);
         let range = if nothing { f64::INFINITY } else { range };
         let fits = (value >= 0.0) & (value <= T::GREATEST);
@@ -91,7 +91,7 @@ fn ranges_kernel<T: Depth>(line: &DepthRow, column: i32, depth: &[T; BLOCK], ran
 fn depths_kernel<T: Ranged>(line: &DepthRow, column: i32, ranges: &[T; BLOCK], depth: &mut [T; BLOCK]) -> bool {
     let scale = 1.0 / (line.ends[1] - line.ends[0]);
     let slack = T::NEAR_TOLERANCE * (line.ends[0].max(line.ends[1]) * scale).abs();
-    // Towards the far plane depth rises or falls.
+    // From the near to the far plane the depth rises or falls.
     let (rise, near) = if line.background == 1.0 { (1.0, 0.0) } else { (-1.0, 1.0) };
     let mut lengths = PixelLanes([1.0; BLOCK]);
     if !line.parallel {
@@ -132,12 +132,12 @@ macro_rules! ranged {
     )*};
 }
 
-// Of 24 bits, the only whole numbers beyond 16 bits that depth buffers have.
+// u32 stands for 24 bits: the only depth format of whole numbers with more than 16 bits.
 stored!(
     f32, f32, 1.0, "values from 0 to 1";
     f64, f64, 1.0, "values from 0 to 1";
     u16, f32, 65_535.0, "whole numbers from 0 to 65535";
     u32, f32, 16_777_215.0, "whole numbers from 0 to 16777215"
 );
-// Two roundings of the range.
+// f32: two roundings of the range. f64: 45 times its machine epsilon.
 ranged!(f32, 1.2e-7; f64, 1e-14);

@@ -1,4 +1,4 @@
-//! The buffer of a view or of a projection matrix.
+//! The depth buffer of a view or of a projection matrix.
 
 use rayon::prelude::*;
 
@@ -6,36 +6,37 @@ use super::super::projection::{Fov, Projection};
 use super::block::{self, BLOCK, Depth, DepthRow, Ranged};
 use crate::base::{Error, Result, number};
 
-/// Results of a block of a row from a column on; true where one of them is NaN, because its value is refused.
+/// A kernel over one block: (row, first column, values, results). It returns true if it refused a value, whose result
+/// is then NaN.
 type Kernel<T, U> = fn(&DepthRow, i32, &[T; BLOCK], &mut [U; BLOCK]) -> bool;
 
-/// Pixels of one task.
+/// Number of pixels in one task.
 const TASK: usize = 1 << 15;
 
-/// Near and far plane, between which geometry is drawn.
+/// Near and far plane; geometry is drawn between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Planes {
-    /// Distance along the viewing axis, metres.
+    /// Distance of the near plane along the viewing axis, metres.
     pub near: f64,
-    /// The same; may be infinite for perspective views.
+    /// Distance of the far plane, metres; may be infinite for perspective views.
     pub far: f64,
     /// Whether the near plane has depth 1 instead of 0.
     pub reverse: bool,
 }
 
-/// How values and pixels of a depth buffer become distances.
+/// How the values and pixels of a depth buffer map to distances.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DepthBuffer {
     width: usize,
     height: usize,
-    /// Inverse distance along the axis where the buffer is 0 and 1; the distance itself for parallel rays.
+    /// Inverse distances along the viewing axis at depths 0 and 1; for parallel rays the distances themselves.
     ends: [f64; 2],
-    /// The end where nothing was drawn.
+    /// Index in `ends` of the depth where nothing was drawn.
     background: usize,
     parallel: bool,
-    /// Tangents x, y of the first pixel's centre.
+    /// Tangents x, y of the direction through the first pixel's centre.
     first: [f64; 2],
-    /// How they change from one pixel to the next one to the right, and down.
+    /// Change of the tangents from one pixel to the next, to the right and downwards.
     steps: [[f64; 2]; 2],
 }
 
@@ -71,9 +72,9 @@ impl DepthBuffer {
         })
     }
 
-    /// The buffer of a projection matrix, given by rows, that columns (x, y, z, 1) are multiplied to. Its depth goes
-    /// from `low` (0 or −1) to 1 and is stored as 0 to 1; its y points up. Near and far, reversed or not, off the axis
-    /// or not, looking along −z or z: all that follows from it.
+    /// The buffer of a projection matrix, given by rows, which multiplies columns (x, y, z, 1). Its depth runs from
+    /// `low` (0 or −1) to 1 and is stored as 0 to 1; y points up. The planes, reversed depth, an off-axis view and the
+    /// viewing direction (−z or z) follow from the matrix.
     pub fn from_matrix(rows: [[f64; 4]; 4], low: f64, width: usize, height: usize) -> Result<Self> {
         let refused = |expected: &str| Err(Error::value("projection", expected, format!("{rows:?}")));
         if !rows.as_flattened().iter().all(|entry| entry.is_finite()) {
@@ -92,7 +93,7 @@ impl DepthBuffer {
         if (parallel && [c, f] != [0.0; 2]) || (!parallel && [x0, y0] != [0.0; 2]) {
             return refused("rays from the origin, or parallel to the axis");
         }
-        // Depth is g z + h over w; w is ±z, or 1 for parallel rays.
+        // Depth is (g z + h)/w, with w = ±z, or w = 1 for parallel rays.
         let mut ends =
             if parallel { [(low - h) / g, (1.0 - h) / g] } else { [(low - g / towards) / h, (1.0 - g / towards) / h] };
         if parallel && ends.iter().all(|&z| z <= 0.0) {
@@ -103,7 +104,7 @@ impl DepthBuffer {
         if !ahead || ends[0] == ends[1] || !ends.iter().all(|end| end.is_finite()) {
             return refused("a matrix whose near plane lies before the eye and its far plane behind that");
         }
-        // The image's corners and steps in the matrix's own plane, taken back.
+        // The inverse of the matrix's 2 × 2 part maps the image's corner and pixel steps to tangents.
         let back = |p: [f64; 2]| [(e * p[0] - b * p[1]) / determinant, (a * p[1] - d * p[0]) / determinant];
         let middle = if parallel { [x0, y0] } else { [c / towards, f / towards] };
         let (right, down) = (2.0 / width as f64, -2.0 / height as f64);
@@ -118,13 +119,15 @@ impl DepthBuffer {
         })
     }
 
-    /// Distances from the eye, metres; infinite where nothing was drawn. Images of the view, one after another.
+    /// Distances from the eye in metres; infinite where nothing was drawn. `depth` holds one or more images of the
+    /// view.
     pub fn ranges<T: Depth>(&self, depth: &[T], ranges: &mut [T::Range]) -> Result<()> {
         let wrong = self.each(depth, ranges, block::ranges);
         wrong.map_or(Ok(()), |(pixel, value)| Err(self.refusal("depth", T::EXPECTED, pixel, value)))
     }
 
-    /// Depths at distances from the eye: the inverse of `ranges`. Beyond the far plane the buffer is empty.
+    /// Depths at distances from the eye: the inverse of `ranges`. Points beyond the far plane get the background's
+    /// depth.
     pub fn depths<T: Ranged>(&self, ranges: &[T], depth: &mut [T]) -> Result<()> {
         let wrong = self.each(ranges, depth, block::depths);
         wrong.map_or(Ok(()), |(pixel, value)| {
@@ -132,7 +135,7 @@ impl DepthBuffer {
         })
     }
 
-    /// Runs a kernel over all rows; the first value that it refuses, and where.
+    /// Runs a kernel over all rows. Returns the index and value of the first refused value.
     fn each<T: Copy + Into<f64> + Sync, U: Copy + Default + Into<f64> + Send>(
         &self,
         values: &[T],
@@ -174,7 +177,7 @@ impl DepthBuffer {
     }
 }
 
-/// Whether any value of a row is refused: its result is NaN then, which no other is.
+/// Runs a kernel over one row. Returns whether a value was refused; its result is NaN, which no valid value gives.
 fn one_row<T: Copy, U: Copy + Default>(line: &DepthRow, values: &[T], results: &mut [U], kernel: Kernel<T, U>) -> bool {
     let (blocks, rest) = values.as_chunks::<BLOCK>();
     let (block_results, rest_results) = results.as_chunks_mut::<BLOCK>();
@@ -184,7 +187,7 @@ fn one_row<T: Copy, U: Copy + Default>(line: &DepthRow, values: &[T], results: &
         column += BLOCK as i32;
     }
     if let Some(&last) = rest.last() {
-        // Padded to a block; columns beyond the row may refuse what the row does not.
+        // The rest is padded to a block. The kernel may refuse a padded column where it accepts the row's own values.
         let (mut block, mut shown) = ([last; BLOCK], [U::default(); BLOCK]);
         block[..rest.len()].copy_from_slice(rest);
         refused |= kernel(line, column, &block, &mut shown);

@@ -14,7 +14,7 @@ fn ranges(buffer: &DepthBuffer, depth: &[f64]) -> Vec<f64> {
 fn a_matrix_says_what_planes_and_tangents_say() {
     let (n, f) = (0.1, 500.0);
     let Fov { left: l, right: r, down: b, up: t } = FOV;
-    // D3D and WebGPU, z reversed: depth is n (f − z)/((f − n) z).
+    // D3D and WebGPU with reversed depth: n (f − z)/((f − n) z).
     let (g, h) = (n / (f - n), f * n / (f - n));
     let rows = [
         [2.0 / (r - l), 0.0, (r + l) / (r - l), 0.0],
@@ -27,7 +27,7 @@ fn a_matrix_says_what_planes_and_tangents_say() {
     let other = DepthBuffer::from_matrix(rows, 0.0, 70, 3).unwrap();
     let depth: Vec<f64> = (0..420).map(|i| f64::from(i) / 419.0).collect();
     for (a, b) in ranges(&one, &depth).into_iter().zip(ranges(&other, &depth)) {
-        // The matrix's entries are rounded: f/n times as much at the far plane.
+        // The rounding of the matrix's entries grows by the factor f/n at the far plane.
         assert!(a == b || (a / b - 1.0).abs() < 1e-11, "{a} {b}");
     }
 }

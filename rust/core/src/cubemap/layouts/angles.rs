@@ -1,12 +1,13 @@
-//! The angle of a vector in a plane, without branches, so that blocks of them become vectors, and with the same bits
-//! wherever it is asked for.
+//! The angle of a vector in a plane, without branches, so that the compiler vectorises it. The result has the same bits
+//! in vector and scalar code.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-/// tan(π/8): the arc tangent of what is greater is π/4 and that of (t − 1)/(t + 1).
+/// tan(π/8). Above it, atan t = π/4 + atan((t − 1)/(t + 1)).
 const LIMIT: f64 = 0.414_213_562_373_095;
 
-/// atan(t)/t as a polynomial of t² for t up to tan(π/8): interpolated at twelve Chebyshev points, off by 1.3e-18.
+/// atan(t)/t as a polynomial of t² for t up to tan(π/8), interpolated at twelve Chebyshev points. Its error is at most
+/// 1.3e-18.
 const SERIES: [f64; 12] = [
     1.0,
     -0.333_333_333_333_331_2,
@@ -22,8 +23,8 @@ const SERIES: [f64; 12] = [
     -0.017_805_395_704_537_506,
 ];
 
-/// The angle of (x, y) from the first axis, −π to π, as `y.atan2(x)` for what is finite, but +0 and −0 are alike in x.
-/// Off by at most 2 ulp of π: seven roundings of numbers up to that.
+/// The angle of (x, y) from the first axis, −π to π: `y.atan2(x)` for finite numbers, except that x = −0 counts as +0.
+/// The error is at most 2 ulp of π: seven roundings of numbers up to π.
 #[inline(always)]
 pub(super) fn angle_of(y: f64, x: f64) -> f64 {
     let (ax, ay) = (x.abs(), y.abs());
@@ -32,7 +33,7 @@ pub(super) fn angle_of(y: f64, x: f64) -> f64 {
     let is_large = less > LIMIT * more;
     let above = if is_large { less - more } else { less };
     let below = if is_large { less + more } else { more };
-    // 0 for the zero vector.
+    // The zero vector has t = 0.
     let t = if below > 0.0 { above / below } else { 0.0 };
     let square = t * t;
     let mut sum = SERIES[11];
@@ -55,7 +56,7 @@ mod tests {
         fn angles_are_those_of_the_library(x in -1.0..1.0f64, y in -1.0..1.0f64, scale in -12..12i32) {
             let y = y * 10f64.powi(scale);
             prop_assert!((angle_of(y, x) - y.atan2(x)).abs() <= 2.0 * f64::EPSILON * 2.0);
-            // Small angles keep their digits.
+            // Small angles keep their relative precision.
             let (t, small) = (angle_of(y * 1e-9, x.abs() + 0.1), (y * 1e-9).atan2(x.abs() + 0.1));
             prop_assert!((t - small).abs() <= 4.0 * f64::EPSILON * small.abs());
         }

@@ -1,4 +1,4 @@
-//! Pictures from one layout to another, and the directions and texels of a layout.
+//! Conversion of pictures between layouts; the directions and texels of a layout.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -12,11 +12,11 @@ use super::layout::{Grid, GridRows, Layout};
 use super::picture::{Panorama, flat_sampler};
 use crate::base::{Error, Progress, Real, Result, memory::room_for};
 
-/// Texels whose directions are made and looked up together.
+/// Number of texels whose directions are computed and looked up together.
 const SEGMENT: usize = 512;
 
-/// Writes a picture in another layout. Each texel is looked up at `samples`² places, evenly spread, of which the mean is
-/// taken, or the least or greatest.
+/// Converts a picture to another layout. Each texel gets the mean, the least or the greatest of `samples`² evenly
+/// spread look-ups, according to the filter.
 pub fn convert<T: Real>(
     picture: Panorama<'_, T>,
     target: Grid,
@@ -31,7 +31,7 @@ pub fn convert<T: Real>(
         return Ok(());
     }
     let rows = GridRows::new(target, samples)?;
-    // The arrays that each thread holds in `resample`.
+    // Memory of the arrays that each thread holds in `resample`.
     room_for(((size_of::<T>() + size_of::<f64>()) * SEGMENT * channels * rayon::current_num_threads()) as u64)?;
     if picture.grid.layout == Layout::Cube {
         let faces = CubeFaces::new(picture.values, picture.grid.width, channels)?;
@@ -50,7 +50,7 @@ fn resample<T: Real, S: SampledPicture<T> + Sync>(
     progress: &Progress,
 ) -> Result<()> {
     let (channels, filter) = (source.texels.channels, source.texels.filter);
-    // A row of many samples takes minutes.
+    // Progress counts segments, not rows: a row of many samples takes minutes.
     progress.expect(u64::from(target.rows()) * (target.width as usize).div_ceil(SEGMENT) as u64);
     out.par_chunks_mut(target.width as usize * channels).zip(0..target.rows()).try_for_each(|(out, row)| {
         let mut directions = [[0.0; 3]; SEGMENT];
@@ -83,7 +83,7 @@ fn resample<T: Real, S: SampledPicture<T> + Sync>(
     })
 }
 
-/// Writes a picture of anything in another layout: for each texel the one that its centre falls into.
+/// Converts a picture of values of any type: each texel takes the source texel that contains its centre.
 pub fn convert_nearest<T: Copy + Send + Sync>(
     picture: Panorama<'_, T>,
     target: Grid,
@@ -126,7 +126,7 @@ fn check_out<T>(target: Grid, channels: usize, out: &[T]) -> Result<()> {
     Err(Error::value("out", format!("{expected} values"), out.len()))
 }
 
-/// Number of the texel that each direction passes through.
+/// Writes the number of the texel that each direction passes through.
 pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64]) -> Result<()> {
     if out.len() != directions.len() {
         return Err(Error::value("out", format!("{} numbers", directions.len()), out.len()));
@@ -141,8 +141,9 @@ pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64]) 
     })
 }
 
-/// Writes the directions of all texel centres, row by row: those of cubes have a longest component of ±1, equirectangular
-/// ones are unit vectors, octahedral ones have components whose sizes add up to 1.
+/// Writes the directions of all texel centres, row by row. The longest component of a cube's directions is ±1,
+/// equirectangular directions are unit vectors, and the components of octahedral ones have absolute values that add up
+/// to 1.
 pub fn grid_directions(grid: Grid, out: &mut [[f64; 3]]) -> Result<()> {
     check_out(grid, 1, out)?;
     let rows = GridRows::new(grid, 1)?;

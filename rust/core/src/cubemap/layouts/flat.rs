@@ -1,11 +1,11 @@
-//! Blocks of directions in layouts without faces.
+//! Look-ups of blocks of directions in layouts without faces.
 
 use super::super::lookup::{BLOCK, BlockValues, Placed, index, whole};
 use super::layout::{Grid, Layout};
 use super::projections::{equirectangular, octahedral};
 use crate::base::simd::vectorized;
 
-/// Places of a block's directions (finite, not zero, of moderate length), 0..1 across and down.
+/// Positions of a block's directions (finite, not zero, of moderate length), 0 to 1 across and down.
 #[inline(always)]
 fn positions<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK]) -> [BlockValues<f64>; 2] {
     let mut p = [BlockValues([0.0f64; BLOCK]); 3];
@@ -24,8 +24,8 @@ fn positions<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK]) -> [BlockValues<f64>
     found
 }
 
-/// Between which texels directions lie; those whose filter, which reaches some texels before and after the one above
-/// and to the left, crosses an edge are at a seam.
+/// Finds the texels around each direction. A direction is at a seam if its filter crosses an edge of the picture;
+/// `reach` is the number of texels that the filter reads before and after the texel above and to the left.
 #[inline(always)]
 fn place<const OCTAHEDRAL: bool>(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) {
     let [across, down] = positions::<OCTAHEDRAL>(d);
@@ -62,7 +62,7 @@ vectorized! {
     fn pick_equirectangular(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) = pick::<false>;
 }
 
-/// As `place`, for a layout without faces.
+/// Like `place`, for any layout without faces.
 pub(super) fn find_places(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], out: &mut Placed) {
     match grid.layout {
         Layout::Octahedral => place_octahedral(d, grid, reach, out),
@@ -70,7 +70,7 @@ pub(super) fn find_places(d: &[[f64; 3]; BLOCK], grid: Grid, reach: [u32; 2], ou
     }
 }
 
-/// As `pick`, for a layout without faces.
+/// Like `pick`, for any layout without faces.
 pub(super) fn find_texels(d: &[[f64; 3]; BLOCK], grid: Grid, texel: &mut BlockValues<u32>) {
     match grid.layout {
         Layout::Octahedral => pick_octahedral(d, grid, texel),

@@ -1,11 +1,12 @@
-//! Pictures of all directions: cubes, equirectangular and octahedral ones.
+//! Layouts of pictures of all directions: cube maps, equirectangular and octahedral pictures.
 //!
-//! - **Equirectangular**: row 0 about +y; columns by longitude, the middle looks along −z with +x to the right of it.
+//! - **Equirectangular**: latitude falls from +y in row 0 to −y; columns are longitudes; the middle column looks along
+//!   −z, with +x to its right.
 //! - **Octahedral** (Cigolle et al., "A survey of efficient representations for independent unit vectors", 2014): the
-//!   octahedron |x| + |y| + |z| = 1 seen from +y, x to the right and z down, its lower half folded outwards, so that
+//!   octahedron |x| + |y| + |z| = 1 seen from +y, x to the right and z down. Its lower half is folded outwards, so that
 //!   −y lies at all four corners.
 //!
-//! Positions are in texels: the first centre lies at (0.5, 0.5).
+//! Positions are in texels: the centre of the first texel lies at (0.5, 0.5).
 
 use std::f64::consts::PI;
 
@@ -16,30 +17,31 @@ use super::projections::{equirectangular, octahedral};
 use crate::base::{Error, Result, memory::room_for};
 use crate::camera::direction_from_face;
 
-/// Mapping of directions to a picture.
+/// A mapping from directions to positions in a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layout {
-    /// Six faces.
+    /// Six faces of a cube map.
     Cube,
-    /// Longitude and latitude.
+    /// Columns are longitudes, rows are latitudes.
     Equirectangular,
-    /// An octahedron unfolded.
+    /// An unfolded octahedron.
     Octahedral,
 }
 
-/// A layout of some size.
+/// A layout with a size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Grid {
-    /// Meaning of rows and columns.
+    /// The layout.
     pub layout: Layout,
-    /// Rows, of one face if it is a cube.
+    /// Number of rows; for a cube the rows of one face.
     pub height: u32,
-    /// Columns.
+    /// Number of columns.
     pub width: u32,
 }
 
 impl Grid {
-    /// Cubes and octahedra are square, the width of equirectangular pictures is even, none has too many texels.
+    /// Checks the size: cubes and octahedra are square, equirectangular pictures have an even width, and the number of
+    /// texels is limited.
     pub fn new(layout: Layout, height: u32, width: u32) -> Result<Self> {
         let limit = if layout == Layout::Cube { MAX_SIZE } else { 2 * MAX_SIZE };
         if !(1..=limit).contains(&height) || !(1..=limit).contains(&width) {
@@ -54,12 +56,12 @@ impl Grid {
         Ok(Self { layout, height, width })
     }
 
-    /// Rows of all faces.
+    /// Number of rows of all faces.
     pub fn rows(&self) -> u32 {
         if self.layout == Layout::Cube { 6 * self.height } else { self.height }
     }
 
-    /// Texels of all faces.
+    /// Number of texels of all faces.
     pub fn texels(&self) -> usize {
         self.rows() as usize * self.width as usize
     }
@@ -70,13 +72,13 @@ impl Grid {
             return texel_from_direction(d, self.width);
         }
         let p = self.position(d);
-        // Casts saturate; the last edge belongs to the last texel.
+        // Casts saturate at 0; a position on the last edge belongs to the last texel.
         (p.y as u32).min(self.height - 1) * self.width + (p.x as u32).min(self.width - 1)
     }
 
-    /// Position of a direction (finite, not zero) in a layout without faces.
+    /// Position of a direction (finite, not zero) in a layout without faces, texels.
     pub fn position(&self, d: DVec3) -> DVec2 {
-        // So that neither squares nor sums overflow.
+        // Scaled, so that neither squares nor sums overflow.
         let d = d / d.abs().max_element();
         let (across, down) = match self.layout {
             Layout::Octahedral => octahedral(d.x, d.y, d.z),
@@ -98,20 +100,20 @@ impl Grid {
         DVec3::new(p.x, y, p.y)
     }
 
-    /// Number of the texel that a row and column beyond the edges continue in, for layouts without faces.
+    /// Number of the texel that continues the picture at a row and column beyond its edges, for layouts without faces.
     pub fn wrapped(&self, mut row: i64, mut column: i64) -> usize {
         let (height, width) = (i64::from(self.height), i64::from(self.width));
         let outside = |row: i64, column: i64| !(0..height).contains(&row) || !(0..width).contains(&column);
         while outside(row, column) {
             if self.layout == Layout::Equirectangular {
-                // Across a pole one meets the opposite longitude.
+                // Beyond a pole the picture continues at the opposite longitude.
                 if !(0..height).contains(&row) {
                     (row, column) = (mirrored(row, height), column + width / 2);
                 }
                 column = column.rem_euclid(width);
                 continue;
             }
-            // Each edge is folded upon itself about its middle.
+            // Each edge continues in itself, mirrored about its middle.
             if !(0..width).contains(&column) {
                 (row, column) = (height - 1 - row, mirrored(column, width));
             }
@@ -123,32 +125,32 @@ impl Grid {
     }
 }
 
-/// Direction of a latitude and a longitude, each by its sine and cosine.
+/// Direction of a latitude, given by its sine and cosine, and a longitude (sine, cosine).
 fn around(sine: f64, cosine: f64, longitude: (f64, f64)) -> DVec3 {
     DVec3::new(cosine * longitude.0, sine, -cosine * longitude.1)
 }
 
-/// The index as far on the other side of the edge.
+/// Mirrors an index outside 0..count at the edge that it crossed.
 fn mirrored(index: i64, count: i64) -> i64 {
     if index < 0 { -1 - index } else { 2 * count - 1 - index }
 }
 
-/// Between the inner and the outer half of the unfolded octahedron; its own inverse.
+/// Maps between the inner and the outer half of the unfolded octahedron. The map is its own inverse.
 fn fold(p: DVec2) -> DVec2 {
     DVec2::new((1.0 - p.y.abs()).copysign(p.x), (1.0 - p.x.abs()).copysign(p.y))
 }
 
-/// Directions of the texels of a grid, each sampled at the same evenly spread places within it, row by row.
+/// Directions of a grid's texels, row by row. Each texel is sampled at the same evenly spread positions within it.
 pub struct GridRows {
     grid: Grid,
-    /// Places across and down a texel.
+    /// Number of sample positions across a texel, and down.
     across: u32,
-    /// Sines and cosines of the columns of an equirectangular picture, for each place across after the other.
+    /// Sines and cosines of the column longitudes of an equirectangular picture, one run per sample position across.
     longitudes: Vec<(f64, f64)>,
 }
 
 impl GridRows {
-    /// At `across`² places within each texel; one is its centre.
+    /// Prepares for `across`² positions per texel. For an odd number one of them is the centre.
     pub fn new(grid: Grid, across: u32) -> Result<Self> {
         let mut rows = Self { grid, across, longitudes: Vec::new() };
         if grid.layout == Layout::Equirectangular {
@@ -164,17 +166,17 @@ impl GridRows {
         Ok(rows)
     }
 
-    /// Number of sample places within a texel.
+    /// Number of sample positions in a texel.
     pub fn samples(&self) -> u32 {
         self.across * self.across
     }
 
-    /// Place of a sample within each texel, 0..1.
+    /// Position of a sample within its texel, 0 to 1.
     fn within(&self, sample: u32) -> DVec2 {
         (DVec2::new(f64::from(sample % self.across), f64::from(sample / self.across)) + 0.5) / f64::from(self.across)
     }
 
-    /// Writes directions of a row from some column on, at one of the places.
+    /// Writes the directions of a row from column `first` on, for one sample position.
     pub fn write(&self, sample: u32, row: u32, first: u32, out: &mut [[f64; 3]]) {
         let (height, width, within) = (f64::from(self.grid.height), f64::from(self.grid.width), self.within(sample));
         match self.grid.layout {
@@ -219,7 +221,7 @@ mod tests {
                 for (column, d) in (2..).zip(directions) {
                     let place = |index: u32, within: u32| f64::from(index) + (f64::from(within) + 0.5) / 4.0;
                     let expected = grid.direction(DVec2::new(place(column, sample % 4), place(row, sample / 4)));
-                    // A few roundings of coordinates of up to 8.
+                    // Some roundings of coordinates of up to 8.
                     assert!((DVec3::from_array(d) - expected).length() < 1e-14);
                 }
             }

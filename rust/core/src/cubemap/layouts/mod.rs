@@ -1,4 +1,4 @@
-//! Layouts of all directions in one picture, cubes, equirectangular and octahedral ones, and conversions between them.
+//! Layouts that show all directions in one picture (cube, equirectangular, octahedral), and conversions between them.
 
 mod angles;
 mod convert;

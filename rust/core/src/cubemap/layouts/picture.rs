@@ -1,4 +1,4 @@
-//! Pictures of all directions, and lookups in those without faces.
+//! Pictures of all directions, and look-ups in those without faces.
 
 use glam::DVec3;
 
@@ -27,7 +27,7 @@ impl<'a, T> Panorama<'a, T> {
     }
 }
 
-/// Prepares for lookups in a layout without faces, along directions that are finite, not zero, and of moderate length.
+/// Prepares look-ups in a layout without faces. Directions must be finite, not zero, and of moderate length.
 pub(super) fn flat_sampler<T: Real>(picture: Panorama<'_, T>, filter: TexelFilter) -> Sampler<'_, T, Panorama<'_, T>> {
     let Grid { width, height, .. } = picture.grid;
     Sampler::new((picture.values, width, picture.channels), width.min(height), filter, picture)
@@ -57,7 +57,7 @@ impl<T: Real> SampledPicture<T> for Panorama<'_, T> {
         let mut count = 0;
         for (row, y) in (before.y as i64 - 1..).zip(down) {
             for (column, x) in (before.x as i64 - 1..).zip(across) {
-                // Those without weight are left out, because 0 times infinity is NaN.
+                // Texels without weight are left out, because 0 × ∞ is NaN.
                 if (x * y).abs() > least {
                     taps[count] = (self.grid.wrapped(row, column) * self.channels, x * y);
                     count += 1;
@@ -75,7 +75,7 @@ impl<T: Real> SampledPicture<T> for Panorama<'_, T> {
     }
 }
 
-/// The value that comes before all others, NaN where all are.
+/// The value that precedes all others in the order `before`; NaN if all values are NaN.
 fn first<T: Real>(texels: impl Iterator<Item = (T, f64)>, before: impl Fn(T, T) -> bool) -> T {
     texels.fold(
         T::narrow(f64::NAN),

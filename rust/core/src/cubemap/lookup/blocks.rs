@@ -1,57 +1,58 @@
-//! Lookups in blocks: what the compiler turns into vectors. Texels are gathered between these kernels, one by one,
-//! because gathering instructions are no faster and on some machines much slower.
+//! Look-ups in blocks, with kernels that the compiler vectorises. Between the kernels, texels are gathered one by one,
+//! because gather instructions are no faster and on some machines much slower.
 
 use super::super::faces::is_known;
 use crate::base::Real;
 use crate::base::simd::vectorized;
 
-/// Directions that go through the kernels together; their temporaries stay in the first-level cache.
+/// Number of directions in a block. The block's temporaries fit in the first-level cache.
 pub const BLOCK: usize = 64;
 
-/// The least and greatest are those of texels with more weight than this. The place of a direction among 32,768 texels is
-/// off by up to 2e-11 of them, so that texels with less may have it from rounding alone.
+/// Least weight of a texel that counts for the least and the greatest value. Rounding moves a position among 32,768
+/// texels by up to 2e-11 texels, so a smaller weight may be rounding alone.
 pub const LEAST_WEIGHT: f64 = 1e-10;
 
-/// 2⁵²: added to a number, it leaves the nearest whole one in the last bits. Casts of floats to integers saturate, for
-/// which there are no vector instructions.
+/// 2⁵². Adding it to a number leaves the nearest whole number in the last bits. It replaces a cast from float to
+/// integer, which saturates and therefore has no vector instruction.
 const UNITS: f64 = 4_503_599_627_370_496.0;
 
-/// One number for each direction of a block.
+/// One value for each direction of a block.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub struct BlockValues<T>(pub [T; BLOCK]);
 
-/// Where directions pierce the cube.
+/// The points where directions intersect the cube.
 struct Pierced {
     face: BlockValues<f64>,
     u: BlockValues<f64>,
     v: BlockValues<f64>,
 }
 
-/// Between which texels the directions of a block lie.
+/// Positions of a block's directions between texel centres.
 #[derive(Debug)]
 pub struct Placed {
-    /// Number of the texel above and to the left, which has neighbours below and to the right.
+    /// Number of the texel above and to the left; it has neighbours to the right and below.
     pub first: BlockValues<u32>,
-    /// How far to the right of it, 0..1.
+    /// Distance to the right of that texel's centre, 0 to 1 texels.
     pub s: BlockValues<f64>,
-    /// How far below it, 0..1.
+    /// Distance below that texel's centre, 0 to 1 texels.
     pub t: BlockValues<f64>,
-    /// 1 where the direction is too near to an edge for texels of one face: all else is then meaningless.
+    /// 1 if the filter needs texels beyond one face; the other fields are then meaningless.
     pub seam: BlockValues<u8>,
 }
 
-/// Where the texels of one face are enough.
+/// The region of a face in which a filter reads texels of that face only.
 #[derive(Clone, Copy, Debug)]
 pub struct Inner {
     /// Greatest |u| and |v|.
     limit: f64,
-    /// Least and greatest row and column of the texel above and to the left.
+    /// Least and greatest row, and column, of the texel above and to the left.
     rows: [f64; 2],
 }
 
 impl Inner {
-    /// For filters that reach `before` texels before that texel and `after` beyond it.
+    /// The region for filters that read `before` texels before the texel above and to the left, and `after` texels
+    /// after it.
     pub fn new(size: u32, before: u32, after: u32) -> Self {
         if size <= before + after {
             return Self { limit: -1.0, rows: [0.0; 2] };
@@ -62,7 +63,7 @@ impl Inner {
 }
 
 impl Placed {
-    /// Nothing yet.
+    /// An empty result.
     pub fn new() -> Self {
         Self {
             first: BlockValues([0; BLOCK]),
@@ -74,39 +75,40 @@ impl Placed {
 }
 
 vectorized! {
-    /// Number of the texel that each direction passes through; returns how many directions are zero or not finite.
+    /// Number of the texel that each direction passes through. Returns the number of directions that are zero or not
+    /// finite.
     pub fn find_texels<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32
         = find_texels_kernel;
-    /// Between which texels each direction lies; returns how many directions are zero or not finite.
+    /// Position of each direction between texels. Returns the number of directions that are zero or not finite.
     pub fn find_places<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32
         = find_places_kernel;
-    /// Weighted means.
+    /// Weighted means of four texels.
     pub fn mix<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>)
         = mix_kernel;
-    /// The least that have weight.
+    /// The least of the texels with weight.
     pub fn least<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>)
         = extreme::<T, false>;
-    /// The greatest that have weight.
+    /// The greatest of the texels with weight.
     pub fn greatest<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>)
         = extreme::<T, true>;
-    /// Adds a row of four texels, weighted, to sums.
+    /// Adds a weighted row of four texels to the sums.
     pub fn add_row<T: Real>(
         texels: &[BlockValues<T>; 4],
         across: &[BlockValues<f64>; 4],
         down: &BlockValues<f64>,
         sums: &mut BlockValues<f64>,
     ) = add_row_kernel;
-    /// The least of 2 × 2 of two rows, NaN where all four are.
+    /// The least of each 2 × 2 values of two rows; NaN if all four are NaN.
     pub fn halve_least<T: Real>(above: &[T], below: &[T], out: &mut [T]) = halve_extreme::<T, false>;
-    /// The greatest of 2 × 2 of two rows, NaN where all four are.
+    /// The greatest of each 2 × 2 values of two rows; NaN if all four are NaN.
     pub fn halve_greatest<T: Real>(above: &[T], below: &[T], out: &mut [T]) = halve_extreme::<T, true>;
-    /// Weighted means of 2 × 2 of two rows.
+    /// Weighted means of each 2 × 2 values of two rows.
     pub fn halve<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) = halve_kernel;
     fn weigh(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) = weigh_kernel;
     fn weigh_cubic(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) = weigh_cubic_kernel;
 }
 
-/// As `face_from_direction`, without branches. Returns how many directions are zero or not finite.
+/// `face_from_direction` without branches. Returns the number of directions that are zero or not finite.
 #[inline(always)]
 fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
     let mut d = [BlockValues([0.0f64; BLOCK]); 3];
@@ -133,7 +135,7 @@ fn pierce<D: Real>(directions: &[[D; 3]; BLOCK], out: &mut Pierced) -> u32 {
         out.face.0[i] = axis + if major < 0.0 { 1.0 } else { 0.0 };
         out.u.0[i] = right / length;
         out.v.0[i] = down / length;
-        // Zero times infinity or NaN is not 0.
+        // 0 × ∞ and 0 × NaN are NaN, not 0.
         let finite = (x * 0.0 + y * 0.0) + z * 0.0 == 0.0;
         wrong += u64::from(!(finite & (length > 0.0)));
     }
@@ -147,7 +149,7 @@ impl Pierced {
     }
 }
 
-/// The whole part of `position`, kept within `low..=high`; `low` for NaN.
+/// The whole part of `position`, clamped to `low..=high`; `low` for NaN.
 #[inline(always)]
 pub(in crate::cubemap) fn whole(position: f64, low: f64, high: f64) -> f64 {
     let raised = if position > low { position } else { low };
@@ -156,13 +158,13 @@ pub(in crate::cubemap) fn whole(position: f64, low: f64, high: f64) -> f64 {
     nearest - if nearest > kept { 1.0 } else { 0.0 }
 }
 
-/// A whole number of at most 32 bits: texels have such numbers.
+/// Converts a whole number below 2³² to u32; all texel numbers are below that limit.
 #[inline(always)]
 pub(in crate::cubemap) fn index(number: f64) -> u32 {
     (number + UNITS).to_bits() as u32
 }
 
-/// As `texel_from_direction`. Returns how many directions are zero or not finite.
+/// `texel_from_direction` for a block. Returns the number of directions that are zero or not finite.
 #[inline(always)]
 fn find_texels_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &mut BlockValues<u32>) -> u32 {
     let mut at = Pierced::new();
@@ -176,7 +178,8 @@ fn find_texels_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, texel: &
     wrong
 }
 
-/// As `Taps::new` where the texels of one face are enough. Returns how many directions are zero or not finite.
+/// `Taps::new` for directions whose texels lie on one face. Returns the number of directions that are zero or not
+/// finite.
 #[inline(always)]
 fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: Inner, out: &mut Placed) -> u32 {
     let mut at = Pierced::new();
@@ -189,19 +192,19 @@ fn find_places_kernel<D: Real>(directions: &[[D; 3]; BLOCK], size: u32, inner: I
         let y = (v + 1.0) * 0.5 * edge - 0.5;
         let (column, row) = (whole(x, low, high), whole(y, low, high));
         let (s, t) = (x - column, y - row);
-        // Rounding may lead beyond the outermost centres.
+        // Clamped, because rounding may lead beyond the outermost centres.
         let (s, t) = (if s > 0.0 { s } else { 0.0 }, if t > 0.0 { t } else { 0.0 });
         out.s.0[i] = if s < 1.0 { s } else { 1.0 };
         out.t.0[i] = if t < 1.0 { t } else { 1.0 };
         out.first.0[i] = index((at.face.0[i] * edge + row) * edge + column);
-        // Written so that NaN is at a seam too.
+        // In this form NaN counts as a seam.
         let inside = (u.abs() <= inner.limit) & (v.abs() <= inner.limit);
         out.seam.0[i] = u8::from(!inside);
     }
     wrong
 }
 
-/// Weights of the four texels around each direction, row by row.
+/// Bilinear weights of the four texels around each direction, row by row.
 #[inline(always)]
 fn weigh_kernel(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) {
     for i in 0..BLOCK {
@@ -213,14 +216,14 @@ fn weigh_kernel(placed: &Placed, weights: &mut [BlockValues<f64>; 4]) {
     }
 }
 
-/// Weights of the four texels around each direction, row by row.
+/// Bilinear weights of the four texels around each direction, row by row.
 pub fn bilinear(placed: &Placed) -> [BlockValues<f64>; 4] {
     let mut weights = [BlockValues([0.0; BLOCK]); 4];
     weigh(placed, &mut weights);
     weights
 }
 
-/// Keys' weights for a = −1/2 of the four texels around a fraction.
+/// Keys' weights, with a = −1/2, of the four texels around a fraction.
 #[inline(always)]
 fn weigh_cubic_kernel(fraction: &BlockValues<f64>, weights: &mut [BlockValues<f64>; 4]) {
     for i in 0..BLOCK {
@@ -249,7 +252,7 @@ pub fn cubic(fraction: &BlockValues<f64>) -> [BlockValues<f64>; 4] {
     weights
 }
 
-/// Weighted means. Texels without weight are left out, because 0 times infinity is NaN.
+/// Weighted means. Texels without weight are left out, because 0 × ∞ is NaN.
 #[inline(always)]
 fn mix_kernel<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>; 4], out: &mut BlockValues<T>) {
     for i in 0..BLOCK {
@@ -263,7 +266,7 @@ fn mix_kernel<T: Real>(texels: &[BlockValues<T>; 4], weights: &[BlockValues<f64>
     }
 }
 
-/// The texels that come before all others that have weight: the least, or the greatest. NaN where all of these are.
+/// The least or the greatest of the texels with weight; NaN if all of them are NaN.
 #[inline(always)]
 fn extreme<T: Real, const GREATEST: bool>(
     texels: &[BlockValues<T>; 4],
@@ -282,7 +285,7 @@ fn extreme<T: Real, const GREATEST: bool>(
     }
 }
 
-/// Adds a row of four texels, weighted, to sums.
+/// Adds a weighted row of four texels to the sums.
 #[inline(always)]
 fn add_row_kernel<T: Real>(
     texels: &[BlockValues<T>; 4],
@@ -299,7 +302,7 @@ fn add_row_kernel<T: Real>(
     }
 }
 
-/// Weighted means of 2 × 2 of two rows.
+/// Weighted means of each 2 × 2 values of two rows.
 #[inline(always)]
 fn halve_kernel<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &mut [T]) {
     let count = out.len();
@@ -313,7 +316,7 @@ fn halve_kernel<T: Real>(above: &[T], below: &[T], weights: [&[f64]; 2], out: &m
     }
 }
 
-/// The least, or the greatest, of 2 × 2 of two rows, NaN where all four are.
+/// The least or the greatest of each 2 × 2 values of two rows; NaN if all four are NaN.
 #[inline(always)]
 fn halve_extreme<T: Real, const GREATEST: bool>(above: &[T], below: &[T], out: &mut [T]) {
     let count = out.len();

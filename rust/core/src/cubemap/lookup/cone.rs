@@ -1,8 +1,8 @@
-//! Which texels a cone of directions touches: exactly those, face by face and row by row.
+//! The texels that a cone of directions touches, exact to rounding, face by face and row by row.
 //!
-//! A cone about d of angle r < 90° meets the plane of a face in a convex region whose border is a conic. Within a row
-//! of texels it reaches from its least to its greatest u, and these lie on the row's two edges or where planes through
-//! the other axis touch the cone.
+//! A cone with axis d and half angle r < 90° meets the plane of a face in a convex region whose border is a conic.
+//! Within a row of texels the region extends from its least to its greatest u. These extremes lie on the two edges of
+//! the row, or where a plane through the face's v axis touches the cone.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -11,14 +11,14 @@ use glam::DVec3;
 use crate::camera::along_face;
 
 /// Added to the square of the sine, so that rounding (a few units of 2.2e-16 in products of numbers below 2) loses no
-/// texel: a cone is wider by half of this over its angle, and by 6.4e-8 at most.
+/// texel. It widens the cone by half of this value divided by the angle, at most by 6.4e-8 rad.
 const MARGIN: f64 = 4e-15;
 
-/// Square of the least cosine: a cone that is nearer to 90° than this is opened to within 1e-15 of it. A cosine of 0
-/// would leave nothing to divide by where a direction lies in the plane of a face.
+/// Least square of the cosine: half angles closer to 90° are reduced to 90° − 1e-15 rad. A cosine of 0 would cause a
+/// division by zero for axes in the plane of a face.
 const LEAST_COSINE_SQUARED: f64 = 1e-30;
 
-/// Directions within an angle of another one.
+/// All directions within an angle of an axis.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cone {
     axis: DVec3,
@@ -26,7 +26,7 @@ pub(super) struct Cone {
     cosine_squared: f64,
 }
 
-/// Rows of a face, and for each of them the columns from the first one to before the last one.
+/// Rows of a face, each with a range of columns: the first column and the one after the last.
 #[derive(Debug, Default)]
 pub(super) struct ConeRows {
     pub first: usize,
@@ -34,7 +34,7 @@ pub(super) struct ConeRows {
 }
 
 impl Cone {
-    /// About a direction (finite, not zero); the angle from 0 to below 90°.
+    /// A cone about a direction (finite, not zero); `radius` is its half angle, from 0 to below 90°.
     pub fn new(d: DVec3, radius: f64) -> Self {
         // Scaled first, so that the length does not overflow.
         let axis = (d / d.abs().max_element()).normalize();
@@ -46,7 +46,7 @@ impl Cone {
     pub fn touch(&self, face: u8, size: u32, rows: &mut ConeRows) {
         rows.columns.clear();
         let (right, down, out) = along_face(face, self.axis);
-        // The planes through the centre and the face's edges: their normals have length √2.
+        // The planes through the centre and the face's edges have normals of length √2.
         let beyond = std::f64::consts::SQRT_2 * self.sine;
         if right.abs() - out > beyond || down.abs() - out > beyond {
             return;
@@ -81,13 +81,15 @@ impl Cone {
         }
     }
 
-    /// Least and greatest position along an axis of a face, and where along the other axis each is reached; None where
-    /// the cone lies behind the face. Given are the direction's components along these axes and out of the face.
+    /// Least and greatest position along one axis of a face, and the position along the other axis at which each is
+    /// reached; `None` if the cone lies behind the face. The arguments are the direction's components along these axes
+    /// and out of the face.
     fn extent(&self, along: f64, across: f64, out: f64) -> Option<[(f64, f64); 2]> {
-        // The length of (along, out) squared less that of the sine. Near 90° both are 1, and their difference is rounding.
+        // Squared length of (along, out) minus sin². In this form the difference keeps its digits near 90°, where both
+        // are 1.
         let rest = self.cosine_squared - across * across;
         if rest <= 0.0 {
-            // The cone holds the other axis.
+            // The cone contains the other axis.
             return Some([(f64::NEG_INFINITY, f64::NAN), (f64::INFINITY, f64::NAN)]);
         }
         let rest = rest.sqrt();
@@ -117,20 +119,21 @@ struct Section {
 }
 
 impl Section {
-    /// From where to where a line of constant v lies within the cone: (right u + k)² ≥ cos² (u² + w), k = down v + out,
-    /// w = v² + 1, on the side where right u + k > 0.
+    /// The interval of a line of constant v inside the cone: (right u + k)² ≥ cos² (u² + w) on the side right u + k >
+    /// 0, with k = down v + out and w = v² + 1.
     fn at(&self, v: f64) -> Option<(f64, f64)> {
         let (k, w) = (self.down * v + self.out, v * v + 1.0);
         let (a, b) = (self.squares, self.right * k);
         let discriminant = k * k + w * a;
-        // A parabola opens towards k > 0; what it leaves of a line elsewhere is nothing.
+        // For a = 0 the region is a parabola, which contains points of the line only for k > 0.
         if discriminant < 0.0 || (a == 0.0 && k <= 0.0) {
             return None;
         }
         let root = (self.cone.cosine_squared * discriminant).sqrt();
-        // The sum of equal signs, so that no digits are lost; the other root by their product.
+        // Both terms of the sum have equal signs, so nothing cancels; the other root follows from the product of the
+        // roots.
         let q = -(b + root.copysign(b));
-        // Of a line that only touches the border both are 0.
+        // If the line only touches the border, both roots are 0.
         let (one, other) = if q == 0.0 { (0.0, 0.0) } else { (q / a, (k * k - self.cone.cosine_squared * w) / q) };
         let (low, high) = if one < other { (one, other) } else { (other, one) };
         match (a < 0.0, self.right > 0.0) {

@@ -1,4 +1,4 @@
-//! Values of a cube map along many directions.
+//! Look-ups of a cube map in many directions.
 
 use glam::DVec3;
 
@@ -11,19 +11,19 @@ use super::taps::Taps;
 use super::tiles::{in_blocks, in_tiles};
 use crate::base::{Real, Result};
 
-/// Six faces, and what cubic filters read beyond their edges.
+/// Six faces, and the values beyond their edges that cubic filters read.
 pub(in crate::cubemap) struct Cube<'a, T> {
     faces: CubeFaces<'a, T>,
     rim: Rim<'a, T>,
 }
 
-/// Prepares for about `count` lookups in a cube.
+/// Prepares about `count` look-ups in a cube map.
 pub(in crate::cubemap) fn cube_sampler<T: Real>(
     faces: CubeFaces<'_, T>,
     filter: TexelFilter,
     count: usize,
 ) -> Result<Sampler<'_, T, Cube<'_, T>>> {
-    // A table of the texels beyond edges pays where more would be looked up than it holds.
+    // A table of the values beyond the edges pays if there are more look-ups than entries.
     let many = filter == TexelFilter::Cubic && count > (faces.size as usize).pow(2);
     let cube = Cube { faces, rim: Rim::new(faces, many)? };
     Ok(Sampler::new((faces.values, faces.size, faces.channels), faces.size, filter, cube))
@@ -51,13 +51,13 @@ impl<T: Real> SampledPicture<T> for Cube<'_, T> {
     }
 }
 
-/// Weighted mean. Texels without weight are left out, because 0 times infinity is NaN.
+/// Weighted mean. Texels without weight are left out, because 0 × ∞ is NaN.
 fn mean<T: Real>(texels: [T; 4], taps: &Taps) -> T {
     let term = |i: usize| if taps.weight[i] > 0.0 { texels[i].wide() * taps.weight[i] } else { 0.0 };
     T::narrow((term(0) + term(1)) + (term(2) + term(3)))
 }
 
-/// The texel that comes before all others that have weight, NaN where all of these are.
+/// The first of the texels with weight in the order `before`; NaN if all of them are NaN.
 fn extreme<T: Real>(texels: [T; 4], taps: &Taps, before: impl Fn(T, T) -> bool) -> T {
     let mut chosen = T::narrow(f64::NAN);
     for (&texel, &weight) in texels.iter().zip(&taps.weight) {
@@ -68,8 +68,8 @@ fn extreme<T: Real>(texels: [T; 4], taps: &Taps, before: impl Fn(T, T) -> bool) 
     chosen
 }
 
-/// The map's value along each direction of any length, as many as faces have channels. Fails at a direction that is
-/// zero or not finite.
+/// Writes the map's value, one number per channel, in each direction of any length. Fails at a direction that is zero
+/// or not finite.
 pub fn lookup<T: Real, D: Real>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
@@ -81,7 +81,7 @@ pub fn lookup<T: Real, D: Real>(
     in_tiles(directions, out, faces.channels, |directions, out| sampler.sample(directions, out))
 }
 
-/// The texel that each direction of any length passes through, of faces of anything. Fails as `lookup`.
+/// Writes the texel that each direction of any length passes through, for values of any type. Fails like `lookup`.
 pub fn nearest<T: Copy + Send + Sync, D: Real>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],

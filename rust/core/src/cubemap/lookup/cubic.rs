@@ -1,9 +1,9 @@
-//! Seamless cubic filtering where the texels of one face are not enough.
+//! Seamless cubic filtering where the filter needs texels beyond one face.
 //!
-//! Each face's grid is continued by two texels beyond its edges (`beyond`), so that Keys' cubic reconstructs it up to
-//! half a texel there, and the reconstructions of the faces at an edge or corner are blended within half a texel of
-//! it. The blend is symmetric in the faces, so that the filtered map is continuous, with its first derivative across
-//! edges.
+//! Each face's grid is continued by two texels beyond its edges (`BorderTexel`). With these, Keys' cubic reconstructs
+//! the map up to half a texel beyond the edges. Within half a texel of an edge or corner the reconstructions of its
+//! faces are blended. The blend treats the faces alike, so the filtered map and its first derivative across edges are
+//! continuous.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -15,13 +15,13 @@ use super::taps::descending;
 use crate::base::{Real, Result, memory::room_for};
 use crate::camera::{along_face, direction_from_face};
 
-/// Width of the border that continues faces, texels.
+/// Width of the border that continues each face, texels.
 const BORDER: i32 = 2;
 
-/// Faces and what lies around each of them.
+/// The faces and the border around each of them.
 pub(super) struct Rim<'a, T> {
     faces: CubeFaces<'a, T>,
-    /// Values beyond the edges of each face, channels innermost; empty where each is found when it is needed.
+    /// Values in the border of each face, channels innermost; empty if they are computed on demand.
     table: Vec<f64>,
 }
 
@@ -44,13 +44,13 @@ impl<'a, T: Real> Rim<'a, T> {
         Ok(rim)
     }
 
-    /// Writes the value along a direction (finite, not zero).
+    /// Writes the value in a direction (finite, not zero).
     pub fn sample(&self, d: DVec3, out: &mut [T]) {
         let size = self.faces.size;
         let m = d.abs() / d.abs().max_element();
         let share = m.to_array().map(|x| nearness(x, size));
         let total = share[0] + share[1] + share[2];
-        // Four channels at a time, because there is no place to keep all of them.
+        // Four channels at a time, so that the sums fit in an array of fixed size.
         for (group, out) in out.chunks_mut(4).enumerate() {
             let mut sums = [0.0; 4];
             for axis in (0..3).filter(|&axis| share[axis] > 0.0) {
@@ -62,7 +62,8 @@ impl<'a, T: Real> Rim<'a, T> {
         }
     }
 
-    /// Adds the reconstruction of the face on an axis, times a share, to the sums of channels from `first` on.
+    /// Adds the reconstruction on the face of an axis, multiplied by `share`, to the sums of the channels from `first`
+    /// on.
     fn add_face(&self, d: DVec3, axis: usize, share: f64, first: usize, sums: &mut [f64]) {
         let size = self.faces.size;
         let (face, u, v) = on_axis(d, axis);
@@ -95,29 +96,30 @@ impl<'a, T: Real> Rim<'a, T> {
     }
 }
 
-/// 1 on the cube's face itself, falling smoothly to 0 where the direction is half a texel and more inside another one.
+/// Weight of a face: 1 on the face itself, falling smoothly to 0 half a texel inside another face.
 fn nearness(component: f64, size: u32) -> f64 {
     let s = 1.0 - (1.0 - component) * f64::from(size);
     if s > 0.0 { s * s * (3.0 - 2.0 * s) } else { 0.0 }
 }
 
-/// The face on an axis and the direction's place on it, up to some way beyond its edges.
+/// The face on an axis and the direction's position on its plane, which may lie beyond the face's edges.
 fn on_axis(d: DVec3, axis: usize) -> (u8, f64, f64) {
     let face = 2 * axis as u8 + u8::from(d[axis] < 0.0);
     let (right, down, out) = along_face(face, d);
     (face, right / out, down / out)
 }
 
-/// The texel before a position, −1 to size − 1, and Keys' weights of it, the one before and the two after it.
+/// The texel before a position, from −1 to size − 1, and Keys' weights of four texels: the one before it, itself and
+/// two after it.
 fn around(position: f64, size: u32) -> (i32, [f64; 4]) {
     let x = (position + 1.0) * 0.5 * f64::from(size) - 0.5;
     let before = x.floor().clamp(-1.0, f64::from(size) - 1.0);
-    // The neighbour's outermost centres lie a hair farther than half a texel beyond the edge, where this face has
-    // next to no share.
+    // The neighbour's outermost centres lie slightly more than half a texel beyond the edge. The weight of this face is
+    // almost 0 there, so the fraction may be clamped.
     (before as i32, keys((x - before).clamp(0.0, 1.0)))
 }
 
-/// Rows and columns beyond a face's edges: two above, two below, two to the left and to the right.
+/// Rows and columns of the border around a face: two rows above, two below, two columns on each side.
 fn outside(size: u32) -> Vec<(i32, i32)> {
     let size = size as i32;
     let columns = -BORDER..size + BORDER;
@@ -131,7 +133,7 @@ fn outside_count(size: u32) -> usize {
     4 * BORDER as usize * (size as usize + BORDER as usize)
 }
 
-/// Number of a place in `outside`.
+/// Index of a row and column in `outside`.
 fn number_outside(row: i32, column: i32, size: u32) -> usize {
     let size = size as i32;
     let wide = size + 2 * BORDER;
@@ -144,12 +146,12 @@ fn number_outside(row: i32, column: i32, size: u32) -> usize {
     number as usize
 }
 
-/// A texel beyond an edge: 16 texels of the two faces at the edge nearest to it, and their weights.
+/// A texel beyond an edge, interpolated from 16 texels of the two faces at the nearest edge; texel numbers and weights.
 ///
-/// Rows along the edge are meridians about the axis that the edge is parallel to, and on each of them both faces'
-/// texels are spaced evenly in the tangent of the latitude. So four points on each of the two outermost rows of both
-/// faces give the value at the same latitude, and these four the value between them: two interpolations by cubic
-/// polynomials, exact for constants, with errors of the fourth order.
+/// Rows along the edge are meridians about the axis parallel to the edge. On each row the texels of both faces are
+/// evenly spaced in the tangent of the latitude. Four points on each of the two outermost rows of both faces give four
+/// values at the same latitude; these four give the value between them. Both interpolations are cubic polynomials,
+/// exact for constants, with an error of fourth order.
 struct BorderTexel {
     texel: [u32; 16],
     weight: [f64; 16],
@@ -163,7 +165,8 @@ impl BorderTexel {
         let m = axes.map(|axis| d.abs()[axis]);
         let tangent = m[2] / m[0].hypot(m[1]);
 
-        // Rows by the ratio of the two greater components, as (y − x)/(y + x): a smooth measure of the longitude.
+        // A row's coordinate is (y − x)/(y + x), with x and y the two greater components: a smooth function of the
+        // longitude.
         let rows = size.min(2) as usize;
         let mut ratios = [0.0; 4];
         for k in 0..rows {
@@ -175,7 +178,7 @@ impl BorderTexel {
         let mut taps = Self { texel: [0; 16], weight: [0.0; 16] };
         let points = size.min(4) as usize;
         for n in 0..2 * rows {
-            // Components along both axes of the row's points; the larger one is 1.
+            // Components of the row's points along both axes; the larger one is 1.
             let (x, y) = if n < rows {
                 (1.0, center_of(size - rows as u32 + n as u32, size))
             } else {
@@ -208,7 +211,7 @@ impl BorderTexel {
     }
 }
 
-/// The polynomial through 1 at node `n` and 0 at the others.
+/// Lagrange's polynomial: 1 at node `n`, 0 at the others.
 fn lagrange(nodes: &[f64], n: usize, x: f64) -> f64 {
     let mut product = 1.0;
     for (k, node) in nodes.iter().enumerate() {
@@ -258,7 +261,7 @@ mod tests {
         };
         let errors = [8, 16, 32, 64].map(worst);
         for pair in errors.windows(2) {
-            // 2⁴ in the limit; a third-order rule would give 8.
+            // The limit is 2⁴; a rule of third order would give 8.
             assert!(pair[0] / pair[1] > 11.0, "{errors:?}");
         }
     }

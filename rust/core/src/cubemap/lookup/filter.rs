@@ -1,6 +1,6 @@
-//! Texture filters.
+//! Texture filters of cube maps.
 
-/// Filter that makes one value of the texels around a direction.
+/// Rule that combines the texels around a direction to one value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TexelFilter {
     /// Seamless bilinear.
@@ -14,7 +14,7 @@ pub enum TexelFilter {
 }
 
 impl TexelFilter {
-    /// Texels that it reads before and after the one above and to the left of a direction.
+    /// Number of texels that the filter reads before and after the texel above and to the left of a direction.
     pub(in crate::cubemap) fn reach(self) -> [u32; 2] {
         if self == Self::Cubic { [1, 2] } else { [0, 1] }
     }

@@ -1,4 +1,4 @@
-//! The least and the greatest of the texels that cones touch.
+//! The least and the greatest value of the texels that cones touch.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -10,14 +10,14 @@ use super::filter::TexelFilter;
 use super::tiles::{is_wrong, refuse};
 use crate::base::{Error, Real, Result, memory::room_for};
 
-/// Texels across a cone above which a level of halved size pays.
+/// Diameter of a cone, in texels, above which a level of half the size saves time.
 const WIDE_CONE: f64 = 8.0;
 
-/// Directions handled by one task.
+/// Number of directions in one task.
 const TILE: usize = 64;
 
-/// The least, or the greatest, of all texels that the cone of an angle about each direction touches. The angle is at
-/// least 0 and below 90°. Fails at a direction that is zero or not finite.
+/// Writes the least or the greatest value of all texels that the cone about each direction touches. The half angle
+/// `radius` is at least 0 and below 90°. Fails at a direction that is zero or not finite.
 pub fn footprint<T: Real, D: Real>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
@@ -67,7 +67,7 @@ fn all<T: Real, D: Real, const GREATEST: bool>(
     Ok(())
 }
 
-/// Replaces the values of texels that others come before; NaN comes before nothing.
+/// Replaces each value that a new texel's value precedes; NaN never replaces a value.
 #[inline]
 fn take<T: Real, const GREATEST: bool>(out: &mut [T], values: &[T]) {
     let before = |one: T, other: T| if GREATEST { one > other } else { one < other };
@@ -84,14 +84,14 @@ fn take<T: Real, const GREATEST: bool>(out: &mut [T], values: &[T]) {
     }
 }
 
-/// Extremes of blocks of 1, 2 × 2, 4 × 4 … texels; the last ones of a row or column may be smaller.
+/// Extremes of blocks of 1, 2 × 2, 4 × 4 … texels. The last block of a row or column may be smaller.
 struct Pyramid<'a, T> {
     faces: CubeFaces<'a, T>,
-    /// Levels from 2 × 2 on: blocks across a face, and their values.
+    /// Levels from 2 × 2 on: number of blocks across a face, and their values.
     levels: Vec<(usize, Vec<T>)>,
 }
 
-/// Rows and blocks of one face; their memory is used again.
+/// Rows of texels and blocks of one face, kept to reuse their memory.
 #[derive(Default)]
 struct Scratch {
     texels: ConeRows,
@@ -115,7 +115,7 @@ impl<'a, T: Real> Pyramid<'a, T> {
         Ok(Self { faces, levels })
     }
 
-    /// Hands over, in pieces, all texels of a face that a cone touches, or blocks of them in their place.
+    /// Passes all texels of a face that a cone touches to `take`, in runs. Blocks replace the texels that they contain.
     fn visit(&self, cone: &Cone, face: u8, scratch: &mut Scratch, mut take: impl FnMut(&[T])) {
         cone.touch(face, self.faces.size, &mut scratch.texels);
         if scratch.texels.columns.is_empty() {
@@ -139,7 +139,7 @@ impl<'a, T: Real> Pyramid<'a, T> {
                         take(&values[(start + from) * channels..(start + to) * channels]);
                     }
                 };
-                // Texels within a block of the next level are left out: the block holds them.
+                // Texels inside a block of the next level are skipped, because the block contains them.
                 match parents.map(|parents| parents.columns[row / 2 - parents.first]) {
                     Some((from, to)) if from < to => {
                         piece(low, (2 * from).min(high));
@@ -151,7 +151,7 @@ impl<'a, T: Real> Pyramid<'a, T> {
         }
     }
 
-    /// True for channels of which a cone touches any value other than NaN.
+    /// For each channel, whether a cone touches a value other than NaN.
     fn known(&self, cone: &Cone, scratch: &mut Scratch) -> Vec<bool> {
         let mut known = vec![false; self.faces.channels];
         for face in 0..6 {
@@ -172,7 +172,7 @@ impl<'a, T: Real> Pyramid<'a, T> {
     }
 }
 
-/// Rows of blocks of the next level that lie wholly within rows of a level of some size.
+/// Rows of blocks of the next level that lie entirely inside `rows`. `size` is the width of the rows' level.
 fn coarsen(rows: &ConeRows, size: usize, blocks: &mut ConeRows) {
     blocks.first = rows.first / 2;
     blocks.columns.clear();
@@ -180,7 +180,7 @@ fn coarsen(rows: &ConeRows, size: usize, blocks: &mut ConeRows) {
     let columns = |row: usize| match row.checked_sub(rows.first).and_then(|index| rows.columns.get(index)) {
         Some(&columns) => columns,
         None if row < size => (0, 0),
-        // Beyond the face nothing is asked for.
+        // Rows beyond the face count as covered.
         None => (0, size),
     };
     for row in blocks.first..end {
@@ -191,7 +191,7 @@ fn coarsen(rows: &ConeRows, size: usize, blocks: &mut ConeRows) {
     }
 }
 
-/// Extremes of 2 × 2 blocks of six faces.
+/// Extremes of the 2 × 2 blocks of six faces.
 fn halve<T: Real, const GREATEST: bool>(values: &[T], size: usize, channels: usize) -> Vec<T> {
     let half = size.div_ceil(2);
     let row_length = size * channels;

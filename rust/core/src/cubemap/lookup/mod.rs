@@ -1,5 +1,5 @@
-//! Values of cube maps along directions and cones: blocks of directions go through vectors inside faces, and one by one at
-//! seams.
+//! Look-ups of cube maps in directions and cones. Vector kernels process directions inside faces; directions at seams
+//! are processed one by one.
 
 mod blocks;
 mod cone;

@@ -1,4 +1,5 @@
-//! Lookups of blocks of directions with one filter in one picture, cube or not: blocks inside, one by one at seams.
+//! Look-ups of blocks of directions in a cube map or a flat picture. Vector kernels process directions inside the
+//! picture; directions at seams are processed one by one.
 
 use glam::DVec3;
 
@@ -7,26 +8,26 @@ use super::filter::TexelFilter;
 use super::tiles::in_blocks;
 use crate::base::Real;
 
-/// A picture of all directions, as a sampler sees it.
+/// A picture of all directions, as the sampler uses it.
 pub(in crate::cubemap) trait SampledPicture<T> {
-    /// Between which texels the directions of a block lie, for a filter of that reach. Returns how many directions are zero
-    /// or not finite.
+    /// Finds the position of each direction of a block between texels, for a filter of that reach. Returns the number
+    /// of directions that are zero or not finite.
     fn find_places<D: Real>(&self, block: &[[D; 3]; BLOCK], reach: [u32; 2], placed: &mut Placed) -> u32;
 
-    /// Writes the value along one direction (finite, not zero), which blocks must agree with.
+    /// Writes the value in one direction (finite, not zero). It must agree with the value of the block kernels.
     fn sample(&self, d: DVec3, filter: TexelFilter, out: &mut [T]);
 }
 
 /// Texels in rows, and the filter that reads them where it crosses no edge.
 pub(in crate::cubemap) struct Texels<'a, T> {
     values: &'a [T],
-    /// Texels of a row.
+    /// Number of texels in a row.
     width: usize,
     pub(in crate::cubemap) channels: usize,
     pub(in crate::cubemap) filter: TexelFilter,
 }
 
-/// Lookups in one picture with one filter.
+/// Look-ups in one picture with one filter.
 pub(in crate::cubemap) struct Sampler<'a, T, S> {
     pub(in crate::cubemap) texels: Texels<'a, T>,
     /// Whether there are directions for which the filter crosses no edge.
@@ -35,7 +36,8 @@ pub(in crate::cubemap) struct Sampler<'a, T, S> {
 }
 
 impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
-    /// Texels whose rows are `width` long, in squares of `edge` at least, and the surface that they cover.
+    /// A sampler of texels in rows of `width` texels. `edge` is the shorter side of a face or picture; `surface` is the
+    /// picture.
     pub(in crate::cubemap) fn new(
         (values, width, channels): (&'a [T], u32, usize),
         edge: u32,
@@ -47,7 +49,7 @@ impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
         Self { texels, has_inside: edge > before + after, surface }
     }
 
-    /// Writes values along directions; the index of the first one that is zero or not finite.
+    /// Writes the values in directions. Returns the index of the first direction that is zero or not finite.
     pub(in crate::cubemap) fn sample<D: Real>(&self, directions: &[[D; 3]], out: &mut [T]) -> Option<usize> {
         let mut placed = Placed::new();
         in_blocks(directions, out, self.texels.channels, |block, out| {
@@ -68,7 +70,7 @@ impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
                 continue;
             }
             for lane in (0..8).filter(|&lane| flags[lane] != 0).map(|lane| 8 * eight + lane) {
-                // Blocks at the end are not full.
+                // The last block may be partly filled.
                 let Some(values) = out.chunks_exact_mut(self.texels.channels).nth(lane) else { return };
                 self.surface.sample(DVec3::from_array(block[lane].map(Real::wide)), self.texels.filter, values);
             }
@@ -76,9 +78,9 @@ impl<'a, T: Real, S: SampledPicture<T>> Sampler<'a, T, S> {
     }
 }
 
-// For cubes and flat pictures alike, so that the kernels exist once.
+// Shared by cube maps and flat pictures, so that the kernels are compiled once.
 impl<T: Real> Texels<'_, T> {
-    /// Values of a block; those of directions at seams mean nothing.
+    /// Writes the values of a block; those of directions at seams are meaningless.
     fn inside(&self, placed: &Placed, out: &mut [T]) {
         match (self.filter, self.channels) {
             (TexelFilter::Cubic, _) => self.cubic(placed, out),
@@ -89,12 +91,12 @@ impl<T: Real> Texels<'_, T> {
         }
     }
 
-    /// Mixes the four texels around each direction, `COUNT` channels of them from `first` on.
+    /// Mixes the four texels around each direction: `COUNT` channels from `first` on.
     fn squares<const COUNT: usize>(&self, placed: &Placed, first: usize, out: &mut [T]) {
         let zero = T::narrow(0.0);
         let mut texels = [[BlockValues([zero; BLOCK]); 4]; COUNT];
         let below = self.width * self.channels;
-        // Plain loops: adapters of iterators are not always inlined where it matters.
+        // Plain loops, because the compiler does not always inline iterator adapters here.
         for i in 0..BLOCK {
             let start = placed.first.0[i] as usize * self.channels + first;
             let above = &self.values[start..start + self.channels + COUNT];
@@ -126,7 +128,7 @@ impl<T: Real> Texels<'_, T> {
             let mut sums = BlockValues([0.0; BLOCK]);
             for (row, weights) in down.iter().enumerate() {
                 for (i, &texel) in placed.first.0.iter().enumerate() {
-                    // Inside there are a row and a column before the texel.
+                    // Inside the picture there is a row above the texel and a column to its left.
                     let start = (texel as usize + row * self.width - self.width - 1) * self.channels + channel;
                     let four = &self.values[start..start + 3 * self.channels + 1];
                     for (k, texels) in texels.iter_mut().enumerate() {
@@ -140,7 +142,7 @@ impl<T: Real> Texels<'_, T> {
     }
 }
 
-/// Writes channels from `first` on, of as many directions as `out` has room for.
+/// Writes `COUNT` channels from `first` on, for as many directions as `out` has room for.
 fn scatter<T: Copy, const COUNT: usize>(
     values: &[BlockValues<T>; COUNT],
     first: usize,

@@ -1,27 +1,27 @@
-//! Seamless linear filtering: which texels a direction lies between, and with which weights.
+//! Seamless linear filtering: the texels around a direction and their weights.
 //!
-//! Inside a face this is bilinear. Clamping at a face's edge would show the seam, and borrowing the neighbour's
-//! nearest texel, as graphics hardware does, is off by up to a quarter of a texel there, because the gnomonic grids of
-//! two faces do not continue each other. Here the strip between the outermost rows of two faces is one bilinear patch
-//! in space, symmetric in both faces, and the three outermost texels at a corner span a triangle. The filtered map is
-//! continuous everywhere, and its error has the same order at seams as inside.
+//! Inside a face the filter is bilinear. Clamping at a face's edge would show the seam. Taking the neighbour's nearest
+//! texel, as graphics hardware does, displaces the picture by up to a quarter of a texel there, because the gnomonic
+//! grids of two faces do not continue each other. Here the strip between the outermost rows of two faces is one
+//! bilinear patch in space, symmetric in both faces, and the three outermost texels at a corner span a triangle. The
+//! filtered map is continuous everywhere, and its error has the same order at seams as inside faces.
 
 use glam::DVec3;
 
 use super::super::texels::{center_of, texel_from_direction};
 use crate::camera::face_from_direction;
 
-/// Up to four texels and their weights, which add up to 1. Unused ones have weight 0 and a valid number.
+/// Up to four texels and their weights, which add up to 1. Unused taps have weight 0 and a valid texel number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Taps {
     /// Texel numbers.
     pub texel: [u32; 4],
-    /// Weights, 0..1.
+    /// Weights, 0 to 1.
     pub weight: [f64; 4],
 }
 
 impl Taps {
-    /// The taps of a direction of any length (finite, not zero) in faces of `size` texels.
+    /// The taps of a direction of any length (finite, not zero) on faces of `size` × `size` texels.
     #[inline]
     pub fn new(d: DVec3, size: u32) -> Self {
         let (face, u, v) = face_from_direction(d);
@@ -33,7 +33,7 @@ impl Taps {
         let (column, s) = below(u, size);
         let (row, t) = below(v, size);
         let first = (u32::from(face) * size + row) * size + column;
-        // At the last row or column the fraction is 0, and the tap stays where it is.
+        // At the last row or column the fraction is 0, and both taps use the same texel.
         let right = u32::from(column + 1 < size);
         let down = if row + 1 < size { size } else { 0 };
         Self {
@@ -47,7 +47,7 @@ impl Taps {
         let axes = descending(d.abs());
         let scale = d.abs()[axes[0]];
         let m = axes.map(|axis| d.abs()[axis] / scale);
-        // Point with components (x, y, z) along the three axes, largest first, in the octant of d.
+        // The texel at the point with components (x, y, z) along the three axes, largest first, in the octant of d.
         let texel = |x: f64, y: f64, z: f64| {
             let mut p = DVec3::ZERO;
             for (axis, value) in axes.into_iter().zip([x, y, z]) {
@@ -58,7 +58,8 @@ impl Taps {
         let half = 1.0 / f64::from(size);
         let row = 1.0 - half;
 
-        // The patch P(s, a) = (1−s) (1, 1−half, a) + s (1−half, 1, a) between the rows of both faces: s and a of d.
+        // The patch P(s, a) = (1−s) (1, 1−half, a) + s (1−half, 1, a) between the rows of both faces; here s and a of
+        // d.
         let s = (m[1] - row) / (half * (1.0 + m[1]));
         let along = m[2] * (1.0 - s * half);
         if along <= row {
@@ -70,7 +71,7 @@ impl Taps {
             };
         }
 
-        // The corner triangle (1, row, row), (row, 1, row), (row, row, 1): barycentric weights of d.
+        // The corner triangle (1, row, row), (row, 1, row), (row, row, 1), and the barycentric weights of d.
         let sum = (m[0] + m[1] + m[2]) / (1.0 + 2.0 * row);
         let weight = m.map(|x| ((x / sum - row) / half).max(0.0));
         let total = weight[0] + weight[1] + weight[2];
@@ -82,7 +83,7 @@ impl Taps {
     }
 }
 
-/// The texel whose centre lies at or below a position, and how far on the next one the position is. Positions are
+/// The texel whose centre lies at or before a position, and the fraction of the way to the next centre. Positions lie
 /// within the outermost centres.
 #[inline]
 fn below(position: f64, size: u32) -> (u32, f64) {
@@ -92,7 +93,7 @@ fn below(position: f64, size: u32) -> (u32, f64) {
     (index, fraction)
 }
 
-/// Axes from the largest component to the smallest.
+/// The axes, ordered from the largest component to the smallest.
 pub(super) fn descending(size: DVec3) -> [usize; 3] {
     let mut axes = [0, 1, 2];
     axes.sort_by(|&a, &b| size[b].total_cmp(&size[a]));
@@ -116,7 +117,7 @@ mod tests {
             for texel in 0..6 * size * size {
                 let taps = Taps::new(direction_from_texel(texel, size), size);
                 let own: f64 = (0..4).filter(|&i| taps.texel[i] == texel).map(|i| taps.weight[i]).sum();
-                // Weights are differences of numbers near 1, divided by half a texel: 16 × a few roundings.
+                // Weights are differences of numbers near 1, divided by half a texel: some roundings, multiplied by 16.
                 assert!((own - 1.0).abs() < 1e-13, "{size} {texel} {taps:?}");
             }
         }
@@ -129,7 +130,7 @@ mod tests {
             let mut weights = taps.weight;
             weights.sort_by(f64::total_cmp);
             for (weight, expected) in weights.into_iter().zip([0.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0]) {
-                // Barycentric weights of float64 coordinates below 1: a few tens of roundings of 1.1e-16.
+                // Barycentric weights of float64 coordinates below 1: some tens of roundings of 1.1e-16.
                 assert!((weight - expected).abs() < 1e-14);
             }
         }
@@ -137,7 +138,7 @@ mod tests {
 
     #[test]
     fn errors_at_seams_are_no_larger_than_inside() {
-        // A smooth function; 10⁵ directions, those within half a texel of an edge against the others.
+        // A smooth function in 10⁵ directions: those within half a texel of an edge against the others.
         let f = |d: DVec3| (1.7 * d.x - 0.6 * d.y).sin() + 0.8 * (2.1 * d.z + d.y).cos();
         for size in [8, 32, 128] {
             let (mut seam, mut inside) = (0.0f64, 0.0f64);
@@ -159,7 +160,7 @@ mod tests {
         fn weights_are_a_partition_of_one(
             x in -1.0..1.0f64, y in -1.0..1.0f64, z in -1.0..1.0f64, size in 1..40u32, flat in 0..4u8,
         ) {
-            // Exact edges and corners are where the cases meet.
+            // Exact edges and corners, where the cases meet.
             let d = match flat {
                 0 => DVec3::new(x, y, z),
                 1 => DVec3::new(x, x, z),
@@ -168,7 +169,8 @@ mod tests {
             };
             prop_assume!(d.abs().max_element() > 1e-9);
             let taps = Taps::new(d, size);
-            // Differences of numbers near 1, divided by half a texel of 1/40: 80 × a few roundings, and a margin of ten.
+            // Differences of numbers near 1, divided by half a texel of 1/40: some roundings multiplied by 80, and a
+            // margin of ten.
             prop_assert!((taps.weight.iter().sum::<f64>() - 1.0).abs() < 1e-12);
             prop_assert!(taps.weight.iter().all(|w| (-1e-12..=1.0 + 1e-12).contains(w)));
             prop_assert!(taps.texel.iter().all(|&t| t < 6 * size * size));
@@ -194,7 +196,8 @@ mod tests {
             let here = value(d);
             let step = 1e-9 * d.abs().max_element();
             for offset in [DVec3::X, DVec3::Y, DVec3::Z, DVec3::new(-1.0, 1.0, -1.0)] {
-                // Weights change by at most about `size` per unit of direction; 8 taps and the step of 2e-9 bound it.
+                // A weight changes by at most about `size` per unit of direction; eight taps and the step of 2e-9 give
+                // the bound.
                 prop_assert!((value(d + offset * step) - here).abs() < 2e-8 * f64::from(size + 1));
             }
         }

@@ -1,4 +1,4 @@
-//! Directions in blocks, which kernels take, and in tiles, which threads take.
+//! Directions in blocks, one per kernel call, and in tiles, one per task.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -8,11 +8,11 @@ use rayon::prelude::*;
 use super::blocks::BLOCK;
 use crate::base::{Error, Real, Result};
 
-/// Directions handled by one task.
+/// Number of directions in one task.
 const TILE: usize = 1 << 13;
 
-/// Runs a kernel over directions block by block, the last one filled up; the kernel returns how many of its directions
-/// are zero or not finite, and the index of the first one comes back.
+/// Runs a kernel over directions, block by block; the last block is padded. The kernel returns how many of its
+/// directions are zero or not finite. Returns the index of the first such direction.
 pub(in crate::cubemap) fn in_blocks<T, D: Real>(
     directions: &[[D; 3]],
     out: &mut [T],
@@ -33,7 +33,8 @@ pub(in crate::cubemap) fn in_blocks<T, D: Real>(
     if wrong == 0 { None } else { directions.iter().position(is_wrong) }
 }
 
-/// Runs a kernel over tiles of directions on the current pool; fails at the first direction that it finds wrong.
+/// Runs a kernel over tiles of directions on the current thread pool. Fails at the first direction that is zero or not
+/// finite.
 pub(in crate::cubemap) fn in_tiles<T: Send, D: Real>(
     directions: &[[D; 3]],
     out: &mut [T],
@@ -54,7 +55,7 @@ pub(in crate::cubemap) fn in_tiles<T: Send, D: Real>(
     refuse(wrong.into_inner())
 }
 
-/// The first direction that is zero or not finite as an error, if there is one.
+/// The error for a direction that is zero or not finite, given its index; no error for `usize::MAX`.
 pub(in crate::cubemap) fn refuse(wrong: usize) -> Result<()> {
     if wrong == usize::MAX {
         return Ok(());

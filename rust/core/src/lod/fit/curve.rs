@@ -1,57 +1,57 @@
-//! One curve: scaled, its starts found, the best ones descended from, and the outcome judged.
+//! The fit of one curve: scale the values, find start points, descend from the best ones, and classify the result.
 
 use super::descend::{self, EvaluatedLine};
 use super::frame::{SampleFrame, Unfit};
 use super::logistic::{self, LANES, Pack, Samples};
 use super::steps::{self, Start};
 
-/// Descents of one curve.
+/// Greatest number of descents for one curve.
 const STARTS: usize = 8;
-/// Angle in radians between a curve and the nearest one of the grid, generously: a descent betters the share that its start
-/// explains by as much at most.
+/// Upper bound of the angle, in radians, between any curve and the nearest curve of the grid. It limits how much a
+/// descent can improve on its start.
 const GRID_ANGLE: f64 = 0.5;
-/// Values whose spread is this many units in the last place of the greatest are constant.
+/// Values are constant if their spread is below this share of the greatest absolute value.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// A curve with squared residuals S is flat where (S/S₀)^((N−2)/2), S₀ being those of the mean, is no less: the ratio of
-/// both likelihoods under normal noise, for N−2. With this number 95 of 100 curves of nothing but noise are flat: 97
-/// for up to 20 samples, 95 for 30 to 60, 92 for 400.
+/// A curve with squared residuals S is flat if (S/S₀)^((N−2)/2) is at least this, with S₀ the squared residuals about
+/// the mean and N the number of samples: the ratio of both likelihoods under normal noise, for N−2. With this value
+/// 95 % of the curves through pure noise are flat: 97 % for up to 20 samples, 95 % for 30 to 60, 92 % for 400.
 const FLAT_LIKELIHOOD: f64 = 0.01;
-/// Height between plateaus, in units of the values' range, above which a curve is open.
+/// Distance between the plateaus, in units of the values' range, above which a curve is open.
 const OPEN_HEIGHT: f64 = 100.0;
-/// Samples with a lesser slope of the logistic function than this, of 1/4, lie on a plateau.
+/// Samples at which the logistic function's slope, at most 1/4, is below this value lie on a plateau.
 const ON_A_PLATEAU: f64 = 1e-5;
 
-/// Outcome of a fit.
+/// Result of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// A curve with both plateaus near the values.
     Fitted,
-    /// It rises or falls between two samples, or with one in between: b and c are among many that fit as well.
+    /// The curve rises or falls between two samples, or with one sample in between, so many b and c fit equally well.
     Step,
-    /// The samples end before a plateau is seen: a, c or d is anywhere far away.
+    /// The samples end before a plateau is visible, so a, c or d is far away and arbitrary.
     Open,
-    /// All values are the same but for rounding.
+    /// All values are equal up to rounding.
     Constant,
-    /// No better than the mean beyond what noise explains.
+    /// The curve is better than the mean only by an amount that noise explains.
     Flat,
-    /// There is none.
+    /// No curve can be fitted.
     Unfit(Unfit),
 }
 
 /// y = d + (a−d)/(1+(x/c)^b) with b > 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LogisticCurve {
-    /// y at x = 0.
+    /// Value at x = 0.
     pub a: f64,
     /// Steepness.
     pub b: f64,
-    /// x at which y is halfway between a and d.
+    /// x at which y lies halfway between a and d.
     pub c: f64,
-    /// y at infinity.
+    /// Limit of y at infinity.
     pub d: f64,
-    /// Root of the mean squared residual; where values are constant no less than that.
+    /// Root of the mean squared residual; for constant values an upper bound of it.
     pub rms: f64,
-    /// Outcome of the fit.
+    /// Result of the fit.
     pub status: Status,
 }
 
@@ -61,7 +61,7 @@ impl LogisticCurve {
     }
 }
 
-/// Buffers that the fits of one thread share.
+/// Buffers that all fits of one thread share.
 #[derive(Default)]
 pub(super) struct FitScratch {
     values: Vec<f64>,
@@ -72,14 +72,14 @@ pub(super) struct FitScratch {
     starts: Vec<Start>,
 }
 
-/// The curve of least squares through the samples of a frame.
+/// The least-squares curve through the samples of a frame.
 pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch) -> LogisticCurve {
     let count = frame.order.len() as f64;
     let values = || frame.order.iter().map(|&n| y[n]);
     let (low, high) = values().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
     let scale = 0.5 * high - 0.5 * low;
     let center = if low == high { low } else { 0.5 * low + 0.5 * high };
-    // A mean of differences keeps digits of values that are large and close.
+    // The mean of differences keeps the digits of values that are large and close together.
     let shift = values().map(|y| (y - center) / count).sum::<f64>();
     let flat = |rms: f64, status: Status| {
         let mean = center + shift;
@@ -110,7 +110,7 @@ pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch) -> Logi
     }
 }
 
-/// Fills `room.starts`, the most promising first.
+/// Fills `room.starts`, the most promising start first.
 fn find_starts(frame: &SampleFrame, total: f64, room: &mut FitScratch) {
     let root = total.sqrt();
     room.values.iter_mut().for_each(|y| *y /= root);
@@ -123,7 +123,7 @@ fn find_starts(frame: &SampleFrame, total: f64, room: &mut FitScratch) {
     room.starts.sort_unstable_by(|one, other| other.explained.total_cmp(&one.explained));
 }
 
-/// The values that the grid sees, with mean 0 and length 1; all 0 where they are equal.
+/// The values that the grid uses, with mean 0 and length 1; all 0 if they are equal.
 fn fill_unit(picked: &[usize], values: &[f64], unit: &mut Vec<f32>) {
     let chosen = || picked.iter().map(|&n| values[n]);
     let mean = chosen().sum::<f64>() / picked.len() as f64;
@@ -146,7 +146,8 @@ fn descend_all(
     };
     let mut best = descended(&starts[0], None, room);
     for start in &starts[1..starts.len().min(STARTS)] {
-        // The angle between y and what explains it; within GRID_ANGLE of it none is closer than this.
+        // Angle between y and its projection on the start's curve. No curve within GRID_ANGLE of the start is closer to
+        // y than the difference of both angles.
         let angle = (start.explained.clamp(0.0, 1.0).sqrt().acos() - GRID_ANGLE).max(0.0);
         if best.is_exact(samples) || angle.sin().powi(2) * total >= best.sums.residual {
             break;
@@ -159,7 +160,7 @@ fn descend_all(
     best
 }
 
-/// Parameters in the caller's units.
+/// The parameters in the caller's units.
 fn unscaled(frame: &SampleFrame, found: &EvaluatedLine, mean: f64, scale: f64) -> LogisticCurve {
     let (line, sums) = (found.line, found.sums);
     let (low, high) = (mean - scale * (sums.q * sums.mean), mean + scale * (sums.q * (1.0 - sums.mean)));
@@ -169,7 +170,7 @@ fn unscaled(frame: &SampleFrame, found: &EvaluatedLine, mean: f64, scale: f64) -
 }
 
 fn judged(frame: &SampleFrame, found: &EvaluatedLine) -> Status {
-    // Values reach from −1 to 1.
+    // Values lie between −1 and 1.
     if found.sums.q.abs() > 2.0 * OPEN_HEIGHT {
         return Status::Open;
     }

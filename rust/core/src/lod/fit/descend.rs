@@ -1,44 +1,45 @@
-//! Descent to the least residual nearby. For a given line τ the best a and d are known (variable projection: Golub,
-//! Pereyra 1973), so that two unknowns are left, and Newton's method with exact second derivatives takes few steps.
+//! Descent to the nearest local minimum of the residual. For a given line τ the best a and d follow (variable
+//! projection: Golub, Pereyra 1973). Two unknowns remain, for which Newton's method with exact second derivatives needs
+//! few steps.
 
 use super::logistic::{self, Line, LogisticScratch, LogisticSums, Samples};
 
-/// Steps of one descent; ten are usual.
+/// Greatest number of steps of one descent; ten are usual.
 const STEPS: usize = 60;
-/// Least promised gain of a step, as a share of the residual.
+/// Least predicted gain of a step, as a share of the residual.
 const LEAST_PROMISE: f64 = 1e-11;
-/// Squared residual for each sample, of numbers of size 1, that is only rounding.
+/// Squared residual per sample, for values of size 1, that is rounding only.
 const ROUNDING: f64 = 1e-31;
-/// The longest step, in units of τ and of the logarithm of its rise.
+/// Greatest length of a step, in units of τ and of the logarithm of its rise.
 const LONGEST: f64 = 4.0;
-/// |τ| beyond which samples lie at a plateau to 4 digits.
+/// |τ| beyond which samples lie on a plateau to 4 digits.
 const PLATEAU_TAU: f64 = 9.0;
 /// Relative difference of τ below which two lines lead to the same minimum.
 const SAME_DESCENT: f64 = 0.03;
-/// The greatest gain of a descent, as a multiple of the gain that its next step promises.
+/// Upper bound of the gain of a descent, as a multiple of the gain that its next step predicts.
 const GAIN_LIMIT: f64 = 8.0;
-/// Greatest |τ| of all samples on one side: a plateau e²⁵ times as far away as the samples reach is as good as none.
+/// Greatest |τ| if all samples lie on one side. The second plateau is then e²⁵ times as far away as the samples reach.
 pub(super) const TAIL: f64 = 25.0;
-/// The least rise over the samples' half span: below, a curve is a straight line over ln x to ten digits.
+/// Least rise over half of the samples' range; below it a curve is a straight line over ln x to ten digits.
 pub(super) const LEAST_RISE: f64 = 1e-4;
 
-/// Bounds of lines within which every number stays finite.
+/// Bounds of lines; within them all numbers stay finite.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
     /// Greatest rise.
     pub(super) steepest: f64,
-    /// Greatest distance of the middle from that of the samples, in the kernels' frame.
+    /// Greatest distance between the line's middle and the middle of the samples, in the kernels' frame.
     pub(super) farthest: f64,
 }
 
 impl Limits {
-    /// The nearest line that is allowed, in the form that keeps digits in tails: at most half of the samples' span
-    /// lies where σ is above a half.
+    /// The nearest allowed line, in the form that keeps digits in tails: σ is above a half in at most half of the
+    /// samples' range.
     fn apply(&self, line: Line) -> Line {
         let mut line = if line.at(0.0) > 0.0 { line.turned() } else { line };
         line.rise = line.rise.signum() * line.rise.abs().clamp(LEAST_RISE, self.steepest);
         let steepness = line.rise.abs();
-        // τ at the middle of the samples is at most 0; at their better end it is this much more.
+        // τ at the middle of the samples is at most 0. At the end of their range it is greater by the steepness.
         let least = (-TAIL - steepness).max(-steepness * self.farthest);
         let missing = least - line.at(0.0);
         if missing > 0.0 {
@@ -61,19 +62,19 @@ impl EvaluatedLine {
         Self { line, sums: logistic::evaluate(samples, &line, room) }
     }
 
-    /// Gradient and second derivatives of half the residual, and the line by whose numbers they are.
+    /// Gradient and second derivatives of half the residual, and the line in whose parameters they are.
     #[cfg(test)]
     pub(super) fn derivatives(&self, count: f64) -> ([f64; 2], [f64; 3], Line) {
         let LocalModel { line, gradient, hessian } = LocalModel::new(self, count);
         (gradient, hessian, line)
     }
 
-    /// True where only rounding is left, so that nothing is better.
+    /// Whether only rounding is left, so that no other line is better.
     pub(super) fn is_exact(&self, samples: &Samples<'_>) -> bool {
         self.sums.residual <= samples.count * ROUNDING
     }
 
-    /// True where a descent would end at the rival.
+    /// Whether a descent would end at the rival's minimum.
     pub(super) fn leads_to(&self, rival: &Self) -> bool {
         let is_close = |v: f64| {
             let (own, other) = (self.line.at(v), rival.line.at(v));
@@ -82,17 +83,17 @@ impl EvaluatedLine {
         is_close(-1.0) && is_close(1.0)
     }
 
-    /// True where `GAIN_LIMIT` times the gain that Newton's step promises would not better the rival.
+    /// Whether `GAIN_LIMIT` times the gain that Newton's step predicts is too little to improve on the rival.
     fn is_lost(&self, promise: f64, rival: &Self) -> bool {
         self.sums.residual - GAIN_LIMIT * promise > rival.sums.residual
     }
 }
 
-/// Gradient and second derivatives of half the residual by (level, ln |rise|), a and d always being the best ones.
+/// Gradient and second derivatives of half the residual by (level, ln |rise|), with the best a and d for each line.
 struct LocalModel {
     line: Line,
     gradient: [f64; 2],
-    /// By level twice, by both, by ln |rise| twice.
+    /// Derivatives by level twice, by both, by ln |rise| twice.
     hessian: [f64; 3],
 }
 
@@ -109,10 +110,11 @@ impl LocalModel {
             three[2] += away * (away * three[0] - 2.0 * three[1]);
             three[1] -= away * three[0];
         }
-        // With r = y − d − q p: ∂r/∂d = −1, ∂r/∂q = −g, ∂r/∂level = −q p′, ∂r/∂rise = −q p′u; what mixes d and q is 0.
+        // For r = y − d − q p: ∂r/∂d = −1, ∂r/∂q = −g, ∂r/∂level = −q p′, ∂r/∂rise = −q p′u. The mixed derivative by d
+        // and q is 0.
         let mixed = |i: usize| [q * plain[i], q * along[i] - slope[i]];
         let (by_level, by_rise) = (mixed(0), mixed(1));
-        // d and q follow: Schur's complement of their 2 × 2 block, which is diagonal.
+        // d and q are eliminated by the Schur complement of their 2 × 2 block, which is diagonal.
         let per_square = if square > 0.0 { 1.0 / square } else { 0.0 };
         let schur = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] / count + a[1] * b[1] * per_square;
         let second = |i: usize| q * (q * squared[i] - bend[i]);
@@ -129,13 +131,13 @@ impl LocalModel {
         }
     }
 
-    /// Newton's step, downhill along each axis of the second derivatives and at most `radius` long there, and by how
-    /// much it promises to lower half the residual.
+    /// Newton's step and the predicted decrease of half the residual. Along each eigenvector of the second derivatives
+    /// the step leads downhill and is at most `radius` long.
     fn step(&self, radius: f64) -> ([f64; 2], f64) {
         let [a, b, c] = self.hessian;
         let half = (a - c) / 2.0;
         let root = (half * half + b * b).sqrt();
-        // The axis of the greater eigenvalue, by the form that does not cancel.
+        // The eigenvector of the greater eigenvalue, in the form without cancellation.
         let axis = if half > 0.0 { [half + root, b] } else { [b, root - half] };
         let length = (axis[0] * axis[0] + axis[1] * axis[1]).sqrt();
         let axis = if length > 0.0 { [axis[0] / length, axis[1] / length] } else { [1.0, 0.0] };
@@ -153,7 +155,7 @@ impl LocalModel {
     }
 }
 
-/// Goes down from `found` until nothing is gained, or until it is plain that `rival` is not bettered.
+/// Descends from `found` until no step gains, or until it cannot improve on `rival`.
 pub(super) fn descend(
     samples: &Samples<'_>,
     limits: &Limits,

@@ -1,50 +1,50 @@
-//! The places of a curve's samples in the kernels' own frame, v: ln x, its range scaled to −1..1.
+//! The samples of a curve in the kernels' own coordinate v: ln x, scaled so that its range is −1 to 1.
 
 use super::descend::Limits;
 use super::grid::CurveGrid;
 use super::logistic::{LANES, Pack};
 
-/// Place of x = 0: far enough for every rise that is allowed, and its square is finite.
+/// v of x = 0: far enough for every allowed rise, and with a finite square.
 const ZERO: f64 = -1e30;
-/// Places that are told apart must be at least as many as parameters.
+/// Least number of distinct x: the number of parameters.
 pub(super) const FEWEST: usize = 4;
-/// ln c stays this close to the middle of the samples, so that c is a number.
+/// Greatest distance of ln c from the middle of the samples, so that c is finite.
 const FARTHEST_LN: f64 = 600.0;
-/// Rise over the gap at which neighbours on both sides of a transition lie at the plateaus to 17 digits.
+/// Rise multiplied by the gap at which the samples on both sides of a transition lie on the plateaus to 17 digits.
 const SATURATED: f64 = 80.0;
 
-/// Why no curve can be fitted.
+/// The reason why no curve can be fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unfit {
-    /// Fewer than four different x with numbers.
+    /// Fewer than four distinct x have finite values.
     TooFew,
-    /// An x is below 0.
+    /// An x is negative.
     Negative,
-    /// Parameters that no float64 holds.
+    /// The parameters exceed the range of float64.
     Overflow,
 }
 
-/// The samples that count, by x.
+/// The samples used for the fit, sorted by x.
 #[derive(Debug)]
 pub(super) struct SampleFrame {
-    /// Their numbers, by rising x.
+    /// Indices of the samples, by ascending x.
     pub(super) order: Vec<usize>,
     pub(super) v: Vec<Pack>,
     pub(super) weight: Vec<Pack>,
-    /// Where runs of equal x end in `order`.
+    /// Ends of the runs of equal x in `order`.
     pub(super) ends: Vec<usize>,
     /// v of each run.
     pub(super) places: Vec<f64>,
     pub(super) limits: Limits,
     pub(super) grid: CurveGrid,
-    /// x at ln x = 0 of `middle`.
+    /// x at ln x = 0 in the scale of `middle`.
     unit: f64,
     middle: f64,
     half: f64,
 }
 
 impl SampleFrame {
-    /// Of the samples for which `counts` holds; their x are finite.
+    /// A frame of the samples for which `counts` is true; their x are finite.
     pub(super) fn new(x: &[f64], counts: impl Fn(usize) -> bool) -> Result<Self, Unfit> {
         let mut order: Vec<usize> = (0..x.len()).filter(|&n| counts(n)).collect();
         order.sort_by(|&m, &n| x[m].total_cmp(&x[n]));
@@ -71,25 +71,25 @@ impl SampleFrame {
         let packed = |value: &dyn Fn(usize) -> f64| -> Vec<Pack> {
             (0..sorted.len().div_ceil(LANES)).map(|k| std::array::from_fn(|i| value(LANES * k + i))).collect()
         };
-        // Padding lies where x = 0 does: there p′ is 0, so that only sums of p need weights.
+        // Padding lies at the v of x = 0, where p′ is 0, so only sums of p need weights.
         let v = packed(&|n| sorted.get(n).copied().unwrap_or(ZERO));
         let weight = packed(&|n| if n < sorted.len() { 1.0 } else { 0.0 });
         let grid = CurveGrid::new(&sorted, &ends, &places);
         Ok(Self { order, v, weight, ends, places, limits, grid, unit, middle, half })
     }
 
-    /// x at a place.
+    /// x at a given v.
     pub(super) fn x(&self, v: f64) -> f64 {
         self.unit * (self.middle + self.half * v).exp()
     }
 
-    /// A rise over v as one over ln x.
+    /// Converts a rise over v to a rise over ln x.
     pub(super) fn over_ln(&self, rise: f64) -> f64 {
         rise / self.half
     }
 }
 
-/// ln(x/unit), with all digits where both are close.
+/// ln(x/unit), with full precision where both are close.
 fn ln_ratio(x: f64, unit: f64) -> f64 {
     if x > 0.5 * unit && x < 2.0 * unit { ((x - unit) / unit).ln_1p() } else { x.ln() - unit.ln() }
 }

@@ -1,5 +1,6 @@
-//! Share of y that the curves of a grid explain: p of each, its mean taken off and scaled to length 1, so that one
-//! product with y tells. The grid depends on the places of samples only: curves with the same ones share it.
+//! The share of y that each curve of a grid explains. Each column holds p of one curve, with its mean subtracted and
+//! scaled to length 1, so its product with y gives the share. The grid depends only on the positions of the samples;
+//! curves with the same positions share it.
 
 use std::ops::Range;
 
@@ -8,46 +9,49 @@ use super::descend::{LEAST_RISE, TAIL};
 use super::logistic::{LANES, Line};
 use crate::base::simd::vectorized;
 
-/// Columns of one step of the product.
+/// Number of columns in one step of the product.
 const BLOCK: usize = 64;
-/// The least rise; below it curves are nearly straight lines over ln x.
+/// Least rise; with smaller rises curves are nearly straight lines over ln x.
 const LEAST_GRID_RISE: f64 = 0.25;
-/// Factor from one rise to the next.
+/// Ratio of successive rises.
 const RISE_FACTOR: f64 = 1.7;
-/// Residuals up to this multiple of the best along a ridge over rises, which are coarse, are starts as well.
+/// A curve is a start if its residual is at most this multiple of its neighbours' at other rises, because rises are
+/// coarse.
 const RIDGE_FACTOR: f32 = 1.1;
-/// Rise, in units of the samples' density, above which transitions lie between two samples: `steps` has those.
+/// Greatest rise divided by the number of gaps between positions. Steeper transitions lie between two samples; `steps`
+/// finds those.
 const SAMPLE_STEEPNESS: f64 = 3.0;
 /// Greatest rise, however many samples there are.
 const GREATEST_GRID_RISE: f64 = 150.0;
-/// Columns whose p are computed side by side.
+/// Number of columns whose p are computed together.
 const WIDTH: usize = 16;
-/// Distance between middles, in units of the transition.
+/// Distance between middles of transitions, in units of 1/rise.
 const SPACING: f64 = 1.2;
-/// Exponents of x = 0: with any shift no overflow, and p is 1.
+/// Greatest exponent, reached at x = 0: no shift makes it overflow, and p is 1.
 const LARGEST: f64 = 300.0;
-/// Here p is 1 in float32, which still holds it.
+/// Greatest e^τ: p is 1 in float32, and float32 still represents the number.
 const SATURATED: f64 = 1e30;
-/// Distance of the outermost middles from the samples, in units of the transition.
+/// Distance of the outermost middles from the samples, in units of 1/rise.
 const MARGIN: f64 = 4.0;
 
-/// Most samples, and most places, from which starts are found: ten times the number of distinguishable columns.
+/// Greatest number of samples, and of distinct positions, that the search for starts uses: ten times the number of
+/// distinguishable columns.
 const GRID_SAMPLES: usize = 2_048;
 
-/// Curves and what is known of them.
+/// Curves and their columns.
 #[derive(Debug)]
 pub(super) struct CurveGrid {
     levels: Vec<Level>,
-    /// Of transitions, rising within each level.
+    /// Middles of the transitions, ascending within each level.
     middles: Vec<f64>,
-    /// By sample, then by column; columns padded to blocks with 0.
+    /// Values by sample, then by column; the columns are padded with 0 to whole blocks.
     basis: Vec<f32>,
     columns: usize,
-    /// The samples whose rows these are.
+    /// Indices of the samples that the rows belong to.
     picked: Vec<usize>,
 }
 
-/// Curves of one rise.
+/// Curves with the same rise.
 #[derive(Clone, Debug)]
 struct Level {
     rise: f64,
@@ -55,7 +59,7 @@ struct Level {
 }
 
 impl CurveGrid {
-    /// Over samples at `v` by rising v, `places` being the different ones, and `ends` where they end in `v`.
+    /// The grid for samples at ascending `v`. `places` are the distinct values of v, and `ends` their ends in `v`.
     pub(super) fn new(v: &[f64], ends: &[usize], places: &[f64]) -> Self {
         let (levels, middles) = levels(places);
         let columns = middles.len().div_ceil(BLOCK) * BLOCK;
@@ -65,20 +69,20 @@ impl CurveGrid {
         Self { levels, middles, basis, columns, picked }
     }
 
-    /// The samples that count for starts, by rising v.
+    /// Indices of the samples used for the search, by ascending v.
     pub(super) fn picked(&self) -> &[usize] {
         &self.picked
     }
 
-    /// The share of y, as far as picked, that each column explains; `y` has length 1 and mean 0.
+    /// The share of the picked y that each column explains; `y` has length 1 and mean 0.
     pub(super) fn explain(&self, y: &[f32], explained: &mut Vec<f32>) {
         explained.clear();
         explained.resize(self.columns, 0.0);
         explain(&self.basis, y, explained);
     }
 
-    /// Calls `visit` with each curve that leaves no more than its neighbours of the same rise and hardly more than those
-    /// of other rises, and with how much it explains.
+    /// Calls `visit` with each curve that explains at least as much as its neighbours of the same rise and nearly as
+    /// much as those of the next rises, and with the explained share.
     pub(super) fn peaks(&self, explained: &[f32], mut visit: impl FnMut(f32, Line)) {
         for (k, level) in self.levels.iter().enumerate() {
             let Range { start, end } = level.columns;
@@ -90,7 +94,8 @@ impl CurveGrid {
                 let middle = self.middles[n];
                 let is_bettered =
                     |other: &Level| 1.0 - own > RIDGE_FACTOR * (1.0 - explained[self.nearest(other, middle)]);
-                // The straight line is a neighbour of none: curves bend off it on both sides.
+                // The straight line, level 0, is not compared as a neighbour: curves deviate from it in both
+                // directions.
                 let gentler = self.levels[1..].get(k.wrapping_sub(2)).is_some_and(is_bettered);
                 let steeper = k > 0 && self.levels.get(k + 1).is_some_and(is_bettered);
                 if gentler || steeper {
@@ -109,8 +114,8 @@ impl CurveGrid {
     }
 }
 
-/// All samples where they are few; else some evenly by rank, and some of each place or evenly many places, so that rare
-/// ones are among them.
+/// All samples if there are few. Otherwise samples at even ranks, and one sample for each of evenly chosen positions,
+/// so that rare positions are included.
 fn picked(count: usize, ends: &[usize]) -> Vec<usize> {
     if count <= 2 * GRID_SAMPLES {
         return (0..count).collect();
@@ -123,7 +128,7 @@ fn picked(count: usize, ends: &[usize]) -> Vec<usize> {
     picked
 }
 
-/// Rises, each with middles from tail to tail. The first is a straight line.
+/// The rises, each with middles from tail to tail. The first level is a straight line.
 fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
     let first = places.partition_point(|&v| v < -1.0);
     let finite = &places[first..];
@@ -152,10 +157,11 @@ fn levels(places: &[f64]) -> (Vec<Level>, Vec<f64>) {
 }
 
 fn basis(v: &[f64], levels: &[Level], middles: &[f64], columns: usize) -> Vec<f32> {
-    // e^(rise (v − middle)) is a product, so that there are as many exponentials as samples and columns of a rise.
+    // e^(rise (v − middle)) is computed as a product, so each rise needs as many exponentials as it has samples and
+    // columns.
     let (mut shifts, mut powers) = (Vec::with_capacity(columns), Vec::with_capacity(2 * levels.len() * v.len()));
     for Level { rise, columns: own } in levels {
-        // Of σ and 1 − σ the one that is small where a tail is seen, so that it has digits.
+        // Of σ and 1 − σ it takes the one that is small in the visible tail, which keeps its digits.
         shifts.extend(middles[own.clone()].iter().map(|middle| -rise * middle.abs()));
         powers.extend(v.iter().map(|v| (-rise * v).min(LARGEST)));
         powers.extend(v.iter().map(|v| rise * v));
@@ -219,7 +225,7 @@ fn fill_kernel(powers: &[f64], shifts: &[f64], basis: &mut [f32], columns: usize
     }
 }
 
-/// Takes the mean off each column and scales it to length 1; a column of equal numbers becomes 0.
+/// Subtracts each column's mean and scales the column to length 1; a column of equal numbers becomes 0.
 #[inline(always)]
 fn normalize_kernel(basis: &mut [f32], columns: usize) {
     let (blocks, _) = basis.as_chunks_mut::<BLOCK>();

@@ -1,13 +1,13 @@
-//! The logistic function over an array of samples, with what a fit needs of it, eight samples at a time.
+//! The logistic function at an array of samples, and the sums that a fit needs, eight samples at a time.
 
 use super::super::exponential::exp;
 use crate::base::simd::vectorized;
 
-/// Samples of one step of the kernels.
+/// Number of samples in one step of the kernels.
 pub(super) const LANES: usize = 8;
 pub(super) type Pack = [f64; LANES];
 
-/// τ(v) = level + rise (v − origin), of which σ(τ) = 1/(1+e^−τ) is taken.
+/// τ(v) = level + rise (v − origin), the argument of σ(τ) = 1/(1+e^−τ).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Line {
     pub(super) level: f64,
@@ -20,25 +20,25 @@ impl Line {
         self.level + self.rise * (v - self.origin)
     }
 
-    /// The same curve by 1 − σ(τ) = σ(−τ).
+    /// The same curve expressed by 1 − σ(τ) = σ(−τ).
     pub(super) fn turned(self) -> Self {
         Self { level: -self.level, rise: -self.rise, ..self }
     }
 
-    /// The same line by its value elsewhere.
+    /// The same line with another origin.
     pub(super) fn seen_from(self, origin: f64) -> Self {
         Self { level: self.at(origin), origin, ..self }
     }
 }
 
-/// For p = σ(τ), g = p − mean(p), the best q, and r = y − q g: what Newton's method needs. With ′ for the derivative by
-/// τ, and u = v − origin.
+/// Sums for Newton's method, with p = σ(τ), g = p − mean(p), the best factor q, and r = y − q g. A prime is the
+/// derivative by τ, and u = v − origin.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct LogisticSums {
     pub(super) mean: f64,
     /// Σ g².
     pub(super) square: f64,
-    /// The slope of y over p that leaves the least residual.
+    /// The factor of g that leaves the least residual.
     pub(super) q: f64,
     /// Σ r².
     pub(super) residual: f64,
@@ -55,24 +55,24 @@ pub(super) struct LogisticSums {
 }
 
 impl LogisticSums {
-    /// Distance from the origin of the place about which level and rise are nearly independent.
+    /// Distance from the origin to the point about which level and rise are nearly independent.
     pub(super) fn center(&self) -> f64 {
         if self.squared[0] > 0.0 { (self.squared[1] / self.squared[0]).clamp(-3.0, 3.0) } else { 0.0 }
     }
 }
 
-/// Samples in the kernels' own frame, padded to whole packs with weight 0.
+/// Samples in the kernels' coordinate v, padded to whole packs with weight 0.
 #[derive(Debug)]
 pub(super) struct Samples<'a> {
     pub(super) v: &'a [Pack],
     /// 1 for a sample, 0 for padding.
     pub(super) weight: &'a [Pack],
-    /// With mean 0, 0 in the padding.
+    /// Values with mean 0; 0 in the padding.
     pub(super) y: &'a [Pack],
     pub(super) count: f64,
 }
 
-/// Room for what is known of each sample.
+/// Buffers for intermediate values of each sample.
 #[derive(Debug, Default)]
 pub(super) struct LogisticScratch {
     p: Vec<Pack>,
@@ -101,12 +101,12 @@ impl LogisticScratch {
 }
 
 vectorized! {
-    /// Everything about one curve; `room` is as large as the samples are many.
+    /// All sums of one curve. The buffers of `room` have one entry per sample.
     pub(super) fn evaluate(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratch) -> LogisticSums
         = evaluate_kernel;
 }
 
-// Short loops with one result each: these become vectors, and sums of everything in one loop don't.
+// Short loops with one result each, because the compiler vectorises these but not one loop with all sums.
 #[inline(always)]
 fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratch) -> LogisticSums {
     let packs = samples.v.len();
@@ -122,7 +122,7 @@ fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratc
         (u[k], p[k]) = (away, share);
     }
     let mean = product(p, weight) / samples.count;
-    // g, until it is known how much of it is taken from y.
+    // r holds g until q is known.
     let r = &mut room.r[..packs];
     for k in 0..packs {
         for i in 0..LANES {
@@ -160,7 +160,7 @@ fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratc
     }
 }
 
-/// Sum of products, over eight sums side by side.
+/// Sum of products, in eight parallel sums.
 #[inline(always)]
 fn product(one: &[Pack], other: &[Pack]) -> f64 {
     let other = &other[..one.len()];

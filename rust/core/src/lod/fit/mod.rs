@@ -1,5 +1,5 @@
-//! Curves of least squares with four parameters, y = d + (a−d)/(1+(x/c)^b): starts from a grid, the best ones descended
-//! from.
+//! Least-squares curves with four parameters, y = d + (a−d)/(1+(x/c)^b): a grid gives start points, and descents from
+//! the best of them find the minimum.
 
 mod curve;
 mod descend;

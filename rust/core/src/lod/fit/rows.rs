@@ -6,11 +6,11 @@ use super::curve::{FitScratch, LogisticCurve, fit};
 use super::frame::{SampleFrame, Unfit};
 use crate::base::{Error, Progress, Result};
 
-/// Curves of one task.
+/// Number of curves in one task.
 const TASK: usize = 16;
 
-/// The curves of least squares through rows of `count` samples. `x` is one row, which all share, or has as many as
-/// `y`. Samples that are not finite do not count.
+/// The least-squares curves through rows of `count` samples. `x` is one row that all curves share, or has as many
+/// numbers as `y`. Samples that are not finite are left out.
 pub fn fit_4pl(x: &[f64], y: &[f64], count: usize, progress: &Progress) -> Result<Vec<LogisticCurve>> {
     if count == 0 || !y.len().is_multiple_of(count) || x.len() != count && x.len() != y.len() {
         let got = format!("{} of x and {} of y for {count} each", x.len(), y.len());

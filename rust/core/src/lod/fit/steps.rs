@@ -1,11 +1,12 @@
-//! Curves so steep that they are steps: from one sample to the next, or with one sample in between, which they meet.
+//! Curves so steep that they are steps between two neighbouring samples, or steps with one sample on the slope.
 
 use super::frame::SampleFrame;
 use super::logistic::Line;
 
-/// Rise over the narrower gap: neighbours lie at the plateaus to 4 digits, and descents see which way is down.
+/// Rise multiplied by the narrower gap: the samples beside the step lie on the plateaus to 4 digits, and a descent
+/// still has a gradient.
 const STEEP: f64 = 8.0;
-/// Distance of a step before the first x above 0.
+/// Greatest gap, in v, that a step may span: x = 0 lies at v = −10³⁰.
 const FIRST_STEP: f64 = 2.0;
 
 /// Start of a descent, and the share of y that is explained there or nearby.
@@ -15,7 +16,8 @@ pub(super) struct Start {
     pub(super) line: Line,
 }
 
-/// The best step and the best one that meets a sample. `y` by rising x has mean 0, and its squares add up to 1.
+/// The best step and the best step with a sample on its slope. `y`, by ascending x, has mean 0 and squares that add up
+/// to 1.
 pub(super) fn best(frame: &SampleFrame, y: &[f64]) -> [Option<Start>; 2] {
     let (ends, places) = (&frame.ends, &frame.places);
     let count = y.len() as f64;

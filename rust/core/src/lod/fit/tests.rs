@@ -6,8 +6,8 @@ use crate::base::{Error, Progress};
 use crate::lod::exponential::exp;
 use proptest::prelude::*;
 
-/// Residual of the best a and d for given b and c, by the textbook; of samples that all lie near the left plateau from
-/// p − 1, whose digits p itself would lose.
+/// Residual of the best a and d for given b and c, by the textbook. If all samples lie near the left plateau it uses
+/// p − 1, because p itself would lose their digits.
 fn residual(x: &[f64], y: &[f64], b: f64, c: f64) -> f64 {
     let count = x.len() as f64;
     let u: Vec<f64> = x.iter().map(|x| (x / c).powf(b)).collect();
@@ -20,7 +20,7 @@ fn residual(x: &[f64], y: &[f64], b: f64, c: f64) -> f64 {
     p.iter().zip(y).map(|(p, y)| (y - mean_y - slope * (p - mean_p)).powi(2)).sum()
 }
 
-/// Samples of a frame for values with mean 0 and size 1.
+/// The samples of a frame for values from which the mean is subtracted.
 fn with_samples<R>(
     x: &[f64],
     y: &[f64],
@@ -47,7 +47,8 @@ fn exponentials_have_their_digits() {
     for n in -14_000..=14_000 {
         let t = f64::from(n) * 0.049_987;
         let (found, expected) = (exp(t), t.exp());
-        // Two roundings of n ln 2 and one for each of the last terms: below 2 units in the last place; libm's own is 1.
+        // Two roundings of n ln 2 and one for each of the last terms: below 2 units in the last place; libm's own error
+        // is 1.
         assert!((found / expected - 1.0).abs() <= 3.0 * f64::EPSILON, "{t}: {found} {expected}");
     }
     assert_eq!(exp(0.0), 1.0);
@@ -65,7 +66,7 @@ proptest! {
             let line = Line { level, rise: if falls { -rise } else { rise }, origin };
             let found = EvaluatedLine::at(samples, &frame.limits, line, room);
             let (b, c) = (frame.over_ln(rise), frame.x(line.origin - line.level / line.rise));
-            // Values are of size 1: what is lost is a multiple of 2⁻⁵³ of their squares.
+            // Values have size 1: the rounding error is a multiple of 2⁻⁵³ of their squares.
             let total: f64 = values.iter().map(|y| y * y).sum();
             prop_assert!((found.sums.residual - residual(&x, &values, b, c)).abs() < 1e-11 * total);
             let (gradient, hessian, at) = found.derivatives(samples.count);
@@ -73,7 +74,8 @@ proptest! {
                 let line = Line { level: at.level + level, rise: at.rise * stretch.exp(), origin: at.origin };
                 0.5 * logistic::evaluate(samples, &line, &mut LogisticScratch::sized(samples.v.len())).residual
             };
-            // Central differences: h² of the third and fourth derivatives, and 2⁻⁵³/h or /h² by rounding.
+            // Central differences: the error is h² times the third and fourth derivatives, plus 2⁻⁵³/h or 2⁻⁵³/h² from
+            // rounding.
             let h = 1e-4;
             let close = |found: f64, expected: f64, scale: f64| {
                 prop_assert!((found - expected).abs() < 1e-5 * scale, "{} {}", found, expected);
@@ -118,7 +120,7 @@ fn steps_explain_what_they_say() {
         let total: f64 = samples.y.as_flattened().iter().map(|y| y * y).sum();
         let unit: Vec<f64> = samples.y.as_flattened()[..12].iter().map(|y| y / total.sqrt()).collect();
         for start in steps::best(frame, &unit).into_iter().flatten() {
-            // At the limit: the same transition, as steep as may be.
+            // The steepest allowed line of the same transition.
             let limit = Line { rise: frame.limits.steepest * start.line.rise.signum(), ..start.line };
             let found = EvaluatedLine::at(samples, &frame.limits, limit, room);
             assert!((found.sums.residual / total - (1.0 - start.explained)).abs() < 1e-12);

@@ -10,8 +10,8 @@ use super::tile::{ObjectTile, Selection, TileScratch};
 use super::view::Eye;
 use crate::base::Result;
 
-/// Writes the level of each object, the finest that any eye asks for, −1 for none, and where wanted the numbers of
-/// COLUMNS. Without `eyes` all levels are 0.
+/// Writes the level of each object: the finest level that any eye needs, −1 for none. If requested it also writes the
+/// numbers of COLUMNS. Without `eyes` all levels are 0.
 pub fn select(
     models: &[Model<'_>],
     objects: &Objects<'_>,
@@ -39,7 +39,7 @@ pub fn select(
         .try_reduce(SelectionCounts::default, add)
 }
 
-/// Objects and their results, some at a time.
+/// Objects and their results in tiles.
 fn tiles<'a>(
     objects: &Objects<'a>,
     to: &'a mut [i32],

@@ -1,26 +1,27 @@
-//! Curves of a model at a size: scores, the coarsest sufficient level, and fading between levels.
+//! The curves of a model at one size: scores, the coarsest sufficient level, and fading between levels.
 
 use super::rules::Rules;
 use crate::base::{Error, Result};
 
-/// Difference of score below the coarsest level: the step between levels that measurements use.
+/// Difference of score assumed below the coarsest level: the difference between levels in measurements.
 const STEP: f64 = 0.05;
-/// Share of the greatest size over which levels run to 0, times the fade.
+/// Range of sizes below the greatest size over which the level falls to 0, as a share of the greatest size, for a fade
+/// of 1; it is proportional to the fade.
 const FADE_RANGE: f64 = 0.25;
 
 /// a, b, c and d of y = d + (a−d)/(1+(x/c)^b).
 pub type Parameters = [f64; 4];
 
-/// Curves of one object's levels but level 0.
+/// Curves of all levels of one object except level 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Model<'a> {
-    /// From level 1 on; NaN where a level has none.
+    /// Curves from level 1 on; NaN for a level without a curve.
     pub curves: &'a [Parameters],
-    /// Least and greatest solid angle that was measured.
+    /// Least and greatest measured solid angle, steradians.
     pub range: [f64; 2],
 }
 
-/// A size, as it is and as it is seen, and the score that it asks for.
+/// A size σ, the size that the eye sees, and the score that is required.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SizeQuery {
     pub sigma: f64,
@@ -28,7 +29,7 @@ pub(super) struct SizeQuery {
     pub threshold: f64,
 }
 
-/// y at x ≥ 0: from the plateau that is nearer, so that a far one is never taken off again.
+/// y at x ≥ 0, computed from the nearer plateau, so that no digits cancel.
 pub(super) fn score(&[a, b, c, d]: &Parameters, x: f64) -> f64 {
     let steps = b * if (x / c - 1.0).abs() < 0.5 { ((x - c) / c).ln_1p() } else { x.ln() - c.ln() };
     let small = (-steps.abs()).exp();
@@ -46,12 +47,12 @@ impl Model<'_> {
         Err(Error::value("models", "solid angles of at least 0, the least first", got))
     }
 
-    /// Above it nothing is asked: −∞ for one level.
+    /// Size above which the level is 0; −∞ for a model with one level.
     pub(super) fn limit(&self, reference: f64) -> f64 {
         if self.curves.is_empty() { f64::NEG_INFINITY } else { self.range[1].min(reference) }
     }
 
-    /// Score of a level at a size within what was measured.
+    /// Score of a level at a size up to the greatest measured one.
     pub(super) fn score(&self, level: usize, seen: f64) -> f64 {
         match level.checked_sub(1) {
             None => 1.0,
@@ -59,7 +60,7 @@ impl Model<'_> {
         }
     }
 
-    /// The coarsest level of at most `most` that is enough.
+    /// The coarsest sufficient level, at most `most`.
     pub(super) fn coarsest(&self, most: usize, asked: &SizeQuery) -> usize {
         if asked.seen > self.range[1] {
             return 0;
@@ -67,7 +68,7 @@ impl Model<'_> {
         (1..=most).rev().find(|&level| self.score(level, asked.seen) >= asked.threshold).unwrap_or(0)
     }
 
-    /// The coarsest level that is enough, but none coarser than the previous one that is only just so.
+    /// The coarsest sufficient level. Levels coarser than the previous one must exceed the threshold by the hysteresis.
     pub(super) fn held(&self, previous: usize, asked: &SizeQuery, rules: &Rules) -> usize {
         let most = self.curves.len();
         let share = 1.0 - rules.hysteresis;
@@ -79,7 +80,7 @@ impl Model<'_> {
         self.coarsest(most, &surely).max(self.coarsest(previous.min(most), asked))
     }
 
-    /// The level as it fades over to the next finer one.
+    /// The level while it fades to the next finer one.
     pub(super) fn shown(&self, level: usize, asked: &SizeQuery, rules: &Rules) -> f64 {
         if level == 0 || rules.fade == 0.0 {
             return level as f64;
@@ -87,7 +88,7 @@ impl Model<'_> {
         let own = self.score(level, asked.seen);
         let coarser = (level + 1..=self.curves.len()).map(|other| self.score(other, asked.seen));
         let next = coarser.filter(|other| !other.is_nan()).reduce(f64::max).unwrap_or(own - STEP);
-        // Held levels may be better than they must be by more than one level.
+        // With hysteresis a level may be finer than required by more than one level, so the share is clamped.
         let way = if own > next { ((own - asked.threshold) / (own - next)).clamp(0.0, 1.0) } else { 1.0 };
         let weight = 1.0 - (way / rules.fade).min(1.0);
         let finer = self.coarsest(level - 1, asked);

@@ -1,6 +1,6 @@
 //! The coarsest sufficient level of each object (Liebisch 2021, Sec. 4.3–4.5), for many objects and few eyes.
 //!
-//! The view first, then sizes, then the lens for those that are left, then a table of levels, then curves.
+//! Stages, in order: visibility, sizes, the lens for the objects still open, a table of levels, curves.
 
 mod assign;
 mod curves;

@@ -1,44 +1,44 @@
-//! Objects whose levels are chosen, and counts of the stages that settled them.
+//! Objects whose levels are chosen, and the number of objects that each stage decided.
 
 use std::ops::AddAssign;
 
-/// Objects of one task: their numbers stay in a near cache.
+/// Number of objects in one task; their data stays in a fast cache.
 pub(super) const TILE: usize = 1 << 9;
 
-/// Arrays of objects, one entry for each.
+/// Arrays of objects, with one entry per object.
 #[derive(Clone, Copy, Debug)]
 pub struct Objects<'a> {
-    /// Number of each one's model.
+    /// Index of the object's model.
     pub model: &'a [i64],
-    /// Centres of their bounding spheres.
+    /// Centres of the bounding spheres.
     pub centers: &'a [[f64; 3]],
-    /// Radii of their bounding spheres, metres.
+    /// Radii of the bounding spheres, metres.
     pub radii: &'a [f64],
-    /// Levels in the previous frame, −1 for none.
+    /// Levels in the previous frame; −1 for none.
     pub previous: Option<&'a [i32]>,
 }
 
-/// Columns beside the level: σ, the σ′ that the eye sees, f, the score, and the fading level.
+/// Number of columns beside the level: σ, the σ′ that the eye sees, f, the score, and the fading level.
 pub const COLUMNS: usize = 5;
 
-/// Objects by the stage that settled them, of all eyes together.
+/// Number of objects by the stage that decided their level, summed over all eyes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SelectionCounts {
-    /// Not in view.
+    /// Outside the view.
     pub culled: u64,
-    /// In view, with one level.
+    /// In view, with one level only.
     pub one_level: u64,
-    /// At level 0 already by another eye.
+    /// At level 0 already because of another eye.
     pub settled: u64,
-    /// Above the size up to which curves are used.
+    /// Larger than the size up to which curves are used.
     pub large: u64,
-    /// Sent to curves or tables.
+    /// Looked up in curves or tables.
     pub asked: u64,
-    /// Of those: sizes through the lens.
+    /// Of `asked`: sizes computed through the lens.
     pub lens: u64,
-    /// Levels from a table.
+    /// Of `asked`: levels from a table.
     pub table: u64,
-    /// Levels from curves.
+    /// Of `asked`: levels from curves.
     pub formula: u64,
 }
 

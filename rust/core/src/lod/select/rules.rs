@@ -1,15 +1,15 @@
-//! Rules by which levels are chosen, and how lenses and eyes change them.
+//! The rules by which levels are chosen, and the influence of lenses and eyes.
 
 use glam::DVec3;
 
 use crate::lens::RadialLens;
 
-/// SSIM threshold that is linear in the solid angle: f(σ) = level + rise · σ.
+/// SSIM threshold as a linear function of the solid angle: f(σ) = level + rise · σ.
 #[derive(Clone, Copy, Debug)]
 pub struct ThresholdLine {
     /// f at σ = 0.
     pub level: f64,
-    /// Slope, for each steradian.
+    /// Slope of f per steradian.
     pub rise: f64,
 }
 
@@ -20,11 +20,11 @@ pub struct Rules {
     pub line: ThresholdLine,
     /// Solid angle in steradians above which level 0 is used.
     pub reference: f64,
-    /// True where objects out of view get no level.
+    /// Whether objects outside the view get no level.
     pub cull: bool,
-    /// Score above the threshold that a level needs to replace a finer one.
+    /// Score above the threshold that a coarser level needs to replace a finer one.
     pub hysteresis: f64,
-    /// Share of the way between levels over which they are blended; 0 for not at all.
+    /// Share of the distance between levels over which they are blended; 0 disables blending.
     pub fade: f64,
 }
 
@@ -33,23 +33,23 @@ pub struct Rules {
 pub struct EyeLens<'a> {
     /// The lens.
     pub lens: &'a RadialLens,
-    /// Tangent of half the horizontal field of view, the larger side of it.
+    /// Tangent of half the horizontal field of view; the larger of its two sides.
     pub tan_omega: f64,
-    /// True for Newton's inverse, else the table's.
+    /// Whether to invert the lens by Newton's method instead of the table.
     pub exact: bool,
 }
 
-/// Acuity of an eye: the least visible angle at e degrees from its gaze is slope · e + limit (Guenter et al. 2012,
-/// Eq. 1).
+/// Acuity of an eye: the least visible angle at eccentricity e, both in degrees, is slope · e + limit (Guenter et al.
+/// 2012, Eq. 1).
 #[derive(Clone, Copy, Debug)]
 pub struct Acuity {
-    /// Viewing direction in the world, of length 1.
+    /// Unit viewing direction in the world.
     pub gaze: DVec3,
-    /// Degrees of the least angle for each degree of eccentricity.
+    /// Degrees of the least visible angle per degree of eccentricity.
     pub slope: f64,
-    /// Least angle at the gaze, degrees.
+    /// Least visible angle at the gaze, degrees.
     pub limit: f64,
-    /// Angle of a pixel in degrees, at least `limit`: nothing finer is drawn.
+    /// Angle of a pixel in degrees, at least `limit`: the display shows nothing finer.
     pub best: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Levels over cells of size: most sizes lie in cells in which one level is the answer throughout.
+//! Tables of levels over cells of size. In most cells one level is correct for every size.
 
 use std::hint::select_unpredictable;
 
@@ -9,30 +9,31 @@ use super::curves::{Model, Parameters, score};
 use super::objects::TILE;
 use super::rules::{Rules, ThresholdLine};
 
-/// Binary logarithm of the number of cells over σ, which have equal widths because f is a line.
+/// log₂ of the number of cells over σ. The cells have equal widths, because f is linear.
 const SIGMA_DIGITS: u32 = 3;
 const SIGMAS: u64 = 1 << SIGMA_DIGITS;
-/// The same for σ′ up to the least that was measured: there scores are single numbers, and f alone decides.
+/// log₂ of the number of σ cells for σ′ up to the least measured σ′. There each score is one number, so f alone
+/// decides.
 const SMALL_DIGITS: u32 = 8;
 const SMALLS: u64 = 1 << SMALL_DIGITS;
-/// Share of the greatest σ by which cells are wider, so that none lies beyond the last one.
+/// Relative widening of the cells over σ, so that no σ lies beyond the last cell.
 const WIDENING: f64 = 1e-12;
 const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
-/// Cells over σ′: binary digits of its mantissa, and octaves at most.
+/// Cells over σ′: bits of its mantissa per cell number, and the greatest number of octaves.
 const DIGITS: u32 = 4;
 const OCTAVES: u64 = 24;
 const SHIFT: u32 = MANTISSA - DIGITS;
-/// Greatest σ′ of a table, in steradians: more than any sphere has.
+/// Greatest σ′ of a table, in steradians; no sphere covers more than 4π.
 const GREATEST_SIGMA: f64 = 16.0;
-/// Set where the level may be a finer one: then curves decide.
+/// Bit that marks cells in which a finer level may be correct; there the curves decide.
 pub(super) const UNSURE: u8 = 0x80;
-/// Least objects of a model for which a table is quicker than curves.
+/// Number of objects per model from which a table is faster than curves.
 pub(super) const OBJECTS_PER_TABLE: usize = 256;
 
-/// Levels of all models, one after the other.
+/// Levels of all models, consecutive.
 #[derive(Debug, Default)]
 pub(super) struct Tables {
-    /// Cells of each model: each σ of the small ones, then σ′ by σ′ for each σ.
+    /// Cells of each model: one per σ cell for small σ′, then for each σ cell one per σ′ cell.
     cells: Vec<u8>,
     /// Head of each model.
     heads: Vec<Head>,
@@ -41,21 +42,21 @@ pub(super) struct Tables {
 /// Ranges and offsets of a model's cells.
 #[derive(Clone, Copy, Debug)]
 struct Head {
-    /// Nearly 1 over the greatest σ.
+    /// 1/(greatest σ), slightly reduced.
     fineness: f64,
-    /// σ′ up to which scores are those of the least.
+    /// σ′ up to which the scores are those of the least measured σ′.
     least: f64,
     /// σ′ above which the level is 0.
     greatest: f64,
-    /// Where its cells start.
+    /// Index of the model's first cell.
     first: u32,
-    /// Bits of the first cell's σ′, shifted, and the last cell's number.
+    /// Shifted bits of the first cell's σ′, and the number of the last cell.
     base: u32,
     last: u32,
 }
 
 impl Tables {
-    /// `None` where a model has more levels than bytes can name, or there are more cells than can be counted.
+    /// `None` if a model has more levels than a byte can store, or if there are more cells than u32 can count.
     pub fn new(models: &[Model<'_>], rules: &Rules) -> Option<Self> {
         let made: Option<Vec<_>> = models.par_iter().map(|model| table(model, rules)).collect();
         let mut tables = Self::default();
@@ -66,7 +67,7 @@ impl Tables {
         Some(tables)
     }
 
-    /// The level of each size of some objects, and UNSURE with it where it may be a finer one.
+    /// The level for the size of each open object, with the bit UNSURE if a finer level may be correct.
     #[inline(never)]
     pub fn look_up(
         &self,
@@ -79,19 +80,19 @@ impl Tables {
         let (heads, cells) = (&self.heads[..], &self.cells[..]);
         for (((&place, &sigma), &seen), to) in places.iter().zip(sigma).zip(seen).zip(to) {
             let Head { fineness, least, greatest, first, base, last } = heads[models[usize::from(place)] as usize];
-            // The first digits of a number from 1 to below 2.
+            // The leading mantissa bits of a number from 1 to below 2.
             let small = (1.0 + sigma * fineness).to_bits() >> (MANTISSA - SMALL_DIGITS) & (SMALLS - 1);
             let row = small >> (SMALL_DIGITS - SIGMA_DIGITS);
             let cell = ((seen.to_bits() >> SHIFT) as i64 - i64::from(base)).clamp(0, i64::from(last)) as u64;
             let large = SMALLS + row * (u64::from(last) + 1) + cell;
-            // A branch would be mispredicted half of the time.
+            // Without a branch, which would be mispredicted half of the time.
             let found = cells[(u64::from(first) + select_unpredictable(seen <= least, small, large)) as usize];
             *to = if seen > greatest { 0 } else { found };
         }
     }
 }
 
-/// A model's cells, and what is known of them; those of one level have one for each σ.
+/// A model's cells and their head. A model with one level has one cell for each σ cell.
 fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
     let count = model.curves.len();
     let limit = model.limit(rules.reference);
@@ -108,7 +109,7 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
     let last = top - base;
     let width = last as usize + 1;
     let mut edges: Vec<f64> = (0..=last + 1).map(|n| f64::from_bits((base + n) << SHIFT)).collect();
-    // Only what is larger is asked of the first cell, even where octaves end above the least.
+    // The first cell is used only for σ′ above the least, even if its octave begins below or above it.
     edges[0] = least;
     let logarithms: Vec<f64> = edges.iter().map(|x| x.ln()).collect();
     // Least and greatest score of each level in each cell.
@@ -122,7 +123,7 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
             }
         }
     }
-    // The same bits as curves give.
+    // These scores have the same bits as those of the curves.
     let smallest: Vec<_> = model.curves.iter().map(|curve| [score(curve, least); 2]).collect();
     let mut cells = Vec::with_capacity(SMALLS as usize + SIGMAS as usize * width);
     cells.extend((0..SMALLS).map(|sigma| {
@@ -134,27 +135,28 @@ fn table(model: &Model<'_>, rules: &Rules) -> Option<(Head, Vec<u8>)> {
         cells.extend((0..width).map(|cell| level(&bounds, count, cell, low, high)));
     }
     let fineness = (1.0 - WIDENING) / limit;
-    // A limit of 0, or of a few of the smallest floats, has one size.
+    // If the limit is 0 or a few of the smallest floats, there is one cell.
     let fineness = if fineness.is_finite() { fineness } else { 0.0 };
     let (base, last) = (base as u32, last as u32);
     Some((Head { fineness, least, greatest, first: 0, base, last }, cells))
 }
 
-/// Least and greatest threshold of one of `count` cells over σ, and what they are rounded by.
+/// Least and greatest threshold in one of `count` cells over σ, widened by rounding.
 fn range(line: &ThresholdLine, limit: f64, cell: u64, count: u64) -> [f64; 2] {
     let ends = [cell, cell + 1].map(|n| line.at(limit * n as f64 / count as f64));
     let margin = 1e-14 * line.level.abs() + 2.0 * WIDENING * (line.rise * limit).abs();
     [ends[0].min(ends[1]) - margin, ends[0].max(ends[1]) + margin]
 }
 
-/// A curve at sizes given by their logarithms, and by how much rounding may move it; NaN where there is no curve.
+/// Scores of a curve at sizes given by their logarithms, and a bound of the rounding error; NaN if there is no curve.
 fn scored(&[a, b, c, d]: &Parameters, logarithms: &[f64], to: &mut [f64]) -> f64 {
     let middle = c.ln();
     for (to, logarithm) in to.iter_mut().zip(logarithms) {
         let ratio = exp(b * (logarithm - middle));
         *to = d + (a - d) / (1.0 + ratio);
     }
-    // A unit in the last place of a logarithm, times b, moves the ratio by that share and the score by a quarter of it.
+    // An error of one ulp in a logarithm, multiplied by b, changes the ratio by that share and the score by a quarter
+    // of it.
     (a - d).abs() * (1e-14 + b * (40.0 + middle.abs()) * 1e-15) + (a.abs() + d.abs()) * 1e-15
 }
 

@@ -1,4 +1,4 @@
-//! A tile of objects, eye by eye: each stage passes on only objects that it could not settle.
+//! A tile of objects, eye by eye: each stage passes on only the objects that it could not decide.
 
 use glam::DVec3;
 
@@ -12,50 +12,50 @@ use crate::lens::{Sizes, Spheres};
 
 /// Level of an object that no eye has seen yet.
 const UNSEEN: i32 = -1;
-/// Columns of an object that is out of view.
+/// Columns of an object outside the view.
 const HIDDEN_COLUMNS: [f64; COLUMNS] = [f64::NAN, f64::NAN, f64::NAN, f64::NAN, -1.0];
 
 /// Objects and their results.
 pub(super) struct ObjectTile<'a> {
-    /// Number of the first.
+    /// Index of the first object.
     pub first: usize,
     pub objects: Objects<'a>,
     pub level: &'a mut [i32],
     pub columns: Option<[&'a mut [f64]; COLUMNS]>,
 }
 
-/// Settings and tables that tiles share.
+/// Settings and tables that all tiles share.
 pub(super) struct Selection<'a> {
     pub models: &'a [Model<'a>],
-    /// Size of each model above which its level is 0, steradians.
+    /// Size above which each model has level 0, steradians.
     pub limits: Vec<f64>,
-    /// `None` where objects are too few for them.
+    /// `None` if there are too few objects for tables.
     pub tables: Option<Tables>,
     pub eyes: &'a [Eye],
     pub lens: Option<EyeLens<'a>>,
     pub rules: Rules,
 }
 
-/// Buffers of a thread for one tile.
+/// Buffers of one thread for a tile.
 #[derive(Default)]
 pub(super) struct TileScratch {
     sight: Box<Sight>,
     open: Box<OpenObjects>,
 }
 
-/// Classes of objects for an eye, in the order of counts.
+/// Classes of objects for an eye, in the order in which they are counted.
 const CULLED: u8 = 0;
 const SETTLED: u8 = 1;
 const ONE_LEVEL: u8 = 2;
 const LARGE: u8 = 3;
 const OPEN: u8 = 4;
 
-/// Numbers of a tile's objects, and of those whose levels are still open, side by side.
+/// Data of a tile's objects, and packed data of the objects whose level is still open.
 struct OpenObjects {
-    /// Of each object: the size above which it has level 0, and its class.
+    /// Per object: the size above which it has level 0, and its class.
     limit: [f64; TILE],
     class: [u8; TILE],
-    /// Of open objects: their places in the tile, sizes, angles, and the table's answers.
+    /// Per open object: its index in the tile, sizes, angles, and the level from the table.
     place: [u16; TILE],
     sigma: [f64; TILE],
     seen: [f64; TILE],
@@ -72,7 +72,7 @@ impl Default for OpenObjects {
     }
 }
 
-/// Values at some places, side by side.
+/// Copies the values at some indices into consecutive entries.
 fn gather(from: &[f64; TILE], places: &[u16], to: &mut [f64; TILE]) {
     for (to, &place) in to.iter_mut().zip(places) {
         *to = from[usize::from(place) % TILE];
@@ -101,12 +101,12 @@ impl Selection<'_> {
         Ok(counts)
     }
 
-    /// Refuses numbers of models and levels that there are not, and looks up the models' limits.
+    /// Refuses invalid model numbers and levels, and looks up the models' limits.
     #[inline(never)]
     fn check(&self, tile: &ObjectTile<'_>, open: &mut OpenObjects) -> Result<()> {
         let limits = &self.limits[..];
         for ((n, &model), to) in tile.objects.model.iter().enumerate().zip(&mut open.limit) {
-            // Negative numbers are large ones.
+            // A negative number becomes a large one and is refused as well.
             let Some(&limit) = limits.get(model as usize) else {
                 return Err(refused("model_index", 0, limits.len(), model, tile.first + n));
             };
@@ -122,7 +122,7 @@ impl Selection<'_> {
         Ok(())
     }
 
-    /// σ′ of those that are open, and what the eye sees of it.
+    /// Computes σ′ of the open objects, and the part of it that the eye can resolve.
     fn sizes(
         &self,
         eye: &Eye,
@@ -162,7 +162,7 @@ impl Selection<'_> {
         for k in 0..asked {
             let n = usize::from(open.place[k]);
             let found = open.found[k];
-            // A level that is no coarser than the previous one stands as it is.
+            // A level that is not coarser than the previous one needs no hysteresis.
             let is_held = previous.is_some_and(|previous| previous[n] != UNSEEN && i32::from(found) > previous[n]);
             let is_sure = found < UNSURE && !is_held;
             counts.formula += u64::from(!is_sure);
@@ -176,7 +176,7 @@ impl Selection<'_> {
         }
     }
 
-    /// Finds one object's level by curves, or only its columns where the table is sure of the level.
+    /// Finds one object's level by curves, or only its columns if the table gave a certain level.
     #[inline(never)]
     fn ask(&self, open: &OpenObjects, k: usize, found: Option<(u8, bool)>, tile: &mut ObjectTile<'_>) {
         let rules = &self.rules;
@@ -210,7 +210,7 @@ impl Selection<'_> {
 }
 
 impl EyeLens<'_> {
-    /// σ′ in place of σ.
+    /// Replaces σ by σ′, the size through the lens.
     fn look(&self, eye: &Eye, objects: &Objects<'_>, sight: &Sight, open: &mut OpenObjects, asked: usize) {
         if self.exact {
             let (mut centers, mut radii) = ([[0.0; 3]; TILE], [0.0; TILE]);
@@ -241,7 +241,7 @@ impl EyeLens<'_> {
     }
 }
 
-/// Settles objects that need no curve; returns how many are open.
+/// Decides objects that need no curve. Returns the number of open objects.
 #[inline(never)]
 fn sort(sight: &Sight, tile: &mut ObjectTile<'_>, open: &mut OpenObjects, counts: &mut SelectionCounts) -> usize {
     let count = tile.level.len();
@@ -270,7 +270,7 @@ fn sort(sight: &Sight, tile: &mut ObjectTile<'_>, open: &mut OpenObjects, counts
     }
     let mut asked = 0;
     for (n, &class) in class.iter().enumerate() {
-        // Written unconditionally, counted where it is open: a branch would be mispredicted half of the time.
+        // Written always, counted only if open: a branch would be mispredicted half of the time.
         open.place[asked % TILE] = n as u16;
         asked += usize::from(class == OPEN);
     }
@@ -279,7 +279,7 @@ fn sort(sight: &Sight, tile: &mut ObjectTile<'_>, open: &mut OpenObjects, counts
 }
 
 impl Acuity {
-    /// Factor by which acuity shrinks lengths at the nearest edge of a sphere with half the angle μ.
+    /// Factor by which acuity shrinks lengths at the nearest edge of a sphere with half angle μ.
     fn scale(&self, offset: DVec3, mu: f64) -> f64 {
         let offset = offset / offset.abs().max_element();
         let away = offset.cross(self.gaze).length().atan2(offset.dot(self.gaze)) - mu;
@@ -287,7 +287,7 @@ impl Acuity {
     }
 }
 
-/// A number of a model, or of a level, that is none.
+/// The error for an invalid number of a model or level.
 fn refused(argument: &'static str, least: i64, most: usize, got: i64, index: usize) -> Error {
     if most == 0 {
         return Error::value(argument, "no objects where there are no models", format!("{got} at index {index}"));

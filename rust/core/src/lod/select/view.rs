@@ -11,27 +11,28 @@ use crate::base::simd::vectorized;
 use crate::bounds::check;
 use crate::camera::Fov;
 
-/// Spheres side by side.
+/// Number of spheres that a kernel processes together.
 const LANES: usize = 32;
-/// Squares of distances that are floats with all their digits.
+/// Range of squared distances that are represented with full precision.
 const PLAIN_SQUARES: std::ops::Range<f64> = 1e-280..1e280;
-/// Relative rounding error of a sphere's distance from a side: visible spheres are never culled.
+/// Relative rounding error of a sphere's distance from a side plane; it is allowed for, so visible spheres are never
+/// culled.
 const SLACK: f64 = 1e-14;
-/// σ of what is not in view.
+/// σ of spheres outside the view.
 pub(super) const HIDDEN: f64 = -1.0;
 
 /// An eye's pose and view.
 #[derive(Clone, Copy, Debug)]
 pub struct Frustum {
     position: DVec3,
-    /// Directions in the world: to the right, up and ahead.
+    /// Unit directions in the world: right, up and ahead.
     axes: [[f64; 3]; 3],
-    /// Outward normals of the view's sides and its back, in the eye's axes.
+    /// Outward normals of the view's four sides and its back, in the eye's axes.
     sides: [[f64; 3]; 5],
 }
 
 impl Frustum {
-    /// From the eye's position, its axes in the world, and the tangents of its view.
+    /// A frustum from the eye's position, its axes in the world, and the tangents of its view.
     pub fn new(position: DVec3, axes: DMat3, fov: &Fov) -> Self {
         let unit = |x: f64, y: f64, ahead: f64| DVec3::new(x, y, ahead).normalize().to_array();
         let sides = [
@@ -50,13 +51,13 @@ impl Frustum {
         self.position
     }
 
-    /// Its line of sight, of length 1.
+    /// Unit viewing direction.
     pub fn forward(&self) -> DVec3 {
         DVec3::from_array(self.axes[2])
     }
 
-    /// Writes what is seen of a tile of spheres, of which `first` is the number of the first: those out of view as HIDDEN
-    /// where asked to; those around the eye take 4π.
+    /// Writes the visibility, size and angles of a tile of spheres; `first` is the index of its first sphere. Spheres
+    /// outside the view get HIDDEN if `cull`; spheres around the eye get 4π.
     pub(super) fn see(
         &self,
         centers: &[[f64; 3]],
@@ -84,7 +85,7 @@ impl Frustum {
         Ok(())
     }
 
-    /// Of sizes whose squares are not floats.
+    /// One sphere whose squared lengths overflow or underflow.
     fn see_one(&self, center: [f64; 3], radius: f64, hidden: f64, to: &mut Sight, n: usize) {
         let offset = DVec3::from_array(center) - self.position;
         let scale = offset.abs().max_element().max(radius);
@@ -95,25 +96,25 @@ impl Frustum {
     }
 }
 
-/// An eye.
+/// An eye: a view and, optionally, its acuity.
 #[derive(Clone, Copy, Debug)]
 pub struct Eye {
-    /// Its pose and view.
+    /// Pose and view.
     pub view: Frustum,
-    /// Acuity over eccentricity, where it counts.
+    /// Acuity as a function of eccentricity, if it is used.
     pub acuity: Option<Acuity>,
 }
 
 /// Visibility, sizes and angles of a tile of spheres.
 #[derive(Debug)]
 pub(super) struct Sight {
-    /// σ, HIDDEN or 4π.
+    /// σ in steradians: HIDDEN outside the view, 4π around the eye.
     pub sigma: [f64; TILE],
     pub sin_alpha: [f64; TILE],
     pub cos_alpha: [f64; TILE],
     pub sin_mu: [f64; TILE],
     pub cos_mu: [f64; TILE],
-    /// 1 where squares are not floats, or nothing is.
+    /// 1 if squares overflow or underflow, or the lane is unused.
     odd: [f64; TILE],
 }
 
@@ -135,7 +136,7 @@ vectorized! {
     ) = see_blocks;
 }
 
-/// Whole blocks, from the block `first` on.
+/// Processes whole blocks, from block `first` on.
 #[inline(always)]
 fn see_blocks(
     view: &Frustum,
@@ -181,7 +182,8 @@ fn see_blocks(
     }
 }
 
-/// σ, the sines and cosines of α and μ, and whether squares were floats, of a sphere at (right, up, ahead).
+/// σ, the sines and cosines of α and μ, and whether the squares kept full precision, for a sphere at (right, up,
+/// ahead).
 #[inline(always)]
 #[expect(clippy::manual_range_contains, reason = "ranges have branches, which do not become vectors")]
 fn seen(view: &Frustum, hidden: f64, place: [f64; 3], radius: f64) -> (f64, [f64; 4], bool) {

@@ -1,8 +1,8 @@
-//! Attributes of a base carried over to a coarser surface.
+//! Transfer of a base surface's attributes to a coarser surface.
 //!
-//! Each corner of the coarser surface looks for its nearest point of the base by walking: from the base's face below the
-//! middle of the corner's triangle over faces that share vertices. Vertices are taken with their attributes, so a walk
-//! never crosses a seam, even where both sides of it belong to one chart.
+//! For each corner of the coarser surface a walk finds the nearest point of the base. The walk starts at the face of
+//! the base below the middle of the corner's triangle and passes over faces that share vertices. Vertices with
+//! different attributes are different, so a walk never crosses a seam, even if both sides of it belong to one chart.
 
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -11,27 +11,27 @@ use super::surface::check_faces;
 use crate::base::{Error, Progress, Result};
 use crate::trace::{Closest, closest};
 
-/// Triangles handled by one task.
+/// Number of triangles in one task.
 const TILE: usize = 1024;
-/// Faces of a second ring that are still looked at where the first has nothing nearer.
+/// Greatest number of faces of the second ring that are tested if the first ring contains no nearer face.
 const MOST_SECOND: usize = 256;
 
-/// A surface whose faces hang together by vertices with the same attributes.
+/// A surface whose faces are connected by vertices with equal attributes.
 #[derive(Debug)]
 pub struct Charts<'a> {
     positions: &'a [[f32; 3]],
     faces: &'a [[u32; 3]],
-    /// Where each vertex's faces start in `around`, and their end.
+    /// First entry of each vertex's faces in `around`, and the number of all.
     starts: Vec<u32>,
     around: Vec<u32>,
 }
 
-/// Position of a corner of the coarser surface on the base.
+/// A position on the base.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SurfacePlace {
     /// Face of the base.
     pub face: u32,
-    /// Weights of its second and third corner.
+    /// Weights of the face's second and third corner.
     pub weights: [f64; 2],
 }
 
@@ -65,7 +65,7 @@ impl<'a> Charts<'a> {
         self.faces[face as usize].into_iter().flat_map(|vertex| self.around(vertex))
     }
 
-    /// The outline of the faces around a face: vertices of theirs that are not its own.
+    /// The vertices of the faces around a face, except its own.
     fn outline(&self, face: u32, outline: &mut Vec<u32>) {
         outline.clear();
         let own = self.faces[face as usize];
@@ -76,7 +76,7 @@ impl<'a> Charts<'a> {
         outline.dedup();
     }
 
-    /// The face among some that is nearer to the goal than the best; the nearest, and of equals the first.
+    /// The nearest of some faces, if it is nearer to the goal than `best`; of equally near faces the first.
     fn nearer(&self, faces: impl Iterator<Item = u32>, goal: DVec3, mut best: Closest) -> Option<(u32, Closest)> {
         let mut found = None;
         for face in faces {
@@ -88,13 +88,13 @@ impl<'a> Charts<'a> {
         found
     }
 
-    /// Walks from a face to where nothing around is nearer to the goal.
+    /// Walks from a face until no face around it is nearer to the goal.
     fn walk(&self, start: u32, goal: DVec3, room: &mut Vec<u32>) -> SurfacePlace {
         let (mut face, mut best) = (start, self.near(start, goal));
         loop {
             let mut step = self.nearer(self.ring(face), goal, best);
             if step.is_none() {
-                // The second ring sees over ridges.
+                // The second ring leads across ridges.
                 self.outline(face, room);
                 let second = room.iter().flat_map(|&vertex| self.around(vertex)).take(MOST_SECOND);
                 step = self.nearer(second, goal, best);
@@ -106,7 +106,8 @@ impl<'a> Charts<'a> {
         }
     }
 
-    /// The place of each corner of triangles (positions relative to the same zero), whose walks begin at `starts`.
+    /// The position of each corner of triangles. Their coordinates have the same origin as the base; the walks begin at
+    /// `starts`.
     pub fn places(
         &self,
         corners: &[[[f32; 3]; 3]],
@@ -140,7 +141,7 @@ mod tests {
 
     #[test]
     fn walks_end_at_the_nearest_point_and_stop_at_seams() {
-        // Two strips of 20 squares side by side along x, apart at z = 1, where they have vertices of their own.
+        // Two strips of 20 squares along x, which meet at z = 1 but have separate vertices there.
         let (mut positions, mut faces) = (vec![], vec![]);
         for strip in 0..2 {
             for x in 0..21 {

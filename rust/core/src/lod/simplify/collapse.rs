@@ -1,39 +1,39 @@
-//! Fewer triangles by meshoptimizer's edge collapses, which keep vertices as they are.
+//! Fewer triangles by meshoptimizer's edge collapses, which do not move vertices.
 
 use meshopt::{SimplifyOptions, SimplifyVertex, VertexDataAdapter, simplify_with_attributes_and_locks};
 
 use super::surface::check_faces;
 use crate::base::{Error, Result};
 
-/// Most attributes that meshoptimizer weighs beside places.
+/// Greatest number of attributes that meshoptimizer weighs beside positions.
 const MOST_ATTRIBUTES: usize = 32;
 
-/// Vertices with what is weighed beside their places.
+/// Vertices with the attributes that are weighed beside their positions.
 #[derive(Clone, Copy, Debug)]
 pub struct Vertices<'a> {
-    /// Places; equal ones are one place of the surface.
+    /// Positions; vertices with equal positions are one point of the surface.
     pub positions: &'a [[f32; 3]],
-    /// As many numbers for each vertex as there are weights.
+    /// For each vertex as many numbers as there are weights.
     pub attributes: &'a [f32],
-    /// Error of a difference of 1, as a share of the surface's extent.
+    /// Error of an attribute difference of 1, as a share of the surface's extent.
     pub weights: &'a [f32],
-    /// Vertices at whose place attributes meet that must stay apart.
+    /// Whether attributes meet at the vertex's position and must stay separate there.
     pub is_seam: &'a [bool],
 }
 
-/// Features that may be given up for fewer triangles. Collapsing edges alone may already remove closed parts.
+/// Features that may be lost for fewer triangles. Edge collapses alone may already remove closed parts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Allowance {
-    /// Nothing.
+    /// No features.
     Nothing,
-    /// The seams of vertices without a flag.
+    /// Seams at vertices whose `is_seam` is false.
     Seams,
-    /// These, and parts that hang together with nothing else and can't be collapsed, such as those with all corners on
-    /// seams: the smallest first.
+    /// The same, and disconnected parts that cannot be collapsed, such as those with all corners on seams; the smallest
+    /// first.
     Parts,
 }
 
-/// Chosen faces that remain of a surface, about `target` of them, and the share of its extent that it may be off by.
+/// The remaining faces of a surface, about `target` of them, and the error as a share of the surface's extent.
 pub fn collapse(
     vertices: Vertices<'_>,
     faces: &[[u32; 3]],
@@ -99,7 +99,7 @@ mod tests {
         let is_seam = vec![false; positions.len()];
         let vertices = Vertices { positions: &positions, attributes: &[], weights: &[], is_seam: &is_seam };
         let (found, error) = collapse(vertices, &faces, 2, Allowance::Nothing).unwrap();
-        // Its quadrics are float32: 2⁻¹² of the extent is their root's rounding.
+        // meshoptimizer's quadrics are float32: the rounding of their root is 2⁻¹² of the extent.
         assert!(found.len() == 2 && error < 1e-3, "{} {error}", found.len());
         let corners = [0, side - 1, side * (side - 1), side * side - 1];
         assert!(corners.iter().all(|corner| found.as_flattened().contains(corner)));

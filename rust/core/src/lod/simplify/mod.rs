@@ -1,4 +1,4 @@
-//! Coarser surfaces: edges are collapsed, and attributes of the base are carried over.
+//! Coarser surfaces: edges are collapsed, and the attributes of the base are transferred.
 
 mod carry;
 mod collapse;

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::base::{Error, Result};
 
-/// The first row that each row of `width` bytes is equal to.
+/// For each row of `width` bytes, the first row equal to it.
 pub fn first_alike(rows: &[u8], width: usize) -> Result<Vec<u32>> {
     if width == 0 || !rows.len().is_multiple_of(width) || rows.len() / width > u32::MAX as usize {
         return Err(Error::value("rows", format!("fewer than 2^32 rows of {width} bytes"), rows.len()));
@@ -13,14 +13,14 @@ pub fn first_alike(rows: &[u8], width: usize) -> Result<Vec<u32>> {
     Ok(rows.chunks_exact(width).enumerate().map(|(number, row)| *first.entry(row).or_insert(number as u32)).collect())
 }
 
-/// The number of each face's piece, where faces of a piece hang together by vertices; numbers follow the pieces' first
-/// faces.
+/// The number of each face's piece. Faces of a piece are connected by vertices; pieces are numbered in the order of
+/// their first faces.
 pub fn pieces(faces: &[[u32; 3]], vertex_count: usize) -> Result<Vec<u32>> {
     check_faces(faces, vertex_count)?;
     let mut parent: Vec<u32> = (0..vertex_count as u32).collect();
     fn root(parent: &mut [u32], mut vertex: u32) -> u32 {
         while parent[vertex as usize] != vertex {
-            // Every second step is cut out, so that paths stay short.
+            // Path halving: every second step of a path is removed, so paths stay short.
             parent[vertex as usize] = parent[parent[vertex as usize] as usize];
             vertex = parent[vertex as usize];
         }
@@ -44,7 +44,7 @@ pub fn pieces(faces: &[[u32; 3]], vertex_count: usize) -> Result<Vec<u32>> {
     Ok(faces.iter().map(piece).collect())
 }
 
-/// Fails where a face has a vertex that there is not.
+/// Fails if a face refers to a vertex that does not exist.
 pub(super) fn check_faces(faces: &[[u32; 3]], vertex_count: usize) -> Result<()> {
     match faces.as_flattened().iter().find(|&&vertex| vertex as usize >= vertex_count) {
         Some(vertex) => Err(Error::value("faces", format!("vertex numbers below {vertex_count}"), vertex)),

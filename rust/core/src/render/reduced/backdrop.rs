@@ -1,5 +1,5 @@
-//! Background behind near geometry: the environment map; or, for the ideal picture, the hit of a ray from the centre; or
-//! the sky where nothing is far.
+//! The background behind near geometry: the environment map; for the ideal picture, the hit of a ray from the centre;
+//! the sky where there is no far part.
 
 use glam::{DVec3, Vec3};
 
@@ -13,18 +13,18 @@ use crate::morph::Morph;
 use crate::scene::Scene;
 use crate::trace::{All, AlphaFilter, Hit, Ray, closest_hits};
 
-/// Share of its range by which a fragment may lie behind the map before it counts as hidden: the error of a half float,
-/// and of a range that was taken half a texel away on a surface at 45 degrees in a map of 512 texels.
+/// Share of its range by which a fragment may lie behind the map before it counts as hidden. It covers the error of a
+/// half float, and of a range taken half a texel away on a surface at 45° in a map of 512 texels.
 const BIAS: f32 = 4e-3;
 
-/// Where the far part comes from.
+/// Source of the far part.
 #[derive(Clone, Copy)]
 pub(super) enum Far<'a> {
-    /// Nothing lies beyond the near part.
+    /// There is no far part.
     Nothing,
-    /// Its picture from the centre.
+    /// The far part's picture from the centre.
     Map(&'a EnvironmentMap),
-    /// The standing scene itself, beyond a radius, along rays from the centre.
+    /// The static scene itself, beyond a radius in metres, along rays from the centre.
     Traced(&'a Scene, f64),
 }
 
@@ -33,9 +33,9 @@ pub(super) struct Backdrop<'a> {
     pub far: Far<'a>,
     /// The centre O, relative to the scene's origin.
     pub center: DVec3,
-    /// How far away the user is shown what lies in the far part; without one, as far as it is from O.
+    /// The morph, which gives the displayed distance of far points. Without one it is their distance from O.
     pub morph: Option<Morph>,
-    /// Displayed distances at which surfaces are seen.
+    /// Range of displayed distances in which surfaces are visible.
     pub segment: Segment,
 }
 
@@ -55,7 +55,7 @@ impl Backdrop<'_> {
         }
     }
 
-    /// Channels of a far pixel. The map shows what O sees in this direction, so that with a range its point is known.
+    /// Channels of a far pixel. The map shows what O sees in this direction; with its range the point is known.
     pub fn sample(&self, direction: Vec3) -> Sample {
         match self.far {
             Far::Nothing => Sample::default(),
@@ -78,21 +78,22 @@ impl Backdrop<'_> {
         }
     }
 
-    /// Whether the map is seen: where the part of the ray has no end, and the map's surface is not nearer than its
-    /// beginning. Maps without ranges are infinitely far.
+    /// Whether the map is visible: the ray's segment has no end, and the map's surface is not nearer than the segment's
+    /// start. Maps without ranges are infinitely far.
     fn shows(&self, map: &EnvironmentMap, direction: Vec3) -> bool {
         let Segment { t_min, t_max } = self.segment;
         let is_behind = || map.range.is_none() || self.displayed(direction, map.surface(direction).0) >= t_min;
         t_max.is_infinite() && (t_min == 0.0 || is_behind())
     }
 
-    /// How far away something beyond the near part may be shown before what is far hides it. What lies within the near
-    /// part comes before all that is far, along its bent ray, and is not tested.
+    /// Displayed distance beyond which the far part hides other points beyond the near part. Points of the near part
+    /// are not tested: along their bent ray they precede all far points.
     pub fn hides_beyond(&self, direction: Vec3) -> f32 {
         self.displayed(direction, self.range_limit(direction))
     }
 
-    /// The same as a distance from O. Maps without ranges hide nothing, nor does what is nearer than surfaces are seen.
+    /// The same limit as a distance from O; infinite if the map has no range or its surface is nearer than the
+    /// segment's start.
     pub fn range_limit(&self, direction: Vec3) -> f32 {
         let limit = match self.far {
             Far::Map(map) if map.range.is_some() => map.farthest(direction) * (1.0 + BIAS),
@@ -103,7 +104,7 @@ impl Backdrop<'_> {
         if t_min > 0.0 && self.displayed(direction, limit) < t_min { f32::INFINITY } else { limit }
     }
 
-    /// |Q−U| of what O sees at a range.
+    /// Displayed distance |Q−U| of a point that O sees at `range`.
     pub fn displayed(&self, direction: Vec3, range: f32) -> f32 {
         self.morph.map_or(range, |morph| morph.far_distance(direction.as_dvec3(), f64::from(range)) as f32)
     }
@@ -114,7 +115,7 @@ impl Backdrop<'_> {
         Ray { origin: self.center.as_vec3(), direction, t_min: (radius / slope) as f32, t_max: f32::INFINITY }
     }
 
-    /// Hits of a tile's missing rays in a far part that is traced: together, because they are coherent.
+    /// Traces the missing rays of a tile into the far part, if that is traced; together, because they are coherent.
     pub fn behind(&self, rays: &[Ray], hits: &[Hit]) -> Option<Behind> {
         let Far::Traced(scene, radius) = self.far else { return None };
         let mut behind = Behind { rays: [self.ray(radius, Vec3::Y); PIXELS], hits: [Hit::MISS; PIXELS] };
@@ -139,14 +140,14 @@ impl Backdrop<'_> {
     }
 }
 
-/// Rays from the centre through a tile's pixels, and what they meet beyond the near part.
+/// Rays from the centre through a tile's pixels, and their hits beyond the near part.
 pub(super) struct Behind {
     rays: [Ray; PIXELS],
     hits: [Hit; PIXELS],
 }
 
 impl Behind {
-    /// Linear RGB that the nth ray sees of a scene.
+    /// Linear RGB that the n-th ray sees.
     pub fn color(&self, n: usize, scene: &Scene, footprint: Footprint) -> [f32; 3] {
         let (ray, hit) = (&self.rays[n], &self.hits[n]);
         if hit.is_miss() {
@@ -156,7 +157,7 @@ impl Behind {
     }
 }
 
-/// Closest solid points along rays.
+/// Closest opaque points along rays.
 pub(super) fn closest(scene: &Scene, rays: &[Ray], hits: &mut [Hit]) {
     if scene.has_cutouts() {
         closest_hits(scene, rays, &AlphaFilter { scene, inner: All }, hits);
@@ -165,7 +166,7 @@ pub(super) fn closest(scene: &Scene, rays: &[Ray], hits: &mut [Hit]) {
     }
 }
 
-/// Channels of a near pixel: its unmorphed surface, and how far away it is shown.
+/// Channels of a near pixel: its unmorphed surface and its displayed distance.
 pub(super) fn sample_of(surface: &Surface, scene: &Scene, range: f32) -> Sample {
     Sample {
         range,

@@ -1,5 +1,5 @@
-//! Morphed near geometry before the map. Pixels are split: a fragment is drawn where its unmorphed point lies within r₂,
-//! whatever its triangle reaches; behind all these a moving one beyond r₂, where nothing far hides it.
+//! Morphed near geometry in front of the map. Pixels are split: a fragment is drawn if its unmorphed point lies within
+//! r₂, wherever its triangle extends. Behind these, a moving fragment beyond r₂ is drawn if no far surface hides it.
 
 use super::super::frame::{Channels, Sample};
 use super::super::surface::{Surface, add};
@@ -17,7 +17,7 @@ pub(super) struct Bent<'a> {
     pub radius: f64,
 }
 
-/// Fragments within r₂, or moving ones beyond it.
+/// Accepts fragments within r₂ or, if `beyond`, moving ones beyond it.
 struct Split<'a> {
     bent: &'a Bent<'a>,
     standing: u32,
@@ -64,7 +64,8 @@ impl Picture for Bent<'_> {
         if self.shown.moving_triangles() == 0 || !hits.iter().any(Hit::is_miss) {
             return;
         }
-        // Surfaces within r₂ hide all that lies beyond it, by the order along the bent ray, if not by the distance shown.
+        // Surfaces within r₂ hide all surfaces beyond it: they come first along the bent ray, though not always by
+        // displayed distance.
         let (mut others, mut found) = ([rays[0]; PIXELS], [Hit::MISS; PIXELS]);
         for (other, (ray, hit)) in others.iter_mut().zip(rays.iter().zip(hits.iter())) {
             *other = if hit.is_miss() { *ray } else { Ray { t_max: -1.0, ..*ray } };

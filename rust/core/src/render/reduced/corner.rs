@@ -4,28 +4,28 @@ use glam::{Vec3, Vec4};
 
 use crate::bend::{RayCurve, Stretch};
 
-/// Most legs between the radii; rays that need more are bent one by one.
+/// Greatest number of legs between the radii; rays that need more are bent one by one.
 pub(super) const MOST_LEGS: usize = 32;
-/// Fewest, so that neighbours can be compared there.
+/// Least number of legs, so that neighbouring corners can be compared there.
 pub(super) const LEAST_LEGS: usize = 4;
-/// Tolerance of a bend's offset as a share of the greatest: its square is float32's resolution.
+/// Tolerance of a bend's offset as a share of the greatest offset. The error is about its square, float32's resolution.
 const OFFSET_PRECISION: f64 = 1e-4;
 
-/// A ray's bends between the radii, at equal steps along it; no chord between them misses the curve.
+/// A ray's bends between the radii, at equal steps along it. Each chord between two bends meets the tolerance.
 pub(super) struct Corner {
     pub direction: Vec3,
     across: Vec3,
     from: f32,
     step: f32,
-    /// A power of two.
+    /// Number of legs, a power of two.
     pub legs: usize,
-    /// Across the ray, metres; one more than there are legs.
+    /// Offset of each bend across the ray, metres. There is one more bend than legs.
     beside: [f32; MOST_LEGS + 1],
 }
 
 impl Corner {
-    /// None for rays of users outside r₁ and upright ones, and where even the most legs miss the curve by more than a
-    /// tolerance in radians.
+    /// `None` for users outside r₁, for vertical rays, and if even the greatest number of legs misses the tolerance, in
+    /// radians.
     pub fn new(curve: &RayCurve<'_>, tolerance: f64) -> Option<Self> {
         let stretch = between_radii(curve)?;
         let (mut beside, mut legs) = ([0.0; MOST_LEGS + 1], 1);
@@ -43,7 +43,8 @@ impl Corner {
         Some(Self { direction, across, from: stretch.from as f32, step: step as f32, legs, beside })
     }
 
-    /// The kth bend of so many legs, at least its own: from the ray to the curve, and how far along the ray.
+    /// The k-th of `legs` + 1 bends, with `legs` at least the corner's own number: the offset from the ray to the
+    /// curve, and the distance along the ray.
     #[inline]
     pub fn bend(&self, k: usize, legs: usize) -> Vec4 {
         let each = legs / self.legs;
@@ -54,7 +55,7 @@ impl Corner {
     }
 }
 
-/// The one stretch between the radii of a ray that a user inside r₁ sees; none for other users and upright rays.
+/// The stretch between the radii of a ray from a user inside r₁; `None` for other users and vertical rays.
 fn between_radii(curve: &RayCurve<'_>) -> Option<Stretch> {
     match curve.stretches()[..] {
         [within, between] if within.straight && !between.straight => Some(between),
@@ -63,12 +64,13 @@ fn between_radii(curve: &RayCurve<'_>) -> Option<Stretch> {
     .filter(|_| curve.end().is_some())
 }
 
-/// Place of the kth of so many equal steps.
+/// Position of the k-th of `legs` equal steps; k may be fractional.
 fn place(stretch: &Stretch, k: f64, legs: usize) -> f64 {
     stretch.from + (stretch.to - stretch.from) * k / legs as f64
 }
 
-/// Whether any chord misses the curve, at its middle or between that and its ends: where a curve winds, chords cross it.
+/// Whether a chord misses the curve at its middle or between middle and ends. A winding curve crosses its chords, so
+/// one point is not enough.
 fn misses(curve: &RayCurve<'_>, stretch: &Stretch, beside: &[f64], tolerance: f64) -> bool {
     let legs = beside.len() - 1;
     let miss = |k: usize, t: f64| {
@@ -77,12 +79,12 @@ fn misses(curve: &RayCurve<'_>, stretch: &Stretch, beside: &[f64], tolerance: f6
     [0.5, 0.2, 0.8].into_iter().any(|t| (0..legs).any(|k| miss(k, t)))
 }
 
-/// Puts a bend between each two of so many legs.
+/// Inserts a bend between each two neighbours.
 fn halve(curve: &RayCurve<'_>, stretch: &Stretch, beside: &mut [f64; MOST_LEGS + 1], legs: usize) {
     let coarse = *beside;
     for k in 0..legs {
         let (a, b) = (coarse[k], coarse[k + 1]);
-        // The cubic through four neighbours is a better guess than the chord.
+        // The cubic through four neighbours is a better first guess than the chord.
         let inner = k > 0 && k + 1 < legs;
         let bulge = if inner { (a + b - coarse[k - 1] - coarse[k + 2]) / 16.0 } else { 0.0 };
         beside[2 * k] = a;

@@ -1,5 +1,5 @@
-//! The morph per pixel: every ray is bent and traced through the scene as it is, leg by leg, up to r₂; beyond it only
-//! what moves is traced, along the ray from the centre that shows the far part.
+//! The exact morph per pixel: each ray is bent and traced leg by leg through the unchanged scene up to r₂. Beyond r₂
+//! only moving objects are traced, along the ray from the centre that shows the far part.
 
 use glam::{DVec3, Vec2, Vec3, Vec3Swizzles};
 
@@ -16,18 +16,18 @@ use crate::morph::{Kind, Morph};
 use crate::scene::Scene;
 use crate::trace::{Hit, Ray, touches};
 
-/// Share of a leg by which it is drawn out, so that rounding leaves no gap to the next.
+/// Share by which each leg is lengthened, so that rounding leaves no gap to the next leg.
 const OVERLAP: f32 = 1e-5;
 
 pub(super) struct Exact<'a> {
     scene: &'a Scene,
     morph: Morph,
-    /// Where rays of a user inside r₁ begin to bend.
+    /// Data that gives the point where rays of a user inside r₁ begin to bend.
     inside: Option<Inside>,
     backdrop: Backdrop<'a>,
     moving: Option<Moving>,
     lattice: Lattice,
-    /// Radians.
+    /// Angular tolerance of bent rays, radians.
     tolerance: f64,
 }
 
@@ -48,13 +48,13 @@ impl<'a> Exact<'a> {
         Ok(Self { scene, morph, inside, backdrop, moving, lattice, tolerance })
     }
 
-    /// Moving triangles that are looked at for every ray.
+    /// Number of moving triangles that each ray is tested against.
     pub fn moving_triangles(&self) -> u64 {
         self.moving.as_ref().map_or(0, Moving::triangles)
     }
 
-    /// All rays of a tile together, as long as any of them has met nothing; first as far as they are straight. False
-    /// where what is left of them cannot be bent together.
+    /// Traces all rays of a tile together while any of them is a miss: first their straight parts, then their legs.
+    /// Returns false if the remaining rays cannot be bent together.
     fn trace_tile(&self, inside: &Inside, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) -> bool {
         let mut ends = [Vec3::ZERO; PIXELS];
         for (ray, end) in rays.iter_mut().zip(&mut ends) {
@@ -82,7 +82,7 @@ impl<'a> Exact<'a> {
         })
     }
 
-    /// The numbered rays beyond where they are straight; `ends` is where they are so far.
+    /// Traces the listed rays beyond their straight parts; `ends` holds the ends of these parts.
     fn trace_legs(
         &self,
         cell: &Cell,
@@ -123,7 +123,7 @@ impl<'a> Exact<'a> {
         }
     }
 
-    /// One ray, bent by itself.
+    /// Traces one ray with a bend of its own.
     fn trace_alone(&self, ray: &mut Ray, hit: &mut Hit) {
         let curve = RayCurve::new(&self.morph, ray.direction.as_dvec3().normalize());
         let points = curve.polyline(self.tolerance);
@@ -143,7 +143,7 @@ impl<'a> Exact<'a> {
                 return;
             }
         }
-        // Straight curves: along the line through user and centre, and upwards within r₁.
+        // Straight curves: along the line through user and centre, and vertical rays within r₁.
         let straight = match end {
             Some(s) if curve.beside == 0.0 => (s > 0.0).then_some(s as f32),
             None if points.len() == 1 => Some(f32::INFINITY),
@@ -154,7 +154,7 @@ impl<'a> Exact<'a> {
         }
     }
 
-    /// Turns a hit on a leg into one on the displayed ray: at the distance that is shown, seen along the leg.
+    /// Converts a hit on a leg to a hit on the displayed ray, at the displayed distance and seen along the leg.
     fn accept(&self, leg: &Ray, found: &Hit, ray: &mut Ray, hit: &mut Hit) {
         if found.is_miss() {
             return;
@@ -164,7 +164,7 @@ impl<'a> Exact<'a> {
         ray.direction = leg.direction.normalize();
     }
 
-    /// |Q−U| of a point.
+    /// Displayed distance |Q−U| of a point.
     fn distance(&self, point: Vec3) -> f32 {
         if self.morph.kind == Kind::Cylinder {
             return (self.morph.apply(point.as_dvec3()) - self.morph.user).length() as f32;
@@ -205,9 +205,9 @@ impl Picture for Exact<'_> {
     }
 }
 
-/// A user's place inside r₁, on the ground.
+/// The position of a user inside r₁, in the ground plane.
 struct Inside {
-    /// From the centre.
+    /// Position relative to the centre.
     user: Vec2,
     /// |user|² − r₁², which is negative.
     power: f32,
@@ -220,7 +220,8 @@ impl Inside {
         (power < 0.0).then_some(Self { user: user.as_vec2(), power: power as f32 })
     }
 
-    /// How far along a direction r₁ is; upwards never. Both roots in the form that does not cancel.
+    /// Distance along a direction to r₁; infinite for vertical directions. Both roots are in the form without
+    /// cancellation.
     #[inline]
     fn leave(&self, direction: Vec3) -> f32 {
         let d = direction.xz();
@@ -236,7 +237,7 @@ impl Inside {
     }
 }
 
-/// Keeps of the first `count` numbers those of rays that have hit nothing; returns how many.
+/// Keeps those of the first `count` indices whose rays are misses; returns their number.
 fn only_misses(numbers: &mut [usize], count: usize, hits: &[Hit]) -> usize {
     let mut kept = 0;
     for i in 0..count {

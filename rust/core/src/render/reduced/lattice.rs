@@ -1,9 +1,9 @@
-//! Bent rays of a whole view, from those through the corners of its tiles.
+//! Bent rays of a whole view, interpolated from the rays through the corners of its tiles.
 //!
-//! A ray between the corners is bent at places and by offsets that are interpolated: P = U + s d + offset with its own
-//! d, so that only the bend itself is interpolated, which changes little across a tile. Tiles across which it changes
-//! too much (steep rays, users outside r₁) have no bends here, and their rays are bent one by one. Corners are bent
-//! when a tile asks for them: most rays meet something before they bend.
+//! A ray between the corners is P = U + s d + offset with its own direction d. Only the positions s and the offsets of
+//! its bends are interpolated; both change little across a tile. Tiles across which they change too much (steep rays,
+//! users outside r₁) are not interpolated, and their rays are bent one by one. A corner is bent when a tile first needs
+//! it, because most rays hit a surface before they bend.
 
 use std::sync::OnceLock;
 
@@ -16,11 +16,11 @@ use crate::bend::RayCurve;
 use crate::camera::{Camera, Rays};
 use crate::morph::Morph;
 
-/// Shares of the tolerance for the chords and for the interpolation.
+/// Shares of the tolerance that the chords and the interpolation may use.
 const CHORD: f64 = 0.6;
 const BETWEEN: f64 = 0.25;
-/// Share of a tile's width by which rays inside it may leave the box about those through its corners: unit directions
-/// bulge between them, by an eighth of the tile's angle at most.
+/// Share of a tile's width by which rays inside the tile may leave the box about its corner rays. Unit directions bulge
+/// between corners by at most an eighth of the tile's angle.
 const BULGE: f32 = 0.1;
 
 /// Bends at the corners of all tiles.
@@ -33,7 +33,7 @@ pub(super) struct Lattice {
     corners: Vec<OnceLock<Option<Box<Corner>>>>,
 }
 
-/// A part of a tile: one of `parts` × `parts`.
+/// One of `parts` × `parts` parts of a tile.
 #[derive(Clone, Copy)]
 struct TilePart {
     parts: usize,
@@ -45,19 +45,19 @@ impl TilePart {
     const WHOLE: Self = Self { parts: 1, x: 0, y: 0 };
 }
 
-/// The bends of the rays of a tile or of a part of it.
+/// The bends of the rays of a tile, or of a part of it.
 pub(super) struct Cell {
     part: TilePart,
-    /// Between the radii.
+    /// Number of legs between the radii.
     pub legs: usize,
-    /// Offset and place along the ray of each bend, as the coefficients of 1, x, y and xy across the tile.
+    /// Offset of each bend and its position along the ray, as coefficients of 1, x, y and xy across the tile.
     bends: [[Vec4; 4]; MOST_LEGS + 1],
-    /// Where all rays of the tile have each bend.
+    /// Bounding box of each bend over all rays of the tile.
     boxes: [Aabb; MOST_LEGS + 1],
 }
 
 impl Lattice {
-    /// The tolerance is in pixels, each as large as it is where its ray passes.
+    /// The tolerance is in pixels, with the angular size of a pixel at each ray.
     pub fn new(camera: &Camera, morph: &Morph, tolerance_px: f64) -> Self {
         let (columns, lines) =
             ((camera.width as usize).div_ceil(TILE) + 1, (camera.height as usize).div_ceil(TILE) + 1);
@@ -65,12 +65,12 @@ impl Lattice {
         Self { morph: *morph, rays: camera.rays(), tolerance_px, columns, lines, corners }
     }
 
-    /// Calls `trace` with the bends of a tile's rays, part by part where they change too much across the whole of it.
-    /// False where rays must be bent one by one.
+    /// Calls `trace` with the bends of a tile's rays, part by part if they change too much across the tile. Returns
+    /// false if rays must be bent one by one.
     pub fn for_each_cell(&self, (column, row): (usize, usize), mut trace: impl FnMut(&Cell)) -> bool {
         let Some(turn) = self.turn(column, row) else { return false };
         let allowed = BETWEEN * self.tolerance(column, row);
-        // Second differences go with the square of a part's side.
+        // Second differences are proportional to the square of a part's side.
         let Some(parts) = [1, 2, 4].into_iter().find(|&parts| turn <= allowed * (parts * parts) as f64) else {
             return false;
         };
@@ -96,7 +96,7 @@ impl Lattice {
         true
     }
 
-    /// Radians, at a place counted in tiles.
+    /// Tolerance in radians at a position in units of tiles.
     fn tolerance_at(&self, column: f64, row: f64) -> f64 {
         self.tolerance_px * self.rays.pixel_angle(column * TILE as f64, row * TILE as f64)
     }
@@ -115,9 +115,10 @@ impl Lattice {
         self.corners[row * self.columns + column].get_or_init(bend).as_deref()
     }
 
-    /// Angle by which rays inside a tile miss their curve: linear interpolation is off by an eighth of the second
-    /// difference each way, which is taken from the corners around; a bend that is misplaced along the ray by δs is
-    /// misplaced across it by δs times the curve's slope there. None where corners cannot be compared.
+    /// Angle by which interpolated rays inside a tile miss their curve. The error of linear interpolation in each
+    /// direction is an eighth of the second difference, which follows from the surrounding corners. An error δs of a
+    /// bend's position along the ray moves it across the ray by δs times the curve's slope. `None` if corners cannot be
+    /// compared.
     fn turn(&self, column: usize, row: usize) -> Option<f64> {
         let inner = |i: usize, count: usize| i.clamp(1, count.saturating_sub(2).max(1));
         if self.columns < 3 || self.lines < 3 {
@@ -138,7 +139,7 @@ impl Lattice {
                 worst = worst.max(f64::from(miss) / f64::from(before[k].w).max(f64::MIN_POSITIVE));
             }
         }
-        // Two ways at once.
+        // The factor 2 adds the errors in both directions.
         Some(2.0 * worst)
     }
 }
@@ -157,16 +158,16 @@ impl Cell {
         cell
     }
 
-    /// Place in this part of a place in the tile; none for those in other parts.
+    /// Position within this part of a position in the tile; `None` for positions in other parts.
     #[inline]
     pub fn within(&self, spot: [f32; 2]) -> Option<[f32; 2]> {
         let TilePart { parts, x, y } = self.part;
         let [u, v] = spot.map(|share| share * parts as f32);
-        // Places in a tile are below 1, so that every one lies in one part.
+        // Positions in a tile are below 1, so each lies in exactly one part.
         ((u as usize, v as usize) == (x, y)).then_some([u - x as f32, v - y as f32])
     }
 
-    /// Where a ray bends for the kth time, from the user: its direction, and its place in the part.
+    /// Position of the k-th bend of a ray relative to the user, from its direction and its position in the part.
     #[inline]
     pub fn bend(&self, k: usize, direction: Vec3, [x, y]: [f32; 2]) -> Vec3 {
         let [one, right, down, both] = self.bends[k];
@@ -174,7 +175,7 @@ impl Cell {
         direction * v.w + v.xyz()
     }
 
-    /// A box about the tile's rays between two bends.
+    /// Bounding box of the tile's rays between two bends.
     pub fn region(&self, from: usize, to: usize) -> Aabb {
         let mut region = Aabb::EMPTY;
         for bends in &self.boxes[from..=to] {
@@ -185,7 +186,7 @@ impl Cell {
     }
 }
 
-/// A box about rays between the four corners of a tile, in order of rows.
+/// Bounding box of the rays between the four corners of a tile, given in row order.
 fn around(points: &[Vec3; 4]) -> Aabb {
     let mut region = Aabb::EMPTY;
     points.iter().for_each(|&point| region.extend(point));
@@ -194,7 +195,7 @@ fn around(points: &[Vec3; 4]) -> Aabb {
     Aabb { min: region.min - margin, max: region.max + margin }
 }
 
-/// Bends that all corners have.
+/// The bends that all corners have.
 fn coarse(corner: &Corner) -> [Vec4; LEAST_LEGS + 1] {
     std::array::from_fn(|k| corner.bend(k * corner.legs / LEAST_LEGS, corner.legs))
 }

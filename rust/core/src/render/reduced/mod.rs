@@ -1,4 +1,4 @@
-//! Frames of a thin client: near geometry, morphed for the user's position, before an environment map.
+//! Frames of a thin client: near geometry, morphed for the user's position, in front of an environment map.
 
 mod backdrop;
 mod bent;

@@ -1,4 +1,4 @@
-//! Objects that move: they are geometry wherever they are, and what is far may hide them.
+//! Moving objects, which are geometry everywhere and may be hidden by the far part.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use super::backdrop::Backdrop;
 use crate::scene::Scene;
 use crate::trace::{AlphaFilter, Hit, HitFilter, Ray, closest_hits};
 
-/// Moving objects of a scene in one pose, with their numbers in the whole scene.
+/// The moving objects of a scene in one pose, with the number of the first in the whole scene.
 pub(super) struct Moving {
     scene: Scene,
     first: u32,
@@ -17,7 +17,7 @@ pub(super) struct Moving {
 }
 
 impl Moving {
-    /// None where nothing moves, so that no ray searches for it.
+    /// `None` if nothing moves, so that no ray is traced for it.
     pub fn of(scene: &Scene) -> Option<Self> {
         let moves = !scene.moving.instances().is_empty();
         moves.then(|| Self {
@@ -27,13 +27,12 @@ impl Moving {
         })
     }
 
-    /// Number of triangles.
     pub fn triangles(&self) -> u64 {
         self.scene.triangle_count() as u64
     }
 
-    /// Gives rays that have met nothing what moves beyond the near part, where nothing far hides it: it is shown in the
-    /// direction in which the centre sees it (w = 0), so that it is traced along the ray from there.
+    /// For rays that are misses, finds moving objects beyond the near part that no far surface hides. They are shown in
+    /// the direction in which the centre sees them (w = 0), so they are traced along the ray from the centre.
     pub fn trace_beyond(&self, backdrop: &Backdrop<'_>, radius: f64, rays: &[Ray], hits: &mut [Hit]) {
         let nowhere = Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: -1.0 };
         let (mut others, mut found) = ([nowhere; PIXELS], [Hit::MISS; PIXELS]);
@@ -41,7 +40,8 @@ impl Moving {
         for ((other, ray), hit) in others.iter_mut().zip(rays).zip(hits.iter()) {
             let from_center = backdrop.ray(radius, ray.direction);
             if hit.is_miss() && from_center.t_min.is_finite() {
-                // Without a morph it is shown as far away as it is from the centre; bent rays are always seen whole.
+                // Without a morph the displayed distance is the distance from the centre. With bent rays the segment is
+                // the whole ray.
                 let Segment { t_min, t_max } = backdrop.segment;
                 *other = Ray { t_min: from_center.t_min.max(t_min), t_max, ..from_center };
             }
@@ -64,7 +64,7 @@ impl Moving {
     }
 }
 
-/// Filter for geometry before the far part on a ray from the centre.
+/// Filter for geometry in front of the far part, on a ray from the centre.
 struct Before<'a> {
     backdrop: &'a Backdrop<'a>,
 }

@@ -1,4 +1,4 @@
-//! A reduced scene: near geometry, its join with the map, and the frames that it draws.
+//! A reduced scene: near geometry, its join with the map, and its frames.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -17,14 +17,14 @@ use crate::morph::{Kind, Morph};
 use crate::partition::Partition;
 use crate::scene::Scene;
 
-/// Join of near and far part.
+/// Join of the near and the far part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Join {
-    /// Near geometry is bent between r₁ and r₂ so that it meets the map without a seam.
+    /// Near geometry is morphed between r₁ and r₂ so that it meets the map without a seam.
     Morph(Kind),
-    /// Near geometry stays as it is and ends at this radius, where it breaks off.
+    /// Near geometry is not moved and ends at a radius, with a visible break.
     Conventional {
-        /// Where the near part ends and the map begins.
+        /// Radius, in metres, at which the near part ends and the map begins.
         radius: f64,
     },
 }
@@ -39,43 +39,43 @@ impl Join {
     }
 }
 
-/// Points that the morph is applied to.
+/// The points to which the morph is applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MorphMethod {
-    /// To vertices, as a vertex shader would.
+    /// To vertices, as a vertex shader does.
     Vertex,
-    /// To rays: every pixel shows what its bent ray meets.
+    /// To rays: each pixel shows the first hit of its bent ray.
     Exact,
 }
 
-/// Settings of a reduced scene's frame.
+/// Settings of a frame of a reduced scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Drawing {
-    /// Which images.
+    /// Requested images.
     pub channels: Channels,
-    /// Colour samples of each pixel.
+    /// Number of colour samples per pixel.
     pub samples: u32,
-    /// Displayed distances at which surfaces are seen.
+    /// Range of displayed distances in which surfaces are visible.
     pub segment: Segment,
-    /// World position of the eye U that near geometry is morphed for; none for the camera's.
+    /// World position of the user's eye U, for which near geometry is morphed; `None` for the camera's position.
     pub user: Option<DVec3>,
-    /// Points that the morph is applied to.
+    /// The points to which the morph is applied.
     pub method: MorphMethod,
-    /// True for the map as it was baked; false for the ideal picture, whose far part is traced from the centre.
+    /// True for the baked map; false for the ideal picture, whose far part is traced from the centre.
     pub mapped: bool,
-    /// By how many of this view's finest pixels a triangle may miss the morph of its points (larger ones are split for the
-    /// frame; infinite morphs the vertices that there are), or by how many pixels a ray its bent one.
+    /// Tolerance of the morph in units of this view's finest pixel. With `Vertex`, triangles that exceed it are split
+    /// for the frame, and infinity morphs the existing vertices only. With `Exact`, it limits the error of a bent ray.
     pub tolerance_px: f64,
 }
 
 impl Drawing {
-    /// World position of the eye U that a camera's picture is morphed for.
+    /// World position of the user's eye U for a camera's picture.
     pub fn user(&self, camera: &Camera) -> DVec3 {
         self.user.unwrap_or(camera.position)
     }
 }
 
-/// A scene divided at two radii about a centre, with what surrounds it.
+/// A scene divided at two radii about a centre, with its environment map.
 #[derive(Debug)]
 pub struct Reduced {
     standing: Scene,
@@ -90,18 +90,19 @@ pub struct Reduced {
 /// Counts of the last frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FrameCounts {
-    /// Triangles that were traced instead of the whole scene, after splitting; 0 where the scene's own trees were used.
+    /// Triangles that were traced in place of the whole scene, after splitting; 0 if the scene's own trees were used.
     pub triangles: u64,
-    /// Moving triangles that were looked for; 0 where there was no pass for them.
+    /// Moving triangles that rays were tested against; 0 without a pass for them.
     pub moving: u64,
     /// Vertices that user and centre see in opposite directions.
     pub opposed: u64,
-    /// No vertex was morphed, or the tolerance was a bound: it was finite, and the camera is the user's eye, well inside r₁.
+    /// Whether the tolerance was an upper bound: no vertex was morphed, or the tolerance was finite and the camera is
+    /// the user's eye, well inside r₁.
     pub bounded: bool,
 }
 
 impl Reduced {
-    /// Gathers the near geometry; `map` is none where nothing lies beyond r₂.
+    /// Gathers the near geometry; `map` is `None` if nothing lies beyond r₂.
     pub fn new(partition: &Partition, join: Join, map: Option<EnvironmentMap>, progress: &Progress) -> Result<Self> {
         let scene = partition.scene();
         let radii = [partition.r1(), partition.r2()];
@@ -113,17 +114,17 @@ impl Reduced {
         Ok(Self { standing, center: partition.center(), radii, join, map, near, last: Default::default() })
     }
 
-    /// Join of near and far part.
+    /// Join of the near and the far part.
     pub fn join(&self) -> Join {
         self.join
     }
 
-    /// Environment map, where anything lies beyond the near part.
+    /// Environment map; `None` if nothing lies beyond the near part.
     pub fn map(&self) -> Option<&EnvironmentMap> {
         self.map.as_ref()
     }
 
-    /// Bytes of the copies of near geometry.
+    /// Size of the copies of near geometry, bytes.
     pub fn near_bytes(&self) -> usize {
         self.near.bytes()
     }
@@ -134,7 +135,7 @@ impl Reduced {
         FrameCounts { triangles, moving, opposed, bounded: bounded != 0 }
     }
 
-    /// Draws a view. `scene` is the reduced one, its moving objects in any pose.
+    /// Draws a view. `scene` is the reduced scene with its moving objects in any pose.
     pub fn render(&self, scene: &Scene, camera: &Camera, drawing: &Drawing, progress: &Progress) -> Result<Frame> {
         self.check(scene, camera, drawing)?;
         let Drawing { channels, samples, segment, .. } = *drawing;
@@ -167,13 +168,13 @@ impl Reduced {
         draw(&view, &bent::Bent { scene, shown, backdrop, radius: r2 }, progress)
     }
 
-    /// How points are morphed; none where user and camera stand at the centre, which sees everything where it is.
+    /// Kind of the morph; `None` if user and camera are at the centre, from which no point is moved.
     pub fn morph_kind(&self, camera: &Camera, drawing: &Drawing) -> Option<Kind> {
         let at_center = [camera.position, drawing.user(camera)] == [self.center; 2];
         self.join.kind().filter(|_| !at_center)
     }
 
-    /// Far part: nothing where nothing was baked.
+    /// The far part; nothing if nothing was baked.
     fn far(&self, mapped: bool, radius: f64, progress: &Progress) -> Result<Far<'_>> {
         match &self.map {
             None => Ok(Far::Nothing),
@@ -185,7 +186,7 @@ impl Reduced {
         }
     }
 
-    /// Fails for what can't be drawn: another scene, parallel rays before a map, channels that were not baked.
+    /// Fails for invalid requests: another scene, parallel rays in front of a map, channels that were not baked.
     pub fn check(&self, scene: &Scene, camera: &Camera, drawing: &Drawing) -> Result<()> {
         if !Arc::ptr_eq(&scene.standing, &self.standing.standing) {
             return Err(Error::value("at", "poses of the scene that was reduced", "another scene"));
@@ -216,12 +217,12 @@ impl Reduced {
         Ok(())
     }
 
-    /// Radians that the finest pixel covers, for parallel rays as seen from r₂ away.
+    /// Angle of the finest pixel, radians; for parallel rays as seen from the distance r₂.
     pub fn pixel_angle(&self, camera: &Camera) -> f64 {
         camera.least_pixel_angle() / if camera.is_parallel() { self.radii[1] } else { 1.0 }
     }
 
-    /// Keeps the counts of the last frame.
+    /// Stores the counts of the last frame.
     pub fn remember(&self, counts: FrameCounts) {
         let FrameCounts { triangles, moving, opposed, bounded } = counts;
         for (slot, count) in self.last.iter().zip([triangles, moving, opposed, u64::from(bounded)]) {
@@ -229,7 +230,7 @@ impl Reduced {
         }
     }
 
-    /// Far pixels have the channels that were baked.
+    /// Far pixels have only the channels that were baked.
     fn check_channels(&self, wanted: Channels) -> Result<()> {
         let Some(map) = &self.map else { return Ok(()) };
         for (name, wanted, baked) in
@@ -244,7 +245,7 @@ impl Reduced {
     }
 }
 
-/// Refuses a part of each ray where rays are bent or the far part is traced.
+/// Refuses a segment of each ray if rays are bent or the far part is traced.
 fn check_segment(drawing: &Drawing, bends: bool) -> Result<()> {
     let Segment { t_min, t_max } = drawing.segment;
     let method = match (bends, drawing.mapped) {

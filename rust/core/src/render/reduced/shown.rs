@@ -1,4 +1,4 @@
-//! Near geometry as triangles to be traced: those that never change, and those that are morphed for each frame.
+//! Near geometry as triangles to be traced: a fixed part, and parts that are morphed for each frame.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -11,7 +11,7 @@ use crate::partition::Partition;
 use crate::scene::{Instance, Mesh, Scene};
 use crate::tessellate::{self, Precision, Rule, Settings};
 
-/// A piece of a scene's face: where its three corners lie on that face.
+/// A piece of a scene's face, given by the positions of its three corners on the face.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NearPiece {
     pub instance: u32,
@@ -20,11 +20,11 @@ pub(super) struct NearPiece {
     corners: [[f32; 2]; 3],
 }
 
-/// Corners of a face on itself.
+/// The corners of a whole face.
 const WHOLE: [[f32; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 
 impl NearPiece {
-    /// Weights on the face for weights on the piece. For a whole face they are the same, bit for bit.
+    /// Converts weights on the piece to weights on the face. For a whole face they are equal, bit for bit.
     #[inline]
     pub fn on_face(&self, u: f32, v: f32) -> (f32, f32) {
         let [a, b, c] = self.corners;
@@ -33,53 +33,55 @@ impl NearPiece {
     }
 }
 
-/// Pieces and the mesh that they are traced as, face by face.
+/// Pieces and the mesh that is traced, face by face.
 #[derive(Clone, Debug)]
 struct NearPart {
     pieces: Arc<Vec<NearPiece>>,
     instance: Instance,
 }
 
-/// Geometry as one user sees it.
+/// Morphed geometry for one user.
 #[derive(Clone, Debug)]
 struct Bending {
     part: NearPart,
     /// Vertices that user and centre see in opposite directions.
     opposed: u64,
-    /// The tolerance is a bound.
+    /// Whether the tolerance is an upper bound.
     bounded: bool,
 }
 
-/// Inputs of the morphed standing part: the user's position and the tolerance.
+/// Inputs of the morphed static part: the user's position and the tolerance in radians.
 type Cause = (DVec3, Option<f64>);
 
 /// Near geometry of a reduced scene.
 #[derive(Debug, Default)]
 pub(super) struct NearGeometry {
-    /// Standing triangles with all corners inside r₁: no morph changes them.
+    /// Static triangles with all corners inside r₁, which no morph moves.
     fixed: Option<NearPart>,
-    /// The other standing ones: instance and face.
+    /// The other static triangles: instance and face.
     bending: Vec<(u32, u32)>,
-    /// The last of them, because a user who stands still sees other poses of what moves.
+    /// The last morphed static part. It is kept because a user who stands still may request frames with other poses of
+    /// moving objects.
     last: Mutex<Option<(Cause, Bending)>>,
 }
 
 /// Near geometry as one user sees it.
 pub(super) struct Shown {
-    /// Instance 0 holds the fixed pieces, instance 1 the morphed ones that stand, instance 2 those that move.
+    /// Instance 0 holds the fixed pieces, instance 1 the morphed static pieces, instance 2 the moving ones.
     pub scene: Scene,
     pieces: [Arc<Vec<NearPiece>>; 3],
     /// Vertices that user and centre see in opposite directions.
     pub opposed: u64,
-    /// The tolerance is a bound.
+    /// Whether the tolerance is an upper bound.
     pub bounded: bool,
 }
 
 impl NearGeometry {
-    /// Copies what is inside r₁ and lists the rest.
+    /// Copies the triangles inside r₁ and lists the others.
     pub fn gather(partition: &Partition, progress: &Progress) -> Result<Self> {
         let scene = partition.scene();
-        // Edges between two points of r₁ are split for the triangles beyond them, so for those within as well.
+        // Edges between two points of r₁ are split for the triangles beyond them, so the triangles within must be split
+        // as well.
         let [fixed, bending] = partition.nsf_inside(partition.r1());
         let pieces = fixed.into_iter().map(|(instance, face)| NearPiece { instance, face, corners: WHOLE }).collect();
         let corners = |piece: &NearPiece| scene.instance(piece.instance).corners(piece.face);
@@ -88,14 +90,14 @@ impl NearGeometry {
         Ok(Self { fixed: Some(fixed), bending, last: Mutex::default() })
     }
 
-    /// Bytes of the copies.
+    /// Size of the copies, bytes.
     pub fn bytes(&self) -> usize {
         let fixed = self.fixed.as_ref().map_or(0, |part| part.pieces.len() * (size_of::<NearPiece>() + 9 * 4 + 3 * 4));
         fixed + size_of_val(&self.bending[..])
     }
 
-    /// Near geometry as a user sees it, with everything that moves. For a user who stands still only moving parts are
-    /// morphed anew.
+    /// Near geometry as a user sees it, with all moving objects. For a user who stands still, only moving parts are
+    /// morphed again.
     pub fn morphed(&self, scene: &Scene, morph: &Morph, tolerance: Option<f64>, progress: &Progress) -> Result<Shown> {
         let standing = self.standing(scene, morph, tolerance, progress)?;
         let first = scene.standing.instances().len();
@@ -128,7 +130,8 @@ impl NearGeometry {
         Ok(bending)
     }
 
-    /// Never held while work is shared out: a thread that waits for its share may take up another frame.
+    /// The lock is never held while work is shared out: a thread that waits inside rayon may run the task of another
+    /// frame.
     fn last(&self) -> MutexGuard<'_, Option<(Cause, Bending)>> {
         self.last.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -178,7 +181,7 @@ impl Bending {
     }
 }
 
-/// How edges are split for one user: so that it would hold for all users as far from the centre.
+/// The rule that splits edges for one user. It holds for all users at the same distance from the centre.
 fn rule_of(morph: &Morph, tolerance: f64) -> Result<Rule> {
     let settings = Settings {
         center: morph.center,
@@ -209,18 +212,18 @@ impl Shown {
         &self.pieces[instance as usize][face as usize]
     }
 
-    /// True for pieces that no morph changes.
+    /// Whether an instance holds pieces that no morph moves.
     #[inline]
     pub fn is_fixed(instance: u32) -> bool {
         instance == 0
     }
 
-    /// Triangles that are traced.
+    /// Number of traced triangles.
     pub fn triangle_count(&self) -> u64 {
         self.pieces.iter().map(|pieces| pieces.len() as u64).sum()
     }
 
-    /// Those of them that move.
+    /// Number of traced triangles that move.
     pub fn moving_triangles(&self) -> u64 {
         self.pieces[2].len() as u64
     }

@@ -1,5 +1,5 @@
-//! Near geometry as it is, up to a radius: the conventional method, and every method where the user stands at the
-//! centre. The scene's own trees are traced, and nothing is copied.
+//! Unmorphed near geometry up to a radius: the conventional method, and every method for a user at the centre. The
+//! scene's own trees are traced, and nothing is copied.
 
 use super::super::frame::{Channels, Sample};
 use super::super::surface::{Surface, add_colors};
@@ -25,7 +25,7 @@ impl<'a> Straight<'a> {
         Ok(Self { scene, moving: Moving::of(scene), backdrop, radius })
     }
 
-    /// Moving triangles that are looked at for every ray.
+    /// Number of moving triangles that each ray is tested against.
     pub fn moving_triangles(&self) -> u64 {
         self.moving.as_ref().map_or(0, Moving::triangles)
     }

@@ -4,7 +4,7 @@ use std::array::from_fn;
 
 use super::isa::{Isa, Lanes};
 
-/// Instructions that every processor has.
+/// Instructions that every processor of the target has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Portable;
 
@@ -14,7 +14,7 @@ impl Isa for Portable {
     type Group = Array<8>;
 }
 
-/// `N` float32.
+/// `N` float32 numbers.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(16))]
 pub(crate) struct Array<const N: usize>([f32; N]);

@@ -1,4 +1,4 @@
-//! The instruction sets that this processor has, and the one in use.
+//! The instruction sets of this processor, and the one in use.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -7,21 +7,21 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use super::x86::{Avx2, Avx512};
 use crate::base::{Error, Result};
 
-/// The instruction sets that there are kernels for.
+/// The instruction sets that have kernels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum InstructionSet {
-    /// Arrays; the compiler makes of them what every processor of the target has.
+    /// Arrays; the compiler uses the instructions that every processor of the target has.
     Portable,
-    /// 256 bits.
+    /// Vectors of 256 bits.
     #[cfg(target_arch = "x86_64")]
     Avx2(Avx2),
-    /// 512 bits for groups of rays.
+    /// Vectors of 512 bits for groups of rays.
     #[cfg(target_arch = "x86_64")]
     Avx512(Avx512),
 }
 
 impl InstructionSet {
-    /// All that this processor has, the best last.
+    /// All sets that this processor supports, the best last.
     pub(crate) fn available() -> Vec<Self> {
         let mut levels = vec![Self::Portable];
         #[cfg(target_arch = "x86_64")]
@@ -32,7 +32,7 @@ impl InstructionSet {
         levels
     }
 
-    /// Its public name.
+    /// The public name.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Portable => "portable",
@@ -43,7 +43,7 @@ impl InstructionSet {
         }
     }
 
-    /// The best one, or the one that was chosen.
+    /// The chosen set, otherwise the best one.
     #[inline]
     pub(crate) fn current() -> Self {
         let levels = LEVELS.get_or_init(Self::available);
@@ -53,15 +53,15 @@ impl InstructionSet {
 }
 
 static LEVELS: OnceLock<Vec<InstructionSet>> = OnceLock::new();
-/// Position in `LEVELS`; beyond the end stands for the best.
+/// Index in `LEVELS`; an index beyond the end stands for the best set.
 static CHOSEN: AtomicUsize = AtomicUsize::new(usize::MAX);
 
-/// Names of the instruction sets that this processor has kernels for, the best last.
+/// Names of the instruction sets that have kernels and that this processor supports, the best last.
 pub fn instruction_sets() -> Vec<&'static str> {
     LEVELS.get_or_init(InstructionSet::available).iter().map(|level| level.name()).collect()
 }
 
-/// Makes all tracing of this process use one of them. The answers are the same bits; this is for tests and timing.
+/// Makes all tracing of this process use one instruction set, for tests and timing. All sets give the same bits.
 pub fn use_instruction_set(name: &str) -> Result<()> {
     let names = instruction_sets();
     let Some(found) = names.iter().position(|&known| known == name) else {

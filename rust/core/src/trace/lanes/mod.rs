@@ -1,7 +1,8 @@
-//! A few float32 side by side, in the widest form that the processor has.
+//! Short vectors of float32 numbers, in the widest form that the processor supports.
 //!
-//! Every operation is defined bit for bit, so that a kernel written once over `Lanes` gives the same answer on any
-//! instruction set: plain IEEE arithmetic, never a fused multiply-add, and the x86 meaning of `min` and `max`.
+//! Each operation is defined bit for bit, so a kernel written once over `Lanes` gives the same result on every
+//! instruction set. Operations are plain IEEE arithmetic without fused multiply-add; `min` and `max` are defined as on
+//! x86.
 
 mod array;
 mod isa;

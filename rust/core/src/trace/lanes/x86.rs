@@ -5,23 +5,23 @@ use std::arch::x86_64::*;
 
 use super::isa::{Isa, Lanes};
 
-/// AVX2.
+/// Proof of AVX2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Avx2(());
 
-/// AVX-512 F, VL and DQ, and AVX2.
+/// Proof of AVX-512 F, VL and DQ, and of AVX2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Avx512(());
 
 impl Avx2 {
-    /// Where the processor has it.
+    /// The proof, if the processor supports the instructions.
     pub(crate) fn detect() -> Option<Self> {
         is_x86_feature_detected!("avx2").then_some(Self(()))
     }
 }
 
 impl Avx512 {
-    /// Where the processor has it.
+    /// The proof, if the processor supports the instructions.
     pub(crate) fn detect() -> Option<Self> {
         let has_all = is_x86_feature_detected!("avx2")
             && is_x86_feature_detected!("avx512f")
@@ -43,24 +43,24 @@ impl Isa for Avx512 {
     type Group = F32x16;
 }
 
-/// Instruction sets that contain AVX2.
+/// Instruction sets that include AVX2.
 pub(crate) trait HasAvx2 {}
 impl HasAvx2 for Avx2 {}
 impl HasAvx2 for Avx512 {}
 
-/// 128 bits. Values are made only with a proof that the processor has AVX2.
+/// 128 bits. Values are created only with a proof that the processor has AVX2.
 #[derive(Clone, Copy)]
 pub(crate) struct F32x4(__m128);
 
-/// 256 bits. Values are made only with a proof that the processor has AVX2.
+/// 256 bits. Values are created only with a proof that the processor has AVX2.
 #[derive(Clone, Copy)]
 pub(crate) struct F32x8(__m256);
 
-/// 512 bits. Values are made only with a proof that the processor has AVX-512.
+/// 512 bits. Values are created only with a proof that the processor has AVX-512.
 #[derive(Clone, Copy)]
 pub(crate) struct F32x16(__m512);
 
-/// The operations that have the same form at all widths.
+/// Operations that have the same form at all widths.
 macro_rules! arithmetic {
     ($($method:ident: $intrinsic:ident),*) => {$(
         #[inline(always)]
@@ -71,7 +71,7 @@ macro_rules! arithmetic {
     )*};
 }
 
-/// Constructors and stores: `$bound` is the proof, lengths are checked.
+/// Constructors and stores. `$isa` is the type of the proof; lengths are checked.
 macro_rules! memory {
     ($n:literal, $isa:ty, $set1:ident, $load:ident, $store:ident) => {
         const N: usize = $n;

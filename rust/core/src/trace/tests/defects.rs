@@ -1,10 +1,10 @@
-//! Cases that other tracers get wrong.
+//! Cases that other ray tracers get wrong.
 
 use std::time::Instant;
 
 use super::*;
 
-/// A square of two triangles across z.
+/// A square of two triangles, perpendicular to the z axis.
 fn wall(z: f32, half: f32) -> Vec<[Vec3; 3]> {
     let at = |x: f32, y: f32| Vec3::new(x * half, y * half, z);
     let (a, b, c, d) = (at(-1.0, -1.0), at(1.0, -1.0), at(1.0, 1.0), at(-1.0, 1.0));
@@ -23,7 +23,7 @@ fn negative_zeros_and_nearness() {
             assert_eq!(one(&scene, ray(Vec3::new(0.5, 0.25, 0.0), Vec3::new(x, y, 1.0))).t, 5.0);
         }
     }
-    // On the surface, and a step of float32 and 1e-5 before it, from both sides.
+    // On the surface, one float32 step and 1e-5 before it, from both sides.
     for (gap, toward) in [(0.0, 1.0), (4.8e-7, 1.0), (1e-5, 1.0), (-1e-5, -1.0), (0.0, -1.0)] {
         let origin = Vec3::new(0.5, 0.25, 5.0 - gap);
         let hit = one(&scene, ray(origin, Vec3::new(0.0, 0.0, toward)));
@@ -33,7 +33,7 @@ fn negative_zeros_and_nearness() {
 
 #[test]
 fn long_axis_parallel_rays_beside_a_face_of_a_box() {
-    // Two boxes' faces meet at x = 1; rays run along them at a distance of up to 2e-4, 10 km from the far wall.
+    // Faces of two boxes meet at x = 1; rays run along them at a distance of up to 2e-4, 10 km from the far wall.
     let mut triangles = wall(1e4, 1.0);
     triangles.extend(wall(1e4, 1.0).iter().map(|corners| corners.map(|p| p + Vec3::X * 2.0)));
     let scene = scene(vec![(mesh(&triangles), DAffine3::IDENTITY)], vec![]);
@@ -85,7 +85,7 @@ fn thousands_of_equal_triangles_and_boxes() {
     let start = Instant::now();
     let [first, second] = [wall(1.0, 1.0)[0], wall(1.0, 1.0)[1]];
     let copies = mesh(&vec![first; 20_000]);
-    // The same box, but no two the same triangle.
+    // Different triangles with the same box.
     let different: Vec<[Vec3; 3]> = (0..20_000)
         .map(|i| {
             let middle = Vec3::new(i as f32 / 20_000.0, -i as f32 / 40_000.0, 1.0);
@@ -96,7 +96,8 @@ fn thousands_of_equal_triangles_and_boxes() {
     let bvh = copies.build_bvh(&Progress::new()).unwrap();
     assert_eq!((bvh.validate(), bvh.blocks.len()), (Ok(()), 1));
     assert_eq!(different.build_bvh(&Progress::new()).unwrap().validate(), Ok(()));
-    // Far below the 25 s that clustering takes for either, far above the milliseconds that these take.
+    // Far less than the 25 s that the builder's clustering would take for either mesh, far more than the milliseconds
+    // needed.
     assert!(start.elapsed().as_secs() < 5);
     let scene = scene(vec![(copies, DAffine3::IDENTITY), (mesh(&[second]), DAffine3::IDENTITY)], vec![]);
     assert_eq!(one(&scene, ray(Vec3::new(0.5, -0.5, 0.0), Vec3::Z)).face, 0);
@@ -121,12 +122,12 @@ fn copies_with_other_texture_coordinates_are_kept() {
 
 #[test]
 fn triangles_nested_over_the_whole_range_of_sizes() {
-    // Each twice the last: the tree is as deep as trees get.
+    // Each square is twice as large as the last, so the tree has the greatest possible depth.
     let triangles: Vec<[Vec3; 3]> = (-60..60).flat_map(|i| wall(1.0, 2.0f32.powi(i))).collect();
     let mesh = mesh(&triangles);
     assert_eq!(mesh.build_bvh(&Progress::new()).unwrap().validate(), Ok(()));
     let scene = scene(vec![(mesh, DAffine3::IDENTITY)], vec![]);
-    // The smallest that holds (0.7, 0.2) has half a side of 1: i = 60, two faces each.
+    // The smallest square that contains (0.7, 0.2) has half side 1: i = 60, with two faces per square.
     assert_eq!(one(&scene, ray(Vec3::new(0.7, 0.2, 0.0), Vec3::Z)).face, 120);
 }
 

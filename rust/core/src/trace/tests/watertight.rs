@@ -1,9 +1,9 @@
-//! No ray is lost between triangles.
+//! Tests that no ray passes between triangles.
 
 use super::*;
 use crate::base::random::uniform;
 
-/// A bumpy ground of n×n squares of `size`, moved by `shift`; the diagonals of squares alternate.
+/// An uneven ground of n × n squares of `size`, moved by `shift`; the diagonals of squares alternate.
 fn ground(n: usize, size: f32, shift: Vec3) -> (Vec<Vec3>, Vec<[usize; 3]>) {
     let height = |i: usize| uniform(5, 0, i as u64) as f32 * size;
     let points = (0..(n + 1) * (n + 1))
@@ -17,7 +17,7 @@ fn ground(n: usize, size: f32, shift: Vec3) -> (Vec<Vec3>, Vec<[usize; 3]>) {
     (points, faces)
 }
 
-/// Rays from above at points of all inner edges and at all inner vertices.
+/// Rays from above to points of all inner edges and to all inner vertices.
 fn aimed(points: &[Vec3], faces: &[[usize; 3]], n: usize, eye: impl Fn(Vec3) -> Vec3) -> Vec<Ray> {
     let inner = |i: usize| (1..n).contains(&(i % (n + 1))) && (1..n).contains(&(i / (n + 1)));
     let mut rays = vec![];
@@ -44,7 +44,7 @@ fn aimed_at_edges_and_vertices_near_and_far() {
             let triangles: Vec<[Vec3; 3]> = faces.iter().map(|f| f.map(|v| points[v])).collect();
             let scene = scene(vec![(mesh(&triangles), DAffine3::IDENTITY)], vec![]);
             let middle = shift + Vec3::new(n as f32 * size / 2.0, 6.0 * size, n as f32 * size / 2.0);
-            // From one eye, straight down (axis-parallel), and with negative zeros.
+            // From one eye, straight down (parallel to an axis), and with negative zeros.
             let one_eye = aimed(&points, &faces, n, |_| middle);
             let above = aimed(&points, &faces, n, |p| Vec3::new(p.x, shift.y + 5.0 * size, p.z));
             let mut zeros = above.clone();
