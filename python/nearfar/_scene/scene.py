@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import check
+from nearfar._base import card, check
 from nearfar._camera.shot import Shot
+from nearfar._scene import preview
 from nearfar._scene.arrays import triangle_mask
 from nearfar._scene.assembly import Assembled, one_mesh
 from nearfar._scene.levels import Leveled, LevelTable, check_levels, levels_of, with_levels
@@ -387,6 +388,10 @@ class Scene:
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         Scene.__init__(self, core_of_parts(state["parts"]), Names(state["names"]), **state["own"])
+
+    @card.shown
+    def _repr_html_(self) -> str:
+        return preview.html(self._core, self.report, self.bounds)
 
     def __repr__(self) -> str:
         return f"<nearfar.Scene: {self.triangle_count:,} triangles, {len(self._names):,} objects>"

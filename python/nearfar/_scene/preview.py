@@ -1,0 +1,95 @@
+"""A scene's card for notebooks: counts, extent, notes, and a small picture whose cost is bounded."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._base import card
+from nearfar._camera.camera import Camera, Fov
+from nearfar._camera.shot import Shot
+from nearfar._scene.report import Report, count
+
+SIZE = (320, 200)
+"""Width and height of the picture in pixels."""
+
+WHOLE = 750_000
+"""Greatest number of distinct triangles and instances that are drawn whole: their trees take less than a second."""
+
+SAMPLE = 250_000
+"""Number of triangles that are drawn of a larger scene, whose own trees would take seconds, and would remain."""
+
+BLOCK = 64
+"""Number of neighbouring triangles that a sample takes together, so that small things stay whole."""
+
+MEASURED = 20_000
+"""Number of triangles that say where the scene is dense."""
+
+TOWARDS = np.array([0.45, 0.5, 0.74])
+"""Unit direction from the middle of the scene towards the camera."""
+
+
+def html(core: _core.Scene, report: Report, bounds: NDArray[np.float64]) -> str:
+    """Make the card of a scene."""
+    facts = [
+        ("triangles", f"{report.triangles:,}"),
+        (
+            "objects",
+            f"{report.objects:,} in {count(report.instances, 'instance')} of {count(report.meshes, 'mesh', 'meshes')}",
+        ),
+        ("moving", count(report.dynamic, "instance")),
+        ("materials", f"{count(report.materials, 'material')}, {count(report.textures, 'texture')}"),
+    ]
+    if report.degenerate_faces:
+        facts.append(("without an area", count(report.degenerate_faces, "face")))
+    if report.dropped_faces:
+        facts.append(("dropped", count(report.dropped_faces, "unusable face")))
+    if not np.isfinite(bounds).all():
+        return card.page("Scene", facts, notes=report.notes)
+    facts.append(("extent", " × ".join(f"{side:,.4g}" for side in bounds[1] - bounds[0]) + " m"))
+    facts += [(name, _point(corner)) for name, corner in zip(("from", "to"), bounds, strict=True)]
+    pixels, caption = picture(core, bounds)
+    return card.page("Scene", facts, card.picture(pixels, "bird's-eye view of the scene", caption), notes=report.notes)
+
+
+def picture(core: _core.Scene, bounds: NDArray[np.float64]) -> tuple[NDArray[np.uint8], str]:
+    """Draw the dense part of a scene from above and beside, whole or a sample of it, and say in words which."""
+    drawn, share = core, ""
+    if cost(core) > WHOLE:
+        drawn = core.subset_of_triangles(every(core.triangle_count, SAMPLE, BLOCK))
+        share = f"; {drawn.triangle_count:,} of {core.triangle_count:,} triangles"
+    shot = Shot(cameras=(view(core, bounds),), channels=("color",), samples=4)
+    color = _core.render_truth(drawn, shot.cameras[0]._core, **shot.settings)["color"]
+    return _core.encode_srgb(color).reshape(SIZE[1], SIZE[0], 3), f"bird's-eye view of the dense part{share}"
+
+
+def cost(core: _core.Scene) -> int:
+    """Count what the trees of a scene are built over: triangles of distinct meshes, and instances."""
+    _, first = np.unique(core.mesh_ids(), return_index=True)
+    return int(np.diff(core.triangle_offsets())[first].sum()) + core.instance_count
+
+
+def every(total: int, wanted: int, block: int = 1) -> NDArray[np.bool_]:
+    """Choose at most about `wanted` of `total` triangles, evenly spread blocks of them."""
+    chosen = np.zeros(total, bool)
+    step = max(1, -(-total // max(wanted, 1)))
+    for place in range(block):
+        chosen[place :: step * block] = True
+    return chosen
+
+
+def view(core: _core.Scene, bounds: NDArray[np.float64]) -> Camera:
+    """Make the camera that sees nine tenths of the triangles, as ground and far hills are wide and hold few."""
+    sample = core.subset_of_triangles(every(core.triangle_count, MEASURED)).triangles().mean(axis=1, dtype=np.float64)
+    low, high = np.percentile(sample, [5.0, 95.0], axis=0) + np.array(core.origin)
+    middle, grown = (low + high) / 2.0, 0.65 * (high - low)
+    low, high = np.maximum(middle - grown, bounds[0]), np.minimum(middle + grown, bounds[1])
+    middle, radius = (low + high) / 2.0, max(float(np.linalg.norm(high - low)) / 2.0, 1e-3)
+    return Camera.look_at(
+        middle + 2.2 * radius * TOWARDS, middle, fov=Fov.symmetric(60.0, SIZE[0] / SIZE[1]), size=SIZE
+    )
+
+
+def _point(corner: NDArray[np.float64]) -> str:
+    return ", ".join(f"{value:,.6g}" for value in corner) + " m"
