@@ -10,10 +10,13 @@ import logging
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from PIL import Image
 
 Kind = TypeVar("Kind")
 
@@ -96,27 +99,39 @@ def table(rows: Iterable[Sequence[str]], header: Sequence[str] = ()) -> str:
 
 def picture(pixels: NDArray[np.uint8], alt: str, caption: str = "", legend: Iterable[tuple[str, str]] = ()) -> str:
     """Embed a picture (H, W, 3 or 4), with a caption and a legend of pairs of a colour and its meaning."""
-    data = base64.b64encode(png(pixels)).decode("ascii")
-    keys = "".join(
-        f'<span style="white-space:nowrap"><span style="color:{color}">&#9632;</span> {html.escape(text)}</span> '
-        for color, text in legend
-    )
-    below = f"{html.escape(caption)} {keys}".strip()
+    image = _fitted(pixels)
+    data = base64.b64encode(_encoded(image)).decode("ascii")
     return (
-        f'<figure style="margin:0;max-width:100%"><img style="display:block;max-width:100%;height:auto" '
-        f'alt="{html.escape(alt, quote=True)}" src="data:image/png;base64,{data}">'
-        f'<figcaption style="opacity:.8;font-size:.9em">{below}</figcaption></figure>'
+        f'<figure style="margin:0;width:{image.width}px;max-width:100%">'
+        f'<img style="display:block;width:100%;height:auto" '
+        f'alt="{html.escape(alt, quote=True)}" src="data:image/png;base64,{data}">{_caption(caption, legend)}</figure>'
     )
+
+
+def _caption(text: str, legend: Iterable[tuple[str, str]]) -> str:
+    keys = " ".join(
+        f'<span style="white-space:nowrap"><span style="color:{color}">&#9632;</span> {html.escape(meaning)}</span>'
+        for color, meaning in legend
+    )
+    return f'<figcaption style="opacity:.8;font-size:.9em">{html.escape(text)} {keys}</figcaption>'
 
 
 def png(pixels: NDArray[np.uint8]) -> bytes:
     """Encode a picture (H, W, 3 or 4) as PNG, made smaller or enlarged to a size that pages show well."""
+    return _encoded(_fitted(pixels))
+
+
+def _fitted(pixels: NDArray[np.uint8]) -> Image.Image:
     from PIL import Image
 
     image = Image.fromarray(np.ascontiguousarray(pixels))
     image.thumbnail((MOST_PIXELS, MOST_PIXELS), Image.Resampling.BOX)
     if (factor := LEAST_PIXELS // max(image.size)) > 1:
         image = image.resize((image.width * factor, image.height * factor), Image.Resampling.NEAREST)
+    return image
+
+
+def _encoded(image: Image.Image) -> bytes:
     buffer = io.BytesIO()
     image.save(buffer, format="PNG")
     return buffer.getvalue()
@@ -170,16 +185,22 @@ def plot(lines: Sequence[Line], x_label: str, y_label: str, *, log_y: bool = Fal
 
 def svg(size: tuple[int, int], content: str, alt: str, legend: Iterable[tuple[str, str]] = ()) -> str:
     """Wrap SVG elements in a figure that shrinks with the page and takes over its text colour."""
-    keys = " ".join(
-        f'<span style="white-space:nowrap"><span style="color:{color}">&#9632;</span> {html.escape(text)}</span>'
-        for color, text in legend
-    )
     return (
         f'<figure style="margin:0;width:{size[0]}px;max-width:100%"><svg viewBox="0 0 {size[0]} {size[1]}" '
         f'style="display:block;width:100%;height:auto" role="img" aria-label="{html.escape(alt, quote=True)}" '
         f'font-family="sans-serif" font-size="12" fill="none">{content}</svg>'
-        f'<figcaption style="opacity:.8;font-size:.9em">{keys}</figcaption></figure>'
+        f"{_caption('', legend)}</figure>"
     )
+
+
+def length(metres: float) -> str:
+    """Format a length without its unit: four digits, or whole metres."""
+    return f"{metres:,.4g}" if abs(metres) < 1000.0 else f"{metres:,.0f}"
+
+
+def point(place: Iterable[float]) -> str:
+    """Format a position in metres."""
+    return ", ".join(length(value) for value in place) + " m"
 
 
 def _text(x: float, y: float, text: str, more: str = "", anchor: str = "middle") -> str:

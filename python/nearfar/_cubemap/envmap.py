@@ -220,7 +220,7 @@ class EnvMap:
         facts = [
             ("faces", f"6 × {self.face_size} × {self.face_size} texels, {self.nbytes / 1e6:,.1f} MB"),
             ("channels", ", ".join(self.channels)),
-            ("centre", "{:.6g}, {:.6g}, {:.6g} m".format(*self.center)),
+            ("centre", card.point(self.center)),
         ]
         caption = f"all directions, −z in the middle, +x to the right{dimmed}"
         return card.page("EnvMap", facts, card.picture(pixels, "equirectangular map", caption))

@@ -138,7 +138,7 @@ class Partition:
             ("far", f"{counts['far']:,}"),
             ("drawn as geometry", f"{counts['nsf']:,}"),
             ("baked", f"{counts['sf']:,}, of which {counts['straddling']:,} are drawn, too"),
-            ("centre", "{:.6g}, {:.6g}, {:.6g} m".format(*self.center)),
+            ("centre", card.point(self.center)),
         ]
         if self._scene is None:
             return card.page("Partition", facts)

@@ -20,7 +20,10 @@ SIZE = 360
 """Width and height of the picture in pixels."""
 
 MOST_DRAWN = 6_000
-"""Greatest number of triangles that are drawn of a zone."""
+"""Greatest number of triangles that are drawn of a zone: the largest in the picture."""
+
+MOST_MEASURED = 200_000
+"""Greatest number of triangles of a zone among which the largest are looked for, evenly spread."""
 
 MOST_LISTED = 5_000_000
 """Greatest number of triangles of a zone whose numbers are listed; of larger zones none are drawn."""
@@ -38,10 +41,13 @@ def picture(
     half = REACH * max(r2, 1e-9)
     canvas = Image.new("RGBA", (2 * SIZE, 2 * SIZE), (128, 128, 128, 0))
     draw, scale = ImageDraw.Draw(canvas), SIZE / half
-    for color, corners in _largest_first(core, scene):
-        flat = (corners[:, [0, 2]] + np.array(scene.origin)[[0, 2]] - np.array(center)[[0, 2]]) * scale + SIZE
-        if (flat.max(axis=0) >= 0.0).all() and (flat.min(axis=0) <= 2 * SIZE).all():
-            draw.polygon([tuple(corner) for corner in np.clip(flat, -1e5, 1e5).tolist()], fill=color)
+    shift = np.array(scene.origin) - np.array(center)
+    found = [_seen(core, scene, zone, shift, scale) for zone in ZONES]
+    triangles = np.concatenate([flat for _, flat in found])
+    colors = np.repeat(list(ZONES.values()), [len(flat) for _, flat in found])
+    # Large ones first, so that they hide no others.
+    for number in np.argsort(-np.concatenate([area for area, _ in found]), kind="stable").tolist():
+        draw.polygon([tuple(corner) for corner in triangles[number].tolist()], fill=str(colors[number]))
     for radius in (r1, r2):
         reach = radius * scale
         box = (SIZE - reach, SIZE - reach, SIZE + reach, SIZE + reach)
@@ -58,21 +64,18 @@ def _half(canvas: Image.Image) -> Image.Image:
     return canvas.resize((SIZE, SIZE), Image.Resampling.BOX)
 
 
-def _largest_first(core: _core.Partition, scene: _core.Scene) -> list[tuple[str, NDArray[np.float64]]]:
-    """Colours and corners (3, 3) of sampled triangles of all zones; large ones first, so that they hide no others."""
-    colors: list[str] = []
-    parts: list[NDArray[np.float32]] = []
-    counts = core.counts()
-    for zone, color in ZONES.items():
-        if 0 < counts[zone] <= MOST_LISTED:
-            numbers = core.triangles(zone)
-            chosen = np.zeros(scene.triangle_count, bool)
-            chosen[numbers[:: max(1, -(-len(numbers) // MOST_DRAWN))]] = True
-            parts.append(scene.subset_of_triangles(chosen).triangles())
-            colors += [color] * len(parts[-1])
-    if not parts:
-        return []
-    corners = np.concatenate(parts).astype(np.float64)
-    one, other = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    area = np.abs(one[:, 0] * other[:, 2] - one[:, 2] * other[:, 0])
-    return [(colors[number], corners[number]) for number in np.argsort(-area, kind="stable")]
+def _seen(
+    core: _core.Partition, scene: _core.Scene, zone: str, shift: NDArray[np.float64], scale: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Areas (N,) and corners (N, 3, 2) in pixels of the largest triangles of a zone that the picture shows."""
+    count = core.counts()[zone]
+    if not 0 < count <= MOST_LISTED:
+        return np.empty(0), np.empty((0, 3, 2))
+    chosen = np.zeros(scene.triangle_count, bool)
+    chosen[core.triangles(zone)[:: max(1, -(-count // MOST_MEASURED))]] = True
+    flat = (scene.subset_of_triangles(chosen).triangles() + shift)[:, :, [0, 2]] * scale + SIZE
+    flat = flat[(flat.max(axis=1) >= 0.0).all(axis=1) & (flat.min(axis=1) <= 2 * SIZE).all(axis=1)]
+    one, other = flat[:, 1] - flat[:, 0], flat[:, 2] - flat[:, 0]
+    area = np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
+    largest = np.argsort(-area, kind="stable")[:MOST_DRAWN]
+    return area[largest], np.clip(flat[largest], -1e5, 1e5)

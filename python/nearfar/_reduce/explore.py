@@ -84,7 +84,7 @@ class Explorer:
 
         def slider(name: str, value: float, low: float, high: float, step: float, **more: Any) -> Any:
             wide = widgets.Layout(width="98%", max_width="28em")
-            more = {"continuous_update": True, "readout_format": ".4~g", **more}
+            more = {"continuous_update": True, "readout_format": ".4g", **more}
             return widgets.FloatSlider(value=value, min=low, max=high, step=step, description=name, layout=wide, **more)
 
         metre = max(r1, 1e-6)

@@ -19,7 +19,7 @@ class InNotebooks:
             ("intermediate", f"{stats['intermediate']:,}"),
             ("r₁, r₂", f"{self.r1:g} m, {self.r2:g} m"),
             ("morph", self.morph),
-            ("centre", "{:.6g}, {:.6g}, {:.6g} m".format(*self.center)),
+            ("centre", card.point(self.center)),
             ("copies of near geometry", f"{stats['near_bytes'] / 1e6:,.1f} MB"),
         ]
         if self.env is None:

@@ -134,7 +134,7 @@ class Frame:
         """Picture for notebooks, with size and channels below."""
         name, pixels = self._preview()
         width, height = self.camera.size
-        caption = f"{width} × {height} pixels of {', '.join(self.channels)}; this is {preview.CAPTIONS[name]}"
+        caption = f"{width} × {height} pixels of {', '.join(self.channels)}; shown: {preview.CAPTIONS[name]}"
         return card.page("Frame", (), card.picture(pixels, preview.CAPTIONS[name], caption))
 
 

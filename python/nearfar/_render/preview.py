@@ -33,7 +33,7 @@ def pixels(name: str, image: NDArray[Any]) -> NDArray[np.uint8]:
     elif name in ("object_id", "face_id"):
         # Multiples of three irrational steps: neighbouring numbers get colours that are far apart.
         steps = np.array([0.6180339887, 0.7548776662, 0.5698402909])
-        found, shade = image >= 0, 0.25 + 0.7 * np.mod(image[..., None].astype(np.float64) * steps, 1.0)
+        found, shade = image >= 0, 0.25 + 0.7 * np.mod((image[..., None] + 1.0) * steps, 1.0)
     else:
         found, shade = _shades(image[..., 1] if name == "position" else np.log(np.maximum(image, 1e-6)))
         shade = np.repeat((shade if name == "position" else 1.1 - shade)[..., None], 3, axis=-1)

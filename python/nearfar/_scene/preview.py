@@ -47,8 +47,8 @@ def html(core: _core.Scene, report: Report, bounds: NDArray[np.float64]) -> str:
         facts.append(("dropped", count(report.dropped_faces, "unusable face")))
     if not np.isfinite(bounds).all():
         return card.page("Scene", facts, notes=report.notes)
-    facts.append(("extent", " × ".join(f"{side:,.4g}" for side in bounds[1] - bounds[0]) + " m"))
-    facts += [(name, _point(corner)) for name, corner in zip(("from", "to"), bounds, strict=True)]
+    facts.append(("extent", " × ".join(map(card.length, bounds[1] - bounds[0])) + " m"))
+    facts += [(name, card.point(corner)) for name, corner in zip(("from", "to"), bounds, strict=True)]
     pixels, caption = picture(core, bounds)
     return card.page("Scene", facts, card.picture(pixels, "bird's-eye view of the scene", caption), notes=report.notes)
 
@@ -89,7 +89,3 @@ def view(core: _core.Scene, bounds: NDArray[np.float64]) -> Camera:
     return Camera.look_at(
         middle + 2.2 * radius * TOWARDS, middle, fov=Fov.symmetric(60.0, SIZE[0] / SIZE[1]), size=SIZE
     )
-
-
-def _point(corner: NDArray[np.float64]) -> str:
-    return ", ".join(f"{value:,.6g}" for value in corner) + " m"
