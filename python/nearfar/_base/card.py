@@ -232,14 +232,14 @@ class _Axis:
         return self.start + share * (self.end - self.start)
 
     def ticks(self) -> list[tuple[float, str]]:
-        """Return about four round values, and their texts."""
+        """Return two to seven values, round ones where there are enough, and their texts."""
         if self.is_log:
             low, high = math.ceil(math.log10(self.low) - 1e-9), math.floor(math.log10(self.high) + 1e-9)
             if high > low:
                 every = max(1, math.ceil((high - low) / 6))
                 return [(10.0**power, _short(10.0**power)) for power in range(low, high + 1, every)]
             return [(value, _short(value)) for value in (self.low, self.high)]
-        raw = (self.high - self.low) / 4.0
+        raw = (self.high - self.low) / 5.0
         unit = 10.0 ** math.floor(math.log10(raw))
         step = next(unit * factor for factor in (1.0, 2.0, 5.0, 10.0) if unit * factor >= raw)
         first = math.ceil(self.low / step - 1e-9)

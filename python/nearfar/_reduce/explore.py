@@ -136,7 +136,11 @@ class Explorer:
         return Camera.look_at(eye, eye + ahead, fov=fov, size=self._size)
 
     def _repr_mimebundle_(self, **settings: Any) -> Any:
-        return self.widget._repr_mimebundle_(**settings)
+        # Pages that cannot show widgets show the text instead.
+        return {**self.widget._repr_mimebundle_(**settings), "text/plain": repr(self)}
+
+    def __repr__(self) -> str:
+        return f"Explorer of {self.reduced!r}"
 
     @contextmanager
     def _quiet(self) -> Iterator[None]:
