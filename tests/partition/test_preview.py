@@ -51,12 +51,12 @@ def test_of_many_triangles_the_largest_are_drawn(scene: nf.Scene, monkeypatch: p
     parts = nf.partition(scene, center=CENTER, r1=R1, r2=R2)
     monkeypatch.setattr(preview, "MOST_DRAWN", 2)
     assert parts._scene is not None
-    shift, scale = np.array(parts._scene.origin) - CENTER, 2.0
-    area, flat = preview._seen(parts._core, parts._scene, "far", shift, scale)
+    settings = (parts._core, parts._scene, "far", (R1, R2), np.array(parts._scene.origin) - CENTER, 2.0)
+    area, flat = preview._seen(*settings)
     assert len(area) == len(flat) == 2
     monkeypatch.setattr(preview, "MOST_LISTED", 1)
-    assert len(preview._seen(parts._core, parts._scene, "far", shift, scale)[0]) == 0
-    assert len(Card(parts._repr_html_()).pictures()) == 1
+    for one, other in zip(preview._seen(*settings), (area, flat), strict=True):
+        np.testing.assert_allclose(one, other, rtol=1e-6)
 
 
 def test_partitions_of_nothing_and_damaged_ones_are_shown(scene: nf.Scene) -> None:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from nearfar import _core
 from nearfar._base import card
+from nearfar._scene.preview import every
 
 if TYPE_CHECKING:
     from PIL import Image
@@ -26,7 +27,7 @@ MOST_MEASURED = 200_000
 """Greatest number of triangles of a zone among which the largest are looked for, evenly spread."""
 
 MOST_LISTED = 5_000_000
-"""Greatest number of triangles of a zone whose numbers are listed; of larger zones none are drawn."""
+"""Greatest number of triangles of a zone whose numbers are listed; larger zones are found in a sample of the scene."""
 
 REACH = 1.4
 """Half the width of the picture, as a multiple of r2."""
@@ -42,7 +43,7 @@ def picture(
     canvas = Image.new("RGBA", (2 * SIZE, 2 * SIZE), (128, 128, 128, 0))
     draw, scale = ImageDraw.Draw(canvas), SIZE / half
     shift = np.array(scene.origin) - np.array(center)
-    found = [_seen(core, scene, zone, shift, scale) for zone in ZONES]
+    found = [_seen(core, scene, zone, (r1, r2), shift, scale) for zone in ZONES]
     triangles = np.concatenate([flat for _, flat in found])
     colors = np.repeat(list(ZONES.values()), [len(flat) for _, flat in found])
     # Large ones first, so that they hide no others.
@@ -65,15 +66,24 @@ def _half(canvas: Image.Image) -> Image.Image:
 
 
 def _seen(
-    core: _core.Partition, scene: _core.Scene, zone: str, shift: NDArray[np.float64], scale: float
+    core: _core.Partition,
+    scene: _core.Scene,
+    zone: str,
+    radii: tuple[float, float],
+    shift: NDArray[np.float64],
+    scale: float,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Areas (N,) and corners (N, 3, 2) in pixels of the largest triangles of a zone that the picture shows."""
     count = core.counts()[zone]
-    if not 0 < count <= MOST_LISTED:
-        return np.empty(0), np.empty((0, 3, 2))
-    chosen = np.zeros(scene.triangle_count, bool)
-    chosen[core.triangles(zone)[:: max(1, -(-count // MOST_MEASURED))]] = True
-    flat = (scene.subset_of_triangles(chosen).triangles() + shift)[:, :, [0, 2]] * scale + SIZE
+    if count <= MOST_LISTED:
+        chosen = np.zeros(scene.triangle_count, bool)
+        chosen[core.triangles(zone)[every(count, MOST_MEASURED)]] = True
+        corners = scene.subset_of_triangles(chosen).triangles() + shift
+    else:
+        sample = scene.subset_of_triangles(every(scene.triangle_count, MOST_MEASURED)).triangles() + shift
+        least = _core.triangle_radii(sample.reshape(-1, 3), None, (0.0, 0.0, 0.0))[:, 0]
+        corners = sample[np.searchsorted(radii, least) == list(ZONES).index(zone)]
+    flat = corners[:, :, [0, 2]] * scale + SIZE
     flat = flat[(flat.max(axis=1) >= 0.0).all(axis=1) & (flat.min(axis=1) <= 2 * SIZE).all(axis=1)]
     one, other = flat[:, 1] - flat[:, 0], flat[:, 2] - flat[:, 0]
     area = np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._base import card
+from nearfar._base import card, random
 from nearfar._camera.camera import Camera, Fov
 from nearfar._camera.shot import Shot
 from nearfar._scene.report import Report, count
@@ -71,11 +71,18 @@ def cost(core: _core.Scene) -> int:
 
 
 def every(total: int, wanted: int, block: int = 1) -> NDArray[np.bool_]:
-    """Choose at most about `wanted` of `total` triangles, evenly spread blocks of them."""
+    """Choose about `wanted` of `total` triangles: one block at a random place in each of equal stretches.
+
+    Blocks at equal distances would fall on the same lines of meshes whose faces are in rows.
+    """
     chosen = np.zeros(total, bool)
-    step = max(1, -(-total // max(wanted, 1)))
-    for place in range(block):
-        chosen[place :: step * block] = True
+    stretch = block * max(1, -(-total // max(wanted, 1)))
+    if stretch == block:
+        return ~chosen
+    starts = np.arange(0, total, stretch)
+    places = starts + np.floor(random.uniform(0, 0, starts) * (stretch - block + 1)).astype(np.int64)
+    numbers = (places[:, None] + np.arange(block)).reshape(-1)
+    chosen[numbers[numbers < total]] = True
     return chosen
 
 
