@@ -21,7 +21,10 @@ SIZE = 360
 """Width and height of the picture in pixels."""
 
 MOST_DRAWN = 6_000
-"""Greatest number of triangles that are drawn of a zone: the largest in the picture."""
+"""Greatest number of triangles that are drawn of a zone: the largest in the picture, and some of the others."""
+
+LARGEST = 1_000
+"""How many of these are the largest."""
 
 MOST_MEASURED = 200_000
 """Greatest number of triangles of a zone among which the largest are looked for, evenly spread."""
@@ -87,5 +90,7 @@ def _seen(
     flat = flat[(flat.max(axis=1) >= 0.0).all(axis=1) & (flat.min(axis=1) <= 2 * SIZE).all(axis=1)]
     one, other = flat[:, 1] - flat[:, 0], flat[:, 2] - flat[:, 0]
     area = np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
-    largest = np.argsort(-area, kind="stable")[:MOST_DRAWN]
-    return area[largest], np.clip(flat[largest], -1e5, 1e5)
+    order = np.argsort(-area, kind="stable")
+    others = order[LARGEST:]
+    order = np.concatenate([order[:LARGEST], others[every(len(others), MOST_DRAWN - LARGEST)]])
+    return area[order], np.clip(flat[order], -1e5, 1e5)

@@ -18,10 +18,10 @@ WHOLE = 750_000
 """Greatest number of distinct triangles and instances that are drawn whole: their trees take less than a second."""
 
 SAMPLE = 250_000
-"""Number of triangles that are drawn of a larger scene, whose own trees would take seconds, and would remain."""
+"""Number of triangles of a larger scene that are drawn as points: its trees would take seconds, and would remain."""
 
-BLOCK = 64
-"""Number of neighbouring triangles that a sample takes together, so that small things stay whole."""
+SUN = np.array([0.3, 0.9, 0.33])
+"""Direction from which points are lit."""
 
 MEASURED = 20_000
 """Number of triangles that say where the scene is dense."""
@@ -55,13 +55,32 @@ def html(core: _core.Scene, report: Report, bounds: NDArray[np.float64]) -> str:
 
 def picture(core: _core.Scene, bounds: NDArray[np.float64]) -> tuple[NDArray[np.uint8], str]:
     """Draw the dense part of a scene from above and beside, whole or a sample of it, and say in words which."""
-    drawn, share = core, ""
+    camera = view(core, bounds)
     if cost(core) > WHOLE:
-        drawn = core.subset_of_triangles(every(core.triangle_count, SAMPLE, BLOCK))
-        share = f"; {drawn.triangle_count:,} of {core.triangle_count:,} triangles"
-    shot = Shot(cameras=(view(core, bounds),), channels=("color",), samples=4)
-    color = _core.render_truth(drawn, shot.cameras[0]._core, **shot.settings)["color"]
-    return _core.encode_srgb(color).reshape(SIZE[1], SIZE[0], 3), f"bird's-eye view of the dense part{share}"
+        sample = core.subset_of_triangles(every(core.triangle_count, SAMPLE))
+        share = f"{sample.triangle_count:,} of {core.triangle_count:,} triangles, as points"
+        return _points(sample, camera), f"bird's-eye view of the dense part; {share}"
+    shot = Shot(cameras=(camera,), channels=("color",), samples=4)
+    color = _core.render_truth(core, camera._core, **shot.settings)["color"]
+    return _core.encode_srgb(color).reshape(SIZE[1], SIZE[0], 3), "bird's-eye view of the dense part"
+
+
+def _points(core: _core.Scene, camera: Camera) -> NDArray[np.uint8]:
+    """Draw the middle of each triangle as 2 × 2 grey pixels (H, W, 4), which close up where thin samples would not."""
+    corners = core.triangles().astype(np.float64)
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    lit = np.abs(normal @ SUN) / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)
+    placed = camera.project(corners.mean(axis=1) + np.array(core.origin))
+    ahead = np.isfinite(placed).all(axis=1)
+    placed, shade = placed[ahead], (60.0 + 170.0 * lit[ahead]).astype(np.uint8)
+    far_first = np.argsort(-placed[:, 2], kind="stable")
+    corner = np.clip(np.floor(placed[far_first, :2] - 0.5), -2, 1 << 20).astype(np.int64)
+    pixels = (corner[:, None] + np.array([[0, 0], [1, 0], [0, 1], [1, 1]])).reshape(-1, 2)
+    shades = np.repeat(shade[far_first], 4)
+    inside = ((pixels >= 0) & (pixels < SIZE)).all(axis=1)
+    picture = np.zeros((SIZE[1], SIZE[0], 4), np.uint8)
+    picture[pixels[inside, 1], pixels[inside, 0]] = np.column_stack([*[shades[inside]] * 3, np.full(inside.sum(), 255)])
+    return picture
 
 
 def cost(core: _core.Scene) -> int:
@@ -70,18 +89,17 @@ def cost(core: _core.Scene) -> int:
     return int(np.diff(core.triangle_offsets())[first].sum()) + core.instance_count
 
 
-def every(total: int, wanted: int, block: int = 1) -> NDArray[np.bool_]:
-    """Choose about `wanted` of `total` triangles: one block at a random place in each of equal stretches.
+def every(total: int, wanted: int) -> NDArray[np.bool_]:
+    """Choose about `wanted` of `total` triangles: one at a random place in each of equal stretches.
 
-    Blocks at equal distances would fall on the same lines of meshes whose faces are in rows.
+    Equal distances would fall on the same lines of meshes whose faces are in rows.
     """
-    chosen = np.zeros(total, bool)
-    stretch = block * max(1, -(-total // max(wanted, 1)))
-    if stretch == block:
-        return ~chosen
+    stretch = max(1, -(-total // max(wanted, 1)))
+    if stretch == 1:
+        return np.ones(total, bool)
     starts = np.arange(0, total, stretch)
-    places = starts + np.floor(random.uniform(0, 0, starts) * (stretch - block + 1)).astype(np.int64)
-    numbers = (places[:, None] + np.arange(block)).reshape(-1)
+    numbers = starts + np.floor(random.uniform(0, 0, starts) * stretch).astype(np.int64)
+    chosen = np.zeros(total, bool)
     chosen[numbers[numbers < total]] = True
     return chosen
 
