@@ -78,16 +78,18 @@ def page(title: str, facts: Iterable[tuple[str, str]], *parts: str, notes: Seque
 def table(rows: Iterable[Sequence[str]], header: Sequence[str] = ()) -> str:
     """Make a table of plain text: rows of two are names and values, longer rows are columns of numbers."""
     # Notebooks have styles for tables of their own, so each cell states all that matters.
-    body, cell = [list(row) for row in rows], "padding:.1em 1em .1em 0;vertical-align:top;background:none;"
+    body, cell = (
+        [list(row) for row in rows],
+        "padding:.1em 1em .1em 0;vertical-align:top;background:none;line-height:1.45;",
+    )
     lines = []
     for number, row in enumerate([list(header), *body] if header else body):
         is_head, cells = bool(header) and number == 0, []
         for place, text in enumerate(row):
-            weak = (
-                "opacity:.75;font-weight:normal;white-space:nowrap;" if is_head or (len(row) == 2 and not place) else ""
-            )
+            is_name = is_head or (len(row) == 2 and place == 0)
+            weak = "opacity:.75;font-weight:normal;" if is_name else ""
             side = "right" if len(row) > 2 else "left"
-            wrap = "overflow-wrap:anywhere;" if len(row) == 2 and place else ""
+            wrap = "white-space:nowrap;" if len(row) > 2 else "overflow-wrap:break-word;"
             tag = "th" if weak else "td"
             cells.append(f'<{tag} style="{cell}{weak}{wrap}text-align:{side}">{html.escape(text)}</{tag}>')
         lines.append(f'<tr style="background:none">{"".join(cells)}</tr>')

@@ -80,23 +80,24 @@ class Explorer:
         """The reduced scene of the present radii and morph, a `ReducedScene`."""
         r1, r2 = reduced.r1, reduced.r2
         reach = max(r2, _reach(reduced)) if can_bake else r2
-        step = 10.0 ** math.floor(math.log10(reach)) / 100.0
+        step = _step(reach)
+
+        wide = widgets.Layout(width="98%", max_width="28em")
 
         def slider(name: str, value: float, low: float, high: float, step: float, **more: Any) -> Any:
-            wide = widgets.Layout(width="98%", max_width="28em")
             more = {"continuous_update": True, "readout_format": ".4g", **more}
             return widgets.FloatSlider(value=value, min=low, max=high, step=step, description=name, layout=wide, **more)
 
         metre = max(r1, 1e-6)
-        self.x = slider("x, m", 0.0, -r1, r1, metre / 200.0, disabled=r1 == 0.0)
-        self.z = slider("z, m", 0.0, -r1, r1, metre / 200.0, disabled=r1 == 0.0)
+        self.x = slider("x, m", 0.0, -r1, r1, _step(metre), disabled=r1 == 0.0)
+        self.z = slider("z, m", 0.0, -r1, r1, _step(metre), disabled=r1 == 0.0)
         self.height = slider("height, m", 0.0, -min(1.5, metre / 2.0), min(3.0, metre), min(0.05, metre / 100.0))
         self.heading = slider("heading, °", 0.0, -180.0, 180.0, 1.0)
         released: dict[str, Any] = {"continuous_update": False, "disabled": not can_bake}
         self.r1 = slider("r₁, m", r1, 0.0, reach, step, **released)
         self.r2 = slider("r₂, m", r2, 0.0, reach, step, **released)
         kinds = MORPHS if reduced._boundary == "r2" else ("none",)
-        self.morph = widgets.Dropdown(options=kinds, value=reduced.morph, description="morph")
+        self.morph = widgets.Dropdown(options=kinds, value=reduced.morph, description="morph", layout=wide)
         self.truth, self.picture = (widgets.Image(format="png", layout={"max_width": "100%"}) for _ in range(2))
         self.figures = widgets.HTML()
         wrap = widgets.Layout(flex_flow="row wrap", width="100%")
@@ -224,6 +225,11 @@ def _ipywidgets() -> Any:
     except ImportError:
         raise ImportError('explore needs ipywidgets: pip install "nearfar[notebook]"') from None
     return ipywidgets
+
+
+def _step(length: float) -> float:
+    """Step of a slider that reaches so far, a power of ten."""
+    return float(10.0 ** (math.floor(math.log10(length)) - 2))
 
 
 def _reach(reduced: Reduced) -> float:
