@@ -102,4 +102,7 @@ def test_empty_and_damaged_scenes_are_shown_without_a_picture() -> None:
 @pytest.mark.parametrize("scale", [1e-9, 1e9])
 def test_scenes_of_any_size_are_shown(scale: float) -> None:
     scene = nf.Scene.from_arrays(scale * np.eye(3), [[0, 1, 2]])
-    assert len(Card(scene._repr_html_()).pictures()) == 1
+    shown = Card(scene._repr_html_())
+    assert len(shown.pictures()) == 1
+    assert scene.report.unit_note
+    assert scene.report.unit_note in shown.text

@@ -45,12 +45,13 @@ def html(core: _core.Scene, report: Report, bounds: NDArray[np.float64]) -> str:
         facts.append(("without an area", count(report.degenerate_faces, "face")))
     if report.dropped_faces:
         facts.append(("dropped", count(report.dropped_faces, "unusable face")))
+    notes = [*report.notes, *filter(None, [report.unit_note])]
     if not np.isfinite(bounds).all():
-        return card.page("Scene", facts, notes=report.notes)
+        return card.page("Scene", facts, notes=notes)
     facts.append(("extent", " × ".join(map(card.length, bounds[1] - bounds[0])) + " m"))
     facts += [(name, card.point(corner)) for name, corner in zip(("from", "to"), bounds, strict=True)]
     pixels, caption = picture(core, bounds)
-    return card.page("Scene", facts, card.picture(pixels, "bird's-eye view of the scene", caption), notes=report.notes)
+    return card.page("Scene", facts, card.picture(pixels, "bird's-eye view of the scene", caption), notes=notes)
 
 
 def picture(core: _core.Scene, bounds: NDArray[np.float64]) -> tuple[NDArray[np.uint8], str]:

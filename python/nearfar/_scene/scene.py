@@ -330,8 +330,7 @@ class Scene:
     def _frame(self, number: int) -> NDArray[np.float64]:
         if self._frames is None or number >= len(self._frames):
             return np.eye(4)
-        frame: NDArray[np.float64] = self._frames[number]
-        return frame
+        return np.asarray(self._frames[number])
 
     def trace(self, shot: Shot, report: Callable[[int, int], None] | None = None) -> list[dict[str, NDArray[Any]]]:
         """Trace the pictures of a shot, one for each camera; `nearfar.render` makes frames of them."""
@@ -359,9 +358,8 @@ class Scene:
             Unknown names, triangle numbers out of range, both arguments or none.
         """
         if (objects is None) == (triangles is None):
-            raise ValueError(
-                "subset: expected either objects or triangles, got " + ("none" if objects is None else "both")
-            )
+            got = "none" if objects is None else "both"
+            raise ValueError(f"subset: expected either objects or triangles, got {got}")
         owner = self._core.moving_objects()
         if objects is not None:
             flags = self._names.flags("objects", objects)
