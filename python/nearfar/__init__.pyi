@@ -23,13 +23,13 @@ from ._render.frame import Frame
 from ._render.renderable import Renderable
 from ._render.sequence import render_path
 from ._render.truth import render
-from ._reduce.reduce import reduce
-from ._reduce.reduced_scene import ReducedScene
 from ._metrics.comparison import Comparison, compare
 from ._metrics.discontinuity import boundary, discontinuity
 from ._metrics.pixel_errors import object_completion, psnr, rmse
 from ._metrics.result import Similarity
 from ._metrics.similarity import ms_ssim, ssim, ssim_pairs, visual_continuity
+from ._reduce.reduce import reduce
+from ._reduce.reduced_scene import ReducedScene
 from ._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
 from ._lens.warp import WarpMesh
 from .hmd._hmd import Hmd

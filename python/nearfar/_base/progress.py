@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import importlib.util
 import os
 import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
@@ -18,6 +17,9 @@ Report = Callable[[int, int], None]
 
 DELAY = 0.5
 """Seconds after which a bar appears; shorter work shows none."""
+
+UPDATE = 0.1
+"""Seconds between two updates of a bar in a notebook."""
 
 _shown: _Bar | None = None
 """The visible bar. Only one is shown at a time, so a nested one stays invisible."""
@@ -51,12 +53,17 @@ class _Bar:
         self._silent = os.environ.get("NEARFAR_PROGRESS", "").strip() == "0"
         self._progress: Progress | None = None
         self._task: TaskID | None = None
+        self._cell: Any = None
+        self._next = 0.0
 
     def report(self, done: int, total: int) -> None:
         if self._silent:
             return
-        if self._progress is None and not self._open(done, total):
+        if self._progress is None and self._cell is None and not self._open(done, total):
             return
+        if self._cell is not None and time.monotonic() >= self._next:
+            self._next = time.monotonic() + UPDATE
+            self._cell.update(_html(self._label, done, total))
         if self._progress is not None and self._task is not None:
             self._progress.update(self._task, completed=done, total=total or None)
 
@@ -67,6 +74,13 @@ class _Bar:
         if not _visible():
             self._silent = True
             return False
+        _shown = self
+        if _in_notebook():
+            # rich needs widgets in notebooks, and leaves broken ones behind in saved notebooks.
+            from IPython.display import display
+
+            self._cell = display(_html(self._label, done, total), display_id=True)
+            return True
         from rich.console import Console
         from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
 
@@ -74,7 +88,6 @@ class _Bar:
         self._progress = Progress(*columns, console=Console(stderr=True), transient=True)
         self._progress.start()
         self._task = self._progress.add_task(self._label)
-        _shown = self
         return True
 
     def close(self) -> None:
@@ -82,12 +95,28 @@ class _Bar:
         if self._progress is not None:
             self._progress.stop()
             self._progress = None
+        if self._cell is not None:
+            self._cell.update(_html("", 0, 0))
+            self._cell = None
         if _shown is self:
             _shown = None
 
 
 def _visible() -> bool:
-    if "ipykernel" in sys.modules:
-        # rich needs ipywidgets in notebooks and warns without them.
-        return importlib.util.find_spec("ipywidgets") is not None
-    return sys.stderr is not None and sys.stderr.isatty()
+    return _in_notebook() or (sys.stderr is not None and sys.stderr.isatty())
+
+
+def _in_notebook() -> bool:
+    if "ipykernel" not in sys.modules:
+        return False
+    from IPython import get_ipython
+
+    return getattr(get_ipython(), "kernel", None) is not None
+
+
+def _html(label: str, done: int, total: int) -> Any:
+    """Bar of a notebook; nothing without a label, which is what remains when the work is done."""
+    from IPython.display import HTML
+
+    share = f'value="{done}" max="{total}"' if total else ""
+    return HTML(f"<label>{label} <progress {share}></progress></label>" if label else "<span></span>")

@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from nearfar._base import check, exr, formats
+from nearfar import _core
+from nearfar._base import card, check, exr, formats
+from nearfar._cubemap.layouts import convert_envmap
 from nearfar._cubemap.lookup import FILTERS, cube_lookup
 
 FACES = ("px", "nx", "py", "ny", "pz", "nz")
@@ -24,6 +26,9 @@ HALF_LIMIT = 65504.0
 
 VERSION = 1
 """Version of the format of saved maps."""
+
+PREVIEW = (180, 360)
+"""Height and width in pixels of the picture that notebooks show."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -191,6 +196,34 @@ class EnvMap:
             if "object_id" in faces[0]:
                 channels["object_id"] = _of_kind("u", np.stack([face["object_id"] for face in faces])).view(np.int32)
             return cls(document["center"], **channels, object_names=document.get("object_names", ()))
+
+    def _preview(self) -> tuple[float, NDArray[np.uint8]]:
+        """Return the map as a small equirectangular picture, and the factor that its colours were multiplied by."""
+        # One look-up for each pixel aliases on fine maps; 16 take a few milliseconds whatever the map's size.
+        spread = min(4, max(1, round(4 * self.face_size / PREVIEW[1])))
+        flat = convert_envmap(self.color, source="cube", target="equirectangular", size=PREVIEW, samples=spread)
+        exposure = 1.0 / max(1.0, float(np.percentile(flat, 99.0)))
+        return exposure, _core.encode_srgb(np.ascontiguousarray(flat * np.float32(exposure))).reshape(flat.shape)
+
+    def _repr_png_(self) -> bytes | None:
+        """Picture for notebooks without HTML; None if the map is damaged."""
+        try:
+            return card.png(self._preview()[1])
+        except Exception:
+            return None
+
+    @card.shown
+    def _repr_html_(self) -> str:
+        """Picture for notebooks: all directions, −z in the middle and +x to the right of it."""
+        exposure, pixels = self._preview()
+        dimmed = f"; colours × {exposure:.2g}" if exposure < 1.0 else ""
+        facts = [
+            ("faces", f"6 × {self.face_size} × {self.face_size} texels, {self.nbytes / 1e6:,.1f} MB"),
+            ("channels", ", ".join(self.channels)),
+            ("centre", card.point(self.center)),
+        ]
+        caption = f"all directions, −z in the middle, +x to the right{dimmed}"
+        return card.page("EnvMap", facts, card.picture(pixels, "equirectangular map", caption))
 
 
 def _check_values(channel: str, values: NDArray[Any]) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import check, plot, progress
+from nearfar._base import card, check, plot, progress
 from nearfar._scene.scene import Scene, core_of
 
 if TYPE_CHECKING:
@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 
 SAMPLES = 512
 """Number of radii at which a plotted curve is evaluated."""
+
+SHOWN = (30, 50, 100, 200)
+"""Radii in metres whose counts notebooks show beside the curve."""
 
 
 class LoadCurve:
@@ -122,15 +125,30 @@ class LoadCurve:
         """
         if self.triangle_count == self.moving_count:
             raise ValueError("load curve: expected a scene with standing triangles, got none")
-        farthest = self._farthest()
-        radii = np.geomspace(min(1.0, farthest / 2.0), 1.1 * farthest, SAMPLES)
+        radii = self._radii()
         return plot.load_curve(ax, radii, np.asarray(self.count(radii)), self.triangle_count, published=published)
+
+    def _radii(self) -> NDArray[np.float64]:
+        """Radii in metres at which the curve is drawn."""
+        farthest = self._farthest()
+        return np.geomspace(min(1.0, farthest / 2.0), 1.1 * farthest, SAMPLES)
 
     def _farthest(self) -> float:
         """Distance of the farthest triangle, metres; 1 if all of them lie on the axis."""
         if self.count(0.0) == self.triangle_count:
             return 1.0
         return float(self.radius(self.triangle_count - 1))
+
+    @card.shown
+    def _repr_html_(self) -> str:
+        """Plot and counts for notebooks."""
+        facts = [("triangles", f"{self.triangle_count:,}"), ("of them moving", f"{self.moving_count:,}")]
+        if self.triangle_count == self.moving_count:
+            return card.page("LoadCurve", facts)
+        facts += [(f"r₂ = {radius} m", f"{self.count(float(radius)):,} triangles") for radius in SHOWN]
+        radii = self._radii()
+        line = card.Line(radii, np.asarray(self.count(radii), np.float64))
+        return card.page("LoadCurve", facts, card.plot([line], "r₂, m", "triangles left", log_y=True))
 
     def __repr__(self) -> str:
         return f"LoadCurve({self.triangle_count:,} triangles, {self.moving_count:,} of them moving)"

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import check, progress
+from nearfar._base import card, check, progress
+from nearfar._partition import preview
 from nearfar._scene.scene import Scene, core_of
 
 
@@ -58,6 +59,10 @@ def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, cente
         return _core.triangle_radii(rows, indices, axis, report)
 
 
+CoreScene = _core.Scene
+"""The type by another name, because `Partition` has a field `_core`."""
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Partition:
     """Zones of a scene's triangles, divided at two radii about the vertical axis through a centre.
@@ -78,6 +83,7 @@ class Partition:
     """Radius that bounds the near zone, metres."""
     r2: float
     """Radius that bounds the intermediate zone, metres."""
+    _scene: CoreScene | None = None
 
     @property
     def near(self) -> NDArray[np.int64]:
@@ -122,6 +128,25 @@ class Partition:
         with progress.bar("validate partition") as report:
             self._core.validate(report)
 
+    @card.shown
+    def _repr_html_(self) -> str:
+        """Counts and a top view for notebooks; at most a few thousand triangles of each zone are drawn."""
+        counts = self.summary()
+        facts = [
+            (f"near, ρ ≤ {self.r1:g} m", f"{counts['near']:,} triangles"),
+            (f"intermediate, ρ ≤ {self.r2:g} m", f"{counts['intermediate']:,}"),
+            ("far", f"{counts['far']:,}"),
+            ("drawn as geometry", f"{counts['nsf']:,}"),
+            ("baked", f"{counts['sf']:,}, of which {counts['straddling']:,} are drawn, too"),
+            ("centre", card.point(self.center)),
+        ]
+        if self._scene is None:
+            return card.page("Partition", facts)
+        pixels = preview.picture(self._core, self._scene, self.center, self.r1, self.r2)
+        legend = [(color, zone) for zone, color in preview.ZONES.items()]
+        caption = "from above, −z up; the circles are r₁ and r₂."
+        return card.page("Partition", facts, card.picture(pixels, "top view of the zones", caption, legend))
+
     def __repr__(self) -> str:
         counts = self.summary()
         return (
@@ -160,6 +185,7 @@ def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float) -> Parti
     """
     near, far = check.radii(r1, r2)
     middle = check.vector("center", center)
+    measured = core_of(scene)
     with progress.bar("partition") as report:
-        core = _core.Partition(core_of(scene), center=middle, r1=near, r2=far, report=report)
-    return Partition(core, middle, near, far)
+        core = _core.Partition(measured, center=middle, r1=near, r2=far, report=report)
+    return Partition(core, middle, near, far, measured)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -58,3 +59,9 @@ def morphed(
     shown = morph(leveled.centers, user=user, center=center, r1=r1, r2=r2, kind=kind)
     stretch = 1.0 + away * (2.0 / (r2 - r1) + 1.0 / max(r1, away, 1e-300))
     return replace(leveled, centers=shown, radii=leveled.radii * stretch)
+
+
+def rows_of(channel: Any) -> Any:
+    """Reshape a map's channel to rows of texels, in a type that kernels read."""
+    channel = channel.astype(np.float32) if channel.dtype == np.float16 else channel
+    return np.reshape(channel, (-1, 3) if channel.ndim == 4 else -1)

@@ -1,4 +1,4 @@
-"""Near–far reduction: calls the stages partition and bake in order; it computes nothing itself."""
+"""Near–far reduction: checks the arguments and runs the stages; it computes nothing itself."""
 
 from __future__ import annotations
 
@@ -9,13 +9,11 @@ from numpy.typing import ArrayLike, DTypeLike
 
 from nearfar._base import check
 from nearfar._cubemap import envmap
-from nearfar._cubemap.envmap import EnvMap
-from nearfar._partition.partition import partition
-from nearfar._reduce import folder
+from nearfar._reduce import stages
 from nearfar._reduce.drawing import check_morph
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._render import backend as backends
-from nearfar._render.bake import bake, is_half
+from nearfar._render.bake import is_half
 from nearfar._render.channels import CHANNELS, MAX_SAMPLES, channel_names
 from nearfar._scene.scene import Scene, core_of
 
@@ -91,13 +89,16 @@ def reduce(
         raise ValueError(f"channels: expected names of {', '.join(envmap.CHANNELS)}, got {listed}")
     device = backends.device_for(backend, scene, (tuple(n for n in CHANNELS if n in names), samples))
     half = is_half("range_dtype", range_dtype)
-    zones = partition(scene, center=center, r1=r1, r2=r2)
-    env: EnvMap | None = None
-    rays = 0
-    if zones.summary()["sf"] > 0 or boundary == "r1":
-        radius = zones.r1 if boundary == "r1" else zones.r2
-        env, rays = bake(
-            scene, zones.center, radius, size=size, samples=samples, channels=names, half=half, device=device
-        )
-    counts = {name: count for name, count in (zones.summary() | {"rays": rays}).items() if name in folder.COUNTS}
-    return ReducedScene(scene, zones, env, morph=morph, boundary=boundary, counts=counts)
+    parts = stages.parts(
+        scene,
+        center=center,
+        r1=r1,
+        r2=r2,
+        boundary=boundary,
+        size=size,
+        samples=samples,
+        channels=names,
+        half=half,
+        device=device,
+    )
+    return ReducedScene(scene, **parts, morph=morph, boundary=boundary)

@@ -18,8 +18,9 @@ from nearfar._camera.shot import Shot
 from nearfar._cubemap import envmap
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import Partition, partition
-from nearfar._reduce import folder
-from nearfar._reduce.drawing import Drawing, check_morph, morphed
+from nearfar._reduce import folder, stages
+from nearfar._reduce.drawing import Drawing, check_morph, morphed, rows_of
+from nearfar._reduce.notebook import InNotebooks
 from nearfar._render import backend as backends
 from nearfar._render.frame import Frame
 from nearfar._render.level_choice import Lod
@@ -28,8 +29,10 @@ from nearfar._render.renderer import Renderer
 from nearfar._scene.levels import Leveled, levels_of
 from nearfar._scene.scene import Scene
 
+_FULL = ("color", "range")
 
-class ReducedScene:
+
+class ReducedScene(InNotebooks):
     """A reduced scene: near geometry, which is morphed for the user, in front of an environment map of the far part.
 
     Made by `reduce` or read by `load`. It shares the scene's meshes; only near triangles are copied (`near_bytes` of
@@ -53,7 +56,7 @@ class ReducedScene:
         self._drawing = Drawing()
         self._at_levels: tuple[NDArray[np.int64], ReducedScene] | None = None
         radius = zones.r1 if boundary == "r1" else zones.r2
-        channels = {} if env is None else {name: _rows(getattr(env, name)) for name in env.channels}
+        channels = {} if env is None else {name: rows_of(getattr(env, name)) for name in env.channels}
         size = 0 if env is None else env.face_size
         with progress.bar("gathering near geometry") as report:
             self._core = _core.Reduced(zones._core, morph=morph, boundary=radius, size=size, **channels, report=report)
@@ -375,6 +378,13 @@ class ReducedScene:
             is_whole=False,
         )
 
+    def _at_radii(self, r1: float, r2: float, size: int) -> ReducedScene:
+        """Reduce the scene again about the same centre, with a map of one sample of colour and range in each texel."""
+        parts = stages.parts(
+            self._scene, center=self.center, r1=r1, r2=r2, boundary=self._boundary, size=size, samples=1, channels=_FULL
+        )
+        return ReducedScene(self._scene, **parts, morph=self._morph, boundary=self._boundary)
+
     def _drawn_at_r1(self) -> NDArray[np.int64]:
         """Numbers of the triangles that are near or move."""
         moving = np.arange(self._scene._core.standing_triangle_count, self._scene.triangle_count)
@@ -386,9 +396,3 @@ class ReducedScene:
             f"ReducedScene({self._morph!r}, r1={self.r1:g}, r2={self.r2:g}: {stats['drawn']:,} of "
             f"{stats['triangles']:,} triangles, map of {stats['map_bytes']:,} bytes)"
         )
-
-
-def _rows(channel: Any) -> Any:
-    """Reshape a map's channel to rows of texels, in a type that kernels read."""
-    channel = channel.astype(np.float32) if channel.dtype == np.float16 else channel
-    return np.reshape(channel, (-1, 3) if channel.ndim == 4 else -1)

@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._base import exr, files, formats
+from nearfar._base import card, exr, files, formats
 from nearfar._camera.camera import Camera, CubeFace, Fov, Orthographic
+from nearfar._render import preview
 from nearfar._render.channels import CHANNELS, missing
 
 VERSION = 1
@@ -115,6 +116,26 @@ class Frame:
             camera, origin = _camera(document["camera"]), document["origin"]
             images = {name: image for name in CHANNELS if (image := _image(name, channels)) is not None}
             return cls(camera, (origin[0], origin[1], origin[2]), **images)
+
+    def _preview(self) -> tuple[str, NDArray[np.uint8]]:
+        """Return the name and the picture of the image that shows most; StopIteration if there is no image."""
+        name = next(name for name in preview.ORDER if name in self.channels)
+        return name, preview.pixels(name, card.thinned(self.require(name)))
+
+    def _repr_png_(self) -> bytes | None:
+        """Picture for notebooks without HTML; None if the frame has no image."""
+        try:
+            return card.png(self._preview()[1])
+        except Exception:
+            return None
+
+    @card.shown
+    def _repr_html_(self) -> str:
+        """Picture for notebooks, with size and channels below."""
+        name, pixels = self._preview()
+        width, height = self.camera.size
+        caption = f"{width} × {height} pixels of {', '.join(self.channels)}; shown: {preview.CAPTIONS[name]}"
+        return card.page("Frame", (), card.picture(pixels, preview.CAPTIONS[name], caption))
 
 
 _AXES = {"color": ("R", "G", "B")} | {

@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import check
+from nearfar._base import card, check
 from nearfar._camera.shot import Shot
+from nearfar._scene import preview
 from nearfar._scene.arrays import triangle_mask
 from nearfar._scene.assembly import Assembled, one_mesh
 from nearfar._scene.levels import Leveled, LevelTable, check_levels, levels_of, with_levels
@@ -329,8 +330,7 @@ class Scene:
     def _frame(self, number: int) -> NDArray[np.float64]:
         if self._frames is None or number >= len(self._frames):
             return np.eye(4)
-        frame: NDArray[np.float64] = self._frames[number]
-        return frame
+        return np.asarray(self._frames[number])
 
     def trace(self, shot: Shot, report: Callable[[int, int], None] | None = None) -> list[dict[str, NDArray[Any]]]:
         """Trace the pictures of a shot, one for each camera; `nearfar.render` makes frames of them."""
@@ -358,9 +358,8 @@ class Scene:
             Unknown names, triangle numbers out of range, both arguments or none.
         """
         if (objects is None) == (triangles is None):
-            raise ValueError(
-                "subset: expected either objects or triangles, got " + ("none" if objects is None else "both")
-            )
+            got = "none" if objects is None else "both"
+            raise ValueError(f"subset: expected either objects or triangles, got {got}")
         owner = self._core.moving_objects()
         if objects is not None:
             flags = self._names.flags("objects", objects)
@@ -387,6 +386,10 @@ class Scene:
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         Scene.__init__(self, core_of_parts(state["parts"]), Names(state["names"]), **state["own"])
+
+    @card.shown
+    def _repr_html_(self) -> str:
+        return preview.html(self._core, self.report, self.bounds)
 
     def __repr__(self) -> str:
         return f"<nearfar.Scene: {self.triangle_count:,} triangles, {len(self._names):,} objects>"

@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from nearfar._base import check
+from nearfar._base import card, check
 from nearfar._camera.camera import Camera, quaternion
 from nearfar._lens.lens import RadialLens, check_symmetric
-from nearfar.hmd import _file, _hmdq, _lenses
+from nearfar.hmd import _file, _hmdq, _lenses, _picture
 from nearfar.hmd._eye import Eye, TotalFov, rotation, total_fov, turned
 
 EYES = ("left", "right")
@@ -224,6 +224,15 @@ class Hmd:
             if runtime is not None:
                 raise ValueError(f"runtime: expected None for {where}, which is no file of hmdq's, got {runtime!r}")
         return _file.convert(where, lambda: cls(**fields))
+
+    @card.shown
+    def _repr_html_(self) -> str:
+        """Fields of view and figures for notebooks."""
+        total = self.total_fov
+        sizes = {"picture": self.render_size, "panel": self.panel_size}
+        known = self.refresh_hz, self.triangle_budget, self.hidden_area_percent
+        facts = _picture.figures(total, self.ipd, sizes, *known)
+        return card.page(self.name, facts, _picture.fields(self.left, self.right, total), notes=self.sources)
 
     def _fields(self) -> dict[str, Any]:
         return {name: getattr(self, name) for name in self.__dataclass_fields__}

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nearfar._base import check, formats, plot
+from nearfar._base import card, check, formats, plot
 from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod import _export, _file
@@ -137,23 +137,45 @@ class LodModel(MeasuredLevels):
         scores = None if self.samples is None else (self.samples.sigma, self.samples.score[1:])
         return plot.score_curves(ax, sigma, curves, [f"{count:,}" for count in self.triangles[1:]], scores)
 
+    @card.shown
+    def _repr_html_(self) -> str:
+        """Table of the levels and plot of their curves for notebooks."""
+        low, high = self.sigma
+        sigma = np.geomspace(low, high, 128)
+        curves = self.curves(sigma) if len(self.curves) else np.empty((0, 128))
+        dots = (
+            [None] * len(curves) if self.samples is None else [(self.samples.sigma, s) for s in self.samples.score[1:]]
+        )
+        labels = [f"{count:,}" for count in self.triangles[1:]]
+        lines = [card.Line(sigma, y, label, dot) for y, label, dot in zip(curves, labels, dots, strict=True)]
+        header, rows = self._rows()
+        drawn = [card.plot(lines, "solid angle, sr", "SSIM")] if lines else []
+        title = f"LodModel {self.name}, radius {self.radius:.4g} m"
+        return card.page(title, (), *drawn, card.table(rows, header))
+
+    def _rows(self) -> tuple[list[str], list[list[str]]]:
+        """Header and rows of the table of levels, as text."""
+        low, high = self.sigma
+        ends = self.curves(np.array([high, low])) if len(self.curves) else np.empty((0, 2))
+        scores = [(1.0, 1.0), *map(tuple, ends.tolist())]
+        status = ["", *self.curves.status.tolist()]
+        header = ["level", "triangles", "error m", f"{high:.3g} sr", f"{low:.3g} sr", "curve"]
+        columns = zip(self.triangles.tolist(), self.errors.tolist(), scores, status, strict=True)
+        return header, [
+            [str(number), f"{triangles:,}", f"{error:.3g}", f"{large:.4f}", f"{small:.4f}", how]
+            for number, (triangles, error, (large, small), how) in enumerate(columns)
+        ]
+
     def __repr__(self) -> str:
         counts = ", ".join(f"{count:,}" for count in self.triangles)
         return f"LodModel({self.name!r}: {counts} triangles)"
 
     def __str__(self) -> str:
         """Table of the levels: triangles, error, scores at the greatest and the least size, how curves were fitted."""
-        low, high = self.sigma
-        ends = self.curves(np.array([high, low])) if len(self.curves) else np.empty((0, 2))
-        scores = [(1.0, 1.0), *map(tuple, ends.tolist())]
-        status = ["", *self.curves.status.tolist()]
-        rows = [
-            f"{'level':>5}  {'triangles':>11}  {'error m':>9}  {f'{high:.3g} sr':>10}  {f'{low:.3g} sr':>10}  curve"
+        header, rows = self._rows()
+        widths = (5, 11, 9, 10, 10)
+        lines = [
+            "  ".join([*(f"{cell:>{width}}" for cell, width in zip(row, widths, strict=False)), row[-1]]).rstrip()
+            for row in (header, *rows)
         ]
-        rows += [
-            f"{number:>5}  {triangles:>11,}  {error:>9.3g}  {large:>10.4f}  {small:>10.4f}  {status}".rstrip()
-            for number, (triangles, error, (large, small), status) in enumerate(
-                zip(self.triangles.tolist(), self.errors.tolist(), scores, status, strict=True)
-            )
-        ]
-        return "\n".join([f"{self.name}, radius {self.radius:.4g} m", *rows])
+        return "\n".join([f"{self.name}, radius {self.radius:.4g} m", *lines])

@@ -1,0 +1,96 @@
+"""The top view of a partition for notebooks: sampled triangles in the colours of their zones, and both circles."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+from nearfar._base import card
+from nearfar._scene.preview import every
+
+if TYPE_CHECKING:
+    from PIL import Image
+
+ZONES = {"near": card.COLORS[1], "intermediate": card.COLORS[0], "far": card.COLORS[7]}
+"""Colours of the zones."""
+
+SIZE = 360
+"""Width and height of the picture in pixels."""
+
+MOST_DRAWN = 6_000
+"""Greatest number of triangles that are drawn of a zone: the largest in the picture, and some of the others."""
+
+LARGEST = 1_000
+"""How many of these are the largest."""
+
+MOST_MEASURED = 200_000
+"""Greatest number of triangles of a zone among which the largest are looked for, evenly spread."""
+
+MOST_LISTED = 5_000_000
+"""Greatest number of triangles of a zone whose numbers are listed; larger zones are found in a sample of the scene."""
+
+REACH = 1.4
+"""Half the width of the picture, as a multiple of r2."""
+
+
+def picture(
+    core: _core.Partition, scene: _core.Scene, center: tuple[float, float, float], r1: float, r2: float
+) -> NDArray[np.uint8]:
+    """Draw the surroundings of the centre seen from above, −z up, (H, W, 4) with a transparent ground."""
+    from PIL import Image, ImageDraw
+
+    half = REACH * max(r2, 1e-9)
+    canvas = Image.new("RGBA", (2 * SIZE, 2 * SIZE), (128, 128, 128, 0))
+    draw, scale = ImageDraw.Draw(canvas), SIZE / half
+    shift = np.array(scene.origin) - np.array(center)
+    found = [_seen(core, scene, zone, (r1, r2), shift, scale) for zone in ZONES]
+    triangles = np.concatenate([flat for _, flat in found])
+    colors = np.repeat(list(ZONES.values()), [len(flat) for _, flat in found])
+    # Large ones first, so that they hide no others.
+    for number in np.argsort(-np.concatenate([area for area, _ in found]), kind="stable").tolist():
+        draw.polygon([tuple(corner) for corner in triangles[number].tolist()], fill=str(colors[number]))
+    for radius in (r1, r2):
+        reach = radius * scale
+        box = (SIZE - reach, SIZE - reach, SIZE + reach, SIZE + reach)
+        draw.ellipse(box, outline=(255, 255, 255, 255), width=5)
+        draw.ellipse(box, outline=(0, 0, 0, 255), width=3)
+    for x, y in ((9, 0), (0, 9)):
+        draw.line((SIZE - x, SIZE - y, SIZE + x, SIZE + y), fill=(0, 0, 0, 255), width=3)
+    return np.asarray(_half(canvas))
+
+
+def _half(canvas: Image.Image) -> Image.Image:
+    from PIL import Image
+
+    return canvas.resize((SIZE, SIZE), Image.Resampling.BOX)
+
+
+def _seen(
+    core: _core.Partition,
+    scene: _core.Scene,
+    zone: str,
+    radii: tuple[float, float],
+    shift: NDArray[np.float64],
+    scale: float,
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Areas (N,) and corners (N, 3, 2) in pixels of the largest triangles of a zone that the picture shows."""
+    count = core.counts()[zone]
+    if count <= MOST_LISTED:
+        chosen = np.zeros(scene.triangle_count, bool)
+        chosen[core.triangles(zone)[every(count, MOST_MEASURED)]] = True
+        corners = scene.subset_of_triangles(chosen).triangles() + shift
+    else:
+        sample = scene.subset_of_triangles(every(scene.triangle_count, MOST_MEASURED)).triangles() + shift
+        least = _core.triangle_radii(sample.reshape(-1, 3), None, (0.0, 0.0, 0.0))[:, 0]
+        corners = sample[np.searchsorted(radii, least) == list(ZONES).index(zone)]
+    flat = corners[:, :, [0, 2]] * scale + SIZE
+    flat = flat[(flat.max(axis=1) >= 0.0).all(axis=1) & (flat.min(axis=1) <= 2 * SIZE).all(axis=1)]
+    one, other = flat[:, 1] - flat[:, 0], flat[:, 2] - flat[:, 0]
+    area = np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
+    order = np.argsort(-area, kind="stable")
+    others = order[LARGEST:]
+    order = np.concatenate([order[:LARGEST], others[every(len(others), MOST_DRAWN - LARGEST)]])
+    return area[order], np.clip(flat[order], -1e5, 1e5)

@@ -1,0 +1,253 @@
+"""The explorer of a reduced scene for notebooks: picture and truth side by side, with sliders of ipywidgets."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any, Protocol
+
+import numpy as np
+
+from nearfar._base import card
+from nearfar._base.errors import Error
+from nearfar._camera.camera import Camera, Fov
+from nearfar._cubemap.envmap import EnvMap
+from nearfar._metrics.comparison import Comparison, compare
+from nearfar._metrics.discontinuity import discontinuity
+from nearfar._partition.load_curve import load_curve
+from nearfar._reduce.drawing import MORPHS
+from nearfar._render.frame import Frame
+from nearfar._render.truth import render
+from nearfar._scene.scene import Scene
+
+MOST_TRIANGLES = 300_000
+"""The slider of r2 ends where more triangles than these would be drawn, so that a frame takes less than seconds."""
+
+FOV_DEG = 90.0
+"""Horizontal field of view of the pictures, degrees."""
+
+LARGEST_R1 = 0.95
+"""Greatest r1, as a share of r2."""
+
+
+class Reduced(Protocol):
+    """Interface of `ReducedScene` that notebooks use; that class comes later in the data flow."""
+
+    _boundary: str
+    _is_whole: bool
+
+    @property
+    def scene(self) -> Scene: ...
+    @property
+    def env(self) -> EnvMap | None: ...
+    @property
+    def center(self) -> tuple[float, float, float]: ...
+    @property
+    def r1(self) -> float: ...
+    @property
+    def r2(self) -> float: ...
+    @property
+    def morph(self) -> str: ...
+    @property
+    def stats(self) -> dict[str, Any]: ...
+    @property
+    def default_channels(self) -> tuple[str, ...]: ...
+    @property
+    def render(self) -> Any: ...
+    def with_morph(self, morph: str) -> Reduced: ...
+    def _at_radii(self, r1: float, r2: float, size: int) -> Reduced: ...
+
+
+class Explorer:
+    """Picture and truth of a reduced scene with sliders; `ReducedScene.explore` makes it.
+
+    The attributes are widgets of ipywidgets, so that code can move them, too: `x`, `z` and `height` are the user's
+    place in metres from the centre, `heading` degrees to the right of −z, `r1`, `r2` and `morph`. `picture` and `truth`
+    hold PNG files, `figures` HTML, and `widget` is all of it.
+    """
+
+    def __init__(self, reduced: Reduced, *, size: tuple[int, int], face_size: int) -> None:
+        widgets = _ipywidgets()
+        self._size, self._face_size = size, face_size
+        self._is_quiet = False
+        self._seen: tuple[Camera, Frame] | None = None
+        can_bake = reduced._is_whole
+        has_range = reduced.env is None or reduced.env.range is not None
+        self.reduced: Any = (
+            reduced if has_range or not can_bake else reduced._at_radii(reduced.r1, reduced.r2, face_size)
+        )
+        """The reduced scene of the present radii and morph, a `ReducedScene`."""
+        r1, r2 = reduced.r1, reduced.r2
+        reach = max(r2, _reach(reduced)) if can_bake else r2
+        step = _step(reach)
+
+        wide = widgets.Layout(width="98%", max_width="28em")
+
+        def slider(name: str, value: float, low: float, high: float, step: float, **more: Any) -> Any:
+            more = {"continuous_update": True, "readout_format": ".4g", **more}
+            return widgets.FloatSlider(value=value, min=low, max=high, step=step, description=name, layout=wide, **more)
+
+        metre = max(r1, 1e-6)
+        self.x = slider("x, m", 0.0, -r1, r1, _step(metre), disabled=r1 == 0.0)
+        self.z = slider("z, m", 0.0, -r1, r1, _step(metre), disabled=r1 == 0.0)
+        self.height = slider("height, m", 0.0, -min(1.5, metre / 2.0), min(3.0, metre), min(0.05, metre / 100.0))
+        self.heading = slider("heading, °", 0.0, -180.0, 180.0, 1.0)
+        released: dict[str, Any] = {"continuous_update": False, "disabled": not can_bake}
+        self.r1 = slider("r₁, m", r1, 0.0, reach, step, **released)
+        self.r2 = slider("r₂, m", r2, 0.0, reach, step, **released)
+        kinds = MORPHS if reduced._boundary == "r2" else ("none",)
+        self.morph = widgets.Dropdown(options=kinds, value=reduced.morph, description="morph", layout=wide)
+        self.truth, self.picture = (widgets.Image(format="png", layout={"max_width": "100%"}) for _ in range(2))
+        self.figures = widgets.HTML()
+        wrap = widgets.Layout(flex_flow="row wrap", width="100%")
+        column = widgets.Layout(flex="1 1 20em", max_width="30em", min_width="0")
+        titled = [
+            widgets.VBox([widgets.HTML(f"<b>{title}</b>"), image], layout=widgets.Layout(max_width="100%"))
+            for title, image in (("truth", self.truth), ("reduced", self.picture))
+        ]
+        self.widget: Any = widgets.VBox(
+            [
+                widgets.HBox(titled if can_bake else titled[1:], layout=wrap),
+                self.figures,
+                widgets.HBox(
+                    [
+                        widgets.VBox([self.x, self.z, self.height, self.heading], layout=column),
+                        widgets.VBox([self.r1, self.r2, self.morph], layout=column),
+                    ],
+                    layout=wrap,
+                ),
+            ]
+        )
+        """All of it as one widget."""
+        for control in (self.x, self.z, self.height, self.heading):
+            control.observe(self._moved, "value")
+        for control in (self.r1, self.r2):
+            control.observe(self._resized, "value")
+        self.morph.observe(self._changed, "value")
+        self._draw()
+
+    @property
+    def camera(self) -> Camera:
+        """The camera at the user's place, which looks along `heading`."""
+        turn = math.radians(self.heading.value)
+        eye = np.add(self.reduced.center, (self.x.value, self.height.value, self.z.value))
+        ahead = (math.sin(turn), 0.0, -math.cos(turn))
+        fov = Fov.symmetric(FOV_DEG, self._size[0] / self._size[1])
+        return Camera.look_at(eye, eye + ahead, fov=fov, size=self._size)
+
+    def _repr_mimebundle_(self, **settings: Any) -> Any:
+        # Pages that cannot show widgets show the text instead.
+        return {**self.widget._repr_mimebundle_(**settings), "text/plain": repr(self)}
+
+    def __repr__(self) -> str:
+        return f"Explorer of {self.reduced!r}"
+
+    @contextmanager
+    def _quiet(self) -> Iterator[None]:
+        """Set sliders without drawing for each."""
+        self._is_quiet = True
+        try:
+            yield
+        finally:
+            self._is_quiet = False
+
+    def _keep_inside(self) -> None:
+        """Move the user into the near zone."""
+        away, limit = math.hypot(self.x.value, self.z.value), self.reduced.r1
+        with self._quiet():
+            if away > limit:
+                # The last digits are cut, so that rounding does not leave the user outside.
+                share = limit / away * (1.0 - 1e-12)
+                self.x.value, self.z.value = self.x.value * share, self.z.value * share
+            for control in (self.x, self.z):
+                control.min, control.max, control.disabled = -limit, limit, limit == 0.0
+
+    def _moved(self, change: Any) -> None:
+        if not self._is_quiet:
+            self._keep_inside()
+            self._draw()
+
+    def _resized(self, change: Any) -> None:
+        if self._is_quiet:
+            return
+        with self._quiet():
+            self.r2.value = max(self.r2.value, self.r2.step)
+            if self.r1.value > LARGEST_R1 * self.r2.value:
+                self.r1.value = LARGEST_R1 * self.r2.value
+        self._reduce()
+        self._keep_inside()
+        self._draw()
+
+    def _changed(self, change: Any) -> None:
+        self.reduced = self.reduced.with_morph(self.morph.value)
+        self._draw()
+
+    def _reduce(self) -> None:
+        reduced = self.reduced._at_radii(self.r1.value, self.r2.value, self._face_size)
+        self.reduced = reduced.with_morph(self.morph.value)
+
+    def _draw(self) -> None:
+        """Render both pictures; a failure is told below them, because notebooks hide errors of callbacks."""
+        try:
+            rows = self._rendered(self.camera)
+        except (Error, ValueError, RuntimeError, MemoryError) as error:
+            rows = [("not drawn", f"{type(error).__name__}: {error}")]
+        self.figures.value = card.table(rows)
+
+    def _rendered(self, camera: Camera) -> list[tuple[str, str]]:
+        reduced = self.reduced
+        env = reduced.env
+        channels = ("color", "position") if env is None or env.range is not None else ("color",)
+        # Bent rays show the morph as it is, and take less time than splitting triangles for each place of the user.
+        frame = reduced.render(camera, channels=channels, method="exact", backend="cpu")
+        self.picture.value = card.png(frame.to_image())
+        stats = reduced.stats
+        rows = [("triangles", f"{stats['drawn']:,} of {stats['triangles']:,}, {stats['reduction']:,.4g} times fewer")]
+        if not reduced._is_whole:
+            whole = "not saved: truth and other radii need the scene that was reduced"
+            torn = discontinuity(frame) if "position" in channels else np.empty(0)
+            return [*rows, *_torn(torn), ("far geometry", whole)]
+        found = compare(self._truth(camera), frame, center=reduced.center, radius=_radius(reduced))
+        return [("SSIM", f"{found.ssim:.4f}"), ("PSNR", f"{found.psnr:.2f} dB"), *_tears(found), *rows]
+
+    def _truth(self, camera: Camera) -> Frame:
+        """Ground truth, which changes with the camera only."""
+        if self._seen is None or self._seen[0] != camera:
+            self._seen = camera, render(self.reduced.scene, camera, channels=("color",), backend="cpu")
+            self.truth.value = card.png(self._seen[1].to_image())
+        return self._seen[1]
+
+
+def _ipywidgets() -> Any:
+    try:
+        import ipywidgets
+    except ImportError:
+        raise ImportError('explore needs ipywidgets: pip install "nearfar[notebook]"') from None
+    return ipywidgets
+
+
+def _step(length: float) -> float:
+    """Step of a slider that reaches so far, a power of ten."""
+    return float(10.0 ** (math.floor(math.log10(length)) - 2))
+
+
+def _reach(reduced: Reduced) -> float:
+    """Greatest r2 of the slider, metres: four times the present one, unless too many triangles would be drawn."""
+    budget = max(MOST_TRIANGLES, reduced.stats["nsf"])
+    return min(4.0 * reduced.r2, float(load_curve(reduced.scene, center=reduced.center).radius(budget)))
+
+
+def _radius(reduced: Reduced) -> float:
+    """Radius at which the near part ends, metres."""
+    return reduced.r1 if reduced._boundary == "r1" else reduced.r2
+
+
+def _tears(found: Comparison) -> list[tuple[str, str]]:
+    edge = "–" if found.boundary is None else f"{found.boundary:.3f}"
+    return [*_torn(found.torn), ("discontinuity along the boundary", edge)]
+
+
+def _torn(torn: Any) -> list[tuple[str, str]]:
+    known = torn[~np.isnan(torn)]
+    return [("discontinuity, mean", f"{known.mean():.3f}" if known.size else "–")]

@@ -1,0 +1,58 @@
+"""What notebooks show of reduced scenes: a card, and the explorer."""
+
+from __future__ import annotations
+
+from nearfar._base import card, check
+from nearfar._reduce.explore import Explorer, Reduced
+
+
+class InNotebooks:
+    """Display of a reduced scene; the base of `ReducedScene`."""
+
+    @card.shown
+    def _repr_html_(self: Reduced) -> str:
+        """Counts, radii and the map for notebooks."""
+        stats = self.stats
+        facts = [
+            ("drawn", f"{stats['drawn']:,} of {stats['triangles']:,} triangles, {stats['reduction']:,.4g} times fewer"),
+            ("near", f"{stats['near']:,}"),
+            ("intermediate", f"{stats['intermediate']:,}"),
+            ("r₁, r₂", f"{self.r1:g} m, {self.r2:g} m"),
+            ("morph", self.morph),
+            ("centre", card.point(self.center)),
+            ("copies of near geometry", f"{stats['near_bytes'] / 1e6:,.1f} MB"),
+        ]
+        if self.env is None:
+            return card.page("ReducedScene", facts, notes=["Nothing lies beyond the near part, so there is no map."])
+        facts.append(("map", f"6 × {self.env.face_size}² texels, {stats['map_bytes'] / 1e6:,.1f} MB"))
+        _, pixels = self.env._preview()
+        caption = "the map: what the centre sees beyond the near part, −z in the middle"
+        return card.page("ReducedScene", facts, card.picture(pixels, "environment map", caption))
+
+    def explore(self: Reduced, *, size: tuple[int, int] = (400, 250), face_size: int = 256) -> Explorer:
+        """Show the picture beside the truth in a notebook, with sliders for the user and the radii.
+
+        Parameters
+        ----------
+        size
+            Width and height of both pictures in pixels, 16 to 2048.
+        face_size
+            Number of texels across the faces of the maps that the explorer bakes, 1 to 1024: at the start, because
+            discontinuity needs range, and whenever the slider of a radius is let go.
+
+        Returns
+        -------
+        Explorer
+            A notebook shows it if it is the last value of a cell. Its sliders are attributes, and `reduced` is the
+            reduced scene of the present radii. The user stays within the near zone, ρ ≤ r1.
+
+        Raises
+        ------
+        ImportError
+            If ipywidgets is not installed.
+        ValueError, TypeError
+            For arguments out of their domains.
+        """
+        for name, value in zip(("size[0]", "size[1]"), check.size("size", size), strict=True):
+            check.integer(name, value, 16, 2048)
+        return Explorer(self, size=size, face_size=check.integer("face_size", face_size, 1, 1024))

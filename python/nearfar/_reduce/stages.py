@@ -1,0 +1,49 @@
+"""The order of the near–far stages, partition and bake, which `reduce` and the explorer run; it computes nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from typing import TypedDict
+
+from numpy.typing import ArrayLike
+
+from nearfar import _core
+from nearfar._cubemap.envmap import EnvMap
+from nearfar._partition.partition import Partition, partition
+from nearfar._reduce import folder
+from nearfar._render.bake import bake
+from nearfar._scene.scene import Scene
+
+
+class Parts(TypedDict):
+    """What a reduced scene is made of besides its scene."""
+
+    zones: Partition
+    env: EnvMap | None
+    counts: dict[str, int]
+
+
+def parts(
+    scene: Scene,
+    *,
+    center: ArrayLike,
+    r1: float,
+    r2: float,
+    boundary: str,
+    size: int,
+    samples: int,
+    channels: Collection[str],
+    half: bool = False,
+    device: _core.GpuDevice | None = None,
+) -> Parts:
+    """Divide a scene at the radii and bake what lies beyond; `reduce` documents the arguments, which it has checked."""
+    zones = partition(scene, center=center, r1=r1, r2=r2)
+    env: EnvMap | None = None
+    rays = 0
+    if zones.summary()["sf"] > 0 or boundary == "r1":
+        radius = zones.r1 if boundary == "r1" else zones.r2
+        env, rays = bake(
+            scene, zones.center, radius, size=size, samples=samples, channels=channels, half=half, device=device
+        )
+    counts = {name: count for name, count in (zones.summary() | {"rays": rays}).items() if name in folder.COUNTS}
+    return {"zones": zones, "env": env, "counts": counts}

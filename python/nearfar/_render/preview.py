@@ -1,0 +1,52 @@
+"""Pictures of a frame's images for display: 8-bit colours of ranges, numbers, normals and positions."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar import _core
+
+ORDER = ("color", "normal", "range", "object_id", "face_id", "position")
+"""Images of a frame, the one that shows most first."""
+
+CAPTIONS = {
+    "color": "colour",
+    "normal": "normals as colours",
+    "range": "range, near is bright",
+    "object_id": "objects as colours",
+    "face_id": "triangles as colours",
+    "position": "height above the lowest point, high is bright",
+}
+"""What a picture of each image shows."""
+
+
+def pixels(name: str, image: NDArray[Any]) -> NDArray[np.uint8]:
+    """Turn one image of a frame, (H, W) or (H, W, 3), into sRGB (H, W, 3); pixels that hit nothing are dark grey."""
+    if name == "color":
+        color = np.ascontiguousarray(np.nan_to_num(image), np.float32)
+        return _core.encode_srgb(color).reshape(color.shape)
+    if name == "normal":
+        found, shade = np.isfinite(image).all(axis=-1), 0.5 + 0.5 * np.nan_to_num(image)
+    elif name in ("object_id", "face_id"):
+        # Multiples of three irrational steps: neighbouring numbers get colours that are far apart.
+        steps = np.array([0.6180339887, 0.7548776662, 0.5698402909])
+        found, shade = image >= 0, 0.25 + 0.7 * np.mod((image[..., None] + 1.0) * steps, 1.0)
+    else:
+        found, shade = _shades(image[..., 1] if name == "position" else np.log(np.maximum(image, 1e-6)))
+        shade = np.repeat((shade if name == "position" else 1.1 - shade)[..., None], 3, axis=-1)
+    picture = np.full((*found.shape, 3), 48, np.uint8)
+    picture[found] = np.clip(255.0 * shade[found], 0.0, 255.0).astype(np.uint8)
+    return picture
+
+
+def _shades(values: NDArray[Any]) -> tuple[NDArray[np.bool_], NDArray[Any]]:
+    """Return which values are finite, and all of them scaled to 0.1 … 1 between the finest and the coarsest 1 %."""
+    found = np.isfinite(values)
+    if not found.any():
+        return found, np.zeros(values.shape)
+    low, high = np.percentile(values[found], [1.0, 99.0])
+    scaled = np.where(found, values, low) - low
+    return found, 0.1 + 0.9 * np.clip(scaled / max(float(high - low), 1e-12), 0.0, 1.0)

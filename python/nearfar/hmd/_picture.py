@@ -1,0 +1,85 @@
+"""A headset's card for notebooks: the fields of view of both eyes, and figures."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import card
+from nearfar.hmd._eye import Eye, TotalFov
+
+SIZE = (420, 300)
+"""Width and height of the drawing."""
+
+EDGE = 16
+"""Number of points along each edge of a view, because straight edges are curves over angles."""
+
+
+def fields(left: Eye, right: Eye, total: TotalFov) -> str:
+    """Draw the outlines of both views over the angles to the side and up, in degrees."""
+    outlines = [_outline(eye) for eye in (left, right)]
+    reach = np.maximum(np.abs(np.concatenate(outlines)).max(axis=0), 1.0) * 1.12
+    scale = min((SIZE[0] - 8) / (2 * reach[0]), (SIZE[1] - 8) / (2 * reach[1]))
+    middle = np.array(SIZE) / 2.0
+    parts = [_grid(float(scale))]
+    for number, outline in enumerate(outlines):
+        points = " ".join(f"{x:.1f},{y:.1f}" for x, y in middle + outline * (scale, -scale))
+        color = card.COLORS[number]
+        parts.append(
+            f'<polygon points="{points}" fill="{color}" fill-opacity=".25" stroke="{color}" stroke-width="2"/>'
+        )
+    alt = f"fields of view of both eyes, {total.horizontal_deg:.0f}° across in all"
+    return card.svg(SIZE, "".join(parts), alt, [(card.COLORS[0], "left eye"), (card.COLORS[1], "right eye")])
+
+
+def _outline(eye: Eye) -> NDArray[np.float64]:
+    """Angles to the right and up of points along the edge of a view, degrees (4 · EDGE, 2)."""
+    corners = eye.corners
+    share = (np.arange(EDGE) / EDGE)[None, :, None]
+    edge = (corners[:, None] * (1.0 - share) + np.roll(corners, -1, axis=0)[:, None] * share).reshape(-1, 3)
+    side = np.arctan2(edge[:, 0], -edge[:, 2])
+    up = np.arctan2(edge[:, 1], np.hypot(edge[:, 0], edge[:, 2]))
+    angles: NDArray[np.float64] = np.degrees(np.column_stack([side, up]))
+    return angles
+
+
+def _grid(scale: float) -> str:
+    """Lines each 30 degrees, with their angles."""
+    width, height = SIZE
+    parts = []
+    for angle in range(-180, 181, 30):
+        x, y = width / 2 + angle * scale, height / 2 - angle * scale
+        strong = ".45" if angle == 0 else ".15"
+        style = f'stroke="currentColor" stroke-opacity="{strong}"'
+        label = f'fill="currentColor" fill-opacity=".7" font-size="11">{angle}°</text>'
+        if 0 < x < width:
+            parts.append(f'<path d="M{x:.1f} 0V{height}" {style}/><text x="{x + 3:.1f}" y="{height - 3}" {label}')
+        if 0 < y < height and angle:
+            parts.append(f'<path d="M0 {y:.1f}H{width}" {style}/><text x="3" y="{y - 3:.1f}" {label}')
+        elif not angle:
+            parts.append(f'<path d="M0 {y:.1f}H{width}" {style}/>')
+    return "".join(parts)
+
+
+def figures(
+    total: TotalFov,
+    ipd: float,
+    sizes: Mapping[str, tuple[int, int] | None],
+    refresh_hz: float | None,
+    triangle_budget: tuple[int, int] | None,
+    hidden_area_percent: float | None,
+) -> list[tuple[str, str]]:
+    """Format the figures of a headset; those that are None are unknown and left out."""
+    view = f"{total.horizontal_deg:.0f}° × {total.vertical_deg:.0f}°, of which both eyes see {total.overlap_deg:.0f}°"
+    rows = [("field of view", view)]
+    rows += [(name, f"{size[0]} × {size[1]} pixels an eye") for name, size in sizes.items() if size is not None]
+    if refresh_hz is not None:
+        rows.append(("refresh rate", f"{refresh_hz:g} Hz"))
+    rows.append(("distance of eyes", f"{1000.0 * ipd:.1f} mm"))
+    if triangle_budget is not None:
+        rows.append(("budget", f"{triangle_budget[0]:,} to {triangle_budget[1]:,} triangles a frame"))
+    if hidden_area_percent is not None:
+        rows.append(("hidden area", f"{hidden_area_percent:.3g} % of a view"))
+    return rows
