@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 import nearfar as nf
+from tests.support.card_cases import Card
 from tests.support.hmd_cases import quaternion
 from tests.support.leveled_cases import ball, model_from
 from tests.support.reduce_cases import CENTER, R1, R2, street
@@ -227,3 +228,12 @@ def test_frames_of_two_sizes_make_no_pair() -> None:
     pair = nf.StereoFrame(QUEST, frames[0], frames[0])
     with pytest.raises(ValueError, match="frame has no color"):
         _ = pair.side_by_side
+
+
+def test_notebooks_show_both_eyes_or_at_least_the_repr(reduced: nf.ReducedScene) -> None:
+    stereo = nf.render_eyes(reduced, QUEST, HEAD, size=SIZE)
+    shown = Card(stereo._repr_html_())
+    assert shown.count("img") == 1
+    assert "72 × 64 pixels each" in shown.text
+    without_color = nf.render_eyes(reduced, QUEST, HEAD, size=SIZE, channels=("range",))
+    assert without_color._repr_html_().startswith("<pre>")

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import check, files
+from nearfar._base import card, check, files
 from nearfar._render.frame import Frame
 from nearfar._render.level_choice import Lod
 from nearfar._render.renderable import Renderable
@@ -93,6 +93,13 @@ class StereoFrame:
             return _core.encode_srgb(linear).reshape(linear.shape)
 
         return picture(self.left), picture(self.right)
+
+    @card.shown
+    def _repr_html_(self) -> str:
+        """Both pictures side by side for notebooks, with headset and size below."""
+        width, height = self.left.camera.size
+        caption = f"left and right eye of {self.hmd.name}, {width} × {height} pixels each"
+        return card.page("StereoFrame", (), card.picture(self.side_by_side, "left and right eye", caption))
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write `side_by_side` as a PNG, completely or not at all.
