@@ -124,7 +124,7 @@ def test_unfittable_and_lone_levels_are_written(tmp_path: Path) -> None:
     nan = np.array([model.curves.a[0], np.nan])
     bad = replace(model.curves, a=nan, b=nan, c=nan, d=nan, rms=nan, status=np.array(["fitted", "unfittable"]))
     model = replace(model, curves=bad)
-    model.export(tmp_path / "bad.glb", view=FOV)
+    model.export(tmp_path / "bad.glb", view=FOV, all_levels=True)
     back = nf.lod.LodModel.load(tmp_path / "bad.glb")
     assert back.curves.status.tolist() == ["fitted", "unfittable"]
     assert np.isnan(back.curves.a[1])

@@ -7,6 +7,10 @@ import time
 from pathlib import Path
 from typing import Annotated, Any
 
+import numpy as np
+import typer
+from numpy.typing import NDArray
+
 import nearfar as nf
 from nearfar._base import formats
 from nearfar.cli import _options as options
@@ -37,6 +41,7 @@ def lod(
     threshold: Annotated[
         str, option("--threshold", "KIND", "Its formula: anchored, literal or normalized.")
     ] = Threshold.kind,
+    all_levels: Annotated[bool, typer.Option("--all-levels", help="Write levels that are never shown, too.")] = False,
     backend: options.Backend = "auto",
     up: options.Up = "y",
     scale: options.Scale = None,
@@ -56,9 +61,10 @@ def lod(
     simplified = time.perf_counter()
     model = nf.lod.measure(levels, hmd=device, views=views, distances=distances, backend=backend)
     seconds = {"simplify": simplified - started, "measure": time.perf_counter() - simplified}
-    model.export(output, view=device, k=k, d=d, threshold=threshold)
+    model.export(output, view=device, k=k, d=d, threshold=threshold, all_levels=all_levels)
     switches = nf.lod.switches(model, view=device, k=k, d=d, threshold=threshold)
-    document = describe(model, switches) | {
+    written = np.ones(len(model), bool) if all_levels else switches.shown
+    document = describe(model, switches, written) | {
         "source": scene,
         "file": str(output),
         "bytes": output.stat().st_size,
@@ -82,8 +88,8 @@ def read_ratios(text: str) -> list[float]:
         raise ValueError(f"--ratios: expected numbers such as 0.5,0.2,0.05, got {text!r}") from None
 
 
-def describe(model: nf.lod.LodModel, switches: nf.lod.Switches) -> dict[str, Any]:
-    """Document of a model's levels; schema "levels"."""
+def describe(model: nf.lod.LodModel, switches: nf.lod.Switches, written: NDArray[np.bool_]) -> dict[str, Any]:
+    """Document of a model's levels, of which a file holds those that are `written` (K,); schema "levels"."""
     statuses = [None, *model.curves.status.tolist()]
     never = switches.solid_angle == 0
     geometry = model.levels or ()
@@ -98,11 +104,14 @@ def describe(model: nf.lod.LodModel, switches: nf.lod.Switches) -> dict[str, Any
                 "curve": statuses[number],
                 "solid_angle": float(switches.solid_angle[number]),
                 "screen_coverage": float(switches.screen_coverage[number]),
+                "shown": bool(switches.shown[number]),
+                "written": bool(written[number]),
+                "limit_of_measurement": bool(switches.is_limit[number]),
                 "distance": None if never[number] else float(switches.distance[number] * model.radius),
             }
             for number in range(len(model))
         ],
-        "screen_coverage": switches.coverages(),
+        "screen_coverage": switches.of_levels(np.flatnonzero(written)).coverages(),
     }
 
 
@@ -110,5 +119,10 @@ def _text(level: dict[str, Any]) -> str:
     parts = [f"{count(level['triangles'])} triangles", f"error {level['error']:.3g} m"]
     if level["curve"] is not None:
         where = "never" if level["distance"] is None else f"from {level['distance']:.3g} m on"
-        parts.append(f"good enough {where} ({level['screen_coverage']:.2%} of the picture)")
+        share = f"{level['screen_coverage']:.2%} of the picture"
+        if level["limit_of_measurement"]:
+            where, share = f"at all sizes measured, {where}", f"{share}; larger is beyond what was measured"
+        parts.append(f"good enough {where} ({share})")
+    if not level["shown"]:
+        parts.append("never shown" + ("" if level["written"] else ", left out of the file"))
     return ", ".join(parts) + (f"; {level['note']}" if level["note"] else "")

@@ -38,9 +38,13 @@ def write(
     *,
     view: Hmd | Camera | Fov,
     threshold: LodThreshold,
+    all_levels: bool,
 ) -> None:
     """Write a model; `LodModel.export` documents the files."""
     sizes = switches(model, view=view, threshold=threshold)
+    if not all_levels:
+        numbers = np.flatnonzero(sizes.shown)
+        model, sizes = model.of_levels(numbers), sizes.of_levels(numbers)
     document = _file.document(model) | {"switches": engine_levels(model, sizes)}
     match path.suffix.lower():
         case ".json":
@@ -120,6 +124,7 @@ def export(
     k: SupportsFloat | None = None,
     d: SupportsFloat | None = None,
     threshold: LodThreshold | str | None = None,
+    all_levels: bool = False,
 ) -> None:
     """Write a scene whose objects have levels as GLB that engines switch by themselves.
 
@@ -135,6 +140,8 @@ def export(
         Ends in `.glb`. Whole or not at all.
     view, k, d, threshold
         As in `switches`, by which coverages are worked out.
+    all_levels
+        Write levels that are never shown, too: those that end at no greater size than a coarser one.
 
     Raises
     ------
@@ -156,8 +163,11 @@ def export(
     chosen = table.row_of >= 0
     placements, numbers = _core.placements_of(core, chosen)
     rest = core.without_objects(chosen)
+    written = [np.arange(len(size.shown)) if all_levels else np.flatnonzero(size.shown) for size in sizes]
+    sizes = [size.of_levels(levels) for size, levels in zip(sizes, written, strict=True)]
     # Objects without levels come first, then every object's levels, one instance for each, all standing.
-    rows = [table.meshes[row] for row in table.row_of[numbers].tolist()]
+    chosen_rows = zip(table.row_of[numbers].tolist(), table.model_of[numbers].tolist(), strict=True)
+    rows = [[table.meshes[row][level] for level in written[model]] for row, model in chosen_rows]
     counts = np.array([len(row) for row in rows], np.int64)
     meshes = [mesh for row in rows for mesh in row]
     whole = _core.with_instances(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -30,6 +30,24 @@ class MeasuredLevels:
     levels: Levels | None = None
     measured: dict[str, Any] = field(default_factory=dict)
     samples: Samples | None = None
+
+    def of_levels(self, numbers: NDArray[np.int64]) -> MeasuredLevels:
+        """Return the model with some of its levels, by their ascending numbers (N,), of which the first is 0."""
+        samples = self.samples
+        if samples is not None:
+            views = None if samples.views is None else samples.views[numbers]
+            samples = replace(samples, score=samples.score[numbers], views=views)
+        levels = self.levels
+        if levels is not None:
+            levels = Levels([levels[number] for number in numbers.tolist()], name=levels.name, frame=levels.frame)
+        return replace(
+            self,
+            triangles=self.triangles[numbers],
+            curves=self.curves[numbers[1:] - 1],
+            errors=self.errors[numbers],
+            levels=levels,
+            samples=samples,
+        )
 
     def __len__(self) -> int:
         """Return the number of levels, level 0 included."""

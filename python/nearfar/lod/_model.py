@@ -78,6 +78,7 @@ class LodModel(MeasuredLevels):
         k: float | None = None,
         d: float | None = None,
         threshold: LodThreshold | str | None = None,
+        all_levels: bool = False,
     ) -> None:
         """Write the model for engines, whole or not at all: they switch levels at the sizes that the curves give.
 
@@ -91,6 +92,9 @@ class LodModel(MeasuredLevels):
             scenes it keeps triangles, surfaces and normals, all of one object.
         view, k, d, threshold
             The screen and the threshold, as in `switches`.
+        all_levels
+            Write levels that are never shown, too: those that end at no greater size than a coarser one. They may be
+            shown with another screen or threshold. By default the file holds the model without them.
 
         Raises
         ------
@@ -103,7 +107,8 @@ class LodModel(MeasuredLevels):
         ----------
         Khronos Group: glTF 2.0, extension MSFT_lod.
         """
-        _export.write(self, check.path("path", path), view=view, threshold=threshold_of(threshold, k, d))
+        target, least_score = check.path("path", path), threshold_of(threshold, k, d)
+        _export.write(self, target, view=view, threshold=least_score, all_levels=all_levels)
 
     def selector(self, mode: str) -> Selector:
         """Return the `Selector` that `nearfar.render` uses where it is given a mode alone: all else at its defaults."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import SupportsFloat
 
 import numpy as np
@@ -17,6 +17,9 @@ from nearfar.lod._select.threshold import LodThreshold, threshold_of
 
 _SAMPLED_SIZES = 1024
 """Sizes in even and in geometric steps, between which a curve may cross the threshold: as a rule both are monotonic."""
+
+_ROUNDING = 1e-9
+"""Greatest relative difference of two computations of one size."""
 
 _HALVINGS = 64
 """Halvings of the interval of a crossing: float64 has 53 binary digits."""
@@ -38,18 +41,41 @@ class Switches:
     """The same as the share of the picture's area that the sphere covers, 0..1: π r²/z² over the picture's area."""
     screen_height: NDArray[np.float64]
     """The same as the sphere's diameter over the picture's height, 0..1."""
+    is_limit: NDArray[np.bool_]
+    """Whether a level is good enough at all sizes that were measured, so that its own end is not known (K,)."""
+
+    @property
+    def shown(self) -> NDArray[np.bool_]:
+        """Whether a level is ever shown (K,): it is good enough up to a greater size than all coarser ones."""
+        coarser = np.maximum.accumulate(self.solid_angle[::-1])[::-1]
+        shown = self.solid_angle > np.append(coarser[1:], 0.0)
+        shown[0] = True
+        return shown
+
+    def of_levels(self, numbers: NDArray[np.int64]) -> Switches:
+        """The switches of some of the levels, by their ascending numbers (N,)."""
+        return Switches(**{field.name: getattr(self, field.name)[numbers] for field in fields(self)})
 
     def coverages(self) -> list[float]:
         """`MSFT_screencoverage`: where each level ends and the next begins; 0 for the last, which has no end."""
         return [*np.maximum.accumulate(self.screen_coverage[:0:-1])[::-1].tolist(), 0.0]
 
     def __str__(self) -> str:
-        """Table of the levels and the sizes up to which each is good enough."""
+        """Table of the levels and the sizes up to which each is good enough.
+
+        A switch "beyond what was measured" is the greatest size that was measured; the level's own is not known.
+        """
         rows = [f"{'level':>5}  {'up to sr':>10}  {'from radii':>10}  {'area':>8}  {'height':>8}"]
         columns = (self.solid_angle, self.distance, self.screen_coverage, self.screen_height)
         for number, (sigma, distance, area, height) in enumerate(zip(*(c.tolist() for c in columns), strict=True)):
-            rows.append(f"{number:>5}  {sigma:>10.4g}  {distance:>10.4g}  {area:>8.2%}  {height:>8.2%}")
+            row = f"{number:>5}  {sigma:>10.4g}  {distance:>10.4g}  {area:>8.2%}  {height:>8.2%}"
+            rows.append("  ".join([row, *self.remarks(number)]))
         return "\n".join(rows)
+
+    def remarks(self, level: int) -> list[str]:
+        """What the sizes of a level do not say: "never shown", "beyond what was measured"."""
+        never, limit = not self.shown[level], self.is_limit[level]
+        return (["beyond what was measured"] if limit else []) + (["never shown"] if never else [])
 
 
 def switches(
@@ -92,6 +118,7 @@ def switches(
     fov = _fov(view)
     reference = reference_solid_angle(view)
     sizes = _good_sizes(model, reference, threshold_of(threshold, k, d).line(reference))
+    is_limit = (sizes >= model.sigma[1] * (1 - _ROUNDING)) & (np.arange(len(model)) > 0)
     sine = np.sqrt(np.where(sizes < 2 * math.pi, sizes / (2 * math.pi) * (2 - sizes / (2 * math.pi)), 1.0))
     width, height = fov.right - fov.left, fov.up - fov.down
     with np.errstate(divide="ignore"):
@@ -100,7 +127,7 @@ def switches(
     coverage[0] = 1.0
     tall = np.minimum(1.0, 2 * sine / height)
     tall[0] = 1.0
-    return Switches(sizes, distance, coverage, tall)
+    return Switches(sizes, distance, coverage, tall, is_limit)
 
 
 def _good_sizes(model: MeasuredLevels, reference: float, line: tuple[float, float]) -> NDArray[np.float64]:
