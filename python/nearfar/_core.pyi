@@ -60,6 +60,7 @@ class Scene:
         material_colors: _F32,
         material_textures: NDArray[np.int32],
         material_cutoffs: _F32,
+        material_tags: NDArray[np.uint64],
         textures: list[NDArray[np.uint8]],
     ) -> Scene: ...
     def merged(self) -> Mesh: ...

@@ -98,7 +98,7 @@ def test_everything_that_shading_uses_comes_back_bit_for_bit(tmp_path: Path) -> 
     for how in METHODS:
         for toward in [(1, 0, 0.3), (-1, 0.1, 1), (0.2, 0, -1)]:
             assert_same_pictures(reduced, loaded, camera(USER, toward), **how)
-    again = glb.decode(glb.encode(loaded.scene._core, scene.object_names), scene._names)
+    again = glb.decode(glb.encode(loaded.scene._core, scene.object_names, {}), scene._names)
     np.testing.assert_array_equal(again.triangles(), near.triangles())
 
 

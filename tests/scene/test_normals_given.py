@@ -162,7 +162,7 @@ def test_saved_scenes_have_the_same_normals() -> None:
         beside[0, 3] = 2.5 * number - 5
         builder.instance(handle, beside.copy(), name=f"ball {number}")
     scene = builder.build()
-    encoded = glb.encode(scene._core, scene.object_names)
+    encoded = glb.encode(scene._core, scene.object_names, {})
     decoded = glb.decode(encoded, Names(scene.object_names))
     before = parts_of(scene)
     after = [_core.mesh_parts(mesh) for mesh in _core.scene_parts(decoded)["meshes"]]

@@ -100,6 +100,11 @@ def header(data: bytes) -> tuple[dict[str, Any], int]:
     return json_object(data[start : start + length]), start + length
 
 
+def binary(data: bytes, end: int) -> bytes:
+    """Content of a GLB's second chunk, which begins at `end`; empty for none."""
+    return data[end + _CHUNK.size :] if len(data) > end else b""
+
+
 def with_document(data: bytes, end: int, document: dict[str, Any]) -> bytes:
     """A GLB with another JSON document; `end` is the place where its second chunk begins."""
     return _file(json.dumps(document), data[end:])

@@ -57,10 +57,11 @@ def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> Non
         files={"near": NEAR, "far": None if contents.env is None else FAR},
         counts=contents.counts,
         moving=_moving(near),
+        notes=list(near.report.notes),
         object_names=names if isinstance(names, int) else list(names),
     )
     with files.atomic_folder(target, marker=DOCUMENT) as folder:
-        (folder / NEAR).write_bytes(glb.encode(near._core, near.object_names))
+        (folder / NEAR).write_bytes(glb.encode(near._core, near.object_names, near._undrawn))
         if contents.env is not None:
             contents.env.save(folder / FAR, half=half)
         (folder / DOCUMENT).write_text(formats.to_json(document), encoding="utf-8")
@@ -92,12 +93,14 @@ def load(path: str | os.PathLike[str]) -> Contents:
         near_radius, far_radius = check.radii(document["r1"], document["r2"])
         counts = {name: check.integer(name, document["counts"][name], 0, 2**62) for name in COUNTS}
         has_map = document["files"]["far"] is not None
+        notes = tuple(check.instance("notes", note, str, "texts") for note in document.get("notes", []))
     data = (folder / NEAR).read_bytes()
     with formats.guarded(folder / NEAR):
-        core = glb.decode(data, names)
+        decoder = glb.Decoder(data, names)
+        core, undrawn = decoder.decode(), decoder.undrawn
     with formats.guarded(folder / DOCUMENT):
         frames, rest = _frames(document["moving"], names, core.moving_placements())
-        near = Scene(core, names, frames=frames, rest=rest)
+        near = Scene(core, names, frames=frames, rest=rest, notes=notes, undrawn=undrawn)
         return Contents(
             near,
             EnvMap.load(folder / FAR) if has_map else None,

@@ -335,9 +335,10 @@ class ReducedScene(InNotebooks):
         Parameters
         ----------
         path
-            The folder. It contains `near.glb`, the drawn geometry, unmorphed, with objects as named nodes; `far.exr`,
-            the map, if there is one (`EnvMap.save`); and `reduced.json` with all other data. An existing folder is
-            replaced if it is empty or contains a `reduced.json`.
+            The folder. It contains `near.glb`, the drawn geometry, unmorphed, with objects as named nodes and with
+            materials as their glTF file has them, also as far as they are not drawn; `far.exr`, the map, if there is
+            one (`EnvMap.save`); and `reduced.json` with all other data. An existing folder is replaced if it is empty
+            or contains a `reduced.json`.
         half
             True stores the map's colour as 16-bit floats, as `EnvMap.save` does; False stores it bit for bit.
 

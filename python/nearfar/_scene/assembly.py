@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,9 +21,13 @@ from nearfar._scene.arrays import (
     transforms_of,
     uvs_of,
 )
+from nearfar._scene.undrawn import Undrawn
 
 _OWN_OBJECTS = -1
 """Object number of an instance whose mesh has an object number for each face."""
+
+_NO_TAG = 0
+"""Tag of a material that is drawn in full."""
 
 _MOST_VERTICES = 2**32 - 2**16
 """Greatest number of vertices of a merged mesh, whose indices have 32 bits."""
@@ -41,6 +45,8 @@ class Assembled:
     """Number of the source's faces that were left out."""
     notes: tuple[str, ...] = ()
     """Parts of the source that are ignored or drawn differently, one sentence each."""
+    undrawn: Mapping[int, Undrawn] = field(default_factory=dict)
+    """What the materials hold besides, by their tags in `core`."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +70,8 @@ class Assembly:
     """Implementation of `nearfar.SceneBuilder`, which adds the step to a `Scene`."""
 
     def __init__(self) -> None:
-        self._materials: dict[tuple[tuple[float, ...], int, float | None], int] = {}
+        self._materials: dict[tuple[tuple[float, ...], int, float | None, int], int] = {}
+        self._undrawn: dict[int, Undrawn] = {}
         self._textures: dict[int, tuple[NDArray[np.uint8], int]] = {}
         self._meshes: list[_Mesh] = []
         self._placed: list[tuple[int, NDArray[np.float64], NDArray[np.int32]]] = []
@@ -88,6 +95,15 @@ class Assembly:
         cutoff
             Least alpha that is drawn; None draws everything opaque.
         """
+        return self._material(base_color, texture, cutoff)
+
+    def _material(
+        self,
+        base_color: Sequence[float],
+        texture: NDArray[np.uint8] | None,
+        cutoff: float | None,
+        undrawn: Undrawn | None = None,
+    ) -> int:
         color = np.asarray(base_color, np.float32)
         if color.shape != (4,) or not ((color >= 0) & (color <= 1)).all():
             raise ValueError(f"base_color: expected linear RGBA, four numbers in 0..1, got {base_color}")
@@ -98,7 +114,10 @@ class Assembly:
             # The reference keeps the array alive; its id could be reused otherwise.
             texture, link = self._textures.setdefault(id(texture), (texture, len(self._textures)))
             texture_of("texture", texture)
-        return self._materials.setdefault((tuple(color.tolist()), link, cutoff), len(self._materials))
+        tag = _NO_TAG if undrawn is None else undrawn.tag
+        if undrawn is not None:
+            self._undrawn[tag] = undrawn
+        return self._materials.setdefault((tuple(color.tolist()), link, cutoff, tag), len(self._materials))
 
     def mesh(
         self,
@@ -244,7 +263,7 @@ class Assembly:
         if core.triangle_count and np.abs(bounds).max() >= ORIGIN_LIMIT:
             core = self._scene_at(placed, merges, np.rint(bounds.mean(axis=0)))
         names = tuple(self._names) if self._nameless is None else self._nameless
-        return Assembled(core.with_moving(movers[:-1]), names, self._frames())
+        return Assembled(core.with_moving(movers[:-1]), names, self._frames(), undrawn=self._undrawn)
 
     def _object_number(self, name: str) -> int:
         if name not in self._names:
@@ -284,7 +303,7 @@ class Assembly:
         rest = np.flatnonzero(~merges)
         identities = np.broadcast_to(np.eye(4)[:3], (len(merged), 3, 4))
         face_objects = np.full(len(merged), _OWN_OBJECTS, np.int32)
-        colors = [color for color, _, _ in self._materials]
+        colors, links, cutoffs, tags = zip(*self._materials, strict=True) if self._materials else ((), (), (), ())
         return _core.Scene(
             origin=(float(origin[0]), float(origin[1]), float(origin[2])),
             meshes=merged + self._instanced(rest, placed),
@@ -292,8 +311,9 @@ class Assembly:
             objects=np.concatenate([face_objects, placed.object[rest]]),
             standing_count=len(merged) + len(rest),
             material_colors=np.array(colors, np.float32).reshape(-1, 4),
-            material_textures=np.array([link for _, link, _ in self._materials], np.int32),
-            material_cutoffs=np.array([np.nan if c is None else c for _, _, c in self._materials], np.float32),
+            material_textures=np.array(links, np.int32),
+            material_cutoffs=np.array([np.nan if cutoff is None else cutoff for cutoff in cutoffs], np.float32),
+            material_tags=np.array(tags, np.uint64),
             textures=[texture_of("texture", texture) for texture, _ in self._textures.values()],
         )
 

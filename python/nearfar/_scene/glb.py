@@ -1,40 +1,47 @@
 """Writes a scene as a GLB that other programs can show, and reads it back with the same bits in every array.
 
 A static mesh that holds many objects is a node with a child for each object; an instance is a node with a mesh.
-`extras` store data that glTF does not define: the number of static instances, and the order of a mesh's faces before
-they were sorted by object and material.
+`extras` store data that glTF does not define: the number of static instances, the order of a mesh's faces before they
+were sorted by object and material, and whether they were turned, because a mirror reverses them in glTF but not here.
+Texture coordinates point down in glTF; where 1 − v would round, `_V` holds the v that points up.
 """
 
 from __future__ import annotations
 
-import io
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from nearfar import _core
 from nearfar._base import check, glb
 from nearfar._base.version import __version__
-from nearfar._scene.materials import MOST_TEXELS, colors_of, to_linear
+from nearfar._scene import glb_surfaces
+from nearfar._scene.glb_surfaces import SurfaceWriter
+from nearfar._scene.materials import colors_of, to_linear
 from nearfar._scene.names import Names
+from nearfar._scene.undrawn import Undrawn
 
 _IDENTITY = np.eye(4)[:3]
 _NO_OBJECT = -1
+_UPRIGHT = "upright"
+"""Extra of files whose images have row 0 on top and whose texture coordinates point down, as glTF wants it."""
+_EXACT_V = "_V"
+_TURNED = "turned"
 
 
-def encode(core: _core.Scene, names: tuple[str, ...]) -> bytes:
+def encode(core: _core.Scene, names: tuple[str, ...], undrawn: Mapping[int, Undrawn]) -> bytes:
     """Encode all content of a scene as a GLB; the scene's origin becomes the root node's translation."""
-    return Encoder(core, names).encode()
+    return Encoder(core, names, undrawn).encode()
 
 
 class Encoder:
     """Writes instances of a scene as glTF nodes, with the meshes, materials and textures that they use."""
 
-    def __init__(self, core: _core.Scene, names: Sequence[str]) -> None:
+    def __init__(self, core: _core.Scene, names: Sequence[str], undrawn: Mapping[int, Undrawn]) -> None:
         self._parts = _core.scene_parts(core)
         self._ids = core.mesh_ids().tolist()
         self._names = names
@@ -42,8 +49,8 @@ class Encoder:
         self._meshes: list[dict[str, Any]] = []
         self.nodes: list[dict[str, Any]] = []
         """Nodes added so far."""
-        self._materials: dict[int, int] = {}
-        self._written: dict[tuple[int, bool], _Written] = {}
+        self._surfaces = SurfaceWriter(self._writer, self._parts, undrawn)
+        self._written: dict[tuple[int, bool, bool], _Written] = {}
 
     def encode(self) -> bytes:
         """Encode the whole scene."""
@@ -63,15 +70,18 @@ class Encoder:
     def finish(self, roots: list[int], **fields: Any) -> bytes:
         """Encode a file that shows the nodes with these numbers; `fields` are added to its document."""
         scene = {"nodes": roots} if roots else {}
+        surfaces = self._surfaces.fields()
+        used = sorted({*surfaces["extensionsUsed"], *fields.get("extensionsUsed", ())})
         return self._writer.encode(
             {
-                "asset": {"version": "2.0", "generator": f"nearfar {__version__}"},
+                "asset": {"version": "2.0", "generator": f"nearfar {__version__}", "extras": {_UPRIGHT: True}},
                 "scene": 0,
                 "scenes": [scene],
                 "nodes": self.nodes,
                 "meshes": self._meshes,
-                **self._surfaces(),
+                **surfaces,
                 **fields,
+                "extensionsUsed": used,
             }
         )
 
@@ -79,13 +89,17 @@ class Encoder:
         """Add the nodes of an instance that has faces and return the number of the parent node."""
         mesh = self._parts["meshes"][number]
         named = int(self._parts["objects"][number])
-        key = (self._ids[number], named == _NO_OBJECT)
+        placement = self._parts["placements"][number]
+        # glTF shows a mesh inside out where its placement mirrors it.
+        turned = bool(np.linalg.det(placement[:, :3]) < 0)
+        key = (self._ids[number], named == _NO_OBJECT, turned)
         if key not in self._written:
-            self._written[key] = self._mesh(mesh, whole=named != _NO_OBJECT)
+            self._written[key] = self._mesh(mesh.turned() if turned else mesh, whole=named != _NO_OBJECT)
         written = self._written[key]
-        node: dict[str, Any] = {}
-        if written.order is not None:
-            node["extras"] = {"order": written.order}
+        extras: dict[str, Any] = {} if written.order is None else {"order": written.order}
+        if turned:
+            extras[_TURNED] = True
+        node: dict[str, Any] = {"extras": extras} if extras else {}
         if named != _NO_OBJECT:
             node |= {"name": self._names[named], "mesh": written.meshes[0]}
         else:
@@ -93,7 +107,6 @@ class Encoder:
                 self._add({"name": self._names[owner]} if owner >= 0 else {}, mesh)
                 for owner, mesh in zip(written.objects, written.meshes, strict=True)
             ]
-        placement = self._parts["placements"][number]
         if not np.array_equal(placement, _IDENTITY):
             node["matrix"] = np.vstack([placement, [0, 0, 0, 1]]).T.ravel().tolist()
         return self._add(node)
@@ -132,35 +145,12 @@ class Encoder:
                 "indices": self._writer.accessor(view, indices[3 * start : 3 * end], 3 * start),
             }
             if material[start] >= 0:
-                primitive["material"] = self._materials.setdefault(int(material[start]), len(self._materials))
+                primitive["material"] = self._surfaces.number(int(material[start]))
             self._meshes[-1]["primitives"].append(primitive)
         if (np.diff(order) < 0).any():
             values = order.astype(np.uint32)
             written.order = self._writer.accessor(self._writer.view(values), values, 0)
         return written
-
-    def _surfaces(self) -> dict[str, Any]:
-        """Return the used materials, in the order of their first use, and their textures."""
-        sources: dict[int, int] = {}
-        materials = []
-        for number in self._materials:
-            surface: dict[str, Any] = {
-                "baseColorFactor": self._parts["material_colors"][number].astype(np.float64).tolist(),
-                "metallicFactor": 0.0,
-            }
-            if (texture := int(self._parts["material_textures"][number])) >= 0:
-                surface["baseColorTexture"] = {"index": sources.setdefault(texture, len(sources))}
-            material: dict[str, Any] = {"pbrMetallicRoughness": surface, "doubleSided": True}
-            if not np.isnan(cutoff := float(self._parts["material_cutoffs"][number])):
-                # glTF does not allow cutoffs below 0; like 0 they cut nothing out.
-                material |= {"alphaMode": "MASK", "alphaCutoff": max(cutoff, 0.0)}
-            materials.append(material)
-        images = [
-            {"bufferView": self._writer.view(_png(self._parts["textures"][number])), "mimeType": "image/png"}
-            for number in sources
-        ]
-        textures = [{"source": number} for number in range(len(images))]
-        return {"materials": materials, "textures": textures, "images": images}
 
 
 @dataclass
@@ -181,7 +171,7 @@ class _Streams:
         self._writer, self._first = writer, first.tolist()
         values: dict[str, NDArray[Any]] = {"POSITION": parts["positions"][rows]}
         if parts["uvs"] is not None:
-            values["TEXCOORD_0"] = parts["uvs"][rows]
+            values |= _downwards(parts["uvs"][rows])
         if parts["colors"] is not None:
             values["COLOR_0"] = _linear(parts["colors"][rows])
         if parts["normals"] is not None:
@@ -216,6 +206,7 @@ class Decoder:
         self.document = self._reader.document
         """The file's JSON document."""
         self._names = names
+        self._upright = bool(self.document["asset"].get("extras", {}).get(_UPRIGHT))
         self._meshes: dict[tuple[Any, ...], _core.Mesh] = {}
 
     def decode(self) -> _core.Scene:
@@ -234,8 +225,22 @@ class Decoder:
             placements=placements,
             objects=np.array(objects, np.int32),
             standing_count=root["extras"]["standing"],
-            **self.surfaces(),
+            **self.surfaces,
         )
+
+    @property
+    def surfaces(self) -> dict[str, Any]:
+        """Materials and textures as arguments of `_core.Scene`."""
+        return self._surfaces[0]
+
+    @property
+    def undrawn(self) -> dict[int, Undrawn]:
+        """What the materials hold besides, by their tags."""
+        return self._surfaces[1]
+
+    @cached_property
+    def _surfaces(self) -> tuple[dict[str, Any], dict[int, Undrawn]]:
+        return glb_surfaces.read(self._reader, upright=self._upright)
 
     def _object(self, node: dict[str, Any]) -> int:
         return self._names.number("name", node["name"]) if "name" in node else _NO_OBJECT
@@ -247,10 +252,12 @@ class Decoder:
             pieces = [(node["mesh"], _NO_OBJECT)]
         else:
             pieces = [(nodes[child]["mesh"], self._object(nodes[child])) for child in node["children"]]
-        order = node.get("extras", {}).get("order")
-        key = (order, *pieces)
+        extras = node.get("extras", {})
+        order, turned = extras.get("order"), bool(extras.get(_TURNED))
+        key = (order, turned, *pieces)
         if key not in self._meshes:
-            self._meshes[key] = self._joined(pieces, order)
+            mesh = self._joined(pieces, order)
+            self._meshes[key] = mesh.turned() if turned else mesh
         return self._meshes[key]
 
     def _joined(self, pieces: list[tuple[int, int]], order: int | None) -> _core.Mesh:
@@ -276,25 +283,12 @@ class Decoder:
         return _core.Mesh(
             joined["POSITION"],
             np.ascontiguousarray(np.concatenate(faces)[rank]),
-            uvs=joined.get("TEXCOORD_0"),
+            uvs=_upwards(joined) if self._upright else joined.get("TEXCOORD_0"),
             colors=None if colors is None else colors_of(colors, before, linear=True),
             normals=joined["NORMAL"] if joined["NORMAL"].any() else None,
             objects=np.ascontiguousarray(np.concatenate(objects)[rank]),
             materials=np.ascontiguousarray(np.concatenate(materials)[rank]),
         )
-
-    def surfaces(self) -> dict[str, Any]:
-        """Return materials and textures as arguments of `_core.Scene`."""
-        materials = self.document.get("materials", [])
-        surfaces = [material["pbrMetallicRoughness"] for material in materials]
-        links = [surface.get("baseColorTexture", {"index": -1})["index"] for surface in surfaces]
-        images = self.document.get("images", [])
-        return {
-            "material_colors": np.array([s["baseColorFactor"] for s in surfaces], np.float32).reshape(-1, 4),
-            "material_textures": np.array(links, np.int32),
-            "material_cutoffs": np.array([material.get("alphaCutoff", np.nan) for material in materials], np.float32),
-            "textures": [_texels(bytes(self._reader.bytes(image["bufferView"]))) for image in images],
-        }
 
 
 def _placement(node: dict[str, Any]) -> NDArray[np.float64]:
@@ -309,27 +303,27 @@ def _ranks(order: NDArray[Any]) -> NDArray[np.int64]:
     return ranks
 
 
+def _downwards(uvs: NDArray[np.float32]) -> dict[str, NDArray[np.float32]]:
+    """Attributes of texture coordinates, of which `_upwards` makes the same bits again."""
+    flipped = np.column_stack([uvs[:, 0], np.float32(1) - uvs[:, 1]])
+    attributes = {"TEXCOORD_0": flipped}
+    again = np.float32(1) - flipped[:, 1]
+    if not np.array_equal(again.view(np.uint32), np.ascontiguousarray(uvs[:, 1]).view(np.uint32)):
+        attributes[_EXACT_V] = np.ascontiguousarray(uvs[:, 1:])
+    return attributes
+
+
+def _upwards(attributes: dict[str, NDArray[Any]]) -> NDArray[np.float32] | None:
+    if "TEXCOORD_0" not in attributes:
+        return None
+    flipped = attributes["TEXCOORD_0"]
+    v = np.float32(1) - flipped[:, 1]
+    return np.column_stack([flipped[:, 0], attributes[_EXACT_V].reshape(-1) if _EXACT_V in attributes else v])
+
+
 def _linear(colors: NDArray[np.uint8]) -> NDArray[np.uint16]:
     """Convert sRGB to 16-bit linear colours for glTF, losslessly: 8-bit steps are at least 20 16-bit steps apart."""
     table = np.rint(to_linear(np.arange(256) / 255) * 65535).astype(np.uint16)
     wide = table[colors]
     wide[:, 3] = colors[:, 3].astype(np.uint16) * 257
     return wide
-
-
-def _png(texels: NDArray[np.uint8]) -> bytes:
-    """Encode a texture as PNG, upside down: glTF's v points down, and computing 1 − v would not be exact."""
-    opaque = bool((texels[..., 3] == 255).all())
-    file = io.BytesIO()
-    Image.fromarray(texels[::-1, :, : 3 if opaque else 4]).save(file, "png", compress_level=3)
-    return file.getvalue()
-
-
-def _texels(data: bytes) -> NDArray[np.uint8]:
-    try:
-        with Image.open(io.BytesIO(data), formats=["png"]) as image:
-            if image.size[0] * image.size[1] > MOST_TEXELS:
-                raise ValueError("too large")
-            return np.ascontiguousarray(np.asarray(image.convert("RGBA"))[::-1])
-    except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
-        raise ValueError(f"expected a readable texture, got {error}") from None

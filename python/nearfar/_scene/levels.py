@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol, runtime_checkable
 
@@ -198,6 +198,14 @@ def _check_model(argument: str, model: object) -> None:
         raise ValueError(f"{argument}: expected a model with the geometry of its levels, got one without")
     if len(model.levels) != len(model):
         raise ValueError(f"{argument}: expected geometry of {len(model)} levels, got {len(model.levels)}")
+
+
+def kept_of(models: Iterable[Any], scene: Any = None) -> dict[str, Any]:
+    """Notes and undrawn parts of materials of a scene and of models' levels, each once, as arguments of `Scene`."""
+    levels = (level.scene for model in models for level in model.levels)
+    scenes = [*levels] if scene is None else [scene, *levels]
+    notes = dict.fromkeys(note for each in scenes for note in each._notes)
+    return {"notes": tuple(notes), "undrawn": {tag: part for each in scenes for tag, part in each._undrawn.items()}}
 
 
 def levels_of(argument: str, levels: ArrayLike | Mapping[str, int], leveled: Leveled) -> NDArray[np.int64]:

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import io
 import json
-from importlib.util import find_spec
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nearfar._base import glb
-from nearfar._scene.materials import Materials, colors_of
+from nearfar._scene import gltf_extensions
+from nearfar._scene.gltf_buffers import COMPONENTS, WIDTHS, Buffers, name_files
+from nearfar._scene.materials import Described, Materials, colors_of
 from nearfar._scene.report import count
 from nearfar._scene.source import Node, Shape, Source, UnusableError, world_transforms
 
 _TRIANGLES, _STRIP = 4, 5
-_FLOAT = 5126
+_READ_ATTRIBUTES = ("POSITION", "NORMAL", "TEXCOORD_0", "COLOR_0")
+_PLURALS = {"set of tangents": "sets of tangents"}
 _READ_MODES = (0, 1, _TRIANGLES, _STRIP)
 """Modes of primitives that trimesh reads (points, lines, triangles, strips); it skips the others."""
 
@@ -25,12 +28,6 @@ _UNBACKED = 64 << 20
 _EXPANSION = 200
 """Greatest size of accessors without data in a large file, in file sizes; Draco compresses less than that."""
 
-_UNREAD = ("EXT_meshopt_compression", "KHR_meshopt_compression")
-"""Extensions that compress whole meshes and that trimesh does not read."""
-
-_COMPONENT_BYTES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
-_COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
-
 
 def read(label: str, data: bytes, kind: str, resolver: Any) -> Source:
     """Read a GLB or the JSON of a glTF; the resolver loads its buffers and images."""
@@ -38,16 +35,18 @@ def read(label: str, data: bytes, kind: str, resolver: Any) -> Source:
 
     header, end = glb.header(data) if kind == "glb" else (glb.json_object(data), 0)
     notes = _notes(header)
-    if _free_nodes(header):
+    buffers = Buffers(header, glb.binary(data, end) if kind == "glb" else b"", resolver)
+    changes = [_free_nodes(header), gltf_extensions.choose_images(header), name_files(header, resolver)]
+    if any(changes):
         data = glb.with_document(data, end, header) if kind == "glb" else json.dumps(header).encode()
     _check_sizes(header, len(data))
-    _check_extensions(header)
+    gltf_extensions.check(header, has_binary=kind == "glb" and len(data) > end)
     reader = gltf.load_glb if kind == "glb" else gltf.load_gltf
     parts = reader(file_obj=io.BytesIO(data), resolver=resolver)
     primitives = [p for mesh in header.get("meshes", []) for p in mesh["primitives"] if _mode(p) in _READ_MODES]
     materials = Materials()
     shapes = {
-        name: _shape(arrays, primitive, header, materials)
+        name: _shape(arrays, primitive, header, buffers, materials)
         for (name, arrays), primitive in zip(parts["geometry"].items(), primitives, strict=True)
         if "faces" in arrays
     }
@@ -77,66 +76,65 @@ def _check_sizes(header: dict[str, Any], size: int) -> None:
     claimed = 0
     for accessor in header.get("accessors", []):
         if "bufferView" not in accessor:
-            item = _COMPONENT_BYTES[accessor["componentType"]] * _COMPONENTS[accessor["type"]]
+            item = np.dtype(COMPONENTS[accessor["componentType"]]).itemsize * WIDTHS[accessor["type"]]
             claimed += int(accessor["count"]) * item
     if claimed > max(_UNBACKED, _EXPANSION * size):
         raise UnusableError(f"its accessors claim {claimed:,} bytes without data")
-
-
-def _check_extensions(header: dict[str, Any]) -> None:
-    """Refuse compressed geometry that trimesh would read as zeros."""
-    for name in header.get("extensionsRequired", []):
-        if name in _UNREAD:
-            raise UnusableError(f"it needs the extension {name}, which is not read: save it uncompressed")
-        if name == "KHR_draco_mesh_compression" and not find_spec("DracoPy"):
-            raise ModuleNotFoundError(name="DracoPy")
 
 
 def _mode(primitive: dict[str, Any]) -> Any:
     return primitive.get("mode", _TRIANGLES)
 
 
-def _shape(arrays: dict[str, Any], primitive: dict[str, Any], header: dict[str, Any], materials: Materials) -> Shape:
-    vertices = arrays["vertices"]
+def _shape(
+    arrays: dict[str, Any], primitive: dict[str, Any], header: dict[str, Any], buffers: Buffers, materials: Materials
+) -> Shape:
+    special = {
+        name: buffers.array(number)
+        for name, number in primitive["attributes"].items()
+        if name in _READ_ATTRIBUTES and buffers.misread(name, number)
+    }
+    vertices = special.get("POSITION", arrays["vertices"])
+    _check_decoded(primitive, header, vertices)
     visual = arrays.get("visual")
     colors = arrays.get("vertex_colors")
     shape = Shape(vertices, arrays["faces"])
-    if _accessor(primitive, "POSITION", header).get("normalized"):
-        raise UnusableError("its positions are normalised integers, which are not read: save them as floats")
-    normals = arrays.get("vertex_normals")
+    normals = special.get("NORMAL", arrays.get("vertex_normals"))
     if normals is not None and np.shape(normals) == np.shape(vertices):
         shape.normals = np.asarray(normals)
     if visual is not None:
         described = header["materials"][primitive["material"]]
-        textured = "baseColorTexture" in described.get("pbrMetallicRoughness", {})
-        shape.materials = materials.of(visual.material, factor=_factor(described), textured=textured)
-        # Trimesh computes 1 − v before it scales whole numbers to 0..1, so only floats are right.
-        shape.uvs = visual.uv if _component(primitive, "TEXCOORD_0", header) == _FLOAT else None
+        shape.materials = materials.of(visual.material, described=Described(described, buffers.texture))
+        shape.uvs = _upwards(special["TEXCOORD_0"]) if "TEXCOORD_0" in special else visual.uv
         colors = visual.vertex_attributes.get("color", None)
+    colors = special.get("COLOR_0", colors)
     if colors is not None:
         # COLOR_0 is linear (glTF 2.0, 3.7.2.1).
         shape.colors = colors_of(np.asarray(colors), len(vertices), linear=True)
     return shape
 
 
+def _upwards(uvs: NDArray[Any]) -> NDArray[Any]:
+    """Texture coordinates whose v points up; those of files point down."""
+    return np.column_stack([uvs[:, 0], 1 - uvs[:, 1]])
+
+
+def _check_decoded(primitive: dict[str, Any], header: dict[str, Any], vertices: NDArray[Any]) -> None:
+    """Refuse the zeros that trimesh leaves where an extension was not decoded."""
+    accessors = [_accessor(primitive, "POSITION", header)]
+    if "indices" in primitive:
+        accessors.append(header["accessors"][primitive["indices"]])
+    if any("sparse" in accessor for accessor in accessors[1:]):
+        raise UnusableError("its faces are stored as sparse accessors, which is not read: save them in full")
+    names = list(primitive.get("extensions", {}))
+    is_missing = "bufferView" not in accessors[0] and "sparse" not in accessors[0]
+    if names and is_missing and not np.any(vertices):
+        raise UnusableError(f"its extension {names[0]} was not decoded: save the model without it")
+
+
 def _accessor(primitive: dict[str, Any], attribute: str, header: dict[str, Any]) -> dict[str, Any]:
     number = primitive.get("attributes", {}).get(attribute)
     return {} if number is None else header["accessors"][number]
-
-
-def _component(primitive: dict[str, Any], attribute: str, header: dict[str, Any]) -> int:
-    """Component type of an attribute; float for an absent one."""
-    kind: int = _accessor(primitive, attribute, header).get("componentType", _FLOAT)
-    return kind
-
-
-def _factor(material: dict[str, Any]) -> tuple[float, float, float, float] | None:
-    """Base colour factor in full precision; None means trimesh's value, which may come from an extension."""
-    factor = material.get("pbrMetallicRoughness", {}).get("baseColorFactor")
-    if factor is None or material.get("extensions"):
-        return None
-    red, green, blue, alpha = np.clip(np.nan_to_num(np.array(factor, np.float64)), 0, 1).tolist()
-    return red, green, blue, alpha
 
 
 def _nodes(parts: dict[str, Any], header: dict[str, Any], shapes: dict[str, Shape]) -> list[Node]:
@@ -163,7 +161,8 @@ def _notes(header: dict[str, Any]) -> list[str]:
     materials = json.dumps(header.get("materials", []))
     ignored["texture transform"] = materials.count('"KHR_texture_transform"')
     ignored["second texture coordinate"] = materials.count('"texCoord": 1')
-    ignored["quantised set of texture coordinates"] = sum(
-        _component(p, "TEXCOORD_0", header) != _FLOAT for p in primitives
-    )
-    return [f"{count(number, feature)} ignored" for feature, number in ignored.items() if number]
+    ignored["set of tangents"] = sum("TANGENT" in p.get("attributes", {}) for p in primitives)
+    notes = [
+        f"{count(number, feature, _PLURALS.get(feature, ''))} ignored" for feature, number in ignored.items() if number
+    ]
+    return notes + gltf_extensions.ignored(header)

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import io
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
+
+from nearfar._scene import undrawn as undrawn_parts
+from nearfar._scene.undrawn import EncodedImage, TextureSource, Undrawn
 
 MOST_TEXELS = 1 << 27
 """Greatest number of texels of one texture (half a gigabyte); a damaged header can claim billions."""
@@ -28,6 +33,8 @@ class BaseColor:
     """Least alpha that is drawn; None draws everything opaque."""
     notes: tuple[str, ...] = ()
     """Differences from the source's material, phrased to follow "2 materials"."""
+    undrawn: Undrawn | None = None
+    """What the source's material holds besides; None for nothing."""
 
 
 PLAIN = BaseColor(factor=(0.8, 0.8, 0.8, 1.0))
@@ -79,6 +86,29 @@ def _to_bytes(values: NDArray[Any]) -> NDArray[np.uint8]:
     return levels
 
 
+@dataclass(frozen=True, eq=False)
+class Described:
+    """A material's entry in a glTF document, from which trimesh takes a part only."""
+
+    material: dict[str, Any]
+    texture: Callable[[int], TextureSource | None]
+    """Returns the texture of a number; None where it cannot be read."""
+
+    @property
+    def factor(self) -> tuple[float, float, float, float] | None:
+        """Base colour factor in full precision; None means trimesh's value, which may come from an extension."""
+        factor = self.material.get("pbrMetallicRoughness", {}).get("baseColorFactor")
+        if factor is None or _OTHER_SURFACE in (self.material.get("extensions") or ()):
+            return None
+        red, green, blue, alpha = np.clip(np.nan_to_num(np.array(factor, np.float64)), 0, 1).tolist()
+        return red, green, blue, alpha
+
+    @property
+    def is_textured(self) -> bool:
+        """Whether it refers to a texture, so that a missing one is noted."""
+        return "baseColorTexture" in self.material.get("pbrMetallicRoughness", {})
+
+
 _UNREADABLE = "with an unreadable texture drawn without it"
 
 
@@ -92,6 +122,36 @@ def _is_placeholder(image: Any) -> bool:
     return bool(image.tobytes() == grey.tobytes())
 
 
+def _described(material: Any) -> Described:
+    """The glTF entry of a material of trimesh that comes from no file; its textures become PNG when asked for."""
+    images: list[Any] = []
+
+    def value(key: str, item: Any) -> Any:
+        if key.endswith("Texture"):
+            images.append(item)
+            return {"index": len(images) - 1}
+        return item.tolist() if hasattr(item, "tolist") else item
+
+    entry = {key: value(key, item) for key, item in material._data.items() if not key.startswith("baseColorF")}
+    surface = {key: entry.pop(key) for key in _SURFACE_KEYS if key in entry}
+    return Described(entry | {"pbrMetallicRoughness": surface}, lambda number: _encoded(images[number]))
+
+
+_OTHER_SURFACE = "KHR_materials_pbrSpecularGlossiness"
+"""Extension that trimesh takes base colours from."""
+
+_SURFACE_KEYS = ("metallicFactor", "roughnessFactor", "baseColorTexture", "metallicRoughnessTexture")
+
+
+def _encoded(image: Any) -> TextureSource | None:
+    file = io.BytesIO()
+    try:
+        image.save(file, "png", compress_level=1)
+    except Exception:  # Pillow's decoders raise errors of any type
+        return None
+    return TextureSource(EncodedImage(file.getvalue(), "image/png"))
+
+
 class Materials:
     """Converts trimesh's materials to base colours and decodes each image once, however many materials use it."""
 
@@ -100,19 +160,15 @@ class Materials:
         self._textures: dict[tuple[int, int, int], NDArray[np.uint8]] = {}
         self._images: dict[int, tuple[Any, NDArray[np.uint8] | None]] = {}
 
-    def of(
-        self, material: Any, *, factor: tuple[float, float, float, float] | None = None, textured: bool = False
-    ) -> list[BaseColor]:
+    def of(self, material: Any, *, described: Described | None = None) -> list[BaseColor]:
         """Return the base colours of a material, several for a MultiMaterial.
 
         Parameters
         ----------
         material
             A material of trimesh, or None.
-        factor
-            Base colour factor in full precision; None takes the material's, which has 8 bits.
-        textured
-            Whether the source refers to a texture, so that a missing one is noted.
+        described
+            Its entry in the file that it comes from; None takes all from the material.
         """
         if material is None:
             return []
@@ -120,18 +176,19 @@ class Materials:
             return [color for part in material.materials for color in self.of(part) or [PLAIN]]
         if id(material) not in self._colors:
             is_physical = hasattr(material, "baseColorFactor")
-            colors = self._physical(material, factor, textured) if is_physical else self._simple(material)
+            colors = self._physical(material, described) if is_physical else self._simple(material)
             # The reference keeps the material alive; its id could be reused otherwise.
             self._colors[id(material)] = (material, colors)
         return [self._colors[id(material)][1]]
 
-    def _physical(self, material: Any, factor: tuple[float, float, float, float] | None, textured: bool) -> BaseColor:
+    def _physical(self, material: Any, described: Described | None) -> BaseColor:
+        factor = None if described is None else described.factor
         if factor is None:
             color = material.baseColorFactor
             stored = (1.0, 1.0, 1.0, 1.0) if color is None else tuple(float(c) / 255 for c in color)
             factor = (stored[0], stored[1], stored[2], stored[3])
         texture, notes = self._texture(material.baseColorTexture)
-        if textured and material.baseColorTexture is None:
+        if described is not None and described.is_textured and material.baseColorTexture is None:
             notes = (_UNREADABLE,)
         mode = str(material.alphaMode or "OPAQUE").upper()
         if mode == "BLEND":
@@ -140,7 +197,9 @@ class Materials:
         if mode == "MASK":
             least_alpha = material.alphaCutoff
             cutoff = 0.5 if least_alpha is None or not np.isfinite(least_alpha) else float(least_alpha)
-        return BaseColor(factor, texture, cutoff, notes)
+        described = described or _described(material)
+        undrawn, differences = undrawn_parts.of_gltf(described.material, described.texture)
+        return BaseColor(factor, texture, cutoff, notes + differences, undrawn)
 
     def _simple(self, material: Any) -> BaseColor:
         """Base colour of a Wavefront material: the diffuse colour is taken as sRGB, as in three.js."""

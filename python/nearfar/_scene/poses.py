@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nearfar import _core
 from nearfar._scene.arrays import transforms_of
 
 Floats = NDArray[np.float64]
@@ -51,3 +52,16 @@ def current_pose(frame: Floats, placement: Floats, rest: Floats, origin: Floats)
     for matrix in (now, loaded):
         matrix[:3, 3] += origin
     return now @ np.linalg.solve(loaded, frame)
+
+
+def frame_of(frames: Floats | None, number: int) -> Floats:
+    """Load transform (4, 4) of an object; those after the listed ones (N, 4, 4) are identities."""
+    return np.eye(4) if frames is None or number >= len(frames) else np.asarray(frames[number])
+
+
+def pose_of(core: _core.Scene, number: int, frame: Floats, rest: Floats) -> Floats:
+    """Present object→world (4, 4) of an object, from its load transform and moving instances' placements then."""
+    rows = np.flatnonzero(core.moving_objects() == number)
+    if not len(rows):
+        return frame.copy()
+    return current_pose(frame, core.moving_placements()[rows[0]], rest[rows[0]], np.array(core.origin))

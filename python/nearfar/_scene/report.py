@@ -25,7 +25,7 @@ class Report:
     dynamic: int
     """Number of instances that `Scene.at` can pose."""
     materials: int
-    """Number of distinct base colours."""
+    """Number of distinct materials, also of those that are drawn alike."""
     textures: int
     """Number of distinct images."""
     degenerate_faces: int

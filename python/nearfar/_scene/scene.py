@@ -16,11 +16,12 @@ from nearfar._camera.shot import Shot
 from nearfar._scene import preview
 from nearfar._scene.arrays import triangle_mask
 from nearfar._scene.assembly import Assembled, one_mesh
-from nearfar._scene.levels import Leveled, LevelTable, check_levels, levels_of, with_levels
+from nearfar._scene.levels import Leveled, LevelTable, check_levels, kept_of, levels_of, with_levels
 from nearfar._scene.names import Names, names_of
-from nearfar._scene.poses import checked_pose, current_pose, placements_in
+from nearfar._scene.poses import checked_pose, frame_of, placements_in, pose_of
 from nearfar._scene.report import Report
 from nearfar._scene.serialize import core_of_parts, parts_of
+from nearfar._scene.undrawn import Undrawn
 
 if TYPE_CHECKING:
     import trimesh
@@ -46,6 +47,7 @@ class Scene:
         dropped: int = 0,
         notes: tuple[str, ...] = (),
         table: LevelTable | None = None,
+        undrawn: Mapping[int, Undrawn] | None = None,
     ) -> None:
         self._core = core
         self._names = names
@@ -54,10 +56,12 @@ class Scene:
         self._dropped = dropped
         self._notes = notes
         self._table = table
+        self._undrawn: Mapping[int, Undrawn] = undrawn or {}
 
     @classmethod
     def _from_assembled(cls, parts: Assembled) -> Scene:
-        return cls(parts.core, Names(parts.names), frames=parts.frames, dropped=parts.dropped, notes=parts.notes)
+        kept = {name: getattr(parts, name) for name in ("frames", "dropped", "notes", "undrawn")}
+        return cls(parts.core, Names(parts.names), **kept)
 
     @classmethod
     def load(
@@ -66,8 +70,8 @@ class Scene:
         """Load a file: GLB, glTF with its buffers and images, OBJ with MTL, PLY, STL, OFF or another format of trimesh.
 
         Nodes become objects; meshes that are placed more than once stay instances; base colour factors, base colour
-        textures and vertex colours are kept. `report` lists parts that are not drawn. A single-file format may be
-        packed (``.ply.gz``).
+        textures and vertex colours are drawn. `report` lists what is not drawn; files written from the scene have it
+        nevertheless, if it is of glTF's materials. A single-file format may be packed (``.ply.gz``).
 
         Parameters
         ----------
@@ -86,7 +90,7 @@ class Scene:
         Raises
         ------
         SceneError
-            A file that cannot be used; the message names it and the reason.
+            A file that cannot be used, or needs an extension that is not read; the message names it and the reason.
         ValueError, TypeError
             A `scale` that is not a number above 0, and unknown names of axes and treatments.
         OSError
@@ -250,7 +254,7 @@ class Scene:
         frames = np.array([self._frame(number) for number in numbers], np.float64).reshape(-1, 4, 4)
         new = check_levels(self._names, numbers, list(models.values()), frames, in_place=True)
         core, rest, table = with_levels(self._core, self._rest, self._table, len(self._names), new)
-        return self._derived(core, rest, table)
+        return self._derived(core, rest, table, **kept_of(new.models, self))
 
     @cached_property
     def leveled(self) -> Leveled | None:
@@ -321,16 +325,10 @@ class Scene:
 
     def _pose(self, number: int) -> NDArray[np.float64]:
         """Present object→world (4, 4) of an object."""
-        rows = np.flatnonzero(self._core.moving_objects() == number)
-        frame = self._frame(number)
-        if not len(rows):
-            return frame.copy()
-        return current_pose(frame, self._core.moving_placements()[rows[0]], self._rest[rows[0]], self.origin)
+        return pose_of(self._core, number, self._frame(number), self._rest)
 
     def _frame(self, number: int) -> NDArray[np.float64]:
-        if self._frames is None or number >= len(self._frames):
-            return np.eye(4)
-        return np.asarray(self._frames[number])
+        return frame_of(self._frames, number)
 
     def trace(self, shot: Shot, report: Callable[[int, int], None] | None = None) -> list[dict[str, NDArray[Any]]]:
         """Trace the pictures of a shot, one for each camera; `nearfar.render` makes frames of them."""
@@ -370,13 +368,15 @@ class Scene:
         remains = np.diff(before)[self._core.instance_count - len(owner) :] > 0
         return self._derived(self._core.subset_of_triangles(mask), self._rest[remains])
 
-    def _derived(self, core: _core.Scene, rest: NDArray[np.float64], table: LevelTable | None = None) -> Scene:
-        return Scene(core, self._names, **{**self._own, "rest": rest, "table": table})
+    def _derived(
+        self, core: _core.Scene, rest: NDArray[np.float64], table: LevelTable | None = None, **kept: Any
+    ) -> Scene:
+        return Scene(core, self._names, **{**self._own, "rest": rest, "table": table, **kept})
 
     @property
     def _own(self) -> dict[str, Any]:
         """Keyword arguments that make this scene of its core and its names."""
-        return {name: getattr(self, f"_{name}") for name in ("frames", "rest", "dropped", "notes", "table")}
+        return {name: getattr(self, f"_{name}") for name in ("frames", "rest", "dropped", "notes", "table", "undrawn")}
 
     def __getstate__(self) -> dict[str, Any]:
         """Pickle a scene as arrays; its search trees are rebuilt after unpickling."""

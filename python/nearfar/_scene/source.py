@@ -114,7 +114,8 @@ def assemble(source: Source, *, up: str, on_invalid: str, scale: float | None = 
         parts = builder.assemble()
     except ValueError as error:
         raise SceneError(f"{source.label}: {error}") from error
-    return replace(parts, dropped=dropped, notes=tuple(source.notes + _material_notes(shapes.values())))
+    notes = [*source.notes, *_material_notes(shapes.values()), *_alpha_notes(shapes.values())]
+    return replace(parts, dropped=dropped, notes=tuple(notes))
 
 
 def _to_metres(source: Source, scale: float | None) -> None:
@@ -170,8 +171,8 @@ def _repair(shape: Shape) -> tuple[str, int]:
 
 def _add(builder: Assembly, shape: Shape) -> int:
     materials = shape.materials or [PLAIN if shape.colors is None else UNCOLORED]
-    textured = shape.uvs is not None and any(m.texture is not None for m in materials)
-    numbers = [builder.material(m.factor, m.texture if textured else None, m.cutoff) for m in materials]
+    textured = shape.uvs is not None and any(_is_textured(material) for material in materials)
+    numbers = [_number(builder, material, textured=textured) for material in materials]
     per_face = len(numbers) > 1 and shape.face_material is not None
     return builder.mesh(
         shape.vertices,
@@ -181,6 +182,17 @@ def _add(builder: Assembly, shape: Shape) -> int:
         colors=shape.colors,
         normals=None if shape.normals is None else _finite(shape.normals),
     )
+
+
+def _is_textured(material: BaseColor) -> bool:
+    return material.texture is not None or (material.undrawn is not None and material.undrawn.has_maps)
+
+
+def _number(builder: Assembly, material: BaseColor, *, textured: bool) -> int:
+    undrawn = material.undrawn
+    if textured or undrawn is None:
+        return builder._material(material.factor, material.texture if textured else None, material.cutoff, undrawn)
+    return builder._material(material.factor, None, material.cutoff, undrawn.without_textures())
 
 
 def _finite(normals: NDArray[Any]) -> NDArray[Any]:
@@ -193,3 +205,14 @@ def _material_notes(shapes: Iterable[Shape]) -> list[str]:
     materials = {id(material): material for shape in shapes for material in shape.materials}
     counts = Counter(note for material in materials.values() for note in material.notes)
     return [f"{count(number, 'material')} {note}" for note, number in counts.items()]
+
+
+def _alpha_notes(shapes: Iterable[Shape]) -> list[str]:
+    transparent = sum(_ignores_alpha(shape) for shape in shapes)
+    return [f"{count(transparent, 'mesh', 'meshes')} with vertex alpha below 1 drawn opaque"] if transparent else []
+
+
+def _ignores_alpha(shape: Shape) -> bool:
+    if shape.colors is None or shape.colors.shape[1] < 4 or (shape.colors[:, 3] == 255).all():
+        return False
+    return not shape.materials or any(material.cutoff is None for material in shape.materials)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, SupportsFloat
 
@@ -13,8 +13,10 @@ from numpy.typing import NDArray
 from nearfar import _core
 from nearfar._base import check, files, formats
 from nearfar._camera.camera import Camera, Fov
+from nearfar._scene.levels import kept_of
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene, core_of
+from nearfar._scene.undrawn import Undrawn
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod import _file
 from nearfar.lod._levels import Level, Levels
@@ -65,7 +67,8 @@ def _glb_of(model: MeasuredLevels, sizes: Switches, document: dict[str, Any]) ->
     names = [model.name, *(f"{model.name}_lod{number}" for number in range(1, len(levels)))]
     everywhere = np.tile(_IDENTITY[None, :3], (len(levels), 1, 1))
     objects = np.arange(len(levels), dtype=np.int32)
-    encoder = glb.Encoder(_core.with_instances(core, levels, everywhere, objects, len(levels)), names)
+    whole = _core.with_instances(core, levels, everywhere, objects, len(levels))
+    encoder = glb.Encoder(whole, names, kept_of([model])["undrawn"])
     nodes = [encoder.place(number) for number in range(len(levels))]
     _link(encoder.nodes, nodes, sizes)
     listed = [{name: getattr(level, name) for name in MEASURED} for level in geometry]
@@ -88,14 +91,14 @@ def _fields(decoder: glb.Decoder, path: Path) -> dict[str, Any]:
     document = finest["extras"][OURS]
     fields = _file.fields(document, path)
     chain = [finest, *(nodes[number] for number in finest.get("extensions", {}).get(EXTENSION, {"ids": []})["ids"])]
-    surfaces = decoder.surfaces()
+    surfaces, undrawn = decoder.surfaces, decoder.undrawn
     geometry = document["geometry"]
     if not len(chain) == len(geometry) == len(fields["triangles"]):
         raise ValueError(f"expected {len(fields['triangles'])} levels, got {len(chain)} nodes")
     name = fields["name"]
     levels = [
         Level(
-            scene=_scene(decoder.mesh(node), surfaces, name),
+            scene=_scene(decoder.mesh(node), surfaces, undrawn, name),
             note=str(level["note"]),
             **{name: check.number(name, level[name]) for name in MEASURED[:3]},
         )
@@ -104,7 +107,7 @@ def _fields(decoder: glb.Decoder, path: Path) -> dict[str, Any]:
     return fields | {"levels": Levels(levels, name=name, frame=document["frame"])}
 
 
-def _scene(mesh: _core.Mesh, surfaces: dict[str, Any], name: str) -> Scene:
+def _scene(mesh: _core.Mesh, surfaces: dict[str, Any], undrawn: Mapping[int, Undrawn], name: str) -> Scene:
     core = _core.Scene(
         origin=(0.0, 0.0, 0.0),
         meshes=[mesh],
@@ -113,7 +116,7 @@ def _scene(mesh: _core.Mesh, surfaces: dict[str, Any], name: str) -> Scene:
         standing_count=1,
         **surfaces,
     )
-    return Scene(core, Names((name,)))
+    return Scene(core, Names((name,)), undrawn=undrawn)
 
 
 def export(
@@ -130,7 +133,8 @@ def export(
 
     Each object is a node with its level 0, `MSFT_lod` and `MSFT_screencoverage`; its other levels are nodes outside of
     the scene that stand in the same place, and share their meshes with other objects of the model. Programs without
-    the extension show level 0. Everything else of the scene is written as it is.
+    the extension show level 0. Everything else of the scene is written as it is, with all that files hold of materials
+    and that is not drawn: maps of normals, metal, roughness, occlusion and emission, blending, and single-sided faces.
 
     Parameters
     ----------
@@ -157,7 +161,7 @@ def export(
     if target.suffix.lower() != ".glb":
         raise ValueError(f"path: expected a name ending in .glb, got {os.fspath(path)!r}")
     if table is None:
-        _save(target, glb.encode(core, scene.object_names))
+        _save(target, glb.encode(core, scene.object_names, scene._undrawn))
         return
     sizes = [switches(model, view=view, threshold=least_score) for model in table.models]
     chosen = table.row_of >= 0
@@ -173,15 +177,13 @@ def export(
     whole = _core.with_instances(
         rest, meshes, np.repeat(placements, counts, axis=0), np.repeat(numbers, counts).astype(np.int32), len(meshes)
     )
-    _save(target, _placed(whole, rest, scene.object_names, counts, [sizes[m] for m in table.model_of[numbers]]))
+    encoder = glb.Encoder(whole, scene.object_names, scene._undrawn)
+    _save(target, _placed(encoder, whole, rest, counts, [sizes[m] for m in table.model_of[numbers]]))
 
 
 def _placed(
-    whole: _core.Scene, rest: _core.Scene, names: Sequence[str], counts: NDArray[np.int64], sizes: list[Switches]
+    encoder: glb.Encoder, whole: _core.Scene, rest: _core.Scene, counts: NDArray[np.int64], sizes: list[Switches]
 ) -> bytes:
-    from nearfar._scene import glb
-
-    encoder = glb.Encoder(whole, names)
     standing = rest.instance_count - len(rest.moving_objects())
     leveled = int(counts.sum())
     has_faces = np.diff(whole.triangle_offsets()) > 0

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.arrays import ORIGIN_LIMIT, transforms_of
-from nearfar._scene.levels import check_levels, with_levels
+from nearfar._scene.levels import check_levels, kept_of, with_levels
 from nearfar._scene.names import Names, names_of
 from nearfar._scene.scene import Scene
 from nearfar.lod._measured_levels import MeasuredLevels
@@ -72,7 +72,7 @@ def place(
     known = Names(count if listed is None else listed)
     new = check_levels(known, range(count), [models[number] for number in index.tolist()], frames, in_place=False)
     core, rest, table = with_levels(empty(_origin(frames)), np.zeros((0, 3, 4)), None, count, new)
-    return Scene(core, known, frames=frames, rest=rest, table=table).with_dynamic(dynamic)
+    return Scene(core, known, frames=frames, rest=rest, table=table, **kept_of(new.models)).with_dynamic(dynamic)
 
 
 def empty(origin: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> _core.Scene:
@@ -86,6 +86,7 @@ def empty(origin: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> _core.Scene:
         material_colors=np.zeros((0, 4), np.float32),
         material_textures=np.zeros(0, np.int32),
         material_cutoffs=np.zeros(0, np.float32),
+        material_tags=np.zeros(0, np.uint64),
         textures=[],
     )
 

@@ -26,7 +26,9 @@ SAVE_INTERVAL_S = 5.0
 
 def content(scene: Scene) -> str:
     """Hash of all that is drawn of a scene."""
-    return cache.key("scene", parts_of(scene._core))
+    parts = parts_of(scene._core)
+    del parts["material_tags"]
+    return cache.key("scene", parts)
 
 
 class ScoreCache:

@@ -67,7 +67,7 @@ class Base:
         self.name = name or _name_of(mesh, scene, only)
         self.frame = np.eye(4) if only is None else scene._pose(only)
         """The object's own frame → the scene's (4, 4)."""
-        self._notes = scene.report.notes
+        self._kept: dict[str, Any] = {"notes": scene.report.notes, "undrawn": scene._undrawn}
         self._core = scene._core
         parts = _core.mesh_parts(self._core.merged())
         attributes = {key: parts[key] for key in ATTRIBUTES if parts.get(key) is not None}
@@ -108,7 +108,7 @@ class Base:
             materials=surface.materials,
             **surface.attributes,
         )
-        return Scene(self._core.of_mesh(mesh), Names([self.name]), notes=self._notes)
+        return Scene(self._core.of_mesh(mesh), Names([self.name]), **self._kept)
 
 
 def _scene_of(mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[str]) -> Scene:

@@ -212,7 +212,7 @@ mod tests {
 
     #[test]
     fn surfaces_are_added_once_and_meshes_speak_of_them() {
-        let red = |texture| Material { base_color: [1.0, 0.0, 0.0, 1.0], texture, alpha: crate::scene::Alpha::Opaque };
+        let red = |texture| Material { base_color: [1.0, 0.0, 0.0, 1.0], texture, ..Material::default() };
         let own = scene(vec![placed(&fan(2, 0), 0.0, 0)], vec![red(Some(0))], vec![image(7)]);
         let mesh = fan(3, 1);
         let other = || scene(vec![placed(&mesh, 0.0, 0)], vec![red(Some(0)), red(Some(1))], vec![image(9), image(7)]);
@@ -226,6 +226,15 @@ mod tests {
         }
         let (again, _) = joined.with_surfaces(&[&other()]).unwrap();
         assert!(Arc::ptr_eq(&again.materials, &joined.materials) && Arc::ptr_eq(&again.textures, &joined.textures));
+    }
+
+    #[test]
+    fn materials_that_are_drawn_alike_stay_apart_by_their_tags() {
+        let tagged = |tag| Material { tag, ..Material::default() };
+        let level = |tag| scene(vec![placed(&fan(1, 0), 0.0, 0)], vec![tagged(tag)], vec![]);
+        let (joined, meshes) = level(1).with_surfaces(&[&level(2), &level(1)]).unwrap();
+        assert_eq!(*joined.materials, vec![tagged(1), tagged(2)]);
+        assert_eq!([meshes[0].materials.get(0), meshes[1].materials.get(0)], [1, 0]);
     }
 
     #[test]

@@ -21,11 +21,13 @@ pub struct Material {
     pub texture: Option<u32>,
     /// Treatment of alpha.
     pub alpha: Alpha,
+    /// Tells materials apart that are drawn alike, because files hold more of them than is drawn; 0 by default.
+    pub tag: u64,
 }
 
 impl Default for Material {
     /// Light grey, for scenes without materials.
     fn default() -> Self {
-        Self { base_color: [0.8, 0.8, 0.8, 1.0], texture: None, alpha: Alpha::Opaque }
+        Self { base_color: [0.8, 0.8, 0.8, 1.0], texture: None, alpha: Alpha::Opaque, tag: 0 }
     }
 }

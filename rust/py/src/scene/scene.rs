@@ -23,10 +23,11 @@ pub struct Scene(pub scene::Scene);
 #[pymethods]
 impl Scene {
     /// `placements` are (I, 3, 4) object→scene, relative to the origin, static instances first. Object −1 means that
-    /// the mesh gives the objects. A material's texture is −1 for none, and its cutoff is NaN for opaque materials.
+    /// the mesh gives the objects. A material's texture is −1 for none, its cutoff NaN for opaque materials, and
+    /// its tag 0 for materials that are drawn in full.
     #[new]
     #[pyo3(signature = (*, origin, meshes, placements, objects, standing_count, material_colors, material_textures,
-                        material_cutoffs, textures))]
+                        material_cutoffs, material_tags, textures))]
     #[expect(clippy::too_many_arguments, reason = "a scene's parts, by keyword only")]
     fn new<'py>(
         py: Python<'py>,
@@ -38,20 +39,23 @@ impl Scene {
         material_colors: PyReadonlyArray2<'py, f32>,
         material_textures: PyReadonlyArray1<'py, i32>,
         material_cutoffs: PyReadonlyArray1<'py, f32>,
+        material_tags: PyReadonlyArray1<'py, u64>,
         textures: Vec<Bound<'py, PyArrayDyn<u8>>>,
     ) -> PyResult<Self> {
         let meshes: Vec<Arc<scene::Mesh>> = meshes.iter().map(|mesh| Arc::clone(&mesh.0)).collect();
         let (placements, objects) = (affines(&placements), objects.as_array());
         let (colors, links) = (material_colors.as_array(), material_textures.as_array());
-        let cutoffs = material_cutoffs.as_array();
+        let (cutoffs, tags) = (material_cutoffs.as_array(), material_tags.as_array());
         let materials = colors
             .outer_iter()
             .zip(links)
             .zip(cutoffs)
-            .map(|((color, &texture), &cutoff)| Material {
+            .zip(tags)
+            .map(|(((color, &texture), &cutoff), &tag)| Material {
                 base_color: std::array::from_fn(|i| color[i]),
                 texture: u32::try_from(texture).ok(),
                 alpha: if cutoff.is_nan() { Alpha::Opaque } else { Alpha::Mask { cutoff } },
+                tag,
             })
             .collect();
         let textures = textures.iter().map(texture).collect::<PyResult<_>>()?;

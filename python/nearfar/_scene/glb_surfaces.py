@@ -1,0 +1,215 @@
+"""Materials and textures of a GLB that is written from a scene: base colours, and what is kept but not drawn."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from nearfar._base import glb
+from nearfar._scene import undrawn as undrawn_parts
+from nearfar._scene.materials import MOST_TEXELS
+from nearfar._scene.undrawn import TRANSFORM, EncodedImage, TextureSource, Undrawn
+
+_SURFACE, _BASE = "pbrMetallicRoughness", "baseColorTexture"
+_PLAIN_KINDS = ("image/png", "image/jpeg")
+_KIND_EXTENSIONS = {
+    "image/webp": "EXT_texture_webp",
+    "image/avif": "EXT_texture_avif",
+    "image/ktx2": "KHR_texture_basisu",
+}
+_NONE = Undrawn(undrawn_parts.PLAIN)
+
+
+class SurfaceWriter:
+    """Writes materials of a scene, by the result of `_core.scene_parts`, with the textures that they use."""
+
+    def __init__(self, writer: glb.Writer, parts: dict[str, Any], undrawn: Mapping[int, Undrawn]) -> None:
+        self._writer, self._parts, self._undrawn = writer, parts, undrawn
+        self._numbers: dict[int, int] = {}
+        self._base_images: dict[int, int] = {}
+        self._other_images: dict[EncodedImage, int] = {}
+        self._samplers: list[dict[str, Any]] = []
+        self._images: list[dict[str, Any]] = []
+        self._textures: list[dict[str, Any]] = []
+        self._required: set[str] = set()
+        self._used: set[str] = set()
+
+    def number(self, material: int) -> int:
+        """The number in the file of a scene's material."""
+        return self._numbers.setdefault(material, len(self._numbers))
+
+    def fields(self) -> dict[str, Any]:
+        """Return the parts of the document; lists may be empty."""
+        materials = [self._material(number) for number in self._numbers]
+        return {
+            "materials": materials,
+            "textures": self._textures,
+            "samplers": self._samplers,
+            "images": self._images,
+            "extensionsUsed": sorted(self._used),
+            "extensionsRequired": sorted(self._required),
+        }
+
+    def _material(self, number: int) -> dict[str, Any]:
+        parts = self._parts
+        undrawn = self._undrawn.get(int(parts["material_tags"][number]), _NONE)
+        material = _sorted(dict(undrawn.material))
+        surface = material.setdefault(_SURFACE, {})
+        color = parts["material_colors"][number]
+        # The file's own digits where they mean the same.
+        if not np.array_equal(np.array(surface.get("baseColorFactor", ()), np.float32), color):
+            surface["baseColorFactor"] = color.astype(np.float64).tolist()
+        texture, base = int(parts["material_textures"][number]), surface.pop(_BASE, None)
+        if texture >= 0:
+            sampler = "" if base is None else undrawn.textures[base["index"]].sampler
+            surface[_BASE] = (base or {}) | {"index": self._base_texture(texture, sampler)}
+        cutoff = float(parts["material_cutoffs"][number])
+        if np.isnan(cutoff):
+            material.pop("alphaCutoff", None)
+            if material.get("alphaMode") == "MASK":
+                del material["alphaMode"]
+        else:
+            # glTF does not allow cutoffs below 0; like 0 they cut nothing out.
+            material["alphaMode"] = "MASK"
+            if np.float32(material.get("alphaCutoff", 0.5)) != np.float32(cutoff) or cutoff < 0:
+                material["alphaCutoff"] = max(cutoff, 0.0)
+        self._used |= set(material.get("extensions", {}))
+        material = _sorted(material)
+        self._link(material, undrawn.textures)
+        return material
+
+    def _link(self, value: dict[str, Any], textures: tuple[TextureSource, ...]) -> None:
+        """Write the textures that a material refers to, and put their numbers in the file in place."""
+        for key, item in value.items():
+            if not isinstance(item, dict):
+                continue
+            if not undrawn_parts.is_texture(key, item):
+                self._link(item, textures)
+                continue
+            if TRANSFORM in item.get("extensions", {}):
+                self._used.add(TRANSFORM)
+            if key != _BASE:
+                source = textures[item["index"]]
+                assert source.image is not None
+                item["index"] = self._texture(self._other_image(source.image), source.sampler, source.image.kind)
+
+    def _base_texture(self, texture: int, sampler: str) -> int:
+        if texture not in self._base_images:
+            self._base_images[texture] = self._image(_png(self._parts["textures"][texture]), "image/png")
+        return self._texture(self._base_images[texture], sampler, "image/png")
+
+    def _other_image(self, image: EncodedImage) -> int:
+        if image not in self._other_images:
+            self._other_images[image] = self._image(image.data, image.kind)
+        return self._other_images[image]
+
+    def _image(self, data: bytes, kind: str) -> int:
+        self._images.append({"bufferView": self._writer.view(data), "mimeType": kind})
+        return len(self._images) - 1
+
+    def _texture(self, image: int, sampler: str, kind: str) -> int:
+        texture: dict[str, Any] = {"source": image}
+        if kind not in _PLAIN_KINDS:
+            name = _KIND_EXTENSIONS[kind]
+            texture = {"extensions": {name: texture}}
+            self._used.add(name)
+            self._required.add(name)
+        if sampler:
+            texture["sampler"] = _place(self._samplers, json.loads(sampler))
+        return _place(self._textures, texture)
+
+
+def _sorted(material: dict[str, Any]) -> dict[str, Any]:
+    """A copy with its keys in order, so that files of equal content are the same bytes."""
+    copied: dict[str, Any] = json.loads(json.dumps(material, sort_keys=True))
+    return copied
+
+
+def _place(entries: list[dict[str, Any]], entry: dict[str, Any]) -> int:
+    """Number of an entry in a list, which gets it if it lacks it."""
+    if entry not in entries:
+        entries.append(entry)
+    return entries.index(entry)
+
+
+def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int, Undrawn]]:
+    """Read what `SurfaceWriter` wrote.
+
+    Parameters
+    ----------
+    reader
+        The file.
+    upright
+        Whether images are stored with row 0 on top, as in all files but those of early versions.
+
+    Returns
+    -------
+    surfaces, undrawn
+        Materials and textures as arguments of `_core.Scene`; what the materials hold besides, by their tags.
+    """
+    document = reader.document
+    materials = document.get("materials", [])
+    surfaces = [material[_SURFACE] for material in materials]
+    sources = [_source(document, surface[_BASE]["index"]) if _BASE in surface else None for surface in surfaces]
+    images = list(dict.fromkeys(source for source in sources if source is not None))
+    kept = [undrawn_parts.of_gltf(material, lambda number: _texture(reader, number))[0] for material in materials]
+    is_cut = [material.get("alphaMode") == "MASK" for material in materials]
+    cutoffs = [
+        material.get("alphaCutoff", 0.5) if cut else np.nan for material, cut in zip(materials, is_cut, strict=True)
+    ]
+    colors = [surface.get("baseColorFactor", (1, 1, 1, 1)) for surface in surfaces]
+    arguments = {
+        "material_colors": np.array(colors, np.float32).reshape(-1, 4),
+        "material_textures": np.array([-1 if s is None else images.index(s) for s in sources], np.int32),
+        "material_cutoffs": np.array(cutoffs, np.float32),
+        "material_tags": np.array([0 if undrawn is None else undrawn.tag for undrawn in kept], np.uint64),
+        "textures": [_texels(_image(reader, number).data, upright=upright) for number in images],
+    }
+    return arguments, {undrawn.tag: undrawn for undrawn in kept if undrawn is not None}
+
+
+def _source(document: dict[str, Any], texture: int) -> int:
+    """Number of a texture's image."""
+    described = document["textures"][texture]
+    entry = described if "source" in described else next(iter(described["extensions"].values()))
+    number: int = entry["source"]
+    return number
+
+
+def _image(reader: glb.Reader, number: int) -> EncodedImage:
+    described = reader.document["images"][number]
+    return EncodedImage(bytes(reader.bytes(described["bufferView"])), str(described["mimeType"]))
+
+
+def _texture(reader: glb.Reader, number: int) -> TextureSource:
+    described = reader.document["textures"][number]
+    sampler = reader.document["samplers"][described["sampler"]] if "sampler" in described else None
+    image = _image(reader, _source(reader.document, number))
+    if image.kind not in (*_PLAIN_KINDS, *_KIND_EXTENSIONS):
+        raise ValueError(f"expected images of known kinds, got {image.kind!r}")
+    return TextureSource(image, "" if sampler is None else json.dumps(sampler))
+
+
+def _png(texels: NDArray[np.uint8]) -> bytes:
+    """Encode a texture as PNG."""
+    opaque = bool((texels[..., 3] == 255).all())
+    file = io.BytesIO()
+    Image.fromarray(texels[:, :, : 3 if opaque else 4]).save(file, "png", compress_level=3)
+    return file.getvalue()
+
+
+def _texels(data: bytes, *, upright: bool) -> NDArray[np.uint8]:
+    try:
+        with Image.open(io.BytesIO(data), formats=["png"]) as image:
+            if image.size[0] * image.size[1] > MOST_TEXELS:
+                raise ValueError("too large")
+            texels = np.asarray(image.convert("RGBA"))
+            return np.ascontiguousarray(texels if upright else texels[::-1])
+    except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
+        raise ValueError(f"expected a readable texture, got {error}") from None

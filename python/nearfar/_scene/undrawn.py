@@ -1,0 +1,239 @@
+"""Properties of materials that are not drawn: kept as files hold them, so that files written from a scene have them."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+EXTENSIONS = frozenset(
+    f"KHR_materials_{name}"
+    for name in (
+        *("anisotropy", "clearcoat", "diffuse_transmission", "dispersion", "emissive_strength", "ior", "iridescence"),
+        *("pbrSpecularGlossiness", "sheen", "specular", "transmission", "unlit", "volume"),
+    )
+)
+"""Extensions of materials that refer to nothing but textures, so that they can be copied."""
+
+TRANSFORM = "KHR_texture_transform"
+
+_SURFACE = "pbrMetallicRoughness"
+_BASE = "baseColorTexture"
+_SURFACE_SIZES = {"baseColorFactor": 4, "metallicFactor": 1, "roughnessFactor": 1}
+_SIZES = {"emissiveFactor": 3, "alphaCutoff": 1}
+_TEXTURES = ("normalTexture", "occlusionTexture", "emissiveTexture")
+_REPEAT, _NEAREST = 10497, 9728
+
+PLAIN = {_SURFACE: {"metallicFactor": 0.0}, "doubleSided": True}
+"""The glTF material, without its base colour, that looks as scenes are drawn."""
+
+
+@dataclass(frozen=True)
+class EncodedImage:
+    """An image file."""
+
+    data: bytes
+    kind: str
+    """Media type, such as "image/png"."""
+
+    @cached_property
+    def digest(self) -> str:
+        """Hash of the bytes."""
+        return hashlib.blake2b(self.data, digest_size=16).hexdigest()
+
+
+@dataclass(frozen=True)
+class TextureSource:
+    """A texture of a glTF file."""
+
+    image: EncodedImage | None = None
+    """None for the base colour's, whose texels the scene holds."""
+    sampler: str = ""
+    """JSON of the sampler; empty for none."""
+
+
+@dataclass(frozen=True, eq=False)
+class Undrawn:
+    """A glTF material with all that can be written again."""
+
+    material: Mapping[str, Any]
+    """As in glTF, but each texture's `index` is that into `textures`."""
+    textures: tuple[TextureSource, ...] = ()
+
+    @cached_property
+    def tag(self) -> int:
+        """Number from 1 to 2⁶⁴ − 1 that follows from the content, by which kernels tell materials apart."""
+        textures = [
+            (texture.sampler, "" if texture.image is None else texture.image.digest) for texture in self.textures
+        ]
+        text = json.dumps([self.material, textures], sort_keys=True)
+        return int.from_bytes(hashlib.blake2b(text.encode(), digest_size=8).digest()) or 1
+
+    @property
+    def has_maps(self) -> bool:
+        """Whether it has textures besides the base colour's."""
+        return any(texture.image is not None for texture in self.textures)
+
+    def without_textures(self) -> Undrawn | None:
+        """The same for meshes without texture coordinates."""
+        return _unless_plain(replace(self, material=without_textures(self.material), textures=()))
+
+
+def of_gltf(material: Any, texture_of: Callable[[int], TextureSource | None]) -> tuple[Undrawn | None, tuple[str, ...]]:
+    """Collect what a glTF material holds.
+
+    Parameters
+    ----------
+    material
+        The material's entry in the document; entries of wrong types count as absent.
+    texture_of
+        Returns the texture of a number, with its image; None where it cannot be read.
+
+    Returns
+    -------
+    undrawn, notes
+        None for a material that is drawn in full; what is drawn differently, phrased to follow "2 materials".
+    """
+    if not isinstance(material, dict):
+        return None, ()
+    collector = _Collector(texture_of)
+    collected = collector.material(material)
+    undrawn = Undrawn(collected, tuple(collector.textures))
+    notes = (*_differences(undrawn), *dict.fromkeys(collector.losses))
+    return _unless_plain(undrawn), notes
+
+
+def _unless_plain(undrawn: Undrawn) -> Undrawn | None:
+    material = {key: value for key, value in undrawn.material.items() if key != "alphaCutoff"}
+    surface = {k: v for k, v in material.get(_SURFACE, {}).items() if not k.startswith("baseColor")}
+    if material.get("alphaMode") in ("OPAQUE", "MASK"):
+        del material["alphaMode"]
+    is_plain = {**material, _SURFACE: surface} == PLAIN
+    return None if is_plain and all(texture == TextureSource() for texture in undrawn.textures) else undrawn
+
+
+def without_textures(value: Any) -> Any:
+    """A copy of a material in which nothing refers to a texture."""
+    if not isinstance(value, dict):
+        return value
+    return {key: without_textures(item) for key, item in value.items() if not is_texture(key, item)}
+
+
+def is_texture(key: str, value: object) -> bool:
+    """Whether an entry of a material refers to a texture."""
+    return key.endswith("Texture") and isinstance(value, dict) and "index" in value
+
+
+class _Collector:
+    """Copies the known entries of a material, and numbers the textures that they refer to."""
+
+    def __init__(self, texture_of: Callable[[int], TextureSource | None]) -> None:
+        self._texture_of = texture_of
+        self.textures: list[TextureSource] = []
+        self.losses: list[str] = []
+
+    def material(self, source: dict[str, Any]) -> dict[str, Any]:
+        surface = source.get(_SURFACE)
+        surface = surface if isinstance(surface, dict) else {}
+        kept: dict[str, Any] = {}
+        if isinstance(source.get("name"), str):
+            kept["name"] = source["name"]
+        if found := _numbers(surface, _SURFACE_SIZES) | self._infos(surface, (_BASE, "metallicRoughnessTexture")):
+            kept[_SURFACE] = found
+        kept |= _numbers(source, _SIZES) | self._infos(source, _TEXTURES)
+        if source.get("alphaMode") in ("OPAQUE", "MASK", "BLEND"):
+            kept["alphaMode"] = source["alphaMode"]
+        if isinstance(source.get("doubleSided"), bool):
+            kept["doubleSided"] = source["doubleSided"]
+        extensions = source.get("extensions")
+        for name, content in extensions.items() if isinstance(extensions, dict) else ():
+            if name in EXTENSIONS and isinstance(content, dict):
+                kept.setdefault("extensions", {})[name] = self._extension(content)
+            else:
+                self.losses.append(f"with the extension {name} drawn and saved without it")
+        return kept
+
+    def _infos(self, source: dict[str, Any], names: Iterable[str]) -> dict[str, Any]:
+        found = ((name, self._info(name, source[name])) for name in names if is_texture(name, source.get(name)))
+        return {name: info for name, info in found if info is not None}
+
+    def _extension(self, content: dict[str, Any]) -> dict[str, Any]:
+        textures = [key for key, value in content.items() if is_texture(key, value)]
+        return {key: value for key, value in content.items() if _is_plain(value)} | self._infos(content, textures)
+
+    def _info(self, name: str, source: dict[str, Any]) -> dict[str, Any] | None:
+        """A reference to a texture; None if it cannot be written again."""
+        extensions = source.get("extensions")
+        transform = extensions.get(TRANSFORM) if isinstance(extensions, dict) else None
+        transform = transform if isinstance(transform, dict) and all(map(_is_plain, transform.values())) else {}
+        if transform.get("texCoord", source.get("texCoord", 0)) != 0:
+            # The base colour's was noted where it was read.
+            if name != _BASE:
+                self.losses.append("with a map on other texture coordinates drawn and saved without it")
+            return None
+        texture = self._texture_of(source["index"]) if isinstance(source["index"], int) else None
+        if texture is None or (name != _BASE and texture.image is None):
+            if name != _BASE:
+                self.losses.append("with an unreadable map saved without it")
+            return None
+        if name == _BASE:
+            texture = replace(texture, image=None)
+        if texture not in self.textures:
+            self.textures.append(texture)
+        info: dict[str, Any] = {"index": self.textures.index(texture)}
+        info |= {key: source[key] for key in ("scale", "strength") if _is_number(source.get(key))}
+        return info | ({"extensions": {TRANSFORM: transform}} if transform else {})
+
+
+def _numbers(source: dict[str, Any], sizes: dict[str, int]) -> dict[str, Any]:
+    """The entries that are finite numbers, or lists of as many as they should be."""
+    kept = {}
+    for name, size in sizes.items():
+        value = source.get(name)
+        if _is_number(value) if size == 1 else _is_list(value, size):
+            kept[name] = value
+    return kept
+
+
+def _is_list(value: object, size: int) -> bool:
+    return isinstance(value, list) and len(value) == size and all(map(_is_number, value))
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def _is_plain(value: object) -> bool:
+    if isinstance(value, list):
+        return all(map(_is_number, value))
+    return isinstance(value, str | bool) or _is_number(value)
+
+
+def _differences(undrawn: Undrawn) -> list[str]:
+    """What is drawn differently, phrased to follow "2 materials"."""
+    material = undrawn.material
+    surface = material.get(_SURFACE, {})
+    notes = []
+    if any(factor > 0 for factor in material.get("emissiveFactor", ())):
+        notes.append("with emission drawn without it")
+    if "normalTexture" in material:
+        notes.append("with a normal map drawn without it")
+    if "occlusionTexture" in material:
+        notes.append("with an occlusion map drawn without it")
+    shines = surface.get("metallicFactor", 1) > 0 or surface.get("roughnessFactor", 1) < 1
+    if shines or "metallicRoughnessTexture" in surface:
+        notes.append("with metal or gloss drawn matt")
+    if not material.get("doubleSided", False):
+        notes.append("with single-sided faces drawn from both sides")
+    notes += [f"with the extension {name} drawn without it" for name in material.get("extensions", {})]
+    if base := surface.get(_BASE):
+        sampler = json.loads(undrawn.textures[base["index"]].sampler or "{}")
+        if (sampler.get("wrapS", _REPEAT), sampler.get("wrapT", _REPEAT)) != (_REPEAT, _REPEAT):
+            notes.append("with a texture that does not repeat drawn repeated")
+        if sampler.get("magFilter") == _NEAREST:
+            notes.append("with an unfiltered texture drawn filtered")
+    return notes
