@@ -12,7 +12,7 @@ import nearfar as nf
 from nearfar._base import check, formats
 from nearfar.cli import _options as options
 from nearfar.cli._options import option
-from nearfar.cli._output import bytes_text, check_target, count, metres, show
+from nearfar.cli._output import bytes_text, check_target, count, metres, note_rows, show
 from nearfar.cli._viewpoint import choose
 
 VERSION = 1
@@ -60,6 +60,7 @@ def bake(
     reduced.env.save(output)
     document = formats.header("bake", VERSION, color_space="linear") | {
         "source": scene,
+        "notes": list(loaded.report.notes),
         "file": str(output),
         "center": list(middle),
         "r2": r2,
@@ -76,5 +77,6 @@ def bake(
         ("file", f"{output}, {bytes_text(document['bytes'])}"),
         ("triangles left", count(document["triangles_left"])),
         ("baked in", f"{seconds:.2f} s"),
+        *note_rows(document["notes"]),
     ]
     show(document, rows, title=scene, as_json=as_json)

@@ -17,7 +17,7 @@ from nearfar.cli import _comparison_page, _report_page
 from nearfar.cli import _options as options
 from nearfar.cli._methods import METHODS, render_all
 from nearfar.cli._options import option
-from nearfar.cli._output import Clock, count, metres, show
+from nearfar.cli._output import Clock, count, metres, note_rows, show
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
 from nearfar.cli._viewpoint import choose
@@ -146,6 +146,7 @@ def compare(
         document = formats.header("compare", VERSION, origin=[float(v) for v in loaded.origin], color_space="sRGB") | {
             "source": scene,
             "unit_note": loaded.report.unit_note,
+            "notes": list(loaded.report.notes),
             "triangles": int(loaded.triangle_count),
             "triangles_left": int(reduced.stats["drawn"]),
             "map_bytes": int(reduced.stats["map_bytes"]),
@@ -205,4 +206,5 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
         ("", "conventional → continuous"),
         *both,
         ("written to", str(output)),
+        *note_rows(document["notes"]),
     ]

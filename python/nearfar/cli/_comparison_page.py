@@ -88,6 +88,8 @@ def _tables(document: dict[str, Any]) -> dict[str, list[list[str]]]:
         ],
         "Time": [["step", "seconds"], *([name, f"{value:.2f}"] for name, value in document["seconds"].items())],
     }
+    if document["notes"]:
+        tables["Not drawn as in the file"] = [["note"], *([note] for note in document["notes"])]
     if document["thresholds"]:
         rows = [
             [check["option"], f"{check['limit']:.4g}", text(check["value"]), "kept" if check["kept"] else "broken"]

@@ -15,7 +15,7 @@ import nearfar as nf
 from nearfar._base import formats
 from nearfar.cli import _options as options
 from nearfar.cli._options import option
-from nearfar.cli._output import bytes_text, check_target, count, show
+from nearfar.cli._output import bytes_text, check_target, count, note_rows, show
 
 VERSION = 1
 
@@ -66,6 +66,7 @@ def lod(
     written = np.ones(len(model), bool) if all_levels else switches.shown
     document = describe(model, switches, written) | {
         "source": scene,
+        "notes": list(loaded.report.notes),
         "file": str(output),
         "bytes": output.stat().st_size,
         "hmd": device.name,
@@ -76,6 +77,7 @@ def lod(
         ("headset", device.name),
         ("file", f"{output}, {bytes_text(document['bytes'])}"),
         *((step, f"{value:.2f} s") for step, value in seconds.items()),
+        *note_rows(document["notes"]),
     ]
     show(document, rows, title=scene, as_json=as_json)
 

@@ -28,6 +28,11 @@ class Clock:
         self.seconds[name] = round(time.perf_counter() - started, 3)
 
 
+def note_rows(notes: Iterable[str]) -> list[tuple[str, str]]:
+    """Rows on what of a scene's file is ignored or drawn differently, as `Scene.report` says it."""
+    return [("not as in the file" if not number else "", note) for number, note in enumerate(notes)]
+
+
 def show(document: dict[str, Any], rows: Iterable[tuple[str, str]], *, title: str, as_json: bool) -> None:
     """Print a document on standard output as JSON, or its rows as a table."""
     if as_json:

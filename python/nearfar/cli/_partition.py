@@ -11,7 +11,7 @@ import nearfar as nf
 from nearfar._base import check, formats
 from nearfar.cli import _options as options
 from nearfar.cli._options import option
-from nearfar.cli._output import check_target, count, metres, show
+from nearfar.cli._output import check_target, count, metres, note_rows, show
 from nearfar.cli._viewpoint import choose
 
 VERSION = 1
@@ -48,6 +48,7 @@ def partition(
         ("radii", f"{r1:g} m and {r2:g} m"),
         *((key.replace("_", " "), _text(value)) for key, value in document["summary"].items()),
         *((f"within {entry['radius']:g} m", count(entry["triangles"])) for entry in document["load_curve"]),
+        *note_rows(document["notes"]),
     ]
     show(document, rows, title=scene, as_json=as_json)
     nsf = document["summary"]["nsf"]
@@ -62,6 +63,7 @@ def describe(scene: nf.Scene, source: str, center: options.Point, r1: float, r2:
     curve = nf.load_curve(scene, center=center)
     return formats.header("partition", VERSION, origin=[float(value) for value in scene.origin]) | {
         "source": source,
+        "notes": list(scene.report.notes),
         "center": list(center),
         "r1": r1,
         "r2": r2,

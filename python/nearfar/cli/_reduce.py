@@ -17,7 +17,7 @@ from nearfar._trace import viewpoint
 from nearfar.cli import _options as options
 from nearfar.cli import _report_page
 from nearfar.cli._methods import METHODS, render_all
-from nearfar.cli._output import Clock, bytes_text, count, metres, show
+from nearfar.cli._output import Clock, bytes_text, count, metres, note_rows, show
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
 from nearfar.cli._viewpoint import choose
@@ -77,6 +77,7 @@ def reduce(
         ) | {
             "source": scene,
             "unit_note": loaded.report.unit_note,
+            "notes": list(loaded.report.notes),
             "triangles": int(loaded.triangle_count),
             "triangles_left": int(reduced.stats["drawn"]),
             "map_bytes": int(reduced.stats["map_bytes"]),
@@ -126,4 +127,5 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
         *((f"{name} differs in", f"{100 * p['share']:.2f} % of pixels") for name, p in document["pictures"].items()),
         ("took", f"{sum(document['seconds'].values()):.1f} s"),
         ("written to", str(output)),
+        *note_rows(document["notes"]),
     ]

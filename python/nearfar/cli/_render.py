@@ -13,7 +13,7 @@ from nearfar._trace import viewpoint
 from nearfar.cli import _options as options
 from nearfar.cli._methods import METHODS
 from nearfar.cli._options import option
-from nearfar.cli._output import bytes_text, check_target, metres, show
+from nearfar.cli._output import bytes_text, check_target, metres, note_rows, show
 from nearfar.cli._viewpoint import choose
 
 VERSION = 1
@@ -95,6 +95,7 @@ def render(
     _save(result, targets)
     document = formats.header("render", VERSION, color_space="sRGB" if output.suffix == ".png" else "linear") | {
         "source": scene,
+        "notes": list(loaded.report.notes),
         "file": str(output),
         "bytes": output.stat().st_size,
         "method": method,
@@ -109,6 +110,7 @@ def render(
         *((name.replace("_", " "), str(path)) for name, path in targets.items() if path != output),
         ("file" if device is None else "side by side", f"{output}, {bytes_text(document['bytes'])}"),
         ("rendered in", f"{seconds:.2f} s"),
+        *note_rows(document["notes"]),
     ]
     if device is not None:
         document |= {

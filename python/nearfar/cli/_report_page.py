@@ -109,4 +109,6 @@ def markdown(document: dict[str, Any]) -> str:
         lines += ["![load curve](load_curve.png)", ""]
     lines += ["| step | seconds |", "| --- | ---: |"]
     lines += [f"| {name} | {seconds:.2f} |" for name, seconds in document["seconds"].items()]
+    if document["notes"]:
+        lines += ["", "Not drawn as in the file:", "", *(f"- {note}" for note in document["notes"])]
     return "\n".join([*lines, "", f"Written by {document['generator']}.", ""])
