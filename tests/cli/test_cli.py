@@ -122,9 +122,9 @@ def test_procedural_scenes_need_no_file(capsys: pytest.CaptureFixture[str]) -> N
         (["partition", "-i", "CITY", "--r1", "50", "--r2", "30"], 1, "r1: expected less than r2"),
         # Radii are checked before the scene is loaded, which may take long.
         (["partition", "-i", "missing.glb", "--r1", "-1"], 1, "r1: expected a radius of at least 0"),
-        (["bake", "-i", "missing.glb", "-o", "a.exr", "--r2", "20"], 1, "r1: expected less than r2"),
+        (["bake", "-i", "missing.glb", "-o", "a.exr", "--r1", "30", "--r2", "20"], 1, "r1: expected less than r2"),
         (["render", "-i", "missing.glb", "-o", "a.png", "--r2", "nan"], 1, "r2: expected a finite number"),
-        (["demo", "-i", "missing.glb", "--r2", "20"], 1, "r1: expected less than r2"),
+        (["demo", "-i", "missing.glb", "--r1", "30", "--r2", "20"], 1, "r1: expected less than r2"),
         (["partition", "-i", "CITY", "--center", "0,1"], 1, "x,y,z"),
         (["partition", "-i", "CITY", "--center", "0,nan,0"], 1, "--center: expected three finite numbers"),
         (["render", "-i", "CITY", "-o", "a.png", "--eye", "0,inf,0"], 1, "--eye: expected three finite numbers"),

@@ -4,13 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-LARGEST, LOWEST_TOWER, STEEPEST, SMALLEST = 200e3, 1000.0, 0.2, 0.02
-"""A scene wider than the first, higher than the second and the third's share of its width, or smaller than the fourth
-(metres) has probably other units: no city is wider, no building higher, and no room smaller."""
-
-LARGEST_OBJECT = 200.0
-"""Size in metres above which a scene without open places is probably not a single object in metres."""
-
 
 def of_reduction(stats: dict[str, Any], r2: float) -> list[str]:
     """Say what a reduction lacks.
@@ -56,27 +49,3 @@ def of_view(*, crosses: bool, fold_margin: float, r2: float) -> list[str]:
         beyond = f"{-fold_margin:.3g} m beyond" if fold_margin > float("-inf") else "at a height outside of"
         found.append(f"the continuous picture folds: the user is {beyond} the fold margin; go closer to the centre")
     return found
-
-
-def of_units(bounds: Any, *, is_object: bool) -> list[str]:
-    """Say that a scene's extent suggests other units than metres.
-
-    Parameters
-    ----------
-    bounds
-        (2, 3) least and greatest corner, metres.
-    is_object
-        Whether the scene is a single object without open places.
-    """
-    width, height, depth = (float(high - low) for low, high in zip(bounds[0], bounds[1], strict=True))
-    wide, extent = max(width, depth), f"{width:.3g} × {height:.3g} × {depth:.3g} m"
-    largest = max(wide, height)
-    if 0.0 < largest < SMALLEST:
-        return [f"the units look wrong: the scene measures only {extent}; nearfar expects metres"]
-    too_high = height > LOWEST_TOWER and height > STEEPEST * wide
-    if wide > LARGEST or too_high or (is_object and largest > LARGEST_OBJECT):
-        return [
-            f"the units look wrong: the scene measures {extent}, which suggests centimetres or millimetres; nearfar "
-            "expects metres"
-        ]
-    return []

@@ -37,7 +37,7 @@ def lod(
     threshold: Annotated[
         str, option("--threshold", "KIND", "Its formula: anchored, literal or normalized.")
     ] = Threshold.kind,
-    backend: options.Backend = "auto",
+    backend: options.Backend = None,
     up: options.Up = "y",
     scale: options.Scale = None,
     on_invalid: options.Invalid = "raise",

@@ -62,6 +62,17 @@ def count(value: int) -> str:
     return f"{value:,}"
 
 
+def triangles_text(document: dict[str, Any]) -> str:
+    """Format the numbers of triangles before and after a reduction."""
+    before, after = document["triangles"], document["triangles_left"]
+    return f"{count(before)} → {count(after)}" + (", no reduction" if before == after else "")
+
+
+def note_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
+    """Rows of the notes on a document's results."""
+    return [("note", note) for note in document["notes"]]
+
+
 def bytes_text(value: float) -> str:
     """Format a number of bytes in a suitable unit."""
     for unit in ("bytes", "kB", "MB"):
