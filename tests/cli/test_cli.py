@@ -197,7 +197,7 @@ def test_commands_read_files_of_other_units(tmp_path: Path, capsys: pytest.Captu
     assert status == 0
     assert "higher than buildings" in document(out, "info")["report"]["unit_note"]
     assert re.fullmatch(r"nearfar: \S+room.stl: the scene has 4,000 × 2,500 × 5,000 m, .* by scale .*\n", err)
-    at = ("--center", "0,1.7,0")
+    at = ("--center", "0,1.7,0", "--r1", "30", "--r2", "50")
     for arguments in (("partition", *at), ("reduce", *at, "-o", tmp_path / "light", "--size", "32x20")):
         status, out, err = command(capsys, *arguments, "-i", path, "--scale", "0.001", "--json")
         assert (status, err) == (0, "")
