@@ -163,7 +163,7 @@ def near_and_far(scene: nf.Scene) -> str:
         drawn = (nf.gpu.stats()["triangles"] - before) // 4
         reduced = nf.reduce(scene, center=center, r1=NEAR, r2=FAR, channels=CHANNELS, backend="gpu")
         light = seconds(partial(reduced.render, camera, backend="gpu"))
-        triangles = max(reduced.stats["frame_triangles"], 1)
+        triangles = max(reduced.render(camera, backend="gpu").stats["frame_triangles"], 1)
         rows.append(
             [
                 *(name, *(f"{1e3 * value:.0f}" for value in (first, full, light)), f"{full / light:.1f}"),

@@ -65,8 +65,9 @@ def frames(name: str, scene: nf.Scene, center: NDArray[np.float64], size: tuple[
         # A user who moves sees other edges in each frame, so data kept for a standing user must not count.
         job = partial(_fresh, reduced, job)
         timing: Timing = best(job, repeat=3)
-        error = np.sqrt(np.mean((job().require("color") - exact) ** 2))
-        traced = reduced.stats["frame_triangles"] or reduced.stats["drawn"]
+        frame = job()
+        error = np.sqrt(np.mean((frame.require("color") - exact) ** 2))
+        traced = frame.stats["frame_triangles"] or reduced.stats["drawn"]
         rows.append(
             [method, f"{traced:,}", f"{timing.wall * 1e3:.0f}", f"{timing.wall / truth.wall:.1f}", f"{error:.3f}"]
         )

@@ -199,7 +199,7 @@ def scene() -> nf.Scene:
 
 @pytest.fixture(scope="module", params=["blend", "cylinder"])
 def reduced(scene: nf.Scene, request: pytest.FixtureRequest) -> nf.ReducedScene:
-    return nf.reduce(scene, face_size=128, samples=1, morph=request.param, **RADII)
+    return nf.reduce(scene, face_size=128, samples=1, morph=request.param, channels=("color", "range"), **RADII)
 
 
 def oracle(reduced: nf.ReducedScene, scene: nf.Scene, view: nf.Camera) -> NDArray[np.int64]:

@@ -122,9 +122,9 @@ def test_procedural_scenes_need_no_file(capsys: pytest.CaptureFixture[str]) -> N
         (["partition", "-i", "CITY", "--r1", "50", "--r2", "30"], 1, "r1: expected less than r2"),
         # Radii are checked before the scene is loaded, which may take long.
         (["partition", "-i", "missing.glb", "--r1", "-1"], 1, "r1: expected a radius of at least 0"),
-        (["bake", "-i", "missing.glb", "-o", "a.exr", "--r2", "20"], 1, "r1: expected less than r2"),
+        (["bake", "-i", "missing.glb", "-o", "a.exr", "--r1", "30", "--r2", "20"], 1, "r1: expected less than r2"),
         (["render", "-i", "missing.glb", "-o", "a.png", "--r2", "nan"], 1, "r2: expected a finite number"),
-        (["demo", "-i", "missing.glb", "--r2", "20"], 1, "r1: expected less than r2"),
+        (["demo", "-i", "missing.glb", "--r1", "30", "--r2", "20"], 1, "r1: expected less than r2"),
         (["partition", "-i", "CITY", "--center", "0,1"], 1, "x,y,z"),
         (["partition", "-i", "CITY", "--center", "0,nan,0"], 1, "--center: expected three finite numbers"),
         (["render", "-i", "CITY", "-o", "a.png", "--eye", "0,inf,0"], 1, "--eye: expected three finite numbers"),
@@ -197,7 +197,7 @@ def test_commands_read_files_of_other_units(tmp_path: Path, capsys: pytest.Captu
     assert status == 0
     assert "higher than buildings" in document(out, "info")["report"]["unit_note"]
     assert re.fullmatch(r"nearfar: \S+room.stl: the scene has 4,000 × 2,500 × 5,000 m, .* by scale .*\n", err)
-    at = ("--center", "0,1.7,0")
+    at = ("--center", "0,1.7,0", "--r1", "30", "--r2", "50")
     for arguments in (("partition", *at), ("reduce", *at, "-o", tmp_path / "light", "--size", "32x20")):
         status, out, err = command(capsys, *arguments, "-i", path, "--scale", "0.001", "--json")
         assert (status, err) == (0, "")

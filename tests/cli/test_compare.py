@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import trimesh
 from PIL import Image
 
 import nearfar as nf
@@ -117,11 +118,75 @@ def test_thresholds_end_the_command(
     assert (out / "report.html").exists()
 
 
+def test_thresholds_that_cannot_be_measured_fail(
+    city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    sky = ("--center", "0,1.7,0", "--target", "0,90,1", "--max-boundary-discontinuity", "0.0001")
+    status, printed, errors = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *FAST, *sky, "--json")
+    assert status == 3
+    assert "--max-boundary-discontinuity: boundary was not measured, because the boundary" in errors
+    document = json.loads(printed)
+    assert valid(document, "compare")
+    (check,) = document["thresholds"]
+    assert (check["value"], check["measured"], check["kept"]) == (None, False, False)
+    assert any("the boundary is not in view" in note for note in document["findings"])
+    for name in ("report.md", "report.html"):
+        text = (tmp_path / "out" / name).read_text(encoding="utf-8")
+        assert "not measured" in text
+        assert "the boundary is not in view" in text
+
+
+def test_equal_pictures_keep_a_least_psnr(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    near = ("--center", "0,1.7,0", "--r1", "900", "--r2", "1000", "--user", "0,1.7,0", "--min-psnr", "60")
+    status, printed, _ = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *FAST, *near, "--json")
+    document = json.loads(printed)
+    assert (status, document["pictures"]["continuous"]["psnr"]) == (0, None)
+    assert any("nothing is far" in note for note in document["findings"])
+    assert any("no reduction: all 1,212 triangles stay geometry" in note for note in document["findings"])
+
+
+def test_the_default_view_shows_what_tells_the_methods_apart(
+    city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for command_name in ("compare", "reduce"):
+        out = tmp_path / command_name
+        status, printed, errors = command(capsys, command_name, "-i", city, "-o", out, *FAST, "--json")
+        assert status == 0, errors
+        document = json.loads(printed)
+        assert document["findings"] == []
+    pictures = [np.asarray(Image.open(tmp_path / "reduce" / f"{name}.png")) for name in ("conventional", "continuous")]
+    assert (pictures[0] != pictures[1]).any(axis=-1).mean() > 0.02
+    pictures = json.loads((tmp_path / "compare" / "compare.json").read_text())["pictures"]
+    assert pictures["conventional"]["boundary_pixels"] > 0
+    assert pictures["conventional"]["boundary"] > pictures["continuous"]["boundary"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--center", "0,1.7,0", "--r1", "1", "--r2", "2", "--target", "9,1,0"), "nothing is near"),
+        (("--center", "0,1.7,0", "--user", "0,1.7,29"), "folds: the user is .* m beyond the fold margin"),
+    ],
+)
+def test_reports_say_what_is_missing(
+    arguments: tuple[str, ...], words: str, city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scene = tmp_path / "raised.glb"
+    boxes = [trimesh.creation.box((4, 4, 4), trimesh.transformations.translation_matrix((x, 2, 8))) for x in (-30, 30)]
+    trimesh.Scene(boxes).export(scene)
+    chosen = scene if words == "nothing is near" else city
+    status, out, _ = command(capsys, "compare", "-i", chosen, "-o", tmp_path / "out", *FAST, *arguments)
+    assert status == 0
+    assert re.search(words, " ".join(out.split()))
+    assert re.search(words, (tmp_path / "out" / "report.html").read_text(encoding="utf-8"))
+
+
 def test_mistakes_are_sentences(city: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for wrong, words in [
         (("--distance", "0"), "--distance"),
         (("--user", "1,2"), "--user: expected x,y,z"),
-        (("--r1", "60"), "r1: expected less than r2"),
+        (("--r1", "60", "--r2", "50"), "r1: expected less than r2"),
+        (("--truth", "city"), "--truth: expected none with a scene"),
         (("--min-psnr", "nan"), "--min-psnr: expected a finite number"),
     ]:
         status, _, errors = command(capsys, "compare", "-i", city, "-o", tmp_path / "out", *FAST, *wrong)

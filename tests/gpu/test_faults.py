@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -170,10 +171,10 @@ np.testing.assert_array_equal(nf.render(scene, camera, backend="gpu").color, bef
 
 
 @pytest.mark.parametrize("name", ADAPTERS)
-def test_a_forked_child_is_refused_and_ends(name: str) -> None:
+def test_a_forked_child_is_refused_and_ends(name: str, tmp_path: Path) -> None:
     need("fork")
     need(name)
-    process = program(FORK.format(name=name))
+    process = program(FORK.format(name=name), NEARFAR_CACHE=str(tmp_path / "cache"))
     assert process.returncode == 0, process.stderr
     sentences = process.stdout.splitlines()
     assert len(sentences) == 3

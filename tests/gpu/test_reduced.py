@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +14,7 @@ import nearfar as nf
 from tests.support import data
 from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids, check_range, edges
 from tests.support.normal_cases import around
+from tests.support.reduce_cases import street
 
 CENTER = (0.0, 1.7, 0.0)
 CHANNELS = ("color", "range", "object_id")
@@ -91,7 +92,7 @@ def test_split_frames_show_the_same_within_the_tolerance(
     # The CPU splits for this user, the device for several users; edges may differ by a small part of half a pixel.
     check_ids(cpu.require("object_id"), gpu.require("object_id"))
     check_color(cpu, gpu)
-    assert reduced.stats["tolerance_held"] == (morph == "blend")
+    assert gpu.stats["tolerance_held"] == cpu.stats["tolerance_held"] == (morph == "blend")
 
 
 def test_a_large_mover_is_split_where_it_stands() -> None:
@@ -205,16 +206,40 @@ def test_only_near_geometry_is_touched_and_little_is_sent(
     for frame in nf.render_path(reduced, cameras, at=poses, backend="gpu"):
         assert frame.camera.size == (64, 64)
     before = nf.gpu.stats()
-    reduced.render(cameras[0], at=poses, backend="gpu")
+    frame = reduced.render(cameras[0], at=poses, backend="gpu")
     still = nf.gpu.stats()
     # Split triangles near the user, and cars twice: within the near part and beyond it.
-    assert 0 < still["triangles"] - before["triangles"] <= reduced.stats["frame_triangles"] + 20_000
+    assert 0 < still["triangles"] - before["triangles"] <= frame.stats["frame_triangles"] + 20_000
     reduced.render(cameras[3], at=poses, backend="gpu")
     reduced.render(cameras[3], at=poses | {"car_0": placed(-2.5, 0.15, -9, 0.4)}, backend="gpu")
     after = nf.gpu.stats()
     assert after["allocations"] == still["allocations"] == before["allocations"]
     # A pass, and one car's transform in two passes.
     assert after["uploaded_bytes"] - still["uploaded_bytes"] < 1500
+
+
+def test_adapters_refuse_positions_of_maps_without_range() -> None:
+    reduced = nf.reduce(street(), center=CENTER, r1=15, r2=30, face_size=32)
+    camera = view(USERS["near"], 32)
+    calls: list[Callable[[], object]] = [
+        lambda: reduced.render(camera, channels=("color", "position"), backend="gpu"),
+        lambda: list(nf.render_path(reduced, [camera], channels=("position",), backend="gpu")),
+        lambda: nf.gpu.render(reduced, camera, channels=("position",)),
+    ]
+    for call in calls:
+        with pytest.raises(ValueError, match=r'position.*: reduce with channels=\("color", "range"\)'):
+            call()
+
+
+def test_every_frame_of_an_adapter_has_its_own_counts(city: nf.Scene, poses: dict[str, NDArray[np.float64]]) -> None:
+    reduced = nf.reduce(city, center=CENTER, r1=15, r2=30, face_size=32)
+    cameras = [view(user, 32) for user in (USERS["near"], (16.0, 1.7, 0.0))]
+    frames = list(nf.render_path(reduced, cameras, at=poses, backend="gpu"))
+    assert [frame.stats["tolerance_held"] for frame in frames] == [True, False]
+    assert all(frame.stats["dynamic_triangles"] > 0 for frame in frames)
+    kept = nf.gpu.render(reduced, cameras[0], at=poses).read()
+    assert kept.stats == frames[0].stats
+    assert nf.gpu.render(city, cameras[0]).read().stats == {}
 
 
 def test_bent_rays_are_for_the_cpu(city: nf.Scene) -> None:

@@ -37,7 +37,13 @@ STAGES: dict[str, set[str]] = {
     "lod": {"_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "_trace", "hmd"},
 }
 
-PRIVATE_TO_COMMANDS = {"nearfar._trace.viewpoint", "nearfar._metrics.comparison"}
+PRIVATE_TO_COMMANDS = {
+    "nearfar._metrics.comparison",
+    "nearfar._reduce.findings",
+    "nearfar._reduce.folder",
+    "nearfar._trace.crossing",
+    "nearfar._trace.viewpoint",
+}
 """Modules that the command line uses besides the public names and `_base`."""
 
 # Each stage's tests, benchmark and page; instead of a benchmark a reason why nothing is timed.

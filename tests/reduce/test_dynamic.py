@@ -44,10 +44,10 @@ def test_maps_of_scenes_that_move_have_range_and_others_have_none(scene: nf.Scen
     still = nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=32, samples=1)
     assert still.stats["ranges_computed"] == 0
     for method in ("vertex", "exact"):
-        still.render(camera(USER, (1, 0, 0)), method=method)
-        assert still.stats["dynamic_triangles"] == 0
-        reduced.render(camera(USER, (1, 0, 0)), method=method, channels=("color",), tolerance_px=50.0)
-        assert reduced.stats["dynamic_triangles"] >= 12
+        frame = still.render(camera(USER, (1, 0, 0)), method=method)
+        assert frame.stats["dynamic_triangles"] == 0
+        frame = reduced.render(camera(USER, (1, 0, 0)), method=method, channels=("color",), tolerance_px=50.0)
+        assert frame.stats["dynamic_triangles"] >= 12
 
 
 def test_empty_far_parts_have_no_map(scene: nf.Scene) -> None:
@@ -123,8 +123,8 @@ def test_posing_keeps_what_stands(scene: nf.Scene, reduced: nf.ReducedScene) -> 
     view = camera(USER, (1, 0, 0))
     triangles = []
     for x in (10.0, 45.0, 90.0):
-        reduced.render(view, at={"car": place(x, 1, 0)}, channels=("color",))
-        triangles.append(reduced.stats["frame_triangles"] - reduced.stats["dynamic_triangles"])
+        stats = reduced.render(view, at={"car": place(x, 1, 0)}, channels=("color",)).stats
+        triangles.append(stats["frame_triangles"] - stats["dynamic_triangles"])
     assert len(set(triangles)) == 1
 
 

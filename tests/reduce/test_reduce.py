@@ -50,11 +50,12 @@ def test_statistics_add_up(scene: nf.Scene, blend: nf.ReducedScene) -> None:
     }
     assert stats["drawn"] == zones["nsf"]
     assert stats["reduction"] == zones["triangles"] / zones["nsf"]
-    blend.render(camera(CENTER, (1, 0, 0)), channels=("color",))
-    assert blend.stats["frame_triangles"] == 0
-    blend.render(camera(CENTER + 1.0, (1, 0, 0)), channels=("color",), tolerance_px=np.inf)
-    assert blend.stats["frame_triangles"] == zones["nsf"]
-    assert blend.stats["opposed_directions"] == 0
+    still = blend.render(camera(CENTER, (1, 0, 0)), channels=("color",))
+    assert still.stats["frame_triangles"] == 0
+    moved = blend.render(camera(CENTER + 1.0, (1, 0, 0)), channels=("color",), tolerance_px=np.inf)
+    assert moved.stats["frame_triangles"] == zones["nsf"]
+    assert moved.stats["opposed_directions"] == 0
+    assert blend.stats == stats
     assert "blend" in repr(blend)
 
 
@@ -82,9 +83,14 @@ def test_reduce_refuses(scene: nf.Scene, wrong: dict[str, object], words: str) -
 def test_render_refuses(scene: nf.Scene, monkeypatch: pytest.MonkeyPatch) -> None:
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=8, samples=1)
     view = camera(CENTER, (1, 0, 0))
-    for name in ("range", "object_id"):
-        with pytest.raises(ValueError, match=rf'{name}: reduce with channels=\("color", "{name}"\)'):
-            reduced.render(view, channels=("color", name))
+    for name, needed in (("range", "range"), ("object_id", "object_id"), ("position", "range")):
+        for how in ({}, {"method": "exact"}):
+            with pytest.raises(ValueError, match=rf'{needed}.*: reduce with channels=\("color", "{needed}"\)'):
+                reduced.render(view, channels=("color", name), **how)  # type: ignore[arg-type]
+        with pytest.raises(ValueError, match=rf'reduce with channels=\("color", "{needed}"\)'):
+            list(nf.render_path(reduced, [view], channels=("color", name), backend="cpu"))
+    # Without a map, every channel is that of a surface.
+    assert "position" in reduced.render(view, channels=("position",), env=False).channels
     with pytest.raises(ValueError, match="tolerance_px: expected a number above 0"):
         reduced.render(view, tolerance_px=0.0)
     with pytest.raises(ValueError, match="method: expected one of"):
@@ -96,6 +102,18 @@ def test_render_refuses(scene: nf.Scene, monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setenv("NEARFAR_ADAPTER", "none of this name")
     with pytest.raises(nf.DeviceError):
         nf.reduce(scene, center=CENTER, r1=R1, r2=R2, backend="gpu")
+
+
+def test_every_frame_has_its_own_counts(scene: nf.Scene) -> None:
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=8, samples=1)
+    assert "tolerance_held" not in reduced.stats
+    before = reduced.stats
+    views = [camera(CENTER + np.array(offset), (1, 0, 0)) for offset in ([4.0, 0, 0], [0, 0, 0], [29, 0, 0])]
+    frames = list(nf.render_path(reduced, views, backend="cpu"))
+    assert [frame.stats["tolerance_held"] for frame in frames] == [True, True, False]
+    assert frames[1].stats["frame_triangles"] == 0 < frames[0].stats["frame_triangles"]
+    assert reduced.stats == before
+    assert nf.render(scene, views[0]).stats == {}
 
 
 def test_empty_scenes_reduce_to_the_sky() -> None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import pickle
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -76,7 +78,8 @@ def test_exr_comes_back_bit_for_bit(tmp_path: Path, projection: Projection) -> N
 @pytest.mark.parametrize("name", CHANNELS)
 def test_each_channel_travels_alone(tmp_path: Path, name: str) -> None:
     image = full().require(name)
-    nf.Frame(CAMERA, (0.0, 0.0, 0.0), **{name: image}).save(tmp_path / "a.exr")
+    images: dict[str, Any] = {name: image}
+    nf.Frame(CAMERA, (0.0, 0.0, 0.0), **images).save(tmp_path / "a.exr")
     back = nf.Frame.load(tmp_path / "a.exr")
     assert back.channels == (name,)
     np.testing.assert_array_equal(back.require(name), image)
@@ -170,3 +173,17 @@ def test_images_that_openexr_cannot_hold_are_refused(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="ASCII"):
         exr.write(path, {"пример": {"a": np.zeros((2, 2), np.float32)}}, {})
     assert not list(tmp_path.iterdir())
+
+
+def test_counts_of_a_frame_are_read_only_and_travel_with_it(tmp_path: Path) -> None:
+    counts = {"frame_triangles": 5}
+    frame = nf.Frame(CAMERA, color=np.zeros((21, 37, 3), np.float32), stats=counts)
+    counts["frame_triangles"] = 6
+    with pytest.raises(TypeError):
+        frame.stats["frame_triangles"] = 7  # type: ignore[index]
+    again = pickle.loads(pickle.dumps(frame))
+    assert frame.stats == again.stats == {"frame_triangles": 5}
+    with pytest.raises(TypeError):
+        again.stats["frame_triangles"] = 7
+    frame.save(tmp_path / "a.exr")
+    assert nf.Frame.load(tmp_path / "a.exr").stats == {}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -37,7 +39,8 @@ def test_colour_is_shown_as_it_is_saved(full: nf.Frame) -> None:
 
 @pytest.mark.parametrize("name", preview.ORDER)
 def test_every_image_alone_has_a_picture(full: nf.Frame, name: str) -> None:
-    frame = nf.Frame(full.camera, full.origin, **{name: full.require(name)})
+    image: dict[str, Any] = {name: full.require(name)}
+    frame = nf.Frame(full.camera, full.origin, **image)
     shown = Card(frame._repr_html_())
     (picture,) = shown.pictures()
     assert picture.shape == (*SIZE[::-1], 3)

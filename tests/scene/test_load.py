@@ -141,7 +141,17 @@ def test_many_nodes_are_many_objects(tmp_path: Path) -> None:
     np.testing.assert_array_equal(loaded.subset(objects=["house 7"]).bounds[:, 0], [20.5, 21.5])
 
 
-@pytest.mark.parametrize(("up", "expected"), [("y", (1, 2, 3)), ("z", (1, 3, -2)), ("x", (-2, 1, 3))])
+@pytest.mark.parametrize(
+    ("up", "expected"),
+    [
+        ("y", (1, 2, 3)),
+        ("z", (1, 3, -2)),
+        ("x", (-2, 1, 3)),
+        ("-y", (1, -2, -3)),
+        ("-z", (1, -3, 2)),
+        ("-x", (-2, -1, -3)),
+    ],
+)
 def test_the_upward_axis_becomes_y(tmp_path: Path, up: str, expected: tuple[float, ...]) -> None:
     mesh = trimesh.Trimesh([[1, 2, 3], [0, 0, 0], [0, 1, 1]], [[0, 1, 2]], process=False)
     mesh.export(tmp_path / "a.ply")
@@ -150,10 +160,31 @@ def test_the_upward_axis_becomes_y(tmp_path: Path, up: str, expected: tuple[floa
 
 
 def test_axes_and_flaws_are_chosen_by_name() -> None:
-    with pytest.raises(ValueError, match="up: expected one of 'x', 'y', 'z', got '-z'"):
-        nf.Scene.load("nowhere.glb", up="-z")
+    with pytest.raises(ValueError, match="up: expected one of 'x', 'y', 'z', '-x', '-y', '-z', got 'w'"):
+        nf.Scene.load("nowhere.glb", up="w")
     with pytest.raises(ValueError, match="on_invalid: expected one of 'raise', 'drop'"):
         nf.Scene.from_trimesh(trimesh.creation.box(), on_invalid="ignore")
+
+
+@pytest.mark.parametrize(
+    ("suffix", "reader"),
+    [
+        ("blend", "Blender"),
+        ("fbx", "Blender"),
+        ("usd", "Blender"),
+        ("usdz", "Blender"),
+        ("max", "3ds Max"),
+        ("3ds", "Assimp"),
+        ("skp", "SketchUp"),
+        ("ifc", "ifcopenshell"),
+        ("las", "Open3D"),
+    ],
+)
+def test_known_formats_name_a_program_that_reads_them(tmp_path: Path, suffix: str, reader: str) -> None:
+    path = tmp_path / f"model.{suffix.upper()}"
+    path.write_bytes(b"whatever")
+    with pytest.raises(nf.SceneError, match=rf"model.{suffix.upper()}: nearfar does not read \.{suffix}: .*{reader}"):
+        nf.Scene.load(path)
 
 
 def test_a_packed_file_is_unpacked(tmp_path: Path) -> None:

@@ -110,9 +110,10 @@ def guarded(path: str | os.PathLike[str], kind: str = "") -> Iterator[None]:
         raise FormatError(f"{damaged}: {error or type(error).__name__}") from None
 
 
-def to_json(document: dict[str, Any]) -> str:
-    """Encode a document as indented strict JSON (no NaN or infinity) that ends with a line break."""
-    return json.dumps(document, indent=2, allow_nan=False, ensure_ascii=False) + "\n"
+def to_json(document: dict[str, Any], *, compact: bool = False) -> str:
+    """Encode a document as strict JSON (no NaN or infinity) that ends with a line break, indented or `compact`."""
+    layout: dict[str, Any] = {"separators": (",", ":")} if compact else {"indent": 2}
+    return json.dumps(document, allow_nan=False, ensure_ascii=False, **layout) + "\n"
 
 
 def write_json(path: str | os.PathLike[str], document: dict[str, Any]) -> None:

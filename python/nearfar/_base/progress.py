@@ -1,4 +1,4 @@
-"""Progress bars on a terminal or in a notebook, for work that takes longer than half a second."""
+"""Progress of work that takes longer than half a second: bars on a terminal or in a notebook, else lines of text."""
 
 from __future__ import annotations
 
@@ -21,6 +21,13 @@ DELAY = 0.5
 UPDATE = 0.1
 """Seconds between two updates of a bar in a notebook."""
 
+INTERVAL = 10.0
+"""Seconds between two lines of text."""
+
+_writes_lines = False
+"""Whether progress is written as lines where no bar can be shown."""
+_last_line = 0.0
+"""Time of the last line, or of the start of the command."""
 _shown: _Bar | None = None
 """The visible bar. Only one is shown at a time, so a nested one stays invisible."""
 
@@ -37,13 +44,24 @@ def bar(label: str) -> Iterator[Report]:
     Yields
     ------
     Callable
-        Takes (done, total) in any unit; pass it to a kernel as `report=`. `NEARFAR_PROGRESS=0` hides the bar.
+        Takes (done, total) in any unit; pass it to a kernel as `report=`. `NEARFAR_PROGRESS=0` hides all progress.
     """
     shown = _Bar(label)
     try:
         yield shown.report
     finally:
         shown.close()
+
+
+@contextmanager
+def lines() -> Iterator[None]:
+    """Write a line to standard error every `INTERVAL` seconds of work within the block where no bar can be shown."""
+    global _writes_lines, _last_line
+    before, _writes_lines, _last_line = _writes_lines, True, time.monotonic()
+    try:
+        yield
+    finally:
+        _writes_lines = before
 
 
 class _Bar:
@@ -59,6 +77,9 @@ class _Bar:
     def report(self, done: int, total: int) -> None:
         if self._silent:
             return
+        if _writes_lines and not _visible():
+            self._write(done, total)
+            return
         if self._progress is None and self._cell is None and not self._open(done, total):
             return
         if self._cell is not None and time.monotonic() >= self._next:
@@ -66,6 +87,14 @@ class _Bar:
             self._cell.update(_html(self._label, done, total))
         if self._progress is not None and self._task is not None:
             self._progress.update(self._task, completed=done, total=total or None)
+
+    def _write(self, done: int, total: int) -> None:
+        global _last_line
+        if time.monotonic() - _last_line < INTERVAL or sys.stderr is None:
+            return
+        _last_line = time.monotonic()
+        share = f", {100.0 * done / total:.0f} %" if total > 0 else ""
+        print(f"nearfar: {self._label}{share}, {_last_line - self._started:.0f} s", file=sys.stderr, flush=True)
 
     def _open(self, done: int, total: int) -> bool:
         global _shown

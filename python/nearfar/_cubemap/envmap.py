@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import card, check, exr, formats
+from nearfar._base import card, check, exr, files, formats
 from nearfar._cubemap.layouts import convert_envmap
 from nearfar._cubemap.lookup import FILTERS, cube_lookup
 
@@ -182,6 +182,46 @@ class EnvMap:
             object_names=list(self.object_names),
         )
         exr.write(target, parts, document, {"center": self.center})
+
+    def save_equirectangular(self, path: str | os.PathLike[str], *, height: int | None = None) -> None:
+        """Write the colour as one equirectangular picture, completely or not at all, for programs without cube maps.
+
+        Parameters
+        ----------
+        path
+            `.exr`: linear, 16-bit floats, channels `R G B`. `.png`: sRGB, 8 bits. The middle of the picture shows −z,
+            and +x is to the right of it, as in `convert_envmap`.
+        height
+            Number of rows H, at least 1; the picture has 2 H columns. By default twice the face size, at which texels
+            are as fine as the map's.
+
+        Raises
+        ------
+        ValueError
+            For another suffix, and for colours beyond 65,504 in an EXR file.
+        TypeError
+            For anything but a string or a path.
+        OSError
+            If the file cannot be written.
+        """
+        target = check.path("path", path)
+        suffix = target.suffix.lower()
+        if suffix not in (".exr", ".png"):
+            raise ValueError(f"path: expected a name ending in .exr or .png, got {os.fspath(path)!r}")
+        rows = 2 * self.face_size if height is None else check.integer("height", height, 1, 2**15)
+        color = convert_envmap(self.color, source="cube", target="equirectangular", size=rows)
+        if suffix == ".png":
+            from PIL import Image
+
+            codes = _core.encode_srgb(np.ascontiguousarray(color, np.float32)).reshape(color.shape)
+            with files.atomic_file(target) as temporary:
+                Image.fromarray(codes).save(temporary, format="PNG")
+            return
+        if (brightest := float(np.abs(color).max())) > HALF_LIMIT:
+            raise ValueError(f"path: expected .png for colours up to {brightest:g}, beyond {HALF_LIMIT:g}, got .exr")
+        channels = {axis: np.ascontiguousarray(color[..., i], np.float16) for i, axis in enumerate("RGB")}
+        document = formats.header("equirectangular", 1, color_space="linear", center=list(self.center))
+        exr.write(target, {"color": channels}, document, {"center": self.center})
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> EnvMap:

@@ -14,7 +14,7 @@ from nearfar._cubemap.envmap import EnvMap
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene
 
-NAME, VERSION = "reduced", 1
+NAME, VERSION = "reduced", 2
 """Name of the document's format without "nearfar.", and its version."""
 NEAR, FAR, DOCUMENT = "near.glb", "far.exr", "reduced.json"
 """Names of the files in a folder."""
@@ -43,7 +43,7 @@ def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> Non
     from nearfar._scene import glb
 
     near, target = contents.near, check.path("path", path)
-    names = near._names.source
+    env = contents.env
     document = formats.header(
         NAME,
         VERSION,
@@ -58,26 +58,42 @@ def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> Non
         counts=contents.counts,
         moving=_moving(near),
         notes=list(near.report.notes),
-        object_names=names if isinstance(names, int) else list(names),
+        **_object_names(near, env),
     )
     with files.atomic_folder(target, marker=DOCUMENT) as folder:
         (folder / NEAR).write_bytes(glb.encode(near._core, near.object_names, near._undrawn))
-        if contents.env is not None:
-            contents.env.save(folder / FAR, half=half)
-        (folder / DOCUMENT).write_text(formats.to_json(document), encoding="utf-8")
+        if env is not None:
+            env.save(folder / FAR, half=half)
+        (folder / DOCUMENT).write_text(formats.to_json(document, compact=True), encoding="utf-8")
+
+
+def _object_names(near: Scene, env: EnvMap | None) -> dict[str, Any]:
+    """Return the field `object_names`, if the other files do not have the names.
+
+    If the map has object numbers, its file lists the names that they count. Otherwise only objects in the near part can
+    be seen, whose names are those of its nodes. Of nameless objects the number is enough.
+    """
+    names = near._names.source
+    if isinstance(names, int):
+        return {"object_names": names}
+    is_listed = env is None or env.object_id is None or env.object_names == tuple(names)
+    return {} if is_listed else {"object_names": list(names)}
 
 
 def _moving(scene: Scene) -> list[dict[str, Any]]:
-    """Object, load transform and loaded mesh placement of each moving instance."""
-    owners = scene._core.moving_objects().tolist()
-    return [
-        {
-            "object": scene.object_names[owner],
-            "transform": scene.transform(scene.object_names[owner]).tolist(),
-            "rest": rest.tolist(),
-        }
-        for owner, rest in zip(owners, scene._rest, strict=True)
-    ]
+    """Object of each moving instance, and its load transform and loaded placement where they are not the usual ones."""
+    rows: list[dict[str, Any]] = []
+    now = scene._core.moving_placements()
+    for owner, rest, placement in zip(scene._core.moving_objects().tolist(), scene._rest, now, strict=True):
+        name = scene.object_names[owner]
+        transform = scene.transform(name)
+        row: dict[str, Any] = {"object": name}
+        if not np.array_equal(transform, np.eye(4)):
+            row["transform"] = transform.tolist()
+        if not np.array_equal(rest, placement):
+            row["rest"] = rest.tolist()
+        rows.append(row)
+    return rows
 
 
 def load(path: str | os.PathLike[str]) -> Contents:
@@ -87,23 +103,28 @@ def load(path: str | os.PathLike[str]) -> Contents:
     folder = check.path("path", path)
     document = formats.read_json(folder / DOCUMENT, NAME, VERSION)
     with formats.guarded(folder / DOCUMENT):
-        object_names = document["object_names"]
-        names = Names(object_names if isinstance(object_names, int) else tuple(object_names))
+        object_names = document.get("object_names")
         center = check.vector("center", document["center"])
         near_radius, far_radius = check.radii(document["r1"], document["r2"])
         counts = {name: check.integer(name, document["counts"][name], 0, 2**62) for name in COUNTS}
         has_map = document["files"]["far"] is not None
         notes = tuple(check.instance("notes", note, str, "texts") for note in document.get("notes", []))
     data = (folder / NEAR).read_bytes()
+    env = EnvMap.load(folder / FAR) if has_map else None
+    if object_names is None and env is not None and env.object_id is not None:
+        object_names = env.object_names
+    with formats.guarded(folder / DOCUMENT):
+        known = isinstance(object_names, int)
+        listed = None if object_names is None else Names(object_names if known else tuple(object_names))
     with formats.guarded(folder / NEAR):
-        decoder = glb.Decoder(data, names)
-        core, undrawn = decoder.decode(), decoder.undrawn
+        decoder = glb.Decoder(data, listed)
+        core, names, undrawn = decoder.decode(), decoder.names, decoder.undrawn
     with formats.guarded(folder / DOCUMENT):
         frames, rest = _frames(document["moving"], names, core.moving_placements())
         near = Scene(core, names, frames=frames, rest=rest, notes=notes, undrawn=undrawn)
         return Contents(
             near,
-            EnvMap.load(folder / FAR) if has_map else None,
+            env,
             center,
             near_radius,
             far_radius,
@@ -119,11 +140,12 @@ def _frames(
     """Load transforms of objects by number, and the placements that the moving instances were loaded with."""
     if len(moving) != len(placements):
         raise ValueError(f"moving: expected {len(placements)} instances as in {NEAR}, got {len(moving)}")
-    rest = np.array([row["rest"] for row in moving], np.float64).reshape(-1, 3, 4)
+    rows = [row.get("rest", placement) for row, placement in zip(moving, placements, strict=True)]
+    rest = np.array(rows, np.float64).reshape(-1, 3, 4)
     numbers = [names.number("moving", row["object"]) for row in moving]
     frames = np.tile(np.eye(4), (max(numbers, default=-1) + 1, 1, 1))
     for number, row in zip(numbers, moving, strict=True):
-        frames[number] = row["transform"]
+        frames[number] = row.get("transform", frames[number])
     if not (np.isfinite(frames).all() and np.isfinite(rest).all()):
         raise ValueError("moving: expected finite matrices")
     return (frames if (frames != np.eye(4)).any() else None), rest

@@ -30,7 +30,7 @@ def reduce(
     channels: Iterable[str] = ("color",),
     samples: int = 4,
     range_dtype: DTypeLike = np.float32,
-    backend: str = "auto",
+    backend: str | None = None,
 ) -> ReducedScene:
     """Reduce a scene: near triangles stay geometry, far ones are baked into a cube map, and a morph joins the two.
 
@@ -61,7 +61,7 @@ def reduce(
         Type of the map's range: float32, or float16, which halves memory and file and has an error of at most 2⁻¹¹ of
         the range.
     backend
-        Backend that bakes the map: "cpu", "gpu" or "auto", as in `render`.
+        Backend that bakes the map: "cpu", "gpu", "auto" or None, as in `render`.
 
     Returns
     -------

@@ -98,7 +98,7 @@ class ReducedScene(InNotebooks):
 
     @property
     def stats(self) -> dict[str, Any]:
-        """Counts of triangles, bytes and rays.
+        """Counts of triangles, bytes and rays of the reduction; `Frame.stats` has those of a frame.
 
         Returns
         -------
@@ -106,14 +106,9 @@ class ReducedScene(InNotebooks):
             Of the scene: `triangles`, and `near`, `intermediate`, `nsf` and `sf` as in `Partition.summary`; `drawn`,
             the number of triangles that a client draws, and `reduction` = triangles / drawn. Of the memory:
             `map_bytes`, and `near_bytes` for copies of near geometry. Of baking: `rays` (0 on a graphics adapter) and
-            `ranges_computed`. Of the last frame: `frame_triangles` (after splitting; 0 if the scene's own trees were
-            traced), `dynamic_triangles` (moving ones in a separate pass; 0 without such a pass), `tolerance_held`
-            (whether `tolerance_px` was a proven bound, which needs "vertex", "blend" and a user at the camera, within
-            0.6 r1 of the centre) and `opposed_directions` (vertices that user and centre see in opposite directions,
-            which happens only with the user outside the near cylinder).
+            `ranges_computed`.
         """
         counts = self._counts
-        triangles, moving, opposed, bounded = self._core.last_frame()
         return {
             **{name: counts[name] for name in ("triangles", "near", "intermediate", "nsf", "sf")},
             "drawn": self.triangle_count,
@@ -122,10 +117,6 @@ class ReducedScene(InNotebooks):
             "near_bytes": self._core.near_bytes,
             "rays": counts["rays"],
             "ranges_computed": 0 if self._env is None or self._env.range is None else self._env.range.size,
-            "frame_triangles": triangles,
-            "dynamic_triangles": moving,
-            "tolerance_held": bounded,
-            "opposed_directions": opposed,
         }
 
     def render(
@@ -142,7 +133,7 @@ class ReducedScene(InNotebooks):
         method: str = "vertex",
         env: bool = True,
         tolerance_px: float | None = None,
-        backend: str = "auto",
+        backend: str | None = None,
     ) -> Frame:
         """Render the picture that a thin client shows.
 
@@ -163,9 +154,10 @@ class ReducedScene(InNotebooks):
         samples
             Number of colour samples of each pixel; all other images are sampled once, at the pixel's centre.
         channels
-            Images to compute, as in `render`; by default the channels of the map (`default_channels`). Far pixels have
-            the channels that were baked; their `position` is the point at the map's range, their `face_id` is −1, and
-            they have no normal. `range` is the displayed distance; `position` and `normal` are unmorphed.
+            Images to compute, as in `render`; by default the channels of the map (`default_channels`). `range`,
+            `position` and `object_id` need a map that was baked with them; the position of a far pixel is the point at
+            the map's range. Far pixels of a map have `face_id` −1 and no normal. `range` is the displayed distance;
+            `position` and `normal` are unmorphed.
         lod
             Levels of detail of near objects, as in `nearfar.render`, for scenes whose objects have some. The map shows
             far objects at the levels that were baked. A change of levels gathers the near geometry again.
@@ -177,15 +169,15 @@ class ReducedScene(InNotebooks):
             the method's picture with a map of unlimited resolution.
         tolerance_px
             For "vertex": greatest distance, in the image's finest pixels, between a drawn triangle's points and their
-            morph, by default 0.5; larger triangles are split for the frame. It is a proven bound if `stats` has
-            `tolerance_held`. Infinity morphs only the given vertices, which bends long triangles wrongly and opens
-            breaks at both radii. For "exact": greatest distance between a bent ray and its curve, in pixels of the
-            size at its place in the image, by default 0.1.
+            morph, by default 0.5; larger triangles are split for the frame. It is a proven bound if the frame's
+            `stats` have `tolerance_held`. Infinity morphs only the given vertices, which bends long triangles wrongly
+            and opens breaks at both radii. For "exact": greatest distance between a bent ray and its curve, in pixels
+            of the size at its place in the image, by default 0.1.
         backend
-            "cpu", "gpu" or "auto", as in `render`. On a graphics adapter near triangles are split once for all users at
-            about the same distance from the centre, not for each frame, and moving objects are split only if their
-            edges are too long, so that a frame sends one transform for each. The map's colours are half floats there,
-            at most 65,504. "exact" runs on the CPU only, also with "auto".
+            "cpu", "gpu", "auto" or None, as in `render`. On a graphics adapter near triangles are split once for all
+            users at about the same distance from the centre, not for each frame, and moving objects are split only if
+            their edges are too long, so that a frame sends one transform for each. The map's colours are half floats
+            there, at most 65,504. "exact" runs on the CPU only, also with "auto".
 
         Returns
         -------
@@ -195,10 +187,10 @@ class ReducedScene(InNotebooks):
         Raises
         ------
         ValueError, TypeError
-            For arguments out of their domains; for a range or object_id that was not baked; for `env` False after
-            `load`, because far geometry is not saved; for parallel rays with a map or bent rays, which both belong to
-            one eye; for "exact" with "gpu" or a `user` apart from the camera; and for limits of rays with "exact" or
-            `env` False.
+            For arguments out of their domains; for range, position or object_id of a map without range or object_id;
+            for `env` False after `load`, because far geometry is not saved; for parallel rays with a map or bent rays,
+            which both belong to one eye; for "exact" with "gpu" or a `user` apart from the camera; and for limits of
+            rays with "exact" or `env` False.
         DeviceError
             As in `render`.
         """
@@ -359,7 +351,8 @@ class ReducedScene(InNotebooks):
         """Read a folder that `save` wrote.
 
         The result renders the same colours (with `half`, to a quarter of an 8-bit step), ranges and objects as the
-        saved scene; `face_id` counts the near part's triangles. Far geometry is not saved, so `env=False` is refused.
+        saved scene; `face_id` counts the near part's triangles. Unless the map has object numbers, the objects of the
+        loaded scene are those of the near part alone. Far geometry is not saved, so `env=False` is refused.
 
         Raises
         ------

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import contextlib
 import os
+import platform
 import weakref
 from collections.abc import Iterator
+from pathlib import Path
 
 from nearfar import _core
 from nearfar._base import check as checks
@@ -23,7 +25,7 @@ _selected: str | None = None
 """Adapter that `select` named."""
 # The following three contain process numbers, so that a forked child starts with no entries.
 _logged: set[int] = set()
-"""Processes that have logged why they use the CPU."""
+"""Processes that have said, or found said before, why they use the CPU."""
 _searched: set[tuple[int, str | None]] = set()
 """Processes and adapter names for which adapters were searched."""
 _failed: set[tuple[int, str | None]] = set()
@@ -32,19 +34,20 @@ _faster: weakref.WeakKeyDictionary[object, dict[tuple[str, Work], bool]] = weakr
 """For each source, whether an adapter was faster than the CPU, by the adapter's label and the kind of work."""
 
 
-def check(backend: str) -> str:
-    """Return a backend's name; TypeError or ValueError for unknown ones."""
-    return checks.choice("backend", backend, BACKENDS)
+def check(backend: str | None) -> str:
+    """Return a backend's name, "auto" for None; TypeError or ValueError for unknown ones."""
+    return "auto" if backend is None else checks.choice("backend", backend, BACKENDS)
 
 
-def device_for(backend: str, source: object, work: Work | None = None) -> _core.GpuDevice | None:
+def device_for(backend: str | None, source: object, work: Work | None = None) -> _core.GpuDevice | None:
     """Choose the CPU or a graphics adapter for work on a source.
 
     Parameters
     ----------
     backend
         "cpu"; "gpu" for the selected adapter, or else the best one; "auto" for the same adapter if it is hardware or
-        was measured to be faster at such work on this source, else the CPU.
+        was measured to be faster at such work on this source, else the CPU. None is "auto" without a message that the
+        CPU is used, unless an adapter was named.
     source
         The scene. Measurements belong to this object.
     work
@@ -66,28 +69,35 @@ def device_for(backend: str, source: object, work: Work | None = None) -> _core.
         return None
     if backend == "gpu":
         return opened()
-    here = (os.getpid(), selected())
+    # Whoever names an adapter has asked for one, too.
+    here, wanted = (os.getpid(), selected()), backend is not None or selected() is not None
     if here in _failed:
         return None
     try:
-        return _chosen(source, work)
+        return _chosen(source, work, wanted)
     except DeviceError as error:
         _failed.add(here)
-        _log_once(str(error))
+        if wanted:
+            _log_once(str(error))
         return None
 
 
-def _chosen(source: object, work: Work | None) -> _core.GpuDevice | None:
-    """Device that "auto" chooses, None for the CPU; DeviceError if an adapter fails or there is none."""
+def _chosen(source: object, work: Work | None, wanted: bool) -> _core.GpuDevice | None:
+    """Device that "auto" chooses, None for the CPU; DeviceError if an adapter fails or there is none.
+
+    A message that the CPU is used is logged if a device was `wanted`.
+    """
     measured = {} if work is None else _faster.get(source, {})
     if not measured and not is_hardware(selected()):
-        _log_software()
+        if wanted:
+            _log_software()
         return None
     device = opened()
     if work is not None and (device.label, work) in measured:
         return device if measured[device.label, work] else None
     if device.kind == "software":
-        _log_software()
+        if wanted:
+            _log_software()
         return None
     return device
 
@@ -165,10 +175,22 @@ def _log_software() -> None:
 
 
 def _log_once(reason: str) -> None:
-    """Log once in a process why the CPU is used."""
+    """Log why the CPU is used, once on a machine; the cache folder remembers the reason."""
     if os.getpid() in _logged:
         return
     _logged.add(os.getpid())
     import logging
+
+    from nearfar._base import cache
+
+    def write(path: Path) -> None:
+        path.write_text(reason, encoding="utf-8")
+
+    key = cache.key("nearfar.backend", 1, platform.node(), reason)
+    # A cache that cannot be used costs a repeated message, nothing else.
+    with contextlib.suppress(OSError, ValueError):
+        if cache.find(key, ".txt") is not None:
+            return
+        cache.keep(key, ".txt", write)
 
     logging.getLogger("nearfar").warning("rendering on the CPU: %s", reason)

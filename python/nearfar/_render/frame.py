@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -50,14 +52,29 @@ class Frame:
     lod: Any = field(default=None, repr=False)
     """Levels of detail drawn, if `lod` chose some: `levels` (N,) in the order of `Scene.leveled`, `triangles`,
     `full_triangles` and `selection`; None otherwise. Not saved to files."""
+    stats: Mapping[str, Any] = field(default_factory=dict, repr=False)
+    """Counts of a frame of a reduced scene, read-only: `frame_triangles`, the number that was drawn after splitting (0
+    if the scene's own trees were traced); `dynamic_triangles`, moving ones in a separate pass (0 without such a pass);
+    `tolerance_held`, whether `tolerance_px` was a proven bound, which needs "vertex", "blend" and a user at the camera,
+    within 0.6 r1 of the centre, or a picture without a morph; and `opposed_directions`, the number of vertices that
+    user and centre see in opposite directions, which happens only with the user outside the near cylinder. Empty for
+    other frames. Not saved to files."""
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "stats", MappingProxyType(dict(self.stats)))
         width, height = self.camera.size
         for name in self.channels:
             image = getattr(self, name)
             expected = (height, width, 3) if name in ("color", "position", "normal") else (height, width)
             if image.shape != expected:
                 raise ValueError(f"{name}: expected shape {expected} for the camera's size, got {image.shape}")
+
+    def __getstate__(self) -> dict[str, Any]:
+        # A mapping proxy cannot be pickled.
+        return self.__dict__ | {"stats": dict(self.stats)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state | {"stats": MappingProxyType(state["stats"])})
 
     @property
     def channels(self) -> tuple[str, ...]:
@@ -114,7 +131,7 @@ class Frame:
         with formats.guarded(path, "frame"):
             channels = parts["frame"]
             camera, origin = _camera(document["camera"]), document["origin"]
-            images = {name: image for name in CHANNELS if (image := _image(name, channels)) is not None}
+            images: dict[str, Any] = {name: image for name in CHANNELS if (image := _image(name, channels)) is not None}
             return cls(camera, (origin[0], origin[1], origin[2]), **images)
 
     def _preview(self) -> tuple[str, NDArray[np.uint8]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Protocol, Self, runtime_checkable
 
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from nearfar import _core
 from nearfar._camera.shot import Shot
@@ -14,8 +14,8 @@ from nearfar._scene.levels import Leveled
 Report = Callable[[int, int], None] | None
 """Callback that takes the finished and the total amount of work, or None."""
 
-Images = dict[str, NDArray[Any]]
-"""The images of a frame by channel, with shapes and types as in `Frame`."""
+Images = dict[str, Any]
+"""The images of a frame by channel, with shapes and types as in `Frame`, and its `stats`, if it has any."""
 
 
 class Job(Protocol):

@@ -88,7 +88,7 @@ class Renderer:
             t_max=far,
         )
 
-    def device(self, backend: str, measured: object | None = None) -> _core.GpuDevice | None:
+    def device(self, backend: str | None, measured: object | None = None) -> _core.GpuDevice | None:
         """Choose a device as `backend.device_for` does; "auto" chooses the CPU if no adapter can draw the source.
 
         `measured` is the object that measurements belong to; by default the source.

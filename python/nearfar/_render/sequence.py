@@ -28,7 +28,7 @@ def render_path(
     channels: Iterable[str] | None = None,
     samples: int = 1,
     lod: Lod | None = None,
-    backend: str = "auto",
+    backend: str | None = None,
 ) -> Iterator[Frame]:
     """Render a scene, a reduced scene or another renderable from one camera after another.
 

@@ -25,7 +25,7 @@ def render(
     samples: int = 1,
     channels: Iterable[str] | None = None,
     lod: Lod | None = None,
-    backend: str = "auto",
+    backend: str | None = None,
 ) -> Frame:
     """Render a scene or any other `Renderable`.
 
@@ -61,7 +61,8 @@ def render(
     backend
         "cpu" traces rays. "gpu" draws with the graphics adapter that `nearfar.gpu.select` or NEARFAR_ADAPTER names, or
         the best one. "auto" uses that adapter if it is hardware, or if it was measured to be faster for such pictures
-        of this scene (`nearfar.gpu.measure`); otherwise it traces rays and logs the reason once.
+        of this scene (`nearfar.gpu.measure`); otherwise it traces rays and logs the reason, once on a machine. None
+        chooses as "auto" does, and logs nothing unless an adapter was named.
 
     Returns
     -------

@@ -193,19 +193,20 @@ class _Streams:
         return accessors
 
 
-def decode(data: bytes, names: Names) -> _core.Scene:
+def decode(data: bytes, names: Names | None) -> _core.Scene:
     """Decode the bytes that `encode` made; other bytes raise whatever error their content causes."""
     return Decoder(data, names).decode()
 
 
 class Decoder:
-    """Reads files that `Encoder` wrote."""
+    """Reads files that `Encoder` wrote; objects are numbered as in `names`, or in the order of the nodes."""
 
-    def __init__(self, data: bytes, names: Names) -> None:
+    def __init__(self, data: bytes, names: Names | None) -> None:
         self._reader = glb.Reader(data)
         self.document = self._reader.document
         """The file's JSON document."""
-        self._names = names
+        self.names = Names(self._node_names()) if names is None else names
+        """Names of the objects."""
         self._upright = bool(self.document["asset"].get("extras", {}).get(_UPRIGHT))
         self._meshes: dict[tuple[Any, ...], _core.Mesh] = {}
 
@@ -242,8 +243,16 @@ class Decoder:
     def _surfaces(self) -> tuple[dict[str, Any], dict[int, Undrawn]]:
         return glb_surfaces.read(self._reader, upright=self._upright)
 
+    def _node_names(self) -> tuple[str, ...]:
+        """Names of the instances and of the objects in them, each once, in the order of the nodes."""
+        nodes = self.document["nodes"]
+        root = nodes[self.document["scenes"][0]["nodes"][0]]
+        children = [nodes[number] for number in root.get("children", [])]
+        parts = [part for child in children for part in (child, *(nodes[n] for n in child.get("children", [])))]
+        return tuple(dict.fromkeys(str(part["name"]) for part in parts if "name" in part))
+
     def _object(self, node: dict[str, Any]) -> int:
-        return self._names.number("name", node["name"]) if "name" in node else _NO_OBJECT
+        return self.names.number("name", node["name"]) if "name" in node else _NO_OBJECT
 
     def mesh(self, node: dict[str, Any]) -> _core.Mesh:
         """Return the mesh of an instance; instances of one mesh get the same object."""

@@ -21,7 +21,7 @@ from nearfar._base import check
 from nearfar._base.errors import SceneError
 from nearfar._scene import load_gltf, load_trimesh
 from nearfar._scene.assembly import Assembled
-from nearfar._scene.source import Source, UnusableError, assemble
+from nearfar._scene.source import UP, Source, UnusableError, assemble
 
 _MOST_UNPACKED = 4 << 30
 """Greatest size in bytes of an unpacked .gz file."""
@@ -29,7 +29,7 @@ _MOST_UNPACKED = 4 << 30
 
 def load(path: str | os.PathLike[str], *, up: str, on_invalid: str, scale: float | None) -> Assembled:
     """Load a file; `nearfar.Scene.load` documents the arguments."""
-    check.choice("up", up, ("x", "y", "z"))
+    check.choice("up", up, UP)
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
     if scale is not None:
         check.positive("scale", scale)
@@ -52,6 +52,8 @@ def _read(label: str, path: Path, data: bytes) -> Source:
         data = _unpacked(data)
     if kind in _ARCHIVES:
         raise UnusableError("it is an archive, which may hold several models: unpack it and load one of them")
+    if kind in _READERS and kind not in trimesh.available_formats():
+        raise UnusableError(f"nearfar does not read .{kind}: {_READERS[kind]}")
     if kind not in trimesh.available_formats() or kind in _NOT_SCENES:
         raise UnusableError(f"the kind of file '{''.join(path.suffixes[-2:]) or path.name}' is not known")
     if not data:
@@ -118,6 +120,38 @@ def _wavefront_losses(data: bytes, resolver: Any) -> list[str]:
 
 
 _ARCHIVES = {"zip", "tar", "tgz", "bz2", "7z", "rar"}
+
+_READERS = {
+    "blend": "export it from Blender as glTF (.glb)",
+    "fbx": "import it into Blender and export it as glTF (.glb), or convert it with FBX2glTF or Assimp",
+    "3ds": "import it into Blender 4.2 or newer and export it as glTF (.glb), or convert it with Assimp",
+    "max": "export it from Autodesk 3ds Max as glTF or OBJ",
+    "ma": "export it from Autodesk Maya as OBJ or FBX, and FBX from Blender as glTF (.glb)",
+    "mb": "export it from Autodesk Maya as OBJ or FBX, and FBX from Blender as glTF (.glb)",
+    "c4d": "export it from Cinema 4D as glTF (.glb)",
+    "skp": "export it from SketchUp as glTF (.glb), COLLADA (.dae) or OBJ",
+    "ifc": "convert it to glTF (.glb) with IfcConvert or the Python package ifcopenshell, or with Bonsai for Blender",
+    "rvt": "export it from Autodesk Revit as IFC, and convert that to glTF (.glb) with IfcConvert",
+    "dwg": "export it from AutoCAD as OBJ or STL, or open it in FreeCAD",
+    "3dm": "export it from Rhino as glTF (.glb) or OBJ",
+    "dae": "install the Python package pycollada, with which it is read, or export it from Blender as glTF (.glb)",
+    "usd": "import it into Blender and export it as glTF (.glb)",
+    "usda": "import it into Blender and export it as glTF (.glb)",
+    "usdc": "import it into Blender and export it as glTF (.glb)",
+    "usdz": "import it into Blender and export it as glTF (.glb)",
+    "abc": "import it into Blender and export it as glTF (.glb)",
+    "x3d": "import it into Blender and export it as glTF (.glb)",
+    "wrl": "import it into Blender or MeshLab and export it as glTF (.glb) or PLY",
+    "step": "install the Python package cascadio, with which it is read, or export it from FreeCAD as glTF (.glb)",
+    "stp": "install the Python package cascadio, with which it is read, or export it from FreeCAD as glTF (.glb)",
+    "iges": "export it from FreeCAD as glTF (.glb) or OBJ",
+    "igs": "export it from FreeCAD as glTF (.glb) or OBJ",
+    "gml": "convert it with citygml-tools to CityJSON, and that with cjio to glTF (.glb)",
+    "las": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
+    "laz": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
+    "e57": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
+}
+"""Known formats that are not read, and the program or package that reads them."""
 
 _NOT_SCENES = {"dxf", "svg", "json", "dict", "dict64", "binvox"}
 """Formats that trimesh reads but that are not scenes: drawings, voxels and trimesh's own dumps."""

@@ -78,7 +78,7 @@ class Scene:
         path
             The file.
         up
-            Axis of the file that points up: "x", "y" or "z"; it is turned to y.
+            Axis of the file that points up: "x", "y", "z", "-x", "-y" or "-z"; it is turned to y.
         on_invalid
             Treatment of faces with vertices that are not finite or do not exist: "raise" an error, or "drop" the faces,
             which `report` counts.

@@ -17,12 +17,15 @@ from nearfar._scene.materials import PLAIN, UNCOLORED, BaseColor
 from nearfar._scene.report import count
 from nearfar._scene.units import metres_in
 
-_UP = {
+_TURNS = {
     "x": np.array([[0.0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
     "y": np.eye(4),
     "z": np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]]),
 }
 """Rotations that turn the named axis to y."""
+
+UP = ("x", "y", "z", "-x", "-y", "-z")
+"""Names of the axes that may point up."""
 
 _MOST_NAMED = 3
 """Greatest number of flaws that an error message lists; it counts the rest."""
@@ -84,7 +87,7 @@ def world_transforms(
 
 def assemble(source: Source, *, up: str, on_invalid: str, scale: float | None = None) -> Assembled:
     """Assemble a scene's parts in one pass over the source's meshes; SceneError if they cannot be used."""
-    check.choice("up", up, _UP)
+    check.choice("up", up, UP)
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
     _to_metres(source, scale)
     nodes, flaws = _usable_nodes(source)
@@ -105,7 +108,8 @@ def assemble(source: Source, *, up: str, on_invalid: str, scale: float | None = 
         raise SceneError(f"{source.label}: no triangles" + "".join(f"; {note}" for note in source.notes))
     builder = Assembly()
     handles = {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
-    turn = _UP[up]
+    # The opposite axis is turned by another half turn about x.
+    turn = np.diag([1.0, -1.0, -1.0, 1.0]) @ _TURNS[up[1:]] if up.startswith("-") else _TURNS[up]
     for node in nodes:
         if node.shape in handles:
             transform = node.transform if up == "y" else turn @ node.transform

@@ -1,4 +1,4 @@
-"""Choice of viewpoints by ray casting: open ground near a scene's middle, facing the longest open view."""
+"""Choice of viewpoints by ray casting: open ground near a scene's middle, or a place in front of a single object."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._scene.scene import Scene
-from nearfar._trace.rays import cast_rays
+from nearfar._trace.rays import Hits, cast_rays
 
 Point = tuple[float, float, float]
 
@@ -16,7 +16,25 @@ EYE_HEIGHT = 1.7
 """Height of a standing person's eyes above the ground, metres."""
 
 SMALLEST_PLACE = 3.0
-"""Least size in metres of a scene that a person stands in; for a smaller one the eye's height scales with the scene."""
+"""Least size in metres of a scene that a person stands in; a smaller one is an object."""
+
+GROUND = (20.0, 0.2)
+"""Least size in metres, and greatest height as a share of it, of a scene without open places that counts as ground."""
+
+AWAY = 2.0
+"""Distance of the eye from the middle of an object in radii of its bounding sphere, which then fits into the view."""
+
+CITY_RADII = (30.0, 50.0)
+"""Radii r1 and r2 in metres for scenes that reach at least `CITY` metres away."""
+
+CITY = 75.0
+"""Least distance in metres that a city reaches from its centre."""
+
+WALLS = 75.0
+"""Percentile of the distances around an eye that counts as the distance of a room's walls; windows let rays pass."""
+
+ASIDE = (0.3, 0.6)
+"""Distance of a user from O as shares of r2 − r1 and of r1, the lesser of which is taken; the picture does not fold."""
 
 MOST_COMPARED = 40
 """Greatest number of open places that are compared."""
@@ -41,29 +59,94 @@ class Viewpoint:
     eye: Point
     """World position in metres."""
     forward: Point
-    """Horizontal unit direction with the longest open view."""
+    """Horizontal unit direction: with the longest open view, or towards the object."""
+    is_outside: bool = False
+    """True if the scene is a single object, which the eye sees from outside."""
+
+    @property
+    def target(self) -> Point:
+        """Point to look at: straight ahead for an object, else a little above, as the road fills half of the view."""
+        return ahead(self.eye, self.forward, rise=0.0 if self.is_outside else 0.15)
 
 
 def find(scene: Scene) -> Viewpoint:
-    """Find an open place near the middle of a scene.
+    """Find an open place near the middle of a scene, or a place in front of a scene that is a single object.
 
     A place is open if no ray from the eye hits anything within `CLEARANCE`, half of the rays reach at least ten metres
-    (less in small scenes) and a quarter of them hit something. Places under the sky come before places under a roof.
-    Of the first `MOST_COMPARED` open places, the one with the greatest mean distance is chosen.
+    (less in small scenes) and a quarter of them hit something. Places under the sky come before places under a roof,
+    which are open only if the rays hit surfaces from the front: the back of surfaces is the inside of a solid. Of the
+    first `MOST_COMPARED` open places, the one with the greatest mean distance is chosen. A scene without an open place
+    is an object, unless it is flat and wide.
     """
-    eyes = _candidates(scene)
-    far = min(10.0, 0.25 * float(np.hypot(*(scene.bounds[1] - scene.bounds[0])[[0, 2]] / 2.0)))
+    size = scene.bounds[1] - scene.bounds[0]
+    if size.max() < SMALLEST_PLACE:
+        return in_front(scene)
+    above, below = _candidates(scene)
+    eyes = np.concatenate([above, below])
+    far = min(10.0, 0.25 * float(np.hypot(*size[[0, 2]] / 2.0)))
     open_places: list[tuple[float, Point]] = []
-    for block in np.split(eyes, range(BLOCK, len(eyes), BLOCK)):
-        distances = np.minimum(_views(scene, block), 10.0 * far)
+    for start in range(0, len(eyes), BLOCK):
+        block = eyes[start : start + BLOCK]
+        hits = _hits(scene, block)
+        distances = np.minimum(_distances(hits), 10.0 * far)
         is_free = distances.min(axis=1) >= min(CLEARANCE, far / 2.0)
         meets = (distances < 10.0 * far).mean(axis=1) >= 0.25
         is_open = is_free & meets & (np.median(distances, axis=1) >= far)
+        roofed = is_open & (start + np.arange(len(block)) >= len(above))
+        if roofed.any():
+            is_open[roofed] = ~_inside_solid(scene, hits, roofed)
         open_places += [(float(distances[n].mean()), _point(block[n])) for n in np.flatnonzero(is_open)]
         if len(open_places) >= MOST_COMPARED:
             break
-    best = max(open_places[:MOST_COMPARED])[1] if open_places else _point(eyes[0])
-    return facing_open(scene, best)
+    if open_places:
+        return facing_open(scene, max(open_places[:MOST_COMPARED])[1])
+    least, share = GROUND
+    is_ground = size.max() >= least and size[1] <= share * size.max()
+    return facing_open(scene, _point(eyes[0])) if is_ground else in_front(scene)
+
+
+def in_front(scene: Scene) -> Viewpoint:
+    """Viewpoint outside a scene, at the height of its middle, from which all of it is in view."""
+    low, high = scene.bounds
+    away = AWAY * max(float(np.linalg.norm(high - low)) / 2.0, 1e-6)
+    forward = np.array([-0.5, 0.0, -np.sqrt(0.75)])
+    return Viewpoint(_point((low + high) / 2.0 - away * forward), _point(forward), is_outside=True)
+
+
+def radii(scene: Scene, place: Viewpoint) -> tuple[float, float]:
+    """Radii r1 and r2 in metres that divide a scene into three zones of which each shows something.
+
+    They are `CITY_RADII` for scenes that reach `CITY` metres away; for others they divide the way from the nearest to
+    the farthest of the scene's bounds into thirds, rounded to two digits. Under a roof the walls that are in view count
+    as the farthest.
+    """
+    low, high = scene.bounds[:, [0, 2]]
+    eye = np.array(place.eye)[[0, 2]]
+    farthest = float(np.hypot(*np.maximum(np.abs(low - eye), np.abs(high - eye))))
+    if not place.is_outside and _is_roofed(scene, place.eye):
+        around = _view(scene, np.array(place.eye))
+        farthest = min(farthest, float(np.percentile(around, WALLS)))
+    if not place.is_outside and farthest >= CITY:
+        return CITY_RADII
+    nearest = float(np.hypot(*np.maximum(np.maximum(low - eye, eye - high), 0.0)))
+    if not nearest < farthest < np.inf:
+        return CITY_RADII
+    r1, r2 = (float(f"{nearest + share * (farthest - nearest):.2g}") for share in (1.0 / 3.0, 2.0 / 3.0))
+    return (r1, r2) if r1 < r2 else (nearest, farthest)
+
+
+def completed(r1: float | None, r2: float | None) -> tuple[float, float]:
+    """Return both radii; one that is None is `CITY_RADII`'s, or in their ratio to the other one if that is needed."""
+    inner, outer = CITY_RADII
+    if r1 is None:
+        r1 = inner if r2 is None else min(inner, r2 * inner / outer)
+    return r1, max(outer, r1 * outer / inner) if r2 is None else r2
+
+
+def aside(r1: float, r2: float) -> float:
+    """Distance in metres of a user from O that shows the effect of the methods, without folds."""
+    between, within = ASIDE
+    return min(between * (r2 - r1), within * r1) if r1 > 0.0 else between * (r2 - r1)
 
 
 def facing_open(scene: Scene, eye: Point) -> Viewpoint:
@@ -77,15 +160,17 @@ def facing(eye: Point, target: Point) -> Viewpoint:
     return Viewpoint(eye, _point(ahead / np.linalg.norm(ahead)))
 
 
-def beside(scene: Scene, viewpoint: Viewpoint, distance: float) -> Point:
-    """Position of a user up to `distance` metres beside the centre, on the side with more space, away from walls.
+def beside(scene: Scene, viewpoint: Viewpoint, distance: float) -> list[Point]:
+    """Positions of a user up to `distance` metres beside the centre, the side with more space first.
 
-    A step to the side shows the effect of the near–far methods; a step along the view hardly changes the picture.
+    They keep away from walls. A step to the side shows the effect of the near–far methods; a step along the view hardly
+    changes the picture.
     """
     right = np.array([-viewpoint.forward[2], 0.0, viewpoint.forward[0]])
-    free = cast_rays(scene, np.tile(viewpoint.eye, (2, 1)), np.stack([right, -right])).t_hit
-    side = right if free[0] >= free[1] else -right
-    return _point(np.array(viewpoint.eye) + min(distance, 0.6 * float(free.max())) * side)
+    sides = np.stack([right, -right])
+    free = cast_rays(scene, np.tile(viewpoint.eye, (2, 1)), sides).t_hit
+    order = (0, 1) if free[0] >= free[1] else (1, 0)
+    return [_point(np.array(viewpoint.eye) + min(distance, 0.6 * float(free[n])) * sides[n]) for n in order]
 
 
 def ahead(eye: Point, forward: Point, *, rise: float = 0.15) -> Point:
@@ -93,12 +178,12 @@ def ahead(eye: Point, forward: Point, *, rise: float = 0.15) -> Point:
     return _point(np.array(eye) + np.array(forward) + np.array([0.0, rise, 0.0]))
 
 
-def _candidates(scene: Scene) -> NDArray[np.float64]:
-    """Eyes above a grid of ground points, nearest to the middle first.
+def _candidates(scene: Scene) -> list[NDArray[np.float64]]:
+    """Eyes above a grid of ground points, nearest to the middle first: those under the sky, then those under a roof.
 
-    Vertical rays from above find the ground first, then rays from below. A ray that hits nothing takes the scene's
-    lowest height, because models of cities often have no ground. Points more than two metres above the lowest tenth are
-    left out, as they are roofs.
+    Vertical rays from above find the ground under the sky, rays from below that under a roof. A ray that hits nothing
+    takes the scene's lowest height, because models of cities often have no ground. Points more than two metres above
+    the lowest tenth are left out, as they are roofs.
     """
     low, high = scene.bounds
     middle, half = (low + high) / 2.0, (high - low) / 2.0
@@ -106,15 +191,14 @@ def _candidates(scene: Scene) -> NDArray[np.float64]:
     grid = np.stack(np.meshgrid(axis, axis, indexing="ij"), axis=-1).reshape(-1, 2)
     grid = grid[np.argsort(np.hypot(*grid.T), kind="stable")]
     x, z = (grid * np.minimum(half * 0.6, 150.0)[[0, 2]] + middle[[0, 2]]).T
-    eye_height = EYE_HEIGHT if 2.0 * half.max() >= SMALLEST_PLACE else 1.2 * half[1]
     eyes = []
     for start, sign in ((high[1] + 1.0, -1.0), (low[1] - 1.0, 1.0)):
         origins = np.column_stack([x, np.full(len(x), start), z])
         way = cast_rays(scene, origins, np.tile([0.0, sign, 0.0], (len(x), 1))).t_hit.astype(np.float64)
         ground = np.where(np.isfinite(way), start + sign * np.where(np.isfinite(way), way, 0.0), low[1])
         level = ground <= np.percentile(ground, 10.0) + 2.0
-        eyes.append(np.column_stack([x, ground + eye_height, z])[level])
-    return np.concatenate(eyes)
+        eyes.append(np.column_stack([x, ground + EYE_HEIGHT, z])[level])
+    return eyes
 
 
 def open_direction(scene: Scene, eye: Point) -> Point:
@@ -134,14 +218,39 @@ def _ring() -> NDArray[np.float64]:
 
 
 def _view(scene: Scene, eye: NDArray[np.float64]) -> NDArray[np.float64]:
-    distances: NDArray[np.float64] = _views(scene, eye[None])[0]
+    distances: NDArray[np.float64] = _distances(_hits(scene, eye[None]))[0]
     return distances
 
 
-def _views(scene: Scene, eyes: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Distances (N, DIRECTIONS) in metres to the nearest hits around each of N eyes."""
+def _is_roofed(scene: Scene, eye: Point) -> bool:
+    """Whether most of the rays upwards, vertical and 30° from it, hit something."""
+    around = np.radians(np.arange(8) * 45.0)
+    tilted = np.stack([0.5 * np.sin(around), np.full(8, np.sqrt(0.75)), -0.5 * np.cos(around)], axis=-1)
+    rays = np.concatenate([[[0.0, 1.0, 0.0]], tilted])
+    return bool(cast_rays(scene, np.asarray(eye), rays).hit.mean() > 0.5)
+
+
+def _hits(scene: Scene, eyes: NDArray[np.float64]) -> Hits:
+    """Nearest hits of `DIRECTIONS` horizontal rays around each of N eyes."""
     origins, directions = np.repeat(eyes, DIRECTIONS, axis=0), np.tile(_ring(), (len(eyes), 1))
-    return cast_rays(scene, origins, directions).t_hit.reshape(-1, DIRECTIONS).astype(np.float64)
+    return cast_rays(scene, origins, directions)
+
+
+def _distances(hits: Hits) -> NDArray[np.float64]:
+    """Distances (N, DIRECTIONS) in metres to the hits around each of N eyes."""
+    return hits.t_hit.reshape(-1, DIRECTIONS).astype(np.float64)
+
+
+def _inside_solid(scene: Scene, hits: Hits, asked: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Whether most of the rays around each eye of those that are asked for hit surfaces from behind."""
+    numbers = hits.triangle_index.reshape(-1, DIRECTIONS)[asked]
+    hit = numbers >= 0
+    used = np.unique(numbers[hit])
+    corners = scene.subset(triangles=used).triangles()
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    facing = normals[np.searchsorted(used, np.where(hit, numbers, used[:1]))]
+    from_behind = (facing * _ring()).sum(axis=-1) > 0.0
+    return np.asarray((from_behind & hit).sum(axis=1) > 0.5 * hit.sum(axis=1))
 
 
 def _point(values: NDArray[np.float64]) -> Point:

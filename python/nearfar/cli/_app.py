@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 import nearfar as nf
+from nearfar._base import progress
 from nearfar.cli import _bake, _compare, _info, _lod, _partition, _reduce, _render
 
 INTERRUPTED = 130
@@ -49,7 +50,8 @@ def _top(
 def run(arguments: Sequence[str]) -> int:
     """Run a command line, print errors to standard error, and return the exit status."""
     try:
-        app(list(arguments), prog_name="nearfar")
+        with progress.lines():
+            app(list(arguments), prog_name="nearfar")
     except SystemExit as end:
         return end.code if isinstance(end.code, int) else int(end.code is not None)
     except KeyboardInterrupt:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -12,58 +11,38 @@ import typer
 import nearfar as nf
 from nearfar._base import check as checks
 from nearfar._base import files, formats
-from nearfar._trace import viewpoint
-from nearfar.cli import _comparison_page, _report_page
+from nearfar._reduce import findings
+from nearfar.cli import _comparison_page, _report_page, _source, _thresholds, _viewpoint
 from nearfar.cli import _options as options
 from nearfar.cli._methods import METHODS, render_all
 from nearfar.cli._options import option
-from nearfar.cli._output import Clock, count, metres, note_rows, show
+from nearfar.cli._output import Clock, metres, note_rows, show, triangles_text
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
-from nearfar.cli._viewpoint import choose
 
 VERSION = 1
 
-BROKEN = 3
-"""Exit status of a comparison that broke a threshold; 1 is an error, 2 a wrong command line."""
-
-
-@dataclass(frozen=True)
-class Threshold:
-    """A limit for a measure of the continuous picture."""
-
-    option: str
-    measure: str
-    limit: float
-    least: bool
-    """True if the limit is the least allowed value, False if it is the greatest."""
-
-    def check(self, values: dict[str, Any]) -> dict[str, Any]:
-        """Compare a value with the limit; a measure that the picture lacks (None) does not break it."""
-        value = values[self.measure]
-        holds = value is None or (value >= self.limit if self.least else value <= self.limit)
-        return {
-            "option": self.option,
-            "measure": self.measure,
-            "limit": self.limit,
-            "value": value,
-            "kept": bool(holds),
-        }
-
 
 def compare(
-    scene: options.Input,
+    scene: options.SceneOrFolder,
     output: options.Folder,
     center: options.Center = None,
     user: Annotated[
         str | None, option("--user", "X,Y,Z", "User's eye U in metres. By default beside the centre.")
     ] = None,
-    distance: Annotated[float, option("--distance", "METRES", "Distance of U from O without --user.")] = 6.0,
+    distance: Annotated[
+        float | None,
+        option("--distance", "METRES", "Distance of U from O without --user. By default 6 for 30 and 50 m, else less."),
+    ] = None,
+    truth: Annotated[
+        str | None,
+        option("--truth", "SCENE", "For a folder as -i: its whole scene. By default the one that its report names."),
+    ] = None,
     target: options.Target = None,
     fov: options.Degrees = 90.0,
-    r1: options.Inner = 30.0,
-    r2: options.Outer = 50.0,
-    face_size: options.FaceSize = 1024,
+    r1: options.Inner = None,
+    r2: options.Outer = None,
+    face_size: options.FaceSize = None,
     size: options.Size = "960x600",
     samples: options.Samples = 4,
     exact: Annotated[
@@ -84,7 +63,7 @@ def compare(
             "Greatest mean discontinuity along the boundary; exit status 3 above it.",
         ),
     ] = None,
-    backend: options.Backend = "auto",
+    backend: options.Backend = None,
     up: options.Up = "y",
     scale: options.Scale = None,
     on_invalid: options.Invalid = "raise",
@@ -92,75 +71,91 @@ def compare(
 ) -> None:
     """Compare the conventional and the continuous method with the truth, seen from one eye.
 
-    Thresholds apply to the continuous method; the exit status is 3 if one is broken.
+    Thresholds apply to the continuous method; the exit status is 3 if one is broken or could not be measured.
     """
-    checks.radii(r1, r2)
+    options.check_radii(r1, r2)
     options.check_backend(backend)
-    thresholds = [
-        Threshold(option, measure, checks.number(option, limit), least)
-        for option, measure, limit, least in (
-            ("--min-psnr", "psnr", min_psnr, True),
-            ("--min-ssim", "ssim", min_ssim, True),
-            ("--max-discontinuity", "discontinuity", max_discontinuity, False),
-            ("--max-boundary-discontinuity", "boundary", max_boundary, False),
-        )
-        if limit is not None
-    ]
+    thresholds = _thresholds.thresholds(
+        min_psnr=min_psnr,
+        min_ssim=min_ssim,
+        max_discontinuity=max_discontinuity,
+        max_boundary_discontinuity=max_boundary,
+    )
     pixels, middle = options.read_size("--size", size), options.read_point("--center", center)
     eye, aim = options.read_point("--user", user), options.read_point("--target", target)
-    away, clock = checks.positive("--distance", distance), Clock()
+    away, clock = None if distance is None else checks.positive("--distance", distance), Clock()
+    saved, source = None, scene
+    if options.is_reduced(scene):
+        reason = "which has its own"
+        _source.refuse(reason, center=center, r1=r1, r2=r2, face_size=face_size)
+        _source.refuse("which has no far geometry to trace", exact=exact or None)
+    elif truth is not None:
+        raise ValueError(f"--truth: expected none with a scene as -i, got {truth!r}")
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="compare.json") as folder:
         with clock.step("scene"):
-            loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
+            if options.is_reduced(scene):
+                saved = nf.ReducedScene.load(scene)
+                source, loaded = _source.open_truth(scene, truth, up=up, on_invalid=on_invalid, scale=scale)
+            else:
+                loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
         with clock.step("place"):
-            place = choose(loaded, scene, middle)
-            eye = eye or viewpoint.beside(loaded, place, away)
-            view = camera(loaded, eye, aim or viewpoint.ahead(eye, place.forward), fov, pixels)
+            place = _viewpoint.choose(loaded, source, middle if saved is None else saved.center)
+            inner, outer = _viewpoint.radii(loaded, place, r1, r2) if saved is None else (saved.r1, saved.r2)
+            stand = _viewpoint.stand(loaded, place, inner, outer, fov=fov, user=eye, target=aim, distance=away)
+            view = camera(stand.user, stand.target, fov, pixels)
         with clock.step("load curve"):
             curve = nf.load_curve(loaded, center=place.eye)
         # The discontinuity of far pixels needs their scene points, which follow from the map's range.
-        place_and_map = {"center": place.eye, "r1": r1, "r2": r2, "channels": ("color", "range")}
+        texels = options.faces(face_size) if saved is None or saved.env is None else saved.env.face_size
+        place_and_map = {"center": place.eye, "r1": inner, "r2": outer, "channels": ("color", "range")}
         frames, reduced = render_all(
             loaded,
             view,
             clock,
             pictures={"samples": samples, "channels": ("color", "position")},
-            reduction=place_and_map | {"face_size": face_size, "backend": backend},
+            reduction=place_and_map | {"face_size": texels, "backend": backend},
             drawing={"method": "exact", "env": False} if exact else None,
+            saved=saved,
         )
         with clock.step("measures"):
             measured = {
-                name: nf.compare(frames["truth"], frames[name], center=place.eye, radius=r2) for name in METHODS
+                name: nf.compare(frames["truth"], frames[name], center=place.eye, radius=outer) for name in METHODS
             }
             values = {name: _document(comparison) for name, comparison in measured.items()}
         with clock.step("pictures"):
             _report_page.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
-            plotted = _report_page.save_curve(folder, curve, r2)
+            plotted = _report_page.save_curve(folder, curve, outer)
             if plotted:
                 _comparison_page.save_heat_maps(
                     folder, {name: comparison.torn for name, comparison in measured.items()}
                 )
-        margin = nf.fold_margin(eye, center=place.eye, r1=r1, r2=r2)
+        margin = nf.fold_margin(stand.user, center=place.eye, r1=inner, r2=outer)
+        crosses = any(comparison.boundary_pixels for comparison in measured.values())
         checked = [threshold.check(values["continuous"]) for threshold in thresholds]
         document = formats.header("compare", VERSION, origin=[float(v) for v in loaded.origin], color_space="sRGB") | {
             "source": scene,
+            "truth": source,
             "unit_note": loaded.report.unit_note,
             "notes": list(loaded.report.notes),
             "triangles": int(loaded.triangle_count),
             "triangles_left": int(reduced.stats["drawn"]),
             "map_bytes": int(reduced.stats["map_bytes"]),
             "center": list(place.eye),
-            "user": list(eye),
+            "user": list(stand.user),
             "fold_margin": round(margin, 3) if math.isfinite(margin) else None,
-            "r1": r1,
-            "r2": r2,
-            "face_size": face_size,
+            "r1": inner,
+            "r2": outer,
+            "face_size": texels,
             "samples": samples,
             "size": list(pixels),
             "method": "exact" if exact else "vertex",
             "pictures": values,
             "thresholds": checked,
+            "findings": [
+                *findings.of_reduction(reduced.stats, outer),
+                *findings.of_view(crosses=crosses, fold_margin=margin, r2=outer),
+            ],
             "load_curve": curve_points(curve),
             "seconds": clock.seconds,
             "files": sorted([path.name for path in folder.iterdir()] + ["compare.json", "report.html", "report.md"]),
@@ -171,10 +166,9 @@ def compare(
     show(document, _rows(document, output), title=scene, as_json=as_json)
     broken = [check for check in checked if not check["kept"]]
     for check in broken:
-        sentence = f"{check['option']}: {check['measure']} is {check['value']:.4g}, the limit {check['limit']:.4g}"
-        typer.echo(f"nearfar: {sentence}", err=True)
+        typer.echo(f"nearfar: {_thresholds.sentence(check)}", err=True)
     if broken:
-        raise typer.Exit(BROKEN)
+        raise typer.Exit(_thresholds.BROKEN)
 
 
 def _document(measured: nf.Comparison) -> dict[str, Any]:
@@ -201,10 +195,11 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
         for key, label in _comparison_page.MEASURES.items()
     ]
     return [
-        ("triangles", f"{count(document['triangles'])} → {count(document['triangles_left'])}"),
+        ("triangles", triangles_text(document)),
         ("centre, user", f"{metres(document['center'])}; {metres(document['user'])}"),
         ("", "conventional → continuous"),
         *both,
+        *((check["option"], _thresholds.result(check)) for check in document["thresholds"]),
+        *note_rows(document),
         ("written to", str(output)),
-        *note_rows(document["notes"]),
     ]

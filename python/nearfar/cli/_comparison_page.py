@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import formats
+from nearfar.cli import _thresholds
 from nearfar.cli._output import bytes_text, count, metres
 
 MEASURES = {
@@ -19,7 +20,7 @@ MEASURES = {
     "rmse": "RMSE",
     "discontinuity": "discontinuity, mean",
     "discontinuity_p99": "discontinuity, 99th percentile",
-    "boundary": "discontinuity along the boundary",
+    "boundary": "discontinuity along the boundary at r₂",
 }
 """Labels of the measures."""
 
@@ -92,7 +93,7 @@ def _tables(document: dict[str, Any]) -> dict[str, list[list[str]]]:
         tables["Not drawn as in the file"] = [["note"], *([note] for note in document["notes"])]
     if document["thresholds"]:
         rows = [
-            [check["option"], f"{check['limit']:.4g}", text(check["value"]), "kept" if check["kept"] else "broken"]
+            [check["option"], f"{check['limit']:.4g}", text(check["value"]), _thresholds.result(check)]
             for check in document["thresholds"]
         ]
         tables["Thresholds"] = [["threshold", "limit", "continuous", "result"], *rows]
@@ -107,7 +108,7 @@ def _summary(document: dict[str, Any]) -> list[str]:
         else f"the picture folds {margin:.1f} m farther away from O"
     )
     return [
-        *([f"Note: {document['unit_note']}."] if document["unit_note"] else []),
+        *(f"Note: {note}." for note in (document["unit_note"], *document["findings"]) if note),
         f"{count(document['triangles'])} triangles become {count(document['triangles_left'])} and a cube map of 6 × "
         f"{document['face_size']}² texels ({bytes_text(document['map_bytes'])}). Method: {document['method']}.",
         f"Centre O at {metres(document['center'])}; user U at {metres(document['user'])}; r₁ = {document['r1']:g} m, "
@@ -131,7 +132,7 @@ def markdown(document: dict[str, Any]) -> str:
 def page(document: dict[str, Any], folder: Path) -> str:
     """Format the report as one HTML page that embeds its pictures."""
     title = html.escape(f"Near-far comparison of {document['source']}")
-    parts = [f"<h1>{title}</h1>", *(f"<p>{html.escape(paragraph)}</p>" for paragraph in _summary(document))]
+    parts = [f"<h1>{title}</h1>", *map(_paragraph, _summary(document))]
     for name, caption in _shown(document):
         data = base64.b64encode((folder / name).read_bytes()).decode("ascii")
         parts.append(f"<h2>{caption}</h2><img alt='{caption}' src='data:image/png;base64,{data}'>")
@@ -146,8 +147,13 @@ def page(document: dict[str, Any], folder: Path) -> str:
     )
 
 
+def _paragraph(text: str) -> str:
+    mark = " class='broken'" if text.startswith("Note: ") else ""
+    return f"<p{mark}>{html.escape(text)}</p>"
+
+
 def _class(row: list[str]) -> str:
-    return " class='broken'" if row[-1] == "broken" else ""
+    return " class='broken'" if row[-1] in ("broken", "not measured") else ""
 
 
 def _shown(document: dict[str, Any]) -> list[tuple[str, str]]:

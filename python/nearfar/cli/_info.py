@@ -4,21 +4,36 @@ from __future__ import annotations
 
 import dataclasses
 import time
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 import nearfar as nf
 from nearfar._base import formats
-from nearfar.cli._options import INPUT, Invalid, Json, Scale, Up, open_scene
-from nearfar.cli._output import count, metres, show
+from nearfar.cli import _viewpoint
+from nearfar.cli._options import SCENE_OR_FOLDER, Invalid, Json, Scale, Up, is_reduced, open_scene, option
+from nearfar.cli._output import bytes_text, check_target, count, metres, show, triangles_text
+from nearfar.cli._render import camera
 
 VERSION = 1
 
+PREVIEW = (480, 300)
+"""Width and height of the preview in pixels."""
+
 
 def info(
-    scene: Annotated[str | None, INPUT] = None,
+    scene: Annotated[str | None, SCENE_OR_FOLDER] = None,
     gpu: Annotated[bool, typer.Option("--gpu", help="List the graphics adapters, and why one is not used.")] = False,
+    preview: Annotated[
+        Path | None,
+        option(
+            "--preview",
+            "FILE",
+            "Also render a small picture of the scene, .png; it takes as long as one frame, and on the first ray the "
+            "search tree.",
+        ),
+    ] = None,
     up: Up = "y",
     scale: Scale = None,
     on_invalid: Invalid = "raise",
@@ -31,16 +46,27 @@ def info(
         document = formats.header("adapters", VERSION) | describe_adapters()
         show(document, _adapter_rows(document), title="graphics adapters", as_json=as_json)
         return
+    if preview is not None:
+        check_target(preview, ".png")
     started = time.perf_counter()
-    loaded = open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
+    reduced = nf.ReducedScene.load(scene) if is_reduced(scene) else None
+    loaded = open_scene(scene, up=up, on_invalid=on_invalid, scale=scale) if reduced is None else reduced.scene
     document = describe(loaded, scene, time.perf_counter() - started)
-    rows = [
+    rows = []
+    if reduced is not None:
+        document["reduced"] = describe_reduced(reduced)
+        rows += _reduced_rows(document["reduced"])
+    if preview is not None:
+        document["preview"] = {"file": str(preview), "seconds": save_preview(loaded, scene, reduced, preview)}
+    rows += [
         *((key.replace("_", " "), _text(value)) for key, value in document["report"].items() if value),
         ("from", metres(document["bounds"][0])),
         ("to", metres(document["bounds"][1])),
         ("origin", metres(document["origin"])),
         ("loaded in", f"{document['seconds']:.2f} s"),
     ]
+    if preview is not None:
+        rows.append(("preview", f"{preview}, took {document['preview']['seconds']:.2f} s"))
     if gpu:
         document["gpu"] = describe_adapters()
         rows += _adapter_rows(document["gpu"])
@@ -91,6 +117,44 @@ def describe(scene: nf.Scene, source: str, seconds: float) -> dict[str, Any]:
         "report": _plain(dataclasses.asdict(scene.report)),
         "seconds": round(seconds, 3),
     }
+
+
+def describe_reduced(reduced: nf.ReducedScene) -> dict[str, Any]:
+    """Make the part of the document that describes a reduced scene."""
+    stats, env = reduced.stats, reduced.env
+    texels = None if env is None else {"face_size": env.face_size, "channels": list(env.channels), "bytes": env.nbytes}
+    return {
+        "center": list(reduced.center),
+        "r1": reduced.r1,
+        "r2": reduced.r2,
+        "morph": reduced.morph,
+        "triangles": int(stats["triangles"]),
+        "triangles_left": int(stats["drawn"]),
+        "map": texels,
+    }
+
+
+def _reduced_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
+    texels = document["map"]
+    size = "none, nothing is far"
+    if texels is not None:
+        size = f"6 × {texels['face_size']}², {', '.join(texels['channels'])}, {bytes_text(texels['bytes'])}"
+    return [
+        ("reduced scene", triangles_text(document) + " triangles; the lines below are about these"),
+        ("centre", metres(document["center"])),
+        ("radii", f"r1 = {document['r1']:g} m, r2 = {document['r2']:g} m; morph {document['morph']}"),
+        ("map", size),
+    ]
+
+
+def save_preview(scene: nf.Scene, source: str, reduced: nf.ReducedScene | None, path: Path) -> float:
+    """Render a small picture from the default viewpoint to a file; returns the time that it took in seconds."""
+    started = time.perf_counter()
+    place = _viewpoint.choose(scene, source, None if reduced is None else reduced.center)
+    view = camera(place.eye, place.target, 90.0, PREVIEW)
+    shown = scene if reduced is None else reduced
+    nf.render(shown, view, samples=4, channels=("color",)).save(path)
+    return round(time.perf_counter() - started, 3)
 
 
 def _plain(value: Any) -> Any:

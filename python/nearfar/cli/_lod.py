@@ -42,7 +42,7 @@ def lod(
         str, option("--threshold", "KIND", "Its formula: anchored, literal or normalized.")
     ] = Threshold.kind,
     all_levels: Annotated[bool, typer.Option("--all-levels", help="Write levels that are never shown, too.")] = False,
-    backend: options.Backend = "auto",
+    backend: options.Backend = None,
     up: options.Up = "y",
     scale: options.Scale = None,
     on_invalid: options.Invalid = "raise",
@@ -77,7 +77,7 @@ def lod(
         ("headset", device.name),
         ("file", f"{output}, {bytes_text(document['bytes'])}"),
         *((step, f"{value:.2f} s") for step, value in seconds.items()),
-        *note_rows(document["notes"]),
+        *note_rows(document),
     ]
     show(document, rows, title=scene, as_json=as_json)
 

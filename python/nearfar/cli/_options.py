@@ -12,19 +12,24 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check
+from nearfar._reduce import folder
+from nearfar._trace import viewpoint
 
 Point = tuple[float, float, float]
+
+FACE_SIZE = 1024
+"""Texels across a face of the cube map by default."""
 
 PROCEDURAL = ("city", "room", "forest")
 """Names of the procedural scenes."""
 
 
 def read_point(option: str, text: str | None) -> Point | None:
-    """Parse "x,y,z" in metres; None stays None."""
+    """Parse "x,y,z" or "x y z" in metres; None stays None."""
     if text is None:
         return None
     try:
-        x, y, z = (float(part) for part in text.split(","))
+        x, y, z = (float(part) for part in text.replace(",", " ").split())
     except ValueError:
         raise ValueError(f"{option}: expected x,y,z in metres such as 0,1.7,0, got {text!r}") from None
     if not all(map(math.isfinite, (x, y, z))):
@@ -52,7 +57,7 @@ INPUT = option(
     "Scene file (GLB, glTF, OBJ, PLY, STL …), or city, room or forest, as in city:blocks=4,seed=1.",
 )
 Input = Annotated[str, INPUT]
-Up = Annotated[str, option("--up", "AXIS", "Axis of the file that points up: x, y or z.")]
+Up = Annotated[str, option("--up", "AXIS", "Axis of the file that points up: x, y, z, -x, -y or -z.")]
 Scale = Annotated[
     float | None,
     option("--scale", "METRES", "Metres in a unit of the file, 0.001 for millimetres."),
@@ -62,27 +67,75 @@ Invalid = Annotated[
 ]
 Center = Annotated[
     str | None,
-    option("-c --center", "X,Y,Z", "Centre O in metres. By default 1.7 m above open ground near the scene's middle."),
+    option(
+        "-c --center",
+        "X,Y,Z",
+        "Centre O in metres. By default 1.7 m above open ground near the scene's middle, or in front of an object.",
+    ),
 ]
 Target = Annotated[
-    str | None, option("--target", "X,Y,Z", "Point to look at, metres. By default the longest open view.")
+    str | None,
+    option("--target", "X,Y,Z", "Point to look at, metres. By default a view that the boundary at r2 crosses."),
 ]
 Degrees = Annotated[float, option("--fov", "DEGREES", "Horizontal field of view.")]
 Folder = Annotated[Path, option("-o --output", "FOLDER", "Folder to write.")]
-Inner = Annotated[float, option("--r1", "METRES", "Radius of the near zone.")]
-Outer = Annotated[float, option("--r2", "METRES", "Radius beyond which the map shows the scene.")]
-FaceSize = Annotated[int, option("--face-size", "TEXELS", "Texels across a face of the cube map.")]
+Inner = Annotated[
+    float | None,
+    option(
+        "--r1", "METRES", "Radius of the near zone, where geometry stays where it is. By default 30, less in rooms."
+    ),
+]
+Outer = Annotated[
+    float | None,
+    option(
+        "--r2",
+        "METRES",
+        "Radius beyond which a map shows the scene (far zone); between the radii (intermediate zone) geometry is moved "
+        "to meet the map. By default 50, less in rooms.",
+    ),
+]
+FaceSize = Annotated[
+    int | None, option("--face-size", "TEXELS", f"Texels across a face of the cube map. By default {FACE_SIZE}.")
+]
 Size = Annotated[str, option("--size", "WxH", "Width and height of a picture in pixels.")]
 Samples = Annotated[int, option("--samples", "N", "Colour samples of each pixel.")]
 Backend = Annotated[
-    str, option("--backend", "auto|cpu|gpu", "Renderer; `nearfar info --gpu` lists the graphics adapters.")
+    str | None,
+    option("--backend", "auto|cpu|gpu", "Renderer; `nearfar info --gpu` lists the graphics adapters. By default auto."),
 ]
+WithRange = Annotated[
+    bool, typer.Option("--range", help="Bake range in metres too, from which far pixels get their position.")
+]
+SCENE_OR_FOLDER = option(
+    "-i --input",
+    "SCENE",
+    "Scene file (GLB, glTF, OBJ, PLY, STL …), city, room or forest, as in city:blocks=4,seed=1, or a folder that "
+    "`nearfar reduce` wrote.",
+)
+SceneOrFolder = Annotated[str, SCENE_OR_FOLDER]
 Json = Annotated[bool, typer.Option("--json", help="Print a JSON document instead of text.")]
 
 
-def check_backend(text: str) -> None:
+def check_backend(text: str | None) -> None:
     """Refuse unknown backends before the work starts."""
-    check.choice("--backend", text, ("auto", "cpu", "gpu"))
+    if text is not None:
+        check.choice("--backend", text, ("auto", "cpu", "gpu"))
+
+
+def faces(face_size: int | None) -> int:
+    """Texels across a face."""
+    return FACE_SIZE if face_size is None else face_size
+
+
+def check_radii(r1: float | None, r2: float | None) -> None:
+    """Refuse wrong radii before the work starts; the scene decides on those that are None."""
+    inner, outer = viewpoint.completed(r1, r2)
+    check.radii(inner, outer)
+
+
+def is_reduced(text: str) -> bool:
+    """Whether `-i` names a folder that `nearfar reduce` or `ReducedScene.save` wrote."""
+    return (Path(text) / folder.DOCUMENT).is_file()
 
 
 def open_scene(text: str, *, up: str, on_invalid: str, scale: float | None) -> nf.Scene:
@@ -90,6 +143,9 @@ def open_scene(text: str, *, up: str, on_invalid: str, scale: float | None) -> n
     if scale is not None:
         check.positive("--scale", scale)
     name, _, settings = text.partition(":")
+    if Path(text).is_dir():
+        kind = "a reduced scene" if is_reduced(text) else f"no {folder.DOCUMENT}"
+        raise ValueError(f"{text}: expected a scene file, got a folder with {kind}")
     if name in PROCEDURAL and not Path(text).exists():
         if up != "y":
             raise ValueError(f"--up: expected y with {name}, which stands upright already, got {up!r}")

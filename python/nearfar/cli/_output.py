@@ -28,11 +28,6 @@ class Clock:
         self.seconds[name] = round(time.perf_counter() - started, 3)
 
 
-def note_rows(notes: Iterable[str]) -> list[tuple[str, str]]:
-    """Rows on what of a scene's file is ignored or drawn differently, as `Scene.report` says it."""
-    return [("not as in the file" if not number else "", note) for number, note in enumerate(notes)]
-
-
 def show(document: dict[str, Any], rows: Iterable[tuple[str, str]], *, title: str, as_json: bool) -> None:
     """Print a document on standard output as JSON, or its rows as a table."""
     if as_json:
@@ -65,6 +60,21 @@ class _TrialWrite(Exception):  # noqa: N818
 def count(value: int) -> str:
     """Format a count with thousands separators."""
     return f"{value:,}"
+
+
+def triangles_text(document: dict[str, Any]) -> str:
+    """Format the numbers of triangles before and after a reduction."""
+    before, after = document["triangles"], document["triangles_left"]
+    return f"{count(before)} → {count(after)}" + (", no reduction" if before == after else "")
+
+
+def note_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
+    """Rows on what a result lacks, and on what of the scene's file is not drawn as it is there."""
+    notes = document["notes"]
+    return [
+        *(("note", finding) for finding in document.get("findings", [])),
+        *(("not as in the file" if not number else "", note) for number, note in enumerate(notes)),
+    ]
 
 
 def bytes_text(value: float) -> str:

@@ -8,23 +8,35 @@ from typing import Annotated, Any
 import typer
 
 import nearfar as nf
-from nearfar._base import check, formats
+from nearfar._base import formats
 from nearfar.cli import _options as options
 from nearfar.cli._options import option
 from nearfar.cli._output import check_target, count, metres, note_rows, show
-from nearfar.cli._viewpoint import choose
+from nearfar.cli._viewpoint import choose, radii
 
 VERSION = 1
 
 CURVE_RADII = (20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0)
 """Radii in metres at which the load curve is listed."""
 
+ROWS = {
+    "triangles": "triangles",
+    "near": "near, within r1",
+    "intermediate": "intermediate, between r1 and r2",
+    "far": "far, beyond r2",
+    "nsf": "drawn as geometry (near, intermediate, moving)",
+    "sf": "baked into the map (reach beyond r2)",
+    "straddling": "of these in both (they cross r2)",
+    "nsf_at_r1": "drawn as geometry if it ended at r1",
+}
+"""Labels of the counts of triangles."""
+
 
 def partition(
     scene: options.Input,
     center: options.Center = None,
-    r1: options.Inner = 30.0,
-    r2: options.Outer = 50.0,
+    r1: options.Inner = None,
+    r2: options.Outer = None,
     up: options.Up = "y",
     scale: options.Scale = None,
     on_invalid: options.Invalid = "raise",
@@ -35,20 +47,21 @@ def partition(
     as_json: options.Json = False,
 ) -> None:
     """Count the triangles that stay geometry, at these radii and along the load curve."""
-    check.radii(r1, r2)
+    options.check_radii(r1, r2)
     if output:
         check_target(output, ".json")
     loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
-    middle = options.read_point("--center", center) or choose(loaded, scene).eye
-    document = describe(loaded, scene, middle, r1, r2)
+    place = choose(loaded, scene, options.read_point("--center", center))
+    inner, outer = radii(loaded, place, r1, r2)
+    document = describe(loaded, scene, place.eye, inner, outer)
     if output:
         formats.write_json(output, document)
     rows = [
-        ("centre", metres(middle)),
-        ("radii", f"{r1:g} m and {r2:g} m"),
-        *((key.replace("_", " "), _text(value)) for key, value in document["summary"].items()),
+        ("centre", metres(place.eye)),
+        ("radii", f"{inner:g} m and {outer:g} m"),
+        *((label, count(document["summary"][key])) for key, label in ROWS.items()),
         *((f"within {entry['radius']:g} m", count(entry["triangles"])) for entry in document["load_curve"]),
-        *note_rows(document["notes"]),
+        *note_rows(document),
     ]
     show(document, rows, title=scene, as_json=as_json)
     nsf = document["summary"]["nsf"]
@@ -75,9 +88,3 @@ def describe(scene: nf.Scene, source: str, center: options.Point, r1: float, r2:
 def curve_points(curve: nf.LoadCurve) -> list[dict[str, float | int]]:
     """Return the load curve at `CURVE_RADII`."""
     return [{"radius": radius, "triangles": int(curve.count(radius))} for radius in CURVE_RADII]
-
-
-def _text(value: Any) -> str:
-    if isinstance(value, dict):
-        return ", ".join(f"{key} {_text(item)}" for key, item in value.items())
-    return count(value) if isinstance(value, int) else str(value)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 import typer
@@ -13,31 +13,33 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._base import check, files, formats
 from nearfar._metrics.comparison import visible_difference
-from nearfar._trace import viewpoint
+from nearfar._reduce import findings
 from nearfar.cli import _options as options
-from nearfar.cli import _report_page
+from nearfar.cli import _report_page, _viewpoint
 from nearfar.cli._methods import METHODS, render_all
-from nearfar.cli._output import Clock, bytes_text, count, metres, note_rows, show
+from nearfar.cli._options import option
+from nearfar.cli._output import Clock, bytes_text, metres, note_rows, show, triangles_text
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
-from nearfar.cli._viewpoint import choose
 
 VERSION = 1
-
-ASIDE = 0.4
-"""Distance of the pictures' user U from O as a share of r2 − r1; the picture does not fold there."""
 
 
 def reduce(
     scene: options.Input,
     output: options.Folder,
     center: options.Center = None,
-    r1: options.Inner = 30.0,
-    r2: options.Outer = 50.0,
-    face_size: options.FaceSize = 1024,
+    r1: options.Inner = None,
+    r2: options.Outer = None,
+    face_size: options.FaceSize = None,
+    with_range: options.WithRange = False,
+    equirectangular: Annotated[
+        str | None,
+        option("--equirectangular", "exr|png", "Also write the map as one picture, far-equirectangular.exr or .png."),
+    ] = None,
     size: options.Size = "960x600",
     samples: options.Samples = 4,
-    backend: options.Backend = "auto",
+    backend: options.Backend = None,
     up: options.Up = "y",
     scale: options.Scale = None,
     on_invalid: options.Invalid = "raise",
@@ -46,9 +48,11 @@ def reduce(
     """Reduce a scene to near.glb, far.exr and reduced.json for a client, and write a report with pictures.
 
     The pictures show the truth, the conventional and the continuous method for a user beside the centre.
-    `nearfar.ReducedScene.load` reads the folder.
+    `nearfar render`, `nearfar compare` and `nearfar.ReducedScene.load` read the folder.
     """
-    check.radii(r1, r2)
+    options.check_radii(r1, r2)
+    if equirectangular is not None:
+        check.choice("--equirectangular", equirectangular, ("exr", "png"))
     options.check_backend(backend)
     clock, pixels, middle = Clock(), options.read_size("--size", size), options.read_point("--center", center)
     output.parent.mkdir(parents=True, exist_ok=True)
@@ -56,26 +60,35 @@ def reduce(
         with clock.step("scene"):
             loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
         with clock.step("place"):
-            place = choose(loaded, scene, middle)
-            user = viewpoint.beside(loaded, place, ASIDE * (r2 - r1))
-        view = camera(loaded, user, viewpoint.ahead(user, place.forward), 90.0, pixels)
+            place = _viewpoint.choose(loaded, scene, middle)
+            inner, outer = _viewpoint.radii(loaded, place, r1, r2)
+            stand = _viewpoint.stand(loaded, place, inner, outer)
+        view = camera(stand.user, stand.target, 90.0, pixels)
         with clock.step("load curve"):
             curve = nf.load_curve(loaded, center=place.eye)
-        reduction = {"center": place.eye, "r1": r1, "r2": r2, "face_size": face_size, "samples": samples}
+        texels = options.faces(face_size)
+        reduction = {"center": place.eye, "r1": inner, "r2": outer, "face_size": texels, "samples": samples}
+        reduction["channels"] = ("color", "range") if with_range else ("color",)
         pictures_of = {"samples": samples, "channels": ("color",)}
         frames, reduced = render_all(
             loaded, view, clock, pictures=pictures_of, reduction=reduction | {"backend": backend}
         )
         with clock.step("files"):
             reduced.save(folder)
+            if equirectangular is not None and reduced.env is not None:
+                reduced.env.save_equirectangular(folder / f"far-equirectangular.{equirectangular}")
         with clock.step("pictures"):
             pictures = {name: frame.to_image() for name, frame in frames.items()}
             _report_page.save_pictures(folder, pictures)
-            plotted = _report_page.save_curve(folder, curve, r2)
+            plotted = _report_page.save_curve(folder, curve, outer)
+        margin = nf.fold_margin(stand.user, center=place.eye, r1=inner, r2=outer)
         document = formats.header(
             "report", VERSION, origin=[float(value) for value in loaded.origin], color_space="sRGB"
         ) | {
             "source": scene,
+            "up": up,
+            "on_invalid": on_invalid,
+            "scale": scale,
             "unit_note": loaded.report.unit_note,
             "notes": list(loaded.report.notes),
             "triangles": int(loaded.triangle_count),
@@ -84,13 +97,17 @@ def reduce(
             "pictures": {name: _difference(pictures["truth"], pictures[name]) for name in METHODS},
             "seconds": clock.seconds,
             "center": list(place.eye),
-            "user": list(user),
-            "r1": r1,
-            "r2": r2,
-            "face_size": face_size,
+            "user": list(stand.user),
+            "r1": inner,
+            "r2": outer,
+            "face_size": texels,
             "samples": samples,
             "size": list(pixels),
             "load_curve": curve_points(curve),
+            "findings": [
+                *findings.of_reduction(reduced.stats, outer),
+                *findings.of_view(crosses=stand.crosses, fold_margin=margin, r2=outer),
+            ],
             "files": sorted([*(path.name for path in folder.iterdir()), "report.json", "report.md"]),
         }
         _report_page.save(folder, document)
@@ -121,11 +138,12 @@ def _difference(reference: NDArray[np.uint8], test: NDArray[np.uint8]) -> dict[s
 
 def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     return [
-        ("triangles", f"{count(document['triangles'])} → {count(document['triangles_left'])}"),
+        ("triangles", triangles_text(document)),
         ("centre", metres(document["center"])),
+        ("radii", f"r1 = {document['r1']:g} m, r2 = {document['r2']:g} m"),
         ("map", bytes_text(document["map_bytes"])),
         *((f"{name} differs in", f"{100 * p['share']:.2f} % of pixels") for name, p in document["pictures"].items()),
         ("took", f"{sum(document['seconds'].values()):.1f} s"),
+        *note_rows(document),
         ("written to", str(output)),
-        *note_rows(document["notes"]),
     ]

@@ -84,6 +84,7 @@ def markdown(document: dict[str, Any]) -> str:
         f"{count(document['triangles'])} triangles become {count(document['triangles_left'])} ({share:.3g} %) "
         f"and a cube map of 6 × {document['face_size']}² texels ({bytes_text(document['map_bytes'])}).",
         "",
+        *(line for note in document["findings"] for line in (f"**Note:** {note}.", "")),
         f"Centre O at {metres(document['center'])}, user U at {metres(document['user'])}; r₁ = {document['r1']:g} m, "
         f"r₂ = {document['r2']:g} m.",
         "",

@@ -1,14 +1,27 @@
-"""Default viewpoints of commands."""
+"""Default viewpoints, radii and users of commands."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import nearfar as nf
-from nearfar._trace import viewpoint
+from nearfar._base import check
+from nearfar._trace import crossing, viewpoint
 from nearfar._trace.viewpoint import Viewpoint
 from nearfar.cli._options import Point
 
 KNOWN = {"city": nf.datasets.street_view, "room": nf.datasets.room_view}
 """Functions that return eye and target, by the name of their procedural scene."""
+
+
+@dataclass(frozen=True)
+class Stand:
+    """A user beside a centre, who looks where the boundary is."""
+
+    user: Point
+    target: Point
+    crosses: bool
+    """Whether the boundary is in view."""
 
 
 def choose(scene: nf.Scene, source: str, eye: Point | None = None) -> Viewpoint:
@@ -17,3 +30,34 @@ def choose(scene: nf.Scene, source: str, eye: Point | None = None) -> Viewpoint:
         return viewpoint.facing_open(scene, eye)
     name = source.partition(":")[0]
     return viewpoint.facing(*KNOWN[name]()) if name in KNOWN else viewpoint.find(scene)
+
+
+def radii(scene: nf.Scene, place: Viewpoint, r1: float | None, r2: float | None) -> tuple[float, float]:
+    """Return the radii that the user gave, or those that suit the scene."""
+    if r1 is None and r2 is None:
+        return viewpoint.radii(scene, place)
+    return check.radii(*viewpoint.completed(r1, r2))
+
+
+def stand(
+    scene: nf.Scene,
+    place: Viewpoint,
+    r1: float,
+    r2: float,
+    *,
+    fov: float = 90.0,
+    user: Point | None = None,
+    target: Point | None = None,
+    distance: float | None = None,
+) -> Stand:
+    """Choose a user's place and view so that the boundary is in the picture; what is given stays as it is."""
+    away = viewpoint.aside(r1, r2) if distance is None else distance
+    if user is None and target is None:
+        chosen, forward, crosses = crossing.choose(scene, place, away, r1, r2, fov=fov)
+        return Stand(chosen, viewpoint.ahead(chosen, forward, rise=0.0 if place.is_outside else 0.15), crosses)
+    if user is None:
+        user = viewpoint.beside(scene, place, away)[0]
+    if target is not None:
+        return Stand(user, target, True)
+    found = crossing.look(scene, user, place.eye, r1, r2, fov=fov)
+    return Stand(user, viewpoint.ahead(user, found or place.forward), found is not None)

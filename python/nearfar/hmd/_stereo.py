@@ -131,7 +131,7 @@ def render_eyes(
     samples: int = 1,
     channels: Iterable[str] | None = None,
     lod: Lod | None = None,
-    backend: str = "auto",
+    backend: str | None = None,
 ) -> StereoFrame:
     """Render a scene, a reduced scene or another `Renderable` for both eyes of a headset.
 

@@ -24,7 +24,7 @@ class Pictures(NamedTuple):
     """(V, H, W), whether the object is at the pixel's centre."""
 
 
-def pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: str) -> Pictures:
+def pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: str | None) -> Pictures:
     """Render an object before the sky. Cameras have pictures of one size."""
     width, height = cameras[0].size
     luma = np.empty((len(cameras), height, width))

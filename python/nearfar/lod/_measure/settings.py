@@ -68,7 +68,7 @@ class MeasureSettings:
     step: float | None = 0.05
     saturated: float | None = 0.999
     samples: int = 4
-    backend: str = "auto"
+    backend: str | None = None
     cache: bool = True
 
     def __post_init__(self) -> None:
@@ -81,7 +81,7 @@ class MeasureSettings:
             "step": None if self.step is None else check.positive("step", self.step),
             "saturated": None if self.saturated is None else check.within("saturated", self.saturated, -1.0, 1.0),
             "samples": check.integer("samples", self.samples, 1, MAX_SAMPLES),
-            "backend": backends.check(self.backend),
+            "backend": None if self.backend is None else backends.check(self.backend),
         }
         for name, value in checked.items():
             object.__setattr__(self, name, value)
@@ -108,7 +108,7 @@ class MeasureKeywords(TypedDict, total=False):
     step: float | None
     saturated: float | None
     samples: int
-    backend: str
+    backend: str | None
     cache: bool
 
 

@@ -101,7 +101,7 @@ impl GpuDevice {
         let segment = Segment { t_min, t_max };
         let begin = |progress: &Progress| truth::begin(&self.0, scene, camera, wanted, samples, segment, progress);
         let job = run::long(py, report, begin)?;
-        Ok(GpuJob::new(job, camera))
+        Ok(GpuJob::new(job, camera, None))
     }
 
     /// The channels of an environment map by name, as `bake` returns them.
@@ -147,9 +147,9 @@ impl GpuDevice {
     ) -> PyResult<GpuJob> {
         let drawing = drawing(&channels, samples, Segment { t_min, t_max }, user, method, mapped, tolerance_px)?;
         let (device, scene, camera) = (&self.0, &scene.0, &camera.0);
-        let job = run::long(py, report, |progress| {
+        let (job, counts) = run::long(py, report, |progress| {
             reduced.on_gpu()?.begin(device, (&reduced.core, scene), camera, &drawing, progress)
         })?;
-        Ok(GpuJob::new(job, camera))
+        Ok(GpuJob::new(job, camera, Some(counts)))
     }
 }

@@ -4,25 +4,46 @@ use std::sync::{Mutex, PoisonError};
 
 use nearfar_core::base::Error;
 use nearfar_core::camera::Camera;
+use nearfar_core::render::Frame;
+use nearfar_core::render::reduced::FrameCounts;
 use nearfar_gpu::{DeviceFrame, Job};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::convert::errors::to_python;
 use crate::convert::run;
-use crate::render::frame::images;
+use crate::render::frame::{add_counts, images};
 
 /// A frame that is being drawn.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct GpuJob {
     job: Mutex<Option<Job>>,
+    contents: Contents,
+}
+
+/// Size of a frame, and its counts if it shows a reduced scene.
+#[derive(Clone, Copy)]
+struct Contents {
     shape: (usize, usize),
+    counts: Option<FrameCounts>,
+}
+
+impl Contents {
+    /// Images by name, and the counts as `stats`.
+    fn named<'py>(&self, py: Python<'py>, frame: Frame) -> PyResult<Bound<'py, PyDict>> {
+        let images = images(py, frame, self.shape)?;
+        if let Some(counts) = &self.counts {
+            add_counts(&images, counts)?;
+        }
+        Ok(images)
+    }
 }
 
 impl GpuJob {
     /// A job whose frame has the camera's size.
-    pub(crate) fn new(job: Job, camera: &Camera) -> Self {
-        Self { job: Mutex::new(Some(job)), shape: (camera.height as usize, camera.width as usize) }
+    pub(crate) fn new(job: Job, camera: &Camera, counts: Option<FrameCounts>) -> Self {
+        let shape = (camera.height as usize, camera.width as usize);
+        Self { job: Mutex::new(Some(job)), contents: Contents { shape, counts } }
     }
 
     /// Takes the job; fails on the second call.
@@ -34,12 +55,13 @@ impl GpuJob {
 
 #[pymethods]
 impl GpuJob {
-    /// Waits for the frame and returns its images by name. It can be called once.
+    /// Waits for the frame and returns its images by name, and the counts of a reduced scene's frame as `stats`. It can be
+    /// called once.
     #[pyo3(signature = (report=None))]
     fn finish<'py>(&self, py: Python<'py>, report: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyDict>> {
         let job = self.take()?;
         let frame = run::long(py, report, |progress| job.finish(progress))?;
-        images(py, frame, self.shape)
+        self.contents.named(py, frame)
     }
 }
 
@@ -47,7 +69,7 @@ impl GpuJob {
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct GpuFrame {
     pub(crate) frame: DeviceFrame,
-    shape: (usize, usize),
+    contents: Contents,
 }
 
 #[pymethods]
@@ -58,11 +80,11 @@ impl GpuFrame {
         self.frame.device().report().label()
     }
 
-    /// The images by name.
+    /// The images by name, and the counts of a reduced scene's frame as `stats`.
     #[pyo3(signature = (report=None))]
     fn read<'py>(&self, py: Python<'py>, report: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyDict>> {
         let frame = run::long(py, report, |progress| self.frame.read(progress))?;
-        images(py, frame, self.shape)
+        self.contents.named(py, frame)
     }
 }
 
@@ -72,5 +94,5 @@ impl GpuFrame {
 pub(crate) fn gpu_keep(py: Python<'_>, job: &GpuJob, report: Option<Py<PyAny>>) -> PyResult<GpuFrame> {
     let taken = job.take()?;
     let frame = run::long(py, report, |progress| taken.keep(progress))?;
-    Ok(GpuFrame { frame, shape: job.shape })
+    Ok(GpuFrame { frame, contents: job.contents })
 }

@@ -1,5 +1,6 @@
 //! Bindings of `render::Frame`: images by name, and sRGB codes.
 
+use nearfar_core::render::reduced::FrameCounts;
 use nearfar_core::render::{Channels, Frame};
 use nearfar_core::scene::srgb::srgb_from_linear;
 use numpy::ndarray::IntoDimension;
@@ -39,6 +40,16 @@ pub fn images<'py>(py: Python<'py>, frame: Frame, (height, width): (usize, usize
     put(&images, "object_id", frame.object_id, [height, width])?;
     put(&images, "face_id", frame.face_id, [height, width])?;
     Ok(images)
+}
+
+/// Adds the counts of a reduced scene's frame to its images, by their public names.
+pub fn add_counts(images: &Bound<'_, PyDict>, counts: &FrameCounts) -> PyResult<()> {
+    let stats = PyDict::new(images.py());
+    stats.set_item("frame_triangles", counts.triangles)?;
+    stats.set_item("dynamic_triangles", counts.moving)?;
+    stats.set_item("tolerance_held", counts.bounded)?;
+    stats.set_item("opposed_directions", counts.opposed)?;
+    images.set_item("stats", stats)
 }
 
 /// Adds an image if the frame has it.

@@ -12,7 +12,7 @@ use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use super::frame::{channels, images};
+use super::frame::{add_counts, channels, images};
 use crate::camera::Camera;
 use crate::convert::arrays::{buffer, flat_buffer};
 use crate::convert::errors::to_python;
@@ -102,7 +102,8 @@ impl Reduced {
         Ok(Self { core, partition, gpu: Mutex::default() })
     }
 
-    /// Images of a view by name; `scene` is the scene that was reduced, in any pose.
+    /// Images of a view by name, and its counts as `stats`; `scene` is the scene that was reduced, in any
+    /// pose.
     #[pyo3(signature = (scene, camera, *, channels, samples, t_min, t_max, user, method, mapped, tolerance_px, report=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn render<'py>(
@@ -122,20 +123,15 @@ impl Reduced {
     ) -> PyResult<Bound<'py, PyDict>> {
         let drawing = drawing(&channels, samples, Segment { t_min, t_max }, user, method, mapped, tolerance_px)?;
         let (scene, camera) = (&scene.0, &camera.0);
-        let frame = run::long(py, report, |progress| self.core.render(scene, camera, &drawing, progress))?;
-        images(py, frame, (camera.height as usize, camera.width as usize))
+        let (frame, counts) = run::long(py, report, |progress| self.core.render(scene, camera, &drawing, progress))?;
+        let images = images(py, frame, (camera.height as usize, camera.width as usize))?;
+        add_counts(&images, &counts)?;
+        Ok(images)
     }
 
     /// Size of the copies of near geometry, bytes.
     #[getter]
     fn near_bytes(&self) -> usize {
         self.core.near_bytes()
-    }
-
-    /// Triangles traced for the last frame, moving triangles, vertices seen in opposite directions, and whether the
-    /// tolerance was an upper bound.
-    fn last_frame(&self) -> (u64, u64, u64, bool) {
-        let counts = self.core.last_frame();
-        (counts.triangles, counts.moving, counts.opposed, counts.bounded)
     }
 }

@@ -1,7 +1,6 @@
 //! A reduced scene: near geometry, its join with the map, and its frames.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
 
@@ -84,10 +83,9 @@ pub struct Reduced {
     join: Join,
     map: Option<EnvironmentMap>,
     near: NearGeometry,
-    last: [AtomicU64; 4],
 }
 
-/// Counts of the last frame.
+/// Counts of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FrameCounts {
     /// Triangles that were traced in place of the whole scene, after splitting; 0 if the scene's own trees were used.
@@ -111,7 +109,7 @@ impl Reduced {
             Join::Conventional { .. } => NearGeometry::default(),
         };
         let standing = Scene { moving: Arc::default(), ..scene.clone() };
-        Ok(Self { standing, center: partition.center(), radii, join, map, near, last: Default::default() })
+        Ok(Self { standing, center: partition.center(), radii, join, map, near })
     }
 
     /// Join of the near and the far part.
@@ -129,14 +127,14 @@ impl Reduced {
         self.near.bytes()
     }
 
-    /// Counts of the last frame.
-    pub fn last_frame(&self) -> FrameCounts {
-        let [triangles, moving, opposed, bounded] = [0, 1, 2, 3].map(|i| self.last[i].load(Ordering::Relaxed));
-        FrameCounts { triangles, moving, opposed, bounded: bounded != 0 }
-    }
-
     /// Draws a view. `scene` is the reduced scene with its moving objects in any pose.
-    pub fn render(&self, scene: &Scene, camera: &Camera, drawing: &Drawing, progress: &Progress) -> Result<Frame> {
+    pub fn render(
+        &self,
+        scene: &Scene,
+        camera: &Camera,
+        drawing: &Drawing,
+        progress: &Progress,
+    ) -> Result<(Frame, FrameCounts)> {
         self.check(scene, camera, drawing)?;
         let Drawing { channels, samples, segment, .. } = *drawing;
         let view = RenderView { camera, origin: scene.origin, channels, samples, segment };
@@ -146,8 +144,8 @@ impl Reduced {
         let backdrop = Backdrop { far: self.far(drawing.mapped, radius, progress)?, center, morph: None, segment };
         let Some(kind) = self.morph_kind(camera, drawing) else {
             let picture = straight::Straight::new(scene, backdrop, radius, progress)?;
-            self.remember(FrameCounts { moving: picture.moving_triangles(), bounded: true, ..FrameCounts::default() });
-            return draw(&view, &picture, progress);
+            let counts = FrameCounts { moving: picture.moving_triangles(), bounded: true, ..FrameCounts::default() };
+            return Ok((draw(&view, &picture, progress)?, counts));
         };
         let user = drawing.user(camera);
         let morph = Morph::new(user - scene.origin, center, r1, r2, kind)?;
@@ -155,17 +153,17 @@ impl Reduced {
         let tolerance = drawing.tolerance_px * self.pixel_angle(camera);
         if drawing.method == MorphMethod::Exact {
             let picture = exact::Exact::new(scene, camera, morph, backdrop, drawing.tolerance_px, progress)?;
-            self.remember(FrameCounts { moving: picture.moving_triangles(), bounded: true, ..FrameCounts::default() });
-            return draw(&view, &picture, progress);
+            let counts = FrameCounts { moving: picture.moving_triangles(), bounded: true, ..FrameCounts::default() };
+            return Ok((draw(&view, &picture, progress)?, counts));
         }
         let shown = self.near.morphed(scene, &morph, tolerance.is_finite().then_some(tolerance), progress)?;
-        self.remember(FrameCounts {
+        let counts = FrameCounts {
             triangles: shown.triangle_count(),
             moving: shown.moving_triangles(),
             opposed: shown.opposed,
             bounded: shown.bounded && user == camera.position,
-        });
-        draw(&view, &bent::Bent { scene, shown, backdrop, radius: r2 }, progress)
+        };
+        Ok((draw(&view, &bent::Bent { scene, shown, backdrop, radius: r2 }, progress)?, counts))
     }
 
     /// Kind of the morph; `None` if user and camera are at the centre, from which no point is moved.
@@ -222,22 +220,18 @@ impl Reduced {
         camera.least_pixel_angle() / if camera.is_parallel() { self.radii[1] } else { 1.0 }
     }
 
-    /// Stores the counts of the last frame.
-    pub fn remember(&self, counts: FrameCounts) {
-        let FrameCounts { triangles, moving, opposed, bounded } = counts;
-        for (slot, count) in self.last.iter().zip([triangles, moving, opposed, u64::from(bounded)]) {
-            slot.store(count, Ordering::Relaxed);
-        }
-    }
-
-    /// Far pixels have only the channels that were baked.
+    /// Far pixels have only the channels that were baked, and positions if the range was.
     fn check_channels(&self, wanted: Channels) -> Result<()> {
         let Some(map) = &self.map else { return Ok(()) };
-        for (name, wanted, baked) in
-            [("range", wanted.range, map.range.is_some()), ("object_id", wanted.object_id, map.object_id.is_some())]
-        {
+        let (has_range, has_objects) = (map.range.is_some(), map.object_id.is_some());
+        for (wanted, needed, baked, reason) in [
+            (wanted.range, "range", has_range, ""),
+            (wanted.position, "range", has_range, ", from which far pixels get their position"),
+            (wanted.object_id, "object_id", has_objects, ""),
+        ] {
             if wanted && !baked {
-                let expected = format!("an environment map with {name}: reduce with channels=(\"color\", \"{name}\")");
+                let expected =
+                    format!("an environment map with {needed}{reason}: reduce with channels=(\"color\", \"{needed}\")");
                 return Err(Error::value("channels", expected, "a map without"));
             }
         }

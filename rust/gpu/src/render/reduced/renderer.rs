@@ -47,8 +47,8 @@ impl Reduced {
         })
     }
 
-    /// Begins a frame. `scene` is the one that was reduced, its moving objects in any pose; `reduced` checks the drawing
-    /// and records its counts.
+    /// Begins a frame, and counts what is drawn. `scene` is the one that was reduced, its moving objects in any pose;
+    /// `reduced` checks the drawing.
     pub fn begin(
         &self,
         device: &Arc<Device>,
@@ -56,7 +56,7 @@ impl Reduced {
         camera: &Camera,
         drawing: &Drawing,
         progress: &Progress,
-    ) -> Result<Job> {
+    ) -> Result<(Job, FrameCounts)> {
         reduced.check(scene, camera, drawing)?;
         if drawing.method == MorphMethod::Exact && matches!(self.join, Join::Morph(_)) {
             let expected = "'vertex' on a graphics adapter: rays are bent by the tracer, backend='cpu'";
@@ -78,12 +78,12 @@ impl Reduced {
         };
         let count = |geometry: &Geometry| geometry.scene.triangle_count() as u64;
         let moved = count(&moving.placed) + moving.split.as_ref().map_or(0, count);
-        reduced.remember(FrameCounts {
+        let counts = FrameCounts {
             triangles: self.near.triangle_count(&bent) + moved,
             moving: moved,
             opposed: kind.map_or(Ok(0), |kind| self.opposed(scene, user, kind, &bent.geometry.scene))?,
             bounded: kind.is_none() || apart == DVec3::ZERO && bent.rule.as_ref().is_some_and(|rule| rule.holds()),
-        });
+        };
         let split = match self.join {
             Join::Conventional { radius } => radius,
             Join::Morph(_) => self.radii[1],
@@ -100,7 +100,8 @@ impl Reduced {
             mapped: drawing.mapped,
             segment: drawing.segment,
         };
-        Job::begin(device, view.picture(device)?, camera, drawing.channels, drawing.samples, progress)
+        let job = Job::begin(device, view.picture(device)?, camera, drawing.channels, drawing.samples, progress)?;
+        Ok((job, counts))
     }
 
     /// Vertices that user and centre see in opposite directions: none while the user is in the near cylinder.

@@ -1,0 +1,127 @@
+"""Choice of a user's place and view in which the boundary of the near part, at r2, is in the picture."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._scene.scene import Scene
+from nearfar._trace.rays import cast_rays
+from nearfar._trace.viewpoint import Point, Viewpoint, beside
+
+PITCHES = 61
+"""Number of rays from top to bottom; they lie closer together at the horizon, where distant surfaces are."""
+
+STEEPEST = 40.0
+"""Greatest angle in degrees between a ray and the horizon."""
+
+AZIMUTHS = 360
+"""Number of rays around an eye at each pitch."""
+
+TURNS = 72
+"""Number of directions of view that are compared."""
+
+COMPARED = 6
+"""Number of directions for which the user's places at both sides are compared."""
+
+CONTINUOUS = 1.5
+"""Greatest ratio of the distances from the axis, and r2, of two neighbouring points on one surface across r2."""
+
+GROUND = 0.05
+"""Weight of boundary that runs from left to right, as on the ground: what ends there is torn along itself."""
+
+SHOWN = 0.05
+"""Share of a picture at which a zone counts as well visible."""
+
+
+@dataclass(frozen=True)
+class Panorama:
+    """Zones and boundary around an eye by azimuth, clockwise from −z."""
+
+    shares: NDArray[np.float64]
+    """(3, AZIMUTHS) share of the rays that hit something near, intermediate and far."""
+    crossing: NDArray[np.float64]
+    """(AZIMUTHS,) weighted length of the boundary, degrees."""
+
+    def scores(self, fov: float) -> NDArray[np.float64]:
+        """Return (TURNS,) scores of views by horizontal field of view, degrees; 0 if the boundary is not in view."""
+        # The outer tenth of a picture is left out, so that the boundary is well inside it.
+        half = max(round(0.4 * fov * AZIMUTHS / 360.0), 1)
+        window = np.arange(-half, half + 1)
+        middles = np.arange(TURNS) * (AZIMUTHS // TURNS)
+        seen = (middles[:, None] + window) % AZIMUTHS
+        visible = np.minimum(self.shares[:, seen].mean(axis=-1) / SHOWN, 1.0).sum(axis=0)
+        return np.asarray(np.sqrt(self.crossing[seen].sum(axis=-1)) * visible, np.float64)
+
+
+def look(scene: Scene, eye: Point, center: Point, r1: float, r2: float, *, fov: float) -> Point | None:
+    """Horizontal direction of view in which an eye sees the boundary best; None if it is hidden all around."""
+    scores = panorama(scene, eye, center, r1, r2).scores(fov)
+    return _direction(int(np.argmax(scores))) if scores.max() > 0.0 else None
+
+
+def choose(
+    scene: Scene, place: Viewpoint, distance: float, r1: float, r2: float, *, fov: float
+) -> tuple[Point, Point, bool]:
+    """Choose a user's place beside a centre, and a view that the boundary crosses.
+
+    Returns
+    -------
+    user, forward, crosses
+        The place, at most `distance` metres from the centre; the horizontal direction of view; and whether the boundary
+        is in view. If it is in none, the direction is that of the centre's viewpoint.
+    """
+    default = beside(scene, place, distance)[0]
+    if place.is_outside:
+        # Another direction would show nothing of the object.
+        seen = panorama(scene, default, place.eye, r1, r2).scores(fov)
+        return default, place.forward, bool(seen.max() > 0.0)
+    first = panorama(scene, place.eye, place.eye, r1, r2).scores(fov)
+    best = (0.0, default, place.forward)
+    for turn in np.argsort(-first, kind="stable")[:COMPARED].tolist():
+        forward = _direction(turn)
+        for user in beside(scene, replace(place, forward=forward), distance):
+            score = float(panorama(scene, user, place.eye, r1, r2).scores(fov)[turn])
+            # A user at the centre sees no effect.
+            score *= float(np.linalg.norm(np.subtract(user, place.eye))) / distance
+            if score > best[0]:
+                best = (score, user, forward)
+    score, user, forward = best
+    return user, forward, score > 0.0
+
+
+def panorama(scene: Scene, eye: Point, center: Point, r1: float, r2: float) -> Panorama:
+    """Cast rays around an eye, and measure zones and boundary about the axis through a centre."""
+    pitch, steps = _pitches()
+    azimuth = np.arange(AZIMUTHS) * (2.0 * np.pi / AZIMUTHS)
+    up, around = np.meshgrid(pitch, azimuth, indexing="ij")
+    rays = np.stack([np.cos(up) * np.sin(around), np.sin(up), -np.cos(up) * np.cos(around)], axis=-1)
+    points = cast_rays(scene, np.asarray(eye, np.float64), rays.reshape(-1, 3)).position.reshape(*up.shape, 3)
+    rho = np.hypot(points[..., 0] - center[0], points[..., 2] - center[2])
+    weights = (steps / steps.sum())[:, None]
+    zones = (rho <= r1, (rho > r1) & (rho <= r2), rho > r2)
+    aside = _crosses(rho, np.roll(rho, -1, axis=1), r2)
+    below = _crosses(rho[:-1], rho[1:], r2)
+    upright = (aside * np.degrees(steps)[:, None]).sum(axis=0)
+    level = below.sum(axis=0) * (360.0 / AZIMUTHS)
+    return Panorama(np.stack([(zone * weights).sum(axis=0) for zone in zones]), upright + GROUND * level)
+
+
+def _crosses(one: NDArray[np.float64], other: NDArray[np.float64], r2: float) -> NDArray[np.bool_]:
+    """Whether two neighbouring points lie on both sides of r2 on what may be one surface; False for NaN."""
+    nearer, farther = np.minimum(one, other), np.maximum(one, other)
+    return np.asarray((nearer <= r2) & (farther > r2) & (nearer * CONTINUOUS >= r2) & (farther <= CONTINUOUS * r2))
+
+
+def _pitches() -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Pitches (PITCHES,) in radians, ascending, and the angle that each stands for."""
+    u = np.linspace(-1.0, 1.0, PITCHES)
+    pitch = np.radians(STEEPEST) * u * np.abs(u)
+    return pitch, np.gradient(pitch)
+
+
+def _direction(turn: int) -> Point:
+    angle = turn * (2.0 * np.pi / TURNS)
+    return float(np.sin(angle)), 0.0, float(-np.cos(angle))

@@ -1,0 +1,71 @@
+"""Limits of `nearfar compare` for measures of the continuous picture."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from nearfar._base import check
+
+BROKEN = 3
+"""Exit status of a comparison that broke a threshold or could not check it; 1 is an error, 2 a wrong command line."""
+
+OPTIONS = {
+    "--min-psnr": ("psnr", True),
+    "--min-ssim": ("ssim", True),
+    "--max-discontinuity": ("discontinuity", False),
+    "--max-boundary-discontinuity": ("boundary", False),
+}
+"""Measure of each option, and whether the limit is its least allowed value."""
+
+UNMEASURED = {
+    "discontinuity": "no pixel of the picture has a surface with neighbours",
+    "boundary": "the boundary at r2 is not in view",
+}
+"""Reasons why a measure is missing."""
+
+
+@dataclass(frozen=True)
+class Threshold:
+    """A limit for a measure of the continuous picture."""
+
+    option: str
+    limit: float
+
+    def check(self, values: dict[str, Any]) -> dict[str, Any]:
+        """Compare a value with the limit; a measure that the picture lacks does not keep it.
+
+        PSNR alone is None for equal pictures, where it is infinite.
+        """
+        measure, least = OPTIONS[self.option]
+        value = values[measure]
+        kept = measure == "psnr" if value is None else bool(value >= self.limit if least else value <= self.limit)
+        return {
+            "option": self.option,
+            "measure": measure,
+            "limit": self.limit,
+            "value": value,
+            "measured": value is not None or measure == "psnr",
+            "kept": kept,
+        }
+
+
+def thresholds(**limits: float | None) -> list[Threshold]:
+    """Make the thresholds of options, by their names with underscores; None was not given."""
+    named = {f"--{name.replace('_', '-')}": limit for name, limit in limits.items()}
+    return [Threshold(option, check.number(option, limit)) for option, limit in named.items() if limit is not None]
+
+
+def sentence(checked: dict[str, Any]) -> str:
+    """Say how a threshold was broken."""
+    if not checked["measured"]:
+        reason = UNMEASURED.get(checked["measure"], "the picture has none")
+        return f"{checked['option']}: {checked['measure']} was not measured, because {reason}"
+    return f"{checked['option']}: {checked['measure']} is {checked['value']:.4g}, the limit {checked['limit']:.4g}"
+
+
+def result(checked: dict[str, Any]) -> str:
+    """Say in a word or two whether a threshold was kept."""
+    if not checked["measured"]:
+        return "not measured"
+    return "kept" if checked["kept"] else "broken"

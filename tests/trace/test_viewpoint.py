@@ -1,0 +1,104 @@
+"""Tests of default viewpoints: open places, single objects, radii, and views that the boundary crosses."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import trimesh
+
+import nearfar as nf
+from nearfar._trace import crossing, viewpoint
+from tests.support.reduce_cases import CENTER, R1, R2, street
+
+
+def solid(extents: tuple[float, float, float]) -> trimesh.Trimesh:
+    shift = trimesh.transformations.translation_matrix((0, extents[1] / 2, 0))
+    return trimesh.creation.box(extents, shift)
+
+
+def room() -> nf.Scene:
+    """A room of 8 × 3 × 6 m, whose faces look inwards, and a table in it."""
+    walls = solid((8, 3, 6))
+    walls.invert()
+    return nf.Scene.from_trimesh(trimesh.Scene([walls, solid((1, 0.7, 1))]))
+
+
+@pytest.mark.parametrize("extents", [(0.3, 0.7, 0.4), (4.4, 1.5, 1.8), (30.0, 40.0, 30.0)])
+def test_a_single_object_is_seen_from_outside(extents: tuple[float, float, float]) -> None:
+    scene = nf.Scene.from_trimesh(solid(extents))
+    place = viewpoint.find(scene)
+    assert place.is_outside
+    low, high = scene.bounds
+    assert (np.array(place.eye) < low).any() or (np.array(place.eye) > high).any()
+    camera = nf.Camera.look_at(place.eye, place.target, fov=nf.Fov.symmetric(90, 1.6), size=(160, 100))
+    seen = nf.render(scene, camera, channels=("face_id",)).require("face_id") >= 0
+    assert 0.05 < seen.mean() < 0.9
+    assert seen[1:-1, 1:-1].sum() == seen.sum()
+
+
+def test_a_room_is_seen_from_inside() -> None:
+    scene = room()
+    place = viewpoint.find(scene)
+    assert not place.is_outside
+    assert (np.abs(np.array(place.eye)[[0, 2]]) < [4, 3]).all()
+    r1, r2 = viewpoint.radii(scene, place)
+    assert 0.5 < r1 < r2 < 4.0
+
+
+def test_a_plain_without_anything_is_no_object() -> None:
+    scene = nf.Scene.from_trimesh(trimesh.creation.box((300, 1, 300)))
+    place = viewpoint.find(scene)
+    assert not place.is_outside
+    assert place.eye[1] == pytest.approx(0.5 + viewpoint.EYE_HEIGHT, abs=1e-3)
+
+
+def test_cities_have_30_and_50_metres_and_small_scenes_less() -> None:
+    assert viewpoint.radii(street(), viewpoint.facing((3.0, 1.7, -2.0), (9, 0, 9))) == (30.0, 50.0)
+    helmet = nf.Scene.from_trimesh(solid((0.3, 0.7, 0.4)))
+    place = viewpoint.find(helmet)
+    r1, r2 = viewpoint.radii(helmet, place)
+    rho = np.hypot(*(helmet.triangles()[..., [0, 2]] - np.array(place.eye)[[0, 2]]).reshape(-1, 2).T)
+    assert rho.min() < r1 < r2 < rho.max()
+
+
+@pytest.mark.parametrize(
+    ("given", "radii"),
+    [
+        ((None, 20.0), (12.0, 20.0)),
+        ((None, 90.0), (30.0, 90.0)),
+        ((60.0, None), (60.0, 100.0)),
+        ((5.0, 7.0), (5.0, 7.0)),
+    ],
+)
+def test_a_missing_radius_fits_the_other(given: tuple[float | None, float | None], radii: tuple[float, float]) -> None:
+    assert viewpoint.completed(*given) == pytest.approx(radii)
+
+
+def test_the_default_view_shows_the_boundary_and_all_zones() -> None:
+    """The wall from 5 to 120 m is on one side of the street only; the longest open view is on the other side."""
+    scene = street(ground=False)
+    place = viewpoint.facing_open(scene, (3.0, 1.7, -2.0))
+    user, forward, crosses = crossing.choose(scene, place, 6.0, R1, R2, fov=90.0)
+    assert crosses
+    assert 0.0 < np.linalg.norm(np.subtract(user, CENTER)) <= 6.0 + 1e-9
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=128, samples=1, channels=("color", "range"))
+    view = nf.Camera.look_at(user, viewpoint.ahead(user, forward), fov=nf.Fov.symmetric(90, 1.6), size=(320, 200))
+    truth = nf.render(scene, view, channels=("color", "position"))
+    away = truth.require("position").astype(np.float64) + truth.origin - CENTER
+    rho = np.hypot(away[..., 0], away[..., 2])
+    for zone in (rho <= R1, (rho > R1) & (rho <= R2), rho > R2):
+        assert zone.mean() > 0.01
+    torn = {}
+    for name in ("none", "blend"):
+        frame = reduced.with_morph(name).render(view, channels=("color", "position"))
+        torn[name] = nf.compare(truth, frame, center=CENTER, radius=R2).boundary
+    assert torn["none"] is not None
+    assert torn["blend"] is not None
+    assert torn["none"] > 2.0 * torn["blend"]
+
+
+def test_a_boundary_behind_walls_is_in_no_view() -> None:
+    scene = nf.Scene.from_trimesh(trimesh.creation.box((20, 20, 20)))
+    assert crossing.look(scene, (0, 0, 0), (0, 0, 0), R1, R2, fov=90.0) is None
+    _, _, crosses = crossing.choose(scene, viewpoint.facing_open(scene, (0, 0, 0)), 2.0, R1, R2, fov=90.0)
+    assert not crosses
