@@ -116,8 +116,9 @@ impl<'a, P: Pixel> Plane<'a, P> {
         (self.column_step == 1).then(|| &self.values[start + columns.start..start + columns.end])
     }
 
-    /// About the mean of a part of the image, from a few of its pixels that are finite. With a mask only pixels that it
-    /// names are asked, the first of them if the few miss all: the level depends on no other pixel.
+    /// Returns about the mean of a part of the image, from a few of its pixels that are finite. With a mask it takes only
+    /// pixels that the mask names, or the first such pixel if it names none of the few, so that the level depends on no
+    /// other pixel.
     pub(super) fn level(&self, part: &Region, mask: Option<&Plane<'_, u8>>) -> f64 {
         let is_asked = |&(row, column): &(usize, usize)| mask.is_none_or(|mask| mask.names(row, column));
         let mut few = part.samples().filter(is_asked).peekable();
@@ -165,7 +166,7 @@ impl Plane<'_, u8> {
         Some((first, (first..end).rfind(|&column| self.names(row, column))?))
     }
 
-    /// Row and column of the first pixel of a part that a mask names.
+    /// Returns the row and column of the first pixel of a part that a mask names.
     fn first(&self, part: &Region) -> Option<(usize, usize)> {
         let in_row = |row| self.first_and_last(row, part.columns).map(|(first, _)| (row, first));
         (part.rows[0]..part.rows[1]).find_map(in_row)

@@ -1,7 +1,8 @@
-//! Pictures of one scene from many sides that are compared with others of the same cameras: where the scene is seen, and
-//! the luma of the pixels about that. Of an object before the sky most of a picture is sky, which no comparison needs.
+//! Pictures of one scene from many sides, for comparisons with pictures of another scene from the same cameras: which
+//! pixels show the scene, and the luma of the pixels near them. Most of a picture of one object is sky, which no
+//! comparison needs.
 //!
-//! Pixels have the bytes of `draw`: a ray hits the same whichever rays go with it.
+//! Pixels have the same bytes as those of `draw`, because a ray's hit does not depend on the rays traced beside it.
 
 use glam::DVec3;
 use rayon::prelude::*;
@@ -14,15 +15,16 @@ use crate::scene::Scene;
 use crate::scene::srgb::srgb_from_linear;
 use crate::trace::{All, AlphaFilter, Hit, HitFilter, Ray, any_hits, beam_touches, closest_hits, closest_hits_apart};
 
-/// Rays that are traced side by side.
+/// Number of rays that are traced side by side.
 const PACKET: usize = 64;
-/// Rows of one task, a multiple of every block's height.
+/// Number of rows of one task, a multiple of every block's height; also the side of a square that is tested for geometry.
 const ROWS: usize = 16;
-/// Triangles for each block of pixels, counted as if they filled the picture evenly, above which its rays share so few
-/// nodes of the tree that each is faster alone. Measured on an object that fills a fifth of its picture.
+/// Number of triangles for each block of pixels, as if they were spread evenly over the picture, above which rays are
+/// traced one by one: they share so few nodes of the tree that a packet is slower. The number was measured on an object
+/// that covers a fifth of its picture.
 const CROWDED: f64 = 150.0;
 
-/// A scene and cameras around it, whose pictures have one size.
+/// A scene and cameras around it, all with pictures of one size.
 pub struct Sides<'a> {
     scene: &'a Scene,
     cameras: &'a [Camera],
@@ -30,19 +32,19 @@ pub struct Sides<'a> {
     height: usize,
 }
 
-/// How luma is computed.
+/// Settings of luma.
 #[derive(Clone, Copy, Debug)]
 pub struct Luma {
     /// Colour samples of each pixel, 1 to `MAX_SAMPLES`.
     pub samples: u32,
     /// Weights of red, green and blue as sRGB codes.
     pub weights: [f64; 3],
-    /// Pixels across and down from a pixel that is shown to the last one that counts.
+    /// Distance across and down, in pixels, up to which the pixels around a shown one are computed.
     pub reach: usize,
 }
 
 impl<'a> Sides<'a> {
-    /// Builds the scene's trees.
+    /// Checks the cameras and builds the scene's trees.
     pub fn new(scene: &'a Scene, cameras: &'a [Camera], progress: &Progress) -> Result<Self> {
         let size = |camera: &Camera| (camera.width, camera.height);
         let (width, height) = cameras.first().map_or((0, 0), size);
@@ -57,7 +59,7 @@ impl<'a> Sides<'a> {
         Ok(Self { scene, cameras, width: width as usize, height: height as usize })
     }
 
-    /// Whether each pixel's centre shows the scene: one picture after the other, row by row.
+    /// Returns whether each pixel's centre shows the scene, picture by picture and row by row.
     pub fn silhouettes(&self, progress: &Progress) -> Result<Vec<bool>> {
         let scene = self.scene;
         if scene.has_cutouts() {
@@ -67,7 +69,7 @@ impl<'a> Sides<'a> {
         }
     }
 
-    /// Luma, 0 to 255, of the pixels near those of `shown`, which is laid out as silhouettes are; 0 elsewhere.
+    /// Returns the luma, 0 to 255, of the pixels near those of `shown` (in the order of `silhouettes`), and 0 elsewhere.
     pub fn luma(&self, shown: &[bool], how: &Luma, progress: &Progress) -> Result<Vec<f64>> {
         if !(1..=MAX_SAMPLES).contains(&how.samples) {
             return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), how.samples));
@@ -87,7 +89,8 @@ impl<'a> Sides<'a> {
         self.cameras.len() * self.width * self.height
     }
 
-    /// Calls a function for bands of all pictures' rows: camera, number of the picture, first row, and its values.
+    /// Calls a function for each band of rows of each picture with the view, the picture's number, the band's first row
+    /// and its values.
     fn bands<T: Copy + Default + Send>(
         &self,
         progress: &Progress,
@@ -108,7 +111,7 @@ impl<'a> Sides<'a> {
         Ok(values)
     }
 
-    /// True where a block of so many pixels looks at more triangles than a packet is good for.
+    /// Returns true if rays through a block of this height and width should be traced one by one.
     fn is_crowded(&self, block: [usize; 2]) -> bool {
         let share = (block[0] * block[1]) as f64 / (self.width * self.height).max(1) as f64;
         self.scene.triangle_count() as f64 * share > CROWDED
@@ -195,7 +198,7 @@ impl<'a> Sides<'a> {
         })
     }
 
-    /// Pixels of a picture's rows that are at most `reach` pixels across and down from one that is shown.
+    /// Returns for each pixel of some rows whether it is at most `reach` pixels across and down from a shown one.
     fn near(&self, shown: &[bool], first_row: usize, rows: usize, reach: usize) -> Vec<bool> {
         let width = self.width;
         let mut near = vec![false; rows * width];
@@ -214,20 +217,20 @@ impl<'a> Sides<'a> {
     }
 }
 
-/// A camera made ready.
+/// A camera's rays, and its position relative to the scene's origin.
 struct View {
     rays: Rays,
     eye: DVec3,
 }
 
 impl View {
-    /// The ray through an image position.
+    /// Returns the ray through an image position.
     fn ray(&self, x: f64, y: f64) -> Ray {
         ray_at(&self.rays, self.eye, x, y, Segment::WHOLE)
     }
 }
 
-/// A filter that pictures may share.
+/// A filter that is passed by reference.
 struct ByReference<'a, F>(&'a F);
 
 impl<F: HitFilter> HitFilter for ByReference<'_, F> {
@@ -238,7 +241,7 @@ impl<F: HitFilter> HitFilter for ByReference<'_, F> {
     }
 }
 
-/// Height and width of the greatest block of pixels whose samples fit into a packet; one pixel where none does.
+/// Returns the height and width of the largest block of pixels whose samples fit into a packet, or of one pixel.
 fn block_of(samples: usize) -> [usize; 2] {
     let mut block = [TILE, TILE];
     while block[0] * block[1] * samples > PACKET && block != [1, 1] {
@@ -248,20 +251,21 @@ fn block_of(samples: usize) -> [usize; 2] {
     block
 }
 
-/// Pixels of a block as rows and columns, squares of 2 × 2 after one another: neighbours stay in one group of lanes.
+/// Returns the pixels of a block, as rows and columns, square by square of 2 × 2 pixels, so that the lanes of a group
+/// hold neighbours.
 fn pixel_order([high, wide]: [usize; 2]) -> Vec<[usize; 2]> {
     let mut pixels: Vec<_> = (0..high).flat_map(|row| (0..wide).map(move |column| [row, column])).collect();
     pixels.sort_by_key(|[row, column]| [row / 2, column / 2, *row, *column]);
     pixels
 }
 
-/// Those of the pixels that lie within a size, from a start on.
+/// Returns those pixels that lie within a size, moved by the start.
 fn pixels_of(start: [usize; 2], size: [usize; 2], order: &[[usize; 2]]) -> impl Iterator<Item = [usize; 2]> {
     let within = order.iter().filter(move |[row, column]| *row < size[0] && *column < size[1]);
     within.map(move |[row, column]| [start[0] + row, start[1] + column])
 }
 
-/// First row and column and size of the blocks of a part, of which the last ones may be smaller.
+/// Returns the first row and column and the size of each block of a part; the last ones may be smaller.
 fn blocks(
     [top, left]: [usize; 2],
     [rows, columns]: [usize; 2],

@@ -86,7 +86,7 @@ pub(super) fn add_colors(
     sums: &mut [[f32; 3]],
 ) {
     let mut last: Option<Facet> = None;
-    // Roots that only the levels of textures ask for.
+    // Only textures need the width, which takes two roots to compute.
     let is_textured = !scene.textures.is_empty();
     for (n, (ray, hit)) in rays.iter().zip(hits).enumerate() {
         if hit.is_miss() {

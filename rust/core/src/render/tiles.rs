@@ -211,7 +211,7 @@ impl<P: Picture> Painter<'_, P> {
     }
 }
 
-/// The ray through image position (x, y) of an eye relative to the scene's origin.
+/// Returns the ray through image position (x, y) from an eye, which is relative to the scene's origin.
 #[inline]
 pub(super) fn ray_at(rays: &Rays, eye: DVec3, x: f64, y: f64, segment: Segment) -> Ray {
     let (start, direction) = rays.at(x, y);

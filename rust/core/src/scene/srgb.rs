@@ -22,7 +22,7 @@ pub fn srgb_from_linear(linear: f32) -> u8 {
     CODES.of(linear)
 }
 
-/// The same by the standard's formula, whose power takes several times as long as the table.
+/// Computes the code by the standard's formula. Its power takes several times as long as the table.
 fn encoded(linear: f32) -> u8 {
     let x = linear.clamp(0.0, 1.0);
     let s = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
@@ -31,7 +31,7 @@ fn encoded(linear: f32) -> u8 {
 
 static CODES: LazyLock<Codes> = LazyLock::new(Codes::new);
 
-/// Codes by the upper bits of a float, and the values at which codes begin.
+/// Table of codes by the upper bits of a float, and the values at which codes begin.
 struct Codes {
     /// Code of the least float of each interval.
     first: [u8; INTERVALS],
@@ -39,7 +39,7 @@ struct Codes {
     least: [f32; 257],
 }
 
-/// Bits of a float below those that number its interval: 128 intervals for each power of two.
+/// Number of bits of a float below those that number its interval: each power of two has 128 intervals.
 const LOWER_BITS: u32 = 16;
 /// Bits of 2⁻¹³, below which all codes are 0, and of 1.
 const DARK: u32 = (127 - 13) << 23;
@@ -51,7 +51,7 @@ impl Codes {
         let first = std::array::from_fn(|i| encoded(f32::from_bits(DARK + ((i as u32) << LOWER_BITS))));
         let mut least = [f32::INFINITY; 257];
         for (code, least) in least.iter_mut().enumerate().take(256) {
-            // Bits of floats that are not negative are in the order of their values.
+            // Floats that are not negative have the same order as their bits.
             let (mut below, mut from) = (0, WHITE);
             while below < from {
                 let middle = below.midpoint(from);
