@@ -65,7 +65,7 @@ impl Codes {
 
     #[inline]
     fn of(&self, linear: f32) -> u8 {
-        if !(linear >= f32::from_bits(DARK)) {
+        if linear.is_nan() || linear < f32::from_bits(DARK) {
             return 0;
         }
         if linear >= 1.0 {
