@@ -248,6 +248,17 @@ def render_truth(
     t_max: float = ...,
     report: _Report | None = None,
 ) -> dict[str, NDArray[Any]]: ...
+def silhouettes(scene: Scene, cameras: list[Camera], *, report: _Report | None = None) -> NDArray[np.bool_]: ...
+def luma_near(
+    scene: Scene,
+    cameras: list[Camera],
+    shown: NDArray[np.bool_],
+    *,
+    samples: int,
+    weights: tuple[float, float, float],
+    reach: int,
+    report: _Report | None = None,
+) -> _F64: ...
 def encode_srgb(linear: _F32) -> NDArray[np.uint8]: ...
 
 # reduce -------------------------------------------------------------------------------------------------------------

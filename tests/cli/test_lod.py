@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 import trimesh
 
 import nearfar as nf
+from nearfar.lod._measure import one_object
+from nearfar.lod._measure import scores as level_scores
 from tests.support.cli_cases import command, document
 
 QUICK = ("--views", "4", "--distances", "5", "--ratios", "0.3,0.05", "--method", "meshopt", "--backend", "cpu")
@@ -61,3 +64,22 @@ def test_mistakes_are_one_sentence(
     assert err.count("\n") == 1
     assert re.search(message, err)
     assert not list(tmp_path.glob("*.glb"))
+
+
+def test_ctrl_c_says_what_is_kept(
+    mesh: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    done: list[int] = []
+
+    def interrupted(*given: Any) -> Any:
+        for found in level_scores.scores(*given):
+            if done:
+                raise KeyboardInterrupt
+            done.append(len(found))
+            yield found
+
+    monkeypatch.setattr(one_object, "scores", interrupted)
+    status, out, err = command(capsys, "lod", "-i", mesh, "-o", tmp_path / "stone.glb", *QUICK)
+    assert (status, out) == (130, "")
+    assert err.startswith(f"nearfar: interrupted; measure: {done[0]} of at most ")
+    assert str(tmp_path / "cache") in err

@@ -115,10 +115,12 @@ def test_ctrl_c_ends_processes_and_keeps_what_they_did(tmp_path: Path) -> None:
         assert len(workers) >= 2
         program.send_signal(signal.SIGINT)
         message = program.communicate(timeout=600)[1]
-        assert message.splitlines()[-1] == "KeyboardInterrupt"
+        last, note = message.splitlines()[-2:]
+        assert last == "KeyboardInterrupt"
         assert until(lambda: not any(Path(f"/proc/{worker}").exists() for worker in workers))
         scores = np.concatenate([np.load(path).ravel() for path in kept()])
         assert 0 < np.isfinite(scores).sum() < scores.size
+        assert note.startswith(f"measure: {np.isfinite(scores).sum():,} of at most ")
     finally:
         program.kill()
         program.wait()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import signal
 from pathlib import Path
 from typing import Any
@@ -62,22 +63,27 @@ def test_damaged_scores_are_measured_again(tmp_path: Path) -> None:
         assert again.measured["cached"] == 0
 
 
-def test_what_was_done_before_ctrl_c_is_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_was_done_before_ctrl_c_is_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     own = levels(16, 8, 4)
     whole = nf.lod.measure(own, **SMALL, step=None, cache=False)
     monkeypatch.setattr(one_object, "MAX_BLOCK_PIXELS", 4000)
     left = [7]
 
     def scores(*given: Any) -> Any:
-        left[0] -= 1
-        if left[0] == 0:
-            signal.raise_signal(signal.SIGINT)
-        return level_scores.scores(*given)
+        for found in level_scores.scores(*given):
+            left[0] -= 1
+            if left[0] == 0:
+                signal.raise_signal(signal.SIGINT)
+            yield found
 
     monkeypatch.setattr(one_object, "scores", scores)
-    with pytest.raises(KeyboardInterrupt):
+    with pytest.raises(KeyboardInterrupt) as interrupted:
         nf.lod.measure(own, **SMALL, step=None)
+    (note,) = interrupted.value.__notes__
     resumed = nf.lod.measure(own, **SMALL, step=None)
     assert_same(whole, resumed)
-    assert resumed.measured["cached"] > 0
+    kept, most = (int(number.replace(",", "")) for number in re.findall(r"[\d,]+(?= (?:of|scores))", note))
+    assert resumed.measured["cached"] == kept > 0
+    assert most == whole.measured["scores"]
+    assert str(tmp_path / "cache") in note
     assert resumed.measured["cached"] + resumed.measured["scores"] == whole.measured["scores"]

@@ -162,3 +162,21 @@ def test_float64_keeps_the_variance_at_any_level() -> None:
     shifted, _ = slow_maps(a + 1e8, b + 1e8, weights("gaussian", 11), 1.0)
     found = nf.ssim(a + 1e8, b + 1e8, data_range=1, full=True).map
     np.testing.assert_allclose(found, shifted, rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("masking", ["mean", "windows"])
+def test_pixels_that_no_window_of_a_mask_sees_change_no_bit(masking: str) -> None:
+    random = np.random.default_rng(0)
+    for _ in range(50):
+        height, width = random.integers(30, 60, 2)
+        a = random.uniform(0, 255, (height, width))
+        b = a + random.normal(0, 20, a.shape)
+        mask, seen = np.zeros(a.shape, bool), np.zeros(a.shape, bool)
+        for row, column in zip(random.integers(5, height - 5, 3), random.integers(5, width - 5, 3), strict=True):
+            mask[row, column] = True
+            seen[row - 5 : row + 6, column - 5 : column + 6] = True
+        found = [
+            nf.ssim(one, other, data_range=255, mask=mask, masking=masking)
+            for one, other in ((a, b), (np.where(seen, a, 0), np.where(seen, b, 0)))
+        ]
+        assert float(found[0]) == float(found[1])

@@ -133,12 +133,12 @@ def assert_same(one: nf.lod.LodModel, other: nf.lod.LodModel) -> None:
 
 
 def count_renders(monkeypatch: pytest.MonkeyPatch) -> list[int]:
-    """Views of each picture that `measure` renders from now on."""
+    """Pictures of each block of views that `measure` compares from now on."""
     counted: list[int] = []
 
-    def pictures(scene: nf.Scene, cameras: Any, *rest: Any) -> Any:
-        counted.append(len(cameras))
-        return level_scores.pictures(scene, cameras, *rest)
+    def scores(base: nf.Scene, levels: Sequence[level_scores.Compared], cameras: Any, *rest: Any) -> Any:
+        counted.append(len(cameras) + sum(len(level.chosen) for level in levels))
+        return level_scores.scores(base, levels, cameras, *rest)
 
-    monkeypatch.setattr(one_object, "pictures", pictures)
+    monkeypatch.setattr(one_object, "scores", scores)
     return counted

@@ -53,9 +53,10 @@ def run(arguments: Sequence[str]) -> int:
         with progress.lines():
             app(list(arguments), prog_name="nearfar")
     except SystemExit as end:
+        interrupt = _interrupt_behind(end)
+        if interrupt is not None:
+            return _fail("; ".join(("interrupted", *getattr(interrupt, "__notes__", ()))), INTERRUPTED)
         return end.code if isinstance(end.code, int) else int(end.code is not None)
-    except KeyboardInterrupt:
-        return _fail("interrupted", INTERRUPTED)
     except MemoryError as error:
         return _fail(f"there is not enough memory{f': {error}' if str(error) else ''}", 1)
     except OSError as error:
@@ -63,6 +64,14 @@ def run(arguments: Sequence[str]) -> int:
     except (nf.Error, ValueError, ImportError) as error:
         return _fail(str(error), 1)
     return 0
+
+
+def _interrupt_behind(end: SystemExit) -> KeyboardInterrupt | None:
+    """Return the Ctrl-C that typer turned into an exit, if there was one."""
+    error: BaseException | None = end
+    while error is not None and not isinstance(error, KeyboardInterrupt):
+        error = error.__cause__ or error.__context__
+    return error
 
 
 def _fail(sentence: str, status: int) -> int:

@@ -49,6 +49,7 @@ mod _core {
         render::bake::bake_map,
         render::frame::encode_srgb,
         render::reduced::Reduced,
+        render::sides::{luma_near, silhouettes},
         render::truth::render_truth,
         scene::levels::{Levels, placements_of, with_instances, with_surfaces},
         scene::parts::{mesh_parts, scene_parts},

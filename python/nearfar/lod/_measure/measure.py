@@ -7,10 +7,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Unpack, overload
 
-from nearfar._base import check
+from nearfar._base import cache, check
 from nearfar._base.distribute import distribute
 from nearfar.lod._levels import Levels
-from nearfar.lod._measure.one_object import measure_one
+from nearfar.lod._measure.one_object import kept_scores, measure_one
 from nearfar.lod._measure.settings import MeasureKeywords, MeasureOptions, MeasureSettings
 from nearfar.lod._model import LodModel
 
@@ -69,6 +69,8 @@ def measure(
         Where processes end at once, as in scripts without a guard for `__main__`.
     DeviceError
         As `render`.
+    KeyboardInterrupt
+        At Ctrl-C, with a note that says how many of how many scores are kept, and where.
 
     References
     ----------
@@ -77,7 +79,11 @@ def measure(
     chosen = _settings(settings, keywords)
     names, objects = _objects(levels)
     measure_object = functools.partial(measure_one, settings=chosen)
-    measured = distribute(measure_object, objects, label="measuring", workers=workers, client=client)
+    try:
+        measured = distribute(measure_object, objects, label="measuring", workers=workers, client=client)
+    except KeyboardInterrupt as interrupt:
+        interrupt.add_note(_kept(objects, chosen, client))
+        raise
     models = [
         replace(model, levels=Levels([one[number] for number in numbers], name=one.name, frame=one.frame))
         for one, (model, numbers) in zip(objects, measured, strict=True)
@@ -94,6 +100,18 @@ def _settings(settings: MeasureSettings | None, keywords: MeasureKeywords) -> Me
     if keywords:
         raise ValueError(f"{next(iter(keywords))}: expected it in settings alone, got it beside them too")
     return settings
+
+
+def _kept(objects: list[Levels], settings: MeasureSettings, client: Any) -> str:
+    """Say how much an interrupted measurement leaves to the next one."""
+    if not settings.cache:
+        return "measure: no scores are kept without a cache"
+    if client is not None:
+        return "measure: scores are kept in the cache folders of the cluster's workers; the same call goes on from them"
+    known, most = (sum(counts) for counts in zip(*(kept_scores(one, settings) for one in objects), strict=True))
+    return (
+        f"measure: {known:,} of at most {most:,} scores are kept in {cache.folder()}; the same call goes on from them"
+    )
 
 
 def _objects(levels: object) -> tuple[list[str] | None, list[Levels]]:

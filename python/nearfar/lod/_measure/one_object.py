@@ -15,13 +15,14 @@ from nearfar.lod._levels import Levels
 from nearfar.lod._measure.fit import Curve4PL, fit_4pl
 from nearfar.lod._measure.samples import Samples
 from nearfar.lod._measure.score_cache import ScoreCache, content
-from nearfar.lod._measure.scores import Pictures, pictures, scores
+from nearfar.lod._measure.scores import Compared, scores
 from nearfar.lod._measure.settings import MeasureSettings
 from nearfar.lod._measure.views import AXES, Stand, turns
 from nearfar.lod._model import LodModel
 
 MAX_BLOCK_PIXELS = 1 << 20
-"""Pixels of a block of views. Two pictures of each are in memory, and Ctrl-C loses one level's scores of a block."""
+"""Pixels of a block of views. Two pictures of each and every level's mask are in memory, and Ctrl-C loses one level's
+scores of a block."""
 
 STEPPED_SIZES = 4
 """Sizes at which levels are kept by steps. SSIM of bumpy things dips where they are smaller, and a level that is good
@@ -34,6 +35,16 @@ STEP_TOLERANCE = 1e-9
 def measure_one(levels: Levels, report: progress.Report, *, settings: MeasureSettings) -> tuple[LodModel, list[int]]:
     """Return a model without geometry, and the numbers of the levels that it keeps; the base is one of them."""
     return _Measurement(levels, settings, report).run()
+
+
+def kept_scores(levels: Levels, settings: MeasureSettings) -> tuple[int, int]:
+    """Count the scores that the cache has, and those that there would be if each level were measured at each size."""
+    if len(levels) < 2 or not levels.radius > 0.0:
+        return 0, 0
+    measurement = _Measurement(levels, settings, lambda _done, _total: None)
+    measurement.prepare()
+    scores = measurement.scores[~measurement.is_base]
+    return int(np.isfinite(scores).sum()), scores.size
 
 
 class _Measurement:
@@ -60,7 +71,7 @@ class _Measurement:
         """Measure all that is not known; return the model and the levels that it keeps."""
         kept = list(range(len(self.levels)))
         if len(self.levels) > 1:
-            self._prepare()
+            self.prepare()
             try:
                 kept = self._measure()
             finally:
@@ -69,7 +80,7 @@ class _Measurement:
                     self.cache.save()
         return self._model(kept), kept
 
-    def _prepare(self) -> None:
+    def prepare(self) -> None:
         """Decide on which device pictures are made, once for all levels, and load the scores that are known."""
         base = self.levels[0].scene
         device = Renderer(base, ("color", "range"), self.settings.samples).device(self.settings.backend)
@@ -121,24 +132,20 @@ class _Measurement:
         missing = np.flatnonzero(np.isnan(table[measured]).any(axis=0)) if measured else np.empty(0, int)
         for start in range(0, len(missing), block):
             views = missing[start : start + block]
-            base: Pictures | None = None
-            for order, number in enumerate(measured):
-                share = start + len(views) * order / len(measured)
+            new = {number: np.flatnonzero(np.isnan(table[number, views])) for number in measured}
+            new = {number: places for number, places in new.items() if len(places)}
+            cameras = [self.stand.camera(size, self.turns[view]) for view in views]
+            compared = [Compared(self.levels[number].scene, places) for number, places in new.items()]
+            found = scores(self.levels[0].scene, compared, cameras, self.settings.samples, self.backend)
+            self.renders += len(views)
+            for order, number in enumerate(new):
+                share = start + len(views) * order / len(new)
                 self.report(*self._progress(size, share / len(missing), len(measured)))
-                new = np.isnan(table[number, views])
-                if not new.any():
-                    continue
-                base = self._pictures(0, size, views) if base is None else base
-                reference = base if new.all() else Pictures(base.luma[new], base.shown[new])
-                table[number, views[new]] = scores(reference, self._pictures(number, size, views[new]))
-                self.comparisons += int(new.sum())
+                table[number, views[new[number]]] = next(found)
+                self.comparisons += len(new[number])
+                self.renders += len(new[number])
             if self.cache is not None:
                 self.cache.save_at_times()
-
-    def _pictures(self, level: int, size: int, views: NDArray[np.intp]) -> Pictures:
-        self.renders += len(views)
-        cameras = [self.stand.camera(size, self.turns[view]) for view in views]
-        return pictures(self.levels[level].scene, cameras, self.settings.samples, self.backend)
 
     def _progress(self, size: int, share: float, measured: int) -> tuple[int, int]:
         """Pixels rendered and pixels in all, if no level that is measured now is left out later."""

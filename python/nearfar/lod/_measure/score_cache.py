@@ -15,7 +15,7 @@ from nearfar._base.version import __version__
 from nearfar._scene.scene import Scene
 from nearfar._scene.serialize import parts_of
 
-VERSION = 1
+VERSION = 2
 """Version of the way levels are measured; another one finds no old scores."""
 
 SUFFIX = ".npy"

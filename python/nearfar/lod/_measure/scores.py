@@ -1,18 +1,29 @@
-"""Pictures of an object from many sides, and the similarity of a level's to the base's."""
+"""Similarity of levels to their base, seen from many sides."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Iterator, Sequence
+from functools import partial
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar import _core
 from nearfar._camera.camera import Camera
 from nearfar._metrics.inputs import LUMA
 from nearfar._metrics.similarity import ssim_pairs
 from nearfar._render.sequence import render_path
 from nearfar._scene.scene import Scene
+from nearfar.lod._measure.views import PADDING
+
+
+class Compared(NamedTuple):
+    """A level, and the cameras by which it is compared with its base."""
+
+    level: Scene
+    chosen: NDArray[np.intp]
+    """Numbers of the cameras."""
 
 
 class Pictures(NamedTuple):
@@ -24,8 +35,38 @@ class Pictures(NamedTuple):
     """(V, H, W), whether the object is at the pixel's centre."""
 
 
-def pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: str | None) -> Pictures:
-    """Render an object before the sky. Cameras have pictures of one size."""
+def scores(
+    base: Scene, levels: Sequence[Compared], cameras: Sequence[Camera], samples: int, backend: str | None
+) -> Iterator[NDArray[np.float64]]:
+    """Score one level after the other, each from its cameras; the base's pictures are made once for all.
+
+    A score is the SSIM over the pixels where either shows the object, and 1 where neither does, because both show the
+    same sky. Cameras have pictures of one size.
+    """
+    if backend == "gpu":
+        whole = _pictures(base, cameras, samples, backend)
+        for level, chosen in levels:
+            other = _pictures(level, [cameras[number] for number in chosen], samples, backend)
+            reference = Pictures(*(_of(part, chosen) for part in whole))
+            yield _similarity(reference.luma, other.luma, reference.shown | other.shown)
+        return
+    # Only pixels that the windows of a counted one reach are traced: the others' values change no score.
+    views = [camera._core for camera in cameras]
+    shown = _core.silhouettes(base._core, views)
+    masks = []
+    for level, chosen in levels:
+        masks.append(_core.silhouettes(level._core, [views[number] for number in chosen]) | _of(shown, chosen))
+    for (_, chosen), either in zip(levels, masks, strict=True):
+        shown[chosen] |= either
+    luma_near = partial(_core.luma_near, samples=samples, weights=LUMA, reach=PADDING)
+    luma = luma_near(base._core, views, shown)
+    for (level, chosen), either in zip(levels, masks, strict=True):
+        own = luma_near(level._core, [views[number] for number in chosen], either)
+        yield _similarity(_of(luma, chosen), own, either)
+
+
+def _pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: str | None) -> Pictures:
+    """Render an object before the sky."""
     width, height = cameras[0].size
     luma = np.empty((len(cameras), height, width))
     shown = np.empty(luma.shape, bool)
@@ -36,8 +77,13 @@ def pictures(scene: Scene, cameras: Sequence[Camera], samples: int, backend: str
     return Pictures(luma, shown)
 
 
-def scores(base: Pictures, level: Pictures) -> NDArray[np.float64]:
-    """SSIM (V,) over the pixels where either shows the object; 1 where neither does, because both show the same."""
-    either = base.shown | level.shown
-    similarity = ssim_pairs(base.luma, level.luma, data_range=255.0, masks=either)
+def _of(pictures: NDArray[Any], chosen: NDArray[np.intp]) -> NDArray[Any]:
+    """Pictures of some cameras; all of them without a copy."""
+    return pictures if len(chosen) == len(pictures) else pictures[chosen]
+
+
+def _similarity(
+    base: NDArray[np.float64], level: NDArray[np.float64], either: NDArray[np.bool_]
+) -> NDArray[np.float64]:
+    similarity = ssim_pairs(base, level, data_range=255.0, masks=either)
     return np.where(either.any(axis=(1, 2)), similarity, 1.0)

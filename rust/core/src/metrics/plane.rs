@@ -116,20 +116,16 @@ impl<'a, P: Pixel> Plane<'a, P> {
         (self.column_step == 1).then(|| &self.values[start + columns.start..start + columns.end])
     }
 
-    /// About the mean of a part of the image, from a few of its pixels: of those that are finite, and that a mask names
-    /// if it names any of them.
+    /// Returns about the mean of a part of the image, from a few of its pixels that are finite. With a mask it takes only
+    /// pixels that the mask names, or the first such pixel if it names none of the few, so that the level depends on no
+    /// other pixel.
     pub(super) fn level(&self, part: &Region, mask: Option<&Plane<'_, u8>>) -> f64 {
-        let (mut named, mut all) = ([0.0; 2], [0.0; 2]);
-        for (row, column) in part.samples() {
-            let value = self.at(row, column).wide();
-            if value.is_finite() {
-                all = [all[0] + value, all[1] + 1.0];
-                if mask.is_some_and(|mask| mask.names(row, column)) {
-                    named = [named[0] + value, named[1] + 1.0];
-                }
-            }
-        }
-        let [sum, count] = if named[1] > 0.0 { named } else { all };
+        let is_asked = |&(row, column): &(usize, usize)| mask.is_none_or(|mask| mask.names(row, column));
+        let mut few = part.samples().filter(is_asked).peekable();
+        let first = if few.peek().is_none() { mask.and_then(|mask| mask.first(part)) } else { None };
+        let values =
+            few.chain(first).map(|(row, column)| self.at(row, column).wide()).filter(|value| value.is_finite());
+        let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
         if count > 0.0 { sum / count } else { 0.0 }
     }
 
@@ -150,11 +146,6 @@ impl Plane<'_, u8> {
         self.values[row * self.row_step + column * self.column_step] != 0
     }
 
-    /// Whether a mask names any of a part's samples.
-    pub(super) fn names_samples(&self, part: &Region) -> bool {
-        part.samples().any(|(row, column)| self.names(row, column))
-    }
-
     /// Number of pixels that a mask names.
     pub(super) fn count(&self) -> usize {
         let row = |row| (0..self.width).filter(|&column| self.names(row, column)).count();
@@ -173,6 +164,12 @@ impl Plane<'_, u8> {
         }
         let first = (from..end).find(|&column| self.names(row, column))?;
         Some((first, (first..end).rfind(|&column| self.names(row, column))?))
+    }
+
+    /// Returns the row and column of the first pixel of a part that a mask names.
+    fn first(&self, part: &Region) -> Option<(usize, usize)> {
+        let in_row = |row| self.first_and_last(row, part.columns).map(|(first, _)| (row, first));
+        (part.rows[0]..part.rows[1]).find_map(in_row)
     }
 
     /// The smallest part that holds all pixels of a part that a mask names.

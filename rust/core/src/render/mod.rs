@@ -5,9 +5,11 @@ pub mod shade;
 pub mod surface;
 pub mod tiles;
 pub mod truth;
+pub mod sides;
 pub mod bake;
 pub mod reduced;
 
 pub use frame::{Channels, Frame, Sample};
+pub use sides::{Luma, Sides};
 pub use surface::{Facet, Surface};
 pub use tiles::{Picture, RenderView, Segment, draw};

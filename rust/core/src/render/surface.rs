@@ -86,6 +86,8 @@ pub(super) fn add_colors(
     sums: &mut [[f32; 3]],
 ) {
     let mut last: Option<Facet> = None;
+    // Only textures need the width, which takes two roots to compute.
+    let is_textured = !scene.textures.is_empty();
     for (n, (ray, hit)) in rays.iter().zip(hits).enumerate() {
         if hit.is_miss() {
             add(&mut sums[n], missed(n));
@@ -96,7 +98,8 @@ pub(super) fn add_colors(
             _ => *last.insert(Facet::new(scene, hit.instance, hit.face)),
         };
         let surface = facet.surface((hit.u, hit.v), ray.direction);
-        add(&mut sums[n], surface.color(scene, footprint(n).at(hit.t)));
+        let width = if is_textured { footprint(n).at(hit.t) } else { 0.0 };
+        add(&mut sums[n], surface.color(scene, width));
     }
 }
 

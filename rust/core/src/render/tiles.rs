@@ -205,16 +205,18 @@ impl<P: Picture> Painter<'_, P> {
     fn trace(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray], hits: &mut [Hit]) {
         for (n, ray) in rays.iter_mut().enumerate() {
             let (x, y) = position(tile, n, offset);
-            let (start, direction) = self.rays.at(x, y);
-            *ray = Ray {
-                origin: (self.eye + start).as_vec3(),
-                direction: direction.as_vec3(),
-                t_min: self.segment.t_min,
-                t_max: self.segment.t_max,
-            };
+            *ray = ray_at(&self.rays, self.eye, x, y, self.segment);
         }
         self.picture.trace(rays, hits, &Spots { tile, offset });
     }
+}
+
+/// Returns the ray through image position (x, y) from an eye, which is relative to the scene's origin.
+#[inline]
+pub(super) fn ray_at(rays: &Rays, eye: DVec3, x: f64, y: f64, segment: Segment) -> Ray {
+    let (start, direction) = rays.at(x, y);
+    let origin = (eye + start).as_vec3();
+    Ray { origin, direction: direction.as_vec3(), t_min: segment.t_min, t_max: segment.t_max }
 }
 
 #[inline]

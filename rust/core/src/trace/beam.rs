@@ -56,6 +56,61 @@ pub(crate) fn walk_set<I: Isa, F: HitFilter>(
     walk(isa, &tlas.wide, packet, &mut BeamInstances { tlas, instances: set.instances(), first, quest, room });
 }
 
+/// Returns true if the packet's beam meets a leaf of a set's trees or the box of a placed instance.
+#[inline(always)]
+pub(crate) fn touches_set<I: Isa>(isa: I, set: &InstanceSet, packet: &mut Packet) -> bool {
+    let Some(tlas) = set.tlas() else { return false };
+    let mut leaves = AnyLeaf { tlas, instances: set.instances(), found: false };
+    if let [instance] = set.instances()
+        && instance.in_place
+    {
+        if let Some(bvh) = instance.mesh.bvh() {
+            walk(isa, &bvh.wide, packet, &mut AnyTriangles { found: &mut leaves.found });
+        }
+        return leaves.found;
+    }
+    walk(isa, &tlas.wide, packet, &mut leaves);
+    leaves.found
+}
+
+struct AnyLeaf<'a> {
+    tlas: &'a Tlas,
+    instances: &'a [Instance],
+    found: bool,
+}
+
+impl<I: Isa> BeamLeaves<I> for AnyLeaf<'_> {
+    #[inline(always)]
+    fn visit(&mut self, isa: I, leaf: u32, _planes: &[f32; 6], packet: &mut Packet) -> bool {
+        let Some(slot) = self.tlas.instance(leaf) else { return false };
+        let instance = &self.instances[slot as usize];
+        match instance.mesh.bvh() {
+            Some(bvh) if instance.in_place => {
+                walk(isa, &bvh.wide, packet, &mut AnyTriangles { found: &mut self.found });
+            }
+            Some(_) => {
+                self.found = true;
+                packet.stop();
+            }
+            None => {}
+        }
+        false
+    }
+}
+
+struct AnyTriangles<'a> {
+    found: &'a mut bool,
+}
+
+impl<I: Isa> BeamLeaves<I> for AnyTriangles<'_> {
+    #[inline(always)]
+    fn visit(&mut self, _isa: I, _leaf: u32, _planes: &[f32; 6], packet: &mut Packet) -> bool {
+        *self.found = true;
+        packet.stop();
+        false
+    }
+}
+
 /// Action at a leaf, given its box. Returns true if a hit was found.
 trait BeamLeaves<I> {
     fn visit(&mut self, isa: I, leaf: u32, planes: &[f32; 6], packet: &mut Packet) -> bool;

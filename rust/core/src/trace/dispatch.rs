@@ -7,7 +7,7 @@ use super::beam::{self, Quest};
 use super::lanes::{Avx2, Avx512};
 use super::lanes::{InstructionSet, Isa, Portable};
 use super::packet::{Packet, RAYS};
-use super::ray::{Hit, HitFilter, Ray};
+use super::ray::{All, Hit, HitFilter, Ray};
 use super::single::{Search, walk_set};
 use crate::scene::{InstanceSet, Scene};
 
@@ -21,6 +21,19 @@ pub fn closest_hit(scene: &Scene, ray: &Ray, filter: &impl HitFilter) -> Hit {
 /// Nearest hits of many rays; neighbours in the slice are assumed to be coherent.
 pub fn closest_hits(scene: &Scene, rays: &[Ray], filter: &impl HitFilter, hits: &mut [Hit]) {
     closest_hits_with(InstructionSet::current(), scene, rays, filter, hits);
+}
+
+/// Writes the nearest hit of each ray, traced alone. This is faster than packets for rays that are not coherent, and
+/// where so many triangles lie between neighbouring rays that packets share few nodes of the tree.
+pub fn closest_hits_apart(scene: &Scene, rays: &[Ray], filter: &impl HitFilter, hits: &mut [Hit]) {
+    closest_hits_apart_with(InstructionSet::current(), scene, rays, filter, hits);
+}
+
+/// Returns false if no ray between four rays with one start can hit anything. It may return true for a near miss.
+pub fn beam_touches(scene: &Scene, corners: &[Ray; 4]) -> bool {
+    let mut touched = [true];
+    beam_touches_with(InstructionSet::current(), scene, corners, &All, &mut touched);
+    touched[0]
 }
 
 /// Writes for each ray whether it hits anything within its segment.
@@ -64,7 +77,9 @@ macro_rules! kernels {
 }
 
 kernels!(closest_hits_with, closest, Hit);
+kernels!(closest_hits_apart_with, one_by_one, Hit);
 kernels!(any_hits_with, any, bool);
+kernels!(beam_touches_with, touches, bool);
 
 #[inline(always)]
 fn closest<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F, hits: &mut [Hit]) {
@@ -92,6 +107,24 @@ fn closest<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], filter: &F
             one_by_one(isa, scene, rays, filter, hits);
         }
     }
+}
+
+#[inline(always)]
+fn touches<I: Isa, F: HitFilter>(isa: I, scene: &Scene, rays: &[Ray], _filter: &F, touched: &mut [bool]) {
+    let mut packet = Packet::new();
+    packet.clear();
+    // This is a loop because a closure would be compiled without the instruction set.
+    for (set, _) in numbered(scene) {
+        let Some(tlas) = set.tlas() else { continue };
+        if !packet.fill(isa, rays, &tlas.bounds) {
+            return;
+        }
+        packet.shorten(isa);
+        if beam::touches_set(isa, set, &mut packet) {
+            return;
+        }
+    }
+    touched.fill(false);
 }
 
 /// Least number of rays for which a packet saves time.

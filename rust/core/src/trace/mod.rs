@@ -19,7 +19,7 @@ mod triangle;
 pub use alpha::AlphaFilter;
 pub use cast::{Hits, Points, cast};
 pub use closest::{Closest, closest};
-pub use dispatch::{any_hits, closest_hit, closest_hits};
+pub use dispatch::{any_hits, beam_touches, closest_hit, closest_hits, closest_hits_apart};
 pub use lanes::{instruction_sets, use_instruction_set};
 pub use nearest::{Nearest, nearest};
 pub use ray::{All, Hit, HitFilter, Ray};

@@ -241,6 +241,12 @@ impl Packet {
         (near.le(far), near)
     }
 
+    /// Ends the walk, as if no box needed to be visited.
+    #[inline(always)]
+    pub(crate) fn stop(&mut self) {
+        self.beam.limit = f32::NEG_INFINITY;
+    }
+
     /// Distance beyond which no box needs to be visited.
     #[inline(always)]
     pub(crate) fn limit(&self) -> f32 {

@@ -3,4 +3,5 @@
 pub mod bake;
 pub mod frame;
 pub mod reduced;
+pub mod sides;
 pub mod truth;

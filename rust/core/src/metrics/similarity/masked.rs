@@ -61,7 +61,7 @@ impl<P: PixelRows> Masked<'_, P> {
         }
         let (taps, columns) = (self.weights.len(), end - first);
         let (before, after) = (taps / 2, taps - 1 - taps / 2);
-        let levels = self.levels(part);
+        let levels = self.pair.levels(&part, Some(&self.mask));
         let measure = Measure { levels, constants: self.constants };
         // Similarity and its second factor of a row's windows, and whether they hold; and what is needed where they don't.
         let (mut results, mut patch, mut again) = (vec![[0.0; 3]; columns], None, Vec::new());
@@ -121,17 +121,6 @@ impl<P: PixelRows> Masked<'_, P> {
             }
         }
         sums
-    }
-
-    /// About the means of what the mask names of a part, or one such value.
-    fn levels(&self, part: Region) -> [f64; 2] {
-        let mut rows = part.rows[0]..part.rows[1];
-        let named = |row| self.mask.first_and_last(row, part.columns).map(|(first, _)| (row, first));
-        let (row, column) = rows.find_map(named).unwrap_or((part.rows[0], part.columns[0]));
-        let near = Region { rows: [row, part.rows[1]], columns: [column, part.columns[1]] };
-        let levels = self.pair.levels(&near, Some(&self.mask));
-        let first = [&self.pair.reference, &self.pair.test].map(|image| image.at(row, column).wide());
-        if self.mask.names_samples(&near) { levels } else { first }
     }
 
     /// A row of fields, from `before` pixels left of the part on.

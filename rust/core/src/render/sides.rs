@@ -1,0 +1,303 @@
+//! Pictures of one scene from many sides, for comparisons with pictures of another scene from the same cameras: which
+//! pixels show the scene, and the luma of the pixels near them. Most of a picture of one object is sky, which no
+//! comparison needs.
+//!
+//! Pixels have the same bytes as those of `draw`, because a ray's hit does not depend on the rays traced beside it.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::tiles::{MAX_SAMPLES, Picture, Segment, TILE, check_reach, ray_at, sample_offsets};
+use super::truth::Truth;
+use crate::base::{Error, Progress, Result, memory::room_for};
+use crate::camera::{Camera, Rays};
+use crate::scene::Scene;
+use crate::scene::srgb::srgb_from_linear;
+use crate::trace::{All, AlphaFilter, Hit, HitFilter, Ray, any_hits, beam_touches, closest_hits, closest_hits_apart};
+
+/// Number of rays that are traced side by side.
+const PACKET: usize = 64;
+/// Number of rows of one task, a multiple of every block's height; also the side of a square that is tested for geometry.
+const ROWS: usize = 16;
+/// Number of triangles for each block of pixels, as if they were spread evenly over the picture, above which rays are
+/// traced one by one: they share so few nodes of the tree that a packet is slower. The number was measured on an object
+/// that covers a fifth of its picture.
+const CROWDED: f64 = 150.0;
+
+/// A scene and cameras around it, all with pictures of one size.
+pub struct Sides<'a> {
+    scene: &'a Scene,
+    cameras: &'a [Camera],
+    width: usize,
+    height: usize,
+}
+
+/// Settings of luma.
+#[derive(Clone, Copy, Debug)]
+pub struct Luma {
+    /// Colour samples of each pixel, 1 to `MAX_SAMPLES`.
+    pub samples: u32,
+    /// Weights of red, green and blue as sRGB codes.
+    pub weights: [f64; 3],
+    /// Distance across and down, in pixels, up to which the pixels around a shown one are computed.
+    pub reach: usize,
+}
+
+impl<'a> Sides<'a> {
+    /// Checks the cameras and builds the scene's trees.
+    pub fn new(scene: &'a Scene, cameras: &'a [Camera], progress: &Progress) -> Result<Self> {
+        let size = |camera: &Camera| (camera.width, camera.height);
+        let (width, height) = cameras.first().map_or((0, 0), size);
+        for camera in cameras {
+            check_reach("cameras", camera.position - scene.origin)?;
+            if size(camera) != (width, height) {
+                let (wide, high) = size(camera);
+                return Err(Error::value("cameras", format!("{width} × {height} pixels"), format!("{wide} × {high}")));
+            }
+        }
+        scene.build(progress)?;
+        Ok(Self { scene, cameras, width: width as usize, height: height as usize })
+    }
+
+    /// Returns whether each pixel's centre shows the scene, picture by picture and row by row.
+    pub fn silhouettes(&self, progress: &Progress) -> Result<Vec<bool>> {
+        let scene = self.scene;
+        if scene.has_cutouts() {
+            self.silhouettes_with(&AlphaFilter { scene, inner: All }, progress)
+        } else {
+            self.silhouettes_with(&All, progress)
+        }
+    }
+
+    /// Returns the luma, 0 to 255, of the pixels near those of `shown` (in the order of `silhouettes`), and 0 elsewhere.
+    pub fn luma(&self, shown: &[bool], how: &Luma, progress: &Progress) -> Result<Vec<f64>> {
+        if !(1..=MAX_SAMPLES).contains(&how.samples) {
+            return Err(Error::value("samples", format!("a whole number from 1 to {MAX_SAMPLES}"), how.samples));
+        }
+        if shown.len() != self.pixels() {
+            return Err(Error::value("shown", format!("{} pixels", self.pixels()), shown.len()));
+        }
+        let scene = self.scene;
+        if scene.has_cutouts() {
+            self.luma_with(&AlphaFilter { scene, inner: All }, shown, how, progress)
+        } else {
+            self.luma_with(&All, shown, how, progress)
+        }
+    }
+
+    fn pixels(&self) -> usize {
+        self.cameras.len() * self.width * self.height
+    }
+
+    /// Calls a function for each band of rows of each picture with the view, the picture's number, the band's first row
+    /// and its values.
+    fn bands<T: Copy + Default + Send>(
+        &self,
+        progress: &Progress,
+        paint: impl Fn(&View, usize, usize, &mut [T]) + Sync,
+    ) -> Result<Vec<T>> {
+        room_for((self.pixels() * size_of::<T>()) as u64)?;
+        progress.expect(self.pixels() as u64);
+        let mut values = vec![T::default(); self.pixels()];
+        let size = (self.width * self.height).max(1);
+        let pictures = values.par_chunks_mut(size).zip(self.cameras).enumerate();
+        pictures.try_for_each(|(number, (picture, camera))| {
+            let view = View { rays: camera.rays(), eye: camera.position - self.scene.origin };
+            picture.par_chunks_mut(ROWS * self.width).enumerate().try_for_each(|(band, values)| {
+                paint(&view, number, band * ROWS, values);
+                progress.report(values.len() as u64)
+            })
+        })?;
+        Ok(values)
+    }
+
+    /// Returns true if rays through a block of this height and width should be traced one by one.
+    fn is_crowded(&self, block: [usize; 2]) -> bool {
+        let share = (block[0] * block[1]) as f64 / (self.width * self.height).max(1) as f64;
+        self.scene.triangle_count() as f64 * share > CROWDED
+    }
+
+    fn silhouettes_with(&self, filter: &impl HitFilter, progress: &Progress) -> Result<Vec<bool>> {
+        let (scene, block) = (self.scene, [TILE, TILE]);
+        let is_crowded = self.is_crowded(block);
+        let order = pixel_order(block);
+        self.bands(progress, |view, _, first_row, shown| {
+            let size = [shown.len() / self.width, self.width];
+            let (mut pixels, mut rays) = (Vec::new(), Vec::new());
+            let (mut hits, mut any) = ([Hit::MISS; PACKET], [false; PACKET]);
+            for (part, part_size) in blocks([0, 0], size, [ROWS, ROWS]) {
+                let corners = [[0, 0], [0, part_size[1]], [part_size[0], 0], part_size];
+                let corner =
+                    |[down, right]: [usize; 2]| view.ray((part[1] + right) as f64, (first_row + part[0] + down) as f64);
+                if !beam_touches(scene, &corners.map(corner)) {
+                    continue;
+                }
+                for (start, size) in blocks(part, part_size, block) {
+                    pixels.clear();
+                    pixels.extend(pixels_of(start, size, &order));
+                    rays.clear();
+                    let center =
+                        |&[row, column]: &[usize; 2]| view.ray(column as f64 + 0.5, (first_row + row) as f64 + 0.5);
+                    rays.extend(pixels.iter().map(center));
+                    let (hits, any) = (&mut hits[..rays.len()], &mut any[..rays.len()]);
+                    if is_crowded {
+                        any_hits(scene, &rays, filter, any);
+                    } else {
+                        closest_hits(scene, &rays, filter, hits);
+                        any.iter_mut().zip(hits).for_each(|(any, hit)| *any = !hit.is_miss());
+                    }
+                    pixels.iter().zip(any).for_each(|([row, column], any)| shown[row * self.width + column] = *any);
+                }
+            }
+        })
+    }
+
+    fn luma_with<F: HitFilter>(&self, filter: &F, shown: &[bool], how: &Luma, progress: &Progress) -> Result<Vec<f64>> {
+        let samples = how.samples as usize;
+        let (offsets, block) = (sample_offsets(how.samples), block_of(samples));
+        let (scale, share) = (1.0 / f64::from(how.samples).sqrt(), 1.0 / how.samples as f32);
+        let (is_crowded, order) = (self.is_crowded(block), pixel_order(block));
+        let picture = Truth { scene: self.scene, filter: ByReference(filter) };
+        let size = self.width * self.height;
+        self.bands(progress, |view, number, first_row, luma| {
+            let rows = luma.len() / self.width;
+            let near = self.near(&shown[number * size..][..size], first_row, rows, how.reach);
+            let (mut pixels, mut places) = (Vec::new(), Vec::new());
+            let (mut rays, mut hits, mut sums) = (Vec::new(), Vec::new(), Vec::new());
+            for (start, size) in blocks([0, 0], [rows, self.width], block) {
+                pixels.clear();
+                pixels.extend(pixels_of(start, size, &order).filter(|[row, column]| near[row * self.width + column]));
+                if pixels.is_empty() {
+                    continue;
+                }
+                places.clear();
+                for &[row, column] in &pixels {
+                    let place = |offset: &[f64; 2]| (column as f64 + offset[0], (first_row + row) as f64 + offset[1]);
+                    places.extend(offsets.iter().map(place));
+                }
+                rays.clear();
+                rays.extend(places.iter().map(|&(x, y)| view.ray(x, y)));
+                hits.clear();
+                hits.resize(rays.len(), Hit::MISS);
+                if is_crowded {
+                    closest_hits_apart(self.scene, &rays, filter, &mut hits);
+                } else {
+                    closest_hits(self.scene, &rays, filter, &mut hits);
+                }
+                sums.clear();
+                sums.resize(rays.len(), [0.0f32; 3]);
+                let footprint = |n: usize| view.rays.footprint(places[n].0, places[n].1, scale);
+                picture.add_colors(&rays, &hits, footprint, &mut sums);
+                for ([row, column], colors) in pixels.iter().zip(sums.chunks(samples)) {
+                    let codes: [u8; 3] = std::array::from_fn(|i| {
+                        srgb_from_linear(colors.iter().map(|color| color[i]).sum::<f32>() * share)
+                    });
+                    luma[row * self.width + column] = (0..3).map(|i| how.weights[i] * f64::from(codes[i])).sum();
+                }
+            }
+        })
+    }
+
+    /// Returns for each pixel of some rows whether it is at most `reach` pixels across and down from a shown one.
+    fn near(&self, shown: &[bool], first_row: usize, rows: usize, reach: usize) -> Vec<bool> {
+        let width = self.width;
+        let mut near = vec![false; rows * width];
+        let mut line = vec![false; width + 2 * reach];
+        for (row, near) in (first_row..).zip(near.chunks_mut(width)) {
+            let down = &mut line[reach..reach + width];
+            down.fill(false);
+            for other in row.saturating_sub(reach)..self.height.min(row + reach + 1) {
+                down.iter_mut().zip(&shown[other * width..]).for_each(|(down, shown)| *down |= shown);
+            }
+            for shift in 0..=2 * reach {
+                near.iter_mut().zip(&line[shift..]).for_each(|(near, down)| *near |= down);
+            }
+        }
+        near
+    }
+}
+
+/// A camera's rays, and its position relative to the scene's origin.
+struct View {
+    rays: Rays,
+    eye: DVec3,
+}
+
+impl View {
+    /// Returns the ray through an image position.
+    fn ray(&self, x: f64, y: f64) -> Ray {
+        ray_at(&self.rays, self.eye, x, y, Segment::WHOLE)
+    }
+}
+
+/// A filter that is passed by reference.
+struct ByReference<'a, F>(&'a F);
+
+impl<F: HitFilter> HitFilter for ByReference<'_, F> {
+    const ACCEPTS_ALL: bool = F::ACCEPTS_ALL;
+
+    fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
+        self.0.accepts(ray, candidate)
+    }
+}
+
+/// Returns the height and width of the largest block of pixels whose samples fit into a packet, or of one pixel.
+fn block_of(samples: usize) -> [usize; 2] {
+    let mut block = [TILE, TILE];
+    while block[0] * block[1] * samples > PACKET && block != [1, 1] {
+        let longer = if block[0] < block[1] { 1 } else { 0 };
+        block[longer] /= 2;
+    }
+    block
+}
+
+/// Returns the pixels of a block, as rows and columns, square by square of 2 × 2 pixels, so that the lanes of a group
+/// hold neighbours.
+fn pixel_order([high, wide]: [usize; 2]) -> Vec<[usize; 2]> {
+    let mut pixels: Vec<_> = (0..high).flat_map(|row| (0..wide).map(move |column| [row, column])).collect();
+    pixels.sort_by_key(|[row, column]| [row / 2, column / 2, *row, *column]);
+    pixels
+}
+
+/// Returns those pixels that lie within a size, moved by the start.
+fn pixels_of(start: [usize; 2], size: [usize; 2], order: &[[usize; 2]]) -> impl Iterator<Item = [usize; 2]> {
+    let within = order.iter().filter(move |[row, column]| *row < size[0] && *column < size[1]);
+    within.map(move |[row, column]| [start[0] + row, start[1] + column])
+}
+
+/// Returns the first row and column and the size of each block of a part; the last ones may be smaller.
+fn blocks(
+    [top, left]: [usize; 2],
+    [rows, columns]: [usize; 2],
+    [high, wide]: [usize; 2],
+) -> impl Iterator<Item = ([usize; 2], [usize; 2])> {
+    (0..rows).step_by(high).flat_map(move |row| {
+        let size = move |column| [high.min(rows - row), wide.min(columns - column)];
+        (0..columns).step_by(wide).map(move |column| ([top + row, left + column], size(column)))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn blocks_fill_packets() {
+        let expected = [(1, [8, 8]), (2, [4, 8]), (3, [4, 4]), (4, [4, 4]), (9, [2, 2]), (32, [1, 2]), (65, [1, 1])];
+        for (samples, block) in expected {
+            assert_eq!(block_of(samples), block, "{samples}");
+        }
+    }
+
+    #[test]
+    fn blocks_hold_each_pixel_once() {
+        for block in [[8, 8], [4, 8], [2, 1], [1, 1]] {
+            let order = pixel_order(block);
+            let mut pixels: Vec<_> =
+                blocks([3, 5], [13, 11], block).flat_map(|(start, size)| pixels_of(start, size, &order)).collect();
+            pixels.sort_unstable();
+            let every: Vec<_> = (3..16).flat_map(|row| (5..16).map(move |column| [row, column])).collect();
+            assert_eq!(pixels, every, "{block:?}");
+        }
+    }
+}
