@@ -102,7 +102,7 @@ def maps_at_a_level() -> str:
 def pairs() -> str:
     """Table for 144 views of ten levels, each in the silhouette of a box."""
     random = np.random.default_rng(0)
-    views = random.random((144, 1, 96, 96), dtype=np.float32)
+    views = np.float32(0.9) * random.random((144, 1, 96, 96), dtype=np.float32)
     levels = views + np.float32(0.1) * random.random((144, 10, 96, 96), dtype=np.float32)
     y, x = np.mgrid[:96, :96]
     disc = np.broadcast_to(np.hypot(y - 48, x - 48) < 36, (144, 1, 96, 96))

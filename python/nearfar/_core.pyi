@@ -307,9 +307,11 @@ class Reduced:
     def near_bytes(self) -> int: ...
 
 # metrics ------------------------------------------------------------------------------------------------------------
-_Settings = tuple[str, int, float, tuple[float, float], int, bool, bool]
+_Settings = tuple[str, int, float, tuple[float, float], int, bool, bool, bool]
 
-def mean_squared_errors(references: NDArray[Any], tests: NDArray[Any]) -> list[float]: ...
+def mean_squared_errors(
+    references: NDArray[Any], tests: NDArray[Any], *, ranges: bool
+) -> list[tuple[float, float, float]]: ...
 def similarity(
     references: NDArray[Any],
     tests: NDArray[Any],
@@ -318,10 +320,10 @@ def similarity(
     masks: NDArray[np.uint8] | None = None,
     map_shape: tuple[int, ...] | None = None,
     report: _Report | None = None,
-) -> tuple[list[tuple[float, float]], NDArray[Any] | None]: ...
+) -> tuple[list[list[float]], NDArray[Any] | None]: ...
 def multiscale(
     references: NDArray[Any], tests: NDArray[Any], *, settings: _Settings, scales: int
-) -> list[list[list[float]]]: ...
+) -> list[tuple[list[list[float]], float, float]]: ...
 def discontinuity(
     position: _F32,
     *,

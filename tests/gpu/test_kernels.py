@@ -153,7 +153,7 @@ def test_equal_pictures_are_exactly_alike(device: _core.GpuDevice) -> None:
 
 
 # discontinuity --------------------------------------------------------------------------------------------------------
-TRUTHS = {
+TRUTHS: dict[str, nf.Camera | None] = {
     "own": None,
     "aside": view(0.4),
     "parallel": nf.Camera(
@@ -168,7 +168,7 @@ TRUTHS = {
 @pytest.mark.parametrize(("epsilon", "least"), [(17.03, 1.0), (5.01, 0.25), (200.3, 5.0), (1e4, 1.0)])
 def test_discontinuity_is_that_of_the_cpu(device: _core.GpuDevice, name: str, epsilon: float, least: float) -> None:
     truth = TRUTHS[name]
-    frame = gpu.render(street(), view(), channels=("position",))
+    frame = gpu.render(street(), view(size=truth.size if truth else (96, 60)), channels=("position",))
     found = gpu.discontinuity(frame, truth, epsilon=epsilon, min_distance=least)
     expected = nf.discontinuity(frame.read(), truth, epsilon=epsilon, min_distance=least)
     np.testing.assert_array_equal(np.isnan(found), np.isnan(expected))
@@ -181,14 +181,30 @@ def test_discontinuity_is_that_of_the_cpu(device: _core.GpuDevice, name: str, ep
 
 
 def test_heaps_of_many_points_are_added_up_whole(device: _core.GpuDevice) -> None:
-    # More points in one cell than the iterations after which software drivers end a loop.
-    frame = gpu.render(street(), view(size=(390, 240)), channels=("position",))
-    heap = nf.Camera(view().position, view().orientation, fov=view().fov, size=(2, 2))
-    found = gpu.discontinuity(frame, heap, epsilon=9.0)
-    expected = nf.discontinuity(frame.read(), heap, epsilon=9.0)
-    assert np.isfinite(expected).sum() > 1 << 16
-    # 4,096 terms at a time are added in float32.
-    np.testing.assert_allclose(found, expected, rtol=4096 * EPSILON)
+    # Four squares and a point amidst them lie in nine cells of 4 pixels of the truth. The point looks at more points
+    # than the turns after which software drivers end loops, and each square has more of them than a call takes.
+    side, size = np.array([2 / 3, 1.0]), (780, 780)
+    squares = [(a * side, b * side) for a in (-1, 1) for b in (-1, 1)] + [(side * 0.03 - 0.025,) * 2]
+    corners = np.array([(x, y, -1) for xs, ys in squares for y in ys for x in xs], np.float32)
+    faces = [[4 * n + i for i in face] for n in range(len(squares)) for face in ((0, 1, 2), (1, 3, 2))]
+    shot, heap = (nf.Camera((0, 0, 0), fov=nf.Fov(-t, t, -t, t), size=size) for t in (1, 65))
+    frame = gpu.render(nf.Scene.from_arrays(corners, faces), shot, channels=("position",))
+    read = frame.read()
+    points = read.require("position").reshape(-1, 3).astype(np.float64)
+    cells = heap.project(points[np.isfinite(points[:, 0])])[:, :2] // 4
+    places, counts = np.unique(cells, axis=0, return_counts=True)
+    assert np.ptp(places, axis=0).tolist() == [2, 2]
+    assert counts.sum() > 1 << 16
+    assert np.sort(counts)[1] > 1 << 12
+    found = gpu.discontinuity(frame, heap, epsilon=1.0137)
+    # Places are rounded to some 1e-5 pixels, and of thousands of neighbours some at the distance ε may count or not.
+    np.testing.assert_allclose(found + 1, nf.discontinuity(read, heap, epsilon=1.0137) + 1, rtol=5e-3)
+
+
+def test_a_truth_of_another_size_is_refused(device: _core.GpuDevice) -> None:
+    frame = gpu.render(street(), view(), channels=("position",))
+    with pytest.raises(ValueError, match="truth_camera: expected 96 × 60 pixels, as the frame has, got 48 × 30"):
+        gpu.discontinuity(frame, view(size=(48, 30)))
 
 
 def test_discontinuity_checks_its_arguments(device: _core.GpuDevice) -> None:

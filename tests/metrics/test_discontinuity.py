@@ -76,6 +76,17 @@ def test_walls_are_torn_at_the_boundary_by_the_conventional_method_alone() -> No
     assert torn["none"] > 5 * torn["blend"]
 
 
+def test_a_truth_of_another_size_is_refused(frames: dict[str, nf.Frame]) -> None:
+    # Half the pixels across would halve every distance in the truth, and an intact picture would be torn.
+    frame = frames["truth"]
+    half = nf.Camera(frame.camera.position, frame.camera.orientation, fov=frame.camera.fov, size=(48, 30))
+    for wrong in (half, nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90, 1), size=(96, 61))):
+        with pytest.raises(ValueError, match="truth_camera: expected 96 × 60 pixels, as the frame has, got"):
+            nf.discontinuity(frame, wrong)
+    same = nf.Camera(frame.camera.position, frame.camera.orientation, fov=frame.camera.fov, size=(96, 60))
+    np.testing.assert_array_equal(nf.discontinuity(frame, same), nf.discontinuity(frame))
+
+
 def test_pixels_without_a_surface_or_neighbours_have_none(frames: dict[str, nf.Frame]) -> None:
     sky = np.isnan(frames["truth"].require("position")[..., 0])
     assert sky.any()

@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from tests.support.similarity_oracle import pictures, slow_maps, slow_masked, weights
+from tests.support.similarity_oracle import pictures, slow_maps, slow_masked, unlimited, weights
 
 
 def hard_pictures() -> Iterator[tuple[str, NDArray[np.float32], NDArray[np.float32], float]]:
@@ -31,10 +31,11 @@ def hard_pictures() -> Iterator[tuple[str, NDArray[np.float32], NDArray[np.float
 @pytest.mark.parametrize("case", list(hard_pictures()), ids=lambda case: case[0])
 def test_float32_stays_with_float64(case: tuple[str, NDArray[np.float32], NDArray[np.float32], float]) -> None:
     _, a, b, extent = case
-    for options in ({}, {"window": "uniform", "size": 7}, {"window": "gaussian", "size": 10}):
-        mean, found = nf.ssim(a, b, data_range=extent, full=True, **options)  # type: ignore[arg-type]
-        double = (p.astype(np.float64) for p in (a, b))
-        exact_mean, exact = nf.ssim(*double, data_range=extent, full=True, **options)  # type: ignore[arg-type]
+    windows: list[dict[str, Any]] = [{}, {"window": "uniform", "size": 7}, {"window": "gaussian", "size": 10}]
+    for window in windows:
+        options = {**window, **unlimited(a, b, extent=extent)}
+        mean, found = nf.ssim(a, b, full=True, **options)
+        exact_mean, exact = nf.ssim(*(p.astype(np.float64) for p in (a, b)), full=True, **options)
         assert abs(mean - exact_mean) < 1e-6
         assert np.abs(found - exact).max() < 1e-5
 
@@ -62,19 +63,19 @@ def test_digits_are_kept_beside_outliers(kind: type, window: str) -> None:
     size = 11 if window == "gaussian" else 4
     for name, a, b in outliers(kind):
         exact, _ = slow_maps(a[30:70, 40:80], b[30:70, 40:80], weights(window, size), 1.0)
-        exact = exact[size:-size, size:-size]
-        _, found = nf.ssim(a, b, data_range=1, window=window, size=size, full=True)
+        exact, options = exact[size:-size, size:-size], unlimited(a, b)
+        _, found = nf.ssim(a, b, **options, window=window, size=size, full=True)
         part = found[30:70, 40:80][size:-size, size:-size]
         np.testing.assert_allclose(part, exact, rtol=0, atol=1e-5 if kind == np.float32 else 1e-10, err_msg=name)
         near = np.abs(a[30:70, 40:80]) < 1
         if not near.any():
             continue
-        seen = nf.ssim(a[30:70, 40:80], b[30:70, 40:80], data_range=1, mask=near, masking="windows", full=True).map
+        seen = nf.ssim(a[30:70, 40:80], b[30:70, 40:80], **options, mask=near, masking="windows", full=True).map
         expected = slow_masked(a[30:70, 40:80], b[30:70, 40:80], near, weights("gaussian", 11), 1.0)
         np.testing.assert_allclose(seen, expected, rtol=0, atol=1e-10 if kind == np.float64 else 1e-6, err_msg=name)
         whole = np.ones(a.shape, bool)
-        both = nf.ssim(a, b, data_range=1, mask=whole, masking="windows", full=True).map[60:, 80:]
-        alone = nf.ssim(a[40:, 60:], b[40:, 60:], data_range=1, mask=whole[40:, 60:], masking="windows", full=True).map
+        both = nf.ssim(a, b, **options, mask=whole, masking="windows", full=True).map[60:, 80:]
+        alone = nf.ssim(a[40:, 60:], b[40:, 60:], **options, mask=whole[40:, 60:], masking="windows", full=True).map
         np.testing.assert_allclose(
             both, alone[20:, 20:], rtol=0, atol=1e-9 if kind == np.float64 else 1e-6, err_msg=name
         )
@@ -93,10 +94,11 @@ def test_what_no_window_of_a_mask_sees_has_no_effect(kind: type) -> None:
         if far.all():
             continue
         plain: list[NDArray[Any]] = [np.where(np.abs(a) > 1, 0.5, p).astype(kind) for p in (a, b)]
-        expected = nf.ssim(*plain, data_range=1, mask=~far)
+        options = unlimited(a, b)
+        expected = nf.ssim(*plain, **options, mask=~far)
         # Local means differ, and with them rounding.
         tolerance = 1e-12 if kind == np.float64 else 1e-6
-        assert nf.ssim(a, b, data_range=1, mask=~far) == pytest.approx(expected, abs=tolerance), name
+        assert nf.ssim(a, b, **options, mask=~far) == pytest.approx(expected, abs=tolerance), name
 
 
 def test_even_areas_far_from_the_level_are_rounded_alike_and_still_exact() -> None:
@@ -104,10 +106,12 @@ def test_even_areas_far_from_the_level_are_rounded_alike_and_still_exact() -> No
     left = np.arange(128) < 64
     random = np.random.default_rng(0)
 
-    def apart(a: NDArray[Any], b: NDArray[Any], **options: Any) -> float:
+    def apart(a: NDArray[Any], b: NDArray[Any], k1: float = 0.01) -> float:
         single = [p.astype(np.float32) for p in (a, b)]
         double = [p.astype(np.float64) for p in single]
-        return float(abs(nf.ssim(*single, data_range=1, **options) - nf.ssim(*double, data_range=1, **options)))
+        options = unlimited(a, b)
+        options["k1"] *= k1 / 0.01
+        return float(abs(nf.ssim(*single, **options) - nf.ssim(*double, **options)))
 
     for dark, bright in ((4.3e-3, 2.161), (4.3e-3, 1.04), (1e-6, 0.5), (0.02, 900.0)):
         for k1 in (0.01, 1e-3, 1e-6):
@@ -126,8 +130,9 @@ def test_values_about_zero_and_beyond_the_range_keep_their_luminance() -> None:
     for scale in (1, 10, 100):
         for step in (0, 30, 5000):
             a, b = ((scale * p + np.where(np.arange(150) < 64, 0, step)).astype(np.float32) for p in (noise, other))
-            found = nf.ssim(a, b, data_range=1, full=True).map
-            exact = nf.ssim(a.astype(np.float64), b.astype(np.float64), data_range=1, full=True).map
+            options = unlimited(a, b)
+            found = nf.ssim(a, b, **options, full=True).map
+            exact = nf.ssim(a.astype(np.float64), b.astype(np.float64), **options, full=True).map
             np.testing.assert_allclose(found, exact, rtol=0, atol=1e-5, err_msg=f"{scale} {step}")
 
 
@@ -137,8 +142,8 @@ def test_contrasts_beyond_the_exponents_are_not_taken_for_none() -> None:
         # At greater scales the rounding of the mean exceeds c1, and the similarity is undefined.
         for scale in (1.0, 1e10, 1e20):
             a = (checks * scale).astype(kind)
-            assert nf.ssim(a, -a, data_range=1, window="uniform", size=8) == pytest.approx(-1.0, abs=1e-2)
-            assert nf.ssim(a, -a, data_range=1, window="global") == pytest.approx(-1.0, abs=1e-2)
+            assert nf.ssim(a, -a, **unlimited(a), window="uniform", size=8) == pytest.approx(-1.0, abs=1e-2)
+            assert nf.ssim(a, -a, **unlimited(a), window="global") == pytest.approx(-1.0, abs=1e-2)
 
 
 @pytest.mark.parametrize(("size", "sigma"), [(10, 0.01), (11, 0.01), (10, 1e-200), (4, 1e3), (1, 0.1)])
@@ -160,7 +165,7 @@ def test_float64_keeps_the_variance_at_any_level() -> None:
     # Multiples of 2⁻²⁰ survive adding 10⁸, so that the shifted pictures differ only by their mean.
     a, b = (np.round(p * 2**20) / 2**20 for p in (a, b))
     shifted, _ = slow_maps(a + 1e8, b + 1e8, weights("gaussian", 11), 1.0)
-    found = nf.ssim(a + 1e8, b + 1e8, data_range=1, full=True).map
+    found = nf.ssim(a + 1e8, b + 1e8, **unlimited(a + 1e8), full=True).map
     np.testing.assert_allclose(found, shifted, rtol=0, atol=1e-9)
 
 

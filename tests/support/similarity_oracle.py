@@ -17,6 +17,12 @@ def pictures(height: int = 37, width: int = 53) -> tuple[Array, Array]:
     return first, np.clip(first + 0.05 * np.sin(1.7 * x - 0.9 * y), 0, 1)
 
 
+def unlimited(*pictures: NDArray[Any], extent: float = 1.0) -> dict[str, Any]:
+    """Arguments of `ssim` with the constants of a data range, but one that holds whatever values pictures have."""
+    holds = max(extent, 2.0 * max(float(np.abs(picture[np.isfinite(picture)]).max()) for picture in pictures))
+    return {"data_range": holds, "k1": 0.01 * extent / holds, "k2": 0.03 * extent / holds}
+
+
 def weights(window: str, size: int, sigma: float = 1.5) -> Array:
     """Weights along one direction, which sum to 1."""
     offsets = np.arange(size) - (size - 1) / 2

@@ -26,7 +26,8 @@ def discontinuity(
         Frame with `position`, the unmorphed scene point of each pixel. Far pixels of a reduced scene have it if the
         map was baked with range.
     truth_camera
-        View of the true picture; by default the frame's camera.
+        View of the true picture, of the frame's size in pixels, because distances in pixels of both are compared; by
+        default the frame's camera.
     epsilon
         Radius ε of the neighbourhood in pixels of the truth, from 10⁻⁶ to 10,000. Time grows with its square.
     min_distance
@@ -42,14 +43,14 @@ def discontinuity(
     Raises
     ------
     ValueError, TypeError
-        For frames without positions and arguments out of their domains.
+        For frames without positions, a `truth_camera` of another size, and arguments out of their domains.
 
     References
     ----------
     Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
     """
     check.instance("frame", frame, Frame)
-    camera = frame.camera if truth_camera is None else check.instance("truth_camera", truth_camera, Camera)
+    camera = truth_view(frame.camera, truth_camera)
     position = np.ascontiguousarray(frame.require("position"), np.float32)
     with progress.bar("measuring discontinuity") as report:
         flat = _core.discontinuity(
@@ -62,6 +63,18 @@ def discontinuity(
             report=report,
         )
     return flat.reshape(position.shape[:2])
+
+
+def truth_view(own: Camera, truth: Camera | None) -> Camera:
+    """Return the truth's camera, by default a frame's own; TypeError or ValueError for one of another size."""
+    if truth is None:
+        return own
+    (width, height), expected = check.instance("truth_camera", truth, Camera).size, own.size
+    if (width, height) != expected:
+        raise ValueError(
+            f"truth_camera: expected {expected[0]} × {expected[1]} pixels, as the frame has, got {width} × {height}"
+        )
+    return truth
 
 
 def boundary(frame: Frame, *, center: ArrayLike, radius: float, width: int = 2) -> NDArray[np.bool_]:

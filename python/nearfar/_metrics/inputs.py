@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,6 +19,10 @@ GREATEST = 1e150
 
 _KERNEL_TYPES = (np.uint8, np.uint16, np.float32)
 """Types that kernels read beside float64, which they take for all that do not fit into these."""
+
+
+_MODES = ("1", "L", "RGB", "I", "F", "I;16", "I;16L", "I;16B", "I;16N")
+"""Modes of Pillow images whose values are those of their pixels: grey of any depth, and RGB."""
 
 
 class Pair(NamedTuple):
@@ -37,6 +42,38 @@ class Pair(NamedTuple):
             f"{names[0]}: expected values up to {GREATEST:g}, whose squares float64 holds, got greater ones"
         )
 
+    @property
+    def may_exceed(self) -> bool:
+        """Whether the pictures' type holds values that differ by more than `data_range`."""
+        kind = self.reference.dtype
+        return kind.kind == "f" or np.iinfo(kind).max > self.extent()
+
+    def is_beyond(self, least: float, greatest: float) -> bool:
+        """Whether values differ by more than `data_range`.
+
+        Whole numbers are exact. Real numbers may exceed it by their own rounding, and by a millionth, which is what
+        weights that sum to 1 up to float32's rounding add: Rec. 709's make the luma of white 1.0000001. Filters that
+        overshoot exceed it by percents, and do not get away with it.
+        """
+        extent, allowed = self.extent(), 0.0
+        if self.reference.dtype.kind == "f":
+            allowed = 1e-6 * extent + float(np.finfo(self.reference.dtype).eps) * (abs(least) + abs(greatest))
+        return greatest - least > extent + allowed
+
+    def check_values(self, least: float, greatest: float) -> None:
+        """Refuse pictures whose least and greatest value differ by more than `data_range`."""
+        if self.is_beyond(least, greatest):
+            raise ValueError(
+                f"data_range: expected at least {greatest - least:.9g}, because the pictures' values reach from "
+                f"{least:.9g} to {greatest:.9g}, got {self.extent():.9g}"
+            )
+
+    def channels_first(self, axis: int | None) -> Pair:
+        """Move the axis of the channels to the front, without a copy."""
+        if axis is None:
+            return self
+        return Pair(np.moveaxis(self.reference, axis, 0), np.moveaxis(self.test, axis, 0), self.data_range)
+
     def extent(self) -> float:
         """Return `data_range`; ValueError if it is unknown, because it is never guessed."""
         if self.data_range is None:
@@ -52,13 +89,14 @@ def pair(reference: ArrayLike | Frame, test: ArrayLike | Frame, data_range: floa
     Raises
     ------
     ValueError
-        For different shapes, empty pictures and frames without colour.
+        For different shapes, empty pictures, frames without colour or with a `data_range`, and Pillow images of a mode
+        that is neither grey nor RGB.
     TypeError
         For values that are not numbers, and for a frame together with an array.
     """
     if isinstance(reference, Frame) and isinstance(test, Frame):
         first, second = luma(reference), luma(test)
-        data_range = 1.0 if data_range is None else data_range
+        data_range = frame_extent(data_range)
     elif isinstance(reference, Frame) or isinstance(test, Frame):
         raise TypeError("test: expected two frames or two arrays, got one of each")
     else:
@@ -68,6 +106,42 @@ def pair(reference: ArrayLike | Frame, test: ArrayLike | Frame, data_range: floa
     if not first.size:
         raise ValueError(f"reference: expected at least one value, got shape {first.shape}")
     return Pair(first, second, data_range)
+
+
+def frame_extent(data_range: float | None) -> float:
+    """Return the range of a frame's values, 1; ValueError for any other range that a caller gives."""
+    if data_range is not None:
+        raise ValueError(f"data_range: expected none for frames, whose values are 0 to 1, got {data_range!r}")
+    return 1.0
+
+
+def channel_axis(pair: Pair, axis: int | None) -> int | None:
+    """Find the axis of the channels; None for (H, W). ValueError for what is not one picture."""
+    shape = pair.reference.shape
+    if axis is not None:
+        if len(shape) != 3:
+            raise ValueError(f"channel_axis: expected three axes, or None for (H, W), got {axis} with shape {shape}")
+        return check.integer("channel_axis", axis, -3, 2)
+    if len(shape) < 2:
+        raise ValueError(f"reference: expected shape (H, W), (H, W, 1) or (H, W, 3), got {shape}")
+    if len(shape) == 2:
+        return None
+    refuse_alpha(shape, "give channel_axis=-1 to compare all as channels")
+    if len(shape) > 3 or shape[-1] not in (1, 3):
+        raise ValueError(
+            f"channel_axis: expected the axis of the channels of one picture, because shape {shape} is neither (H, W) "
+            f"nor (H, W, 3), got None; nearfar.ssim_pairs compares stacks of pictures (..., H, W)"
+        )
+    return -1
+
+
+def refuse_alpha(shape: tuple[int, ...], otherwise: str) -> None:
+    """Refuse pictures whose last axis is that of grey and alpha or RGB and alpha: alpha that is even hides errors."""
+    if len(shape) > 2 and shape[-1] in (2, 4):
+        raise ValueError(
+            f"reference: expected pictures without alpha, got shape {shape}; drop it by "
+            f"image[..., :{shape[-1] - 1}], or {otherwise}"
+        )
 
 
 def stack(
@@ -101,16 +175,30 @@ def mask_of(mask: ArrayLike, name: str = "mask") -> NDArray[np.uint8]:
 
 def numbers(name: str, value: ArrayLike) -> NDArray[Any]:
     """Return an array of real numbers or bools; ValueError or TypeError otherwise."""
+    for part in value if isinstance(value, list | tuple) else (value,):
+        _check_mode(name, part)
     values = check.plain(name, value)
     if values.dtype.kind not in "biuf":
         raise TypeError(f"{name}: expected real numbers, got {type(value).__name__} of type {values.dtype}")
     return values
 
 
+def _check_mode(name: str, value: object) -> None:
+    """Refuse Pillow images whose values are no grey or RGB: NumPy would compare indices into palettes, and alpha."""
+    # Whoever has an image has loaded Pillow.
+    pillow = sys.modules.get("PIL.Image")
+    if pillow is not None and isinstance(value, pillow.Image) and value.mode not in _MODES:
+        raise ValueError(
+            f"{name}: expected an image of mode {', '.join(_MODES)}, got {value.mode!r}; convert it by "
+            f"image.convert('RGB') or image.convert('L')"
+        )
+
+
 def _readable(array: NDArray[Any], dtype: DTypeLike) -> NDArray[Any]:
     """Convert arrays that kernels cannot read: other types or byte orders, negative or misaligned strides."""
     target = np.dtype(dtype)
-    typed = array.view(np.uint8) if array.dtype.kind == "b" else array
+    # Pillow's images of mode "1" are bools whose bytes are 255.
+    typed = (array.view(np.uint8) != 0).view(np.uint8) if array.dtype.kind == "b" else array
     typed = typed.astype(target, copy=False)
     plain = typed.flags.aligned and all(step >= 0 and step % target.itemsize == 0 for step in typed.strides)
     # `copy=True` is needed: NumPy calls an axis of length 1 contiguous whatever its stride.

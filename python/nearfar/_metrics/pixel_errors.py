@@ -20,8 +20,8 @@ def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
     Parameters
     ----------
     reference, test
-        Arrays of one shape, of any number type (uint8, uint16, float32 and float64 are read without a copy); or two
-        frames, whose sRGB-encoded Rec. 709 luma in 0..1 is compared.
+        Arrays of one shape, of any number type (uint8, uint16, float32 and float64 are read without a copy); Pillow
+        images, grey or RGB; or two frames, whose sRGB-encoded Rec. 709 luma in 0..1 is compared.
 
     Returns
     -------
@@ -32,11 +32,12 @@ def rmse(reference: ArrayLike | Frame, test: ArrayLike | Frame) -> float:
     Raises
     ------
     ValueError
-        For different shapes, empty pictures, frames without colour, values that are not finite or beyond 1e150.
+        For different shapes, empty pictures, frames without colour, values that are not finite or beyond 1e150, and
+        three or more axes whose last is 2 or 4 long, which would count alpha.
     TypeError
         For values that are not numbers, and for a frame together with an array.
     """
-    return math.sqrt(_mean_squared_error(inputs.pair(reference, test)))
+    return math.sqrt(_mean_squared_error(inputs.pair(reference, test), ranges=False)[0])
 
 
 def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: float | None = None) -> float:
@@ -48,7 +49,8 @@ def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: f
         As in `rmse`.
     data_range
         Difference between the greatest and the least possible value, such as 255 for 8 bits. Arrays need it, because it
-        is never guessed; for frames it is 1.
+        is never guessed, and their values may differ by no more (for floats a millionth more, which is rounding).
+        Frames take none: theirs is 1.
 
     Returns
     -------
@@ -58,11 +60,13 @@ def psnr(reference: ArrayLike | Frame, test: ArrayLike | Frame, *, data_range: f
     Raises
     ------
     ValueError, TypeError
-        As in `rmse`, and for arrays without a positive `data_range`.
+        As in `rmse`, for arrays without a positive `data_range` or with values that differ by more, and for frames with
+        one.
     """
     pair = inputs.pair(reference, test, data_range)
     peak = pair.extent()
-    error = _mean_squared_error(pair)
+    error, least, greatest = _mean_squared_error(pair, ranges=pair.may_exceed)
+    pair.check_values(least, greatest)
     return math.inf if error == 0.0 else 20.0 * math.log10(peak) - 10.0 * math.log10(error)
 
 
@@ -97,12 +101,14 @@ def object_completion(reference_ids: ArrayLike, test_ids: ArrayLike) -> tuple[fl
     return (math.nan, math.nan) if completion is None else completion
 
 
-def _mean_squared_error(pair: inputs.Pair) -> float:
+def _mean_squared_error(pair: inputs.Pair, *, ranges: bool) -> tuple[float, float, float]:
+    """Mean of the squared differences, and with `ranges` the least and the greatest value of both pictures."""
+    inputs.refuse_alpha(pair.reference.shape, "give numbers that are no colours as two axes")
     rows = [_rows(picture) for picture in (pair.reference, pair.test)]
-    error = _core.mean_squared_errors(*rows)[0]
-    if not math.isfinite(error):
+    found = _core.mean_squared_errors(*rows, ranges=ranges)[0]
+    if not math.isfinite(found[0]):
         raise pair.refuse()
-    return error
+    return found
 
 
 def _rows(picture: NDArray[Any]) -> NDArray[Any]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -15,16 +14,8 @@ from nearfar._base import check, progress
 from nearfar._metrics import inputs
 from nearfar._metrics.inputs import Pair
 from nearfar._metrics.result import Similarity
+from nearfar._metrics.window import Window
 from nearfar._render.frame import Frame
-
-WINDOWS = ("gaussian", "uniform", "global")
-"""Names of the windows that `ssim` describes."""
-
-CONVENTIONS = ("wang", "wang-downsampled", "skimage", "full")
-"""Names of the conventions that `ssim` describes."""
-
-MASKINGS = ("mean", "windows")
-"""Names of the maskings that `ssim` describes."""
 
 NAMES = ("references", "tests")
 """Argument names of `ssim_pairs` for error messages."""
@@ -34,69 +25,6 @@ SCALE_WEIGHTS = (0.0448, 0.2856, 0.3001, 0.2363, 0.1333)
 
 _LONG = 1 << 26
 """Least number of pixels at which a progress bar is shown and Ctrl-C is checked."""
-
-_CONSTANTS = (1e-140, 1e140)
-"""Least and greatest constants c1 and c2 whose product float64 holds with all digits."""
-
-
-@dataclass(frozen=True)
-class Window:
-    """Settings of the windows and constants of the similarity, checked."""
-
-    name: str
-    size: int
-    sigma: float
-    k1: float
-    k2: float
-    convention: str = "wang"
-    masking: str = "mean"
-    masked: bool = False
-
-    def __post_init__(self) -> None:
-        check.choice("window", self.name, WINDOWS)
-        convention = check.choice("convention", self.convention, CONVENTIONS)
-        check.choice("masking", self.masking, MASKINGS)
-        if self.masking == "windows" and not self.masked:
-            raise ValueError("masking: expected a mask with 'windows', got none")
-        if self.masking == "windows" and convention in ("skimage", "wang-downsampled"):
-            reason = "knows no masked windows" if convention == "skimage" else "makes pictures smaller without the mask"
-            raise ValueError(f"masking: expected 'mean' with convention={convention!r}, which {reason}, got 'windows'")
-        least = 2 if convention == "skimage" and self.name != "global" else 1
-        object.__setattr__(self, "size", check.integer("size", self.size, least, 10_001))
-        for name in ("sigma", "k1", "k2"):
-            object.__setattr__(self, name, check.positive(name, getattr(self, name)))
-
-    def shrink(self, height: int, width: int) -> int:
-        """Factor of the downsampling before the comparison: to about 256 pixels for "wang-downsampled", else 1."""
-        if self.convention != "wang-downsampled":
-            return 1
-        return max(1, math.floor(min(height, width) / 256 + 0.5))
-
-    def settings(self, pair: Pair) -> _core._Settings:
-        """Return the kernel's settings, which are the same for every pair of a comparison."""
-        height, width = pair.reference.shape[-2:]
-        extent = pair.extent()
-        # Products overflow to infinity; powers would raise.
-        c1, c2 = (k * extent * k * extent for k in (self.k1, self.k2))
-        if not _CONSTANTS[0] <= min(c1, c2) <= max(c1, c2) <= _CONSTANTS[1]:
-            raise ValueError(
-                f"data_range, k1, k2: expected squares of k1 data_range and k2 data_range from {_CONSTANTS[0]:g} to "
-                f"{_CONSTANTS[1]:g}, got {c1:g} and {c2:g}"
-            )
-        if self.convention == "skimage":
-            # Sample covariances are N/(N − 1) times the population's; dividing c2 by that factor has the same effect.
-            count = height * width if self.name == "global" else self.size**2
-            c2 *= (count - 1) / count if count > 1 else 1.0
-        factor = self.shrink(height, width)
-        return (
-            self.name,
-            self.size,
-            self.sigma,
-            (c1, c2),
-            factor,
-            self.convention == "full",
-            self.masking == "windows",
-        )
 
 
 def ssim(
@@ -112,6 +40,7 @@ def ssim(
     mask: ArrayLike | None = None,
     masking: str = "mean",
     convention: str = "wang",
+    channel_axis: int | None = None,
     full: bool = False,
 ) -> Similarity:
     """Compute the structural similarity (SSIM) of two pictures.
@@ -119,8 +48,9 @@ def ssim(
     Parameters
     ----------
     reference, test
-        (H, W) or (H, W, C) of one shape; channels are compared one by one and averaged. uint8, uint16, float32 and
-        float64 are read without a copy. Or two frames, as in `rmse`.
+        (H, W), (H, W, 1) or (H, W, 3) of one shape, or with `channel_axis` three axes of any lengths; channels are
+        compared one by one and averaged. uint8, uint16, float32 and float64 are read without a copy. Or two frames or
+        Pillow images, as in `rmse`.
     data_range
         As in `psnr`.
     window
@@ -140,6 +70,8 @@ def ssim(
         "wang": windows that lie within the picture, as in Wang's ssim_index.m. "skimage": the same with sample
         covariances (N/(N − 1)), scikit-image's default. "full": all windows, with the picture mirrored at its borders.
         "wang-downsampled": "wang" after downsampling to about 256 pixels, as in Wang's ssim.m.
+    channel_axis
+        Axis of the channels, however many there are, -3 to 2; by default the last one if its length is 1 or 3.
     full
         Whether to return the similarity around each pixel as well.
 
@@ -147,17 +79,19 @@ def ssim(
     -------
     Similarity
         The mean, a float of at most 1; exactly 1 for equal pictures, and the same for exchanged arguments. If no window
-        lies within the picture, all windows count. With `full` its `map`, (H, W) or (H, W, C) (smaller if downsampled),
-        float64 for float64 and float32 for other types; for the map, pictures are mirrored at their borders. The map is
-        NaN where a window contains no pixel of the mask. In float64, mean and map differ from scikit-image's by less
-        than 1e-12 and 1e-10. Other types are computed in float32 about local means and differ from float64's results
-        by less than 1e-6 and 1e-5. Parts of pictures whose range of values would lose digits are computed in float64,
-        or window by window.
+        lies within the picture, all windows count. With `full` its `map`, in the picture's shape (smaller if
+        downsampled), float64 for float64 and float32 for other types; for the map, pictures are mirrored at their
+        borders. The map is NaN where a window contains no pixel of the mask. In float64, mean and map differ from
+        scikit-image's by less than 1e-12 and 1e-10. Other types are computed in float32 about local means and differ
+        from float64's results by less than 1e-6 and 1e-5. Parts of pictures whose range of values would lose digits are
+        computed in float64, or window by window.
 
     Raises
     ------
     ValueError, TypeError
-        As in `psnr`, and for windows, sizes and masks out of their domains.
+        As in `psnr`, and for windows, sizes and masks out of their domains, and for three axes whose last is neither 1
+        nor 3 long without `channel_axis`. Of masked pictures only the pixels that windows see must lie within
+        `data_range`.
 
     References
     ----------
@@ -165,15 +99,18 @@ def ssim(
     """
     settings = Window(window, size, sigma, k1, k2, convention, masking, mask is not None)
     pair = inputs.pair(reference, test, data_range)
-    channels = _channels_first(pair)
+    axis = inputs.channel_axis(pair, channel_axis)
+    channels = pair.channels_first(axis)
     masks = None if mask is None else _masks(mask, channels.reference.shape, settings)
-    sums, maps = _compare(channels, settings, masks, full=full)
+    sums, ranges, maps = _compare(channels, settings, masks, full=full)
     if not np.isfinite(sums).all():
         raise pair.refuse()
     if not sums[..., 1].all():
         raise ValueError("mask: expected at least one pixel whose window lies within the picture, got none")
+    one_mask = None if masks is None else masks.reshape(-1, *masks.shape[-2:])[0]
+    _check_values(channels, settings, (ranges[..., 0].min(), ranges[..., 1].max()), one_mask)
     mean = float((sums[..., 0] / sums[..., 1]).mean())
-    return Similarity(mean, np.moveaxis(maps, 0, -1) if maps is not None and maps.ndim == 3 else maps)
+    return Similarity(mean, maps if maps is None or axis is None else np.moveaxis(maps, 0, axis))
 
 
 def ssim_pairs(
@@ -196,7 +133,8 @@ def ssim_pairs(
     ----------
     references, tests
         (..., H, W), one channel each. The axes before the last two are broadcast as in NumPy, without copies: one
-        reference (H, W) with many tests (N, H, W), or views (V, 1, H, W) with their levels (V, L, H, W).
+        reference (H, W) with many tests (N, H, W), or views (V, 1, H, W) with their levels (V, L, H, W). With four or
+        more axes W may not be 3 or 4, which is taken for colours in the last axis.
     data_range, window, size, sigma, k1, k2, masking, convention
         As in `ssim`.
     masks
@@ -218,6 +156,11 @@ def ssim_pairs(
     for name, array in (("references", first), ("tests", second)):
         if array.ndim < 2 or 0 in array.shape[-2:]:
             raise ValueError(f"{name}: expected shape (..., H, W) with at least one pixel, got {array.shape}")
+        if array.ndim > 3 and array.shape[-1] in (3, 4):
+            raise ValueError(
+                f"{name}: expected shape (..., H, W), one channel each, got {array.shape}, whose last axis seems to be "
+                f"that of colours; move it forward by np.moveaxis({name}, -1, -3), and leave alpha out"
+            )
     if first.shape[-2:] != second.shape[-2:]:
         raise ValueError(f"tests: expected pictures of {first.shape[-2:]} pixels, got {second.shape[-2:]}")
     factor = settings.shrink(*first.shape[-2:])
@@ -236,9 +179,14 @@ def ssim_pairs(
     if not math.prod(outer):
         pair.extent()
         return np.empty(outer)
-    sums, _ = _compare(pair, settings, spread[2] if named is not None else None)
+    spread_masks = spread[2] if named is not None else None
+    sums, ranges, _ = _compare(pair, settings, spread_masks)
     if not np.isfinite(sums).all():
         raise Pair(first, second, data_range).refuse(NAMES)
+    beyond = ranges[..., 1] - ranges[..., 0] > pair.extent()
+    for index in (tuple(place) for place in np.argwhere(beyond)):
+        own = Pair(pair.reference[index], pair.test[index], data_range)
+        _check_values(own, settings, ranges[index], None if spread_masks is None else spread_masks[index])
     counted = sums[..., 1] > 0
     means: NDArray[np.float64] = np.divide(sums[..., 0], sums[..., 1], out=np.full(outer, np.nan), where=counted)
     return means
@@ -255,12 +203,13 @@ def ms_ssim(
     k1: float = 0.01,
     k2: float = 0.03,
     weights: Sequence[float] = SCALE_WEIGHTS,
+    channel_axis: int | None = None,
 ) -> float:
     """Compute the structural similarity at several scales (MS-SSIM), each half as large as the one before.
 
     Parameters
     ----------
-    reference, test, data_range, window, size, sigma, k1, k2
+    reference, test, data_range, window, size, sigma, k1, k2, channel_axis
         As in `ssim`. The window must lie within the picture at every scale, which for five scales needs 176 × 176
         pixels.
     weights
@@ -286,16 +235,20 @@ def ms_ssim(
     if exponents.ndim != 1 or not len(exponents) or (exponents < 0.0).any():
         raise ValueError(f"weights: expected numbers of at least 0, one for each scale, got {weights!r}")
     pair = inputs.pair(reference, test, data_range)
-    channels = _channels_first(pair)
+    channels = pair.channels_first(inputs.channel_axis(pair, channel_axis))
     settings = window_settings.settings(channels)
-    means = np.array(_core.multiscale(channels.reference, channels.test, settings=settings, scales=len(exponents)))
+    found = _core.multiscale(channels.reference, channels.test, settings=settings, scales=len(exponents))
+    means = np.array([of_scales for of_scales, _, _ in found])
     if not np.isfinite(means).all():
         raise pair.refuse()
+    pair.check_values(min(least for _, least, _ in found), max(greatest for _, _, greatest in found))
     factors = np.concatenate([means[:, :-1, 1], means[:, -1:, 0]], axis=1)
     return float((np.maximum(factors, 0.0) ** exponents).prod(axis=1).mean())
 
 
-def visual_continuity(frames: Iterable[ArrayLike | Frame], *, data_range: float | None = None) -> Iterator[float]:
+def visual_continuity(
+    frames: Iterable[ArrayLike | Frame], *, data_range: float | None = None, channel_axis: int | None = None
+) -> Iterator[float]:
     """Compute the similarity of each picture of a sequence to the next one; 1 means that nothing changes.
 
     Parameters
@@ -304,6 +257,8 @@ def visual_continuity(frames: Iterable[ArrayLike | Frame], *, data_range: float 
         Frames, or arrays of one shape. A generator is read step by step, and only one picture is stored.
     data_range
         As in `psnr`.
+    channel_axis
+        As in `ssim`.
 
     Yields
     ------
@@ -319,24 +274,33 @@ def visual_continuity(frames: Iterable[ArrayLike | Frame], *, data_range: float 
     ----------
     CloVR (2024): visual continuity.
     """
-    last = None
+    current: NDArray[Any]
+    last: NDArray[Any] | None = None
+    extent: float | None
     for frame in frames:
         # A frame is converted once, not for both of its neighbours. An array is copied, because its producer may write
         # the next picture into the same memory.
-        current: Any = inputs.luma(frame) if isinstance(frame, Frame) else np.array(check.plain("frames", frame))
-        extent = 1.0 if data_range is None and isinstance(frame, Frame) else data_range
+        if isinstance(frame, Frame):
+            current, extent = inputs.luma(frame), inputs.frame_extent(data_range)
+        else:
+            current, extent = np.array(inputs.numbers("frames", frame)), data_range
         if last is not None:
-            yield ssim(last, current, data_range=extent, window="global")
+            yield ssim(last, current, data_range=extent, window="global", channel_axis=channel_axis)
         last = current
 
 
-def _channels_first(pair: Pair) -> Pair:
-    """Move the channels of pictures to the front, without a copy; ValueError for arrays that are no pictures."""
-    if pair.reference.ndim not in (2, 3):
-        raise ValueError(f"reference: expected shape (H, W) or (H, W, C), got {pair.reference.shape}")
-    if pair.reference.ndim == 2:
-        return pair
-    return Pair(np.moveaxis(pair.reference, -1, 0), np.moveaxis(pair.test, -1, 0), pair.data_range)
+def _check_values(
+    pair: Pair, window: Window, found: tuple[float, float] | NDArray[np.float64], mask: NDArray[np.uint8] | None
+) -> None:
+    """Refuse values beyond `data_range`; `found` are the least and the greatest of at least those that windows see."""
+    least, greatest = (float(value) for value in found)
+    if mask is not None and pair.is_beyond(least, greatest):
+        seen = window.seen(mask, *pair.reference.shape[-2:])
+        values = [picture[..., seen] for picture in (pair.reference, pair.test)]
+        if not seen.any():
+            return
+        least, greatest = (float(f([f(part) for part in values])) for f in (np.nanmin, np.nanmax))
+    pair.check_values(least, greatest)
 
 
 def _masks(mask: ArrayLike, shape: tuple[int, ...], window: Window) -> NDArray[np.uint8]:
@@ -351,18 +315,19 @@ def _masks(mask: ArrayLike, shape: tuple[int, ...], window: Window) -> NDArray[n
 
 def _compare(
     pair: Pair, window: Window, masks: NDArray[np.uint8] | None, *, full: bool = False
-) -> tuple[NDArray[np.float64], NDArray[Any] | None]:
-    """Sums of similarity and of pixel weights (..., 2) for each pair, and the maps if `full`."""
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[Any] | None]:
+    """Sums of similarity and of pixel weights, and ranges of values (..., 2) of each pair; and the maps if `full`."""
     shape = pair.reference.shape
     factor = window.shrink(*shape[-2:])
     map_shape = (*shape[:-2], -(-shape[-2] // factor), -(-shape[-1] // factor)) if full else None
     settings = window.settings(pair)
 
-    def run(report: Any) -> tuple[NDArray[np.float64], NDArray[Any] | None]:
+    def run(report: Any) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[Any] | None]:
         sums, maps = _core.similarity(
             pair.reference, pair.test, settings=settings, masks=masks, map_shape=map_shape, report=report
         )
-        return np.array(sums).reshape(*shape[:-2], 2), maps
+        found = np.array(sums).reshape(*shape[:-2], 4)
+        return found[..., :2], found[..., 2:], maps
 
     if pair.reference.size < _LONG:
         return run(None)

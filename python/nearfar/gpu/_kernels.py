@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera
+from nearfar._metrics.discontinuity import truth_view
 from nearfar._metrics.result import Similarity
 from nearfar._morph import placed
 from nearfar._render import backend as backends
@@ -105,7 +106,7 @@ def discontinuity(
     Raises
     ------
     ValueError, TypeError
-        For frames without positions and arguments out of their domains.
+        For frames without positions, a `truth_camera` of another size, and arguments out of their domains.
     DeviceError
         If the device was lost or has no memory left.
 
@@ -114,7 +115,7 @@ def discontinuity(
     Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
     """
     check.instance("frame", frame, DeviceFrame).require("position")
-    camera = frame.camera if truth_camera is None else check.instance("truth_camera", truth_camera, Camera)
+    camera = truth_view(frame.camera, truth_camera)
     with progress.bar("measuring discontinuity") as report:
         flat = _core.gpu_discontinuity(
             frame._core,

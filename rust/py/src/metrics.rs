@@ -4,7 +4,9 @@ use std::slice;
 
 use glam::DVec3;
 use nearfar_core::base::{Error, Progress, Result};
-use nearfar_core::metrics::{self, Comparison, Neighbourhood, Pixel, PixelRows, Plane, Similarity, Stacks, Window};
+use nearfar_core::metrics::{
+    self, Comparison, Neighbourhood, Pixel, PixelRows, Plane, Similarity, SimilaritySums, Stacks, Window,
+};
 use numpy::{
     Element, IntoPyArray, PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArrayDyn,
     PyUntypedArrayMethods,
@@ -62,31 +64,42 @@ fn stacks<'a, T: Element + Pixel>(
     Ok(Stacks { references: planes(references).map_err(to_python)?, tests: planes(tests).map_err(to_python)?, masks })
 }
 
-/// Mean squared error of each pair of images.
+/// A mean of squared differences, and the least and the greatest value of both images.
+type MeanSquare = (f64, f64, f64);
+
+/// Mean squared error of each pair of images and, if requested, the range of their values.
 #[pyfunction]
-pub(crate) fn mean_squared_errors(py: Python<'_>, references: Images<'_>, tests: Images<'_>) -> PyResult<Vec<f64>> {
+#[pyo3(signature = (references, tests, *, ranges))]
+pub(crate) fn mean_squared_errors(
+    py: Python<'_>,
+    references: Images<'_>,
+    tests: Images<'_>,
+    ranges: bool,
+) -> PyResult<Vec<MeanSquare>> {
     with_arrays!(&references, &tests, (a, b) => {
         let stacks = stacks(a, b, None)?;
-        run::short(py, || stacks.mean_squared_errors())
+        let errors = run::short(py, || stacks.mean_squared_errors(ranges))?;
+        Ok(errors.iter().map(|error| (error.mean, error.range.least, error.range.greatest)).collect())
     })
 }
 
 /// Settings of a comparison: window, its size and σ, (c1, c2), the factor by which images are shrunk first, whether
-/// windows that reach beyond the image count, and whether windows use only pixels in the masks.
-type Settings = (String, usize, f64, (f64, f64), usize, bool, bool);
+/// windows that reach beyond the image count, whether windows use only pixels in the masks, and whether the ranges of
+/// values are requested.
+type Settings = (String, usize, f64, (f64, f64), usize, bool, bool, bool);
 
-fn comparison((window, size, sigma, (c1, c2), shrink, all, hidden): Settings) -> Result<Comparison> {
+fn comparison((window, size, sigma, (c1, c2), shrink, all, hidden, ranges): Settings) -> Result<Comparison> {
     let window = match window.as_str() {
         "gaussian" => Window::gaussian(size, sigma),
         "uniform" => Window::uniform(size),
         "global" => Window::Global,
         _ => return Err(Error::value("window", "'gaussian', 'uniform' or 'global'", format!("'{window}'"))),
     };
-    Ok(Comparison { window, constants: Similarity { c1, c2 }, shrink, all, hidden })
+    Ok(Comparison { window, constants: Similarity { c1, c2 }, shrink, all, hidden, ranges })
 }
 
-/// Sums of similarity and of pixels, and maps.
-type Compared<'py> = (Vec<(f64, f64)>, Option<Bound<'py, PyAny>>);
+/// Sums of similarity and of pixels, the least and the greatest value of both images; and maps.
+type Compared<'py> = (Vec<[f64; 4]>, Option<Bound<'py, PyAny>>);
 
 fn compared<'py, P: PixelRows<Real: PixelRows<Real = P::Real> + Element> + Element>(
     py: Python<'py>,
@@ -103,10 +116,11 @@ fn compared<'py, P: PixelRows<Real: PixelRows<Real = P::Real> + Element> + Eleme
         None => run::short(py, || stacks.compare(comparison, out, &Progress::new()))?,
     };
     drop(writer);
-    Ok((sums.iter().map(|sums| (sums.similarity, sums.pixels)).collect(), maps.map(Bound::into_any)))
+    let each = |sums: &SimilaritySums| [sums.similarity, sums.pixels, sums.range.least, sums.range.greatest];
+    Ok((sums.iter().map(each).collect(), maps.map(Bound::into_any)))
 }
 
-/// Sums of similarity and numbers of pixels for each pair and, if requested, the maps with `map_shape`.
+/// Sums of similarity, numbers of pixels and ranges of values for each pair and, if requested, the maps with `map_shape`.
 #[pyfunction]
 #[pyo3(signature = (references, tests, *, settings, masks=None, map_shape=None, report=None))]
 pub(crate) fn similarity<'py>(
@@ -124,7 +138,10 @@ pub(crate) fn similarity<'py>(
     })
 }
 
-/// Means of similarity and of its second factor, for each pair at each of `scales`.
+/// Means of similarity and of its second factor at each scale, and the least and greatest value of both images.
+type AtScales = (Vec<[f64; 2]>, f64, f64);
+
+/// Comparison of each pair at each of `scales`.
 #[pyfunction]
 #[pyo3(signature = (references, tests, *, settings, scales))]
 pub(crate) fn multiscale(
@@ -133,11 +150,12 @@ pub(crate) fn multiscale(
     tests: Images<'_>,
     settings: Settings,
     scales: usize,
-) -> PyResult<Vec<Vec<[f64; 2]>>> {
+) -> PyResult<Vec<AtScales>> {
     let comparison = comparison(settings).map_err(to_python)?;
     with_arrays!(&references, &tests, (a, b) => {
         let stacks = stacks(a, b, None)?;
-        run::short(py, || stacks.multiscale(&comparison, scales))
+        let all = run::short(py, || stacks.multiscale(&comparison, scales))?;
+        Ok(all.into_iter().map(|found| (found.means, found.range.least, found.range.greatest)).collect())
     })
 }
 

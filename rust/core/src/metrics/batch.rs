@@ -5,8 +5,8 @@ use rayon::prelude::*;
 use super::pair::Pair;
 use super::pixel_rows::PixelRows;
 use super::plane::Plane;
-use super::similarity::{Counted, Mask, Shrunk, Similarity, SimilaritySums, Window, multiscale, similarity};
-use super::squared_error::mean_squared_error;
+use super::similarity::{Counted, Mask, Scales, Shrunk, Similarity, SimilaritySums, Window, multiscale, similarity};
+use super::squared_error::{SquaredError, mean_squared_error};
 use crate::base::{Error, Progress, Result};
 
 /// Settings of a comparison.
@@ -22,6 +22,8 @@ pub struct Comparison {
     pub all: bool,
     /// Whether windows see only what masks name.
     pub hidden: bool,
+    /// Whether the ranges of the images' values are wanted.
+    pub ranges: bool,
 }
 
 /// Images of one size and type, pair by pair, with a mask each or none at all.
@@ -82,15 +84,15 @@ where
         }
     }
 
-    /// Mean of each pair's squared differences.
-    pub fn mean_squared_errors(&self) -> Result<Vec<f64>> {
-        Ok(self.jobs()?.iter().map(|job| mean_squared_error(&job.pair)).collect())
+    /// Mean of each pair's squared differences, and where wanted the range of its values.
+    pub fn mean_squared_errors(&self, ranges: bool) -> Result<Vec<SquaredError>> {
+        Ok(self.jobs()?.iter().map(|job| mean_squared_error(&job.pair, ranges)).collect())
     }
 
     /// Means of each pair's similarity and of its second factor at each of `scales`.
-    pub fn multiscale(&self, comparison: &Comparison, scales: usize) -> Result<Vec<Vec<[f64; 2]>>> {
-        let Comparison { window, constants, .. } = comparison;
-        self.jobs()?.par_iter().map(|job| multiscale(&job.pair, window, *constants, scales)).collect()
+    pub fn multiscale(&self, comparison: &Comparison, scales: usize) -> Result<Vec<Scales>> {
+        let Comparison { window, constants, ranges, .. } = comparison;
+        self.jobs()?.par_iter().map(|job| multiscale(&job.pair, window, *constants, scales, *ranges)).collect()
     }
 }
 
@@ -105,10 +107,12 @@ impl Comparison {
         P: PixelRows<Real: PixelRows<Real = P::Real>>,
     {
         let mask = mask.map(if self.hidden { Mask::Windows } else { Mask::Mean });
-        let counted = Counted { all: self.all, mask, contrast: false };
+        let counted = Counted { all: self.all, mask, contrast: false, range: self.ranges && self.shrink == 1 };
         if self.shrink > 1 {
             let smaller = Shrunk::new(pair, self.shrink);
-            return similarity(&smaller.pair()?, &self.window, self.constants, counted, map);
+            let sums = similarity(&smaller.pair()?, &self.window, self.constants, counted, map)?;
+            let range = if self.ranges { pair.range() } else { sums.range };
+            return Ok(SimilaritySums { range, ..sums });
         }
         similarity(pair, &self.window, self.constants, counted, map)
     }

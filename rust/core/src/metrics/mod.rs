@@ -4,6 +4,7 @@
 mod batch;
 mod object_completion;
 mod discontinuity;
+mod extremes;
 mod pair;
 mod pixel_rows;
 mod plane;
@@ -13,8 +14,10 @@ mod lanes;
 
 pub use batch::{Comparison, Stacks};
 pub use discontinuity::{Neighbourhood, discontinuity};
+pub use extremes::ValueRange;
 pub use object_completion::object_completion;
 pub use pair::Pair;
 pub use pixel_rows::PixelRows;
 pub use plane::{Pixel, Plane, RoundingLimits};
 pub use similarity::{Similarity, SimilaritySums, Window};
+pub use squared_error::SquaredError;

@@ -2,9 +2,16 @@
 
 use std::ops::Range;
 
-use super::pixel_rows::{PixelRows, sum_and_difference};
+use rayon::prelude::*;
+
+use super::extremes::{Extremes, ValueRange};
+use super::lanes::LANES;
+use super::pixel_rows::{PixelRows, extend, sum_and_difference, sum_difference_and_extremes};
 use super::plane::{Plane, Region};
 use crate::base::{Real, Result};
+
+/// Rows of one task.
+const ROWS: usize = 64;
 
 /// Two images to be compared.
 #[derive(Clone, Copy)]
@@ -22,13 +29,36 @@ impl<'a, P: PixelRows> Pair<'a, P> {
         Ok(Self { reference, test })
     }
 
-    /// Sum and difference of both along neighbouring pixels of a row, less their levels.
+    /// Sum and difference of both along neighbouring pixels of a row, less their levels; and where wanted their extremes.
     #[inline]
-    pub(super) fn load(&self, row: usize, columns: Range<usize>, levels: [P::Real; 2], [s, d]: [&mut [P::Real]; 2]) {
+    pub(super) fn load(
+        &self,
+        row: usize,
+        columns: Range<usize>,
+        levels: [P::Real; 2],
+        [s, d]: [&mut [P::Real]; 2],
+        extremes: Option<&mut Extremes<P>>,
+    ) {
         let Self { reference, test } = self;
         match (reference.run(row, columns.clone()), test.run(row, columns.clone())) {
-            (Some(x), Some(y)) => sum_and_difference(x, y, levels, s, d),
-            _ => self.gather(row, columns, levels, [s, d]),
+            (Some(x), Some(y)) => match extremes {
+                Some(extremes) if columns.len() >= LANES => sum_difference_and_extremes(x, y, levels, s, d, extremes),
+                extremes => {
+                    sum_and_difference(x, y, levels, s, d);
+                    self.extend_row(row, columns, extremes);
+                }
+            },
+            _ => {
+                self.gather(row, columns.clone(), levels, [s, d]);
+                self.extend_row(row, columns, extremes);
+            }
+        }
+    }
+
+    /// Takes up the values of both along a row, where they are wanted.
+    pub(super) fn extend_row(&self, row: usize, columns: Range<usize>, extremes: Option<&mut Extremes<P>>) {
+        if let Some(extremes) = extremes {
+            self.extend(&Region { rows: [row, row + 1], columns: [columns.start, columns.end] }, extremes);
         }
     }
 
@@ -45,6 +75,36 @@ impl<'a, P: PixelRows> Pair<'a, P> {
             let y = R::narrow(self.test.at(row, column).wide()) - levels[1];
             (*s, *d) = (x + y, x - y);
         }
+    }
+
+    /// Takes up the values of both in a part.
+    pub(super) fn extend(&self, part: &Region, extremes: &mut Extremes<P>) {
+        let ([first, end], [top, bottom]) = (part.columns, part.rows);
+        if part.is_empty() {
+            return;
+        }
+        for image in [&self.reference, &self.test] {
+            match image.rows_from(top, first) {
+                Some((values, step)) => extend(values, step, [bottom - top, end - first], extremes),
+                None => {
+                    for row in top..bottom {
+                        (first..end).for_each(|column| extremes.include(column % LANES, image.pixel(row, column)));
+                    }
+                }
+            }
+        }
+    }
+
+    /// The least and the greatest value of both.
+    pub(super) fn range(&self) -> ValueRange {
+        let (height, width) = (self.reference.height, self.reference.width);
+        let band = |n: usize| {
+            let mut extremes = Extremes::default();
+            let rows = [n * ROWS, height.min((n + 1) * ROWS)];
+            self.extend(&Region { rows, columns: [0, width] }, &mut extremes);
+            extremes.range()
+        };
+        (0..height.div_ceil(ROWS)).into_par_iter().map(band).reduce(ValueRange::default, ValueRange::and)
     }
 
     /// About the means of both in a part, or of what a mask names of it.

@@ -1,5 +1,6 @@
 //! Kernels over rows of pixels: sums and differences, squared differences.
 
+use super::extremes::Extremes;
 use super::lanes::LANES;
 use super::plane::Pixel;
 use crate::base::simd::vectorized;
@@ -29,6 +30,18 @@ vectorized! {
         s: &mut [P::Real],
         d: &mut [P::Real],
     ) = spread;
+    /// The same, and the extremes of both rows, of at least as many pixels as there are lanes.
+    pub(super) fn sum_difference_and_extremes<P: Pixel>(
+        x: &[P],
+        y: &[P],
+        levels: [P::Real; 2],
+        s: &mut [P::Real],
+        d: &mut [P::Real],
+        seen: &mut Extremes<P>,
+    ) = spread_and_extend;
+    /// Takes up (rows, width) pixels; rows begin `step` values apart.
+    pub(super) fn extend<P: Pixel>(values: &[P], step: usize, size: [usize; 2], extremes: &mut Extremes<P>)
+        = extend_kernel;
 }
 
 /// Without rounding: 2¹⁴ squares of 8 bits fit into 32.
@@ -84,4 +97,65 @@ fn spread<P: Pixel>(x: &[P], y: &[P], levels: [P::Real; 2], s: &mut [P::Real], d
         s[i] = a + b;
         d[i] = a - b;
     }
+}
+
+#[inline(always)]
+fn spread_and_extend<P: Pixel>(
+    x: &[P],
+    y: &[P],
+    levels: [P::Real; 2],
+    s: &mut [P::Real],
+    d: &mut [P::Real],
+    seen: &mut Extremes<P>,
+) {
+    let length = x.len().min(y.len()).min(s.len()).min(d.len());
+    let (mut least, mut greatest) = (seen.least, seen.greatest);
+    let mut from = 0;
+    while let (Some(x), Some(y), Some(s), Some(d)) = (
+        x[from..].first_chunk::<LANES>(),
+        y[from..].first_chunk::<LANES>(),
+        s[from..].first_chunk_mut::<LANES>(),
+        d[from..].first_chunk_mut::<LANES>(),
+    ) {
+        for i in 0..LANES {
+            let (a, b) = (x[i].real() - levels[0], y[i].real() - levels[1]);
+            s[i] = a + b;
+            d[i] = a - b;
+            // What is no number is left out, and with it the pixel beside it, which nothing that counts sees.
+            let (low, high) = if x[i] < y[i] { (x[i], y[i]) } else { (y[i], x[i]) };
+            least[i] = if low < least[i] { low } else { least[i] };
+            greatest[i] = if high > greatest[i] { high } else { greatest[i] };
+        }
+        if from + LANES == length {
+            break;
+        }
+        // The last block goes back to pixels that were taken up already, which changes nothing.
+        from = (from + LANES).min(length - LANES);
+    }
+    (seen.least, seen.greatest) = (least, greatest);
+}
+
+#[inline(always)]
+fn extend_kernel<P: Pixel>(values: &[P], step: usize, [rows, width]: [usize; 2], seen: &mut Extremes<P>) {
+    let rows = (0..rows).map(|row| &values[row * step..][..width]);
+    if width < LANES {
+        rows.for_each(|row| row.iter().enumerate().for_each(|(i, &pixel)| seen.include(i, pixel)));
+        return;
+    }
+    // Copies, which stay in registers as long as no lane is chosen at run time.
+    let (mut least, mut greatest) = (seen.least, seen.greatest);
+    let mut include = |block: &[P; LANES]| {
+        for i in 0..LANES {
+            least[i] = if block[i] < least[i] { block[i] } else { least[i] };
+            greatest[i] = if block[i] > greatest[i] { block[i] } else { greatest[i] };
+        }
+    };
+    for row in rows {
+        row.as_chunks::<LANES>().0.iter().for_each(&mut include);
+        // Pixels that were taken up already change nothing.
+        if !width.is_multiple_of(LANES) {
+            row.last_chunk::<LANES>().into_iter().for_each(&mut include);
+        }
+    }
+    (seen.least, seen.greatest) = (least, greatest);
 }

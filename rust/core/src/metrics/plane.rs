@@ -3,9 +3,13 @@
 use crate::base::{Error, Real, Result};
 
 /// Numbers that pixels are made of, and the precision that they are computed in.
-pub trait Pixel: Copy + Send + Sync {
+pub trait Pixel: Copy + PartialOrd + Send + Sync {
     /// Float32 holds every 8- and 16-bit difference exactly.
     type Real: RoundingLimits;
+    /// Nothing is less.
+    const LEAST: Self;
+    /// Nothing is greater.
+    const GREATEST: Self;
     /// The value.
     fn real(self) -> Self::Real;
 }
@@ -42,9 +46,11 @@ impl RoundingLimits for f64 {
 }
 
 macro_rules! pixel {
-    ($($type:ty => $real:ty),*) => {$(
+    ($($type:ident => $real:ty, $least:ident to $greatest:ident);*) => {$(
         impl Pixel for $type {
             type Real = $real;
+            const LEAST: $type = $type::$least;
+            const GREATEST: $type = $type::$greatest;
             #[inline(always)]
             fn real(self) -> $real {
                 <$real>::from(self)
@@ -53,7 +59,12 @@ macro_rules! pixel {
     )*};
 }
 
-pixel!(u8 => f32, u16 => f32, f32 => f32, f64 => f64);
+pixel!(
+    u8 => f32, MIN to MAX;
+    u16 => f32, MIN to MAX;
+    f32 => f32, NEG_INFINITY to INFINITY;
+    f64 => f64, NEG_INFINITY to INFINITY
+);
 
 /// One channel of an image: values that lie steps apart.
 #[derive(Clone, Copy, Debug)]
@@ -106,7 +117,13 @@ impl<'a, P: Pixel> Plane<'a, P> {
     /// A pixel's value.
     #[inline(always)]
     pub fn at(&self, row: usize, column: usize) -> P::Real {
-        self.values[row * self.row_step + column * self.column_step].real()
+        self.pixel(row, column).real()
+    }
+
+    /// A pixel as it lies in memory.
+    #[inline(always)]
+    pub(super) fn pixel(&self, row: usize, column: usize) -> P {
+        self.values[row * self.row_step + column * self.column_step]
     }
 
     /// Neighbouring pixels of a row, where they lie side by side.
@@ -114,6 +131,11 @@ impl<'a, P: Pixel> Plane<'a, P> {
     pub fn run(&self, row: usize, columns: std::ops::Range<usize>) -> Option<&'a [P]> {
         let start = row * self.row_step;
         (self.column_step == 1).then(|| &self.values[start + columns.start..start + columns.end])
+    }
+
+    /// Values from a pixel on and how many of them a row takes, where neighbours lie side by side.
+    pub(super) fn rows_from(&self, row: usize, column: usize) -> Option<(&'a [P], usize)> {
+        (self.column_step == 1).then(|| (&self.values[row * self.row_step + column..], self.row_step))
     }
 
     /// Returns about the mean of a part of the image, from a few of its pixels that are finite. With a mask it takes only

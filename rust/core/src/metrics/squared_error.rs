@@ -2,8 +2,10 @@
 
 use rayon::prelude::*;
 
+use super::extremes::{Extremes, ValueRange};
 use super::pair::Pair;
 use super::pixel_rows::PixelRows;
+use super::plane::Region;
 
 /// Pixels that one task sums up: fixed, so that sums do not depend on the number of threads, and few enough for the
 /// sums of whole numbers.
@@ -12,8 +14,17 @@ const TILE: usize = 1 << 14;
 /// Bytes of an image below which one thread is as fast as all.
 const SERIAL_BYTES: usize = 1 << 22;
 
-/// Mean of the squared differences of two images, in float64; exact for whole numbers.
-pub fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>) -> f64 {
+/// Mean of the squared differences of two images, and the range of their values.
+#[derive(Clone, Copy, Debug)]
+pub struct SquaredError {
+    /// In float64; exact for whole numbers.
+    pub mean: f64,
+    /// Of both images, where it is wanted.
+    pub range: ValueRange,
+}
+
+/// Compares two images pixel by pixel.
+pub fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>, range: bool) -> SquaredError {
     let (height, width) = (pair.reference.height, pair.reference.width);
     let run = |row: usize, first: usize| {
         let end = width.min(first + TILE);
@@ -23,16 +34,27 @@ pub fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>) -> f64 {
         }
     };
     let rows = (TILE / width).max(1);
-    let task = |n: usize| -> f64 {
+    let task = |n: usize| {
+        let mut extremes = Extremes::default();
         let rows = n * rows..height.min((n + 1) * rows);
-        rows.map(|row| (0..width).step_by(TILE).map(|first| run(row, first)).sum::<f64>()).sum()
+        let row_sum = |row: usize| -> f64 {
+            if range {
+                pair.extend(&Region { rows: [row, row + 1], columns: [0, width] }, &mut extremes);
+            }
+            (0..width).step_by(TILE).map(|first| run(row, first)).sum()
+        };
+        let sum: f64 = rows.map(row_sum).sum();
+        (sum, extremes.range())
     };
     let tasks = height.div_ceil(rows);
     // The same sums in the same order on one thread or many: waking threads takes as long as reading a few megabytes.
-    let sums: Vec<f64> = if height.saturating_mul(width).saturating_mul(size_of::<P>()) < SERIAL_BYTES {
+    let sums: Vec<(f64, ValueRange)> = if height.saturating_mul(width).saturating_mul(size_of::<P>()) < SERIAL_BYTES {
         (0..tasks).map(task).collect()
     } else {
         (0..tasks).into_par_iter().map(task).collect()
     };
-    sums.iter().sum::<f64>() / (height as f64 * width as f64)
+    SquaredError {
+        mean: sums.iter().map(|task| task.0).sum::<f64>() / (height as f64 * width as f64),
+        range: sums.iter().fold(ValueRange::default(), |range, task| range.and(task.1)),
+    }
 }

@@ -19,6 +19,7 @@ const PAIRS_PER_SUBMISSION: f64 = 2e9;
 /// Points of each cell that one call looks at. Its loop takes nine times as many turns; software drivers end loops
 /// after 65,535.
 const POINTS_PER_SLICE: u32 = 1 << 12;
+const _: () = assert!(9 * POINTS_PER_SLICE < 65_535);
 /// Least side of a cell in pixels: smaller ones hold few points.
 const MIN_CELL_PX: f64 = 4.0;
 

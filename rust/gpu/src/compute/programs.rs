@@ -53,7 +53,12 @@ impl Programs {
             layout: None,
             module: &module,
             entry_point: Some(program.entry),
-            compilation_options: PipelineCompilationOptions::default(),
+            // Every kernel writes its workgroup's memory before it reads it. On OpenGL zeros would be written out as one
+            // constant of thousands of numbers, which Mesa takes a minute to compile.
+            compilation_options: PipelineCompilationOptions {
+                zero_initialize_workgroup_memory: false,
+                ..PipelineCompilationOptions::default()
+            },
             cache: None,
         });
         scope.close()?;

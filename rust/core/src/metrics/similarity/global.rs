@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::super::extremes::{Extremes, ValueRange};
 use super::super::pair::Pair;
 use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Plane, Region};
@@ -32,12 +33,20 @@ pub(super) fn global<P: PixelRows>(
     let rows = (TASK / width).max(1);
     let task = |n: usize| {
         let end = part.rows[1].min(part.rows[0] + (n + 1) * rows);
-        let each = (part.rows[0] + n * rows..end).map(|row| row_sums(pair, row, part, levels, seen));
-        each.fold([0.0; 5], add)
+        let mut extremes = Extremes::default();
+        let mut sums = [0.0; 5];
+        for row in part.rows[0] + n * rows..end {
+            sums = add(sums, row_sums(pair, row, part, levels, seen));
+            if counted.range {
+                pair.extend(&Region { rows: [row, row + 1], ..part }, &mut extremes);
+            }
+        }
+        (sums, extremes.range())
     };
     let tasks = (part.rows[1] - part.rows[0]).div_ceil(rows);
-    let tasks: Vec<[f64; 5]> = (0..tasks).into_par_iter().map(task).collect();
-    let [pixels, sums @ ..] = tasks.into_iter().fold([0.0; 5], add);
+    let tasks: Vec<([f64; 5], ValueRange)> = (0..tasks).into_par_iter().map(task).collect();
+    let range = tasks.iter().fold(ValueRange::default(), |range, task| range.and(task.1));
+    let [pixels, sums @ ..] = tasks.into_iter().map(|task| task.0).fold([0.0; 5], add);
     let [s, d, ss, dd] = sums.map(|sum| sum / pixels);
     let [x, y] = [levels[0] + 0.5 * (s + d), levels[1] + 0.5 * (s - d)];
     let apart = (levels[0] - levels[1]) + d;
@@ -48,7 +57,7 @@ pub(super) fn global<P: PixelRows>(
         map.fill(P::Real::narrow(similarity));
     }
     let count = named.map_or(pixels, |mask| mask.count() as f64);
-    SimilaritySums { similarity: similarity * count, contrast: contrast * count, pixels: count }
+    SimilaritySums { similarity: similarity * count, contrast: contrast * count, pixels: count, range }
 }
 
 fn add(sums: [f64; 5], more: [f64; 5]) -> [f64; 5] {

@@ -3,6 +3,7 @@
 
 use rayon::prelude::*;
 
+use super::super::extremes::ValueRange;
 use super::super::lanes::{LANES, lanes};
 use super::super::pair::Pair;
 use super::super::pixel_rows::PixelRows;
@@ -73,7 +74,7 @@ impl<P: PixelRows> Masked<'_, P> {
         for read in 0..part.rows[1] - part.rows[0] + taps - 1 {
             // Rows outside of the image, and pixels outside of the mask, are zeros.
             let row = (part.rows[0] + read).checked_sub(before).filter(|&row| row < self.mask.height);
-            self.load(row, part, levels, before, &mut line);
+            self.load(row, part, levels, before, &mut line, &mut sums.range);
             for (line, sums) in line.iter().zip(&mut ring[read % taps]) {
                 sum_along(line, self.weights, sums);
             }
@@ -124,12 +125,22 @@ impl<P: PixelRows> Masked<'_, P> {
     }
 
     /// A row of fields, from `before` pixels left of the part on.
-    fn load(&self, row: Option<usize>, part: Region, levels: [f64; 2], before: usize, line: &mut Fields) {
+    fn load(
+        &self,
+        row: Option<usize>,
+        part: Region,
+        levels: [f64; 2],
+        before: usize,
+        line: &mut Fields,
+        range: &mut ValueRange,
+    ) {
         line.iter_mut().for_each(|field| field.fill(0.0));
         let Some(row) = row else { return };
         for column in (part.columns[0]..part.columns[1]).filter(|&column| self.mask.names(row, column)) {
-            let x = self.pair.reference.at(row, column).wide() - levels[0];
-            let y = self.pair.test.at(row, column).wide() - levels[1];
+            let [x, y] = [&self.pair.reference, &self.pair.test].map(|image| image.at(row, column).wide());
+            range.include(x);
+            range.include(y);
+            let [x, y] = [x - levels[0], y - levels[1]];
             let (s, d) = (x + y, x - y);
             for (field, value) in line.iter_mut().zip([1.0, s, s * s, d, d * d]) {
                 field[column - part.columns[0] + before] = value;

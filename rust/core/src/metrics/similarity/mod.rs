@@ -17,7 +17,7 @@ mod tests;
 mod window;
 mod tiles;
 
-pub use scales::{Shrunk, multiscale};
+pub use scales::{Scales, Shrunk, multiscale};
 pub use ssim::similarity;
 pub use window::{Similarity, Window};
 pub use window_sums::{Counted, Mask, SimilaritySums};

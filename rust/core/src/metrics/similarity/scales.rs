@@ -3,12 +3,13 @@
 
 use rayon::prelude::*;
 
+use super::super::extremes::ValueRange;
 use super::super::pair::Pair;
 use super::super::pixel_rows::PixelRows;
 use super::super::plane::{Pixel, Plane, mirror};
 use super::ssim::similarity;
 use super::window::{Similarity, Window};
-use super::window_sums::Counted;
+use super::window_sums::{Counted, SimilaritySums};
 use crate::base::{Error, Real, Result};
 
 /// Both images of a pair made smaller.
@@ -70,25 +71,46 @@ fn shrunk<P: Pixel>(image: &Plane<'_, P>, factor: usize) -> Vec<P::Real> {
     out
 }
 
-/// Means of similarity and of its second factor at each of `scales`, each half as large as the one before it.
-pub fn multiscale<P>(pair: &Pair<'_, P>, window: &Window, constants: Similarity, scales: usize) -> Result<Vec<[f64; 2]>>
+/// Means of similarity and of its second factor at each of several scales.
+#[derive(Clone, Debug)]
+pub struct Scales {
+    /// From the finest scale on.
+    pub means: Vec<[f64; 2]>,
+    /// Of both images at the finest, where it is wanted.
+    pub range: ValueRange,
+}
+
+/// Compares at `scales`, each half as large as the one before it.
+pub fn multiscale<P>(
+    pair: &Pair<'_, P>,
+    window: &Window,
+    constants: Similarity,
+    scales: usize,
+    range: bool,
+) -> Result<Scales>
 where
     P: PixelRows<Real: PixelRows<Real = P::Real>>,
 {
-    let mut means = vec![means(pair, window, constants)?];
+    let finest = sums(pair, window, constants, range)?;
+    let mut means = vec![finest.means()];
     let mut smaller: Option<Shrunk<P::Real>> = None;
     for _ in 1..scales {
         let next = match &smaller {
             Some(shrunk) => Shrunk::new(&shrunk.pair()?, 2),
             None => Shrunk::new(pair, 2),
         };
-        means.push(self::means(&next.pair()?, window, constants)?);
+        means.push(sums(&next.pair()?, window, constants, false)?.means());
         smaller = Some(next);
     }
-    Ok(means)
+    Ok(Scales { means, range: finest.range })
 }
 
-fn means<P: PixelRows>(pair: &Pair<'_, P>, window: &Window, constants: Similarity) -> Result<[f64; 2]> {
+fn sums<P: PixelRows>(
+    pair: &Pair<'_, P>,
+    window: &Window,
+    constants: Similarity,
+    range: bool,
+) -> Result<SimilaritySums> {
     if let Window::Weights(weights) = window {
         let (size, least) = ([pair.reference.height, pair.reference.width], weights.len());
         if size[0] < least || size[1] < least {
@@ -96,9 +118,8 @@ fn means<P: PixelRows>(pair: &Pair<'_, P>, window: &Window, constants: Similarit
             return Err(Error::value("reference", expected, format!("{} × {} at one of them", size[0], size[1])));
         }
     }
-    let counted = Counted { all: false, mask: None, contrast: true };
-    let sums = similarity(pair, window, constants, counted, None)?;
-    Ok([sums.similarity, sums.contrast].map(|sum| sum / sums.pixels))
+    let counted = Counted { all: false, mask: None, contrast: true, range };
+    similarity(pair, window, constants, counted, None)
 }
 
 #[cfg(test)]

@@ -38,7 +38,7 @@ pub fn similarity<P: PixelRows>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::metrics::Plane;
+    use crate::metrics::{Plane, ValueRange};
 
     fn plane(values: &[f64]) -> Plane<'_, f64> {
         Plane::new(values, [5, 7], [7, 1]).unwrap()
@@ -53,13 +53,15 @@ mod tests {
             let of = |a: &[f64], b: &[f64]| {
                 let mut map = vec![0.0; 35];
                 let pair = Pair::new(plane(a), plane(b)).unwrap();
-                let counted = Counted { all: true, mask: None, contrast: true };
+                let counted = Counted { all: true, mask: None, contrast: true, range: true };
                 let sums = similarity(&pair, &window, constants, counted, Some(&mut map)).unwrap();
                 assert_eq!(sums, similarity(&pair, &window, constants, counted, None).unwrap());
                 (sums, map)
             };
             assert!(of(&a, &a).1.iter().all(|&value| value == 1.0));
-            assert_eq!(of(&a, &a).0, SimilaritySums { similarity: 35.0, contrast: 35.0, pixels: 35.0 });
+            let SimilaritySums { similarity, contrast, pixels, range } = of(&a, &a).0;
+            assert_eq!([similarity, contrast, pixels], [35.0; 3]);
+            assert_eq!(range, ValueRange { least: 0.0, greatest: 1.0 });
             assert_eq!(of(&a, &b), of(&b, &a));
             assert!(of(&a, &b).1.iter().all(|&value| value < 1.0));
         }

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::super::extremes::Extremes;
 use super::super::lanes::LANES;
 use super::super::pair::Pair;
 use super::super::pixel_rows::PixelRows;
@@ -90,12 +91,19 @@ impl<'a, P: PixelRows> Windows<'a, P> {
     ) -> SimilaritySums {
         let levels = self.pair.levels(part, self.counted.mask.as_ref().map(Mask::plane));
         bench.row.all = map.is_some();
+        let own = self.own(part, inside);
+        let mut extremes = self.counted.range.then(Extremes::default);
         let narrow = |row: usize, places: &[usize], lines: [&mut [P::Real]; 2]| {
-            self.load(row, places, levels.map(P::Real::narrow), lines)
+            self.load(row, places, own, levels.map(P::Real::narrow), lines, extremes.as_mut())
         };
         if let Some(sums) = self.pass(part, inside, (levels, &self.narrow), bench, map.as_mut(), narrow) {
-            return sums;
+            return SimilaritySums { range: extremes.unwrap_or_default().range(), ..sums };
         }
+        let mut extremes = Extremes::default();
+        if self.counted.range {
+            self.pair.extend(&own, &mut extremes);
+        }
+        let range = extremes.range();
         let wide = |row: usize, places: &[usize], lines: [&mut [f64]; 2]| {
             self.pair.gather(row, places.iter().copied(), levels, lines)
         };
@@ -104,10 +112,10 @@ impl<'a, P: PixelRows> Windows<'a, P> {
             let mut bench = Bench::new(self.weights.len(), self.counted.contrast);
             bench.row.all = map.is_some();
             if let Some(sums) = self.pass(part, inside, (levels, self.weights), &mut bench, map.as_mut(), wide) {
-                return sums;
+                return SimilaritySums { range, ..sums };
             }
         }
-        self.one_by_one(part, inside, map)
+        SimilaritySums { range, ..self.one_by_one(part, inside, map) }
     }
 
     /// All windows of a part in a precision; none where that does not hold what they need.
@@ -118,7 +126,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         (levels, weights): ([f64; 2], &[R]),
         bench: &mut Bench<R>,
         mut map: Option<&mut MapRows<'_, P::Real>>,
-        load: impl Fn(usize, &[usize], [&mut [R]; 2]),
+        mut load: impl FnMut(usize, &[usize], [&mut [R]; 2]),
     ) -> Option<SimilaritySums> {
         if self.constants.iter().any(|&c| c < R::LEAST || c > R::GREATEST)
             || levels.iter().any(|l| l.abs() > R::GREATEST)
@@ -173,7 +181,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
             }
         }
         let [similarity, contrast] = bench.row.sums.map(|lanes| lanes.iter().sum());
-        Some(SimilaritySums { similarity, contrast, pixels })
+        Some(SimilaritySums { similarity, contrast, pixels, ..SimilaritySums::default() })
     }
 
     fn one_by_one(&self, part: &Region, inside: Region, mut map: Option<MapRows<'_, P::Real>>) -> SimilaritySums {
@@ -189,7 +197,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
             patch.measure_row(row - part.rows[0], wanted, |n, similarity, contrast| {
                 if counts(n) {
                     let contrast = if self.counted.contrast { contrast } else { 0.0 };
-                    sums = sums.and(SimilaritySums { similarity, contrast, pixels: 1.0 });
+                    sums = sums.and(SimilaritySums { similarity, contrast, pixels: 1.0, ..SimilaritySums::default() });
                 }
                 if let Some(map) = &mut map {
                     map.write(row, first + n, &[similarity]);
@@ -199,13 +207,38 @@ impl<'a, P: PixelRows> Windows<'a, P> {
         sums
     }
 
-    /// Sum and difference of both images at the places of a row that windows read, both less their levels.
-    fn load(&self, row: usize, places: &[usize], levels: [P::Real; 2], lines: [&mut [P::Real]; 2]) {
+    /// Pixels whose range a part answers for: its own, which no other part has, and those of the image's margin that only
+    /// windows in it see. Parts that masks cut out answer for all that their windows see.
+    fn own(&self, part: &Region, inside: Region) -> Region {
+        let taps = self.weights.len();
+        let (before, after) = (taps / 2, taps - 1 - taps / 2);
+        let grown = |[from, to]: [usize; 2], inside: [usize; 2], length: usize| match self.counted.mask {
+            Some(_) => [from.saturating_sub(before), length.min(to + after)],
+            None => [if from <= inside[0] { 0 } else { from }, if to >= inside[1] { length } else { to }],
+        };
+        Region {
+            rows: grown(part.rows, inside.rows, self.pair.reference.height),
+            columns: grown(part.columns, inside.columns, self.pair.reference.width),
+        }
+    }
+
+    /// Sum and difference of both images at the places of a row that windows read, both less their levels; and where
+    /// wanted the extremes of at least the columns that the part answers for.
+    fn load(
+        &self,
+        row: usize,
+        places: &[usize],
+        own: Region,
+        levels: [P::Real; 2],
+        lines: [&mut [P::Real]; 2],
+        extremes: Option<&mut Extremes<P>>,
+    ) {
         let (start, last) = (places[0], places[places.len() - 1]);
         if last + 1 != start + places.len() {
-            return self.pair.gather(row, places.iter().copied(), levels, lines);
+            self.pair.gather(row, places.iter().copied(), levels, lines);
+            return self.pair.extend_row(row, own.columns[0]..own.columns[1], extremes);
         }
-        self.pair.load(row, start..last + 1, levels, lines);
+        self.pair.load(row, start..last + 1, levels, lines, extremes);
         let next = (row + PREFETCHED_ROWS).min(self.pair.reference.height - 1);
         for image in [&self.pair.reference, &self.pair.test] {
             image.run(next, start..last + 1).into_iter().for_each(prefetch);

@@ -1,5 +1,6 @@
 //! The windows that count, and sums over them.
 
+use super::super::extremes::ValueRange;
 use super::super::plane::Plane;
 
 /// Sums over the pixels that count.
@@ -11,14 +12,22 @@ pub struct SimilaritySums {
     pub contrast: f64,
     /// Pixels that count.
     pub pixels: f64,
+    /// Of both images, where it is wanted: at least of what windows that count see.
+    pub range: ValueRange,
 }
 
 impl SimilaritySums {
+    /// Mean of the measure, and of its second factor.
+    pub(super) fn means(&self) -> [f64; 2] {
+        [self.similarity, self.contrast].map(|sum| sum / self.pixels)
+    }
+
     pub(super) fn and(self, other: Self) -> Self {
         Self {
             similarity: self.similarity + other.similarity,
             contrast: self.contrast + other.contrast,
             pixels: self.pixels + other.pixels,
+            range: self.range.and(other.range),
         }
     }
 }
@@ -32,6 +41,8 @@ pub struct Counted<'a> {
     pub mask: Option<Mask<'a>>,
     /// Whether the sum of the second factor is wanted.
     pub contrast: bool,
+    /// Whether the range of values is wanted.
+    pub range: bool,
 }
 
 /// Pixels that a mask excludes: from the mean, or from windows as well.

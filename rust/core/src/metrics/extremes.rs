@@ -1,0 +1,97 @@
+//! The least and the greatest value of images, found while their pixels are compared.
+
+use super::lanes::LANES;
+use super::plane::Pixel;
+use crate::base::Real;
+
+/// The least and the greatest value of some pixels; of none, nothing is less or greater.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ValueRange {
+    /// The least value.
+    pub least: f64,
+    /// The greatest value.
+    pub greatest: f64,
+}
+
+impl Default for ValueRange {
+    fn default() -> Self {
+        Self { least: f64::INFINITY, greatest: f64::NEG_INFINITY }
+    }
+}
+
+impl ValueRange {
+    pub(super) fn and(self, other: Self) -> Self {
+        Self { least: self.least.min(other.least), greatest: self.greatest.max(other.greatest) }
+    }
+
+    /// Takes up a value; one that is no number changes nothing.
+    #[inline(always)]
+    pub(super) fn include(&mut self, value: f64) {
+        *self = self.and(Self { least: value, greatest: value });
+    }
+}
+
+/// Least and greatest values lane by lane, so that rows of pixels are compared in whole vectors.
+#[derive(Clone, Copy, Debug)]
+pub struct Extremes<P> {
+    pub(super) least: [P; LANES],
+    pub(super) greatest: [P; LANES],
+}
+
+impl<P: Pixel> Default for Extremes<P> {
+    fn default() -> Self {
+        Self { least: [P::GREATEST; LANES], greatest: [P::LEAST; LANES] }
+    }
+}
+
+impl<P: Pixel> Extremes<P> {
+    /// Takes up a pixel in a lane. Comparisons in this order leave out NaN.
+    #[inline(always)]
+    pub(super) fn include(&mut self, lane: usize, pixel: P) {
+        self.least[lane] = if pixel < self.least[lane] { pixel } else { self.least[lane] };
+        self.greatest[lane] = if pixel > self.greatest[lane] { pixel } else { self.greatest[lane] };
+    }
+
+    pub(super) fn range(&self) -> ValueRange {
+        let mut range = ValueRange::default();
+        // Lanes that saw nothing hold the type's bounds the other way round.
+        for (&least, &greatest) in self.least.iter().zip(&self.greatest).filter(|(least, greatest)| least <= greatest) {
+            range.include(least.real().wide());
+            range.include(greatest.real().wide());
+        }
+        range
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::metrics::{Pair, PixelRows, Plane};
+
+    fn range<P: PixelRows>(values: &[P], width: usize, step: usize) -> ValueRange {
+        let plane = |from: usize| Plane::new(&values[from..], [1, width], [1, step]).unwrap();
+        Pair::new(plane(0), plane(values.len() / 2)).unwrap().range()
+    }
+
+    #[test]
+    fn every_pixel_counts_wherever_it_lies() {
+        for place in 0..2 * 75 {
+            let mut bytes = [9u8; 150];
+            bytes[place] = 255;
+            assert_eq!(range(&bytes, 75, 1), ValueRange { least: 9.0, greatest: 255.0 });
+            let mut reals = [0.5f32; 150];
+            reals[place] = -3.0;
+            assert_eq!(range(&reals, 75, 1), ValueRange { least: -3.0, greatest: 0.5 });
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_or_not_read_is_left_out() {
+        let mut reals = [2.0f64; 300];
+        (reals[3], reals[8]) = (f64::NAN, -1.0);
+        (reals[1], reals[299]) = (9.0, 9.0);
+        assert_eq!(range(&reals, 75, 2), ValueRange { least: -1.0, greatest: 2.0 });
+        assert_eq!(range(&[f32::NAN; 80], 40, 1), ValueRange::default());
+        assert_eq!(range(&[u16::MAX; 80], 40, 1), ValueRange { least: 65_535.0, greatest: 65_535.0 });
+    }
+}
