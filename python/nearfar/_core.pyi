@@ -127,14 +127,7 @@ class Camera:
 @final
 class DepthBuffer:
     def __new__(
-        cls,
-        size: tuple[int, int],
-        *,
-        kind: str,
-        bounds: tuple[float, float, float, float] = ...,
-        near: float,
-        far: float,
-        reverse: bool,
+        cls, size: tuple[int, int], *, kind: str, bounds: _Bounds = ..., near: float, far: float, reverse: bool
     ) -> DepthBuffer: ...
     @staticmethod
     def from_matrix(size: tuple[int, int], rows: list[list[float]], low: float) -> DepthBuffer: ...
@@ -248,8 +241,9 @@ def render_truth(
     t_max: float = ...,
     report: _Report | None = None,
 ) -> dict[str, NDArray[Any]]: ...
-def silhouettes(scene: Scene, cameras: list[Camera], *, report: _Report | None = None) -> NDArray[np.bool_]: ...
+def silhouettes(scene: Scene, cameras: list[Camera]) -> NDArray[np.bool_]: ...
 def luma_near(
+<<<<<<< ours
     scene: Scene,
     cameras: list[Camera],
     shown: NDArray[np.bool_],
@@ -258,6 +252,9 @@ def luma_near(
     weights: tuple[float, float, float],
     reach: int,
     report: _Report | None = None,
+=======
+    scene: Scene, cameras: list[Camera], shown: NDArray[np.bool_], *, samples: int, weights: _Point, reach: int
+>>>>>>> theirs
 ) -> _F64: ...
 def encode_srgb(linear: _F32) -> NDArray[np.uint8]: ...
 

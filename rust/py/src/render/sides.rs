@@ -21,22 +21,20 @@ fn shape(cameras: &[camera::Camera]) -> [usize; 3] {
 
 /// Returns whether the centre of each pixel shows the scene, (V, H, W).
 #[pyfunction]
-#[pyo3(signature = (scene, cameras, *, report=None))]
+#[pyo3(signature = (scene, cameras))]
 pub(crate) fn silhouettes<'py>(
     py: Python<'py>,
     scene: &Scene,
     cameras: Vec<Py<Camera>>,
-    report: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyArray3<bool>>> {
     let (scene, cameras) = (&scene.0, views(&cameras));
-    let shown = run::long(py, report, |progress| Sides::new(scene, &cameras, progress)?.silhouettes(progress))?;
+    let shown = run::long(py, None, |progress| Sides::new(scene, &cameras, progress)?.silhouettes(progress))?;
     PyArray1::from_vec(py, shown).reshape(shape(&cameras))
 }
 
 /// Returns the luma (V, H, W) of pixels at most `reach` pixels across and down from one in `shown`; 0 elsewhere.
 #[pyfunction]
-#[pyo3(signature = (scene, cameras, shown, *, samples, weights, reach, report=None))]
-#[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+#[pyo3(signature = (scene, cameras, shown, *, samples, weights, reach))]
 pub(crate) fn luma_near<'py>(
     py: Python<'py>,
     scene: &Scene,
@@ -45,10 +43,9 @@ pub(crate) fn luma_near<'py>(
     samples: u32,
     weights: [f64; 3],
     reach: usize,
-    report: Option<Py<PyAny>>,
 ) -> PyResult<Bound<'py, PyArray3<f64>>> {
     let (scene, cameras, shown) = (&scene.0, views(&cameras), shown.as_slice()?);
     let how = Luma { samples, weights, reach };
-    let luma = run::long(py, report, |progress| Sides::new(scene, &cameras, progress)?.luma(shown, &how, progress))?;
+    let luma = run::long(py, None, |progress| Sides::new(scene, &cameras, progress)?.luma(shown, &how, progress))?;
     PyArray1::from_vec(py, luma).reshape(shape(&cameras))
 }
