@@ -243,18 +243,7 @@ def render_truth(
 ) -> dict[str, NDArray[Any]]: ...
 def silhouettes(scene: Scene, cameras: list[Camera]) -> NDArray[np.bool_]: ...
 def luma_near(
-<<<<<<< ours
-    scene: Scene,
-    cameras: list[Camera],
-    shown: NDArray[np.bool_],
-    *,
-    samples: int,
-    weights: tuple[float, float, float],
-    reach: int,
-    report: _Report | None = None,
-=======
     scene: Scene, cameras: list[Camera], shown: NDArray[np.bool_], *, samples: int, weights: _Point, reach: int
->>>>>>> theirs
 ) -> _F64: ...
 def encode_srgb(linear: _F32) -> NDArray[np.uint8]: ...
 
