@@ -175,7 +175,7 @@ def test_pixels_that_no_window_of_a_mask_sees_change_no_bit(masking: str) -> Non
     for _ in range(50):
         height, width = random.integers(30, 60, 2)
         a = random.uniform(0, 255, (height, width))
-        b = a + random.normal(0, 20, a.shape)
+        b = np.clip(a + random.normal(0, 20, a.shape), 0, 255)
         mask, seen = np.zeros(a.shape, bool), np.zeros(a.shape, bool)
         for row, column in zip(random.integers(5, height - 5, 3), random.integers(5, width - 5, 3), strict=True):
             mask[row, column] = True

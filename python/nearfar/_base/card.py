@@ -6,7 +6,6 @@ import base64
 import functools
 import html
 import io
-import logging
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -47,6 +46,8 @@ def shown(make: Callable[[Kind], str]) -> Callable[[Kind], str]:
         try:
             return make(self)
         except Exception:
+            import logging
+
             logging.getLogger("nearfar").debug("no card for a %s", type(self).__name__, exc_info=True)
             return f"<pre>{html.escape(plain(self))}</pre>"
 
