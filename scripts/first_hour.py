@@ -67,7 +67,7 @@ class Step:
         started = time.perf_counter()
         environment = os.environ | {"NEARFAR_PROGRESS": "0", "COLUMNS": "100"}
         process = subprocess.run(
-            self.command, capture_output=True, text=True, timeout=SLOWEST, check=False, env=environment, cwd=folder
+            self.command, capture_output=True, text=True, timeout=SLOWEST, check=False, env=environment
         )
         self.seconds, self.status = time.perf_counter() - started, process.returncode
         self.text = (process.stdout + process.stderr).strip()
@@ -152,7 +152,8 @@ def _scene_steps(python: str, scene: str, folder: Path, *, quick: bool) -> Itera
             room / "headset",
         ),
     ):
-        results.parent.mkdir(exist_ok=True)
+        if step == "headset":
+            results.mkdir(exist_ok=True)
         yield Step(name, step, [*nearfar, *arguments]).run(folder, results)
 
 
