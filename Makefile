@@ -9,10 +9,12 @@ WHEEL ?=
 bin := .venv/bin
 rust_sources := $(shell find rust -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
 pip := $(bin)/python -m pip install --quiet --disable-pip-version-check
+# Compiling ends on one core, which leaves the other one to pip and the linters.
+MAKEFLAGS += -j2
 # pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
 export PYO3_PYTHON := $(CURDIR)/$(bin)/python
 
-.PHONY: help demo test lint bench notebooks stress setup clean
+.PHONY: help demo test lint lint-rust lint-python test-rust bench notebooks stress setup clean
 .DELETE_ON_ERROR:
 
 # List the targets.
@@ -24,17 +26,23 @@ demo: .venv/built
 	$(bin)/nearfar reduce -i city -o $(OUT)/demo
 
 # Everything that must pass: formatting, lints, types, Rust tests, Python tests.
-test: lint
-	cargo test --release --quiet --workspace
+test: lint test-rust
 	$(bin)/python -m pytest -n auto --dist worksteal
 
 # Formatting, lints and types only.
-lint: .venv/built .venv/test
+lint: lint-rust lint-python
+
+lint-rust: .venv/built
 	cargo fmt --all --check
 	cargo clippy --release --quiet --workspace --all-targets -- -D warnings
+
+lint-python: .venv/built .venv/test
 	$(bin)/ruff format --check --quiet .
 	$(bin)/ruff check --quiet .
 	$(bin)/mypy
+
+test-rust: lint-rust
+	cargo test --release --quiet --workspace
 
 # Run time against error for every kernel and its peers, as tables in out/bench.
 bench: .venv/built .venv/bench

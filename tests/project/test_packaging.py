@@ -45,9 +45,11 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Wheel built from the tree with the environment's maturin; the release build exists, so this only packs."""
     need("release")
     folder = tmp_path_factory.mktemp("wheel")
+    # pyo3 is built for the interpreter that this names; another name would build everything again.
     process = run(
         *(sys.executable, "-m", "pip", "wheel", "--no-deps", "--no-build-isolation", "--no-index"),
         *("--wheel-dir", folder, CHECKOUT),
+        PYO3_PYTHON=sys.executable,
     )
     assert process.returncode == 0, process.stdout + process.stderr
     (path,) = folder.glob("*.whl")
