@@ -11,7 +11,7 @@ import pytest
 import trimesh
 
 import nearfar as nf
-from nearfar.lod._measure import one_object
+from nearfar.lod._measure import score_table
 from nearfar.lod._measure import scores as level_scores
 from tests.support.cli_cases import command, document
 
@@ -78,7 +78,7 @@ def test_ctrl_c_says_what_is_kept(
             done.append(len(found))
             yield found
 
-    monkeypatch.setattr(one_object, "scores", interrupted)
+    monkeypatch.setattr(score_table, "scores", interrupted)
     status, out, err = command(capsys, "lod", "-i", mesh, "-o", tmp_path / "stone.glb", *QUICK)
     assert (status, out) == (130, "")
     assert err.startswith(f"nearfar: interrupted; measure: {done[0]} of at most ")

@@ -11,9 +11,9 @@ import pytest
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar.lod._measure import one_object
 from nearfar.lod._measure import views as level_views
-from nearfar.lod._measure.one_object import coarsest_of_steps
+from nearfar.lod._measure.one_object import _cautious, coarsest_of_steps
+from nearfar.lod._measure.score_table import ScoreTable
 from tests.support import data, need, printed_by_threads
 from tests.support.lod_cases import (
     FOV,
@@ -186,13 +186,48 @@ def test_levels_left_out_are_measured_no_further() -> None:
     np.testing.assert_array_equal(model.samples.score[known], whole.samples.score[kept][known])
     left = model.measured["left_out"]
     assert [one["triangles"] for one in left] == [n for n in whole.triangles if n not in model.triangles]
-    # Five of eight views differ; all levels at the first four distances, the others where they are kept.
+    # Five of eight views differ; one of them is seen of levels that cannot be kept at the first four distances.
     assert whole.measured["scores"] == 5 * 7 * 3
     assert whole.measured["renders"] == 5 * 7 * 4
-    assert model.measured["scores"] == 5 * (4 * 3 + 3 * (len(kept) - 1))
+    assert model.measured["scores"] == 5 * 7 * (len(kept) - 1) + 4 * (4 - len(kept))
+    assert all(one["score"] is None for one in left)
     for one in (model, whole):
         done = one.measured
         assert done["scores"] + done["cached"] + done["skipped"] == 3 * 7 * 8
+
+
+@pytest.mark.parametrize("saturated", [None, 0.9])
+def test_levels_are_those_of_all_scores_though_some_are_not_asked_for(
+    saturated: float | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    random = np.random.default_rng(0)
+    own, skipped = levels(8, 7, 6, 5, 4), 0
+    how: dict[str, Any] = SMALL | {"views": 96, "distances": 6, "saturated": saturated, "cache": False}
+    for _ in range(30):
+        # Levels fall, but now and then a coarser one scores more, and SSIM dips where they are smaller.
+        fall = np.cumsum(random.uniform(-0.02, 0.04, (5, 6)), axis=0)
+        true = np.clip(1 - fall[:, :, None] - random.uniform(0, 0.05, (5, 6, 93)), 0, 1)
+        true[0] = 1.0
+
+        def fill(
+            table: ScoreTable, size: int, numbers: list[int], among: Any = None, true: NDArray[np.float64] = true
+        ) -> None:
+            rows = np.ix_(np.array(numbers, int), np.array([size - 1]), np.arange(93) if among is None else among)
+            table.is_used[rows] = True
+            table.scores[rows] = true[rows]
+
+        monkeypatch.setattr(ScoreTable, "fill", fill)
+        model = nf.lod.measure(own, **how, step=0.05)
+        whole = nf.lod.measure(own, **how, step=None)
+        assert model.samples is not None
+        assert whole.samples is not None
+        # Where a level looks like the base twice, it counts as the base at smaller sizes.
+        scores = np.where(np.isnan(whole.samples.score), 1.0, whole.samples.score)
+        kept = sorted({0}.union(*(coarsest_of_steps(scores[:, size], 0.05) for size in range(4))))
+        assert list(model.triangles) == list(whole.triangles[kept])
+        np.testing.assert_array_equal(model.samples.score, whole.samples.score[kept])
+        skipped += 93 * 4 * 6 - model.measured["scores"]
+    assert skipped > 30 * 93
 
 
 def test_what_looks_like_the_base_is_measured_no_further() -> None:
@@ -317,6 +352,6 @@ def test_flat_curves_promise_no_more_than_was_seen() -> None:
     rows = np.array([[0.87, 0.93, 0.95, 0.94], [0.6, 0.8, 0.93, 0.98]])
     fitted = nf.lod.fit_4pl(np.array([0.18, 0.06, 0.03, 0.02]), rows)
     assert fitted.status[0] == "flat"
-    cautious = one_object._cautious(fitted, rows)
+    cautious = _cautious(fitted, rows)
     assert (cautious.a[0], cautious.d[0]) == (0.87, 0.87)
     np.testing.assert_array_equal([*cautious[1]], [*fitted[1]])

@@ -76,11 +76,11 @@ def test_an_object_that_fails_in_a_process_is_told(objects: dict[str, nf.lod.Lev
 
 STOPPED = """
 import nearfar as nf
-from nearfar.lod._measure import one_object, score_cache
+from nearfar.lod._measure import score_cache, score_table
 from tests.support.lod_cases import levels
 
 # Workers import this module as well.
-one_object.MAX_BLOCK_PIXELS, score_cache.SAVE_INTERVAL_S = 10_000, 0.1
+score_table.MAX_BLOCK_PIXELS, score_cache.SAVE_INTERVAL_S = 10_000, 0.1
 
 if __name__ == "__main__":
     objects = [levels(40, 20 - n) for n in range(4)]

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import nearfar as nf
-from nearfar.lod._measure import one_object
+from nearfar.lod._measure import score_table
 from nearfar.lod._measure import scores as level_scores
 from nearfar.lod._measure.score_cache import SUFFIX
 from tests.support.lod_cases import SMALL, assert_same, count_renders, levels
@@ -66,7 +66,7 @@ def test_damaged_scores_are_measured_again(tmp_path: Path) -> None:
 def test_what_was_done_before_ctrl_c_is_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     own = levels(16, 8, 4)
     whole = nf.lod.measure(own, **SMALL, step=None, cache=False)
-    monkeypatch.setattr(one_object, "MAX_BLOCK_PIXELS", 4000)
+    monkeypatch.setattr(score_table, "MAX_BLOCK_PIXELS", 4000)
     left = [7]
 
     def scores(*given: Any) -> Any:
@@ -76,7 +76,7 @@ def test_what_was_done_before_ctrl_c_is_kept(tmp_path: Path, monkeypatch: pytest
                 signal.raise_signal(signal.SIGINT)
             yield found
 
-    monkeypatch.setattr(one_object, "scores", scores)
+    monkeypatch.setattr(score_table, "scores", scores)
     with pytest.raises(KeyboardInterrupt) as interrupted:
         nf.lod.measure(own, **SMALL, step=None)
     (note,) = interrupted.value.__notes__

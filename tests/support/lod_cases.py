@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._scene.builder import SceneBuilder
-from nearfar.lod._measure import one_object
+from nearfar.lod._measure import score_table
 from nearfar.lod._measure import scores as level_scores
 
 Array = NDArray[np.float64]
@@ -140,5 +140,5 @@ def count_renders(monkeypatch: pytest.MonkeyPatch) -> list[int]:
         counted.append(len(cameras) + sum(len(level.chosen) for level in levels))
         return level_scores.scores(base, levels, cameras, *rest)
 
-    monkeypatch.setattr(one_object, "scores", scores)
+    monkeypatch.setattr(score_table, "scores", scores)
     return counted

@@ -1,28 +1,21 @@
-"""Measurement of the levels of one object: scores by size and view, the levels worth keeping, and their curves."""
+"""Measurement of the levels of one object: the levels worth keeping, and their curves."""
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._base import check, progress
-from nearfar._render.renderer import Renderer
+from nearfar._base import progress
 from nearfar.lod._levels import Levels
 from nearfar.lod._measure.fit import Curve4PL, fit_4pl
 from nearfar.lod._measure.samples import Samples
-from nearfar.lod._measure.score_cache import ScoreCache, content
-from nearfar.lod._measure.scores import Compared, scores
+from nearfar.lod._measure.score_table import ScoreTable
 from nearfar.lod._measure.settings import MeasureSettings
-from nearfar.lod._measure.views import AXES, Stand, turns
+from nearfar.lod._measure.views import AXES
 from nearfar.lod._model import LodModel
-
-MAX_BLOCK_PIXELS = 1 << 20
-"""Pixels of a block of views. Two pictures of each and every level's mask are in memory, and Ctrl-C loses one level's
-scores of a block."""
 
 STEPPED_SIZES = 4
 """Sizes at which levels are kept by steps. SSIM of bumpy things dips where they are smaller, and a level that is good
@@ -31,133 +24,103 @@ enough at 1/16 of the screen is not there: without a finer one that is, the base
 STEP_TOLERANCE = 1e-9
 """Share of a step by which a score may miss it: 0.95, which no binary number is, counts as one step of 0.05 below 1."""
 
+PILOT = 12
+"""One of so many turns tells which levels are likely to be within a step of the base."""
+
 
 def measure_one(levels: Levels, report: progress.Report, *, settings: MeasureSettings) -> tuple[LodModel, list[int]]:
     """Return a model without geometry, and the numbers of the levels that it keeps; the base is one of them."""
-    return _Measurement(levels, settings, report).run()
+    return _Measurement(ScoreTable(levels, settings, report)).run()
 
 
 def kept_scores(levels: Levels, settings: MeasureSettings) -> tuple[int, int]:
     """Count the scores that the cache has, and those that there would be if each level were measured at each size."""
     if len(levels) < 2 or not levels.radius > 0.0:
         return 0, 0
-    measurement = _Measurement(levels, settings, lambda _done, _total: None)
-    measurement.prepare()
-    scores = measurement.scores[~measurement.is_base]
+    table = ScoreTable(levels, settings, lambda _done, _total: None)
+    table.prepare()
+    scores = table.scores[~table.is_base]
     return int(np.isfinite(scores).sum()), scores.size
 
 
 class _Measurement:
-    """Scores of K levels at D sizes from V different turns, and which of them are known."""
+    """Which levels are measured at which sizes, and what follows from their scores."""
 
-    def __init__(self, levels: Levels, settings: MeasureSettings, report: progress.Report) -> None:
-        if not levels.radius > 0.0:
-            raise ValueError(f"levels: expected a base that is more than a point, got radius {levels.radius}")
-        self.levels, self.settings, self.report = levels, settings, report
-        self.renders = self.comparisons = 0
-        self.screen = settings.screen
-        self.stand = Stand(self.screen, check.vector("center", levels.center), levels.radius, _reach(levels))
-        self.turns, self.turn_of_view = turns(settings.views)
-        self.sizes = range(1, settings.distances + 1)
-        self.scores = np.full((len(levels), settings.distances, len(self.turns)), np.nan)
-        self.scores[0] = 1.0
-        self.is_measured = np.zeros(self.scores.shape[:2], bool)
+    def __init__(self, table: ScoreTable) -> None:
+        self.table, self.levels, self.settings = table, table.levels, table.settings
+        self.is_measured = np.zeros(table.scores.shape[:2], bool)
         self.is_measured[0] = True
-        self.is_base = np.arange(len(levels)) == 0
-        self.backend = self.device = "cpu"
-        self.cache: ScoreCache | None = None
 
     def run(self) -> tuple[LodModel, list[int]]:
         """Measure all that is not known; return the model and the levels that it keeps."""
         kept = list(range(len(self.levels)))
         if len(self.levels) > 1:
-            self.prepare()
+            self.table.prepare()
             try:
-                kept = self._measure()
+                kept = self._keep()
+                self._measure(kept)
             finally:
                 # Ctrl-C keeps the scores that are there.
-                if self.cache is not None:
-                    self.cache.save()
+                if self.table.cache is not None:
+                    self.table.cache.save()
         return self._model(kept), kept
 
-    def prepare(self) -> None:
-        """Decide on which device pictures are made, once for all levels, and load the scores that are known."""
-        base = self.levels[0].scene
-        device = Renderer(base, ("color", "range"), self.settings.samples).device(self.settings.backend)
-        if device is not None:
-            self.backend, self.device = "gpu", device.label
-        contents = [content(level.scene) for level in self.levels]
-        self.is_base[:] = [one == contents[0] for one in contents]
-        self.scores[self.is_base] = 1.0
-        if self.settings.cache:
-            screen, stand = self.screen, self.stand
-            place = (stand.center, stand.radius, screen.tan_half_angle, screen.pixel, screen.size)
-            pictured = (self.settings.views, self.settings.samples, self.device)
-            self.cache = ScoreCache(contents, (*place, *pictured), self.scores)
-
-    def _measure(self) -> list[int]:
-        """Go from near to far; returns the levels that are kept, which the first sizes decide."""
-        kept, measured = {0}, list(range(1, len(self.levels)))
+    def _keep(self) -> list[int]:
+        """Choose the levels by their scores at the first sizes."""
+        step, saturated = self.settings.step, self.settings.saturated
+        if step is None:
+            return list(range(len(self.levels)))
+        kept = {0}
         streaks = np.zeros(len(self.levels), int)
-        for size in self.sizes:
-            self._fill(size, measured)
-            self.is_measured[measured, size - 1] = True
-            percentiles = self._percentiles(size)
-            if size <= STEPPED_SIZES:
-                # Levels that are measured no further look like the base.
-                known = self.is_measured[:, size - 1]
-                kept.update(coarsest_of_steps(np.where(known, percentiles, 1.0), self.settings.step))
-            if size == STEPPED_SIZES:
-                measured = [number for number in measured if number in kept]
-            if self.settings.saturated is not None:
-                streaks = np.where(percentiles >= self.settings.saturated, streaks + 1, 0)
-                measured = [number for number in measured if streaks[number] < 2 or self.is_base[number]]
+        for size in self.table.sizes[:STEPPED_SIZES]:
+            scores = self._from_coarsest(size, step, streaks >= 2)
+            # Levels that are not measured look like the base, or are finer than one that is good enough.
+            kept.update(coarsest_of_steps(np.where(np.isnan(scores), 1.0, scores), step))
+            if saturated is not None:
+                streaks = np.where(scores >= saturated, streaks + 1, np.where(streaks < 2, 0, streaks))
         return sorted(kept)
 
-    def _percentiles(self, size: int) -> NDArray[np.float64]:
-        """The percentile over the views (K,); NaN for levels that were measured no further."""
-        scores_of_views = self.scores[:, size - 1][:, self.turn_of_view]
-        percentiles = np.full(len(scores_of_views), np.nan)
-        known = self.is_measured[:, size - 1]
-        percentiles[known] = np.percentile(
-            scores_of_views[known], self.settings.percentile, axis=1, method="averaged_inverted_cdf"
-        )
-        return percentiles
+    def _from_coarsest(self, size: int, step: float, is_like_base: NDArray[np.bool_]) -> NDArray[np.float64]:
+        """Score levels at a size (K,) from the coarsest up to one within a step of the base; NaN for the others.
 
-    def _fill(self, size: int, measured: list[int]) -> None:
-        """Score levels at a size where no score is known, by blocks of views."""
-        table = self.scores[:, size - 1]
-        first, end, top, bottom = self.stand.box(size)
-        block = max(1, MAX_BLOCK_PIXELS // ((end - first) * (bottom - top)))
-        missing = np.flatnonzero(np.isnan(table[measured]).any(axis=0)) if measured else np.empty(0, int)
-        for start in range(0, len(missing), block):
-            views = missing[start : start + block]
-            new = {number: np.flatnonzero(np.isnan(table[number, views])) for number in measured}
-            new = {number: places for number, places in new.items() if len(places)}
-            cameras = [self.stand.camera(size, self.turns[view]) for view in views]
-            compared = [Compared(self.levels[number].scene, places) for number, places in new.items()]
-            found = scores(self.levels[0].scene, compared, cameras, self.settings.samples, self.backend)
-            self.renders += len(views)
-            for order, number in enumerate(new):
-                share = start + len(views) * order / len(new)
-                self.report(*self._progress(size, share / len(missing), len(measured)))
-                table[number, views[new[number]]] = next(found)
-                self.comparisons += len(new[number])
-                self.renders += len(new[number])
-            if self.cache is not None:
-                self.cache.save_at_times()
+        Finer ones are not chosen, whatever they score. A few turns tell where to begin, so that the base's pictures
+        are mostly made once.
+        """
+        table, count = self.table, len(self.levels)
+        # A level that looks like the base is within a step, too.
+        finest = max(1, int(np.flatnonzero(is_like_base)[-1]) + 1) if is_like_base.any() else 1
+        pilot = np.arange(0, len(table.turns), PILOT)
+        table.fill(size, list(range(finest, count)), pilot)
+        is_good = steps_below(table.percentiles(size, pilot), step) <= 1
+        start = max(finest, int(np.flatnonzero(is_good)[-1]))
+        scores = np.full(count, np.nan)
+        while start < count:
+            measured = list(range(start, count))
+            table.fill(size, measured)
+            scores[measured] = table.percentiles(size)[measured]
+            if start == finest or (steps_below(scores[measured], step) <= 1).any():
+                break
+            start -= 1
+        return scores
 
-    def _progress(self, size: int, share: float, measured: int) -> tuple[int, int]:
-        """Pixels rendered and pixels in all, if no level that is measured now is left out later."""
-        boxes = [self.stand.box(number) for number in self.sizes]
-        pixels = [(end - first) * (bottom - top) * (measured + 1) for first, end, top, bottom in boxes]
-        return int(sum(pixels[: size - 1]) + share * pixels[size - 1]), sum(pixels)
+    def _measure(self, kept: list[int]) -> None:
+        """Measure the levels that are kept, from near to far."""
+        table, streaks = self.table, np.zeros(len(self.levels), int)
+        measured = kept[1:]
+        for size in table.sizes:
+            table.fill(size, measured)
+            self.is_measured[measured, size - 1] = True
+            if self.settings.saturated is not None:
+                streaks = np.where(table.percentiles(size) >= self.settings.saturated, streaks + 1, 0)
+                measured = [number for number in measured if streaks[number] < 2 or table.is_base[number]]
 
     def _model(self, kept: list[int]) -> LodModel:
-        sigma = np.array([self.stand.sigma(size) for size in self.sizes])
-        score = np.stack([self._percentiles(size) for size in self.sizes], axis=1)
-        views = np.where(self.is_measured[..., None], self.scores[..., self.turn_of_view], np.nan)
-        samples = Samples(sigma, score[kept], views[kept].astype(np.float32))
+        table = self.table
+        sigma = np.array([table.stand.sigma(size) for size in table.sizes])
+        score = np.stack([table.percentiles(size) for size in table.sizes], axis=1)
+        measured = np.where(self.is_measured, score, np.nan)
+        views = np.where(self.is_measured[..., None], table.scores[..., table.turn_of_view], np.nan)
+        samples = Samples(sigma, measured[kept], views[kept].astype(np.float32))
         # Levels fall to their curve's plateau, and sizes that are not measured look no worse than those that are.
         curves = _cautious(fit_4pl(sigma, samples.filled[1:]), samples.filled[1:])
         return LodModel(
@@ -173,15 +136,16 @@ class _Measurement:
         )
 
     def _record(self, kept: list[int], first: NDArray[np.float64]) -> dict[str, Any]:
-        """Settings and work as JSON, and the levels that are left out with their scores at the first size."""
-        settings = self.settings
+        """Settings and work as JSON, and the levels that are left out with their scores at the first size, if known."""
+        settings, screen = self.settings, self.table.screen
         most = (len(self.levels) - 1) * settings.distances * settings.views
-        cached = int(self.is_measured[~self.is_base].sum()) * len(self.turns) - self.comparisons
+        found, cached = self.table.counts
         left_out = [number for number in range(len(self.levels)) if number not in kept]
+        score = [float(one) if np.isfinite(one) else None for one in first]
         return {
-            "tan_half_angle": self.screen.tan_half_angle,
-            "pixel": self.screen.pixel,
-            "size": list(self.screen.size),
+            "tan_half_angle": screen.tan_half_angle,
+            "pixel": screen.pixel,
+            "size": list(screen.size),
             "axes": [list(axis) for axis in AXES],
             "views": settings.views,
             "distances": settings.distances,
@@ -189,13 +153,18 @@ class _Measurement:
             "step": settings.step,
             "saturated": settings.saturated,
             "samples": settings.samples,
-            "device": self.device,
-            "left_out": [{"triangles": self.levels[n].triangle_count, "score": float(first[n])} for n in left_out],
-            "renders": self.renders,
-            "scores": self.comparisons,
+            "device": self.table.device,
+            "left_out": [{"triangles": self.levels[n].triangle_count, "score": score[n]} for n in left_out],
+            "renders": self.table.renders,
+            "scores": found,
             "cached": cached,
-            "skipped": most - self.comparisons - cached,
+            "skipped": most - found - cached,
         }
+
+
+def steps_below(score: NDArray[np.float64], step: float) -> NDArray[np.float64]:
+    """Count the steps, from 1 on, by which scores (K,) are below 1; NaN for NaN."""
+    return np.maximum(1.0, np.ceil((1.0 - score) / step - STEP_TOLERANCE))
 
 
 def coarsest_of_steps(score: NDArray[np.float64], step: float | None) -> list[int]:
@@ -205,21 +174,11 @@ def coarsest_of_steps(score: NDArray[np.float64], step: float | None) -> list[in
     """
     if step is None:
         return list(range(len(score)))
-    steps = np.maximum(1, np.ceil((1.0 - score) / step - STEP_TOLERANCE)).astype(int)
+    steps = steps_below(score, step)
     kept = {0}
     for allowed in np.unique(steps[1:]):
         kept.add(int(np.flatnonzero(steps <= allowed)[-1]))
     return sorted(kept)
-
-
-def _reach(levels: Levels) -> float:
-    """Metres from the base's centre to the farthest corner of any level."""
-    farthest = 0.0
-    for level in levels:
-        scene = level.scene
-        corners = scene.triangles().reshape(-1, 3) + (scene.origin - levels.center)
-        farthest = max(farthest, math.sqrt(float(np.einsum("ij,ij->i", corners, corners).max())))
-    return farthest
 
 
 def _cautious(curves: Curve4PL, scores: NDArray[np.float64]) -> Curve4PL:

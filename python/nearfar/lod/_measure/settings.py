@@ -40,8 +40,8 @@ class MeasureSettings:
     step
         Keep the coarsest of the levels that score at least 1 − step at the first distance, the coarsest of those that
         score at least 1 − 2 step, and so on; likewise at the next three, because SSIM of bumpy things may fall as they
-        get smaller. Other levels look no better than a coarser one, and are measured no further. The base always stays.
-        None keeps all.
+        get smaller. Other levels look no better than a coarser one, and are measured no further than it takes to know
+        that. The base always stays. None keeps all.
     saturated
         A level that scores as much at two distances running is measured no further, and its curve stays where it was.
         None measures all.

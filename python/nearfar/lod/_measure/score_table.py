@@ -1,0 +1,126 @@
+"""Scores of one object's levels by size and view: which of them are known, and the work that finds the others."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import check, progress
+from nearfar._render.renderer import Renderer
+from nearfar.lod._levels import Levels
+from nearfar.lod._measure.score_cache import ScoreCache, content
+from nearfar.lod._measure.scores import Compared, scores
+from nearfar.lod._measure.settings import MeasureSettings
+from nearfar.lod._measure.views import Stand, turns
+
+MAX_BLOCK_PIXELS = 1 << 20
+"""Pixels of a block of views. Two pictures of each and every level's mask are in memory, and Ctrl-C loses one level's
+scores of a block."""
+
+
+class ScoreTable:
+    """Scores of K levels at D sizes from T different turns, NaN where unknown.
+
+    Parameters
+    ----------
+    levels
+        The base first.
+    settings
+        The screen, the views and the sizes.
+    report
+        Takes the pixels rendered and the pixels in all.
+    """
+
+    def __init__(self, levels: Levels, settings: MeasureSettings, report: progress.Report) -> None:
+        if not levels.radius > 0.0:
+            raise ValueError(f"levels: expected a base that is more than a point, got radius {levels.radius}")
+        self.levels, self.settings, self.report = levels, settings, report
+        self.renders = 0
+        self.screen = settings.screen
+        self.stand = Stand(self.screen, check.vector("center", levels.center), levels.radius, _reach(levels))
+        self.turns, self.turn_of_view = turns(settings.views)
+        self.sizes = range(1, settings.distances + 1)
+        self.scores = np.full((len(levels), settings.distances, len(self.turns)), np.nan)
+        self.scores[0] = 1.0
+        self.is_base = np.arange(len(levels)) == 0
+        self.is_used = np.zeros(self.scores.shape, bool)
+        self.was_known = np.isfinite(self.scores)
+        self.backend = self.device = "cpu"
+        self.cache: ScoreCache | None = None
+        self._done = 0
+
+    def prepare(self) -> None:
+        """Decide on which device pictures are made, once for all levels, and load the scores that are known."""
+        base = self.levels[0].scene
+        device = Renderer(base, ("color", "range"), self.settings.samples).device(self.settings.backend)
+        if device is not None:
+            self.backend, self.device = "gpu", device.label
+        contents = [content(level.scene) for level in self.levels]
+        self.is_base[:] = [one == contents[0] for one in contents]
+        self.scores[self.is_base] = 1.0
+        if self.settings.cache:
+            screen, stand = self.screen, self.stand
+            place = (stand.center, stand.radius, screen.tan_half_angle, screen.pixel, screen.size)
+            pictured = (self.settings.views, self.settings.samples, self.device)
+            self.cache = ScoreCache(contents, (*place, *pictured), self.scores)
+        self.was_known = np.isfinite(self.scores)
+
+    def fill(self, size: int, numbers: list[int], among: NDArray[np.intp] | None = None) -> None:
+        """Score levels at a size from all turns or among some, where no score is known, by blocks of views."""
+        table = self.scores[:, size - 1]
+        asked = np.zeros(len(self.turns), bool)
+        asked[slice(None) if among is None else among] = True
+        self.is_used[numbers, size - 1] |= asked
+        missing = np.flatnonzero(asked & np.isnan(table[numbers]).any(axis=0)) if numbers else np.empty(0, int)
+        first, end, top, bottom = self.stand.box(size)
+        block = max(1, MAX_BLOCK_PIXELS // ((end - first) * (bottom - top)))
+        for start in range(0, len(missing), block):
+            views = missing[start : start + block]
+            new = {number: np.flatnonzero(np.isnan(table[number, views])) for number in numbers}
+            new = {number: places for number, places in new.items() if len(places)}
+            cameras = [self.stand.camera(size, self.turns[view]) for view in views]
+            compared = [Compared(self.levels[number].scene, places) for number, places in new.items()]
+            found = scores(self.levels[0].scene, compared, cameras, self.settings.samples, self.backend)
+            self.renders += len(views)
+            for number in new:
+                self._report(size, float(np.isfinite(table[numbers]).mean()))
+                table[number, views[new[number]]] = next(found)
+                self.renders += len(new[number])
+            if self.cache is not None:
+                self.cache.save_at_times()
+
+    def percentiles(self, size: int, among: NDArray[np.intp] | None = None) -> NDArray[np.float64]:
+        """The percentile over all views or among those of some turns (K,); NaN where one of them is unknown."""
+        turns = self.turn_of_view if among is None else self.turn_of_view[np.isin(self.turn_of_view, among)]
+        scores_of_views = self.scores[:, size - 1][:, turns]
+        percentiles = np.full(len(scores_of_views), np.nan)
+        known = np.isfinite(scores_of_views).all(axis=1)
+        percentiles[known] = np.percentile(
+            scores_of_views[known], self.settings.percentile, axis=1, method="averaged_inverted_cdf"
+        )
+        return percentiles
+
+    @property
+    def counts(self) -> tuple[int, int]:
+        """Scores that were found, and scores that were used and known before."""
+        used = self.is_used & ~self.is_base[:, None, None]
+        return int((used & ~self.was_known).sum()), int((used & self.was_known).sum())
+
+    def _report(self, size: int, share: float) -> None:
+        """Report the pixels of the sizes before and a share of this one's, as if each size were measured once."""
+        boxes = [self.stand.box(number) for number in self.sizes]
+        pixels = [(end - first) * (bottom - top) for first, end, top, bottom in boxes]
+        self._done = max(self._done, int(sum(pixels[: size - 1]) + share * pixels[size - 1]))
+        self.report(self._done, sum(pixels))
+
+
+def _reach(levels: Levels) -> float:
+    """Metres from the base's centre to the farthest corner of any level."""
+    farthest = 0.0
+    for level in levels:
+        scene = level.scene
+        corners = scene.triangles().reshape(-1, 3) + (scene.origin - levels.center)
+        farthest = max(farthest, math.sqrt(float(np.einsum("ij,ij->i", corners, corners).max())))
+    return farthest
