@@ -109,14 +109,10 @@ fn spread_and_extend<P: Pixel>(
     seen: &mut Extremes<P>,
 ) {
     let length = x.len().min(y.len()).min(s.len()).min(d.len());
+    let (x, y, s, d) = (&x[..length], &y[..length], &mut s[..length], &mut d[..length]);
+    // Copies, which stay in registers.
     let (mut least, mut greatest) = (seen.least, seen.greatest);
-    let mut from = 0;
-    while let (Some(x), Some(y), Some(s), Some(d)) = (
-        x[from..].first_chunk::<LANES>(),
-        y[from..].first_chunk::<LANES>(),
-        s[from..].first_chunk_mut::<LANES>(),
-        d[from..].first_chunk_mut::<LANES>(),
-    ) {
+    let mut block = |x: &[P; LANES], y: &[P; LANES], s: &mut [P::Real; LANES], d: &mut [P::Real; LANES]| {
         for i in 0..LANES {
             let (a, b) = (x[i].real() - levels[0], y[i].real() - levels[1]);
             s[i] = a + b;
@@ -126,11 +122,15 @@ fn spread_and_extend<P: Pixel>(
             least[i] = if low < least[i] { low } else { least[i] };
             greatest[i] = if high > greatest[i] { high } else { greatest[i] };
         }
-        if from + LANES == length {
-            break;
-        }
-        // The last block goes back to pixels that were taken up already, which changes nothing.
-        from = (from + LANES).min(length - LANES);
+    };
+    let images = x.as_chunks().0.iter().zip(y.as_chunks().0);
+    let lines = s.as_chunks_mut().0.iter_mut().zip(d.as_chunks_mut().0);
+    images.zip(lines).for_each(|((x, y), (s, d))| block(x, y, s, d));
+    // The last block goes back to pixels that were taken up already, which changes nothing.
+    if let (Some(x), Some(y), Some(s), Some(d)) =
+        (x.last_chunk(), y.last_chunk(), s.last_chunk_mut(), d.last_chunk_mut())
+    {
+        block(x, y, s, d);
     }
     (seen.least, seen.greatest) = (least, greatest);
 }
