@@ -208,6 +208,19 @@ def test_commands_read_files_of_other_units(tmp_path: Path, capsys: pytest.Captu
     assert (status, err) == (1, "nearfar: --scale: expected a number above 0, got 0.0\n")
 
 
+def test_no_folder_hides_a_procedural_scene(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "room").mkdir()
+    status, out, _ = command(capsys, "partition", "-i", "room", "--json")
+    assert status == 0
+    assert document(out, "partition")["summary"]["triangles"] > 1000
+    status, _, err = command(capsys, "partition", "-i", "./room")
+    assert status == 1
+    assert err.startswith("nearfar: ./room: expected a scene file, got a folder")
+
+
 @pytest.mark.parametrize("name", ["reduce", "compare"])
 def test_reports_say_that_the_unit_may_be_another(
     name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]

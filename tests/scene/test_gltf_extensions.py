@@ -230,7 +230,7 @@ def test_real_draco_files_are_right_or_an_error(name: str, monkeypatch: pytest.M
         without_decoder(patch)
         with pytest.raises(nf.SceneError, match=f"{name}: .*{DRACO}.*pip install DracoPy"):
             nf.Scene.load(path)
-    pytest.importorskip("DracoPy")
+    need("DracoPy")
     scene = nf.Scene.load(path)
     if name == "BoxDraco.gltf":
         np.testing.assert_allclose(scene.bounds, [[-0.5] * 3, [0.5] * 3], atol=1e-3)

@@ -77,6 +77,7 @@ def _release() -> str:
 
 PARTS: dict[str, Callable[[], str]] = {
     "data": _data_folder,
+    "DracoPy": _module("DracoPy"),
     "distributed": _module("distributed"),
     "fast_simplification": _module("fast_simplification"),
     "embreex": _module("embreex"),

@@ -139,19 +139,22 @@ def is_reduced(text: str) -> bool:
 
 
 def open_scene(text: str, *, up: str, on_invalid: str, scale: float | None) -> nf.Scene:
-    """Load the file or make the procedural scene that `-i` names; an extent that suggests another unit is said."""
+    """Load the file or make the procedural scene that `-i` names; an extent that suggests another unit is said.
+
+    No file or folder hides a procedural scene: `./room` is the one that lies here.
+    """
     if scale is not None:
         check.positive("--scale", scale)
     name, _, settings = text.partition(":")
-    if Path(text).is_dir():
-        kind = "a reduced scene" if is_reduced(text) else f"no {folder.DOCUMENT}"
-        raise ValueError(f"{text}: expected a scene file, got a folder with {kind}")
-    if name in PROCEDURAL and not Path(text).exists():
+    if name in PROCEDURAL:
         if up != "y":
             raise ValueError(f"--up: expected y with {name}, which stands upright already, got {up!r}")
         if scale is not None:
             raise ValueError(f"--scale: expected none with {name}, which is in metres already, got {scale:g}")
         return _procedural(name, settings)
+    if Path(text).is_dir():
+        kind = "a reduced scene" if is_reduced(text) else f"no {folder.DOCUMENT}"
+        raise ValueError(f"{text}: expected a scene file, got a folder with {kind}")
     scene = nf.Scene.load(text, up=up, on_invalid=on_invalid, scale=scale)
     if scene.report.unit_note:
         typer.echo(f"nearfar: {text}: {scene.report.unit_note}", err=True)
