@@ -133,6 +133,27 @@ def test_colours_of_faces_become_materials() -> None:
     assert scene.triangle_count == 12
 
 
+@pytest.mark.parametrize(
+    ("lines", "notes"),
+    [
+        ("Ks 0.3 0.3 0.3\nNs 50\nTr 0\nd 1\nKe 0 0 0\nPm 0\nillum 2", []),
+        ("Ke 1 0.5 0", ["with emission drawn and saved without it"]),
+        ("map_Ke glow.png", ["with emission drawn and saved without it"]),
+        ("map_Bump -bm 0.3 bumps.png", ["with a normal map drawn and saved without it"]),
+        ("norm n.png\nbump b.png", ["with a normal map drawn and saved without it"]),
+        ("map_Ks s.png", ["with metal or gloss drawn and saved without it"]),
+        ("Pm 1", ["with metal or gloss drawn and saved without it"]),
+        ("d 0.5", ["with transparency drawn opaque"]),
+        ("Tr 0.5", ["with transparency drawn opaque"]),
+        ("map_d holes.png\nTr x", ["with an opacity map drawn and saved without it"]),
+    ],
+)
+def test_what_is_not_drawn_of_wavefront_materials_is_noted(lines: str, notes: list[str], tmp_path: Path) -> None:
+    (tmp_path / "a.mtl").write_text(f"newmtl m\nKd 0.5 0.4 0.3\n{lines}\n")
+    (tmp_path / "a.obj").write_text("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n")
+    assert list(nf.Scene.load(tmp_path / "a.obj").report.notes) == [f"1 material {note}" for note in notes]
+
+
 def test_wavefront_materials_are_srgb_with_texture(tmp_path: Path) -> None:
     picture(channels=3).save(tmp_path / "wood.png")
     (tmp_path / "a.mtl").write_text("newmtl wood\nKd 1 1 1\nmap_Kd wood.png\nnewmtl paint\nKd 0.5 0.25 0\n")

@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-import codecs
 import gzip
 import io
 import logging
 import os
-import re
 import warnings
 import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from nearfar._base import check
 from nearfar._base.errors import SceneError
-from nearfar._scene import load_gltf, load_trimesh
+from nearfar._scene import load_gltf, load_trimesh, load_wavefront
 from nearfar._scene.assembly import Assembled
 from nearfar._scene.source import UP, Source, UnusableError, assemble
 
@@ -61,62 +58,14 @@ def _read(label: str, path: Path, data: bytes) -> Source:
     resolver = trimesh.resolvers.FilePathResolver(os.path.abspath(path))
     if kind in ("glb", "gltf"):
         return load_gltf.read(label, data, kind, resolver)
-    loaded = _wavefront(data, resolver) if kind == "obj" else _loaded(data, kind, resolver)
-    source = load_trimesh.read(label, loaded, fresh=True)
     if kind == "obj":
-        source.notes += _wavefront_losses(data, resolver)
+        source = load_wavefront.read(label, data, resolver)
+    else:
+        source = load_trimesh.read(label, load_trimesh.parsed(data, kind, resolver), fresh=True)
     if len(source.nodes) == 1 and source.nodes[0].object in (path.name, "geometry_0", "geometry"):
         node = source.nodes[0]
         source.nodes = [type(node)(name, node.transform, node.shape)]
     return source
-
-
-def _loaded(data: bytes, kind: str, resolver: Any, **options: bool) -> Any:
-    import trimesh
-
-    return trimesh.load_scene(io.BytesIO(data), file_type=kind, resolver=resolver, process=False, **options)
-
-
-def _wavefront(data: bytes, resolver: Any) -> Any:
-    """Read an OBJ of any encoding; objects stay separate, faces keep their order, and vertices too if unambiguous."""
-    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        data = data.decode("utf-16").encode()
-    else:
-        try:
-            data.decode()
-        except UnicodeDecodeError:
-            data = data.decode("latin-1").encode()  # decodes every byte; digits are the same in all 8-bit encodings
-    # A vertex may have several texture coordinates or normals. With `maintain_order` trimesh would give it the median
-    # of their indices.
-    if re.search(rb"^[ \t]*v[nt][ \t]", data, re.MULTILINE):
-        return _loaded(data, "obj", resolver, split_objects=True)
-    try:
-        return _loaded(data, "obj", resolver, split_objects=True, maintain_order=True)
-    except IndexError:
-        # `maintain_order` does not support negative indices.
-        return _loaded(data, "obj", resolver, split_objects=True)
-
-
-def _wavefront_losses(data: bytes, resolver: Any) -> list[str]:
-    """Notes on the material file and textures that cannot be read; trimesh leaves them out without a warning."""
-    from PIL import Image
-
-    def named(keyword: bytes, text: bytes) -> list[str]:
-        matches = re.findall(rb"^[ \t]*" + keyword + rb"[ \t]+(.*\S)", text, re.MULTILINE | re.IGNORECASE)
-        return list(dict.fromkeys(name.decode(errors="replace") for name in matches))
-
-    losses = []
-    for library in named(b"mtllib", data)[:1]:  # trimesh reads only the first
-        try:
-            materials = resolver.get(library)
-        except Exception:  # resolvers and Pillow may raise any type
-            return [f"material file '{library}' cannot be read, drawn without it"]
-        for texture in named(b"map_kd", materials):
-            try:
-                Image.open(io.BytesIO(resolver.get(texture)))
-            except Exception:
-                losses.append(f"texture '{texture}' cannot be read, drawn without it")
-    return losses
 
 
 _ARCHIVES = {"zip", "tar", "tgz", "bz2", "7z", "rar"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,6 +21,13 @@ _LINEAR_COLORS = ("glb", "gltf")
 
 _NEAR = 1e-6
 """Greatest difference of a coordinate between two computations of the same unit normal by trimesh."""
+
+
+def parsed(data: bytes, kind: str, resolver: Any, **options: bool) -> Any:
+    """Let trimesh read a file; `kind` is its suffix without the dot."""
+    import trimesh
+
+    return trimesh.load_scene(io.BytesIO(data), file_type=kind, resolver=resolver, process=False, **options)
 
 
 def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, *, fresh: bool = False) -> Source:

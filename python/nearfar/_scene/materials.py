@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from nearfar._scene import undrawn as undrawn_parts
+from nearfar._scene import wavefront_materials
 from nearfar._scene.undrawn import EncodedImage, TextureSource, Undrawn
 
 MOST_TEXELS = 1 << 27
@@ -208,10 +209,11 @@ class Materials:
         if _is_placeholder(image):
             image = None
         texture, notes = self._texture(image)
+        notes += wavefront_materials.differences(material.kwargs)
         if diffuse == _TRIMESH_DEFAULT:
             return BaseColor(UNCOLORED.factor if texture is not None else PLAIN.factor, texture, None, notes)
-        if diffuse[3] < 255:
-            notes += ("with transparency drawn opaque",)
+        if diffuse[3] < 255 and wavefront_materials.OPAQUE not in notes:
+            notes += (wavefront_materials.OPAQUE,)
         red, green, blue = (float(c) for c in to_linear(np.array(diffuse[:3]) / 255))
         return BaseColor((red, green, blue, diffuse[3] / 255), texture, None, notes)
 
