@@ -1,14 +1,17 @@
-"""Atomic writing of files and folders: a temporary one is written, flushed to disk, and renamed."""
+"""Atomic writing of files and folders: a temporary one is written, flushed to disk, and takes the place."""
 
 from __future__ import annotations
 
 import errno
 import os
-import secrets
 import shutil
+import stat
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
+
+from nearfar import _core
+from nearfar._base import aside
 
 
 @contextmanager
@@ -34,18 +37,17 @@ def atomic_file(path: str | os.PathLike[str]) -> Iterator[Path]:
     target = _absolute(path)
     if target.is_dir():
         raise IsADirectoryError(errno.EISDIR, "is a folder, expected a place for a file", str(target))
-    temporary = _temporary_path(target)
+    aside.clear(target)
+    temporary = aside.temporary(target)
     with _errors_name(target):
-        os.close(os.open(temporary, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
-    try:
+        lock = aside.make(temporary, folder=False)
+    with aside.owned(temporary, lock):
         yield temporary
         _flush(temporary)
+        _keep_mode(target, temporary)
         with _errors_name(target):
             os.replace(temporary, target)
         _flush(target.parent)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
 
 
 @contextmanager
@@ -73,37 +75,52 @@ def atomic_folder(path: str | os.PathLike[str], *, marker: str = "manifest.json"
         other files; the error names `path`.
     """
     target = _absolute(path)
+    aside.restore(target)
     _check_replaceable(target, marker)
-    temporary = _temporary_path(target)
+    aside.clear(target)
+    temporary = aside.temporary(target)
     with _errors_name(target):
-        temporary.mkdir()
-    try:
+        lock = aside.make(temporary, folder=True)
+    with aside.owned(temporary, lock):
         yield temporary
         for item in sorted(temporary.rglob("*")):
             _flush(item)
         _flush(temporary)
-        _swap(temporary, target, marker)
+        _keep_mode(target, temporary)
+        _check_replaceable(target, marker)
+        with _errors_name(target):
+            _take_place(temporary, target)
         _flush(target.parent)
-    except BaseException:
+
+
+def restore(path: str | os.PathLike[str]) -> None:
+    """Put back a folder that was being replaced when the process died, on systems that cannot exchange two at once."""
+    aside.restore(_absolute(path))
+
+
+def _take_place(temporary: Path, target: Path) -> None:
+    """Put a folder in the place of another one, which is removed; at no time is neither there, if the system can."""
+    if not target.exists():
+        os.rename(temporary, target)
+        return
+    if _core.exchange_paths(str(temporary), str(target)):
         shutil.rmtree(temporary, ignore_errors=True)
-        raise
+        return
+    old = aside.replaced(target)
+    shutil.rmtree(old, ignore_errors=True)
+    try:
+        os.rename(target, old)
+        os.rename(temporary, target)
+    finally:
+        # Whatever came between the two; dead processes leave this to the next one that looks for the folder.
+        aside.restore(target)
+    shutil.rmtree(old, ignore_errors=True)
 
 
-def _swap(temporary: Path, target: Path, marker: str) -> None:
-    _check_replaceable(target, marker)
-    old = _temporary_path(target)
-    replaced = target.exists()
-    with _errors_name(target):
-        if replaced:
-            os.rename(target, old)
-        try:
-            os.rename(temporary, target)
-        except OSError:
-            if replaced:
-                os.rename(old, target)
-            raise
-    if replaced:
-        shutil.rmtree(old, ignore_errors=True)
+def _keep_mode(target: Path, temporary: Path) -> None:
+    """Give a replacement the permissions of what it replaces."""
+    with suppress(OSError):
+        os.chmod(temporary, stat.S_IMODE(os.stat(target).st_mode))
 
 
 def _check_replaceable(target: Path, marker: str) -> None:
@@ -117,13 +134,9 @@ def _check_replaceable(target: Path, marker: str) -> None:
 
 
 def _absolute(path: str | os.PathLike[str]) -> Path:
-    """Absolute path, which has a name even for "."."""
-    return Path(os.path.abspath(path))
-
-
-def _temporary_path(target: Path) -> Path:
-    """Unique temporary path in the same folder, because a rename across file systems would copy."""
-    return target.with_name(f".{target.stem}.{secrets.token_hex(6)}{target.suffix}")
+    """Absolute path, which has a name even for "."; of a symbolic link the path that it leads to, so that it stays."""
+    target = Path(os.path.abspath(path))
+    return Path(os.path.realpath(target)) if target.is_symlink() else target
 
 
 @contextmanager

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,13 +12,16 @@ from numpy.typing import NDArray
 
 from nearfar._base import check, files, formats
 from nearfar._cubemap.envmap import EnvMap
-from nearfar._scene.names import Names
+from nearfar._scene.names import Names, names_of
 from nearfar._scene.scene import Scene
 
 NAME, VERSION = "reduced", 2
 """Name of the document's format without "nearfar.", and its version."""
 NEAR, FAR, DOCUMENT = "near.glb", "far.exr", "reduced.json"
 """Names of the files in a folder."""
+
+MOST_OBJECTS = (1 << 31) - 1
+"""Numbers of objects are int32."""
 
 COUNTS = ("triangles", "near", "intermediate", "nsf", "nsf_at_r1", "sf", "rays")
 """Names of the counts of the whole scene, which cannot be computed from the saved part."""
@@ -96,11 +100,21 @@ def _moving(scene: Scene) -> list[dict[str, Any]]:
     return rows
 
 
+def _names(stated: Any) -> Sequence[str] | int:
+    """Names of objects, or the number of nameless ones."""
+    if isinstance(stated, list | tuple):
+        return names_of("object_names", stated)
+    return check.integer("object_names", stated, 0, MOST_OBJECTS)
+
+
 def load(path: str | os.PathLike[str]) -> Contents:
     """Read a folder; FormatError if a file is damaged or too new, OSError if one is missing."""
     from nearfar._scene import glb
 
     folder = check.path("path", path)
+    if folder.name == DOCUMENT:
+        folder = folder.parent
+    files.restore(folder)
     document = formats.read_json(folder / DOCUMENT, NAME, VERSION)
     with formats.guarded(folder / DOCUMENT):
         object_names = document.get("object_names")
@@ -114,8 +128,7 @@ def load(path: str | os.PathLike[str]) -> Contents:
     if object_names is None and env is not None and env.object_id is not None:
         object_names = env.object_names
     with formats.guarded(folder / DOCUMENT):
-        known = isinstance(object_names, int)
-        listed = None if object_names is None else Names(object_names if known else tuple(object_names))
+        listed = None if object_names is None else Names(_names(object_names))
     with formats.guarded(folder / NEAR):
         decoder = glb.Decoder(data, listed)
         core, names, undrawn = decoder.decode(), decoder.names, decoder.undrawn

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import glb
-from nearfar._scene import gltf_extensions
+from nearfar._scene import gltf_extensions, gltf_nodes
 from nearfar._scene.gltf_buffers import COMPONENTS, WIDTHS, Buffers, name_files
 from nearfar._scene.materials import Described, Materials, colors_of
 from nearfar._scene.report import count
-from nearfar._scene.source import Node, Shape, Source, UnusableError, world_transforms
+from nearfar._scene.source import Shape, Source, UnusableError
 
 _TRIANGLES, _STRIP = 4, 5
 _READ_ATTRIBUTES = ("POSITION", "NORMAL", "TEXCOORD_0", "COLOR_0")
@@ -36,39 +36,27 @@ def read(label: str, data: bytes, kind: str, resolver: Any) -> Source:
     header, end = glb.header(data) if kind == "glb" else (glb.json_object(data), 0)
     notes = _notes(header)
     buffers = Buffers(header, glb.binary(data, end) if kind == "glb" else b"", resolver)
-    changes = [_free_nodes(header), gltf_extensions.choose_images(header), name_files(header, resolver)]
+    gltf_nodes.check_trees(header)
+    skipped = {n for n, mesh in enumerate(header.get("meshes", [])) if not any(map(_is_read, mesh["primitives"]))}
+    changes = [
+        gltf_nodes.free_nodes(header, skipped),
+        gltf_extensions.choose_images(header),
+        name_files(header, resolver),
+    ]
     if any(changes):
         data = glb.with_document(data, end, header) if kind == "glb" else json.dumps(header).encode()
     _check_sizes(header, len(data))
     gltf_extensions.check(header, has_binary=kind == "glb" and len(data) > end)
     reader = gltf.load_glb if kind == "glb" else gltf.load_gltf
     parts = reader(file_obj=io.BytesIO(data), resolver=resolver)
-    primitives = [p for mesh in header.get("meshes", []) for p in mesh["primitives"] if _mode(p) in _READ_MODES]
+    primitives = [p for mesh in header.get("meshes", []) for p in mesh["primitives"] if _is_read(p)]
     materials = Materials()
     shapes = {
         name: _shape(arrays, primitive, header, buffers, materials)
         for (name, arrays), primitive in zip(parts["geometry"].items(), primitives, strict=True)
         if "faces" in arrays
     }
-    return Source(label, shapes, _nodes(parts, header, shapes), notes)
-
-
-def _free_nodes(header: dict[str, Any]) -> bool:
-    """Remove cameras and unread meshes from nodes; returns whether there were any.
-
-    Trimesh drops a node with a camera, or with a mesh of which it skips all primitives, and loses the transforms of its
-    children.
-    """
-    changed = False
-    meshes = enumerate(header.get("meshes", []))
-    skipped = {number for number, mesh in meshes if all(_mode(p) not in _READ_MODES for p in mesh["primitives"])}
-    for node in header.get("nodes", []):
-        if "camera" in node or ("mesh" in node and node["mesh"] in skipped):
-            changed = True
-            node.pop("camera", None)
-            if node.get("mesh") in skipped:
-                del node["mesh"]
-    return changed
+    return Source(label, shapes, gltf_nodes.placed(parts, header, shapes), notes)
 
 
 def _check_sizes(header: dict[str, Any], size: int) -> None:
@@ -80,6 +68,11 @@ def _check_sizes(header: dict[str, Any], size: int) -> None:
             claimed += int(accessor["count"]) * item
     if claimed > max(_UNBACKED, _EXPANSION * size):
         raise UnusableError(f"its accessors claim {claimed:,} bytes without data")
+
+
+def _is_read(primitive: dict[str, Any]) -> bool:
+    """Whether trimesh reads the primitive."""
+    return _mode(primitive) in _READ_MODES
 
 
 def _mode(primitive: dict[str, Any]) -> Any:
@@ -135,21 +128,6 @@ def _check_decoded(primitive: dict[str, Any], header: dict[str, Any], vertices: 
 def _accessor(primitive: dict[str, Any], attribute: str, header: dict[str, Any]) -> dict[str, Any]:
     number = primitive.get("attributes", {}).get(attribute)
     return {} if number is None else header["accessors"][number]
-
-
-def _nodes(parts: dict[str, Any], header: dict[str, Any], shapes: dict[str, Shape]) -> list[Node]:
-    """Placed shapes in the file's order; trimesh's traversal reverses it."""
-    named = {str(node.get("name", index)) for index, node in enumerate(header.get("nodes", []))}
-    edges = [(edge["frame_from"], edge["frame_to"], edge.get("matrix")) for edge in parts["graph"]]
-    world = world_transforms(edges, parts["base_frame"])
-    nodes = []
-    for edge in reversed(parts["graph"]):
-        if edge.get("geometry") in shapes:
-            frame, above = edge["frame_to"], edge["frame_from"]
-            # Trimesh gives each primitive of a node its own frame, named after the node with a random suffix.
-            is_primitive = frame not in named and frame.startswith(f"{above}_") and len(frame) == len(above) + 7
-            nodes.append(Node(above if is_primitive else frame, world[frame], edge["geometry"]))
-    return nodes
 
 
 def _notes(header: dict[str, Any]) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import re
 from collections.abc import Iterable, Sequence
 from functools import cached_property
 
@@ -21,6 +22,10 @@ def names_of(argument: str, names: Sequence[str]) -> list[str]:
     if repeated:
         raise ValueError(f"{argument}: expected distinct names, got {repeated} repetitions")
     return list(names)
+
+
+_NAMELESS = re.compile(r"object_(0|[1-9][0-9]{0,17})")
+"""What nameless objects are called, with their number."""
 
 
 class Names:
@@ -51,11 +56,17 @@ class Names:
     def _numbers(self) -> dict[str, int]:
         return {name: number for number, name in enumerate(self.all)}
 
+    def _number_of(self, name: str) -> int | None:
+        if not isinstance(self._source, int):
+            return self._numbers.get(name)
+        match = _NAMELESS.fullmatch(name)
+        return int(match[1]) if match and int(match[1]) < self._source else None
+
     def number(self, argument: str, name: str) -> int:
         """Return the number of an object; ValueError with similar names if there is none."""
         if not isinstance(name, str):
             raise TypeError(f"{argument}: expected names of objects, got {name!r}")
-        number = self._numbers.get(name)
+        number = self._number_of(name)
         if number is None:
             raise ValueError(f"{argument}: the scene has no object '{name}'{self._similar(name)}")
         return number
@@ -69,6 +80,8 @@ class Names:
         return flags
 
     def _similar(self, name: str) -> str:
+        if isinstance(self._source, int):
+            return f"; it has {self._source} objects" + (", such as 'object_0'" if self._source else "")
         candidates = self.all
         if len(candidates) > _MOST_COMPARED:
             candidates = tuple(other for other in candidates if other[:2] == name[:2])[:_MOST_COMPARED]

@@ -11,7 +11,7 @@ from typing import Annotated, Any
 import typer
 
 import nearfar as nf
-from nearfar._base import check
+from nearfar._base import check, files
 from nearfar._reduce import folder
 from nearfar._trace import viewpoint
 
@@ -135,6 +135,7 @@ def check_radii(r1: float | None, r2: float | None) -> None:
 
 def is_reduced(text: str) -> bool:
     """Whether `-i` names a folder that `nearfar reduce` or `ReducedScene.save` wrote."""
+    files.restore(text)
     return (Path(text) / folder.DOCUMENT).is_file()
 
 

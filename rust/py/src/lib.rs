@@ -4,6 +4,7 @@
 mod convert;
 
 mod base;
+mod files;
 mod scene;
 mod cubemap;
 mod camera;
@@ -36,6 +37,7 @@ mod _core {
         cubemap::layouts::{convert_envmap, convert_envmap_nearest, envmap_directions, envmap_texels},
         cubemap::lookup::{cube_footprint, cube_lookup, cube_nearest, cube_next_level, cube_solid_angles},
         exr::{decode_exr, encode_exr},
+        files::exchange_paths,
         gpu::compute::{gpu_cube_lookup, gpu_discontinuity, gpu_morph, gpu_similarity},
         gpu::device::{GpuDevice, gpu_adapters, gpu_forked, gpu_is_hardware},
         gpu::frame::{GpuFrame, GpuJob, gpu_keep},
@@ -53,6 +55,7 @@ mod _core {
         render::truth::render_truth,
         scene::levels::{Levels, placements_of, with_instances, with_surfaces},
         scene::parts::{mesh_parts, scene_parts},
+        scene::wavefront::plain_wavefront,
         scene::{Mesh, Scene},
         tessellate::{tessellate_arrays, tessellate_scene},
         trace::{cast_rays, instruction_sets, nearest_points, use_instruction_set},

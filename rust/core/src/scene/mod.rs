@@ -10,6 +10,7 @@ mod mesh;
 mod normal;
 pub mod srgb;
 mod texture;
+pub mod wavefront;
 mod world;
 
 pub use albedo::{texel_density, texture_level};

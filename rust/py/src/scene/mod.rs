@@ -6,6 +6,7 @@ pub mod parts;
 pub mod placements;
 #[expect(clippy::module_inception, reason = "the file of the class Scene")]
 pub mod scene;
+pub mod wavefront;
 
 pub use mesh::Mesh;
 pub use scene::Scene;

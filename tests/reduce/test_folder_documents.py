@@ -1,0 +1,35 @@
+"""Documents of saved reduced scenes: what they may claim, and how folders are named."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import nearfar as nf
+from tests.support.reduce_cases import CENTER, R1, R2, street
+
+
+@pytest.mark.parametrize("count", [-1, 2**31, 2**70, 1.5, "a", True, ["a", "a"], [1]])
+def test_numbers_of_objects_are_plausible(count: Any, tmp_path: Path) -> None:
+    nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=8).save(tmp_path / "light")
+    document = json.loads((tmp_path / "light" / "reduced.json").read_text(encoding="utf-8"))
+    (tmp_path / "light" / "reduced.json").write_text(json.dumps(document | {"object_names": count}))
+    with pytest.raises(nf.FormatError, match=r"reduced\.json: damaged: object_names: expected"):
+        nf.ReducedScene.load(tmp_path / "light")
+
+
+def test_many_nameless_objects_take_no_memory(tmp_path: Path) -> None:
+    nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=8).save(tmp_path / "light")
+    document = json.loads((tmp_path / "light" / "reduced.json").read_text(encoding="utf-8"))
+    (tmp_path / "light" / "reduced.json").write_text(json.dumps(document | {"object_names": 2_000_000_000}))
+    with pytest.raises(nf.FormatError, match="it has 2000000000 objects, such as 'object_0'"):
+        nf.ReducedScene.load(tmp_path / "light")
+
+
+def test_a_folder_may_be_named_by_its_document(tmp_path: Path) -> None:
+    reduced = nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=8)
+    reduced.save(tmp_path / "light")
+    assert nf.ReducedScene.load(tmp_path / "light" / "reduced.json").r2 == reduced.r2

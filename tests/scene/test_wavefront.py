@@ -1,0 +1,112 @@
+"""Wavefront OBJ against a reader of a few lines: how indices count, lines that are easily missed, wrong indices."""
+
+from __future__ import annotations
+
+import itertools
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+import nearfar as nf
+
+CORNERS = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n"
+
+
+def load(tmp_path: Path, text: str | bytes) -> nf.Scene:
+    path = tmp_path / "a.obj"
+    path.write_bytes(text.encode() if isinstance(text, str) else text)
+    return nf.Scene.load(path)
+
+
+def triangles_of(text: str) -> NDArray[np.float64]:
+    """Triangles (N, 3, 3) of a text by the format's description."""
+    corners: list[list[float]] = []
+    triangles = []
+    for line in text.replace("\\\n", " ").splitlines():
+        keyword, *words = line.split() or [""]
+        if keyword == "v":
+            corners.append([float(word) for word in words])
+        if keyword == "f":
+            indices = [int(word.split("/")[0]) for word in words]
+            around = [corners[index - 1 if index > 0 else index] for index in indices]
+            triangles += [[around[0], b, c] for b, c in itertools.pairwise(around[1:])]
+    return np.array(triangles)
+
+
+def written(random: np.random.Generator) -> str:
+    """A text in which the same things are said in many ways."""
+    lines, count, normals = [], 0, 0
+
+    def blank() -> str:
+        return str(random.choice([" ", "  ", "\t", " \\\n "]))
+
+    def indent() -> str:
+        return str(random.choice(["", "", " ", "\t"]))
+
+    for part in range(int(random.integers(1, 4))):
+        if random.random() < 0.5:
+            lines.append(f"{indent()}o{blank()}part{part}")
+        for _ in range(int(random.integers(3, 6))):
+            numbers = [f"{value:.3f}" for value in random.uniform(-1, 1, 3)]
+            lines.append(f"{indent()}v{blank()}{blank().join(numbers)}")
+            count += 1
+        if random.random() < 0.5:
+            lines.append(f"{indent()}vn{blank()}0 0 1")
+            normals += 1
+        for _ in range(int(random.integers(1, 4))):
+            chosen = random.choice(count, 3 if random.random() < 0.7 else min(4, count), replace=False)
+            words = []
+            for index in chosen:
+                word = str(index + 1 if random.random() < 0.5 else index - count)
+                words.append(word + (f"//{random.choice([-1, normals])}" if normals else ""))
+            lines.append(f"{indent()}f{blank()}{blank().join(words)}")
+    return "\n".join(lines) + str(random.choice(["", "\n"]))
+
+
+def in_any_order(triangles: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Rows of nine numbers that do not depend on the order of triangles, nor on the corner that they begin with."""
+    corners = np.round(triangles, 5).tolist()
+    turned = [min(t[k:] + t[:k] for k in range(3)) for t in corners]
+    return np.array(sorted(turned)).reshape(len(triangles), 9)
+
+
+def test_every_way_to_say_it_gives_the_same_triangles(tmp_path: Path) -> None:
+    random = np.random.default_rng(0)
+    for _ in range(150):
+        text = written(random)
+        expected = in_any_order(triangles_of(text))
+        found = in_any_order(load(tmp_path, text).triangles().astype(np.float64))
+        np.testing.assert_allclose(found, expected, rtol=0, atol=2e-5)
+
+
+@pytest.mark.parametrize(
+    ("faces", "words"),
+    [
+        ("f 0 1 2", "line 5: a face names vertex 0, but the first is 1"),
+        ("f 1 2 4", "line 5: a face names vertex 4 of 3"),
+        ("f -4 2 3", "line 5: a face names vertex -4 of 3"),
+        ("f 1//9 2//1 3//1", "line 5: a face names normal 9 of 1"),
+        ("f 1/1 2/1 3/1", "line 5: a face names texture coordinate 1 of 0"),
+        ("f 1.0 2 3", "line 5: a face has '1.0' where an index belongs"),
+    ],
+)
+def test_indices_that_name_nothing_are_errors(faces: str, words: str, tmp_path: Path) -> None:
+    with pytest.raises(nf.SceneError, match=f"a.obj: {words}"):
+        load(tmp_path, f"{CORNERS}{faces}\n")
+
+
+def test_texts_of_any_encoding_are_read(tmp_path: Path) -> None:
+    text = f"o Häuser\n{CORNERS}f 1 2 3\n"
+    for encoding in ("utf-8", "utf-8-sig", "utf-16", "latin-1"):
+        assert load(tmp_path, text.encode(encoding)).triangle_count == 1
+
+
+def test_long_lines_of_blanks_take_no_time(tmp_path: Path) -> None:
+    for keyword in ("mtllib", "usemtl", "f", "v"):
+        text = f"{CORNERS}f 1 2 3\n{keyword} {' ' * 400_000}\n"
+        try:
+            load(tmp_path, text)
+        except nf.SceneError:
+            assert keyword in ("f", "v")
