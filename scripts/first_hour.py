@@ -25,6 +25,9 @@ CHECKOUT = Path(__file__).resolve().parent.parent
 SUFFIXES = (".glb", ".gltf", ".obj", ".ply", ".stl")
 """Files of a folder that are taken for scenes."""
 
+PROCEDURAL = {"city": "city:blocks=4,detail=1", "room": "room", "forest": "forest:trees=200"}
+"""Scenes by name if no files are given."""
+
 PICTURES = (".png", ".jpg", ".svg")
 
 IMPORTS = """
@@ -83,7 +86,8 @@ def main() -> None:
     options = _options()
     folder = Path(options.output).resolve()
     folder.mkdir(parents=True, exist_ok=True)
-    steps = list(_steps(options, folder))
+    scenes = _scenes(options.files)
+    steps = list(_steps(options, folder, scenes))
     (folder / "steps.json").write_text(json.dumps([asdict(step) for step in steps], indent=1), encoding="utf-8")
     (folder / "index.html").write_text(_page(steps), encoding="utf-8")
     print(f"{len(steps)} steps, {sum(step.seconds for step in steps):.0f} s: {folder / 'index.html'}")
@@ -101,21 +105,21 @@ def _options() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def _steps(options: argparse.Namespace, folder: Path) -> Iterator[Step]:
+def _steps(options: argparse.Namespace, folder: Path, scenes: dict[str, str]) -> Iterator[Step]:
     """Run the steps one after the other."""
     python = sys.executable
     if options.install:
         python = str(folder / "environment" / "bin" / "python")
         make = [sys.executable, "-m", "venv", str(folder / "environment")]
         yield Step("installation", "environment", make).run(folder, folder / "none")
-        wheel = f"{Path(options.install).resolve()}[lod,plot]"
+        wheel = f"{Path(options.install).resolve()}[lod,plot,notebook]"
         yield Step("installation", "wheel", [python, "-m", "pip", "install", "-q", wheel]).run(folder, folder / "none")
     yield Step("installation", "version", [python, "-m", "nearfar.cli", "--version"]).run(folder, folder / "none")
     yield Step("installation", "import", [python, "-c", IMPORTS.strip()]).run(folder, folder / "none")
-    for scene in list(_scenes(options.files)) or ["city:blocks=4,detail=1", "room", "forest:trees=200"]:
-        yield from _scene_steps(python, scene, folder, quick=options.quick)
-    for model in list(_scenes(options.files)) or [_ring(folder)]:
-        yield _levels(python, model, folder, quick=options.quick)
+    for name, scene in (scenes or PROCEDURAL).items():
+        yield from _scene_steps(python, name, scene, folder, quick=options.quick)
+    for name, model in (scenes or {"ring": _ring(folder)}).items():
+        yield _levels(python, name, model, folder, quick=options.quick)
     if options.notebooks:
         script = str(CHECKOUT / "scripts" / "notebooks.py")
         for name in ("01_scene", "02_near_far", "03_headset"):
@@ -124,18 +128,27 @@ def _steps(options: argparse.Namespace, folder: Path) -> Iterator[Step]:
             )
 
 
-def _scenes(files: list[Path]) -> Iterator[str]:
-    """Yield the scenes among files and folders, in the order of their names."""
+def _scenes(files: list[Path]) -> dict[str, str]:
+    """Scenes among files and folders by names that differ; exits if a file is missing or a folder holds none."""
+    scenes: dict[str, str] = {}
     for file in files:
-        found = sorted(file.rglob("*")) if file.is_dir() else [file]
-        yield from (str(path.resolve()) for path in found if not file.is_dir() or path.suffix.lower() in SUFFIXES)
+        if not file.exists():
+            sys.exit(f"first_hour: there is no {file}")
+        every = sorted(file.rglob("*")) if file.is_dir() else [file]
+        found = [path for path in every if not file.is_dir() or path.suffix.lower() in SUFFIXES]
+        if not found:
+            sys.exit(f"first_hour: {file} holds none of {', '.join(SUFFIXES)}")
+        for path in found:
+            same = sum(name.partition(" ")[0] == path.stem for name in scenes)
+            scenes[f"{path.stem} {same + 1}" if same else path.stem] = str(path.resolve())
+    return scenes
 
 
-def _scene_steps(python: str, scene: str, folder: Path, *, quick: bool) -> Iterator[Step]:
-    name = _name(scene)
+def _scene_steps(python: str, name: str, scene: str, folder: Path, *, quick: bool) -> Iterator[Step]:
     room = folder / name
     room.mkdir(exist_ok=True)
     size = ["--size", "320x200"] if quick else []
+    eye_size = ["--size", "238x240"] if quick else []
     map_size = ["--face-size", "128"] if quick else []
     nearfar = [python, "-m", "nearfar.cli"]
     light = str(room / "light")
@@ -148,7 +161,7 @@ def _scene_steps(python: str, scene: str, folder: Path, *, quick: bool) -> Itera
         ("compare", ["compare", "-i", scene, "-o", str(room / "compare"), *map_size, *size], room / "compare"),
         (
             "headset",
-            ["render", "-i", light, "--hmd", "quest_2", "-o", str(room / "headset" / "eyes.png"), *size],
+            ["render", "-i", light, "--hmd", "quest_2", "-o", str(room / "headset" / "eyes.png"), *eye_size],
             room / "headset",
         ),
     ):
@@ -157,17 +170,11 @@ def _scene_steps(python: str, scene: str, folder: Path, *, quick: bool) -> Itera
         yield Step(name, step, [*nearfar, *arguments]).run(folder, results)
 
 
-def _levels(python: str, model: str, folder: Path, *, quick: bool) -> Step:
-    name = _name(model)
+def _levels(python: str, name: str, model: str, folder: Path, *, quick: bool) -> Step:
     (folder / name).mkdir(exist_ok=True)
     few = ["--views", "12", "--distances", "6", "--ratios", "0.5,0.2,0.05"] if quick else []
     command = [python, "-m", "nearfar.cli", "lod", "-i", model, "-o", str(folder / name / "levels.glb"), *few]
     return Step(name, "levels", command).run(folder, folder / name / "levels.png")
-
-
-def _name(scene: str) -> str:
-    """Name of a scene's folder."""
-    return Path(scene).stem if Path(scene).is_file() else scene.partition(":")[0]
 
 
 def _ring(folder: Path) -> str:

@@ -157,6 +157,12 @@ def test_profiles_are_read_on_first_use() -> None:
 def test_names_that_are_not_there_are_said() -> None:
     with pytest.raises(ValueError, match=r"name: expected one of .*VIVE_PRO.*, got 'VIVE_9'"):
         nf.hmd.get("VIVE_9")
+    with pytest.raises(ValueError, match=r"got 'qest 2' \(did you mean QUEST_2\?\)"):
+        nf.hmd.get("qest 2")
+    with pytest.raises(TypeError, match="name: expected text, got int"):
+        nf.hmd.get(3)
+    for name in ("quest_2", "Quest 2", "quest-2"):
+        assert nf.hmd.get(name) is nf.hmd.QUEST_2
     with pytest.raises(AttributeError, match="VIVE_9"):
         _ = nf.hmd.VIVE_9
     assert "QUEST_2" in dir(nf.hmd)

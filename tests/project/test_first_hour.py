@@ -53,3 +53,13 @@ def test_importing_costs_little_beside_numpy(way: Path) -> None:
     own, numpy = map(int, re.findall(r"(\d+) ms", text))
     # CPU time; both together take at most 1.6 times NumPy's.
     assert own <= 0.6 * numpy
+
+
+@pytest.mark.parametrize("name", ["missing.glb", "empty"])
+def test_files_that_are_not_there_are_said(name: str, tmp_path: Path) -> None:
+    (tmp_path / "empty").mkdir()
+    command = [sys.executable, str(SCRIPT), str(tmp_path / name), "-o", str(tmp_path / "out")]
+    process = subprocess.run(command, cwd=CHECKOUT, capture_output=True, text=True, timeout=600, check=False)
+    assert process.returncode == 1
+    assert process.stderr.startswith("first_hour: ")
+    assert name in process.stderr

@@ -115,7 +115,13 @@ def test_missing_materials_and_textures_are_reported(tmp_path: Path) -> None:
 def test_the_system_s_own_errors_pass_through(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError, match=r"nowhere\.glb"):
         nf.Scene.load(tmp_path / "nowhere.glb")
-    with pytest.raises(IsADirectoryError):
+    with pytest.raises(IsADirectoryError, match="expected a file, got a folder: "):
+        nf.Scene.load(tmp_path)
+    (tmp_path / "house.obj").touch()
+    with pytest.raises(IsADirectoryError, match=r"expected a file, got a folder, which holds house\.obj: "):
+        nf.Scene.load(tmp_path)
+    (tmp_path / "reduced.json").touch()
+    with pytest.raises(IsADirectoryError, match=r"the folder of a reduced scene, which ReducedScene\.load reads: "):
         nf.Scene.load(tmp_path)
 
 
@@ -130,7 +136,7 @@ def test_nonsense_of_every_kind_is_refused(tmp_path: Path, suffix: str, content:
 @pytest.mark.parametrize("name", ["a.txt", "a", "a.bin", "a.dxf", "a.json", ".glb.exe", "a.xyz.gz"])
 def test_unknown_kinds_are_refused(tmp_path: Path, name: str) -> None:
     (tmp_path / name).write_bytes(b"0 0 0\n")
-    assert re.search("the kind of file|damaged|no triangles", str(outcome(tmp_path / name)))
+    assert re.search("the kind of file|damaged|no triangles|reads no scenes", str(outcome(tmp_path / name)))
 
 
 def test_archives_are_to_be_unpacked(tmp_path: Path) -> None:

@@ -133,7 +133,7 @@ def ssim_pairs(
     ----------
     references, tests
         (..., H, W), one channel each. The axes before the last two are broadcast as in NumPy, without copies: one
-        reference (H, W) with many tests (N, H, W), or views (V, 1, H, W) with their levels (V, L, H, W). With four or
+        reference (H, W) with many tests (N, H, W), or views (V, 1, H, W) with their levels (V, L, H, W). With three or
         more axes W may not be 3 or 4, which is taken for colours in the last axis.
     data_range, window, size, sigma, k1, k2, masking, convention
         As in `ssim`.
@@ -156,7 +156,7 @@ def ssim_pairs(
     for name, array in (("references", first), ("tests", second)):
         if array.ndim < 2 or 0 in array.shape[-2:]:
             raise ValueError(f"{name}: expected shape (..., H, W) with at least one pixel, got {array.shape}")
-        if array.ndim > 3 and array.shape[-1] in (3, 4):
+        if array.ndim > 2 and array.shape[-1] in (3, 4):
             raise ValueError(
                 f"{name}: expected shape (..., H, W), one channel each, got {array.shape}, whose last axis seems to be "
                 f"that of colours; move it forward by np.moveaxis({name}, -1, -3), and leave alpha out"

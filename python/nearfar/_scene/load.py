@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import gzip
 import io
 import logging
@@ -31,12 +32,21 @@ def load(path: str | os.PathLike[str], *, up: str, on_invalid: str, scale: float
     if scale is not None:
         check.positive("scale", scale)
     path = Path(path)
+    if path.is_dir():
+        raise IsADirectoryError(errno.EISDIR, _folder(path), os.fspath(path))
     data = path.read_bytes()  # a missing file, a folder and missing permissions raise OSError
     label = os.fspath(path)
     with _quiet() as messages, _explained(label):
         source = _read(label, path, data)
         source.notes += [message for message in dict.fromkeys(messages) if message not in source.notes]
         return assemble(source, up=up, on_invalid=on_invalid, scale=scale)
+
+
+def _folder(path: Path) -> str:
+    if (path / "reduced.json").is_file():
+        return "expected a file, got the folder of a reduced scene, which ReducedScene.load reads"
+    files = sorted(item.name for item in path.iterdir() if item.suffix.lower() in _COMMON)
+    return "expected a file, got a folder" + (f", which holds {', '.join(files[:3])}" if files else "")
 
 
 def _read(label: str, path: Path, data: bytes) -> Source:
@@ -49,6 +59,8 @@ def _read(label: str, path: Path, data: bytes) -> Source:
         data = _unpacked(data)
     if kind in _ARCHIVES:
         raise UnusableError("it is an archive, which may hold several models: unpack it and load one of them")
+    if kind == "json":
+        raise UnusableError(_JSON)
     if kind in _READERS and kind not in trimesh.available_formats():
         raise UnusableError(f"nearfar does not read .{kind}: {_READERS[kind]}")
     if kind not in trimesh.available_formats() or kind in _NOT_SCENES:
@@ -67,6 +79,9 @@ def _read(label: str, path: Path, data: bytes) -> Source:
         source.nodes = [type(node)(name, node.transform, node.shape)]
     return source
 
+
+_COMMON = {".glb", ".gltf", ".obj", ".ply", ".stl", ".off", ".3mf", ".dae"}
+"""Suffixes of files that a folder is likely to be given for."""
 
 _ARCHIVES = {"zip", "tar", "tgz", "bz2", "7z", "rar"}
 
@@ -96,11 +111,19 @@ _READERS = {
     "iges": "export it from FreeCAD as glTF (.glb) or OBJ",
     "igs": "export it from FreeCAD as glTF (.glb) or OBJ",
     "gml": "convert it with citygml-tools to CityJSON, and that with cjio to glTF (.glb)",
+    "b3dm": "it is a tile of 3D Tiles: 3d-tiles-tools (b3dmToGlb) takes the glTF (.glb) out of it",
+    "i3dm": "it is a tile of 3D Tiles: 3d-tiles-tools (i3dmToGlb) takes the glTF (.glb) out of it",
+    "cmpt": "it is a tile of 3D Tiles: 3d-tiles-tools (cmptToGlb) takes the glTF (.glb) out of it",
+    "citygml": "convert it with citygml-tools to CityJSON, and that with cjio to glTF (.glb)",
+    "vrml": "import it into Blender or MeshLab and export it as glTF (.glb) or PLY",
+    "geojson": "it holds outlines without heights; extrude them in Blender or QGIS and export glTF (.glb)",
     "las": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
     "laz": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
     "e57": "it holds points without triangles; CloudCompare or Open3D makes a mesh of them",
 }
 """Known formats that are not read, and the program or package that reads them."""
+
+_JSON = "nearfar reads no scenes in .json: cjio converts CityJSON, and 3d-tiles-tools a tileset's tiles, to glTF (.glb)"
 
 _NOT_SCENES = {"dxf", "svg", "json", "dict", "dict64", "binvox"}
 """Formats that trimesh reads but that are not scenes: drawings, voxels and trimesh's own dumps."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +21,7 @@ SMALLEST_PLACE = 3.0
 GROUND = (20.0, 0.2)
 """Least size in metres, and greatest height as a share of it, of a scene without open places that counts as ground."""
 
-AWAY = 2.0
+AWAY = 2.25
 """Distance of the eye from the middle of an object in radii of its bounding sphere, which then fits into the view."""
 
 CITY_RADII = (30.0, 50.0)
@@ -45,6 +45,12 @@ BLOCK = 64
 GRID = 41
 """Number of candidates along each side of a square grid over the middle of the scene."""
 
+BESIDE = 0.25
+"""Distance of an eye from a scene's bounds, as a share of their horizontal diagonal, at which it looks on the scene."""
+
+SEEN = 0.25
+"""Least share of the rays of a view that hit something."""
+
 DIRECTIONS = 72
 """Number of horizontal rays from a candidate, one every 5°."""
 
@@ -59,23 +65,30 @@ class Viewpoint:
     eye: Point
     """World position in metres."""
     forward: Point
-    """Horizontal unit direction: with the longest open view, or towards the object."""
-    is_outside: bool = False
-    """True if the scene is a single object, which the eye sees from outside."""
+    """Horizontal unit direction: with the longest open view, or towards the scene's middle."""
+    middle: Point | None = None
+    """The middle of a scene that the eye sees from outside; None within a scene."""
+
+    @property
+    def is_outside(self) -> bool:
+        """Whether the eye sees the scene from outside, as it sees a single object."""
+        return self.middle is not None
 
     @property
     def target(self) -> Point:
-        """Point to look at: straight ahead for an object, else a little above, as the road fills half of the view."""
-        return ahead(self.eye, self.forward, rise=0.0 if self.is_outside else 0.15)
+        """Point to look at: the middle from outside, else a little above the eye: the road would fill half the view."""
+        return self.middle or ahead(self.eye, self.forward)
 
 
 def find(scene: Scene) -> Viewpoint:
     """Find an open place near the middle of a scene, or a place in front of a scene that is a single object.
 
     A place is open if no ray from the eye hits anything within `CLEARANCE`, half of the rays reach at least ten metres
-    (less in small scenes) and a quarter of them hit something. Places under the sky come before places under a roof,
+    (less in small scenes), a quarter of them hit something, and no half of the horizon is empty: a convex object
+    that the eye sees from outside takes less than the other half. Places under the sky come before places under a roof,
     which are open only if the rays hit surfaces from the front: the back of surfaces is the inside of a solid. Of the
-    first `MOST_COMPARED` open places, the one with the greatest mean distance is chosen. A scene without an open place
+    first `MOST_COMPARED` open places, the one with the greatest mean distance is chosen, of those with
+    something near if there are any. A scene without an open place
     is an object, unless it is flat and wide.
     """
     size = scene.bounds[1] - scene.bounds[0]
@@ -84,22 +97,26 @@ def find(scene: Scene) -> Viewpoint:
     above, below = _candidates(scene)
     eyes = np.concatenate([above, below])
     far = min(10.0, 0.25 * float(np.hypot(*size[[0, 2]] / 2.0)))
-    open_places: list[tuple[float, Point]] = []
+    open_places: list[tuple[bool, float, Point]] = []
     for start in range(0, len(eyes), BLOCK):
         block = eyes[start : start + BLOCK]
         hits = _hits(scene, block)
+        is_around = _surrounds(np.isfinite(_distances(hits)))
         distances = np.minimum(_distances(hits), 10.0 * far)
         is_free = distances.min(axis=1) >= min(CLEARANCE, far / 2.0)
         meets = (distances < 10.0 * far).mean(axis=1) >= 0.25
-        is_open = is_free & meets & (np.median(distances, axis=1) >= far)
+        is_open = is_free & meets & is_around & (np.median(distances, axis=1) >= far)
         roofed = is_open & (start + np.arange(len(block)) >= len(above))
         if roofed.any():
             is_open[roofed] = ~_inside_solid(scene, hits, roofed)
-        open_places += [(float(distances[n].mean()), _point(block[n])) for n in np.flatnonzero(is_open)]
+        # Without anything near, the methods show no effect.
+        has_near = distances.min(axis=1) <= CITY_RADII[0]
+        found = np.flatnonzero(is_open)
+        open_places += [(bool(has_near[n]), float(distances[n].mean()), _point(block[n])) for n in found]
         if len(open_places) >= MOST_COMPARED:
             break
     if open_places:
-        return facing_open(scene, max(open_places[:MOST_COMPARED])[1])
+        return facing_open(scene, max(open_places[:MOST_COMPARED])[2])
     least, share = GROUND
     is_ground = size.max() >= least and size[1] <= share * size.max()
     return facing_open(scene, _point(eyes[0])) if is_ground else in_front(scene)
@@ -109,8 +126,8 @@ def in_front(scene: Scene) -> Viewpoint:
     """Viewpoint outside a scene, at the height of its middle, from which all of it is in view."""
     low, high = scene.bounds
     away = AWAY * max(float(np.linalg.norm(high - low)) / 2.0, 1e-6)
-    forward = np.array([-0.5, 0.0, -np.sqrt(0.75)])
-    return Viewpoint(_point((low + high) / 2.0 - away * forward), _point(forward), is_outside=True)
+    forward, middle = np.array([-0.5, 0.0, -np.sqrt(0.75)]), (low + high) / 2.0
+    return Viewpoint(_point(middle - away * forward), _point(forward), _point(middle))
 
 
 def radii(scene: Scene, place: Viewpoint) -> tuple[float, float]:
@@ -125,7 +142,7 @@ def radii(scene: Scene, place: Viewpoint) -> tuple[float, float]:
     farthest = float(np.hypot(*np.maximum(np.abs(low - eye), np.abs(high - eye))))
     if not place.is_outside and _is_roofed(scene, place.eye):
         around = _view(scene, np.array(place.eye))
-        farthest = min(farthest, float(np.percentile(around, WALLS)))
+        farthest = min(farthest, float(np.percentile(np.minimum(around, farthest), WALLS)))
     if not place.is_outside and farthest >= CITY:
         return CITY_RADII
     nearest = float(np.hypot(*np.maximum(np.maximum(low - eye, eye - high), 0.0)))
@@ -150,7 +167,13 @@ def aside(r1: float, r2: float) -> float:
 
 
 def facing_open(scene: Scene, eye: Point) -> Viewpoint:
-    """Viewpoint at an eye's position that faces the longest open view."""
+    """Viewpoint at an eye's position that faces the longest open view, or far beside a scene its middle."""
+    low, high = scene.bounds[:, [0, 2]]
+    here = np.array(eye)[[0, 2]]
+    beside = np.linalg.norm(np.maximum(np.maximum(low - here, here - high), 0.0))
+    if beside > BESIDE * np.linalg.norm(high - low):
+        middle = _point(scene.bounds.mean(axis=0))
+        return replace(facing(eye, middle), middle=middle)
     return Viewpoint(eye, open_direction(scene, eye))
 
 
@@ -202,12 +225,22 @@ def _candidates(scene: Scene) -> list[NDArray[np.float64]]:
 
 
 def open_direction(scene: Scene, eye: Point) -> Point:
-    """Horizontal direction whose field of view of 90° has the greatest sum of the square roots of distances."""
-    view = np.minimum(_view(scene, np.asarray(eye)), 500.0)
+    """Horizontal direction whose field of view of 90° has the greatest sum of the square roots of distances.
+
+    Views in which fewer than `SEEN` of the rays hit something are taken only if all are such.
+    """
+    distances = _view(scene, np.asarray(eye))
     quarter = DIRECTIONS // 4
     kernel = np.ones(quarter + 1)
-    around = np.concatenate([view[-(quarter // 2) :], view, view[: quarter // 2]])
-    visible = np.convolve(np.sqrt(around), kernel, mode="valid")
+
+    def summed(values: NDArray[np.float64]) -> NDArray[np.float64]:
+        around = np.concatenate([values[-(quarter // 2) :], values, values[: quarter // 2]])
+        return np.convolve(around, kernel, mode="valid")
+
+    shows = summed(np.isfinite(distances).astype(np.float64)) >= SEEN * len(kernel)
+    visible = summed(np.sqrt(np.minimum(distances, 500.0)))
+    if shows.any():
+        visible = np.where(shows, visible, -1.0)
     # argmax takes the first of equal values: −z, the default direction of cameras.
     return _point(_ring()[int(np.argmax(visible))])
 
@@ -228,6 +261,13 @@ def _is_roofed(scene: Scene, eye: Point) -> bool:
     tilted = np.stack([0.5 * np.sin(around), np.full(8, np.sqrt(0.75)), -0.5 * np.cos(around)], axis=-1)
     rays = np.concatenate([[[0.0, 1.0, 0.0]], tilted])
     return bool(cast_rays(scene, np.asarray(eye), rays).hit.mean() > 0.5)
+
+
+def _surrounds(is_hit: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Whether every half of the horizon has a hit, for rows of `DIRECTIONS` rays."""
+    half = DIRECTIONS // 2
+    counts = np.cumsum(np.concatenate([np.zeros((len(is_hit), 1), bool), is_hit, is_hit[:, :half]], axis=1), axis=1)
+    return np.asarray((counts[:, half:] > counts[:, :-half]).all(axis=1))
 
 
 def _hits(scene: Scene, eyes: NDArray[np.float64]) -> Hits:

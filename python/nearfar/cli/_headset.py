@@ -18,11 +18,24 @@ def headset(name: str, lens: str, fov: float | None) -> nf.Hmd:
     return device if lens == "own" else device.with_lens()
 
 
+STRETCHED = 0.03
+"""Difference of a picture's shape, as a share, that is not mentioned."""
+
+
 def pixels_of(size: str | None, device: nf.Hmd | None) -> tuple[int, int]:
     """Width and height of a picture, for a headset by default those of an eye."""
     if size is None and device is not None:
         return device.render_size
     return options.read_size("--size", "1280x720" if size is None else size)
+
+
+def stretching(pixels: tuple[int, int], device: nf.Hmd) -> list[str]:
+    """Say so if a headset's pictures have another shape than its own."""
+    width, height = device.render_size
+    if abs(pixels[0] * height / (pixels[1] * width) - 1.0) <= STRETCHED:
+        return []
+    fitting = f"{round(pixels[1] * width / height)}x{pixels[1]}"
+    return [f"the picture is stretched: an eye has {width} × {height} pixels, and {fitting} would keep its shape"]
 
 
 def targets_of(output: Path, device: nf.Hmd) -> dict[str, Path]:

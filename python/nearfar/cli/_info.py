@@ -11,7 +11,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import formats
-from nearfar.cli import _viewpoint
+from nearfar.cli import _source, _viewpoint
 from nearfar.cli._options import SCENE_OR_FOLDER, Invalid, Json, Scale, Up, is_reduced, open_scene, option
 from nearfar.cli._output import bytes_text, check_target, count, metres, show, triangles_text
 from nearfar.cli._render import camera
@@ -60,8 +60,7 @@ def info(
         document["preview"] = {"file": str(preview), "seconds": save_preview(loaded, scene, reduced, preview)}
     rows += [
         *((key.replace("_", " "), _text(value)) for key, value in document["report"].items() if value),
-        ("from", metres(document["bounds"][0])),
-        ("to", metres(document["bounds"][1])),
+        *((name, metres(corner)) for name, corner in zip(("from", "to"), document["bounds"] or (), strict=False)),
         ("origin", metres(document["origin"])),
         ("loaded in", f"{document['seconds']:.2f} s"),
     ]
@@ -113,7 +112,7 @@ def describe(scene: nf.Scene, source: str, seconds: float) -> dict[str, Any]:
         "source": source,
         "triangles": int(scene.triangle_count),
         "objects": len(scene.object_names),
-        "bounds": [[float(value) for value in corner] for corner in scene.bounds],
+        "bounds": [[float(value) for value in corner] for corner in scene.bounds] if scene.triangle_count else None,
         "report": _plain(dataclasses.asdict(scene.report)),
         "seconds": round(seconds, 3),
     }
@@ -150,8 +149,10 @@ def _reduced_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
 def save_preview(scene: nf.Scene, source: str, reduced: nf.ReducedScene | None, path: Path) -> float:
     """Render a small picture from the default viewpoint to a file; returns the time that it took in seconds."""
     started = time.perf_counter()
+    stand = None if reduced is None else _source.view_of(source)
     place = _viewpoint.choose(scene, source, None if reduced is None else reduced.center)
-    view = camera(place.eye, place.target, 90.0, PREVIEW)
+    seen = (place.eye, place.target) if stand is None else (stand.user, stand.target)
+    view = camera(*seen, 90.0, PREVIEW)
     shown = scene if reduced is None else reduced
     nf.render(shown, view, samples=4, channels=("color",)).save(path)
     return round(time.perf_counter() - started, 3)

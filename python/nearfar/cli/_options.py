@@ -164,7 +164,7 @@ def open_scene(text: str, *, up: str, on_invalid: str, scale: float | None) -> n
 
 def headset(text: str) -> nf.Hmd:
     """Return the headset of a name, in small letters too, or of a .json file."""
-    return nf.Hmd.load(text) if Path(text).suffix.lower() == ".json" else nf.hmd.get(text.upper())
+    return nf.Hmd.load(text) if Path(text).suffix.lower() == ".json" else nf.hmd.get(text)
 
 
 def _procedural(name: str, settings: str) -> nf.Scene:

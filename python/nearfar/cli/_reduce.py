@@ -98,6 +98,7 @@ def reduce(
             "seconds": clock.seconds,
             "center": list(place.eye),
             "user": list(stand.user),
+            "target": list(stand.target),
             "r1": inner,
             "r2": outer,
             "face_size": texels,

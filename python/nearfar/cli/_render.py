@@ -100,9 +100,10 @@ def render(
         seen = (place.eye, aim or place.target)
     else:
         inner, outer = _viewpoint.radii(loaded, place, r1, r2) if saved is None else (saved.r1, saved.r2)
-        stand = _viewpoint.stand(loaded, place, inner, outer, fov=degrees, user=user, target=aim)
+        stand = _source.view_of(scene) if saved is not None and user is None and aim is None else None
+        stand = stand or _viewpoint.stand(loaded, place, inner, outer, fov=degrees, user=user, target=aim)
         seen = (stand.user, stand.target)
-    lacks: list[str] = []
+    lacks: list[str] = [] if device is None else _headset.stretching(pixels, device)
     view = camera(*seen, degrees, pixels)
     started = time.perf_counter()
     source: nf.Scene | nf.ReducedScene = loaded

@@ -7,7 +7,9 @@ from pathlib import Path
 from typing import Any
 
 import nearfar as nf
+from nearfar._base import check
 from nearfar.cli import _options as options
+from nearfar.cli._viewpoint import Stand
 
 
 def refuse(reason: str, **given: object) -> None:
@@ -27,6 +29,16 @@ def report_of(folder: str) -> dict[str, Any]:
     except ValueError:
         return {}
     return document if isinstance(document, dict) else {}
+
+
+def view_of(folder: str) -> Stand | None:
+    """Return the view of the pictures beside a reduced scene, which its report states; None without a report."""
+    report = report_of(folder)
+    try:
+        user, target = (check.vector(name, report[name]) for name in ("user", "target"))
+    except (KeyError, TypeError, ValueError):
+        return None
+    return Stand(user, target, True) if user != target else None
 
 
 def open_truth(

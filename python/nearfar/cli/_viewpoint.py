@@ -54,10 +54,10 @@ def stand(
     away = viewpoint.aside(r1, r2) if distance is None else distance
     if user is None and target is None:
         chosen, forward, crosses = crossing.choose(scene, place, away, r1, r2, fov=fov)
-        return Stand(chosen, viewpoint.ahead(chosen, forward, rise=0.0 if place.is_outside else 0.15), crosses)
+        return Stand(chosen, place.middle or viewpoint.ahead(chosen, forward), crosses)
     if user is None:
         user = viewpoint.beside(scene, place, away)[0]
     if target is not None:
         return Stand(user, target, True)
     found = crossing.look(scene, user, place.eye, r1, r2, fov=fov)
-    return Stand(user, viewpoint.ahead(user, found or place.forward), found is not None)
+    return Stand(user, place.middle or viewpoint.ahead(user, found or place.forward), found is not None)

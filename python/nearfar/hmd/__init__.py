@@ -5,9 +5,12 @@
 
 from __future__ import annotations
 
+import difflib
 import functools
+import re
 from importlib import resources
 
+from nearfar._base import check
 from nearfar.hmd._eye import Eye, TotalFov
 from nearfar.hmd._hmd import Hmd
 from nearfar.hmd._lenses import CARDBOARD_LENSES, GENERIC_LENS
@@ -41,10 +44,15 @@ def names() -> tuple[str, ...]:
 
 @functools.cache
 def get(name: str) -> Hmd:
-    """Return the headset of a name such as "QUEST_2"; ValueError for names that are not in `names()`."""
-    if name not in names():
-        raise ValueError(f"name: expected one of {', '.join(names())}, got {name!r}")
-    file = _PROFILES / f"{name.lower()}.json"
+    """Return the headset of a name such as "QUEST_2" or "Quest 2"; ValueError for names that are not in `names()`."""
+    known = re.sub(r"[ -]+", "_", check.instance("name", name, str, "text")).upper()
+    if known not in names():
+        near = difflib.get_close_matches(known, names(), 1)
+        hint = f" (did you mean {near[0]}?)" if near else ""
+        raise ValueError(f"name: expected one of {', '.join(names())}, got {name!r}{hint}")
+    if known != name:
+        return get(known)
+    file = _PROFILES / f"{known.lower()}.json"
     return Hmd._from_json(file.read_bytes(), str(file))
 
 

@@ -1,0 +1,77 @@
+"""Default views show something: objects of any size, from scenes and from folders of reduced scenes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+from PIL import Image
+
+from tests.support.cli_cases import command, document
+
+SMALL = ("--size", "64x40", "--samples", "1", "--backend", "cpu")
+
+
+def shown(path: Path) -> float:
+    """Share of a picture's pixels that differ from the left one of their row, as the sky's hardly do."""
+    with Image.open(path) as picture:
+        codes = np.asarray(picture.convert("RGB")).astype(int)
+    return float((np.abs(codes - codes[:, :1]).max(axis=-1) > 16).mean())
+
+
+@pytest.mark.parametrize("size", [0.15, 2.0, 10.0, 150.0])
+def test_an_object_of_any_size_is_seen(size: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "ball.stl"
+    ball = trimesh.creation.icosphere(3, radius=size / 2)
+    ball.vertices *= 1 + 0.1 * np.sin(9 * ball.vertices / size)
+    ball.export(path)
+    assert command(capsys, "render", "-i", path, "-o", tmp_path / "scene.png", *SMALL)[0] == 0
+    assert command(capsys, "info", "-i", path, "--preview", tmp_path / "preview.png")[0] == 0
+    assert command(capsys, "reduce", "-i", path, "-o", tmp_path / "light", *SMALL, "--face-size", "32")[0] == 0
+    assert command(capsys, "render", "-i", tmp_path / "light", "-o", tmp_path / "light.png", *SMALL)[0] == 0
+    for name in ("scene.png", "preview.png", "light/truth.png", "light/continuous.png", "light.png"):
+        assert 0.02 < shown(tmp_path / name) < 0.5, name
+
+
+def test_a_folder_is_seen_as_its_report_shows_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    light = tmp_path / "light"
+    assert command(capsys, "reduce", "-i", "room", "-o", light, *SMALL, "--face-size", "32")[0] == 0
+    assert command(capsys, "render", "-i", light, "-o", tmp_path / "seen.png", *SMALL)[0] == 0
+    with Image.open(light / "continuous.png") as one, Image.open(tmp_path / "seen.png") as other:
+        difference = np.abs(np.asarray(one.convert("RGB")).astype(int) - np.asarray(other.convert("RGB")))
+    assert difference.mean() < 2.0
+    # Without its report, or with a damaged one, there is a view all the same.
+    report = json.loads((light / "report.json").read_text(encoding="utf-8"))
+    for change in ({"target": "up"}, {"user": report["target"]}, {"user": [1, 2]}):
+        (light / "report.json").write_text(json.dumps(report | change), encoding="utf-8")
+        assert command(capsys, "render", "-i", light, "-o", tmp_path / "seen.png", *SMALL)[0] == 0
+    (light / "report.json").unlink()
+    assert command(capsys, "render", "-i", light, "-o", tmp_path / "seen.png", *SMALL)[0] == 0
+    assert shown(tmp_path / "seen.png") > 0.02
+
+
+def test_a_folder_without_near_geometry_is_described(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    light = tmp_path / "light"
+    far = ("--center", "0,500,0", "--r1", "1", "--r2", "2")
+    path = tmp_path / "walls.stl"
+    trimesh.util.concatenate([trimesh.creation.box((2, 20, 2)).apply_translation((x, 0, 9)) for x in (-50, 50)]).export(
+        path
+    )
+    assert command(capsys, "reduce", "-i", path, "-o", light, *far, *SMALL, "--face-size", "16")[0] == 0
+    status, out, err = command(capsys, "info", "-i", light, "--json", "--preview", tmp_path / "a.png")
+    assert (status, err) == (0, "")
+    assert document(out, "info")["bounds"] is None
+    status, out, _ = command(capsys, "info", "-i", light)
+    assert status == 0
+    assert "inf" not in out
+
+
+def test_stretched_headset_pictures_are_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for size, stretched in (("64x40", True), ("72x72", False)):
+        arguments = ("--hmd", "quest 2", "-o", tmp_path / "eyes.png", "--size", size, "--samples", "1", "--json")
+        status, out, _ = command(capsys, "render", "-i", "room", *arguments)
+        assert status == 0
+        assert any("stretched" in text for text in document(out, "render")["findings"]) == stretched
