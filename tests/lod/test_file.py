@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import copy
+import functools
 import json
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -139,3 +142,37 @@ def test_saving_refuses_the_suffix_of_geometry(model: nf.lod.LodModel, tmp_path:
     with pytest.raises(ValueError, match=r"path: expected a place for JSON, got .*; `export` writes the geometry"):
         model.save(tmp_path / "x.glb")
     assert not list(tmp_path.iterdir())
+
+
+WRONG: tuple[Any, ...] = (float("inf"), float("nan"), -1, 2**70, 1.5, None, "x", [], {}, True)
+
+
+def places(value: Any, *path: Any) -> Iterator[tuple[Any, ...]]:
+    """Ways to the numbers and texts of a document; of lists, to the first two entries."""
+    if isinstance(value, dict | list) and value:
+        entries = value.items() if isinstance(value, dict) else enumerate(value[:2])
+        for key, entry in entries:
+            yield from places(entry, *path, key)
+    else:
+        yield path
+
+
+def test_whatever_loads_can_be_saved_again(model: nf.lod.LodModel, tmp_path: Path) -> None:
+    model.save(tmp_path / "a.json")
+    document = json.loads((tmp_path / "a.json").read_text(encoding="utf-8"))
+    loaded = 0
+    for *way, last in places(document):
+        for value in WRONG:
+            changed = copy.deepcopy(document)
+            functools.reduce(lambda part, key: part[key], way, changed)[last] = value
+            (tmp_path / "b.json").write_text(json.dumps(changed), encoding="utf-8")
+            try:
+                found = nf.lod.LodModel.load(tmp_path / "b.json")
+            except nf.FormatError as error:
+                assert "b.json" in str(error)  # noqa: PT017
+                continue
+            assert not (isinstance(value, float) and value != 1.5), (way, last, value)
+            found.save(tmp_path / "c.json")
+            assert str(nf.lod.LodModel.load(tmp_path / "c.json")) == str(found)
+            loaded += 1
+    assert loaded

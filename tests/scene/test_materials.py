@@ -17,6 +17,7 @@ from PIL import Image
 import nearfar as nf
 from nearfar._base import data as data_files
 from nearfar._scene import load
+from nearfar._scene.budget import Budget
 from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.materials import BaseColor, colors_of, to_linear, to_srgb
 from nearfar._scene.source import Shape, Source
@@ -26,7 +27,7 @@ PBR = trimesh.visual.material.PBRMaterial
 
 
 def source_of(path: Path) -> Source:
-    return load._read(str(path), path, path.read_bytes())
+    return load._read(str(path), path, path.read_bytes(), Budget())
 
 
 def shape_of(path: Path) -> Shape:

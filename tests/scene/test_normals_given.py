@@ -14,6 +14,7 @@ import nearfar as nf
 from nearfar import _core
 from nearfar._base.glb import Reader
 from nearfar._scene import glb, load
+from nearfar._scene.budget import Budget
 from nearfar._scene.builder import SceneBuilder
 from nearfar._scene.names import Names
 from nearfar._scene.source import Shape
@@ -71,7 +72,7 @@ def hard() -> trimesh.Trimesh:
 
 
 def shape_of(path: Path) -> Shape:
-    return next(iter(load._read(str(path), path, path.read_bytes()).shapes.values()))
+    return next(iter(load._read(str(path), path, path.read_bytes(), Budget()).shapes.values()))
 
 
 @pytest.mark.parametrize("suffix", ["glb", "obj", "ply"])

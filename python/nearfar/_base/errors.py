@@ -3,3 +3,7 @@
 from nearfar._core import DeviceError, Error, FormatError, SceneError
 
 __all__ = ["DeviceError", "Error", "FormatError", "SceneError"]
+
+
+class UnusableError(ValueError):
+    """A file cannot be used; the message is a sentence without its name, which the loader adds."""

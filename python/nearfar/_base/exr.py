@@ -81,7 +81,7 @@ def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[st
     data = check.path("path", path).read_bytes()
     try:
         parts = _core.decode_exr(data)
-        document = json.loads(str(parts[0][2].get(ATTRIBUTE, "null"))) if parts else None
+        document = formats.from_json(str(parts[0][2].get(ATTRIBUTE, "null"))) if parts else None
     except (FormatError, ValueError, RecursionError) as error:
         raise FormatError(f"{os.fspath(path)}: {error}") from None
     checked = formats.check(document, name, version, path)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import struct
 from collections.abc import Iterator
@@ -73,11 +74,24 @@ def check(document: Any, name: str, version: int, path: str | os.PathLike[str]) 
     return document
 
 
+def from_json(text: str | bytes) -> Any:
+    """Parse JSON; ValueError for NaN and Infinity, which it does not have, and for numbers beyond float64."""
+
+    def refuse(word: str) -> float:
+        raise ValueError(f"{word} is no number of JSON")
+
+    def number(digits: str) -> float:
+        value = float(digits)
+        return value if math.isfinite(value) else refuse(digits)
+
+    return json.loads(text, parse_constant=refuse, parse_float=number)
+
+
 def read_json(path: str | os.PathLike[str], name: str, version: int) -> dict[str, Any]:
     """Read a JSON document; FormatError if it is damaged or too new, OSError if it is missing."""
     with open(path, encoding="utf-8") as file:
         try:
-            document = json.load(file)
+            document = from_json(file.read())
         except (ValueError, RecursionError) as error:
             raise FormatError(f"{os.fspath(path)}: expected JSON, got something else ({error})") from None
     return check(document, name, version, path)

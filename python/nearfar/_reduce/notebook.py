@@ -13,10 +13,12 @@ class InNotebooks:
     def _repr_html_(self: Reduced) -> str:
         """Counts, radii and the map for notebooks."""
         stats = self.stats
+        moving = stats["nsf"] - stats["near"] - stats["intermediate"]
         facts = [
             ("drawn", f"{stats['drawn']:,} of {stats['triangles']:,} triangles, {stats['reduction']:,.4g} times fewer"),
             ("near", f"{stats['near']:,}"),
             ("intermediate", f"{stats['intermediate']:,}"),
+            *([("moving", f"{moving:,}")] if moving else []),
             ("r₁, r₂", f"{self.r1:g} m, {self.r2:g} m"),
             ("morph", self.morph),
             ("centre", card.point(self.center)),

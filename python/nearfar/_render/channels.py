@@ -16,7 +16,8 @@ MAX_SAMPLES = 1024
 def channel_names(channels: Iterable[str]) -> tuple[str, ...]:
     """Return channel names, each once and in the order of `CHANNELS`; ValueError for unknown ones or none."""
     if isinstance(channels, str):
-        raise TypeError(f"channels: expected a sequence of names such as ({channels!r},), got the string {channels!r}")
+        known = check.choice("channels", channels, CHANNELS)
+        raise TypeError(f"channels: expected a sequence of names such as ({known!r},), got the string {channels!r}")
     if not isinstance(channels, Iterable):
         raise TypeError(f"channels: expected a sequence of names, got {type(channels).__name__}")
     names = {check.choice("channels", name, CHANNELS) for name in channels}

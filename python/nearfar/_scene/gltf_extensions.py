@@ -5,8 +5,8 @@ from __future__ import annotations
 from importlib.util import find_spec
 from typing import Any
 
+from nearfar._base.errors import UnusableError
 from nearfar._scene.gltf_buffers import IMAGE_EXTENSIONS
-from nearfar._scene.source import UnusableError
 from nearfar._scene.undrawn import EXTENSIONS, TRANSFORM
 
 DRACO = "KHR_draco_mesh_compression"

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Container
 from typing import Any
 
-from nearfar._scene.source import Node, UnusableError, world_transforms
+from nearfar._base.errors import UnusableError
+from nearfar._scene.source import Node, world_transforms
 
 
 def check_trees(header: dict[str, Any]) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import errno
 import gzip
-import io
 import logging
 import os
 import warnings
@@ -16,16 +15,18 @@ from pathlib import Path
 import numpy as np
 
 from nearfar._base import check
-from nearfar._base.errors import SceneError
+from nearfar._base.errors import SceneError, UnusableError
 from nearfar._scene import load_gltf, load_trimesh, load_wavefront
 from nearfar._scene.assembly import Assembled
-from nearfar._scene.source import UP, Source, UnusableError, assemble
+from nearfar._scene.budget import Budget, read_file
+from nearfar._scene.budget import resolver as budget_resolver
+from nearfar._scene.materials import Materials
+from nearfar._scene.source import UP, Source, assemble
 
-_MOST_UNPACKED = 4 << 30
-"""Greatest size in bytes of an unpacked .gz file."""
 
-
-def load(path: str | os.PathLike[str], *, up: str, on_invalid: str, scale: float | None) -> Assembled:
+def load(
+    path: str | os.PathLike[str], *, up: str, on_invalid: str, scale: float | None, max_bytes: int | None = None
+) -> Assembled:
     """Load a file; `nearfar.Scene.load` documents the arguments."""
     check.choice("up", up, UP)
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
@@ -34,10 +35,12 @@ def load(path: str | os.PathLike[str], *, up: str, on_invalid: str, scale: float
     path = Path(path)
     if path.is_dir():
         raise IsADirectoryError(errno.EISDIR, _folder(path), os.fspath(path))
-    data = path.read_bytes()  # a missing file, a folder and missing permissions raise OSError
-    label = os.fspath(path)
+    most = None if max_bytes is None else check.integer("max_bytes", max_bytes, 1, 1 << 62)
+    label, budget = os.fspath(path), Budget(most)
+    with _explained(label, passed=OSError):
+        data = read_file(path, budget)  # a missing file and missing permissions raise OSError
     with _quiet() as messages, _explained(label):
-        source = _read(label, path, data)
+        source = _read(label, path, data, budget)
         source.notes += [message for message in dict.fromkeys(messages) if message not in source.notes]
         return assemble(source, up=up, on_invalid=on_invalid, scale=scale)
 
@@ -49,14 +52,14 @@ def _folder(path: Path) -> str:
     return "expected a file, got a folder" + (f", which holds {', '.join(files[:3])}" if files else "")
 
 
-def _read(label: str, path: Path, data: bytes) -> Source:
+def _read(label: str, path: Path, data: bytes, budget: Budget) -> Source:
     import trimesh
 
     kind = path.suffix.lower().lstrip(".")
     name = path.stem
     if kind == "gz":
         kind, name = Path(name).suffix.lower().lstrip("."), Path(name).stem
-        data = _unpacked(data)
+        data = budget.unpacked(data)
     if kind in _ARCHIVES:
         raise UnusableError("it is an archive, which may hold several models: unpack it and load one of them")
     if kind == "json":
@@ -67,13 +70,14 @@ def _read(label: str, path: Path, data: bytes) -> Source:
         raise UnusableError(f"the kind of file '{''.join(path.suffixes[-2:]) or path.name}' is not known")
     if not data:
         raise UnusableError("it is empty")
-    resolver = trimesh.resolvers.FilePathResolver(os.path.abspath(path))
+    budget.take_members(data)
+    resolver, materials = budget_resolver(path, budget), Materials(budget)
     if kind in ("glb", "gltf"):
-        return load_gltf.read(label, data, kind, resolver)
+        return load_gltf.read(label, data, kind, resolver, materials)
     if kind == "obj":
-        source = load_wavefront.read(label, data, resolver)
+        source = load_wavefront.read(label, data, resolver, materials)
     else:
-        source = load_trimesh.read(label, load_trimesh.parsed(data, kind, resolver), fresh=True)
+        source = load_trimesh.read(label, load_trimesh.parsed(data, kind, resolver), materials)
     if len(source.nodes) == 1 and source.nodes[0].object in (path.name, "geometry_0", "geometry"):
         node = source.nodes[0]
         source.nodes = [type(node)(name, node.transform, node.shape)]
@@ -129,14 +133,6 @@ _NOT_SCENES = {"dxf", "svg", "json", "dict", "dict64", "binvox"}
 """Formats that trimesh reads but that are not scenes: drawings, voxels and trimesh's own dumps."""
 
 
-def _unpacked(data: bytes) -> bytes:
-    with gzip.open(io.BytesIO(data)) as stream:
-        unpacked = stream.read(_MOST_UNPACKED + 1)
-    if len(unpacked) > _MOST_UNPACKED:
-        raise UnusableError(f"it unpacks to more than {_MOST_UNPACKED:,} bytes")
-    return unpacked
-
-
 @contextmanager
 def _quiet() -> Iterator[list[str]]:
     """Hide readers' warnings from the caller and collect trimesh's logged warnings for the report."""
@@ -160,11 +156,11 @@ def _quiet() -> Iterator[list[str]]:
 
 
 @contextmanager
-def _explained(label: str) -> Iterator[None]:
+def _explained(label: str, *, passed: type[Exception] = SceneError) -> Iterator[None]:
     """Convert a reader's exception to a SceneError that names the file and gives the reason in one sentence."""
     try:
         yield
-    except SceneError:
+    except (SceneError, passed):
         raise
     except Exception as error:
         raise SceneError(f"{label}: {_sentence(error)}") from error

@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base import glb
+from nearfar._base.errors import UnusableError
 from nearfar._scene import gltf_extensions, gltf_nodes
 from nearfar._scene.gltf_buffers import COMPONENTS, WIDTHS, Buffers, name_files
 from nearfar._scene.materials import Described, Materials, colors_of
 from nearfar._scene.report import count
-from nearfar._scene.source import Shape, Source, UnusableError
+from nearfar._scene.source import Shape, Source
 
 _TRIANGLES, _STRIP = 4, 5
 _READ_ATTRIBUTES = ("POSITION", "NORMAL", "TEXCOORD_0", "COLOR_0")
@@ -29,7 +30,7 @@ _EXPANSION = 200
 """Greatest size of accessors without data in a large file, in file sizes; Draco compresses less than that."""
 
 
-def read(label: str, data: bytes, kind: str, resolver: Any) -> Source:
+def read(label: str, data: bytes, kind: str, resolver: Any, materials: Materials) -> Source:
     """Read a GLB or the JSON of a glTF; the resolver loads its buffers and images."""
     from trimesh.exchange import gltf
 
@@ -50,7 +51,6 @@ def read(label: str, data: bytes, kind: str, resolver: Any) -> Source:
     reader = gltf.load_glb if kind == "glb" else gltf.load_gltf
     parts = reader(file_obj=io.BytesIO(data), resolver=resolver)
     primitives = [p for mesh in header.get("meshes", []) for p in mesh["primitives"] if _is_read(p)]
-    materials = Materials()
     shapes = {
         name: _shape(arrays, primitive, header, buffers, materials)
         for (name, arrays), primitive in zip(parts["geometry"].items(), primitives, strict=True)

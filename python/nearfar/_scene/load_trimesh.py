@@ -30,15 +30,15 @@ def parsed(data: bytes, kind: str, resolver: Any, **options: bool) -> Any:
     return trimesh.load_scene(io.BytesIO(data), file_type=kind, resolver=resolver, process=False, **options)
 
 
-def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, *, fresh: bool = False) -> Source:
-    """Read a mesh or a scene; its nodes become objects. A `fresh` one comes from a file, without computed normals."""
+def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materials | None = None) -> Source:
+    """Read a mesh or a scene; its nodes become objects. One with `materials` comes from a file, without own normals."""
     import trimesh
 
     if isinstance(loaded, trimesh.Trimesh):
         loaded = trimesh.Scene({"object": loaded})
     if not isinstance(loaded, trimesh.Scene):
         raise TypeError(f"expected a trimesh.Trimesh or trimesh.Scene, got {type(loaded).__name__}")
-    materials = Materials()
+    fresh, materials = materials is not None, materials or Materials()
     meshes = {name: mesh for name, mesh in loaded.geometry.items() if isinstance(mesh, trimesh.Trimesh)}
     shapes = {name: _shape(mesh, materials, fresh=fresh) for name, mesh in meshes.items()}
     other = len(loaded.geometry) - len(shapes)

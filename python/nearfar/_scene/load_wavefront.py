@@ -8,20 +8,21 @@ import re
 from typing import Any
 
 from nearfar import _core
-from nearfar._base.errors import SceneError
+from nearfar._base.errors import SceneError, UnusableError
 from nearfar._scene import load_trimesh
 from nearfar._scene.load_trimesh import parsed
-from nearfar._scene.source import Source, UnusableError
+from nearfar._scene.materials import Materials
+from nearfar._scene.source import Source
 
 
-def read(label: str, data: bytes, resolver: Any) -> Source:
+def read(label: str, data: bytes, resolver: Any, materials: Materials) -> Source:
     """Read an OBJ with its materials; notes say which of them cannot be read."""
     data = _encoded(data)
     try:
         data = _core.plain_wavefront(data) or data
     except SceneError as error:
         raise UnusableError(str(error)) from None
-    source = load_trimesh.read(label, _parsed(data, resolver), fresh=True)
+    source = load_trimesh.read(label, _parsed(data, resolver), materials)
     source.notes += _losses(data, resolver)
     return source
 

@@ -13,6 +13,7 @@ from PIL import Image
 
 from nearfar._scene import undrawn as undrawn_parts
 from nearfar._scene import wavefront_materials
+from nearfar._scene.budget import Budget
 from nearfar._scene.undrawn import EncodedImage, TextureSource, Undrawn
 
 MOST_TEXELS = 1 << 27
@@ -154,9 +155,16 @@ def _encoded(image: Any) -> TextureSource | None:
 
 
 class Materials:
-    """Converts trimesh's materials to base colours and decodes each image once, however many materials use it."""
+    """Converts trimesh's materials to base colours and decodes each image once, however many materials use it.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    budget
+        What images may take; None for images that the caller made.
+    """
+
+    def __init__(self, budget: Budget | None = None) -> None:
+        self._budget = budget
         self._colors: dict[int, tuple[Any, BaseColor]] = {}
         self._textures: dict[tuple[int, int, int], NDArray[np.uint8]] = {}
         self._images: dict[int, tuple[Any, NDArray[np.uint8] | None]] = {}
@@ -228,6 +236,8 @@ class Materials:
     def _decoded(self, image: Any) -> NDArray[np.uint8] | None:
         if image.size[0] * image.size[1] > MOST_TEXELS:
             return None
+        if self._budget is not None:
+            self._budget.take(4 * image.size[0] * image.size[1])
         try:
             if image.mode.startswith("I;16"):  # Pillow would clip 16-bit values instead of scaling them
                 image = Image.fromarray((np.asarray(image) >> 8).astype(np.uint8))

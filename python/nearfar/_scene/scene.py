@@ -49,13 +49,9 @@ class Scene:
         table: LevelTable | None = None,
         undrawn: Mapping[int, Undrawn] | None = None,
     ) -> None:
-        self._core = core
-        self._names = names
-        self._frames = frames
+        self._core, self._names, self._frames = core, names, frames
         self._rest = core.moving_placements() if rest is None else rest
-        self._dropped = dropped
-        self._notes = notes
-        self._table = table
+        self._dropped, self._notes, self._table = dropped, notes, table
         self._undrawn: Mapping[int, Undrawn] = undrawn or {}
 
     @classmethod
@@ -65,13 +61,19 @@ class Scene:
 
     @classmethod
     def load(
-        cls, path: str | os.PathLike[str], *, up: str = "y", on_invalid: str = "raise", scale: float | None = None
+        cls,
+        path: str | os.PathLike[str],
+        *,
+        up: str = "y",
+        on_invalid: str = "raise",
+        scale: float | None = None,
+        max_bytes: int | None = None,
     ) -> Scene:
         """Load a file: GLB, glTF with its buffers and images, OBJ with MTL, PLY, STL, OFF or another format of trimesh.
 
         Nodes become objects; meshes that are placed more than once stay instances; base colour factors, base colour
-        textures and vertex colours are drawn. `report` lists what is not drawn; files written from the scene have it
-        nevertheless, if it is of glTF's materials. A single-file format may be packed (``.ply.gz``).
+        textures and vertex colours are drawn. `report` lists what is not drawn; files written from the scene have
+        glTF's materials nevertheless. A single-file format may be packed (``.ply.gz``).
 
         Parameters
         ----------
@@ -80,17 +82,17 @@ class Scene:
         up
             Axis of the file that points up: "x", "y", "z", "-x", "-y" or "-z"; it is turned to y.
         on_invalid
-            Treatment of faces with vertices that are not finite or do not exist: "raise" an error, or "drop" the faces,
-            which `report` counts.
+            For faces with vertices that are not finite or do not exist: "raise" or "drop", which `report` counts.
         scale
-            Metres in a unit of the file, above 0, such as 0.001 for millimetres. By default the unit that the file
-            states (glTF: the metre; 3MF, COLLADA), and the metre for formats without units, such as OBJ, PLY and STL.
-            `report` has a note where the extent suggests another unit.
+            Metres in a unit of the file, such as 0.001 for millimetres. By default what the file states (glTF, 3MF,
+            COLLADA) or 1 (OBJ, PLY, STL); `report` has a note where the extent suggests another unit.
+        max_bytes
+            Bytes it may unpack to; by default a hundred times those read, at least 256 MiB and at most 16 GiB.
 
         Raises
         ------
         SceneError
-            A file that cannot be used, or needs an extension that is not read; the message names it and the reason.
+            A file that cannot be used or unpacks to too much; the message names it and the reason.
         ValueError, TypeError
             A `scale` that is not a number above 0, and unknown names of axes and treatments.
         OSError
@@ -98,7 +100,7 @@ class Scene:
         """
         from nearfar._scene import load
 
-        return cls._from_assembled(load.load(path, up=up, on_invalid=on_invalid, scale=scale))
+        return cls._from_assembled(load.load(path, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes))
 
     @classmethod
     def from_trimesh(
@@ -119,8 +121,7 @@ class Scene:
         up, on_invalid
             See `load`.
         scale
-            Metres in a unit, above 0. By default that of `loaded.units`, which all meshes must share, and the metre if
-            it is None.
+            Metres in a unit. By default that of `loaded.units`, which all meshes must share, or the metre for None.
 
         Raises
         ------
@@ -148,8 +149,7 @@ class Scene:
         """Make a scene of one mesh.
 
         C-contiguous float32 vertices, uint32 faces and int32 objects are not copied: the scene reads the caller's
-        memory, and the arrays become read-only so that it cannot change. Do not write through other views of it.
-        `copy` leaves the arrays alone. Other number types are converted.
+        memory, and the arrays become read-only. Do not write through other views of it. Other types are converted.
 
         Parameters
         ----------
@@ -162,7 +162,7 @@ class Scene:
         object_names
             Name of each object number; by default ``object_0``, ``object_1``, …
         copy
-            Copy even what could be borrowed.
+            Copy even what could be borrowed, and leave the arrays alone.
 
         Raises
         ------

@@ -31,10 +31,6 @@ _MOST_NAMED = 3
 """Greatest number of flaws that an error message lists; it counts the rest."""
 
 
-class UnusableError(ValueError):
-    """The source cannot be used; the message is a sentence without the source's name."""
-
-
 @dataclass
 class Shape:
     """A mesh of the source; `faces` may have any integer type and numbers out of range."""

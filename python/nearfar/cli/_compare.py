@@ -71,7 +71,7 @@ def compare(
 ) -> None:
     """Compare the conventional and the continuous method with the truth, seen from one eye.
 
-    Thresholds apply to the continuous method; the exit status is 3 if one is broken or could not be measured.
+    Thresholds apply to the continuous method; the exit status is 3 if one is not met or could not be measured.
     """
     options.check_radii(r1, r2)
     options.check_backend(backend)

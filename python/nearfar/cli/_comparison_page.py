@@ -153,7 +153,7 @@ def _paragraph(text: str) -> str:
 
 
 def _class(row: list[str]) -> str:
-    return " class='broken'" if row[-1] in ("broken", "not measured") else ""
+    return " class='broken'" if row[-1] in ("not met", "not measured") else ""
 
 
 def _shown(document: dict[str, Any]) -> list[tuple[str, str]]:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any
 
 import nearfar as nf
-from nearfar._base import check
+from nearfar._base import check, formats
 from nearfar.cli import _options as options
 from nearfar.cli._viewpoint import Stand
 
@@ -25,7 +24,7 @@ def report_of(folder: str) -> dict[str, Any]:
     if not path.is_file():
         return {}
     try:
-        document = json.loads(path.read_text(encoding="utf-8"))
+        document = formats.from_json(path.read_text(encoding="utf-8"))
     except ValueError:
         return {}
     return document if isinstance(document, dict) else {}

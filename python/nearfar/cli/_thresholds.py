@@ -57,7 +57,7 @@ def thresholds(**limits: float | None) -> list[Threshold]:
 
 
 def sentence(checked: dict[str, Any]) -> str:
-    """Say how a threshold was broken."""
+    """Say how a threshold was not met."""
     if not checked["measured"]:
         reason = UNMEASURED.get(checked["measure"], "the picture has none")
         return f"{checked['option']}: {checked['measure']} was not measured, because {reason}"
@@ -65,7 +65,7 @@ def sentence(checked: dict[str, Any]) -> str:
 
 
 def result(checked: dict[str, Any]) -> str:
-    """Say in a word or two whether a threshold was kept."""
+    """Say in a word or two whether a threshold was met."""
     if not checked["measured"]:
         return "not measured"
-    return "kept" if checked["kept"] else "broken"
+    return "met" if checked["kept"] else "not met"

@@ -106,6 +106,8 @@ def _read_samples(samples: dict[str, Any], levels: int) -> Samples:
     sigma, score = _array(samples["sigma"]), _array(samples["score"])
     if score.shape != (levels, len(sigma)) or sigma.ndim != 1:
         raise ValueError(f"samples: expected scores of {levels} levels at {len(sigma)} sizes, got {score.shape}")
+    if not (np.isfinite(sigma) & (sigma > 0)).all():
+        raise ValueError("samples: expected sizes above 0")
     if samples["views"] is None:
         return Samples(sigma, score)
     views = _array(samples["views"])

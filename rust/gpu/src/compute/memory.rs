@@ -57,7 +57,7 @@ impl<'a> LentBuffer<'a> {
         let length = bytes.len() as u64;
         self.device.count(Counted::UploadedBytes, length);
         if !self.usage.contains(BufferUsages::MAP_WRITE) {
-            self.device.queue.write_buffer(self, 0, bytes);
+            self.device.with_queue(|queue| queue.write_buffer(self, 0, bytes));
             return Ok(());
         }
         let room = length.next_multiple_of(8);

@@ -106,7 +106,7 @@ impl<'a> Work<'a> {
 
     /// Submits the commands.
     pub fn submit(self) -> Result<SubmissionIndex> {
-        let submission = self.device.queue.submit([self.encoder.finish()]);
+        let submission = self.device.with_queue(|queue| queue.submit([self.encoder.finish()]));
         self.scope.close()?;
         Ok(submission)
     }

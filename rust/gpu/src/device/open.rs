@@ -2,7 +2,7 @@
 
 use std::process;
 use std::sync::atomic::AtomicU64;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError, RwLock};
 
 use nearfar_core::base::{Error, Result};
 use wgpu::{Adapter, DeviceDescriptor, DeviceLostReason, Features, Limits, PollType};
@@ -13,7 +13,10 @@ use super::extensions::Extensions;
 /// A device with the state that is kept on it between frames.
 pub struct Device {
     pub(crate) wgpu: wgpu::Device,
-    pub(crate) queue: wgpu::Queue,
+    queue: wgpu::Queue,
+    /// Held by all who use the queue, and alone by who closes the device: wgpu 30 locks its parts in one order when it
+    /// writes and in another when it destroys them, and two threads wait for each other for ever.
+    closing: RwLock<()>,
     pub(crate) report: AdapterReport,
     pub(crate) limits: Limits,
     /// Storage buffers can be read where they are, because device and processor share their memory.
@@ -66,6 +69,7 @@ impl Device {
         Ok(Self {
             wgpu,
             queue,
+            closing: RwLock::new(()),
             report,
             limits,
             shares_memory,
@@ -88,6 +92,12 @@ impl Device {
         self.extensions.get()
     }
 
+    /// Calls a function with the queue; nothing closes the device meanwhile.
+    pub(crate) fn with_queue<R>(&self, job: impl FnOnce(&wgpu::Queue) -> R) -> R {
+        let _shared = self.closing.read().unwrap_or_else(PoisonError::into_inner);
+        job(&self.queue)
+    }
+
     /// True once the device is unusable.
     pub fn is_lost(&self) -> bool {
         self.lost_because().is_some()
@@ -95,6 +105,7 @@ impl Device {
 
     /// Closes the device as a driver's fault would, so that recovery can be tested.
     pub fn lose(&self) {
+        let _alone = self.closing.write().unwrap_or_else(PoisonError::into_inner);
         self.wgpu.destroy();
         // The callback comes with the next poll.
         let _ = self.wgpu.poll(PollType::Poll);

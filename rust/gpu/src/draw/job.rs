@@ -134,7 +134,8 @@ impl Job {
         let mut last: Option<SubmissionIndex> = None;
         for (n, chunk) in passes.chunks(PASSES_PER_SUBMISSION).enumerate() {
             if n > 0 {
-                let submission = device.queue.submit([std::mem::replace(&mut commands, encoder()).finish()]);
+                let full = std::mem::replace(&mut commands, encoder());
+                let submission = device.with_queue(|queue| queue.submit([full.finish()]));
                 if let Some(before) = last.replace(submission) {
                     device.wait(&before, progress)?;
                 }
@@ -147,7 +148,7 @@ impl Job {
         if let Some(staging) = &slot.staging {
             commands.copy_buffer_to_buffer(&slot.output, 0, staging, 0, bytes.next_multiple_of(4));
         }
-        let submission = device.queue.submit([commands.finish()]);
+        let submission = device.with_queue(|queue| queue.submit([commands.finish()]));
         let opened = open_buffers(&slot, bytes);
         scope.close()?;
         Ok(Submitted { window, slot, outputs, numbering: plan.numbering, submission, opened })

@@ -91,7 +91,7 @@ fn place(
     if let Some((page, start)) = shelf.take(words) {
         write(runs, &page, start, parts, |at, bytes| {
             let scope = Scope::open(device);
-            device.queue.write_buffer(&page.buffer, at, bytes);
+            device.with_queue(|queue| queue.write_buffer(&page.buffer, at, bytes));
             scope.close()
         })?;
     } else {

@@ -73,21 +73,19 @@ impl Texels {
             let (width, height) = if rows > 0 { (row, rows) } else { (texels, 1) };
             let layer = (at >> (2 * self.shift)) as u32;
             let size = (width * height * u64::from(self.bytes)) as usize;
-            device.queue.write_texture(
-                wgpu::TexelCopyTextureInfo {
-                    texture: &self.texture,
-                    mip_level: 0,
-                    origin: wgpu::Origin3d { x: 0, y: line as u32, z: layer },
-                    aspect: TextureAspect::All,
-                },
-                &rest[..size],
-                TexelCopyBufferLayout {
-                    offset: 0,
-                    bytes_per_row: Some(width as u32 * self.bytes),
-                    rows_per_image: None,
-                },
-                Extent3d { width: width as u32, height: height as u32, depth_or_array_layers: 1 },
-            );
+            let target = wgpu::TexelCopyTextureInfo {
+                texture: &self.texture,
+                mip_level: 0,
+                origin: wgpu::Origin3d { x: 0, y: line as u32, z: layer },
+                aspect: TextureAspect::All,
+            };
+            let layout = TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(width as u32 * self.bytes),
+                rows_per_image: None,
+            };
+            let extent = Extent3d { width: width as u32, height: height as u32, depth_or_array_layers: 1 };
+            device.with_queue(|queue| queue.write_texture(target, &rest[..size], layout, extent));
             rest = &rest[size..];
             at += width * height;
         }

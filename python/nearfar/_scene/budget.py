@@ -1,0 +1,114 @@
+"""How much a file may unpack to, and which files are read: none takes all memory, and none is waited for."""
+
+from __future__ import annotations
+
+import io
+import os
+import stat
+import zipfile
+import zlib
+from pathlib import Path
+from typing import Any
+
+from nearfar._base.errors import UnusableError
+
+FREE = 256 << 20
+"""Bytes that any file may unpack to: a picture of one colour honestly takes a thousandth of its pixels or less."""
+
+RATIO = 100
+"""Bytes that a larger file may unpack to, for each of its own."""
+
+MOST = 16 << 30
+"""Bytes that no file may unpack to, unless the caller allows more."""
+
+_BLOCK = 1 << 22
+
+
+class Budget:
+    """Bytes that a file may unpack to in all: packed text, members of archives, pixels.
+
+    Parameters
+    ----------
+    max_bytes
+        The limit; by default `RATIO` times the bytes read, at least `FREE` and at most `MOST`.
+    """
+
+    def __init__(self, max_bytes: int | None = None) -> None:
+        self._stated, self._read, self._taken = max_bytes, 0, 0
+
+    @property
+    def limit(self) -> int:
+        """Bytes that what was read so far may unpack to."""
+        return min(max(FREE, RATIO * self._read), MOST) if self._stated is None else self._stated
+
+    def add_read(self, size: int) -> None:
+        """Count bytes that were read from files."""
+        self._read += size
+
+    def take(self, size: int) -> None:
+        """Count bytes before they are unpacked; UnusableError beyond the limit."""
+        self._taken += size
+        if self._taken > self.limit:
+            raise UnusableError(
+                f"it unpacks to more than {self.limit:,} bytes from {self._read:,}; max_bytes allows more"
+            )
+
+    def unpacked(self, data: bytes) -> bytes:
+        """Unpack gzip's format as far as the budget reaches."""
+        parts: list[bytes] = []
+        rest = data
+        while rest:
+            stream = zlib.decompressobj(wbits=zlib.MAX_WBITS | 16)
+            pending = rest
+            while not stream.eof:
+                part = stream.decompress(pending, _BLOCK)
+                pending = stream.unconsumed_tail
+                if not part and not pending and not stream.eof:
+                    raise EOFError("it ends too early")
+                self.take(len(part))
+                parts.append(part)
+            # Members may follow one another, and zeros the last one.
+            rest = stream.unused_data.lstrip(b"\0")
+        return b"".join(parts)
+
+    def take_members(self, data: bytes) -> None:
+        """Count all that an archive such as a 3MF holds, if it is one; its readers stop at the stated sizes."""
+        if data.startswith(b"PK"):
+            try:
+                with zipfile.ZipFile(io.BytesIO(data)) as archive:
+                    self.take(sum(member.file_size for member in archive.infolist()))
+            except zipfile.BadZipFile:
+                return
+
+
+def check_regular(path: Path) -> None:
+    """Refuse pipes and devices, which may never end."""
+    if not stat.S_ISREG(os.stat(path).st_mode):
+        raise UnusableError(f"{path.name} is no ordinary file, but a pipe, a socket or a device")
+
+
+def read_file(path: Path, budget: Budget) -> bytes:
+    """Read a regular file."""
+    check_regular(path)
+    data = path.read_bytes()
+    budget.add_read(len(data))
+    return data
+
+
+def resolver(path: Path, budget: Budget) -> Any:
+    """Trimesh's resolver of the files beside one, which reads regular files only."""
+    import trimesh
+
+    class Regular(trimesh.resolvers.FilePathResolver):  # type: ignore[misc]  # trimesh has no types
+        def absolute(self, name: str) -> Path:
+            path: Path = super().absolute(name)
+            if path.exists():
+                check_regular(path)
+            return path
+
+        def get(self, name: str) -> bytes:
+            data: bytes = super().get(name)
+            budget.add_read(len(data))
+            return data
+
+    return Regular(os.path.abspath(path))
