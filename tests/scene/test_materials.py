@@ -16,11 +16,13 @@ from PIL import Image
 
 import nearfar as nf
 from nearfar._base import data as data_files
+from nearfar._base import glb
 from nearfar._scene import load
 from nearfar._scene.budget import Budget
 from nearfar._scene.builder import SceneBuilder
-from nearfar._scene.materials import BaseColor, colors_of, to_linear, to_srgb
+from nearfar._scene.materials import BaseColor, colors_of
 from nearfar._scene.source import Shape, Source
+from nearfar._scene.srgb import to_linear, to_srgb
 from tests.support import need
 
 PBR = trimesh.visual.material.PBRMaterial
@@ -138,14 +140,16 @@ def test_colours_of_faces_become_materials() -> None:
     ("lines", "notes"),
     [
         ("Ks 0.3 0.3 0.3\nNs 50\nTr 0\nd 1\nKe 0 0 0\nPm 0\nillum 2", []),
-        ("Ke 1 0.5 0", ["with emission drawn and saved without it"]),
-        ("map_Ke glow.png", ["with emission drawn and saved without it"]),
+        ("Ke 1 0.5 0", ["with emission drawn without it"]),
+        ("map_Ke glow.png", ["with a map of emission drawn and saved without it"]),
         ("map_Bump -bm 0.3 bumps.png", ["with a normal map drawn and saved without it"]),
         ("norm n.png\nbump b.png", ["with a normal map drawn and saved without it"]),
-        ("map_Ks s.png", ["with metal or gloss drawn and saved without it"]),
-        ("Pm 1", ["with metal or gloss drawn and saved without it"]),
+        ("map_Ks s.png", ["with a map of metal or gloss drawn and saved without it"]),
+        ("Pm 1", ["with metal or gloss drawn matt"]),
+        ("Pr 0.2", ["with metal or gloss drawn matt"]),
         ("d 0.5", ["with transparency drawn opaque"]),
         ("Tr 0.5", ["with transparency drawn opaque"]),
+        ("d 1\nTr 1", []),
         ("map_d holes.png\nTr x", ["with an opacity map drawn and saved without it"]),
     ],
 )
@@ -153,6 +157,19 @@ def test_what_is_not_drawn_of_wavefront_materials_is_noted(lines: str, notes: li
     (tmp_path / "a.mtl").write_text(f"newmtl m\nKd 0.5 0.4 0.3\n{lines}\n")
     (tmp_path / "a.obj").write_text("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n")
     assert list(nf.Scene.load(tmp_path / "a.obj").report.notes) == [f"1 material {note}" for note in notes]
+
+
+def test_what_gltf_has_of_wavefront_materials_is_saved(tmp_path: Path) -> None:
+    (tmp_path / "a.mtl").write_text("newmtl m\nKd 0.5 0.4 0.3\nKe 1 0.5 0\nPm 0.25\nPr 0.5\nTr 0.75\n")
+    (tmp_path / "a.obj").write_text("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n")
+    scene = nf.Scene.load(tmp_path / "a.obj")
+    nf.reduce(scene, center=(0, 0, 1), r1=3, r2=4, face_size=8).save(tmp_path / "light")
+    header, _ = glb.header((tmp_path / "light" / "near.glb").read_bytes())
+    (material,) = header["materials"]
+    np.testing.assert_allclose(material["emissiveFactor"], [1.0, 0.21404, 0.0], atol=1e-5)
+    surface = material["pbrMetallicRoughness"]
+    assert (surface["metallicFactor"], surface["roughnessFactor"], surface["baseColorFactor"][3]) == (0.25, 0.5, 0.25)
+    assert (material["alphaMode"], material["doubleSided"]) == ("BLEND", True)
 
 
 def test_wavefront_materials_are_srgb_with_texture(tmp_path: Path) -> None:

@@ -21,8 +21,9 @@ from nearfar._base import check, glb
 from nearfar._base.version import __version__
 from nearfar._scene import glb_surfaces
 from nearfar._scene.glb_surfaces import SurfaceWriter
-from nearfar._scene.materials import colors_of, to_linear
+from nearfar._scene.materials import colors_of
 from nearfar._scene.names import Names
+from nearfar._scene.srgb import to_linear
 from nearfar._scene.undrawn import Undrawn
 
 _IDENTITY = np.eye(4)[:3]

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nearfar._scene.materials import BaseColor, Materials, colors_of, to_linear
+from nearfar._scene.materials import BaseColor, Materials, colors_of
 from nearfar._scene.report import count
 from nearfar._scene.source import Node, Shape, Source, world_transforms
+from nearfar._scene.srgb import to_linear
 
 if TYPE_CHECKING:
     import trimesh

@@ -14,6 +14,7 @@ from PIL import Image
 from nearfar._scene import undrawn as undrawn_parts
 from nearfar._scene import wavefront_materials
 from nearfar._scene.budget import Budget
+from nearfar._scene.srgb import to_linear, to_srgb
 from nearfar._scene.undrawn import EncodedImage, TextureSource, Undrawn
 
 MOST_TEXELS = 1 << 27
@@ -44,20 +45,6 @@ PLAIN = BaseColor(factor=(0.8, 0.8, 0.8, 1.0))
 
 UNCOLORED = BaseColor()
 """White, for meshes with vertex colours."""
-
-
-def to_linear(srgb: NDArray[Any]) -> NDArray[np.float64]:
-    """Decode sRGB in 0..1 (IEC 61966-2-1)."""
-    low = srgb / 12.92
-    high = ((np.maximum(srgb, 0.04045) + 0.055) / 1.055) ** 2.4
-    return np.where(srgb <= 0.04045, low, high)
-
-
-def to_srgb(linear: NDArray[Any]) -> NDArray[np.float64]:
-    """Encode linear light in 0..1 as sRGB (IEC 61966-2-1)."""
-    low = linear * 12.92
-    high = 1.055 * np.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055
-    return np.where(linear <= 0.0031308, low, high)
 
 
 def colors_of(values: NDArray[Any], count: int, *, linear: bool) -> NDArray[np.uint8] | None:
@@ -212,18 +199,21 @@ class Materials:
 
     def _simple(self, material: Any) -> BaseColor:
         """Base colour of a Wavefront material: the diffuse colour is taken as sRGB, as in three.js."""
-        diffuse = tuple(int(c) for c in material.diffuse)
+        diffuse, entries = tuple(int(c) for c in material.diffuse), material.kwargs
         image = getattr(material, "image", None)
         if _is_placeholder(image):
             image = None
         texture, notes = self._texture(image)
-        notes += wavefront_materials.differences(material.kwargs)
+        undrawn, differences = undrawn_parts.of_gltf(wavefront_materials.as_gltf(entries), lambda _: None)
+        notes += (*differences, *wavefront_materials.losses(entries))
+        alpha = min(diffuse[3] / 255, wavefront_materials.opacity(entries))
+        if alpha < 1.0:
+            notes += ("with transparency drawn opaque",)
         if diffuse == _TRIMESH_DEFAULT:
-            return BaseColor(UNCOLORED.factor if texture is not None else PLAIN.factor, texture, None, notes)
-        if diffuse[3] < 255 and wavefront_materials.OPAQUE not in notes:
-            notes += (wavefront_materials.OPAQUE,)
-        red, green, blue = (float(c) for c in to_linear(np.array(diffuse[:3]) / 255))
-        return BaseColor((red, green, blue, diffuse[3] / 255), texture, None, notes)
+            red, green, blue, _ = UNCOLORED.factor if texture is not None else PLAIN.factor
+        else:
+            red, green, blue = (float(c) for c in to_linear(np.array(diffuse[:3]) / 255))
+        return BaseColor((red, green, blue, alpha), texture, None, notes, undrawn)
 
     def _texture(self, image: Any) -> tuple[NDArray[np.uint8] | None, tuple[str, ...]]:
         if image is None:
