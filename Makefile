@@ -9,8 +9,8 @@ WHEEL ?=
 bin := .venv/bin
 rust_sources := $(shell find rust -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
 pip := $(bin)/python -m pip install --quiet --disable-pip-version-check
-# Compiling ends on one core, which leaves the other one to pip and the linters.
-MAKEFLAGS += -j2
+# Much of compiling takes one core, which leaves the other one to pip and the linters.
+MAKEFLAGS += -j3
 # pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
 export PYO3_PYTHON := $(CURDIR)/$(bin)/python
 
@@ -32,16 +32,17 @@ test: lint test-rust
 # Formatting, lints and types only.
 lint: lint-rust lint-python
 
-lint-rust: .venv/built
+# In cargo's own profile, whose folder the build of the package does not lock.
+lint-rust: .venv/made
 	cargo fmt --all --check
-	cargo clippy --release --quiet --workspace --all-targets -- -D warnings
+	cargo clippy --quiet --workspace --all-targets -- -D warnings
 
 lint-python: .venv/built .venv/test
 	$(bin)/ruff format --check --quiet .
 	$(bin)/ruff check --quiet .
 	$(bin)/mypy
 
-test-rust: lint-rust
+test-rust: .venv/built
 	cargo test --release --quiet --workspace
 
 # Run time against error for every kernel and its peers, as tables in out/bench.
