@@ -1,4 +1,4 @@
-"""What replaces files and folders: names of any length, links, permissions, kills, and what dead owners left."""
+"""Replacing files and folders: names of any length, links, permissions, kills, and what dead owners left."""
 
 from __future__ import annotations
 

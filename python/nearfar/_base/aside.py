@@ -115,7 +115,7 @@ def _remove(path: Path) -> None:
 
 
 def _affixes(target: Path) -> tuple[str, str]:
-    """What names of temporaries begin and end with: the target's name, shortened to what fits."""
+    """Beginning and end of the names of temporaries: the target's name, shortened to what fits."""
     tag = 2 * _TAG
     suffix = target.suffix if len(os.fsencode(target.suffix)) <= MAX_NAME // 2 else ""
     room = MAX_NAME - len("..") - tag - len(os.fsencode(suffix))

@@ -1,4 +1,4 @@
-"""What notebooks show of reduced scenes: a card, and the explorer."""
+"""Notebooks show reduced scenes as a card, and in the explorer."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ from nearfar._scene.scene import Scene
 
 
 class Parts(TypedDict):
-    """What a reduced scene is made of besides its scene."""
+    """Parts of a reduced scene besides its scene."""
 
     zones: Partition
     env: EnvMap | None

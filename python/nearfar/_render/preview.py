@@ -20,7 +20,7 @@ CAPTIONS = {
     "face_id": "triangles as colours",
     "position": "height above the lowest point, high is bright",
 }
-"""What a picture of each image shows."""
+"""Captions of the pictures of each image."""
 
 
 def pixels(name: str, image: NDArray[Any]) -> NDArray[np.uint8]:

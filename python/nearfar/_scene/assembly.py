@@ -46,7 +46,7 @@ class Assembled:
     notes: tuple[str, ...] = ()
     """Parts of the source that are ignored or drawn differently, one sentence each."""
     undrawn: Mapping[int, Undrawn] = field(default_factory=dict)
-    """What the materials hold besides, by their tags in `core`."""
+    """Properties of materials that are not drawn, by their tags in `core`."""
 
 
 @dataclass(frozen=True)

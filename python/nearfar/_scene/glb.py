@@ -237,7 +237,7 @@ class Decoder:
 
     @property
     def undrawn(self) -> dict[int, Undrawn]:
-        """What the materials hold besides, by their tags."""
+        """Properties of materials that are not drawn, by their tags."""
         return self._surfaces[1]
 
     @cached_property

@@ -37,7 +37,7 @@ class BaseColor:
     notes: tuple[str, ...] = ()
     """Differences from the source's material, phrased to follow "2 materials"."""
     undrawn: Undrawn | None = None
-    """What the source's material holds besides; None for nothing."""
+    """Properties of the source's material that are not drawn; None for nothing."""
 
 
 PLAIN = BaseColor(factor=(0.8, 0.8, 0.8, 1.0))

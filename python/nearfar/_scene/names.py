@@ -25,7 +25,7 @@ def names_of(argument: str, names: Sequence[str]) -> list[str]:
 
 
 _NAMELESS = re.compile(r"object_(0|[1-9][0-9]{0,17})")
-"""What nameless objects are called, with their number."""
+"""Names of nameless objects, with their number."""
 
 
 class Names:

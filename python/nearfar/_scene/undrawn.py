@@ -214,7 +214,7 @@ def _is_plain(value: object) -> bool:
 
 
 def _differences(undrawn: Undrawn) -> list[str]:
-    """What is drawn differently, phrased to follow "2 materials"."""
+    """Properties that are drawn differently, phrased to follow "2 materials"."""
     material = undrawn.material
     surface = material.get(_SURFACE, {})
     notes = []

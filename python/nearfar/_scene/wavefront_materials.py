@@ -25,7 +25,7 @@ def opacity(entries: Mapping[str, Any]) -> float:
 
 
 def as_gltf(entries: Mapping[str, Any]) -> dict[str, Any]:
-    """What of a material glTF has, too, except its base colour: emission, metal, roughness, blending.
+    """Properties of a material that glTF has, too, besides its base colour: emission, metal, roughness, blending.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def as_gltf(entries: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def losses(entries: Mapping[str, Any]) -> tuple[str, ...]:
-    """What of a material is neither drawn nor saved, phrased to follow "2 materials": maps that glTF has otherwise."""
+    """Maps of a material that are neither drawn nor saved, phrased to follow "2 materials"."""
     lost = (what for what, keywords in _MAPS.items() if any(keyword in entries for keyword in keywords))
     return tuple(f"with {what} drawn and saved without it" for what in lost)
 

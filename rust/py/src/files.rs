@@ -1,4 +1,4 @@
-//! What the file system can do at once and Python cannot ask for.
+//! Calls of the file system that Python does not have.
 
 use std::path::PathBuf;
 

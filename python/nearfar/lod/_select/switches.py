@@ -73,7 +73,7 @@ class Switches:
         return "\n".join(rows)
 
     def remarks(self, level: int) -> list[str]:
-        """What the sizes of a level do not say: "never shown", "beyond what was measured"."""
+        """Notes on a level beside its sizes: "never shown", "beyond what was measured"."""
         never, limit = not self.shown[level], self.is_limit[level]
         return (["beyond what was measured"] if limit else []) + (["never shown"] if never else [])
 

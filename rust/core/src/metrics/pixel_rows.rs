@@ -117,7 +117,7 @@ fn spread_and_extend<P: Pixel>(
             let (a, b) = (x[i].real() - levels[0], y[i].real() - levels[1]);
             s[i] = a + b;
             d[i] = a - b;
-            // What is no number is left out, and with it the pixel beside it, which nothing that counts sees.
+            // A NaN is left out, and with it the pixel beside it, which nothing that counts sees.
             let (low, high) = if x[i] < y[i] { (x[i], y[i]) } else { (y[i], x[i]) };
             least[i] = if low < least[i] { low } else { least[i] };
             greatest[i] = if high > greatest[i] { high } else { greatest[i] };
