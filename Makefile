@@ -14,7 +14,7 @@ MAKEFLAGS += -j3
 # pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
 export PYO3_PYTHON := $(CURDIR)/$(bin)/python
 
-.PHONY: help demo test lint lint-rust lint-python test-rust bench notebooks stress setup clean
+.PHONY: help demo test lint lint-rust lint-python test-rust test-core bench notebooks stress setup clean
 .DELETE_ON_ERROR:
 
 # List the targets.
@@ -26,7 +26,7 @@ demo: .venv/built
 	$(bin)/nearfar reduce -i city -o $(OUT)/demo
 
 # Everything that must pass: formatting, lints, types, Rust tests, Python tests.
-test: lint test-rust
+test: lint test-core test-rust
 	$(bin)/python -m pytest -n auto --dist worksteal
 
 # Formatting, lints and types only.
@@ -42,8 +42,13 @@ lint-python: .venv/built .venv/test
 	$(bin)/ruff check --quiet .
 	$(bin)/mypy
 
+# The core's tests in a profile of their own: its folder, too, is free while the package is built, most of which takes
+# one core.
+test-core: .venv/made
+	CARGO_INCREMENTAL=0 cargo test --profile quick --quiet --package nearfar-core
+
 test-rust: .venv/built
-	cargo test --release --quiet --workspace
+	cargo test --release --quiet --workspace --exclude nearfar-core
 
 # Run time against error for every kernel and its peers, as tables in out/bench.
 bench: .venv/built .venv/bench
