@@ -45,10 +45,11 @@ lint-python: .venv/built .venv/test
 # The core's tests in a profile of their own: its folder, too, is free while the package is built, most of which takes
 # one core.
 test-core: .venv/made
-	CARGO_INCREMENTAL=0 cargo test --profile quick --quiet --package nearfar-core
+	CARGO_INCREMENTAL=0 cargo test --profile quick --quiet --package nearfar-core --lib
 
 test-rust: .venv/built
-	cargo test --release --quiet --workspace --exclude nearfar-core
+	cargo test --release --quiet --package nearfar-core --test vectors
+	cargo test --release --quiet --package nearfar-gpu --lib
 
 # Run time against error for every kernel and its peers, as tables in out/bench.
 bench: .venv/built .venv/bench

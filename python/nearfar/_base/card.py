@@ -54,6 +54,19 @@ def shown(make: Callable[[Kind], str]) -> Callable[[Kind], str]:
     return safe
 
 
+def drawn(make: Callable[[Kind], NDArray[np.uint8]]) -> Callable[[Kind], bytes | None]:
+    """Make a `_repr_png_` from pixels (H, W, 3 or 4); None, which shows the object's `repr`, where there are none."""
+
+    @functools.wraps(make)
+    def safe(self: Kind) -> bytes | None:
+        try:
+            return png(make(self))
+        except Exception:
+            return None
+
+    return safe
+
+
 def plain(value: object) -> str:
     """Return an object's `repr`, or its class if that fails too."""
     try:

@@ -245,12 +245,10 @@ class EnvMap:
         exposure = 1.0 / max(1.0, float(np.percentile(flat, 99.0)))
         return exposure, _core.encode_srgb(np.ascontiguousarray(flat * np.float32(exposure))).reshape(flat.shape)
 
-    def _repr_png_(self) -> bytes | None:
-        """Picture for notebooks without HTML; None if the map is damaged."""
-        try:
-            return card.png(self._preview()[1])
-        except Exception:
-            return None
+    @card.drawn
+    def _repr_png_(self) -> NDArray[np.uint8]:
+        """Picture for notebooks without HTML."""
+        return self._preview()[1]
 
     @card.shown
     def _repr_html_(self) -> str:

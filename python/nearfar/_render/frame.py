@@ -139,12 +139,10 @@ class Frame:
         name = next(name for name in preview.ORDER if name in self.channels)
         return name, preview.pixels(name, card.thinned(self.require(name)))
 
-    def _repr_png_(self) -> bytes | None:
-        """Picture for notebooks without HTML; None if the frame has no image."""
-        try:
-            return card.png(self._preview()[1])
-        except Exception:
-            return None
+    @card.drawn
+    def _repr_png_(self) -> NDArray[np.uint8]:
+        """Picture for notebooks without HTML."""
+        return self._preview()[1]
 
     @card.shown
     def _repr_html_(self) -> str:
