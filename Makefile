@@ -8,7 +8,8 @@ WHEEL ?=
 
 bin := .venv/bin
 rust_sources := $(shell find rust -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
-pip := $(bin)/python -m pip install --quiet --disable-pip-version-check
+# Python compiles what is imported when it is; pip would compile everything.
+pip := $(bin)/python -m pip install --quiet --disable-pip-version-check --no-compile
 # Much of compiling takes one core, which leaves the other one to pip and the linters.
 MAKEFLAGS += -j3
 # pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
@@ -32,19 +33,18 @@ test: lint test-core test-rust
 # Formatting, lints and types only.
 lint: lint-rust lint-python
 
-# In cargo's own profile, whose folder the build of the package does not lock.
+# In a profile of their own, whose folder the build of the package does not lock.
 lint-rust: .venv/made
 	cargo fmt --all --check
-	cargo clippy --quiet --workspace --all-targets -- -D warnings
+	cargo clippy --profile quick --quiet --workspace --all-targets -- -D warnings
 
 lint-python: .venv/built .venv/test
 	$(bin)/ruff format --check --quiet .
 	$(bin)/ruff check --quiet .
 	$(bin)/mypy
 
-# The core's tests in a profile of their own: its folder, too, is free while the package is built, most of which takes
-# one core.
-test-core: .venv/made
+# In the linters' profile and after them. Most of building the package takes one core, so that this takes no time.
+test-core: lint-rust
 	CARGO_INCREMENTAL=0 cargo test --profile quick --quiet --package nearfar-core --lib
 
 test-rust: .venv/built
