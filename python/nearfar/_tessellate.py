@@ -101,16 +101,15 @@ def _pixel_angle(camera: Camera) -> float:
 
 def _reach(region: ArrayLike, center: tuple[float, float, float]) -> float:
     """Greatest distance of a user from the centre, metres."""
-    if np.ndim(region) == 0:
+    if check.plain("user_region", region).ndim == 0:
         reach = check.number("user_region", cast("float", region))
         if reach < 0.0:
             raise ValueError(f"user_region: expected a radius of at least 0, got {reach}")
         return reach
     box = check.array("user_region", region, columns=None, dtype=np.float64, finite=True)
     if box.shape != (2, 3) or (box[0] > box[1]).any():
-        raise ValueError(
-            f"user_region: expected a radius or a box (2, 3) of least and greatest corner, got {np.asarray(region)}"
-        )
+        got = box.tolist() if box.shape == (2, 3) else f"shape {box.shape}"
+        raise ValueError(f"user_region: expected a radius or a box (2, 3) of least and greatest corner, got {got}")
     return float(np.linalg.norm(np.abs(box - np.array(center)).max(axis=0)))
 
 

@@ -38,7 +38,7 @@ class Case:
         """Describe each wrong exception of the calls in which one value replaces one argument."""
         for value in values:
             for parameter in self.parameters:
-                flaw = verdict(self.attempt(**{parameter: value.make()}), parameter)
+                flaw = verdict(self.attempt(**{parameter: value.make()}), parameter, self.parameters)
                 if flaw is not None:
                     yield f"{self.name}({parameter}={value.name}) raised {flaw}"
 

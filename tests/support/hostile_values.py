@@ -5,12 +5,13 @@ from __future__ import annotations
 import datetime
 import decimal
 import fractions
+import itertools
 import math
 import os
 import re
 import threading
 import warnings
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -28,13 +29,16 @@ ALLOWED = (ValueError, TypeError, nf.Error, OSError, MemoryError)
 ACCIDENTS = (UnicodeError,)
 """Subclasses of allowed exceptions that come from inside."""
 
+LONGEST = 600
+"""Greatest number of characters of a message: values are cut, and paths are shorter."""
+
 FOREIGN = re.compile(
     r"object is not|is not iterable|not subscriptable|has no attribute|has no len|unsupported operand|truth value"
     r"|only integer scalar|only length-1|size-1 arrays|cannot be interpreted|could not convert|cannot convert"
     r"|cannot be converted|cannot be cast|can't convert|invalid literal|not supported between|must be real number"
     r"|must be a string|must be str|must be an integer|too many values|not enough values|inhomogeneous"
     r"|setting an array|ufunc|broadcast together|Unable to allocate|array is too big|unhashable"
-    r"|required positional argument|unexpected keyword|takes \d|takes from|<class '"
+    r"|required positional argument|unexpected keyword|takes \d|takes from|not callable|<class '"
     r"|embedded null|surrogates not allowed|codec can't|argument '|Python int too large|int too big"
     r"|out of bounds|dtype\(|data type .* not understood|nan to integer|infinity to integer|expected str, bytes"
 )
@@ -50,7 +54,9 @@ class Hostile:
 
 
 class _Fields:
-    """An object whose attributes are all there and mean nothing."""
+    """An object whose attributes are all there and mean nothing; the class takes any arguments, like a callback."""
+
+    def __init__(self, *_: object, **__: object) -> None: ...
 
     def __getattr__(self, name: str) -> int:
         if name.startswith("_"):
@@ -107,7 +113,7 @@ def _containers() -> Iterator[Hostile]:
     yield Hostile("range", lambda: range(3))
     yield Hostile("generator", lambda: (number for number in range(3)))
     yield Hostile("object", object)
-    yield Hostile("class", lambda: int)
+    yield Hostile("class", lambda: _Fields)
     yield Hostile("lambda", lambda: lambda *_, **__: None)
     yield Hostile("module", lambda: os)
     yield Hostile("lock", threading.Lock)
@@ -154,7 +160,7 @@ def _arrays() -> Iterator[Hostile]:
     yield Hostile("endless float64", lambda: np.broadcast_to(np.float64(1), (TOO_MANY, 3)))
     yield Hostile("endless float32", lambda: np.broadcast_to(np.float32(1), (TOO_MANY, 3)))
     yield Hostile("endless int64", lambda: np.broadcast_to(np.int64(1), (TOO_MANY,)))
-    yield Hostile("endless uint8", lambda: np.broadcast_to(np.uint8(1), (2**25, 2**25, 4)))
+    yield Hostile("endless uint8", lambda: np.broadcast_to(np.uint8(1), (TOO_MANY, 1, 4)))
     yield Hostile("endless bool", lambda: np.broadcast_to(np.bool_(True), (TOO_MANY,)))
     yield Hostile("endless faces", lambda: np.broadcast_to(np.float32(1), (6, 2**24, 2**24, 3)))
 
@@ -169,13 +175,13 @@ def _paths(folder: Path) -> Iterator[Hostile]:
 
 
 def attempt(call: Callable[..., Any], arguments: Mapping[str, Any]) -> BaseException | None:
-    """Call with keywords, use up a result that is an iterator, and return the exception; warnings count as such."""
+    """Call with keywords, begin a result that is an iterator, and return the exception; warnings count as such."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         try:
             result = call(**arguments)
             if isinstance(result, Iterator):
-                for _ in result:
+                for _ in itertools.islice(result, 2):
                     pass
         except Exception as error:
             return error
@@ -187,16 +193,23 @@ def attempt(call: Callable[..., Any], arguments: Mapping[str, Any]) -> BaseExcep
     return None
 
 
-def verdict(exception: BaseException | None, parameter: str) -> str | None:
-    """Return why an exception is wrong for an unusable value of a parameter; None if it is right or there is none."""
+def verdict(exception: BaseException | None, parameter: str, others: Iterable[str] = ()) -> str | None:
+    """Return why an exception is wrong for an unusable value of a parameter; None if it is right or there is none.
+
+    The message has to name the parameter, or one of the call's `others`, which may no longer fit to it.
+    """
     if exception is None:
         return None
-    text = f"{type(exception).__name__}: {exception}"
-    if not isinstance(exception, ALLOWED) or isinstance(exception, ACCIDENTS):
+    text = ascii(f"{type(exception).__name__}: {exception}")
+    allowed = (*ALLOWED, IndexError) if parameter == "index" else ALLOWED
+    if not isinstance(exception, allowed) or isinstance(exception, ACCIDENTS):
         return f"an exception of a wrong type, {text}"
     if FOREIGN.search(str(exception)):
         return f"a message that is not ours, {text}"
-    is_named = re.search(rf"(?<![A-Za-z0-9]){re.escape(parameter)}(?![A-Za-z0-9])", str(exception)) is not None
+    names = "|".join(re.escape(name) for name in (parameter, *others))
+    is_named = re.search(rf"(?<![A-Za-z0-9])({names})(?![A-Za-z0-9])", str(exception)) is not None
+    if len(text) > LONGEST:
+        return f"a message of {len(text)} characters, {text}"
     # Files, scenes and devices are named by their own names.
     if not is_named and not isinstance(exception, OSError | nf.Error):
         return f"a message that does not name {parameter}, {text}"

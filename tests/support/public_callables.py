@@ -8,6 +8,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from numpy.lib.mixins import NDArrayOperatorsMixin
+
 import nearfar as nf
 
 SPECIAL = ("__call__", "__getitem__")
@@ -72,6 +74,8 @@ def _class(kind: type, name: str) -> Iterator[PublicCallable]:
     for member in dir(kind):
         if member.startswith("_") and member not in SPECIAL:
             continue
+        if member == "__getitem__" and issubclass(kind, NDArrayOperatorsMixin):
+            continue  # it indexes as NumPy's arrays do, with their messages
         holder = next((base for base in kind.__mro__ if member in vars(base)), None)
         if holder is None or not holder.__module__.startswith("nearfar"):
             continue

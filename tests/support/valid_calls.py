@@ -482,7 +482,6 @@ def _levels(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.lod.MeasureSettings": settings,
         "nearfar.lod.Samples": {"sigma": sizes, "score": np.ones((2, 8)), "views": None},
         "nearfar.lod.Selection": {"level": chosen.level, "counts": chosen.counts, "columns": {}},
-        "nearfar.lod.Selection.__getitem__": {"index": 0},
         "nearfar.lod.Selector": {},
         "nearfar.lod.Selector.select": select,
         "nearfar.lod.Switches": _fields(nf.lod.switches(model, view=camera)),

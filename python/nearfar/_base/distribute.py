@@ -53,7 +53,8 @@ def distribute(
         raise ValueError("workers: expected None beside a client, which has its own")
     if workers is not None:
         workers = check.integer("workers", workers, 1, 4096)
-    if client is not None and not all(hasattr(client, name) for name in ("submit", "scatter", "cancel")):
+    methods = ("submit", "scatter", "cancel")
+    if client is not None and not all(callable(getattr(client, name, None)) for name in methods):
         raise TypeError(f"client: expected a distributed.Client, got {type(client).__name__}")
     if not items:
         return []

@@ -32,7 +32,7 @@ def load(
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
     if scale is not None:
         check.positive("scale", scale)
-    path = Path(path)
+    path = check.path("path", path)
     if path.is_dir():
         raise IsADirectoryError(errno.EISDIR, _folder(path), os.fspath(path))
     most = None if max_bytes is None else check.integer("max_bytes", max_bytes, 1, 1 << 62)

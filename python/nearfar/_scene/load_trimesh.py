@@ -38,7 +38,7 @@ def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materia
     if isinstance(loaded, trimesh.Trimesh):
         loaded = trimesh.Scene({"object": loaded})
     if not isinstance(loaded, trimesh.Scene):
-        raise TypeError(f"expected a trimesh.Trimesh or trimesh.Scene, got {type(loaded).__name__}")
+        raise TypeError(f"loaded: expected a trimesh.Trimesh or trimesh.Scene, got {type(loaded).__name__}")
     fresh, materials = materials is not None, materials or Materials()
     meshes = {name: mesh for name, mesh in loaded.geometry.items() if isinstance(mesh, trimesh.Trimesh)}
     shapes = {name: _shape(mesh, materials, fresh=fresh) for name, mesh in meshes.items()}

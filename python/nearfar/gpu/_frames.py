@@ -11,7 +11,7 @@ from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera
 from nearfar._render import backend as backends
-from nearfar._render.channels import missing
+from nearfar._render.channels import CHANNELS, missing
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Renderable
 from nearfar._render.renderer import Renderer
@@ -40,7 +40,7 @@ class DeviceFrame:
 
     def require(self, channel: str) -> None:
         """Raise ValueError, which names the channels to render, if an image was not rendered."""
-        if channel not in self.channels:
+        if check.choice("channel", channel, CHANNELS) not in self.channels:
             raise missing(channel, self.channels)
 
     def __repr__(self) -> str:
