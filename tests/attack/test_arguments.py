@@ -12,7 +12,8 @@ import nearfar as nf
 from tests.support.argument_cases import OBJECTS, Case, cases
 from tests.support.hostile_values import Hostile, hostile_values
 from tests.support.public_callables import public_callables
-from tests.support.valid_calls import Valid, valid_arguments
+from tests.support.valid_calls import valid_arguments
+from tests.support.valid_objects import Valid
 
 NAMES = sorted(public_callables())
 

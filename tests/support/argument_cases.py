@@ -10,7 +10,8 @@ from typing import Any
 from tests.support import missing
 from tests.support.hostile_values import Hostile, attempt, verdict
 from tests.support.public_callables import PublicCallable, public_callables
-from tests.support.valid_calls import NEED_ADAPTER, NEEDS, Valid, has_adapter, instances, valid_arguments
+from tests.support.valid_calls import NEED_ADAPTER, NEEDS, has_adapter, instances, valid_arguments
+from tests.support.valid_objects import Valid
 
 OBJECTS = (
     "scene", "camera", "frame", "reduced", "env", "lens", "hmd", "model", "levels", "shot", "mesh", "stereo",

@@ -6,7 +6,9 @@ import errno
 import gzip
 import logging
 import os
+import re
 import warnings
+import zipfile
 import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -170,6 +172,8 @@ def _sentence(error: Exception) -> str:
     match error:
         case UnusableError():
             return str(error)
+        case ModuleNotFoundError(name=name) if name in _DETECTORS:
+            return "it is damaged, or its text is in an unknown encoding"
         case ModuleNotFoundError():
             return f"reading it needs the Python package '{error.name}', which is not installed"
         case gzip.BadGzipFile() | EOFError() | zlib.error():
@@ -187,14 +191,40 @@ def _sentence(error: Exception) -> str:
         case AssertionError():
             return "lengths or offsets in it contradict each other" + (f" ({error})" if str(error) else "")
         case IndexError():
-            return f"it refers to something that it does not hold ({error})"
+            return "it refers to something that it does not hold"
+        case zipfile.BadZipFile():
+            return f"its archive is damaged ({_first_line(error)})"
         case ValueError() | RuntimeError():  # raised by trimesh for unknown versions and formats
-            return f"it cannot be read: {_first_line(error) or 'no reason given'}"
-        case AttributeError() | TypeError():
-            return f"an entry of it has another type than it should ({_first_line(error)})"
+            return _reader_sentence(_first_line(error))
         case _:
-            return f"it is not well-formed ({type(error).__name__}: {_first_line(error)})"
+            return "entries of it are missing, or have other types than they should"
+
+
+def _reader_sentence(reason: str) -> str:
+    """Sentence for a reason that a reader gives; those of Python and NumPy speak of code, not of the file."""
+    for pattern, sentence in _REASONS:
+        if match := pattern.search(reason):
+            return sentence.format(*(group for group in match.groups() if group))
+    return f"it cannot be read: {reason or 'no reason given'}"
 
 
 def _first_line(error: Exception) -> str:
     return next(iter(str(error).splitlines()), "")
+
+
+_DETECTORS = ("chardet", "charset_normalizer")
+"""Packages with which trimesh would guess the encoding of a text that is not UTF-8."""
+
+_REASONS = (
+    (
+        re.compile(r"could not convert string to \w+: (.+)|invalid literal for [^:]*: (.+)"),
+        "{} stands where a number belongs",
+    ),
+    (
+        re.compile(r"reshape array|array element|to unpack|unmatched data|operands could not|inhomogeneous|dimensions"),
+        "a row of it has too few or too many numbers",
+    ),
+    (re.compile(r"negative seek|buffer is smaller|buffer size|beyond the end"), "it is cut off"),
+    (re.compile(r"no field of name (\w+)"), "it lacks an entry that it needs: {}"),
+)
+"""Reasons of Python and NumPy, and what they say of a file."""

@@ -74,6 +74,7 @@ def compare(
     Thresholds apply to the continuous method; the exit status is 3 if one is not met or could not be measured.
     """
     options.check_radii(r1, r2)
+    options.check_angle(fov)
     options.check_backend(backend)
     thresholds = _thresholds.thresholds(
         min_psnr=min_psnr,
@@ -90,7 +91,7 @@ def compare(
         _source.refuse(reason, center=center, r1=r1, r2=r2, face_size=face_size)
         _source.refuse("which has no far geometry to trace", exact=exact or None)
     elif truth is not None:
-        raise ValueError(f"--truth: expected none with a scene as -i, got {truth!r}")
+        raise ValueError(f"--truth: expected none with a scene as -i, got {checks.shortened(truth)}")
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="compare.json") as folder:
         with clock.step("scene"):

@@ -12,7 +12,7 @@ import typer
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._base import formats
+from nearfar._base import check, formats
 from nearfar.cli import _options as options
 from nearfar.cli._options import option
 from nearfar.cli._output import bytes_text, check_target, count, note_rows, show
@@ -87,7 +87,7 @@ def read_ratios(text: str) -> list[float]:
     try:
         return [float(part) for part in text.split(",")]
     except ValueError:
-        raise ValueError(f"--ratios: expected numbers such as 0.5,0.2,0.05, got {text!r}") from None
+        raise ValueError(f"--ratios: expected numbers such as 0.5,0.2,0.05, got {check.shortened(text)}") from None
 
 
 def describe(model: nf.lod.LodModel, switches: nf.lod.Switches, written: NDArray[np.bool_]) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import nearfar as nf
-from nearfar._base import formats
+from nearfar._base import check, formats
 from nearfar._reduce import findings
 from nearfar.cli import _headset, _source, _viewpoint
 from nearfar.cli import _options as options
@@ -73,11 +73,12 @@ def render(
     options.check_radii(r1, r2)
     device = None if hmd is None else _headset.headset(hmd, lens, fov)
     if device is None and lens != "own":
-        raise ValueError(f"--lens: expected it with --hmd only, got {lens!r}")
+        raise ValueError(f"--lens: expected it with --hmd only, got {check.shortened(lens)}")
     degrees = 90.0 if fov is None else fov
+    options.check_angle(degrees)
     options.check_backend(backend)
     if method is not None and method != "truth" and method not in METHODS:
-        raise ValueError(f"--method: expected truth, continuous or conventional, got {method!r}")
+        raise ValueError(f"--method: expected truth, continuous or conventional, got {check.shortened(method)}")
     pixels, aim = _headset.pixels_of(size, device), options.read_point("--target", target)
     user, middle = options.read_point("--eye", eye), options.read_point("--center", center)
     targets = {"side_by_side": output} if device is None else _headset.targets_of(output, device)
@@ -171,8 +172,6 @@ def render(
 
 def camera(eye: options.Point, target: options.Point, fov: float, size: tuple[int, int]) -> nf.Camera:
     """Make a camera at an eye that looks at a target; `fov` in degrees."""
-    if not 0.0 < fov < 180.0 or not math.isfinite(fov):
-        raise ValueError(f"--fov: expected degrees between 0 and 180, got {fov:g}")
     width, height = size
     aspect = width / height if height > 0 else 1.0
     return nf.Camera.look_at(eye, target, fov=nf.Fov.symmetric(fov, max(aspect, 1e-9)), size=size)

@@ -1,7 +1,7 @@
 """Checks of arguments: each error message names the argument, the expected value and the value passed."""
 
 from nearfar._base.check.arrays import array, not_finite, output, plain, spheres, vector
-from nearfar._base.check.describe import described, shortened
+from nearfar._base.check.describe import described, shortened, shown
 from nearfar._base.check.names import choice, instance, items, iterable, mapping, path, text, texts
 from nearfar._base.check.numbers import (
     MAX_SIZE,
@@ -37,6 +37,7 @@ __all__ = [
     "positive",
     "radii",
     "shortened",
+    "shown",
     "size",
     "spheres",
     "text",

@@ -9,7 +9,7 @@ from typing import SupportsFloat, SupportsIndex
 
 import numpy as np
 
-from nearfar._base.check.describe import described
+from nearfar._base.check.describe import described, shortened, shown
 
 MAX_SIZE = 1 << 16
 """Greatest width or height of an image in pixels."""
@@ -51,7 +51,7 @@ def integer(name: str, value: SupportsIndex, low: int, high: int) -> int:
     """Return one whole number within [low, high]; ValueError or TypeError otherwise."""
     result = value if type(value) is int else _index(name, value)
     if not low <= result <= high:
-        raise ValueError(f"{name}: expected a whole number from {low} to {high}, got {described(result)}")
+        raise ValueError(f"{name}: expected a whole number from {low} to {high}, got {shortened(result)}")
     return result
 
 
@@ -118,5 +118,5 @@ def is_masked(value: object) -> bool:
 def _pair(name: str, value: tuple[int, int], low: int, high: int, expected: str) -> tuple[int, int]:
     is_row = value.ndim == 1 if isinstance(value, np.ndarray) else isinstance(value, Sequence)
     if not is_row or isinstance(value, str | bytes) or len(value) != 2:
-        raise TypeError(f"{name}: expected {expected}, got {described(value)}")
+        raise TypeError(f"{name}: expected {expected}, got {shown(value)}")
     return integer(f"{name}[0]", value[0], low, high), integer(f"{name}[1]", value[1], low, high)
