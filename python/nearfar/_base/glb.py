@@ -101,13 +101,15 @@ def header(data: bytes) -> tuple[dict[str, Any], int]:
 
 
 def binary(data: bytes, end: int) -> bytes:
-    """Content of a GLB's second chunk, which begins at `end`; empty for none."""
-    return data[end + _CHUNK.size :] if len(data) > end else b""
-
-
-def with_document(data: bytes, end: int, document: dict[str, Any]) -> bytes:
-    """A GLB with another JSON document; `end` is the place where its second chunk begins."""
-    return _file(json.dumps(document), data[end:])
+    """Content of a GLB's chunk of binary data, the first among those that begin at `end`; empty for none."""
+    while len(data) >= end + _CHUNK.size:
+        length, kind = _CHUNK.unpack_from(data, end)
+        start, end = end + _CHUNK.size, end + _CHUNK.size + length
+        if end > len(data):
+            raise ValueError(f"it ends within a chunk of {length} bytes")
+        if kind == b"BIN\0":
+            return data[start:end]
+    return b""
 
 
 def json_object(text: bytes) -> dict[str, Any]:

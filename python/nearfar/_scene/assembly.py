@@ -21,6 +21,7 @@ from nearfar._scene.arrays import (
     transforms_of,
     uvs_of,
 )
+from nearfar._scene.budget import Budget
 from nearfar._scene.undrawn import Undrawn
 
 _OWN_OBJECTS = -1
@@ -28,6 +29,9 @@ _OWN_OBJECTS = -1
 
 _NO_TAG = 0
 """Tag of a material that is drawn in full."""
+
+_ROW = 12
+"""Bytes of a vertex's position, and of a face."""
 
 _MOST_VERTICES = 2**32 - 2**16
 """Greatest number of vertices of a merged mesh, whose indices have 32 bits."""
@@ -74,7 +78,7 @@ class Assembly:
         self._undrawn: dict[int, Undrawn] = {}
         self._textures: dict[int, tuple[NDArray[np.uint8], int]] = {}
         self._meshes: list[_Mesh] = []
-        self._placed: list[tuple[int, NDArray[np.float64], NDArray[np.int32]]] = []
+        self._placed: list[tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.int32]]] = []
         self._names: dict[str, int] = {}
         self._nameless: int | None = None
 
@@ -221,7 +225,7 @@ class Assembly:
         if self._checked(mesh).has_objects != (name is None):
             raise ValueError("name: expected one exactly for meshes without face_object")
         number = _OWN_OBJECTS if name is None else self.object(name)
-        self._placed.append((mesh, matrix[None], np.array([number], np.int32)))
+        self._placed.append((np.array([mesh]), matrix[None], np.array([number], np.int32)))
 
     def place_many(self, mesh: int, transforms: ArrayLike, names: Sequence[str] | str) -> None:
         """Place a mesh many times.
@@ -244,20 +248,30 @@ class Assembly:
             names = [f"{names}_{index}" for index in range(len(matrices))]
         if len(names) != len(matrices):
             raise ValueError(f"names: expected {len(matrices)}, one for each transform, got {len(names)}")
+        self._place([mesh] * len(matrices), matrices, names)
+
+    def _place(self, meshes: Sequence[int], transforms: NDArray[np.float64], names: Sequence[str]) -> None:
+        """Place meshes by handles without `face_object`: one transform (K, 4, 4) and one object's name for each."""
+        matrices = transforms_of("transforms", transforms)
         numbers = np.fromiter((self.object(name) for name in names), np.int32, len(names))
-        self._placed.append((mesh, matrices, numbers))
+        self._placed.append((np.array(meshes, np.int64), matrices, numbers))
 
     def _checked(self, mesh: int) -> _Mesh:
         if not 0 <= mesh < len(self._meshes):
             raise ValueError(f"mesh: expected a handle of this builder, got {mesh}")
         return self._meshes[mesh]
 
-    def assemble(self, dynamic: Iterable[str] = ()) -> Assembled:
-        """Merge static meshes that are placed once, keep the others as instances, and choose the origin."""
+    def assemble(self, dynamic: Iterable[str] = (), budget: Budget | None = None) -> Assembled:
+        """Merge static meshes that are placed once, keep the others as instances, and choose the origin.
+
+        A `budget` counts the copies of meshes that are merged although they are placed many times.
+        """
         placed = self._placements()
         movers = np.zeros(self.object_count + 1, bool)  # the last entry, index -1, is for meshes with `face_object`
         movers[[self._object_number(name) for name in ((dynamic,) if isinstance(dynamic, str) else dynamic)]] = True
         merges = self._is_merged(placed, movers[placed.object])
+        if budget is not None:
+            budget.take(self._copied_bytes(placed.mesh[merges]))
         core = self._scene_at(placed, merges, np.zeros(3))
         bounds = core.bounds()
         if core.triangle_count and np.abs(bounds).max() >= ORIGIN_LIMIT:
@@ -273,13 +287,19 @@ class Assembly:
     def _placements(self) -> _Placements:
         if not self._placed:
             return _Placements(np.zeros(0, np.int64), np.zeros((0, 4, 4)), np.zeros(0, np.int32))
-        counts = [len(objects) for _, _, objects in self._placed]
-        mesh = np.repeat([handle for handle, _, _ in self._placed], counts)
+        mesh = np.concatenate([handles for handles, _, _ in self._placed])
         transform = np.concatenate([matrices for _, matrices, _ in self._placed])
         bases = np.array([mesh.base for mesh in self._meshes])
         if bases.any():
             transform[:, :3, 3] += np.einsum("kij,kj->ki", transform[:, :3, :3], bases[mesh])
         return _Placements(mesh, transform, np.concatenate([objects for _, _, objects in self._placed]))
+
+    def _copied_bytes(self, merged: NDArray[np.int64]) -> int:
+        """Bytes of the merged copies of meshes beside the first of each."""
+        copies = np.maximum(np.bincount(merged, minlength=len(self._meshes)) - 1, 0)
+        used = np.flatnonzero(copies)
+        sizes = [self._meshes[handle].core.vertex_count + self._meshes[handle].core.face_count for handle in used]
+        return sum(_ROW * size * count for size, count in zip(sizes, copies[used].tolist(), strict=True))
 
     def _is_merged(self, placed: _Placements, moves: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """Flags of the merged instances: static meshes placed once, and flat ones, whose transforms have no inverse."""

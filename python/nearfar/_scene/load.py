@@ -10,6 +10,7 @@ import warnings
 import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -42,7 +43,7 @@ def load(
     with _quiet() as messages, _explained(label):
         source = _read(label, path, data, budget)
         source.notes += [message for message in dict.fromkeys(messages) if message not in source.notes]
-        return assemble(source, up=up, on_invalid=on_invalid, scale=scale)
+        return assemble(source, up=up, on_invalid=on_invalid, scale=scale, budget=budget)
 
 
 def _folder(path: Path) -> str:
@@ -73,14 +74,13 @@ def _read(label: str, path: Path, data: bytes, budget: Budget) -> Source:
     budget.take_members(data)
     resolver, materials = budget_resolver(path, budget), Materials(budget)
     if kind in ("glb", "gltf"):
-        return load_gltf.read(label, data, kind, resolver, materials)
+        return load_gltf.read(label, data, kind, resolver, materials, budget)
     if kind == "obj":
         source = load_wavefront.read(label, data, resolver, materials)
     else:
         source = load_trimesh.read(label, load_trimesh.parsed(data, kind, resolver), materials)
-    if len(source.nodes) == 1 and source.nodes[0].object in (path.name, "geometry_0", "geometry"):
-        node = source.nodes[0]
-        source.nodes = [type(node)(name, node.transform, node.shape)]
+    if len(source.nodes.objects) == 1 and source.nodes.objects[0] in (path.name, "geometry_0", "geometry"):
+        source.nodes = replace(source.nodes, objects=[name])
     return source
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nearfar._scene.materials import BaseColor, Materials, colors_of
 from nearfar._scene.report import count
-from nearfar._scene.source import Node, Shape, Source, world_transforms
+from nearfar._scene.source import Nodes, Shape, Source
 from nearfar._scene.srgb import to_linear
 
 if TYPE_CHECKING:
@@ -48,23 +48,23 @@ def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materia
     return Source(label, shapes, _nodes(loaded, shapes), notes, units)
 
 
-def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> list[Node]:
+def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> Nodes:
     """Placed shapes, found in one pass over the graph; trimesh's look-up walks a path for each node."""
     forest = scene.graph.transforms
     children = forest.children
-    edges: list[tuple[Any, Any, Any]] = []
+    world: dict[Any, NDArray[np.float64]] = {scene.graph.base_frame: np.eye(4)}
     pending = [scene.graph.base_frame]
-    visited = set(pending)
     while pending:
         parent = pending.pop()
         for child in children.get(parent, ()):
-            if child not in visited:
-                visited.add(child)
-                edges.append((parent, child, forest.edge_data[(parent, child)].get("matrix")))
+            if child not in world:
+                matrix = forest.edge_data[(parent, child)].get("matrix")
+                world[child] = world[parent] if matrix is None else world[parent] @ matrix
                 pending.append(child)
-    world = world_transforms(edges, scene.graph.base_frame)
-    placed = ((name, data.get("geometry")) for name, data in forest.node_data.items())
-    return [Node(str(name), world[name], shape) for name, shape in placed if shape in shapes and name in world]
+    data = ((name, data.get("geometry")) for name, data in forest.node_data.items())
+    placed = [(name, shape) for name, shape in data if shape in shapes and name in world]
+    transforms = np.array([world[name] for name, _ in placed], np.float64).reshape(-1, 4, 4)
+    return Nodes([str(name) for name, _ in placed], transforms, [shape for _, shape in placed])
 
 
 def source_normals(mesh: trimesh.Trimesh, *, fresh: bool = False) -> NDArray[np.float64] | None:

@@ -24,6 +24,24 @@ def names_of(argument: str, names: Sequence[str]) -> list[str]:
     return list(names)
 
 
+def distinct(names: Sequence[str]) -> list[str]:
+    """Names of which none repeats: the first of equal ones keeps it, the others get numbers that no other name has."""
+    taken, seen = set(names), set[str]()
+    counts: dict[str, int] = {}
+    result = []
+    for name in names:
+        chosen = name
+        if name in seen:
+            number = counts.get(name, 0) + 1
+            while (chosen := f"{name}_{number}") in taken:
+                number += 1
+            counts[name] = number
+            taken.add(chosen)
+        seen.add(name)
+        result.append(chosen)
+    return result
+
+
 _NAMELESS = re.compile(r"object_(0|[1-9][0-9]{0,17})")
 """Names of nameless objects, with their number."""
 
