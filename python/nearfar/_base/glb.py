@@ -112,6 +112,15 @@ def binary(data: bytes, end: int) -> bytes:
     return b""
 
 
+def entry(header: dict[str, Any], what: str, number: Any) -> dict[str, Any]:
+    """An entry of one of the document's lists; IndexError for numbers of none."""
+    listed = header.get(what, [])
+    if not isinstance(number, int) or not 0 <= number < len(listed):
+        raise IndexError(f"entry {number} of {len(listed)} {what}")
+    found: dict[str, Any] = listed[number]
+    return found
+
+
 def json_object(text: bytes) -> dict[str, Any]:
     """The object that JSON text holds; ValueError for anything else."""
     document = json.loads(text)
@@ -140,7 +149,7 @@ class Reader:
 
     def bytes(self, view: int) -> memoryview:
         """Return the bytes of a view."""
-        described = self.document["bufferViews"][view]
+        described = entry(self.document, "bufferViews", view)
         start, length = described["byteOffset"], described["byteLength"]
         if not 0 <= start <= start + length <= len(self._buffer):
             raise ValueError(
@@ -150,7 +159,7 @@ class Reader:
 
     def array(self, accessor: int) -> NDArray[Any]:
         """Return the rows of an accessor, (N,) or (N, K), read-only and without a copy."""
-        described = self.document["accessors"][accessor]
+        described = entry(self.document, "accessors", accessor)
         kind = np.dtype(_COMPONENTS[described["componentType"]])
         width = next(width for width, name in _KINDS.items() if name == described["type"])
         count, offset = described["count"], described["byteOffset"]

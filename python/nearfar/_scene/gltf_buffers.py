@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
+from nearfar._base.glb import entry
 from nearfar._scene.budget import Budget, TooLargeError
 from nearfar._scene.undrawn import EncodedImage, TextureSource
 
@@ -38,21 +39,12 @@ _CONTAINERS = {(b"RIFF", b"WEBP"): "image/webp", (b"\0\0\0", b"ftyp"): "image/av
 _SAMPLER = ("magFilter", "minFilter", "wrapS", "wrapT")
 
 
-def entry(header: dict[str, Any], what: str, number: Any) -> dict[str, Any]:
-    """An entry of one of the document's lists; IndexError for numbers of none."""
-    listed = header.get(what, [])
-    if not isinstance(number, int) or not 0 <= number < len(listed):
-        raise IndexError(f"entry {number} of {len(listed)} {what}")
-    found: dict[str, Any] = listed[number]
-    return found
-
-
 def name_files(header: dict[str, Any], resolver: Any) -> None:
     """Replace percent signs in the names of the files that a document refers to."""
-    for entry in [*header.get("buffers", []), *header.get("images", [])]:
-        uri = entry.get("uri", "")
+    for described in [*header.get("buffers", []), *header.get("images", [])]:
+        uri = described.get("uri", "")
         if "%" in uri and not uri.startswith("data:") and not os.path.exists(os.path.join(resolver.parent, uri)):
-            entry["uri"] = unquote(uri)
+            described["uri"] = unquote(uri)
 
 
 def _kind(data: bytes) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
-from nearfar._scene.gltf_buffers import entry
+from nearfar._base.glb import entry
 from nearfar._scene.names import distinct
 from nearfar._scene.source import Nodes
 

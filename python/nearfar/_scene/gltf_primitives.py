@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
+from nearfar._base.glb import entry
 from nearfar._scene.budget import Budget
-from nearfar._scene.gltf_buffers import Buffers, entry
+from nearfar._scene.gltf_buffers import Buffers
 from nearfar._scene.gltf_extensions import DRACO
 from nearfar._scene.materials import Described, Materials, colors_of
 from nearfar._scene.source import Shape

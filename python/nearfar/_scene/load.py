@@ -76,7 +76,7 @@ def _read(label: str, path: Path, data: bytes, budget: Budget) -> Source:
     if kind in ("glb", "gltf"):
         return load_gltf.read(label, data, kind, resolver, materials, budget)
     if kind == "obj":
-        source = load_wavefront.read(label, data, resolver, materials)
+        source = load_wavefront.read(label, data, resolver, materials, budget)
     else:
         source = load_trimesh.read(label, load_trimesh.parsed(data, kind, resolver), materials)
     if len(source.nodes.objects) == 1 and source.nodes.objects[0] in (path.name, "geometry_0", "geometry"):

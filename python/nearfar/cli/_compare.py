@@ -66,6 +66,7 @@ def compare(
     backend: options.Backend = None,
     up: options.Up = "y",
     scale: options.Scale = None,
+    max_bytes: options.MaxBytes = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -96,9 +97,11 @@ def compare(
         with clock.step("scene"):
             if options.is_reduced(scene):
                 saved = nf.ReducedScene.load(scene)
-                source, loaded = _source.open_truth(scene, truth, up=up, on_invalid=on_invalid, scale=scale)
+                source, loaded = _source.open_truth(
+                    scene, truth, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes
+                )
             else:
-                loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
+                loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
         with clock.step("place"):
             place = _viewpoint.choose(loaded, source, middle if saved is None else saved.center)
             inner, outer = _viewpoint.radii(loaded, place, r1, r2) if saved is None else (saved.r1, saved.r2)

@@ -45,6 +45,7 @@ def lod(
     backend: options.Backend = None,
     up: options.Up = "y",
     scale: options.Scale = None,
+    max_bytes: options.MaxBytes = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -53,7 +54,7 @@ def lod(
     check_target(output, ".glb", ".json")
     device = options.headset(hmd)
     shares = None if ratios is None else read_ratios(ratios)
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
     started = time.perf_counter()
     name = Path(scene.partition(":")[0]).stem
     simplify = functools.partial(nf.lod.simplify, loaded, method=method, normals=normals, name=name)

@@ -62,6 +62,10 @@ Scale = Annotated[
     float | None,
     option("--scale", "METRES", "Metres in a unit of the file, 0.001 for millimetres."),
 ]
+MaxBytes = Annotated[
+    int | None,
+    option("--max-bytes", "BYTES", "Bytes that the file may unpack to, where it is refused because it takes more."),
+]
 Invalid = Annotated[
     str, option("--on-invalid", "raise|drop", "Stop at vertices that are not finite, or drop their faces.")
 ]
@@ -139,24 +143,28 @@ def is_reduced(text: str) -> bool:
     return (Path(text) / folder.DOCUMENT).is_file()
 
 
-def open_scene(text: str, *, up: str, on_invalid: str, scale: float | None) -> nf.Scene:
+def open_scene(text: str, *, up: str, on_invalid: str, scale: float | None, max_bytes: int | None = None) -> nf.Scene:
     """Load the file or make the procedural scene that `-i` names; an extent that suggests another unit is said.
 
     No file or folder hides a procedural scene: `./room` is the one that lies here.
     """
     if scale is not None:
         check.positive("--scale", scale)
+    if max_bytes is not None:
+        check.integer("--max-bytes", max_bytes, 1, 1 << 62)
     name, _, settings = text.partition(":")
     if name in PROCEDURAL:
         if up != "y":
             raise ValueError(f"--up: expected y with {name}, which stands upright already, got {up!r}")
         if scale is not None:
             raise ValueError(f"--scale: expected none with {name}, which is in metres already, got {scale:g}")
+        if max_bytes is not None:
+            raise ValueError(f"--max-bytes: expected none with {name}, which is no file, got {max_bytes}")
         return _procedural(name, settings)
     if Path(text).is_dir():
         kind = "a reduced scene" if is_reduced(text) else f"no {folder.DOCUMENT}"
         raise ValueError(f"{text}: expected a scene file, got a folder with {kind}")
-    scene = nf.Scene.load(text, up=up, on_invalid=on_invalid, scale=scale)
+    scene = nf.Scene.load(text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
     if scene.report.unit_note:
         typer.echo(f"nearfar: {text}: {scene.report.unit_note}", err=True)
     return scene

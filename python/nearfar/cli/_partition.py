@@ -39,6 +39,7 @@ def partition(
     r2: options.Outer = None,
     up: options.Up = "y",
     scale: options.Scale = None,
+    max_bytes: options.MaxBytes = None,
     on_invalid: options.Invalid = "raise",
     output: Annotated[Path | None, option("-o --output", "FILE", "Also write the JSON document to a file.")] = None,
     max_triangles: Annotated[
@@ -50,7 +51,7 @@ def partition(
     options.check_radii(r1, r2)
     if output:
         check_target(output, ".json")
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
     place = choose(loaded, scene, options.read_point("--center", center))
     inner, outer = radii(loaded, place, r1, r2)
     document = describe(loaded, scene, place.eye, inner, outer)

@@ -62,6 +62,7 @@ def render(
     backend: options.Backend = None,
     up: options.Up = "y",
     scale: options.Scale = None,
+    max_bytes: options.MaxBytes = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -93,7 +94,7 @@ def render(
         loaded, middle = saved.scene, saved.center
     else:
         method = method or "truth"
-        loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
+        loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
     stand = None
     place = _viewpoint.choose(loaded, scene, user if method == "truth" else middle)
     if method == "truth":

@@ -75,14 +75,16 @@ def render(
     Raises
     ------
     ValueError, TypeError
-        For arguments out of their domains.
+        For arguments out of their domains, and for pictures that are too large to stay on the device.
     DeviceError
-        If no adapter can be used, and for pictures that are too large for one texture.
+        If no adapter can be used.
     """
     renderer = Renderer(source, channels, samples)
-    view = renderer.view(renderer.shot([camera]), at)
+    shot, device = renderer.shot([camera]), backends.opened()
+    device.check_whole(camera._core, list(renderer.channels))
+    view = renderer.view(shot, at)
     with progress.bar("drawing") as report:
-        (job,) = view.begin(backends.opened(), report)
+        (job,) = view.begin(device, report)
         if not isinstance(job, _core.GpuJob):
             raise TypeError(f"source: expected one whose pictures a device can keep, got {type(source).__name__}")
         core = _core.gpu_keep(job)

@@ -10,7 +10,7 @@ use wgpu::{Buffer, MapMode, PollError, PollType, SubmissionIndex};
 use super::Device;
 
 /// Time between two checks whether the caller has cancelled.
-const POLL_INTERVAL: Duration = Duration::from_millis(20);
+pub(super) const POLL_INTERVAL: Duration = Duration::from_millis(20);
 
 impl Device {
     /// Waits for submitted work, or until the caller cancels.

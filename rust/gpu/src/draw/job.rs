@@ -36,9 +36,7 @@ pub struct Job {
     pub(super) camera: Camera,
     pub(super) channels: Channels,
     samples: u32,
-    /// Bytes of a pixel's wanted channels, and the most pixels that a window may have across.
-    pub(super) limits: (u64, u32),
-    pub(super) waiting: VecDeque<Window>,
+    waiting: VecDeque<Window>,
     pub(super) submitted: VecDeque<Submitted>,
     frame: Frame,
 }
@@ -64,10 +62,7 @@ impl Job {
         }
         let pixels = u64::from(camera.width) * u64::from(camera.height);
         let frame = Frame::new(channels, pixels as usize)?;
-        let per_pixel: u64 =
-            wanted(channels).iter().zip(CHANNEL_BYTES).map(|(&wanted, bytes)| u64::from(wanted) * bytes).sum();
-        let most = (device.largest_binding() / per_pixel.max(1)).max(1);
-        let side = device.limits.max_texture_dimension_2d;
+        let (most, side) = window_limits(device, channels);
         progress.expect(pixels);
         let mut job = Self {
             device: Arc::clone(device),
@@ -75,7 +70,6 @@ impl Job {
             camera: *camera,
             channels,
             samples,
-            limits: (per_pixel, side),
             waiting: Window::split(camera.width, camera.height, most, side).into(),
             submitted: VecDeque::new(),
             frame,
@@ -112,7 +106,7 @@ impl Job {
         let outputs = layout(self.channels, &window);
         let passes = self.passes();
         let multisampled = passes.iter().any(|(pass, _)| pass.multisampled);
-        let bytes = self.limits.0 * window.pixels() as u64;
+        let bytes = bytes_per_pixel(self.channels) * window.pixels() as u64;
         let shape = Shape { width: window.width, height: window.height, multisampled, bytes };
         let mut plan = Plan::new(picture, |layer| self.frustum(layer, &window), passes.len());
         let farthest = self.farthest();
@@ -202,6 +196,16 @@ impl Job {
 /// Flags of the wanted channels: colour, range, ids, position, normal.
 fn wanted(channels: Channels) -> [bool; 5] {
     [channels.color, channels.range, channels.object_id || channels.face_id, channels.position, channels.normal]
+}
+
+fn bytes_per_pixel(channels: Channels) -> u64 {
+    wanted(channels).iter().zip(CHANNEL_BYTES).map(|(&wanted, bytes)| u64::from(wanted) * bytes).sum()
+}
+
+/// The most pixels that a window may have, and the most across and down.
+pub(super) fn window_limits(device: &Device, channels: Channels) -> (u64, u32) {
+    let most = device.largest_binding() / bytes_per_pixel(channels).max(1);
+    (most.max(1), device.limits.max_texture_dimension_2d)
 }
 
 /// First word of each channel of a window.
