@@ -126,7 +126,9 @@ def test_images_that_many_textures_share_are_kept_once(tmp_path: Path) -> None:
 def test_many_nodes_stand_where_the_file_says(tmp_path: Path) -> None:
     places = np.random.default_rng(1).integers(-1000, 1000, (100_000, 3))
     nodes = [{"mesh": 0, "translation": place} for place in places.tolist()]
-    scene = load(tmp_path, encode(triangle(nodes=nodes, scenes=[{"nodes": list(range(len(nodes)))}]), CORNERS.tobytes()))
+    scene = load(
+        tmp_path, encode(triangle(nodes=nodes, scenes=[{"nodes": list(range(len(nodes)))}]), CORNERS.tobytes())
+    )
     firsts = np.sort(scene.triangles()[:, 0].astype(np.int64), axis=0)
     np.testing.assert_array_equal(firsts, np.sort(places, axis=0))
 

@@ -9,6 +9,9 @@ from nearfar._base import check
 CHANNELS = ("color", "range", "object_id", "face_id", "position", "normal")
 """Names of all channels, in their order."""
 
+BYTES = {"color": 12, "range": 4, "object_id": 4, "face_id": 8, "position": 12, "normal": 12}
+"""Bytes of a pixel of each channel."""
+
 MAX_SAMPLES = 1024
 """Greatest number of colour samples of a pixel."""
 

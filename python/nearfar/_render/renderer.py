@@ -9,11 +9,11 @@ from dataclasses import dataclass
 from numpy.typing import ArrayLike
 
 from nearfar import _core
-from nearfar._base import check, progress
+from nearfar._base import check, memory, progress
 from nearfar._camera.camera import Camera
 from nearfar._camera.shot import Shot
 from nearfar._render import backend as backends
-from nearfar._render.channels import MAX_SAMPLES, channel_names
+from nearfar._render.channels import BYTES, MAX_SAMPLES, channel_names
 from nearfar._render.frame import Frame
 from nearfar._render.level_choice import LevelChoice, Lod
 from nearfar._render.renderable import Images, Job, Renderable, Report, check_renderable
@@ -76,6 +76,9 @@ class Renderer:
         """Check the arguments and make a shot of them."""
         for camera in cameras:
             check.instance("camera", camera, Camera)
+            width, height = camera.size
+            each = sum(BYTES[name] for name in self.channels)
+            memory.check_room("camera", f"a picture of {width} × {height} pixels", each * width * height)
         near, far = check.number("t_min", t_min), check.number("t_max", t_max, finite=False)
         if not 0.0 <= near < far:
             raise ValueError(f"t_max: expected more than t_min and t_min at least 0, got {near:g} to {far:g}")

@@ -17,7 +17,7 @@ import numpy as np
 
 from nearfar._base import check
 from nearfar._base.errors import SceneError, UnusableError
-from nearfar._scene import load_gltf, load_trimesh, load_wavefront
+from nearfar._scene import load_gltf, load_trimesh, load_wavefront, threemf
 from nearfar._scene.assembly import Assembled
 from nearfar._scene.budget import Budget, read_file
 from nearfar._scene.budget import resolver as budget_resolver
@@ -72,6 +72,8 @@ def _read(label: str, path: Path, data: bytes, budget: Budget) -> Source:
     if not data:
         raise UnusableError("it is empty")
     budget.take_members(data)
+    if kind == "3mf" and data.startswith(b"PK"):
+        threemf.check_instances(data, budget)
     resolver, materials = budget_resolver(path, budget), Materials(budget)
     if kind in ("glb", "gltf"):
         return load_gltf.read(label, data, kind, resolver, materials, budget)

@@ -4,12 +4,11 @@ use std::process;
 use std::sync::atomic::AtomicU64;
 use std::sync::{Arc, Mutex, PoisonError, RwLock};
 
-use nearfar_core::base::{Error, Progress, Result};
-use wgpu::{Adapter, DeviceDescriptor, DeviceLostReason, Features, Limits, PollError, PollType};
+use nearfar_core::base::{Error, Result};
+use wgpu::{Adapter, DeviceDescriptor, DeviceLostReason, Features, Limits, PollType};
 
 use super::adapters::{AdapterKind, AdapterReport, SAMPLES, VISIBLE};
 use super::extensions::Extensions;
-use super::wait::POLL_INTERVAL;
 
 /// A device with the state that is kept on it between frames.
 pub struct Device {
@@ -106,22 +105,17 @@ impl Device {
 
     /// Closes the device as a driver's fault would, so that recovery can be tested.
     pub fn lose(&self) {
-        let _alone = self.closing.write().unwrap_or_else(PoisonError::into_inner);
-        self.destroy();
+        self.alone(|| self.destroy());
     }
 
-    /// Waits for all submitted work and closes the device.
-    pub(super) fn close(&self, progress: &Progress) -> Result<()> {
+    /// Calls a function while nobody else uses the queue.
+    pub(super) fn alone<R>(&self, job: impl FnOnce() -> R) -> R {
         let _alone = self.closing.write().unwrap_or_else(PoisonError::into_inner);
-        let wait = || PollType::Wait { submission_index: None, timeout: Some(POLL_INTERVAL) };
-        while matches!(self.wgpu.poll(wait()), Err(PollError::Timeout)) {
-            progress.check()?;
-        }
-        self.destroy();
-        Ok(())
+        job()
     }
 
-    fn destroy(&self) {
+    /// Closes the device, whose queue nobody else uses meanwhile.
+    pub(super) fn destroy(&self) {
         self.wgpu.destroy();
         // The callback comes with the next poll.
         let _ = self.wgpu.poll(PollType::Poll);

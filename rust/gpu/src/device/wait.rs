@@ -10,7 +10,7 @@ use wgpu::{Buffer, MapMode, PollError, PollType, SubmissionIndex};
 use super::Device;
 
 /// Time between two checks whether the caller has cancelled.
-pub(super) const POLL_INTERVAL: Duration = Duration::from_millis(20);
+const POLL_INTERVAL: Duration = Duration::from_millis(20);
 
 impl Device {
     /// Waits for submitted work, or until the caller cancels.
@@ -26,6 +26,18 @@ impl Device {
             }
             self.check()?;
         }
+    }
+
+    /// Waits for all submitted work, or until the caller cancels, and closes the device.
+    pub(super) fn close(&self, progress: &Progress) -> Result<()> {
+        let wait = || PollType::Wait { submission_index: None, timeout: Some(POLL_INTERVAL) };
+        self.alone(|| {
+            while matches!(self.wgpu.poll(wait()), Err(PollError::Timeout)) {
+                progress.check()?;
+            }
+            self.destroy();
+            Ok(())
+        })
     }
 
     /// Calls `take` with the beginning of a buffer once the device has finished with it.
