@@ -1,4 +1,4 @@
-"""Instances in 3MF files, which trimesh reads: components of components may stand for more of them than fit anywhere."""
+"""Instances in 3MF files, which trimesh reads: components of components may stand for more than fit anywhere."""
 
 from __future__ import annotations
 
