@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import check, progress
+from nearfar._base import background, check, progress
 from nearfar._camera.camera import Camera
 from nearfar._scene.scene import Scene
 
@@ -115,8 +115,7 @@ def _reach(region: ArrayLike, center: tuple[float, float, float]) -> float:
 
 
 def _tessellate_trimesh(mesh: trimesh.Trimesh, settings: dict[str, Any]) -> trimesh.Trimesh:
-    import trimesh
-
+    trimesh = background.module("trimesh")
     from nearfar._scene.load_trimesh import source_normals
 
     check.instance("mesh", mesh, trimesh.Trimesh, "a Scene or a trimesh.Trimesh")

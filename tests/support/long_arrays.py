@@ -7,8 +7,8 @@ from tests.support.long_operation import LongOperation
 ARRAYS = (
     LongOperation(
         "import of trimesh",
-        "",
-        "while True:\n    nf.Scene.load('nowhere.glb')",
+        "pathlib.Path('one.off').write_text('OFF\\n3 1 0\\n0 0 0\\n1 0 0\\n0 1 0\\n3 0 1 2\\n')",
+        "while True:\n    nf.Scene.load('one.off')",
         1.0,
     ),
     LongOperation(

@@ -1,4 +1,4 @@
-"""Operations that take seconds if nothing stops them, one for each kernel and file format whose work grows with its input."""
+"""Operations that take seconds if nothing stops them: one for each kernel and file format that grows with its input."""
 
 from __future__ import annotations
 

@@ -4,19 +4,16 @@ from __future__ import annotations
 
 import errno
 import gzip
-import logging
 import os
-import warnings
 import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
-import numpy as np
-
-from nearfar._base import check
+from nearfar._base import background, check
 from nearfar._base.errors import SceneError, UnusableError
-from nearfar._scene import load_gltf, load_trimesh, load_wavefront
+from nearfar._scene import load_gltf, load_trimesh, load_wavefront, quiet
 from nearfar._scene.assembly import Assembled
 from nearfar._scene.budget import Budget, read_file
 from nearfar._scene.budget import resolver as budget_resolver
@@ -36,13 +33,17 @@ def load(
     if path.is_dir():
         raise IsADirectoryError(errno.EISDIR, _folder(path), os.fspath(path))
     most = None if max_bytes is None else check.integer("max_bytes", max_bytes, 1, 1 << 62)
-    label, budget = os.fspath(path), Budget(most)
+    return background.run(lambda: _load(path, Budget(most), up=up, on_invalid=on_invalid, scale=scale))
+
+
+def _load(path: Path, budget: Budget, **how: Any) -> Assembled:
+    label = os.fspath(path)
     with _explained(label, passed=OSError):
         data = read_file(path, budget)  # a missing file and missing permissions raise OSError
-    with _quiet() as messages, _explained(label):
+    with quiet.silence() as messages, _explained(label):
         source = _read(label, path, data, budget)
         source.notes += [message for message in dict.fromkeys(messages) if message not in source.notes]
-        return assemble(source, up=up, on_invalid=on_invalid, scale=scale)
+        return assemble(source, **how)
 
 
 def _folder(path: Path) -> str:
@@ -131,28 +132,6 @@ _JSON = "nearfar reads no scenes in .json: cjio converts CityJSON, and 3d-tiles-
 
 _NOT_SCENES = {"dxf", "svg", "json", "dict", "dict64", "binvox"}
 """Formats that trimesh reads but that are not scenes: drawings, voxels and trimesh's own dumps."""
-
-
-@contextmanager
-def _quiet() -> Iterator[list[str]]:
-    """Hide readers' warnings from the caller and collect trimesh's logged warnings for the report."""
-    messages: list[str] = []
-
-    class Collect(logging.Handler):
-        def emit(self, record: logging.LogRecord) -> None:
-            messages.append(record.getMessage().splitlines()[0])
-
-    logger = logging.getLogger("trimesh")
-    handler, propagates = Collect(logging.WARNING), logger.propagate
-    logger.addHandler(handler)
-    logger.propagate = False
-    try:
-        with warnings.catch_warnings(), np.errstate(all="ignore"):
-            warnings.simplefilter("ignore")
-            yield messages
-    finally:
-        logger.removeHandler(handler)
-        logger.propagate = propagates
 
 
 @contextmanager

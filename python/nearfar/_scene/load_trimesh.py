@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar._base import background
 from nearfar._scene.materials import BaseColor, Materials, colors_of
 from nearfar._scene.report import count
 from nearfar._scene.source import Node, Shape, Source, world_transforms
@@ -33,8 +34,7 @@ def parsed(data: bytes, kind: str, resolver: Any, **options: bool) -> Any:
 
 def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materials | None = None) -> Source:
     """Read a mesh or a scene; its nodes become objects. One with `materials` comes from a file, without own normals."""
-    import trimesh
-
+    trimesh = background.module("trimesh")
     if isinstance(loaded, trimesh.Trimesh):
         loaded = trimesh.Scene({"object": loaded})
     if not isinstance(loaded, trimesh.Scene):
