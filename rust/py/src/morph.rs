@@ -38,11 +38,11 @@ pub(crate) fn morph<'py>(
     match (&points, shown) {
         (Points::Single(points), Shown::Single(mut shown)) => {
             let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, shown.as_slice_mut()?.as_chunks_mut::<3>().0);
-            run::short(py, || Ok(make()?.apply_all_f32(rows, to)))
+            run::long(py, None, |progress| make()?.apply_all_f32(rows, to, progress))
         }
         (Points::Double(points), Shown::Double(mut shown)) => {
             let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, shown.as_slice_mut()?.as_chunks_mut::<3>().0);
-            run::short(py, || Ok(make()?.apply_all_f64(rows, to)))
+            run::long(py, None, |progress| make()?.apply_all_f64(rows, to, progress))
         }
         _ => Err(to_python(Error::value("out", "the type of points", "another one"))),
     }

@@ -25,6 +25,15 @@ pub fn install<R: Send>(work: impl FnOnce() -> R + Send) -> Result<R> {
     Ok(current()?.install(work))
 }
 
+/// Runs `work` on the pool, so that every rayon call inside uses it, while the calling thread does something else.
+/// Returns after both.
+pub fn beside<'s, R>(work: impl FnOnce() + Send + 's, meanwhile: impl FnOnce() -> R) -> Result<R> {
+    Ok(current()?.in_place_scope(|scope: &rayon::Scope<'s>| {
+        scope.spawn(move |_| work());
+        meanwhile()
+    }))
+}
+
 /// Number of threads of the pool.
 pub fn thread_count() -> Result<usize> {
     Ok(current()?.current_num_threads())

@@ -24,8 +24,9 @@ use crate::upload::Residents;
 
 /// Windows in flight at a time.
 const WINDOWS_AHEAD: usize = 2;
-/// Passes in one submission: between two, the caller may cancel.
+/// Passes in one submission: between two, the caller may cancel. In software a pass of millions of pixels takes a second.
 const PASSES_PER_SUBMISSION: usize = 8;
+const PASSES_IN_SOFTWARE: usize = 1;
 /// Bytes of a pixel's channels: colour, range, ids, position, normal.
 const CHANNEL_BYTES: [u64; 5] = [12, 4, 8, 12, 12];
 
@@ -132,7 +133,8 @@ impl Job {
             return Err(device.failure(&"a slot without buffers"));
         };
         let mut last: Option<SubmissionIndex> = None;
-        for (n, chunk) in passes.chunks(PASSES_PER_SUBMISSION).enumerate() {
+        let at_once = if device.is_software() { PASSES_IN_SOFTWARE } else { PASSES_PER_SUBMISSION };
+        for (n, chunk) in passes.chunks(at_once).enumerate() {
             if n > 0 {
                 let full = std::mem::replace(&mut commands, encoder());
                 let submission = device.with_queue(|queue| queue.submit([full.finish()]));

@@ -97,7 +97,7 @@ pub(crate) fn convert_envmap_nearest(
 #[pyfunction]
 pub(crate) fn envmap_directions(py: Python<'_>, shape: Shape, mut out: PyReadwriteArray2<'_, f64>) -> PyResult<()> {
     let rows = out.as_slice_mut()?.as_chunks_mut::<3>().0;
-    run::short(py, || cubemap::grid_directions(grid(&shape)?, rows))
+    run::long(py, None, |progress| cubemap::grid_directions(grid(&shape)?, rows, progress))
 }
 
 /// Writes the number of the texel that each direction (N, 3) passes through.
@@ -109,5 +109,7 @@ pub(crate) fn envmap_texels(
     mut out: PyReadwriteArray1<'_, i64>,
 ) -> PyResult<()> {
     let out = out.as_slice_mut()?;
-    with_rows!(&directions, rows => run::short(py, || cubemap::grid_texels(grid(&shape)?, rows, out)))
+    with_rows!(&directions, rows => {
+        run::long(py, None, |progress| cubemap::grid_texels(grid(&shape)?, rows, out, progress))
+    })
 }

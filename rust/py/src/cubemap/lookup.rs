@@ -39,8 +39,8 @@ fn look<T: Real + Element>(
 ) -> PyResult<()> {
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
-    with_rows!(directions, rows => run::short(py, || {
-        cubemap::lookup(CubeFaces::new(values, size, channels)?, rows, filter(name)?, out)
+    with_rows!(directions, rows => run::long(py, None, |progress| {
+        cubemap::lookup(CubeFaces::new(values, size, channels)?, rows, filter(name)?, out, progress)
     }))
 }
 
@@ -51,7 +51,9 @@ fn pick<T: Element + Copy + Send + Sync>(
 ) -> PyResult<()> {
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
-    with_rows!(directions, rows => run::short(py, || cubemap::nearest(CubeFaces::new(values, size, channels)?, rows, out)))
+    with_rows!(directions, rows => run::long(py, None, |progress| {
+        cubemap::nearest(CubeFaces::new(values, size, channels)?, rows, out, progress)
+    }))
 }
 
 /// Writes filtered values in directions (N, 3).
@@ -87,8 +89,8 @@ fn touch<T: Real + Element>(
 ) -> PyResult<()> {
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
-    with_rows!(directions, rows => run::short(py, || {
-        cubemap::footprint(CubeFaces::new(values, size, channels)?, rows, radius, filter(name)?, out)
+    with_rows!(directions, rows => run::long(py, None, |progress| {
+        cubemap::footprint(CubeFaces::new(values, size, channels)?, rows, radius, filter(name)?, out, progress)
     }))
 }
 
@@ -114,7 +116,9 @@ fn reduce<T: Real + Element>(
     let reduction = choice("filter", filter, &reductions).map_err(to_python)?;
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
-    run::short(py, || cubemap::next_level(CubeFaces::new(values, size, channels)?, reduction, out))
+    run::long(py, None, |progress| {
+        cubemap::next_level(CubeFaces::new(values, size, channels)?, reduction, out, progress)
+    })
 }
 
 /// Writes the solid angle of each texel of a face (S, S), steradians.
@@ -122,5 +126,5 @@ fn reduce<T: Real + Element>(
 pub(crate) fn cube_solid_angles(py: Python<'_>, mut out: PyReadwriteArray2<'_, f64>) -> PyResult<()> {
     let size = u32::try_from(out.shape()[0]).unwrap_or(u32::MAX);
     let out = out.as_slice_mut()?;
-    run::short(py, || cubemap::solid_angles(size, out))
+    run::long(py, None, |progress| cubemap::solid_angles(size, out, progress))
 }
