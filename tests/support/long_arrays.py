@@ -89,7 +89,7 @@ ARRAYS = (
     LongOperation(
         "range from depth",
         "depth = draw.random((20_000, 10_000), np.float32)",
-        "while True:\n    nf.range_from_depth(depth, camera(10_000, 20_000), near=0.1, reverse=True)",
+        "while True:\n    nf.range_from_depth(depth, nf.Fov.symmetric(90), near=0.1, reverse=True)",
         6.0,
     ),
     LongOperation(
@@ -166,7 +166,7 @@ ARRAYS = (
     ),
     LongOperation(
         "triangle radii",
-        "points = draw.uniform(-9, 9, (90_000_000, 3)).astype(np.float32)",
+        "points = draw.random((30_000_000, 3, 3), np.float32)",
         "while True:\n    nf.triangle_radii(points, center=(0, 0, 0))",
         6.0,
     ),
@@ -185,7 +185,7 @@ ARRAYS = (
     LongOperation(
         "tessellate",
         "scene = soup(2_000_000)",
-        "nf.tessellate(scene, user_region=(2, 2, 2), tolerance_px=0.2, camera=camera(2000), **zones)",
+        "nf.tessellate(scene, user_region=4.0, tolerance_px=0.2, camera=camera(2000), **zones)",
         12.0,
     ),
     LongOperation(

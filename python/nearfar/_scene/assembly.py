@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
+from nearfar._base import background
 from nearfar._scene.arrays import (
     ORIGIN_LIMIT,
     colors_of,
@@ -349,11 +350,16 @@ def one_mesh(
 ) -> Assembled:
     """Assemble a scene of one mesh, whose faces belong to one object or to the objects that `face_object` numbers."""
     assembly = Assembly()
-    if face_object is None:
-        assembly.objects(names or ["object_0"])
-        mesh = assembly.mesh(vertices, faces, copy=copy)
-        assembly.instance(mesh, name=names[0] if names else "object_0")
-    else:
-        assembly.objects(object_count_of("face_object", face_object) if names is None else names)
-        assembly.instance(assembly.mesh(vertices, faces, face_object=face_object, copy=copy))
-    return assembly.assemble()
+
+    def assemble() -> Assembled:
+        if face_object is None:
+            assembly.objects(names or ["object_0"])
+            mesh = assembly.mesh(vertices, faces, copy=copy)
+            assembly.instance(mesh, name=names[0] if names else "object_0")
+        else:
+            assembly.objects(object_count_of("face_object", face_object) if names is None else names)
+            assembly.instance(assembly.mesh(vertices, faces, face_object=face_object, copy=copy))
+        return assembly.assemble()
+
+    # NumPy looks through arrays of gigabytes in functions that take seconds and know no signals.
+    return background.run(assemble)

@@ -6,7 +6,7 @@ use std::thread;
 use std::time::Duration;
 
 use nearfar_core::base::{self, Error, Progress};
-use wgpu::{Buffer, MapMode, PollError, PollStatus, PollType, SubmissionIndex};
+use wgpu::{Buffer, CommandBuffer, MapMode, PollError, PollStatus, PollType, SubmissionIndex};
 
 use super::{AdapterKind, Device};
 
@@ -31,6 +31,20 @@ impl Device {
             thread::sleep(NAP);
         }
         found
+    }
+
+    /// Submits commands, or fails if the caller cancels. Drivers in software hold whoever submits before their last work
+    /// is complete, so that is waited for here.
+    pub(crate) fn submit(&self, commands: CommandBuffer, progress: &Progress) -> base::Result<SubmissionIndex> {
+        while self.is_software() {
+            self.check()?;
+            match self.wait_a_while(None) {
+                Ok(_) => break,
+                Err(PollError::Timeout) => progress.check()?,
+                Err(error) => return Err(Error::Device(format!("{}: {error}", self.report.label()))),
+            }
+        }
+        Ok(self.with_queue(|queue| queue.submit([commands])))
     }
 
     /// Waits for submitted work, or until the caller cancels.

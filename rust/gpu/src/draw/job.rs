@@ -137,7 +137,7 @@ impl Job {
         for (n, chunk) in passes.chunks(at_once).enumerate() {
             if n > 0 {
                 let full = std::mem::replace(&mut commands, encoder());
-                let submission = device.with_queue(|queue| queue.submit([full.finish()]));
+                let submission = device.submit(full.finish(), progress)?;
                 if let Some(before) = last.replace(submission) {
                     device.wait(&before, progress)?;
                 }
@@ -150,7 +150,7 @@ impl Job {
         if let Some(staging) = &slot.staging {
             commands.copy_buffer_to_buffer(&slot.output, 0, staging, 0, bytes.next_multiple_of(4));
         }
-        let submission = device.with_queue(|queue| queue.submit([commands.finish()]));
+        let submission = device.submit(commands.finish(), progress)?;
         let opened = open_buffers(&slot, bytes);
         scope.close()?;
         Ok(Submitted { window, slot, outputs, numbering: plan.numbering, submission, opened })

@@ -19,6 +19,32 @@ pub fn short<R: Send>(py: Python<'_>, kernel: impl FnOnce() -> Result<R> + Send)
         .map_err(to_python)
 }
 
+/// Runs a kernel on the pool that owns what it reads, and cannot be cancelled. Every 50 ms the calling thread polls
+/// signals; an exception is raised at once, and what the kernel returns later is dropped.
+pub fn detached<R: Send + 'static>(py: Python<'_>, kernel: impl FnOnce() -> Result<R> + Send + 'static) -> PyResult<R> {
+    let (sender, receiver) = channel();
+    let run = move || {
+        let outcome = catch_unwind(AssertUnwindSafe(kernel));
+        // Nobody receives it after an exception.
+        let _ = sender.send(outcome);
+    };
+    pool::spawn(run).map_err(to_python)?;
+    let received: PyResult<_> = py.detach(move || {
+        loop {
+            match receiver.recv_timeout(POLL_INTERVAL) {
+                Err(RecvTimeoutError::Timeout) => Python::attach(|py| py.check_signals())?,
+                received => return Ok(received),
+            }
+        }
+    });
+    py.check_signals()?;
+    match received? {
+        Ok(Ok(result)) => result.map_err(to_python),
+        Ok(Err(payload)) => Err(from_panic(payload.as_ref())),
+        Err(_) => Err(from_panic(&"a kernel ended without an outcome")),
+    }
+}
+
 /// Runs a kernel on the pool. Every 50 ms the calling thread polls signals and calls `report(done, total)`. An
 /// exception from either cancels the kernel and is raised after the kernel has stopped. Kernels that end before cost no
 /// more than by `short`.
