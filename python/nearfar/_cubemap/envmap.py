@@ -230,11 +230,11 @@ class EnvMap:
         with formats.guarded(path, "environment map"):
             faces = [parts[name] for name in FACES]
             color = np.stack([np.stack([face[axis] for axis in "RGB"], axis=-1) for face in faces])
-            channels: dict[str, NDArray[Any]] = {"color": _of_kind("f", color).astype(np.float32, copy=False)}
+            channels: dict[str, NDArray[Any]] = {"color": exr.of_kind("f", color).astype(np.float32, copy=False)}
             if "range" in faces[0]:
-                channels["range"] = _of_kind("f", np.stack([face["range"] for face in faces]))
+                channels["range"] = exr.of_kind("f", np.stack([face["range"] for face in faces]))
             if "object_id" in faces[0]:
-                channels["object_id"] = _of_kind("u", np.stack([face["object_id"] for face in faces])).view(np.int32)
+                channels["object_id"] = exr.of_kind("u", np.stack([face["object_id"] for face in faces])).view(np.int32)
             return cls(document["center"], **channels, object_names=document.get("object_names", ()))
 
     def _preview(self) -> tuple[float, NDArray[np.uint8]]:
@@ -270,13 +270,6 @@ def _check_values(channel: str, values: NDArray[Any]) -> None:
         raise ValueError("color: expected finite numbers, got some that are not")
     if channel == "range" and not values.min() >= 0.0:
         raise ValueError(f"range: expected metres of at least 0 or +inf, got {values.min()}")
-
-
-def _of_kind(kind: str, values: NDArray[Any]) -> NDArray[Any]:
-    """Return values read from a file if their type is of the expected kind; ValueError otherwise."""
-    if values.dtype.kind != kind:
-        raise ValueError(f"expected numbers of kind {kind!r}, got {values.dtype}")
-    return values
 
 
 def to_half(ranges: NDArray[np.float32]) -> NDArray[np.float16]:

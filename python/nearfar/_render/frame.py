@@ -181,13 +181,19 @@ def _image(name: str, channels: exr.Channels) -> NDArray[Any] | None:
     """Join channels to an image; None if they do not contain it."""
     if name in _AXES:
         axes = _AXES[name]
-        return np.stack([channels[axis] for axis in axes], axis=-1) if axes[0] in channels else None
-    if name not in channels or name == "range":
-        return channels.get(name)
+        if axes[0] not in channels:
+            return None
+        return np.stack([exr.of_kind("f", channels[axis]) for axis in axes], axis=-1)
+    if name not in channels:
+        return None
+    if name == "range":
+        return exr.of_kind("f", channels[name])
+    numbers = exr.of_kind("u", channels[name])
     if name == "object_id":
-        return channels[name].view(np.int32)
-    high = channels["face_id_high"].astype(np.uint64)
-    return (high << np.uint64(32) | channels[name]).view(np.int64)
+        return numbers.view(np.int32)
+    high = exr.of_kind("u", channels["face_id_high"]).astype(np.uint64)
+    bits: NDArray[np.int64] = (high << np.uint64(32) | numbers).view(np.int64)
+    return bits
 
 
 def _document(frame: Frame) -> dict[str, Any]:
