@@ -5,6 +5,9 @@ PYTHON ?= python3
 OUT ?= out
 # A wheel to install instead of building, which needs no Rust: `make demo WHEEL=nearfar-….whl`.
 WHEEL ?=
+# Minutes that `make attack` takes, and seconds that `make fuzz` takes for each target.
+ATTACK_MINUTES ?= 60
+FUZZ_SECONDS ?= 120
 
 bin := .venv/bin
 rust_sources := $(shell find rust -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
@@ -15,7 +18,7 @@ MAKEFLAGS += -j3
 # pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
 export PYO3_PYTHON := $(CURDIR)/$(bin)/python
 
-.PHONY: help demo test lint lint-rust lint-python test-rust test-core bench notebooks stress setup clean
+.PHONY: help demo test lint lint-rust lint-python test-rust test-core bench notebooks stress attack fuzz setup clean
 .DELETE_ON_ERROR:
 
 # List the targets.
@@ -63,6 +66,20 @@ notebooks: .venv/built .venv/test
 stress: .venv/built .venv/test
 	cargo test --release --quiet --workspace -- --include-ignored
 	NEARFAR_HYPOTHESIS=thorough $(bin)/python -m pytest -m "stress or not stress"
+
+# Hostile files, arguments, signals, kills and full disks for an hour; its table and findings are in out/attack.
+attack: .venv/built .venv/test
+	$(bin)/python -m tests.attack --minutes $(ATTACK_MINUTES) --out $(OUT)/attack
+
+# Random bytes and numbers for the core's decoders and kernels; needs nightly Rust and cargo-fuzz.
+fuzz:
+	@if ! cargo +nightly fuzz --version > /dev/null 2>&1; then \
+		echo "fuzz: skipped; 'rustup toolchain install nightly' and 'cargo install cargo-fuzz' make it run"; \
+	else for target in $$(cargo +nightly fuzz list); do \
+		mkdir -p fuzz/found/$$target fuzz/corpus/$$target; \
+		cargo +nightly fuzz run $$target fuzz/found/$$target fuzz/corpus/$$target -- \
+			-max_total_time=$(FUZZ_SECONDS) -rss_limit_mb=4096 -timeout=10 || exit 1; \
+	done; fi
 
 # Make .venv and build, without running anything.
 setup: .venv/built .venv/test

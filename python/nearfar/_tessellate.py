@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import check, progress
+from nearfar._base import background, check, progress
 from nearfar._camera.camera import Camera
 from nearfar._scene.scene import Scene
 
@@ -101,22 +101,20 @@ def _pixel_angle(camera: Camera) -> float:
 
 def _reach(region: ArrayLike, center: tuple[float, float, float]) -> float:
     """Greatest distance of a user from the centre, metres."""
-    if np.ndim(region) == 0:
+    if check.plain("user_region", region).ndim == 0:
         reach = check.number("user_region", cast("float", region))
         if reach < 0.0:
             raise ValueError(f"user_region: expected a radius of at least 0, got {reach}")
         return reach
     box = check.array("user_region", region, columns=None, dtype=np.float64, finite=True)
     if box.shape != (2, 3) or (box[0] > box[1]).any():
-        raise ValueError(
-            f"user_region: expected a radius or a box (2, 3) of least and greatest corner, got {np.asarray(region)}"
-        )
+        got = box.tolist() if box.shape == (2, 3) else f"shape {box.shape}"
+        raise ValueError(f"user_region: expected a radius or a box (2, 3) of least and greatest corner, got {got}")
     return float(np.linalg.norm(np.abs(box - np.array(center)).max(axis=0)))
 
 
 def _tessellate_trimesh(mesh: trimesh.Trimesh, settings: dict[str, Any]) -> trimesh.Trimesh:
-    import trimesh
-
+    trimesh = background.module("trimesh")
     from nearfar._scene.load_trimesh import source_normals
 
     check.instance("mesh", mesh, trimesh.Trimesh, "a Scene or a trimesh.Trimesh")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import re
 import subprocess
@@ -206,6 +207,18 @@ def test_commands_read_files_of_other_units(tmp_path: Path, capsys: pytest.Captu
     assert (status, err) == (1, "nearfar: --scale: expected none with city, which is in metres already, got 0.1\n")
     status, _, err = command(capsys, "partition", "-i", path, "--scale", "0")
     assert (status, err) == (1, "nearfar: --scale: expected a number above 0, got 0.0\n")
+
+
+def test_files_that_unpack_to_much_are_read_on_request(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "box.stl.gz"
+    path.write_bytes(gzip.compress(trimesh.creation.box().export(file_type="stl")))
+    status, _, err = command(capsys, "info", "-i", path, "--max-bytes", "100")
+    assert status == 1
+    assert "it unpacks to more than 100 bytes" in err
+    for arguments in (("info",), ("partition", "--center", "0,1,0", "--r1", "1", "--r2", "2")):
+        assert command(capsys, *arguments, "-i", path, "--max-bytes", "10000")[0] == 0
+    status, _, err = command(capsys, "info", "-i", "room", "--max-bytes", "100")
+    assert (status, err) == (1, "nearfar: --max-bytes: expected none with room, which is no file, got 100\n")
 
 
 def test_no_folder_hides_a_procedural_scene(

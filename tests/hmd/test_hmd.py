@@ -160,7 +160,7 @@ def test_names_that_are_not_there_are_said() -> None:
     with pytest.raises(ValueError, match=r"got 'qest 2' \(did you mean QUEST_2\?\)"):
         nf.hmd.get("qest 2")
     with pytest.raises(TypeError, match="name: expected text, got int"):
-        nf.hmd.get(3)
+        nf.hmd.get(3)  # type: ignore[arg-type]
     for name in ("quest_2", "Quest 2", "quest-2"):
         assert nf.hmd.get(name) is nf.hmd.QUEST_2
     with pytest.raises(AttributeError, match="VIVE_9"):

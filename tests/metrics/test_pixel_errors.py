@@ -41,7 +41,7 @@ def test_pictures_that_are_tall_and_narrow_or_repeated_without_end_need_no_memor
     tall = np.broadcast_to(np.float32(0.25), (1 << 26, 1))
     assert nf.rmse(tall, tall) == 0.0
     assert nf.ssim(tall, tall, data_range=1, window="global") == 1.0
-    with pytest.raises(ValueError, match="fewer than 2³² pixels each way"):
+    with pytest.raises(ValueError, match="reference: expected an array that fits into memory"):
         nf.ssim(*[np.broadcast_to(np.float32(0), (1 << 40, 1))] * 2, data_range=1)
 
 

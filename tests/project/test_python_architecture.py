@@ -143,7 +143,7 @@ def test_every_stage_has_its_tests_benchmarks_and_page() -> None:
         runs = [path for path in (CHECKOUT / "benchmarks" / stage).glob("*.py") if not path.name.startswith("_")]
         assert bool(runs) != bool(why_no_benchmark), f"{stage}: expected a benchmark, or the reason why there is none"
     folders = {path.name for path in (CHECKOUT / "tests").iterdir() if any(path.glob("test_*.py"))}
-    assert folders <= set(ROOMS) | {"project", "vectors"}
+    assert folders <= set(ROOMS) | {"attack", "project", "vectors"}
 
 
 def test_no_test_imports_a_test() -> None:

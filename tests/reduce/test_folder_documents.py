@@ -33,3 +33,20 @@ def test_a_folder_may_be_named_by_its_document(tmp_path: Path) -> None:
     reduced = nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=8)
     reduced.save(tmp_path / "light")
     assert nf.ReducedScene.load(tmp_path / "light" / "reduced.json").r2 == reduced.r2
+
+
+@pytest.mark.parametrize(
+    ("what", "key"), [("accessors", "bufferView"), ("accessors", "count"), ("nodes", "mesh"), ("nodes", "standing")]
+)
+def test_negative_numbers_name_the_file_that_has_them(what: str, key: str, tmp_path: Path) -> None:
+    from nearfar._base import glb
+
+    nf.reduce(street(), center=CENTER, r1=R1, r2=R2, face_size=8).save(tmp_path / "light")
+    near = tmp_path / "light" / "near.glb"
+    data = near.read_bytes()
+    document, end = glb.header(data)
+    entries = [entry.get("extras", {}) if key == "standing" else entry for entry in document[what]]
+    next(entry for entry in entries if key in entry)[key] = -1
+    near.write_bytes(glb._file(json.dumps(document), data[end:]))
+    with pytest.raises(nf.FormatError, match=r"near\.glb: damaged"):
+        nf.ReducedScene.load(tmp_path / "light")

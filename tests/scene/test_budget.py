@@ -7,6 +7,7 @@ import io
 import os
 import subprocess
 import sys
+import tracemalloc
 import zipfile
 import zlib
 from pathlib import Path
@@ -103,3 +104,76 @@ def test_pipes_and_devices_are_not_read(tmp_path: Path) -> None:
     (tmp_path / "a.gltf").write_bytes(document["model.gltf"].replace(b"gltf_buffer_0.bin", b"data.bin"))
     with pytest.raises(nf.SceneError, match=r"a\.gltf: "):
         nf.Scene.load(tmp_path / "a.gltf")
+
+
+MESH = (
+    '<mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/></vertices>'
+    '<triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh>'
+)
+
+
+def threemf(path: Path, objects: dict[int, list[int]], items: int = 1) -> Path:
+    """A 3MF whose object 0 is a triangle, and other ones are components; `items` times the last one is built."""
+    parts = [f'<object id="0" type="model">{MESH}</object>']
+    for number, below in objects.items():
+        components = "".join(f'<component objectid="{part}"/>' for part in below)
+        parts.append(f'<object id="{number}" type="model"><components>{components}</components></object>')
+    build = f'<item objectid="{max(objects, default=0)}"/>' * items
+    space = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
+    text = f'<model unit="meter" xmlns="{space}"><resources>{"".join(parts)}</resources><build>{build}</build></model>'
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("3D/3dmodel.model", text)
+    return path
+
+
+def test_components_of_components_are_counted(tmp_path: Path) -> None:
+    assert nf.Scene.load(threemf(tmp_path / "a.3mf", {1: [0] * 3, 2: [1] * 2})).triangle_count == 6
+    for objects, items in (({n: [n - 1] * 10 for n in range(1, 40)}, 1), ({}, 100_000)):
+        with pytest.raises(nf.SceneError, match=r"b\.3mf: it unpacks to more than 268,435,456 bytes"):
+            nf.Scene.load(threemf(tmp_path / "b.3mf", objects, items))
+    with pytest.raises(nf.SceneError, match=r"c\.3mf: its object \d is a component of itself"):
+        nf.Scene.load(threemf(tmp_path / "c.3mf", {1: [2], 2: [1, 0]}))
+
+
+def test_entities_are_not_expanded(tmp_path: Path) -> None:
+    entities = "".join(f'<!ENTITY e{n} "{f"&e{n - 1};" * 10 if n else "x" * 1000}">' for n in range(12))
+    path = threemf(tmp_path / "a.3mf", {})
+    with zipfile.ZipFile(path) as archive:
+        text = archive.read("3D/3dmodel.model").decode()
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("3D/3dmodel.model", f"<!DOCTYPE model [{entities}]>" + text.replace("<build>", "&e11;<build>"))
+    try:
+        assert nf.Scene.load(path).triangle_count == 1
+    except nf.SceneError as error:
+        assert str(error).startswith(str(path))  # noqa: PT017
+
+
+@pytest.mark.parametrize("count", [2_000_000_000, -1])
+@pytest.mark.parametrize("kind", ["ascii", "binary_little_endian"])
+def test_counts_in_headers_are_not_believed(kind: str, count: int, tmp_path: Path) -> None:
+    ply = f"ply\nformat {kind} 1.0\nelement vertex {count}\nproperty float x\nproperty float y\nproperty float z\n"
+    ply += f"element face {count}\nproperty list uchar int vertex_indices\nend_header\n"
+    contents = {
+        "a.ply": ply.encode() + b"0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+        "a.off": f"OFF\n{count} {count} 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n".encode(),
+        "a.stl": bytes(80) + (count % (1 << 32)).to_bytes(4, "little") + bytes(50),
+    }
+    for name, data in contents.items():
+        (tmp_path / name).write_bytes(data)
+        tracemalloc.start()
+        with pytest.raises(nf.SceneError, match=name):
+            nf.Scene.load(tmp_path / name)
+        assert tracemalloc.get_traced_memory()[1] < 100e6
+        tracemalloc.stop()
+
+
+def test_files_are_read_once(tmp_path: Path) -> None:
+    """A file that many images name does not raise what the others may unpack to."""
+    (tmp_path / "a.bin").write_bytes(bytes(1000))
+    budget = Budget()
+    files = budgets.resolver(tmp_path / "a.obj", budget)
+    for _ in range(1000):
+        assert files.get("a.bin") is files.get("a.bin")
+    budget.hold(1000 + budgets.FREE)
+    with pytest.raises(UnusableError):
+        budget.hold(1)

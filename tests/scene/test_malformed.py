@@ -73,7 +73,7 @@ def test_every_malformed_file_gives_a_scene_or_a_sentence() -> None:
     [
         ("assimp/glTF2/MissingBin/BoxTextured.gltf", "a file that it refers to cannot be read: BoxTextured0.bin"),
         ("assimp/glTF2/IndexOutOfRange/IndexOutOfRange.gltf", "1 face with vertices that do not exist in mesh 'Mesh'"),
-        ("assimp/glTF2/IncorrectVertexArrays/Cube.gltf", "lengths or offsets in it contradict each other"),
+        ("assimp/glTF2/IncorrectVertexArrays/Cube.gltf", "expected three corners for each triangle, got 35"),
         ("assimp/glTF2/wrongTypes/badArray.gltf", "an entry of it has another type than it should"),
         ("trimesh/points_emptyface.ply", "no triangles; 1 geometry without triangles ignored"),
         ("trimesh/empty.stl", "no triangles"),
@@ -239,9 +239,9 @@ def accessor(**changes: object) -> list[dict[str, object]]:
 @pytest.mark.parametrize(
     ("data", "words"),
     [
-        (triangle(accessors=accessor(count=10**12)), "cannot be read|contradict"),
-        (triangle(accessors=[{"componentType": 5126, "count": 10**12, "type": "VEC3"}]), "accessors claim"),
-        (triangle(accessors=accessor(count=-3)), "no triangles"),
+        (triangle(accessors=accessor(count=10**12)), "does not hold"),
+        (triangle(accessors=[{"componentType": 5126, "count": 10**12, "type": "VEC3"}]), "unpacks to more than"),
+        (triangle(accessors=accessor(count=-3)), "does not hold"),
         (triangle(extensionsRequired=["ACME_gizmo"]), "needs the extension ACME_gizmo, which is not read"),
         (triangle(extensionsRequired=["EXT_meshopt_compression"]), "needs the extension EXT_meshopt_compression"),
         (triangle(nodes=[{"mesh": 0, "name": "thing", "scale": [1e300, 1, 1]}]), r"numbers up to 1e\+30"),

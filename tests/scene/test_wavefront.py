@@ -110,3 +110,41 @@ def test_long_lines_of_blanks_take_no_time(tmp_path: Path) -> None:
             load(tmp_path, text)
         except nf.SceneError:
             assert keyword in ("f", "v")
+
+
+def test_many_objects_keep_their_own_vertices(tmp_path: Path) -> None:
+    lines = [f"o part{n}\nv {n} 0 0\nv {n + 1} 0 0\nv {n} 1 0\nvn 0 0 1\nf -3//-1 -2 -1//-1" for n in range(20_000)]
+    scene = load(tmp_path, "\n".join(lines))
+    assert scene.object_names == tuple(f"part{n}" for n in range(20_000))
+    np.testing.assert_array_equal(scene.triangles()[12_345, :, 0], [12_345, 12_346, 12_345])
+
+
+def test_faces_of_an_object_may_lie_apart(tmp_path: Path) -> None:
+    scene = load(tmp_path, f"{CORNERS}o b\nf 1 2 3\no a\nf 2 3 1\no b\nf 3 1 2\nf 1 2\n")
+    assert scene.object_names == ("b", "a")
+    np.testing.assert_array_equal(np.bincount(scene.subset(objects=["b"]).triangles()[:, 0, 1].astype(int)), [1, 1])
+    assert "1 face with fewer than three corners ignored" in scene.report.notes
+
+
+def test_long_names_of_many_parts_count(tmp_path: Path) -> None:
+    (tmp_path / "a.mtl").write_text("newmtl m0\nnewmtl m1\n" + "".join(f"newmtl m{n}\n" for n in range(2, 400)))
+    uses = "".join(f"usemtl m{n}\nf 1 2 3\n" for n in range(400))
+    with pytest.raises(nf.SceneError, match=r"a\.obj: it unpacks to more than 268,435,456 bytes"):
+        load(tmp_path, f"mtllib a.mtl\n{CORNERS}o {'x' * 1_000_000}\n{uses}")
+
+
+def test_materials_come_from_all_libraries(tmp_path: Path) -> None:
+    (tmp_path / "a.mtl").write_text("newmtl red\nKd 1 0 0\n")
+    (tmp_path / "b c.mtl").write_text("newmtl green\nKd 0 1 0\n")
+    text = f"mtllib a.mtl\nmtllib b c.mtl\nmtllib gone.mtl\n{CORNERS}usemtl red\nf 1 2 3\nusemtl green\nf 3 2 1\n"
+    scene = load(tmp_path, text)
+    assert scene.report.materials == 2
+    assert "material file 'gone.mtl' cannot be read, drawn without it" in scene.report.notes
+
+
+def test_corners_without_normals_are_flat_beside_those_with(tmp_path: Path) -> None:
+    scene = load(tmp_path, f"{CORNERS}vn 1 0 1\nf 1//2 2//2 3//2\nf 1 3 2\n")
+    frame = nf.render(
+        scene, nf.Camera.look_at((0.2, 0.2, 2), (0.2, 0.2, 0), fov=nf.Fov.symmetric(10), size=(4, 4)), backend="cpu"
+    )
+    assert np.isfinite(frame.require("color")).all()

@@ -28,7 +28,7 @@ def distribute(
     ----------
     function
         Takes an item and `report`, which it calls as `report(done, total)` between its steps. In a process of its own
-        `report` raises once the caller was interrupted, so that Ctrl-C waits for one step of each worker. Workers
+        `report` raises once the caller was interrupted; workers whose step takes longer are ended. Workers
         import the function: it is defined at the top of a module, or a `functools.partial` of one that is.
     items
         Values that can be pickled, where they leave this process.
@@ -53,7 +53,8 @@ def distribute(
         raise ValueError("workers: expected None beside a client, which has its own")
     if workers is not None:
         workers = check.integer("workers", workers, 1, 4096)
-    if client is not None and not all(hasattr(client, name) for name in ("submit", "scatter", "cancel")):
+    methods = ("submit", "scatter", "cancel")
+    if client is not None and not all(callable(getattr(client, name, None)) for name in methods):
         raise TypeError(f"client: expected a distributed.Client, got {type(client).__name__}")
     if not items:
         return []

@@ -86,3 +86,10 @@ def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[st
         raise FormatError(f"{os.fspath(path)}: {error}") from None
     checked = formats.check(document, name, version, path)
     return checked, {part: channels for part, channels, _ in parts}
+
+
+def of_kind(kind: str, values: NDArray[Any]) -> NDArray[Any]:
+    """Return values read from a file if their type is of NumPy's kind ("f", "u"); ValueError otherwise."""
+    if values.dtype.kind != kind:
+        raise ValueError(f"expected numbers of kind {kind!r}, got {values.dtype}")
+    return values

@@ -101,13 +101,24 @@ def header(data: bytes) -> tuple[dict[str, Any], int]:
 
 
 def binary(data: bytes, end: int) -> bytes:
-    """Content of a GLB's second chunk, which begins at `end`; empty for none."""
-    return data[end + _CHUNK.size :] if len(data) > end else b""
+    """Content of a GLB's chunk of binary data, the first among those that begin at `end`; empty for none."""
+    while len(data) >= end + _CHUNK.size:
+        length, kind = _CHUNK.unpack_from(data, end)
+        start, end = end + _CHUNK.size, end + _CHUNK.size + length
+        if end > len(data):
+            raise ValueError(f"it ends within a chunk of {length} bytes")
+        if kind == b"BIN\0":
+            return data[start:end]
+    return b""
 
 
-def with_document(data: bytes, end: int, document: dict[str, Any]) -> bytes:
-    """A GLB with another JSON document; `end` is the place where its second chunk begins."""
-    return _file(json.dumps(document), data[end:])
+def entry(header: dict[str, Any], what: str, number: Any) -> dict[str, Any]:
+    """An entry of one of the document's lists; IndexError for numbers of none."""
+    listed = header.get(what, [])
+    if not isinstance(number, int) or not 0 <= number < len(listed):
+        raise IndexError(f"entry {number} of {len(listed)} {what}")
+    found: dict[str, Any] = listed[number]
+    return found
 
 
 def json_object(text: bytes) -> dict[str, Any]:
@@ -138,7 +149,7 @@ class Reader:
 
     def bytes(self, view: int) -> memoryview:
         """Return the bytes of a view."""
-        described = self.document["bufferViews"][view]
+        described = entry(self.document, "bufferViews", view)
         start, length = described["byteOffset"], described["byteLength"]
         if not 0 <= start <= start + length <= len(self._buffer):
             raise ValueError(
@@ -148,7 +159,7 @@ class Reader:
 
     def array(self, accessor: int) -> NDArray[Any]:
         """Return the rows of an accessor, (N,) or (N, K), read-only and without a copy."""
-        described = self.document["accessors"][accessor]
+        described = entry(self.document, "accessors", accessor)
         kind = np.dtype(_COMPONENTS[described["componentType"]])
         width = next(width for width, name in _KINDS.items() if name == described["type"])
         count, offset = described["count"], described["byteOffset"]

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar._base import check
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
@@ -18,7 +20,7 @@ def load_curve(
     ax: Axes | None, radii: NDArray[np.float64], counts: NDArray[np.int64], total: int, *, published: bool
 ) -> Axes:
     """Plot the number of triangles that stay geometry against r2; see `LoadCurve.plot`."""
-    axes = _pyplot().subplots(layout="constrained")[1] if ax is None else ax
+    axes = _axes(ax)
     axes.plot(radii[counts > 0], counts[counts > 0], label="this scene")
     axes.axhline(total, color="0.7", linewidth=0.8, linestyle="--")
     if published:
@@ -37,7 +39,7 @@ def score_curves(
     samples: tuple[NDArray[np.float64], NDArray[np.float64]] | None,
 ) -> Axes:
     """Plot score curves (K, M) over solid angles (M,) in steradians, and samples (D,), (K, D); see `LodModel.plot`."""
-    axes = _pyplot().subplots(layout="constrained")[1] if ax is None else ax
+    axes = _axes(ax)
     for number, (curve, label) in enumerate(zip(curves, labels, strict=True)):
         axes.plot(sigma, curve, color=f"C{number % 10}", label=label)
         if samples is not None:
@@ -46,6 +48,18 @@ def score_curves(
     if labels:
         axes.legend(title="triangles")
     return axes
+
+
+def _axes(ax: Axes | None) -> Axes:
+    """Return the caller's axes, or new ones; TypeError for anything else."""
+    pyplot = _pyplot()
+    if ax is None:
+        new: Axes = pyplot.subplots(layout="constrained")[1]
+        return new
+    from matplotlib import axes
+
+    check.instance("ax", ax, axes.Axes, "Axes of matplotlib")
+    return ax
 
 
 def _pyplot() -> Any:

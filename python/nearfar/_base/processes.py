@@ -6,8 +6,10 @@ import concurrent.futures
 import multiprocessing
 import os
 import signal
+import time
 from collections.abc import Callable, Sequence
 from concurrent.futures.process import BrokenProcessPool
+from multiprocessing.process import BaseProcess
 from multiprocessing.synchronize import Event
 from typing import TypeVar
 
@@ -15,6 +17,9 @@ from nearfar._base import progress
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
+
+PATIENCE = 0.2
+"""Seconds that an interrupted caller waits for its workers to end by themselves."""
 
 _is_stopped: Callable[[], bool] | None = None
 """In a worker process: returns whether the parent process was interrupted; None elsewhere."""
@@ -27,7 +32,7 @@ def over_processes(
     # Graphics drivers hang in forked processes, hence "spawn".
     context = multiprocessing.get_context("spawn")
     stop = context.Event()
-    workers = min(workers, len(items))
+    workers, others = min(workers, len(items)), set(multiprocessing.active_children())
     threads = max(1, (os.cpu_count() or 1) // workers)
     pool = concurrent.futures.ProcessPoolExecutor(
         workers, mp_context=context, initializer=_begin, initargs=(stop, threads)
@@ -42,11 +47,26 @@ def over_processes(
     except BrokenProcessPool:
         message = "workers: a process ended at once; a script needs `if __name__ == '__main__':` around what it does"
         raise RuntimeError(message) from None
+    except Exception:
+        stop.set()
+        raise
     except BaseException:
         stop.set()
+        pool.shutdown(wait=False, cancel_futures=True)
+        _end(set(multiprocessing.active_children()) - others)
         raise
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _end(processes: set[BaseProcess]) -> None:
+    """Let processes end what they are doing, if that is soon. Those that only begin have not looked for the event."""
+    deadline = time.monotonic() + PATIENCE
+    for process in processes:
+        process.join(max(0.0, deadline - time.monotonic()))
+    for process in processes:
+        # Files take their places whole or not at all.
+        process.terminate()
 
 
 def _begin(stop: Event, threads: int) -> None:

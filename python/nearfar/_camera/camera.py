@@ -51,6 +51,8 @@ class Fov(_Bounded):
         if angle >= 180.0:
             raise ValueError(f"horizontal_deg: expected less than 180 degrees, got {angle}")
         x = math.tan(math.radians(angle) / 2)
+        if not 0.0 < x / aspect < math.inf:
+            raise ValueError(f"aspect: expected a ratio for which the height is a finite number, got {aspect:g}")
         return cls(-x, x, -x / aspect, x / aspect)
 
     @classmethod

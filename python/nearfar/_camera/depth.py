@@ -155,15 +155,16 @@ def range_error(
     distances = check.array("distance", distance, columns=None, dtype=np.float64, finite=True)
     nearest, farthest = _planes(near, far)
     check.choice("depth_format", depth_format, FORMATS)
+    is_reversed = check.flag("reverse", reverse)
     if distances.size and (distances.min() < nearest or distances.max() > farthest):
         got = f"{distances.min():g} to {distances.max():g}"
         raise ValueError(f"distance: expected {nearest:g} to {farthest:g} metres, from near to far, got {got}")
     slope = 1.0 / nearest - 1.0 / farthest
     share = (1.0 / distances - 1.0 / farthest) / slope
-    stored = share if reverse else 1.0 - share
+    stored = share if is_reversed else 1.0 - share
     half = _half_step(stored, depth_format)
-    moved = half * slope * distances
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+        moved = half * slope * distances
         error = np.where(moved < 1.0, distances * moved / (1.0 - moved), np.inf)
     # Depth within half a step of the far plane's value cannot be distinguished from it.
     error = np.where(share <= half, np.inf, error)
@@ -217,10 +218,12 @@ def _buffer(
         rows = check.array("projection", projection, columns=None, dtype=np.float64)
         if rows.shape != (4, 4):
             raise ValueError(f"projection: expected a (4, 4) matrix, got shape {rows.shape}")
-        if near is not None or far != math.inf:
+        if near is not None:
             raise ValueError("near: expected None beside a matrix, which has its own planes")
+        if check.number("far", far, finite=False) != math.inf:
+            raise ValueError("far: expected none beside a matrix, which has its own planes")
         if reverse is not None:
-            raise ValueError(f"reverse: expected None beside a matrix, which says it itself, got {reverse!r}")
+            raise ValueError("reverse: expected None beside a matrix, which says it itself")
         if depth_range is None:
             raise ValueError(
                 "depth_range: expected '0..1' or '-1..1' (OpenGL's) beside a matrix, which does not say it, got None"
@@ -228,7 +231,9 @@ def _buffer(
         low = -float(CLIP_SPACES.index(check.choice("depth_range", depth_range, CLIP_SPACES)))
         return _core.DepthBuffer.from_matrix((width, height), rows.tolist(), low)
     if depth_range is not None:
-        raise ValueError(f"depth_range: expected None beside {type(projection).__name__}, got {depth_range!r}")
+        raise ValueError(
+            f"depth_range: expected None beside {type(projection).__name__}, got {check.described(depth_range)}"
+        )
     if isinstance(projection, CubeFace) and width != height:
         raise ValueError(f"depth: expected square images for cube faces, got {width} x {height}")
     parallel = isinstance(projection, Orthographic)
@@ -237,11 +242,14 @@ def _buffer(
     options: dict[str, Any] = {"kind": kind, "near": nearest, "far": farthest}
     if not isinstance(projection, CubeFace):
         options["bounds"] = projection._sides
-    return _core.DepthBuffer((width, height), reverse=reverse is None or bool(reverse), **options)
+    is_reversed = reverse is None or check.flag("reverse", reverse)
+    return _core.DepthBuffer((width, height), reverse=is_reversed, **options)
 
 
 def _parallel_planes(near: float | None, far: float) -> tuple[float, float]:
-    if near is None or not math.isfinite(check.number("far", far, finite=False)):
-        raise ValueError(f"far: expected finite near and far planes for parallel rays, got {near} and {far}")
+    farthest = check.number("far", far, finite=False)
+    if near is None or not math.isfinite(farthest):
+        got = f"{check.described(near)} and {farthest}"
+        raise ValueError(f"far: expected finite near and far planes for parallel rays, got {got}")
     nearest = check.at_least_zero("near", near)
     return nearest, _above("far", far, nearest)

@@ -6,7 +6,12 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
+from nearfar import _core
+from nearfar._base import check
 from nearfar._camera.camera import Camera
+
+MAX_SAMPLES = 1024
+"""Greatest number of colour samples of a pixel."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,6 +31,24 @@ class Shot:
     t_max: float = math.inf
     """Greatest distance along each ray at which surfaces are visible, metres."""
 
+    def __post_init__(self) -> None:
+        cameras = check.items("cameras", self.cameras, Camera, "a sequence of Cameras")
+        if not cameras:
+            raise ValueError("cameras: expected at least one, got none")
+        near, far = check.number("t_min", self.t_min), check.number("t_max", self.t_max, finite=False)
+        if not 0.0 <= near < far:
+            raise ValueError(f"t_max: expected more than t_min and t_min at least 0, got {near:g} to {far:g}")
+        checked: dict[str, Any] = {
+            "cameras": tuple(cameras),
+            "channels": tuple(check.texts("channels", self.channels)),
+            "samples": check.integer("samples", self.samples, 1, MAX_SAMPLES),
+            "user": None if self.user is None else check.vector("user", self.user),
+            "t_min": near,
+            "t_max": far,
+        }
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
+
     @property
     def settings(self) -> dict[str, Any]:
         """Images, samples and part of the rays, as kernels take them beside the camera."""
@@ -43,3 +66,12 @@ class Shot:
             return self.user
         x, y, z = (sum(values) / len(self.cameras) for values in zip(*(c.position for c in self.cameras), strict=True))
         return x, y, z
+
+
+def check_request(shot: object, report: object, *device: object) -> None:
+    """Check the arguments of a renderable's `trace` and `begin`, which rendering passes; TypeError for others."""
+    check.instance("shot", shot, Shot)
+    if report is not None and not callable(report):
+        raise TypeError(f"report: expected a function of two numbers or None, got {check.described(report)}")
+    for each in device:
+        check.instance("device", each, _core.GpuDevice, "what nearfar.render passes")

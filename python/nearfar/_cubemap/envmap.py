@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -59,7 +58,8 @@ class EnvMap:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "center", check.vector("center", self.center))
-        size = np.shape(self.color)[1] if np.ndim(self.color) == 4 else 0
+        shape = check.plain("color", self.color).shape
+        size = shape[1] if len(shape) == 4 else 0
         for name in CHANNELS:
             values = getattr(self, name)
             if values is None and name != "color":
@@ -71,10 +71,7 @@ class EnvMap:
             _check_values(name, array)
             array.flags.writeable = False
             object.__setattr__(self, name, array)
-        names = tuple(self.object_names) if isinstance(self.object_names, Iterable) else (self.object_names,)
-        if isinstance(self.object_names, str) or not all(isinstance(name, str) for name in names):
-            raise TypeError("object_names: expected a sequence of strings, got something else")
-        object.__setattr__(self, "object_names", names)
+        object.__setattr__(self, "object_names", tuple(check.texts("object_names", self.object_names)))
 
     @property
     def face_size(self) -> int:
@@ -163,7 +160,7 @@ class EnvMap:
         if target.suffix.lower() != ".exr":
             raise ValueError(f"path: expected a name ending in .exr, got {os.fspath(path)!r}")
         brightest = float(np.abs(self.color).max())
-        if half and brightest > HALF_LIMIT:
+        if check.flag("half", half) and brightest > HALF_LIMIT:
             raise ValueError(f"half: expected False for colours up to {brightest:g}, beyond {HALF_LIMIT:g}, got True")
         color = self.color.astype(np.float16) if half else self.color
         parts: dict[str, dict[str, NDArray[Any]]] = {}
@@ -226,15 +223,16 @@ class EnvMap:
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> EnvMap:
         """Read a file that `save` wrote; FormatError for other files and newer versions, OSError if it is missing."""
+        path = check.path("path", path)
         document, parts = exr.read(path, "envmap", VERSION)
         with formats.guarded(path, "environment map"):
             faces = [parts[name] for name in FACES]
             color = np.stack([np.stack([face[axis] for axis in "RGB"], axis=-1) for face in faces])
-            channels: dict[str, NDArray[Any]] = {"color": _of_kind("f", color).astype(np.float32, copy=False)}
+            channels: dict[str, NDArray[Any]] = {"color": exr.of_kind("f", color).astype(np.float32, copy=False)}
             if "range" in faces[0]:
-                channels["range"] = _of_kind("f", np.stack([face["range"] for face in faces]))
+                channels["range"] = exr.of_kind("f", np.stack([face["range"] for face in faces]))
             if "object_id" in faces[0]:
-                channels["object_id"] = _of_kind("u", np.stack([face["object_id"] for face in faces])).view(np.int32)
+                channels["object_id"] = exr.of_kind("u", np.stack([face["object_id"] for face in faces])).view(np.int32)
             return cls(document["center"], **channels, object_names=document.get("object_names", ()))
 
     def _preview(self) -> tuple[float, NDArray[np.uint8]]:
@@ -270,13 +268,6 @@ def _check_values(channel: str, values: NDArray[Any]) -> None:
         raise ValueError("color: expected finite numbers, got some that are not")
     if channel == "range" and not values.min() >= 0.0:
         raise ValueError(f"range: expected metres of at least 0 or +inf, got {values.min()}")
-
-
-def _of_kind(kind: str, values: NDArray[Any]) -> NDArray[Any]:
-    """Return values read from a file if their type is of the expected kind; ValueError otherwise."""
-    if values.dtype.kind != kind:
-        raise ValueError(f"expected numbers of kind {kind!r}, got {values.dtype}")
-    return values
 
 
 def to_half(ranges: NDArray[np.float32]) -> NDArray[np.float16]:

@@ -182,7 +182,7 @@ def _shape(name: str, layout: str, size: int | tuple[int, int]) -> tuple[str, in
     check.choice(name, layout, LAYOUTS)
     limit = LIMIT if layout == "cube" else 2 * LIMIT
     # NumPy arrays are accepted like tuples.
-    size = size.tolist() if isinstance(size, np.ndarray) else size
+    size = tuple(size[:3].tolist()) if isinstance(size, np.ndarray) and size.ndim == 1 else size
     if layout != "equirectangular":
         edge = check.integer("size", size, 1, limit)  # type: ignore[arg-type]
         return layout, edge, edge

@@ -254,7 +254,7 @@ def corrected_solid_angle(
         # The viewing axis: −z rotated by the quaternion.
         forward=(-2 * (x * z + w * y), -2 * (y * z - w * x), 2 * (x * x + y * y) - 1),
         tan_omega=radius_of(fov, lens_radius),
-        exact=bool(exact),
+        exact=check.flag("exact", exact),
     )
 
 

@@ -107,6 +107,7 @@ class Warping(abc.ABC):
             frames of cameras without a `Fov`.
         """
         check.choice("filter", filter, FILTERS)
+        distort = not check.flag("inverse", inverse)
         if isinstance(image, Frame):
             fov = _fov_of("image", image.camera, fov)
             image = image.require("color")
@@ -119,7 +120,7 @@ class Warping(abc.ABC):
             values,
             **shown,
             size=check.size("size", (width, height) if size is None else size),
-            distort=not inverse,
+            distort=distort,
             filter=filter,
             fill=_fill(fill, picture.dtype),
         )
@@ -162,6 +163,7 @@ class Warping(abc.ABC):
             For a tolerance that 2¹⁸ cells do not satisfy, as near the fold of an inverse, and for a field of view
             beyond the lens's domain. For a size without a field of view, and cameras without a `Fov`.
         """
+        distort = not check.flag("inverse", inverse)
         if isinstance(size, Camera | Frame):
             camera = size if isinstance(size, Camera) else size.camera
             size, fov = camera.size, _fov_of("size", camera, fov)
@@ -170,9 +172,7 @@ class Warping(abc.ABC):
         tolerance = check.positive("tolerance_px", tolerance_px)
 
         def grid(columns: int, rows: int) -> WarpMesh:
-            mesh = _core.warp_mesh(
-                self._cores, **shown, cells=(columns, rows), size=(width, height), distort=not inverse
-            )
+            mesh = _core.warp_mesh(self._cores, **shown, cells=(columns, rows), size=(width, height), distort=distort)
             return _compact(*mesh, size=max(width, height))
 
         if cells is not None:
@@ -233,7 +233,9 @@ def radius_of(fov: Fov, lens_radius: float | None) -> float:
 def _fov_of(name: str, camera: Camera, fov: object) -> Fov:
     """Field of view of a frame's or a mesh's camera; refuses another one beside it."""
     if fov is not None:
-        raise ValueError(f"fov: expected None, because {name} has the field of view of its camera, got {fov!r}")
+        raise ValueError(
+            f"fov: expected None, because {name} has the field of view of its camera, got {check.described(fov)}"
+        )
     if not isinstance(camera.fov, Fov):
         raise ValueError(f"{name}: expected a camera with a Fov, got one with {type(camera.fov).__name__}")
     return camera.fov
@@ -243,7 +245,7 @@ def _view(fov: Fov | str | None, output_fov: Fov | None, lens_radius: float | No
     """Fields of view of the source and the result, and the tangent at which r = 1, as arguments of kernels."""
     if fov is None or (isinstance(fov, str) and fov != SYMMETRIC):
         expected = f'the Fov of the picture, such as hmd.left.fov, or "{SYMMETRIC}" for an axis in its middle'
-        raise ValueError(f"fov: expected {expected}, got {fov!r}")
+        raise ValueError(f"fov: expected {expected}, got {check.described(fov)}")
     if isinstance(fov, str):
         fov = Fov(-1.0, 1.0, -1.0 / aspect, 1.0 / aspect)
     source = check.instance("fov", fov, Fov)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from nearfar._base import check
 from nearfar._metrics.discontinuity import boundary, discontinuity
 from nearfar._metrics.pixel_errors import psnr, rmse
 from nearfar._metrics.similarity import ssim
@@ -70,6 +71,8 @@ def compare(reference: Frame, test: Frame, *, center: ArrayLike, radius: float) 
     ----------
     Wang, Bovik, Sheikh, Simoncelli (2004); Popescu, Lee, Choi, Fahmy (2022), Eq. 5–6.
     """
+    for name, frame in (("reference", reference), ("test", test)):
+        check.instance(name, frame, Frame)
     torn = discontinuity(test)
     defined = torn[~np.isnan(torn)]
     edge = boundary(test, center=center, radius=radius) & ~np.isnan(torn)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import check, progress
+from nearfar._base import background, check, progress
 from nearfar._camera.camera import Camera
 from nearfar._render.frame import Frame
 
@@ -108,7 +108,15 @@ def boundary(frame: Frame, *, center: ArrayLike, radius: float, width: int = 2) 
     check.instance("frame", frame, Frame)
     middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)
     reach = check.integer("width", width, 1, 1000)
-    away = frame.require("position").astype(np.float64) + np.array(frame.origin) - middle
+    position, origin = frame.require("position"), np.array(frame.origin)
+    return background.run(lambda: _edge(position, origin, middle, end, reach))
+
+
+def _edge(
+    position: NDArray[np.float32], origin: NDArray[np.float64], middle: NDArray[np.float64], end: float, reach: int
+) -> NDArray[np.bool_]:
+    """Pixels within `reach` of the last ones that are no farther than `end` from the axis."""
+    away = position.astype(np.float64) + origin - middle
     rho = np.hypot(away[..., 0], away[..., 2])
     beyond = rho > end
     edge = np.zeros(beyond.shape, bool)

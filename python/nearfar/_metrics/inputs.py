@@ -98,7 +98,7 @@ def pair(reference: ArrayLike | Frame, test: ArrayLike | Frame, data_range: floa
         first, second = luma(reference), luma(test)
         data_range = frame_extent(data_range)
     elif isinstance(reference, Frame) or isinstance(test, Frame):
-        raise TypeError("test: expected two frames or two arrays, got one of each")
+        raise TypeError("reference, test: expected two frames or two arrays, got one of each")
     else:
         first, second = stack(reference, test)
     if first.shape != second.shape:
@@ -111,7 +111,9 @@ def pair(reference: ArrayLike | Frame, test: ArrayLike | Frame, data_range: floa
 def frame_extent(data_range: float | None) -> float:
     """Return the range of a frame's values, 1; ValueError for any other range that a caller gives."""
     if data_range is not None:
-        raise ValueError(f"data_range: expected none for frames, whose values are 0 to 1, got {data_range!r}")
+        raise ValueError(
+            f"data_range: expected none for frames, whose values are 0 to 1, got {check.described(data_range)}"
+        )
     return 1.0
 
 
@@ -119,9 +121,10 @@ def channel_axis(pair: Pair, axis: int | None) -> int | None:
     """Find the axis of the channels; None for (H, W). ValueError for what is not one picture."""
     shape = pair.reference.shape
     if axis is not None:
+        chosen = check.integer("channel_axis", axis, -3, 2)
         if len(shape) != 3:
-            raise ValueError(f"channel_axis: expected three axes, or None for (H, W), got {axis} with shape {shape}")
-        return check.integer("channel_axis", axis, -3, 2)
+            raise ValueError(f"channel_axis: expected three axes, or None for (H, W), got {chosen} with shape {shape}")
+        return chosen
     if len(shape) < 2:
         raise ValueError(f"reference: expected shape (H, W), (H, W, 1) or (H, W, 3), got {shape}")
     if len(shape) == 2:

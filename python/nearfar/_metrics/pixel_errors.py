@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import check
+from nearfar._base import background, check
 from nearfar._metrics import inputs
 from nearfar._render.frame import Frame
 
@@ -97,7 +97,7 @@ def object_completion(reference_ids: ArrayLike, test_ids: ArrayLike) -> tuple[fl
     test = check.array("test_ids", test_ids, columns=None, dtype=np.int32)
     if reference.shape != test.shape:
         raise ValueError(f"test_ids: expected shape {reference.shape}, got {test.shape}")
-    completion = _core.object_completion(reference.ravel(), test.ravel())
+    completion = background.run(lambda: _core.object_completion(reference.ravel(), test.ravel()))
     return (math.nan, math.nan) if completion is None else completion
 
 

@@ -7,6 +7,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from nearfar._base import check
+
 
 class Similarity(float):
     """Mean structural similarity of two pictures: a float, with the similarity around each pixel on request.
@@ -18,7 +20,7 @@ class Similarity(float):
 
     def __new__(cls, mean: float, similarities: NDArray[Any] | None = None) -> Similarity:
         """Join a mean with its map."""
-        similarity = super().__new__(cls, mean)
+        similarity = super().__new__(cls, check.number("mean", mean, finite=False))
         similarity._map = similarities
         return similarity
 

@@ -98,6 +98,7 @@ def ssim(
     Wang, Bovik, Sheikh, Simoncelli (2004), Eq. 13. Masked windows: Knutsson, Westin (1993).
     """
     settings = Window(window, size, sigma, k1, k2, convention, masking, mask is not None)
+    full = check.flag("full", full)
     pair = inputs.pair(reference, test, data_range)
     axis = inputs.channel_axis(pair, channel_axis)
     channels = pair.channels_first(axis)
@@ -233,7 +234,7 @@ def ms_ssim(
     window_settings = Window(window, size, sigma, k1, k2)
     exponents = check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
     if exponents.ndim != 1 or not len(exponents) or (exponents < 0.0).any():
-        raise ValueError(f"weights: expected numbers of at least 0, one for each scale, got {weights!r}")
+        raise ValueError(f"weights: expected numbers of at least 0, one for each scale, got {exponents!r:.60}")
     pair = inputs.pair(reference, test, data_range)
     channels = pair.channels_first(inputs.channel_axis(pair, channel_axis))
     settings = window_settings.settings(channels)
@@ -277,7 +278,7 @@ def visual_continuity(
     current: NDArray[Any]
     last: NDArray[Any] | None = None
     extent: float | None
-    for frame in frames:
+    for frame in check.iterable("frames", frames, "Frames or arrays of one shape"):
         # A frame is converted once, not for both of its neighbours. An array is copied, because its producer may write
         # the next picture into the same memory.
         if isinstance(frame, Frame):
@@ -285,8 +286,18 @@ def visual_continuity(
         else:
             current, extent = np.array(inputs.numbers("frames", frame)), data_range
         if last is not None:
-            yield ssim(last, current, data_range=extent, window="global", channel_axis=channel_axis)
+            yield _continuity(last, current, extent, channel_axis)
         last = current
+
+
+def _continuity(last: NDArray[Any], current: NDArray[Any], data_range: float | None, channel_axis: int | None) -> float:
+    """Similarity of two pictures of a sequence, whose messages name the sequence."""
+    try:
+        return ssim(last, current, data_range=data_range, window="global", channel_axis=channel_axis)
+    except (TypeError, ValueError) as error:
+        if str(error).startswith(("reference", "test")):
+            raise type(error)(f"frames: {error}") from None
+        raise
 
 
 def _check_values(

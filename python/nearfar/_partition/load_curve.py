@@ -25,8 +25,8 @@ class LoadCurve:
     """Number of triangles that stay geometry as a function of r2, and its inverse; each value is a binary search."""
 
     def __init__(self, core: _core.LoadCurve, center: tuple[float, float, float]) -> None:
-        self._core = core
-        self._center = center
+        self._core = check.instance("core", core, _core.LoadCurve, "what load_curve passes")
+        self._center = check.vector("center", center)
 
     @property
     def center(self) -> tuple[float, float, float]:
@@ -97,6 +97,8 @@ class LoadCurve:
             For values that are not whole numbers.
         """
         budgets = check.array("budget", budget, columns=None, dtype=np.int64)
+        if budgets.size and budgets.min() < 0:
+            raise ValueError(f"budget: expected numbers of at least 0, got {budgets.min()}")
         radii = self._core.radius(budgets.reshape(-1)).reshape(budgets.shape)
         return radii if radii.ndim else float(radii)
 
@@ -125,7 +127,7 @@ class LoadCurve:
         """
         if self.triangle_count == self.moving_count:
             raise ValueError("load curve: expected a scene with standing triangles, got none")
-        radii = self._radii()
+        radii, published = self._radii(), check.flag("published", published)
         return plot.load_curve(ax, radii, np.asarray(self.count(radii)), self.triangle_count, published=published)
 
     def _radii(self) -> NDArray[np.float64]:

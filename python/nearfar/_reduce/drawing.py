@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -29,7 +30,7 @@ class Drawing:
 
     def __post_init__(self) -> None:
         check.choice("method", self.method, tuple(TOLERANCES))
-        check.instance("env", self.env, bool, "True or False")
+        object.__setattr__(self, "env", check.flag("env", self.env))
         if self.tolerance_px is not None:
             object.__setattr__(self, "tolerance_px", check.number("tolerance_px", self.tolerance_px, finite=False))
 
@@ -55,7 +56,7 @@ def morphed(
     weight changes by at most 1/(r2−r1) per metre, and a change of the weight from 0 to 1 moves a point by at most
     2 |U−O|.
     """
-    away = float(np.linalg.norm(np.subtract(user, center)))
+    away = math.dist(check.vector("user", user), center)
     shown = morph(leveled.centers, user=user, center=center, r1=r1, r2=r2, kind=kind)
     stretch = 1.0 + away * (2.0 / (r2 - r1) + 1.0 / max(r1, away, 1e-300))
     return replace(leveled, centers=shown, radii=leveled.radii * stretch)

@@ -9,7 +9,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from nearfar._base import card
+from nearfar._base import card, check
 from nearfar._base.errors import Error
 from nearfar._camera.camera import Camera, Fov
 from nearfar._cubemap.envmap import EnvMap
@@ -68,8 +68,8 @@ class Explorer:
     """
 
     def __init__(self, reduced: Reduced, *, size: tuple[int, int], face_size: int) -> None:
+        self._size, self._face_size = check.size("size", size), check.integer("face_size", face_size, 1, 16384)
         widgets = _ipywidgets()
-        self._size, self._face_size = size, face_size
         self._is_quiet = False
         self._seen: tuple[Camera, Frame] | None = None
         can_bake = reduced._is_whole

@@ -12,16 +12,13 @@ from numpy.typing import NDArray
 
 from nearfar._base import check, files, formats
 from nearfar._cubemap.envmap import EnvMap
-from nearfar._scene.names import Names, names_of
+from nearfar._scene.names import MOST_OBJECTS, Names, names_of
 from nearfar._scene.scene import Scene
 
 NAME, VERSION = "reduced", 2
 """Name of the document's format without "nearfar.", and its version."""
 NEAR, FAR, DOCUMENT = "near.glb", "far.exr", "reduced.json"
 """Names of the files in a folder."""
-
-MOST_OBJECTS = (1 << 31) - 1
-"""Numbers of objects are int32."""
 
 COUNTS = ("triangles", "near", "intermediate", "nsf", "nsf_at_r1", "sf", "rays")
 """Names of the counts of the whole scene, which cannot be computed from the saved part."""

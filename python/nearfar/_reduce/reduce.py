@@ -8,13 +8,14 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
 
 from nearfar._base import check
+from nearfar._camera.shot import MAX_SAMPLES
 from nearfar._cubemap import envmap
 from nearfar._reduce import stages
 from nearfar._reduce.drawing import check_morph
 from nearfar._reduce.reduced_scene import ReducedScene
 from nearfar._render import backend as backends
 from nearfar._render.bake import is_half
-from nearfar._render.channels import CHANNELS, MAX_SAMPLES, channel_names
+from nearfar._render.channels import CHANNELS, channel_names
 from nearfar._scene.scene import Scene, core_of
 
 

@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import progress
+from nearfar._base import check, progress
 from nearfar._camera.camera import Camera
-from nearfar._camera.shot import Shot
+from nearfar._camera.shot import Shot, check_request
 from nearfar._cubemap import envmap
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import Partition, partition
@@ -50,7 +50,13 @@ class ReducedScene(InNotebooks):
         counts: dict[str, int],
         is_whole: bool = True,
     ) -> None:
-        self._scene, self._partition, self._env = scene, zones, env
+        self._scene = check.instance("scene", scene, Scene)
+        self._partition, self._env = check.instance("zones", zones, Partition), env
+        if env is not None:
+            check.instance("env", env, EnvMap, "an EnvMap")
+        check_morph(morph, check.choice("boundary", boundary, ("r1", "r2")))
+        check.instance("counts", counts, dict)
+        is_whole = check.flag("is_whole", is_whole)
         self._morph, self._boundary, self._counts, self._is_whole = morph, boundary, counts, is_whole
         self._unposed, self._poses = scene, dict[str, ArrayLike]()
         self._drawing = Drawing()
@@ -265,6 +271,7 @@ class ReducedScene(InNotebooks):
 
     def trace(self, shot: Shot, report: Report = None) -> list[Images]:
         """Trace the pictures of a shot, one for each camera."""
+        check_request(shot, report)
         settings = self._settings(shot)
         return [
             self._core.render(self._scene._core, camera._core, **settings, report=report) for camera in shot.cameras
@@ -272,6 +279,7 @@ class ReducedScene(InNotebooks):
 
     def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> list[_core.GpuJob]:
         """Start the pictures of a shot on a graphics device, one for each camera."""
+        check_request(shot, report, device)
         settings = self._settings(shot)
         return [
             device.reduced(self._core, self._scene._core, camera._core, **settings, report=report)

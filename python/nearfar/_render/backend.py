@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import contextlib
 import os
 import platform
@@ -151,8 +152,10 @@ def _quietly(adapter: str | None) -> Iterator[None]:
     disables = search not in _searched and "XDG_RUNTIME_DIR" not in os.environ and variable not in os.environ
     if disables:
         os.environ[variable] = "1"
-    if not _searched and hasattr(os, "register_at_fork"):
-        os.register_at_fork(after_in_child=_core.gpu_forked)
+    if not _searched:
+        atexit.register(_core.gpu_close)
+        if hasattr(os, "register_at_fork"):
+            os.register_at_fork(after_in_child=_core.gpu_forked)
     _searched.add(search)
     try:
         yield

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import DTypeLike
 
 from nearfar import _core
-from nearfar._base import progress
+from nearfar._base import check, progress
 from nearfar._cubemap.envmap import EnvMap, to_half
 from nearfar._scene.scene import Scene
 
@@ -58,8 +58,8 @@ def is_half(argument: str, dtype: DTypeLike) -> bool:
     """Whether a type is float16; TypeError and ValueError for other types than float16 and float32."""
     try:
         kind = np.dtype(dtype)
-    except TypeError:
-        raise TypeError(f"{argument}: expected float32 or float16, got {dtype!r}") from None
+    except (TypeError, ValueError, AttributeError, SyntaxError):
+        raise TypeError(f"{argument}: expected float32 or float16, got {check.described(dtype)}") from None
     if kind not in (np.float16, np.float32):
         raise ValueError(f"{argument}: expected float32 or float16, got {kind}")
     return kind == np.float16

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
-from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
@@ -13,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._base import card, exr, files, formats
+from nearfar._base import card, check, exr, files, formats
 from nearfar._camera.camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._render import preview
 from nearfar._render.channels import CHANNELS, missing
@@ -61,10 +60,12 @@ class Frame:
     other frames. Not saved to files."""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "stats", MappingProxyType(dict(self.stats)))
+        check.instance("camera", self.camera, Camera)
+        object.__setattr__(self, "origin", check.vector("origin", self.origin))
+        object.__setattr__(self, "stats", MappingProxyType(dict(check.mapping("stats", self.stats, "counts by name"))))
         width, height = self.camera.size
         for name in self.channels:
-            image = getattr(self, name)
+            image = check.instance(name, getattr(self, name), np.ndarray, "an array")
             expected = (height, width, 3) if name in ("color", "position", "normal") else (height, width)
             if image.shape != expected:
                 raise ValueError(f"{name}: expected shape {expected} for the camera's size, got {image.shape}")
@@ -83,8 +84,7 @@ class Frame:
 
     def require(self, channel: str) -> NDArray[Any]:
         """Return an image by name; if it was not rendered, ValueError that names the channels to render."""
-        if channel not in CHANNELS:
-            raise ValueError(f"channel: expected one of {', '.join(CHANNELS)}, got {channel!r}")
+        check.choice("channel", channel, CHANNELS)
         image: NDArray[Any] | None = getattr(self, channel)
         if image is None:
             raise missing(channel, self.channels)
@@ -112,21 +112,23 @@ class Frame:
         OSError
             If the file cannot be written.
         """
-        suffix = Path(path).suffix.lower()
+        target = check.path("path", path)
+        suffix = target.suffix.lower()
         if suffix == ".png":
             from PIL import Image
 
             image = Image.fromarray(self.to_image())
-            with files.atomic_file(path) as temporary:
+            with files.atomic_file(target) as temporary:
                 image.save(temporary, format="PNG")
         elif suffix == ".exr":
-            exr.write(path, {"frame": _exr_channels(self)}, _document(self))
+            exr.write(target, {"frame": _exr_channels(self)}, _document(self))
         else:
             raise ValueError(f"path: expected a name ending in .png or .exr, got {os.fspath(path)!r}")
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Frame:
         """Read an `.exr` file that `save` wrote; FormatError for other files and newer versions."""
+        path = check.path("path", path)
         document, parts = exr.read(path, "frame", VERSION)
         with formats.guarded(path, "frame"):
             channels = parts["frame"]
@@ -181,13 +183,19 @@ def _image(name: str, channels: exr.Channels) -> NDArray[Any] | None:
     """Join channels to an image; None if they do not contain it."""
     if name in _AXES:
         axes = _AXES[name]
-        return np.stack([channels[axis] for axis in axes], axis=-1) if axes[0] in channels else None
-    if name not in channels or name == "range":
-        return channels.get(name)
+        if axes[0] not in channels:
+            return None
+        return np.stack([exr.of_kind("f", channels[axis]) for axis in axes], axis=-1)
+    if name not in channels:
+        return None
+    if name == "range":
+        return exr.of_kind("f", channels[name])
+    numbers = exr.of_kind("u", channels[name])
     if name == "object_id":
-        return channels[name].view(np.int32)
-    high = channels["face_id_high"].astype(np.uint64)
-    return (high << np.uint64(32) | channels[name]).view(np.int64)
+        return numbers.view(np.int32)
+    high = exr.of_kind("u", channels["face_id_high"]).astype(np.uint64)
+    both: NDArray[Any] = high << np.uint64(32) | numbers
+    return both.view(np.int64)
 
 
 def _document(frame: Frame) -> dict[str, Any]:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from nearfar._base import check
 from nearfar._camera.shot import Shot
 from nearfar._render.renderable import Renderable
 from nearfar._scene.levels import Leveled, Selector, Shown, levels_of
@@ -23,8 +24,11 @@ class LevelChoice:
         leveled = _leveled(source, (0.0, 0.0, 0.0))
         self._lod: Any = lod
         if isinstance(lod, str):
-            self._lod = leveled.models[0].selector(lod) if leveled.models else np.zeros(0, np.int64)
-        elif not callable(lod) and not isinstance(lod, Selector):
+            self._lod = _selector(leveled, lod)
+        elif isinstance(lod, Selector):
+            if not callable(lod.select):
+                raise TypeError(f"lod: expected a mode, a selector, a function or levels, got {check.described(lod)}")
+        elif not callable(lod):
             levels_of("lod", lod, leveled)
         self._last: Shown | None = None
 
@@ -49,6 +53,14 @@ class LevelChoice:
         previous = None if self._last is None else self._last.levels
         # Only a selector that fades needs the weights, which `full` computes.
         return self._lod.select(*objects, camera=camera, previous=previous, full=self._lod.fade > 0)
+
+
+def _selector(leveled: Leveled, mode: str) -> Any:
+    """Selector of a mode, or no levels for a scene without objects that have some."""
+    try:
+        return leveled.models[0].selector(mode) if leveled.models else np.zeros(0, np.int64)
+    except ValueError as error:
+        raise ValueError(f"lod: {error}") from None
 
 
 def _leveled(source: Renderable, user: ArrayLike) -> Leveled:

@@ -9,11 +9,11 @@ from dataclasses import dataclass
 from numpy.typing import ArrayLike
 
 from nearfar import _core
-from nearfar._base import check, progress
+from nearfar._base import check, memory, progress
 from nearfar._camera.camera import Camera
-from nearfar._camera.shot import Shot
+from nearfar._camera.shot import MAX_SAMPLES, Shot
 from nearfar._render import backend as backends
-from nearfar._render.channels import MAX_SAMPLES, channel_names
+from nearfar._render.channels import BYTES, channel_names
 from nearfar._render.frame import Frame
 from nearfar._render.level_choice import LevelChoice, Lod
 from nearfar._render.renderable import Images, Job, Renderable, Report, check_renderable
@@ -47,6 +47,16 @@ class View:
         ]
 
 
+def posed_at(source: Renderable, at: Mapping[str, ArrayLike]) -> Renderable:
+    """Pose a source by the argument `at`, which its messages name."""
+    try:
+        return source.at(check.mapping("at", at, "matrices by name such as {'car': matrix}"))
+    except (TypeError, ValueError) as error:
+        if str(error).startswith("at: "):
+            raise
+        raise type(error)(f"at: {error}") from None
+
+
 class Renderer:
     """Renders frames of one source; it remembers the levels of detail of the last shot."""
 
@@ -76,16 +86,12 @@ class Renderer:
         """Check the arguments and make a shot of them."""
         for camera in cameras:
             check.instance("camera", camera, Camera)
-        near, far = check.number("t_min", t_min), check.number("t_max", t_max, finite=False)
-        if not 0.0 <= near < far:
-            raise ValueError(f"t_max: expected more than t_min and t_min at least 0, got {near:g} to {far:g}")
+            width, height = camera.size
+            each = sum(BYTES[name] for name in self.channels)
+            memory.check_room("camera", f"a picture of {width} × {height} pixels", each * width * height)
+        place = None if user is None else check.vector("user", user)
         return Shot(
-            cameras=tuple(cameras),
-            channels=self.channels,
-            samples=self.samples,
-            user=None if user is None else check.vector("user", user),
-            t_min=near,
-            t_max=far,
+            cameras=tuple(cameras), channels=self.channels, samples=self.samples, user=place, t_min=t_min, t_max=t_max
         )
 
     def device(self, backend: str | None, measured: object | None = None) -> _core.GpuDevice | None:
@@ -99,7 +105,7 @@ class Renderer:
 
     def view(self, shot: Shot, poses: Mapping[str, ArrayLike] | None) -> View:
         """Pose the source and choose its levels for a shot."""
-        posed = self.source if poses is None else self.source.at(poses)
+        posed = self.source if poses is None else posed_at(self.source, poses)
         return View(shot, posed) if self._choice is None else View(shot, *self._choice(posed, shot))
 
     def frames(self, shot: Shot, poses: Mapping[str, ArrayLike] | None, device: _core.GpuDevice | None) -> list[Frame]:

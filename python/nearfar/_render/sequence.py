@@ -8,11 +8,12 @@ from itertools import repeat
 from numpy.typing import ArrayLike
 
 from nearfar import _core
+from nearfar._base import check
 from nearfar._camera.camera import Camera
 from nearfar._render.frame import Frame
 from nearfar._render.level_choice import Lod
 from nearfar._render.renderable import Job, Renderable
-from nearfar._render.renderer import Renderer, View
+from nearfar._render.renderer import Renderer, View, posed_at
 
 Pose = Mapping[str, ArrayLike]
 
@@ -64,15 +65,14 @@ def render_path(
     DeviceError
         As in `render`.
     """
-    if isinstance(cameras, Camera) or not isinstance(cameras, Iterable):
-        raise TypeError(f"cameras: expected an iterable of Cameras, got {type(cameras).__name__}")
-    poses: Iterable[Pose | None] = repeat(None) if at is None or isinstance(at, Mapping) else at
-    if isinstance(poses, str) or not isinstance(poses, Iterable):
-        raise TypeError(f"at: expected matrices by name, or one such mapping for each camera, got {type(at).__name__}")
+    check.iterable("cameras", cameras, "an iterable of Cameras")
+    poses: Iterable[Pose | None] = repeat(None)
+    if at is not None and not isinstance(at, Mapping):
+        poses = check.iterable("at", at, "matrices by name, or one such mapping for each camera")
     renderer = Renderer(source, channels, samples, lod)
     _check_sequences(cameras, poses)
     if isinstance(at, Mapping):
-        renderer.source = source.at(at)
+        renderer.source = posed_at(source, at)
     views = _views(renderer, cameras, iter(poses))
     device = renderer.device(backend, source)
     return (frame for view in views for frame in view.trace()) if device is None else _drawn(device, views)

@@ -60,7 +60,7 @@ def numbers_of(name: str, value: ArrayLike, count: int, limit: int, *, copy: boo
 def object_count_of(name: str, value: ArrayLike) -> int:
     """Number of objects that the faces' object numbers imply: the greatest number plus one."""
     array = check.array(name, value, columns=None, dtype=np.int32)
-    return int(array.max()) + 1 if array.size else 0
+    return max(0, int(array.max()) + 1) if array.size else 0
 
 
 def uvs_of(name: str, value: ArrayLike) -> NDArray[np.float32]:

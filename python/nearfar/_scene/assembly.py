@@ -9,18 +9,20 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
+from nearfar._base import check
 from nearfar._scene.arrays import (
     ORIGIN_LIMIT,
     colors_of,
     faces_of,
     normals_of,
     numbers_of,
-    object_count_of,
     positions_of,
     texture_of,
     transforms_of,
     uvs_of,
 )
+from nearfar._scene.budget import Budget
+from nearfar._scene.names import MOST_OBJECTS, names_of
 from nearfar._scene.undrawn import Undrawn
 
 _OWN_OBJECTS = -1
@@ -28,6 +30,9 @@ _OWN_OBJECTS = -1
 
 _NO_TAG = 0
 """Tag of a material that is drawn in full."""
+
+_ROW = 12
+"""Bytes of a vertex's position, and of a face."""
 
 _MOST_VERTICES = 2**32 - 2**16
 """Greatest number of vertices of a merged mesh, whose indices have 32 bits."""
@@ -74,7 +79,7 @@ class Assembly:
         self._undrawn: dict[int, Undrawn] = {}
         self._textures: dict[int, tuple[NDArray[np.uint8], int]] = {}
         self._meshes: list[_Mesh] = []
-        self._placed: list[tuple[int, NDArray[np.float64], NDArray[np.int32]]] = []
+        self._placed: list[tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.int32]]] = []
         self._names: dict[str, int] = {}
         self._nameless: int | None = None
 
@@ -104,16 +109,17 @@ class Assembly:
         cutoff: float | None,
         undrawn: Undrawn | None = None,
     ) -> int:
-        color = np.asarray(base_color, np.float32)
-        if color.shape != (4,) or not ((color >= 0) & (color <= 1)).all():
-            raise ValueError(f"base_color: expected linear RGBA, four numbers in 0..1, got {base_color}")
-        if cutoff is not None and not np.isfinite(cutoff):
-            raise ValueError(f"cutoff: expected a finite number or None, got {cutoff}")
+        color = check.array("base_color", base_color, columns=None, dtype=np.float32)
+        if color.shape != (4,):
+            raise ValueError(f"base_color: expected linear RGBA, four numbers in 0..1, got shape {color.shape}")
+        if not ((color >= 0) & (color <= 1)).all():
+            raise ValueError(f"base_color: expected linear RGBA, four numbers in 0..1, got {color.tolist()}")
+        cutoff = None if cutoff is None else check.number("cutoff", cutoff)
         link = -1
         if texture is not None:
+            texture_of("texture", texture)
             # The reference keeps the array alive; its id could be reused otherwise.
             texture, link = self._textures.setdefault(id(texture), (texture, len(self._textures)))
-            texture_of("texture", texture)
         tag = _NO_TAG if undrawn is None else undrawn.tag
         if undrawn is not None:
             self._undrawn[tag] = undrawn
@@ -152,9 +158,10 @@ class Assembly:
         face_object
             Object number of each face (see `objects`), for meshes that hold many objects.
         """
+        copy = check.flag("copy", copy)
         if not self._materials:
             self.material()
-        local, base = positions_of("vertices", positions, copy=copy)
+        local, base = positions_of("positions", positions, copy=copy)
         triangles = faces_of("faces", faces, copy=copy)
         count = len(triangles)
         objects: int | NDArray[np.int32] = _OWN_OBJECTS
@@ -176,9 +183,7 @@ class Assembly:
         limit = len(self._materials)
         if not isinstance(material, int | np.integer):
             return numbers_of("material", material, count, limit, copy=True)
-        if not 0 <= material < limit:
-            raise ValueError(f"material: expected numbers of materials below {limit}, got {material}")
-        return int(material)
+        return check.integer("material", material, 0, limit - 1)
 
     @property
     def object_count(self) -> int:
@@ -190,17 +195,15 @@ class Assembly:
         if self._names or self._nameless is not None:
             raise ValueError("objects: expected to come before any other object, got it after some")
         if isinstance(names, int):
-            self._nameless = names
-            return
-        self._names = {name: number for number, name in enumerate(names)}
-        if len(self._names) != len(names):
-            raise ValueError(f"objects: expected distinct names, got {len(names) - len(self._names)} repetitions")
+            self._nameless = check.integer("names", names, 0, MOST_OBJECTS)
+        else:
+            self._names = {name: number for number, name in enumerate(names_of("names", names))}
 
     def object(self, name: str) -> int:
         """Return the number of the object of that name; a new name gets a new number."""
         if self._nameless is not None:
-            raise ValueError(f"name: expected none after nameless objects, got {name!r}")
-        return self._names.setdefault(name, len(self._names))
+            raise ValueError(f"name: expected none after nameless objects, got {check.described(name)}")
+        return self._names.setdefault(check.text("name", name), len(self._names))
 
     def instance(self, mesh: int, transform: ArrayLike | None = None, *, name: str | None = None) -> None:
         """Place a mesh.
@@ -221,7 +224,7 @@ class Assembly:
         if self._checked(mesh).has_objects != (name is None):
             raise ValueError("name: expected one exactly for meshes without face_object")
         number = _OWN_OBJECTS if name is None else self.object(name)
-        self._placed.append((mesh, matrix[None], np.array([number], np.int32)))
+        self._placed.append((np.array([mesh]), matrix[None], np.array([number], np.int32)))
 
     def place_many(self, mesh: int, transforms: ArrayLike, names: Sequence[str] | str) -> None:
         """Place a mesh many times.
@@ -242,22 +245,34 @@ class Assembly:
             raise ValueError("mesh: expected one without face_object")
         if isinstance(names, str):
             names = [f"{names}_{index}" for index in range(len(matrices))]
+        names = check.texts("names", names)
         if len(names) != len(matrices):
             raise ValueError(f"names: expected {len(matrices)}, one for each transform, got {len(names)}")
+        self._place([mesh] * len(matrices), matrices, names)
+
+    def _place(self, meshes: Sequence[int], transforms: NDArray[np.float64], names: Sequence[str]) -> None:
+        """Place meshes by handles without `face_object`: one transform (K, 4, 4) and one object's name for each."""
+        matrices = transforms_of("transforms", transforms)
         numbers = np.fromiter((self.object(name) for name in names), np.int32, len(names))
-        self._placed.append((mesh, matrices, numbers))
+        self._placed.append((np.array(meshes, np.int64), matrices, numbers))
 
     def _checked(self, mesh: int) -> _Mesh:
-        if not 0 <= mesh < len(self._meshes):
-            raise ValueError(f"mesh: expected a handle of this builder, got {mesh}")
-        return self._meshes[mesh]
+        if not self._meshes:
+            raise ValueError("mesh: expected a handle of this builder, which has no mesh yet")
+        return self._meshes[check.integer("mesh", mesh, 0, len(self._meshes) - 1)]
 
-    def assemble(self, dynamic: Iterable[str] = ()) -> Assembled:
-        """Merge static meshes that are placed once, keep the others as instances, and choose the origin."""
+    def assemble(self, dynamic: Iterable[str] = (), budget: Budget | None = None) -> Assembled:
+        """Merge static meshes that are placed once, keep the others as instances, and choose the origin.
+
+        A `budget` counts the copies of meshes that are merged although they are placed many times.
+        """
         placed = self._placements()
         movers = np.zeros(self.object_count + 1, bool)  # the last entry, index -1, is for meshes with `face_object`
-        movers[[self._object_number(name) for name in ((dynamic,) if isinstance(dynamic, str) else dynamic)]] = True
+        named = [dynamic] if isinstance(dynamic, str) else check.items("dynamic", dynamic, str, "names of objects")
+        movers[[self._object_number(name) for name in named]] = True
         merges = self._is_merged(placed, movers[placed.object])
+        if budget is not None:
+            budget.take(self._copied_bytes(placed.mesh[merges]))
         core = self._scene_at(placed, merges, np.zeros(3))
         bounds = core.bounds()
         if core.triangle_count and np.abs(bounds).max() >= ORIGIN_LIMIT:
@@ -267,19 +282,25 @@ class Assembly:
 
     def _object_number(self, name: str) -> int:
         if name not in self._names:
-            raise ValueError(f"dynamic: expected names of objects, got {name!r}")
+            raise ValueError(f"dynamic: expected names of objects, got {check.shortened(name)}")
         return self._names[name]
 
     def _placements(self) -> _Placements:
         if not self._placed:
             return _Placements(np.zeros(0, np.int64), np.zeros((0, 4, 4)), np.zeros(0, np.int32))
-        counts = [len(objects) for _, _, objects in self._placed]
-        mesh = np.repeat([handle for handle, _, _ in self._placed], counts)
+        mesh = np.concatenate([handles for handles, _, _ in self._placed])
         transform = np.concatenate([matrices for _, matrices, _ in self._placed])
         bases = np.array([mesh.base for mesh in self._meshes])
         if bases.any():
             transform[:, :3, 3] += np.einsum("kij,kj->ki", transform[:, :3, :3], bases[mesh])
         return _Placements(mesh, transform, np.concatenate([objects for _, _, objects in self._placed]))
+
+    def _copied_bytes(self, merged: NDArray[np.int64]) -> int:
+        """Bytes of the merged copies of meshes beside the first of each."""
+        copies = np.maximum(np.bincount(merged, minlength=len(self._meshes)) - 1, 0)
+        used = np.flatnonzero(copies)
+        sizes = [self._meshes[handle].core.vertex_count + self._meshes[handle].core.face_count for handle in used]
+        return sum(_ROW * size * count for size, count in zip(sizes, copies[used].tolist(), strict=True))
 
     def _is_merged(self, placed: _Placements, moves: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """Flags of the merged instances: static meshes placed once, and flat ones, whose transforms have no inverse."""
@@ -342,18 +363,3 @@ class Assembly:
             if objects[0:1] != _OWN_OBJECTS:
                 frames[objects[::-1]] = matrices[::-1]
         return frames if len(frames) and (frames != np.eye(4)).any() else None
-
-
-def one_mesh(
-    vertices: ArrayLike, faces: ArrayLike, face_object: ArrayLike | None, names: Sequence[str] | None, *, copy: bool
-) -> Assembled:
-    """Assemble a scene of one mesh, whose faces belong to one object or to the objects that `face_object` numbers."""
-    assembly = Assembly()
-    if face_object is None:
-        assembly.objects(names or ["object_0"])
-        mesh = assembly.mesh(vertices, faces, copy=copy)
-        assembly.instance(mesh, name=names[0] if names else "object_0")
-    else:
-        assembly.objects(object_count_of("face_object", face_object) if names is None else names)
-        assembly.instance(assembly.mesh(vertices, faces, face_object=face_object, copy=copy))
-    return assembly.assemble()

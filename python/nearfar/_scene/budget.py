@@ -24,8 +24,12 @@ MOST = 16 << 30
 _BLOCK = 1 << 22
 
 
+class TooLargeError(UnusableError):
+    """A file unpacks to more than its budget."""
+
+
 class Budget:
-    """Bytes that a file may unpack to in all: packed text, members of archives, pixels.
+    """Bytes that a file may unpack to in all: packed text, members of archives, pixels, copies of its arrays.
 
     Parameters
     ----------
@@ -34,7 +38,7 @@ class Budget:
     """
 
     def __init__(self, max_bytes: int | None = None) -> None:
-        self._stated, self._read, self._taken = max_bytes, 0, 0
+        self._stated, self._read, self._taken, self._held = max_bytes, 0, 0, 0
 
     @property
     def limit(self) -> int:
@@ -46,10 +50,18 @@ class Budget:
         self._read += size
 
     def take(self, size: int) -> None:
-        """Count bytes before they are unpacked; UnusableError beyond the limit."""
+        """Count bytes before they are unpacked; TooLargeError beyond the limit."""
         self._taken += size
-        if self._taken > self.limit:
-            raise UnusableError(
+        self._check()
+
+    def hold(self, size: int) -> None:
+        """Count bytes of arrays before they are made from what was read: as many as the file has are free."""
+        self._held += size
+        self._check()
+
+    def _check(self) -> None:
+        if self._taken + max(0, self._held - self._read) > self.limit:
+            raise TooLargeError(
                 f"it unpacks to more than {self.limit:,} bytes from {self._read:,}; max_bytes allows more"
             )
 
@@ -96,10 +108,14 @@ def read_file(path: Path, budget: Budget) -> bytes:
 
 
 def resolver(path: Path, budget: Budget) -> Any:
-    """Trimesh's resolver of the files beside one, which reads regular files only."""
+    """Trimesh's resolver of the files beside one, which reads regular files only, and each once."""
     import trimesh
 
     class Regular(trimesh.resolvers.FilePathResolver):  # type: ignore[misc]  # trimesh has no types
+        def __init__(self, source: str) -> None:
+            super().__init__(source)
+            self._known: dict[str, bytes] = {}
+
         def absolute(self, name: str) -> Path:
             path: Path = super().absolute(name)
             if path.exists():
@@ -107,8 +123,9 @@ def resolver(path: Path, budget: Budget) -> Any:
             return path
 
         def get(self, name: str) -> bytes:
-            data: bytes = super().get(name)
-            budget.add_read(len(data))
-            return data
+            if name not in self._known:
+                self._known[name] = super().get(name)
+                budget.add_read(len(self._known[name]))
+            return self._known[name]
 
     return Regular(os.path.abspath(path))

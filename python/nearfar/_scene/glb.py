@@ -213,9 +213,8 @@ class Decoder:
 
     def decode(self) -> _core.Scene:
         """Decode the whole scene."""
-        nodes = self.document["nodes"]
-        root = nodes[self.document["scenes"][0]["nodes"][0]]
-        children = [nodes[number] for number in root.get("children", [])]
+        root = self._root
+        children = self._nodes(root)
         placements = np.array([_placement(node) for node in children]).reshape(-1, 3, 4)
         if not np.isfinite(placements).all():
             raise ValueError("expected finite matrices")
@@ -246,22 +245,25 @@ class Decoder:
 
     def _node_names(self) -> tuple[str, ...]:
         """Names of the instances and of the objects in them, each once, in the order of the nodes."""
-        nodes = self.document["nodes"]
-        root = nodes[self.document["scenes"][0]["nodes"][0]]
-        children = [nodes[number] for number in root.get("children", [])]
-        parts = [part for child in children for part in (child, *(nodes[n] for n in child.get("children", [])))]
+        parts = [part for child in self._nodes(self._root) for part in (child, *self._nodes(child))]
         return tuple(dict.fromkeys(str(part["name"]) for part in parts if "name" in part))
+
+    @property
+    def _root(self) -> dict[str, Any]:
+        return glb.entry(self.document, "nodes", self.document["scenes"][0]["nodes"][0])
+
+    def _nodes(self, parent: dict[str, Any]) -> list[dict[str, Any]]:
+        return [glb.entry(self.document, "nodes", number) for number in parent.get("children", [])]
 
     def _object(self, node: dict[str, Any]) -> int:
         return self.names.number("name", node["name"]) if "name" in node else _NO_OBJECT
 
     def mesh(self, node: dict[str, Any]) -> _core.Mesh:
         """Return the mesh of an instance; instances of one mesh get the same object."""
-        nodes = self.document["nodes"]
         if "mesh" in node:
             pieces = [(node["mesh"], _NO_OBJECT)]
         else:
-            pieces = [(nodes[child]["mesh"], self._object(nodes[child])) for child in node["children"]]
+            pieces = [(child["mesh"], self._object(child)) for child in self._nodes(node)]
         extras = node.get("extras", {})
         order, turned = extras.get("order"), bool(extras.get(_TURNED))
         key = (order, turned, *pieces)
@@ -274,7 +276,7 @@ class Decoder:
         streams: dict[str, list[NDArray[Any]]] = {}
         faces, objects, materials, before = [], [], [], 0
         for number, owner in pieces:
-            primitives = self.document["meshes"][number]["primitives"]
+            primitives = glb.entry(self.document, "meshes", number)["primitives"]
             attributes = {name: self._reader.array(a) for name, a in primitives[0]["attributes"].items()}
             flat = np.zeros((len(attributes["POSITION"]), 3), np.float32)
             for name, values in ({"NORMAL": flat} | attributes).items():

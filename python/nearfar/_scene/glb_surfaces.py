@@ -176,20 +176,20 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
 
 def _source(document: dict[str, Any], texture: int) -> int:
     """Number of a texture's image."""
-    described = document["textures"][texture]
+    described = glb.entry(document, "textures", texture)
     entry = described if "source" in described else next(iter(described["extensions"].values()))
     number: int = entry["source"]
     return number
 
 
 def _image(reader: glb.Reader, number: int) -> EncodedImage:
-    described = reader.document["images"][number]
+    described = glb.entry(reader.document, "images", number)
     return EncodedImage(bytes(reader.bytes(described["bufferView"])), str(described["mimeType"]))
 
 
 def _texture(reader: glb.Reader, number: int) -> TextureSource:
-    described = reader.document["textures"][number]
-    sampler = reader.document["samplers"][described["sampler"]] if "sampler" in described else None
+    described = glb.entry(reader.document, "textures", number)
+    sampler = glb.entry(reader.document, "samplers", described["sampler"]) if "sampler" in described else None
     image = _image(reader, _source(reader.document, number))
     if image.kind not in (*_PLAIN_KINDS, *_KIND_EXTENSIONS):
         raise ValueError(f"expected images of known kinds, got {image.kind!r}")

@@ -1,4 +1,4 @@
-"""Bytes of a glTF file's buffers and images, and the arrays that trimesh does not read."""
+"""Bytes of a glTF file's buffers and images, and the arrays that its accessors describe."""
 
 from __future__ import annotations
 
@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar._base.errors import UnusableError
+from nearfar._base.glb import entry
+from nearfar._scene.budget import Budget, TooLargeError
 from nearfar._scene.undrawn import EncodedImage, TextureSource
 
 COMPONENTS: dict[int, type[np.generic]] = {
@@ -37,15 +39,19 @@ _CONTAINERS = {(b"RIFF", b"WEBP"): "image/webp", (b"\0\0\0", b"ftyp"): "image/av
 _SAMPLER = ("magFilter", "minFilter", "wrapS", "wrapT")
 
 
-def name_files(header: dict[str, Any], resolver: Any) -> bool:
-    """Replace percent signs in the names of the files that a document refers to; returns whether there were any."""
-    changed = False
-    for entry in [*header.get("buffers", []), *header.get("images", [])]:
-        uri = entry.get("uri", "")
+def name_files(header: dict[str, Any], resolver: Any) -> None:
+    """Replace percent signs in the names of the files that a document refers to."""
+    for described in [*header.get("buffers", []), *header.get("images", [])]:
+        uri = described.get("uri", "")
         if "%" in uri and not uri.startswith("data:") and not os.path.exists(os.path.join(resolver.parent, uri)):
-            entry["uri"] = unquote(uri)
-            changed = True
-    return changed
+            described["uri"] = unquote(uri)
+
+
+def _kind(data: bytes) -> str:
+    """Media type of an image file; empty for unknown ones."""
+    kinds = [kind for start, kind in _SIGNATURES.items() if data.startswith(start)]
+    kinds += [kind for (start, name), kind in _CONTAINERS.items() if data.startswith(start) and name in data[4:12]]
+    return kinds[0] if kinds else ""
 
 
 class Buffers:
@@ -59,25 +65,33 @@ class Buffers:
         Content of a GLB's second chunk; empty for none.
     resolver
         Trimesh's, which reads files beside the document.
+    budget
+        Counts what is copied: many parts may refer to the same bytes.
     """
 
-    def __init__(self, header: dict[str, Any], binary: bytes, resolver: Any) -> None:
-        self._header, self._binary, self._resolver = header, binary, resolver
+    def __init__(self, header: dict[str, Any], binary: bytes, resolver: Any, budget: Budget) -> None:
+        self._header, self._binary, self._resolver, self._budget = header, binary, resolver, budget
         self._buffers: dict[int, bytes] = {}
+        self._blobs: dict[tuple[int, int, int], bytes] = {}
+        self._images: dict[int, EncodedImage | None] = {}
+        self._encoded: dict[bytes, EncodedImage | None] = {}
         self._textures: dict[int, TextureSource | None] = {}
+        self._arrays: dict[int, NDArray[Any]] = {}
 
     def texture(self, number: int) -> TextureSource | None:
         """The texture of a number with its image's bytes; None where it cannot be read."""
         if number not in self._textures:
             try:
                 self._textures[number] = self._texture(number)
+            except TooLargeError:
+                raise
             except Exception:  # a texture is never needed, and resolvers may raise any type
                 self._textures[number] = None
         return self._textures[number]
 
     def _texture(self, number: int) -> TextureSource | None:
-        described = self._header["textures"][number]
-        sampler = self._header["samplers"][described["sampler"]] if "sampler" in described else {}
+        described = entry(self._header, "textures", number)
+        sampler = entry(self._header, "samplers", described["sampler"]) if "sampler" in described else {}
         settings = {key: sampler[key] for key in _SAMPLER if isinstance(sampler.get(key), int)}
         others = [content["source"] for content in described.get("extensions", {}).values() if "source" in content]
         sources = [described["source"]] if "source" in described else others
@@ -85,12 +99,14 @@ class Buffers:
         return None if image is None else TextureSource(image, json.dumps(settings) if settings else "")
 
     def _image(self, number: int) -> EncodedImage | None:
-        described = self._header["images"][number]
-        in_buffer = "bufferView" in described
-        data = bytes(self._view(described["bufferView"])) if in_buffer else self._file(described["uri"])
-        kinds = [kind for start, kind in _SIGNATURES.items() if data.startswith(start)]
-        kinds += [kind for (start, name), kind in _CONTAINERS.items() if data.startswith(start) and name in data[4:12]]
-        return EncodedImage(data, kinds[0]) if kinds else None
+        if number not in self._images:
+            described = entry(self._header, "images", number)
+            data = self.blob(described["bufferView"]) if "bufferView" in described else self._file(described["uri"])
+            # Equal images share one object, which knows its hash.
+            if data not in self._encoded:
+                self._encoded[data] = EncodedImage(data, kind) if (kind := _kind(data)) else None
+            self._images[number] = self._encoded[data]
+        return self._images[number]
 
     def _file(self, uri: str) -> bytes:
         if not uri.startswith("data:"):
@@ -99,48 +115,60 @@ class Buffers:
         kind, _, data = uri.partition(",")
         return base64.b64decode(data) if kind.endswith(";base64") else unquote_to_bytes(data)
 
+    def blob(self, view: int) -> bytes:
+        """The bytes of a buffer view, one copy of each range."""
+        key = self._range(view)
+        if key not in self._blobs:
+            self._budget.hold(key[2])
+            self._blobs[key] = bytes(self._view(view))
+        return self._blobs[key]
+
+    def _range(self, view: int) -> tuple[int, int, int]:
+        described = entry(self._header, "bufferViews", view)
+        return described["buffer"], described.get("byteOffset", 0), described["byteLength"]
+
     def _view(self, number: int) -> memoryview:
-        described = self._header["bufferViews"][number]
-        buffer = described["buffer"]
+        buffer, start, length = self._range(number)
         if buffer not in self._buffers:
-            entry = self._header["buffers"][buffer]
-            self._buffers[buffer] = self._file(entry["uri"]) if "uri" in entry else self._binary
-        start, length = described.get("byteOffset", 0), described["byteLength"]
+            described = entry(self._header, "buffers", buffer)
+            self._buffers[buffer] = self._file(described["uri"]) if "uri" in described else self._binary
         data = memoryview(self._buffers[buffer])
         if not 0 <= start <= start + length <= len(data):
             raise IndexError(f"bytes {start} to {start + length} of a buffer of {len(data)}")
         return data[start : start + length]
 
-    def misread(self, attribute: str, number: int) -> bool:
-        """Whether trimesh reads an attribute wrongly: rows that a sparse accessor changes, and quantised numbers.
+    def replace(self, number: int, rows: NDArray[Any]) -> None:
+        """Let an accessor stand for rows that an extension has decoded."""
+        self._budget.hold(rows.nbytes)
+        self._arrays[number] = rows
 
-        Of colours it passes the numbers on, and normals are brought to length 1 anyway. It computes 1 − v of texture
-        coordinates in their own type.
-        """
-        accessor = self._header["accessors"][number]
-        if "sparse" in accessor:
-            return True
-        is_whole = accessor["componentType"] != _FLOAT
-        wrong = is_whole and (attribute == "TEXCOORD_0" or (attribute == "POSITION" and accessor.get("normalized")))
-        if wrong and "bufferView" not in accessor:
-            raise UnusableError(f"its {attribute} is quantised and compressed, which is not read: save it as floats")
-        return bool(wrong)
+    def raw(self, number: int) -> NDArray[Any]:
+        """Rows (N, K) of an accessor, in their own type."""
+        if number not in self._arrays:
+            self._arrays[number] = self._read(number)
+        return self._arrays[number]
 
     def array(self, number: int) -> NDArray[Any]:
         """Rows (N, K) of an accessor; whole numbers that stand for fractions become float32 (glTF 2.0, 3.11)."""
-        described = self._header["accessors"][number]
+        rows = self.raw(number)
+        if not entry(self._header, "accessors", number).get("normalized") or rows.dtype.kind == "f":
+            return rows
+        fractions = np.maximum(rows.astype(np.float64) / np.iinfo(rows.dtype).max, -1)
+        return fractions.astype(np.float32)
+
+    def _read(self, number: int) -> NDArray[Any]:
+        described = entry(self._header, "accessors", number)
         kind, width = np.dtype(COMPONENTS[described["componentType"]]), WIDTHS[described["type"]]
         count = int(described["count"])
         if "bufferView" in described:
             rows = self._rows(described["bufferView"], described.get("byteOffset", 0), kind, count, width)
         else:
+            if count < 0:
+                raise IndexError(f"{count} rows")
+            self._budget.hold(count * width * kind.itemsize)
             rows = np.zeros((count, width), kind)
-        if sparse := described.get("sparse"):
-            rows = self._changed(rows, sparse)
-        if not described.get("normalized") or kind == np.float32:
-            return rows
-        fractions: NDArray[np.float32] = np.maximum(rows.astype(np.float64) / np.iinfo(kind).max, -1).astype(np.float32)
-        return fractions
+        sparse = described.get("sparse")
+        return self._changed(rows, sparse) if sparse else rows
 
     def _changed(self, rows: NDArray[Any], sparse: dict[str, Any]) -> NDArray[Any]:
         places, values, count = sparse["indices"], sparse["values"], int(sparse["count"])
@@ -149,6 +177,7 @@ class Buffers:
         new = self._rows(values["bufferView"], values.get("byteOffset", 0), rows.dtype, count, rows.shape[1])
         if len(where) and int(where.max()) >= len(rows):
             raise UnusableError(f"a sparse accessor changes row {int(where.max())} of {len(rows)}")
+        self._budget.hold(rows.nbytes)
         rows = rows.copy()
         rows[where] = new
         return rows
@@ -156,11 +185,8 @@ class Buffers:
     def _rows(self, view: int, start: int, kind: np.dtype[Any], count: int, width: int) -> NDArray[Any]:
         data = self._view(view)
         size = kind.itemsize * width
-        step = int(self._header["bufferViews"][view].get("byteStride", size))
+        step = int(entry(self._header, "bufferViews", view).get("byteStride", size))
         if count < 0 or start < 0 or step < size or (count and start + (count - 1) * step + size > len(data)):
             raise IndexError(f"{count} rows from byte {start} of {len(data)}")
         shape, strides = (count, width), (step, kind.itemsize)
         return np.ndarray(shape, kind, data, start, strides) if count else np.zeros(shape, kind)
-
-
-_FLOAT = 5126

@@ -1,12 +1,19 @@
-"""The nodes of glTF files: trees without loops, and the places of the meshes that they hold."""
+"""The nodes of glTF files: trees without loops, their transforms, and the places of the meshes that they hold."""
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Mapping, Sequence
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from nearfar._base.errors import UnusableError
-from nearfar._scene.source import Node, world_transforms
+from nearfar._base.glb import entry
+from nearfar._scene.names import distinct
+from nearfar._scene.source import Nodes
+
+Floats = NDArray[np.float64]
 
 
 def check_trees(header: dict[str, Any]) -> None:
@@ -15,8 +22,11 @@ def check_trees(header: dict[str, Any]) -> None:
     No scene reaches a loop of other nodes, and what none reaches is not drawn.
     """
     parents: dict[int, int] = {}
-    for number, node in enumerate(header.get("nodes", [])):
-        for child in node.get("children", []):
+    nodes = header.get("nodes", [])
+    for number, node in enumerate(nodes):
+        for child in node.get("children", ()):
+            if type(child) is not int or not 0 <= child < len(nodes):
+                raise IndexError(f"node {child} of {len(nodes)}")
             if child == number:
                 raise UnusableError(f"its node {number} is a child of itself")
             if child in parents:
@@ -28,32 +38,106 @@ def check_trees(header: dict[str, Any]) -> None:
             raise UnusableError(f"its scene {number} lists node {below}, which is a child of node {parents[below]}")
 
 
-def free_nodes(header: dict[str, Any], skipped: Container[int]) -> bool:
-    """Remove cameras and the skipped meshes from nodes; returns whether there were any.
+def placed(header: dict[str, Any], shapes: Mapping[int, Sequence[str]]) -> Nodes:
+    """Placed shapes in the file's order, children before their parents; `shapes` are those of each mesh by number."""
+    nodes = header.get("nodes", [])
+    order, above = _traversed(header)
+    world = _world(_local([nodes[number] for number in order]), above)
+    names = distinct([str(node.get("name") or number) for number, node in enumerate(nodes)])
+    rows: list[int] = []
+    chosen: list[str] = []
+    for row in range(len(order) - 1, -1, -1):
+        node = nodes[order[row]]
+        if "mesh" in node:
+            entry(header, "meshes", node["mesh"])
+            for shape in reversed(shapes.get(node["mesh"], ())):
+                rows.append(row)
+                chosen.append(shape)
+    return Nodes([names[order[row]] for row in rows], world[rows], chosen)
 
-    Trimesh drops a node with a camera, or with a mesh of which it skips all primitives, and loses the transforms of its
-    children.
+
+def _traversed(header: dict[str, Any]) -> tuple[list[int], list[int]]:
+    """Numbers of the scene's nodes, parents first and last children first, and the rows of their parents; −1 for none.
+
+    No node comes twice: they are trees.
     """
-    changed = False
-    for node in header.get("nodes", []):
-        if "camera" in node or ("mesh" in node and node["mesh"] in skipped):
-            changed = True
-            node.pop("camera", None)
-            if node.get("mesh") in skipped:
-                del node["mesh"]
-    return changed
+    listed = entry(header, "scenes", header.get("scene", 0)).get("nodes", []) if "scenes" in header else []
+    order: list[int] = []
+    above: list[int] = []
+    for root in listed:
+        entry(header, "nodes", root)
+    nodes = header.get("nodes", [])
+    # A root that is listed twice stands once.
+    pending = [(root, -1) for root in dict.fromkeys(listed)]
+    while pending:
+        number, parent = pending.pop()
+        row = len(order)
+        order.append(number)
+        above.append(parent)
+        pending += [(child, row) for child in nodes[number].get("children", ())]
+    return order, above
 
 
-def placed(parts: dict[str, Any], header: dict[str, Any], shapes: Container[str]) -> list[Node]:
-    """Placed shapes in the file's order; trimesh's traversal reverses it."""
-    named = {str(node.get("name", index)) for index, node in enumerate(header.get("nodes", []))}
-    edges = [(edge["frame_from"], edge["frame_to"], edge.get("matrix")) for edge in parts["graph"]]
-    world = world_transforms(edges, parts["base_frame"])
-    nodes = []
-    for edge in reversed(parts["graph"]):
-        if edge.get("geometry") in shapes:
-            frame, above = edge["frame_to"], edge["frame_from"]
-            # Trimesh gives each primitive of a node its own frame, named after the node with a random suffix.
-            is_primitive = frame not in named and frame.startswith(f"{above}_") and len(frame) == len(above) + 7
-            nodes.append(Node(above if is_primitive else frame, world[frame], edge["geometry"]))
-    return nodes
+def _local(nodes: list[dict[str, Any]]) -> Floats:
+    """Transforms node→parent (N, 4, 4): a matrix, or translation · rotation · scale (glTF 2.0, 3.5.3)."""
+    count = len(nodes)
+    matrix = _given(nodes, "matrix", np.eye(4).ravel()).reshape(count, 4, 4).transpose(0, 2, 1).copy()
+    parts = np.tile(np.eye(4), (count, 1, 1))
+    parts[:, :3, :3] = _rotations(_given(nodes, "rotation", np.array([0.0, 0.0, 0.0, 1.0])))
+    parts[:, :3, :3] *= _given(nodes, "scale", np.ones(3))[:, None, :]
+    parts[:, :3, 3] = _given(nodes, "translation", np.zeros(3))
+    has_parts = np.array([not _PARTS.isdisjoint(node) for node in nodes], bool)
+    has_matrix = np.array(["matrix" in node for node in nodes], bool)
+    both = has_parts & has_matrix
+    matrix[both] = matrix[both] @ parts[both]
+    matrix[has_parts & ~has_matrix] = parts[has_parts & ~has_matrix]
+    return matrix
+
+
+_PARTS = {"translation", "rotation", "scale"}
+
+
+def _given(nodes: list[dict[str, Any]], key: str, default: Floats) -> Floats:
+    """Numbers (N, K) that nodes state, or else the default."""
+    stated = [row for row, node in enumerate(nodes) if key in node]
+    values = np.tile(default, (len(nodes), 1))
+    if stated:
+        try:
+            given = np.array([nodes[row][key] for row in stated], np.float64)
+        except (ValueError, TypeError, OverflowError):
+            given = np.zeros(0)
+        if given.shape != (len(stated), len(default)):
+            raise UnusableError(f"expected {len(default)} numbers as {key} of each node, got others")
+        values[stated] = given
+    return values
+
+
+def _rotations(quaternions: Floats) -> Floats:
+    """Rotation matrices (N, 3, 3) of quaternions (x, y, z, w) of any length; the identity for those of length 0."""
+    length = np.einsum("ij,ij->i", quaternions, quaternions)
+    is_none = length < np.finfo(np.float64).eps * 4
+    scaled = quaternions * np.sqrt(2.0 / np.where(is_none, 1.0, length))[:, None]
+    x, y, z, w = scaled.T
+    rows = [
+        [1.0 - y * y - z * z, x * y - z * w, x * z + y * w],
+        [x * y + z * w, 1.0 - x * x - z * z, y * z - x * w],
+        [x * z - y * w, y * z + x * w, 1.0 - x * x - y * y],
+    ]
+    matrices = np.moveaxis(np.array(rows), 2, 0)
+    matrices[is_none] = np.eye(3)
+    return matrices
+
+
+def _world(local: Floats, above: list[int]) -> Floats:
+    """Multiply transforms along trees, a generation at a time; parents come before their children."""
+    parents = np.array(above, np.int64)
+    generation = [0] * len(above)
+    for row, parent in enumerate(above):
+        if parent >= 0:
+            generation[row] = generation[parent] + 1
+    depth = np.array(generation, np.int64)
+    order = np.argsort(depth, kind="stable")
+    world = local.copy()
+    for rows in np.split(order, np.flatnonzero(np.diff(depth[order])) + 1)[1:]:
+        world[rows] = world[parents[rows]] @ local[rows]
+    return world

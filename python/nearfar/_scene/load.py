@@ -4,19 +4,19 @@ from __future__ import annotations
 
 import errno
 import gzip
-import logging
 import os
-import warnings
+import re
+import zipfile
 import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
-import numpy as np
-
-from nearfar._base import check
+from nearfar._base import background, check
 from nearfar._base.errors import SceneError, UnusableError
-from nearfar._scene import load_gltf, load_trimesh, load_wavefront
+from nearfar._scene import load_gltf, load_trimesh, load_wavefront, quiet, threemf
 from nearfar._scene.assembly import Assembled
 from nearfar._scene.budget import Budget, read_file
 from nearfar._scene.budget import resolver as budget_resolver
@@ -32,17 +32,21 @@ def load(
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
     if scale is not None:
         check.positive("scale", scale)
-    path = Path(path)
+    path = check.path("path", path)
     if path.is_dir():
         raise IsADirectoryError(errno.EISDIR, _folder(path), os.fspath(path))
     most = None if max_bytes is None else check.integer("max_bytes", max_bytes, 1, 1 << 62)
-    label, budget = os.fspath(path), Budget(most)
+    return background.run(lambda: _load(path, Budget(most), up=up, on_invalid=on_invalid, scale=scale))
+
+
+def _load(path: Path, budget: Budget, **how: Any) -> Assembled:
+    label = os.fspath(path)
     with _explained(label, passed=OSError):
         data = read_file(path, budget)  # a missing file and missing permissions raise OSError
-    with _quiet() as messages, _explained(label):
+    with quiet.silence() as messages, _explained(label):
         source = _read(label, path, data, budget)
         source.notes += [message for message in dict.fromkeys(messages) if message not in source.notes]
-        return assemble(source, up=up, on_invalid=on_invalid, scale=scale)
+        return assemble(source, budget=budget, **how)
 
 
 def _folder(path: Path) -> str:
@@ -71,16 +75,17 @@ def _read(label: str, path: Path, data: bytes, budget: Budget) -> Source:
     if not data:
         raise UnusableError("it is empty")
     budget.take_members(data)
+    if kind == "3mf" and data.startswith(b"PK"):
+        threemf.check_instances(data, budget)
     resolver, materials = budget_resolver(path, budget), Materials(budget)
     if kind in ("glb", "gltf"):
-        return load_gltf.read(label, data, kind, resolver, materials)
+        return load_gltf.read(label, data, kind, resolver, materials, budget)
     if kind == "obj":
-        source = load_wavefront.read(label, data, resolver, materials)
+        source = load_wavefront.read(label, data, resolver, materials, budget)
     else:
         source = load_trimesh.read(label, load_trimesh.parsed(data, kind, resolver), materials)
-    if len(source.nodes) == 1 and source.nodes[0].object in (path.name, "geometry_0", "geometry"):
-        node = source.nodes[0]
-        source.nodes = [type(node)(name, node.transform, node.shape)]
+    if len(source.nodes.objects) == 1 and source.nodes.objects[0] in (path.name, "geometry_0", "geometry"):
+        source.nodes = replace(source.nodes, objects=[name])
     return source
 
 
@@ -134,28 +139,6 @@ _NOT_SCENES = {"dxf", "svg", "json", "dict", "dict64", "binvox"}
 
 
 @contextmanager
-def _quiet() -> Iterator[list[str]]:
-    """Hide readers' warnings from the caller and collect trimesh's logged warnings for the report."""
-    messages: list[str] = []
-
-    class Collect(logging.Handler):
-        def emit(self, record: logging.LogRecord) -> None:
-            messages.append(record.getMessage().splitlines()[0])
-
-    logger = logging.getLogger("trimesh")
-    handler, propagates = Collect(logging.WARNING), logger.propagate
-    logger.addHandler(handler)
-    logger.propagate = False
-    try:
-        with warnings.catch_warnings(), np.errstate(all="ignore"):
-            warnings.simplefilter("ignore")
-            yield messages
-    finally:
-        logger.removeHandler(handler)
-        logger.propagate = propagates
-
-
-@contextmanager
 def _explained(label: str, *, passed: type[Exception] = SceneError) -> Iterator[None]:
     """Convert a reader's exception to a SceneError that names the file and gives the reason in one sentence."""
     try:
@@ -170,6 +153,8 @@ def _sentence(error: Exception) -> str:
     match error:
         case UnusableError():
             return str(error)
+        case ModuleNotFoundError(name=name) if name in _DETECTORS:
+            return "it is damaged, or its text is in an unknown encoding"
         case ModuleNotFoundError():
             return f"reading it needs the Python package '{error.name}', which is not installed"
         case gzip.BadGzipFile() | EOFError() | zlib.error():
@@ -187,14 +172,40 @@ def _sentence(error: Exception) -> str:
         case AssertionError():
             return "lengths or offsets in it contradict each other" + (f" ({error})" if str(error) else "")
         case IndexError():
-            return f"it refers to something that it does not hold ({error})"
+            return "it refers to something that it does not hold"
+        case zipfile.BadZipFile():
+            return f"its archive is damaged ({_first_line(error)})"
         case ValueError() | RuntimeError():  # raised by trimesh for unknown versions and formats
-            return f"it cannot be read: {_first_line(error) or 'no reason given'}"
-        case AttributeError() | TypeError():
-            return f"an entry of it has another type than it should ({_first_line(error)})"
+            return _reader_sentence(_first_line(error))
         case _:
-            return f"it is not well-formed ({type(error).__name__}: {_first_line(error)})"
+            return "entries of it are missing, or have other types than they should"
+
+
+def _reader_sentence(reason: str) -> str:
+    """Sentence for a reason that a reader gives; those of Python and NumPy speak of code, not of the file."""
+    for pattern, sentence in _REASONS:
+        if match := pattern.search(reason):
+            return sentence.format(*(group for group in match.groups() if group))
+    return f"it cannot be read: {reason or 'no reason given'}"
 
 
 def _first_line(error: Exception) -> str:
     return next(iter(str(error).splitlines()), "")
+
+
+_DETECTORS = ("chardet", "charset_normalizer")
+"""Packages with which trimesh would guess the encoding of a text that is not UTF-8."""
+
+_REASONS = (
+    (
+        re.compile(r"could not convert string to \w+: (.+)|invalid literal for [^:]*: (.+)"),
+        "{} stands where a number belongs",
+    ),
+    (
+        re.compile(r"reshape array|array element|to unpack|unmatched data|operands could not|inhomogeneous|dimensions"),
+        "a row of it has too few or too many numbers",
+    ),
+    (re.compile(r"negative seek|buffer is smaller|buffer size|beyond the end"), "it is cut off"),
+    (re.compile(r"no field of name (\w+)"), "it lacks an entry that it needs: {}"),
+)
+"""Reasons of Python and NumPy, and what they say of a file."""

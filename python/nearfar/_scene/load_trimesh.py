@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar._base import background
 from nearfar._scene.materials import BaseColor, Materials, colors_of
 from nearfar._scene.report import count
-from nearfar._scene.source import Node, Shape, Source, world_transforms
+from nearfar._scene.source import Nodes, Shape, Source
 from nearfar._scene.srgb import to_linear
 
 if TYPE_CHECKING:
@@ -33,12 +34,11 @@ def parsed(data: bytes, kind: str, resolver: Any, **options: bool) -> Any:
 
 def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materials | None = None) -> Source:
     """Read a mesh or a scene; its nodes become objects. One with `materials` comes from a file, without own normals."""
-    import trimesh
-
+    trimesh = background.module("trimesh")
     if isinstance(loaded, trimesh.Trimesh):
         loaded = trimesh.Scene({"object": loaded})
     if not isinstance(loaded, trimesh.Scene):
-        raise TypeError(f"expected a trimesh.Trimesh or trimesh.Scene, got {type(loaded).__name__}")
+        raise TypeError(f"loaded: expected a trimesh.Trimesh or trimesh.Scene, got {type(loaded).__name__}")
     fresh, materials = materials is not None, materials or Materials()
     meshes = {name: mesh for name, mesh in loaded.geometry.items() if isinstance(mesh, trimesh.Trimesh)}
     shapes = {name: _shape(mesh, materials, fresh=fresh) for name, mesh in meshes.items()}
@@ -48,23 +48,23 @@ def read(label: str, loaded: trimesh.Trimesh | trimesh.Scene, materials: Materia
     return Source(label, shapes, _nodes(loaded, shapes), notes, units)
 
 
-def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> list[Node]:
+def _nodes(scene: trimesh.Scene, shapes: dict[str, Shape]) -> Nodes:
     """Placed shapes, found in one pass over the graph; trimesh's look-up walks a path for each node."""
     forest = scene.graph.transforms
     children = forest.children
-    edges: list[tuple[Any, Any, Any]] = []
+    world: dict[Any, NDArray[np.float64]] = {scene.graph.base_frame: np.eye(4)}
     pending = [scene.graph.base_frame]
-    visited = set(pending)
     while pending:
         parent = pending.pop()
         for child in children.get(parent, ()):
-            if child not in visited:
-                visited.add(child)
-                edges.append((parent, child, forest.edge_data[(parent, child)].get("matrix")))
+            if child not in world:
+                matrix = forest.edge_data[(parent, child)].get("matrix")
+                world[child] = world[parent] if matrix is None else world[parent] @ matrix
                 pending.append(child)
-    world = world_transforms(edges, scene.graph.base_frame)
-    placed = ((name, data.get("geometry")) for name, data in forest.node_data.items())
-    return [Node(str(name), world[name], shape) for name, shape in placed if shape in shapes and name in world]
+    data = ((name, data.get("geometry")) for name, data in forest.node_data.items())
+    placed = [(name, shape) for name, shape in data if shape in shapes and name in world]
+    transforms = np.array([world[name] for name, _ in placed], np.float64).reshape(-1, 4, 4)
+    return Nodes([str(name) for name, _ in placed], transforms, [shape for _, shape in placed])
 
 
 def source_normals(mesh: trimesh.Trimesh, *, fresh: bool = False) -> NDArray[np.float64] | None:

@@ -1,4 +1,4 @@
-"""Reads Wavefront OBJ files."""
+"""Reads Wavefront OBJ files; trimesh reads their materials."""
 
 from __future__ import annotations
 
@@ -7,24 +7,63 @@ import io
 import re
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from nearfar import _core
 from nearfar._base.errors import SceneError, UnusableError
-from nearfar._scene import load_trimesh
-from nearfar._scene.load_trimesh import parsed
-from nearfar._scene.materials import Materials
-from nearfar._scene.source import Source
+from nearfar._scene.budget import Budget
+from nearfar._scene.materials import Materials, colors_of
+from nearfar._scene.names import distinct
+from nearfar._scene.report import count
+from nearfar._scene.source import Nodes, Shape, Source
 
 
-def read(label: str, data: bytes, resolver: Any, materials: Materials) -> Source:
+def read(label: str, data: bytes, resolver: Any, materials: Materials, budget: Budget) -> Source:
     """Read an OBJ with its materials; notes say which of them cannot be read."""
-    data = _encoded(data)
     try:
-        data = _core.plain_wavefront(data) or data
+        columns, libraries, names, parts, skipped = _core.read_wavefront(_encoded(data))
     except SceneError as error:
         raise UnusableError(str(error)) from None
-    source = load_trimesh.read(label, _parsed(data, resolver), materials)
-    source.notes += _losses(data, resolver)
-    return source
+    library, notes = _library(list(dict.fromkeys(libraries)), resolver)
+    if skipped:
+        notes.append(f"{count(skipped, 'face')} with fewer than three corners ignored")
+    positions, colors, *_ = columns
+    rgba = colors_of(colors, len(positions), linear=False) if len(colors) else None
+    words = [
+        [names[number] for number in (owner, material if len(library) > 1 else None) if number is not None]
+        for owner, material, _, _ in parts
+    ]
+    budget.hold(sum(len(word) for both in words for word in both))
+    objects = distinct(["_".join(filter(None, both)) or resolver.file_name for both in words])
+    shapes = {}
+    for name, (_, material, rows, faces) in zip(objects, parts, strict=True):
+        shape = shapes[name] = _shape(columns, rows, faces)
+        known = None if material is None else library.get(names[material])
+        if known is not None:
+            shape.materials = materials.of(known)
+        elif rgba is not None:
+            shape.colors = rgba[rows[:, 0]]
+    identities = np.broadcast_to(np.eye(4), (len(objects), 4, 4))
+    return Source(label, shapes, Nodes(objects, identities, objects), notes)
+
+
+def _shape(columns: tuple[NDArray[np.float64], ...], rows: NDArray[np.uint32], faces: NDArray[np.uint32]) -> Shape:
+    """Vertices of a part with what their rows name; zeros stand for a texture coordinate or normal that one lacks."""
+    positions, _, uvs, normals = columns
+    shape = Shape(positions[rows[:, 0]], faces)
+    for kind, column, values in (("uvs", 1, uvs), ("normals", 2, normals)):
+        chosen = rows[:, column]
+        given = chosen != _NONE
+        if given.all() and len(chosen):
+            setattr(shape, kind, values[chosen])
+        elif given.any():
+            setattr(shape, kind, np.where(given[:, None], values[np.where(given, chosen, 0)], 0.0))
+    return shape
+
+
+_NONE = np.iinfo(np.uint32).max
+"""Row that stands for none."""
 
 
 def _encoded(data: bytes) -> bytes:
@@ -38,32 +77,29 @@ def _encoded(data: bytes) -> bytes:
     return data.removeprefix(codecs.BOM_UTF8)
 
 
-def _parsed(data: bytes, resolver: Any) -> Any:
-    """Let trimesh read it; objects stay separate, faces keep their order, and vertices too if unambiguous."""
-    # A vertex may have several texture coordinates or normals. With `maintain_order` trimesh would give it the median
-    # of their indices.
-    if re.search(rb"^[ \t]*v[nt][ \t]", data, re.MULTILINE):
-        return parsed(data, "obj", resolver, split_objects=True)
-    return parsed(data, "obj", resolver, split_objects=True, maintain_order=True)
-
-
-def _losses(data: bytes, resolver: Any) -> list[str]:
-    """Notes on the material file and textures that cannot be read; trimesh leaves them out without a warning."""
+def _library(names: list[str], resolver: Any) -> tuple[dict[str, Any], list[str]]:
+    """Materials of trimesh by their names, and notes on files and textures that cannot be read."""
     from PIL import Image
+    from trimesh.exchange.obj import parse_mtl
+    from trimesh.visual.material import SimpleMaterial
 
-    def named(keyword: bytes, text: bytes) -> list[str]:
-        matches = re.findall(rb"^[ \t]*" + keyword + rb"[ \t]+(\S.*)", text, re.MULTILINE | re.IGNORECASE)
-        return list(dict.fromkeys(name.decode(errors="replace").rstrip() for name in matches))
-
-    losses = []
-    for library in named(b"mtllib", data)[:1]:  # trimesh reads only the first
+    library: dict[str, Any] = {}
+    notes = []
+    for name in names:
         try:
-            materials = resolver.get(library)
-        except Exception:  # resolvers and Pillow may raise any type
-            return [f"material file '{library}' cannot be read, drawn without it"]
-        for texture in named(b"map_kd", materials):
+            text = resolver.get(name)
+            read = {key: SimpleMaterial(**entries) for key, entries in parse_mtl(text, resolver=resolver).items()}
+        except Exception:  # resolvers, trimesh and Pillow may raise any type
+            notes.append(f"material file '{name}' cannot be read, drawn without it")
+            continue
+        library = read | library
+        for texture in dict.fromkeys(_TEXTURE.findall(text)):
+            file = texture.decode(errors="replace").rstrip()
             try:
-                Image.open(io.BytesIO(resolver.get(texture)))
+                Image.open(io.BytesIO(resolver.get(file)))
             except Exception:
-                losses.append(f"texture '{texture}' cannot be read, drawn without it")
-    return losses
+                notes.append(f"texture '{file}' cannot be read, drawn without it")
+    return library, notes
+
+
+_TEXTURE = re.compile(rb"^[ \t]*map_kd[ \t]+(\S.*)", re.MULTILINE | re.IGNORECASE)

@@ -10,18 +10,41 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar._base import check
+
 _MOST_COMPARED = 20_000
 """Greatest number of names that a misspelt one is compared with; more would take seconds."""
 
 
-def names_of(argument: str, names: Sequence[str]) -> list[str]:
+def names_of(argument: str, names: Iterable[str]) -> list[str]:
     """Return distinct names as a list; ValueError if names repeat, TypeError if they are not a list of strings."""
-    if isinstance(names, str) or not all(isinstance(name, str) for name in names):
-        raise TypeError(f"{argument}: expected a list of strings, got {names!r:.60}")
-    repeated = len(names) - len(set(names))
+    listed = check.texts(argument, names)
+    repeated = len(listed) - len(set(listed))
     if repeated:
         raise ValueError(f"{argument}: expected distinct names, got {repeated} repetitions")
-    return list(names)
+    return listed
+
+
+MOST_OBJECTS = (1 << 31) - 1
+"""Numbers of objects are int32."""
+
+
+def distinct(names: Sequence[str]) -> list[str]:
+    """Names of which none repeats: the first of equal ones keeps it, the others get numbers that no other name has."""
+    taken, seen = set(names), set[str]()
+    counts: dict[str, int] = {}
+    result = []
+    for name in names:
+        chosen = name
+        if name in seen:
+            number = counts.get(name, 0) + 1
+            while (chosen := f"{name}_{number}") in taken:
+                number += 1
+            counts[name] = number
+            taken.add(chosen)
+        seen.add(name)
+        result.append(chosen)
+    return result
 
 
 _NAMELESS = re.compile(r"object_(0|[1-9][0-9]{0,17})")
@@ -65,18 +88,17 @@ class Names:
     def number(self, argument: str, name: str) -> int:
         """Return the number of an object; ValueError with similar names if there is none."""
         if not isinstance(name, str):
-            raise TypeError(f"{argument}: expected names of objects, got {name!r}")
+            raise TypeError(f"{argument}: expected names of objects, got {check.described(name)}")
         number = self._number_of(name)
         if number is None:
-            raise ValueError(f"{argument}: the scene has no object '{name}'{self._similar(name)}")
+            raise ValueError(f"{argument}: the scene has no object {check.shortened(name)}{self._similar(name)}")
         return number
 
     def flags(self, argument: str, names: Iterable[str]) -> NDArray[np.bool_]:
         """Return flags (N,), true for each named object."""
-        if isinstance(names, str):
-            names = (names,)
+        named = [names] if isinstance(names, str) else check.items(argument, names, str, "names of objects")
         flags = np.zeros(len(self), bool)
-        flags[[self.number(argument, name) for name in names]] = True
+        flags[[self.number(argument, name) for name in named]] = True
         return flags
 
     def _similar(self, name: str) -> str:

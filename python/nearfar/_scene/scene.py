@@ -12,12 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import card, check
-from nearfar._camera.shot import Shot
+from nearfar._camera.shot import Shot, check_request
 from nearfar._scene import preview
 from nearfar._scene.arrays import triangle_mask
-from nearfar._scene.assembly import Assembled, one_mesh
+from nearfar._scene.assembly import Assembled
 from nearfar._scene.levels import Leveled, LevelTable, check_levels, kept_of, levels_of, with_levels
 from nearfar._scene.names import Names, names_of
+from nearfar._scene.one_mesh import one_mesh
 from nearfar._scene.poses import checked_pose, frame_of, placements_in, pose_of
 from nearfar._scene.report import Report
 from nearfar._scene.serialize import core_of_parts, parts_of
@@ -49,10 +50,11 @@ class Scene:
         table: LevelTable | None = None,
         undrawn: Mapping[int, Undrawn] | None = None,
     ) -> None:
-        self._core, self._names, self._frames = core, names, frames
+        self._core = check.instance("core", core, _core.Scene, "what Scene.load, from_arrays and others pass")
+        self._names, self._frames = check.instance("names", names, Names, "what Scene.load and others pass"), frames
         self._rest = core.moving_placements() if rest is None else rest
         self._dropped, self._notes, self._table = dropped, notes, table
-        self._undrawn: Mapping[int, Undrawn] = undrawn or {}
+        self._undrawn: Mapping[int, Undrawn] = {} if undrawn is None else undrawn
 
     @classmethod
     def _from_assembled(cls, parts: Assembled) -> Scene:
@@ -248,8 +250,7 @@ class Scene:
         TypeError
             Anything else than a mapping from names to models.
         """
-        if not isinstance(models, Mapping):
-            raise TypeError(f"models: expected models by name such as {{'tree': model}}, got {type(models).__name__}")
+        check.mapping("models", models, "models by name such as {'tree': model}")
         numbers = [self._names.number("models", name) for name in models]
         frames = np.array([self._frame(number) for number in numbers], np.float64).reshape(-1, 4, 4)
         new = check_levels(self._names, numbers, list(models.values()), frames, in_place=True)
@@ -310,16 +311,14 @@ class Scene:
         TypeError
             Anything else than a mapping from names to poses.
         """
-        if not isinstance(poses, Mapping):
-            raise TypeError(f"poses: expected matrices by name such as {{'car': matrix}}, got {type(poses).__name__}")
-        placements = self._core.moving_placements()
-        owner = self._core.moving_objects()
+        check.mapping("poses", poses, "matrices by name such as {'car': matrix}")
+        placements, owner = self._core.moving_placements(), self._core.moving_objects()
         for name, pose in poses.items():
             number = self._names.number("poses", name)
             rows = np.flatnonzero(owner == number)
             if not len(rows):
                 raise ValueError(f"poses: expected dynamic objects, but '{name}' is not; make it so by with_dynamic")
-            matrix = checked_pose(f"poses['{name}']", pose)
+            matrix = checked_pose(f"poses[{name!r}]", pose)
             placements[rows] = placements_in(matrix, self._frame(number), self._rest[rows], self.origin)
         return self._derived(self._core.posed(placements), self._rest, self._table)
 
@@ -332,12 +331,14 @@ class Scene:
 
     def trace(self, shot: Shot, report: Callable[[int, int], None] | None = None) -> list[dict[str, NDArray[Any]]]:
         """Trace the pictures of a shot, one for each camera; `nearfar.render` makes frames of them."""
+        check_request(shot, report)
         return [_core.render_truth(self._core, camera._core, **shot.settings, report=report) for camera in shot.cameras]
 
     def begin(
         self, device: _core.GpuDevice, shot: Shot, report: Callable[[int, int], None] | None = None
     ) -> list[_core.GpuJob]:
         """Begin the pictures of a shot on a graphics device, one for each camera."""
+        check_request(shot, report, device)
         return [device.truth(self._core, camera._core, **shot.settings, report=report) for camera in shot.cameras]
 
     def subset(self, *, objects: Iterable[str] | None = None, triangles: ArrayLike | None = None) -> Scene:

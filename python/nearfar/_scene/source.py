@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from nearfar._base import check
 from nearfar._base.errors import SceneError
 from nearfar._scene.assembly import Assembled, Assembly
+from nearfar._scene.budget import Budget
 from nearfar._scene.materials import PLAIN, UNCOLORED, BaseColor
 from nearfar._scene.report import count
 from nearfar._scene.units import metres_in
@@ -49,12 +50,12 @@ class Shape:
 
 
 @dataclass(frozen=True)
-class Node:
-    """A placed shape: object name, transform object→world (4, 4) and name of the shape."""
+class Nodes:
+    """Placed shapes: for each of N its object's name, its transform object→world (N, 4, 4), and its shape's name."""
 
-    object: str
-    transform: NDArray[np.float64]
-    shape: str
+    objects: list[str]
+    transforms: NDArray[np.float64]
+    shapes: list[str]
 
 
 @dataclass
@@ -64,30 +65,24 @@ class Source:
     label: str
     """Name of the source in error messages, usually a path."""
     shapes: dict[str, Shape]
-    nodes: list[Node]
+    nodes: Nodes
     notes: list[str] = field(default_factory=list)
     units: Sequence[str] = ()
     """Units that the meshes state, in trimesh's names and "" for none; without any the unit is the metre."""
 
 
-def world_transforms(
-    edges: Iterable[tuple[Any, Any, NDArray[np.float64] | None]], base: Any
-) -> dict[Any, NDArray[np.float64]]:
-    """Multiply transforms along a tree whose edges (parent, child, child→parent) come parents first."""
-    world: dict[Any, NDArray[np.float64]] = {base: np.eye(4)}
-    for parent, child, matrix in edges:
-        above = world.get(parent, world[base])
-        world[child] = above if matrix is None else above @ matrix
-    return world
+def assemble(
+    source: Source, *, up: str, on_invalid: str, scale: float | None = None, budget: Budget | None = None
+) -> Assembled:
+    """Assemble a scene's parts in one pass over the source's meshes; SceneError if they cannot be used.
 
-
-def assemble(source: Source, *, up: str, on_invalid: str, scale: float | None = None) -> Assembled:
-    """Assemble a scene's parts in one pass over the source's meshes; SceneError if they cannot be used."""
+    A `budget` counts the copies of what is placed many times.
+    """
     check.choice("up", up, UP)
     check.choice("on_invalid", on_invalid, ("raise", "drop"))
     _to_metres(source, scale)
-    nodes, flaws = _usable_nodes(source)
-    used = {node.shape for node in nodes}
+    nodes, flaws = _usable_nodes(source.nodes)
+    used = set(nodes.shapes)
     shapes = {name: shape for name, shape in source.shapes.items() if name in used}
     dropped = 0
     for name, shape in shapes.items():
@@ -106,12 +101,11 @@ def assemble(source: Source, *, up: str, on_invalid: str, scale: float | None = 
     handles = {name: _add(builder, shape) for name, shape in shapes.items() if len(shape.faces)}
     # The opposite axis is turned by another half turn about x.
     turn = np.diag([1.0, -1.0, -1.0, 1.0]) @ _TURNS[up[1:]] if up.startswith("-") else _TURNS[up]
-    for node in nodes:
-        if node.shape in handles:
-            transform = node.transform if up == "y" else turn @ node.transform
-            builder.instance(handles[node.shape], transform, name=node.object)
+    nodes = _chosen(nodes, np.array([shape in handles for shape in nodes.shapes], bool))
+    transforms = nodes.transforms if up == "y" else turn @ nodes.transforms
     try:
-        parts = builder.assemble()
+        builder._place([handles[shape] for shape in nodes.shapes], transforms, nodes.objects)
+        parts = builder.assemble(budget=budget)
     except ValueError as error:
         raise SceneError(f"{source.label}: {error}") from error
     notes = [*source.notes, *_material_notes(shapes.values()), *_alpha_notes(shapes.values())]
@@ -129,19 +123,24 @@ def _to_metres(source: Source, scale: float | None) -> None:
         shape.vertices = np.asarray(shape.vertices, np.float64) * metres
     factors = np.ones((4, 4))
     factors[:3, 3] = metres
-    source.nodes = [replace(node, transform=node.transform * factors) for node in source.nodes]
+    source.nodes = replace(source.nodes, transforms=source.nodes.transforms * factors)
 
 
-def _usable_nodes(source: Source) -> tuple[list[Node], list[str]]:
+def _usable_nodes(nodes: Nodes) -> tuple[Nodes, list[str]]:
     """Split off nodes whose transforms are not finite and affine; returns the others and a description of each flaw."""
-    matrices = np.array([node.transform for node in source.nodes]).reshape(-1, 4, 4)
+    matrices = nodes.transforms
     affine = np.isfinite(matrices).all(axis=(1, 2)) & (matrices[:, 3] == (0, 0, 0, 1)).all(axis=1)
     flaws = [
-        f"a transform that is not finite and affine at node '{node.object}'"
-        for node, good in zip(source.nodes, affine, strict=True)
-        if not good
+        f"a transform that is not finite and affine at node '{nodes.objects[row]}'" for row in np.flatnonzero(~affine)
     ]
-    return [node for node, good in zip(source.nodes, affine, strict=True) if good], flaws
+    return _chosen(nodes, affine), flaws
+
+
+def _chosen(nodes: Nodes, keep: NDArray[np.bool_]) -> Nodes:
+    if keep.all():
+        return nodes
+    rows = np.flatnonzero(keep)
+    return Nodes([nodes.objects[row] for row in rows], nodes.transforms[rows], [nodes.shapes[row] for row in rows])
 
 
 def _repair(shape: Shape) -> tuple[str, int]:

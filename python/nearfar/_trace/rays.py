@@ -89,10 +89,13 @@ def cast_rays(scene: Scene, origins: ArrayLike, directions: ArrayLike, *, t_max:
     core = core_of(scene)
     rays = check.array("directions", directions)
     starts = check.plain("origins", origins)
-    starts = check.array("origins", starts[None] if starts.shape == (3,) else starts)
-    if len(starts) != len(rays) and np.ndim(origins) != 1:
+    is_common = starts.shape == (3,)
+    starts = check.array("origins", starts[None] if is_common else starts)
+    if len(starts) != len(rays) and not is_common:
         raise ValueError(f"origins: expected shape (3,) or {rays.shape} as directions has, got {starts.shape}")
-    limit = float(np.inf) if t_max == np.inf else check.positive("t_max", t_max)
+    limit = check.number("t_max", t_max, finite=False)
+    if not limit > 0.0:
+        raise ValueError(f"t_max: expected a number above 0, got {limit}")
     with progress.bar("casting rays") as report:
         t_hit, triangle_index, object_id, barycentric = _core.cast_rays(core, starts, rays, limit, report)
     return Hits(t_hit, triangle_index, object_id, barycentric, starts, rays)

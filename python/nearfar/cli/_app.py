@@ -75,5 +75,7 @@ def _interrupt_behind(end: SystemExit) -> KeyboardInterrupt | None:
 
 
 def _fail(sentence: str, status: int) -> int:
-    print(f"nearfar: {' '.join(sentence.split())}", file=sys.stderr)
+    # Names of files may hold bytes that no text has.
+    text = " ".join(sentence.split()).encode("utf-8", "backslashreplace").decode()
+    print(f"nearfar: {text}", file=sys.stderr)
     return status

@@ -35,6 +35,7 @@ def bake(
     backend: options.Backend = None,
     up: options.Up = "y",
     scale: options.Scale = None,
+    max_bytes: options.MaxBytes = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -45,7 +46,7 @@ def bake(
     check_target(output, ".exr")
     if equirectangular is not None:
         check_target(equirectangular, ".exr", ".png")
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
     place = choose(loaded, scene, middle)
     inner, outer = radii(loaded, place, r1, r2)
     channels = ("color", *(("range",) if with_range else ()), *(("object_id",) if with_ids else ()))

@@ -66,6 +66,7 @@ def compare(
     backend: options.Backend = None,
     up: options.Up = "y",
     scale: options.Scale = None,
+    max_bytes: options.MaxBytes = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -74,6 +75,7 @@ def compare(
     Thresholds apply to the continuous method; the exit status is 3 if one is not met or could not be measured.
     """
     options.check_radii(r1, r2)
+    options.check_angle(fov)
     options.check_backend(backend)
     thresholds = _thresholds.thresholds(
         min_psnr=min_psnr,
@@ -90,15 +92,17 @@ def compare(
         _source.refuse(reason, center=center, r1=r1, r2=r2, face_size=face_size)
         _source.refuse("which has no far geometry to trace", exact=exact or None)
     elif truth is not None:
-        raise ValueError(f"--truth: expected none with a scene as -i, got {truth!r}")
+        raise ValueError(f"--truth: expected none with a scene as -i, got {checks.shortened(truth)}")
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="compare.json") as folder:
         with clock.step("scene"):
             if options.is_reduced(scene):
                 saved = nf.ReducedScene.load(scene)
-                source, loaded = _source.open_truth(scene, truth, up=up, on_invalid=on_invalid, scale=scale)
+                source, loaded = _source.open_truth(
+                    scene, truth, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes
+                )
             else:
-                loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
+                loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
         with clock.step("place"):
             place = _viewpoint.choose(loaded, source, middle if saved is None else saved.center)
             inner, outer = _viewpoint.radii(loaded, place, r1, r2) if saved is None else (saved.r1, saved.r2)

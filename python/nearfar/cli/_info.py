@@ -12,7 +12,7 @@ import typer
 import nearfar as nf
 from nearfar._base import formats
 from nearfar.cli import _source, _viewpoint
-from nearfar.cli._options import SCENE_OR_FOLDER, Invalid, Json, Scale, Up, is_reduced, open_scene, option
+from nearfar.cli._options import SCENE_OR_FOLDER, Invalid, Json, MaxBytes, Scale, Up, is_reduced, open_scene, option
 from nearfar.cli._output import bytes_text, check_target, count, metres, show, triangles_text
 from nearfar.cli._render import camera
 
@@ -36,6 +36,7 @@ def info(
     ] = None,
     up: Up = "y",
     scale: Scale = None,
+    max_bytes: MaxBytes = None,
     on_invalid: Invalid = "raise",
     as_json: Json = False,
 ) -> None:
@@ -50,7 +51,11 @@ def info(
         check_target(preview, ".png")
     started = time.perf_counter()
     reduced = nf.ReducedScene.load(scene) if is_reduced(scene) else None
-    loaded = open_scene(scene, up=up, on_invalid=on_invalid, scale=scale) if reduced is None else reduced.scene
+    loaded = (
+        open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
+        if reduced is None
+        else reduced.scene
+    )
     document = describe(loaded, scene, time.perf_counter() - started)
     rows = []
     if reduced is not None:

@@ -12,7 +12,7 @@ import typer
 from numpy.typing import NDArray
 
 import nearfar as nf
-from nearfar._base import formats
+from nearfar._base import check, formats
 from nearfar.cli import _options as options
 from nearfar.cli._options import option
 from nearfar.cli._output import bytes_text, check_target, count, note_rows, show
@@ -45,6 +45,7 @@ def lod(
     backend: options.Backend = None,
     up: options.Up = "y",
     scale: options.Scale = None,
+    max_bytes: options.MaxBytes = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -53,7 +54,7 @@ def lod(
     check_target(output, ".glb", ".json")
     device = options.headset(hmd)
     shares = None if ratios is None else read_ratios(ratios)
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
     started = time.perf_counter()
     name = Path(scene.partition(":")[0]).stem
     simplify = functools.partial(nf.lod.simplify, loaded, method=method, normals=normals, name=name)
@@ -87,7 +88,7 @@ def read_ratios(text: str) -> list[float]:
     try:
         return [float(part) for part in text.split(",")]
     except ValueError:
-        raise ValueError(f"--ratios: expected numbers such as 0.5,0.2,0.05, got {text!r}") from None
+        raise ValueError(f"--ratios: expected numbers such as 0.5,0.2,0.05, got {check.shortened(text)}") from None
 
 
 def describe(model: nf.lod.LodModel, switches: nf.lod.Switches, written: NDArray[np.bool_]) -> dict[str, Any]:

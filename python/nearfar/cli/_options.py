@@ -31,9 +31,9 @@ def read_point(option: str, text: str | None) -> Point | None:
     try:
         x, y, z = (float(part) for part in text.replace(",", " ").split())
     except ValueError:
-        raise ValueError(f"{option}: expected x,y,z in metres such as 0,1.7,0, got {text!r}") from None
+        raise ValueError(f"{option}: expected x,y,z in metres such as 0,1.7,0, got {check.shortened(text)}") from None
     if not all(map(math.isfinite, (x, y, z))):
-        raise ValueError(f"{option}: expected three finite numbers, got {text!r}")
+        raise ValueError(f"{option}: expected three finite numbers, got {check.shortened(text)}")
     return x, y, z
 
 
@@ -42,8 +42,15 @@ def read_size(option: str, text: str) -> tuple[int, int]:
     try:
         width, height = (int(part) for part in text.split("x"))
     except ValueError:
-        raise ValueError(f"{option}: expected WIDTHxHEIGHT in pixels such as 1280x720, got {text!r}") from None
-    return width, height
+        got = check.shortened(text)
+        raise ValueError(f"{option}: expected WIDTHxHEIGHT in pixels such as 1280x720, got {got}") from None
+    return check.size(option, (width, height))
+
+
+def check_angle(fov: float) -> None:
+    """Refuse fields of view that no camera has before the work starts."""
+    if not 0.0 < fov < 180.0:
+        raise ValueError(f"--fov: expected degrees between 0 and 180, got {fov:g}")
 
 
 def option(names: str, metavar: str, text: str) -> Any:
@@ -61,6 +68,10 @@ Up = Annotated[str, option("--up", "AXIS", "Axis of the file that points up: x, 
 Scale = Annotated[
     float | None,
     option("--scale", "METRES", "Metres in a unit of the file, 0.001 for millimetres."),
+]
+MaxBytes = Annotated[
+    int | None,
+    option("--max-bytes", "BYTES", "Bytes that the file may unpack to, where it is refused because it takes more."),
 ]
 Invalid = Annotated[
     str, option("--on-invalid", "raise|drop", "Stop at vertices that are not finite, or drop their faces.")
@@ -129,6 +140,9 @@ def faces(face_size: int | None) -> int:
 
 def check_radii(r1: float | None, r2: float | None) -> None:
     """Refuse wrong radii before the work starts; the scene decides on those that are None."""
+    for name, radius in (("--r1", r1), ("--r2", r2)):
+        if radius is not None:
+            check.at_least_zero(name, radius)
     inner, outer = viewpoint.completed(r1, r2)
     check.radii(inner, outer)
 
@@ -139,24 +153,28 @@ def is_reduced(text: str) -> bool:
     return (Path(text) / folder.DOCUMENT).is_file()
 
 
-def open_scene(text: str, *, up: str, on_invalid: str, scale: float | None) -> nf.Scene:
+def open_scene(text: str, *, up: str, on_invalid: str, scale: float | None, max_bytes: int | None = None) -> nf.Scene:
     """Load the file or make the procedural scene that `-i` names; an extent that suggests another unit is said.
 
     No file or folder hides a procedural scene: `./room` is the one that lies here.
     """
     if scale is not None:
         check.positive("--scale", scale)
+    if max_bytes is not None:
+        check.integer("--max-bytes", max_bytes, 1, 1 << 62)
     name, _, settings = text.partition(":")
     if name in PROCEDURAL:
         if up != "y":
-            raise ValueError(f"--up: expected y with {name}, which stands upright already, got {up!r}")
+            raise ValueError(f"--up: expected y with {name}, which stands upright already, got {check.shortened(up)}")
         if scale is not None:
             raise ValueError(f"--scale: expected none with {name}, which is in metres already, got {scale:g}")
+        if max_bytes is not None:
+            raise ValueError(f"--max-bytes: expected none with {name}, which is no file, got {max_bytes}")
         return _procedural(name, settings)
     if Path(text).is_dir():
         kind = "a reduced scene" if is_reduced(text) else f"no {folder.DOCUMENT}"
         raise ValueError(f"{text}: expected a scene file, got a folder with {kind}")
-    scene = nf.Scene.load(text, up=up, on_invalid=on_invalid, scale=scale)
+    scene = nf.Scene.load(text, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
     if scene.report.unit_note:
         typer.echo(f"nearfar: {text}: {scene.report.unit_note}", err=True)
     return scene
@@ -164,7 +182,12 @@ def open_scene(text: str, *, up: str, on_invalid: str, scale: float | None) -> n
 
 def headset(text: str) -> nf.Hmd:
     """Return the headset of a name, in small letters too, or of a .json file."""
-    return nf.Hmd.load(text) if Path(text).suffix.lower() == ".json" else nf.hmd.get(text)
+    if Path(text).suffix.lower() == ".json":
+        return nf.Hmd.load(text)
+    try:
+        return nf.hmd.get(text)
+    except ValueError as error:
+        raise ValueError(f"--hmd: {error}") from None
 
 
 def _procedural(name: str, settings: str) -> nf.Scene:
@@ -176,10 +199,10 @@ def _procedural(name: str, settings: str) -> nf.Scene:
         if key not in defaults:
             near = difflib.get_close_matches(key, defaults, 1)
             hint = f" (did you mean {near[0]}?)" if near else ""
-            raise ValueError(f"{name}: expected settings from {', '.join(defaults)}, got {key!r}{hint}")
+            raise ValueError(f"{name}: expected settings from {', '.join(defaults)}, got {check.shortened(key)}{hint}")
         try:
             chosen[key] = int(value)
         except ValueError:
-            raise ValueError(f"{name}: expected a whole number for {key}, got {value!r}") from None
+            raise ValueError(f"{name}: expected a whole number for {key}, got {check.shortened(value)}") from None
     scene: nf.Scene = maker(**chosen)
     return scene

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 
 import nearfar as nf
-from nearfar._base import formats
+from nearfar._base import check, formats
 from nearfar.cli import _options as options
 from nearfar.cli._options import option
 from nearfar.cli._output import check_target, count, metres, note_rows, show
@@ -39,6 +39,7 @@ def partition(
     r2: options.Outer = None,
     up: options.Up = "y",
     scale: options.Scale = None,
+    max_bytes: options.MaxBytes = None,
     on_invalid: options.Invalid = "raise",
     output: Annotated[Path | None, option("-o --output", "FILE", "Also write the JSON document to a file.")] = None,
     max_triangles: Annotated[
@@ -48,9 +49,11 @@ def partition(
 ) -> None:
     """Count the triangles that stay geometry, at these radii and along the load curve."""
     options.check_radii(r1, r2)
+    if max_triangles is not None:
+        check.integer("--max-triangles", max_triangles, 0, 2**63 - 1)
     if output:
         check_target(output, ".json")
-    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
+    loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
     place = choose(loaded, scene, options.read_point("--center", center))
     inner, outer = radii(loaded, place, r1, r2)
     document = describe(loaded, scene, place.eye, inner, outer)

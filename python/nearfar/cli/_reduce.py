@@ -42,6 +42,7 @@ def reduce(
     backend: options.Backend = None,
     up: options.Up = "y",
     scale: options.Scale = None,
+    max_bytes: options.MaxBytes = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -58,7 +59,7 @@ def reduce(
     output.parent.mkdir(parents=True, exist_ok=True)
     with files.atomic_folder(output, marker="reduced.json") as folder:
         with clock.step("scene"):
-            loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
+            loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
         with clock.step("place"):
             place = _viewpoint.choose(loaded, scene, middle)
             inner, outer = _viewpoint.radii(loaded, place, r1, r2)

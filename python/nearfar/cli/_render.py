@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import nearfar as nf
-from nearfar._base import formats
+from nearfar._base import check, formats
 from nearfar._reduce import findings
 from nearfar.cli import _headset, _source, _viewpoint
 from nearfar.cli import _options as options
@@ -62,6 +62,7 @@ def render(
     backend: options.Backend = None,
     up: options.Up = "y",
     scale: options.Scale = None,
+    max_bytes: options.MaxBytes = None,
     on_invalid: options.Invalid = "raise",
     as_json: options.Json = False,
 ) -> None:
@@ -73,11 +74,12 @@ def render(
     options.check_radii(r1, r2)
     device = None if hmd is None else _headset.headset(hmd, lens, fov)
     if device is None and lens != "own":
-        raise ValueError(f"--lens: expected it with --hmd only, got {lens!r}")
+        raise ValueError(f"--lens: expected it with --hmd only, got {check.shortened(lens)}")
     degrees = 90.0 if fov is None else fov
+    options.check_angle(degrees)
     options.check_backend(backend)
     if method is not None and method != "truth" and method not in METHODS:
-        raise ValueError(f"--method: expected truth, continuous or conventional, got {method!r}")
+        raise ValueError(f"--method: expected truth, continuous or conventional, got {check.shortened(method)}")
     pixels, aim = _headset.pixels_of(size, device), options.read_point("--target", target)
     user, middle = options.read_point("--eye", eye), options.read_point("--center", center)
     targets = {"side_by_side": output} if device is None else _headset.targets_of(output, device)
@@ -93,7 +95,7 @@ def render(
         loaded, middle = saved.scene, saved.center
     else:
         method = method or "truth"
-        loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale)
+        loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
     stand = None
     place = _viewpoint.choose(loaded, scene, user if method == "truth" else middle)
     if method == "truth":
@@ -171,8 +173,6 @@ def render(
 
 def camera(eye: options.Point, target: options.Point, fov: float, size: tuple[int, int]) -> nf.Camera:
     """Make a camera at an eye that looks at a target; `fov` in degrees."""
-    if not 0.0 < fov < 180.0 or not math.isfinite(fov):
-        raise ValueError(f"--fov: expected degrees between 0 and 180, got {fov:g}")
     width, height = size
     aspect = width / height if height > 0 else 1.0
     return nf.Camera.look_at(eye, target, fov=nf.Fov.symmetric(fov, max(aspect, 1e-9)), size=size)

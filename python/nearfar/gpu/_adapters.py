@@ -87,8 +87,7 @@ def select(adapter: str | None) -> None:
         If no usable adapter has the name; the message lists all adapters. The previous selection stays.
     """
     if adapter is not None:
-        check.instance("adapter", adapter, str, "a back end or a part of a name")
-        if not adapter.strip():
+        if not check.text("adapter", adapter).strip():
             raise ValueError("adapter: expected a back end or a part of a name, got nothing; None selects the best one")
         adapter = adapter.strip()
         backends.opened(adapter)

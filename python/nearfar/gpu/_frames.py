@@ -11,7 +11,7 @@ from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera
 from nearfar._render import backend as backends
-from nearfar._render.channels import missing
+from nearfar._render.channels import CHANNELS, missing
 from nearfar._render.frame import Frame
 from nearfar._render.renderable import Renderable
 from nearfar._render.renderer import Renderer
@@ -40,7 +40,7 @@ class DeviceFrame:
 
     def require(self, channel: str) -> None:
         """Raise ValueError, which names the channels to render, if an image was not rendered."""
-        if channel not in self.channels:
+        if check.choice("channel", channel, CHANNELS) not in self.channels:
             raise missing(channel, self.channels)
 
     def __repr__(self) -> str:
@@ -75,14 +75,16 @@ def render(
     Raises
     ------
     ValueError, TypeError
-        For arguments out of their domains.
+        For arguments out of their domains, and for pictures that are too large to stay on the device.
     DeviceError
-        If no adapter can be used, and for pictures that are too large for one texture.
+        If no adapter can be used.
     """
     renderer = Renderer(source, channels, samples)
-    view = renderer.view(renderer.shot([camera]), at)
+    shot, device = renderer.shot([camera]), backends.opened()
+    device.check_whole(camera._core, list(renderer.channels))
+    view = renderer.view(shot, at)
     with progress.bar("drawing") as report:
-        (job,) = view.begin(backends.opened(), report)
+        (job,) = view.begin(device, report)
         if not isinstance(job, _core.GpuJob):
             raise TypeError(f"source: expected one whose pictures a device can keep, got {type(source).__name__}")
         core = _core.gpu_keep(job)

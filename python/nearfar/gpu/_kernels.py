@@ -72,8 +72,9 @@ def ssim(
     taps, deviation = check.integer("size", size, 1, LARGEST), check.positive("sigma", sigma)
     for name, frame in (("reference", reference), ("test", test)):
         check.instance(name, frame, DeviceFrame).require("color")
+    full = check.flag("full", full)
     cores = reference._core, test._core
-    mean, flat = _core.gpu_similarity(*cores, window=window, size=taps, sigma=deviation, full=bool(full))
+    mean, flat = _core.gpu_similarity(*cores, window=window, size=taps, sigma=deviation, full=full)
     width, height = reference.camera.size
     return Similarity(mean, None if flat is None else flat.reshape(height, width))
 

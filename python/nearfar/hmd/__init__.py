@@ -42,16 +42,18 @@ def names() -> tuple[str, ...]:
     return tuple(sorted(file.name.removesuffix(".json").upper() for file in _PROFILES.iterdir()))
 
 
-@functools.cache
 def get(name: str) -> Hmd:
     """Return the headset of a name such as "QUEST_2" or "Quest 2"; ValueError for names that are not in `names()`."""
     known = re.sub(r"[ -]+", "_", check.instance("name", name, str, "text")).upper()
     if known not in names():
         near = difflib.get_close_matches(known, names(), 1)
         hint = f" (did you mean {near[0]}?)" if near else ""
-        raise ValueError(f"name: expected one of {', '.join(names())}, got {name!r}{hint}")
-    if known != name:
-        return get(known)
+        raise ValueError(f"name: expected one of {', '.join(names())}, got {check.shortened(name)}{hint}")
+    return _known(known)
+
+
+@functools.cache
+def _known(known: str) -> Hmd:
     file = _PROFILES / f"{known.lower()}.json"
     return Hmd._from_json(file.read_bytes(), str(file))
 

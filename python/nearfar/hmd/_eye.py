@@ -156,4 +156,6 @@ def turned(
 
 
 def _between(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
+    # Tangents may be so large that their products overflow; powers of two change no digit.
+    one, other = (np.ldexp(way, -math.frexp(float(np.abs(way).max()))[1]) for way in (one, other))
     return math.degrees(math.atan2(float(np.linalg.norm(np.cross(one, other))), float(one @ other)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -75,9 +75,8 @@ class Hmd:
     sources: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        if not isinstance(self.name, str) or not self.name:
-            raise ValueError(f"name: expected a name, got {self.name!r}")
-        _check_text("name", self.name)
+        if not check.text("name", self.name):
+            raise ValueError("name: expected a name, got an empty string")
         for side in EYES:
             check.instance(side, getattr(self, side), Eye, "Eye")
         if self.lens is not None:
@@ -86,16 +85,7 @@ class Hmd:
             value = getattr(self, name)
             if value is not None or name == "render_size":
                 object.__setattr__(self, name, convert(name, value))
-        self._check_sources()
-
-    def _check_sources(self) -> None:
-        value: object = self.sources
-        listed = tuple(value) if isinstance(value, Iterable) and not isinstance(value, str) else (None,)
-        if not all(isinstance(source, str) for source in listed):
-            raise TypeError(f"sources: expected strings, got {value!r}")
-        for number, source in enumerate(listed):
-            _check_text(f"sources[{number}]", source)
-        object.__setattr__(self, "sources", listed)
+        object.__setattr__(self, "sources", tuple(check.texts("sources", self.sources)))
 
     @property
     def ipd(self) -> float:
@@ -177,10 +167,11 @@ class Hmd:
         if lens is None:
             for name, value in (("lens_radius", lens_radius), ("source", source)):
                 if value is not None:
-                    raise ValueError(f"{name}: expected None with the generic lens, which has its own, got {value!r}")
+                    got = check.described(value)
+                    raise ValueError(f"{name}: expected None with the generic lens, which has its own, got {got}")
             lens, lens_radius, source = _lenses.GENERIC_LENS, _lenses.GENERIC_RADIUS, _lenses.GENERIC_SOURCE
         rest = tuple(text for text in self.sources if not text.startswith(LENS))
-        said = check.instance("source", "given by the caller" if source is None else source, str, "text")
+        said = check.text("source", "given by the caller" if source is None else source)
         return replace(self, lens=lens, lens_radius=lens_radius, sources=(*rest, f"{LENS}{said}"))
 
     @property
@@ -236,13 +227,6 @@ class Hmd:
 
     def _fields(self) -> dict[str, Any]:
         return {name: getattr(self, name) for name in self.__dataclass_fields__}
-
-
-def _check_text(name: str, text: str) -> None:
-    try:
-        text.encode("utf-8")
-    except UnicodeEncodeError:
-        raise ValueError(f"{name}: expected text that files can hold, got a lone surrogate in {text!r}") from None
 
 
 def _pixels(name: str, value: tuple[int, int]) -> tuple[int, int]:

@@ -6,7 +6,6 @@ import math
 import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -107,12 +106,13 @@ class StereoFrame:
         ValueError for a name that does not end in .png and frames without colour; OSError if it cannot be written.
         `left.save` and `right.save` write the frames, also as EXR.
         """
-        if Path(path).suffix.lower() != ".png":
+        target = check.path("path", path)
+        if target.suffix.lower() != ".png":
             raise ValueError(f"path: expected a name ending in .png, got {os.fspath(path)!r}")
         from PIL import Image
 
         image = Image.fromarray(self.side_by_side)
-        with files.atomic_file(path) as temporary:
+        with files.atomic_file(target) as temporary:
             image.save(temporary, format="PNG")
 
 
@@ -187,7 +187,7 @@ def _size(hmd: Hmd, size: tuple[int, int] | None, scale: float | None) -> tuple[
     if scale is None:
         return hmd.render_size if size is None else size
     if size is not None:
-        raise ValueError(f"scale: expected None with a size, got {scale!r}")
+        raise ValueError(f"scale: expected None with a size, got {check.described(scale)}")
     factor = check.positive("scale", scale)
     width, height = (max(1, round(min(side * factor, check.MAX_SIZE + 1))) for side in hmd.render_size)
     return check.size("scale", (width, height))

@@ -22,6 +22,7 @@ from nearfar.lod import _file
 from nearfar.lod._levels import Level, Levels
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._place import empty
+from nearfar.lod._select.size import reference_solid_angle
 from nearfar.lod._select.switches import Switches, switches
 from nearfar.lod._select.threshold import LodThreshold, threshold_of
 
@@ -156,7 +157,8 @@ def export(
     """
     from nearfar._scene import glb
 
-    least_score = threshold_of(threshold, k, d)
+    least_score, all_levels = threshold_of(threshold, k, d), check.flag("all_levels", all_levels)
+    reference_solid_angle(view)  # refuses anything but a view, also for scenes without levels
     core, table, target = core_of(scene), scene._table, check.path("path", path)
     if target.suffix.lower() != ".glb":
         raise ValueError(f"path: expected a name ending in .glb, got {os.fspath(path)!r}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import sys
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import overload
@@ -40,6 +41,12 @@ class Level:
     mean_error: float = 0.0
     note: str = ""
 
+    def __post_init__(self) -> None:
+        check.instance("scene", self.scene, Scene)
+        check.text("note", self.note)
+        for name in ("ratio", "error", "mean_error"):
+            object.__setattr__(self, name, check.number(name, getattr(self, name)))
+
     @property
     def triangle_count(self) -> int:
         """Its triangles."""
@@ -66,11 +73,10 @@ class Levels(Sequence[Level]):
     """
 
     def __init__(self, levels: Iterable[Level], *, name: str = "object", frame: ArrayLike | None = None) -> None:
-        self._levels = tuple(levels)
+        self._levels = tuple(check.items("levels", levels, Level, "a sequence of Levels of one object"))
         if not self._levels:
             raise ValueError("levels: expected at least one, got none")
         for number, level in enumerate(self._levels):
-            check.instance("levels", level, Level, f"a Level at index {number}")
             if not level.triangle_count:
                 raise ValueError(f"levels: expected triangles in level {number}, got none")
         counts = [level.triangle_count for level in self._levels]
@@ -79,7 +85,7 @@ class Levels(Sequence[Level]):
                 raise ValueError(
                     f"levels: expected no more than {finer} triangles in level {number + 1}, got {coarser}"
                 )
-        self.name = name
+        self.name = check.text("name", name)
         self.frame: NDArray[np.float64] = np.eye(4) if frame is None else transforms_of("frame", frame)
         """The object's own frame → that of the levels' scenes (4, 4)."""
         if self.frame.shape != (4, 4) or np.linalg.matrix_rank(self.frame[:3, :3]) < 3:
@@ -100,7 +106,11 @@ class Levels(Sequence[Level]):
         """One level, or some as levels of the same object."""
         if isinstance(index, slice):
             return Levels(self._levels[index], name=self.name, frame=self.frame)
-        return self._levels[index]
+        count = len(self._levels)
+        number = check.integer("index", index, -sys.maxsize, sys.maxsize)
+        if not -count <= number < count:
+            raise IndexError(f"index: expected a number from {-count} to {count - 1}, got {number}")
+        return self._levels[number]
 
     def __len__(self) -> int:
         """Return the number of levels."""
@@ -120,6 +130,16 @@ class Levels(Sequence[Level]):
             for number, level in enumerate(self._levels)
         ]
         return "\n".join([f"{self.name}, radius {self.radius:.4g} m", *rows])
+
+
+def level_numbers(name: str, value: ArrayLike, count: int) -> NDArray[np.int64]:
+    """Check ascending numbers of some of `count` levels, of which the first is 0; ValueError or TypeError otherwise."""
+    numbers = check.array(name, value, columns=None, dtype=np.int64)
+    if numbers.ndim != 1 or not numbers.size or numbers[0] != 0:
+        raise ValueError(f"{name}: expected numbers of levels (N,), the first of them 0, got shape {numbers.shape}")
+    if numbers[-1] >= count or (np.diff(numbers) <= 0).any():
+        raise ValueError(f"{name}: expected ascending numbers of levels up to {count - 1}, got others")
+    return numbers
 
 
 def _corners(scene: Scene) -> NDArray[np.float64]:

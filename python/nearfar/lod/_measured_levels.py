@@ -6,9 +6,10 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from nearfar.lod._levels import Levels
+from nearfar._base import check
+from nearfar.lod._levels import Levels, level_numbers
 from nearfar.lod._measure.fit import Curve4PL
 from nearfar.lod._measure.samples import Samples
 
@@ -31,8 +32,36 @@ class MeasuredLevels:
     measured: dict[str, Any] = field(default_factory=dict)
     samples: Samples | None = None
 
-    def of_levels(self, numbers: NDArray[np.int64]) -> MeasuredLevels:
+    def __post_init__(self) -> None:
+        triangles = check.array("triangles", self.triangles, columns=None, dtype=np.int64)
+        if triangles.ndim != 1 or not triangles.size or triangles.min() < 1:
+            raise ValueError(f"triangles: expected at least one for each level (K,), got shape {triangles.shape}")
+        errors = check.array("errors", self.errors, columns=None, dtype=np.float64, finite=True)
+        if errors.shape != triangles.shape:
+            raise ValueError(f"errors: expected shape {triangles.shape}, one for each level, got {errors.shape}")
+        sigma = check.array("sigma", self.sigma, columns=None, dtype=np.float64, finite=True)
+        if sigma.shape != (2,) or not 0.0 < sigma[0] <= sigma[1]:
+            raise ValueError(f"sigma: expected the least and the greatest solid angle above 0, got {sigma!r:.60}")
+        check.instance("curves", self.curves, Curve4PL)
+        check.instance("measured", self.measured, dict)
+        if self.levels is not None:
+            check.instance("levels", self.levels, Levels, "Levels")
+        if self.samples is not None:
+            check.instance("samples", self.samples, Samples, "Samples")
+        checked: dict[str, Any] = {
+            "triangles": triangles,
+            "errors": errors,
+            "sigma": (float(sigma[0]), float(sigma[1])),
+            "center": np.array(check.vector("center", self.center)),
+            "radius": check.positive("radius", self.radius),
+            "name": check.text("name", self.name),
+        }
+        for name, value in checked.items():
+            object.__setattr__(self, name, value)
+
+    def of_levels(self, numbers: ArrayLike) -> MeasuredLevels:
         """Return the model with some of its levels, by their ascending numbers (N,), of which the first is 0."""
+        numbers = level_numbers("numbers", numbers, len(self))
         samples = self.samples
         if samples is not None:
             views = None if samples.views is None else samples.views[numbers]

@@ -108,7 +108,8 @@ class LodModel(MeasuredLevels):
         Khronos Group: glTF 2.0, extension MSFT_lod.
         """
         target, least_score = check.path("path", path), threshold_of(threshold, k, d)
-        _export.write(self, target, view=view, threshold=least_score, all_levels=all_levels)
+        whole = check.flag("all_levels", all_levels)
+        _export.write(self, target, view=view, threshold=least_score, all_levels=whole)
 
     def selector(self, mode: str) -> Selector:
         """Return the `Selector` that `nearfar.render` uses where it is given a mode alone: all else at its defaults."""

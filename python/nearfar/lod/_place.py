@@ -55,8 +55,8 @@ def place(
     TypeError
         For other things than models, numbers and names.
     """
-    if isinstance(models, MeasuredLevels) or not isinstance(models, Sequence):
-        raise TypeError(f"models: expected a sequence of LodModels, got {type(models).__name__}")
+    if isinstance(models, str | bytes) or not isinstance(models, Sequence):
+        raise TypeError(f"models: expected a sequence of LodModels, got {check.described(models)}")
     frames = transforms_of("transforms", transforms)
     if frames.ndim != 3:
         raise ValueError(f"transforms: expected shape (N, 4, 4), got {frames.shape}")
@@ -70,9 +70,11 @@ def place(
     if listed is not None and len(listed) != count:
         raise ValueError(f"names: expected {count}, one for each transform, got {len(listed)}")
     known = Names(count if listed is None else listed)
+    movers = [dynamic] if isinstance(dynamic, str) else check.items("dynamic", dynamic, str, "names of objects")
+    known.flags("dynamic", movers)  # refuses unknown names
     new = check_levels(known, range(count), [models[number] for number in index.tolist()], frames, in_place=False)
     core, rest, table = with_levels(empty(_origin(frames)), np.zeros((0, 3, 4)), None, count, new)
-    return Scene(core, known, frames=frames, rest=rest, table=table, **kept_of(new.models)).with_dynamic(dynamic)
+    return Scene(core, known, frames=frames, rest=rest, table=table, **kept_of(new.models)).with_dynamic(movers)
 
 
 def empty(origin: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> _core.Scene:

@@ -3,12 +3,12 @@
 //! Compression is ZIP in blocks of 16 rows, which is lossless: half, float and unsigned channels keep their bits,
 //! including infinities.
 
-use std::io::Cursor;
+use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 
 use ::exr::prelude::*;
 use half::f16;
 
-use crate::base;
+use crate::base::{self, Progress};
 
 /// Values of one channel, row 0 on top.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,17 +46,15 @@ pub struct Part {
 }
 
 /// The bytes of a file with these parts, in this order.
-pub fn encode(parts: &[Part]) -> base::Result<Vec<u8>> {
+pub fn encode(parts: &[Part], progress: &Progress) -> base::Result<Vec<u8>> {
     let layers: SmallVec<[Layer<AnyChannels<FlatSamples>>; 2]> =
         parts.iter().map(layer).collect::<base::Result<_>>()?;
     let (width, height) = parts.iter().fold((1, 1), |(w, h), part| (part.width.max(w), part.height.max(h)));
     let image = Image::from_layers(ImageAttributes::new(IntegerBounds::from_dimensions((width, height))), layers);
     let mut bytes = Vec::new();
-    image
-        .write()
-        .non_parallel()
-        .to_buffered(Cursor::new(&mut bytes))
-        .map_err(|error| base::Error::value("parts", "images that OpenEXR can hold", error))?;
+    let written = image.write().non_parallel().to_buffered(Watched { inner: Cursor::new(&mut bytes), progress });
+    progress.check()?;
+    written.map_err(|error| base::Error::value("parts", "images that OpenEXR can hold", error))?;
     sort_headers(&mut bytes, parts.len());
     Ok(bytes)
 }
@@ -95,18 +93,55 @@ fn first_attribute(header: &[u8]) -> Option<&[u8]> {
 }
 
 /// The parts of a file. Attributes of other types are left out.
-pub fn decode(bytes: &[u8]) -> base::Result<Vec<Part>> {
+pub fn decode(bytes: &[u8], progress: &Progress) -> base::Result<Vec<Part>> {
     check_size(bytes)?;
-    let image = read()
+    let image = ::exr::prelude::read()
         .no_deep_data()
         .largest_resolution_level()
         .all_channels()
         .all_layers()
         .all_attributes()
         .non_parallel()
-        .from_buffered(Cursor::new(bytes))
-        .map_err(unreadable)?;
+        .from_buffered(Watched { inner: Cursor::new(bytes), progress });
+    progress.check()?;
+    let image = image.map_err(unreadable)?;
     Ok(image.layer_data.into_iter().map(part).collect())
+}
+
+/// A file in memory that fails once the caller has cancelled. The crate reads and writes it block by block.
+struct Watched<'a, S> {
+    inner: S,
+    progress: &'a Progress,
+}
+
+impl<S> Watched<'_, S> {
+    fn check(&self) -> io::Result<()> {
+        self.progress.check().map_err(io::Error::other)
+    }
+}
+
+impl<S: Read> Read for Watched<'_, S> {
+    fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
+        self.check()?;
+        self.inner.read(to)
+    }
+}
+
+impl<S: Write> Write for Watched<'_, S> {
+    fn write(&mut self, from: &[u8]) -> io::Result<usize> {
+        self.check()?;
+        self.inner.write(from)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.inner.flush()
+    }
+}
+
+impl<S: Seek> Seek for Watched<'_, S> {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.inner.seek(to)
+    }
 }
 
 /// Refuses headers that declare more data than their file can contain, before memory is allocated.
@@ -236,9 +271,9 @@ mod tests {
     #[test]
     fn parts_come_back_bit_for_bit() {
         let parts = [example("px", 5, 3), example("nx", 33, 40), example("one", 1, 1)];
-        assert_eq!(decode(&encode(&parts).unwrap()).unwrap(), parts);
+        assert_eq!(decode(&encode(&parts, &Progress::new()).unwrap(), &Progress::new()).unwrap(), parts);
         let single = [example("frame", 17, 9)];
-        assert_eq!(decode(&encode(&single).unwrap()).unwrap(), single);
+        assert_eq!(decode(&encode(&single, &Progress::new()).unwrap(), &Progress::new()).unwrap(), single);
     }
 
     #[test]
@@ -247,27 +282,27 @@ mod tests {
         for part in &mut parts {
             part.attributes = (0..9).map(|i| (format!("a{i}"), Attribute::Vector([i as f32; 3]))).collect();
         }
-        let bytes = encode(&parts).unwrap();
+        let bytes = encode(&parts, &Progress::new()).unwrap();
         // Nine attributes have the same order by chance once in 362,880 cases.
-        assert!((0..6).all(|_| encode(&parts).unwrap() == bytes));
-        assert_eq!(decode(&bytes).unwrap(), parts);
+        assert!((0..6).all(|_| encode(&parts, &Progress::new()).unwrap() == bytes));
+        assert_eq!(decode(&bytes, &Progress::new()).unwrap(), parts);
     }
 
     #[test]
     fn what_is_no_image_is_refused() {
-        let good = encode(&[example("a", 8, 8)]).unwrap();
+        let good = encode(&[example("a", 8, 8)], &Progress::new()).unwrap();
         for cut in [0, 3, 40, good.len() / 2, good.len() - 1] {
-            assert!(matches!(decode(&good[..cut]), Err(base::Error::Format(_))), "{cut}");
+            assert!(matches!(decode(&good[..cut], &Progress::new()), Err(base::Error::Format(_))), "{cut}");
         }
         let mut short = example("a", 8, 8);
         short.height = 9;
-        assert!(encode(&[short]).is_err());
-        assert!(encode(&[example("twice", 2, 2), example("twice", 2, 2)]).is_err());
+        assert!(encode(&[short], &Progress::new()).is_err());
+        assert!(encode(&[example("twice", 2, 2), example("twice", 2, 2)], &Progress::new()).is_err());
     }
 
     #[test]
     fn damaged_files_neither_panic_nor_ask_for_much_memory() {
-        let good = encode(&[example("a", 16, 20)]).unwrap();
+        let good = encode(&[example("a", 16, 20)], &Progress::new()).unwrap();
         for round in 0..2000 {
             let mut bytes = good.clone();
             for flip in 0..3 {
@@ -276,7 +311,7 @@ mod tests {
                 let reach = if round % 2 == 0 { 400.min(bytes.len()) } else { bytes.len() };
                 bytes[draw as usize % reach] = (draw >> 40) as u8;
             }
-            if let Ok(parts) = decode(&bytes) {
+            if let Ok(parts) = decode(&bytes, &Progress::new()) {
                 assert!(parts.iter().map(|part| part.width * part.height).sum::<usize>() < 1 << 22);
             }
         }

@@ -4,9 +4,10 @@ use std::thread;
 use std::time::Duration;
 
 use nearfar_core::base::{Error, Progress, Result, pool, random};
-use numpy::{PyArray1, PyReadonlyArray1, ToPyArray};
+use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
+use crate::convert::arrays::filled;
 use crate::convert::errors::to_python;
 use crate::convert::run;
 
@@ -19,8 +20,9 @@ pub(crate) fn uniform<'py>(
     index: PyReadonlyArray1<'py, u64>,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
     let index = index.as_slice()?;
-    let draws: Vec<f64> = run::short(py, || Ok(index.iter().map(|&i| random::uniform(seed, cell, i)).collect()))?;
-    Ok(draws.to_pyarray(py))
+    filled(py, index.len(), |draws| {
+        run::long(py, None, |progress| random::fill_uniform(seed, cell, index, draws, progress))
+    })
 }
 
 /// Number of threads of the pool.

@@ -44,7 +44,9 @@ pub(crate) fn bounding_spheres(
 #[pyo3(signature = (points, *, method))]
 pub(crate) fn bounding_sphere(py: Python<'_>, points: Points<'_>, method: &str) -> PyResult<[f64; 4]> {
     let method = self::method(method).map_err(to_python)?;
-    let sphere = with_rows!(&points, points => run::short(py, || bounds::bounding_sphere(points, method)))?;
+    let sphere = with_rows!(&points, points => {
+        run::long(py, None, |progress| bounds::bounding_sphere(points, method, progress))
+    })?;
     Ok(row(&sphere))
 }
 
@@ -57,5 +59,7 @@ pub(crate) fn solid_angles<'py>(
     eye: [f64; 3],
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
     let (centers, radii) = (centers.as_slice()?.as_chunks::<3>().0, radii.as_slice()?);
-    filled(py, radii.len(), |to| run::short(py, || bounds::solid_angles(centers, radii, eye.into(), to)))
+    filled(py, radii.len(), |to| {
+        run::long(py, None, |progress| bounds::solid_angles(centers, radii, eye.into(), to, progress))
+    })
 }

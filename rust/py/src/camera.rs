@@ -3,13 +3,13 @@
 use glam::{DQuat, DVec3};
 use nearfar_core::base::{Error, Result};
 use nearfar_core::camera::{self, Depth, Fov, Planes, Projection, Ranged};
-use numpy::{Element, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray3};
+use numpy::{Element, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
-use rayon::prelude::*;
 
-use crate::convert::arrays::{array_of_rows, filled, with_array};
+use crate::convert::arrays::{filled, with_array};
 use crate::convert::errors::to_python;
+use crate::convert::one_of::one_of;
 use crate::convert::run;
 
 /// A checked view.
@@ -53,20 +53,22 @@ impl Camera {
     /// Pixel x, y and depth of world points (N, 3); NaN for points behind the camera.
     fn project<'py>(&self, py: Python<'py>, points: PyReadonlyArray2<'py, f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let rows = points.as_slice()?.as_chunks::<3>().0;
-        let project = |&p: &[f64; 3]| self.0.project(DVec3::from_array(p)).unwrap_or(DVec3::NAN).to_array();
-        let places = run::short(py, || Ok(rows.par_iter().map(project).collect::<Vec<_>>()))?;
-        array_of_rows(py, places)
+        filled(py, [rows.len(), 3], |to: &mut [f64]| {
+            run::long(py, None, |progress| self.0.project_all(rows, to.as_chunks_mut().0, progress))
+        })
     }
 
     /// World starts and unit directions of the rays through all pixel centres, (H, W, 3) each.
     fn rays<'py>(&self, py: Python<'py>) -> PyResult<(Image<'py>, Image<'py>)> {
         let shape = [self.0.height as usize, self.0.width as usize, 3];
-        let (starts, directions) = run::short(py, || self.0.pixel_rays())?;
-        let image = |rows: Vec<DVec3>| {
-            let flat: Vec<f64> = rows.iter().flat_map(|row| row.to_array()).collect();
-            PyArray1::from_vec(py, flat).reshape(shape)
-        };
-        Ok((image(starts)?, image(directions)?))
+        self.0.room_for_rays().map_err(to_python)?;
+        let starts = PyArray3::zeros(py, shape, false);
+        let directions = filled(py, shape, |directions: &mut [f64]| {
+            let mut starts = starts.readwrite();
+            let (starts, directions) = (starts.as_slice_mut()?.as_chunks_mut().0, directions.as_chunks_mut().0);
+            run::long(py, None, |progress| self.0.pixel_rays(starts, directions, progress))
+        })?;
+        Ok((starts, directions))
     }
 
     #[getter]
@@ -85,18 +87,20 @@ impl Camera {
 #[pyclass(frozen, module = "nearfar._core")]
 pub(crate) struct DepthBuffer(camera::DepthBuffer);
 
-#[derive(FromPyObject)]
-enum Values<'py> {
-    Single(PyReadonlyArray3<'py, f32>),
-    Double(PyReadonlyArray3<'py, f64>),
-    Bits16(PyReadonlyArray3<'py, u16>),
-    Bits24(PyReadonlyArray3<'py, u32>),
+one_of! {
+    enum Values<'py> {
+        Single(PyReadonlyArray3<'py, f32>),
+        Double(PyReadonlyArray3<'py, f64>),
+        Bits16(PyReadonlyArray3<'py, u16>),
+        Bits24(PyReadonlyArray3<'py, u32>),
+    }
 }
 
-#[derive(FromPyObject)]
-enum Reals<'py> {
-    Single(PyReadonlyArray3<'py, f32>),
-    Double(PyReadonlyArray3<'py, f64>),
+one_of! {
+    enum Reals<'py> {
+        Single(PyReadonlyArray3<'py, f32>),
+        Double(PyReadonlyArray3<'py, f64>),
+    }
 }
 
 #[pymethods]
@@ -135,11 +139,13 @@ impl DepthBuffer {
         T: Depth<Range: Element> + Element,
     {
         let from = depth.as_slice()?;
-        filled::<T::Range, _>(py, depth.dims(), |to| run::short(py, || self.0.ranges(from, to)))?.into_py_any(py)
+        filled::<T::Range, _>(py, depth.dims(), |to| run::long(py, None, |progress| self.0.ranges(from, to, progress)))?
+            .into_py_any(py)
     }
 
     fn depths_of<T: Ranged + Element>(&self, py: Python<'_>, ranges: &PyReadonlyArray3<'_, T>) -> PyResult<Py<PyAny>> {
         let from = ranges.as_slice()?;
-        filled::<T, _>(py, ranges.dims(), |to| run::short(py, || self.0.depths(from, to)))?.into_py_any(py)
+        filled::<T, _>(py, ranges.dims(), |to| run::long(py, None, |progress| self.0.depths(from, to, progress)))?
+            .into_py_any(py)
     }
 }

@@ -7,19 +7,22 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
 use crate::convert::arrays::with_array;
+use crate::convert::one_of::one_of;
 use crate::convert::run;
 
-#[derive(FromPyObject)]
-enum ChannelArgument<'py> {
-    Half(PyReadonlyArray2<'py, half::f16>),
-    Float(PyReadonlyArray2<'py, f32>),
-    Unsigned(PyReadonlyArray2<'py, u32>),
+one_of! {
+    enum ChannelArgument<'py> {
+        Half(PyReadonlyArray2<'py, half::f16>),
+        Float(PyReadonlyArray2<'py, f32>),
+        Unsigned(PyReadonlyArray2<'py, u32>),
+    }
 }
 
-#[derive(FromPyObject)]
-enum AttributeArgument {
-    Text(String),
-    Vector((f32, f32, f32)),
+one_of! {
+    enum AttributeArgument {
+        Text(String),
+        Vector((f32, f32, f32)),
+    }
 }
 
 impl From<AttributeArgument> for Attribute {
@@ -53,9 +56,9 @@ pub(crate) fn encode_exr<'py>(
     py: Python<'py>,
     parts: Vec<(String, Bound<'py, PyDict>, Bound<'py, PyDict>)>,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let parts = parts.iter().map(|(name, channels, attributes)| part(name, channels, attributes));
+    let parts = parts.iter().map(|(name, channels, attributes)| part(py, name, channels, attributes));
     let parts = parts.collect::<PyResult<Vec<Part>>>()?;
-    let bytes = run::short(py, || exr::encode(&parts))?;
+    let bytes = run::long(py, None, |progress| exr::encode(&parts, progress))?;
     Ok(PyBytes::new(py, &bytes))
 }
 
@@ -64,11 +67,11 @@ type DecodedPart<'py> = (String, Bound<'py, PyDict>, Bound<'py, PyDict>);
 /// The parts in the bytes of a file, in the form that `encode_exr` takes.
 #[pyfunction]
 pub(crate) fn decode_exr<'py>(py: Python<'py>, data: &[u8]) -> PyResult<Vec<DecodedPart<'py>>> {
-    let parts = run::short(py, || exr::decode(data))?;
+    let parts = run::long(py, None, |progress| exr::decode(data, progress))?;
     parts.into_iter().map(|part| decoded(py, part)).collect()
 }
 
-fn part(name: &str, channels: &Bound<'_, PyDict>, attributes: &Bound<'_, PyDict>) -> PyResult<Part> {
+fn part(py: Python<'_>, name: &str, channels: &Bound<'_, PyDict>, attributes: &Bound<'_, PyDict>) -> PyResult<Part> {
     let mut shape = None;
     let mut images = Vec::new();
     for (key, image) in channels {
@@ -79,6 +82,7 @@ fn part(name: &str, channels: &Bound<'_, PyDict>, attributes: &Bound<'_, PyDict>
             return Err(PyValueError::new_err(format!("channels: '{key}' differs in shape from the others")));
         }
         images.push((key.extract()?, image.values()?));
+        py.check_signals()?;
     }
     let (height, width) = shape.ok_or_else(|| PyValueError::new_err("channels: expected at least one image"))?;
     let mut values = Vec::new();

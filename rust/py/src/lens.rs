@@ -1,7 +1,7 @@
 //! Bindings of `lens`.
 
 use glam::DVec3;
-use nearfar_core::base::{Real, Result, memory};
+use nearfar_core::base::{Progress, Real, Result, memory};
 use nearfar_core::camera::Fov;
 use nearfar_core::lens::{self, Image, InverseMethod, Sizes, WarpFilter, WarpPixel, WarpView};
 use numpy::{
@@ -14,20 +14,23 @@ use pyo3::prelude::*;
 use crate::convert::arrays::{Points, array_of_rows, filled, with_array};
 use crate::convert::errors::to_python;
 use crate::convert::names::choice;
+use crate::convert::one_of::one_of;
 use crate::convert::run;
 
-#[derive(FromPyObject)]
-enum Radii<'py> {
-    Single(PyReadonlyArray1<'py, f32>),
-    Double(PyReadonlyArray1<'py, f64>),
+one_of! {
+    enum Radii<'py> {
+        Single(PyReadonlyArray1<'py, f32>),
+        Double(PyReadonlyArray1<'py, f64>),
+    }
 }
 
-#[derive(FromPyObject)]
-pub(crate) enum Picture<'py> {
-    Byte(PyReadonlyArray3<'py, u8>),
-    Short(PyReadonlyArray3<'py, u16>),
-    Single(PyReadonlyArray3<'py, f32>),
-    Double(PyReadonlyArray3<'py, f64>),
+one_of! {
+    pub(crate) enum Picture<'py> {
+        Byte(PyReadonlyArray3<'py, u8>),
+        Short(PyReadonlyArray3<'py, u16>),
+        Single(PyReadonlyArray3<'py, f32>),
+        Double(PyReadonlyArray3<'py, f64>),
+    }
 }
 
 fn method(name: &str, iterations: u32) -> Result<InverseMethod> {
@@ -58,20 +61,21 @@ impl RadialLens {
 fn radii<'py, T: Real + Element>(
     py: Python<'py>,
     from: &PyReadonlyArray1<'py, T>,
-    kernel: impl FnOnce(&[T], &mut [T]) -> Result<()> + Send,
+    kernel: impl FnOnce(&[T], &mut [T], &Progress) -> Result<()> + Send,
 ) -> PyResult<Py<PyAny>> {
     let from = from.as_slice()?;
-    filled(py, from.len(), |to| run::short(py, || kernel(from, to)))?.into_py_any(py)
+    filled(py, from.len(), |to| run::long(py, None, |progress| kernel(from, to, progress)))?.into_py_any(py)
 }
 
 /// An array that a kernel computes from points.
 fn points<'py, T: Real + Element>(
     py: Python<'py>,
     from: &PyReadonlyArray2<'py, T>,
-    kernel: impl FnOnce(&[[T; 2]], &mut [[T; 2]]) -> Result<()> + Send,
+    kernel: impl FnOnce(&[[T; 2]], &mut [[T; 2]], &Progress) -> Result<()> + Send,
 ) -> PyResult<Py<PyAny>> {
     let from = from.as_slice()?.as_chunks::<2>().0;
-    filled(py, [from.len(), 2], |to| run::short(py, || kernel(from, to.as_chunks_mut().0)))?.into_py_any(py)
+    filled(py, [from.len(), 2], |to| run::long(py, None, |progress| kernel(from, to.as_chunks_mut().0, progress)))?
+        .into_py_any(py)
 }
 
 #[pymethods]
@@ -101,11 +105,15 @@ impl RadialLens {
     }
 
     fn distort(&self, py: Python<'_>, r: Radii<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
-        with_array!(Radii::{Single, Double}, &r, r => radii(py, r, |from, to| self.0.distort_all(from, to, refuse)))
+        with_array!(Radii::{Single, Double}, &r, r => {
+            radii(py, r, |from, to, progress| self.0.distort_all(from, to, refuse, progress))
+        })
     }
 
     fn derivative(&self, py: Python<'_>, r: Radii<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
-        with_array!(Radii::{Single, Double}, &r, r => radii(py, r, |from, to| self.0.derivative_all(from, to, refuse)))
+        with_array!(Radii::{Single, Double}, &r, r => {
+            radii(py, r, |from, to, progress| self.0.derivative_all(from, to, refuse, progress))
+        })
     }
 
     fn undistort(
@@ -118,19 +126,19 @@ impl RadialLens {
     ) -> PyResult<Py<PyAny>> {
         let method = self::method(method, iterations).map_err(to_python)?;
         with_array!(Radii::{Single, Double}, &r, r => {
-            radii(py, r, |from, to| self.0.undistort_all(from, to, method, refuse))
+            radii(py, r, |from, to, progress| self.0.undistort_all(from, to, method, refuse, progress))
         })
     }
 
     fn distort_points(&self, py: Python<'_>, places: Points<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
         with_array!(Points::{Single, Double}, &places, from => {
-            points(py, from, |from, to| self.0.distort_points(from, to, refuse))
+            points(py, from, |from, to, progress| self.0.distort_points(from, to, refuse, progress))
         })
     }
 
     fn undistort_points(&self, py: Python<'_>, places: Points<'_>, refuse: bool) -> PyResult<Py<PyAny>> {
         with_array!(Points::{Single, Double}, &places, from => {
-            points(py, from, |from, to| self.0.undistort_points(from, to, refuse))
+            points(py, from, |from, to, progress| self.0.undistort_points(from, to, refuse, progress))
         })
     }
 }
@@ -151,7 +159,9 @@ fn warped<'py, P: WarpPixel + Element>(
     let (rows, columns, channels) = (picture.shape()[0], picture.shape()[1], picture.shape()[2]);
     memory::room_for((height * width * channels * size_of::<P>()) as u64).map_err(to_python)?;
     let image = Image { values: picture.as_slice()?, width: columns, height: rows, channels };
-    let warp = |to: &mut [P]| run::short(py, || lens::warp(lenses, &image, view, filter, P::nearest(fill), to, width));
+    let warp = |to: &mut [P]| {
+        run::long(py, None, |progress| lens::warp(lenses, &image, view, filter, P::nearest(fill), to, width, progress))
+    };
     filled(py, [height, width, channels], warp)?.into_py_any(py)
 }
 
@@ -197,7 +207,7 @@ pub(crate) fn warp_mesh<'py>(
 ) -> PyResult<MeshArrays<'py>> {
     let view = WarpView { from: fov(from_fov), to: fov(to_fov), tan_omega, distort };
     let lenses = self::lenses(&lenses);
-    let mesh = run::short(py, || lens::warp_mesh(&lenses, &view, cells, size))?;
+    let mesh = run::long(py, None, |progress| lens::warp_mesh(&lenses, &view, cells, size, progress))?;
     let count = mesh.places.len();
     let sources = mesh.sources.concat().into_flattened();
     Ok((
@@ -225,5 +235,7 @@ pub(crate) fn corrected_solid_angles<'py>(
     let (centers, radii) = (centers.as_slice()?.as_chunks::<3>().0, radii.as_slice()?);
     let (lens, forward) = (&lens.0, DVec3::from_array(forward).normalize());
     let sizes = Sizes { lens, eye: eye.into(), forward, tan_omega, exact };
-    filled(py, radii.len(), |to| run::short(py, || lens::corrected_solid_angles(&sizes, centers, radii, to)))
+    filled(py, radii.len(), |to| {
+        run::long(py, None, |progress| lens::corrected_solid_angles(&sizes, centers, radii, to, progress))
+    })
 }

@@ -3,7 +3,7 @@
 use std::slice;
 
 use glam::DVec3;
-use nearfar_core::base::{Error, Progress, Result};
+use nearfar_core::base::{Error, Result};
 use nearfar_core::metrics::{
     self, Comparison, Neighbourhood, Pixel, PixelRows, Plane, Similarity, SimilaritySums, Stacks, Window,
 };
@@ -15,16 +15,18 @@ use pyo3::prelude::*;
 
 use crate::camera::Camera;
 use crate::convert::errors::to_python;
+use crate::convert::one_of::one_of;
 use crate::convert::run;
 
-/// Images of any type in the last two axes of a stack; strides are whole multiples of the values' size and not
-/// negative.
-#[derive(FromPyObject)]
-pub(crate) enum Images<'py> {
-    Bytes(PyReadonlyArrayDyn<'py, u8>),
-    Shorts(PyReadonlyArrayDyn<'py, u16>),
-    Floats(PyReadonlyArrayDyn<'py, f32>),
-    Doubles(PyReadonlyArrayDyn<'py, f64>),
+one_of! {
+    /// Images of any type in the last two axes of a stack; strides are whole multiples of the values' size and not
+    /// negative.
+    pub(crate) enum Images<'py> {
+        Bytes(PyReadonlyArrayDyn<'py, u8>),
+        Shorts(PyReadonlyArrayDyn<'py, u16>),
+        Floats(PyReadonlyArrayDyn<'py, f32>),
+        Doubles(PyReadonlyArrayDyn<'py, f64>),
+    }
 }
 
 /// Evaluates `$body` with the arrays of two stacks of the same type.
@@ -78,7 +80,7 @@ pub(crate) fn mean_squared_errors(
 ) -> PyResult<Vec<MeanSquare>> {
     with_arrays!(&references, &tests, (a, b) => {
         let stacks = stacks(a, b, None)?;
-        let errors = run::short(py, || stacks.mean_squared_errors(ranges))?;
+        let errors = run::long(py, None, |progress| stacks.mean_squared_errors(ranges, progress))?;
         Ok(errors.iter().map(|error| (error.mean, error.range.least, error.range.greatest)).collect())
     })
 }
@@ -111,10 +113,7 @@ fn compared<'py, P: PixelRows<Real: PixelRows<Real = P::Real> + Element> + Eleme
     let maps = map_shape.map(|shape| PyArrayDyn::<P::Real>::zeros(py, shape, false));
     let mut writer = maps.as_ref().map(|maps| maps.readwrite());
     let out = writer.as_mut().map(|writer| writer.as_slice_mut()).transpose()?;
-    let sums = match report {
-        Some(_) => run::long(py, report, |progress| stacks.compare(comparison, out, progress))?,
-        None => run::short(py, || stacks.compare(comparison, out, &Progress::new()))?,
-    };
+    let sums = run::long(py, report, |progress| stacks.compare(comparison, out, progress))?;
     drop(writer);
     let each = |sums: &SimilaritySums| [sums.similarity, sums.pixels, sums.range.least, sums.range.greatest];
     Ok((sums.iter().map(each).collect(), maps.map(Bound::into_any)))
@@ -154,7 +153,7 @@ pub(crate) fn multiscale(
     let comparison = comparison(settings).map_err(to_python)?;
     with_arrays!(&references, &tests, (a, b) => {
         let stacks = stacks(a, b, None)?;
-        let all = run::short(py, || stacks.multiscale(&comparison, scales))?;
+        let all = run::long(py, None, |progress| stacks.multiscale(&comparison, scales, progress))?;
         Ok(all.into_iter().map(|found| (found.means, found.range.least, found.range.greatest)).collect())
     })
 }

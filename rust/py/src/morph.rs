@@ -8,12 +8,14 @@ use pyo3::prelude::*;
 use crate::convert::arrays::Points;
 use crate::convert::errors::to_python;
 use crate::convert::names::choice;
+use crate::convert::one_of::one_of;
 use crate::convert::run;
 
-#[derive(FromPyObject)]
-pub(crate) enum Shown<'py> {
-    Single(PyReadwriteArray2<'py, f32>),
-    Double(PyReadwriteArray2<'py, f64>),
+one_of! {
+    pub(crate) enum Shown<'py> {
+        Single(PyReadwriteArray2<'py, f32>),
+        Double(PyReadwriteArray2<'py, f64>),
+    }
 }
 
 pub(crate) fn kind(name: &str) -> Result<Kind> {
@@ -38,11 +40,11 @@ pub(crate) fn morph<'py>(
     match (&points, shown) {
         (Points::Single(points), Shown::Single(mut shown)) => {
             let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, shown.as_slice_mut()?.as_chunks_mut::<3>().0);
-            run::short(py, || Ok(make()?.apply_all_f32(rows, to)))
+            run::long(py, None, |progress| make()?.apply_all_f32(rows, to, progress))
         }
         (Points::Double(points), Shown::Double(mut shown)) => {
             let (rows, to) = (points.as_slice()?.as_chunks::<3>().0, shown.as_slice_mut()?.as_chunks_mut::<3>().0);
-            run::short(py, || Ok(make()?.apply_all_f64(rows, to)))
+            run::long(py, None, |progress| make()?.apply_all_f64(rows, to, progress))
         }
         _ => Err(to_python(Error::value("out", "the type of points", "another one"))),
     }

@@ -125,14 +125,14 @@ impl LoadCurve {
     /// Number of triangles that stay geometry at each radius.
     fn count<'py>(&self, py: Python<'py>, r2: PyReadonlyArray1<'py, f64>) -> PyResult<Bound<'py, PyArray1<i64>>> {
         let radii = r2.as_slice()?;
-        let counts: Vec<i64> = run::short(py, || radii.iter().map(|&r2| self.0.count(r2)).collect())?;
+        let counts: Vec<i64> = run::long(py, None, |progress| self.0.counts(radii, progress))?;
         Ok(counts.to_pyarray(py))
     }
 
     /// Greatest radius for each budget.
     fn radius<'py>(&self, py: Python<'py>, budget: PyReadonlyArray1<'py, i64>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let budgets = budget.as_slice()?;
-        let radii: Vec<f64> = run::short(py, || budgets.iter().map(|&budget| self.0.radius(budget)).collect())?;
+        let radii: Vec<f64> = run::long(py, None, |progress| self.0.radii(budgets, progress))?;
         Ok(radii.to_pyarray(py))
     }
 

@@ -122,12 +122,14 @@ def _chosen(index: Any, count: int) -> Any:
     """A number, a slice or an array by which fields of `count` curves may be indexed."""
     if isinstance(index, slice):
         return np.arange(count)[index]
-    chosen = np.asarray(index)
+    chosen = check.plain("index", index)
     if isinstance(index, list) and not index:
         return chosen.astype(np.intp)
     is_mask = chosen.dtype == bool and chosen.ndim == 1
     if chosen.ndim > 1 or not (is_mask or np.issubdtype(chosen.dtype, np.integer)):
-        raise TypeError(f"index: expected a number, a slice, a mask or whole numbers (M,), got {index!r}")
+        raise TypeError(
+            f"index: expected a number, a slice, a mask or whole numbers (M,), got {check.described(index)}"
+        )
     if is_mask and len(chosen) != count:
         raise IndexError(f"index: expected a mask of shape ({count},), got {chosen.shape}")
     if not is_mask:

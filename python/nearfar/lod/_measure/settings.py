@@ -7,8 +7,8 @@ from typing import Any, TypedDict
 
 from nearfar._base import check
 from nearfar._camera.camera import Fov
+from nearfar._camera.shot import MAX_SAMPLES
 from nearfar._render import backend as backends
-from nearfar._render.channels import MAX_SAMPLES
 from nearfar.hmd._hmd import Hmd
 from nearfar.lod._measure.views import AXES, Screen
 
@@ -83,10 +83,9 @@ class MeasureSettings:
             "samples": check.integer("samples", self.samples, 1, MAX_SAMPLES),
             "backend": None if self.backend is None else backends.check(self.backend),
         }
+        checked["cache"] = check.flag("cache", self.cache)
         for name, value in checked.items():
             object.__setattr__(self, name, value)
-        if not isinstance(self.cache, bool):
-            raise TypeError(f"cache: expected True or False, got {self.cache!r}")
         if self.views % len(AXES):
             raise ValueError(f"views: expected a multiple of {len(AXES)}, got {self.views}")
 

@@ -38,10 +38,7 @@ def curves_of(
     models: Sequence[MeasuredLevels],
 ) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
     """Curves of all models (C, 4), the first of each model (M + 1,), and the sizes that were measured (M, 2)."""
-    if isinstance(models, MeasuredLevels) or not isinstance(models, Sequence):
-        raise TypeError(f"models: expected a sequence of LodModel, got {type(models).__name__}")
-    for number, model in enumerate(models):
-        check.instance("models", model, MeasuredLevels, f"a LodModel at index {number}")
+    check.items("models", models, MeasuredLevels, "a sequence of LodModel")
     rows = [_curve_rows(model) for model in models]
     firsts = np.zeros(len(rows) + 1, np.int64)
     np.cumsum([len(part) for part in rows], out=firsts[1:])

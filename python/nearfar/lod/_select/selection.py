@@ -10,6 +10,8 @@ import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import DTypeLike, NDArray
 
+from nearfar._base import check
+
 Array = NDArray[np.float64]
 
 COLUMNS = ("sigma", "sigma_seen", "threshold", "score", "shown")
@@ -50,7 +52,7 @@ class Selection(NDArrayOperatorsMixin):
     than it, −1 outside of the view."""
 
     def __post_init__(self, columns: Mapping[str, Array]) -> None:
-        for name, values in columns.items():
+        for name, values in check.mapping("columns", columns, "arrays by name").items():
             object.__setattr__(self, name, values)
 
     @property

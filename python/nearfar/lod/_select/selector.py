@@ -75,7 +75,7 @@ class Selector:
             "lens": lens,
             "lens_radius": None if lens_radius is None else check.positive("lens_radius", lens_radius),
             "reference": None if reference is None else check.positive("reference", reference),
-            "cull": bool(cull),
+            "cull": check.flag("cull", cull),
             "hysteresis": check.within("hysteresis", hysteresis, 0.0, 1.0),
             "fade": check.within("fade", fade, 0.0, 1.0),
             "acuity_slope": check.at_least_zero("acuity_slope", acuity_slope),
@@ -136,7 +136,7 @@ class Selector:
             acuity=(self.acuity_slope, self.acuity_limit_deg) if is_fovea else None,
             hysteresis=self.hysteresis,
             fade=self.fade,
-            full=bool(full),
+            full=check.flag("full", full),
         )
         return Selection(
             level=level,

@@ -133,7 +133,8 @@ def distortion(
         raise ValueError(f"eccentricity_deg: expected numbers of at least 0, got {away.min()}")
     scale = checked_lens(lens, view, lens_radius)
     tangent = np.where(away < 90, np.tan(np.radians(np.minimum(away, 89.999999999))), np.nan)
-    r = lens.undistort(tangent / scale, outside="nan")
+    with np.errstate(over="ignore"):
+        r = lens.undistort(tangent / scale, outside="nan")
     slope = lens.derivative(np.nan_to_num(r), outside="nan")
     share = (1 + tangent**2) / (1 + (scale * r) ** 2) / slope
     return np.asarray(np.where(np.isfinite(share), share, 1.0))

@@ -7,10 +7,12 @@ from dataclasses import dataclass, fields
 from typing import SupportsFloat
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+from nearfar._base import check
 from nearfar._camera.camera import Camera, Fov
 from nearfar.hmd._hmd import Hmd
+from nearfar.lod._levels import level_numbers
 from nearfar.lod._measured_levels import MeasuredLevels
 from nearfar.lod._select.size import half_tangent, reference_solid_angle
 from nearfar.lod._select.threshold import LodThreshold, threshold_of
@@ -52,9 +54,10 @@ class Switches:
         shown[0] = True
         return shown
 
-    def of_levels(self, numbers: NDArray[np.int64]) -> Switches:
-        """The switches of some of the levels, by their ascending numbers (N,)."""
-        return Switches(**{field.name: getattr(self, field.name)[numbers] for field in fields(self)})
+    def of_levels(self, numbers: ArrayLike) -> Switches:
+        """The switches of some of the levels, by their ascending numbers (N,), of which the first is 0."""
+        chosen = level_numbers("numbers", numbers, len(self.solid_angle))
+        return Switches(**{field.name: getattr(self, field.name)[chosen] for field in fields(self)})
 
     def coverages(self) -> list[float]:
         """`MSFT_screencoverage`: where each level ends and the next begins; 0 for the last, which has no end."""
@@ -74,7 +77,8 @@ class Switches:
 
     def remarks(self, level: int) -> list[str]:
         """Notes on a level beside its sizes: "never shown", "beyond what was measured"."""
-        never, limit = not self.shown[level], self.is_limit[level]
+        number = check.integer("level", level, 0, len(self.solid_angle) - 1)
+        never, limit = not self.shown[number], self.is_limit[number]
         return (["beyond what was measured"] if limit else []) + (["never shown"] if never else [])
 
 
@@ -115,6 +119,7 @@ def switches(
     ValueError, TypeError
         For arguments out of their domains.
     """
+    check.instance("model", model, MeasuredLevels, "a LodModel")
     fov = _fov(view)
     reference = reference_solid_angle(view)
     sizes = _good_sizes(model, reference, threshold_of(threshold, k, d).line(reference))

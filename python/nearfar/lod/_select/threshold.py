@@ -53,6 +53,7 @@ class LodThreshold:
 
         `reference` is σ₁/₁₆ in steradians.
         """
+        reference = check.positive("reference", reference)
         match self.kind:
             case "anchored":
                 return self.d - self.k * reference, self.k
@@ -64,7 +65,7 @@ class LodThreshold:
     def __call__(self, sigma: ArrayLike, reference: float) -> NDArray[np.float64]:
         """Return f(σ) for solid angles of any shape; both in steradians."""
         start, slope = self.line(reference)
-        return np.asarray(start + slope * np.asarray(sigma, np.float64))
+        return np.asarray(start + slope * check.array("sigma", sigma, columns=None, dtype=np.float64))
 
 
 def threshold_of(
@@ -74,7 +75,9 @@ def threshold_of(
     if isinstance(threshold, LodThreshold):
         for name, value in (("k", k), ("d", d)):
             if value is not None:
-                raise ValueError(f"{name}: expected None beside a LodThreshold, which has its own, got {value}")
+                raise ValueError(
+                    f"{name}: expected None beside a LodThreshold, which has its own, got {check.shown(value)}"
+                )
         return threshold
     kind = None if threshold is None else check.choice("threshold", threshold, KINDS)
     fields: dict[str, Any] = {"k": k, "d": d, "kind": kind}

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
+from nearfar._base import background
 from nearfar.lod._simplify.surface import Surface, box_of, charts_of
 
 _ENOUGH = 1.01
@@ -75,7 +77,7 @@ class MeshoptSimplifier:
         arrays = (self._positions, *self._weights, self._is_seam, self._faces)
         left = self._faces
         for sacrifice in ("nothing", "seams", "parts"):
-            faces, _ = _core.collapse(*arrays, target, sacrifice)
+            faces, _ = background.run(functools.partial(_core.collapse, *arrays, target, sacrifice))
             left = min(left, faces, key=len)
             if len(faces) <= _ENOUGH * target:
                 break

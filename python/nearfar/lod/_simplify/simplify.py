@@ -7,6 +7,8 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from nearfar._base import check, progress
 from nearfar._scene.scene import Scene
 from nearfar.lod._levels import Level, Levels
@@ -100,9 +102,10 @@ def simplify(
 
 def _ratios(ratios: Iterable[float]) -> list[float]:
     """Shares below 1, falling, each once."""
-    if isinstance(ratios, str | bytes) or not isinstance(ratios, Iterable):
-        raise TypeError(f"ratios: expected numbers above 0 and at most 1, got {type(ratios).__name__}")
-    shares = [check.number(f"ratios[{number}]", ratio) for number, ratio in enumerate(ratios)]
+    if isinstance(ratios, np.ndarray):
+        ratios = check.array("ratios", ratios, columns=None, dtype=np.float64).ravel().tolist()
+    listed = check.iterable("ratios", ratios, "numbers above 0 and at most 1")
+    shares = [check.number(f"ratios[{number}]", ratio) for number, ratio in enumerate(listed)]
     for number, share in enumerate(shares):
         if not 0 < share <= 1:
             raise ValueError(f"ratios[{number}]: expected a number above 0 and at most 1, got {share}")

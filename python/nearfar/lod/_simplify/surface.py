@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._base import check
+from nearfar._base import background, check
 from nearfar._scene.names import Names
 from nearfar._scene.scene import Scene
 from nearfar.lod._simplify.normals import smoothed
@@ -116,8 +116,7 @@ def _scene_of(mesh: Scene | trimesh.Trimesh | trimesh.Scene | str | os.PathLike[
         return mesh
     if isinstance(mesh, str | os.PathLike):
         return Scene.load(check.path("mesh", mesh))
-    import trimesh
-
+    trimesh = background.module("trimesh")
     if isinstance(mesh, trimesh.Trimesh | trimesh.Scene):
         return Scene.from_trimesh(mesh)
     raise TypeError(f"mesh: expected a Scene, a mesh or scene of trimesh, or a path, got {type(mesh).__name__}")

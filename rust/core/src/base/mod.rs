@@ -10,6 +10,7 @@ pub mod progress;
 pub mod random;
 pub mod real;
 pub(crate) mod simd;
+pub(crate) mod sort;
 
 pub use aabb::{Aabb, REACH};
 pub use buffer::Buffer;

@@ -25,6 +25,21 @@ pub fn install<R: Send>(work: impl FnOnce() -> R + Send) -> Result<R> {
     Ok(current()?.install(work))
 }
 
+/// Runs `work` on the pool, so that every rayon call inside uses it, while the calling thread does something else.
+/// Returns after both.
+pub fn beside<'s, R>(work: impl FnOnce() + Send + 's, meanwhile: impl FnOnce() -> R) -> Result<R> {
+    Ok(current()?.in_place_scope(|scope: &rayon::Scope<'s>| {
+        scope.spawn(move |_| work());
+        meanwhile()
+    }))
+}
+
+/// Begins `work` on the pool and does not wait for it.
+pub fn spawn(work: impl FnOnce() + Send + 'static) -> Result<()> {
+    current()?.spawn(work);
+    Ok(())
+}
+
 /// Number of threads of the pool.
 pub fn thread_count() -> Result<usize> {
     Ok(current()?.current_num_threads())

@@ -3,6 +3,10 @@
 //!
 //! The mixing function is SplitMix64's finaliser (Steele, Lea, Flood: Fast splittable pseudorandom number generators,
 //! 2014); it runs after each word is combined with the state.
+use rayon::prelude::*;
+
+use super::{Progress, Result};
+
 /// 2⁶⁴ divided by the golden ratio.
 const GOLDEN: u64 = 0x9E37_79B9_7F4A_7C15;
 
@@ -20,6 +24,19 @@ pub fn bits(seed: u64, cell: u64, index: u64) -> u64 {
 /// A float64 in [0, 1) with 53 random bits.
 pub fn uniform(seed: u64, cell: u64, index: u64) -> f64 {
     (bits(seed, cell, index) >> 11) as f64 * (1.0 / (1u64 << 53) as f64)
+}
+
+/// Number of draws in one task.
+const TILE: usize = 1 << 14;
+
+/// `uniform` of many indices.
+pub fn fill_uniform(seed: u64, cell: u64, index: &[u64], draws: &mut [f64], progress: &Progress) -> Result<()> {
+    index.par_chunks(TILE).zip(draws.par_chunks_mut(TILE)).try_for_each(|(index, draws)| {
+        for (&index, draw) in index.iter().zip(draws) {
+            *draw = uniform(seed, cell, index);
+        }
+        progress.check()
+    })
 }
 
 #[cfg(test)]

@@ -2,41 +2,47 @@
 
 use super::scan::Cloud;
 use super::sphere::Sphere;
-use crate::base::Real;
+use crate::base::{Real, Result};
+
+/// Number of points between two checks whether the caller has cancelled.
+const CHECKED: usize = 1 << 16;
 
 /// The sphere about the mean of the points.
-pub(super) fn average<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
-    let center = cloud.mean();
-    Sphere { center, radius: cloud.farthest(center).0 }
+pub(super) fn average<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
+    let center = cloud.mean()?;
+    Ok(Sphere { center, radius: cloud.farthest(center)?.0 })
 }
 
 /// The sphere about the middle of the bounding box.
-pub(super) fn min_max<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
+pub(super) fn min_max<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
     let center = (cloud.bounds[0] + cloud.bounds[1]) * 0.5;
-    Sphere { center, radius: cloud.farthest(center).0 }
+    Ok(Sphere { center, radius: cloud.farthest(center)?.0 })
 }
 
 /// The smaller of the two spheres above.
-pub(super) fn best<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
-    let (one, other) = (average(cloud), min_max(cloud));
-    if one.radius <= other.radius { one } else { other }
+pub(super) fn best<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
+    let (one, other) = (average(cloud)?, min_max(cloud)?);
+    Ok(if one.radius <= other.radius { one } else { other })
 }
 
 /// Ritter's sphere: it starts from two distant points and grows to contain each point outside, in order.
-pub(super) fn ritter<T: Real>(cloud: &Cloud<'_, T>) -> Sphere {
-    let (_, one) = cloud.farthest(cloud.at(&cloud.points[0]));
-    let (apart, other) = cloud.farthest(one);
+pub(super) fn ritter<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
+    let (_, one) = cloud.farthest(cloud.at(&cloud.points[0]))?;
+    let (apart, other) = cloud.farthest(one)?;
     let (mut center, mut radius) = ((one + other) * 0.5, apart * 0.5);
-    for point in cloud.points {
-        let away = cloud.at(point) - center;
-        let squared = away.length_squared();
-        if squared > radius * radius {
-            let distance = squared.sqrt();
-            let wider = 0.5 * (radius + distance);
-            center += away * ((distance - wider) / distance);
-            radius = wider;
+    for points in cloud.points.chunks(CHECKED) {
+        for point in points {
+            let away = cloud.at(point) - center;
+            let squared = away.length_squared();
+            if squared > radius * radius {
+                let distance = squared.sqrt();
+                let wider = 0.5 * (radius + distance);
+                center += away * ((distance - wider) / distance);
+                radius = wider;
+            }
         }
+        cloud.progress().check()?;
     }
     // Each step rounds, so the farthest point sets the final radius.
-    Sphere { center, radius: cloud.farthest(center).0 }
+    Ok(Sphere { center, radius: cloud.farthest(center)?.0 })
 }

@@ -12,21 +12,21 @@ use crate::base::{Error, Progress, Real, Result};
 const PLAIN_EXTENTS: std::ops::Range<f64> = 1e-140..1e140;
 
 /// The bounding sphere of points. No point lies outside by more than the rounding of the radius.
-pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: SphereMethod) -> Result<Sphere> {
-    let cloud = Cloud::new(points)?;
+pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: SphereMethod, progress: &Progress) -> Result<Sphere> {
+    let cloud = Cloud::new(points, progress)?;
     let extent = cloud.extent();
     if extent == 0.0 {
         return Ok(Sphere { center: cloud.origin, radius: 0.0 });
     }
     if PLAIN_EXTENTS.contains(&extent) {
-        return Ok(cloud.placed(&of(&cloud, method)));
+        return cloud.placed(&of(&cloud, method)?);
     }
     // Scaling by a power of two is exact except for denormals, and those are scaled up.
     let exponent = extent.log2().floor().clamp(-1000.0, 1000.0);
     let scale = (-exponent).exp2();
     let scaled: Vec<[f64; 3]> = points.iter().map(|point| (cloud.at(point) * scale).to_array()).collect();
-    let small = Cloud::new(&scaled)?;
-    let sphere = small.placed(&of(&small, method));
+    let small = Cloud::new(&scaled, progress)?;
+    let sphere = small.placed(&of(&small, method)?)?;
     let center = cloud.origin + sphere.center / scale;
     // Measured distances would need squares, which overflow here. The rounding of the centre is added to the radius
     // instead.
@@ -35,7 +35,7 @@ pub fn bounding_sphere<T: Real>(points: &[[T; 3]], method: SphereMethod) -> Resu
 }
 
 /// The sphere in the cloud's own frame.
-fn of<T: Real>(cloud: &Cloud<'_, T>, method: SphereMethod) -> Sphere {
+fn of<T: Real>(cloud: &Cloud<'_, T>, method: SphereMethod) -> Result<Sphere> {
     match method {
         SphereMethod::Exact => exact::smallest(cloud),
         SphereMethod::Ritter => approximate::ritter(cloud),
@@ -64,7 +64,7 @@ pub fn bounding_spheres<T: Real>(
     (0..count).try_for_each(|n| group(n).map(drop))?;
     progress.expect(count as u64);
     let sphere = |n: usize| {
-        let sphere = bounding_sphere(group(n)?, method)?;
+        let sphere = bounding_sphere(group(n)?, method, progress)?;
         progress.report(1)?;
         Ok(sphere)
     };

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::sphere::Sphere;
 use crate::base::simd::{prefetch, vectorized};
-use crate::base::{Error, Real, Result};
+use crate::base::{Error, Progress, Real, Result};
 
 /// Number of points in one task. It is fixed, so that results do not depend on the number of threads.
 const TILE: usize = 1 << 12;
@@ -52,6 +52,7 @@ vectorized! {
 /// from zero the points lie.
 pub(super) struct Cloud<'a, T> {
     pub points: &'a [[T; 3]],
+    progress: &'a Progress,
     pub origin: DVec3,
     /// Least and greatest coordinates, relative to the origin.
     pub bounds: [DVec3; 2],
@@ -61,12 +62,12 @@ pub(super) struct Cloud<'a, T> {
 
 impl<'a, T: Real> Cloud<'a, T> {
     /// Scans all points; refuses an empty array and points that are not finite.
-    pub fn new(points: &'a [[T; 3]]) -> Result<Self> {
+    pub fn new(points: &'a [[T; 3]], progress: &'a Progress) -> Result<Self> {
         let Some(first) = points.first() else {
             return Err(Error::value("points", "at least one point", "none"));
         };
         let origin = DVec3::from_array(first.map(T::wide));
-        let tiles: Vec<Extremes> = tiles(points).map(extremes).collect();
+        let tiles: Vec<Extremes> = each_tile(points, progress, |_, points| extremes(points))?;
         let all = Extremes {
             low: std::array::from_fn(|n| tiles.iter().fold(f64::INFINITY, |low, tile| lesser(tile.low[n], low))),
             high: std::array::from_fn(|n| -tiles.iter().fold(f64::INFINITY, |low, tile| lesser(-tile.high[n], low))),
@@ -91,12 +92,17 @@ impl<'a, T: Real> Cloud<'a, T> {
             ]
         });
         let extremes = extremes.flatten().map(|point| DVec3::from_array(point.map(T::wide)) - origin).collect();
-        Ok(Self { points, origin, bounds: bounds.map(|corner| corner - origin), extremes })
+        Ok(Self { points, progress, origin, bounds: bounds.map(|corner| corner - origin), extremes })
     }
 
     /// Longest side of the bounding box.
     pub fn extent(&self) -> f64 {
         (self.bounds[1] - self.bounds[0]).max_element()
+    }
+
+    /// Fails if the caller has cancelled.
+    pub fn progress(&self) -> &'a Progress {
+        self.progress
     }
 
     /// A point relative to the cloud's origin.
@@ -106,50 +112,61 @@ impl<'a, T: Real> Cloud<'a, T> {
     }
 
     /// Greatest distance from a centre, and the first point that has it.
-    pub fn farthest(&self, center: DVec3) -> (f64, DVec3) {
-        farthest_of(self.points, self.origin, center)
+    pub fn farthest(&self, center: DVec3) -> Result<(f64, DVec3)> {
+        farthest_of(self.points, self.origin, center, self.progress)
     }
 
-    pub fn mean(&self) -> DVec3 {
-        let tiles: Vec<DVec3> = tiles(self.points).map(|points| sum(points, self.origin)).collect();
-        tiles.into_iter().sum::<DVec3>() / self.points.len() as f64
+    pub fn mean(&self) -> Result<DVec3> {
+        let tiles: Vec<DVec3> = each_tile(self.points, self.progress, |_, points| sum(points, self.origin))?;
+        Ok(tiles.into_iter().sum::<DVec3>() / self.points.len() as f64)
     }
 
     /// Points farther than a distance from a centre, in order.
-    pub fn beyond(&self, center: DVec3, distance: f64) -> Vec<[f64; 3]> {
-        let tile = |points: &[[T; 3]]| {
+    pub fn beyond(&self, center: DVec3, distance: f64) -> Result<Vec<[f64; 3]>> {
+        let tile = |_: usize, points: &[[T; 3]]| {
             let mut found = Vec::new();
             beyond(points, self.origin, center, distance * distance, &mut found);
             found
         };
-        let tiles: Vec<Vec<[f64; 3]>> = tiles(self.points).map(tile).collect();
-        tiles.concat()
+        let tiles: Vec<Vec<[f64; 3]>> = each_tile(self.points, self.progress, tile)?;
+        Ok(tiles.concat())
     }
 
     /// Moves a sphere from the cloud's frame to that of the points. The sum rounds the centre, so the radius is
     /// measured again from the rounded centre.
-    pub fn placed(&self, sphere: &Sphere) -> Sphere {
+    pub fn placed(&self, sphere: &Sphere) -> Result<Sphere> {
         let center = sphere.center + self.origin;
         let moved = (center - self.origin) - sphere.center;
-        let radius = if moved == DVec3::ZERO { sphere.radius } else { self.farthest(center - self.origin).0 };
-        Sphere { center, radius }
+        let radius = if moved == DVec3::ZERO { sphere.radius } else { self.farthest(center - self.origin)?.0 };
+        Ok(Sphere { center, radius })
     }
 }
 
 /// Greatest distance from a centre, and the first point that has it; both relative to the origin.
-pub(super) fn farthest_of<T: Real>(points: &[[T; 3]], origin: DVec3, center: DVec3) -> (f64, DVec3) {
-    let tile = |(n, points): (usize, &[[T; 3]])| {
+pub(super) fn farthest_of<T: Real>(
+    points: &[[T; 3]],
+    origin: DVec3,
+    center: DVec3,
+    progress: &Progress,
+) -> Result<(f64, DVec3)> {
+    let tile = |n: usize, points: &[[T; 3]]| {
         let (squared, index) = farthest(points, origin, center);
         (squared, n * TILE + index)
     };
-    let tiles: Vec<(f64, usize)> = tiles(points).enumerate().map(tile).collect();
+    let tiles: Vec<(f64, usize)> = each_tile(points, progress, tile)?;
     let first = |a: (f64, usize), b: (f64, usize)| if b.0 > a.0 { b } else { a };
     let (squared, index) = tiles.into_iter().fold((f64::NEG_INFINITY, 0), first);
-    (squared.sqrt(), DVec3::from_array(points[index].map(T::wide)) - origin)
+    Ok((squared.sqrt(), DVec3::from_array(points[index].map(T::wide)) - origin))
 }
 
-fn tiles<T: Sync>(points: &[[T; 3]]) -> rayon::slice::Chunks<'_, [T; 3]> {
-    points.par_chunks(TILE)
+/// Results of a kernel for each tile, in order.
+fn each_tile<T: Sync, R: Send>(
+    points: &[[T; 3]],
+    progress: &Progress,
+    kernel: impl Fn(usize, &[[T; 3]]) -> R + Sync,
+) -> Result<Vec<R>> {
+    let tile = |(n, points): (usize, &[[T; 3]])| progress.check().map(|()| kernel(n, points));
+    points.par_chunks(TILE).enumerate().map(tile).collect()
 }
 
 /// The lesser value; NaN if the first is NaN.

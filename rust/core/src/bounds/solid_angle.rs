@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::base::{Error, Result};
+use crate::base::{Error, Progress, Result};
 
 /// Number of spheres in one task.
 const TILE: usize = 1 << 12;
@@ -51,13 +51,12 @@ pub fn each_tile(
     radii: &[f64],
     eye: DVec3,
     to: &mut [f64],
-    of: impl Fn(&[[f64; 3]], &[f64], &mut [f64]) + Sync,
+    of: impl Fn(&[[f64; 3]], &[f64], &mut [f64]) -> Result<()> + Sync,
 ) -> Result<()> {
     let tiles = centers.par_chunks(TILE).zip(radii.par_chunks(TILE)).zip(to.par_chunks_mut(TILE)).enumerate();
     tiles.try_for_each(|(number, ((centers, radii), to))| {
         check(centers, radii, eye, number * TILE)?;
-        of(centers, radii, to);
-        Ok(())
+        of(centers, radii, to)
     })
 }
 
@@ -77,10 +76,17 @@ pub fn check(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, first: usize) -> R
 }
 
 /// Solid angles in steradians; 4π if the eye is in or on the sphere.
-pub fn solid_angles(centers: &[[f64; 3]], radii: &[f64], eye: DVec3, to: &mut [f64]) -> Result<()> {
+pub fn solid_angles(
+    centers: &[[f64; 3]],
+    radii: &[f64],
+    eye: DVec3,
+    to: &mut [f64],
+    progress: &Progress,
+) -> Result<()> {
     each_tile(centers, radii, eye, to, |centers, radii, to| {
         for ((center, &radius), to) in centers.iter().zip(radii).zip(to) {
             *to = Seen::new(DVec3::from_array(*center) - eye, radius).map_or(4.0 * PI, |seen| seen.solid_angle());
         }
+        progress.check()
     })
 }

@@ -2,6 +2,7 @@ use glam::DVec3;
 use proptest::prelude::*;
 
 use super::*;
+use crate::base::Progress;
 
 /// Radius of the smallest sphere that contains all points, over all spheres that two to four points determine.
 fn slowly(points: &[[f64; 3]]) -> f64 {
@@ -35,10 +36,10 @@ proptest! {
     ) {
         let points: Vec<[f64; 3]> =
             points.iter().map(|&[x, y, z]| [x + shift, y - shift, if flat { shift } else { z }]).collect();
-        let found = bounding_sphere(&points, SphereMethod::Exact).unwrap();
+        let found = bounding_sphere(&points, SphereMethod::Exact, &Progress::new()).unwrap();
         prop_assert!((found.radius - slowly(&points)).abs() <= 1e-12);
         for method in [SphereMethod::Ritter, SphereMethod::Average, SphereMethod::MinMax, SphereMethod::Best] {
-            prop_assert!(bounding_sphere(&points, method).unwrap().radius >= found.radius * (1.0 - 1e-12));
+            prop_assert!(bounding_sphere(&points, method, &Progress::new()).unwrap().radius >= found.radius * (1.0 - 1e-12));
         }
     }
 
@@ -46,10 +47,10 @@ proptest! {
     fn nothing_is_left_outside_of_many_points(seed in 0..1000u32, count in 4000..9000usize, thin in 0.0..1.0f64) {
         let unit = |n: usize, axis: u64| crate::base::random::uniform(u64::from(seed), axis, n as u64) - 0.5;
         let points: Vec<[f64; 3]> = (0..count).map(|n| [unit(n, 0), unit(n, 1) * thin, unit(n, 2)]).collect();
-        let found = bounding_sphere(&points, SphereMethod::Exact).unwrap();
+        let found = bounding_sphere(&points, SphereMethod::Exact, &Progress::new()).unwrap();
         let farthest = points.iter().map(|&p| (DVec3::from(p) - found.center).length()).fold(0.0, f64::max);
         prop_assert!(farthest <= found.radius * (1.0 + 4.0 * f64::EPSILON));
-        let narrow = bounding_sphere(&points[..4000], SphereMethod::Exact).unwrap();
+        let narrow = bounding_sphere(&points[..4000], SphereMethod::Exact, &Progress::new()).unwrap();
         prop_assert!(narrow.radius <= found.radius * (1.0 + 1e-14));
     }
 }

@@ -6,7 +6,10 @@ use rayon::prelude::*;
 use super::cube_face::direction_from_face;
 use super::projection::{Fov, Projection};
 use super::rays::Rays;
-use crate::base::{Error, Result, memory::room_for};
+use crate::base::{Error, Progress, Result, memory::room_for};
+
+/// Number of points in one task.
+const TILE: usize = 1 << 12;
 
 /// A view: position in the scene's world and orientation camera→world. It looks along −z, with y up.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,15 +84,31 @@ impl Camera {
     }
 
     /// World starts and unit directions of the rays through all pixel centres, in row-major order.
-    pub fn pixel_rays(&self) -> Result<(Vec<DVec3>, Vec<DVec3>)> {
-        let (rays, width) = (self.rays(), u64::from(self.width));
-        // The factor 4 counts starts and directions twice, because callers copy them into arrays of their own.
-        room_for(4 * size_of::<DVec3>() as u64 * width * u64::from(self.height))?;
-        let one = |pixel: u64| {
-            let (start, direction) = rays.at((pixel % width) as f64 + 0.5, (pixel / width) as f64 + 0.5);
-            (self.position + start, direction)
-        };
-        Ok((0..width * u64::from(self.height)).into_par_iter().map(one).unzip())
+    pub fn pixel_rays(&self, starts: &mut [[f64; 3]], directions: &mut [[f64; 3]], progress: &Progress) -> Result<()> {
+        let (rays, width) = (self.rays(), self.width as usize);
+        let rows = starts.par_chunks_mut(width).zip(directions.par_chunks_mut(width)).enumerate();
+        rows.try_for_each(|(row, (starts, directions))| {
+            for (column, (start, direction)) in starts.iter_mut().zip(directions).enumerate() {
+                let (from, to) = rays.at(column as f64 + 0.5, row as f64 + 0.5);
+                (*start, *direction) = ((self.position + from).to_array(), to.to_array());
+            }
+            progress.check()
+        })
+    }
+
+    /// Fails if the rays of all pixels do not fit into memory.
+    pub fn room_for_rays(&self) -> Result<()> {
+        room_for(2 * size_of::<DVec3>() as u64 * u64::from(self.width) * u64::from(self.height))
+    }
+
+    /// `project` of many points; NaN for points behind the camera.
+    pub fn project_all(&self, points: &[[f64; 3]], places: &mut [[f64; 3]], progress: &Progress) -> Result<()> {
+        points.par_chunks(TILE).zip(places.par_chunks_mut(TILE)).try_for_each(|(points, places)| {
+            for (point, place) in points.iter().zip(places) {
+                *place = self.project(DVec3::from_array(*point)).unwrap_or(DVec3::NAN).to_array();
+            }
+            progress.check()
+        })
     }
 
     /// Image position (x, y) of a world point in pixels, and its distance along the viewing axis; `None` behind the

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::faces::{CubeFaces, is_known};
 use super::lookup::{self, halve_greatest, halve_least};
 use super::solid::{edge_of, edges, row_of_angles, solid_angle};
-use crate::base::{Error, Real, Result};
+use crate::base::{Error, Progress, Real, Result};
 
 /// Rule that reduces the covered texels to one texel of the next level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,7 +43,12 @@ pub fn next_size(size: u32) -> u32 {
 }
 
 /// Writes the next level.
-pub fn next_level<T: Real>(faces: CubeFaces<'_, T>, reduction: Reduction, out: &mut [T]) -> Result<()> {
+pub fn next_level<T: Real>(
+    faces: CubeFaces<'_, T>,
+    reduction: Reduction,
+    out: &mut [T],
+    progress: &Progress,
+) -> Result<()> {
     let (size, next) = (faces.size, next_size(faces.size));
     let expected = 6 * (next as usize).pow(2) * faces.channels;
     if out.len() != expected {
@@ -60,7 +65,7 @@ pub fn next_level<T: Real>(faces: CubeFaces<'_, T>, reduction: Reduction, out: &
     let mut rest = out.chunks_exact_mut(row_length * next as usize);
     let mut face = || rest.next().unwrap_or_default().par_chunks_exact_mut(row_length);
     let rows = (face(), face(), face(), face(), face(), face()).into_par_iter();
-    rows.zip(0..next).for_each(|((a, b, c, d, e, f), row)| {
+    rows.zip(0..next).try_for_each(|((a, b, c, d, e, f), row)| {
         let down = covered(row, size, next);
         let weights = match reduction {
             Reduction::Mean if plain => pair_of_rows(row, size, &edges),
@@ -77,8 +82,8 @@ pub fn next_level<T: Real>(faces: CubeFaces<'_, T>, reduction: Reduction, out: &
                 Reduction::Max => extreme(texels, &across, &faces, |one, other| one > other, out),
             }
         }
-    });
-    Ok(())
+        progress.check()
+    })
 }
 
 /// One row of the next level, for one channel and an even size.

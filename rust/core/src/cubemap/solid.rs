@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::faces::check_size;
 use crate::base::simd::vectorized;
-use crate::base::{Error, Result};
+use crate::base::{Error, Progress, Result};
 
 /// Least face width, in texels, at which half the solid angles of all triangles are below 0.01 sr.
 const FINE_SIZE: u32 = 32;
@@ -82,13 +82,15 @@ pub(super) fn edge_of(index: u32, size: u32) -> f64 {
 }
 
 /// Writes the solid angles of the texels of one face, row by row. All six faces have the same.
-pub fn solid_angles(size: u32, out: &mut [f64]) -> Result<()> {
+pub fn solid_angles(size: u32, out: &mut [f64], progress: &Progress) -> Result<()> {
     check_size(size)?;
     let count = (size as usize).pow(2);
     if out.len() != count {
         return Err(Error::value("out", format!("{count} values"), out.len()));
     }
     let edges = edges(size);
-    out.par_chunks_mut(size as usize).zip(0..size).for_each(|(out, row)| row_of_angles(row, size, &edges, out));
-    Ok(())
+    out.par_chunks_mut(size as usize).zip(0..size).try_for_each(|(out, row)| {
+        row_of_angles(row, size, &edges, out);
+        progress.check()
+    })
 }

@@ -2,7 +2,7 @@ use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 
 use super::*;
-use crate::base::random::uniform;
+use crate::base::{Progress, random::uniform};
 use crate::camera::{direction_from_face, face_from_direction};
 
 fn random_directions(count: u64, seed: u64) -> Vec<[f64; 3]> {
@@ -29,7 +29,7 @@ fn grid(size: u32) -> Grid {
 
 pub(super) fn centers(size: u32) -> Vec<[f64; 3]> {
     let mut directions = vec![[0.0; 3]; grid(size).texels()];
-    grid_directions(grid(size), &mut directions).unwrap();
+    grid_directions(grid(size), &mut directions, &Progress::new()).unwrap();
     directions
 }
 
@@ -41,15 +41,15 @@ fn blocks_find_what_single_lookups_find_bit_for_bit() {
         let faces = CubeFaces::new(&values, size, channels).unwrap();
         let directions = random_directions(1000, size.into());
         let mut out = vec![0.0; directions.len() * channels];
-        nearest(faces, &directions, &mut out).unwrap();
+        nearest(faces, &directions, &mut out, &Progress::new()).unwrap();
         for (i, &d) in directions.iter().enumerate() {
             let number = texel_from_direction(DVec3::from_array(d), size);
             assert_eq!(out[i * channels..][..channels], *faces.texel(number));
         }
-        lookup(faces, &directions, TexelFilter::Linear, &mut out).unwrap();
+        lookup(faces, &directions, TexelFilter::Linear, &mut out, &Progress::new()).unwrap();
         let [mut least, mut greatest] = [out.clone(), out.clone()];
-        lookup(faces, &directions, TexelFilter::Min, &mut least).unwrap();
-        lookup(faces, &directions, TexelFilter::Max, &mut greatest).unwrap();
+        lookup(faces, &directions, TexelFilter::Min, &mut least, &Progress::new()).unwrap();
+        lookup(faces, &directions, TexelFilter::Max, &mut greatest, &Progress::new()).unwrap();
         for (i, &d) in directions.iter().enumerate() {
             let taps = Taps::new(DVec3::from_array(d), size);
             for channel in 0..channels {
@@ -74,16 +74,16 @@ fn least_and_greatest_bracket_the_mean_and_infinity_stays_out_of_weightless_texe
     let directions: Vec<[f64; 3]> = (0..96).map(|t| direction_from_texel(t, size).to_array()).collect();
     let mut out = vec![0.0; 96];
     for filter in [TexelFilter::Linear, TexelFilter::Min, TexelFilter::Max] {
-        lookup(faces, &directions, filter, &mut out).unwrap();
+        lookup(faces, &directions, filter, &mut out, &Progress::new()).unwrap();
         // The size is a power of two, so the centres of inner texels are exact and no neighbour has weight.
         assert_eq!(out[5..7], values[5..7]);
     }
     // On face +x, between texels 5, 6, 9 and 10.
     let between = [[1.0, 0.01, 0.02f64]];
     let [mut least, mut mean, mut greatest] = [[0.0], [0.0], [0.0]];
-    lookup(faces, &between, TexelFilter::Min, &mut least).unwrap();
-    lookup(faces, &between, TexelFilter::Linear, &mut mean).unwrap();
-    lookup(faces, &between, TexelFilter::Max, &mut greatest).unwrap();
+    lookup(faces, &between, TexelFilter::Min, &mut least, &Progress::new()).unwrap();
+    lookup(faces, &between, TexelFilter::Linear, &mut mean, &Progress::new()).unwrap();
+    lookup(faces, &between, TexelFilter::Max, &mut greatest, &Progress::new()).unwrap();
     assert_eq!((least, mean[0], greatest), ([6.0], f32::INFINITY, [f32::INFINITY]));
 }
 
@@ -97,15 +97,15 @@ fn refuses_what_has_no_direction() {
             let mut directions = vec![[1.0, 0.0, 0.0]; 20_000];
             directions[place..].fill(wrong);
             for filter in [TexelFilter::Linear, TexelFilter::Cubic, TexelFilter::Min] {
-                let error = lookup(faces, &directions, filter, &mut out).unwrap_err();
+                let error = lookup(faces, &directions, filter, &mut out, &Progress::new()).unwrap_err();
                 assert!(error.to_string().contains(&format!("index {place}")), "{error}");
             }
-            assert!(nearest(faces, &directions, &mut out).is_err());
-            assert!(grid_texels(grid(1), &directions, &mut vec![0; 20_000]).is_err());
+            assert!(nearest(faces, &directions, &mut out, &Progress::new()).is_err());
+            assert!(grid_texels(grid(1), &directions, &mut vec![0; 20_000], &Progress::new()).is_err());
         }
     }
     assert!(CubeFaces::new(&values, 0, 1).is_err() && CubeFaces::new(&values, 2, 1).is_err());
-    assert!(lookup(faces, &[[1.0; 3]], TexelFilter::Linear, &mut out).is_err());
+    assert!(lookup(faces, &[[1.0; 3]], TexelFilter::Linear, &mut out, &Progress::new()).is_err());
 }
 
 #[test]
@@ -137,7 +137,7 @@ fn cubic_errors_fall_as_fast_at_seams_as_inside() {
             }
         }
         let mut out = vec![0.0; directions.len()];
-        lookup(faces, &directions, TexelFilter::Cubic, &mut out).unwrap();
+        lookup(faces, &directions, TexelFilter::Cubic, &mut out, &Progress::new()).unwrap();
         let (mut seam, mut inside) = (0.0f64, 0.0f64);
         for (&d, &value) in directions.iter().zip(&out) {
             let d = DVec3::from_array(d);
@@ -225,8 +225,8 @@ proptest! {
         let values: Vec<f64> = (0..6 * u64::from(size * size)).map(|i| uniform(seed, 5, i)).collect();
         let faces = CubeFaces::new(&values, size, 1).unwrap();
         let mut found = [[0.0], [0.0]];
-        footprint(faces, &[d.to_array()], radius, TexelFilter::Min, &mut found[0]).unwrap();
-        footprint(faces, &[d.to_array()], radius, TexelFilter::Max, &mut found[1]).unwrap();
+        footprint(faces, &[d.to_array()], radius, TexelFilter::Min, &mut found[0], &Progress::new()).unwrap();
+        footprint(faces, &[d.to_array()], radius, TexelFilter::Max, &mut found[1], &Progress::new()).unwrap();
         // Cones are wider by 4e-15 / sin 2r, at most by 6.4e-8 rad.
         let margin = (4e-15 / (2.0 * radius).sin()).min(6.4e-8) + 1e-14;
         let bounds = |radius: f64| {
@@ -247,9 +247,9 @@ fn all_layouts_find_every_texel_by_its_centre() {
     for (layout, height, width) in sizes.into_iter().chain(more).chain([(Layout::Octahedral, 7, 7)]) {
         let grid = Grid::new(layout, height, width).unwrap();
         let mut directions = vec![[0.0; 3]; grid.texels()];
-        grid_directions(grid, &mut directions).unwrap();
+        grid_directions(grid, &mut directions, &Progress::new()).unwrap();
         let mut numbers = vec![0; grid.texels()];
-        grid_texels(grid, &directions, &mut numbers).unwrap();
+        grid_texels(grid, &directions, &mut numbers, &Progress::new()).unwrap();
         assert!(numbers.into_iter().eq(0..grid.texels() as i64), "{grid:?}");
     }
     assert!(Grid::new(Layout::Equirectangular, 2, 3).is_err() && Grid::new(Layout::Octahedral, 2, 3).is_err());

@@ -11,7 +11,7 @@ use super::solve::FARTHEST;
 use super::table::Table;
 use crate::base::error::number;
 use crate::base::simd::vectorized;
-use crate::base::{Error, Real, Result};
+use crate::base::{Error, Progress, Real, Result};
 
 /// Number of radii in one task: fixed, and small enough to fit in the first-level cache.
 const TILE: usize = 1 << 10;
@@ -35,26 +35,36 @@ pub enum InverseMethod {
 
 impl RadialLens {
     /// f(r) of radii of either sign. Radii beyond r_max give NaN, or an error if `refuse`.
-    pub fn distort_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool) -> Result<()> {
-        let whole = each_tile(r, to, |tile| self.distort_blocks(tile));
+    pub fn distort_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool, progress: &Progress) -> Result<()> {
+        let whole = each_tile(r, to, progress, |tile| self.distort_blocks(tile))?;
         if whole || !refuse { Ok(()) } else { Err(refused(r, to, self.radial.r_max)) }
     }
 
     /// f′(r) of radii of either sign. The error is at most 2 (n + 1) roundings of the sum of the terms' absolute
     /// values, for n coefficients.
-    pub fn derivative_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool) -> Result<()> {
-        let whole = each_tile(r, to, |tile| slope_tile(&self.radial.slope, self.radial.r_max, tile));
+    pub fn derivative_all<T: Real>(&self, r: &[T], to: &mut [T], refuse: bool, progress: &Progress) -> Result<()> {
+        let whole = each_tile(r, to, progress, |tile| slope_tile(&self.radial.slope, self.radial.r_max, tile))?;
         if whole || !refuse { Ok(()) } else { Err(refused(r, to, self.radial.r_max)) }
     }
 
     /// f⁻¹(x) of distorted radii of either sign. Radii beyond f(r_max) give NaN, or an error if `refuse`.
-    pub fn undistort_all<T: Real>(&self, x: &[T], to: &mut [T], method: InverseMethod, refuse: bool) -> Result<()> {
+    pub fn undistort_all<T: Real>(
+        &self,
+        x: &[T],
+        to: &mut [T],
+        method: InverseMethod,
+        refuse: bool,
+        progress: &Progress,
+    ) -> Result<()> {
         let whole = match method {
             InverseMethod::FixedPoint(steps) => {
-                each_tile(x, to, |tile| fixed_point_tile(&self.radial.k, steps, tile));
+                each_tile(x, to, progress, |tile| fixed_point_tile(&self.radial.k, steps, tile))?;
                 true
             }
-            _ => each_tile(x, to, |tile| self.undistort_blocks(tile, method == InverseMethod::Newton, T::SLACK)),
+            _ => {
+                let exact = method == InverseMethod::Newton;
+                each_tile(x, to, progress, |tile| self.undistort_blocks(tile, exact, T::SLACK))?
+            }
         };
         if whole || !refuse { Ok(()) } else { Err(refused(x, to, self.radial.x_max)) }
     }
@@ -100,9 +110,14 @@ fn refused<T: Real>(from: &[T], to: &[T], end: f64) -> Error {
 }
 
 /// Runs a kernel over float64 copies of tiles. Returns whether all results are numbers.
-fn each_tile<T: Real>(from: &[T], to: &mut [T], kernel: impl Fn(&mut [f64]) + Sync) -> bool {
+fn each_tile<T: Real>(
+    from: &[T],
+    to: &mut [T],
+    progress: &Progress,
+    kernel: impl Fn(&mut [f64]) + Sync,
+) -> Result<bool> {
     let good = AtomicBool::new(true);
-    from.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).for_each(|(from, to)| {
+    from.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).try_for_each(|(from, to)| {
         // Tiles are padded to whole blocks with zeros, so that kernels need no remainder loop.
         let mut stage = Stage([0.0; TILE]);
         for (one, other) in stage.0.iter_mut().zip(from) {
@@ -117,8 +132,9 @@ fn each_tile<T: Real>(from: &[T], to: &mut [T], kernel: impl Fn(&mut [f64]) + Sy
         if !numbers {
             good.store(false, Relaxed);
         }
-    });
-    good.into_inner()
+        progress.check()
+    })?;
+    Ok(good.into_inner())
 }
 
 vectorized! {

@@ -3,7 +3,7 @@
 use super::polynomial::{derivative, range};
 use super::radial::RadialLens;
 use super::warp::WarpView;
-use crate::base::{Error, Result};
+use crate::base::{Error, Progress, Result};
 
 /// Greatest number of intervals into which a cell's range of radii is divided.
 const PARTS: f64 = 16.0;
@@ -27,6 +27,7 @@ pub fn warp_mesh(
     view: &WarpView,
     [columns, rows]: [usize; 2],
     [width, height]: [usize; 2],
+    progress: &Progress,
 ) -> Result<WarpMesh> {
     let at = |n: usize| (n % (columns + 1), n / (columns + 1));
     let count = (columns + 1) * (rows + 1);
@@ -36,12 +37,15 @@ pub fn warp_mesh(
     let mut sources = Vec::new();
     for lens in lenses {
         let mut of = vec![[0.0; 2]; count];
-        view.sources(lens, &seen, &mut of)?;
+        view.sources(lens, &seen, &mut of, progress)?;
         sources.push(of.into_iter().map(|source| view.share(source)).collect::<Vec<_>>());
     }
     let density = view.density(&view.from, width, height);
     let (mut faces, mut error) = (Vec::new(), 0.0f64);
     for cell in 0..columns * rows {
+        if cell % columns == 0 {
+            progress.check()?;
+        }
         let first = cell / columns * (columns + 1) + cell % columns;
         let corners = [first, first + 1, first + columns + 1, first + columns + 2];
         if corners.iter().any(|&n| sources.iter().any(|of| of[n][0].is_nan())) {

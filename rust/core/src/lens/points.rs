@@ -11,7 +11,7 @@ use super::inverse::LANES;
 use super::polynomial;
 use super::radial::RadialLens;
 use crate::base::simd::vectorized;
-use crate::base::{Error, Real, Result};
+use crate::base::{Error, Progress, Real, Result};
 
 /// Number of points in one task; their data fits in the first-level cache.
 pub(super) const TILE: usize = 1 << 9;
@@ -76,8 +76,14 @@ fn scale_all(tile: &mut PointTile, count: usize) {
 
 impl RadialLens {
     /// Images of points. Points outside the disc of radius `reach` give NaN, or an error if `refuse`.
-    pub fn distort_points<T: Real>(&self, points: &[[T; 2]], to: &mut [[T; 2]], refuse: bool) -> Result<()> {
-        self.each_tile(points, to, refuse, |from, to| {
+    pub fn distort_points<T: Real>(
+        &self,
+        points: &[[T; 2]],
+        to: &mut [[T; 2]],
+        refuse: bool,
+        progress: &Progress,
+    ) -> Result<()> {
+        self.each_tile(points, to, refuse, progress, |from, to| {
             let mut tile = PointTile::new(from);
             tile.moved(to, |radii| self.distort_blocks(radii));
             if self.tangential == [0.0; 2] {
@@ -93,8 +99,14 @@ impl RadialLens {
 
     /// The points whose images are given. Images of no point within the disc of radius `reach` give NaN, or an error if
     /// `refuse`.
-    pub fn undistort_points<T: Real>(&self, points: &[[T; 2]], to: &mut [[T; 2]], refuse: bool) -> Result<()> {
-        self.each_tile(points, to, refuse, |from, to| {
+    pub fn undistort_points<T: Real>(
+        &self,
+        points: &[[T; 2]],
+        to: &mut [[T; 2]],
+        refuse: bool,
+        progress: &Progress,
+    ) -> Result<()> {
+        self.each_tile(points, to, refuse, progress, |from, to| {
             let mut tile = PointTile::new(from);
             tile.moved(to, |radii| self.undistort_blocks(radii, true, ROUNDINGS + 2.0 * T::SLACK));
             if self.tangential == [0.0; 2] {
@@ -112,16 +124,18 @@ impl RadialLens {
         points: &[[T; 2]],
         to: &mut [[T; 2]],
         refuse: bool,
+        progress: &Progress,
         kernel: impl Fn(&[[T; 2]], &mut [[T; 2]]) + Sync,
     ) -> Result<()> {
         let good = AtomicBool::new(true);
         let bad = |[x, y]: &[T; 2]| (x.wide() + y.wide()).is_nan();
-        points.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).for_each(|(from, to)| {
+        points.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).try_for_each(|(from, to)| {
             kernel(from, to);
             if refuse && to.iter().any(bad) {
                 good.store(false, Ordering::Relaxed);
             }
-        });
+            progress.check()
+        })?;
         match if good.into_inner() { None } else { to.iter().position(bad) } {
             None => Ok(()),
             Some(index) => {

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::inverse::LANES;
 use super::radial::RadialLens;
-use crate::base::{Error, Result};
+use crate::base::{Error, Progress, Result};
 use crate::bounds::{Seen, each_tile};
 
 /// Half angle, as a share of the distance to 90° and to the fold, below which an area is computed from the mean of the
@@ -16,6 +16,8 @@ const SMALL_ANGLE: f64 = 2e-3;
 /// The sum around the edge is refined until its relative change is below `AREA_TOLERANCE` or it has `MOST_PARTS` parts.
 const AREA_TOLERANCE: f64 = 1e-13;
 const MOST_PARTS: usize = 1 << 12;
+/// Number of spheres between two checks whether the caller has cancelled.
+const GROUP: usize = 1 << 6;
 
 /// A view through a lens.
 #[derive(Clone, Copy, Debug)]
@@ -34,11 +36,24 @@ pub struct Sizes<'a> {
 
 /// Solid angles in steradians of the images of spheres. Spheres that extend to 90° from the axis or to the lens's fold
 /// keep their undistorted solid angle.
-pub fn corrected_solid_angles(sizes: &Sizes<'_>, centers: &[[f64; 3]], radii: &[f64], to: &mut [f64]) -> Result<()> {
+pub fn corrected_solid_angles(
+    sizes: &Sizes<'_>,
+    centers: &[[f64; 3]],
+    radii: &[f64],
+    to: &mut [f64],
+    progress: &Progress,
+) -> Result<()> {
     if !(sizes.tan_omega > 0.0 && sizes.tan_omega.is_finite()) {
         return Err(Error::value("lens_radius", "a tangent above 0", sizes.tan_omega));
     }
-    each_tile(centers, radii, sizes.eye, to, |centers, radii, to| sizes.each(centers, radii, to))
+    each_tile(centers, radii, sizes.eye, to, |centers, radii, to| {
+        // An exact area takes up to a millisecond.
+        let groups = centers.chunks(GROUP).zip(radii.chunks(GROUP)).zip(to.chunks_mut(GROUP));
+        groups.into_iter().try_for_each(|((centers, radii), to)| {
+            sizes.each(centers, radii, to);
+            progress.check()
+        })
+    })
 }
 
 impl Sizes<'_> {

@@ -4,6 +4,7 @@ use proptest::prelude::*;
 
 use super::exact::residual;
 use super::*;
+use crate::base::Progress;
 
 /// Whether r is the root: its residual is below two ulps, or its neighbours lie on both sides of the root.
 fn is_root(k: &[f64], r: f64, x: f64) -> bool {
@@ -20,12 +21,12 @@ fn every_radius_of_a_headset_comes_back() {
         let end = lens.radial.x_max.min(40.0);
         let x: Vec<f64> = (0..=20_000).map(|n| end * (f64::from(n) / 20_000.0)).collect();
         let mut r = vec![0.0; x.len()];
-        lens.undistort_all(&x, &mut r, InverseMethod::Newton, true).unwrap();
+        lens.undistort_all(&x, &mut r, InverseMethod::Newton, true, &Progress::new()).unwrap();
         for (&x, &r) in x.iter().zip(&r) {
             assert!(is_root(&k, r, x), "{k:?} {x} {r} {}", residual(&k, r, x));
         }
         let mut cubic = vec![0.0; x.len()];
-        lens.undistort_all(&x, &mut cubic, InverseMethod::Table, true).unwrap();
+        lens.undistort_all(&x, &mut cubic, InverseMethod::Table, true, &Progress::new()).unwrap();
         let (bound, _) = lens.table_bound();
         assert!(bound <= 5e-10, "{k:?} {bound}");
         for (x, (one, other)) in x.iter().zip(cubic.iter().zip(&r)) {
@@ -43,7 +44,7 @@ proptest! {
         let lens = RadialLens::new(&k, [0.0; 2]).unwrap();
         let x: Vec<f64> = shares.iter().map(|share| share * lens.radial.x_max.min(1e3)).collect();
         let mut r = vec![0.0; x.len()];
-        lens.undistort_all(&x, &mut r, InverseMethod::Newton, true).unwrap();
+        lens.undistort_all(&x, &mut r, InverseMethod::Newton, true, &Progress::new()).unwrap();
         for (&x, &r) in x.iter().zip(&r) {
             prop_assert!(r <= lens.r_max() && is_root(&k, r, x), "{:?} {} {}", k, x, r);
             prop_assert!(is_root(&k, lens.undistort(x), x));

@@ -6,8 +6,8 @@ use rayon::prelude::*;
 
 use super::points::{PointTile, TILE};
 use super::radial::RadialLens;
-use crate::base::Result;
 use crate::base::simd::vectorized;
+use crate::base::{Progress, Result};
 use crate::camera::Fov;
 
 /// Interpolation between pixels.
@@ -94,20 +94,28 @@ impl WarpView {
     }
 
     /// Position in the source picture of each point of the target picture; NaN if there is none.
-    pub(super) fn sources(&self, lens: &RadialLens, places: &[[f64; 2]], to: &mut [[f64; 2]]) -> Result<()> {
+    pub(super) fn sources(
+        &self,
+        lens: &RadialLens,
+        places: &[[f64; 2]],
+        to: &mut [[f64; 2]],
+        progress: &Progress,
+    ) -> Result<()> {
         if !self.distort {
-            return lens.distort_points(places, to, false);
+            return lens.distort_points(places, to, false, progress);
         }
         if lens.tangential != [0.0; 2] {
-            return lens.undistort_points(places, to, false);
+            return lens.undistort_points(places, to, false, progress);
         }
         for (from, to) in places.chunks(TILE).zip(to.chunks_mut(TILE)) {
             PointTile::new(from).moved(to, |radii| lens.undistort_blocks(radii, false, 0.0));
+            progress.check()?;
         }
         Ok(())
     }
 }
 
+#[expect(clippy::too_many_arguments, reason = "a picture, a view, and where the result goes")]
 /// Produces the target picture row by row. `lenses` holds one lens, or one per channel. Pixels without a source are
 /// `fill`.
 pub fn warp<P: WarpPixel>(
@@ -118,22 +126,24 @@ pub fn warp<P: WarpPixel>(
     fill: P,
     to: &mut [P],
     width: usize,
+    progress: &Progress,
 ) -> Result<()> {
     let height = to.len() / (width * image.channels);
+    progress.expect(height as u64);
     to.par_chunks_mut(width * image.channels).enumerate().try_for_each(|(row, to)| {
         let down = (row as f64 + 0.5) / height as f64;
         let places: Vec<[f64; 2]> =
             (0..width).map(|column| view.place((column as f64 + 0.5) / width as f64, down)).collect();
         let mut sources = vec![[0.0; 2]; width];
         for (number, lens) in lenses.iter().enumerate() {
-            view.sources(lens, &places, &mut sources)?;
+            view.sources(lens, &places, &mut sources, progress)?;
             let channels = if lenses.len() == 1 { 0..image.channels } else { number..number + 1 };
             for source in &mut sources {
                 *source = view.share(*source);
             }
             mix_row(image, &sources, channels, filter, fill, to);
         }
-        Ok(())
+        progress.report(1)
     })
 }
 

@@ -70,7 +70,7 @@ where
         let jobs = self.jobs()?;
         progress.expect(jobs.len() as u64);
         let one = |job: &Job<'_, P>, map: Option<&mut [P::Real]>| {
-            let sums = comparison.of(&job.pair, job.mask, map)?;
+            let sums = comparison.of(&job.pair, job.mask, map, progress)?;
             progress.report(1)?;
             Ok(sums)
         };
@@ -85,14 +85,15 @@ where
     }
 
     /// Mean of each pair's squared differences, and where wanted the range of its values.
-    pub fn mean_squared_errors(&self, ranges: bool) -> Result<Vec<SquaredError>> {
-        Ok(self.jobs()?.iter().map(|job| mean_squared_error(&job.pair, ranges)).collect())
+    pub fn mean_squared_errors(&self, ranges: bool, progress: &Progress) -> Result<Vec<SquaredError>> {
+        self.jobs()?.iter().map(|job| mean_squared_error(&job.pair, ranges, progress)).collect()
     }
 
     /// Means of each pair's similarity and of its second factor at each of `scales`.
-    pub fn multiscale(&self, comparison: &Comparison, scales: usize) -> Result<Vec<Scales>> {
+    pub fn multiscale(&self, comparison: &Comparison, scales: usize, progress: &Progress) -> Result<Vec<Scales>> {
         let Comparison { window, constants, ranges, .. } = comparison;
-        self.jobs()?.par_iter().map(|job| multiscale(&job.pair, window, *constants, scales, *ranges)).collect()
+        let one = |job: &Job<'_, P>| multiscale(&job.pair, window, *constants, scales, *ranges, progress);
+        self.jobs()?.par_iter().map(one).collect()
     }
 }
 
@@ -102,14 +103,16 @@ impl Comparison {
         pair: &Pair<'_, P>,
         mask: Option<Plane<'_, u8>>,
         map: Option<&mut [P::Real]>,
+        progress: &Progress,
     ) -> Result<SimilaritySums>
     where
         P: PixelRows<Real: PixelRows<Real = P::Real>>,
     {
         let mask = mask.map(if self.hidden { Mask::Windows } else { Mask::Mean });
-        let counted = Counted { all: self.all, mask, contrast: false, range: self.ranges && self.shrink == 1 };
+        let counted =
+            Counted { all: self.all, mask, contrast: false, range: self.ranges && self.shrink == 1, progress };
         if self.shrink > 1 {
-            let smaller = Shrunk::new(pair, self.shrink);
+            let smaller = Shrunk::new(pair, self.shrink, progress)?;
             let sums = similarity(&smaller.pair()?, &self.window, self.constants, counted, map)?;
             let range = if self.ranges { pair.range() } else { sums.range };
             return Ok(SimilaritySums { range, ..sums });

@@ -5,6 +5,9 @@ use super::lanes::LANES;
 use super::plane::Pixel;
 use crate::base::simd::vectorized;
 
+/// Lanes of the kernel that finds extremes as well: its last block goes back, and a narrower one goes back less far.
+pub(super) const FEW: usize = LANES / 2;
+
 /// Pixels of which rows are compared.
 pub trait PixelRows: Pixel {
     /// Sum of the squared differences of few pixels.
@@ -30,7 +33,7 @@ vectorized! {
         s: &mut [P::Real],
         d: &mut [P::Real],
     ) = spread;
-    /// The same, and the extremes of both rows, of at least as many pixels as there are lanes.
+    /// The same, and the extremes of both rows, of at least `FEW` pixels.
     pub(super) fn sum_difference_and_extremes<P: Pixel>(
         x: &[P],
         y: &[P],
@@ -110,10 +113,11 @@ fn spread_and_extend<P: Pixel>(
 ) {
     let length = x.len().min(y.len()).min(s.len()).min(d.len());
     let (x, y, s, d) = (&x[..length], &y[..length], &mut s[..length], &mut d[..length]);
+    let (seen_least, seen_greatest) = (first(&mut seen.least), first(&mut seen.greatest));
     // Copies, which stay in registers.
-    let (mut least, mut greatest) = (seen.least, seen.greatest);
-    let mut block = |x: &[P; LANES], y: &[P; LANES], s: &mut [P::Real; LANES], d: &mut [P::Real; LANES]| {
-        for i in 0..LANES {
+    let (mut least, mut greatest) = (*seen_least, *seen_greatest);
+    let mut block = |x: &[P; FEW], y: &[P; FEW], s: &mut [P::Real; FEW], d: &mut [P::Real; FEW]| {
+        for i in 0..FEW {
             let (a, b) = (x[i].real() - levels[0], y[i].real() - levels[1]);
             s[i] = a + b;
             d[i] = a - b;
@@ -132,7 +136,12 @@ fn spread_and_extend<P: Pixel>(
     {
         block(x, y, s, d);
     }
-    (seen.least, seen.greatest) = (least, greatest);
+    (*seen_least, *seen_greatest) = (least, greatest);
+}
+
+#[inline(always)]
+fn first<P>(lanes: &mut [P; LANES]) -> &mut [P; FEW] {
+    &mut lanes.as_chunks_mut().0[0]
 }
 
 #[inline(always)]

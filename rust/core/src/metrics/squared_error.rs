@@ -6,6 +6,7 @@ use super::extremes::{Extremes, ValueRange};
 use super::pair::Pair;
 use super::pixel_rows::PixelRows;
 use super::plane::Region;
+use crate::base::{Progress, Result};
 
 /// Pixels that one task sums up: fixed, so that sums do not depend on the number of threads, and few enough for the
 /// sums of whole numbers.
@@ -24,7 +25,7 @@ pub struct SquaredError {
 }
 
 /// Compares two images pixel by pixel.
-pub fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>, range: bool) -> SquaredError {
+pub fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>, range: bool, progress: &Progress) -> Result<SquaredError> {
     let (height, width) = (pair.reference.height, pair.reference.width);
     let run = |row: usize, first: usize| {
         let end = width.min(first + TILE);
@@ -44,17 +45,17 @@ pub fn mean_squared_error<P: PixelRows>(pair: &Pair<'_, P>, range: bool) -> Squa
             (0..width).step_by(TILE).map(|first| run(row, first)).sum()
         };
         let sum: f64 = rows.map(row_sum).sum();
-        (sum, extremes.range())
+        progress.check().map(|()| (sum, extremes.range()))
     };
     let tasks = height.div_ceil(rows);
     // The same sums in the same order on one thread or many: waking threads takes as long as reading a few megabytes.
     let sums: Vec<(f64, ValueRange)> = if height.saturating_mul(width).saturating_mul(size_of::<P>()) < SERIAL_BYTES {
-        (0..tasks).map(task).collect()
+        (0..tasks).map(task).collect::<Result<_>>()?
     } else {
-        (0..tasks).into_par_iter().map(task).collect()
+        (0..tasks).into_par_iter().map(task).collect::<Result<_>>()?
     };
-    SquaredError {
+    Ok(SquaredError {
         mean: sums.iter().map(|task| task.0).sum::<f64>() / (height as f64 * width as f64),
         range: sums.iter().fold(ValueRange::default(), |range, task| range.and(task.1)),
-    }
+    })
 }

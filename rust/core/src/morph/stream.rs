@@ -8,8 +8,8 @@ use rayon::prelude::*;
 use super::lanes::{BLOCK, BlendLimits};
 use super::point::{Kind, Morph};
 use super::{blend, cylinder};
-use crate::base::Real;
 use crate::base::simd::{prefetch, vectorized};
+use crate::base::{Progress, Real, Result};
 
 /// Number of points in one task.
 const TILE: usize = 1 << 14;
@@ -33,39 +33,45 @@ impl Morph {
     /// Morphs float32 points. Where directions are not opposed, the error is at most half a float32 step of the result
     /// plus 2⁻²⁴ (6 + 3 r₂/(r₂−r₁)) |U−O|. Points inside r₁ keep their bits; points beyond r₂ are U + P − O, rounded
     /// once. Points with NaN give NaN. Returns the number of opposed points. Both slices have the same length.
-    pub fn apply_all_f32(&self, points: &[[f32; 3]], shown: &mut [[f32; 3]]) -> u64 {
-        apply_all(self, points, shown)
+    pub fn apply_all_f32(&self, points: &[[f32; 3]], shown: &mut [[f32; 3]], progress: &Progress) -> Result<u64> {
+        apply_all(self, points, shown, progress)
     }
 
     /// Morphs float64 points, with the same bounds for float64 steps.
-    pub fn apply_all_f64(&self, points: &[[f64; 3]], shown: &mut [[f64; 3]]) -> u64 {
-        apply_all(self, points, shown)
+    pub fn apply_all_f64(&self, points: &[[f64; 3]], shown: &mut [[f64; 3]], progress: &Progress) -> Result<u64> {
+        apply_all(self, points, shown, progress)
     }
 }
 
 /// Morphs all points in tiles on the current thread pool. Returns the number of opposed points.
-fn apply_all<T: BlendLimits>(morph: &Morph, points: &[[T; 3]], shown: &mut [[T; 3]]) -> u64 {
+fn apply_all<T: BlendLimits>(
+    morph: &Morph,
+    points: &[[T; 3]],
+    shown: &mut [[T; 3]],
+    progress: &Progress,
+) -> Result<u64> {
     assert_eq!(points.len(), shown.len(), "as many results as points");
     if morph.offset == DVec3::ZERO {
         // If user and centre coincide, no point moves.
         points.par_chunks(TILE).zip(shown.par_chunks_mut(TILE)).for_each(|(from, to)| to.copy_from_slice(from));
-        return 0;
+        return Ok(0);
     }
     if morph.kind == Kind::Blend && blend::applies::<T>(morph) {
         let constants = blend::Constants::new(morph);
-        return in_tiles(morph, points, shown, |block, shown| blend_block(&constants, block, shown));
+        return in_tiles(morph, points, shown, progress, |block, shown| blend_block(&constants, block, shown));
     }
-    in_tiles(morph, points, shown, |block, shown| cylinder_block(morph, block, shown))
+    in_tiles(morph, points, shown, progress, |block, shown| cylinder_block(morph, block, shown))
 }
 
 fn in_tiles<T: BlendLimits>(
     morph: &Morph,
     points: &[[T; 3]],
     shown: &mut [[T; 3]],
+    progress: &Progress,
     kernel: impl Fn(&[[T; 3]; BLOCK], &mut [[T; 3]; BLOCK]) -> u64 + Sync,
-) -> u64 {
+) -> Result<u64> {
     let opposed = AtomicU64::new(0);
-    points.par_chunks(TILE).zip(shown.par_chunks_mut(TILE)).for_each(|(points, shown)| {
+    points.par_chunks(TILE).zip(shown.par_chunks_mut(TILE)).try_for_each(|(points, shown)| {
         let (blocks, rest) = points.as_chunks::<BLOCK>();
         let (shown_blocks, shown_rest) = shown.as_chunks_mut::<BLOCK>();
         let mut count = 0;
@@ -85,8 +91,9 @@ fn in_tiles<T: BlendLimits>(
             shown_rest.copy_from_slice(&shown[..rest.len()]);
         }
         opposed.fetch_add(count, Ordering::Relaxed);
-    });
-    opposed.into_inner()
+        progress.check()
+    })?;
+    Ok(opposed.into_inner())
 }
 
 /// Morphs the points of a block that are in doubt one by one. Returns the number of opposed points.

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use super::axis::{axis_in, check_center};
 use super::radii::{Indexed, Soup, measure, placed};
+use crate::base::sort::sort_by_key;
 use crate::base::{Error, Progress, Result};
 use crate::scene::{Instance, Scene};
 
@@ -39,7 +40,7 @@ impl LoadCurve {
                 progress.report(least.len() as u64)
             })
         })?;
-        least.par_sort_unstable();
+        sort_by_key(&mut least, |&bits| bits, progress)?;
         progress.report(least.len() as u64)?;
         Ok(Self { sorted: least, moving: scene.moving.triangle_count() })
     }
@@ -52,6 +53,16 @@ impl LoadCurve {
     /// Number of triangles in the scene.
     pub fn total(&self) -> i64 {
         self.sorted.len() as i64 + self.moving
+    }
+
+    /// `count` of many radii.
+    pub fn counts(&self, radii: &[f64], progress: &Progress) -> Result<Vec<i64>> {
+        radii.par_iter().map(|&r2| progress.check().and_then(|()| self.count(r2))).collect()
+    }
+
+    /// `radius` of many budgets.
+    pub fn radii(&self, budgets: &[i64], progress: &Progress) -> Result<Vec<f64>> {
+        budgets.par_iter().map(|&budget| progress.check().and_then(|()| self.radius(budget))).collect()
     }
 
     /// Number of triangles that stay geometry at r₂, equal to that of `Partition`. Negative radii and NaN are refused.

@@ -1,5 +1,7 @@
 //! A check of a partition against the radii of every triangle.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
 use super::axis::axis_in;
@@ -8,6 +10,9 @@ use super::divide::Partition;
 use super::radii::radii_of;
 use super::zone::{Class, Zone};
 use crate::base::{Error, Progress, Result};
+
+/// Number of faces in one task.
+const TILE: u32 = 1 << 14;
 
 impl Partition {
     /// Measures every triangle again, without boxes and thresholds, and compares. An error is a bug in nearfar.
@@ -22,23 +27,33 @@ impl Partition {
             {
                 return Err(Error::Scene(format!("partition: the faces of instance {number} are out of order")));
             }
-            for face in 0..instance.mesh.faces.len() as u32 {
-                let [a, b, c] = instance.corners(face).map(|corner| [f64::from(corner.x), f64::from(corner.z)]);
-                let radii = radii_of(a, b, c, axis).map(|radius| radius as f32);
-                let expected = ruler.zone(radii).unwrap_or(Zone::Far);
-                let zone = self.zone(number, face);
-                if zone != expected {
-                    let text = format!("partition: face {face} of instance {number} is {expected:?}, not {zone:?}");
-                    return Err(Error::Scene(text));
-                }
-            }
-            progress.report(instance.mesh.faces.len() as u64)
+            let count = instance.mesh.faces.len() as u32;
+            (0..count.div_ceil(TILE)).into_par_iter().try_for_each(|tile| {
+                let faces = tile * TILE..count.min((tile + 1) * TILE);
+                self.validate_faces(number, faces.clone(), &ruler, axis)?;
+                progress.report(faces.len() as u64)
+            })
         })?;
         let counts = self.counts();
         let (zones, parts) =
             (counts.near + counts.intermediate + counts.far, counts.nsf + counts.sf - counts.straddling);
         if zones != counts.triangles || parts != counts.triangles || self.count() != *counts {
             return Err(Error::Scene(format!("partition: the counts do not add up: {counts:?}")));
+        }
+        Ok(())
+    }
+
+    fn validate_faces(&self, number: u32, faces: Range<u32>, ruler: &Ruler, axis: [f64; 2]) -> Result<()> {
+        let instance = self.scene().instance(number);
+        for face in faces {
+            let [a, b, c] = instance.corners(face).map(|corner| [f64::from(corner.x), f64::from(corner.z)]);
+            let radii = radii_of(a, b, c, axis).map(|radius| radius as f32);
+            let expected = ruler.zone(radii).unwrap_or(Zone::Far);
+            let zone = self.zone(number, face);
+            if zone != expected {
+                let text = format!("partition: face {face} of instance {number} is {expected:?}, not {zone:?}");
+                return Err(Error::Scene(text));
+            }
         }
         Ok(())
     }

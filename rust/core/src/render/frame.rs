@@ -88,18 +88,18 @@ pub(super) struct Band<'a> {
 }
 
 impl Frame {
-    /// Allocates the requested images, black and with every pixel a miss.
+    /// Allocates the requested images for a renderer that writes every pixel. Zeros cost nothing before that: the system
+    /// makes them page by page, where other values would take seconds for a large picture.
     pub fn new(channels: Channels, pixels: usize) -> Result<Self> {
         channels.check_room(pixels as u64)?;
         let size = |wanted: bool| if wanted { pixels } else { 0 };
-        let miss = Sample::default();
         Ok(Self {
             color: vec![[0.0; 3]; size(channels.color)],
-            range: vec![miss.range; size(channels.range)],
-            object_id: vec![miss.object_id; size(channels.object_id)],
-            face_id: vec![miss.face_id; size(channels.face_id)],
-            position: vec![miss.position; size(channels.position)],
-            normal: vec![miss.normal; size(channels.normal)],
+            range: vec![0.0; size(channels.range)],
+            object_id: vec![0; size(channels.object_id)],
+            face_id: vec![0; size(channels.face_id)],
+            position: vec![[0.0; 3]; size(channels.position)],
+            normal: vec![[0.0; 3]; size(channels.normal)],
         })
     }
 

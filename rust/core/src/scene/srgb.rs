@@ -2,6 +2,13 @@
 
 use std::sync::LazyLock;
 
+use rayon::prelude::*;
+
+use crate::base::{Progress, Result};
+
+/// Number of values in one task.
+const TILE: usize = 1 << 16;
+
 /// Linear values of the 256 codes.
 static LINEAR: LazyLock<[f32; 256]> = LazyLock::new(|| {
     std::array::from_fn(|code| {
@@ -20,6 +27,16 @@ pub fn linear_from_srgb() -> &'static [f32; 256] {
 #[inline]
 pub fn srgb_from_linear(linear: f32) -> u8 {
     CODES.of(linear)
+}
+
+/// `srgb_from_linear` of many values.
+pub fn srgb_from_all_linear(linear: &[f32], codes: &mut [u8], progress: &Progress) -> Result<()> {
+    linear.par_chunks(TILE).zip(codes.par_chunks_mut(TILE)).try_for_each(|(linear, codes)| {
+        for (&linear, code) in linear.iter().zip(codes) {
+            *code = srgb_from_linear(linear);
+        }
+        progress.check()
+    })
 }
 
 /// Computes the code by the standard's formula. Its power takes several times as long as the table.

@@ -1,126 +1,193 @@
-//! Wavefront OBJ text made plain before a general reader takes it: readers count indices from the end of the file, skip
-//! lines that are indented, and take what an index of 0 happens to meet.
+//! Wavefront OBJ text as arrays, in one pass over its lines.
 
 use std::borrow::Cow;
+use std::collections::HashMap;
 
-use crate::base::{Error, Result};
+use rayon::prelude::*;
 
-/// Kinds of indices, in the order in which a face's corner names them.
+use crate::base::{Error, Progress, Result};
+
+/// Stands for the texture coordinate or normal that a corner does not name.
+pub const NONE: u32 = u32::MAX;
+
+/// Kinds of rows, in the order in which a face's corner names them.
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
-/// Keywords of lines that readers must not miss.
-const KEYWORDS: [&[u8]; 8] = [b"v", b"vt", b"vn", b"f", b"o", b"g", b"usemtl", b"mtllib"];
+/// Lines between two checks whether the caller has cancelled.
+const LINES: u64 = 1 << 12;
 
-/// Returns the text with all indices of faces counted from 1, one blank after keywords, no indentation, and no line that
-/// goes on in the next one; nothing if the text is so already.
-///
-/// Indices that name nothing are errors with the number of their line. Indices may name what follows later.
-pub fn plain(text: &[u8]) -> Result<Option<Vec<u8>>> {
-    let mut scan = Scan { text, counts: [0; 3], greatest: [(0, 0); 3], copied: 0, out: None };
+/// Content of an OBJ file.
+#[derive(Debug, Default, PartialEq)]
+pub struct Wavefront {
+    /// Positions of vertices.
+    pub positions: Vec<[f64; 3]>,
+    /// Colours of vertices; empty unless all have one.
+    pub colors: Vec<[f64; 3]>,
+    /// Texture coordinates.
+    pub uvs: Vec<[f64; 2]>,
+    /// Normals.
+    pub normals: Vec<[f64; 3]>,
+    /// Names of the files that hold materials.
+    pub libraries: Vec<String>,
+    /// Names of objects and materials.
+    pub names: Vec<String>,
+    /// Faces by object and material, in the order in which they begin.
+    pub parts: Vec<Part>,
+    /// Number of faces with fewer than three corners, which are left out.
+    pub skipped: u64,
+}
+
+/// The faces of one object that have one material.
+#[derive(Debug, Default, PartialEq)]
+pub struct Part {
+    /// Number of the object's name. Parts share names, which may be long.
+    pub object: Option<u32>,
+    /// Number of the material's name.
+    pub material: Option<u32>,
+    /// Rows of the position, texture coordinate and normal of each vertex; `NONE` for what it lacks.
+    pub vertices: Vec<[u32; 3]>,
+    /// Triangles between these vertices.
+    pub faces: Vec<[u32; 3]>,
+}
+
+/// Reads a text. Polygons become fans of triangles. Indices may name what follows later; those that name nothing are
+/// errors with the number of their line.
+pub fn read(text: &[u8], progress: &Progress) -> Result<Wavefront> {
+    let mut scan = Scan::default();
     let (mut start, mut line) = (0, 1);
+    let mut next_check = LINES;
     while start < text.len() {
         let (end, lines) = logical_end(text, start);
-        scan.line(start, end, line)?;
+        scan.line(&text[start..end], line)?;
         (start, line) = (end + 1, line + lines);
-    }
-    for ((kind, count), (index, line)) in KINDS.iter().zip(scan.counts).zip(scan.greatest) {
-        if index > count {
-            return Err(absent(line, kind, &index.to_string(), count));
+        if line >= next_check {
+            progress.check()?;
+            next_check = line + LINES;
         }
     }
-    Ok(scan.out.map(|mut out| {
-        out.extend_from_slice(&text[scan.copied..]);
-        out
-    }))
+    scan.finish()
 }
 
-struct Scan<'a> {
-    text: &'a [u8],
-    /// Vertices, texture coordinates and normals so far.
-    counts: [u64; 3],
+#[derive(Default)]
+struct Scan {
+    read: Wavefront,
     /// The greatest index of each kind, and its line.
     greatest: [(u64, u64); 3],
-    /// Bytes of the text that `out` has, or leaves out.
-    copied: usize,
-    /// The plain text, from the first line on that has to change.
-    out: Option<Vec<u8>>,
+    /// A vertex came without a colour.
+    lacks_color: bool,
+    names: HashMap<Vec<u8>, u32>,
+    object: Option<u32>,
+    material: Option<u32>,
+    /// Number of the part with an object and a material.
+    numbers: HashMap<(Option<u32>, Option<u32>), usize>,
+    /// Number of the part that faces are added to; none after a change of object or material.
+    part: Option<usize>,
+    /// Corners of the triangles of each part.
+    corners: Vec<Vec<[u32; 3]>>,
 }
 
-impl Scan<'_> {
-    fn line(&mut self, start: usize, end: usize, line: u64) -> Result<()> {
-        let whole = &self.text[start..end];
+impl Scan {
+    fn line(&mut self, whole: &[u8], line: u64) -> Result<()> {
         let trimmed = whole.trim_ascii_start();
         let length =
             trimmed.iter().position(|byte| byte.is_ascii_whitespace() || *byte == b'\\').unwrap_or(trimmed.len());
         let (keyword, rest) = trimmed.split_at(length);
-        if !KEYWORDS.contains(&keyword) {
+        if !matches!(keyword, b"v" | b"vt" | b"vn" | b"f" | b"o" | b"usemtl" | b"mtllib") {
             return Ok(());
         }
-        let is_plain =
-            whole.len() == trimmed.len() && !whole.contains(&b'\n') && matches!(rest, [] | [b' ' | b'\r', ..]);
+        let rest = if rest.contains(&b'\n') { Cow::Owned(joined(rest)) } else { Cow::Borrowed(rest) };
+        let stated = rest.split(|&byte| byte == b'#').next().unwrap_or_default();
         match keyword {
-            b"f" => return self.face(rest, [start, end], line, is_plain),
-            b"v" => self.counts[0] += 1,
-            b"vt" => self.counts[1] += 1,
-            b"vn" => self.counts[2] += 1,
-            _ => {}
+            b"v" => self.vertex(stated, line),
+            b"vt" => {
+                let (_, [u, v, ..]) = numbers(stated, 1, line, "texture coordinate")?;
+                self.read.uvs.push([u, v]);
+                Ok(())
+            }
+            b"vn" => {
+                let (_, [x, y, z, ..]) = numbers(stated, 3, line, "normal")?;
+                self.read.normals.push([x, y, z]);
+                Ok(())
+            }
+            b"f" => self.face(stated, line),
+            b"o" => {
+                self.object = self.named(rest.trim_ascii());
+                Ok(())
+            }
+            b"usemtl" => {
+                self.material = self.named(rest.trim_ascii());
+                Ok(())
+            }
+            _ => {
+                self.read.libraries.push(String::from_utf8_lossy(rest.trim_ascii()).into_owned());
+                Ok(())
+            }
         }
-        if !is_plain {
-            let out = self.rewritten(start, end);
-            out.extend_from_slice(keyword);
-            out.push(b' ');
-            let joined = joined(rest);
-            out.extend_from_slice(joined.trim_ascii_start());
+    }
+
+    fn vertex(&mut self, stated: &[u8], line: u64) -> Result<()> {
+        let (count, [x, y, z, color @ ..]) = numbers(stated, 3, line, "vertex")?;
+        self.read.positions.push([x, y, z]);
+        self.lacks_color |= count < 6;
+        if self.lacks_color {
+            self.read.colors = Vec::new();
+        } else {
+            self.read.colors.push(color);
         }
         Ok(())
+    }
+
+    /// The number of a name, from now on that of the object or material.
+    fn named(&mut self, name: &[u8]) -> Option<u32> {
+        self.part = None;
+        let next = self.names.len() as u32;
+        Some(*self.names.entry(name.to_vec()).or_insert(next))
     }
 
     /// A face: corners of one to three indices.
-    fn face(&mut self, rest: &[u8], [start, end]: [usize; 2], line: u64, mut is_plain: bool) -> Result<()> {
-        let rest = if rest.contains(&b'\n') { Cow::Owned(joined(rest)) } else { Cow::Borrowed(rest) };
-        let stated = rest.split(|&byte| byte == b'#').next().unwrap_or_default();
-        is_plain &= stated.len() == rest.len();
-        for corner in corners(stated) {
-            for (kind, index) in corner.split(|&byte| byte == b'/').enumerate() {
-                if kind >= KINDS.len() {
-                    let corner = String::from_utf8_lossy(corner);
-                    return Err(Error::Scene(format!("line {line}: '{corner}' has more than three indices")));
-                }
-                if index.is_empty() && kind > 0 {
-                    continue;
-                }
-                is_plain &= index.first().is_some_and(u8::is_ascii_digit);
-                let index = self.absolute(index, kind, line)?;
-                if index > self.greatest[kind].0 {
-                    self.greatest[kind] = (index, line);
-                }
+    fn face(&mut self, stated: &[u8], line: u64) -> Result<()> {
+        let key = (self.object, self.material);
+        let part = match self.part {
+            Some(part) => part,
+            None => *self.numbers.entry(key).or_insert_with(|| {
+                self.corners.push(Vec::new());
+                self.corners.len() - 1
+            }),
+        };
+        self.part = Some(part);
+        let (mut first, mut last, mut count) = ([NONE; 3], [NONE; 3], 0);
+        let words = stated.split(u8::is_ascii_whitespace).filter(|corner| !corner.is_empty());
+        for word in words {
+            let corner = self.corner(word, line)?;
+            match count {
+                0 => first = corner,
+                1 => {}
+                _ => self.corners[part].extend([first, last, corner]),
             }
+            last = corner;
+            count += 1;
         }
-        if !is_plain {
-            self.write_face(stated, [start, end], line)?;
-        }
+        self.read.skipped += u64::from(count < 3);
         Ok(())
     }
 
-    fn write_face(&mut self, stated: &[u8], [start, end]: [usize; 2], line: u64) -> Result<()> {
-        let mut face = b"f".to_vec();
-        for corner in corners(stated) {
-            for (kind, index) in corner.split(|&byte| byte == b'/').enumerate() {
-                face.push(if kind == 0 { b' ' } else { b'/' });
-                if !index.is_empty() {
-                    face.extend_from_slice(self.absolute(index, kind, line)?.to_string().as_bytes());
-                }
+    fn corner(&mut self, word: &[u8], line: u64) -> Result<[u32; 3]> {
+        let mut corner = [NONE; 3];
+        for (kind, index) in word.split(|&byte| byte == b'/').enumerate() {
+            if kind >= KINDS.len() {
+                let word = String::from_utf8_lossy(word);
+                return Err(Error::Scene(format!("line {line}: '{word}' has more than three indices")));
             }
+            if index.is_empty() && kind > 0 {
+                continue;
+            }
+            let index = self.absolute(index, kind, line)?;
+            if index > self.greatest[kind].0 {
+                self.greatest[kind] = (index, line);
+            }
+            // What does not fit names nothing, as `finish` finds.
+            corner[kind] = u32::try_from(index - 1).unwrap_or(NONE);
         }
-        self.rewritten(start, end).extend_from_slice(&face);
-        Ok(())
-    }
-
-    /// The output, in place of a line that it leaves out; what was before is copied.
-    fn rewritten(&mut self, start: usize, end: usize) -> &mut Vec<u8> {
-        let out = self.out.get_or_insert_default();
-        out.extend_from_slice(&self.text[self.copied..start]);
-        self.copied = end;
-        out
+        Ok(corner)
     }
 
     /// An index counted from 1: negative ones count back from the last so far.
@@ -136,7 +203,7 @@ impl Scan<'_> {
         }
         let value =
             digits.iter().fold(0u64, |value, digit| value.saturating_mul(10).saturating_add(u64::from(digit - b'0')));
-        let count = self.counts[kind];
+        let count = self.counts()[kind];
         match (value, is_back) {
             (0, _) => Err(Error::Scene(format!("line {line}: a face names {} 0, but the first is 1", KINDS[kind]))),
             (value, true) if value > count => Err(absent(line, KINDS[kind], &word(), count)),
@@ -144,14 +211,78 @@ impl Scan<'_> {
             (value, false) => Ok(value),
         }
     }
+
+    /// Vertices, texture coordinates and normals so far.
+    fn counts(&self) -> [u64; 3] {
+        [self.read.positions.len(), self.read.uvs.len(), self.read.normals.len()].map(|count| count as u64)
+    }
+
+    fn finish(self) -> Result<Wavefront> {
+        for ((kind, count), (index, line)) in KINDS.iter().zip(self.counts()).zip(self.greatest) {
+            if index > count {
+                return Err(absent(line, kind, &index.to_string(), count));
+            }
+            if count >= u64::from(NONE) {
+                return Err(Error::Scene(format!("expected fewer than {NONE} lines of one kind, got {count}")));
+            }
+        }
+        let mut read = self.read;
+        read.names = vec![String::new(); self.names.len()];
+        for (name, number) in self.names {
+            read.names[number as usize] = String::from_utf8_lossy(&name).into_owned();
+        }
+        let mut keys = vec![(None, None); self.corners.len()];
+        for (key, number) in self.numbers {
+            keys[number] = key;
+        }
+        // Vertices stay in their order, with those that no face names, where nothing else does.
+        let is_plain = self.corners.len() == 1 && read.uvs.is_empty() && read.normals.is_empty();
+        let count = read.positions.len() as u32;
+        let parts = self.corners.into_par_iter().zip(keys).map(|(corners, (object, material))| {
+            let (vertices, faces) = if is_plain {
+                let faces = corners.as_chunks::<3>().0.iter().map(|face| face.map(|corner| corner[0])).collect();
+                ((0..count).map(|vertex| [vertex, NONE, NONE]).collect(), faces)
+            } else {
+                unified(&corners)
+            };
+            Part { object, material, vertices, faces }
+        });
+        read.parts = parts.collect();
+        Ok(read)
+    }
+}
+
+/// The different corners in the order of their indices, and triangles between them.
+fn unified(corners: &[[u32; 3]]) -> (Vec<[u32; 3]>, Vec<[u32; 3]>) {
+    let mut vertices = corners.to_vec();
+    vertices.par_sort_unstable();
+    vertices.dedup();
+    // The search finds each corner.
+    let place = |corner: [u32; 3]| vertices.partition_point(|&other| other < corner) as u32;
+    let faces = corners.as_chunks::<3>().0.par_iter().map(|face| face.map(place)).collect();
+    (vertices, faces)
 }
 
 fn absent(line: u64, kind: &str, index: &str, count: u64) -> Error {
     Error::Scene(format!("line {line}: a face names {kind} {index} of {count}"))
 }
 
-fn corners(stated: &[u8]) -> impl Iterator<Item = &[u8]> {
-    stated.split(u8::is_ascii_whitespace).filter(|corner| !corner.is_empty())
+/// Up to six numbers of a line, and how many it has of these; zeros stand for the others.
+fn numbers(stated: &[u8], least: usize, line: u64, what: &str) -> Result<(usize, [f64; 6])> {
+    let (mut values, mut count) = ([0.0; 6], 0);
+    let words = stated.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+    for (value, word) in values.iter_mut().zip(words) {
+        let parsed = str::from_utf8(word).ok().and_then(|word| word.parse().ok());
+        *value = parsed.ok_or_else(|| {
+            let word = String::from_utf8_lossy(word);
+            Error::Scene(format!("line {line}: a {what} has '{word}' where a number belongs"))
+        })?;
+        count += 1;
+    }
+    if count < least {
+        return Err(Error::Scene(format!("line {line}: a {what} has {count} numbers of {least}")));
+    }
+    Ok((count, values))
 }
 
 /// A line in one piece: blanks in place of its line breaks and of the backslashes before them.
@@ -178,32 +309,53 @@ mod tests {
 
     const CORNERS: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
 
-    fn of(faces: &str) -> String {
-        let text = format!("{CORNERS}{faces}");
-        let plain = plain(text.as_bytes()).unwrap().map_or(text, |plain| String::from_utf8(plain).unwrap());
-        plain.strip_prefix(CORNERS).unwrap().to_owned()
+    fn of(text: &str) -> Result<Wavefront> {
+        read(text.as_bytes(), &Progress::new())
+    }
+
+    /// Triangles of all parts as rows of their corners' indices, counted from 1, 0 for none.
+    fn corners(faces: &str) -> Vec<[[u32; 3]; 3]> {
+        let read = of(&format!("{CORNERS}{faces}")).unwrap();
+        let corner = |part: &Part, vertex: u32| part.vertices[vertex as usize].map(|row| row.wrapping_add(1));
+        read.parts
+            .iter()
+            .flat_map(|part| part.faces.iter().map(|face| face.map(|vertex| corner(part, vertex))))
+            .collect()
     }
 
     #[test]
-    fn what_is_plain_stays_as_it_is() {
-        for faces in
-            ["", "f 1 2 3", "f 1 2 3\r\nf 3//1 2//1 1//1\r\n", "o a\nusemtl \n\ng\nf 1// 2/ 3\n", "# f 0\nfoo 0\n\\\n"]
-        {
-            assert_eq!(plain(format!("{CORNERS}{faces}").as_bytes()), Ok(None), "{faces:?}");
-        }
-    }
-
-    #[test]
-    fn indices_count_from_one() {
-        assert_eq!(of("f -3 -2 -1\nv 5 5 5\nf -1 1//-1 +2\n"), "f 1 2 3\nv 5 5 5\nf 4 1//1 2\n");
-        assert_eq!(of("f 4 2 3 # ends\nv 5 5 5"), "f 4 2 3\nv 5 5 5");
+    fn indices_count_from_one_and_back_from_the_last() {
+        assert_eq!(corners("f 1 2//1 3"), [[[1, 0, 0], [2, 0, 1], [3, 0, 0]]]);
+        let expected = [[[1, 0, 0], [2, 0, 0], [3, 0, 0]], [[4, 0, 0], [1, 0, 1], [2, 0, 0]]];
+        assert_eq!(corners("f -3 -2 -1\nv 5 5 5\nf -1 1//-1 +2\n"), expected);
+        assert_eq!(corners("f 4 2 3 # ends\nv 5 5 5"), [[[4, 0, 0], [2, 0, 0], [3, 0, 0]]]);
     }
 
     #[test]
     fn no_line_is_missed() {
-        assert_eq!(of(" f 1 2 3\n\tf\t1  2 3 \n"), "f 1 2 3\nf 1 2 3\n");
-        assert_eq!(of("f 1 2\\\n3\\\r\n 1\r\nf 1 \\\n2 3"), "f 1 2 3 1\nf 1 2 3");
-        assert_eq!(of("v\t1 2 \\\n 3\n  o  a \nf 4 1 2"), "v 1 2    3\no a \nf 4 1 2");
+        let face = [[1, 0, 0], [2, 0, 0], [3, 0, 0]];
+        assert_eq!(corners(" f 1 2 3\n\tf\t1  2 3 \r\n"), [face, face]);
+        assert_eq!(corners("f 1 2\\\n3\\\r\n 1\r\nf 1 \\\n2 3"), [face, [[1, 0, 0], [3, 0, 0], [1, 0, 0]], face]);
+        assert_eq!(corners("v\t1 2 \\\n 3\n  o  a \nf 4 1 2"), [[[4, 0, 0], [1, 0, 0], [2, 0, 0]]]);
+        assert_eq!(corners("# f 0\nfoo 0\n\\\nf 1 2\nl 1 2\nusemtl \n\ng\n"), [[[0; 3]; 3]; 0]);
+        assert_eq!(of(&format!("{CORNERS}f 1 2\nf\n")).unwrap().skipped, 2);
+    }
+
+    #[test]
+    fn faces_are_grouped_by_object_and_material() {
+        let text = "f 1 2 3\no a\nusemtl m\nf 1 2 3\no b b \nf 3 2 1\nusemtl n\no a\nusemtl m\nf 2 3 1\nmtllib x y.mtl";
+        let read = of(&format!("{CORNERS}{text}")).unwrap();
+        let name = |number: Option<u32>| number.map_or("", |number| &read.names[number as usize]);
+        let named = |part: &Part| (name(part.object), name(part.material), part.faces.len());
+        let expected = [("", "", 1), ("a", "m", 2), ("b b", "m", 1)];
+        assert_eq!(read.parts.iter().map(named).collect::<Vec<_>>(), expected);
+        assert_eq!(read.libraries, ["x y.mtl"]);
+    }
+
+    #[test]
+    fn colours_count_where_all_vertices_have_one() {
+        assert_eq!(of("v 0 0 0 1 0.5 0\nv 1 0 0 0 0 1e-1 7").unwrap().colors, [[1.0, 0.5, 0.0], [0.0, 0.0, 0.1]]);
+        assert_eq!(of("v 0 0 0 1 0.5 0\nv 1 0 0\nv 0 0 0 1 0.5 0").unwrap().colors, [[0.0; 3]; 0]);
     }
 
     #[test]
@@ -220,8 +372,11 @@ mod tests {
             ("f 1/1/1/1 2 3", "line 5: '1/1/1/1' has more than three indices"),
             ("f 99999999999999999999999 2 3", "line 5: a face names vertex 18446744073709551615 of 3"),
             ("f - 2 3", "line 5: a face has '-' where an index belongs"),
+            ("v 1 2", "line 5: a vertex has 2 numbers of 3"),
+            ("vn 1 2 0x3", "line 5: a normal has '0x3' where a number belongs"),
+            ("vt", "line 5: a texture coordinate has 0 numbers of 1"),
         ] {
-            assert_eq!(plain(format!("{CORNERS}{faces}").as_bytes()), Err(Error::Scene(words.to_owned())), "{faces:?}");
+            assert_eq!(of(&format!("{CORNERS}{faces}")), Err(Error::Scene(words.to_owned())), "{faces:?}");
         }
     }
 }

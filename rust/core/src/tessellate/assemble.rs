@@ -90,13 +90,13 @@ pub(super) fn assemble(
     if split.is_empty() {
         return Ok(None);
     }
-    joined(source, vertex_count, &split).map(Some)
+    joined(source, vertex_count, &split, progress).map(Some)
 }
 
 /// Identity of a new vertex: the edge or face of the source on which it lies, and the bits of its position.
 type Key = ([u32; 2], [u64; 3]);
 
-fn joined(source: &[[u32; 3]], vertex_count: usize, split: &[Split]) -> Result<Assembled> {
+fn joined(source: &[[u32; 3]], vertex_count: usize, split: &[Split], progress: &Progress) -> Result<Assembled> {
     let pieces: usize = split.iter().map(|(_, pieces)| pieces.len()).sum();
     let face_count = source.len() - split.len() + pieces;
     let mut all =
@@ -104,6 +104,7 @@ fn joined(source: &[[u32; 3]], vertex_count: usize, split: &[Split]) -> Result<A
     let mut known: HashMap<Key, u32> = HashMap::new();
     let mut next = 0;
     for (face, pieces) in split {
+        progress.check()?;
         all.faces.extend_from_slice(&source[next..*face as usize]);
         all.sources.extend(next as u32..*face);
         next = *face as usize + 1;

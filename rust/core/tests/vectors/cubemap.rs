@@ -1,4 +1,5 @@
 use glam::DVec3;
+use nearfar_core::base::Progress;
 use nearfar_core::camera::{along_face, direction_from_face, face_from_direction};
 use nearfar_core::cubemap::{CubeFaces, TexelFilter, direction_from_texel, lookup, nearest, texel_from_direction};
 
@@ -42,9 +43,9 @@ fn directions_pass_through_their_texels() {
             let map: Vec<u32> = (0..6 * size * size).collect();
             let faces = CubeFaces::new(&map, size, 1).unwrap();
             let mut found = vec![0; directions.len()];
-            nearest(faces, &directions, &mut found).unwrap();
+            nearest(faces, &directions, &mut found, &Progress::new()).unwrap();
             assert_eq!(found, expected, "{}, {size} texels across", case["region"]);
-            nearest(faces, &single, &mut found).unwrap();
+            nearest(faces, &single, &mut found, &Progress::new()).unwrap();
             assert_eq!(found, expected, "{}, {size} texels across", case["region"]);
         }
     }
@@ -69,13 +70,13 @@ fn filters_give_the_values_of_the_map() {
         let faces = CubeFaces::new(&map, number(&case["size"]) as u32, 1).unwrap();
         let directions = rows::<3>(&case["directions"]);
         let mut found = vec![0.0; directions.len()];
-        nearest(faces, &directions, &mut found).unwrap();
+        nearest(faces, &directions, &mut found, &Progress::new()).unwrap();
         assert_near(&case, &found, &numbers(&case["nearest"]), 0.0);
         let bound = number(&case["tolerance"]["float64"]);
         for (filter, name, bound) in
             [(TexelFilter::Linear, "linear", bound), (TexelFilter::Min, "min", 0.0), (TexelFilter::Max, "max", 0.0)]
         {
-            lookup(faces, &directions, filter, &mut found).unwrap();
+            lookup(faces, &directions, filter, &mut found, &Progress::new()).unwrap();
             assert_near(&case, &found, &numbers(&case[name]), bound);
         }
     }

@@ -1,3 +1,4 @@
+use nearfar_core::base::Progress;
 use nearfar_core::lens::{InverseMethod, RadialLens};
 use serde_json::Value;
 
@@ -13,9 +14,9 @@ fn radii_are_shown_where_the_polynomial_says() {
     for case in cases("lens", "radial") {
         let (lens, r, tolerance) = (lens_of(&case), numbers(&case["r"]), &case["tolerance"]);
         let mut found = vec![0.0; r.len()];
-        lens.distort_all(&r, &mut found, true).unwrap();
+        lens.distort_all(&r, &mut found, true, &Progress::new()).unwrap();
         assert_share(&case, &found, &numbers(&case["distorted"]), number(&tolerance["distort"]));
-        lens.derivative_all(&r, &mut found, true).unwrap();
+        lens.derivative_all(&r, &mut found, true, &Progress::new()).unwrap();
         assert_near(&case, &found, &numbers(&case["derivative"]), number(&tolerance["derivative"]));
         for (&r, &expected) in r.iter().zip(&numbers(&case["distorted"])) {
             assert_share(&case, &[lens.distort(r.abs())], &[expected.abs()], number(&tolerance["distort"]));
@@ -33,7 +34,7 @@ fn radii_come_back_by_every_method() {
         for (method, share) in
             [(InverseMethod::Newton, exact), (InverseMethod::Table, exact + number(&tolerance["lut"]))]
         {
-            lens.undistort_all(&x, &mut found, method, true).unwrap();
+            lens.undistort_all(&x, &mut found, method, true, &Progress::new()).unwrap();
             assert_share(&case, &found, &expected, share);
         }
         for (&x, &expected) in x.iter().zip(&expected) {
@@ -47,7 +48,7 @@ fn the_published_iteration_takes_its_steps() {
     for case in cases("lens", "radial") {
         let (lens, x) = (lens_of(&case), numbers(&case["distorted"]));
         let mut found = vec![0.0; x.len()];
-        lens.undistort_all(&x, &mut found, InverseMethod::FixedPoint(4), true).unwrap();
+        lens.undistort_all(&x, &mut found, InverseMethod::FixedPoint(4), true, &Progress::new()).unwrap();
         assert_share(&case, &found, &numbers(&case["fixed_point"]), number(&case["tolerance"]["fixed_point"]));
     }
 }
@@ -72,10 +73,10 @@ fn points_are_shown_and_come_back() {
         let (lens, points) = (lens_of(&case), rows::<2>(&case["points"]));
         let expected = [rows::<2>(&case["distorted"]), rows::<2>(&case["undistorted"])];
         let mut found = vec![[0.0; 2]; points.len()];
-        lens.distort_points(&points, &mut found, true).unwrap();
+        lens.distort_points(&points, &mut found, true, &Progress::new()).unwrap();
         let bound = |name: &str| number(&case["tolerance"][name]);
         assert_near(&case, found.as_flattened(), expected[0].as_flattened(), bound("distort"));
-        lens.undistort_points(&expected[0], &mut found, true).unwrap();
+        lens.undistort_points(&expected[0], &mut found, true, &Progress::new()).unwrap();
         assert_near(&case, found.as_flattened(), expected[1].as_flattened(), bound("undistort"));
     }
 }

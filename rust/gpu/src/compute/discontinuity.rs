@@ -105,7 +105,7 @@ pub fn discontinuity(
     bins.run(&mut work, ADD_UP, &all, [1, 1])?;
     bins.run(&mut work, SCATTER, &all, groups(pixels))?;
     bins.most.bring(&mut work.encoder);
-    work.submit()?;
+    work.submit(progress)?;
     drop(alone);
     let most = bins.most.read(progress, |bytes| bytes.first_chunk().copied().map_or(0, u32::from_ne_bytes))?;
     let slices = || (0..most.max(1)).step_by(POINTS_PER_SLICE as usize);
@@ -147,7 +147,7 @@ struct UnderWay<'a> {
 impl UnderWay<'_> {
     /// Submits work that finishes some points, and waits for the submission before.
     fn submit(&mut self, work: Work<'_>, points: u32) -> Result<()> {
-        if let Some((before, points)) = self.last.replace((work.submit()?, points)) {
+        if let Some((before, points)) = self.last.replace((work.submit(self.progress)?, points)) {
             self.device.wait(&before, self.progress)?;
             self.progress.report(u64::from(points))?;
         }

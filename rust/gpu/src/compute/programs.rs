@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use nearfar_core::base::Result;
+use nearfar_core::base::{Progress, Result};
 use wgpu::{
     BindGroupDescriptor, BindGroupEntry, BindingResource, CommandEncoder, CommandEncoderDescriptor,
     ComputePassDescriptor, ComputePipeline, ComputePipelineDescriptor, PipelineCompilationOptions,
@@ -104,9 +104,9 @@ impl<'a> Work<'a> {
         Ok(())
     }
 
-    /// Submits the commands.
-    pub fn submit(self) -> Result<SubmissionIndex> {
-        let submission = self.device.with_queue(|queue| queue.submit([self.encoder.finish()]));
+    /// Submits the commands, or fails if the caller cancels.
+    pub fn submit(self, progress: &Progress) -> Result<SubmissionIndex> {
+        let submission = self.device.submit(self.encoder.finish(), progress)?;
         self.scope.close()?;
         Ok(submission)
     }

@@ -88,7 +88,7 @@ pub fn similarity(
     if let Some(map) = &map {
         map.bring(&mut work.encoder);
     }
-    work.submit()?;
+    work.submit(progress)?;
     drop(alone);
     let loss: f64 = sums.read(progress, |bytes| {
         let sums: &[f32] = bytemuck::cast_slice(bytes);

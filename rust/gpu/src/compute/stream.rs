@@ -33,7 +33,7 @@ pub(super) fn stream<'a>(
         let mut work = Work::new(device);
         encode(&mut work, &input, &results.on_device, n * rows..n * rows + from.len())?;
         results.bring(&mut work.encoder);
-        work.submit()?;
+        work.submit(progress)?;
         under_way.push_back(Piece { results, to, _input: input });
         if under_way.len() == PIECES_AHEAD
             && let Some(first) = under_way.pop_front()

@@ -13,7 +13,7 @@ pub use adapters::{AdapterKind, AdapterReport};
 pub use buffers::Counters;
 pub use forked::end_without_drivers;
 pub use open::Device;
-pub use registry::{adapters, device, is_hardware};
+pub use registry::{adapters, close, device, is_hardware};
 
 pub(crate) use adapters::{SAMPLES, VISIBLE};
 pub(crate) use buffers::Counted;

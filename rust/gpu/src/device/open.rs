@@ -105,7 +105,17 @@ impl Device {
 
     /// Closes the device as a driver's fault would, so that recovery can be tested.
     pub fn lose(&self) {
+        self.alone(|| self.destroy());
+    }
+
+    /// Calls a function while nobody else uses the queue.
+    pub(super) fn alone<R>(&self, job: impl FnOnce() -> R) -> R {
         let _alone = self.closing.write().unwrap_or_else(PoisonError::into_inner);
+        job()
+    }
+
+    /// Closes the device, whose queue nobody else uses meanwhile.
+    pub(super) fn destroy(&self) {
         self.wgpu.destroy();
         // The callback comes with the next poll.
         let _ = self.wgpu.poll(PollType::Poll);

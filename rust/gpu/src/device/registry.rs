@@ -3,7 +3,7 @@
 use std::process;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use nearfar_core::base::{Error, Result};
+use nearfar_core::base::{Error, Progress, Result};
 use wgpu::{Adapter, Backends, Instance, InstanceDescriptor};
 
 use super::{AdapterKind, AdapterReport, Device};
@@ -58,6 +58,16 @@ pub fn device(wanted: Option<&str>) -> Result<Arc<Device>> {
         found.device = Some(device.clone());
         Ok(device)
     })?
+}
+
+/// Waits for the work of all devices and closes them. Mesa's drivers crash at the end of a process in which they work.
+pub fn close(progress: &Progress) -> Result<()> {
+    let Some((owner, registry)) = KNOWN.get() else { return Ok(()) };
+    if *owner != process::id() {
+        return Ok(());
+    }
+    let mut registry = registry.lock().unwrap_or_else(PoisonError::into_inner);
+    registry.known().filter_map(|found| found.device.take()).try_for_each(|device| device.close(progress))
 }
 
 fn with_registry<R>(use_it: impl FnOnce(&mut Registry) -> R) -> Result<R> {

@@ -2,30 +2,73 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
+use std::thread;
 use std::time::Duration;
 
-use nearfar_core::base::{Error, Progress, Result};
-use wgpu::{Buffer, MapMode, PollError, PollType, SubmissionIndex};
+use nearfar_core::base::{self, Error, Progress};
+use wgpu::{Buffer, CommandBuffer, MapMode, PollError, PollStatus, PollType, SubmissionIndex};
 
-use super::Device;
+use super::{AdapterKind, Device};
 
 /// Time between two checks whether the caller has cancelled.
 const POLL_INTERVAL: Duration = Duration::from_millis(20);
 
+/// Time between two looks at a device in software.
+const NAP: Duration = Duration::from_micros(500);
+
 impl Device {
+    /// Whether the processor itself executes the device's work.
+    pub(crate) fn is_software(&self) -> bool {
+        self.report.kind == AdapterKind::Software
+    }
+
+    /// Waits for submitted work, or for a while.
+    fn wait_a_while(&self, submission: Option<SubmissionIndex>) -> Result<PollStatus, PollError> {
+        // Mesa's drivers in software return when the work is complete, however short the time that they are given.
+        let timeout = if self.is_software() { Duration::ZERO } else { POLL_INTERVAL };
+        let found = self.wgpu.poll(PollType::Wait { submission_index: submission, timeout: Some(timeout) });
+        if self.is_software() && matches!(found, Err(PollError::Timeout)) {
+            thread::sleep(NAP);
+        }
+        found
+    }
+
+    /// Submits commands, or fails if the caller cancels. Drivers in software hold whoever submits before their last work
+    /// is complete, so that is waited for here.
+    pub(crate) fn submit(&self, commands: CommandBuffer, progress: &Progress) -> base::Result<SubmissionIndex> {
+        while self.is_software() {
+            self.check()?;
+            match self.wait_a_while(None) {
+                Ok(_) => break,
+                Err(PollError::Timeout) => progress.check()?,
+                Err(error) => return Err(Error::Device(format!("{}: {error}", self.report.label()))),
+            }
+        }
+        Ok(self.with_queue(|queue| queue.submit([commands])))
+    }
+
     /// Waits for submitted work, or until the caller cancels.
-    pub(crate) fn wait(&self, submission: &SubmissionIndex, progress: &Progress) -> Result<()> {
+    pub(crate) fn wait(&self, submission: &SubmissionIndex, progress: &Progress) -> base::Result<()> {
         self.check()?;
         loop {
-            let wait = PollType::Wait { submission_index: Some(submission.clone()), timeout: Some(POLL_INTERVAL) };
-            match self.wgpu.poll(wait) {
-                // Some drivers return only when all work is complete.
+            match self.wait_a_while(Some(submission.clone())) {
                 Ok(_) => return self.check().and_then(|()| progress.check()),
                 Err(PollError::Timeout) => progress.check()?,
                 Err(error) => return Err(Error::Device(format!("{}: {error}", self.report.label()))),
             }
             self.check()?;
         }
+    }
+
+    /// Waits for all submitted work, or until the caller cancels, and closes the device.
+    pub(super) fn close(&self, progress: &Progress) -> base::Result<()> {
+        self.alone(|| {
+            while matches!(self.wait_a_while(None), Err(PollError::Timeout)) {
+                progress.check()?;
+            }
+            self.destroy();
+            Ok(())
+        })
     }
 
     /// Calls `take` with the beginning of a buffer once the device has finished with it.
@@ -35,7 +78,7 @@ impl Device {
         bytes: u64,
         progress: &Progress,
         take: impl FnOnce(&[u8]) -> R,
-    ) -> Result<R> {
+    ) -> base::Result<R> {
         // Mapped ranges are of whole pairs of words.
         let room = bytes.next_multiple_of(8);
         self.open_buffer(buffer, room, MapMode::Read, progress)?;
@@ -46,7 +89,13 @@ impl Device {
     }
 
     /// Waits until the beginning of a buffer is mapped for the processor; on failure it is unmapped.
-    pub(crate) fn open_buffer(&self, buffer: &Buffer, bytes: u64, mode: MapMode, progress: &Progress) -> Result<()> {
+    pub(crate) fn open_buffer(
+        &self,
+        buffer: &Buffer,
+        bytes: u64,
+        mode: MapMode,
+        progress: &Progress,
+    ) -> base::Result<()> {
         let answer = Arc::new(AtomicU32::new(0));
         let written = Arc::clone(&answer);
         buffer.map_async(mode, ..bytes, move |result| written.store(1 + u32::from(result.is_err()), Ordering::Release));
@@ -56,8 +105,7 @@ impl Device {
             _ => Some(Err(self.failure(&"its memory could not be read; use backend='cpu'"))),
         };
         loop {
-            let wait = PollType::Wait { submission_index: None, timeout: Some(POLL_INTERVAL) };
-            let polled = match self.wgpu.poll(wait) {
+            let polled = match self.wait_a_while(None) {
                 Ok(_) | Err(PollError::Timeout) => self.check().and_then(|()| progress.check()),
                 Err(error) => Err(Error::Device(format!("{}: {error}", self.report.label()))),
             };

@@ -9,7 +9,7 @@ use nearfar_core::camera::Camera;
 use nearfar_core::render::{Channels, Frame};
 use wgpu::PollType;
 
-use super::job::Job;
+use super::job::{Job, window_limits};
 use super::picture::Picture;
 use super::read;
 use super::slots::Slots;
@@ -39,9 +39,9 @@ pub(crate) struct Section<'a> {
 impl Job {
     /// Leaves the frame on the device without waiting: kernels that read it come after it in the queue.
     pub fn keep(mut self, progress: &Progress) -> Result<DeviceFrame> {
-        let is_whole = self.waiting.is_empty() && self.submitted.len() == 1;
-        let Some(submitted) = self.submitted.pop_front().filter(|_| is_whole) else {
-            return Err(self.too_large());
+        self.device.check_whole(&self.camera, self.channels)?;
+        let Some(submitted) = self.submitted.pop_front() else {
+            return Err(self.device.failure(&"a frame without a window"));
         };
         // The output was asked for in case it is read; kernels can't read it while it is open to the processor.
         submitted.slot.readable().unmap();
@@ -49,15 +49,19 @@ impl Job {
         let Self { device, picture, camera, channels, .. } = self;
         Ok(DeviceFrame { device, picture, camera, channels, submitted: Some(submitted) })
     }
+}
 
-    fn too_large(&self) -> Error {
-        let (per_pixel, side) = self.limits;
-        let (label, most) = (self.device.report().label(), self.device.largest_binding() / per_pixel.max(1));
-        let Camera { width, height, .. } = self.camera;
-        Error::Device(format!(
-            "{label}: {width} × {height} pixels can't stay on it, {most} in these channels and {side} each way can; \
-             use a smaller size, fewer channels, or backend='cpu'"
-        ))
+impl Device {
+    /// Fails for a frame that is too large to stay on the device: it would be drawn in several windows.
+    pub fn check_whole(&self, camera: &Camera, channels: Channels) -> Result<()> {
+        let (most, side) = window_limits(self, channels);
+        let Camera { width, height, .. } = *camera;
+        if width.max(height) <= side && u64::from(width) * u64::from(height) <= most {
+            return Ok(());
+        }
+        let label = self.report().label();
+        let expected = format!("at most {most} pixels in these channels and {side} each way, which {label} can hold");
+        Err(Error::value("camera", expected, format!("{width} × {height}")))
     }
 }
 

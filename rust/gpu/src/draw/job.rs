@@ -24,8 +24,9 @@ use crate::upload::Residents;
 
 /// Windows in flight at a time.
 const WINDOWS_AHEAD: usize = 2;
-/// Passes in one submission: between two, the caller may cancel.
+/// Passes in one submission: between two, the caller may cancel. In software a pass of millions of pixels takes a second.
 const PASSES_PER_SUBMISSION: usize = 8;
+const PASSES_IN_SOFTWARE: usize = 1;
 /// Bytes of a pixel's channels: colour, range, ids, position, normal.
 const CHANNEL_BYTES: [u64; 5] = [12, 4, 8, 12, 12];
 
@@ -36,9 +37,7 @@ pub struct Job {
     pub(super) camera: Camera,
     pub(super) channels: Channels,
     samples: u32,
-    /// Bytes of a pixel's wanted channels, and the most pixels that a window may have across.
-    pub(super) limits: (u64, u32),
-    pub(super) waiting: VecDeque<Window>,
+    waiting: VecDeque<Window>,
     pub(super) submitted: VecDeque<Submitted>,
     frame: Frame,
 }
@@ -64,10 +63,7 @@ impl Job {
         }
         let pixels = u64::from(camera.width) * u64::from(camera.height);
         let frame = Frame::new(channels, pixels as usize)?;
-        let per_pixel: u64 =
-            wanted(channels).iter().zip(CHANNEL_BYTES).map(|(&wanted, bytes)| u64::from(wanted) * bytes).sum();
-        let most = (device.largest_binding() / per_pixel.max(1)).max(1);
-        let side = device.limits.max_texture_dimension_2d;
+        let (most, side) = window_limits(device, channels);
         progress.expect(pixels);
         let mut job = Self {
             device: Arc::clone(device),
@@ -75,7 +71,6 @@ impl Job {
             camera: *camera,
             channels,
             samples,
-            limits: (per_pixel, side),
             waiting: Window::split(camera.width, camera.height, most, side).into(),
             submitted: VecDeque::new(),
             frame,
@@ -112,7 +107,7 @@ impl Job {
         let outputs = layout(self.channels, &window);
         let passes = self.passes();
         let multisampled = passes.iter().any(|(pass, _)| pass.multisampled);
-        let bytes = self.limits.0 * window.pixels() as u64;
+        let bytes = bytes_per_pixel(self.channels) * window.pixels() as u64;
         let shape = Shape { width: window.width, height: window.height, multisampled, bytes };
         let mut plan = Plan::new(picture, |layer| self.frustum(layer, &window), passes.len());
         let farthest = self.farthest();
@@ -132,10 +127,11 @@ impl Job {
             return Err(device.failure(&"a slot without buffers"));
         };
         let mut last: Option<SubmissionIndex> = None;
-        for (n, chunk) in passes.chunks(PASSES_PER_SUBMISSION).enumerate() {
+        let at_once = if device.is_software() { PASSES_IN_SOFTWARE } else { PASSES_PER_SUBMISSION };
+        for (n, chunk) in passes.chunks(at_once).enumerate() {
             if n > 0 {
                 let full = std::mem::replace(&mut commands, encoder());
-                let submission = device.with_queue(|queue| queue.submit([full.finish()]));
+                let submission = device.submit(full.finish(), progress)?;
                 if let Some(before) = last.replace(submission) {
                     device.wait(&before, progress)?;
                 }
@@ -148,7 +144,7 @@ impl Job {
         if let Some(staging) = &slot.staging {
             commands.copy_buffer_to_buffer(&slot.output, 0, staging, 0, bytes.next_multiple_of(4));
         }
-        let submission = device.with_queue(|queue| queue.submit([commands.finish()]));
+        let submission = device.submit(commands.finish(), progress)?;
         let opened = open_buffers(&slot, bytes);
         scope.close()?;
         Ok(Submitted { window, slot, outputs, numbering: plan.numbering, submission, opened })
@@ -202,6 +198,16 @@ impl Job {
 /// Flags of the wanted channels: colour, range, ids, position, normal.
 fn wanted(channels: Channels) -> [bool; 5] {
     [channels.color, channels.range, channels.object_id || channels.face_id, channels.position, channels.normal]
+}
+
+fn bytes_per_pixel(channels: Channels) -> u64 {
+    wanted(channels).iter().zip(CHANNEL_BYTES).map(|(&wanted, bytes)| u64::from(wanted) * bytes).sum()
+}
+
+/// The most pixels that a window may have, and the most across and down.
+pub(super) fn window_limits(device: &Device, channels: Channels) -> (u64, u32) {
+    let most = device.largest_binding() / bytes_per_pixel(channels).max(1);
+    (most.max(1), device.limits.max_texture_dimension_2d)
 }
 
 /// First word of each channel of a window.

@@ -10,11 +10,14 @@ use numpy::{
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-/// Rows of coordinates, float32 or float64.
-#[derive(FromPyObject)]
-pub enum Points<'py> {
-    Single(PyReadonlyArray2<'py, f32>),
-    Double(PyReadonlyArray2<'py, f64>),
+use super::one_of::one_of;
+
+one_of! {
+    /// Rows of coordinates, float32 or float64.
+    pub enum Points<'py> {
+        Single(PyReadonlyArray2<'py, f32>),
+        Double(PyReadonlyArray2<'py, f64>),
+    }
 }
 
 /// Evaluates an expression with the array in an enum of arrays, for any type.

@@ -3,4 +3,5 @@
 pub mod arrays;
 pub mod errors;
 pub mod names;
+pub mod one_of;
 pub mod run;

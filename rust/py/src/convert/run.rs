@@ -1,8 +1,7 @@
-//! Runs kernels with the interpreter released. Short kernels block the caller; for long ones the caller polls signals.
+//! Runs kernels with the interpreter released, while the caller polls signals.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::thread;
 use std::time::Duration;
 
 use nearfar_core::base::{Progress, Result, pool};
@@ -13,15 +12,42 @@ use super::errors::{from_panic, to_python};
 /// Time between two checks for signals, and between two progress reports, of a caller that waits.
 const POLL_INTERVAL: Duration = Duration::from_millis(50);
 
-/// Runs a kernel that takes milliseconds on the pool, with the interpreter released.
+/// Runs a kernel on the pool that takes milliseconds however large its arguments are; signals wait for it.
 pub fn short<R: Send>(py: Python<'_>, kernel: impl FnOnce() -> Result<R> + Send) -> PyResult<R> {
     py.detach(|| catch_unwind(AssertUnwindSafe(|| pool::install(kernel).and_then(|result| result))))
         .map_err(|payload| from_panic(payload.as_ref()))?
         .map_err(to_python)
 }
 
-/// Runs a long kernel on the pool. Every 50 ms the calling thread polls signals and calls `report(done, total)`. An
-/// exception from either cancels the kernel and is raised after the kernel has stopped.
+/// Runs a kernel on the pool that owns what it reads, and cannot be cancelled. Every 50 ms the calling thread polls
+/// signals; an exception is raised at once, and what the kernel returns later is dropped.
+pub fn detached<R: Send + 'static>(py: Python<'_>, kernel: impl FnOnce() -> Result<R> + Send + 'static) -> PyResult<R> {
+    let (sender, receiver) = channel();
+    let run = move || {
+        let outcome = catch_unwind(AssertUnwindSafe(kernel));
+        // Nobody receives it after an exception.
+        let _ = sender.send(outcome);
+    };
+    pool::spawn(run).map_err(to_python)?;
+    let received: PyResult<_> = py.detach(move || {
+        loop {
+            match receiver.recv_timeout(POLL_INTERVAL) {
+                Err(RecvTimeoutError::Timeout) => Python::attach(|py| py.check_signals())?,
+                received => return Ok(received),
+            }
+        }
+    });
+    py.check_signals()?;
+    match received? {
+        Ok(Ok(result)) => result.map_err(to_python),
+        Ok(Err(payload)) => Err(from_panic(payload.as_ref())),
+        Err(_) => Err(from_panic(&"a kernel ended without an outcome")),
+    }
+}
+
+/// Runs a kernel on the pool. Every 50 ms the calling thread polls signals and calls `report(done, total)`. An
+/// exception from either cancels the kernel and is raised after the kernel has stopped. Kernels that end before cost no
+/// more than by `short`.
 pub fn long<R: Send>(
     py: Python<'_>,
     report: Option<Py<PyAny>>,
@@ -30,16 +56,14 @@ pub fn long<R: Send>(
     let progress = Progress::new();
     let (result, raised) = py.detach(|| {
         let (sender, receiver) = channel();
-        thread::scope(|scope| {
-            let progress = &progress;
-            scope.spawn(move || {
-                let outcome =
-                    catch_unwind(AssertUnwindSafe(|| pool::install(|| kernel(progress)).and_then(|result| result)));
-                // Sending cannot fail: the receiver waits for the outcome and so outlives this thread.
-                let _ = sender.send(outcome);
-            });
-            let mut raised = None;
-            let outcome = loop {
+        let (progress, mut raised) = (&progress, None);
+        let run = move || {
+            let outcome = catch_unwind(AssertUnwindSafe(|| kernel(progress)));
+            // Sending cannot fail: the receiver waits for the outcome and so outlives this task.
+            let _ = sender.send(outcome);
+        };
+        let waited = pool::beside(run, || {
+            loop {
                 match receiver.recv_timeout(POLL_INTERVAL) {
                     Ok(outcome) => break Some(outcome),
                     Err(RecvTimeoutError::Disconnected) => break None,
@@ -51,14 +75,14 @@ pub fn long<R: Send>(
                     }
                     Err(RecvTimeoutError::Timeout) => {}
                 }
-            };
-            (outcome, raised)
-        })
+            }
+        });
+        (waited, raised)
     });
     if let Some(error) = raised {
         return Err(error);
     }
-    match result {
+    match result.map_err(to_python)? {
         Some(Ok(Ok(value))) => {
             look(py, report.as_ref(), &progress)?;
             Ok(value)

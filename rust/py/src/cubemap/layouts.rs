@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 use super::directions::filter;
 use crate::convert::arrays::{Points, with_array, with_rows};
 use crate::convert::names::choice;
+use crate::convert::one_of::one_of;
 use crate::convert::run;
 
 /// Layout, number of rows (of one face) and number of columns.
@@ -20,20 +21,22 @@ fn grid((layout, height, width): &Shape) -> Result<Grid> {
     Grid::new(layout, *height, *width)
 }
 
-/// Values (N, C) of a picture, and values (M, C) of another picture to be written.
-#[derive(FromPyObject)]
-pub(crate) enum Pictures<'py> {
-    Single((PyReadonlyArray2<'py, f32>, PyReadwriteArray2<'py, f32>)),
-    Double((PyReadonlyArray2<'py, f64>, PyReadwriteArray2<'py, f64>)),
+one_of! {
+    /// Values (N, C) of a picture, and values (M, C) of another picture to be written.
+    pub(crate) enum Pictures<'py> {
+        Single((PyReadonlyArray2<'py, f32>, PyReadwriteArray2<'py, f32>)),
+        Double((PyReadonlyArray2<'py, f64>, PyReadwriteArray2<'py, f64>)),
+    }
 }
 
-/// Pictures with values of any type, by the size of the type.
-#[derive(FromPyObject)]
-pub(crate) enum PictureBits<'py> {
-    One((PyReadonlyArray2<'py, u8>, PyReadwriteArray2<'py, u8>)),
-    Two((PyReadonlyArray2<'py, u16>, PyReadwriteArray2<'py, u16>)),
-    Four((PyReadonlyArray2<'py, u32>, PyReadwriteArray2<'py, u32>)),
-    Eight((PyReadonlyArray2<'py, u64>, PyReadwriteArray2<'py, u64>)),
+one_of! {
+    /// Pictures with values of any type, by the size of the type.
+    pub(crate) enum PictureBits<'py> {
+        One((PyReadonlyArray2<'py, u8>, PyReadwriteArray2<'py, u8>)),
+        Two((PyReadonlyArray2<'py, u16>, PyReadwriteArray2<'py, u16>)),
+        Four((PyReadonlyArray2<'py, u32>, PyReadwriteArray2<'py, u32>)),
+        Eight((PyReadonlyArray2<'py, u64>, PyReadwriteArray2<'py, u64>)),
+    }
 }
 
 fn filtered<T: Real + Element>(
@@ -97,7 +100,7 @@ pub(crate) fn convert_envmap_nearest(
 #[pyfunction]
 pub(crate) fn envmap_directions(py: Python<'_>, shape: Shape, mut out: PyReadwriteArray2<'_, f64>) -> PyResult<()> {
     let rows = out.as_slice_mut()?.as_chunks_mut::<3>().0;
-    run::short(py, || cubemap::grid_directions(grid(&shape)?, rows))
+    run::long(py, None, |progress| cubemap::grid_directions(grid(&shape)?, rows, progress))
 }
 
 /// Writes the number of the texel that each direction (N, 3) passes through.
@@ -109,5 +112,7 @@ pub(crate) fn envmap_texels(
     mut out: PyReadwriteArray1<'_, i64>,
 ) -> PyResult<()> {
     let out = out.as_slice_mut()?;
-    with_rows!(&directions, rows => run::short(py, || cubemap::grid_texels(grid(&shape)?, rows, out)))
+    with_rows!(&directions, rows => {
+        run::long(py, None, |progress| cubemap::grid_texels(grid(&shape)?, rows, out, progress))
+    })
 }

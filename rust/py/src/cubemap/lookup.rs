@@ -9,22 +9,25 @@ use super::directions::filter;
 use crate::convert::arrays::{Points, with_array, with_rows};
 use crate::convert::errors::to_python;
 use crate::convert::names::choice;
+use crate::convert::one_of::one_of;
 use crate::convert::run;
 
-/// Faces (6, S, S, C), and values (N, C) of the same type to be written.
-#[derive(FromPyObject)]
-pub(crate) enum Maps<'py> {
-    Single((PyReadonlyArray4<'py, f32>, PyReadwriteArray2<'py, f32>)),
-    Double((PyReadonlyArray4<'py, f64>, PyReadwriteArray2<'py, f64>)),
+one_of! {
+    /// Faces (6, S, S, C), and values (N, C) of the same type to be written.
+    pub(crate) enum Maps<'py> {
+        Single((PyReadonlyArray4<'py, f32>, PyReadwriteArray2<'py, f32>)),
+        Double((PyReadonlyArray4<'py, f64>, PyReadwriteArray2<'py, f64>)),
+    }
 }
 
-/// Faces and values of any type, by the size of the type.
-#[derive(FromPyObject)]
-pub(crate) enum MapBits<'py> {
-    One((PyReadonlyArray4<'py, u8>, PyReadwriteArray2<'py, u8>)),
-    Two((PyReadonlyArray4<'py, u16>, PyReadwriteArray2<'py, u16>)),
-    Four((PyReadonlyArray4<'py, u32>, PyReadwriteArray2<'py, u32>)),
-    Eight((PyReadonlyArray4<'py, u64>, PyReadwriteArray2<'py, u64>)),
+one_of! {
+    /// Faces and values of any type, by the size of the type.
+    pub(crate) enum MapBits<'py> {
+        One((PyReadonlyArray4<'py, u8>, PyReadwriteArray2<'py, u8>)),
+        Two((PyReadonlyArray4<'py, u16>, PyReadwriteArray2<'py, u16>)),
+        Four((PyReadonlyArray4<'py, u32>, PyReadwriteArray2<'py, u32>)),
+        Eight((PyReadonlyArray4<'py, u64>, PyReadwriteArray2<'py, u64>)),
+    }
 }
 
 fn faces<'a, T: Element + Copy>(array: &'a PyReadonlyArray4<'_, T>) -> PyResult<(&'a [T], u32, usize)> {
@@ -39,8 +42,8 @@ fn look<T: Real + Element>(
 ) -> PyResult<()> {
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
-    with_rows!(directions, rows => run::short(py, || {
-        cubemap::lookup(CubeFaces::new(values, size, channels)?, rows, filter(name)?, out)
+    with_rows!(directions, rows => run::long(py, None, |progress| {
+        cubemap::lookup(CubeFaces::new(values, size, channels)?, rows, filter(name)?, out, progress)
     }))
 }
 
@@ -51,7 +54,9 @@ fn pick<T: Element + Copy + Send + Sync>(
 ) -> PyResult<()> {
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
-    with_rows!(directions, rows => run::short(py, || cubemap::nearest(CubeFaces::new(values, size, channels)?, rows, out)))
+    with_rows!(directions, rows => run::long(py, None, |progress| {
+        cubemap::nearest(CubeFaces::new(values, size, channels)?, rows, out, progress)
+    }))
 }
 
 /// Writes filtered values in directions (N, 3).
@@ -87,16 +92,17 @@ fn touch<T: Real + Element>(
 ) -> PyResult<()> {
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
-    with_rows!(directions, rows => run::short(py, || {
-        cubemap::footprint(CubeFaces::new(values, size, channels)?, rows, radius, filter(name)?, out)
+    with_rows!(directions, rows => run::long(py, None, |progress| {
+        cubemap::footprint(CubeFaces::new(values, size, channels)?, rows, radius, filter(name)?, out, progress)
     }))
 }
 
-/// Faces (6, S, S, C), and those of the next level to be written.
-#[derive(FromPyObject)]
-pub(crate) enum LevelPair<'py> {
-    Single((PyReadonlyArray4<'py, f32>, PyReadwriteArray4<'py, f32>)),
-    Double((PyReadonlyArray4<'py, f64>, PyReadwriteArray4<'py, f64>)),
+one_of! {
+    /// Faces (6, S, S, C), and those of the next level to be written.
+    pub(crate) enum LevelPair<'py> {
+        Single((PyReadonlyArray4<'py, f32>, PyReadwriteArray4<'py, f32>)),
+        Double((PyReadonlyArray4<'py, f64>, PyReadwriteArray4<'py, f64>)),
+    }
 }
 
 /// Writes the next level of a cube map.
@@ -114,7 +120,9 @@ fn reduce<T: Real + Element>(
     let reduction = choice("filter", filter, &reductions).map_err(to_python)?;
     let (values, size, channels) = faces(maps)?;
     let out = out.as_slice_mut()?;
-    run::short(py, || cubemap::next_level(CubeFaces::new(values, size, channels)?, reduction, out))
+    run::long(py, None, |progress| {
+        cubemap::next_level(CubeFaces::new(values, size, channels)?, reduction, out, progress)
+    })
 }
 
 /// Writes the solid angle of each texel of a face (S, S), steradians.
@@ -122,5 +130,5 @@ fn reduce<T: Real + Element>(
 pub(crate) fn cube_solid_angles(py: Python<'_>, mut out: PyReadwriteArray2<'_, f64>) -> PyResult<()> {
     let size = u32::try_from(out.shape()[0]).unwrap_or(u32::MAX);
     let out = out.as_slice_mut()?;
-    run::short(py, || cubemap::solid_angles(size, out))
+    run::long(py, None, |progress| cubemap::solid_angles(size, out, progress))
 }

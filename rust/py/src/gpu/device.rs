@@ -13,6 +13,7 @@ use pyo3::types::PyDict;
 
 use super::frame::GpuJob;
 use crate::camera::Camera;
+use crate::convert::errors::to_python;
 use crate::convert::run;
 use crate::render::frame::{channels, images};
 use crate::render::reduced::{Reduced, drawing};
@@ -44,6 +45,12 @@ pub(crate) fn gpu_forked() {
     device::end_without_drivers();
 }
 
+/// Closes all devices once their work is done.
+#[pyfunction]
+pub(crate) fn gpu_close(py: Python<'_>) -> PyResult<()> {
+    run::long(py, None, device::close)
+}
+
 /// The device of the best adapter among the wanted ones.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct GpuDevice(pub(crate) Arc<Device>);
@@ -72,6 +79,11 @@ impl GpuDevice {
     fn counters(&self) -> (u64, u64, u64, u64) {
         let counters = self.0.counters();
         (counters.allocations, counters.allocated_bytes, counters.uploaded_bytes, counters.triangles)
+    }
+
+    /// Fails for a frame that is too large to stay on the device.
+    fn check_whole(&self, camera: &Camera, channels: Vec<String>) -> PyResult<()> {
+        self.0.check_whole(&camera.0, self::channels(&channels)?).map_err(to_python)
     }
 
     /// Closes the device in the way a driver fault would.

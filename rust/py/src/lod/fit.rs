@@ -1,6 +1,5 @@
 //! Bindings of `lod`: curves fitted to samples of SSIM.
 
-use nearfar_core::base::Progress;
 use nearfar_core::lod::{self, LogisticCurve, Status, Unfit};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1};
 use pyo3::prelude::*;
@@ -22,9 +21,6 @@ fn code(status: Status) -> u8 {
     }
 }
 
-/// Number of samples from which fits may take more than a few milliseconds.
-const LONG: usize = 10_000;
-
 /// Rows of numbers, and a code for each row.
 type Fits<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<u8>>);
 
@@ -39,11 +35,7 @@ pub(crate) fn fit_4pl<'py>(
     report: Option<Py<PyAny>>,
 ) -> PyResult<Fits<'py>> {
     let (x, y) = (x.as_slice()?, y.as_slice()?);
-    let curves = if y.len() < LONG {
-        run::short(py, || lod::fit_4pl(x, y, count, &Progress::new()))
-    } else {
-        run::long(py, report, |progress| lod::fit_4pl(x, y, count, progress))
-    }?;
+    let curves = run::long(py, report, |progress| lod::fit_4pl(x, y, count, progress))?;
     let rows = curves.iter().map(|&LogisticCurve { a, b, c, d, rms, .. }| [a, b, c, d, rms]).collect();
     Ok((array_of_rows(py, rows)?, PyArray1::from_iter(py, curves.iter().map(|curve| code(curve.status)))))
 }

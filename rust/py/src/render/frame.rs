@@ -2,14 +2,14 @@
 
 use nearfar_core::render::reduced::FrameCounts;
 use nearfar_core::render::{Channels, Frame};
-use nearfar_core::scene::srgb::srgb_from_linear;
+use nearfar_core::scene::srgb::srgb_from_all_linear;
 use numpy::ndarray::IntoDimension;
 use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArrayDyn};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use rayon::prelude::*;
 
+use crate::convert::arrays::filled;
 use crate::convert::run;
 
 /// The requested channels, by their public names.
@@ -67,6 +67,5 @@ pub(crate) fn encode_srgb<'py>(
     linear: PyReadonlyArrayDyn<'py, f32>,
 ) -> PyResult<Bound<'py, PyArray1<u8>>> {
     let linear = linear.as_slice()?;
-    let codes = run::short(py, || Ok(linear.par_iter().map(|&x| srgb_from_linear(x)).collect::<Vec<u8>>()))?;
-    Ok(PyArray1::from_vec(py, codes))
+    filled(py, linear.len(), |codes| run::long(py, None, |progress| srgb_from_all_linear(linear, codes, progress)))
 }

@@ -9,17 +9,19 @@ use pyo3::prelude::*;
 
 use super::placements::{affines, named, same_length};
 use crate::convert::arrays::{buffer, flat_buffer};
+use crate::convert::one_of::one_of;
 use crate::convert::run;
 
 /// Triangles with their attributes; they share the memory of the arrays.
 #[pyclass(frozen, module = "nearfar._core")]
 pub struct Mesh(pub Arc<scene::Mesh>);
 
-#[derive(FromPyObject)]
-enum FaceMapArgument<'py> {
-    Uniform(i32),
-    PerFace(Bound<'py, PyArrayDyn<i32>>),
-    Ranges((Bound<'py, PyArrayDyn<u32>>, Bound<'py, PyArrayDyn<i32>>)),
+one_of! {
+    enum FaceMapArgument<'py> {
+        Uniform(i32),
+        PerFace(Bound<'py, PyArrayDyn<i32>>),
+        Ranges((Bound<'py, PyArrayDyn<u32>>, Bound<'py, PyArrayDyn<i32>>)),
+    }
 }
 
 impl FaceMapArgument<'_> {

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::super::projection::{Fov, Projection};
 use super::block::{self, BLOCK, Depth, DepthRow, Ranged};
-use crate::base::{Error, Result, number};
+use crate::base::{Error, Progress, Result, number};
 
 /// A kernel over one block: (row, first column, values, results). It returns true if it refused a value, whose result
 /// is then NaN.
@@ -121,15 +121,15 @@ impl DepthBuffer {
 
     /// Distances from the eye in metres; infinite where nothing was drawn. `depth` holds one or more images of the
     /// view.
-    pub fn ranges<T: Depth>(&self, depth: &[T], ranges: &mut [T::Range]) -> Result<()> {
-        let wrong = self.each(depth, ranges, block::ranges);
+    pub fn ranges<T: Depth>(&self, depth: &[T], ranges: &mut [T::Range], progress: &Progress) -> Result<()> {
+        let wrong = self.each(depth, ranges, block::ranges, progress)?;
         wrong.map_or(Ok(()), |(pixel, value)| Err(self.refusal("depth", T::EXPECTED, pixel, value)))
     }
 
     /// Depths at distances from the eye: the inverse of `ranges`. Points beyond the far plane get the background's
     /// depth.
-    pub fn depths<T: Ranged>(&self, ranges: &[T], depth: &mut [T]) -> Result<()> {
-        let wrong = self.each(ranges, depth, block::depths);
+    pub fn depths<T: Ranged>(&self, ranges: &[T], depth: &mut [T], progress: &Progress) -> Result<()> {
+        let wrong = self.each(ranges, depth, block::depths, progress)?;
         wrong.map_or(Ok(()), |(pixel, value)| {
             Err(self.refusal("ranges", "distances that are not before the near plane", pixel, value))
         })
@@ -141,10 +141,14 @@ impl DepthBuffer {
         values: &[T],
         results: &mut [U],
         kernel: Kernel<T, U>,
-    ) -> Option<(usize, f64)> {
+        progress: &Progress,
+    ) -> Result<Option<(usize, f64)>> {
         assert_eq!(values.len(), results.len(), "as many results as values");
         let rows = (TASK / self.width).max(1);
         let task = |(n, (values, results)): (usize, (&[T], &mut [U]))| {
+            if progress.check().is_err() {
+                return None;
+            }
             let mut refused = false;
             let pairs = values.chunks(self.width).zip(results.chunks_mut(self.width));
             for (row, (values, results)) in (n * rows..).zip(pairs) {
@@ -155,7 +159,8 @@ impl DepthBuffer {
         };
         let size = rows * self.width;
         let tasks = values.par_chunks(size).zip(results.par_chunks_mut(size)).enumerate();
-        tasks.filter_map(task).min_by_key(|(pixel, _)| *pixel)
+        let first = tasks.filter_map(task).min_by_key(|(pixel, _)| *pixel);
+        progress.check().map(|()| first)
     }
 
     fn line(&self, row: usize) -> DepthRow {

@@ -1,4 +1,5 @@
 use super::*;
+use crate::base::Progress;
 use crate::camera::{Fov, Projection};
 
 const FOV: Fov = Fov { left: -1.0, right: 0.5, down: -0.25, up: 0.75 };
@@ -6,7 +7,7 @@ const PLANES: Planes = Planes { near: 0.1, far: f64::INFINITY, reverse: true };
 
 fn ranges(buffer: &DepthBuffer, depth: &[f64]) -> Vec<f64> {
     let mut found = vec![0.0; depth.len()];
-    buffer.ranges(depth, &mut found).unwrap();
+    buffer.ranges(depth, &mut found, &Progress::new()).unwrap();
     found
 }
 
@@ -37,13 +38,13 @@ fn the_first_refused_value_is_named() {
     let buffer = DepthBuffer::new(Projection::Perspective(FOV), PLANES, 100, 40).unwrap();
     let mut depth = vec![0.5f32; 3 * 4000];
     let mut found = depth.clone();
-    assert!(buffer.ranges(&depth, &mut found).is_ok());
+    assert!(buffer.ranges(&depth, &mut found, &Progress::new()).is_ok());
     depth[9000] = 1.5;
     depth[8003] = f32::NAN;
-    let message = buffer.ranges(&depth, &mut found).unwrap_err().to_string();
+    let message = buffer.ranges(&depth, &mut found, &Progress::new()).unwrap_err().to_string();
     assert!(message.contains("NaN in row 0, column 3 of image 2"), "{message}");
     found[50] = 0.01;
-    let message = buffer.depths(&found, &mut depth).unwrap_err().to_string();
+    let message = buffer.depths(&found, &mut depth, &Progress::new()).unwrap_err().to_string();
     assert!(message.contains("ranges: expected") && message.contains("row 0, column 50 of image 0"), "{message}");
 }
 

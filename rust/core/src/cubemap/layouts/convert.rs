@@ -127,11 +127,11 @@ fn check_out<T>(target: Grid, channels: usize, out: &[T]) -> Result<()> {
 }
 
 /// Writes the number of the texel that each direction passes through.
-pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64]) -> Result<()> {
+pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64], progress: &Progress) -> Result<()> {
     if out.len() != directions.len() {
         return Err(Error::value("out", format!("{} numbers", directions.len()), out.len()));
     }
-    in_tiles(directions, out, 1, |directions, out| {
+    in_tiles(directions, out, 1, progress, |directions, out| {
         for (d, number) in directions.iter().zip(out) {
             if !is_wrong(d) {
                 *number = grid.texel(DVec3::from_array(d.map(Real::wide))).into();
@@ -144,9 +144,11 @@ pub fn grid_texels<D: Real>(grid: Grid, directions: &[[D; 3]], out: &mut [i64]) 
 /// Writes the directions of all texel centres, row by row. The longest component of a cube's directions is ±1,
 /// equirectangular directions are unit vectors, and the components of octahedral ones have absolute values that add up
 /// to 1.
-pub fn grid_directions(grid: Grid, out: &mut [[f64; 3]]) -> Result<()> {
+pub fn grid_directions(grid: Grid, out: &mut [[f64; 3]], progress: &Progress) -> Result<()> {
     check_out(grid, 1, out)?;
     let rows = GridRows::new(grid, 1)?;
-    out.par_chunks_mut(grid.width as usize).zip(0..grid.rows()).for_each(|(out, row)| rows.write(0, row, 0, out));
-    Ok(())
+    out.par_chunks_mut(grid.width as usize).zip(0..grid.rows()).try_for_each(|(out, row)| {
+        rows.write(0, row, 0, out);
+        progress.check()
+    })
 }

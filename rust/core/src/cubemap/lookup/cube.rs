@@ -9,7 +9,7 @@ use super::filter::TexelFilter;
 use super::sampler::{SampledPicture, Sampler};
 use super::taps::Taps;
 use super::tiles::{in_blocks, in_tiles};
-use crate::base::{Real, Result};
+use crate::base::{Progress, Real, Result};
 
 /// Six faces, and the values beyond their edges that cubic filters read.
 pub(in crate::cubemap) struct Cube<'a, T> {
@@ -75,10 +75,11 @@ pub fn lookup<T: Real, D: Real>(
     directions: &[[D; 3]],
     filter: TexelFilter,
     out: &mut [T],
+    progress: &Progress,
 ) -> Result<()> {
     faces.check_out(out, directions.len())?;
     let sampler = cube_sampler(faces, filter, directions.len())?;
-    in_tiles(directions, out, faces.channels, |directions, out| sampler.sample(directions, out))
+    in_tiles(directions, out, faces.channels, progress, |directions, out| sampler.sample(directions, out))
 }
 
 /// Writes the texel that each direction of any length passes through, for values of any type. Fails like `lookup`.
@@ -86,9 +87,10 @@ pub fn nearest<T: Copy + Send + Sync, D: Real>(
     faces: CubeFaces<'_, T>,
     directions: &[[D; 3]],
     out: &mut [T],
+    progress: &Progress,
 ) -> Result<()> {
     faces.check_out(out, directions.len())?;
-    in_tiles(directions, out, faces.channels, |directions, out| match faces.channels {
+    in_tiles(directions, out, faces.channels, progress, |directions, out| match faces.channels {
         1 => nearest_of::<T, D, 1>(faces, directions, out),
         3 => nearest_of::<T, D, 3>(faces, directions, out),
         4 => nearest_of::<T, D, 4>(faces, directions, out),

@@ -8,7 +8,7 @@ use super::blocks::{halve_greatest, halve_least};
 use super::cone::{Cone, ConeRows};
 use super::filter::TexelFilter;
 use super::tiles::{is_wrong, refuse};
-use crate::base::{Error, Real, Result, memory::room_for};
+use crate::base::{Error, Progress, Real, Result, memory::room_for};
 
 /// Diameter of a cone, in texels, above which a level of half the size saves time.
 const WIDE_CONE: f64 = 8.0;
@@ -24,6 +24,7 @@ pub fn footprint<T: Real, D: Real>(
     radius: f64,
     filter: TexelFilter,
     out: &mut [T],
+    progress: &Progress,
 ) -> Result<()> {
     if !(0.0..std::f64::consts::FRAC_PI_2).contains(&radius) {
         return Err(Error::value("radius", "an angle of at least 0 and below 90°", radius));
@@ -34,8 +35,8 @@ pub fn footprint<T: Real, D: Real>(
         return Ok(());
     }
     match filter {
-        TexelFilter::Min => all::<T, D, false>(faces, directions, radius, out),
-        TexelFilter::Max => all::<T, D, true>(faces, directions, radius, out),
+        TexelFilter::Min => all::<T, D, false>(faces, directions, radius, out, progress),
+        TexelFilter::Max => all::<T, D, true>(faces, directions, radius, out, progress),
         _ => Err(Error::value("filter", "the least or the greatest", format!("{filter:?}"))),
     }
 }
@@ -45,10 +46,11 @@ fn all<T: Real, D: Real, const GREATEST: bool>(
     directions: &[[D; 3]],
     radius: f64,
     out: &mut [T],
+    progress: &Progress,
 ) -> Result<()> {
     let pyramid = Pyramid::new::<GREATEST>(faces, radius)?;
     let nothing = if GREATEST { f64::NEG_INFINITY } else { f64::INFINITY };
-    out.par_chunks_mut(TILE * faces.channels).zip(directions.par_chunks(TILE)).for_each(|(out, directions)| {
+    out.par_chunks_mut(TILE * faces.channels).zip(directions.par_chunks(TILE)).try_for_each(|(out, directions)| {
         let mut scratch = Scratch::default();
         for (out, d) in out.chunks_exact_mut(faces.channels).zip(directions) {
             out.fill(T::narrow(nothing));
@@ -62,9 +64,10 @@ fn all<T: Real, D: Real, const GREATEST: bool>(
                     *value = T::narrow(f64::NAN);
                 }
             }
+            progress.check()?;
         }
-    });
-    Ok(())
+        Ok(())
+    })
 }
 
 /// Replaces each value that a new texel's value precedes; NaN never replaces a value.

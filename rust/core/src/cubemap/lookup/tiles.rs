@@ -6,7 +6,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::blocks::BLOCK;
-use crate::base::{Error, Real, Result};
+use crate::base::{Error, Progress, Real, Result};
 
 /// Number of directions in one task.
 const TILE: usize = 1 << 13;
@@ -39,19 +39,21 @@ pub(in crate::cubemap) fn in_tiles<T: Send, D: Real>(
     directions: &[[D; 3]],
     out: &mut [T],
     channels: usize,
+    progress: &Progress,
     kernel: impl Fn(&[[D; 3]], &mut [T]) -> Option<usize> + Sync,
 ) -> Result<()> {
     if channels == 0 {
         return refuse(directions.iter().position(is_wrong).unwrap_or(usize::MAX));
     }
     let wrong = AtomicUsize::new(usize::MAX);
-    out.par_chunks_mut(TILE * channels).zip(directions.par_chunks(TILE)).enumerate().for_each(
+    out.par_chunks_mut(TILE * channels).zip(directions.par_chunks(TILE)).enumerate().try_for_each(
         |(tile, (out, directions))| {
             if let Some(index) = kernel(directions, out) {
                 wrong.fetch_min(tile * TILE + index, Ordering::Relaxed);
             }
+            progress.check()
         },
-    );
+    )?;
     refuse(wrong.into_inner())
 }
 

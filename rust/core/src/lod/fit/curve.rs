@@ -4,6 +4,7 @@ use super::descend::{self, EvaluatedLine};
 use super::frame::{SampleFrame, Unfit};
 use super::logistic::{self, LANES, Pack, Samples};
 use super::steps::{self, Start};
+use crate::base::Progress;
 
 /// Greatest number of descents for one curve.
 const STARTS: usize = 8;
@@ -72,8 +73,8 @@ pub(super) struct FitScratch {
     starts: Vec<Start>,
 }
 
-/// The least-squares curve through the samples of a frame.
-pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch) -> LogisticCurve {
+/// The least-squares curve through the samples of a frame; any curve if the caller has cancelled.
+pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch, progress: &Progress) -> LogisticCurve {
     let count = frame.order.len() as f64;
     let values = || frame.order.iter().map(|&n| y[n]);
     let (low, high) = values().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
@@ -96,7 +97,10 @@ pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch) -> Logi
     room.packed.as_flattened_mut()[..room.values.len()].copy_from_slice(&room.values);
     room.evaluated.resize(frame.v.len());
     find_starts(frame, total, room);
-    let samples = Samples { v: &frame.v, weight: &frame.weight, y: &room.packed, count };
+    let samples = Samples { v: &frame.v, weight: &frame.weight, y: &room.packed, count, progress };
+    if progress.check().is_err() {
+        return LogisticCurve::unfit(Unfit::TooFew);
+    }
     let best = descend_all(frame, &samples, total, &room.starts, &mut room.evaluated);
     let rms = scale * (best.sums.residual / count).sqrt();
     if (best.sums.residual / total).powf(0.5 * (count - 2.0)) >= FLAT_LIKELIHOOD {

@@ -3,6 +3,8 @@
 use super::descend::Limits;
 use super::grid::CurveGrid;
 use super::logistic::{LANES, Pack};
+use crate::base::Progress;
+use crate::base::sort::{Ordered, sort_by_key};
 
 /// v of x = 0: far enough for every allowed rise, and with a finite square.
 const ZERO: f64 = -1e30;
@@ -44,10 +46,10 @@ pub(super) struct SampleFrame {
 }
 
 impl SampleFrame {
-    /// A frame of the samples for which `counts` is true; their x are finite.
-    pub(super) fn new(x: &[f64], counts: impl Fn(usize) -> bool) -> Result<Self, Unfit> {
+    /// A frame of the samples for which `counts` is true; their x are finite. Any error if the caller has cancelled.
+    pub(super) fn new(x: &[f64], counts: impl Fn(usize) -> bool, progress: &Progress) -> Result<Self, Unfit> {
         let mut order: Vec<usize> = (0..x.len()).filter(|&n| counts(n)).collect();
-        order.sort_by(|&m, &n| x[m].total_cmp(&x[n]));
+        sort_by_key(&mut order, |&n| Ordered(x[n]), progress).map_err(|_| Unfit::TooFew)?;
         if order.first().is_some_and(|&n| x[n] < 0.0) {
             return Err(Unfit::Negative);
         }
@@ -61,6 +63,7 @@ impl SampleFrame {
         }
         let place = |x: f64| if x > 0.0 { (ln_ratio(x, unit) - middle) / half } else { ZERO };
         let sorted: Vec<f64> = order.iter().map(|&n| place(x[n])).collect();
+        progress.check().map_err(|_| Unfit::TooFew)?;
         let ends: Vec<usize> = (1..=sorted.len()).filter(|&n| n == sorted.len() || sorted[n] > sorted[n - 1]).collect();
         let places: Vec<f64> = ends.iter().map(|&end| sorted[end - 1]).collect();
         if places.len() < FEWEST {
@@ -71,6 +74,7 @@ impl SampleFrame {
         let packed = |value: &dyn Fn(usize) -> f64| -> Vec<Pack> {
             (0..sorted.len().div_ceil(LANES)).map(|k| std::array::from_fn(|i| value(LANES * k + i))).collect()
         };
+        progress.check().map_err(|_| Unfit::TooFew)?;
         // Padding lies at the v of x = 0, where p′ is 0, so only sums of p need weights.
         let v = packed(&|n| sorted.get(n).copied().unwrap_or(ZERO));
         let weight = packed(&|n| if n < sorted.len() { 1.0 } else { 0.0 });

@@ -1,6 +1,7 @@
 //! The logistic function at an array of samples, and the sums that a fit needs, eight samples at a time.
 
 use super::super::exponential::exp;
+use crate::base::Progress;
 use crate::base::simd::vectorized;
 
 /// Number of samples in one step of the kernels.
@@ -70,6 +71,8 @@ pub(super) struct Samples<'a> {
     /// Values with mean 0; 0 in the padding.
     pub(super) y: &'a [Pack],
     pub(super) count: f64,
+    /// Where the caller may cancel; all sums are then 0, which ends a descent.
+    pub(super) progress: &'a Progress,
 }
 
 /// Buffers for intermediate values of each sample.
@@ -121,6 +124,9 @@ fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratc
         }
         (u[k], p[k]) = (away, share);
     }
+    if samples.progress.check().is_err() {
+        return LogisticSums::default();
+    }
     let mean = product(p, weight) / samples.count;
     // r holds g until q is known.
     let r = &mut room.r[..packs];
@@ -137,6 +143,9 @@ fn evaluate_kernel(samples: &Samples<'_>, line: &Line, room: &mut LogisticScratc
             first[k][i] = p[k][i] * (1.0 - p[k][i]);
             first_u[k][i] = first[k][i] * u[k][i];
         }
+    }
+    if samples.progress.check().is_err() {
+        return LogisticSums::default();
     }
     let along = [product(r, first), product(r, first_u)];
     let (second, second_u) = (&mut room.second[..packs], &mut room.second_u[..packs]);

@@ -26,7 +26,7 @@ fn with_samples<R>(
     y: &[f64],
     work: impl FnOnce(&SampleFrame, &Samples<'_>, &mut LogisticScratch) -> R,
 ) -> R {
-    let frame = SampleFrame::new(x, |_| true).unwrap();
+    let frame = SampleFrame::new(x, |_| true, &Progress::new()).unwrap();
     let mean = y.iter().sum::<f64>() / y.len() as f64;
     let mut packed = vec![[0.0; logistic::LANES]; frame.v.len()];
     for (to, &n) in packed.as_flattened_mut().iter_mut().zip(&frame.order) {
@@ -34,7 +34,8 @@ fn with_samples<R>(
     }
     let mut room = LogisticScratch::default();
     room.resize(frame.v.len());
-    let samples = Samples { v: &frame.v, weight: &frame.weight, y: &packed, count: x.len() as f64 };
+    let samples =
+        Samples { v: &frame.v, weight: &frame.weight, y: &packed, count: x.len() as f64, progress: &Progress::new() };
     work(&frame, &samples, &mut room)
 }
 

@@ -31,7 +31,7 @@ pub fn discontinuity(
     if u32::try_from(position.len()).is_err() || width == 0 {
         return Err(Error::value("frame", "fewer than 2³² pixels", position.len()));
     }
-    let points = TruthPoints::new(position, origin, width, truth, epsilon);
+    let points = TruthPoints::new(position, origin, width, truth, epsilon, progress)?;
     progress.expect(points.len() as u64);
     let groups: Vec<usize> = (0..points.bands.len()).step_by(GROUP).collect();
     // Every pair once, for both of its points: a task's sums reach into the bands of the next one.
@@ -42,6 +42,7 @@ pub fn discontinuity(
     let sums: Vec<PairSums> = groups.par_iter().map(sums).collect::<Result<_>>()?;
     let mut image = vec![f32::NAN; position.len()];
     for (number, own) in sums.iter().enumerate() {
+        progress.check()?;
         let before = number.checked_sub(1).map(|before| &sums[before]);
         for n in own.own.clone() {
             let (excess, count) = match before {

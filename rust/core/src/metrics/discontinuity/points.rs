@@ -5,6 +5,8 @@ use std::ops::Range;
 use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
+use crate::base::sort::{self, Ordered};
+use crate::base::{Progress, Result};
 use crate::camera::Camera;
 
 /// Points side by side.
@@ -31,6 +33,7 @@ pub(super) struct TruthPoints {
 }
 
 /// A point before it is sorted.
+#[derive(Clone, Copy)]
 struct TruthPlace {
     band: i64,
     pixel: u32,
@@ -38,8 +41,16 @@ struct TruthPlace {
 }
 
 impl TruthPoints {
-    pub fn new(position: &[[f32; 3]], origin: DVec3, width: usize, truth: &Camera, epsilon: f64) -> Self {
+    pub fn new(
+        position: &[[f32; 3]],
+        origin: DVec3,
+        width: usize,
+        truth: &Camera,
+        epsilon: f64,
+        progress: &Progress,
+    ) -> Result<Self> {
         let place = |(pixel, at): (usize, &[f32; 3])| {
+            progress.check().ok()?;
             let point = Vec3::from_array(*at).as_dvec3() + origin;
             let truth = truth.project(point).filter(|there| there.is_finite())?.truncate();
             let is_near = truth.abs().max_element() < GREATEST_PLACE;
@@ -48,8 +59,7 @@ impl TruthPoints {
             is_near.then_some(TruthPlace { band, pixel: pixel as u32, truth })
         };
         let mut places: Vec<TruthPlace> = position.par_iter().enumerate().filter_map(place).collect();
-        // Stable sorts find the runs that a picture's rows are.
-        places.par_sort_by_key(|place| place.band);
+        sort::sort_by_key(&mut places, |place| place.band, progress)?;
         let mut bands: Vec<(i64, Range<usize>)> = Vec::new();
         for (n, place) in places.iter().enumerate() {
             match bands.last_mut() {
@@ -64,7 +74,9 @@ impl TruthPoints {
             slices.push(band);
             rest = others;
         }
-        slices.into_par_iter().for_each(|band| band.sort_by(|a, b| a.truth.x.total_cmp(&b.truth.x)));
+        slices
+            .into_par_iter()
+            .try_for_each(|band| sort::sort_by_key(band, |place| Ordered(place.truth.x), progress))?;
         let here = |place: &TruthPlace| {
             let (column, row) = (place.pixel as usize % width, place.pixel as usize / width);
             DVec2::new(column as f64 + 0.5, row as f64 + 0.5)
@@ -72,17 +84,17 @@ impl TruthPoints {
         let values = |value: &(dyn Fn(&TruthPlace) -> f64 + Sync)| {
             let mut values: Vec<f32> = places.par_iter().map(|place| value(place) as f32).collect();
             values.resize(places.len() + LANES, 0.0);
-            values
+            progress.check().map(|()| values)
         };
-        Self {
-            x: values(&|place| here(place).x),
-            y: values(&|place| here(place).y),
-            shift_x: values(&|place| place.truth.x - here(place).x),
-            shift_y: values(&|place| place.truth.y - here(place).y),
-            truth_x: values(&|place| place.truth.x),
+        Ok(Self {
+            x: values(&|place| here(place).x)?,
+            y: values(&|place| here(place).y)?,
+            shift_x: values(&|place| place.truth.x - here(place).x)?,
+            shift_y: values(&|place| place.truth.y - here(place).y)?,
+            truth_x: values(&|place| place.truth.x)?,
             pixel: places.par_iter().map(|place| place.pixel).collect(),
             bands,
-        }
+        })
     }
 
     pub fn len(&self) -> usize {

@@ -32,6 +32,9 @@ pub(super) fn global<P: PixelRows>(
     let levels = pair.levels(&part, seen.as_ref());
     let rows = (TASK / width).max(1);
     let task = |n: usize| {
+        if counted.progress.check().is_err() {
+            return ([0.0; 5], ValueRange::default());
+        }
         let end = part.rows[1].min(part.rows[0] + (n + 1) * rows);
         let mut extremes = Extremes::default();
         let mut sums = [0.0; 5];

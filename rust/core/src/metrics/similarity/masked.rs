@@ -11,8 +11,8 @@ use super::super::plane::{Plane, Region};
 use super::direct::Patch;
 use super::measure::{Measure, Measurement};
 use super::window_sums::SimilaritySums;
-use crate::base::Real;
 use crate::base::simd::vectorized;
+use crate::base::{Progress, Real};
 
 /// Rows of one task: fixed, so that sums do not depend on the number of threads.
 const ROWS: usize = 64;
@@ -30,6 +30,7 @@ pub(super) struct Masked<'a, P> {
     pub constants: [f64; 2],
     pub mask: Plane<'a, u8>,
     pub contrast: bool,
+    pub progress: &'a Progress,
 }
 
 type Fields = [Vec<f64>; FIELDS];
@@ -57,7 +58,7 @@ impl<P: PixelRows> Masked<'_, P> {
     fn band(&self, part: Region, mut map: Option<(&mut [P::Real], usize)>) -> SimilaritySums {
         let mut sums = SimilaritySums::default();
         let [first, end] = part.columns;
-        if part.is_empty() {
+        if part.is_empty() || self.progress.check().is_err() {
             return sums;
         }
         let (taps, columns) = (self.weights.len(), end - first);

@@ -20,11 +20,14 @@ pub struct Moments<R> {
     pub mean: [R; COLUMNS],
     /// Variance of each window.
     pub variance: [R; COLUMNS],
+    /// Rows that began a power of two apart would share few sets of the first-level cache, because narrow tiles fill
+    /// only the beginning of each array.
+    _apart: [u8; 64],
 }
 
 impl<R: Real> Default for Moments<R> {
     fn default() -> Self {
-        Self { mean: [R::default(); COLUMNS], variance: [R::default(); COLUMNS] }
+        Self { mean: [R::default(); COLUMNS], variance: [R::default(); COLUMNS], _apart: [0; 64] }
     }
 }
 

@@ -10,7 +10,7 @@ use super::super::plane::{Pixel, Plane, mirror};
 use super::ssim::similarity;
 use super::window::{Similarity, Window};
 use super::window_sums::{Counted, SimilaritySums};
-use crate::base::{Error, Real, Result};
+use crate::base::{Error, Progress, Real, Result};
 
 /// Both images of a pair made smaller.
 pub struct Shrunk<R> {
@@ -21,9 +21,10 @@ pub struct Shrunk<R> {
 impl<R: Pixel> Shrunk<R> {
     /// Every `factor`th pixel in both directions, each the mean of a box of as many pixels around it; beyond their
     /// borders images are mirrored.
-    pub fn new<P: PixelRows<Real = R>>(pair: &Pair<'_, P>, factor: usize) -> Self {
+    pub fn new<P: PixelRows<Real = R>>(pair: &Pair<'_, P>, factor: usize, progress: &Progress) -> Result<Self> {
         let size = [pair.reference.height, pair.reference.width].map(|length| length.div_ceil(factor));
-        Self { images: [&pair.reference, &pair.test].map(|image| shrunk(image, factor)), size }
+        let images = [shrunk(&pair.reference, factor, progress)?, shrunk(&pair.test, factor, progress)?];
+        Ok(Self { images, size })
     }
 
     /// As a pair of images.
@@ -37,7 +38,7 @@ impl<R: Pixel> Shrunk<R> {
     }
 }
 
-fn shrunk<P: Pixel>(image: &Plane<'_, P>, factor: usize) -> Vec<P::Real> {
+fn shrunk<P: Pixel>(image: &Plane<'_, P>, factor: usize, progress: &Progress) -> Result<Vec<P::Real>> {
     let reach = (factor - 1) / 2;
     let [height, width] = [image.height, image.width].map(|length| length.div_ceil(factor));
     let place = |n: usize, length: usize| mirror(n as i64 - reach as i64, length);
@@ -45,7 +46,7 @@ fn shrunk<P: Pixel>(image: &Plane<'_, P>, factor: usize) -> Vec<P::Real> {
     let whole = usize::from(reach > 0)..((image.width + reach) / factor).max(usize::from(reach > 0));
     let share = 1.0 / (factor * factor) as f64;
     let mut out = vec![P::Real::default(); height * width];
-    out.par_chunks_mut(width).enumerate().for_each(|(row, out)| {
+    out.par_chunks_mut(width).enumerate().try_for_each(|(row, out)| {
         let mut sums = vec![0.0; width];
         for row in (row * factor..(row + 1) * factor).map(|row| place(row, image.height)) {
             let run = image.run(row, 0..image.width);
@@ -67,8 +68,9 @@ fn shrunk<P: Pixel>(image: &Plane<'_, P>, factor: usize) -> Vec<P::Real> {
         for (out, sum) in out.iter_mut().zip(sums) {
             *out = P::Real::narrow(sum * share);
         }
-    });
-    out
+        progress.check()
+    })?;
+    Ok(out)
 }
 
 /// Means of similarity and of its second factor at each of several scales.
@@ -87,19 +89,20 @@ pub fn multiscale<P>(
     constants: Similarity,
     scales: usize,
     range: bool,
+    progress: &Progress,
 ) -> Result<Scales>
 where
     P: PixelRows<Real: PixelRows<Real = P::Real>>,
 {
-    let finest = sums(pair, window, constants, range)?;
+    let finest = sums(pair, window, constants, range, progress)?;
     let mut means = vec![finest.means()];
     let mut smaller: Option<Shrunk<P::Real>> = None;
     for _ in 1..scales {
         let next = match &smaller {
-            Some(shrunk) => Shrunk::new(&shrunk.pair()?, 2),
-            None => Shrunk::new(pair, 2),
+            Some(shrunk) => Shrunk::new(&shrunk.pair()?, 2, progress)?,
+            None => Shrunk::new(pair, 2, progress)?,
         };
-        means.push(sums(&next.pair()?, window, constants, false)?.means());
+        means.push(sums(&next.pair()?, window, constants, false, progress)?.means());
         smaller = Some(next);
     }
     Ok(Scales { means, range: finest.range })
@@ -110,6 +113,7 @@ fn sums<P: PixelRows>(
     window: &Window,
     constants: Similarity,
     range: bool,
+    progress: &Progress,
 ) -> Result<SimilaritySums> {
     if let Window::Weights(weights) = window {
         let (size, least) = ([pair.reference.height, pair.reference.width], weights.len());
@@ -118,7 +122,7 @@ fn sums<P: PixelRows>(
             return Err(Error::value("reference", expected, format!("{} × {} at one of them", size[0], size[1])));
         }
     }
-    let counted = Counted { all: false, mask: None, contrast: true, range };
+    let counted = Counted { all: false, mask: None, contrast: true, range, progress };
     similarity(pair, window, constants, counted, None)
 }
 
@@ -131,10 +135,10 @@ mod tests {
         let values: Vec<f64> = (0..15).map(f64::from).collect();
         let plane = Plane::new(&values, [3, 5], [5, 1]).unwrap();
         // Two: pixels 0–1, 2–3, 4 and its mirror image, on rows 0–1, 2 and its mirror image.
-        assert_eq!(shrunk(&plane, 2), [3.0, 5.0, 6.5, 10.5, 12.5, 14.0]);
+        assert_eq!(shrunk(&plane, 2, &Progress::new()).unwrap(), [3.0, 5.0, 6.5, 10.5, 12.5, 14.0]);
         // Three: from a pixel before.
         let first = [0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 5.0, 5.0, 6.0].iter().sum::<f64>() / 9.0;
-        let found = shrunk(&plane, 3);
+        let found = shrunk(&plane, 3, &Progress::new()).unwrap();
         assert!((found[0] - first).abs() < 1e-15 && found.len() == 2);
         // The second box, about pixel 3.
         let second = [2.0, 3.0, 4.0, 2.0, 3.0, 4.0, 7.0, 8.0, 9.0].iter().sum::<f64>() / 9.0;

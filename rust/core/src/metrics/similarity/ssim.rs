@@ -26,18 +26,21 @@ pub fn similarity<P: PixelRows>(
         return Err(Error::value("map", format!("{} × {} values", size[0], size[1]), map.len()));
     }
     let constants = [constants.c1, constants.c2];
-    Ok(match (window, counted.mask) {
+    let sums = match (window, counted.mask) {
         (Window::Global, _) => global(pair, constants, counted, map),
         (Window::Weights(weights), Some(Mask::Windows(mask))) => {
-            Masked { pair: *pair, weights, constants, mask, contrast: counted.contrast }.sums(map)
+            let Counted { contrast, progress, .. } = counted;
+            Masked { pair: *pair, weights, constants, mask, contrast, progress }.sums(map)
         }
         (Window::Weights(weights), _) => Windows::new(*pair, weights, constants, counted).sums(map),
-    })
+    };
+    counted.progress.check().map(|()| sums)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::base::Progress;
     use crate::metrics::{Plane, ValueRange};
 
     fn plane(values: &[f64]) -> Plane<'_, f64> {
@@ -53,7 +56,8 @@ mod tests {
             let of = |a: &[f64], b: &[f64]| {
                 let mut map = vec![0.0; 35];
                 let pair = Pair::new(plane(a), plane(b)).unwrap();
-                let counted = Counted { all: true, mask: None, contrast: true, range: true };
+                let counted =
+                    Counted { all: true, mask: None, contrast: true, range: true, progress: &Progress::new() };
                 let sums = similarity(&pair, &window, constants, counted, Some(&mut map)).unwrap();
                 assert_eq!(sums, similarity(&pair, &window, constants, counted, None).unwrap());
                 (sums, map)

@@ -2,6 +2,7 @@
 
 use super::moments::{COLUMNS, Moments, across, across_kernel, down, down_kernel};
 use super::*;
+use crate::base::Progress;
 use crate::metrics::Stacks;
 use crate::metrics::lanes::LANES;
 use crate::metrics::pair::Pair;
@@ -57,7 +58,7 @@ proptest! {
         let narrow: Vec<[f32; 2]> = a.iter().zip(&b).map(|(&a, &b)| [a as f32, b as f32]).collect();
         let (a32, b32): (Vec<f32>, Vec<f32>) = narrow.iter().map(|&[a, b]| (a, b)).unzip();
         let named = Plane::new(&mask, size, [width, 1]).unwrap();
-        let counted = Counted { all: true, mask: hidden.then_some(Mask::Windows(named)), contrast: false, range: false };
+        let counted = Counted { all: true, mask: hidden.then_some(Mask::Windows(named)), contrast: false, range: false, progress: &Progress::new() };
         let (mut map, mut map32) = (vec![0.0; height * width], vec![0.0f32; height * width]);
         let pair = |a, b| Pair::new(Plane::new(a, size, [width, 1]).unwrap(), Plane::new(b, size, [width, 1]).unwrap());
         let sums = similarity(&pair(&a, &b).unwrap(), &window, CONSTANTS, counted, Some(&mut map)).unwrap();
@@ -79,7 +80,7 @@ proptest! {
         let plane = |values| Plane::new(values, size, [size[1], 1]).unwrap();
         let stacks = Stacks { references: vec![plane(&a)], tests: vec![plane(&b)], masks: None };
         let exact = a.iter().zip(&b).map(|(a, b)| (a - b).powi(2)).sum::<f64>() / a.len() as f64;
-        prop_assert!((stacks.mean_squared_errors(false).unwrap()[0].mean - exact).abs() < 1e-14);
+        prop_assert!((stacks.mean_squared_errors(false, &Progress::new()).unwrap()[0].mean - exact).abs() < 1e-14);
     }
 
     #[test]

@@ -45,7 +45,7 @@ impl<'a, P: PixelRows> Windows<'a, P> {
             let mut bench = Bench::new(self.weights.len(), self.counted.contrast);
             let mut sums = SimilaritySums::default();
             let mut start = wanted.columns[0];
-            while start < wanted.columns[1] && !wanted.is_empty() {
+            while start < wanted.columns[1] && !wanted.is_empty() && self.counted.progress.check().is_ok() {
                 let end = wanted.columns[1].min(start + TILE_BYTES / size_of::<P::Real>());
                 let mut part = Region { rows: wanted.rows, columns: [start, end] };
                 start = end;

@@ -2,6 +2,7 @@
 
 use super::super::extremes::ValueRange;
 use super::super::plane::Plane;
+use crate::base::Progress;
 
 /// Sums over the pixels that count.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -43,6 +44,8 @@ pub struct Counted<'a> {
     pub contrast: bool,
     /// Whether the range of values is wanted.
     pub range: bool,
+    /// Where the caller may cancel; sums are then not complete.
+    pub progress: &'a Progress,
 }
 
 /// Pixels that a mask excludes: from the mean, or from windows as well.

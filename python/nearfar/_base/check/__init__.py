@@ -1,0 +1,47 @@
+"""Checks of arguments: each error message names the argument, the expected value and the value passed."""
+
+from nearfar._base.check.arrays import array, not_finite, output, plain, spheres, vector
+from nearfar._base.check.describe import described, shortened, shown
+from nearfar._base.check.names import choice, instance, items, iterable, mapping, path, text, texts
+from nearfar._base.check.numbers import (
+    MAX_SIZE,
+    at_least_zero,
+    flag,
+    integer,
+    number,
+    pair,
+    positive,
+    radii,
+    size,
+    within,
+)
+
+__all__ = [
+    "MAX_SIZE",
+    "array",
+    "at_least_zero",
+    "choice",
+    "described",
+    "flag",
+    "instance",
+    "integer",
+    "items",
+    "iterable",
+    "mapping",
+    "not_finite",
+    "number",
+    "output",
+    "pair",
+    "path",
+    "plain",
+    "positive",
+    "radii",
+    "shortened",
+    "shown",
+    "size",
+    "spheres",
+    "text",
+    "texts",
+    "vector",
+    "within",
+]

@@ -1,0 +1,169 @@
+"""Checks and conversions of arrays of numbers, and of positions."""
+
+from __future__ import annotations
+
+import functools
+import math
+import os
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from nearfar._base.check.describe import described
+from nearfar._base.check.numbers import is_masked
+
+_SMALL = 1 << 30
+"""Bytes that any machine has."""
+
+
+def array(
+    name: str,
+    value: ArrayLike,
+    *,
+    columns: int | None = 3,
+    dtype: DTypeLike | None = None,
+    finite: bool = False,
+) -> NDArray[Any]:
+    """Convert an argument to an aligned C-contiguous array in native byte order; copies only if it is not one already.
+
+    Parameters
+    ----------
+    name
+        The argument's public name.
+    value
+        The caller's value.
+    columns
+        Expected shape (N, columns); None accepts any shape.
+    dtype
+        Type of the result. None keeps float32 and float64 and converts other types to float64. An integer type accepts
+        only whole numbers within its range.
+    finite
+        Whether to refuse NaN and infinities. This reads the whole array; callers whose kernels check it leave it off.
+
+    Raises
+    ------
+    TypeError
+        For values that are not real numbers, and for fractions where whole numbers are wanted.
+    ValueError
+        For a wrong shape, for whole numbers out of range, and for NaN and infinities if `finite`.
+    """
+    values = _numbers(name, value)
+    target = _target_type(values.dtype, dtype)
+    if columns is not None and (values.ndim != 2 or values.shape[1] != columns):
+        raise ValueError(f"{name}: expected shape (N, {columns}), got {values.shape}")
+    if target.kind in "iu":
+        _whole(name, values, target)
+    result = _converted(name, values, target)
+    if finite and (flaw := not_finite(name, result)):
+        raise flaw
+    return result
+
+
+def plain(name: str, value: ArrayLike) -> NDArray[Any]:
+    """Convert an argument to an array of any type.
+
+    TypeError for masked values, which would lose their mask; ValueError for rows of unequal length, and for views of
+    little memory that stand for more than the machine has.
+    """
+    if is_masked(value):
+        raise TypeError(f"{name}: expected an array without masked values, got one with a mask")
+    try:
+        values = np.asarray(value)
+    except ValueError:
+        raise ValueError(f"{name}: expected rows of equal length") from None
+    # Contiguous arrays have their memory, be it that of a mapped file.
+    if values.nbytes > _SMALL and not values.flags.forc and values.nbytes > _memory():
+        raise _too_large(name, values)
+    return values
+
+
+def not_finite(name: str, values: NDArray[Any]) -> ValueError | None:
+    """Make the error for an array with NaN or infinities, which names the first; None for an array without any."""
+    if values.dtype.kind != "f" or np.isfinite(values).all():
+        return None
+    bad = np.argwhere(~np.isfinite(values))
+    where = tuple(int(i) for i in bad[0])
+    return ValueError(f"{name}: expected finite numbers, got {len(bad)} that are not, the first at {where}")
+
+
+def output(name: str, value: NDArray[Any], source: NDArray[Any]) -> NDArray[Any]:
+    """Check a caller's output array: shape and type of `source`, and no memory shared with it."""
+    if not isinstance(value, np.ndarray):
+        raise TypeError(f"{name}: expected an array, got {described(value)}")
+    if value.shape != source.shape or value.dtype != source.dtype:
+        raise ValueError(f"{name}: expected {source.shape} of {source.dtype}, got {value.shape} of {value.dtype}")
+    if not (value.flags.c_contiguous and value.flags.aligned and value.flags.writeable):
+        raise ValueError(f"{name}: expected a C-contiguous array that can be written, got one that is not")
+    if np.may_share_memory(value, source):
+        raise ValueError(f"{name}: expected memory of its own, got that of the argument")
+    return value
+
+
+def vector(name: str, value: ArrayLike) -> tuple[float, float, float]:
+    """Return three finite numbers as float64, such as a position in metres; ValueError or TypeError otherwise."""
+    values = _numbers(name, value)
+    if values.shape != (3,):
+        raise ValueError(f"{name}: expected 3 numbers, got shape {values.shape}")
+    x, y, z = (float(v) for v in values)
+    if not all(map(math.isfinite, (x, y, z))):
+        raise ValueError(f"{name}: expected 3 finite numbers, got ({x}, {y}, {z})")
+    return x, y, z
+
+
+def spheres(centers: ArrayLike, radii: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return centres (N, 3) and radii (N,) as float64; one radius is repeated for all; ValueError otherwise."""
+    places = array("centers", centers, dtype=np.float64)
+    sizes = array("radii", radii, columns=None, dtype=np.float64)
+    if sizes.shape not in ((), (len(places),)):
+        raise ValueError(f"radii: expected one number or shape ({len(places)},), got {sizes.shape}")
+    return places, np.ascontiguousarray(np.broadcast_to(sizes, len(places)))
+
+
+def _numbers(name: str, value: ArrayLike) -> NDArray[Any]:
+    values = plain(name, value)
+    if values.dtype.kind not in "iuf":
+        # An empty list passes the test above, because NumPy makes it float64.
+        raise TypeError(f"{name}: expected real numbers, got {described(value)} of type {values.dtype}")
+    return values
+
+
+def _target_type(source: np.dtype[Any], dtype: DTypeLike | None) -> np.dtype[Any]:
+    if dtype is not None:
+        return np.dtype(dtype)
+    return np.dtype(np.float32 if source.kind == "f" and source.itemsize == 4 else np.float64)
+
+
+def _whole(name: str, values: NDArray[Any], target: np.dtype[Any]) -> None:
+    if values.size == 0 or values.dtype == target:
+        return
+    if values.dtype.kind not in "iu":
+        raise TypeError(f"{name}: expected whole numbers, got {values.dtype}")
+    low, high = int(values.min()), int(values.max())
+    limits = np.iinfo(target)
+    if low < limits.min or high > limits.max:
+        raise ValueError(f"{name}: expected whole numbers from {limits.min} to {limits.max}, got {low} to {high}")
+
+
+def _converted(name: str, values: NDArray[Any], target: np.dtype[Any]) -> NDArray[Any]:
+    """Convert the type and the layout; numbers beyond the range of a smaller float type become infinite."""
+    if values.dtype == target and values.flags.c_contiguous and values.flags.aligned:
+        return values
+    try:
+        with np.errstate(over="ignore", invalid="ignore"):
+            return np.require(values, target, ["C_CONTIGUOUS", "ALIGNED"])
+    except MemoryError:
+        raise _too_large(name, values) from None
+
+
+def _too_large(name: str, values: NDArray[Any]) -> ValueError:
+    return ValueError(f"{name}: expected an array that fits into memory, got {values.dtype} of shape {values.shape}")
+
+
+@functools.cache
+def _memory() -> int:
+    """Bytes of the machine's memory, or an estimate where the system does not say."""
+    try:
+        return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    except (AttributeError, OSError, ValueError):
+        return 1 << 40

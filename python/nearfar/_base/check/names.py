@@ -1,0 +1,99 @@
+"""Checks of texts, paths, objects and collections of them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Collection, Iterable, Mapping
+from pathlib import Path
+from typing import TypeVar
+
+import numpy as np
+
+from nearfar._base.check.describe import described, shortened
+
+Kind = TypeVar("Kind")
+Value = TypeVar("Value")
+
+
+def instance(name: str, value: object, kind: type[Kind], expected: str = "") -> Kind:
+    """Return a value of a type, which `expected` describes if "a" and the type's name do not; TypeError otherwise."""
+    if not isinstance(value, kind):
+        raise TypeError(f"{name}: expected {expected or f'a {kind.__name__}'}, got {type(value).__name__}")
+    return value
+
+
+def choice(name: str, value: str, options: Collection[str]) -> str:
+    """Return one of the named options; ValueError or TypeError otherwise."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: expected a string, got {described(value)}")
+    if value not in options:
+        listed = ", ".join(repr(option) for option in options)
+        raise ValueError(f"{name}: expected one of {listed}, got {shortened(value)}")
+    return value
+
+
+def text(name: str, value: str) -> str:
+    """Return a text that files can hold; ValueError for a lone surrogate, TypeError for anything but a string."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: expected a string, got {described(value)}")
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        message = f"{name}: expected text that files can hold, got a lone surrogate in {shortened(value)}"
+        raise ValueError(message) from None
+    return value
+
+
+def path(name: str, value: str | os.PathLike[str]) -> Path:
+    """Return a path that the file system can hold; ValueError otherwise, TypeError for anything but text or a path."""
+    written = os.fspath(value) if isinstance(value, str | os.PathLike) else None
+    if not isinstance(written, str):
+        raise TypeError(f"{name}: expected a string or a path, got {described(value)}")
+    if not written:
+        raise ValueError(f"{name}: expected a path, got an empty string")
+    try:
+        is_usable = b"\0" not in os.fsencode(written)
+    except UnicodeEncodeError:
+        is_usable = False
+    if not is_usable:
+        raise ValueError(f"{name}: expected a path that the file system can hold, got {shortened(written)}")
+    return Path(written)
+
+
+def mapping(name: str, value: Mapping[str, Value], expected: str) -> Mapping[str, Value]:
+    """Return a mapping by names; TypeError for other keys, and for anything but a mapping."""
+    if not isinstance(value, Mapping):
+        raise TypeError(f"{name}: expected {expected}, got {described(value)}")
+    for key in value:
+        if not isinstance(key, str):
+            raise TypeError(f"{name}: expected {expected}, got the key {described(key)}")
+    return value
+
+
+def iterable(name: str, value: Iterable[Value], expected: str) -> Iterable[Value]:
+    """Return what can be iterated; TypeError for texts, mappings and all else.
+
+    `expected` describes the whole in messages, such as "a sequence of Cameras".
+    """
+    is_single = isinstance(value, str | bytes | Mapping) or (isinstance(value, np.ndarray) and value.ndim == 0)
+    if is_single or not isinstance(value, Iterable):
+        raise TypeError(f"{name}: expected {expected}, got {described(value)}")
+    return value
+
+
+def items(name: str, value: Iterable[object], kind: type[Kind], expected: str) -> list[Kind]:
+    """Return the items of an iterable, all of a type; TypeError for others, and for what `iterable` refuses."""
+    found = []
+    for number, item in enumerate(iterable(name, value, expected)):
+        # At the first wrong one, because a view of one number may be endless.
+        if not isinstance(item, kind):
+            raise TypeError(f"{name}: expected {expected}, got {described(item)} at index {number}")
+        found.append(item)
+    return found
+
+
+def texts(name: str, value: Iterable[str]) -> list[str]:
+    """Return texts that files can hold; TypeError for anything but strings, ValueError for a lone surrogate."""
+    found = items(name, value, str, "a sequence of strings")
+    text(name, "".join(found))
+    return found

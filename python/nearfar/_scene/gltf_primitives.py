@@ -1,0 +1,194 @@
+"""The primitives of glTF meshes as shapes, and their materials."""
+
+from __future__ import annotations
+
+import io
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base.errors import UnusableError
+from nearfar._base.glb import entry
+from nearfar._scene.budget import Budget
+from nearfar._scene.gltf_buffers import Buffers
+from nearfar._scene.gltf_extensions import DRACO
+from nearfar._scene.materials import Described, Materials, colors_of
+from nearfar._scene.source import Shape
+
+_TRIANGLES, _STRIP = 4, 5
+MODES = (_TRIANGLES, _STRIP)
+"""Modes of primitives that are read."""
+
+_WIDTHS = {"POSITION": 3, "NORMAL": 3, "TEXCOORD_0": 2}
+
+_GLOSS = "KHR_materials_pbrSpecularGlossiness"
+_GLOSS_BYTES = 128
+"""Bytes for each texel while trimesh converts a material of that extension: four images, float64 RGBA."""
+
+
+def mode(primitive: dict[str, Any]) -> Any:
+    """The kind of a primitive."""
+    return primitive.get("mode", _TRIANGLES)
+
+
+class Primitives:
+    """Reads the primitives of one document.
+
+    Parameters
+    ----------
+    header
+        The document.
+    buffers
+        Its arrays.
+    resolver
+        Trimesh's, which reads images beside the document.
+    materials
+        Converts its materials.
+    budget
+        Counts the arrays that are made.
+    """
+
+    def __init__(
+        self, header: dict[str, Any], buffers: Buffers, resolver: Any, materials: Materials, budget: Budget
+    ) -> None:
+        self._header, self._buffers, self._resolver = header, buffers, resolver
+        self._materials, self._budget = materials, budget
+
+    def shape(self, primitive: dict[str, Any], *, is_shared: bool) -> Shape:
+        """Read a primitive; one that shares its vertices with others keeps those that it uses."""
+        self._decode(primitive)
+        numbers = primitive.get("attributes", {})
+        if "POSITION" not in numbers:
+            raise UnusableError("a primitive of its meshes has no POSITION")
+        rows = {name: self._attribute(name, numbers[name]) for name in _WIDTHS if name in numbers}
+        vertices = rows["POSITION"]
+        self._check_decoded(primitive, vertices)
+        faces = self._faces(primitive, len(vertices))
+        shape = Shape(vertices, faces)
+        normals = rows.get("NORMAL")
+        if normals is not None and normals.shape == vertices.shape:
+            shape.normals = normals
+        if "material" in primitive:
+            number = primitive["material"]
+            described = entry(self._header, "materials", number)
+            shape.materials = self._materials.of(
+                self._read_materials[number], described=Described(described, self._buffers.texture)
+            )
+            uvs = rows.get("TEXCOORD_0")
+            if uvs is not None:
+                # v points down in files.
+                shape.uvs = np.column_stack([uvs[:, 0], 1 - uvs[:, 1]])
+        if "COLOR_0" in numbers:
+            # COLOR_0 is linear (glTF 2.0, 3.7.2.1).
+            shape.colors = colors_of(self._buffers.raw(numbers["COLOR_0"]), len(vertices), linear=True)
+        if is_shared and "indices" in primitive:
+            _compact(shape)
+        arrays = (shape.vertices, shape.faces, shape.normals, shape.uvs, shape.colors)
+        self._budget.hold(sum(rows.nbytes for rows in arrays if rows is not None))
+        return shape
+
+    def _attribute(self, name: str, number: int) -> NDArray[Any]:
+        """Rows of an attribute; normals are brought to length 1 later, so that their unit does not matter."""
+        rows = self._buffers.raw(number) if name == "NORMAL" else self._buffers.array(number)
+        if rows.shape[1] != _WIDTHS[name]:
+            raise UnusableError(f"expected {_WIDTHS[name]} numbers in each row of {name}, got {rows.shape[1]}")
+        if name == "TEXCOORD_0" and rows.dtype.kind != "f":
+            return rows.astype(np.float32)
+        return rows
+
+    def _faces(self, primitive: dict[str, Any], vertex_count: int) -> NDArray[Any]:
+        if "indices" in primitive:
+            corners = self._buffers.raw(primitive["indices"]).reshape(-1)
+        else:
+            corners = np.arange(vertex_count)
+        if corners.dtype.kind == "f":
+            raise UnusableError("expected whole numbers as indices, got fractions")
+        if mode(primitive) == _TRIANGLES:
+            if len(corners) % 3:
+                raise UnusableError(f"expected three corners for each triangle, got {len(corners)}")
+            return corners.reshape(-1, 3)
+        count = max(len(corners) - 2, 0)
+        faces = np.column_stack([corners[:count], corners[1 : count + 1], corners[2 : count + 2]]).astype(np.int64)
+        # Each other triangle of a strip has its corners in the opposite order.
+        faces[1::2] = faces[1::2, ::-1]
+        return faces
+
+    def _decode(self, primitive: dict[str, Any]) -> None:
+        """Let trimesh decode what Draco compresses; its warnings say why it did not."""
+        if DRACO not in primitive.get("extensions", {}):
+            return
+        from trimesh.exchange.gltf import handle_extensions
+
+        numbers = [*primitive.get("attributes", {}).values()]
+        numbers += [primitive["indices"]] if "indices" in primitive else []
+        decoded: dict[int, NDArray[Any]] = {}
+        # A file with plain data beside the compressed one is read without a decoder.
+        if all("bufferView" in entry(self._header, "accessors", number) for number in numbers):
+            return
+        handle_extensions(
+            extensions=primitive["extensions"],
+            scope="primitive_preprocess",
+            primitive=primitive,
+            accessors=decoded,
+            views=_Views(self._buffers),
+        )
+        for number, rows in decoded.items():
+            self._buffers.replace(number, np.asarray(rows).reshape(len(rows), -1))
+
+    def _check_decoded(self, primitive: dict[str, Any], vertices: NDArray[Any]) -> None:
+        """Refuse the zeros that stand where an extension was not decoded."""
+        accessor = entry(self._header, "accessors", primitive["attributes"]["POSITION"])
+        names = list(primitive.get("extensions", {}))
+        if names and "bufferView" not in accessor and "sparse" not in accessor and not np.any(vertices):
+            raise UnusableError(f"its extension {names[0]} was not decoded: save the model without it")
+
+    @cached_property
+    def _read_materials(self) -> list[Any]:
+        from trimesh.exchange.gltf import _parse_materials
+
+        for material in self._header.get("materials", []):
+            if isinstance(material, dict) and _GLOSS in (material.get("extensions") or ()):
+                self._count_gloss(material["extensions"][_GLOSS])
+        materials: list[Any] = _parse_materials(self._header, _Views(self._buffers), self._resolver)
+        return materials
+
+    def _count_gloss(self, described: dict[str, Any]) -> None:
+        """Count what trimesh needs to convert a material's images."""
+        from PIL import Image
+
+        for key in ("diffuseTexture", "specularGlossinessTexture"):
+            texture = self._buffers.texture(described[key]["index"]) if key in described else None
+            if texture is not None and texture.image is not None:
+                try:
+                    with Image.open(io.BytesIO(texture.image.data)) as image:
+                        size = image.size
+                except Exception:  # Pillow's decoders raise errors of any type; trimesh draws without the image
+                    continue
+                self._budget.take(_GLOSS_BYTES * size[0] * size[1])
+
+
+def _compact(shape: Shape) -> None:
+    """Leave out the vertices that no face uses; shapes with damaged faces stay as they are."""
+    count = len(shape.vertices)
+    if not shape.faces.size or int(shape.faces.min()) < 0 or int(shape.faces.max()) >= count:
+        return
+    used, faces = np.unique(shape.faces, return_inverse=True)
+    if len(used) == count:
+        return
+    shape.faces = faces.reshape(-1, 3)
+    for name in ("vertices", "normals", "uvs", "colors"):
+        rows = getattr(shape, name)
+        if rows is not None and len(rows) == count:
+            setattr(shape, name, rows[used])
+
+
+class _Views:
+    """The buffer views of a document, as trimesh expects them; each is copied when it is asked for."""
+
+    def __init__(self, buffers: Buffers) -> None:
+        self._buffers = buffers
+
+    def __getitem__(self, number: int) -> bytes:
+        return self._buffers.blob(number)

@@ -1,0 +1,32 @@
+"""Assembles a scene from arrays of one mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from numpy.typing import ArrayLike
+
+from nearfar._base import background, check
+from nearfar._scene.arrays import object_count_of
+from nearfar._scene.assembly import Assembled, Assembly
+
+
+def one_mesh(
+    vertices: ArrayLike, faces: ArrayLike, face_object: ArrayLike | None, names: Sequence[str] | None, *, copy: bool
+) -> Assembled:
+    """Assemble a scene of one mesh, whose faces belong to one object or to the objects that `face_object` numbers."""
+    assembly = Assembly()
+
+    def assemble() -> Assembled:
+        corners = check.array("vertices", vertices)
+        if face_object is None:
+            assembly.objects(names or ["object_0"])
+            mesh = assembly.mesh(corners, faces, copy=copy)
+            assembly.instance(mesh, name=names[0] if names else "object_0")
+        else:
+            assembly.objects(object_count_of("face_object", face_object) if names is None else names)
+            assembly.instance(assembly.mesh(corners, faces, face_object=face_object, copy=copy))
+        return assembly.assemble()
+
+    # NumPy looks through arrays of gigabytes in functions that take seconds and know no signals.
+    return background.run(assemble)

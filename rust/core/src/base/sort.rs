@@ -1,0 +1,135 @@
+//! A stable sort that the caller may cancel. Those of other crates run to their end, for seconds from 10⁷ values on.
+
+use std::cmp::Ordering;
+
+use super::{Progress, Result};
+
+/// Number of values that are sorted or merged between two checks whether the caller has cancelled.
+const RUN: usize = 1 << 16;
+
+/// A float64 number in the total order of IEEE 754.
+#[derive(Clone, Copy, Debug)]
+pub struct Ordered(pub f64);
+
+impl PartialEq for Ordered {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Ordered {}
+
+impl PartialOrd for Ordered {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Ordered {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.0.total_cmp(&other.0)
+    }
+}
+
+/// Sorts values by a key on the current thread pool. Values with equal keys keep their order.
+pub fn sort_by_key<T: Copy + Send + Sync, K: Ord>(
+    values: &mut [T],
+    key: impl Fn(&T) -> K + Sync,
+    progress: &Progress,
+) -> Result<()> {
+    if values.len() <= RUN {
+        values.sort_by_key(key);
+        return progress.check();
+    }
+    let mut room = values.to_vec();
+    sort(values, &mut room, &key, progress)
+}
+
+/// Sorts `values`; `room` holds the same ones, and anything afterwards.
+fn sort<T: Copy + Send + Sync, K: Ord>(
+    values: &mut [T],
+    room: &mut [T],
+    key: &(impl Fn(&T) -> K + Sync),
+    progress: &Progress,
+) -> Result<()> {
+    if values.len() <= RUN {
+        values.sort_by_key(key);
+        return progress.check();
+    }
+    let middle = values.len() / 2;
+    let ((a, b), (c, d)) = (values.split_at_mut(middle), room.split_at_mut(middle));
+    let (one, other) = rayon::join(|| sort(c, a, key, progress), || sort(d, b, key, progress));
+    one.and(other)?;
+    merge([c, d], values, key, progress)
+}
+
+/// Merges two sorted parts; of equal keys those of the first part come first.
+fn merge<T: Copy + Send + Sync, K: Ord>(
+    [a, b]: [&[T]; 2],
+    to: &mut [T],
+    key: &(impl Fn(&T) -> K + Sync),
+    progress: &Progress,
+) -> Result<()> {
+    if to.len() <= RUN {
+        merge_run([a, b], to, key);
+        return progress.check();
+    }
+    // Half of the longer part, and as much of the other one as comes before its second half.
+    let (i, j) = if a.len() >= b.len() {
+        let pivot = key(&a[a.len() / 2]);
+        (a.len() / 2, b.partition_point(|value| key(value) < pivot))
+    } else {
+        let pivot = key(&b[b.len() / 2]);
+        (a.partition_point(|value| key(value) <= pivot), b.len() / 2)
+    };
+    let (first, second) = to.split_at_mut(i + j);
+    let (one, other) = rayon::join(
+        || merge([&a[..i], &b[..j]], first, key, progress),
+        || merge([&a[i..], &b[j..]], second, key, progress),
+    );
+    one.and(other)
+}
+
+fn merge_run<T: Copy, K: Ord>([mut a, mut b]: [&[T]; 2], to: &mut [T], key: &impl Fn(&T) -> K) {
+    for slot in to {
+        let source = match (a.first(), b.first()) {
+            (Some(one), Some(other)) if key(other) < key(one) => &mut b,
+            (Some(_), _) => &mut a,
+            _ => &mut b,
+        };
+        if let Some((next, rest)) = source.split_first() {
+            (*slot, *source) = (*next, rest);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::random;
+
+    #[test]
+    fn values_are_sorted_and_equal_ones_keep_their_order() {
+        for count in [0, 1, 2, RUN, RUN + 1, 5 * RUN + 3] {
+            for keys in [1.0, 7.0, 1e9] {
+                let draw = |i: u64| ((random::uniform(1, count as u64, i) * keys) as u32, i);
+                let mut values: Vec<(u32, u64)> = (0..count as u64).map(draw).collect();
+                let mut expected = values.clone();
+                expected.sort_by_key(|value| value.0);
+                sort_by_key(&mut values, |value| value.0, &Progress::new()).unwrap();
+                assert!(values == expected, "{count} {keys}");
+                sort_by_key(&mut values, |value| value.0, &Progress::new()).unwrap();
+                assert!(values == expected, "{count} {keys}, sorted before");
+            }
+        }
+    }
+
+    #[test]
+    fn a_cancelled_sort_ends() {
+        let progress = Progress::new();
+        progress.cancel();
+        for count in [3, 3 * RUN] {
+            assert_eq!(sort_by_key(&mut vec![1; count], |&value| value, &progress), Err(crate::base::Error::Cancelled));
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! Arguments of one of several types.
+
+/// Defines an enum that takes the first of its types which an argument has.
+///
+/// pyo3's own derived enums put a message together for each type that does not fit. That runs Python code, in which
+/// Ctrl-C may be raised, and is lost.
+macro_rules! one_of {
+    (
+        $(#[$attribute:meta])*
+        $visibility:vis enum $name:ident$(<$life:lifetime>)? { $($variant:ident($type:ty)),+ $(,)? }
+    ) => {
+        $(#[$attribute])*
+        $visibility enum $name$(<$life>)? {
+            $($variant($type)),+
+        }
+
+        impl<'a, 'py> pyo3::FromPyObject<'a, 'py> for $name$(<$life>)? {
+            type Error = pyo3::PyErr;
+
+            fn extract(value: pyo3::Borrowed<'a, 'py, pyo3::PyAny>) -> pyo3::PyResult<Self> {
+                $(
+                    if let Ok(found) = value.extract::<$type>() {
+                        return Ok(Self::$variant(found));
+                    }
+                )+
+                Err(pyo3::exceptions::PyTypeError::new_err("expected an array of another type or shape"))
+            }
+        }
+    };
+}
+
+pub(crate) use one_of;

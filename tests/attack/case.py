@@ -1,0 +1,77 @@
+"""A case of the attack, made from a seed, and the verdict on it."""
+
+from __future__ import annotations
+
+import base64
+import json
+import random
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+Plan = dict[str, Any]
+"""Choices of a case in values that JSON has."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """All that a case needs; `files` lie in an empty folder before it runs."""
+
+    kind: str
+    plan: Plan
+    files: dict[str, bytes] = field(default_factory=dict)
+    origin: str = ""
+    """The seed and number that made it."""
+
+    @property
+    def size(self) -> int:
+        """Bytes of the files."""
+        return sum(map(len, self.files.values()))
+
+
+@dataclass(frozen=True)
+class Kind:
+    """Cases of one kind: how one is made from random numbers, and how it runs."""
+
+    name: str
+    make: Callable[[random.Random], tuple[Plan, dict[str, bytes]]]
+    run: Callable[[Case, Path], str]
+    """Returns `ACCEPTED`, or `refused` for a refusal that is right; raises `Finding`, or whatever the package wrongly
+    raises."""
+    share: float = 1.0
+    """Cases of this kind for each of another kind with share 1."""
+    has_limits: bool = True
+    """Whether a refusal must be quick and small; not for kinds that work on purpose."""
+
+
+ACCEPTED = "accepted"
+
+
+def refused(error: BaseException) -> str:
+    """Return the outcome of a right refusal."""
+    return f"refused: {type(error).__name__}"
+
+
+class Finding(Exception):  # noqa: N818  # it is no error of this program
+    """A defect that a case shows; the text says it in one line."""
+
+
+def make(kind: Kind, seed: int, number: int) -> Case:
+    """Make a case; equal arguments give equal cases as long as its kind and its seed files stay as they are."""
+    plan, files = kind.make(random.Random(f"{kind.name} {seed} {number}"))
+    return Case(kind.name, plan, files, f"seed {seed}, case {number}")
+
+
+def to_json(case: Case) -> str:
+    """Return a case as text, with its bytes, so that it stays the same when kinds change."""
+    files = {name: base64.b64encode(data).decode() for name, data in case.files.items()}
+    document = {"kind": case.kind, "origin": case.origin, "plan": case.plan, "files": files}
+    return json.dumps(document, indent=1, sort_keys=True) + "\n"
+
+
+def from_json(text: str) -> Case:
+    """Read what `to_json` wrote."""
+    document = json.loads(text)
+    files = {name: base64.b64decode(data) for name, data in document["files"].items()}
+    return Case(document["kind"], document["plan"], files, document["origin"])

@@ -1,0 +1,77 @@
+"""Cases of Ctrl-C at a random time in operations of seconds, each in a process of its own."""
+
+from __future__ import annotations
+
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+from contextlib import suppress
+from pathlib import Path
+
+from tests.attack.case import ACCEPTED, Case, Finding, Kind, Plan
+from tests.attack.kind_interrupts import LATEST
+from tests.support import missing
+from tests.support.long_operations import OPERATIONS, LongOperation, code
+
+LONGEST = 50.0
+"""Seconds, less than what a case may take."""
+
+
+def kinds() -> list[Kind]:
+    return [Kind("long interrupts", make, run, share=0.02, has_limits=False)]
+
+
+def make(dice: random.Random) -> tuple[Plan, dict[str, bytes]]:
+    names = [operation.name for operation in OPERATIONS if not (operation.needs and missing(operation.needs))]
+    return {"operation": dice.choice(names), "delay": dice.uniform(0, 1.5)}, {}
+
+
+def run(case: Case, folder: Path) -> str:
+    """Interrupt a script; one runs at a time on a machine, because some take gigabytes."""
+    (operation,) = (operation for operation in OPERATIONS if operation.name == case.plan["operation"])
+    lock = os.open(Path("/tmp/nearfar-attack.lock"), os.O_CREAT | os.O_RDWR)
+    try:
+        import fcntl
+
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        return _run(operation, case.plan["delay"], folder)
+    finally:
+        os.close(lock)
+
+
+def _run(operation: LongOperation, delay: float, folder: Path) -> str:
+    import resource
+
+    script = folder / "operation.py"
+    script.write_text(code(operation), encoding="utf-8")
+
+    def free() -> None:
+        resource.setrlimit(resource.RLIMIT_AS, (resource.getrlimit(resource.RLIMIT_AS)[1],) * 2)
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+
+    process = subprocess.Popen(
+        [sys.executable, str(script)], cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        preexec_fn=free,
+    )  # fmt: skip
+    assert process.stdout is not None
+    try:
+        if process.stdout.readline().strip() != "ready":
+            raise Finding(f"{operation.name} does not begin: {process.communicate()[1][-300:]!r}")
+        time.sleep(delay)
+        sent = time.monotonic()
+        process.send_signal(signal.SIGINT)
+        words = process.stdout.readline().strip()
+        late = time.monotonic() - sent
+        errors = process.communicate(timeout=LONGEST)[1]
+    finally:
+        with suppress(ProcessLookupError):
+            process.kill()
+        process.wait()
+    if words not in ("interrupted", "finished") or process.returncode or errors:
+        raise Finding(f"{operation.name} ended with {words!r}, status {process.returncode}: {errors[-300:]!r}")
+    if words == "interrupted" and late > LATEST and os.environ.get("NEARFAR_ATTACK_LIMITS"):
+        raise Finding(f"late: Ctrl-C in {operation.name} arrived after {late:.2f} s")
+    return ACCEPTED

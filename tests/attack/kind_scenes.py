@@ -1,0 +1,136 @@
+"""Cases of damaged scene files: a scene that works in all stages, or a sentence that names the file."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import random
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from nearfar._base import files as package_files
+from tests.attack import mutate, mutate_json, seeds
+from tests.attack.case import ACCEPTED, Case, Finding, Kind, Plan, refused
+from tests.attack.glb_parts import joined, split
+from tests.attack.rules import check_sentence
+
+MOST_TRIANGLES = 10_000
+"""Triangles up to which a loaded scene goes through all stages; larger ones are only drawn."""
+
+FARTHEST = 1e29
+"""Metres up to which a camera beside the scene is within what the package accepts."""
+
+
+def kinds(*, own_only: bool) -> list[Kind]:
+    """A kind for each format; `own_only` leaves out the files of the data folder."""
+
+    def files(suffix: str) -> list[seeds.Files]:
+        return (seeds.scene_files() if own_only else seeds.all_scene_files())[suffix]
+
+    packed = Kind("scene ply.gz", lambda dice: _packed(files("ply"), dice), run, share=0.3)
+    return [*(_kind(suffix, files) for suffix in seeds.SUFFIXES), packed]
+
+
+def _kind(suffix: str, found: Callable[[str], list[seeds.Files]]) -> Kind:
+    def make(dice: random.Random) -> tuple[Plan, seeds.Files]:
+        listed = found(suffix)
+        # The first seeds have the most features.
+        files = dict(dice.choice(listed[:2] if dice.random() < 0.5 else listed))
+        names = list(files)
+        name = names[0] if len(names) == 1 or dice.random() < 0.75 else dice.choice(names[1:])
+        if name != names[0] and dice.random() < 0.1:
+            del files[name]
+        else:
+            files[name] = _damaged(name, files[name], dice, [next(iter(other.values())) for other in listed])
+        return plan(dice, names[0]), files
+
+    return Kind(f"scene {suffix}", make, run, share=2.0 if suffix in ("glb", "gltf", "obj") else 1.0)
+
+
+def plan(dice: random.Random, name: str) -> Plan:
+    options: Plan = {}
+    if dice.random() < 0.5:
+        options["on_invalid"] = "drop"
+    if dice.random() < 0.1:
+        options["up"] = dice.choice(("z", "-x"))
+    if dice.random() < 0.1:
+        options["scale"] = dice.choice((1e-3, 1e3, 1e-30, 1e30))
+    return {"file": name, "options": options, "all": dice.random() < 0.3}
+
+
+def _packed(listed: list[seeds.Files], dice: random.Random) -> tuple[Plan, seeds.Files]:
+    data = dice.choice(listed)["a.ply"]
+    inside = dice.random() < 0.5
+    data = gzip.compress(mutate.damaged(data, dice) if inside else data, mtime=0)
+    return plan(dice, "a.ply.gz"), {"a.ply.gz": data if inside else mutate.damaged(data, dice)}
+
+
+def _damaged(name: str, data: bytes, dice: random.Random, others: list[bytes]) -> bytes:
+    suffix = Path(name).suffix
+    if suffix == ".glb" and dice.random() < 0.75:
+        document, binary = split(data)
+        if document is not None:
+            return damaged_glb(document, binary, dice)
+    if suffix == ".gltf" and dice.random() < 0.75:
+        try:
+            return mutate_json.text(mutate_json.damaged(json.loads(data), dice), dice)
+        except ValueError:
+            pass
+    if suffix == ".3mf" and dice.random() < 0.8:
+        members = seeds.members(data)
+        chosen = dice.choice(list(members))
+        members[chosen] = mutate.damaged(members[chosen], dice)
+        return seeds.packed(members)
+    return mutate.damaged(data, dice, others)
+
+
+def damaged_glb(document: Any, binary: bytes, dice: random.Random) -> bytes:
+    """Damage the document or the arrays of a GLB, whose chunks stay in order."""
+    if dice.random() < 0.7:
+        return joined(mutate_json.text(mutate_json.damaged(document, dice), dice), binary)
+    return joined(json.dumps(document).encode(), mutate.damaged(binary, dice))
+
+
+def run(case: Case, folder: Path) -> str:
+    """Load a scene and use it."""
+    path = folder / case.plan["file"]
+    try:
+        scene = nf.Scene.load(path, **case.plan["options"])
+    except nf.SceneError as error:
+        check_sentence(error, path)
+        return refused(error)
+    use(scene, folder, everything=case.plan["all"] and scene.triangle_count <= MOST_TRIANGLES)
+    return ACCEPTED
+
+
+def use(scene: nf.Scene, folder: Path, *, everything: bool) -> None:
+    """Draw a loaded scene, and take it through reduction and its files if asked to."""
+    if scene.triangle_count <= 0 or not np.isfinite(scene.bounds).all() or not str(scene.report):
+        raise Finding(f"a scene of {scene.triangle_count} triangles within {scene.bounds.tolist()} was loaded")
+    low, high = scene.bounds
+    middle, extent = (low + high) / 2, float(max(np.max(high - low), 1e-6))
+    repr(scene)
+    if extent + np.abs(scene.bounds).max() > FARTHEST:
+        return
+    camera = nf.Camera.look_at(
+        middle + np.multiply(extent, (0.3, 0.2, 1.5)), middle, fov=nf.Fov.symmetric(60), size=(16, 16)
+    )
+    channels = ("color", "range", "object_id", "face_id", "position", "normal")
+    frame = nf.render(scene, camera, channels=channels, backend="cpu")
+    if np.isnan(frame.require("color")).any() or np.isnan(frame.require("range")).any():
+        raise Finding("a frame with NaN was rendered")
+    if not everything:
+        return
+    reduced = nf.reduce(scene, center=middle, r1=0.1 * extent, r2=0.3 * extent, face_size=8, samples=1, backend="cpu")
+    # A user beyond r₁ sees edges bent so much that they are split into very many.
+    user = middle + np.multiply(extent, (0.05, 0.0, 0.02))
+    shown = reduced.render(camera, user=user, backend="cpu")
+    reduced.save(folder / "reduced", half=False)
+    again = nf.ReducedScene.load(folder / "reduced").render(camera, user=user, backend="cpu")
+    if shown.require("color").tobytes() != again.require("color").tobytes():
+        raise Finding("a reduced scene is drawn otherwise after it was saved and loaded")
+    package_files.restore(folder / "reduced")

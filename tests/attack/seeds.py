@@ -1,0 +1,234 @@
+"""Small files of every kind that the package reads, from which cases are made."""
+
+from __future__ import annotations
+
+import functools
+import io
+import json
+import tempfile
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import trimesh
+from PIL import Image
+
+import nearfar as nf
+from nearfar._base import data as data_files
+from tests.support.lod_cases import SMALL, levels
+from tests.support.reduce_cases import CENTER, street
+
+Files = dict[str, bytes]
+"""Files by name; the first one is loaded, and the others lie beside it."""
+
+MOST_BYTES = 1 << 16
+"""Files of the data folder that are larger are left out."""
+
+SUFFIXES = ("glb", "gltf", "obj", "ply", "stl", "off", "3mf")
+
+
+def image(kind: str = "PNG") -> bytes:
+    noise = np.random.default_rng(0).integers(0, 255, (16, 16, 4 if kind == "PNG" else 3), np.uint8)
+    target = io.BytesIO()
+    Image.fromarray(noise).save(target, format=kind)
+    return target.getvalue()
+
+
+def _textured() -> trimesh.Trimesh:
+    box = trimesh.creation.box()
+    material = trimesh.visual.material.PBRMaterial(
+        baseColorTexture=Image.open(io.BytesIO(image())), alphaMode="MASK", baseColorFactor=[255, 200, 100, 255]
+    )
+    uv = np.random.default_rng(1).uniform(0, 1, (8, 2))
+    visual = trimesh.visual.TextureVisuals(uv=uv, material=material)
+    return trimesh.Trimesh(box.vertices, box.faces, visual=visual, process=False)
+
+
+def _colored() -> trimesh.Trimesh:
+    box = trimesh.creation.box()
+    box.visual.vertex_colors = np.random.default_rng(2).integers(0, 255, (8, 4), np.uint8)
+    return box
+
+
+def _scene() -> trimesh.Scene:
+    """Two placements of a textured box and one with colours, in a tree of nodes."""
+    scene = trimesh.Scene()
+    scene.add_geometry(_textured(), node_name="a", geom_name="box")
+    scene.graph.update(frame_to="b", frame_from="a", matrix=np.diag([2.0, 2, 2, 1]), geometry="box")
+    scene.add_geometry(_colored(), node_name="c", geom_name="colored")
+    return scene
+
+
+def _gltf() -> Files:
+    exported = {name: bytes(content) for name, content in _scene().export(file_type="gltf").items()}
+    return {"a.gltf": exported.pop("model.gltf"), **exported}
+
+
+def _sparse() -> bytes:
+    """A GLB with a sparse accessor, a strip of triangles, normals, texture coordinates and two scenes."""
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], np.float32)
+    arrays = {
+        "position": corners.tobytes(),
+        "normal": np.tile(np.array([0, 0, 1], np.float32), (4, 1)).tobytes(),
+        "uv": corners[:, :2].tobytes(),
+        "index": np.array([0, 1, 2, 3], np.uint16).tobytes(),
+        "moved": np.array([3], np.uint16).tobytes() + b"\0\0",
+        "to": np.array([[1, 1, 1]], np.float32).tobytes(),
+        "image": image(),
+    }
+    views, binary = [], b""
+    for content in arrays.values():
+        views.append({"buffer": 0, "byteOffset": len(binary), "byteLength": len(content)})
+        binary += content + b"\0" * (-len(content) % 4)
+    sparse = {"count": 1, "indices": {"bufferView": 4, "componentType": 5123}, "values": {"bufferView": 5}}
+    primitive = {"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}, "indices": 3, "mode": 5, "material": 0}
+    document = {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}, {"nodes": [1]}],
+        "nodes": [
+            {"name": "root", "children": [1], "rotation": [0, 0, 0, 1], "scale": [2, 2, 2]},
+            {"name": "leaf", "mesh": 0, "translation": [1, 2, 3]},
+        ],
+        "meshes": [{"primitives": [primitive]}],
+        "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, "doubleSided": True}],
+        "textures": [{"source": 0, "sampler": 0}],
+        "samplers": [{"wrapS": 33071}],
+        "images": [{"bufferView": 6, "mimeType": "image/png"}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "sparse": sparse},
+            {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3"},
+            {"bufferView": 2, "componentType": 5126, "count": 4, "type": "VEC2"},
+            {"bufferView": 3, "componentType": 5123, "count": 4, "type": "SCALAR"},
+        ],
+        "bufferViews": views,
+        "buffers": [{"byteLength": len(binary)}],
+    }
+    return glb(json.dumps(document).encode(), binary)
+
+
+def glb(document: bytes, binary: bytes) -> bytes:
+    document += b" " * (-len(document) % 4)
+    chunks = len(document).to_bytes(4, "little") + b"JSON" + document
+    chunks += len(binary).to_bytes(4, "little") + b"BIN\0" + binary
+    return b"glTF" + (2).to_bytes(4, "little") + (12 + len(chunks)).to_bytes(4, "little") + chunks
+
+
+_MTL = b"newmtl one\nKd 0.8 0.1 0.1\nd 0.5\nmap_Kd a.png\nmap_d -s 1 1 1 a.jpg\nnewmtl two\nKd 1 1 1\nTr 0.5\n"
+_OBJ = b"""mtllib a.mtl
+o first
+v 0 0 0
+v 1 0 0 0.5 0.5 0.5
+v 0 1 0
+v 1 1 0
+vt 0 0
+vt 1 0
+vt 0 1
+vn 0 0 1
+usemtl one
+g left right
+s 1
+f 1/1/1 2/2/1 3/3/1
+f -1//-1 -2//1 -3//1
+usemtl two
+o second
+f 1 2 4 3
+l 1 2
+p 1
+"""
+
+
+@functools.cache
+def scene_files() -> dict[str, list[Files]]:
+    """Seeds of scene files by suffix, made here."""
+    colored, textured = _colored(), _textured()
+    archive = _scene().export(file_type="3mf")
+    return {
+        "glb": [{"a.glb": _scene().export(file_type="glb")}, {"a.glb": _sparse()}],
+        "gltf": [_gltf()],
+        "obj": [
+            {"a.obj": _OBJ, "a.mtl": _MTL, "a.png": image(), "a.jpg": image("JPEG")},
+            {"a.obj": textured.export(file_type="obj").encode()},
+        ],
+        "ply": [
+            {"a.ply": colored.export(file_type="ply")},
+            {"a.ply": colored.export(file_type="ply", encoding="ascii")},
+        ],
+        "stl": [{"a.stl": colored.export(file_type="stl")}, {"a.stl": colored.export(file_type="stl_ascii").encode()}],
+        "off": [{"a.off": colored.export(file_type="off").encode()}],
+        "3mf": [{"a.3mf": archive if isinstance(archive, bytes) else bytes(archive)}],
+    }
+
+
+@functools.cache
+def all_scene_files() -> dict[str, list[Files]]:
+    """The same, and small files of the data folder, also malformed ones, where there is one."""
+    found = {suffix: list(files) for suffix, files in scene_files().items()}
+    root = data_files.root()
+    for path in sorted(root.rglob("*")) if root else []:
+        suffix = path.suffix.lower().lstrip(".")
+        if suffix in found and path.is_file() and path.stat().st_size <= MOST_BYTES:
+            beside = {}
+            if suffix in ("gltf", "obj"):
+                near = [item for item in sorted(path.parent.iterdir()) if item.is_file() and item != path]
+                beside = {item.name: item.read_bytes() for item in near[:8] if item.stat().st_size <= MOST_BYTES}
+            found[suffix].append({f"a.{suffix}": path.read_bytes(), **beside})
+    return found
+
+
+def members(archive: bytes) -> Files:
+    """Return the members of a ZIP archive."""
+    with zipfile.ZipFile(io.BytesIO(archive)) as opened:
+        return {name: opened.read(name) for name in opened.namelist()}
+
+
+def packed(files: Files) -> bytes:
+    """Return a ZIP archive of members."""
+    target = io.BytesIO()
+    with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in files.items():
+            archive.writestr(name, content)
+    return target.getvalue()
+
+
+def _frame() -> nf.Frame:
+    camera = nf.Camera.look_at(CENTER, np.add(CENTER, (1.0, 0, 0)), fov=nf.Fov.symmetric(90), size=(8, 8))
+    return nf.render(street(), camera, channels=("color", "range", "object_id", "face_id", "position", "normal"))
+
+
+def _reduced() -> nf.ReducedScene:
+    channels = ("color", "range", "object_id")
+    return nf.reduce(
+        street(dynamic=True), center=CENTER, r1=30, r2=50, face_size=8, samples=1, channels=channels, backend="cpu"
+    )
+
+
+def saved_objects() -> dict[str, tuple[Any, Callable[[Any, Path], None]]]:
+    """Objects that have files, and how each is saved at a path."""
+    reduced = _reduced()
+    model = nf.lod.measure(levels(6, 4), **SMALL)
+    view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(90), size=(640, 480))
+    return {
+        "reduced": (reduced, lambda it, path: it.save(path)),
+        "envmap.exr": (reduced.env, lambda it, path: it.save(path)),
+        "frame.exr": (_frame(), lambda it, path: it.save(path)),
+        "lod.json": (model, lambda it, path: it.save(path)),
+        "lod.glb": (model, lambda it, path: it.export(path, view=view, k=0.5, d=1.0, all_levels=True)),
+        "hmd.json": (nf.hmd.INDEX, lambda it, path: it.save(path)),
+        "hmdq.json": (nf.hmd.VIVE, lambda it, path: it.save(path, format="hmdq")),
+    }
+
+
+@functools.cache
+def saved_files() -> dict[str, Files]:
+    """Seeds of the package's own files; of the folder the files within."""
+    found: dict[str, Files] = {}
+    with tempfile.TemporaryDirectory() as folder:
+        for name, (what, save) in saved_objects().items():
+            path = Path(folder) / name
+            save(what, path)
+            whole = sorted(path.iterdir()) if path.is_dir() else [path]
+            found[name] = {item.name: item.read_bytes() for item in whole}
+    return found

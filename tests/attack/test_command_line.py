@@ -1,0 +1,97 @@
+"""Every option of every command refuses unusable values in one line that names it, never with a traceback."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+import trimesh
+import typer
+
+from nearfar.cli._app import app, run
+from tests.support.hostile_values import FOREIGN, LONGEST
+
+COMMANDS: dict[str, Any] = getattr(typer.main.get_command(app), "commands")  # noqa: B009
+
+PLACE = ("--center", "0,1.7,0", "--r1", "3", "--r2", "8")
+SMALL = ("--samples", "1", "--face-size", "8", "--backend", "cpu", "--size", "16x12")
+VALID = {
+    "demo": ("-i", "ball.glb", "-o", "demo", *PLACE, *SMALL),
+    "info": ("-i", "ball.glb"),
+    "partition": ("-i", "ball.glb", *PLACE),
+    "bake": ("-i", "ball.glb", "-o", "map.exr", *PLACE, *SMALL[:-2]),
+    "reduce": ("-i", "ball.glb", "-o", "reduced", *PLACE, *SMALL),
+    "render": ("-i", "ball.glb", "-o", "view.png", "--eye", "0,1.7,0", "--target", "0,1,-9", *SMALL[:2], *SMALL[4:]),
+    "compare": ("-i", "ball.glb", "-o", "compared", *PLACE, *SMALL),
+    "lod": ("-i", "ball.glb", "-o", "model.json", "--views", "4", "--distances", "1", "--ratios", "1", "--method",
+            "meshopt", "--backend", "cpu"),
+}  # fmt: skip
+"""Arguments with which each command works on a small scene."""
+
+VALUES = ("", "abc", "-1", "nan", "1e400", "9" * 5000, "\udcff", "a\0b", "1,2", "2x2x2")
+"""Unusable for almost every option; the others take them."""
+
+FILES = ("--input", "--output", "--truth", "--preview", "--equirectangular")
+"""Options whose messages name the file instead."""
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """A working folder with a scene: twenty triangles beyond the far radius, and twenty near."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(tmp_path_factory.mktemp("commands"))
+        ball = trimesh.creation.icosphere(0)
+        far = ball.copy().apply_translation((0.0, 1.0, -20.0))
+        trimesh.Scene([ball, far]).export("ball.glb")
+        yield
+
+
+def options() -> list[tuple[str, str]]:
+    return [
+        (name, parameter.opts[-1])
+        for name, command in COMMANDS.items()
+        for parameter in command.params
+        if not parameter.is_flag
+    ]
+
+
+def without(arguments: tuple[str, ...], names: list[str]) -> list[str]:
+    pairs = zip(arguments[::2], arguments[1::2], strict=True)
+    return [part for pair in pairs if pair[0] not in names for part in pair]
+
+
+def flaw(status: int, printed: str, option: str) -> str | None:
+    """Why a command's end is wrong; None if it is right."""
+    if status in (0, 3):
+        return None
+    if status not in (1, 2):
+        return f"status {status}"
+    if FOREIGN.search(printed):
+        return "a message that is not ours"
+    if option in FILES:
+        return None
+    if status == 1 and (printed.count("\n") != 1 or len(printed) > LONGEST):
+        return "not one line"
+    if option.strip("-").replace("-", "_") not in printed.replace("-", "_"):
+        return "a message that does not name the option"
+    return None
+
+
+def test_every_command_has_a_valid_call(capsys: pytest.CaptureFixture[str]) -> None:
+    assert VALID.keys() == COMMANDS.keys()
+    for name, arguments in VALID.items():
+        assert run([name, *arguments]) == 0, capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("name", "option"), options())
+def test_unusable_values_are_named_in_one_line(name: str, option: str, capsys: pytest.CaptureFixture[str]) -> None:
+    names = next(list(p.opts) for p in COMMANDS[name].params if option in p.opts)
+    flaws = []
+    # Names of written files are printed, which a strict stream such as that of tests refuses.
+    for value in (each for each in VALUES if each.isprintable() or option not in FILES):
+        status = run([name, *without(VALID[name], names), option, value])
+        printed = capsys.readouterr().err
+        if (found := flaw(status, printed, option)) is not None:
+            flaws.append(f"{value[:20]!r}: {found}: {printed[:200]!a}")
+    assert flaws == []

@@ -1,0 +1,65 @@
+"""The end of processes in which an adapter works: in order, whatever was left under way."""
+
+from __future__ import annotations
+
+import pytest
+
+import nearfar as nf
+from tests.support import need
+from tests.support.gpu_cases import ADAPTERS, adapter, crowd, program, view
+
+BEGIN = """
+import os, sys
+nf.gpu.select({name!r})
+from nearfar._render import backend as backends
+large = nf.Camera((0, 1.3, 1), fov=nf.Fov.symmetric(60), size=(1500, 1500))
+settings = dict(channels=["color", "position", "normal"], samples=1)
+device = backends.opened()
+jobs = [device.truth(scene._core, large._core, **settings) for _ in range(4)]
+"""
+
+ENDS = {
+    "jobs under way": "",
+    "jobs that were dropped": "jobs.clear()",
+    "a frame on the device": "frame = nf.gpu.render(scene, camera)",
+    "an exception": "raise SystemExit(7)",
+    "a lost device": "device.lose()",
+    "an interrupt": "import signal; signal.raise_signal(signal.SIGINT)",
+    "a render in another handler": "import atexit; atexit.register(nf.render, scene, camera, backend='gpu')",
+    "no handlers": "os._exit(0)",
+}
+
+
+@pytest.mark.parametrize("name", ADAPTERS)
+@pytest.mark.parametrize("end", ENDS)
+def test_processes_end_in_order(name: str, end: str) -> None:
+    need(name)
+    process = program(BEGIN.format(name=name) + ENDS[end] + "\n")
+    expected = {"an exception": (7,), "an interrupt": (1, -2, 130)}.get(end, (0,))
+    assert process.returncode in expected, process.stderr[-2000:]
+    assert process.stderr.splitlines()[-1:] == (["KeyboardInterrupt"] if end == "an interrupt" else [])
+
+
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_closed_devices_have_done_their_work(name: str) -> None:
+    """The next call opens another one."""
+    from nearfar import _core
+
+    scene, camera = crowd(), view((0, 1.3, 1.0), (0, 0, -6), size=(96, 64))
+    with adapter(name):
+        frame = nf.gpu.render(scene, camera)
+        before = frame.read().require("color")
+        _core.gpu_close()
+        with pytest.raises(nf.DeviceError, match="the device was lost"):
+            frame.read()
+        assert (nf.render(scene, camera, backend="gpu").require("color") == before).all()
+
+
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_frames_that_cannot_stay_are_refused_before_anything_is_sent(name: str) -> None:
+    with adapter(name):
+        scene, large = crowd(), view((0, 1.3, 1.0), (0, 0, -6), size=(9000, 9000))
+        before = nf.gpu.stats()
+        with pytest.raises(ValueError, match=r"camera: expected at most .* pixels in these channels"):
+            nf.gpu.render(scene, large)
+        assert nf.gpu.stats() == before

@@ -1,0 +1,353 @@
+"""A valid call of every public callable, with small scenes and pictures, for tests that replace single arguments."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from nearfar._scene.names import Names
+from tests.support.valid_objects import EYE, MATRIX, SIZE, ZONES, Valid
+
+NEEDS = {
+    "nearfar.LoadCurve.plot": "matplotlib",
+    "nearfar.ReducedScene.explore": "ipywidgets",
+    "nearfar.lod.LodModel.plot": "matplotlib",
+    "nearfar.lod.simplify": "fast_simplification",
+}
+"""Parts of `tests.support.PARTS` that callables need."""
+
+NEED_ADAPTER = ("nearfar.gpu.", "nearfar.Scene.begin", "nearfar.ReducedScene.begin")
+"""Beginnings of the names of callables that need a graphics adapter."""
+
+
+def instances(valid: Valid) -> Mapping[str, Callable[[], Any]]:
+    """Return what makes an instance of each public class that has methods, or of the class for one call."""
+    model = valid.model
+    return {
+        "nearfar.ReducedScene.at_levels": lambda: valid.reduced_leveled,
+        "nearfar.ReducedScene.render @levels": lambda: valid.reduced_leveled,
+        "nearfar.Scene.at_levels": lambda: valid.leveled,
+        "nearfar.SceneBuilder.objects": nf.SceneBuilder,
+        "nearfar.Camera": lambda: valid.camera,
+        "nearfar.ChromaticLens": lambda: valid.chromatic,
+        "nearfar.EnvMap": lambda: valid.env,
+        "nearfar.Frame": lambda: valid.frame,
+        "nearfar.Hmd": lambda: valid.hmd,
+        "nearfar.LoadCurve": lambda: nf.load_curve(valid.scene, center=ZONES["center"]),
+        "nearfar.Partition": lambda: nf.partition(valid.scene, **ZONES),
+        "nearfar.RadialLens": lambda: valid.lens,
+        "nearfar.ReducedScene": lambda: valid.reduced,
+        "nearfar.Scene": lambda: valid.scene,
+        "nearfar.SceneBuilder": valid.builder,
+        "nearfar.StereoFrame": lambda: valid.stereo,
+        "nearfar.datasets.SphereTask": lambda: valid.task,
+        "nearfar.gpu.DeviceFrame": lambda: valid.device_frame,
+        "nearfar.lod.Curve4PL": lambda: model.curves,
+        "nearfar.lod.Levels": lambda: valid.levels,
+        "nearfar.lod.LodModel": lambda: model,
+        "nearfar.lod.LodThreshold": nf.lod.LodThreshold,
+        "nearfar.lod.Selection": lambda: _selection(valid),
+        "nearfar.lod.Selector": nf.lod.Selector,
+        "nearfar.lod.Switches": lambda: nf.lod.switches(model, view=valid.camera),
+    }
+
+
+def _selection(valid: Valid) -> nf.lod.Selection:
+    return nf.lod.select([valid.model], [0, 0], np.zeros((2, 3)), [1.0, 2.0], camera=valid.camera, full=True)
+
+
+def valid_arguments(valid: Valid) -> dict[str, dict[str, Any]]:
+    """Return valid keywords of every public callable, by its name; other arguments keep their defaults.
+
+    A name followed by " @" and a word is another call of the same callable, which reaches other checks.
+    """
+    return {**_scenes(valid), **_pictures(valid), **_arrays(valid), **_devices(valid), **_levels(valid)}
+
+
+def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:
+    scene, camera, poses = valid.scene, valid.camera, {"far": np.eye(4)}
+    shot = {"shot": valid.shot}
+    begin = {"device": None, "shot": valid.shot}
+    return {
+        "nearfar.Camera": {"position": EYE, "fov": nf.Fov.symmetric(90.0), "size": SIZE},
+        "nearfar.Camera.look_at": {"eye": EYE, "target": (0.0, 0.0, 0.0), "fov": camera.fov, "size": SIZE},
+        "nearfar.Camera.project": {"points": valid.vertices},
+        "nearfar.Camera.rays": {},
+        "nearfar.CubeFace": {"face": 2},
+        "nearfar.Fov": {"left": -1.0, "right": 1.0, "down": -1.0, "up": 1.0},
+        "nearfar.Fov.from_angles": {"left": -1.0, "right": 1.0, "up": 1.0, "down": -1.0},
+        "nearfar.Fov.symmetric": {"horizontal_deg": 90.0},
+        "nearfar.Orthographic": {"left": -1.0, "right": 1.0, "down": -1.0, "up": 1.0},
+        "nearfar.Shot": {"cameras": (camera,), "channels": ("color",)},
+        "nearfar.Scene": {"core": scene._core, "names": Names(["near", "far"])},
+        "nearfar.Scene.at": {"poses": poses},
+        "nearfar.Scene.at_levels": {"levels": [0, 1]},
+        "nearfar.Scene.begin": begin,
+        "nearfar.Scene.from_arrays": {"vertices": valid.vertices, "faces": valid.faces, "copy": True},
+        "nearfar.Scene.from_arrays @objects": {
+            "vertices": valid.vertices,
+            "faces": valid.faces,
+            "face_object": [0, 1],
+            "object_names": ["a", "b"],
+            "copy": True,
+        },
+        "nearfar.Scene.from_trimesh": {"loaded": valid.mesh},
+        "nearfar.Scene.load": {"path": valid.file("Scene")},
+        "nearfar.Scene.shown_to": {"user": EYE},
+        "nearfar.Scene.subset": {"objects": ["near"]},
+        "nearfar.Scene.subset @triangles": {"triangles": [0]},
+        "nearfar.Scene.trace": shot,
+        "nearfar.Scene.transform": {"name": "near"},
+        "nearfar.Scene.triangles": {},
+        "nearfar.Scene.with_dynamic": {"names": ["near"]},
+        "nearfar.Scene.with_levels": {"models": {"near": valid.model}},
+        "nearfar.SceneBuilder": {},
+        "nearfar.SceneBuilder.assemble": {},
+        "nearfar.SceneBuilder.build": {},
+        "nearfar.SceneBuilder.instance": {"mesh": 0, "name": "second"},
+        "nearfar.SceneBuilder.material": {},
+        "nearfar.SceneBuilder.mesh": {"positions": valid.vertices, "faces": valid.faces, "copy": True},
+        "nearfar.SceneBuilder.object": {"name": "second"},
+        "nearfar.SceneBuilder.objects": {"names": ["second"]},
+        "nearfar.SceneBuilder.place_many": {"mesh": 0, "transforms": valid.transforms, "names": "many"},
+        "nearfar.LoadCurve": {"core": nf.load_curve(scene, center=EYE)._core, "center": EYE},
+        "nearfar.LoadCurve.count": {"r2": 3.0},
+        "nearfar.LoadCurve.plot": {},
+        "nearfar.LoadCurve.radius": {"budget": 2},
+        "nearfar.Partition": {"_core": nf.partition(scene, **ZONES)._core, **ZONES},
+        "nearfar.Partition.summary": {},
+        "nearfar.Partition.validate": {},
+        "nearfar.load_curve": {"scene": scene, "center": ZONES["center"]},
+        "nearfar.partition": {"scene": scene, **ZONES},
+        "nearfar.reduce": {"scene": scene, **ZONES, "face_size": 4, "samples": 1, "backend": "cpu"},
+        "nearfar.ReducedScene": {
+            "scene": scene,
+            "zones": valid.reduced.partition,
+            "env": valid.reduced.env,
+            "morph": "blend",
+            "boundary": "r2",
+            "counts": valid.reduced._counts,
+        },
+        "nearfar.ReducedScene.at": {"poses": poses},
+        "nearfar.ReducedScene.at_levels": {"levels": [0, 1]},
+        "nearfar.ReducedScene.begin": begin,
+        "nearfar.ReducedScene.explore": {},
+        "nearfar.ReducedScene.load": {"path": valid.file("ReducedScene")},
+        "nearfar.ReducedScene.render": {"camera": camera, "backend": "cpu"},
+        "nearfar.ReducedScene.render @levels": {"camera": camera, "lod": "depth", "backend": "cpu"},
+        "nearfar.ReducedScene.save": {"path": valid.folder / "saved"},
+        "nearfar.ReducedScene.shown_to": {"user": EYE},
+        "nearfar.ReducedScene.trace": shot,
+        "nearfar.ReducedScene.with_morph": {"morph": "cylinder"},
+        "nearfar.datasets.SphereTask": _fields(valid.task),
+        "nearfar.datasets.SphereTask.pose": {"t": 0.5},
+        "nearfar.datasets.SphereTask.position": {"t": 0.5},
+        "nearfar.datasets.TapeTask": _fields(nf.datasets.tape_task()[1]),
+        "nearfar.datasets.city": {"blocks": 1, "detail": 0},
+        "nearfar.datasets.find": {"relative": "nothing.glb"},
+        "nearfar.datasets.forest": {"trees": 1, "detail": 0},
+        "nearfar.datasets.room": {"detail": 0},
+        "nearfar.datasets.room_view": {},
+        "nearfar.datasets.sphere_task": {},
+        "nearfar.datasets.street_view": {},
+        "nearfar.datasets.tape_task": {},
+    }
+
+
+def _fields(instance: Any) -> dict[str, Any]:
+    return {name: getattr(instance, name) for name in instance.__dataclass_fields__}
+
+
+def _pictures(valid: Valid) -> dict[str, dict[str, Any]]:
+    scene, camera, frame, hmd = valid.scene, valid.camera, valid.frame, valid.hmd
+    pair = {"reference": valid.picture, "test": valid.picture[::-1]}
+    warp = {"image": valid.picture, "fov": "symmetric"}
+    stack = valid.picture[None]
+    points = {"r": [0.1, 0.2]}
+    return {
+        "nearfar.Frame": {"camera": camera, "color": frame.color},
+        "nearfar.Frame.load": {"path": valid.file("Frame")},
+        "nearfar.Frame.require": {"channel": "color"},
+        "nearfar.Frame.save": {"path": valid.folder / "saved.exr"},
+        "nearfar.Frame.to_image": {},
+        "nearfar.render": {"scene": scene, "camera": camera, "backend": "cpu"},
+        "nearfar.render @levels": {"scene": valid.leveled, "camera": camera, "lod": "depth", "backend": "cpu"},
+        "nearfar.render @reduced": {"scene": valid.reduced, "camera": camera, "user": EYE, "backend": "cpu"},
+        "nearfar.render_eyes": {"source": scene, "hmd": hmd, "position": EYE, "size": SIZE, "backend": "cpu"},
+        "nearfar.render_path": {"source": scene, "cameras": [camera], "backend": "cpu"},
+        "nearfar.render_path @levels": {"source": valid.leveled, "cameras": [camera], "lod": [0, 1], "backend": "cpu"},
+        "nearfar.Comparison": _fields(nf.compare(frame, frame, center=EYE, radius=4.0)),
+        "nearfar.boundary": {"frame": frame, "center": EYE, "radius": 4.0},
+        "nearfar.compare": {"reference": frame, "test": frame, "center": EYE, "radius": 4.0},
+        "nearfar.discontinuity": {"frame": frame},
+        "nearfar.ms_ssim": {**pair, "data_range": 255, "weights": (1.0,)},
+        "nearfar.object_completion": {"reference_ids": [1, 2], "test_ids": [2, 2]},
+        "nearfar.psnr": {**pair, "data_range": 255},
+        "nearfar.rmse": pair,
+        "nearfar.ssim": {**pair, "data_range": 255},
+        "nearfar.ssim @frames": {"reference": frame, "test": frame},
+        "nearfar.ssim_pairs": {"references": stack, "tests": stack, "data_range": 255},
+        "nearfar.visual_continuity": {"frames": [valid.picture, valid.picture], "data_range": 255},
+        "nearfar.Similarity": {"mean": 0.5},
+        "nearfar.ChromaticLens": {"red": valid.lens, "green": valid.lens, "blue": valid.lens},
+        "nearfar.ChromaticLens.warp": {**warp, "image": np.dstack([valid.picture] * 3)},
+        "nearfar.ChromaticLens.warp_mesh": {"size": SIZE, "fov": "symmetric", "cells": (4, 4)},
+        "nearfar.RadialLens": {"k": [0.1]},
+        "nearfar.RadialLens.derivative": points,
+        "nearfar.RadialLens.distort": points,
+        "nearfar.RadialLens.distort_points": {"points": [[0.1, 0.2]]},
+        "nearfar.RadialLens.undistort": points,
+        "nearfar.RadialLens.undistort_points": {"points": [[0.1, 0.2]]},
+        "nearfar.RadialLens.warp": warp,
+        "nearfar.RadialLens.warp @frame": {"image": frame, "output_fov": camera.fov},
+        "nearfar.RadialLens.warp_mesh": {"size": SIZE, "fov": "symmetric", "cells": (4, 4)},
+        "nearfar.WarpMesh": _fields(valid.lens.warp_mesh(SIZE, fov="symmetric", cells=(4, 4))),
+        "nearfar.corrected_solid_angle": {
+            "centers": [[0.0, 1.0, 0.0]], "radii": 0.1, "camera": camera, "lens": valid.lens,
+        },
+        "nearfar.Hmd": _fields(hmd),
+        "nearfar.Hmd.camera": {"eye": "left", "position": EYE},
+        "nearfar.Hmd.load": {"path": valid.file("Hmd")},
+        "nearfar.Hmd.save": {"path": valid.folder / "saved.json"},
+        "nearfar.Hmd.with_ipd": {"ipd": 0.06},
+        "nearfar.Hmd.with_lens": {"lens": valid.lens},
+        "nearfar.StereoFrame": {"hmd": hmd, "left": valid.stereo.left, "right": valid.stereo.right},
+        "nearfar.StereoFrame.save": {"path": valid.folder / "stereo.png"},
+        "nearfar.StereoFrame.warped": {"size": SIZE},
+        "nearfar.hmd.Eye": {"fov": camera.fov, "position": (0.03, 0.0, 0.0)},
+        "nearfar.hmd.Eye.from_matrix": {"fov": camera.fov, "eye_to_head": np.eye(4)[:3]},
+        "nearfar.hmd.TotalFov": {"horizontal_deg": 1.0, "vertical_deg": 1.0, "diagonal_deg": 1.0, "overlap_deg": 1.0},
+        "nearfar.hmd.get": {"name": "QUEST_2"},
+        "nearfar.hmd.names": {},
+    }  # fmt: skip
+
+
+def _arrays(valid: Valid) -> dict[str, dict[str, Any]]:
+    depth = {"projection": valid.camera.fov, "near": 0.1}
+    users = {"user": (0.5, 1.0, 0.0), **ZONES}
+    hits = nf.cast_rays(valid.scene, [EYE], [(0.0, 0.0, -1.0)])
+    return {
+        "nearfar.Hits": _fields(hits),
+        "nearfar.Nearest": _fields(nf.nearest_points(valid.scene, [EYE])),
+        "nearfar.cast_rays": {"scene": valid.scene, "origins": [EYE] * 2, "directions": valid.directions},
+        "nearfar.nearest_points": {"scene": valid.scene, "points": [EYE]},
+        "nearfar.triangle_radii": {"vertices": valid.vertices, "faces": valid.faces, "center": EYE},
+        "nearfar.EnvMap": {"center": EYE, "color": valid.cube},
+        "nearfar.EnvMap.load": {"path": valid.file("EnvMap")},
+        "nearfar.EnvMap.sample": {"directions": valid.directions},
+        "nearfar.EnvMap.save": {"path": valid.folder / "saved.exr"},
+        "nearfar.EnvMap.save_equirectangular": {"path": valid.folder / "flat.png", "height": 4},
+        "nearfar.convert_envmap": {"values": valid.cube, "source": "cube", "target": "octahedral", "size": 4},
+        "nearfar.cube_lookup": {"faces": valid.cube, "directions": valid.directions},
+        "nearfar.cube_mips": {"faces": valid.cube},
+        "nearfar.cube_solid_angles": {"size": 4},
+        "nearfar.envmap_directions": {"size": 4},
+        "nearfar.envmap_texels": {"directions": valid.directions, "size": 4},
+        "nearfar.depth_from_range": {"ranges": np.full((2, 3), 2.0, np.float32), **depth},
+        "nearfar.range_from_depth": {"depth": np.full((2, 3), 0.5, np.float32), **depth},
+        "nearfar.range_error": {"distance": [2.0, 3.0], "near": 0.1},
+        "nearfar.bend_rays": {"directions": valid.directions, **users, "tolerance": 0.01},
+        "nearfar.fold_margin": users,
+        "nearfar.morph": {"points": valid.vertices, **users},
+        "nearfar.tessellate": {
+            "mesh": valid.scene, **ZONES, "user_region": 0.1, "tolerance_px": 100.0, "camera": valid.camera,
+        },
+        "nearfar.tessellate @trimesh": {
+            "mesh": valid.mesh, **ZONES, "user_region": 0.1, "tolerance_px": 100.0, "camera": valid.camera,
+        },
+        "nearfar.range_from_depth @matrix": {
+            "depth": np.full((2, 3), 0.5, np.float32), "projection": MATRIX, "depth_range": "0..1",
+        },
+        "nearfar.bounding_sphere": {"points": valid.vertices},
+        "nearfar.bounding_spheres": {"points": valid.vertices, "offsets": [0, 3, 6]},
+        "nearfar.solid_angle": {"centers": [[0.0, 1.0, 0.0]], "radii": 0.1, "eye": EYE},
+    }  # fmt: skip
+
+
+def has_adapter() -> bool:
+    """Whether a graphics adapter can be used."""
+    return any(adapter.usable for adapter in nf.gpu.adapters())
+
+
+def _devices(valid: Valid) -> dict[str, dict[str, Any]]:
+    """Calls of `nearfar.gpu`."""
+    adapter = {
+        "name": "", "backend": "gl", "kind": "virtual", "driver": "", "usable": True, "refused": "",
+        "largest_binding": 1, "largest_image": 1,
+    }  # fmt: skip
+    calls: dict[str, dict[str, Any]] = {
+        "nearfar.gpu.Adapter": adapter,
+        "nearfar.gpu.adapters": {},
+        "nearfar.gpu.select": {"adapter": None},
+        "nearfar.gpu.selected": {},
+        "nearfar.gpu.stats": {},
+        "nearfar.gpu.measure": {"source": valid.scene, "camera": valid.camera},
+        "nearfar.gpu.render": {"source": valid.scene, "camera": valid.camera},
+        "nearfar.gpu.cube_lookup": {"faces": valid.cube, "directions": valid.single},
+        "nearfar.gpu.morph": {"points": valid.vertices, "user": (0.5, 1.0, 0.0), **ZONES},
+        "nearfar.gpu.DeviceFrame": {},
+        "nearfar.gpu.DeviceFrame.read": {},
+        "nearfar.gpu.DeviceFrame.require": {"channel": "color"},
+        "nearfar.gpu.discontinuity": {},
+        "nearfar.gpu.ssim": {},
+    }
+    if has_adapter():
+        frame, device = valid.device_frame, valid.device
+        calls["nearfar.gpu.DeviceFrame"] = _fields(frame)
+        calls["nearfar.gpu.discontinuity"] = {"frame": frame}
+        calls["nearfar.gpu.ssim"] = {"reference": frame, "test": frame}
+        for name in ("Scene", "ReducedScene"):
+            calls[f"nearfar.{name}.begin"] = {"device": device, "shot": valid.shot}
+    return calls
+
+
+def _levels(valid: Valid) -> dict[str, dict[str, Any]]:
+    model, camera = valid.model, valid.camera
+    sizes = np.geomspace(1e-4, 0.3, 8)
+    settings = {"fov": nf.Fov.symmetric(90.0), "size": (32, 32), "views": 4, "distances": 4, "samples": 1}
+    chosen = _selection(valid)
+    select = {"models": [model], "model_index": [0], "centers": [[0.0, 0.0, 0.0]], "radii": [1.0], "camera": camera}
+    return {
+        "nearfar.lod.Curve4PL": _fields(model.curves),
+        "nearfar.lod.Curve4PL.__call__": {"x": [0.1]},
+        "nearfar.lod.Curve4PL.__getitem__": {"index": 0},
+        "nearfar.lod.Level": {"scene": valid.scene},
+        "nearfar.lod.Levels": {"levels": list(valid.levels)},
+        "nearfar.lod.Levels.__getitem__": {"index": 0},
+        "nearfar.lod.LodModel": _fields(model),
+        "nearfar.lod.LodModel.export": {"path": valid.folder / "model.glb", "view": camera},
+        "nearfar.lod.LodModel.load": {"path": valid.file("LodModel")},
+        "nearfar.lod.LodModel.of_levels": {"numbers": np.array([0])},
+        "nearfar.lod.LodModel.plot": {},
+        "nearfar.lod.LodModel.save": {"path": valid.folder / "model.json"},
+        "nearfar.lod.LodModel.selector": {"mode": "depth"},
+        "nearfar.lod.LodThreshold": {},
+        "nearfar.lod.LodThreshold.__call__": {"sigma": 0.1, "reference": 0.2},
+        "nearfar.lod.LodThreshold.line": {"reference": 0.2},
+        "nearfar.lod.MeasureSettings": settings,
+        "nearfar.lod.Samples": {"sigma": sizes, "score": np.ones((2, 8)), "views": None},
+        "nearfar.lod.Selection": {"level": chosen.level, "counts": chosen.counts, "columns": {}},
+        "nearfar.lod.Selector": {},
+        "nearfar.lod.Selector.select": select,
+        "nearfar.lod.Switches": _fields(nf.lod.switches(model, view=camera)),
+        "nearfar.lod.Switches.coverages": {},
+        "nearfar.lod.Switches.of_levels": {"numbers": np.array([0])},
+        "nearfar.lod.Switches.remarks": {"level": 0},
+        "nearfar.lod.acuity": {"eccentricity_deg": 10.0},
+        "nearfar.lod.distortion": {"eccentricity_deg": 10.0, "lens": valid.lens, "view": camera},
+        "nearfar.lod.export": {"scene": valid.leveled, "path": valid.folder / "scene.glb", "view": camera},
+        "nearfar.lod.fit_4pl": {"x": sizes, "y": 1.0 - sizes},
+        "nearfar.lod.measure": {"levels": nf.lod.Levels([valid.levels[1]]), **settings, "backend": "cpu"},
+        "nearfar.lod.measure @many": {"levels": {"a": nf.lod.Levels([valid.levels[1]])}, **settings, "backend": "cpu"},
+        "nearfar.lod.place": {"models": [model], "model_index": [0, 0], "transforms": valid.transforms},
+        "nearfar.lod.reference_solid_angle": {"view": camera},
+        "nearfar.lod.select": select,
+        "nearfar.lod.select @fovea": {
+            **select, "mode": "fovea", "lens": valid.lens, "gaze": (0.0, 0.0, -1.0), "previous": [1], "full": True,
+        },
+        "nearfar.lod.simplify": {"mesh": valid.mesh, "ratios": (1.0, 0.5)},
+        "nearfar.lod.switches": {"model": model, "view": camera},
+    }  # fmt: skip

@@ -1,0 +1,162 @@
+"""Small objects of every public kind, for valid calls of every public callable."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import trimesh
+
+import nearfar as nf
+from nearfar._render import backend as backends
+from tests.support import leveled_cases
+
+SIZE = (24, 16)
+ZONES: dict[str, Any] = {"center": (0.0, 1.0, 0.0), "r1": 2.0, "r2": 4.0}
+EYE = (0.0, 1.0, 3.0)
+MATRIX = np.array([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, -1.0, -0.1], [0.0, 0.0, -1.0, 0.0]])
+"""A projection with depth 0..1."""
+
+
+class Valid:
+    """Valid arguments for tests: objects of every public kind, made once, and files in a folder."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.vertices = np.array([[-1, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 6], [1, 0, 6], [0, 1, 6]], np.float32)
+        self.faces = np.array([[0, 1, 2], [3, 4, 5]], np.uint32)
+        self.directions = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+        self.picture = np.random.default_rng(3).integers(0, 256, (SIZE[1], SIZE[0]), np.uint8)
+        self.cube = np.random.default_rng(4).random((6, 4, 4, 3), np.float32)
+        self.single = np.asarray(self.directions, np.float32)
+
+    @functools.cached_property
+    def scene(self) -> nf.Scene:
+        """Two objects, of which "far" can be posed."""
+        builder = nf.SceneBuilder()
+        for number, name in enumerate(("near", "far")):
+            rows = self.faces[number : number + 1]
+            builder.instance(builder.mesh(self.vertices, rows, copy=True), name=name)
+        return builder.build(dynamic=["far"])
+
+    @functools.cached_property
+    def model(self) -> nf.lod.LodModel:
+        """Two levels with geometry."""
+        return leveled_cases.model_of((1, 0))
+
+    @functools.cached_property
+    def leveled(self) -> nf.Scene:
+        """A scene with levels."""
+        return nf.lod.place([self.model], [0, 0], self.transforms, names=["one", "two"])
+
+    @property
+    def transforms(self) -> np.ndarray:
+        """Two places."""
+        places = np.tile(np.eye(4), (2, 1, 1))
+        places[1, :3, 3] = (3.0, 0.0, 0.0)
+        return places
+
+    @functools.cached_property
+    def camera(self) -> nf.Camera:
+        """A view of the scene."""
+        return nf.Camera.look_at(EYE, (0.0, 1.0, 0.0), fov=nf.Fov.symmetric(90.0), size=SIZE)
+
+    @functools.cached_property
+    def frame(self) -> nf.Frame:
+        """A picture with all channels."""
+        names = ("color", "range", "object_id", "face_id", "position", "normal")
+        return nf.render(self.scene, self.camera, channels=names, backend="cpu")
+
+    @functools.cached_property
+    def reduced(self) -> nf.ReducedScene:
+        """The scene, reduced."""
+        return nf.reduce(self.scene, **ZONES, face_size=4, samples=1, channels=("color", "range"), backend="cpu")
+
+    @functools.cached_property
+    def reduced_leveled(self) -> nf.ReducedScene:
+        """The scene with levels, reduced."""
+        return nf.reduce(self.leveled, **ZONES, face_size=4, samples=1, backend="cpu")
+
+    @functools.cached_property
+    def env(self) -> nf.EnvMap:
+        """A map with all channels."""
+        ranges = np.full((6, 4, 4), 9.0, np.float32)
+        return nf.EnvMap((0.0, 1.0, 0.0), self.cube, ranges, np.zeros((6, 4, 4), np.int32), ("a",))
+
+    @functools.cached_property
+    def lens(self) -> nf.RadialLens:
+        """A lens without tangential terms."""
+        return nf.RadialLens([0.1, 0.02])
+
+    @functools.cached_property
+    def chromatic(self) -> nf.ChromaticLens:
+        """A lens for each colour."""
+        return nf.ChromaticLens(self.lens, self.lens, self.lens)
+
+    @functools.cached_property
+    def hmd(self) -> nf.Hmd:
+        """A headset with a lens."""
+        return nf.hmd.get("QUEST_2").with_lens(self.lens)
+
+    @functools.cached_property
+    def stereo(self) -> nf.StereoFrame:
+        """A small picture of both eyes."""
+        return nf.render_eyes(self.scene, self.hmd, EYE, size=SIZE, backend="cpu")
+
+    @functools.cached_property
+    def levels(self) -> nf.lod.Levels:
+        """The geometry of the model."""
+        levels = self.model.levels
+        assert levels is not None
+        return levels
+
+    @functools.cached_property
+    def shot(self) -> nf.Shot:
+        """A request for a picture."""
+        return nf.Shot(cameras=(self.camera,), channels=("color",))
+
+    @functools.cached_property
+    def mesh(self) -> trimesh.Trimesh:
+        """A box of trimesh."""
+        return trimesh.creation.box()
+
+    @functools.cached_property
+    def device_frame(self) -> Any:
+        """A frame on the adapter that is selected."""
+        return nf.gpu.render(self.scene, self.camera, channels=("color", "range", "position"))
+
+    @property
+    def device(self) -> Any:
+        """The adapter that is selected."""
+        return backends.opened()
+
+    @functools.cached_property
+    def task(self) -> nf.datasets.SphereTask:
+        """A task of the study."""
+        return nf.datasets.sphere_task()[1]
+
+    def builder(self) -> nf.SceneBuilder:
+        """A builder with one mesh and one object, new each time, because calls change it."""
+        builder = nf.SceneBuilder()
+        builder.instance(builder.mesh(self.vertices, self.faces, copy=True), name="first")
+        return builder
+
+    def file(self, name: str) -> Path:
+        """A file that `load` reads, of the class of that name."""
+        savers: dict[str, tuple[str, Callable[[Path], object]]] = {
+            "EnvMap": ("map.exr", self.env.save),
+            "Frame": ("frame.exr", self.frame.save),
+            "Hmd": ("hmd.json", self.hmd.save),
+            "LodModel": ("model.json", self.model.save),
+            "ReducedScene": ("reduced", self.reduced.save),
+            "Scene": ("scene.obj", lambda path: path.write_text(trimesh.exchange.obj.export_obj(self.mesh))),
+        }
+        file, save = savers[name]
+        path = self.folder / "valid" / file
+        if not path.exists():
+            path.parent.mkdir(exist_ok=True)
+            save(path)
+        return path
