@@ -148,3 +148,54 @@ def test_only_the_dead_are_cleared(tmp_path: Path) -> None:
         living.write_bytes(b"first")
     assert target.read_bytes() == b"first"
     assert set(tmp_path.iterdir()) == {target, other}
+
+
+@pytest.mark.parametrize("folder", [False, True])
+def test_what_is_cleared_before_it_is_locked_is_made_again(
+    folder: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    need("linux")
+    target, cleared = tmp_path / "it.json", []
+    lock, begin = aside._lock, os.open
+
+    def clear_first(file: int | None, *, wait: bool) -> bool:
+        for item in tmp_path.iterdir():
+            if not cleared:
+                cleared.append(item)
+                item.rmdir() if folder else item.unlink()
+        return lock(file, wait=wait)
+
+    def remove_first(path: Path, flags: int, *mode: int) -> int:
+        if Path(path).is_dir() and Path(path).parent == tmp_path and not cleared:
+            cleared.append(Path(path))
+            Path(path).rmdir()
+        return begin(path, flags, *mode)
+
+    monkeypatch.setattr(aside, "_lock", clear_first)
+    monkeypatch.setattr(os, "open", remove_first)
+    with aside.held(target, folder=folder) as path:
+        assert path.is_dir() == folder
+        assert len(cleared) == 1
+
+
+def test_pipes_and_devices_are_not_replaced(tmp_path: Path) -> None:
+    need("linux")
+    pipe = tmp_path / "pipe.json"
+    os.mkfifo(pipe)
+    with pytest.raises(OSError, match="is a pipe, a socket or a device, expected a place for a file") as raised:
+        nf.hmd.VIVE_PRO.save(pipe)
+    assert raised.value.filename == str(pipe)
+    assert stat.S_ISFIFO(pipe.stat().st_mode)
+
+
+def test_nothing_stays_after_an_interrupt_between_making_and_writing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(path: Path, *, folder: bool) -> int:
+        path.touch()
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(aside, "_make", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        nf.hmd.VIVE_PRO.save(tmp_path / "it.json")
+    assert list(tmp_path.iterdir()) == []

@@ -22,12 +22,6 @@ _TAG = 6
 """Random bytes of a name."""
 
 
-def temporary(target: Path) -> Path:
-    """Return a new path in the folder of the target, because a rename across file systems would copy."""
-    start, end = _affixes(target)
-    return target.with_name(f"{start}{secrets.token_hex(_TAG)}{end}")
-
-
 def replaced(target: Path) -> Path:
     """Return the path where the target waits while another one takes its place, on systems that cannot exchange two."""
     start, end = _affixes(target)
@@ -42,31 +36,54 @@ def restore(target: Path) -> None:
             os.rename(waiting, target)
 
 
-def make(path: Path, *, folder: bool) -> int | None:
-    """Make an empty file or folder and lock it, so that others see that its owner lives; returns the lock."""
-    while True:
-        if folder:
-            path.mkdir()
-        else:
-            os.close(os.open(path, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
-        lock = os.open(path, os.O_RDONLY) if fcntl is not None else None
-        _lock(lock, wait=True)
-        # Between the two it had no owner, and may have been cleared.
-        if path.exists():
-            return lock
+@contextmanager
+def held(target: Path, *, folder: bool) -> Iterator[Path]:
+    """Make an empty file or folder beside the target, because a rename across file systems would copy.
+
+    It is locked, so that others see that its owner lives. If the block raises, what is at its path is removed.
+    """
+    start, end = _affixes(target)
+    path, lock = target.with_name(f"{start}{secrets.token_hex(_TAG)}{end}"), None
+    try:
+        with errors_name(target):
+            lock = _make(path, folder=folder)
+        yield path
+    except BaseException:
+        with suppress(OSError):
+            _remove(path)
+        raise
+    finally:
         _close(lock)
 
 
 @contextmanager
-def owned(path: Path, lock: int | None) -> Iterator[None]:
-    """Hold a file or folder that was made; if the block raises, what is at its path is removed."""
+def errors_name(target: Path) -> Iterator[None]:
+    """Replace the temporary path in errors by the caller's path."""
     try:
         yield
-    except BaseException:
-        _remove(path)
-        raise
-    finally:
-        _close(lock)
+    except OSError as error:
+        raise OSError(error.errno, f"cannot be written: {error.strerror}", str(target)) from None
+
+
+def _make(path: Path, *, folder: bool) -> int | None:
+    """Make an empty file or folder and lock it; returns the lock. Before it is locked, another process may clear it."""
+    while True:
+        if folder:
+            path.mkdir()
+        made = None if folder else os.open(path, os.O_CREAT | os.O_EXCL | os.O_RDWR, 0o666)
+        if fcntl is None:
+            _close(made)
+            return None
+        with suppress(FileNotFoundError):
+            lock = os.open(path, os.O_RDONLY) if made is None else made
+            try:
+                _lock(lock, wait=True)
+            except BaseException:
+                _close(lock)
+                raise
+            if path.exists():
+                return lock
+            _close(lock)
 
 
 def clear(target: Path) -> None:

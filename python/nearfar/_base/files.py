@@ -32,20 +32,21 @@ def atomic_file(path: str | os.PathLike[str]) -> Iterator[Path]:
     Raises
     ------
     OSError
-        Before the block runs, if the folder is missing or not writable or `path` is a folder; the error names `path`.
+        Before the block runs, if the folder is missing or not writable, or `path` is a folder, a pipe or a device; the
+        error names `path`.
     """
     target = _absolute(path)
     if target.is_dir():
         raise IsADirectoryError(errno.EISDIR, "is a folder, expected a place for a file", str(target))
+    if target.exists() and not target.is_file():
+        message = "is a pipe, a socket or a device, expected a place for a file"
+        raise OSError(errno.EINVAL, message, str(target))
     aside.clear(target)
-    temporary = aside.temporary(target)
-    with _errors_name(target):
-        lock = aside.make(temporary, folder=False)
-    with aside.owned(temporary, lock):
+    with aside.held(target, folder=False) as temporary:
         yield temporary
         _flush(temporary)
         _keep_mode(target, temporary)
-        with _errors_name(target):
+        with aside.errors_name(target):
             os.replace(temporary, target)
         _flush(target.parent)
 
@@ -78,17 +79,14 @@ def atomic_folder(path: str | os.PathLike[str], *, marker: str = "manifest.json"
     aside.restore(target)
     _check_replaceable(target, marker)
     aside.clear(target)
-    temporary = aside.temporary(target)
-    with _errors_name(target):
-        lock = aside.make(temporary, folder=True)
-    with aside.owned(temporary, lock):
+    with aside.held(target, folder=True) as temporary:
         yield temporary
         for item in sorted(temporary.rglob("*")):
             _flush(item)
         _flush(temporary)
         _keep_mode(target, temporary)
         _check_replaceable(target, marker)
-        with _errors_name(target):
+        with aside.errors_name(target):
             _take_place(temporary, target)
         _flush(target.parent)
 
@@ -137,15 +135,6 @@ def _absolute(path: str | os.PathLike[str]) -> Path:
     """Absolute path, which has a name even for "."; of a symbolic link the path that it leads to, so that it stays."""
     target = Path(os.path.abspath(path))
     return Path(os.path.realpath(target)) if target.is_symlink() else target
-
-
-@contextmanager
-def _errors_name(target: Path) -> Iterator[None]:
-    """Replace the temporary path in errors by the caller's path."""
-    try:
-        yield
-    except OSError as error:
-        raise OSError(error.errno, f"cannot be written: {error.strerror}", str(target)) from None
 
 
 def _flush(path: Path) -> None:
