@@ -53,6 +53,9 @@ pub fn collapse(
     if vertices.positions.as_flattened().iter().chain(vertices.attributes).any(|x| !x.is_finite()) {
         return Err(Error::value("vertices", "finite coordinates and attributes", "NaN or infinity"));
     }
+    if let Some(wrong) = vertices.weights.iter().find(|weight| !(0.0..f32::INFINITY).contains(*weight)) {
+        return Err(Error::value("weights", "finite numbers of at least 0", wrong));
+    }
     if faces.is_empty() || target >= faces.len() {
         return Ok((faces.to_vec(), 0.0));
     }
@@ -84,6 +87,17 @@ pub fn collapse(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn weights_that_measure_nothing_are_refused() {
+        let positions = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        for weight in [-1.0, f32::NAN, f32::INFINITY] {
+            let vertices =
+                Vertices { positions: &positions, attributes: &[0.0; 3], weights: &[weight], is_seam: &[false; 3] };
+            let error = collapse(vertices, &[[0, 1, 2]; 2], 1, Allowance::Nothing).unwrap_err();
+            assert!(error.to_string().starts_with("weights: expected finite numbers of at least 0"), "{error}");
+        }
+    }
 
     #[test]
     fn a_plane_becomes_few_triangles_and_keeps_its_outline() {
