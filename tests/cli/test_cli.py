@@ -122,7 +122,7 @@ def test_procedural_scenes_need_no_file(capsys: pytest.CaptureFixture[str]) -> N
         (["nonsense"], 2, "nonsense"),
         (["partition", "-i", "CITY", "--r1", "50", "--r2", "30"], 1, "r1: expected less than r2"),
         # Radii are checked before the scene is loaded, which may take long.
-        (["partition", "-i", "missing.glb", "--r1", "-1"], 1, "r1: expected a radius of at least 0"),
+        (["partition", "-i", "missing.glb", "--r1", "-1"], 1, "--r1: expected a number of at least 0"),
         (["bake", "-i", "missing.glb", "-o", "a.exr", "--r1", "30", "--r2", "20"], 1, "r1: expected less than r2"),
         (["render", "-i", "missing.glb", "-o", "a.png", "--r2", "nan"], 1, "r2: expected a finite number"),
         (["demo", "-i", "missing.glb", "--r1", "30", "--r2", "20"], 1, "r1: expected less than r2"),

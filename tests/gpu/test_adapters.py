@@ -58,7 +58,7 @@ def test_the_environment_selects_too(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_wrong_selections_are_refused() -> None:
-    with pytest.raises(TypeError, match="adapter: expected a back end or a part of a name, got int"):
+    with pytest.raises(TypeError, match="adapter: expected a string, got int"):
         nf.gpu.select(3)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match=r"adapter: expected .* got nothing"):
         nf.gpu.select(" ")

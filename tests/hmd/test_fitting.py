@@ -58,7 +58,7 @@ def test_a_headset_takes_another_lens(tmp_path: Path) -> None:
     ):
         with pytest.raises(ValueError, match=words):
             nf.hmd.QUEST_2.with_lens(**arguments)
-    with pytest.raises(TypeError, match="source: expected text, got int"):
+    with pytest.raises(TypeError, match="source: expected a string, got int"):
         nf.hmd.QUEST_2.with_lens(nf.RadialLens((0.1,)), source=5)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="lens: expected a RadialLens, got tuple"):
         nf.hmd.QUEST_2.with_lens((0.1,))  # type: ignore[arg-type]

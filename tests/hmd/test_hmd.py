@@ -147,7 +147,7 @@ def test_profiles_are_files_of_our_format() -> None:
 
 
 def test_profiles_are_read_on_first_use() -> None:
-    count = "print(nf.hmd.get.cache_info().currsize)"
+    count = "print(nf.hmd._known.cache_info().currsize)"
     code = f"import nearfar as nf; {count}; nf.hmd.VIVE; {count}"
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
     done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
@@ -282,10 +282,10 @@ EYE = nf.hmd.Eye(nf.Fov(-1, 1, -1, 1), (0, 0, 0))
         (ValueError, "triangle_budget: expected the least", {"triangle_budget": (5, 3)}),
         (ValueError, "hidden_area_percent: expected 0 to 100", {"hidden_area_percent": 101}),
         (ValueError, "name: expected text .* lone surrogate", {"name": "a\ud800"}),
-        (TypeError, "sources: expected strings", {"sources": "one"}),
-        (TypeError, "sources: expected strings, got None", {"sources": None}),
-        (TypeError, "sources: expected strings, got 5", {"sources": 5}),
-        (TypeError, "sources: expected strings", {"sources": ("one", 2)}),
+        (TypeError, "sources: expected a sequence of strings", {"sources": "one"}),
+        (TypeError, "sources: expected a sequence of strings, got NoneType", {"sources": None}),
+        (TypeError, "sources: expected a sequence of strings, got int 5", {"sources": 5}),
+        (TypeError, "sources: expected a sequence of strings", {"sources": ("one", 2)}),
         (ValueError, r"sources\[1\]: expected text .* lone surrogate", {"sources": ("one", "\udfff")}),
     ],
 )

@@ -245,7 +245,7 @@ def test_curves_that_no_level_reaches() -> None:
     ("changed", "error", "message"),
     [
         ({"models": usual()}, TypeError, "models: expected a sequence of LodModel, got LodModel"),
-        ({"models": [3]}, TypeError, "models: expected a LodModel at index 0, got int"),
+        ({"models": [3]}, TypeError, "models: expected a sequence of LodModel, got int 3 at index 0"),
         ({"models": [model([(1, 1, 1, 0)], (0.2, 0.1))]}, ValueError, "models: .* the least first, got 0.2 and 0.1"),
         ({"models": []}, ValueError, "model_index: expected no objects where there are no models, got 0 at index 0"),
         ({"model_index": [1]}, ValueError, "model_index: expected whole numbers from 0 to 0, got 1 at index 0"),

@@ -148,13 +148,13 @@ def test_mistakes_are_said(call: Callable[[nf.Scene], object], words: str) -> No
 
 def test_names_are_strings() -> None:
     for wrong in ("wall", [3]):
-        with pytest.raises(TypeError, match="object_names: expected a list of strings"):
+        with pytest.raises(TypeError, match="object_names: expected a sequence of strings"):
             nf.Scene.from_arrays(TRIANGLE, FACE, object_names=wrong)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="object_names: expected distinct names, got 1 repetitions"):
         nf.Scene.from_arrays(TRIANGLE, FACE, [0], object_names=["wall", "wall"])
     with pytest.raises(TypeError, match="poses: expected matrices by name"):
         street()[0].build(["car"]).at(["car"])  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="expected names of objects, got 3"):
+    with pytest.raises(TypeError, match="expected names of objects, got int 3"):
         street()[0].build().with_dynamic([3])  # type: ignore[list-item]
     with pytest.raises(TypeError, match="expected a list of numbers or a mask"):
         street()[0].build().subset(triangles=[0.5])

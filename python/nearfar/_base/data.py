@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from nearfar._base import check
+
 
 def root() -> Path | None:
     """Return the data folder; None if there is none.
@@ -23,10 +25,12 @@ def root() -> Path | None:
 
 def find(relative: str) -> Path | None:
     """Path of a file or folder below the data folder, such as "city/tokyo_core_lod1.glb"; None if it is missing."""
-    folder = root()
-    if folder is None or not (folder / relative).exists():
+    folder, path = root(), check.path("relative", relative)
+    try:
+        is_there = folder is not None and (folder / path).exists()
+    except OSError:  # a name that is too long for the file system
         return None
-    return folder / relative
+    return folder / path if folder is not None and is_there else None
 
 
 def require(relative: str) -> Path:

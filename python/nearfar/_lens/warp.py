@@ -234,7 +234,7 @@ def _fov_of(name: str, camera: Camera, fov: object) -> Fov:
     """Field of view of a frame's or a mesh's camera; refuses another one beside it."""
     if fov is not None:
         raise ValueError(
-            f"fov: expected None, because {name} has the field of view of its camera, got {check.described(fov)}"
+            f"fov: expected None, because {name} has the field of view of its camera, got {check.shown(fov)}"
         )
     if not isinstance(camera.fov, Fov):
         raise ValueError(f"{name}: expected a camera with a Fov, got one with {type(camera.fov).__name__}")
@@ -245,7 +245,7 @@ def _view(fov: Fov | str | None, output_fov: Fov | None, lens_radius: float | No
     """Fields of view of the source and the result, and the tangent at which r = 1, as arguments of kernels."""
     if fov is None or (isinstance(fov, str) and fov != SYMMETRIC):
         expected = f'the Fov of the picture, such as hmd.left.fov, or "{SYMMETRIC}" for an axis in its middle'
-        raise ValueError(f"fov: expected {expected}, got {check.described(fov)}")
+        raise ValueError(f"fov: expected {expected}, got {check.shown(fov)}")
     if isinstance(fov, str):
         fov = Fov(-1.0, 1.0, -1.0 / aspect, 1.0 / aspect)
     source = check.instance("fov", fov, Fov)

@@ -112,7 +112,7 @@ def frame_extent(data_range: float | None) -> float:
     """Return the range of a frame's values, 1; ValueError for any other range that a caller gives."""
     if data_range is not None:
         raise ValueError(
-            f"data_range: expected none for frames, whose values are 0 to 1, got {check.described(data_range)}"
+            f"data_range: expected none for frames, whose values are 0 to 1, got {check.shown(data_range)}"
         )
     return 1.0
 

@@ -177,15 +177,18 @@ def _sentence(error: Exception) -> str:
             return f"its archive is damaged ({_first_line(error)})"
         case ValueError() | RuntimeError():  # raised by trimesh for unknown versions and formats
             return _reader_sentence(_first_line(error))
+        case AttributeError() | TypeError():
+            return "an entry of it has another type than it should"
         case _:
-            return "entries of it are missing, or have other types than they should"
+            return "it is not well-formed"
 
 
 def _reader_sentence(reason: str) -> str:
     """Sentence for a reason that a reader gives; those of Python and NumPy speak of code, not of the file."""
     for pattern, sentence in _REASONS:
         if match := pattern.search(reason):
-            return sentence.format(*(group for group in match.groups() if group))
+            reason = sentence.format(*(group for group in match.groups() if group))
+            break
     return f"it cannot be read: {reason or 'no reason given'}"
 
 

@@ -167,7 +167,7 @@ class Hmd:
         if lens is None:
             for name, value in (("lens_radius", lens_radius), ("source", source)):
                 if value is not None:
-                    got = check.described(value)
+                    got = check.shown(value)
                     raise ValueError(f"{name}: expected None with the generic lens, which has its own, got {got}")
             lens, lens_radius, source = _lenses.GENERIC_LENS, _lenses.GENERIC_RADIUS, _lenses.GENERIC_SOURCE
         rest = tuple(text for text in self.sources if not text.startswith(LENS))

@@ -39,9 +39,9 @@ class MeasuredLevels:
         errors = check.array("errors", self.errors, columns=None, dtype=np.float64, finite=True)
         if errors.shape != triangles.shape:
             raise ValueError(f"errors: expected shape {triangles.shape}, one for each level, got {errors.shape}")
-        sigma = check.array("sigma", self.sigma, columns=None, dtype=np.float64, finite=True)
-        if sigma.shape != (2,) or not 0.0 < sigma[0] <= sigma[1]:
-            raise ValueError(f"sigma: expected the least and the greatest solid angle above 0, got {sigma!r:.60}")
+        sigma = check.array("sigma", self.sigma, columns=None, dtype=np.float64)
+        if sigma.shape != (2,) or not (sigma >= 0.0).all():
+            raise ValueError(f"sigma: expected the least and the greatest solid angle, got {sigma!r:.60}")
         check.instance("curves", self.curves, Curve4PL)
         check.instance("measured", self.measured, dict)
         if self.levels is not None:

@@ -95,5 +95,9 @@ def items(name: str, value: Iterable[object], kind: type[Kind], expected: str) -
 def texts(name: str, value: Iterable[str]) -> list[str]:
     """Return texts that files can hold; TypeError for anything but strings, ValueError for a lone surrogate."""
     found = items(name, value, str, "a sequence of strings")
-    text(name, "".join(found))
+    try:
+        "".join(found).encode()
+    except UnicodeEncodeError:
+        for number, item in enumerate(found):
+            text(f"{name}[{number}]", item)
     return found
