@@ -74,6 +74,16 @@ def check(document: Any, name: str, version: int, path: str | os.PathLike[str]) 
     return document
 
 
+def check_finite(content: Any, path: str | os.PathLike[str]) -> None:
+    """Refuse NaN and infinities, which JSON parsers of other formats let through; FormatError names the file."""
+    pending = [content]
+    while pending:
+        item = pending.pop()
+        if isinstance(item, float) and not math.isfinite(item):
+            raise FormatError(f"{os.fspath(path)}: expected finite numbers, got {item}")
+        pending += item.values() if isinstance(item, dict) else item if isinstance(item, list) else ()
+
+
 def from_json(text: str | bytes) -> Any:
     """Parse JSON; ValueError for NaN and Infinity, which it does not have, and for numbers beyond float64."""
 

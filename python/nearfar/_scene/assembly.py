@@ -272,6 +272,7 @@ class Assembly:
         movers[[self._object_number(name) for name in named]] = True
         merges = self._is_merged(placed, movers[placed.object])
         if budget is not None:
+            check.instance("budget", budget, Budget)
             budget.take(self._copied_bytes(placed.mesh[merges]))
         core = self._scene_at(placed, merges, np.zeros(3))
         bounds = core.bounds()

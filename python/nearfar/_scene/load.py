@@ -193,7 +193,12 @@ def _reader_sentence(reason: str) -> str:
 
 
 def _first_line(error: Exception) -> str:
-    return next(iter(str(error).splitlines()), "")
+    line = next(iter(str(error).splitlines()), "")
+    return line if len(line) <= _LONGEST else line[:_LONGEST] + "…"
+
+
+_LONGEST = 200
+"""Greatest number of characters of a reader's reason, which may repeat what stands in the file."""
 
 
 _DETECTORS = ("chardet", "charset_normalizer")

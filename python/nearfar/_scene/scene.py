@@ -31,11 +31,10 @@ if TYPE_CHECKING:
 class Scene:
     """An immutable scene: objects over shared meshes, some of which may move.
 
-    An object is a name over faces or instances. Static meshes that are placed once are merged; a mesh that is placed
-    several times or moves keeps its own instances. Scenes derived from a scene (`at`, `with_dynamic`, `with_levels`,
-    `subset`) share its meshes, textures and search trees. Metres, right-handed, y up.
-
-    Make one with `load`, `from_trimesh`, `from_arrays` or `nearfar.datasets`.
+    An object is a name over faces or instances. Static meshes placed once are merged; one that is placed several times
+    or moves keeps its instances. Scenes derived from a scene (`at`, `with_dynamic`, `with_levels`, `subset`) share its
+    meshes, textures and search trees. Metres, right-handed, y up. Make one with `load`, `from_trimesh`, `from_arrays`
+    or `nearfar.datasets`.
     """
 
     def __init__(

@@ -65,6 +65,7 @@ def read(path: Path) -> dict[str, Any]:
 def fields(document: dict[str, Any], path: Path) -> dict[str, Any]:
     """Fields of a model from what `document` returned; FormatError that names the file for anything else."""
     formats.check(document, NAME, VERSION, path)
+    formats.check_finite(document, path)
     with formats.guarded(path):
         return _fields(document)
 
@@ -94,7 +95,7 @@ def _fields(document: dict[str, Any]) -> dict[str, Any]:
 
 
 def _curves(curves: list[dict[str, Any]]) -> Curve4PL:
-    numbers = {name: _array([curve[name] for curve in curves]) for name in PARAMETERS}
+    numbers = {name: _array(name, [curve[name] for curve in curves], 1) for name in PARAMETERS}
     statuses = [check.choice("status", curve["status"], STATUSES) for curve in curves]
     reasons = [curve["reason"] for curve in curves]
     if not all(isinstance(reason, str) for reason in reasons):
@@ -103,19 +104,25 @@ def _curves(curves: list[dict[str, Any]]) -> Curve4PL:
 
 
 def _read_samples(samples: dict[str, Any], levels: int) -> Samples:
-    sigma, score = _array(samples["sigma"]), _array(samples["score"])
-    if score.shape != (levels, len(sigma)) or sigma.ndim != 1:
+    sigma, score = _array("sigma", samples["sigma"], 1), _array("score", samples["score"], 2)
+    if score.shape != (levels, len(sigma)):
         raise ValueError(f"samples: expected scores of {levels} levels at {len(sigma)} sizes, got {score.shape}")
     if not (np.isfinite(sigma) & (sigma > 0)).all():
         raise ValueError("samples: expected sizes above 0")
     if samples["views"] is None:
         return Samples(sigma, score)
-    views = _array(samples["views"])
-    if views.shape[:2] != score.shape or views.ndim != 3:
+    views = _array("views", samples["views"], 3, np.float32)
+    if views.shape[:2] != score.shape:
         raise ValueError(f"samples: expected views of {levels} levels at {len(sigma)} sizes, got {views.shape}")
-    return Samples(sigma, score, views.astype(np.float32))
+    return Samples(sigma, score, views)
 
 
-def _array(values: Any) -> NDArray[np.float64]:
-    """Numbers, where None stands for NaN."""
-    return np.array(values, dtype=np.float64)
+def _array(name: str, values: Any, axes: int, dtype: type[np.floating[Any]] = np.float64) -> NDArray[Any]:
+    """Numbers, where None stands for NaN; ValueError for other axes and for numbers beyond the type."""
+    with np.errstate(over="ignore"):
+        array: NDArray[Any] = np.array(values, dtype=np.float64).astype(dtype)
+    if array.ndim != axes:
+        raise ValueError(f"{name}: expected numbers with {axes} axes, got {array.ndim}")
+    if np.isinf(array).any():
+        raise ValueError(f"{name}: expected numbers up to {np.finfo(dtype).max:.3g}")
+    return array
