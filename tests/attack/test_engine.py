@@ -15,15 +15,15 @@ from tests.attack.runner import Runner
 from tests.support import need
 
 
-def runner(*, limits: bool = True) -> Runner:
-    return Runner({KIND.name: KIND}, limits=limits, own_only=True, patience=10.0)
+def runner(*, limits: bool = True, patience: float = 60.0) -> Runner:
+    return Runner({KIND.name: KIND}, limits=limits, own_only=True, patience=patience)
 
 
 @pytest.mark.parametrize("deed", DEEDS)
 def test_every_defect_is_seen(deed: str) -> None:
     need("linux")
     case = Case("probe", {"does": deed})
-    with runner() as engine:
+    with runner(patience=3.0 if deed == "hang" else 60.0) as engine:
         result = engine.confirmed(engine.once(case), case)
     assert result.finding.startswith(DEEDS[deed])
     assert bool(result.finding) == (result.case is not None) == (deed != "nothing")

@@ -223,7 +223,10 @@ for call in (
         print(error)
 """
     process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=600, check=True)
-    assert re.fullmatch(r"(the result needs \d+ bytes, which the system does not have\n){3}", process.stdout)
+    refused = r"the result needs \d+ bytes, which the system does not have\n"
+    # The system may have the room that the process may not take.
+    early = r"camera: a picture of 65536 × 65536 pixels takes 85.9 GB of memory, and .* GB are free\n"
+    assert re.fullmatch(f"({early}|{refused})({refused}){{2}}", process.stdout)
 
 
 def test_degenerate_triangles_are_not_seen() -> None:
