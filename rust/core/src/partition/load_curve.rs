@@ -78,7 +78,8 @@ impl LoadCurve {
         if budget >= self.total() {
             return Ok(f64::INFINITY);
         }
-        let first_too_many = usize::try_from(budget.saturating_sub(self.moving)).ok().map(|index| f32::from_bits(self.sorted[index]));
+        let first_too_many =
+            usize::try_from(budget.saturating_sub(self.moving)).ok().map(|index| f32::from_bits(self.sorted[index]));
         match first_too_many {
             // Just below the least ρ of the first triangle beyond the budget.
             Some(least) if least > 0.0 => Ok(f64::from(least).next_down()),
