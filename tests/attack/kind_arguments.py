@@ -11,7 +11,7 @@ from pathlib import Path
 from tests.attack.case import ACCEPTED, Case, Finding, Kind, Plan, refused
 from tests.support import argument_cases
 from tests.support.hostile_values import Hostile, hostile_values, verdict
-from tests.support.valid_calls import Valid
+from tests.support.valid_objects import Valid
 
 
 def kinds() -> list[Kind]:

@@ -155,7 +155,7 @@ def test_what_is_cleared_before_it_is_locked_is_made_again(
     folder: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     need("linux")
-    target, cleared = tmp_path / "it.json", []
+    target, cleared = tmp_path / "it.json", list[Path]()
     lock, begin = aside._lock, os.open
 
     def clear_first(file: int | None, *, wait: bool) -> bool:
