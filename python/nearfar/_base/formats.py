@@ -74,18 +74,8 @@ def check(document: Any, name: str, version: int, path: str | os.PathLike[str]) 
     return document
 
 
-def check_finite(content: Any, path: str | os.PathLike[str]) -> None:
-    """Refuse NaN and infinities, which JSON parsers of other formats let through; FormatError names the file."""
-    pending = [content]
-    while pending:
-        item = pending.pop()
-        if isinstance(item, float) and not math.isfinite(item):
-            raise FormatError(f"{os.fspath(path)}: expected finite numbers, got {item}")
-        pending += item.values() if isinstance(item, dict) else item if isinstance(item, list) else ()
-
-
 def from_json(text: str | bytes) -> Any:
-    """Parse JSON; ValueError for NaN and Infinity, which it does not have, and for numbers beyond float64."""
+    """Parse JSON; ValueError for what cannot be written: NaN, Infinity, numbers beyond float64, half characters."""
 
     def refuse(word: str) -> float:
         raise ValueError(f"{word} is no number of JSON")
@@ -94,7 +84,15 @@ def from_json(text: str | bytes) -> Any:
         value = float(digits)
         return value if math.isfinite(value) else refuse(digits)
 
-    return json.loads(text, parse_constant=refuse, parse_float=number)
+    if isinstance(text, bytes):
+        text = text.decode()  # json would let halves of characters through
+    document = json.loads(text, parse_constant=refuse, parse_float=number)
+    if "\\u" in text:
+        try:
+            json.dumps(document, ensure_ascii=False).encode()
+        except UnicodeEncodeError:
+            raise ValueError("a text in it holds half a character") from None
+    return document
 
 
 def read_json(path: str | os.PathLike[str], name: str, version: int) -> dict[str, Any]:

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import json
 import struct
+from collections.abc import Callable
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
+
+from nearfar._base import formats
 
 _HEADER, _CHUNK = struct.Struct("<4sII"), struct.Struct("<I4s")
 _VERSION = 2
@@ -88,7 +91,7 @@ class Writer:
         return _file(text, *([_CHUNK.pack(self._size, b"BIN\0"), *self._pieces] if self._size else []))
 
 
-def header(data: bytes) -> tuple[dict[str, Any], int]:
+def header(data: bytes, parse: Callable[[bytes], Any] = json.loads) -> tuple[dict[str, Any], int]:
     """Return the JSON document of a GLB, and the place where the next chunk begins; ValueError for anything else."""
     start = _HEADER.size + _CHUNK.size
     if len(data) < start:
@@ -97,7 +100,7 @@ def header(data: bytes) -> tuple[dict[str, Any], int]:
     if magic != b"glTF" or version != _VERSION:
         raise ValueError("it does not begin like a GLB of version 2")
     length, _ = _CHUNK.unpack_from(data, _HEADER.size)
-    return json_object(data[start : start + length]), start + length
+    return json_object(data[start : start + length], parse), start + length
 
 
 def binary(data: bytes, end: int) -> bytes:
@@ -121,9 +124,9 @@ def entry(header: dict[str, Any], what: str, number: Any) -> dict[str, Any]:
     return found
 
 
-def json_object(text: bytes) -> dict[str, Any]:
+def json_object(text: bytes, parse: Callable[[bytes], Any] = json.loads) -> dict[str, Any]:
     """The object that JSON text holds; ValueError for anything else."""
-    document = json.loads(text)
+    document = parse(text)
     if not isinstance(document, dict):
         raise ValueError("its JSON is not an object")
     return document
@@ -141,7 +144,7 @@ class Reader:
     """Document and arrays of a file that `Writer` made; other files raise whatever error their damage causes."""
 
     def __init__(self, data: bytes) -> None:
-        self.document, end = header(data)
+        self.document, end = header(data, formats.from_json)
         size = _HEADER.unpack_from(data)[2]
         if size != len(data):
             raise ValueError(f"expected {size} bytes as it says, got {len(data)}")

@@ -9,9 +9,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar._base import check
 
-FARTHEST = 1e30
-"""Greatest entry of a transform, metres: beyond it squares of distances overflow float32 and nothing is drawn."""
-
 _UNIT = 1e-4
 """Greatest difference from 1 of the squared length of a unit normal, so that normals of four digits count as unit."""
 
@@ -118,8 +115,8 @@ def transforms_of(name: str, value: ArrayLike) -> NDArray[np.float64]:
     array: NDArray[np.float64] = check.array(name, value, columns=None, dtype=np.float64, finite=True)
     if array.ndim not in (2, 3) or array.shape[-2:] != (4, 4):
         raise ValueError(f"{name}: expected a 4x4 matrix object→world, got shape {array.shape}")
-    if array.size and np.abs(array).max() > FARTHEST:
-        raise ValueError(f"{name}: expected a matrix of numbers up to {FARTHEST:g}, got {np.abs(array).max():g}")
+    if array.size and np.abs(array).max() > check.FARTHEST:
+        raise ValueError(f"{name}: expected a matrix of numbers up to {check.FARTHEST:g}, got {np.abs(array).max():g}")
     if not (array[..., 3, :] == (0, 0, 0, 1)).all():
         raise ValueError(f"{name}: expected an affine matrix with last row 0 0 0 1 (column vectors), got another row")
     return array

@@ -220,7 +220,7 @@ class Decoder:
             raise ValueError("expected finite matrices")
         objects = [self._object(node) if "mesh" in node else _NO_OBJECT for node in children]
         meshes = [self.mesh(node) for node in children]
-        return _core.Scene(
+        core = _core.Scene(
             origin=check.vector("translation", root.get("translation", (0.0, 0.0, 0.0))),
             meshes=meshes,
             placements=placements,
@@ -228,6 +228,9 @@ class Decoder:
             standing_count=root["extras"]["standing"],
             **self.surfaces,
         )
+        if core.triangle_count and not np.abs(core.bounds()).max() <= check.FARTHEST:
+            raise ValueError(f"expected positions up to {check.FARTHEST:g} m")
+        return core
 
     @property
     def surfaces(self) -> dict[str, Any]:

@@ -62,8 +62,10 @@ class SurfaceWriter:
         material = _sorted(dict(undrawn.material))
         surface = material.setdefault(_SURFACE, {})
         color = parts["material_colors"][number]
-        # The file's own digits where they mean the same.
-        if not np.array_equal(np.array(surface.get("baseColorFactor", ()), np.float32), color):
+        # The file's own digits where they mean the same; they may exceed float32.
+        with np.errstate(over="ignore"):
+            own = np.array(surface.get("baseColorFactor", ()), np.float32)
+        if not np.array_equal(own, color):
             surface["baseColorFactor"] = color.astype(np.float64).tolist()
         texture, base = int(parts["material_textures"][number]), surface.pop(_BASE, None)
         if texture >= 0:

@@ -146,7 +146,7 @@ def _explained(label: str, *, passed: type[Exception] = SceneError) -> Iterator[
     except (SceneError, passed):
         raise
     except Exception as error:
-        raise SceneError(f"{label}: {_sentence(error)}") from error
+        raise SceneError(f"{label}: {check.printable(_sentence(error))}") from error
 
 
 def _sentence(error: Exception) -> str:

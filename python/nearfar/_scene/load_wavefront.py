@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
+from nearfar._base import check
 from nearfar._base.errors import SceneError, UnusableError
 from nearfar._scene.budget import Budget
 from nearfar._scene.materials import Materials, colors_of
@@ -90,7 +91,7 @@ def _library(names: list[str], resolver: Any) -> tuple[dict[str, Any], list[str]
             text = resolver.get(name)
             read = {key: SimpleMaterial(**entries) for key, entries in parse_mtl(text, resolver=resolver).items()}
         except Exception:  # resolvers, trimesh and Pillow may raise any type
-            notes.append(f"material file '{name}' cannot be read, drawn without it")
+            notes.append(f"material file {check.shortened(name)} cannot be read, drawn without it")
             continue
         library = read | library
         for texture in dict.fromkeys(_TEXTURE.findall(text)):

@@ -65,7 +65,6 @@ def read(path: Path) -> dict[str, Any]:
 def fields(document: dict[str, Any], path: Path) -> dict[str, Any]:
     """Fields of a model from what `document` returned; FormatError that names the file for anything else."""
     formats.check(document, NAME, VERSION, path)
-    formats.check_finite(document, path)
     with formats.guarded(path):
         return _fields(document)
 

@@ -1,7 +1,7 @@
 """Checks of arguments: each error message names the argument, the expected value and the value passed."""
 
-from nearfar._base.check.arrays import array, not_finite, output, plain, spheres, vector
-from nearfar._base.check.describe import described, shortened, shown
+from nearfar._base.check.arrays import FARTHEST, array, not_finite, output, plain, spheres, vector
+from nearfar._base.check.describe import described, printable, shortened, shown
 from nearfar._base.check.names import choice, instance, items, iterable, mapping, path, text, texts
 from nearfar._base.check.numbers import (
     MAX_SIZE,
@@ -17,6 +17,7 @@ from nearfar._base.check.numbers import (
 )
 
 __all__ = [
+    "FARTHEST",
     "MAX_SIZE",
     "array",
     "at_least_zero",
@@ -35,6 +36,7 @@ __all__ = [
     "path",
     "plain",
     "positive",
+    "printable",
     "radii",
     "shortened",
     "shown",

@@ -13,6 +13,9 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 from nearfar._base.check.describe import described
 from nearfar._base.check.numbers import is_masked
 
+FARTHEST = 1e30
+"""Greatest coordinate of a position, metres: beyond it squares of distances overflow float32 and nothing is drawn."""
+
 _SMALL = 1 << 30
 """Bytes that any machine has."""
 
@@ -101,13 +104,15 @@ def output(name: str, value: NDArray[Any], source: NDArray[Any]) -> NDArray[Any]
 
 
 def vector(name: str, value: ArrayLike) -> tuple[float, float, float]:
-    """Return three finite numbers as float64, such as a position in metres; ValueError or TypeError otherwise."""
+    """Return three numbers up to `FARTHEST`, such as a position in metres; ValueError or TypeError otherwise."""
     values = _numbers(name, value)
     if values.shape != (3,):
         raise ValueError(f"{name}: expected 3 numbers, got shape {values.shape}")
     x, y, z = (float(v) for v in values)
     if not all(map(math.isfinite, (x, y, z))):
         raise ValueError(f"{name}: expected 3 finite numbers, got ({x}, {y}, {z})")
+    if max(abs(x), abs(y), abs(z)) > FARTHEST:
+        raise ValueError(f"{name}: expected 3 numbers up to {FARTHEST:g}, got ({x}, {y}, {z})")
     return x, y, z
 
 

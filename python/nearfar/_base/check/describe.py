@@ -36,3 +36,8 @@ def shortened(value: object) -> str:
         return f"a number of {value.bit_length():,} bits"
     text = repr(value[: _LONGEST + 1] if isinstance(value, str) else value)
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
+
+
+def printable(text: str) -> str:
+    """Escape halves of characters, which no file and no terminal can hold."""
+    return text.encode("utf-8", "backslashreplace").decode()

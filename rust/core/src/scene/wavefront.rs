@@ -10,6 +10,9 @@ use crate::base::{Error, Progress, Result};
 /// Stands for the texture coordinate or normal that a corner does not name.
 pub const NONE: u32 = u32::MAX;
 
+/// Letters of a word that messages repeat.
+const MOST_SHOWN: usize = 60;
+
 /// Kinds of rows, in the order in which a face's corner names them.
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 /// Lines between two checks whether the caller has cancelled.
@@ -174,7 +177,7 @@ impl Scan {
         let mut corner = [NONE; 3];
         for (kind, index) in word.split(|&byte| byte == b'/').enumerate() {
             if kind >= KINDS.len() {
-                let word = String::from_utf8_lossy(word);
+                let word = shown(word);
                 return Err(Error::Scene(format!("line {line}: '{word}' has more than three indices")));
             }
             if index.is_empty() && kind > 0 {
@@ -197,7 +200,7 @@ impl Scan {
             [b'+', digits @ ..] => (digits, false),
             digits => (digits, false),
         };
-        let word = || String::from_utf8_lossy(index).into_owned();
+        let word = || shown(index);
         if digits.is_empty() || !digits.iter().all(u8::is_ascii_digit) {
             return Err(Error::Scene(format!("line {line}: a face has '{}' where an index belongs", word())));
         }
@@ -267,6 +270,15 @@ fn absent(line: u64, kind: &str, index: &str, count: u64) -> Error {
     Error::Scene(format!("line {line}: a face names {kind} {index} of {count}"))
 }
 
+/// The beginning of a word, for a message.
+fn shown(word: &[u8]) -> String {
+    let text = String::from_utf8_lossy(word);
+    match text.char_indices().nth(MOST_SHOWN) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.into_owned(),
+    }
+}
+
 /// Up to six numbers of a line, and how many it has of these; zeros stand for the others.
 fn numbers(stated: &[u8], least: usize, line: u64, what: &str) -> Result<(usize, [f64; 6])> {
     let (mut values, mut count) = ([0.0; 6], 0);
@@ -274,7 +286,7 @@ fn numbers(stated: &[u8], least: usize, line: u64, what: &str) -> Result<(usize,
     for (value, word) in values.iter_mut().zip(words) {
         let parsed = str::from_utf8(word).ok().and_then(|word| word.parse().ok());
         *value = parsed.ok_or_else(|| {
-            let word = String::from_utf8_lossy(word);
+            let word = shown(word);
             Error::Scene(format!("line {line}: a {what} has '{word}' where a number belongs"))
         })?;
         count += 1;
@@ -372,6 +384,10 @@ mod tests {
             ("f 1/1/1/1 2 3", "line 5: '1/1/1/1' has more than three indices"),
             ("f 99999999999999999999999 2 3", "line 5: a face names vertex 18446744073709551615 of 3"),
             ("f - 2 3", "line 5: a face has '-' where an index belongs"),
+            (
+                &format!("f {} 2 3", "é".repeat(99)),
+                &format!("line 5: a face has '{}…' where an index belongs", "é".repeat(60)),
+            ),
             ("v 1 2", "line 5: a vertex has 2 numbers of 3"),
             ("vn 1 2 0x3", "line 5: a normal has '0x3' where a number belongs"),
             ("vt", "line 5: a texture coordinate has 0 numbers of 1"),
