@@ -116,6 +116,8 @@ def load(path: str | os.PathLike[str]) -> Contents:
     with formats.guarded(folder / DOCUMENT):
         object_names = document.get("object_names")
         center = check.vector("center", document["center"])
+        if max(map(abs, center)) > check.FARTHEST:
+            raise ValueError(f"center: expected numbers up to {check.FARTHEST:g}, got {center}")
         near_radius, far_radius = check.radii(document["r1"], document["r2"])
         counts = {name: check.integer(name, document["counts"][name], 0, 2**62) for name in COUNTS}
         has_map = document["files"]["far"] is not None

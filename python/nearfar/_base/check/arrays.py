@@ -104,15 +104,13 @@ def output(name: str, value: NDArray[Any], source: NDArray[Any]) -> NDArray[Any]
 
 
 def vector(name: str, value: ArrayLike) -> tuple[float, float, float]:
-    """Return three numbers up to `FARTHEST`, such as a position in metres; ValueError or TypeError otherwise."""
+    """Return three finite numbers as float64, such as a position in metres; ValueError or TypeError otherwise."""
     values = _numbers(name, value)
     if values.shape != (3,):
         raise ValueError(f"{name}: expected 3 numbers, got shape {values.shape}")
     x, y, z = (float(v) for v in values)
     if not all(map(math.isfinite, (x, y, z))):
         raise ValueError(f"{name}: expected 3 finite numbers, got ({x}, {y}, {z})")
-    if max(abs(x), abs(y), abs(z)) > FARTHEST:
-        raise ValueError(f"{name}: expected 3 numbers up to {FARTHEST:g}, got ({x}, {y}, {z})")
     return x, y, z
 
 
