@@ -11,14 +11,14 @@ FUZZ_SECONDS ?= 120
 
 bin := .venv/bin
 rust_sources := $(shell find rust -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
-# Python compiles what is imported when it is; pip would compile everything.
+# Python compiles a module when it is first imported; pip would compile all of them.
 pip := $(bin)/python -m pip install --quiet --disable-pip-version-check --no-compile
 # Much of compiling takes one core, which leaves the other one to pip and the linters.
 MAKEFLAGS += -j3
 # pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
 export PYO3_PYTHON := $(CURDIR)/$(bin)/python
 
-.PHONY: help demo test lint lint-rust lint-python test-rust test-core bench notebooks stress attack fuzz setup clean
+.PHONY: help demo test lint lint-rust lint-python lint-fuzz test-rust test-core bench notebooks stress attack fuzz setup clean
 .DELETE_ON_ERROR:
 
 # List the targets.
@@ -46,7 +46,12 @@ lint-python: .venv/built .venv/test
 	$(bin)/ruff check --quiet .
 	$(bin)/mypy
 
-# In the linters' profile and after them. Most of building the package takes one core, so that this takes no time.
+# A workspace of its own, which takes half a minute and seldom changes: `make test` leaves it out.
+lint-fuzz:
+	cargo fmt --all --check --manifest-path fuzz/Cargo.toml
+	cargo clippy --quiet --all-targets --manifest-path fuzz/Cargo.toml -- -D warnings
+
+# In the linters' profile and after them, on the core that building the package leaves free for most of its time.
 test-core: lint-rust
 	CARGO_INCREMENTAL=0 cargo test --profile quick --quiet --package nearfar-core --lib
 
@@ -72,7 +77,7 @@ attack: .venv/built .venv/test
 	$(bin)/python -m tests.attack --minutes $(ATTACK_MINUTES) --out $(OUT)/attack
 
 # Random bytes and numbers for the core's decoders and kernels; needs nightly Rust and cargo-fuzz.
-fuzz:
+fuzz: lint-fuzz
 	@if ! cargo +nightly fuzz --version > /dev/null 2>&1; then \
 		echo "fuzz: skipped; 'rustup toolchain install nightly' and 'cargo install cargo-fuzz' make it run"; \
 	else for target in $$(cargo +nightly fuzz list); do \

@@ -47,6 +47,6 @@ fuzz_target!(|input: Input| {
         assert!(found.triangle_index.iter().all(|&triangle| (-1..count).contains(&triangle)));
         assert!(found.distance.iter().all(|distance| !distance.is_nan()));
     }
-    assert!(scene.degenerate_count() as i64 <= count);
+    assert!(scene.degenerate_count(&progress).unwrap() as i64 <= count);
     scene.bounds();
 });

@@ -22,7 +22,7 @@ struct Input {
 
 fuzz_target!(|input: Input| {
     for method in [SphereMethod::Exact, SphereMethod::Ritter, SphereMethod::Best] {
-        if let Ok(sphere) = bounding_sphere(&input.points, method) {
+        if let Ok(sphere) = bounding_sphere(&input.points, method, &Progress::new()) {
             assert!(sphere.radius >= 0.0 && sphere.center.is_finite(), "{sphere:?}");
         }
     }
@@ -30,7 +30,7 @@ fuzz_target!(|input: Input| {
     let (user, center) = (DVec3::from_array(input.user), DVec3::from_array(input.center));
     let Ok(morph) = Morph::new(user, center, input.radii[0], input.radii[1], kind) else { return };
     let mut shown = input.points.clone();
-    morph.apply_all_f64(&input.points, &mut shown);
+    morph.apply_all_f64(&input.points, &mut shown, &Progress::new()).expect("nothing cancels it");
     if let Ok(margin) = margin(&morph) {
         assert!(!margin.is_nan());
     }

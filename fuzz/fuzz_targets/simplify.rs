@@ -4,6 +4,7 @@
 
 use arbitrary::Arbitrary;
 use libfuzzer_sys::fuzz_target;
+use nearfar_core::base::Progress;
 use nearfar_core::lod::{Allowance, Vertices, collapse, pieces};
 
 #[derive(Arbitrary, Debug)]
@@ -29,7 +30,7 @@ fuzz_target!(|input: Input| {
         assert!(left.as_flattened().iter().all(|&vertex| (vertex as usize) < positions.len()));
         assert!(!error.is_nan(), "{error}");
     }
-    if let Ok(numbers) = pieces(&faces, positions.len()) {
+    if let Ok(numbers) = pieces(&faces, positions.len(), &Progress::new()) {
         assert_eq!(numbers.len(), faces.len());
     }
 });

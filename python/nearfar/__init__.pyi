@@ -28,6 +28,8 @@ from ._metrics.discontinuity import boundary, discontinuity
 from ._metrics.pixel_errors import object_completion, psnr, rmse
 from ._metrics.result import Similarity
 from ._metrics.similarity import ms_ssim, ssim, ssim_pairs, visual_continuity
+from ._metrics.tear import BoundaryTear, boundary_tear, tear
+from ._reduce.choose_radii import Radii, choose_radii
 from ._reduce.reduce import reduce
 from ._reduce.reduced_scene import ReducedScene
 from ._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
@@ -37,6 +39,7 @@ from .hmd._stereo import StereoFrame, render_eyes
 from . import datasets, hmd, gpu, lod
 
 __all__ = [
+    "BoundaryTear",
     "Camera",
     "ChromaticLens",
     "Comparison",
@@ -54,6 +57,7 @@ __all__ = [
     "Orthographic",
     "Partition",
     "RadialLens",
+    "Radii",
     "ReducedScene",
     "Renderable",
     "Scene",
@@ -66,9 +70,11 @@ __all__ = [
     "__version__",
     "bend_rays",
     "boundary",
+    "boundary_tear",
     "bounding_sphere",
     "bounding_spheres",
     "cast_rays",
+    "choose_radii",
     "compare",
     "convert_envmap",
     "corrected_solid_angle",
@@ -101,6 +107,7 @@ __all__ = [
     "solid_angle",
     "ssim",
     "ssim_pairs",
+    "tear",
     "tessellate",
     "triangle_radii",
     "visual_continuity",

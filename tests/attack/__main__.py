@@ -28,6 +28,8 @@ def main() -> int:
     parse.add_argument("--case", type=int, help="number of a case of --only and --seed to run again")
     given = parse.parse_args()
     kinds = {name: kind for name, kind in all_kinds(own_only=False).items() if name.startswith(given.only)}
+    if given.case is not None and (given.seed is None or given.only not in kinds):
+        parse.error(f"--case needs --seed and --only with one of {', '.join(sorted(kinds))}")
     if given.replay or given.case is not None:
         return _again(given, kinds)
     seed = int(time.time()) if given.seed is None else given.seed
@@ -49,8 +51,7 @@ def _again(given: argparse.Namespace, kinds: dict[str, Kind]) -> int:
     if given.replay:
         cases = [from_json(path.read_text(encoding="utf-8")) for path in given.replay]
     else:
-        (name,) = kinds
-        cases = [make(every[name], given.seed, given.case)]
+        cases = [make(every[given.only], given.seed, given.case)]
         print(to_json(cases[0]))
     count = 0
     with Runner(every, limits=True, own_only=False) as runner:

@@ -37,7 +37,7 @@ def _values() -> dict[str, Hostile]:
 def make(dice: random.Random) -> tuple[Plan, dict[str, bytes]]:
     name = dice.choice([name for name, call in _calls().items() if call.parameters])
     parameters = _calls()[name].parameters
-    changed = dice.sample(parameters, min(len(parameters), dice.choice((1, 1, 2, 2, 3))))
+    changed = dice.sample(parameters, min(len(parameters), dice.choice((1, 2, 2, 3))))
     values = list(_values())
     return {"call": name, "changes": {parameter: dice.choice(values) for parameter in changed}}, {}
 
@@ -61,8 +61,8 @@ def run(case: Case, folder: Path) -> str:
         # It is called, and its errors are the caller's own.
         return refused(error)
     # Where arguments contradict each other, a message may name any of them.
-    flaws = [verdict(error, parameter) for parameter in call.parameters]
-    if all(flaw is not None for flaw in flaws):
+    flaw = verdict(error, next(iter(names)), call.parameters)
+    if flaw is not None:
         shown = ", ".join(f"{parameter}={name}" for parameter, name in names.items())
-        raise Finding(f"{call.name}({shown}) raised {verdict(error, next(iter(names)))}"[:400]) from error
+        raise Finding(f"{call.name}({shown}) raised {flaw}"[:400]) from error
     return refused(error)

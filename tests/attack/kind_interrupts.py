@@ -9,12 +9,13 @@ import random
 import select
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
 from tests.attack import operations
 from tests.attack.case import ACCEPTED, Case, Finding, Kind, Plan
-from tests.attack.saves import SAVES, check_saved, first_digest
+from tests.attack.saves import SAVES, Save, check_saved, prepare
 
 LATEST = 0.5
 """Seconds from the signal to the exception."""
@@ -51,31 +52,35 @@ def _sender() -> subprocess.Popen[bytes]:
 @functools.cache
 def _seconds(name: str) -> float:
     """Return the time of an operation once everything that it needs is made."""
-    _perform(name, Path("."), is_first=True)
-    start = time.perf_counter()
-    _perform(name, Path("."), is_first=True)
-    return time.perf_counter() - start
+    save = _save(name)
+    operations.expected(name) if save is None else prepare(save)
+    with tempfile.TemporaryDirectory() as folder:
+        start = time.perf_counter()
+        _perform(name, Path(folder))
+        return time.perf_counter() - start
 
 
-def _perform(name: str, folder: Path, *, is_first: bool = False) -> str:
-    if not name.startswith("save "):
-        return operations.expected(name) if is_first else operations.result(name)
-    save = SAVES[name.removeprefix("save ")]
-    if is_first:
-        return first_digest(save)
-    save.write(save.second, folder / save.name)
-    return ""
+def _save(name: str) -> Save | None:
+    return SAVES[name.removeprefix("save ")] if name.startswith("save ") else None
+
+
+def _perform(name: str, folder: Path) -> None:
+    save = _save(name)
+    if save is None:
+        operations.result(name)
+    else:
+        save.write(save.second, folder / save.name)
 
 
 def run(case: Case, folder: Path) -> str:
     """Interrupt an operation, and run it again."""
     name = case.plan["operation"]
-    save = SAVES.get(name.removeprefix("save "))
+    save = _save(name)
     seconds = _seconds(name)
-    if save is not None and name.startswith("save "):
+    if save is not None:
         save.write(save.first, folder / save.name)
     late = _interrupted(name, folder, case.plan["share"] * seconds)
-    if save is not None and name.startswith("save "):
+    if save is not None:
         check_saved(save, folder)
     elif operations.wrong([name], [operations.result(name)]):
         raise Finding(f"{name} gives another result after an interruption")

@@ -92,7 +92,7 @@ def _damaged_exr(data: bytes, dice: random.Random) -> bytes:
             except UnicodeDecodeError:
                 attributes[exr.ATTRIBUTE] = "\xff"
     try:
-        return bytes(_core.encode_exr(parts))
+        return _core.encode_exr(parts).tobytes()
     except (ValueError, OverflowError):
         return mutate.damaged(data, dice)
 

@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 
 import nearfar as nf
-from nearfar._base import files as package_files
 from tests.attack import mutate, mutate_json, seeds
 from tests.attack.case import ACCEPTED, Case, Finding, Kind, Plan, refused
 from tests.attack.glb_parts import joined, split
@@ -133,4 +132,3 @@ def use(scene: nf.Scene, folder: Path, *, everything: bool) -> None:
     again = nf.ReducedScene.load(folder / "reduced").render(camera, user=user, backend="cpu")
     if shown.require("color").tobytes() != again.require("color").tobytes():
         raise Finding("a reduced scene is drawn otherwise after it was saved and loaded")
-    package_files.restore(folder / "reduced")

@@ -74,13 +74,13 @@ OPERATIONS: dict[str, Callable[[Shared], Any]] = {
     "load glb": _loaded("glb"),
     "load ply": _loaded("ply"),
     "load stl": _loaded("stl"),
-    "load reduced": lambda it: _frame(nf.ReducedScene.load(it.folder / "reduced").render(it.camera)),
+    "load reduced": lambda it: _frame(nf.ReducedScene.load(it.folder / "reduced").render(it.camera, backend="cpu")),
     "load frame": lambda it: _frame(nf.Frame.load(it.folder / "frame.exr")),
     "load model": lambda it: nf.lod.LodModel.load(it.folder / "model.json").curves.a,
     "load hmd": lambda it: repr(nf.Hmd.load(it.folder / "hmd.json")),
     "render": lambda it: _frame(nf.render(it.scene, it.camera, channels=CHANNELS, backend="cpu")),
     "render samples": lambda it: _frame(nf.render(it.scene, it.camera, samples=4, backend="cpu")),
-    "render reduced": lambda it: _frame(it.reduced.render(it.camera, method="exact")),
+    "render reduced": lambda it: _frame(it.reduced.render(it.camera, method="exact", backend="cpu")),
     "render posed": lambda it: _frame(nf.render(it.scene, it.camera, at={"car": _moved()}, backend="cpu")),
     "reduce": lambda it: _baked(it),
     "partition": lambda it: nf.partition(it.scene, **ZONES).nsf,
@@ -113,7 +113,7 @@ OPERATIONS: dict[str, Callable[[Shared], Any]] = {
     ),
     "eyes": lambda it: nf.render_eyes(it.scene, nf.hmd.INDEX, CENTER, size=(40, 40), backend="cpu").side_by_side,
 }
-"""What runs at once or is interrupted; each gives the same at every call."""
+"""Operations that run at once or are interrupted; each gives the same at every call."""
 
 
 def _map(it: Shared) -> nf.EnvMap:

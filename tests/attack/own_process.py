@@ -6,12 +6,12 @@ import signal
 import sys
 
 _SET_DEATH_SIGNAL = 1
-IS_TOLD = sys.platform == "linux"
+IS_LINUX = sys.platform == "linux"
 
 
 def reset_peak() -> int:
     """Forget the peak so far; returns the memory in use, bytes."""
-    if not IS_TOLD:
+    if not IS_LINUX:
         return 0
     with open("/proc/self/clear_refs", "w", encoding="ascii") as control:
         control.write("5")
@@ -20,7 +20,7 @@ def reset_peak() -> int:
 
 def peak() -> int:
     """Return the greatest memory in use since `reset_peak`, bytes."""
-    return _status("VmHWM") if IS_TOLD else 0
+    return _status("VmHWM") if IS_LINUX else 0
 
 
 def _status(name: str) -> int:
@@ -30,7 +30,7 @@ def _status(name: str) -> int:
 
 def limit_addresses(size: int) -> None:
     """Let allocations fail beyond a size, as on a machine with that much memory."""
-    if IS_TOLD:
+    if IS_LINUX:
         import resource
 
         resource.setrlimit(resource.RLIMIT_AS, (size, resource.getrlimit(resource.RLIMIT_AS)[1]))
@@ -38,7 +38,7 @@ def limit_addresses(size: int) -> None:
 
 def die_with_parent() -> None:
     """Let the system kill this process when the one that started it dies, so that no hanging case stays behind."""
-    if IS_TOLD:
+    if IS_LINUX:
         import ctypes
 
         ctypes.CDLL(None).prctl(_SET_DEATH_SIGNAL, signal.SIGKILL)

@@ -82,7 +82,7 @@ class Report:
         lines.append(_line("all", total))
         for text, alike in sorted(self.causes.items(), key=lambda item: -len(item[1])):
             first = alike[0]
-            file = f" ({name_of(first)})" if first.case else ""
+            file = f" ({self._folder / name_of(first)})" if first.case and self._folder is not None else ""
             lines.append(f"\n- {len(alike)} × {text}: {first.finding}{file}\n  {first.trace}")
         return "\n".join(lines) + "\n"
 

@@ -33,7 +33,7 @@ FOLDER = Path("/dev/shm")
 
 @dataclass(frozen=True)
 class Result:
-    """What became of a case."""
+    """The outcome of a case."""
 
     kind: str
     number: int
@@ -62,12 +62,24 @@ class Runner:
         Whether cases are made from files made here alone.
     patience
         Seconds after which a case counts as hanging.
+    most_seconds
+        Seconds that a refusal may take.
     """
 
-    def __init__(self, kinds: dict[str, Kind], *, limits: bool, own_only: bool, patience: float = HANG_SECONDS) -> None:
-        self._kinds, self._limits, self._own_only, self._patience = kinds, limits, own_only, patience
+    def __init__(
+        self,
+        kinds: dict[str, Kind],
+        *,
+        limits: bool,
+        own_only: bool,
+        patience: float = HANG_SECONDS,
+        most_seconds: float = MOST_SECONDS,
+    ) -> None:
+        self._kinds, self._limits, self._own_only = kinds, limits, own_only
+        self._patience, self._most_seconds = patience, most_seconds
         self._process: subprocess.Popen[bytes] | None = None
         self._has_stopped = False
+        self._ending, self._is_told = "", False
         self._events, self._rest = -1, b""
         self._log = tempfile.TemporaryFile()  # noqa: SIM115  # `__exit__` closes it
         self._folder: tempfile.TemporaryDirectory[str] | None = None
@@ -80,20 +92,23 @@ class Runner:
         self._log.close()
 
     def batch(self, kind: str, seed: int, first: int, count: int) -> list[Result]:
-        """Run cases together; those that show something wrong run again alone."""
+        """Run cases together; those that die, hang, exceed a limit or are late run again alone."""
         found: list[Result] = []
         end = first + count
         while first < end and not self._has_stopped:
             results = list(self._serve(kind, {"kind": kind, "seed": seed, "first": first, "count": end - first}))
-            found += [self.confirmed(result, make(self._kinds[kind], seed, result.number)) for result in results]
+            for result in results:
+                if self._is_suspect(result):
+                    result = self.confirmed(result, make(self._kinds[kind], seed, result.number))
+                found.append(result)
             last = results[-1] if results else None
-            # What comes after a case that died has not run yet; between two cases the whole batch died.
+            # The cases after one that died have not run yet; between two cases the whole batch died.
             first = last.number + 1 if last is not None and last.outcome == "died" and last.number >= 0 else end
         return found
 
     def confirmed(self, result: Result, case: Case) -> Result:
         """Return what remains of a result when its case runs again alone."""
-        if result.number < 0 or not (result.finding or self._over(result)):
+        if not self._is_suspect(result):
             return result
         if result.outcome == "died":
             again = self.alone(case, result.number)
@@ -107,13 +122,16 @@ class Runner:
         finding = self._over(again) or again.finding
         return replace(again, finding=finding, case=case if finding else None)
 
+    def _is_suspect(self, result: Result) -> bool:
+        return result.number >= 0 and bool(result.finding or self._over(result))
+
     def _over(self, result: Result) -> str:
         """Return how a refusal exceeds the limits."""
         if not (self._limits and self._kinds[result.kind].has_limits and result.outcome.startswith("refused")):
             return ""
         if result.memory > MOST_MEMORY + result.size:
             return f"the refusal took {result.memory >> 20} MB"
-        if result.seconds > MOST_SECONDS:
+        if result.seconds > self._most_seconds:
             return f"the refusal took {result.seconds:.1f} s"
         return ""
 
@@ -121,9 +139,10 @@ class Runner:
         """Run a case in a new process."""
         if self._has_stopped:
             return Result(case.kind, number, "stopped")
-        self.close()
+        before = self.close()
         result = self.once(case)
         ending = self.close()
+        self._ending = before
         if ending and not result.finding:
             result = replace(result, outcome="died", finding=ending)
         return replace(result, number=number, case=case if result.finding else None)
@@ -160,12 +179,14 @@ class Runner:
 
     def _started(self) -> subprocess.Popen[bytes]:
         if self._process is None or self._process.poll() is not None:
+            before = self._ending
             self.close()
+            self._ending = before
             self._events, report = os.pipe()
             self._log.truncate(0)
             self._log.seek(0)
-            options = ["own"] if self._own_only else []
-            # What a worker leaves when it dies goes with this folder.
+            options = [*(["own"] if self._own_only else []), *(["probe"] if "probe" in self._kinds else [])]
+            # Files that a worker leaves when it dies go with this folder.
             self._folder = tempfile.TemporaryDirectory(
                 prefix="nearfar-attack-", ignore_cleanup_errors=True, dir=FOLDER if FOLDER.is_dir() else None
             )
@@ -176,8 +197,9 @@ class Runner:
                 "TMPDIR": self._folder.name,
                 "NEARFAR_ATTACK_LIMITS": "1" if self._limits else "",
             }
+            self._is_told = False
             self._process = subprocess.Popen(
-                [sys.executable, "-m", "tests.attack.worker", str(report), *options],
+                [sys.executable, "-u", "-m", "tests.attack.worker", str(report), *options],
                 cwd=CHECKOUT, stdin=subprocess.PIPE, stdout=self._log, stderr=self._log, env=environment,
                 pass_fds=[report], start_new_session=True,
             )  # fmt: skip
@@ -193,10 +215,12 @@ class Runner:
         while b"\n" not in self._rest:
             ready, _, _ = select.select([self._events], [], [], max(0.0, deadline - time.monotonic()))
             if not ready:
+                self._is_told = True
                 self.kill(signal.SIGUSR1)
                 return f"hung for {seconds:g} s"
             more = os.read(self._events, 1 << 16)
             if not more:
+                self._is_told = True
                 assert self._process is not None
                 return _ending(self._process.wait())
             self._rest += more
@@ -228,9 +252,10 @@ class Runner:
         return " < ".join((told or lines)[-6:])[:1000]
 
     def close(self) -> str:
-        """End the worker; returns how it ended if that was wrong."""
+        """End the worker; returns how it, or one before that nobody asked about, ended if that was wrong."""
+        before, self._ending = self._ending, ""
         if self._process is None:
-            return ""
+            return before
         process, self._process = self._process, None
         assert process.stdin is not None
         with suppress(BrokenPipeError):
@@ -244,7 +269,7 @@ class Runner:
         self._rest = b""
         if self._folder is not None:
             self._folder.cleanup()
-        return "" if status == 0 else f"at exit it {_ending(status)}"
+        return before if status == 0 or self._is_told else f"at exit it {_ending(status)}"
 
 
 def _ending(status: int) -> str:

@@ -30,17 +30,17 @@ class Save:
     @property
     def first(self) -> Any:
         """The version that lies there before."""
-        return _versions(self.name)[0]
+        return _versions(self)[0]
 
     @property
     def second(self) -> Any:
         """The version that is saved over it."""
-        return _versions(self.name)[1]
+        return _versions(self)[1]
 
 
 @functools.cache
-def _versions(name: str) -> tuple[Any, Any]:
-    return next(save.make() for save in SAVES.values() if save.name == name)
+def _versions(save: Save) -> tuple[Any, Any]:
+    return save.make()
 
 
 def _reduced() -> tuple[Any, Any]:
@@ -84,21 +84,20 @@ SAVES = {
 
 
 @functools.cache
-def _digests(name: str) -> tuple[str, str]:
+def _digests(save: Save) -> tuple[str, str]:
     """Digests of the files of both versions."""
-    save = next(save for save in SAVES.values() if save.name == name)
     found = []
     with tempfile.TemporaryDirectory() as folder:
         for number, version in enumerate((save.first, save.second)):
-            path = Path(folder) / f"{number}{Path(name).suffix}"
+            path = Path(folder) / f"{number}{Path(save.name).suffix}"
             save.write(version, path)
             found.append(_digest(path))
     return found[0], found[1]
 
 
-def first_digest(save: Save) -> str:
-    """Return the digest of the first version, for which both are made."""
-    return _digests(save.name)[0]
+def prepare(save: Save) -> None:
+    """Make both versions and their digests, so that a later save takes its own time alone."""
+    _digests(save)
 
 
 def _digest(path: Path) -> str:
@@ -119,10 +118,10 @@ def check_saved(save: Save, folder: Path) -> str:
         except (nf.Error, OSError) as error:
             raise Finding(f"{save.name} is lost or damaged: {type(error).__name__}: {error}") from error
     found = _digest(path) if path.exists() else "nothing"
-    if found not in _digests(save.name):
+    if found not in _digests(save):
         raise Finding(f"{save.name} is neither the old nor the new version")
     save.write(save.second, path)
     left = [item.name for item in folder.iterdir() if item.name != save.name]
-    if left or _digest(path) != _digests(save.name)[1]:
+    if left or _digest(path) != _digests(save)[1]:
         raise Finding(f"after the next save of {save.name} there is {', '.join(left) or 'another version'}")
-    return "old" if found == _digests(save.name)[0] else "new"
+    return "old" if found == _digests(save)[0] else "new"

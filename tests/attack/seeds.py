@@ -193,9 +193,12 @@ def packed(files: Files) -> bytes:
     return target.getvalue()
 
 
+CHANNELS = ("color", "range", "object_id", "face_id", "position", "normal")
+
+
 def _frame() -> nf.Frame:
     camera = nf.Camera.look_at(CENTER, np.add(CENTER, (1.0, 0, 0)), fov=nf.Fov.symmetric(90), size=(8, 8))
-    return nf.render(street(), camera, channels=("color", "range", "object_id", "face_id", "position", "normal"))
+    return nf.render(street(), camera, channels=CHANNELS, backend="cpu")
 
 
 def _reduced() -> nf.ReducedScene:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from pathlib import Path
 
 import pytest
 
@@ -21,11 +22,11 @@ GROUPS = ("scene gl", "scene obj", "scene ", "saved ", "arguments", "interrupts"
 
 
 @pytest.mark.parametrize("group", GROUPS)
-def test_nothing_is_found(group: str) -> None:
+def test_nothing_is_found(group: str, tmp_path: Path) -> None:
     need("linux")
     first = {name: next(begin for begin in GROUPS if name.startswith(begin)) for name in all_kinds(own_only=True)}
     kinds = {name: kind for name, kind in all_kinds(own_only=True).items() if first[name] == group}
-    report = Report()
+    report = Report(tmp_path / "findings", print)
     Attack(kinds, SEED, report, limits=False, own_only=True).run(1, cases=CASES)
     print(f"seed {SEED}\n{report.table()}")
     assert report.cases >= CASES

@@ -9,21 +9,21 @@ import pytest
 from tests.attack import mutate, mutate_json
 from tests.attack.attack import Attack
 from tests.attack.case import Case, from_json, make, to_json
-from tests.attack.kind_probe import DEEDS, KIND
+from tests.attack.kind_probe import DEEDS, KIND, SLOW
 from tests.attack.report import Report
 from tests.attack.runner import Runner
 from tests.support import need
 
 
 def runner(*, limits: bool = True, patience: float = 60.0) -> Runner:
-    return Runner({KIND.name: KIND}, limits=limits, own_only=True, patience=patience)
+    return Runner({KIND.name: KIND}, limits=limits, own_only=True, patience=patience, most_seconds=SLOW / 2)
 
 
 @pytest.mark.parametrize("deed", DEEDS)
 def test_every_defect_is_seen(deed: str) -> None:
     need("linux")
     case = Case("probe", {"does": deed})
-    with runner(patience=3.0 if deed == "hang" else 60.0) as engine:
+    with runner(patience=0.5 if deed == "hang" else 60.0) as engine:
         result = engine.confirmed(engine.once(case), case)
     assert result.finding.startswith(DEEDS[deed])
     assert bool(result.finding) == (result.case is not None) == (deed != "nothing")

@@ -107,6 +107,16 @@ def _trace(error: BaseException) -> str:
     return " < ".join(f"{'/'.join(Path(f.filename).parts[-2:])}:{f.lineno} {f.name}" for f in reversed(own[-3:]))
 
 
+def _kinds(options: list[str]) -> dict[str, Kind]:
+    if "probe" in options:  # without the package
+        from tests.attack import kind_probe
+
+        return {kind_probe.KIND.name: kind_probe.KIND}
+    from tests.attack.kinds import all_kinds
+
+    return all_kinds(own_only="own" in options)
+
+
 def main() -> NoReturn:
     """Serve requests, one line of JSON each, until there are no more."""
     report = int(sys.argv[1])
@@ -114,11 +124,7 @@ def main() -> NoReturn:
     faulthandler.register(signal.SIGUSR1, all_threads=True)
     own_process.limit_addresses(MOST_ADDRESSES)
     own_process.die_with_parent()
-    from tests.attack import kind_probe
-    from tests.attack.kinds import all_kinds
-
-    probe = kind_probe.KIND
-    worker = Worker(report, {**all_kinds(own_only="own" in sys.argv[2:]), probe.name: probe})
+    worker = Worker(report, _kinds(sys.argv[2:]))
     worker.tell(event="ready")
     for line in sys.stdin:
         request = json.loads(line)
@@ -127,7 +133,7 @@ def main() -> NoReturn:
             worker.tell(event="idle", leak="")
         else:
             worker.batch(**request)
-    # What runs at exit is part of the attack: a crash there counts as a death.
+    # Code that runs at exit is part of the attack: a crash there counts as a death.
     sys.exit(0)
 
 

@@ -1,4 +1,4 @@
-"""Tests of foreign code in a thread of its own: results and errors, and Ctrl-C while it works."""
+"""Tests of code that cannot look for signals in a thread of its own: results and errors, and Ctrl-C while it works."""
 
 from __future__ import annotations
 
@@ -89,30 +89,31 @@ def test_what_abandoned_work_returns_is_dropped() -> None:
     dropped = weakref.ref(work.result)
     interrupt_once(work.began)
     with pytest.raises(KeyboardInterrupt):
-        background.run(work)
+        background.run(work, alone=True)
     work.may_end.set()
-    background.run(lambda: None)
+    background.run(lambda: None, alone=True)
     del work
     gc.collect()
     assert dropped() is None
 
 
-def test_no_more_than_one_work_is_ever_abandoned() -> None:
+def test_work_that_runs_alone_waits_for_abandoned_work_and_other_work_does_not() -> None:
     first, second = Work(), Work()
     interrupt_once(first.began)
     with pytest.raises(KeyboardInterrupt):
-        background.run(first)
+        background.run(first, alone=True)
+    assert background.run(lambda: 4) == 4
     # The next one waits for the first, and may be interrupted as well.
     waits = threading.Timer(0.2, signal.raise_signal, [signal.SIGINT])
     if os.name != "nt":
         waits = threading.Timer(0.2, os.kill, [os.getpid(), signal.SIGINT])
-    waits.start()
     with pytest.raises(KeyboardInterrupt):
-        background.run(second)
+        waits.start()
+        background.run(second, alone=True)
     assert not second.began.is_set()
     first.may_end.set()
     second.may_end.set()
-    background.run(second)
+    background.run(second, alone=True)
     assert second.began.is_set()
 
 
@@ -139,10 +140,10 @@ def test_a_forked_child_does_not_wait_for_its_parents_thread() -> None:
     work = Work()
     interrupt_once(work.began)
     with pytest.raises(KeyboardInterrupt):
-        background.run(work)
+        background.run(work, alone=True)
     child = os.fork()
     if child == 0:
-        os._exit(background.run(lambda: 7))
+        os._exit(background.run(lambda: 7, alone=True))
     deadline = time.monotonic() + 60
     while (status := os.waitpid(child, os.WNOHANG)) == (0, 0) and time.monotonic() < deadline:
         time.sleep(0.01)

@@ -24,7 +24,7 @@ class Broken:
     def __repr__(self) -> str:
         return self._text()
 
-    @card.shown
+    @card.repr_html
     def _repr_html_(self) -> str:
         raise ZeroDivisionError
 

@@ -96,13 +96,19 @@ distribute(squared, [1], label="squaring", workers=1)
 """
 
 ENDLESS = """
-import sys
+import multiprocessing, sys, time
 from pathlib import Path
 from nearfar._base.distribute import distribute
 from tests.support.distribute_cases import endless
 
 if __name__ == "__main__":
-    distribute(endless, [Path(sys.argv[1]) / str(n) for n in range(4)], label="waiting", workers=2)
+    own = multiprocessing.get_context("spawn").Process(target=time.sleep, args=(1000,))
+    own.start()
+    try:
+        distribute(endless, [Path(sys.argv[1]) / str(n) for n in range(4)], label="waiting", workers=2)
+    finally:
+        Path(sys.argv[1], "own").write_text(str(own.is_alive()))
+        own.kill()
 """
 
 
@@ -138,6 +144,7 @@ def test_ctrl_c_ends_all_processes(tmp_path: Path) -> None:
         message = program.communicate(timeout=600)[1]
         assert message.splitlines()[-1] == "KeyboardInterrupt"
         assert until(lambda: not any(Path(f"/proc/{worker}").exists() for worker in begun()))
+        assert (tmp_path / "own").read_text() == "True"  # a process that others made goes on
         # An executor starts one item more than it has workers; that one ends at its first report.
         assert len(begun()) <= 3
     finally:

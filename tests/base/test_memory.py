@@ -12,7 +12,7 @@ from nearfar._base import memory
 
 
 def test_what_cannot_fit_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    system, group = tmp_path / "meminfo", tmp_path / "memory.max"
+    system, group = tmp_path / "meminfo", tmp_path
     monkeypatch.setattr(memory, "_SYSTEM", system)
     monkeypatch.setattr(memory, "_GROUP", group)
     memory.check_room("size", "a result", 1 << 60)  # the system does not say
@@ -20,10 +20,13 @@ def test_what_cannot_fit_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     memory.check_room("size", "a result", 3_000_000_000)
     with pytest.raises(MemoryError, match=r"size: a result takes 4\.0 GB of memory, and 3\.1 GB are free"):
         memory.check_room("size", "a result", 4_000_000_000)
-    group.write_text("max\n", encoding="ascii")
+    (group / "memory.max").write_text("max\n", encoding="ascii")
+    (group / "memory.current").write_text("7000000000\n", encoding="ascii")
+    (group / "memory.stat").write_text("anon 6000000000\ninactive_file 500000000\n", encoding="ascii")
     memory.check_room("size", "a result", 3_000_000_000)
-    group.write_text("1000000000\n", encoding="ascii")
-    with pytest.raises(MemoryError, match=r"1\.0 GB are free"):
+    (group / "memory.max").write_text("8000000000\n", encoding="ascii")
+    memory.check_room("size", "a result", 1_500_000_000)
+    with pytest.raises(MemoryError, match=r"1\.5 GB are free"):
         memory.check_room("size", "a result", 3_000_000_000)
     memory.check_room("size", "a result", 1 << 28)
 

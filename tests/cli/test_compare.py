@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
@@ -61,6 +62,14 @@ def test_measures_are_those_of_the_functions(city: Path, compared: tuple[Path, d
         assert values["discontinuity"] == pytest.approx(np.nanmean(torn), abs=1e-5)
         assert values["boundary_pixels"] == edge.sum() > 0
         assert values["boundary"] == pytest.approx(np.abs(torn[edge]).mean(), abs=1e-5)
+        # Twenty pixels for each degree around the view's axis.
+        dense = light.render(replace(view, size=(2292, 1432)), channels=("position",))
+        along = nf.boundary_tear(dense, center=(0, 1.7, 0), radius=50)
+        assert values["tear_density"] == pytest.approx(20.0, rel=1e-3)
+        for key in ("tear", "kink", "shared"):
+            name_of = "tear" if key == "tear" else f"tear_{key}"
+            assert values[name_of] == pytest.approx(getattr(along, key), abs=1e-5)
+    assert document["pictures"]["conventional"]["tear"] > 2 * document["pictures"]["continuous"]["tear"]
 
 
 class Page(HTMLParser):
@@ -101,6 +110,8 @@ def test_reports_show_every_picture_and_measure(compared: tuple[Path, dict[str, 
         ("--max-discontinuity", "-1", 3),
         ("--max-discontinuity", "50", 0),
         ("--max-boundary-discontinuity", "1e-6", 3),
+        ("--max-tear", "1e-6", 3),
+        ("--max-tear", "500", 0),
     ],
 )
 def test_thresholds_end_the_command(

@@ -77,9 +77,10 @@ def test_frames_of_several_windows_are_refused(device: _core.GpuDevice) -> None:
     across = next(row[6] for row in _core.gpu_adapters() if device.label == f"{row[0]} ({row[1]})")
     if across + 8 > 1 << 16:
         pytest.skip("this adapter draws pictures of any size that cameras have")
-    wide = camera(CENTER, (1, 0, 0), (across + 8, 2))
+    wide, before = camera(CENTER, (1, 0, 0), (across + 8, 2)), gpu.stats()
     with pytest.raises(ValueError, match=f"camera: expected .*{across} each way.*got {across + 8} × 2"):
         gpu.render(street(), wide)
+    assert gpu.stats() == before  # nothing was sent
 
 
 def test_frames_say_what_they_lack(device: _core.GpuDevice) -> None:

@@ -286,7 +286,7 @@ def test_what_moves_beyond_is_hidden_by_all_that_is_near(morph: str, user: tuple
     drone = scene.object_names.index("drone")
     for target in ((40, 1.7, 0), (60, 25, 0)):
         camera = nf.Camera.look_at(user, target, fov=nf.Fov.symmetric(60), size=(128, 128))
-        for settings in ({}, {"tolerance_px": np.inf}, {"env": False}):
+        for settings in ({"tolerance_px": 3.0}, {"tolerance_px": np.inf}, {"env": False, "tolerance_px": 3.0}):
             cpu, gpu = both(reduced, camera, at=pose, channels=ALL, **settings)
             for frame in (cpu, gpu):
                 assert not (frame.require("object_id") == drone).any()

@@ -17,7 +17,7 @@ SIZE = (120, 100)
 
 @pytest.fixture(scope="module")
 def frame() -> nf.Frame:
-    """What the left eye of a headset sees of a room."""
+    """The left eye's picture of a room in a headset."""
     return nf.render(nf.datasets.room(), nf.hmd.QUEST_2.camera("left", (0, 1.6, 0), size=SIZE), channels=["color"])
 
 

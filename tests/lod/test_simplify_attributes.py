@@ -1,4 +1,4 @@
-"""What simplified surfaces keep: textures and their seams, materials, colours and normals."""
+"""Simplified surfaces keep textures and their seams, materials, colours and normals."""
 
 from __future__ import annotations
 

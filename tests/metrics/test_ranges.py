@@ -134,7 +134,7 @@ def test_only_what_windows_of_a_mask_see_is_told(
         assert check(metric, both, named, extent, **options)
         for place in random.integers(0, both[0].size, 6):
             both[int(random.integers(2))].flat[place] = 0 if is_whole else -0.75 * extent
-        # What no window sees may be anything.
+        # Values that no window sees may be anything.
         both[0].flat[random.choice(np.flatnonzero(~named))] = np.iinfo(kind).max if is_whole else np.nan
         check(metric, both, named, extent, **options)
         both[1].flat[random.choice(np.flatnonzero(named))] = ends[1] + (1 if is_whole else extent)

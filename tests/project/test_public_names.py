@@ -16,7 +16,7 @@ import pytest
 import nearfar as nf
 from nearfar import _core
 
-STUB = Path(__file__).resolve().parents[2] / "python" / "nearfar" / "_core.pyi"
+STUB = Path(__file__).resolve().parents[2] / "python" / "nearfar" / "_core"
 
 
 def public() -> Iterator[tuple[str, Any]]:
@@ -61,6 +61,6 @@ def test_readers_find_every_public_function_by_keyword(name: str) -> None:
 
 
 def test_every_binding_is_in_the_stub() -> None:
-    stub = ast.parse(STUB.read_text(encoding="utf-8"))
-    named = {node.name for node in stub.body if isinstance(node, ast.FunctionDef | ast.ClassDef)}
+    parts = [ast.parse(path.read_text(encoding="utf-8")) for path in STUB.glob("*.pyi")]
+    named = {node.name for part in parts for node in part.body if isinstance(node, ast.FunctionDef | ast.ClassDef)}
     assert {name for name in dir(_core) if not name.startswith("__")} == named

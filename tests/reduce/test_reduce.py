@@ -1,4 +1,4 @@
-"""What reduction makes: the map with its channels and types, statistics, other morphs, and what is refused."""
+"""The results of reduction: the map with its channels and types, statistics, other morphs, and what is refused."""
 
 from __future__ import annotations
 

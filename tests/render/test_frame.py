@@ -131,7 +131,7 @@ def test_files_that_are_no_frames_are_refused(tmp_path: Path) -> None:
         bad.write_bytes(wrong)
         with pytest.raises(nf.FormatError, match=r"bad\.exr"):
             nf.Frame.load(bad)
-    bad.write_bytes(_core.encode_exr([("frame", {"R": np.zeros((2, 2), np.float32)}, {})]))
+    bad.write_bytes(_core.encode_exr([("frame", {"R": np.zeros((2, 2), np.float32)}, {})]).data)
     with pytest.raises(nf.FormatError, match=r"bad\.exr: expected a nearfar\.frame"):
         nf.Frame.load(bad)
     document, parts = exr.read(good, "frame", 1)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import json
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 import nearfar as nf
 from nearfar._render.renderer import Renderer
@@ -108,6 +109,18 @@ def test_kinds_that_neither_move_nor_have_levels_say_so(sky: Sky) -> None:
 
 class Still(nf.Renderable):
     """A renderable with only the defaults."""
+
+
+class Moves(Still):
+    """A renderable whose poses are never right."""
+
+    def at(self, poses: Mapping[str, ArrayLike]) -> Moves:
+        raise json.JSONDecodeError("no pose", "text", 3)
+
+
+def test_errors_of_poses_of_any_type_name_the_argument() -> None:
+    with pytest.raises(ValueError, match="at: no pose: line 1"):
+        nf.render(Moves(), cameras(1)[0], at={"car": np.eye(4)})
 
 
 @pytest.mark.parametrize(("t_min", "t_max"), [(-1.0, 2.0), (2.0, 2.0), (3.0, 1.0), (np.nan, 1.0), (0.0, np.nan)])

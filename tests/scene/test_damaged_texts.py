@@ -30,7 +30,7 @@ READERS = ("UnboundLocalError", "AttributeError", "charset_normalizer", "chardet
 
 
 def sentence(path: Path) -> str:
-    """What loading a file says; "" for a file that can be loaded."""
+    """The message of loading a file; "" for a file that can be loaded."""
     try:
         nf.Scene.load(path)
     except nf.SceneError as error:

@@ -161,7 +161,7 @@ def test_sparse_accessors_change_their_rows(tmp_path: Path) -> None:
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 2, 0]], np.float32)
     binary = corners.tobytes() + np.array([2, 0], np.uint16).tobytes() + np.full(3, 5, np.float32).tobytes()
     views = [{"buffer": 0, "byteOffset": start, "byteLength": length} for start, length in ((0, 36), (36, 4), (40, 12))]
-    sparse = {
+    sparse: dict[str, Any] = {
         "count": 1,
         "indices": {"bufferView": 1, "componentType": UNSIGNED_SHORT},
         "values": {"bufferView": 2},
@@ -182,6 +182,11 @@ def test_sparse_accessors_change_their_rows(tmp_path: Path) -> None:
     np.testing.assert_array_equal(scene.triangles()[0], [[0, 0, 0], [0, 0, 0], [5, 5, 5]])
     sparse["count"] = 9
     with pytest.raises(nf.SceneError, match="refers to something that it does not hold"):
+        load(tmp_path, encode(document, binary))
+    # NumPy would count a negative row from the end.
+    sparse |= {"count": 1, "indices": {"bufferView": 1, "componentType": SHORT}}
+    binary = binary[:36] + np.array([-1, 0], np.int16).tobytes() + binary[40:]
+    with pytest.raises(nf.SceneError, match="a sparse accessor changes a row that is none of its 3"):
         load(tmp_path, encode(document, binary))
 
 

@@ -249,6 +249,13 @@ def accessor(**changes: object) -> list[dict[str, object]]:
         (triangle(nodes=[{"mesh": 0, "name": "thing", "matrix": [1.0] * 16}]), "at node 'thing'"),
         (triangle(nodes=[{"mesh": 7}]), "no triangles|not hold|entry"),
         (triangle(scenes=[{"nodes": [9]}]), "not hold|entry"),
+        (triangle(nodes=[{"mesh": False}]), "not hold|entry|another type"),
+        (triangle(accessors=accessor(componentType=5555)), "accessors have the unknown type 5555"),
+        (triangle(accessors=accessor(type="X\nY" * 300)), "lacks an entry that it needs"),
+        (triangle(asset={"version": "3\n4" * 300}), "only glTF 2 is read|glTF 3"),
+        (triangle(extensionsRequired=["A\nB" * 300]), "needs the extension A B"),
+        (triangle(nodes=[{"mesh": 0, "name": "a\nb" * 300, "scale": [float("nan"), 1, 1]}]), r"at node 'a\\nb"),
+        (triangle(nodes=[{"mesh": 0, "name": "\ud800", "scale": [float("nan"), 1, 1]}]), r"at node '\\ud800'"),
         (triangle(meshes=[{"primitives": [{"attributes": {"POSITION": 0}, "mode": 6}]}]), "no triangles"),
         (triangle(buffers=[{"byteLength": 36, "uri": "gone.bin"}]), "refers to cannot be read"),
         (triangle()[:-4], "cannot be read"),
@@ -261,6 +268,8 @@ def test_broken_gltf_is_explained(tmp_path: Path, data: bytes, words: str) -> No
     result = outcome(tmp_path / "a.glb")
     assert isinstance(result, nf.SceneError)
     assert re.search(words, str(result)), str(result)
+    assert "\n" not in str(result)
+    assert len(str(result).encode()) < 400 + len(str(tmp_path))
 
 
 @pytest.mark.parametrize("children", [[0], [1, 1]], ids=["circle", "self"])

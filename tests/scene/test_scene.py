@@ -42,6 +42,15 @@ def street() -> tuple[SceneBuilder, list[int]]:
     return builder, meshes
 
 
+def test_handles_of_any_type_and_no_placements_are_fine() -> None:
+    builder = SceneBuilder()
+    mesh = builder.mesh(TRIANGLE, FACE)
+    builder.instance(np.uint64(mesh), name="a")  # type: ignore[arg-type]  # NumPy's numbers are numbers
+    builder.instance(mesh, shift(x=9), name="b")
+    builder.place_many(mesh, np.zeros((0, 4, 4)), "none")
+    assert builder.build().object_names == ("a", "b")
+
+
 def test_what_is_used_once_is_merged_and_the_rest_are_instances() -> None:
     scene = street()[0].build()
     assert scene.object_names == ("wall", "house", "tree_0", "tree_1", "tree_2", "car")

@@ -21,6 +21,15 @@ ARRAYS = (
         6.0,
     ),
     LongOperation(
+        "load an OBJ with normals",
+        "points, faces = sheet(1200)\n"
+        "lines = [f'v {x:.6f} {y:.6f} {z:.6f}' for x, y, z in points] + ['vn 0 1 0', 'vn 0 0 1']\n"
+        "lines += [f'f {a}//1 {b}//2 {c}//1' for a, b, c in faces + 1]\n"
+        "pathlib.Path('sheet.obj').write_text('\\n'.join(lines))",
+        "nf.Scene.load('sheet.obj')",
+        6.0,
+    ),
+    LongOperation(
         "load a GLB",
         "import trimesh\n"
         "points, faces = sheet(2500)\n"
@@ -101,7 +110,7 @@ ARRAYS = (
     LongOperation(
         "cube lookup of a footprint",
         "faces, directions = draw.random((6, 512, 512, 3), np.float32), units(5_000_000)",
-        "nf.cube_lookup(faces, directions, filter='gaussian', radius=0.5)",
+        "nf.cube_lookup(faces, directions, filter='max', radius=0.5)",
         4.0,
     ),
     LongOperation(
@@ -254,12 +263,6 @@ ARRAYS = (
         "x = np.linspace(0.1, 9, 20)\ny = 1 / (1 + x**2) + draw.normal(0, 0.1, (1_000_000, len(x)))",
         "nf.lod.fit_4pl(x, y)",
         4.0,
-    ),
-    LongOperation(
-        "simplify with fast-simplification",
-        "points, faces = sheet(1500)\nscene = nf.Scene.from_arrays(points, faces)",
-        "nf.lod.simplify(scene, (1.0, 0.1))",
-        6.0,
     ),
     LongOperation(
         "simplify with meshoptimizer",

@@ -25,7 +25,7 @@ class PublicCallable:
     owner: str | None
     """Public name of the class whose instances have the method; None for what is called without an instance."""
     target: Callable[..., Any] | None
-    """What is called; None for methods, which need an instance."""
+    """The function that is called; None for methods, which need an instance."""
     signature: inspect.Signature
 
     @property

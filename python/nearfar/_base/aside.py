@@ -45,7 +45,7 @@ def held(target: Path, *, folder: bool) -> Iterator[Path]:
     start, end = _affixes(target)
     path, lock = target.with_name(f"{start}{secrets.token_hex(_TAG)}{end}"), None
     try:
-        with errors_name(target):
+        with naming_errors(target):
             lock = _make(path, folder=folder)
         yield path
     except BaseException:
@@ -57,7 +57,7 @@ def held(target: Path, *, folder: bool) -> Iterator[Path]:
 
 
 @contextmanager
-def errors_name(target: Path) -> Iterator[None]:
+def naming_errors(target: Path) -> Iterator[None]:
     """Replace the temporary path in errors by the caller's path."""
     try:
         yield

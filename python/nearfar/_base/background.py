@@ -1,8 +1,9 @@
-"""Runs foreign code in a thread of its own, where Ctrl-C cannot reach it, while the caller stays interruptible.
+"""Runs code that cannot look for signals in a thread of its own, so that Ctrl-C does not wait for it.
 
-Python raises KeyboardInterrupt in the main thread only. Foreign code may catch it and go on, keep what it half
-imported, or stay in a compiled function that never looks for signals. In a thread of its own it never meets an
-interrupt: the main thread waits, raises at once, and drops the result.
+Python raises KeyboardInterrupt in the main thread only. Code of other packages may catch it and go on, keep what it
+half imported, or stay in a compiled function; NumPy on a large array and the system's disk do not look for signals
+either. In a thread of its own such code never meets an interrupt: the main thread waits, raises at once, and drops the
+result.
 """
 
 from __future__ import annotations
@@ -42,25 +43,26 @@ class _Task:
         self._outcome: queue.SimpleQueue[tuple[Any, BaseException | None]] | None = queue.SimpleQueue()
         self._process = os.getpid()
         self._thread = 0
-        self._has_begun = self._has_ended = False
+        self.has_begun = self._has_ended = False
 
     @property
     def is_running(self) -> bool:
         """Whether the work goes on. A forked child has none of its parent's threads."""
-        return self._has_begun and not self._has_ended and self._process == os.getpid()
-
-    def start(self) -> None:
-        self._has_begun = True
-        try:
-            _thread.start_new_thread(self._run, ())
-        except RuntimeError:
-            self._has_ended = True
-            raise
+        return self.has_begun and not self._has_ended and self._process == os.getpid()
 
     def result(self) -> Any:
-        """Wait for the work, and return what it returned or raise what it raised."""
+        """Begin the work, wait for it, and return what it returned or raise what it raised.
+
+        RuntimeError of `start_new_thread` if there can be no thread; `has_begun` tells it from one of the work.
+        """
         assert self._outcome is not None
         try:
+            self.has_begun = True
+            try:
+                _thread.start_new_thread(self._run, ())
+            except RuntimeError:
+                self.has_begun = False
+                raise
             while True:
                 try:
                     value, error = self._outcome.get(timeout=_POLL)
@@ -68,7 +70,7 @@ class _Task:
                 except queue.Empty:
                     continue
         finally:
-            # What comes later is dropped.
+            # A result that comes later is dropped.
             self._outcome = None
         if error is None:
             return value
@@ -105,49 +107,64 @@ class _Task:
             self._has_ended = True
 
 
-_last: _Task | None = None
-"""The work that was begun last; it still runs if it was abandoned."""
+_begun: list[_Task] = []
+"""Work that was begun; what still runs while nobody waits for it was abandoned."""
+
+_begun_alone: list[_Task] = []
+"""The part of it that runs alone."""
 
 
-def run(work: Callable[[], Result]) -> Result:
+def run(work: Callable[[], Result], *, alone: bool = False) -> Result:
     """Call a function in a thread of its own, and wait for it; Ctrl-C raises at once and leaves the thread behind.
 
     Only the main thread is interrupted, so in other threads this is an ordinary call. An abandoned function runs to its
-    end and its result is dropped; the next call waits for that, so that there is never more than one.
+    end and its result is dropped.
 
     Parameters
     ----------
     work
         Takes nothing. What it changes beside its result, it may change after the caller was interrupted.
+    alone
+        Whether it first waits for abandoned work of this kind, because both use what one changes: the import of a
+        package, and packages that keep what they read.
 
     Returns
     -------
     Any
         What `work` returns; what it raises is raised with its traceback. It sees the caller's context variables.
     """
-    global _last
     if threading.current_thread() is not threading.main_thread():
         return work()
-    while _last is not None and _last.is_running:
+    while alone and _running(_begun_alone):
         time.sleep(_POLL / 5)
-    task = _last = _Task(work)
+    _begun[:] = _running(_begun)
+    task = _Task(work)
+    _begun.append(task)
+    if alone:
+        _begun_alone[:] = [task]
     try:
-        task.start()
-    except RuntimeError:  # while the interpreter ends, and where the system grants no more threads
-        return work()
-    result: Result = task.result()
+        result: Result = task.result()
+    except RuntimeError:
+        if task.has_begun:
+            raise
+        return work()  # while the interpreter ends, and where the system grants no more threads
     return result
+
+
+def _running(tasks: list[_Task]) -> list[_Task]:
+    return [task for task in tasks if task.is_running]
 
 
 def module(name: str) -> ModuleType:
     """Import a module that catches interrupts while it is imported; afterwards this is a look-up."""
-    if name in sys.modules and (_last is None or not _last.is_running):
+    if name in sys.modules and not _running(_begun_alone):
         return importlib.import_module(name)
-    return run(lambda: importlib.import_module(name))
+    return run(lambda: importlib.import_module(name), alone=True)
 
 
 @atexit.register
 def _end() -> None:
     """End abandoned work before the interpreter does, which freezes threads wherever they are."""
-    if _last is not None and _last.is_running:
-        _last.end(time.monotonic() + _PATIENCE)
+    deadline = time.monotonic() + _PATIENCE
+    for task in _running(_begun):
+        task.end(deadline)

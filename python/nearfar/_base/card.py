@@ -35,7 +35,7 @@ _MARGINS = (58, 12, 12, 44)
 """Left, right, upper and lower margin of a plot."""
 
 
-def shown(make: Callable[[Kind], str]) -> Callable[[Kind], str]:
+def repr_html(make: Callable[[Kind], str]) -> Callable[[Kind], str]:
     """Make a `_repr_html_` that shows the object's `repr` where making its card fails.
 
     A display that raises would hide the object, which is most wanted if it is damaged.
@@ -54,7 +54,7 @@ def shown(make: Callable[[Kind], str]) -> Callable[[Kind], str]:
     return safe
 
 
-def drawn(make: Callable[[Kind], NDArray[np.uint8]]) -> Callable[[Kind], bytes | None]:
+def repr_png(make: Callable[[Kind], NDArray[np.uint8]]) -> Callable[[Kind], bytes | None]:
     """Make a `_repr_png_` from pixels (H, W, 3 or 4); None, which shows the object's `repr`, where there are none."""
 
     @functools.wraps(make)

@@ -27,10 +27,9 @@ def find(relative: str) -> Path | None:
     """Path of a file or folder below the data folder, such as "city/tokyo_core_lod1.glb"; None if it is missing."""
     folder, path = root(), check.path("relative", relative)
     try:
-        is_there = folder is not None and (folder / path).exists()
+        return folder / path if folder is not None and (folder / path).exists() else None
     except OSError:  # a name that is too long for the file system
         return None
-    return folder / path if folder is not None and is_there else None
 
 
 def require(relative: str) -> Path:

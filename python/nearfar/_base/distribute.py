@@ -28,7 +28,7 @@ def distribute(
     ----------
     function
         Takes an item and `report`, which it calls as `report(done, total)` between its steps. In a process of its own
-        `report` raises once the caller was interrupted; workers whose step takes longer are ended. Workers
+        `report` raises once the caller was interrupted; a worker that has not ended 0.2 s later is terminated. Workers
         import the function: it is defined at the top of a module, or a `functools.partial` of one that is.
     items
         Values that can be pickled, where they leave this process.

@@ -10,7 +10,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._base import check, files, formats
+from nearfar._base import background, check, files, formats
 from nearfar._base.errors import FormatError
 
 ATTRIBUTE = "nearfar"
@@ -53,7 +53,7 @@ def write(
         for name, channels in parts.items():
             first = {} if encoded else {ATTRIBUTE: text}
             encoded.append((name, dict(channels), {**first, **(vectors or {})}))
-        temporary.write_bytes(_core.encode_exr(encoded))
+        files.write(temporary, _core.encode_exr(encoded).data)
 
 
 def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[str, Any], dict[str, Channels]]:
@@ -78,7 +78,7 @@ def read(path: str | os.PathLike[str], name: str, version: int) -> tuple[dict[st
     OSError
         If the file cannot be read.
     """
-    data = check.path("path", path).read_bytes()
+    data = background.run(check.path("path", path).read_bytes)
     try:
         parts = _core.decode_exr(data)
         document = formats.from_json(str(parts[0][2].get(ATTRIBUTE, "null"))) if parts else None

@@ -11,7 +11,10 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from nearfar import _core
-from nearfar._base import aside
+from nearfar._base import aside, background
+
+_PIECE = 1 << 24
+"""Bytes between two looks for Ctrl-C."""
 
 
 @contextmanager
@@ -46,7 +49,7 @@ def atomic_file(path: str | os.PathLike[str]) -> Iterator[Path]:
         yield temporary
         _flush(temporary)
         _keep_mode(target, temporary)
-        with aside.errors_name(target):
+        with aside.naming_errors(target):
             os.replace(temporary, target)
         _flush(target.parent)
 
@@ -86,9 +89,17 @@ def atomic_folder(path: str | os.PathLike[str], *, marker: str = "manifest.json"
         _flush(temporary)
         _keep_mode(target, temporary)
         _check_replaceable(target, marker)
-        with aside.errors_name(target):
+        with aside.naming_errors(target):
             _take_place(temporary, target)
         _flush(target.parent)
+
+
+def write(path: Path, data: bytes | memoryview) -> None:
+    """Write bytes in pieces, because Ctrl-C waits for the end of each. A view consists of bytes."""
+    whole = memoryview(data)
+    with open(path, "wb", buffering=0) as file:
+        while len(whole):
+            whole = whole[file.write(whole[:_PIECE]) :]
 
 
 def restore(path: str | os.PathLike[str]) -> None:
@@ -138,10 +149,16 @@ def _absolute(path: str | os.PathLike[str]) -> Path:
 
 
 def _flush(path: Path) -> None:
+    """Wait until the disk has a file, which takes seconds for large ones; Ctrl-C does not wait with it."""
     if path.is_dir() and os.name == "nt":
         return
-    descriptor = os.open(path, os.O_RDONLY if path.is_dir() else os.O_RDWR)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
+    flags = os.O_RDONLY if path.is_dir() else os.O_RDWR
+
+    def flush() -> None:
+        descriptor = os.open(path, flags)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
+
+    background.run(flush)

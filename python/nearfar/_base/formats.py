@@ -75,7 +75,7 @@ def check(document: Any, name: str, version: int, path: str | os.PathLike[str]) 
 
 
 def from_json(text: str | bytes) -> Any:
-    """Parse JSON; ValueError for what cannot be written: NaN, Infinity, numbers beyond float64, half characters."""
+    """Parse JSON; ValueError for what cannot be written: NaN, Infinity, numbers beyond float64, lone surrogates."""
 
     def refuse(word: str) -> float:
         raise ValueError(f"{word} is no number of JSON")
@@ -85,13 +85,13 @@ def from_json(text: str | bytes) -> Any:
         return value if math.isfinite(value) else refuse(digits)
 
     if isinstance(text, bytes):
-        text = text.decode()  # json would let halves of characters through
+        text = text.decode()  # json would let lone surrogates through
     document = json.loads(text, parse_constant=refuse, parse_float=number)
     if "\\u" in text:
         try:
             json.dumps(document, ensure_ascii=False).encode()
         except UnicodeEncodeError:
-            raise ValueError("a text in it holds half a character") from None
+            raise ValueError("a text in it holds a lone surrogate") from None
     return document
 
 

@@ -115,11 +115,11 @@ def binary(data: bytes, end: int) -> bytes:
     return b""
 
 
-def entry(header: dict[str, Any], what: str, number: Any) -> dict[str, Any]:
+def entry(document: dict[str, Any], section: str, number: Any) -> dict[str, Any]:
     """An entry of one of the document's lists; IndexError for numbers of none."""
-    listed = header.get(what, [])
-    if not isinstance(number, int) or not 0 <= number < len(listed):
-        raise IndexError(f"entry {number} of {len(listed)} {what}")
+    listed = document.get(section, [])
+    if type(number) is not int or not 0 <= number < len(listed):
+        raise IndexError(f"entry {number} of {len(listed)} {section}")
     found: dict[str, Any] = listed[number]
     return found
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import functools
+import os
 from pathlib import Path
 
 _SMALL = 1 << 28
 """Bytes that are not checked: a check takes as long as a small picture."""
 
-_SYSTEM, _GROUP = Path("/proc/meminfo"), Path("/sys/fs/cgroup/memory.max")
-"""Files in which Linux says how much memory there is, and how much a container may have."""
+_SYSTEM, _GROUP = Path("/proc/meminfo"), Path("/sys/fs/cgroup")
+"""Where Linux says how much memory there is, and how much a container may have and has."""
 
 
 def check_room(argument: str, what: str, size: int) -> None:
@@ -20,6 +22,15 @@ def check_room(argument: str, what: str, size: int) -> None:
         raise MemoryError(f"{argument}: {what} takes {size / 1e9:.1f} GB of memory, and {room / 1e9:.1f} GB are free")
 
 
+@functools.cache
+def installed() -> int:
+    """Bytes of the machine's memory, or an estimate where the system does not say."""
+    try:
+        return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    except (AttributeError, OSError, ValueError):
+        return 1 << 40
+
+
 def _room() -> int | None:
     """Bytes that a process may still take; None where the system does not say."""
     try:
@@ -29,6 +40,10 @@ def _room() -> int | None:
     except (OSError, KeyError, ValueError):
         return None
     try:
-        return min(room, int(_GROUP.read_text(encoding="ascii")))
+        limit, taken = (int((_GROUP / f"memory.{name}").read_text(encoding="ascii")) for name in ("max", "current"))
+        lines = (line.split() for line in (_GROUP / "memory.stat").read_text(encoding="ascii").splitlines())
+        # Pages of files that were read count as taken, but make room when it is needed.
+        files = next((int(words[1]) for words in lines if words[0] == "inactive_file"), 0)
     except (OSError, ValueError):  # there is no limit
         return room
+    return max(0, min(room, limit - taken + files))

@@ -52,8 +52,8 @@ def score_curves(
 
 def _axes(ax: Axes | None) -> Axes:
     """Return the caller's axes, or new ones; TypeError for anything else."""
-    pyplot = _pyplot()
     if ax is None:
+        pyplot = _pyplot()
         new: Axes = pyplot.subplots(layout="constrained")[1]
         return new
     from matplotlib import axes
@@ -66,5 +66,5 @@ def _pyplot() -> Any:
     try:
         from matplotlib import pyplot
     except ImportError:
-        raise ImportError("plots need matplotlib: pip install matplotlib, or nearfar[notebook]") from None
+        raise ImportError("plots need matplotlib: pip install matplotlib") from None
     return pyplot

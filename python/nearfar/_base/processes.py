@@ -32,7 +32,7 @@ def over_processes(
     # Graphics drivers hang in forked processes, hence "spawn".
     context = multiprocessing.get_context("spawn")
     stop = context.Event()
-    workers, others = min(workers, len(items)), set(multiprocessing.active_children())
+    workers = min(workers, len(items))
     threads = max(1, (os.cpu_count() or 1) // workers)
     pool = concurrent.futures.ProcessPoolExecutor(
         workers, mp_context=context, initializer=_begin, initargs=(stop, threads)
@@ -52,14 +52,16 @@ def over_processes(
         raise
     except BaseException:
         stop.set()
+        # The pool tells nobody else which processes are its own, and forgets them at its shutdown.
+        own = list((pool._processes or {}).values())
         pool.shutdown(wait=False, cancel_futures=True)
-        _end(set(multiprocessing.active_children()) - others)
+        _end(own)
         raise
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
 
 
-def _end(processes: set[BaseProcess]) -> None:
+def _end(processes: Sequence[BaseProcess]) -> None:
     """Let processes end what they are doing, if that is soon. Those that only begin have not looked for the event."""
     deadline = time.monotonic() + PATIENCE
     for process in processes:

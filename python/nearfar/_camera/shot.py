@@ -68,10 +68,14 @@ class Shot:
         return x, y, z
 
 
-def check_request(shot: object, report: object, *device: object) -> None:
-    """Check the arguments of a renderable's `trace` and `begin`, which rendering passes; TypeError for others."""
+def check_request(shot: object, report: object) -> None:
+    """Check the arguments of a renderable's `trace`, which rendering passes; TypeError for others."""
     check.instance("shot", shot, Shot)
     if report is not None and not callable(report):
         raise TypeError(f"report: expected a function of two numbers or None, got {check.described(report)}")
-    for each in device:
-        check.instance("device", each, _core.GpuDevice, "what nearfar.render passes")
+
+
+def check_begin(device: object, shot: object, report: object) -> None:
+    """Check the arguments of a renderable's `begin`, which rendering passes; TypeError for others."""
+    check_request(shot, report)
+    check.instance("device", device, _core.GpuDevice, "what nearfar.render passes")

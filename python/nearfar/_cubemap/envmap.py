@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
-from nearfar._base import card, check, exr, files, formats
+from nearfar._base import background, card, check, exr, files, formats
 from nearfar._cubemap.layouts import convert_envmap
 from nearfar._cubemap.lookup import FILTERS, cube_lookup
 
@@ -159,13 +159,14 @@ class EnvMap:
         target = check.path("path", path)
         if target.suffix.lower() != ".exr":
             raise ValueError(f"path: expected a name ending in .exr, got {os.fspath(path)!r}")
-        brightest = float(np.abs(self.color).max())
+        brightest = max(float(np.abs(face).max()) for face in self.color)
         if check.flag("half", half) and brightest > HALF_LIMIT:
             raise ValueError(f"half: expected False for colours up to {brightest:g}, beyond {HALF_LIMIT:g}, got True")
-        color = self.color.astype(np.float16) if half else self.color
+        kind = np.float16 if half else np.float32
         parts: dict[str, dict[str, NDArray[Any]]] = {}
         for face, name in enumerate(FACES):
-            parts[name] = {axis: np.ascontiguousarray(color[face, ..., i]) for i, axis in enumerate("RGB")}
+            color = self.color[face]
+            parts[name] = {axis: np.ascontiguousarray(color[..., i], kind) for i, axis in enumerate("RGB")}
             if self.range is not None:
                 parts[name]["range"] = self.range[face]
             if self.object_id is not None:
@@ -226,14 +227,8 @@ class EnvMap:
         path = check.path("path", path)
         document, parts = exr.read(path, "envmap", VERSION)
         with formats.guarded(path, "environment map"):
-            faces = [parts[name] for name in FACES]
-            color = np.stack([np.stack([face[axis] for axis in "RGB"], axis=-1) for face in faces])
-            channels: dict[str, NDArray[Any]] = {"color": exr.of_kind("f", color).astype(np.float32, copy=False)}
-            if "range" in faces[0]:
-                channels["range"] = exr.of_kind("f", np.stack([face["range"] for face in faces]))
-            if "object_id" in faces[0]:
-                channels["object_id"] = exr.of_kind("u", np.stack([face["object_id"] for face in faces])).view(np.int32)
-            return cls(document["center"], **channels, object_names=document.get("object_names", ()))
+            images: dict[str, Any] = background.run(lambda: _images([parts[name] for name in FACES]))
+            return cls(document["center"], **images, object_names=document.get("object_names", ()))
 
     def _preview(self) -> tuple[float, NDArray[np.uint8]]:
         """Return the map as a small equirectangular picture, and the factor that its colours were multiplied by."""
@@ -243,12 +238,12 @@ class EnvMap:
         exposure = 1.0 / max(1.0, float(np.percentile(flat, 99.0)))
         return exposure, _core.encode_srgb(np.ascontiguousarray(flat * np.float32(exposure))).reshape(flat.shape)
 
-    @card.drawn
+    @card.repr_png
     def _repr_png_(self) -> NDArray[np.uint8]:
         """Picture for notebooks without HTML."""
         return self._preview()[1]
 
-    @card.shown
+    @card.repr_html
     def _repr_html_(self) -> str:
         """Picture for notebooks: all directions, −z in the middle and +x to the right of it."""
         exposure, pixels = self._preview()
@@ -286,3 +281,14 @@ def _kind(channel: str, values: Any) -> type[np.generic]:
     if channel == "object_id":
         return np.int32
     return np.float16 if channel == "range" and getattr(values, "dtype", None) == np.float16 else np.float32
+
+
+def _images(faces: list[exr.Channels]) -> dict[str, NDArray[Any]]:
+    """Join the channels of six faces to images."""
+    color = np.stack([np.stack([face[axis] for axis in "RGB"], axis=-1) for face in faces])
+    images: dict[str, NDArray[Any]] = {"color": exr.of_kind("f", color).astype(np.float32, copy=False)}
+    if "range" in faces[0]:
+        images["range"] = exr.of_kind("f", np.stack([face["range"] for face in faces]))
+    if "object_id" in faces[0]:
+        images["object_id"] = exr.of_kind("u", np.stack([face["object_id"] for face in faces])).view(np.int32)
+    return images

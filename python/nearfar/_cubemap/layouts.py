@@ -181,7 +181,7 @@ def _shape(name: str, layout: str, size: int | tuple[int, int]) -> tuple[str, in
     """Check a layout and a size; returns layout, rows and columns."""
     check.choice(name, layout, LAYOUTS)
     limit = LIMIT if layout == "cube" else 2 * LIMIT
-    # NumPy arrays are accepted like tuples.
+    # NumPy arrays are accepted like tuples; three numbers are enough to see that they are too many.
     size = tuple(size[:3].tolist()) if isinstance(size, np.ndarray) and size.ndim == 1 else size
     if layout != "equirectangular":
         edge = check.integer("size", size, 1, limit)  # type: ignore[arg-type]

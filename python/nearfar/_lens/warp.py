@@ -50,7 +50,7 @@ class WarpMesh:
 
 
 class Warping(abc.ABC):
-    """What lenses of one and of three colours have in common: they warp pictures, and make meshes for that."""
+    """The part common to lenses of one and of three colours: they warp pictures, and make meshes for that."""
 
     @property
     @abc.abstractmethod

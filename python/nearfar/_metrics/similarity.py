@@ -234,7 +234,9 @@ def ms_ssim(
     window_settings = Window(window, size, sigma, k1, k2)
     exponents = check.array("weights", weights, columns=None, dtype=np.float64, finite=True)
     if exponents.ndim != 1 or not len(exponents) or (exponents < 0.0).any():
-        raise ValueError(f"weights: expected numbers of at least 0, one for each scale, got {exponents!r:.60}")
+        raise ValueError(
+            f"weights: expected numbers of at least 0, one for each scale, got {check.shown(exponents.tolist())}"
+        )
     pair = inputs.pair(reference, test, data_range)
     channels = pair.channels_first(inputs.channel_axis(pair, channel_axis))
     settings = window_settings.settings(channels)
@@ -296,7 +298,8 @@ def _continuity(last: NDArray[Any], current: NDArray[Any], data_range: float | N
         return ssim(last, current, data_range=data_range, window="global", channel_axis=channel_axis)
     except (TypeError, ValueError) as error:
         if str(error).startswith(("reference", "test")):
-            raise type(error)(f"frames: {error}") from None
+            kind = TypeError if isinstance(error, TypeError) else ValueError
+            raise kind(f"frames: {error}") from None
         raise
 
 

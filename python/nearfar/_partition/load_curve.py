@@ -141,7 +141,7 @@ class LoadCurve:
             return 1.0
         return float(self.radius(self.triangle_count - 1))
 
-    @card.shown
+    @card.repr_html
     def _repr_html_(self) -> str:
         """Plot and counts for notebooks."""
         facts = [("triangles", f"{self.triangle_count:,}"), ("of them moving", f"{self.moving_count:,}")]

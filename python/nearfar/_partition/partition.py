@@ -128,7 +128,7 @@ class Partition:
         with progress.bar("validate partition") as report:
             self._core.validate(report)
 
-    @card.shown
+    @card.repr_html
     def _repr_html_(self) -> str:
         """Counts and a top view for notebooks; at most a few thousand triangles of each zone are drawn."""
         counts = self.summary()

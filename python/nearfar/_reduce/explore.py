@@ -223,7 +223,7 @@ def _ipywidgets() -> Any:
     try:
         import ipywidgets
     except ImportError:
-        raise ImportError('explore needs ipywidgets: pip install "nearfar[notebook]"') from None
+        raise ImportError("explore needs ipywidgets: pip install ipywidgets") from None
     return ipywidgets
 
 

@@ -62,7 +62,7 @@ def save(path: str | os.PathLike[str], contents: Contents, *, half: bool) -> Non
         **_object_names(near, env),
     )
     with files.atomic_folder(target, marker=DOCUMENT) as folder:
-        (folder / NEAR).write_bytes(glb.encode(near._core, near.object_names, near._undrawn))
+        files.write(folder / NEAR, glb.encode(near._core, near.object_names, near._undrawn))
         if env is not None:
             env.save(folder / FAR, half=half)
         (folder / DOCUMENT).write_text(formats.to_json(document, compact=True), encoding="utf-8")

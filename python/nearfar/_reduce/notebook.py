@@ -9,7 +9,7 @@ from nearfar._reduce.explore import Explorer, Reduced
 class InNotebooks:
     """Display of a reduced scene; the base of `ReducedScene`."""
 
-    @card.shown
+    @card.repr_html
     def _repr_html_(self: Reduced) -> str:
         """Counts, radii and the map for notebooks."""
         stats = self.stats

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check, progress
 from nearfar._camera.camera import Camera
-from nearfar._camera.shot import Shot, check_request
+from nearfar._camera.shot import Shot, check_begin, check_request
 from nearfar._cubemap import envmap
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import Partition, partition
@@ -279,7 +279,7 @@ class ReducedScene(InNotebooks):
 
     def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> list[_core.GpuJob]:
         """Start the pictures of a shot on a graphics device, one for each camera."""
-        check_request(shot, report, device)
+        check_begin(device, shot, report)
         settings = self._settings(shot)
         return [
             device.reduced(self._core, self._scene._core, camera._core, **settings, report=report)

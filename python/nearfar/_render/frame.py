@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nearfar import _core
-from nearfar._base import card, check, exr, files, formats
+from nearfar._base import background, card, check, exr, files, formats
 from nearfar._camera.camera import Camera, CubeFace, Fov, Orthographic
 from nearfar._render import preview
 from nearfar._render.channels import CHANNELS, missing
@@ -121,7 +121,7 @@ class Frame:
             with files.atomic_file(target) as temporary:
                 image.save(temporary, format="PNG")
         elif suffix == ".exr":
-            exr.write(target, {"frame": _exr_channels(self)}, _document(self))
+            exr.write(target, {"frame": background.run(lambda: _exr_channels(self))}, _document(self))
         else:
             raise ValueError(f"path: expected a name ending in .png or .exr, got {os.fspath(path)!r}")
 
@@ -133,7 +133,7 @@ class Frame:
         with formats.guarded(path, "frame"):
             channels = parts["frame"]
             camera, origin = _camera(document["camera"]), document["origin"]
-            images: dict[str, Any] = {name: image for name in CHANNELS if (image := _image(name, channels)) is not None}
+            images: dict[str, Any] = background.run(lambda: _images(channels))
             return cls(camera, (origin[0], origin[1], origin[2]), **images)
 
     def _preview(self) -> tuple[str, NDArray[np.uint8]]:
@@ -141,12 +141,12 @@ class Frame:
         name = next(name for name in preview.ORDER if name in self.channels)
         return name, preview.pixels(name, card.thinned(self.require(name)))
 
-    @card.drawn
+    @card.repr_png
     def _repr_png_(self) -> NDArray[np.uint8]:
         """Picture for notebooks without HTML."""
         return self._preview()[1]
 
-    @card.shown
+    @card.repr_html
     def _repr_html_(self) -> str:
         """Picture for notebooks, with size and channels below."""
         name, pixels = self._preview()
@@ -177,6 +177,10 @@ def _exr_channels(frame: Frame) -> dict[str, NDArray[Any]]:
     if not channels:
         raise ValueError("frame has no images: render it with at least one channel")
     return channels
+
+
+def _images(channels: exr.Channels) -> dict[str, NDArray[Any]]:
+    return {name: image for name in CHANNELS if (image := _image(name, channels)) is not None}
 
 
 def _image(name: str, channels: exr.Channels) -> NDArray[Any] | None:

@@ -54,7 +54,8 @@ def posed_at(source: Renderable, at: Mapping[str, ArrayLike]) -> Renderable:
     except (TypeError, ValueError) as error:
         if str(error).startswith("at: "):
             raise
-        raise type(error)(f"at: {error}") from None
+        kind = TypeError if isinstance(error, TypeError) else ValueError
+        raise kind(f"at: {error}") from error
 
 
 class Renderer:
@@ -86,9 +87,10 @@ class Renderer:
         """Check the arguments and make a shot of them."""
         for camera in cameras:
             check.instance("camera", camera, Camera)
-            width, height = camera.size
-            each = sum(BYTES[name] for name in self.channels)
-            memory.check_room("camera", f"a picture of {width} × {height} pixels", each * width * height)
+        pixels = sum(camera.size[0] * camera.size[1] for camera in cameras)
+        sizes = " and ".join(dict.fromkeys(f"{camera.size[0]} × {camera.size[1]}" for camera in cameras))
+        what = f"a picture of {sizes} pixels" if len(cameras) == 1 else f"{len(cameras)} pictures of {sizes} pixels"
+        memory.check_room("camera", what, pixels * sum(BYTES[name] for name in self.channels))
         place = None if user is None else check.vector("user", user)
         return Shot(
             cameras=tuple(cameras), channels=self.channels, samples=self.samples, user=place, t_min=t_min, t_max=t_max

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from nearfar import _core
 from nearfar._base import check
 from nearfar._scene.arrays import (
+    MOST_CUTOFF,
     ORIGIN_LIMIT,
     colors_of,
     faces_of,
@@ -77,7 +78,8 @@ class Assembly:
     def __init__(self) -> None:
         self._materials: dict[tuple[tuple[float, ...], int, float | None, int], int] = {}
         self._undrawn: dict[int, Undrawn] = {}
-        self._textures: dict[int, tuple[NDArray[np.uint8], int]] = {}
+        self._textures: dict[int, tuple[NDArray[np.uint8], NDArray[np.uint8], int]] = {}
+        """For each texture's id the array that was passed, its converted form, and its number."""
         self._meshes: list[_Mesh] = []
         self._placed: list[tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.int32]]] = []
         self._names: dict[str, int] = {}
@@ -114,12 +116,13 @@ class Assembly:
             raise ValueError(f"base_color: expected linear RGBA, four numbers in 0..1, got shape {color.shape}")
         if not ((color >= 0) & (color <= 1)).all():
             raise ValueError(f"base_color: expected linear RGBA, four numbers in 0..1, got {color.tolist()}")
-        cutoff = None if cutoff is None else check.number("cutoff", cutoff)
+        cutoff = None if cutoff is None else check.within("cutoff", cutoff, -MOST_CUTOFF, MOST_CUTOFF)
         link = -1
         if texture is not None:
-            texture_of("texture", texture)
-            # The reference keeps the array alive; its id could be reused otherwise.
-            texture, link = self._textures.setdefault(id(texture), (texture, len(self._textures)))
+            if id(texture) not in self._textures:
+                # The reference keeps the array alive; its id could be reused otherwise.
+                self._textures[id(texture)] = (texture, texture_of("texture", texture), len(self._textures))
+            link = self._textures[id(texture)][-1]
         tag = _NO_TAG if undrawn is None else undrawn.tag
         if undrawn is not None:
             self._undrawn[tag] = undrawn
@@ -224,7 +227,7 @@ class Assembly:
         if self._checked(mesh).has_objects != (name is None):
             raise ValueError("name: expected one exactly for meshes without face_object")
         number = _OWN_OBJECTS if name is None else self.object(name)
-        self._placed.append((np.array([mesh]), matrix[None], np.array([number], np.int32)))
+        self._placed.append((np.array([mesh], np.int64), matrix[None], np.array([number], np.int32)))
 
     def place_many(self, mesh: int, transforms: ArrayLike, names: Sequence[str] | str) -> None:
         """Place a mesh many times.
@@ -248,20 +251,19 @@ class Assembly:
         names = check.texts("names", names)
         if len(names) != len(matrices):
             raise ValueError(f"names: expected {len(matrices)}, one for each transform, got {len(names)}")
-        self._place([mesh] * len(matrices), matrices, names)
+        self._place(np.full(len(matrices), mesh, np.int64), matrices, names)
 
-    def _place(self, meshes: Sequence[int], transforms: NDArray[np.float64], names: Sequence[str]) -> None:
-        """Place meshes by handles without `face_object`: one transform (K, 4, 4) and one object's name for each."""
-        matrices = transforms_of("transforms", transforms)
+    def _place(self, meshes: NDArray[np.int64], transforms: NDArray[np.float64], names: Sequence[str]) -> None:
+        """Place meshes without `face_object`: a handle, a usable transform and an object's name for each of K."""
         numbers = np.fromiter((self.object(name) for name in names), np.int32, len(names))
-        self._placed.append((np.array(meshes, np.int64), matrices, numbers))
+        self._placed.append((meshes, transforms, numbers))
 
     def _checked(self, mesh: int) -> _Mesh:
         if not self._meshes:
             raise ValueError("mesh: expected a handle of this builder, which has no mesh yet")
         return self._meshes[check.integer("mesh", mesh, 0, len(self._meshes) - 1)]
 
-    def assemble(self, dynamic: Iterable[str] = (), budget: Budget | None = None) -> Assembled:
+    def _assemble(self, dynamic: Iterable[str] = (), budget: Budget | None = None) -> Assembled:
         """Merge static meshes that are placed once, keep the others as instances, and choose the origin.
 
         A `budget` counts the copies of meshes that are merged although they are placed many times.
@@ -272,7 +274,6 @@ class Assembly:
         movers[[self._object_number(name) for name in named]] = True
         merges = self._is_merged(placed, movers[placed.object])
         if budget is not None:
-            check.instance("budget", budget, Budget)
             budget.take(self._copied_bytes(placed.mesh[merges]))
         core = self._scene_at(placed, merges, np.zeros(3))
         bounds = core.bounds()
@@ -336,7 +337,7 @@ class Assembly:
             material_textures=np.array(links, np.int32),
             material_cutoffs=np.array([np.nan if cutoff is None else cutoff for cutoff in cutoffs], np.float32),
             material_tags=np.array(tags, np.uint64),
-            textures=[texture_of("texture", texture) for texture, _ in self._textures.values()],
+            textures=[texture for _, texture, _ in self._textures.values()],
         )
 
     def _instanced(self, rows: NDArray[np.int64], placed: _Placements) -> list[_core.Mesh]:
@@ -361,6 +362,6 @@ class Assembly:
         """Load transforms of the objects (N, 4, 4), those of their first instances; None if all are identities."""
         frames = np.tile(np.eye(4), (len(self._names), 1, 1))
         for _, matrices, objects in reversed(self._placed):
-            if objects[0:1] != _OWN_OBJECTS:
+            if len(objects) and objects[0] != _OWN_OBJECTS:
                 frames[objects[::-1]] = matrices[::-1]
         return frames if len(frames) and (frames != np.eye(4)).any() else None

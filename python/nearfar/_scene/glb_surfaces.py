@@ -13,6 +13,7 @@ from PIL import Image
 
 from nearfar._base import glb
 from nearfar._scene import undrawn as undrawn_parts
+from nearfar._scene.arrays import MOST_CUTOFF
 from nearfar._scene.materials import MOST_TEXELS
 from nearfar._scene.undrawn import TRANSFORM, EncodedImage, TextureSource, Undrawn
 
@@ -166,8 +167,13 @@ def read(reader: glb.Reader, *, upright: bool) -> tuple[dict[str, Any], dict[int
         material.get("alphaCutoff", 0.5) if cut else np.nan for material, cut in zip(materials, is_cut, strict=True)
     ]
     colors = [surface.get("baseColorFactor", (1, 1, 1, 1)) for surface in surfaces]
+    rgba = np.array(colors, np.float64).reshape(-1, 4)
+    if not ((rgba >= 0) & (rgba <= 1)).all():
+        raise ValueError("expected base colours within 0..1")
+    if not np.abs(np.array(cutoffs)[is_cut]).max(initial=0) <= MOST_CUTOFF:
+        raise ValueError(f"expected alpha cutoffs up to {MOST_CUTOFF:g}")
     arguments = {
-        "material_colors": np.array(colors, np.float32).reshape(-1, 4),
+        "material_colors": rgba.astype(np.float32),
         "material_textures": np.array([-1 if s is None else images.index(s) for s in sources], np.int32),
         "material_cutoffs": np.array(cutoffs, np.float32),
         "material_tags": np.array([0 if undrawn is None else undrawn.tag for undrawn in kept], np.uint64),

@@ -11,6 +11,7 @@ from urllib.parse import unquote, unquote_to_bytes
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar._base import check
 from nearfar._base.errors import UnusableError
 from nearfar._base.glb import entry
 from nearfar._scene.budget import Budget, TooLargeError
@@ -148,9 +149,8 @@ class Buffers:
             self._arrays[number] = self._read(number)
         return self._arrays[number]
 
-    def array(self, number: int) -> NDArray[Any]:
-        """Rows (N, K) of an accessor; whole numbers that stand for fractions become float32 (glTF 2.0, 3.11)."""
-        rows = self.raw(number)
+    def fractions(self, number: int, rows: NDArray[Any]) -> NDArray[Any]:
+        """Rows of an accessor; whole numbers that stand for fractions become float32 (glTF 2.0, 3.11)."""
         if not entry(self._header, "accessors", number).get("normalized") or rows.dtype.kind == "f":
             return rows
         fractions = np.maximum(rows.astype(np.float64) / np.iinfo(rows.dtype).max, -1)
@@ -158,7 +158,7 @@ class Buffers:
 
     def _read(self, number: int) -> NDArray[Any]:
         described = entry(self._header, "accessors", number)
-        kind, width = np.dtype(COMPONENTS[described["componentType"]]), WIDTHS[described["type"]]
+        kind, width = _component(described), WIDTHS[described["type"]]
         count = int(described["count"])
         if "bufferView" in described:
             rows = self._rows(described["bufferView"], described.get("byteOffset", 0), kind, count, width)
@@ -172,11 +172,11 @@ class Buffers:
 
     def _changed(self, rows: NDArray[Any], sparse: dict[str, Any]) -> NDArray[Any]:
         places, values, count = sparse["indices"], sparse["values"], int(sparse["count"])
-        kind = np.dtype(COMPONENTS[places["componentType"]])
+        kind = _component(places)
         where = self._rows(places["bufferView"], places.get("byteOffset", 0), kind, count, 1)[:, 0]
         new = self._rows(values["bufferView"], values.get("byteOffset", 0), rows.dtype, count, rows.shape[1])
-        if len(where) and int(where.max()) >= len(rows):
-            raise UnusableError(f"a sparse accessor changes row {int(where.max())} of {len(rows)}")
+        if len(where) and not 0 <= int(where.min()) <= int(where.max()) < len(rows):
+            raise UnusableError(f"a sparse accessor changes a row that is none of its {len(rows)}")
         self._budget.hold(rows.nbytes)
         rows = rows.copy()
         rows[where] = new
@@ -190,3 +190,10 @@ class Buffers:
             raise IndexError(f"{count} rows from byte {start} of {len(data)}")
         shape, strides = (count, width), (step, kind.itemsize)
         return np.ndarray(shape, kind, data, start, strides) if count else np.zeros(shape, kind)
+
+
+def _component(described: dict[str, Any]) -> np.dtype[Any]:
+    """The type of an accessor's numbers."""
+    if described["componentType"] not in COMPONENTS:
+        raise UnusableError(f"its accessors have the unknown type {check.shortened(described['componentType'])}")
+    return np.dtype(COMPONENTS[described["componentType"]])

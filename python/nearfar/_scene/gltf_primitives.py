@@ -62,10 +62,20 @@ class Primitives:
         numbers = primitive.get("attributes", {})
         if "POSITION" not in numbers:
             raise UnusableError("a primitive of its meshes has no POSITION")
-        rows = {name: self._attribute(name, numbers[name]) for name in _WIDTHS if name in numbers}
+        positions = self._buffers.raw(numbers["POSITION"])
+        self._check_decoded(primitive, positions)
+        count = len(positions)
+        used: NDArray[np.int64] | slice = slice(None)
+        faces = self._faces(primitive, count)
+        if is_shared and "indices" in primitive:
+            used, faces = _used(faces, count)
+
+        def of(number: int) -> NDArray[Any]:
+            rows = self._buffers.raw(number)
+            return rows[used] if len(rows) == count else rows
+
+        rows = {name: self._attribute(name, numbers[name], of(numbers[name])) for name in _WIDTHS if name in numbers}
         vertices = rows["POSITION"]
-        self._check_decoded(primitive, vertices)
-        faces = self._faces(primitive, len(vertices))
         shape = Shape(vertices, faces)
         normals = rows.get("NORMAL")
         if normals is not None and normals.shape == vertices.shape:
@@ -82,18 +92,17 @@ class Primitives:
                 shape.uvs = np.column_stack([uvs[:, 0], 1 - uvs[:, 1]])
         if "COLOR_0" in numbers:
             # COLOR_0 is linear (glTF 2.0, 3.7.2.1).
-            shape.colors = colors_of(self._buffers.raw(numbers["COLOR_0"]), len(vertices), linear=True)
-        if is_shared and "indices" in primitive:
-            _compact(shape)
+            shape.colors = colors_of(of(numbers["COLOR_0"]), len(vertices), linear=True)
         arrays = (shape.vertices, shape.faces, shape.normals, shape.uvs, shape.colors)
         self._budget.hold(sum(rows.nbytes for rows in arrays if rows is not None))
         return shape
 
-    def _attribute(self, name: str, number: int) -> NDArray[Any]:
+    def _attribute(self, name: str, number: int, rows: NDArray[Any]) -> NDArray[Any]:
         """Rows of an attribute; normals are brought to length 1 later, so that their unit does not matter."""
-        rows = self._buffers.raw(number) if name == "NORMAL" else self._buffers.array(number)
         if rows.shape[1] != _WIDTHS[name]:
             raise UnusableError(f"expected {_WIDTHS[name]} numbers in each row of {name}, got {rows.shape[1]}")
+        if name != "NORMAL":
+            rows = self._buffers.fractions(number, rows)
         if name == "TEXCOORD_0" and rows.dtype.kind != "f":
             return rows.astype(np.float32)
         return rows
@@ -169,19 +178,12 @@ class Primitives:
                 self._budget.take(_GLOSS_BYTES * size[0] * size[1])
 
 
-def _compact(shape: Shape) -> None:
-    """Leave out the vertices that no face uses; shapes with damaged faces stay as they are."""
-    count = len(shape.vertices)
-    if not shape.faces.size or int(shape.faces.min()) < 0 or int(shape.faces.max()) >= count:
-        return
-    used, faces = np.unique(shape.faces, return_inverse=True)
-    if len(used) == count:
-        return
-    shape.faces = faces.reshape(-1, 3)
-    for name in ("vertices", "normals", "uvs", "colors"):
-        rows = getattr(shape, name)
-        if rows is not None and len(rows) == count:
-            setattr(shape, name, rows[used])
+def _used(faces: NDArray[Any], count: int) -> tuple[NDArray[np.int64] | slice, NDArray[Any]]:
+    """The vertices of `count` that faces use, and the faces between these; all of them where faces are damaged."""
+    if not faces.size or int(faces.min()) < 0 or int(faces.max()) >= count:
+        return slice(None), faces
+    used, places = np.unique(faces, return_inverse=True)
+    return (slice(None), faces) if len(used) == count else (used.astype(np.int64), places.reshape(-1, 3))
 
 
 class _Views:

@@ -1,4 +1,4 @@
-"""Loads scenes from files with trimesh, and explains in one sentence why a file cannot be read."""
+"""Loads scenes from files, and explains in one sentence why a file cannot be read."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def load(
     if path.is_dir():
         raise IsADirectoryError(errno.EISDIR, _folder(path), os.fspath(path))
     most = None if max_bytes is None else check.integer("max_bytes", max_bytes, 1, 1 << 62)
-    return background.run(lambda: _load(path, Budget(most), up=up, on_invalid=on_invalid, scale=scale))
+    return background.run(lambda: _load(path, Budget(most), up=up, on_invalid=on_invalid, scale=scale), alone=True)
 
 
 def _load(path: Path, budget: Budget, **how: Any) -> Assembled:
@@ -146,7 +146,7 @@ def _explained(label: str, *, passed: type[Exception] = SceneError) -> Iterator[
     except (SceneError, passed):
         raise
     except Exception as error:
-        raise SceneError(f"{label}: {check.printable(_sentence(error))}") from error
+        raise SceneError(f"{label}: {check.one_line(_sentence(error), _LONGEST)}") from error
 
 
 def _sentence(error: Exception) -> str:
@@ -193,13 +193,11 @@ def _reader_sentence(reason: str) -> str:
 
 
 def _first_line(error: Exception) -> str:
-    line = next(iter(str(error).splitlines()), "")
-    return line if len(line) <= _LONGEST else line[:_LONGEST] + "…"
+    return next(iter(str(error).splitlines()), "")
 
 
-_LONGEST = 200
-"""Greatest number of characters of a reader's reason, which may repeat what stands in the file."""
-
+_LONGEST = 300
+"""Greatest number of characters of a reason, which may repeat what stands in the file."""
 
 _DETECTORS = ("chardet", "charset_normalizer")
 """Packages with which trimesh would guess the encoding of a text that is not UTF-8."""

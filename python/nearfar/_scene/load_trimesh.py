@@ -110,6 +110,9 @@ def _shape(mesh: trimesh.Trimesh, materials: Materials, *, fresh: bool) -> Shape
 
 def _color_faces(shape: Shape, colors: np.ndarray) -> None:
     """Turn face colours into materials, so that neighbouring faces can still share vertices."""
-    distinct, shape.face_material = np.unique(colors, axis=0, return_inverse=True)
+    # One number for each colour: NumPy compares rows by structured types, and turns a Ctrl-C meanwhile into TypeError.
+    codes = np.ascontiguousarray(colors, np.uint8).view(">u4").ravel()
+    distinct, shape.face_material = np.unique(codes, return_inverse=True)
+    distinct = distinct.astype(">u4").view(np.uint8).reshape(-1, 4)
     for red, green, blue, alpha in np.column_stack([to_linear(distinct[:, :3] / 255), distinct[:, 3] / 255]).tolist():
         shape.materials.append(BaseColor((red, green, blue, alpha)))

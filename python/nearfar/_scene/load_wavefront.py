@@ -99,7 +99,7 @@ def _library(names: list[str], resolver: Any) -> tuple[dict[str, Any], list[str]
             try:
                 Image.open(io.BytesIO(resolver.get(file)))
             except Exception:
-                notes.append(f"texture '{file}' cannot be read, drawn without it")
+                notes.append(f"texture {check.shortened(file)} cannot be read, drawn without it")
     return library, notes
 
 

@@ -26,7 +26,7 @@ def one_mesh(
         else:
             assembly.objects(object_count_of("face_object", face_object) if names is None else names)
             assembly.instance(assembly.mesh(corners, faces, face_object=face_object, copy=copy))
-        return assembly.assemble()
+        return assembly._assemble()
 
     # NumPy looks through arrays of gigabytes in functions that take seconds and know no signals.
     return background.run(assemble)

@@ -11,7 +11,7 @@ from contextlib import contextmanager, suppress
 import numpy as np
 
 _silent: dict[int, list[str]] = {}
-"""What trimesh has warned of in each silent thread."""
+"""The warnings of trimesh in each silent thread."""
 _changes = threading.Lock()
 
 

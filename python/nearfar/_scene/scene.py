@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import card, check
-from nearfar._camera.shot import Shot, check_request
+from nearfar._camera.shot import Shot, check_begin, check_request
 from nearfar._scene import preview
 from nearfar._scene.arrays import triangle_mask
 from nearfar._scene.assembly import Assembled
@@ -337,7 +337,7 @@ class Scene:
         self, device: _core.GpuDevice, shot: Shot, report: Callable[[int, int], None] | None = None
     ) -> list[_core.GpuJob]:
         """Begin the pictures of a shot on a graphics device, one for each camera."""
-        check_request(shot, report, device)
+        check_begin(device, shot, report)
         return [device.truth(self._core, camera._core, **shot.settings, report=report) for camera in shot.cameras]
 
     def subset(self, *, objects: Iterable[str] | None = None, triangles: ArrayLike | None = None) -> Scene:
@@ -387,7 +387,7 @@ class Scene:
     def __setstate__(self, state: dict[str, Any]) -> None:
         Scene.__init__(self, core_of_parts(state["parts"]), Names(state["names"]), **state["own"])
 
-    @card.shown
+    @card.repr_html
     def _repr_html_(self) -> str:
         return preview.html(self._core, self.report, self.bounds)
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from nearfar._base import check
 from nearfar._base.errors import SceneError
+from nearfar._scene.arrays import transforms_of
 from nearfar._scene.assembly import Assembled, Assembly
 from nearfar._scene.budget import Budget
 from nearfar._scene.materials import PLAIN, UNCOLORED, BaseColor
@@ -89,7 +90,7 @@ def assemble(
         flaw, lost = _repair(shape)
         dropped += lost
         if flaw:
-            flaws.append(f"{flaw} in mesh '{name}'")
+            flaws.append(f"{flaw} in mesh {check.shortened(name)}")
     if flaws and on_invalid == "raise":
         more = f" and {len(flaws) - _MOST_NAMED} more" if len(flaws) > _MOST_NAMED else ""
         raise SceneError(
@@ -104,8 +105,9 @@ def assemble(
     nodes = _chosen(nodes, np.array([shape in handles for shape in nodes.shapes], bool))
     transforms = nodes.transforms if up == "y" else turn @ nodes.transforms
     try:
-        builder._place([handles[shape] for shape in nodes.shapes], transforms, nodes.objects)
-        parts = builder.assemble(budget=budget)
+        placed = np.array([handles[shape] for shape in nodes.shapes], np.int64)
+        builder._place(placed, transforms_of("transforms", transforms), nodes.objects)
+        parts = builder._assemble(budget=budget)
     except ValueError as error:
         raise SceneError(f"{source.label}: {error}") from error
     notes = [*source.notes, *_material_notes(shapes.values()), *_alpha_notes(shapes.values())]
@@ -131,7 +133,8 @@ def _usable_nodes(nodes: Nodes) -> tuple[Nodes, list[str]]:
     matrices = nodes.transforms
     affine = np.isfinite(matrices).all(axis=(1, 2)) & (matrices[:, 3] == (0, 0, 0, 1)).all(axis=1)
     flaws = [
-        f"a transform that is not finite and affine at node '{nodes.objects[row]}'" for row in np.flatnonzero(~affine)
+        f"a transform that is not finite and affine at node {check.shortened(nodes.objects[row])}"
+        for row in np.flatnonzero(~affine)
     ]
     return _chosen(nodes, affine), flaws
 

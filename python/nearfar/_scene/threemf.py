@@ -12,6 +12,9 @@ from nearfar._scene.budget import Budget
 _INSTANCE = 1 << 14
 """Bytes that an instance counts as: trimesh compares its name with those of all others."""
 
+_MOST = 1 << 62
+"""Greatest number of instances that is told apart; more exceed any budget. Each level of components may double it."""
+
 
 def check_instances(data: bytes, budget: Budget) -> None:
     """Count the instances of an archive's model before trimesh lists them; UnusableError for loops of components."""
@@ -22,21 +25,22 @@ def check_instances(data: bytes, budget: Budget) -> None:
         names = [name for name in archive.namelist() if "3d/3dmodel.model" in name.lower()]
         if not names:
             return
-        tags, parts = [f"{{*}}{name}" for name in ("object", "component", "item")], dict[str, list[str]]()
+        tags = [f"{{*}}{name}" for name in ("object", "component", "item")]
+        parts: dict[str, list[str]] = {}
         items: list[str] = []
-        inside = ""
+        owner = ""
         with archive.open(names[0]) as model:
             for event, element in etree.iterparse(model, events=("start", "end"), tag=tags, **XML_PARSER_OPTIONS):
                 kind = etree.QName(element).localname
                 if event == "end":
                     if kind == "object":
-                        inside = ""
+                        owner = ""
                         element.clear()
                 elif kind == "object":
-                    inside = element.get("id", "")
-                    parts.setdefault(inside, [])
+                    owner = element.get("id", "")
+                    parts.setdefault(owner, [])
                 elif kind == "component":
-                    parts.setdefault(inside, []).append(element.get("objectid", ""))
+                    parts.setdefault(owner, []).append(element.get("objectid", ""))
                 else:
                     items.append(element.get("objectid", ""))
     budget.take(_INSTANCE * sum(_instances(parts, items)))
@@ -45,20 +49,20 @@ def check_instances(data: bytes, budget: Budget) -> None:
 def _instances(parts: Mapping[str, Sequence[str]], items: Sequence[str]) -> list[int]:
     """Objects that each item of the build stands for, itself and all below."""
     counts: dict[str, int] = {}
-    open_ones: set[str] = set()
+    unfinished: set[str] = set()
     for item in items:
         pending = [item]
         while pending:
-            one = pending[-1]
-            below = parts.get(one, ())
+            owner = pending[-1]
+            below = parts.get(owner, ())
             missing = [part for part in below if part not in counts]
-            if one in counts or not missing:
-                counts.setdefault(one, 1 + sum(counts[part] for part in below))
-                open_ones.discard(one)
+            if owner in counts or not missing:
+                counts.setdefault(owner, min(_MOST, 1 + sum(counts[part] for part in below)))
+                unfinished.discard(owner)
                 pending.pop()
-            elif one in open_ones and not open_ones.isdisjoint(missing):
-                raise UnusableError(f"its object {one} is a component of itself")
+            elif owner in unfinished and not unfinished.isdisjoint(missing):
+                raise UnusableError(f"its object {owner} is a component of itself")
             else:
-                open_ones.add(one)
+                unfinished.add(owner)
                 pending += dict.fromkeys(missing)
     return [counts[item] for item in items]

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 import nearfar as nf
-from nearfar._base import progress
+from nearfar._base import check, progress
 from nearfar.cli import _bake, _compare, _info, _lod, _partition, _reduce, _render
 
 INTERRUPTED = 130
@@ -76,6 +76,5 @@ def _interrupt_behind(end: SystemExit) -> KeyboardInterrupt | None:
 
 def _fail(sentence: str, status: int) -> int:
     # Names of files may hold bytes that no text has.
-    text = " ".join(sentence.split()).encode("utf-8", "backslashreplace").decode()
-    print(f"nearfar: {text}", file=sys.stderr)
+    print(f"nearfar: {check.one_line(sentence)}", file=sys.stderr)
     return status

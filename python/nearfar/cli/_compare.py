@@ -52,6 +52,9 @@ def compare(
         float | None, option("--min-psnr", "DB", "Least PSNR in decibels; exit status 3 below it.")
     ] = None,
     min_ssim: Annotated[float | None, option("--min-ssim", "VALUE", "Least SSIM; exit status 3 below it.")] = None,
+    max_tear: Annotated[
+        float | None, option("--max-tear", "PIXELS", "Greatest mean tear along the boundary; exit status 3 above it.")
+    ] = None,
     max_discontinuity: Annotated[
         float | None, option("--max-discontinuity", "VALUE", "Greatest mean discontinuity; exit status 3 above it.")
     ] = None,
@@ -80,6 +83,7 @@ def compare(
     thresholds = _thresholds.thresholds(
         min_psnr=min_psnr,
         min_ssim=min_ssim,
+        max_tear=max_tear,
         max_discontinuity=max_discontinuity,
         max_boundary_discontinuity=max_boundary,
     )
@@ -113,7 +117,7 @@ def compare(
         # The discontinuity of far pixels needs their scene points, which follow from the map's range.
         texels = options.faces(face_size) if saved is None or saved.env is None else saved.env.face_size
         place_and_map = {"center": place.eye, "r1": inner, "r2": outer, "channels": ("color", "range")}
-        frames, reduced = render_all(
+        rendered = render_all(
             loaded,
             view,
             clock,
@@ -122,11 +126,13 @@ def compare(
             drawing={"method": "exact", "env": False} if exact else None,
             saved=saved,
         )
+        frames, reduced = rendered.frames, rendered.reduced
         with clock.step("measures"):
             measured = {
                 name: nf.compare(frames["truth"], frames[name], center=place.eye, radius=outer) for name in METHODS
             }
-            values = {name: _document(comparison) for name, comparison in measured.items()}
+            torn = {name: nf.boundary_tear(rendered.dense[name], center=place.eye, radius=outer) for name in METHODS}
+            values = {name: _document(measured[name], torn[name]) for name in METHODS}
         with clock.step("pictures"):
             _report_page.save_pictures(folder, {name: frame.to_image() for name, frame in frames.items()})
             plotted = _report_page.save_curve(folder, curve, outer)
@@ -175,9 +181,13 @@ def compare(
         raise typer.Exit(_thresholds.BROKEN)
 
 
-def _document(measured: nf.Comparison) -> dict[str, Any]:
+def _document(measured: nf.Comparison, torn: nf.BoundaryTear) -> dict[str, Any]:
     """Rounded measures for the report, without the map of discontinuity."""
     return {
+        "tear": _rounded(torn.tear),
+        "tear_kink": _rounded(torn.kink),
+        "tear_shared": _rounded(torn.shared),
+        "tear_density": _rounded(torn.pixels_per_degree),
         "psnr": round(measured.psnr, 4) if math.isfinite(measured.psnr) else None,
         "ssim": round(measured.ssim, 6),
         "rmse": round(measured.rmse, 6),

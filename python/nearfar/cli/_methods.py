@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+import math
+from dataclasses import dataclass, replace
 from typing import Any
 
 import nearfar as nf
@@ -10,6 +11,22 @@ from nearfar.cli._output import Clock
 
 METHODS = {"conventional": "none", "continuous": "blend"}
 """Morph of each method, by the method's name."""
+
+
+DENSITY = 20.0
+"""Pixels for each degree of a headset, at which tears are measured."""
+
+
+@dataclass(frozen=True)
+class Rendered:
+    """Pictures of a scene and of its reduction, from one eye."""
+
+    frames: dict[str, nf.Frame]
+    """Truth and methods by name."""
+    reduced: nf.ReducedScene
+    """The reduced scene, whose map both methods share."""
+    dense: dict[str, nf.Frame]
+    """Positions of both methods at `DENSITY`, where they are asked for."""
 
 
 def morph_of(method: str, saved: nf.ReducedScene | None) -> str:
@@ -27,8 +44,8 @@ def render_all(
     reduction: dict[str, Any],
     drawing: dict[str, Any] | None = None,
     saved: nf.ReducedScene | None = None,
-) -> tuple[dict[str, nf.Frame], nf.ReducedScene]:
-    """Render the truth and both methods; returns the frames and the reduced scene, whose map both methods share.
+) -> Rendered:
+    """Render the truth and both methods; `position` among the channels asks for dense pictures, too.
 
     The dicts are arguments of `render`, of `reduce`, and of `ReducedScene.render` beside those of `render`. A `saved`
     reduced scene is shown instead of a new one; if its map has no range, a new one gives the positions of far pixels.
@@ -36,9 +53,9 @@ def render_all(
     with clock.step("truth"):
         frames = {"truth": nf.render(scene, view, backend=reduction["backend"], **pictures)}
     lacks = saved is not None and saved.env is not None and saved.env.range is None
-    positions = "position" in pictures["channels"] and (saved is None or lacks)
+    measures = "position" in pictures["channels"]
     with clock.step("reduce"):
-        made = nf.reduce(scene, **reduction) if saved is None or positions else saved
+        made = nf.reduce(scene, **reduction) if saved is None or (measures and lacks) else saved
     reduced = made if saved is None else saved
     for name in METHODS:
         morph = morph_of(name, saved)
@@ -49,4 +66,18 @@ def render_all(
             seen = reduced.with_morph(morph).render(view, **pictures | {"channels": ("color",)})
             measured = made.with_morph(morph).render(view, channels=("position",))
             frames[name] = replace(seen, origin=measured.origin, position=measured.position)
-    return frames, reduced
+    dense: dict[str, nf.Frame] = {}
+    if measures:
+        with clock.step("dense pictures"):
+            for name in METHODS:
+                shown = made.with_morph(morph_of(name, saved))
+                dense[name] = shown.render(_dense(view), channels=("position",), **(drawing or {}))
+    return Rendered(frames, reduced, dense)
+
+
+def _dense(view: nf.Camera) -> nf.Camera:
+    """The same view with as many pixels as a headset has; a denser one stays."""
+    if not isinstance(view.fov, nf.Fov):
+        return view
+    more = DENSITY / math.radians(view.width / (view.fov.right - view.fov.left))
+    return replace(view, size=(round(view.width * more), round(view.height * more))) if more > 1.0 else view

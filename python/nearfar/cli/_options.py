@@ -71,7 +71,11 @@ Scale = Annotated[
 ]
 MaxBytes = Annotated[
     int | None,
-    option("--max-bytes", "BYTES", "Bytes that the file may unpack to, where it is refused because it takes more."),
+    option(
+        "--max-bytes",
+        "BYTES",
+        "Bytes that the file may unpack to; by default 100 times its size, at least 256 MiB, at most 16 GiB.",
+    ),
 ]
 Invalid = Annotated[
     str, option("--on-invalid", "raise|drop", "Stop at vertices that are not finite, or drop their faces.")

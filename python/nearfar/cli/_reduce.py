@@ -71,9 +71,8 @@ def reduce(
         reduction = {"center": place.eye, "r1": inner, "r2": outer, "face_size": texels, "samples": samples}
         reduction["channels"] = ("color", "range") if with_range else ("color",)
         pictures_of = {"samples": samples, "channels": ("color",)}
-        frames, reduced = render_all(
-            loaded, view, clock, pictures=pictures_of, reduction=reduction | {"backend": backend}
-        )
+        rendered = render_all(loaded, view, clock, pictures=pictures_of, reduction=reduction | {"backend": backend})
+        frames, reduced = rendered.frames, rendered.reduced
         with clock.step("files"):
             reduced.save(folder)
             if equirectangular is not None and reduced.env is not None:

@@ -173,6 +173,4 @@ def render(
 
 def camera(eye: options.Point, target: options.Point, fov: float, size: tuple[int, int]) -> nf.Camera:
     """Make a camera at an eye that looks at a target; `fov` in degrees."""
-    width, height = size
-    aspect = width / height if height > 0 else 1.0
-    return nf.Camera.look_at(eye, target, fov=nf.Fov.symmetric(fov, max(aspect, 1e-9)), size=size)
+    return nf.Camera.look_at(eye, target, fov=nf.Fov.symmetric(fov, size[0] / size[1]), size=size)

@@ -13,12 +13,14 @@ BROKEN = 3
 OPTIONS = {
     "--min-psnr": ("psnr", True),
     "--min-ssim": ("ssim", True),
+    "--max-tear": ("tear", False),
     "--max-discontinuity": ("discontinuity", False),
     "--max-boundary-discontinuity": ("boundary", False),
 }
 """Measure of each option, and whether the limit is its least allowed value."""
 
 UNMEASURED = {
+    "tear": "no pixel of the picture has neighbours on both sides of the boundary at r2",
     "discontinuity": "no pixel of the picture has a surface with neighbours",
     "boundary": "the boundary at r2 is not in view",
 }

@@ -43,7 +43,7 @@ _BAR = ((60.0, 4.0), (60.3, 4.4))
 
 @dataclass(frozen=True)
 class _Task:
-    """What both tasks have: a place between the radii, and a row of objects beyond them."""
+    """The layout of both tasks: a place between the radii, and a row of objects beyond them."""
 
     center: Point
     """The centre O, an eye's height above the ground, world metres; all points below are world metres too."""

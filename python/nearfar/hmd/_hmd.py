@@ -216,7 +216,7 @@ class Hmd:
                 raise ValueError(f"runtime: expected None for {where}, which is no file of hmdq's, got {runtime!r}")
         return _file.convert(where, lambda: cls(**fields))
 
-    @card.shown
+    @card.repr_html
     def _repr_html_(self) -> str:
         """Fields of view and figures for notebooks."""
         total = self.total_fov

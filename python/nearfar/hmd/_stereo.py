@@ -36,9 +36,9 @@ class StereoFrame:
     hmd: Hmd
     """The headset."""
     left: Frame
-    """What the left eye sees, before the lens warp."""
+    """The left eye's picture, before the lens warp."""
     right: Frame
-    """What the right eye sees."""
+    """The right eye's picture."""
 
     def __post_init__(self) -> None:
         check.instance("hmd", self.hmd, Hmd, "an Hmd")
@@ -93,7 +93,7 @@ class StereoFrame:
 
         return picture(self.left), picture(self.right)
 
-    @card.shown
+    @card.repr_html
     def _repr_html_(self) -> str:
         """Both pictures side by side for notebooks, with headset and size below."""
         width, height = self.left.camera.size

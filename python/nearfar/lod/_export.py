@@ -253,4 +253,4 @@ def _used(chain: list[int]) -> dict[str, Any]:
 
 def _save(path: Path, data: bytes) -> None:
     with files.atomic_file(path) as aside:
-        aside.write_bytes(data)
+        files.write(aside, data)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-import sys
+import operator
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import overload
@@ -106,11 +106,12 @@ class Levels(Sequence[Level]):
         """One level, or some as levels of the same object."""
         if isinstance(index, slice):
             return Levels(self._levels[index], name=self.name, frame=self.frame)
-        count = len(self._levels)
-        number = check.integer("index", index, -sys.maxsize, sys.maxsize)
-        if not -count <= number < count:
-            raise IndexError(f"index: expected a number from {-count} to {count - 1}, got {number}")
-        return self._levels[number]
+        try:
+            return self._levels[operator.index(index)]
+        except (IndexError, TypeError) as error:
+            count = len(self._levels)
+            message = f"index: expected a number from {-count} to {count - 1}, got {check.shown(index)}"
+            raise type(error)(message) from None
 
     def __len__(self) -> int:
         """Return the number of levels."""
@@ -136,7 +137,8 @@ def level_numbers(name: str, value: ArrayLike, count: int) -> NDArray[np.int64]:
     """Check ascending numbers of some of `count` levels, of which the first is 0; ValueError or TypeError otherwise."""
     numbers = check.array(name, value, columns=None, dtype=np.int64)
     if numbers.ndim != 1 or not numbers.size or numbers[0] != 0:
-        raise ValueError(f"{name}: expected numbers of levels (N,), the first of them 0, got shape {numbers.shape}")
+        got = f"shape {numbers.shape}" if numbers.ndim != 1 else check.shown(numbers.tolist())
+        raise ValueError(f"{name}: expected numbers of levels (N,), the first of them 0, got {got}")
     if numbers[-1] >= count or (np.diff(numbers) <= 0).any():
         raise ValueError(f"{name}: expected ascending numbers of levels up to {count - 1}, got others")
     return numbers

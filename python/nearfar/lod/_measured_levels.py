@@ -35,13 +35,16 @@ class MeasuredLevels:
     def __post_init__(self) -> None:
         triangles = check.array("triangles", self.triangles, columns=None, dtype=np.int64)
         if triangles.ndim != 1 or not triangles.size or triangles.min() < 1:
-            raise ValueError(f"triangles: expected at least one for each level (K,), got shape {triangles.shape}")
+            got = f"shape {triangles.shape}" if triangles.ndim != 1 else check.shown(triangles.tolist())
+            raise ValueError(f"triangles: expected at least one for each level (K,), got {got}")
         errors = check.array("errors", self.errors, columns=None, dtype=np.float64, finite=True)
         if errors.shape != triangles.shape:
             raise ValueError(f"errors: expected shape {triangles.shape}, one for each level, got {errors.shape}")
         sigma = check.array("sigma", self.sigma, columns=None, dtype=np.float64)
         if sigma.shape != (2,) or not (sigma >= 0.0).all():
-            raise ValueError(f"sigma: expected the least and the greatest solid angle, got {sigma!r:.60}")
+            raise ValueError(
+                f"sigma: expected the least and the greatest solid angle, got {check.shown(sigma.tolist())}"
+            )
         check.instance("curves", self.curves, Curve4PL)
         check.instance("measured", self.measured, dict)
         if self.levels is not None:

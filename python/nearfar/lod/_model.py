@@ -143,7 +143,7 @@ class LodModel(MeasuredLevels):
         scores = None if self.samples is None else (self.samples.sigma, self.samples.score[1:])
         return plot.score_curves(ax, sigma, curves, [f"{count:,}" for count in self.triangles[1:]], scores)
 
-    @card.shown
+    @card.repr_html
     def _repr_html_(self) -> str:
         """Table of the levels and plot of their curves for notebooks."""
         low, high = self.sigma

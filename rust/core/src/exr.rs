@@ -3,6 +3,7 @@
 //! Compression is ZIP in blocks of 16 rows, which is lossless: half, float and unsigned channels keep their bits,
 //! including infinities.
 
+use std::borrow::Cow;
 use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 
 use ::exr::prelude::*;
@@ -10,15 +11,15 @@ use half::f16;
 
 use crate::base::{self, Progress};
 
-/// Values of one channel, row 0 on top.
+/// Values of one channel, row 0 on top; decoding returns owned ones.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Values {
+pub enum Values<'a> {
     /// 16-bit floats.
-    Half(Vec<f16>),
+    Half(Cow<'a, [f16]>),
     /// 32-bit floats.
-    Float(Vec<f32>),
+    Float(Cow<'a, [f32]>),
     /// 32-bit unsigned numbers.
-    Unsigned(Vec<u32>),
+    Unsigned(Cow<'a, [u32]>),
 }
 
 /// Value of a header's attribute.
@@ -32,7 +33,7 @@ pub enum Attribute {
 
 /// One image of a file.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Part {
+pub struct Part<'a> {
     /// Name, unique in the file.
     pub name: String,
     /// Width, pixels.
@@ -40,15 +41,15 @@ pub struct Part {
     /// Height, pixels.
     pub height: usize,
     /// Channels by name. Decoding returns them sorted by name, as the format requires.
-    pub channels: Vec<(String, Values)>,
+    pub channels: Vec<(String, Values<'a>)>,
     /// Texts and vectors of the header by name. Decoding returns them sorted by name.
     pub attributes: Vec<(String, Attribute)>,
 }
 
 /// The bytes of a file with these parts, in this order.
-pub fn encode(parts: &[Part], progress: &Progress) -> base::Result<Vec<u8>> {
+pub fn encode(parts: &[Part<'_>], progress: &Progress) -> base::Result<Vec<u8>> {
     let layers: SmallVec<[Layer<AnyChannels<FlatSamples>>; 2]> =
-        parts.iter().map(layer).collect::<base::Result<_>>()?;
+        parts.iter().map(|part| layer(part, progress)).collect::<base::Result<_>>()?;
     let (width, height) = parts.iter().fold((1, 1), |(w, h), part| (part.width.max(w), part.height.max(h)));
     let image = Image::from_layers(ImageAttributes::new(IntegerBounds::from_dimensions((width, height))), layers);
     let mut bytes = Vec::new();
@@ -93,7 +94,7 @@ fn first_attribute(header: &[u8]) -> Option<&[u8]> {
 }
 
 /// The parts of a file. Attributes of other types are left out.
-pub fn decode(bytes: &[u8], progress: &Progress) -> base::Result<Vec<Part>> {
+pub fn decode(bytes: &[u8], progress: &Progress) -> base::Result<Vec<Part<'static>>> {
     check_size(bytes)?;
     let image = ::exr::prelude::read()
         .no_deep_data()
@@ -170,7 +171,7 @@ fn unreadable(error: impl std::fmt::Display) -> base::Error {
     base::Error::Format(format!("no readable OpenEXR image: {error}"))
 }
 
-fn layer(part: &Part) -> base::Result<Layer<AnyChannels<FlatSamples>>> {
+fn layer(part: &Part<'_>, progress: &Progress) -> base::Result<Layer<AnyChannels<FlatSamples>>> {
     let pixels = part.width * part.height;
     let channels = part.channels.iter().map(|(name, values)| {
         if values.len() != pixels {
@@ -180,7 +181,7 @@ fn layer(part: &Part) -> base::Result<Layer<AnyChannels<FlatSamples>>> {
                 values.len(),
             ));
         }
-        Ok(AnyChannel::new(text("channels", name)?, values.to_samples()))
+        Ok(AnyChannel::new(text("channels", name)?, values.to_samples(progress)?))
     });
     let channels = AnyChannels::sort(channels.collect::<base::Result<_>>()?);
     let mut attributes = LayerAttributes::named(text("name", &part.name)?);
@@ -195,7 +196,7 @@ fn layer(part: &Part) -> base::Result<Layer<AnyChannels<FlatSamples>>> {
     Ok(Layer::new((part.width, part.height), attributes, encoding, channels))
 }
 
-fn part(layer: Layer<AnyChannels<FlatSamples>>) -> Part {
+fn part(layer: Layer<AnyChannels<FlatSamples>>) -> Part<'static> {
     let known = layer.attributes.other.iter().filter_map(|(name, value)| match value {
         AttributeValue::Text(value) => Some((name.to_string(), Attribute::Text(value.to_string()))),
         &AttributeValue::FloatVec3((x, y, z)) => Some((name.to_string(), Attribute::Vector([x, y, z]))),
@@ -217,7 +218,7 @@ fn text(argument: &'static str, value: &str) -> base::Result<Text> {
     Text::new_or_none(value).ok_or_else(|| base::Error::value(argument, "ASCII text", format!("'{value}'")))
 }
 
-impl Values {
+impl Values<'_> {
     fn len(&self) -> usize {
         match self {
             Self::Half(values) => values.len(),
@@ -226,21 +227,33 @@ impl Values {
         }
     }
 
-    fn to_samples(&self) -> FlatSamples {
-        match self {
-            Self::Half(values) => FlatSamples::F16(values.clone()),
-            Self::Float(values) => FlatSamples::F32(values.clone()),
-            Self::Unsigned(values) => FlatSamples::U32(values.clone()),
-        }
+    fn to_samples(&self, progress: &Progress) -> base::Result<FlatSamples> {
+        Ok(match self {
+            Self::Half(values) => FlatSamples::F16(copied(values, progress)?),
+            Self::Float(values) => FlatSamples::F32(copied(values, progress)?),
+            Self::Unsigned(values) => FlatSamples::U32(copied(values, progress)?),
+        })
     }
 }
 
-impl From<FlatSamples> for Values {
+/// A copy, which the crate needs to own.
+fn copied<T: Copy>(values: &[T], progress: &Progress) -> base::Result<Vec<T>> {
+    /// Values between two looks for cancellation, milliseconds of copying.
+    const TILE: usize = 1 << 20;
+    let mut copy = Vec::with_capacity(values.len());
+    for tile in values.chunks(TILE) {
+        progress.check()?;
+        copy.extend_from_slice(tile);
+    }
+    Ok(copy)
+}
+
+impl From<FlatSamples> for Values<'_> {
     fn from(samples: FlatSamples) -> Self {
         match samples {
-            FlatSamples::F16(values) => Self::Half(values),
-            FlatSamples::F32(values) => Self::Float(values),
-            FlatSamples::U32(values) => Self::Unsigned(values),
+            FlatSamples::F16(values) => Self::Half(values.into()),
+            FlatSamples::F32(values) => Self::Float(values.into()),
+            FlatSamples::U32(values) => Self::Unsigned(values.into()),
         }
     }
 }
@@ -249,7 +262,7 @@ impl From<FlatSamples> for Values {
 mod tests {
     use super::*;
 
-    fn example(name: &str, width: usize, height: usize) -> Part {
+    fn example(name: &str, width: usize, height: usize) -> Part<'static> {
         let wild = [f32::INFINITY, -0.0, f32::MIN_POSITIVE, 1e-45, f32::MAX, 1.0 / 3.0];
         let pixels = width * height;
         Part {

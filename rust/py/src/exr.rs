@@ -1,10 +1,10 @@
 //! Bindings of `exr`: named parts with channels and attributes.
 
 use nearfar_core::exr::{self, Attribute, Part, Values};
-use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{IntoPyArray, PyArray1, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::types::PyDict;
 
 use crate::convert::arrays::with_array;
 use crate::convert::one_of::one_of;
@@ -35,11 +35,11 @@ impl From<AttributeArgument> for Attribute {
 }
 
 impl ChannelArgument<'_> {
-    fn values(&self) -> PyResult<Values> {
+    fn values(&self) -> PyResult<Values<'_>> {
         Ok(match self {
-            Self::Half(array) => Values::Half(array.as_slice()?.to_vec()),
-            Self::Float(array) => Values::Float(array.as_slice()?.to_vec()),
-            Self::Unsigned(array) => Values::Unsigned(array.as_slice()?.to_vec()),
+            Self::Half(array) => Values::Half(array.as_slice()?.into()),
+            Self::Float(array) => Values::Float(array.as_slice()?.into()),
+            Self::Unsigned(array) => Values::Unsigned(array.as_slice()?.into()),
         })
     }
 
@@ -49,17 +49,39 @@ impl ChannelArgument<'_> {
     }
 }
 
+/// A part whose arrays are borrowed.
+struct PartArgument<'py> {
+    name: String,
+    shape: (usize, usize),
+    channels: Vec<(String, ChannelArgument<'py>)>,
+    attributes: Vec<(String, Attribute)>,
+}
+
+impl PartArgument<'_> {
+    fn part(&self) -> PyResult<Part<'_>> {
+        let channels = self.channels.iter().map(|(name, channel)| Ok((name.clone(), channel.values()?)));
+        Ok(Part {
+            name: self.name.clone(),
+            width: self.shape.1,
+            height: self.shape.0,
+            channels: channels.collect::<PyResult<_>>()?,
+            attributes: self.attributes.clone(),
+        })
+    }
+}
+
 /// The bytes of a file. A part is (name, channels, attributes): a dictionary of (H, W) float16, float32 or uint32
 /// arrays, and a dictionary of texts and triples of numbers.
 #[pyfunction]
 pub(crate) fn encode_exr<'py>(
     py: Python<'py>,
     parts: Vec<(String, Bound<'py, PyDict>, Bound<'py, PyDict>)>,
-) -> PyResult<Bound<'py, PyBytes>> {
-    let parts = parts.iter().map(|(name, channels, attributes)| part(py, name, channels, attributes));
-    let parts = parts.collect::<PyResult<Vec<Part>>>()?;
+) -> PyResult<Bound<'py, PyArray1<u8>>> {
+    let parts = parts.into_iter().map(|(name, channels, attributes)| argument(name, &channels, &attributes));
+    let parts = parts.collect::<PyResult<Vec<_>>>()?;
+    let parts = parts.iter().map(PartArgument::part).collect::<PyResult<Vec<_>>>()?;
     let bytes = run::long(py, None, |progress| exr::encode(&parts, progress))?;
-    Ok(PyBytes::new(py, &bytes))
+    Ok(bytes.into_pyarray(py))
 }
 
 type DecodedPart<'py> = (String, Bound<'py, PyDict>, Bound<'py, PyDict>);
@@ -71,7 +93,11 @@ pub(crate) fn decode_exr<'py>(py: Python<'py>, data: &[u8]) -> PyResult<Vec<Deco
     parts.into_iter().map(|part| decoded(py, part)).collect()
 }
 
-fn part(py: Python<'_>, name: &str, channels: &Bound<'_, PyDict>, attributes: &Bound<'_, PyDict>) -> PyResult<Part> {
+fn argument<'py>(
+    name: String,
+    channels: &Bound<'py, PyDict>,
+    attributes: &Bound<'py, PyDict>,
+) -> PyResult<PartArgument<'py>> {
     let mut shape = None;
     let mut images = Vec::new();
     for (key, image) in channels {
@@ -81,24 +107,23 @@ fn part(py: Python<'_>, name: &str, channels: &Bound<'_, PyDict>, attributes: &B
         if *shape.get_or_insert(image.shape()) != image.shape() {
             return Err(PyValueError::new_err(format!("channels: '{key}' differs in shape from the others")));
         }
-        images.push((key.extract()?, image.values()?));
-        py.check_signals()?;
+        images.push((key.extract()?, image));
     }
-    let (height, width) = shape.ok_or_else(|| PyValueError::new_err("channels: expected at least one image"))?;
+    let shape = shape.ok_or_else(|| PyValueError::new_err("channels: expected at least one image"))?;
     let mut values = Vec::new();
     for (key, value) in attributes {
         let value: AttributeArgument = value.extract()?;
         values.push((key.extract()?, value.into()));
     }
-    Ok(Part { name: name.to_string(), width, height, channels: images, attributes: values })
+    Ok(PartArgument { name, shape, channels: images, attributes: values })
 }
 
-fn decoded<'py>(py: Python<'py>, part: Part) -> PyResult<DecodedPart<'py>> {
+fn decoded<'py>(py: Python<'py>, part: Part<'_>) -> PyResult<DecodedPart<'py>> {
     let shape = [part.height, part.width];
     let channels = PyDict::new(py);
     for (name, values) in part.channels {
         with_array!(Values::{Half, Float, Unsigned}, values, values => {
-            channels.set_item(name, PyArray1::from_vec(py, values).reshape(shape)?)?
+            channels.set_item(name, PyArray1::from_vec(py, values.into_owned()).reshape(shape)?)?
         });
     }
     let attributes = PyDict::new(py);

@@ -21,6 +21,7 @@ mod lod;
 mod exr;
 mod gpu;
 
+use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 
 /// The extension module, ordered by stage.
@@ -45,7 +46,7 @@ mod _core {
         lod::fit::fit_4pl,
         lod::select::select_levels,
         lod::simplify::{carry, collapse, first_alike, pieces},
-        metrics::{discontinuity, mean_squared_errors, multiscale, object_completion, similarity},
+        metrics::{discontinuity, mean_squared_errors, multiscale, object_completion, similarity, tear},
         morph::morph,
         partition::{LoadCurve, Partition, triangle_radii},
         render::bake::bake_map,
@@ -63,6 +64,9 @@ mod _core {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        // rust-numpy looks up NumPy's functions at the first array. If that were in a thread that outlives the
+        // interpreter, it would panic and print its stack.
+        drop(PyArray1::<u8>::zeros(module.py(), 0, false).readonly());
         convert::errors::register(module)
     }
 }

@@ -5,7 +5,7 @@ use std::slice;
 use glam::DVec3;
 use nearfar_core::base::{Error, Result};
 use nearfar_core::metrics::{
-    self, Comparison, Neighbourhood, Pixel, PixelRows, Plane, Similarity, SimilaritySums, Stacks, Window,
+    self, Border, Comparison, Neighbourhood, Pixel, PixelRows, Plane, Similarity, SimilaritySums, Stacks, Window,
 };
 use numpy::{
     Element, IntoPyArray, PyArray1, PyArrayDyn, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArrayDyn,
@@ -178,6 +178,34 @@ pub(crate) fn discontinuity<'py>(
         metrics::discontinuity(rows, origin, width, &camera.0, neighbourhood, progress)
     })?;
     Ok(map.into_pyarray(py))
+}
+
+/// Tears, and whether neighbours lie on both sides.
+type Torn<'py> = (Bound<'py, PyArray1<f32>>, Bound<'py, PyArray1<bool>>);
+
+/// Tear of each pixel in pixels, as a flat array, and where `side` is given whether its neighbours lie on both sides.
+#[pyfunction]
+#[pyo3(signature = (position, *, origin, width, camera, epsilon, side=None, wanted=None, report=None))]
+#[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
+pub(crate) fn tear<'py>(
+    py: Python<'py>,
+    position: PyReadonlyArray2<'py, f32>,
+    origin: [f64; 3],
+    width: usize,
+    camera: &Camera,
+    epsilon: f64,
+    side: Option<PyReadonlyArray1<'py, bool>>,
+    wanted: Option<PyReadonlyArray1<'py, bool>>,
+    report: Option<Py<PyAny>>,
+) -> PyResult<Torn<'py>> {
+    let (rows, origin) = (position.as_slice()?.as_chunks::<3>().0, DVec3::from_array(origin));
+    let border = Border {
+        side: side.as_ref().map(PyReadonlyArray1::as_slice).transpose()?,
+        wanted: wanted.as_ref().map(PyReadonlyArray1::as_slice).transpose()?,
+    };
+    let tears =
+        run::long(py, report, |progress| metrics::tear(rows, origin, width, &camera.0, epsilon, border, progress))?;
+    Ok((tears.tear.into_pyarray(py), tears.parted.into_pyarray(py)))
 }
 
 /// Shares of objects and of their pixels that are visible; `None` without objects.

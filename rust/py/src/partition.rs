@@ -73,7 +73,7 @@ impl Partition {
 
     /// Numbers of the triangles of a set, ascending.
     fn triangles<'py>(&self, py: Python<'py>, part: &str) -> PyResult<Bound<'py, PyArray1<i64>>> {
-        let numbers = run::short(py, || Ok(self.0.triangles(self::part(part)?)))?;
+        let numbers = run::long(py, None, |progress| self.0.triangles(self::part(part)?, progress))?;
         Ok(PyArray1::from_vec(py, numbers))
     }
 

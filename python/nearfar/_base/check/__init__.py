@@ -1,7 +1,7 @@
 """Checks of arguments: each error message names the argument, the expected value and the value passed."""
 
 from nearfar._base.check.arrays import FARTHEST, array, not_finite, output, plain, spheres, vector
-from nearfar._base.check.describe import described, printable, shortened, shown
+from nearfar._base.check.describe import described, one_line, printable, shortened, shown
 from nearfar._base.check.names import choice, instance, items, iterable, mapping, path, text, texts
 from nearfar._base.check.numbers import (
     MAX_SIZE,
@@ -31,6 +31,7 @@ __all__ = [
     "mapping",
     "not_finite",
     "number",
+    "one_line",
     "output",
     "pair",
     "path",

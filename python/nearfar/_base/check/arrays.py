@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import functools
 import math
-import os
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
+from nearfar._base import memory
 from nearfar._base.check.describe import described
 from nearfar._base.check.numbers import is_masked
 
@@ -76,7 +75,7 @@ def plain(name: str, value: ArrayLike) -> NDArray[Any]:
     except ValueError:
         raise ValueError(f"{name}: expected rows of equal length") from None
     # Contiguous arrays have their memory, be it that of a mapped file.
-    if values.nbytes > _SMALL and not values.flags.forc and values.nbytes > _memory():
+    if values.nbytes > _SMALL and not values.flags.forc and values.nbytes > memory.installed():
         raise _too_large(name, values)
     return values
 
@@ -161,12 +160,3 @@ def _converted(name: str, values: NDArray[Any], target: np.dtype[Any]) -> NDArra
 
 def _too_large(name: str, values: NDArray[Any]) -> ValueError:
     return ValueError(f"{name}: expected an array that fits into memory, got {values.dtype} of shape {values.shape}")
-
-
-@functools.cache
-def _memory() -> int:
-    """Bytes of the machine's memory, or an estimate where the system does not say."""
-    try:
-        return os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
-    except (AttributeError, OSError, ValueError):
-        return 1 << 40

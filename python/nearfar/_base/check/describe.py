@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 _LONGEST = 60
 """Greatest number of characters of a value in a message."""
 
@@ -31,13 +33,21 @@ def _is_long(value: object) -> bool:
 
 
 def shortened(value: object) -> str:
-    """Return the representation of a value, cut after a few words; text is escaped, so that any file can hold it."""
+    """Return the representation of a value, cut after 60 characters; text is escaped, so that any file can hold it."""
     if isinstance(value, int) and _is_long(value):
         return f"a number of {value.bit_length():,} bits"
+    if isinstance(value, np.generic):
+        return shortened(value.item())
     text = repr(value[: _LONGEST + 1] if isinstance(value, str) else value)
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
 
 
+def one_line(text: str, most: int | None = None) -> str:
+    """Return printable text on one line, cut after `most` characters."""
+    line = " ".join(printable(text).split())
+    return line if most is None or len(line) <= most else f"{line[: most - 1]}…"
+
+
 def printable(text: str) -> str:
-    """Escape halves of characters, which no file and no terminal can hold."""
+    """Escape lone surrogates, which no file and no terminal can hold."""
     return text.encode("utf-8", "backslashreplace").decode()

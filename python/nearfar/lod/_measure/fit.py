@@ -75,9 +75,9 @@ class Curve4PL:
     def __getitem__(self, index: Any) -> Curve4PL:
         """One curve of many by its number, or some by a slice, a mask (K,) of bool, or an array of numbers."""
         chosen = _chosen(index, len(self))
-        values = [field[chosen] for field in (*self, self.rms, self.status, self.reason)]
-        is_one = not isinstance(values[0], np.ndarray)
-        return Curve4PL(*((value.item() for value in values) if is_one else values))
+        fields = (*self, self.rms, self.status, self.reason)
+        # NumPy drops a Ctrl-C that comes while it makes the scalar of `texts[number]`; `item` makes none.
+        return Curve4PL(*(field.item(chosen) if isinstance(chosen, int) else field[chosen] for field in fields))
 
     def __repr__(self) -> str:
         if isinstance(self.a, np.ndarray):

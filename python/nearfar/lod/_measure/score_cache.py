@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import time
 from collections.abc import Iterable, Sequence
 from functools import partial
@@ -61,7 +62,8 @@ class ScoreCache:
         if path is None:
             return
         try:
-            stored = np.load(path, allow_pickle=False)
+            # From a file itself NumPy may raise TypeError where Ctrl-C comes while it asks what kind of file it is.
+            stored = np.load(io.BytesIO(path.read_bytes()), allow_pickle=False)
         except (OSError, ValueError, EOFError):
             # Removed in between, or damaged: it is measured again.
             return
@@ -89,5 +91,6 @@ class ScoreCache:
 
     def _write(self, number: int, path: Path) -> None:
         scores = self._scores[number]
-        with open(path, "wb") as file:
-            np.save(file, np.concatenate([scores, self._farther.get(number, scores[:0])]), allow_pickle=False)
+        data = io.BytesIO()
+        np.save(data, np.concatenate([scores, self._farther.get(number, scores[:0])]), allow_pickle=False)
+        path.write_bytes(data.getbuffer())

@@ -48,8 +48,9 @@ class MeshoptSimplifier:
     def _seams(self, places: NDArray[np.uint32], sewn: NDArray[np.uint32]) -> NDArray[np.bool_]:
         """Vertices at whose place charts or materials meet."""
         at = places[self._surface.faces].ravel().astype(np.int64)
-        pairs = np.unique(np.column_stack([at, sewn.ravel()]), axis=0)
-        meet = np.bincount(pairs[:, 0], minlength=len(places)) > 1
+        # Both numbers in one: NumPy compares rows by structured types, and turns a Ctrl-C meanwhile into TypeError.
+        pairs = np.unique(at << 32 | sewn.ravel())
+        meet = np.bincount(pairs >> 32, minlength=len(places)) > 1
         return np.ascontiguousarray(meet[places[self._vertex]])
 
     def _weigh(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:

@@ -110,7 +110,7 @@ def _package() -> ModuleType:
         import fast_simplification
     except ModuleNotFoundError:
         raise ModuleNotFoundError(
-            "method 'fast' needs the Python package fast-simplification: pip install nearfar[lod]",
+            "method 'fast' needs the Python package fast-simplification: pip install fast-simplification",
             name="fast_simplification",
         ) from None
     module: ModuleType = fast_simplification

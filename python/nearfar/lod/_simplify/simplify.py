@@ -77,7 +77,7 @@ def simplify(
     SceneError
         Meshes that can't be used, such as those with vertices that are not finite.
     ModuleNotFoundError
-        "fast" without the package fast-simplification, which ``pip install nearfar[lod]`` brings.
+        "fast" without the package fast-simplification, which the extra ``lod`` brings.
 
     References
     ----------

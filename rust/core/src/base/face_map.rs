@@ -2,7 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::{Buffer, Error, Result};
+use super::mapped::mapped;
+use super::{Buffer, Error, Progress, Result};
 
 /// Least mean length of a run, in faces, at which `Ranges` replaces `PerFace`. A look-up in ranges is a binary search;
 /// a look-up in `PerFace` is one load. The 4 bytes per face that ranges save are a small part of a face's memory: 12
@@ -81,10 +82,13 @@ impl FaceMap {
     }
 
     /// The map of the given faces, in the given order.
-    pub fn selected(&self, faces: &[u32]) -> Self {
+    pub fn selected(&self, faces: &[u32], progress: &Progress) -> Result<Self> {
         match self {
-            Self::Uniform(value) => Self::Uniform(*value),
-            _ => Self::PerFace(faces.iter().map(|&face| self.get(face)).collect()).compacted(faces.len()),
+            Self::Uniform(value) => Ok(Self::Uniform(*value)),
+            _ => {
+                let values = mapped(faces, |&face| self.get(face), progress)?;
+                Ok(Self::PerFace(values.into()).compacted(faces.len()))
+            }
         }
     }
 
@@ -181,7 +185,7 @@ mod tests {
                 if !flat.is_empty() {
                     let picks: Vec<u32> = picks.iter().map(|pick| pick % flat.len() as u32).collect();
                     let expected: Vec<i32> = picks.iter().map(|&pick| flat[pick as usize]).collect();
-                    prop_assert_eq!(values_of(&joined.selected(&picks), picks.len()), expected);
+                    prop_assert_eq!(values_of(&joined.selected(&picks, &Progress::new()).unwrap(), picks.len()), expected);
                 }
             }
         }

@@ -4,6 +4,7 @@ pub mod aabb;
 pub mod buffer;
 pub mod error;
 pub mod face_map;
+pub(crate) mod mapped;
 pub mod memory;
 pub mod pool;
 pub mod progress;

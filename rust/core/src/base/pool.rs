@@ -34,12 +34,6 @@ pub fn beside<'s, R>(work: impl FnOnce() + Send + 's, meanwhile: impl FnOnce() -
     }))
 }
 
-/// Begins `work` on the pool and does not wait for it.
-pub fn spawn(work: impl FnOnce() + Send + 'static) -> Result<()> {
-    current()?.spawn(work);
-    Ok(())
-}
-
 /// Number of threads of the pool.
 pub fn thread_count() -> Result<usize> {
     Ok(current()?.current_num_threads())

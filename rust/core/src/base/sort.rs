@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::{Progress, Result};
 
 /// Number of values that are sorted or merged between two checks whether the caller has cancelled.
-const RUN: usize = 1 << 16;
+const VALUES_PER_CHECK: usize = 1 << 16;
 
 /// A float64 number in the total order of IEEE 754.
 #[derive(Clone, Copy, Debug)]
@@ -37,7 +37,7 @@ pub fn sort_by_key<T: Copy + Send + Sync, K: Ord>(
     key: impl Fn(&T) -> K + Sync,
     progress: &Progress,
 ) -> Result<()> {
-    if values.len() <= RUN {
+    if values.len() <= VALUES_PER_CHECK {
         values.sort_by_key(key);
         return progress.check();
     }
@@ -52,7 +52,7 @@ fn sort<T: Copy + Send + Sync, K: Ord>(
     key: &(impl Fn(&T) -> K + Sync),
     progress: &Progress,
 ) -> Result<()> {
-    if values.len() <= RUN {
+    if values.len() <= VALUES_PER_CHECK {
         values.sort_by_key(key);
         return progress.check();
     }
@@ -70,7 +70,7 @@ fn merge<T: Copy + Send + Sync, K: Ord>(
     key: &(impl Fn(&T) -> K + Sync),
     progress: &Progress,
 ) -> Result<()> {
-    if to.len() <= RUN {
+    if to.len() <= VALUES_PER_CHECK {
         merge_run([a, b], to, key);
         return progress.check();
     }
@@ -110,7 +110,7 @@ mod tests {
 
     #[test]
     fn values_are_sorted_and_equal_ones_keep_their_order() {
-        for count in [0, 1, 2, RUN, RUN + 1, 5 * RUN + 3] {
+        for count in [0, 1, 2, VALUES_PER_CHECK, VALUES_PER_CHECK + 1, 5 * VALUES_PER_CHECK + 3] {
             for keys in [1.0, 7.0, 1e9] {
                 let draw = |i: u64| ((random::uniform(1, count as u64, i) * keys) as u32, i);
                 let mut values: Vec<(u32, u64)> = (0..count as u64).map(draw).collect();
@@ -128,7 +128,7 @@ mod tests {
     fn a_cancelled_sort_ends() {
         let progress = Progress::new();
         progress.cancel();
-        for count in [3, 3 * RUN] {
+        for count in [3, 3 * VALUES_PER_CHECK] {
             assert_eq!(sort_by_key(&mut vec![1; count], |&value| value, &progress), Err(crate::base::Error::Cancelled));
         }
     }

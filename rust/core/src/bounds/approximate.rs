@@ -5,7 +5,7 @@ use super::sphere::Sphere;
 use crate::base::{Real, Result};
 
 /// Number of points between two checks whether the caller has cancelled.
-const CHECKED: usize = 1 << 16;
+const POINTS_PER_CHECK: usize = 1 << 16;
 
 /// The sphere about the mean of the points.
 pub(super) fn average<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
@@ -30,7 +30,7 @@ pub(super) fn ritter<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
     let (_, one) = cloud.farthest(cloud.at(&cloud.points[0]))?;
     let (apart, other) = cloud.farthest(one)?;
     let (mut center, mut radius) = ((one + other) * 0.5, apart * 0.5);
-    for points in cloud.points.chunks(CHECKED) {
+    for points in cloud.points.chunks(POINTS_PER_CHECK) {
         for point in points {
             let away = cloud.at(point) - center;
             let squared = away.length_squared();
@@ -41,7 +41,7 @@ pub(super) fn ritter<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
                 radius = wider;
             }
         }
-        cloud.progress().check()?;
+        cloud.progress.check()?;
     }
     // Each step rounds, so the farthest point sets the final radius.
     Ok(Sphere { center, radius: cloud.farthest(center)?.0 })

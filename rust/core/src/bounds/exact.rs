@@ -21,7 +21,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// The smallest sphere, in the cloud's frame.
 pub(super) fn smallest<T: Real>(cloud: &Cloud<'_, T>) -> Result<Sphere> {
-    let progress = cloud.progress();
+    let progress = cloud.progress;
     let extremes: Vec<[f64; 3]> = cloud.extremes.iter().map(|point| point.to_array()).collect();
     let mut support = widened(&extremes, DVec3::ZERO, Support::point(cloud.extremes[0]), progress)?.1;
     if cloud.points.len() > ALL_KEPT {

@@ -52,7 +52,8 @@ vectorized! {
 /// from zero the points lie.
 pub(super) struct Cloud<'a, T> {
     pub points: &'a [[T; 3]],
-    progress: &'a Progress,
+    /// Where the caller may cancel.
+    pub progress: &'a Progress,
     pub origin: DVec3,
     /// Least and greatest coordinates, relative to the origin.
     pub bounds: [DVec3; 2],
@@ -98,11 +99,6 @@ impl<'a, T: Real> Cloud<'a, T> {
     /// Longest side of the bounding box.
     pub fn extent(&self) -> f64 {
         (self.bounds[1] - self.bounds[0]).max_element()
-    }
-
-    /// Fails if the caller has cancelled.
-    pub fn progress(&self) -> &'a Progress {
-        self.progress
     }
 
     /// A point relative to the cloud's origin.

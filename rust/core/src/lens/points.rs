@@ -83,18 +83,9 @@ impl RadialLens {
         refuse: bool,
         progress: &Progress,
     ) -> Result<()> {
-        self.each_tile(points, to, refuse, progress, |from, to| {
-            let mut tile = PointTile::new(from);
-            tile.moved(to, |radii| self.distort_blocks(radii));
-            if self.tangential == [0.0; 2] {
-                return;
-            }
-            for (from, to) in from.iter().zip(to) {
-                let p = DVec2::new(from[0].wide(), from[1].wide());
-                let shown = if p.length() <= self.reach { self.shown(p).0 } else { DVec2::NAN };
-                *to = shown.to_array().map(T::narrow);
-            }
-        })
+        let radii = |radii: &mut [f64]| self.distort_blocks(radii);
+        let tilted = |p: DVec2, _, _| if p.length() <= self.reach { self.shown(p).0 } else { DVec2::NAN };
+        self.each_point(points, to, refuse, progress, radii, tilted)
     }
 
     /// The points whose images are given. Images of no point within the disc of radius `reach` give NaN, or an error if
@@ -106,31 +97,33 @@ impl RadialLens {
         refuse: bool,
         progress: &Progress,
     ) -> Result<()> {
-        self.each_tile(points, to, refuse, progress, |from, to| {
-            let mut tile = PointTile::new(from);
-            tile.moved(to, |radii| self.undistort_blocks(radii, true, ROUNDINGS + 2.0 * T::SLACK));
-            if self.tangential == [0.0; 2] {
-                return;
-            }
-            for (n, to) in to.iter_mut().enumerate() {
-                let p = DVec2::new(from[n][0].wide(), from[n][1].wide());
-                *to = self.undistort_point(p, tile.radius[n], tile.image[n]).to_array().map(T::narrow);
-            }
-        })
+        let radii = |radii: &mut [f64]| self.undistort_blocks(radii, true, ROUNDINGS + 2.0 * T::SLACK);
+        let tilted = |p, radius, root| self.undistort_point(p, radius, root);
+        self.each_point(points, to, refuse, progress, radii, tilted)
     }
 
-    fn each_tile<T: Real>(
+    /// Moves points along their radii to what `radii` makes of these. With tangential terms `tilted` gives the result for
+    /// a point, its radius, and what `radii` made of that.
+    fn each_point<T: Real>(
         &self,
         points: &[[T; 2]],
         to: &mut [[T; 2]],
         refuse: bool,
         progress: &Progress,
-        kernel: impl Fn(&[[T; 2]], &mut [[T; 2]]) + Sync,
+        radii: impl Fn(&mut [f64]) + Sync,
+        tilted: impl Fn(DVec2, f64, f64) -> DVec2 + Sync,
     ) -> Result<()> {
         let good = AtomicBool::new(true);
         let bad = |[x, y]: &[T; 2]| (x.wide() + y.wide()).is_nan();
         points.par_chunks(TILE).zip(to.par_chunks_mut(TILE)).try_for_each(|(from, to)| {
-            kernel(from, to);
+            let mut tile = PointTile::new(from);
+            tile.moved(to, &radii);
+            if self.tangential != [0.0; 2] {
+                for (n, to) in to.iter_mut().enumerate() {
+                    let p = DVec2::new(from[n][0].wide(), from[n][1].wide());
+                    *to = tilted(p, tile.radius[n], tile.image[n]).to_array().map(T::narrow);
+                }
+            }
             if refuse && to.iter().any(bad) {
                 good.store(false, Ordering::Relaxed);
             }

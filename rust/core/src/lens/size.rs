@@ -17,7 +17,7 @@ const SMALL_ANGLE: f64 = 2e-3;
 const AREA_TOLERANCE: f64 = 1e-13;
 const MOST_PARTS: usize = 1 << 12;
 /// Number of spheres between two checks whether the caller has cancelled.
-const GROUP: usize = 1 << 6;
+const SPHERES_PER_CHECK: usize = 1 << 6;
 
 /// A view through a lens.
 #[derive(Clone, Copy, Debug)]
@@ -48,8 +48,11 @@ pub fn corrected_solid_angles(
     }
     each_tile(centers, radii, sizes.eye, to, |centers, radii, to| {
         // An exact area takes up to a millisecond.
-        let groups = centers.chunks(GROUP).zip(radii.chunks(GROUP)).zip(to.chunks_mut(GROUP));
-        groups.into_iter().try_for_each(|((centers, radii), to)| {
+        let mut groups = centers
+            .chunks(SPHERES_PER_CHECK)
+            .zip(radii.chunks(SPHERES_PER_CHECK))
+            .zip(to.chunks_mut(SPHERES_PER_CHECK));
+        groups.try_for_each(|((centers, radii), to)| {
             sizes.each(centers, radii, to);
             progress.check()
         })

@@ -115,9 +115,9 @@ impl WarpView {
     }
 }
 
-#[expect(clippy::too_many_arguments, reason = "a picture, a view, and where the result goes")]
 /// Produces the target picture row by row. `lenses` holds one lens, or one per channel. Pixels without a source are
 /// `fill`.
+#[expect(clippy::too_many_arguments, reason = "a picture, a view, and where the result goes")]
 pub fn warp<P: WarpPixel>(
     lenses: &[RadialLens],
     image: &Image<'_, P>,

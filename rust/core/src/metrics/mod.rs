@@ -3,7 +3,7 @@
 
 mod batch;
 mod object_completion;
-mod discontinuity;
+mod neighbours;
 mod extremes;
 mod pair;
 mod pixel_rows;
@@ -13,8 +13,8 @@ mod squared_error;
 mod lanes;
 
 pub use batch::{Comparison, Stacks};
-pub use discontinuity::{Neighbourhood, discontinuity};
 pub use extremes::ValueRange;
+pub use neighbours::{Border, Neighbourhood, Tears, discontinuity, tear};
 pub use object_completion::object_completion;
 pub use pair::Pair;
 pub use pixel_rows::PixelRows;

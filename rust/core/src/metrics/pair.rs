@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::extremes::{Extremes, ValueRange};
 use super::lanes::LANES;
-use super::pixel_rows::{FEW, PixelRows, extend, sum_and_difference, sum_difference_and_extremes};
+use super::pixel_rows::{EXTREME_LANES, PixelRows, extend, sum_and_difference, sum_difference_and_extremes};
 use super::plane::{Plane, Region};
 use crate::base::{Real, Result};
 
@@ -42,7 +42,9 @@ impl<'a, P: PixelRows> Pair<'a, P> {
         let Self { reference, test } = self;
         match (reference.run(row, columns.clone()), test.run(row, columns.clone())) {
             (Some(x), Some(y)) => match extremes {
-                Some(extremes) if columns.len() >= FEW => sum_difference_and_extremes(x, y, levels, s, d, extremes),
+                Some(extremes) if columns.len() >= EXTREME_LANES => {
+                    sum_difference_and_extremes(x, y, levels, s, d, extremes)
+                }
                 extremes => {
                     sum_and_difference(x, y, levels, s, d);
                     self.extend_row(row, columns, extremes);

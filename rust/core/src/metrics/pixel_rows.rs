@@ -6,7 +6,7 @@ use super::plane::Pixel;
 use crate::base::simd::vectorized;
 
 /// Lanes of the kernel that finds extremes as well: its last block goes back, and a narrower one goes back less far.
-pub(super) const FEW: usize = LANES / 2;
+pub(super) const EXTREME_LANES: usize = LANES / 2;
 
 /// Pixels of which rows are compared.
 pub trait PixelRows: Pixel {
@@ -33,7 +33,7 @@ vectorized! {
         s: &mut [P::Real],
         d: &mut [P::Real],
     ) = spread;
-    /// The same, and the extremes of both rows, of at least `FEW` pixels.
+    /// The same, and the extremes of both rows, of at least `EXTREME_LANES` pixels.
     pub(super) fn sum_difference_and_extremes<P: Pixel>(
         x: &[P],
         y: &[P],
@@ -116,8 +116,11 @@ fn spread_and_extend<P: Pixel>(
     let (seen_least, seen_greatest) = (first(&mut seen.least), first(&mut seen.greatest));
     // Copies, which stay in registers.
     let (mut least, mut greatest) = (*seen_least, *seen_greatest);
-    let mut block = |x: &[P; FEW], y: &[P; FEW], s: &mut [P::Real; FEW], d: &mut [P::Real; FEW]| {
-        for i in 0..FEW {
+    let mut block = |x: &[P; EXTREME_LANES],
+                     y: &[P; EXTREME_LANES],
+                     s: &mut [P::Real; EXTREME_LANES],
+                     d: &mut [P::Real; EXTREME_LANES]| {
+        for i in 0..EXTREME_LANES {
             let (a, b) = (x[i].real() - levels[0], y[i].real() - levels[1]);
             s[i] = a + b;
             d[i] = a - b;
@@ -140,7 +143,7 @@ fn spread_and_extend<P: Pixel>(
 }
 
 #[inline(always)]
-fn first<P>(lanes: &mut [P; LANES]) -> &mut [P; FEW] {
+fn first<P>(lanes: &mut [P; LANES]) -> &mut [P; EXTREME_LANES] {
     &mut lanes.as_chunks_mut().0[0]
 }
 

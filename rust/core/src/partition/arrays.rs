@@ -66,7 +66,7 @@ fn fill<T: Real>(triangles: &impl TriangleSource<T>, axis: [f64; 2], radii: &mut
 
 impl Partition {
     /// Numbers of the triangles of a set, ascending.
-    pub fn triangles(&self, part: TriangleSet) -> Vec<i64> {
+    pub fn triangles(&self, part: TriangleSet, progress: &Progress) -> Result<Vec<i64>> {
         let counts = self.counts();
         let count = match part {
             TriangleSet::Near => counts.near,
@@ -77,6 +77,7 @@ impl Partition {
         };
         let mut numbers = Vec::with_capacity(count as usize);
         for (instance, class) in self.classes().iter().enumerate() {
+            progress.check()?;
             let offset = self.scene().triangle_offset(instance as u32);
             let count = self.scene().instance(instance as u32).mesh.faces.len() as u32;
             let holds = |zone| part.holds(zone, self.is_moving(instance));
@@ -100,6 +101,6 @@ impl Partition {
                 }
             }
         }
-        numbers
+        Ok(numbers)
     }
 }

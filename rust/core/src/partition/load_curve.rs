@@ -57,12 +57,12 @@ impl LoadCurve {
 
     /// `count` of many radii.
     pub fn counts(&self, radii: &[f64], progress: &Progress) -> Result<Vec<i64>> {
-        radii.par_iter().map(|&r2| progress.check().and_then(|()| self.count(r2))).collect()
+        each(radii, |&r2| self.count(r2), progress)
     }
 
     /// `radius` of many budgets.
     pub fn radii(&self, budgets: &[i64], progress: &Progress) -> Result<Vec<f64>> {
-        budgets.par_iter().map(|&budget| progress.check().and_then(|()| self.radius(budget))).collect()
+        each(budgets, |&budget| self.radius(budget), progress)
     }
 
     /// Number of triangles that stay geometry at r₂, equal to that of `Partition`. Negative radii and NaN are refused.
@@ -92,6 +92,17 @@ impl LoadCurve {
     }
 }
 
+/// A result for each row, or the error of the first row that has one, for any number of threads.
+fn each<A: Sync, B: Clone + Send>(
+    rows: &[A],
+    of: impl Fn(&A) -> Result<B> + Sync,
+    progress: &Progress,
+) -> Result<Vec<B>> {
+    let tile = |rows: &[A]| progress.check().and_then(|()| rows.iter().map(&of).collect());
+    let tiles: Vec<Result<Vec<B>>> = rows.par_chunks(TILE).map(tile).collect();
+    Ok(tiles.into_iter().collect::<Result<Vec<_>>>()?.concat())
+}
+
 /// Bits of the least ρ of consecutive faces of an instance.
 fn measure_faces(instance: &Instance, first: usize, axis: [f64; 2], least: &mut [u32]) {
     let count = least.len();
@@ -106,5 +117,24 @@ fn measure_faces(instance: &Instance, first: usize, axis: [f64; 2], least: &mut 
     } else {
         let corners = placed(instance, first as u32..(first + count) as u32);
         measure(&Soup(&corners), count, axis, |i| i, take);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_several_wrong_rows_the_first_is_named() {
+        let curve = LoadCurve { sorted: vec![1.0f32.to_bits(); 3], moving: 2 };
+        let mut radii = vec![0.5; 3 * TILE];
+        (radii[TILE - 1], radii[2 * TILE]) = (-1.0, -2.0);
+        let mut budgets = vec![9; 3 * TILE];
+        (budgets[TILE - 1], budgets[2 * TILE]) = (-1, -2);
+        for _ in 0..100 {
+            assert_eq!(curve.counts(&radii, &Progress::new()), curve.count(-1.0).map(|_| Vec::new()));
+            assert_eq!(curve.radii(&budgets, &Progress::new()), curve.radius(-1).map(|_| Vec::new()));
+        }
+        assert_eq!(curve.counts(&[0.5, 1.0], &Progress::new()), Ok(vec![2, 5]));
     }
 }

@@ -82,19 +82,19 @@ proptest! {
         let (origin, progress) = (DVec3::new(1e6, 0.0, -3e5), Progress::new());
         let instanced = scene(origin, standing, vec![]);
         let corners: Vec<[[f32; 3]; 3]> =
-            instanced.triangles().unwrap().chunks_exact(9).map(|c| [0, 3, 6].map(|i| [c[i], c[i + 1], c[i + 2]])).collect();
+            instanced.triangles(&Progress::new()).unwrap().chunks_exact(9).map(|c| [0, 3, 6].map(|i| [c[i], c[i + 1], c[i + 2]])).collect();
         let merged = scene(origin, vec![placed(&mesh(&corners), DAffine3::IDENTITY)], vec![]);
         let center = origin + DVec3::new(1.0, 5.0, -2.0);
         let [a, b] = [&instanced, &merged].map(|s| Partition::new(s, center, r1, r1 + width, &progress).unwrap());
         for part in [TriangleSet::Near, TriangleSet::Intermediate, TriangleSet::Far, TriangleSet::Nsf, TriangleSet::Sf] {
-            prop_assert_eq!(a.triangles(part), b.triangles(part));
+            prop_assert_eq!(a.triangles(part, &Progress::new()).unwrap(), b.triangles(part, &Progress::new()).unwrap());
         }
         a.validate(&progress).unwrap();
         b.validate(&progress).unwrap();
         let curve = LoadCurve::new(&instanced, center, &progress).unwrap();
         prop_assert_eq!(curve.count(r1 + width).unwrap(), a.counts().nsf);
         let listed: Vec<i64> = a.nsf().map(|(i, face)| instanced.triangle_offset(i) + i64::from(face)).collect();
-        prop_assert_eq!(listed, a.triangles(TriangleSet::Nsf));
+        prop_assert_eq!(listed, a.triangles(TriangleSet::Nsf, &Progress::new()).unwrap());
     }
 }
 
@@ -130,9 +130,9 @@ fn moving_triangles_stay_geometry() {
     let progress = Progress::new();
     let partition = Partition::new(&both, DVec3::ZERO, 30.0, 50.0, &progress).unwrap();
     partition.validate(&progress).unwrap();
-    assert_eq!(partition.triangles(TriangleSet::Nsf), [0, 2]);
-    assert_eq!(partition.triangles(TriangleSet::Sf), [1]);
-    assert_eq!(partition.triangles(TriangleSet::Far), [1, 2]);
+    assert_eq!(partition.triangles(TriangleSet::Nsf, &Progress::new()).unwrap(), [0, 2]);
+    assert_eq!(partition.triangles(TriangleSet::Sf, &Progress::new()).unwrap(), [1]);
+    assert_eq!(partition.triangles(TriangleSet::Far, &Progress::new()).unwrap(), [1, 2]);
     // The boxes decided all classes: no triangle was examined.
     assert_eq!((partition.counts().examined, partition.counts().far_instances), (0, 2));
     let curve = LoadCurve::new(&both, DVec3::ZERO, &progress).unwrap();

@@ -4,19 +4,20 @@
 use std::sync::Arc;
 
 use glam::DAffine3;
-use rayon::prelude::*;
 
 use super::instance::{Instance, InstanceSet};
 use super::merge::{PlacedMesh, merge};
 use super::mesh::Mesh;
 use super::world::Scene;
-use crate::base::{Error, FaceMap, Result};
+use crate::base::mapped::filtered;
+use crate::base::sort::sort_by_key;
+use crate::base::{Error, FaceMap, Progress, Result};
 
 impl Scene {
     /// The same scene in which the objects of `chosen` (a flag for each object) move as well. Faces of merged meshes
     /// become separate meshes, one for each object, appended to the moving instances in the order of instances and
     /// objects.
-    pub fn with_moving(&self, chosen: &[bool]) -> Result<Self> {
+    pub fn with_moving(&self, chosen: &[bool], progress: &Progress) -> Result<Self> {
         if !chosen.contains(&true) {
             return Ok(self.clone());
         }
@@ -27,7 +28,7 @@ impl Scene {
                 Some(object) if is_chosen(object) => moving.push(instance.clone()),
                 Some(_) => standing.push(instance.clone()),
                 None => {
-                    let (rest, own) = split(&instance.mesh, is_chosen);
+                    let (rest, own) = split(&instance.mesh, is_chosen, progress)?;
                     let Some(rest) = rest else {
                         standing.push(instance.clone());
                         continue;
@@ -51,21 +52,22 @@ impl Scene {
     }
 
     /// Only the objects of `chosen`, a flag for each object.
-    pub fn subset_of_objects(&self, chosen: &[bool]) -> Self {
-        self.subset_by_object(|object| holds(chosen, object))
+    pub fn subset_of_objects(&self, chosen: &[bool], progress: &Progress) -> Result<Self> {
+        self.subset_by_object(|object| holds(chosen, object), progress)
     }
 
     /// All but the objects of `chosen`, a flag for each object; faces without an object stay.
-    pub fn without_objects(&self, chosen: &[bool]) -> Self {
-        self.subset_by_object(|object| !holds(chosen, object))
+    pub fn without_objects(&self, chosen: &[bool], progress: &Progress) -> Result<Self> {
+        self.subset_by_object(|object| !holds(chosen, object), progress)
     }
 
-    fn subset_by_object(&self, stays: impl Fn(i32) -> bool + Sync) -> Self {
-        self.subset(|_, instance| match instance.object {
-            Some(object) if stays(object) => Kept::All,
-            Some(_) => Kept::Faces(Vec::new()),
-            None => Kept::of(&instance.mesh, |face| stays(instance.mesh.objects.get(face))),
-        })
+    fn subset_by_object(&self, stays: impl Fn(i32) -> bool + Sync, progress: &Progress) -> Result<Self> {
+        let keep = |_, instance: &Instance| match instance.object {
+            Some(object) if stays(object) => Ok(Kept::All),
+            Some(_) => Ok(Kept::Faces(Vec::new())),
+            None => Kept::of(&instance.mesh, |face| stays(instance.mesh.objects.get(face)), progress),
+        };
+        self.subset(keep, progress)
     }
 
     /// The same scene with additional instances, placed after the existing static and moving ones.
@@ -81,20 +83,21 @@ impl Scene {
     }
 
     /// Only the triangles of `chosen`, a flag for each triangle number.
-    pub fn subset_of_triangles(&self, chosen: &[bool]) -> Result<Self> {
+    pub fn subset_of_triangles(&self, chosen: &[bool], progress: &Progress) -> Result<Self> {
         if chosen.len() as i64 != self.triangle_count() {
             let expected = format!("a flag for each of {} triangles", self.triangle_count());
             return Err(Error::value("triangles", expected, chosen.len()));
         }
-        Ok(self.subset(|first, instance| {
+        let keep = |first: i64, instance: &Instance| {
             let mine = &chosen[first as usize..][..instance.mesh.faces.len()];
-            Kept::of(&instance.mesh, |face| mine[face as usize])
-        }))
+            Kept::of(&instance.mesh, |face| mine[face as usize], progress)
+        };
+        self.subset(keep, progress)
     }
 
     /// One mesh of chosen faces (instance, face), placed relative to the scene's origin. The faces of an instance must
     /// be consecutive. The object of each face is its index in the list.
-    pub fn gathered(&self, chosen: &[(u32, u32)]) -> Result<Mesh> {
+    pub fn gathered(&self, chosen: &[(u32, u32)], progress: &Progress) -> Result<Mesh> {
         if chosen.len() > i32::MAX as usize {
             return Err(Error::value("triangles", "fewer than 2^31 in one mesh", chosen.len()));
         }
@@ -102,40 +105,41 @@ impl Scene {
         let parts = chosen.chunk_by(|a, b| a.0 == b.0).map(|run| {
             let instance = self.instance(run[0].0);
             let faces: Vec<u32> = run.iter().map(|&(_, face)| face).collect();
-            let mut mesh = instance.mesh.selected(&faces);
+            let mut mesh = instance.mesh.selected(&faces, progress)?;
             mesh.objects = FaceMap::PerFace((first..first + run.len() as i32).collect());
             first += run.len() as i32;
-            PlacedMesh { mesh: Arc::new(mesh), to_scene: instance.to_scene, object: None }
+            Ok(PlacedMesh { mesh: Arc::new(mesh), to_scene: instance.to_scene, object: None })
         });
-        merge(&parts.collect::<Vec<_>>())
+        merge(&parts.collect::<Result<Vec<_>>>()?, progress)
     }
 
-    fn subset(&self, keep: impl Fn(i64, &Instance) -> Kept) -> Self {
+    fn subset(&self, keep: impl Fn(i64, &Instance) -> Result<Kept>, progress: &Progress) -> Result<Self> {
         let mut first = 0;
-        let [standing, moving] = self.sets().map(|set| {
+        let mut of_set = |set: &InstanceSet| {
             let mut untouched = true;
             let mut instances = Vec::new();
             for instance in set.instances() {
-                let kept = keep(first, instance);
+                let kept = keep(first, instance)?;
                 first += instance.mesh.faces.len() as i64;
                 match kept {
                     Kept::All => instances.push(instance.clone()),
                     Kept::Faces(faces) => {
                         untouched = false;
                         if !faces.is_empty() {
-                            let mesh = Arc::new(instance.mesh.selected(&faces));
+                            let mesh = Arc::new(instance.mesh.selected(&faces, progress)?);
                             instances.push(instance.with_mesh(mesh, instance.object));
                         }
                     }
                 }
             }
-            (!untouched).then(|| Arc::new(InstanceSet::new(instances)))
-        });
-        Self {
+            Ok((!untouched).then(|| Arc::new(InstanceSet::new(instances))))
+        };
+        let (standing, moving) = (of_set(&self.standing)?, of_set(&self.moving)?);
+        Ok(Self {
             standing: standing.unwrap_or_else(|| Arc::clone(&self.standing)),
             moving: moving.unwrap_or_else(|| Arc::clone(&self.moving)),
             ..self.clone()
-        }
+        })
     }
 }
 
@@ -164,27 +168,29 @@ enum Kept {
 }
 
 impl Kept {
-    fn of(mesh: &Mesh, keeps: impl Fn(u32) -> bool + Sync) -> Self {
+    fn of(mesh: &Mesh, keeps: impl Fn(u32) -> bool + Sync, progress: &Progress) -> Result<Self> {
         let count = mesh.faces.len() as u32;
-        let faces: Vec<u32> = (0..count).into_par_iter().filter(|&face| keeps(face)).collect();
-        if faces.len() == count as usize && count > 0 { Self::All } else { Self::Faces(faces) }
+        let faces = filtered(count, keeps, progress)?;
+        Ok(if faces.len() == count as usize && count > 0 { Self::All } else { Self::Faces(faces) })
     }
 }
 
-/// Splits a mesh into the faces of no chosen object and the faces of each chosen object. The first is `None` if no face
-/// is chosen.
-fn split(mesh: &Mesh, is_chosen: impl Fn(i32) -> bool + Sync) -> (Option<Mesh>, Vec<(i32, Mesh)>) {
+/// The faces of no chosen object, `None` if no face is chosen, and the faces of each chosen object.
+type Split = (Option<Mesh>, Vec<(i32, Mesh)>);
+
+fn split(mesh: &Mesh, is_chosen: impl Fn(i32) -> bool + Sync, progress: &Progress) -> Result<Split> {
     if !mesh.objects.runs(mesh.faces.len()).any(|(_, object)| is_chosen(object)) {
-        return (None, Vec::new());
+        return Ok((None, Vec::new()));
     }
     let object = |face: &u32| mesh.objects.get(*face);
-    let all = 0..mesh.faces.len() as u32;
-    let (mut chosen, rest): (Vec<u32>, Vec<u32>) = all.into_par_iter().partition(|face| is_chosen(object(face)));
+    let count = mesh.faces.len() as u32;
+    let mut chosen = filtered(count, |face| is_chosen(object(&face)), progress)?;
+    let rest = filtered(count, |face| !is_chosen(object(&face)), progress)?;
     // A stable sort, so that each object keeps the order of its faces.
-    chosen.par_sort_by_key(object);
+    sort_by_key(&mut chosen, object, progress)?;
     let own = chosen.chunk_by(|a, b| object(a) == object(b));
-    let own = own.map(|faces| (object(&faces[0]), mesh.selected(faces))).collect();
-    (Some(mesh.selected(&rest)), own)
+    let own = own.map(|faces| Ok((object(&faces[0]), mesh.selected(faces, progress)?))).collect::<Result<_>>()?;
+    Ok((Some(mesh.selected(&rest, progress)?), own))
 }
 
 #[cfg(test)]
@@ -219,12 +225,12 @@ mod tests {
     fn gathered_faces_stand_where_they_stood_and_know_their_places() {
         let scene = row(&[0, 1, 2, 3]);
         let chosen = [(0, 3), (0, 1), (1, 0)];
-        let mesh = scene.gathered(&chosen).unwrap();
+        let mesh = scene.gathered(&chosen, &Progress::new()).unwrap();
         for (place, &(instance, face)) in chosen.iter().enumerate() {
             assert_eq!(mesh.objects.get(place as u32), place as i32);
             assert_eq!(mesh.corners(place as u32), scene.instance(instance).corners(face));
         }
-        assert!(scene.gathered(&[]).unwrap().faces.is_empty());
+        assert!(scene.gathered(&[], &Progress::new()).unwrap().faces.is_empty());
     }
 
     /// Object and corners of each triangle, sorted, so that scenes can be compared in any order.
@@ -243,7 +249,7 @@ mod tests {
         #[test]
         fn moving_objects_changes_nothing_that_is_seen(objects in vec(0i32..4, 1..30), chosen in vec(any::<bool>(), 4)) {
             let scene = row(&objects);
-            let moved = scene.with_moving(&chosen).unwrap();
+            let moved = scene.with_moving(&chosen, &Progress::new()).unwrap();
             prop_assert_eq!(contents(&moved), contents(&scene));
             for instance in moved.moving.instances() {
                 prop_assert!(chosen[instance.object.unwrap() as usize]);
@@ -258,14 +264,14 @@ mod tests {
             let scene = row(&objects);
             let expected: Vec<_> =
                 contents(&scene).into_iter().filter(|(object, _)| chosen[*object as usize]).collect();
-            prop_assert_eq!(contents(&scene.subset_of_objects(&chosen)), expected.clone());
+            prop_assert_eq!(contents(&scene.subset_of_objects(&chosen, &Progress::new()).unwrap()), expected.clone());
             let flags: Vec<bool> = (0..scene.triangle_count())
                 .map(|triangle| {
                     let (instance, face) = scene.locate(triangle).unwrap();
                     chosen[scene.instance(instance).object_of(face) as usize]
                 })
                 .collect();
-            prop_assert_eq!(contents(&scene.subset_of_triangles(&flags).unwrap()), expected);
+            prop_assert_eq!(contents(&scene.subset_of_triangles(&flags, &Progress::new()).unwrap()), expected);
         }
     }
 
@@ -273,15 +279,18 @@ mod tests {
     fn untouched_parts_are_shared() {
         let scene = row(&[0, 1, 1]);
         let upper = |scene: &Scene| Arc::as_ptr(&scene.standing.instances().last().unwrap().mesh);
-        assert_eq!(upper(&scene.with_moving(&[true]).unwrap()), upper(&scene));
-        assert_eq!(upper(&scene.subset_of_objects(&[false, true, false, true])), upper(&scene));
-        let whole = scene.subset_of_objects(&[true; 4]);
+        assert_eq!(upper(&scene.with_moving(&[true], &Progress::new()).unwrap()), upper(&scene));
+        assert_eq!(
+            upper(&scene.subset_of_objects(&[false, true, false, true], &Progress::new()).unwrap()),
+            upper(&scene)
+        );
+        let whole = scene.subset_of_objects(&[true; 4], &Progress::new()).unwrap();
         assert!(Arc::ptr_eq(&whole.standing, &scene.standing));
-        assert!(Arc::ptr_eq(&scene.with_moving(&[false; 4]).unwrap().standing, &scene.standing));
+        assert!(Arc::ptr_eq(&scene.with_moving(&[false; 4], &Progress::new()).unwrap().standing, &scene.standing));
     }
 
     #[test]
     fn another_number_of_flags_is_refused() {
-        assert!(row(&[0]).subset_of_triangles(&[true]).is_err());
+        assert!(row(&[0]).subset_of_triangles(&[true], &Progress::new()).is_err());
     }
 }

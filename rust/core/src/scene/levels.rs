@@ -12,7 +12,7 @@ use super::merge::{PlacedMesh, merge};
 use super::mesh::Mesh;
 use super::texture::Texture;
 use super::world::Scene;
-use crate::base::{Buffer, Error, Result};
+use crate::base::{Buffer, Error, Progress, Result};
 
 /// Marks an object without a model, and a level that is not drawn.
 const NONE: i32 = -1;
@@ -47,7 +47,7 @@ fn below(count: usize) -> String {
 impl Scene {
     /// Adds the materials and textures of other scenes to this scene, equal ones once. Also returns each of the other
     /// scenes as one mesh in its own frame, with the new material numbers.
-    pub fn with_surfaces(&self, others: &[&Self]) -> Result<(Self, Vec<Mesh>)> {
+    pub fn with_surfaces(&self, others: &[&Self], progress: &Progress) -> Result<(Self, Vec<Mesh>)> {
         let mut surfaces = Surfaces::of(self);
         let mut meshes = Vec::new();
         for other in others {
@@ -55,7 +55,7 @@ impl Scene {
             let from_origin = DAffine3::from_translation(other.origin);
             let mut parts: Vec<PlacedMesh> = other.instances().map(PlacedMesh::of).collect();
             parts.iter_mut().for_each(|part| part.to_scene = from_origin * part.to_scene);
-            let mut mesh = merge(&parts)?;
+            let mut mesh = merge(&parts, progress)?;
             mesh.materials = mesh.materials.renumbered(&numbers);
             meshes.push(mesh);
         }
@@ -216,7 +216,7 @@ mod tests {
         let own = scene(vec![placed(&fan(2, 0), 0.0, 0)], vec![red(Some(0))], vec![image(7)]);
         let mesh = fan(3, 1);
         let other = || scene(vec![placed(&mesh, 0.0, 0)], vec![red(Some(0)), red(Some(1))], vec![image(9), image(7)]);
-        let (joined, meshes) = own.with_surfaces(&[&other(), &other()]).unwrap();
+        let (joined, meshes) = own.with_surfaces(&[&other(), &other()], &Progress::new()).unwrap();
         assert_eq!(*joined.materials, vec![red(Some(0)), red(Some(1))]);
         assert_eq!(joined.textures.iter().map(|t| t.texels[0][0]).collect::<Vec<_>>(), [7, 9]);
         for level in &meshes {
@@ -224,7 +224,7 @@ mod tests {
             assert_eq!(level.materials.get(2), 0);
             assert_eq!(level.positions.as_ptr(), mesh.positions.as_ptr());
         }
-        let (again, _) = joined.with_surfaces(&[&other()]).unwrap();
+        let (again, _) = joined.with_surfaces(&[&other()], &Progress::new()).unwrap();
         assert!(Arc::ptr_eq(&again.materials, &joined.materials) && Arc::ptr_eq(&again.textures, &joined.textures));
     }
 
@@ -232,7 +232,7 @@ mod tests {
     fn materials_that_are_drawn_alike_stay_apart_by_their_tags() {
         let tagged = |tag| Material { tag, ..Material::default() };
         let level = |tag| scene(vec![placed(&fan(1, 0), 0.0, 0)], vec![tagged(tag)], vec![]);
-        let (joined, meshes) = level(1).with_surfaces(&[&level(2), &level(1)]).unwrap();
+        let (joined, meshes) = level(1).with_surfaces(&[&level(2), &level(1)], &Progress::new()).unwrap();
         assert_eq!(*joined.materials, vec![tagged(1), tagged(2)]);
         assert_eq!([meshes[0].materials.get(0), meshes[1].materials.get(0)], [1, 0]);
     }
@@ -242,7 +242,7 @@ mod tests {
         let level =
             scene(vec![placed(&fan(1, 0), 0.0, 0), placed(&fan(2, 0), 5.0, 1)], vec![Material::default()], vec![]);
         let far = Scene { origin: DVec3::Y * 1e5, ..level.clone() };
-        let (_, meshes) = scene(vec![], vec![], vec![]).with_surfaces(&[&level, &far]).unwrap();
+        let (_, meshes) = scene(vec![], vec![], vec![]).with_surfaces(&[&level, &far], &Progress::new()).unwrap();
         assert_eq!(meshes[0].faces.len(), 3);
         assert_eq!(meshes[0].corners(1)[0].to_array(), [5.0, 0.0, 0.0]);
         assert_eq!(meshes[1].corners(1)[0].to_array(), [5.0, 1e5, 0.0]);

@@ -8,7 +8,8 @@ use rayon::prelude::*;
 use super::instance::Instance;
 use super::mesh::{Mesh, TILE, turned};
 use super::normal::place_normals;
-use crate::base::{Error, FaceMap, Result};
+use crate::base::mapped::mapped;
+use crate::base::{Buffer, Error, FaceMap, Progress, Result};
 
 /// A mesh to be merged.
 #[derive(Clone, Debug)]
@@ -39,31 +40,33 @@ impl PlacedMesh {
 }
 
 /// Merges placed meshes into one mesh. A single part keeps the arrays that its placement does not change.
-pub fn merge(parts: &[PlacedMesh]) -> Result<Mesh> {
+pub fn merge(parts: &[PlacedMesh], progress: &Progress) -> Result<Mesh> {
     if parts.iter().any(|part| !part.to_scene.is_finite()) {
         return Err(Error::value("transform", "finite numbers", "NaN or infinity"));
     }
     let face_counts: Vec<usize> = parts.iter().map(|part| part.mesh.faces.len()).collect();
     let (uvs, colors, faces) = match parts {
-        [only] => (only.mesh.uvs.clone(), only.mesh.colors.clone(), lone_faces(only)),
+        [only] => (only.mesh.uvs.clone(), only.mesh.colors.clone(), lone_faces(only, progress)?),
         _ => (
-            joined(parts, |mesh| mesh.uvs.as_deref(), [0.0; 2]).map(Into::into),
-            joined(parts, |mesh| mesh.colors.as_deref(), [255; 4]).map(Into::into),
-            joined_faces(parts, &face_counts)?.into(),
+            joined(parts, |mesh| mesh.uvs.as_deref(), [0.0; 2], progress)?.map(Into::into),
+            joined(parts, |mesh| mesh.colors.as_deref(), [255; 4], progress)?.map(Into::into),
+            joined_faces(parts, &face_counts, progress)?.into(),
         ),
     };
     let positions = match parts {
         [only] if only.stands_in_place() => only.mesh.positions.clone(),
-        _ => placed_positions(parts).into(),
+        _ => placed_positions(parts, progress)?.into(),
     };
     let uniform: Vec<_> = parts.iter().map(|part| part.object.map(FaceMap::Uniform)).collect();
     let objects = parts.iter().zip(&uniform).map(|(part, one)| one.as_ref().unwrap_or(&part.mesh.objects));
     let objects = FaceMap::joined(objects.zip(face_counts.iter().copied()));
+    progress.check()?;
     let materials = FaceMap::joined(parts.iter().map(|part| &part.mesh.materials).zip(face_counts.iter().copied()));
     let normals = match parts {
         [only] if only.stands_in_place() => only.mesh.normals.clone(),
-        _ => placed_normals(parts).map(Into::into),
+        _ => placed_normals(parts, progress)?.map(Into::into),
     };
+    progress.check()?;
     Mesh::new(positions, faces, uvs, colors, objects, materials)?.with_normals(normals)
 }
 
@@ -78,46 +81,46 @@ fn pieces<T>(mut rest: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&m
         .collect()
 }
 
-fn placed_positions(parts: &[PlacedMesh]) -> Vec<[f32; 3]> {
+fn placed_positions(parts: &[PlacedMesh], progress: &Progress) -> Result<Vec<[f32; 3]>> {
     let lengths = || parts.iter().map(|part| part.mesh.positions.len());
     let mut positions = vec![[0.0; 3]; lengths().sum()];
-    parts.par_iter().zip(pieces(&mut positions, lengths())).for_each(|(part, slots)| {
-        if part.stands_in_place() {
-            slots.copy_from_slice(&part.mesh.positions);
-            return;
-        }
+    parts.par_iter().zip(pieces(&mut positions, lengths())).try_for_each(|(part, slots)| {
         let place = |p: &[f32; 3]| part.to_scene.transform_point3(Vec3::from_array(*p).as_dvec3()).as_vec3().to_array();
-        slots.par_chunks_mut(TILE).zip(part.mesh.positions.par_chunks(TILE)).for_each(|(slots, positions)| {
-            slots.iter_mut().zip(positions).for_each(|(slot, position)| *slot = place(position));
-        });
-    });
-    positions
+        slots.par_chunks_mut(TILE).zip(part.mesh.positions.par_chunks(TILE)).try_for_each(|(slots, positions)| {
+            if part.stands_in_place() {
+                slots.copy_from_slice(positions);
+            } else {
+                slots.iter_mut().zip(positions).for_each(|(slot, position)| *slot = place(position));
+            }
+            progress.check()
+        })
+    })?;
+    Ok(positions)
 }
 
 /// Normals of all parts, zero for parts without normals; `None` if no part has normals.
-fn placed_normals(parts: &[PlacedMesh]) -> Option<Vec<[f32; 3]>> {
+fn placed_normals(parts: &[PlacedMesh], progress: &Progress) -> Result<Option<Vec<[f32; 3]>>> {
     if parts.iter().all(|part| part.mesh.normals.is_none()) {
-        return None;
+        return Ok(None);
     }
     let lengths = || parts.iter().map(|part| part.mesh.positions.len());
     let mut normals = vec![[0.0; 3]; lengths().sum()];
-    parts.par_iter().zip(pieces(&mut normals, lengths())).for_each(|(part, slots)| {
-        if let Some(normals) = &part.mesh.normals {
-            place_normals(&part.to_scene, normals, slots);
-        }
-    });
-    Some(normals)
+    parts.par_iter().zip(pieces(&mut normals, lengths())).try_for_each(|(part, slots)| match &part.mesh.normals {
+        Some(normals) => place_normals(&part.to_scene, normals, slots, progress),
+        None => Ok(()),
+    })?;
+    Ok(Some(normals))
 }
 
-fn lone_faces(part: &PlacedMesh) -> crate::base::Buffer<[u32; 3]> {
+fn lone_faces(part: &PlacedMesh, progress: &Progress) -> Result<Buffer<[u32; 3]>> {
     if part.is_mirrored() {
-        part.mesh.faces.par_iter().map(turned).collect::<Vec<_>>().into()
+        mapped(&part.mesh.faces, turned, progress).map(Into::into)
     } else {
-        part.mesh.faces.clone()
+        Ok(part.mesh.faces.clone())
     }
 }
 
-fn joined_faces(parts: &[PlacedMesh], counts: &[usize]) -> Result<Vec<[u32; 3]>> {
+fn joined_faces(parts: &[PlacedMesh], counts: &[usize], progress: &Progress) -> Result<Vec<[u32; 3]>> {
     let vertex_count: usize = parts.iter().map(|part| part.mesh.positions.len()).sum();
     if vertex_count > u32::MAX as usize {
         return Err(Error::value("meshes", "fewer than 2^32 vertices in one merged mesh", vertex_count));
@@ -131,14 +134,15 @@ fn joined_faces(parts: &[PlacedMesh], counts: &[usize]) -> Result<Vec<[u32; 3]>>
     });
     let firsts: Vec<u32> = firsts.collect();
     let slots = pieces(&mut faces, counts.iter().copied());
-    parts.par_iter().zip(firsts).zip(slots).for_each(|((part, first), slots)| {
+    parts.par_iter().zip(firsts).zip(slots).try_for_each(|((part, first), slots)| {
         let mirrored = part.is_mirrored();
-        slots.par_chunks_mut(TILE).zip(part.mesh.faces.par_chunks(TILE)).for_each(|(slots, faces)| {
+        slots.par_chunks_mut(TILE).zip(part.mesh.faces.par_chunks(TILE)).try_for_each(|(slots, faces)| {
             for (slot, face) in slots.iter_mut().zip(faces) {
                 *slot = if mirrored { turned(face) } else { *face }.map(|vertex| vertex + first);
             }
-        });
-    });
+            progress.check()
+        })
+    })?;
     Ok(faces)
 }
 
@@ -147,9 +151,10 @@ fn joined<T: Copy + Send + Sync>(
     parts: &[PlacedMesh],
     attribute: impl Fn(&Mesh) -> Option<&[T]>,
     neutral: T,
-) -> Option<Vec<T>> {
+    progress: &Progress,
+) -> Result<Option<Vec<T>>> {
     if parts.iter().all(|part| attribute(&part.mesh).is_none()) {
-        return None;
+        return Ok(None);
     }
     let mut all = Vec::with_capacity(parts.iter().map(|part| part.mesh.positions.len()).sum());
     for part in parts {
@@ -157,8 +162,9 @@ fn joined<T: Copy + Send + Sync>(
             Some(values) => all.extend_from_slice(values),
             None => all.resize(all.len() + part.mesh.positions.len(), neutral),
         }
+        progress.check()?;
     }
-    Some(all)
+    Ok(Some(all))
 }
 
 #[cfg(test)]
@@ -182,10 +188,13 @@ mod tests {
     #[test]
     fn parts_stand_where_they_are_placed_and_keep_objects_and_colors() {
         let part = |mesh, to_scene, object| PlacedMesh { mesh, to_scene, object };
-        let merged = merge(&[
-            part(triangle(FaceMap::Uniform(5), false), DAffine3::IDENTITY, None),
-            part(triangle(FaceMap::Uniform(5), true), DAffine3::from_translation(DVec3::X), Some(7)),
-        ])
+        let merged = merge(
+            &[
+                part(triangle(FaceMap::Uniform(5), false), DAffine3::IDENTITY, None),
+                part(triangle(FaceMap::Uniform(5), true), DAffine3::from_translation(DVec3::X), Some(7)),
+            ],
+            &Progress::new(),
+        )
         .unwrap();
         assert_eq!(merged.corners(1), merged.corners(0).map(|p| p + Vec3::X));
         assert_eq!((merged.objects.get(0), merged.objects.get(1)), (5, 7));
@@ -199,7 +208,7 @@ mod tests {
         let mirror = DAffine3::from_scale(DVec3::new(1.0, 1.0, -1.0));
         for count in [1, 2] {
             let part = PlacedMesh { mesh: triangle(FaceMap::Uniform(0), false), to_scene: mirror, object: None };
-            let merged = merge(&vec![part; count]).unwrap();
+            let merged = merge(&vec![part; count], &Progress::new()).unwrap();
             // The triangle's front faces +z, the front of its mirror image −z.
             assert_eq!(normal(&merged, 0), -Vec3::Z);
         }
@@ -209,13 +218,13 @@ mod tests {
     fn a_lone_part_in_place_shares_its_arrays() {
         let mesh = triangle(FaceMap::Uniform(3), true);
         let part = PlacedMesh { mesh: Arc::clone(&mesh), to_scene: DAffine3::IDENTITY, object: None };
-        let merged = merge(&[part]).unwrap();
+        let merged = merge(&[part], &Progress::new()).unwrap();
         assert_eq!(merged.positions.as_ptr(), mesh.positions.as_ptr());
         assert_eq!(merged.faces.as_ptr(), mesh.faces.as_ptr());
     }
 
     #[test]
     fn nothing_merges_to_nothing() {
-        assert_eq!(merge(&[]).unwrap().faces.len(), 0);
+        assert_eq!(merge(&[], &Progress::new()).unwrap().faces.len(), 0);
     }
 }

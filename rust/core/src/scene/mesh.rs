@@ -5,6 +5,8 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 use glam::Vec3;
 use rayon::prelude::*;
 
+use crate::base::mapped::mapped;
+use crate::base::sort::sort_by_key;
 use crate::base::{Aabb, Buffer, Error, FaceMap, Progress, REACH, Result};
 use crate::bvh::{Bvh, MeshArrays};
 
@@ -89,23 +91,25 @@ impl Mesh {
     }
 
     /// A mesh of chosen faces, in their order. It shares the vertex arrays unless most vertices would be unused.
-    pub fn selected(&self, chosen: &[u32]) -> Self {
-        let faces: Vec<[u32; 3]> = chosen.par_iter().map(|&face| self.faces[face as usize]).collect();
-        let (objects, materials) = (self.objects.selected(chosen), self.materials.selected(chosen));
+    pub fn selected(&self, chosen: &[u32], progress: &Progress) -> Result<Self> {
+        let faces = gathered(&self.faces, chosen, progress)?;
+        let (objects, materials) =
+            (self.objects.selected(chosen, progress)?, self.materials.selected(chosen, progress)?);
         if faces.len() * 3 >= self.positions.len() {
-            return self.with_faces(faces, objects, materials);
+            return Ok(self.with_faces(faces, objects, materials));
         }
         let mut used: Vec<u32> = faces.as_flattened().to_vec();
-        used.sort_unstable();
+        sort_by_key(&mut used, |&vertex| vertex, progress)?;
         used.dedup();
         // Each vertex of the faces is in `used`, so the search finds it.
         let renumber = |vertex: u32| used.partition_point(|&other| other < vertex) as u32;
-        let faces: Vec<[u32; 3]> = faces.par_iter().map(|face| face.map(renumber)).collect();
-        let uvs = self.uvs.as_ref().map(|values| gathered(values, &used));
-        let colors = self.colors.as_ref().map(|values| gathered(values, &used));
-        let normals = self.normals.as_ref().map(|values| gathered(values, &used));
-        let positions = gathered(&self.positions, &used);
-        Self { normals, ..Self::unchecked(positions, faces.into(), uvs, colors, objects, materials) }
+        let faces = mapped(&faces, |face| face.map(renumber), progress)?;
+        let uvs = self.uvs.as_ref().map(|values| gathered(values, &used, progress)).transpose()?.map(Into::into);
+        let colors = self.colors.as_ref().map(|values| gathered(values, &used, progress)).transpose()?.map(Into::into);
+        let normals =
+            self.normals.as_ref().map(|values| gathered(values, &used, progress)).transpose()?.map(Into::into);
+        let positions = gathered(&self.positions, &used, progress)?.into();
+        Ok(Self { normals, ..Self::unchecked(positions, faces.into(), uvs, colors, objects, materials) })
     }
 
     /// The mesh with its faces turned inside out, for mirrored instances. It shares the vertex arrays. Normals do not
@@ -124,12 +128,13 @@ impl Mesh {
 
     /// Number of faces without area: two corners at one position, or all three on a line, in exact arithmetic of the
     /// float32 edges.
-    pub fn degenerate_count(&self) -> usize {
+    pub fn degenerate_count(&self, progress: &Progress) -> Result<usize> {
         let is_degenerate = |face: &&[u32; 3]| {
             let [a, b, c] = face.map(|vertex| Vec3::from_array(self.positions[vertex as usize]).as_dvec3());
             (b - a).cross(c - a).length_squared() == 0.0
         };
-        self.faces.par_chunks(TILE).map(|tile| tile.iter().filter(is_degenerate).count()).sum()
+        let count = |tile: &[[u32; 3]]| progress.check().map(|()| tile.iter().filter(is_degenerate).count());
+        self.faces.par_chunks(TILE).map(count).sum()
     }
 
     /// Box of all faces; unused vertices are left out.
@@ -225,8 +230,8 @@ fn box_of<T: Sync>(rows: &[T], extend: impl Fn(&mut Aabb, &T) + Sync) -> Aabb {
     rows.par_chunks(TILE).map(tile_bounds).reduce(|| Aabb::EMPTY, |a, b| a.union(&b))
 }
 
-fn gathered<T: Copy + Send + Sync + 'static>(values: &[T], rows: &[u32]) -> Buffer<T> {
-    rows.iter().map(|&row| values[row as usize]).collect()
+fn gathered<T: Copy + Send + Sync>(values: &[T], rows: &[u32], progress: &Progress) -> Result<Vec<T>> {
+    mapped(rows, |&row| values[row as usize], progress)
 }
 
 #[cfg(test)]

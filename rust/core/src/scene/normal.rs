@@ -8,6 +8,7 @@ use rayon::prelude::*;
 
 use super::instance::Instance;
 use super::mesh::{Mesh, TILE};
+use crate::base::{Progress, Result};
 
 /// Matrix that transforms normals, except for their length: the cofactors of the placement, which exist for singular
 /// matrices too.
@@ -24,15 +25,21 @@ fn placed(matrix: &DMat3, normal: [f32; 3]) -> Vec3 {
 }
 
 /// Writes the normals of the placed mesh.
-pub(super) fn place_normals(to_scene: &DAffine3, normals: &[[f32; 3]], slots: &mut [[f32; 3]]) {
-    if *to_scene == DAffine3::IDENTITY {
-        slots.copy_from_slice(normals);
-        return;
-    }
-    let matrix = normal_matrix(to_scene);
-    slots.par_chunks_mut(TILE).zip(normals.par_chunks(TILE)).for_each(|(slots, normals)| {
-        slots.iter_mut().zip(normals).for_each(|(slot, &normal)| *slot = placed(&matrix, normal).to_array());
-    });
+pub(super) fn place_normals(
+    to_scene: &DAffine3,
+    normals: &[[f32; 3]],
+    slots: &mut [[f32; 3]],
+    progress: &Progress,
+) -> Result<()> {
+    let (stands, matrix) = (*to_scene == DAffine3::IDENTITY, normal_matrix(to_scene));
+    slots.par_chunks_mut(TILE).zip(normals.par_chunks(TILE)).try_for_each(|(slots, normals)| {
+        if stands {
+            slots.copy_from_slice(normals);
+        } else {
+            slots.iter_mut().zip(normals).for_each(|(slot, &normal)| *slot = placed(&matrix, normal).to_array());
+        }
+        progress.check()
+    })
 }
 
 impl Mesh {
@@ -57,11 +64,11 @@ impl Instance {
     }
 
     /// Normals of all vertices as placed; those of a mesh whose transform is the identity keep their bits.
-    pub fn vertex_normals(&self) -> Option<Vec<[f32; 3]>> {
-        let normals = self.mesh.normals.as_deref()?;
+    pub fn vertex_normals(&self, progress: &Progress) -> Result<Option<Vec<[f32; 3]>>> {
+        let Some(normals) = self.mesh.normals.as_deref() else { return Ok(None) };
         let mut slots = vec![[0.0; 3]; normals.len()];
-        place_normals(&self.to_scene, normals, &mut slots);
-        Some(slots)
+        place_normals(&self.to_scene, normals, &mut slots, progress)?;
+        Ok(Some(slots))
     }
 }
 
@@ -123,9 +130,11 @@ mod tests {
     #[test]
     fn a_merged_mesh_has_the_normals_of_its_instances() {
         let part = |to_scene| PlacedMesh { mesh: leaning(), to_scene, object: None };
-        let flat =
-            PlacedMesh { mesh: Arc::new(leaning().selected(&[0]).with_normals(None).unwrap()), ..part(slanted()) };
-        let merged = merge(&[part(slanted()), flat, part(DAffine3::IDENTITY)]).unwrap();
+        let flat = PlacedMesh {
+            mesh: Arc::new(leaning().selected(&[0], &Progress::new()).unwrap().with_normals(None).unwrap()),
+            ..part(slanted())
+        };
+        let merged = merge(&[part(slanted()), flat, part(DAffine3::IDENTITY)], &Progress::new()).unwrap();
         let instance = Instance::new(leaning(), slanted(), None).unwrap();
         let expected = instance.corner_normals(0).unwrap().map(|n| n.to_array());
         let normals = merged.normals.as_deref().unwrap();
@@ -133,14 +142,14 @@ mod tests {
         assert_eq!(normals[..3], expected);
         assert_eq!(normals[3..6], [[0.0; 3]; 3]);
         assert_eq!(&normals[6..], leaning().normals.as_deref().unwrap());
-        let lone = merge(&[part(slanted())]).unwrap();
+        let lone = merge(&[part(slanted())], &Progress::new()).unwrap();
         assert_eq!(lone.normals.as_deref().unwrap(), expected);
     }
 
     #[test]
     fn flattened_meshes_face_the_way_they_were_flattened() {
         let flat = DAffine3::from_scale(DVec3::new(1.0, 0.0, 1.0));
-        let merged = merge(&[PlacedMesh { mesh: leaning(), to_scene: flat, object: None }]).unwrap();
+        let merged = merge(&[PlacedMesh { mesh: leaning(), to_scene: flat, object: None }], &Progress::new()).unwrap();
         assert_eq!(merged.normals.as_deref().unwrap(), [[0.0; 3], [0.0, -1.0, 0.0], [0.0; 3]]);
     }
 
@@ -155,7 +164,7 @@ mod tests {
 
     #[test]
     fn rows_must_fit_and_be_finite() {
-        let mesh = || leaning().selected(&[0]);
+        let mesh = || leaning().selected(&[0], &Progress::new()).unwrap();
         assert!(mesh().with_normals(Some(vec![[0.0, 0.0, 1.0]; 2].into())).is_err());
         assert!(mesh().with_normals(Some(vec![[f32::NAN, 0.0, 1.0]; 3].into())).is_err());
         assert!(mesh().with_normals(None).unwrap().normals.is_none());

@@ -5,6 +5,8 @@ use std::collections::HashMap;
 
 use rayon::prelude::*;
 
+use crate::base::mapped::mapped;
+use crate::base::sort::sort_by_key;
 use crate::base::{Error, Progress, Result};
 
 /// Stands for the texture coordinate or normal that a corner does not name.
@@ -16,7 +18,7 @@ const MOST_SHOWN: usize = 60;
 /// Kinds of rows, in the order in which a face's corner names them.
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 /// Lines between two checks whether the caller has cancelled.
-const LINES: u64 = 1 << 12;
+const LINES_PER_CHECK: u64 = 1 << 12;
 
 /// Content of an OBJ file.
 #[derive(Debug, Default, PartialEq)]
@@ -57,17 +59,17 @@ pub struct Part {
 pub fn read(text: &[u8], progress: &Progress) -> Result<Wavefront> {
     let mut scan = Scan::default();
     let (mut start, mut line) = (0, 1);
-    let mut next_check = LINES;
+    let mut next_check = LINES_PER_CHECK;
     while start < text.len() {
         let (end, lines) = logical_end(text, start);
         scan.line(&text[start..end], line)?;
         (start, line) = (end + 1, line + lines);
         if line >= next_check {
             progress.check()?;
-            next_check = line + LINES;
+            next_check = line + LINES_PER_CHECK;
         }
     }
-    scan.finish()
+    scan.finish(progress)
 }
 
 #[derive(Default)]
@@ -187,7 +189,7 @@ impl Scan {
             if index > self.greatest[kind].0 {
                 self.greatest[kind] = (index, line);
             }
-            // What does not fit names nothing, as `finish` finds.
+            // An index that does not fit names nothing, as `finish` finds.
             corner[kind] = u32::try_from(index - 1).unwrap_or(NONE);
         }
         Ok(corner)
@@ -220,7 +222,7 @@ impl Scan {
         [self.read.positions.len(), self.read.uvs.len(), self.read.normals.len()].map(|count| count as u64)
     }
 
-    fn finish(self) -> Result<Wavefront> {
+    fn finish(self, progress: &Progress) -> Result<Wavefront> {
         for ((kind, count), (index, line)) in KINDS.iter().zip(self.counts()).zip(self.greatest) {
             if index > count {
                 return Err(absent(line, kind, &index.to_string(), count));
@@ -242,28 +244,28 @@ impl Scan {
         let is_plain = self.corners.len() == 1 && read.uvs.is_empty() && read.normals.is_empty();
         let count = read.positions.len() as u32;
         let parts = self.corners.into_par_iter().zip(keys).map(|(corners, (object, material))| {
-            let (vertices, faces) = if is_plain {
-                let faces = corners.as_chunks::<3>().0.iter().map(|face| face.map(|corner| corner[0])).collect();
-                ((0..count).map(|vertex| [vertex, NONE, NONE]).collect(), faces)
+            let [vertices, faces] = if is_plain {
+                let faces = mapped(corners.as_chunks::<3>().0, |face| face.map(|corner| corner[0]), progress)?;
+                [(0..count).map(|vertex| [vertex, NONE, NONE]).collect(), faces]
             } else {
-                unified(&corners)
+                unified(&corners, progress)?
             };
-            Part { object, material, vertices, faces }
+            Ok(Part { object, material, vertices, faces })
         });
-        read.parts = parts.collect();
+        read.parts = parts.collect::<Result<_>>()?;
         Ok(read)
     }
 }
 
 /// The different corners in the order of their indices, and triangles between them.
-fn unified(corners: &[[u32; 3]]) -> (Vec<[u32; 3]>, Vec<[u32; 3]>) {
+fn unified(corners: &[[u32; 3]], progress: &Progress) -> Result<[Vec<[u32; 3]>; 2]> {
     let mut vertices = corners.to_vec();
-    vertices.par_sort_unstable();
+    sort_by_key(&mut vertices, |&corner| corner, progress)?;
     vertices.dedup();
     // The search finds each corner.
     let place = |corner: [u32; 3]| vertices.partition_point(|&other| other < corner) as u32;
-    let faces = corners.as_chunks::<3>().0.par_iter().map(|face| face.map(place)).collect();
-    (vertices, faces)
+    let faces = mapped(corners.as_chunks::<3>().0, |face| face.map(place), progress)?;
+    Ok([vertices, faces])
 }
 
 fn absent(line: u64, kind: &str, index: &str, count: u64) -> Error {

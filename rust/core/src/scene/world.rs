@@ -116,25 +116,28 @@ impl Scene {
 
     /// Corners of all triangles ordered by number, nine floats each, relative to the origin. For export, not for
     /// kernels.
-    pub fn triangles(&self) -> Result<Vec<f32>> {
+    pub fn triangles(&self, progress: &Progress) -> Result<Vec<f32>> {
         room_for(self.triangle_count() as u64 * 9 * size_of::<f32>() as u64)?;
         let mut flat = vec![0.0; self.triangle_count() as usize * 9];
         let mut rest = &mut flat[..];
         for instance in self.instances() {
             let (mine, others) = rest.split_at_mut(instance.mesh.faces.len() * 9);
-            mine.par_chunks_mut(9).enumerate().for_each(|(face, corners)| {
-                for (slot, corner) in corners.chunks_exact_mut(3).zip(instance.corners(face as u32)) {
-                    slot.copy_from_slice(&corner.to_array());
+            mine.par_chunks_mut(9 * mesh::TILE).enumerate().try_for_each(|(tile, faces)| {
+                let first = tile * mesh::TILE;
+                for (face, corners) in faces.as_chunks_mut::<9>().0.iter_mut().enumerate() {
+                    let found = instance.corners((first + face) as u32);
+                    corners.copy_from_slice(found.map(|corner| corner.to_array()).as_flattened());
                 }
-            });
+                progress.check()
+            })?;
             rest = others;
         }
         Ok(flat)
     }
 
     /// Number of faces without area, counting each mesh once.
-    pub fn degenerate_count(&self) -> usize {
-        distinct_meshes(self.instances()).map(Mesh::degenerate_count).sum()
+    pub fn degenerate_count(&self, progress: &Progress) -> Result<usize> {
+        distinct_meshes(self.instances()).map(|mesh| mesh.degenerate_count(progress)).sum()
     }
 
     /// Tight box of all placed triangles, relative to the origin.

@@ -38,7 +38,9 @@ pub fn split_scene(scene: &Scene, rule: &Rule, progress: &Progress) -> Result<(S
         };
         changed |= made.is_some();
         instances.push(match made {
-            Some(made) => Instance::new(Arc::new(mesh_of(instance, made)?), DAffine3::IDENTITY, instance.object)?,
+            Some(made) => {
+                Instance::new(Arc::new(mesh_of(instance, made, progress)?), DAffine3::IDENTITY, instance.object)?
+            }
             None => instance.clone(),
         });
     }
@@ -72,7 +74,7 @@ fn touches(instance: &Instance, rule: &Rule) -> bool {
 }
 
 /// The placed mesh. Vertices at which no face is split keep their bits.
-fn mesh_of(instance: &Instance, made: Assembled) -> Result<Mesh> {
+fn mesh_of(instance: &Instance, made: Assembled, progress: &Progress) -> Result<Mesh> {
     let mesh = &instance.mesh;
     let place = |p: &[f32; 3]| match instance.in_place {
         true => *p,
@@ -83,8 +85,9 @@ fn mesh_of(instance: &Instance, made: Assembled) -> Result<Mesh> {
         mesh.positions.iter().map(place).chain(new.iter().map(|new| new.point.as_vec3().to_array())).collect();
     let uvs = mesh.uvs.as_deref().map(|uvs| extended(mesh, uvs, new, interpolated_uv));
     let colors = mesh.colors.as_deref().map(|colors| extended(mesh, colors, new, interpolated_color));
-    let (objects, materials) = (mesh.objects.selected(&made.sources), mesh.materials.selected(&made.sources));
-    let normals = instance.vertex_normals().map(|mut normals| {
+    let objects = mesh.objects.selected(&made.sources, progress)?;
+    let materials = mesh.materials.selected(&made.sources, progress)?;
+    let normals = instance.vertex_normals(progress)?.map(|mut normals| {
         normals.extend(new.iter().map(|new| interpolated_normal(instance, new)));
         normals.into()
     });

@@ -163,7 +163,7 @@ proptest! {
         let moving = placed.split_off(split);
         let instanced = scene(placed, moving);
         let merged: Vec<[Vec3; 3]> = instanced
-            .triangles()
+            .triangles(&Progress::new())
             .unwrap()
             .as_chunks::<9>()
             .0

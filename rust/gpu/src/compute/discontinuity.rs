@@ -7,11 +7,11 @@ use glam::{DVec3, DVec4};
 use nearfar_core::base::{Error, Progress, Result};
 use nearfar_core::camera::Camera;
 use nearfar_core::metrics::Neighbourhood;
-use wgpu::{BindingResource, BufferUsages, SubmissionIndex};
+use wgpu::{BindingResource, BufferUsages};
 
 use super::memory::{LentBuffer, Results, copy};
 use super::programs::{Program, Work, groups};
-use crate::device::Device;
+use crate::device::{Device, Submission};
 use crate::draw::{Axes, DeviceFrame};
 
 /// Pairs in one submission: between two, the caller may cancel.
@@ -141,7 +141,7 @@ pub fn discontinuity(
 struct UnderWay<'a> {
     device: &'a Device,
     progress: &'a Progress,
-    last: Option<(SubmissionIndex, u32)>,
+    last: Option<(Submission, u32)>,
 }
 
 impl UnderWay<'_> {

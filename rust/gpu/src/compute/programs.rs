@@ -7,10 +7,10 @@ use nearfar_core::base::{Progress, Result};
 use wgpu::{
     BindGroupDescriptor, BindGroupEntry, BindingResource, CommandEncoder, CommandEncoderDescriptor,
     ComputePassDescriptor, ComputePipeline, ComputePipelineDescriptor, PipelineCompilationOptions,
-    ShaderModuleDescriptor, ShaderSource, SubmissionIndex,
+    ShaderModuleDescriptor, ShaderSource,
 };
 
-use crate::device::{Device, Scope};
+use crate::device::{Device, Scope, Submission};
 
 /// Workgroups in a row of a dispatch; more of them take several rows.
 pub(super) const ROW: u32 = 1 << 15;
@@ -105,7 +105,7 @@ impl<'a> Work<'a> {
     }
 
     /// Submits the commands, or fails if the caller cancels.
-    pub fn submit(self, progress: &Progress) -> Result<SubmissionIndex> {
+    pub fn submit(self, progress: &Progress) -> Result<Submission> {
         let submission = self.device.submit(self.encoder.finish(), progress)?;
         self.scope.close()?;
         Ok(submission)

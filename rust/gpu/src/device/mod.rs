@@ -18,3 +18,4 @@ pub use registry::{adapters, close, device, is_hardware};
 pub(crate) use adapters::{SAMPLES, VISIBLE};
 pub(crate) use buffers::Counted;
 pub(crate) use errors::Scope;
+pub(crate) use wait::Submission;

@@ -1,20 +1,24 @@
 //! Waiting for the device until the caller cancels.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::thread;
 use std::time::Duration;
 
 use nearfar_core::base::{self, Error, Progress};
-use wgpu::{Buffer, CommandBuffer, MapMode, PollError, PollStatus, PollType, SubmissionIndex};
+use wgpu::{Buffer, CommandBuffer, MapMode, PollStatus, PollType};
 
 use super::{AdapterKind, Device};
 
-/// Time between two checks whether the caller has cancelled.
-const POLL_INTERVAL: Duration = Duration::from_millis(20);
+/// Least time between two looks at the device.
+const SHORTEST_NAP: Duration = Duration::from_micros(20);
 
-/// Time between two looks at a device in software.
-const NAP: Duration = Duration::from_micros(500);
+/// Greatest time between two looks at the device.
+const LONGEST_NAP: Duration = Duration::from_micros(500);
+
+/// Work that was submitted; true once it is done, as a look at the device finds.
+#[derive(Clone, Default)]
+pub(crate) struct Submission(Arc<AtomicBool>);
 
 impl Device {
     /// Whether the processor itself executes the device's work.
@@ -22,55 +26,60 @@ impl Device {
         self.report.kind == AdapterKind::Software
     }
 
-    /// Waits for submitted work, or for a while.
-    fn wait_a_while(&self, submission: Option<SubmissionIndex>) -> Result<PollStatus, PollError> {
-        // Mesa's drivers in software return when the work is complete, however short the time that they are given.
-        let timeout = if self.is_software() { Duration::ZERO } else { POLL_INTERVAL };
-        let found = self.wgpu.poll(PollType::Wait { submission_index: submission, timeout: Some(timeout) });
-        if self.is_software() && matches!(found, Err(PollError::Timeout)) {
-            thread::sleep(NAP);
-        }
-        found
-    }
-
     /// Submits commands, or fails if the caller cancels. Drivers in software hold whoever submits before their last work
     /// is complete, so that is waited for here.
-    pub(crate) fn submit(&self, commands: CommandBuffer, progress: &Progress) -> base::Result<SubmissionIndex> {
-        while self.is_software() {
-            self.check()?;
-            // Waiting for the latest submission would panic while another thread submits.
-            match self.wgpu.poll(PollType::Poll) {
-                Ok(PollStatus::QueueEmpty) => break,
-                Ok(_) => thread::sleep(NAP),
-                Err(error) => return Err(Error::Device(format!("{}: {error}", self.report.label()))),
-            }
-            progress.check()?;
+    pub(crate) fn submit(&self, commands: CommandBuffer, progress: &Progress) -> base::Result<Submission> {
+        if self.is_software() {
+            self.look_until(progress, |status| (status == PollStatus::QueueEmpty).then_some(()))?;
         }
-        Ok(self.with_queue(|queue| queue.submit([commands])))
+        let submission = Submission::default();
+        let done = Arc::clone(&submission.0);
+        self.with_queue(|queue| {
+            queue.submit([commands]);
+            queue.on_submitted_work_done(move || done.store(true, Ordering::Release));
+        });
+        Ok(submission)
     }
 
     /// Waits for submitted work, or until the caller cancels.
-    pub(crate) fn wait(&self, submission: &SubmissionIndex, progress: &Progress) -> base::Result<()> {
-        self.check()?;
-        loop {
-            match self.wait_a_while(Some(submission.clone())) {
-                Ok(_) => return self.check().and_then(|()| progress.check()),
-                Err(PollError::Timeout) => progress.check()?,
-                Err(error) => return Err(Error::Device(format!("{}: {error}", self.report.label()))),
-            }
-            self.check()?;
-        }
+    pub(crate) fn wait(&self, submission: &Submission, progress: &Progress) -> base::Result<()> {
+        self.look_until(progress, |_| submission.0.load(Ordering::Acquire).then_some(()))
     }
 
     /// Waits for all submitted work, or until the caller cancels, and closes the device.
     pub(super) fn close(&self, progress: &Progress) -> base::Result<()> {
         self.alone(|| {
-            while matches!(self.wait_a_while(None), Err(PollError::Timeout)) {
-                progress.check()?;
+            let waited = self.look_until(progress, |status| (status == PollStatus::QueueEmpty).then_some(()));
+            // A lost device has no work to wait for.
+            if waited == Err(Error::Cancelled) {
+                return waited;
             }
             self.destroy();
             Ok(())
         })
+    }
+
+    /// Looks at the device, which answers what was asked for, until `found` has a result or the caller cancels.
+    ///
+    /// Nobody asks wgpu to wait, for three reasons. Mesa's drivers in software ignore a timeout above zero and return
+    /// when the work is complete. After a timeout wgpu 30 compares what it knew before with a list that other threads
+    /// change, and panics where their work ended meanwhile, on every adapter. A lock against that would hold those who
+    /// submit for as long as others wait.
+    fn look_until<R>(&self, progress: &Progress, found: impl Fn(PollStatus) -> Option<R>) -> base::Result<R> {
+        let mut nap = SHORTEST_NAP;
+        loop {
+            self.check()?;
+            let polled = self.wgpu.poll(PollType::Poll);
+            let status = polled.map_err(|error| Error::Device(format!("{}: {error}", self.report.label())))?;
+            self.check()?;
+            progress.check()?;
+            if let Some(result) = found(status) {
+                return Ok(result);
+            }
+            thread::sleep(nap);
+            // Naps stay a tenth of the time so far, so that long waits cost few looks and short ones little time.
+            nap = (nap * 11 / 10).min(LONGEST_NAP);
+        }
     }
 
     /// Calls `take` with the beginning of a buffer once the device has finished with it.
@@ -101,24 +110,14 @@ impl Device {
         let answer = Arc::new(AtomicU32::new(0));
         let written = Arc::clone(&answer);
         buffer.map_async(mode, ..bytes, move |result| written.store(1 + u32::from(result.is_err()), Ordering::Release));
-        let answered = || match answer.load(Ordering::Acquire) {
+        let answered = |_| match answer.load(Ordering::Acquire) {
             0 => None,
             1 => Some(Ok(())),
             _ => Some(Err(self.failure(&"its memory could not be read; use backend='cpu'"))),
         };
-        loop {
-            let polled = match self.wait_a_while(None) {
-                Ok(_) | Err(PollError::Timeout) => self.check().and_then(|()| progress.check()),
-                Err(error) => Err(Error::Device(format!("{}: {error}", self.report.label()))),
-            };
-            match (answered(), polled) {
-                (Some(answer), _) => return answer,
-                (None, Ok(())) => {}
-                (None, Err(error)) => {
-                    buffer.unmap();
-                    return Err(error);
-                }
-            }
-        }
+        self.look_until(progress, answered).unwrap_or_else(|error| {
+            buffer.unmap();
+            Err(error)
+        })
     }
 }

@@ -7,7 +7,7 @@ use nearfar_core::base::{Aabb, Error, Progress, Result};
 use nearfar_core::camera::Camera;
 use nearfar_core::render::tiles::{MAX_SAMPLES, sample_offsets};
 use nearfar_core::render::{Channels, Frame};
-use wgpu::{CommandEncoderDescriptor, SubmissionIndex};
+use wgpu::CommandEncoderDescriptor;
 
 use super::cull::Frustum;
 use super::encode::{Bound, PassKind};
@@ -19,7 +19,7 @@ use super::read;
 use super::slots::{Shape, Slots};
 use super::submitted::{Submitted, open_buffers};
 use super::view::{Outputs, Sampling, Window, eye_of, pass_of};
-use crate::device::{Counted, Device, SAMPLES, Scope};
+use crate::device::{Counted, Device, SAMPLES, Scope, Submission};
 use crate::upload::Residents;
 
 /// Windows in flight at a time.
@@ -126,7 +126,7 @@ impl Job {
         let Some(bound) = Bound::new(device, picture, &plan, &slot, &placeholders) else {
             return Err(device.failure(&"a slot without buffers"));
         };
-        let mut last: Option<SubmissionIndex> = None;
+        let mut last: Option<Submission> = None;
         let at_once = if device.is_software() { PASSES_IN_SOFTWARE } else { PASSES_PER_SUBMISSION };
         for (n, chunk) in passes.chunks(at_once).enumerate() {
             if n > 0 {

@@ -4,12 +4,12 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use nearfar_core::base::{Progress, Result};
-use wgpu::{MapMode, SubmissionIndex};
+use wgpu::MapMode;
 
 use super::plan::Numbering;
 use super::slots::Slot;
 use super::view::{Outputs, Window};
-use crate::device::Device;
+use crate::device::{Device, Submission};
 
 /// A window that the device works on.
 pub(super) struct Submitted {
@@ -17,7 +17,7 @@ pub(super) struct Submitted {
     pub slot: Slot,
     pub outputs: Outputs,
     pub numbering: Vec<Numbering>,
-    pub submission: SubmissionIndex,
+    pub submission: Submission,
     /// Buffers that are open again, and those that could not be opened.
     pub opened: Arc<[AtomicU32; 2]>,
 }

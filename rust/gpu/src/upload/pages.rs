@@ -43,7 +43,7 @@ pub(crate) type Parts = Arc<Vec<Part>>;
 /// Writes meshes to pages, first to those with room. Returns a list of parts for each mesh, in order of faces.
 pub(crate) fn pack(device: &Device, meshes: &[Arc<Mesh>], shelf: &Shelf<Page>) -> Result<Vec<Vec<Part>>> {
     let limit = device.largest_binding() / WORD;
-    let own: Vec<Option<Vec<Arc<Mesh>>>> = meshes.iter().map(|mesh| gathered(mesh, limit)).collect();
+    let own = meshes.iter().map(|mesh| gathered(mesh, limit)).collect::<Result<Vec<_>>>()?;
     let mut runs: Vec<(usize, u32, Run<'_>)> = Vec::new();
     for (number, mesh) in meshes.iter().enumerate() {
         match &own[number] {

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use nearfar_core::base::{Aabb, FaceMap};
+use nearfar_core::base::{Aabb, FaceMap, Progress, Result};
 use nearfar_core::scene::Mesh;
 use rayon::prelude::*;
 
@@ -115,9 +115,9 @@ pub(super) fn runs_of(mesh: &Mesh, limit: u64) -> Option<Vec<Run<'_>>> {
 }
 
 /// The mesh as several with vertices of their own, where `runs_of` finds none; none where it finds some.
-pub(super) fn gathered(mesh: &Arc<Mesh>, limit: u64) -> Option<Vec<Arc<Mesh>>> {
+pub(super) fn gathered(mesh: &Arc<Mesh>, limit: u64) -> Result<Option<Vec<Arc<Mesh>>>> {
     if runs_of(mesh, limit).is_some() {
-        return None;
+        return Ok(None);
     }
     // A face has at most three vertices of its own, with all attributes: 3 × (3 + 2 + 1 + 3) + 4 words.
     let each = (limit / 31).max(1) as usize;
@@ -125,9 +125,9 @@ pub(super) fn gathered(mesh: &Arc<Mesh>, limit: u64) -> Option<Vec<Arc<Mesh>>> {
     let starts: Vec<u32> = faces.clone().step_by(each).collect();
     let piece = |&start: &u32| {
         let chosen: Vec<u32> = (start..faces.end.min(start + each as u32)).collect();
-        Arc::new(mesh.selected(&chosen))
+        mesh.selected(&chosen, &Progress::new()).map(Arc::new)
     };
-    Some(starts.iter().map(piece).collect())
+    starts.iter().map(piece).collect::<Result<_>>().map(Some)
 }
 
 #[cfg(test)]
@@ -176,7 +176,7 @@ mod tests {
             let runs = runs_of(&mesh, limit).unwrap();
             assert!(runs.iter().all(|run| run.words() <= limit), "{limit}");
             assert_eq!(runs.iter().flat_map(read).collect::<Vec<_>>(), all);
-            assert!(gathered(&mesh, limit).is_none());
+            assert!(gathered(&mesh, limit).unwrap().is_none());
         }
     }
 
@@ -185,7 +185,7 @@ mod tests {
         let mesh = mesh(1000, true);
         let limit = 2000;
         assert!(runs_of(&mesh, limit).is_none());
-        let pieces = gathered(&mesh, limit).unwrap();
+        let pieces = gathered(&mesh, limit).unwrap().unwrap();
         let read_piece = |piece: &Arc<Mesh>| {
             let run = Run { mesh: piece, faces: 0..piece.faces.len(), vertices: 0..piece.positions.len() };
             assert!(run.words() <= limit);

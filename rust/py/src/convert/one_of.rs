@@ -23,7 +23,7 @@ macro_rules! one_of {
                         return Ok(Self::$variant(found));
                     }
                 )+
-                Err(pyo3::exceptions::PyTypeError::new_err("expected an array of another type or shape"))
+                Err(pyo3::exceptions::PyTypeError::new_err("expected a value of another type or shape"))
             }
         }
     };

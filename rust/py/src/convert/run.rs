@@ -12,42 +12,17 @@ use super::errors::{from_panic, to_python};
 /// Time between two checks for signals, and between two progress reports, of a caller that waits.
 const POLL_INTERVAL: Duration = Duration::from_millis(50);
 
-/// Runs a kernel on the pool that takes milliseconds however large its arguments are; signals wait for it.
+/// Runs a kernel on the pool; signals wait for it. For kernels of milliseconds, and for those that Python calls in
+/// `background.run`.
 pub fn short<R: Send>(py: Python<'_>, kernel: impl FnOnce() -> Result<R> + Send) -> PyResult<R> {
     py.detach(|| catch_unwind(AssertUnwindSafe(|| pool::install(kernel).and_then(|result| result))))
         .map_err(|payload| from_panic(payload.as_ref()))?
         .map_err(to_python)
 }
 
-/// Runs a kernel on the pool that owns what it reads, and cannot be cancelled. Every 50 ms the calling thread polls
-/// signals; an exception is raised at once, and what the kernel returns later is dropped.
-pub fn detached<R: Send + 'static>(py: Python<'_>, kernel: impl FnOnce() -> Result<R> + Send + 'static) -> PyResult<R> {
-    let (sender, receiver) = channel();
-    let run = move || {
-        let outcome = catch_unwind(AssertUnwindSafe(kernel));
-        // Nobody receives it after an exception.
-        let _ = sender.send(outcome);
-    };
-    pool::spawn(run).map_err(to_python)?;
-    let received: PyResult<_> = py.detach(move || {
-        loop {
-            match receiver.recv_timeout(POLL_INTERVAL) {
-                Err(RecvTimeoutError::Timeout) => Python::attach(|py| py.check_signals())?,
-                received => return Ok(received),
-            }
-        }
-    });
-    py.check_signals()?;
-    match received? {
-        Ok(Ok(result)) => result.map_err(to_python),
-        Ok(Err(payload)) => Err(from_panic(payload.as_ref())),
-        Err(_) => Err(from_panic(&"a kernel ended without an outcome")),
-    }
-}
-
 /// Runs a kernel on the pool. Every 50 ms the calling thread polls signals and calls `report(done, total)`. An
-/// exception from either cancels the kernel and is raised after the kernel has stopped. Kernels that end before cost no
-/// more than by `short`.
+/// exception from either cancels the kernel and is raised after the kernel has stopped. A kernel that ends within 50 ms
+/// costs no more than with `short`.
 pub fn long<R: Send>(
     py: Python<'_>,
     report: Option<Py<PyAny>>,

@@ -160,7 +160,7 @@ impl GpuDevice {
         let drawing = drawing(&channels, samples, Segment { t_min, t_max }, user, method, mapped, tolerance_px)?;
         let (device, scene, camera) = (&self.0, &scene.0, &camera.0);
         let (job, counts) = run::long(py, report, |progress| {
-            reduced.on_gpu()?.begin(device, (&reduced.core, scene), camera, &drawing, progress)
+            reduced.on_gpu(progress)?.begin(device, (&reduced.core, scene), camera, &drawing, progress)
         })?;
         Ok(GpuJob::new(job, camera, Some(counts)))
     }

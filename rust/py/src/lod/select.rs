@@ -94,7 +94,8 @@ pub(crate) fn select_levels<'py>(
         slices.push(column.as_slice_mut()?);
     }
     let (to, beside) = (write.as_slice_mut()?, slices.try_into().ok());
-    let counts = run::short(py, || lod::select(&models, &objects, &eyes, glass, &rules, to, beside))?;
+    let counts =
+        run::long(py, None, |progress| lod::select(&models, &objects, &eyes, glass, &rules, to, beside, progress))?;
     drop(writes);
     Ok((level, columns, listed(&counts)))
 }

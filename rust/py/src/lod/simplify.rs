@@ -18,7 +18,7 @@ pub(crate) fn first_alike<'py>(
     rows: PyReadonlyArray2<'py, u8>,
 ) -> PyResult<Bound<'py, PyArray1<u32>>> {
     let (width, rows) = (rows.shape()[1], rows.as_slice()?);
-    Ok(run::short(py, || lod::first_alike(rows, width))?.into_pyarray(py))
+    Ok(run::long(py, None, |progress| lod::first_alike(rows, width, progress))?.into_pyarray(py))
 }
 
 /// The number of each face's piece; faces that share a vertex belong to one piece.
@@ -29,7 +29,7 @@ pub(crate) fn pieces<'py>(
     vertex_count: usize,
 ) -> PyResult<Bound<'py, PyArray1<u32>>> {
     let faces = faces.as_slice()?.as_chunks().0;
-    Ok(run::short(py, || lod::pieces(faces, vertex_count))?.into_pyarray(py))
+    Ok(run::long(py, None, |progress| lod::pieces(faces, vertex_count, progress))?.into_pyarray(py))
 }
 
 /// Faces, and weights of their second and third corner.

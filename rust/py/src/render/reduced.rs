@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::DVec3;
-use nearfar_core::base::Error;
+use nearfar_core::base::{Error, Progress, Result};
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::morph::Kind;
 use nearfar_core::render::Segment;
@@ -33,14 +33,14 @@ pub struct Reduced {
 
 impl Reduced {
     /// The near part in the form in which devices draw it.
-    pub fn on_gpu(&self) -> nearfar_core::base::Result<Arc<nearfar_gpu::Reduced>> {
+    pub fn on_gpu(&self, progress: &Progress) -> Result<Arc<nearfar_gpu::Reduced>> {
         let gathered = || self.gpu.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(known) = gathered().clone() {
             return Ok(known);
         }
         // The lock is not held here: a thread that waits inside rayon may run the task of another frame, which takes
         // this lock.
-        let made = Arc::new(nearfar_gpu::Reduced::new(&self.partition.get().0, &self.core)?);
+        let made = Arc::new(nearfar_gpu::Reduced::new(&self.partition.get().0, &self.core, progress)?);
         Ok(Arc::clone(gathered().get_or_insert(made)))
     }
 }

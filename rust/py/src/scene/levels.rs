@@ -49,7 +49,7 @@ pub(crate) fn with_surfaces(
     others: Vec<PyRef<'_, Scene>>,
 ) -> PyResult<(Scene, Vec<Mesh>)> {
     let others: Vec<&scene::Scene> = others.iter().map(|other| &other.0).collect();
-    let (joined, meshes) = run::short(py, || scene.0.with_surfaces(&others))?;
+    let (joined, meshes) = run::long(py, None, |progress| scene.0.with_surfaces(&others, progress))?;
     Ok((Scene(joined), meshes.into_iter().map(|mesh| Mesh(Arc::new(mesh))).collect()))
 }
 

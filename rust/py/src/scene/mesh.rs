@@ -73,12 +73,12 @@ impl Mesh {
     ) -> PyResult<Self> {
         let meshes: Vec<Arc<scene::Mesh>> = meshes.iter().map(|mesh| Arc::clone(&mesh.0)).collect();
         let (placements, objects) = (affines(&placements), objects.as_array());
-        run::short(py, || {
+        run::long(py, None, |progress| {
             same_length(meshes.len(), &placements, objects.len())?;
             let part =
                 |((mesh, to_scene), &object): ((_, _), &i32)| PlacedMesh { mesh, to_scene, object: named(object) };
             let parts: Vec<PlacedMesh> = meshes.into_iter().zip(placements).zip(&objects).map(part).collect();
-            scene::merge(&parts)
+            scene::merge(&parts, progress)
         })
         .map(|mesh| Self(Arc::new(mesh)))
     }

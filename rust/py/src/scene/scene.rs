@@ -69,7 +69,7 @@ impl Scene {
     /// All instances as one mesh, relative to the origin.
     fn merged(&self, py: Python<'_>) -> PyResult<Mesh> {
         let parts: Vec<PlacedMesh> = self.0.instances().map(PlacedMesh::of).collect();
-        run::detached(py, move || scene::merge(&parts)).map(|mesh| Mesh(Arc::new(mesh)))
+        run::long(py, None, |progress| scene::merge(&parts, progress)).map(|mesh| Mesh(Arc::new(mesh)))
     }
 
     /// A scene of one static mesh as object 0, with the same origin, materials and textures.
@@ -99,26 +99,26 @@ impl Scene {
 
     /// The same scene in which the chosen objects, a flag for each, move as well.
     fn with_moving<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
-        let (scene, chosen) = (self.0.clone(), chosen.as_slice()?.to_vec());
-        run::detached(py, move || scene.with_moving(&chosen)).map(Self)
+        let chosen = chosen.as_slice()?;
+        run::long(py, None, |progress| self.0.with_moving(chosen, progress)).map(Self)
     }
 
     /// Only the chosen objects, a flag for each.
     fn subset_of_objects<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
-        let (scene, chosen) = (self.0.clone(), chosen.as_slice()?.to_vec());
-        run::detached(py, move || Ok(scene.subset_of_objects(&chosen))).map(Self)
+        let chosen = chosen.as_slice()?;
+        run::long(py, None, |progress| self.0.subset_of_objects(chosen, progress)).map(Self)
     }
 
     /// All but the chosen objects, a flag for each.
     fn without_objects<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
-        let (scene, chosen) = (self.0.clone(), chosen.as_slice()?.to_vec());
-        run::detached(py, move || Ok(scene.without_objects(&chosen))).map(Self)
+        let chosen = chosen.as_slice()?;
+        run::long(py, None, |progress| self.0.without_objects(chosen, progress)).map(Self)
     }
 
     /// Only the chosen triangles, a flag for each.
     fn subset_of_triangles<'py>(&self, py: Python<'py>, chosen: PyReadonlyArray1<'py, bool>) -> PyResult<Self> {
-        let (scene, chosen) = (self.0.clone(), chosen.as_slice()?.to_vec());
-        run::detached(py, move || scene.subset_of_triangles(&chosen)).map(Self)
+        let chosen = chosen.as_slice()?;
+        run::long(py, None, |progress| self.0.subset_of_triangles(chosen, progress)).map(Self)
     }
 
     /// Placements of the moving instances (M, 3, 4), relative to the origin.
@@ -148,8 +148,7 @@ impl Scene {
 
     /// Number of faces without area, counting each mesh once.
     fn degenerate_count(&self, py: Python<'_>) -> PyResult<usize> {
-        let scene = self.0.clone();
-        run::detached(py, move || Ok(scene.degenerate_count()))
+        run::long(py, None, |progress| self.0.degenerate_count(progress))
     }
 
     /// Identities of the instances' meshes, in order; equal numbers mean one mesh in memory.
@@ -194,8 +193,7 @@ impl Scene {
 
     /// Corners of all triangles (T, 3, 3), relative to the origin.
     fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray3<f32>>> {
-        let scene = self.0.clone();
-        let flat = run::detached(py, move || scene.triangles())?;
+        let flat = run::long(py, None, |progress| self.0.triangles(progress))?;
         PyArray1::from_vec(py, flat).reshape([self.0.triangle_count() as usize, 3, 3])
     }
 }

@@ -4,7 +4,7 @@ use super::descend::{self, EvaluatedLine};
 use super::frame::{SampleFrame, Unfit};
 use super::logistic::{self, LANES, Pack, Samples};
 use super::steps::{self, Start};
-use crate::base::Progress;
+use crate::base::{Progress, Result};
 
 /// Greatest number of descents for one curve.
 const STARTS: usize = 8;
@@ -73,8 +73,8 @@ pub(super) struct FitScratch {
     starts: Vec<Start>,
 }
 
-/// The least-squares curve through the samples of a frame; any curve if the caller has cancelled.
-pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch, progress: &Progress) -> LogisticCurve {
+/// The least-squares curve through the samples of a frame.
+pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch, progress: &Progress) -> Result<LogisticCurve> {
     let count = frame.order.len() as f64;
     let values = || frame.order.iter().map(|&n| y[n]);
     let (low, high) = values().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)));
@@ -87,7 +87,7 @@ pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch, progres
         LogisticCurve { a: mean, b: 1.0, c: frame.x(0.0), d: mean, rms, status }
     };
     if scale <= ROUNDING * low.abs().max(high.abs()) {
-        return flat(scale, Status::Constant);
+        return Ok(flat(scale, Status::Constant));
     }
     room.values.clear();
     room.values.extend(values().map(|y| (y - center) / scale - shift / scale));
@@ -98,20 +98,21 @@ pub(super) fn fit(frame: &SampleFrame, y: &[f64], room: &mut FitScratch, progres
     room.evaluated.resize(frame.v.len());
     find_starts(frame, total, room);
     let samples = Samples { v: &frame.v, weight: &frame.weight, y: &room.packed, count, progress };
-    if progress.check().is_err() {
-        return LogisticCurve::unfit(Unfit::TooFew);
-    }
+    progress.check()?;
     let best = descend_all(frame, &samples, total, &room.starts, &mut room.evaluated);
+    // Sums that were cancelled are 0.
+    progress.check()?;
     let rms = scale * (best.sums.residual / count).sqrt();
     if (best.sums.residual / total).powf(0.5 * (count - 2.0)) >= FLAT_LIKELIHOOD {
-        return flat(scale * (total / count).sqrt(), Status::Flat);
+        return Ok(flat(scale * (total / count).sqrt(), Status::Flat));
     }
     let curve = unscaled(frame, &best, center + shift, scale);
-    if [curve.a, curve.c, curve.d - curve.a].iter().all(|number| number.is_finite()) && curve.c > 0.0 {
+    let is_finite = [curve.a, curve.c, curve.d - curve.a].iter().all(|number| number.is_finite());
+    Ok(if is_finite && curve.c > 0.0 {
         LogisticCurve { rms, status: judged(frame, &best), ..curve }
     } else {
         LogisticCurve::unfit(Unfit::Overflow)
-    }
+    })
 }
 
 /// Fills `room.starts`, the most promising start first.

@@ -3,8 +3,8 @@
 use super::descend::Limits;
 use super::grid::CurveGrid;
 use super::logistic::{LANES, Pack};
-use crate::base::Progress;
 use crate::base::sort::{Ordered, sort_by_key};
+use crate::base::{Progress, Result};
 
 /// v of x = 0: far enough for every allowed rise, and with a finite square.
 const ZERO: f64 = -1e30;
@@ -46,40 +46,44 @@ pub(super) struct SampleFrame {
 }
 
 impl SampleFrame {
-    /// A frame of the samples for which `counts` is true; their x are finite. Any error if the caller has cancelled.
-    pub(super) fn new(x: &[f64], counts: impl Fn(usize) -> bool, progress: &Progress) -> Result<Self, Unfit> {
+    /// A frame of the samples for which `counts` is true; their x are finite.
+    pub(super) fn new(
+        x: &[f64],
+        counts: impl Fn(usize) -> bool,
+        progress: &Progress,
+    ) -> Result<std::result::Result<Self, Unfit>> {
         let mut order: Vec<usize> = (0..x.len()).filter(|&n| counts(n)).collect();
-        sort_by_key(&mut order, |&n| Ordered(x[n]), progress).map_err(|_| Unfit::TooFew)?;
+        sort_by_key(&mut order, |&n| Ordered(x[n]), progress)?;
         if order.first().is_some_and(|&n| x[n] < 0.0) {
-            return Err(Unfit::Negative);
+            return Ok(Err(Unfit::Negative));
         }
         let above: Vec<f64> = order.iter().map(|&n| x[n]).filter(|&x| x > 0.0).collect();
-        let [Some(&least), Some(&greatest)] = [above.first(), above.last()] else { return Err(Unfit::TooFew) };
+        let [Some(&least), Some(&greatest)] = [above.first(), above.last()] else { return Ok(Err(Unfit::TooFew)) };
         let unit = (0.5 * (least.ln() + greatest.ln())).exp();
         let [low, high] = [least, greatest].map(|x| ln_ratio(x, unit));
         let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
         if half <= 0.0 {
-            return Err(Unfit::TooFew);
+            return Ok(Err(Unfit::TooFew));
         }
         let place = |x: f64| if x > 0.0 { (ln_ratio(x, unit) - middle) / half } else { ZERO };
         let sorted: Vec<f64> = order.iter().map(|&n| place(x[n])).collect();
-        progress.check().map_err(|_| Unfit::TooFew)?;
+        progress.check()?;
         let ends: Vec<usize> = (1..=sorted.len()).filter(|&n| n == sorted.len() || sorted[n] > sorted[n - 1]).collect();
         let places: Vec<f64> = ends.iter().map(|&end| sorted[end - 1]).collect();
         if places.len() < FEWEST {
-            return Err(Unfit::TooFew);
+            return Ok(Err(Unfit::TooFew));
         }
         let narrowest = places.windows(2).map(|pair| pair[1] - pair[0]).fold(f64::INFINITY, f64::min);
         let limits = Limits { steepest: SATURATED / narrowest, farthest: FARTHEST_LN / half };
         let packed = |value: &dyn Fn(usize) -> f64| -> Vec<Pack> {
             (0..sorted.len().div_ceil(LANES)).map(|k| std::array::from_fn(|i| value(LANES * k + i))).collect()
         };
-        progress.check().map_err(|_| Unfit::TooFew)?;
+        progress.check()?;
         // Padding lies at the v of x = 0, where p′ is 0, so only sums of p need weights.
         let v = packed(&|n| sorted.get(n).copied().unwrap_or(ZERO));
         let weight = packed(&|n| if n < sorted.len() { 1.0 } else { 0.0 });
         let grid = CurveGrid::new(&sorted, &ends, &places);
-        Ok(Self { order, v, weight, ends, places, limits, grid, unit, middle, half })
+        Ok(Ok(Self { order, v, weight, ends, places, limits, grid, unit, middle, half }))
     }
 
     /// x at a given v.

@@ -18,7 +18,8 @@ pub fn fit_4pl(x: &[f64], y: &[f64], count: usize, progress: &Progress) -> Resul
     }
     let rows = y.len() / count;
     progress.expect(rows as u64);
-    let shared = (x.len() == count && rows > 0).then(|| SampleFrame::new(x, |n| x[n].is_finite(), progress));
+    let shared =
+        (x.len() == count && rows > 0).then(|| SampleFrame::new(x, |n| x[n].is_finite(), progress)).transpose()?;
     let mut curves = vec![LogisticCurve::unfit(Unfit::TooFew); rows];
     curves.par_chunks_mut(TASK).enumerate().try_for_each(|(task, curves)| {
         let mut room = FitScratch::default();
@@ -28,9 +29,9 @@ pub fn fit_4pl(x: &[f64], y: &[f64], count: usize, progress: &Progress) -> Resul
             let x = if shared.is_some() { x } else { &x[row..row + count] };
             let is_whole = |frame: &SampleFrame| frame.order.iter().all(|&n| y[n].is_finite());
             *curve = match &shared {
-                Some(Ok(frame)) if is_whole(frame) => fit(frame, y, &mut room, progress),
-                _ => match SampleFrame::new(x, |n| x[n].is_finite() && y[n].is_finite(), progress) {
-                    Ok(frame) => fit(&frame, y, &mut room, progress),
+                Some(Ok(frame)) if is_whole(frame) => fit(frame, y, &mut room, progress)?,
+                _ => match SampleFrame::new(x, |n| x[n].is_finite() && y[n].is_finite(), progress)? {
+                    Ok(frame) => fit(&frame, y, &mut room, progress)?,
                     Err(why) => LogisticCurve::unfit(why),
                 },
             };

@@ -26,7 +26,7 @@ fn with_samples<R>(
     y: &[f64],
     work: impl FnOnce(&SampleFrame, &Samples<'_>, &mut LogisticScratch) -> R,
 ) -> R {
-    let frame = SampleFrame::new(x, |_| true, &Progress::new()).unwrap();
+    let frame = SampleFrame::new(x, |_| true, &Progress::new()).unwrap().unwrap();
     let mean = y.iter().sum::<f64>() / y.len() as f64;
     let mut packed = vec![[0.0; logistic::LANES]; frame.v.len()];
     for (to, &n) in packed.as_flattened_mut().iter_mut().zip(&frame.order) {

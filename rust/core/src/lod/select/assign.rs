@@ -8,10 +8,11 @@ use super::rules::{EyeLens, Rules};
 use super::table::{OBJECTS_PER_TABLE, Tables};
 use super::tile::{ObjectTile, Selection, TileScratch};
 use super::view::Eye;
-use crate::base::Result;
+use crate::base::{Progress, Result};
 
 /// Writes the level of each object: the finest level that any eye needs, −1 for none. If requested it also writes the
 /// numbers of COLUMNS. Without `eyes` all levels are 0.
+#[expect(clippy::too_many_arguments, reason = "what a selection weighs, and where it goes")]
 pub fn select(
     models: &[Model<'_>],
     objects: &Objects<'_>,
@@ -20,6 +21,7 @@ pub fn select(
     rules: &Rules,
     to: &mut [i32],
     columns: Option<[&mut [f64]; COLUMNS]>,
+    progress: &Progress,
 ) -> Result<SelectionCounts> {
     models.iter().enumerate().try_for_each(|(number, model)| model.check(number))?;
     let limits = models.iter().map(|model| model.limit(rules.reference)).collect();
@@ -27,7 +29,7 @@ pub fn select(
     let tables = if are_many { Tables::new(models, rules) } else { None };
     let selection = Selection { models, limits, tables, eyes, lens, rules: *rules };
     let tiles = tiles(objects, to, columns);
-    let one = |room: &mut TileScratch, tile: ObjectTile<'_>| selection.tile(room, tile);
+    let one = |room: &mut TileScratch, tile: ObjectTile<'_>| progress.check().and_then(|()| selection.tile(room, tile));
     let add = |mut one: SelectionCounts, other: SelectionCounts| {
         one += other;
         Ok(one)

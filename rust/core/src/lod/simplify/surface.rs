@@ -2,20 +2,30 @@
 
 use std::collections::HashMap;
 
-use crate::base::{Error, Result};
+use crate::base::{Error, Progress, Result};
+
+/// Number of rows or faces between two checks whether the caller has cancelled.
+const ROWS_PER_CHECK: usize = 1 << 16;
 
 /// For each row of `width` bytes, the first row equal to it.
-pub fn first_alike(rows: &[u8], width: usize) -> Result<Vec<u32>> {
+pub fn first_alike(rows: &[u8], width: usize, progress: &Progress) -> Result<Vec<u32>> {
     if width == 0 || !rows.len().is_multiple_of(width) || rows.len() / width > u32::MAX as usize {
         return Err(Error::value("rows", format!("fewer than 2^32 rows of {width} bytes"), rows.len()));
     }
     let mut first: HashMap<&[u8], u32> = HashMap::with_capacity(rows.len() / width);
-    Ok(rows.chunks_exact(width).enumerate().map(|(number, row)| *first.entry(row).or_insert(number as u32)).collect())
+    let mut alike = Vec::with_capacity(rows.len() / width);
+    for (number, row) in rows.chunks_exact(width).enumerate() {
+        if number % ROWS_PER_CHECK == 0 {
+            progress.check()?;
+        }
+        alike.push(*first.entry(row).or_insert(number as u32));
+    }
+    Ok(alike)
 }
 
 /// The number of each face's piece. Faces of a piece are connected by vertices; pieces are numbered in the order of
 /// their first faces.
-pub fn pieces(faces: &[[u32; 3]], vertex_count: usize) -> Result<Vec<u32>> {
+pub fn pieces(faces: &[[u32; 3]], vertex_count: usize, progress: &Progress) -> Result<Vec<u32>> {
     check_faces(faces, vertex_count)?;
     let mut parent: Vec<u32> = (0..vertex_count as u32).collect();
     fn root(parent: &mut [u32], mut vertex: u32) -> u32 {
@@ -26,14 +36,17 @@ pub fn pieces(faces: &[[u32; 3]], vertex_count: usize) -> Result<Vec<u32>> {
         }
         vertex
     }
-    for face in faces {
-        let [a, b, c] = face.map(|vertex| root(&mut parent, vertex));
-        let least = a.min(b).min(c);
-        [a, b, c].into_iter().for_each(|vertex| parent[vertex as usize] = least);
+    for tile in faces.chunks(ROWS_PER_CHECK) {
+        progress.check()?;
+        for face in tile {
+            let [a, b, c] = face.map(|vertex| root(&mut parent, vertex));
+            let least = a.min(b).min(c);
+            [a, b, c].into_iter().for_each(|vertex| parent[vertex as usize] = least);
+        }
     }
     let mut numbers = vec![u32::MAX; vertex_count];
     let mut count = 0;
-    let piece = |face: &[u32; 3]| {
+    let mut piece = |face: &[u32; 3]| {
         let number = &mut numbers[root(&mut parent, face[0]) as usize];
         if *number == u32::MAX {
             *number = count;
@@ -41,7 +54,12 @@ pub fn pieces(faces: &[[u32; 3]], vertex_count: usize) -> Result<Vec<u32>> {
         }
         *number
     };
-    Ok(faces.iter().map(piece).collect())
+    let mut found = Vec::with_capacity(faces.len());
+    for tile in faces.chunks(ROWS_PER_CHECK) {
+        progress.check()?;
+        found.extend(tile.iter().map(&mut piece));
+    }
+    Ok(found)
 }
 
 /// Fails if a face refers to a vertex that does not exist.
@@ -58,16 +76,18 @@ mod tests {
 
     #[test]
     fn rows_find_the_first_of_their_kind() {
-        assert_eq!(first_alike(&[1, 2, 3, 4, 1, 2, 3, 4], 2), Ok(vec![0, 1, 0, 1]));
-        assert_eq!(first_alike(&[], 4), Ok(vec![]));
-        assert!(first_alike(&[1, 2, 3], 2).is_err() && first_alike(&[], 0).is_err());
+        assert_eq!(first_alike(&[1, 2, 3, 4, 1, 2, 3, 4], 2, &Progress::new()), Ok(vec![0, 1, 0, 1]));
+        assert_eq!(first_alike(&[], 4, &Progress::new()), Ok(vec![]));
+        assert!(
+            first_alike(&[1, 2, 3], 2, &Progress::new()).is_err() && first_alike(&[], 0, &Progress::new()).is_err()
+        );
     }
 
     #[test]
     fn faces_that_share_a_vertex_are_one_piece() {
         let faces = [[6, 7, 8], [0, 1, 2], [3, 4, 5], [2, 3, 9]];
-        assert_eq!(pieces(&faces, 10), Ok(vec![0, 1, 1, 1]));
-        assert!(pieces(&faces, 9).is_err());
-        assert_eq!(pieces(&[], 0), Ok(vec![]));
+        assert_eq!(pieces(&faces, 10, &Progress::new()), Ok(vec![0, 1, 1, 1]));
+        assert!(pieces(&faces, 9, &Progress::new()).is_err());
+        assert_eq!(pieces(&[], 0, &Progress::new()), Ok(vec![]));
     }
 }

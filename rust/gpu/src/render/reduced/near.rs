@@ -67,12 +67,12 @@ type Cause = (i32, i32, Kind);
 
 impl Near {
     /// Sorts the near triangles by whether they lie inside a radius.
-    pub fn gather(partition: &Partition, radius: f64) -> Result<Self> {
+    pub fn gather(partition: &Partition, radius: f64, progress: &Progress) -> Result<Self> {
         let scene = partition.scene();
         let [fixed, bending] = partition.nsf_inside(radius);
         Ok(Self {
-            fixed: Geometry::of(scene, fixed)?,
-            bending: Geometry::of(scene, bending)?,
+            fixed: Geometry::of(scene, fixed, progress)?,
+            bending: Geometry::of(scene, bending, progress)?,
             split: Mutex::default(),
             moved: Mutex::default(),
             no_instances: Arc::default(),
@@ -163,7 +163,7 @@ impl Near {
             let number = *number;
             (0..instance.mesh.faces.len() as u32).map(move |face| (number, face))
         });
-        let whole = Geometry::of(scene, faces.collect())?;
+        let whole = Geometry::of(scene, faces.collect(), progress)?;
         let geometry = Geometry { scene: split_scene(&whole.scene, rule, progress)?.0, sources: whole.sources };
         *last() = Some(Moved { rule: Arc::clone(rule), poses, geometry: geometry.clone() });
         Ok(geometry)
@@ -176,8 +176,8 @@ impl Near {
 }
 
 impl Geometry {
-    fn of(scene: &Scene, faces: Vec<(u32, u32)>) -> Result<Self> {
-        let mesh = scene.gathered(&faces)?;
+    fn of(scene: &Scene, faces: Vec<(u32, u32)>, progress: &Progress) -> Result<Self> {
+        let mesh = scene.gathered(&faces, progress)?;
         let instance = Instance::new(Arc::new(mesh), DAffine3::IDENTITY, None)?;
         let (materials, textures) = (Arc::clone(&scene.materials), Arc::clone(&scene.textures));
         let own = Scene::new(scene.origin, vec![instance], Vec::new(), materials, textures)?;

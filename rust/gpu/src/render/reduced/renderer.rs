@@ -31,14 +31,14 @@ pub struct Reduced {
 
 impl Reduced {
     /// Gathers the near part of a scene that was reduced; nothing is sent before it is drawn.
-    pub fn new(partition: &Partition, reduced: &reduced::Reduced) -> Result<Self> {
+    pub fn new(partition: &Partition, reduced: &reduced::Reduced, progress: &Progress) -> Result<Self> {
         let radii = [partition.r1(), partition.r2()];
         let inside = match reduced.join() {
             Join::Morph(_) => radii[0],
             Join::Conventional { radius } => radius,
         };
         Ok(Self {
-            near: Near::gather(partition, inside)?,
+            near: Near::gather(partition, inside, progress)?,
             join: reduced.join(),
             center: partition.center() - partition.scene().origin,
             radii,

@@ -6,6 +6,43 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar._core.gpu import (
+    GpuDevice as GpuDevice,
+)
+from nearfar._core.gpu import (
+    GpuFrame as GpuFrame,
+)
+from nearfar._core.gpu import (
+    GpuJob as GpuJob,
+)
+from nearfar._core.gpu import (
+    gpu_adapters as gpu_adapters,
+)
+from nearfar._core.gpu import (
+    gpu_close as gpu_close,
+)
+from nearfar._core.gpu import (
+    gpu_cube_lookup as gpu_cube_lookup,
+)
+from nearfar._core.gpu import (
+    gpu_discontinuity as gpu_discontinuity,
+)
+from nearfar._core.gpu import (
+    gpu_forked as gpu_forked,
+)
+from nearfar._core.gpu import (
+    gpu_is_hardware as gpu_is_hardware,
+)
+from nearfar._core.gpu import (
+    gpu_keep as gpu_keep,
+)
+from nearfar._core.gpu import (
+    gpu_morph as gpu_morph,
+)
+from nearfar._core.gpu import (
+    gpu_similarity as gpu_similarity,
+)
+
 _Report = Callable[[int, int], object]
 _F32 = NDArray[np.float32]
 _F64 = NDArray[np.float64]
@@ -321,6 +358,17 @@ def discontinuity(
     min_distance: float,
     report: _Report | None = None,
 ) -> _F32: ...
+def tear(
+    position: _F32,
+    *,
+    origin: _Point,
+    width: int,
+    camera: Camera,
+    epsilon: float,
+    side: NDArray[np.bool_] | None = None,
+    wanted: NDArray[np.bool_] | None = None,
+    report: _Report | None = None,
+) -> tuple[_F32, NDArray[np.bool_]]: ...
 def object_completion(reference: NDArray[np.int32], test: NDArray[np.int32]) -> tuple[float, float] | None: ...
 
 # bounds -------------------------------------------------------------------------------------------------------------
@@ -412,89 +460,5 @@ def collapse(
 # exr ----------------------------------------------------------------------------------------------------------------
 _Part = tuple[str, dict[str, NDArray[Any]], dict[str, str | _Point]]
 
-def encode_exr(parts: list[_Part]) -> bytes: ...
+def encode_exr(parts: list[_Part]) -> NDArray[np.uint8]: ...
 def decode_exr(data: bytes) -> list[_Part]: ...
-
-# gpu ----------------------------------------------------------------------------------------------------------------
-def gpu_adapters() -> list[tuple[str, str, str, str, str, int, int]]: ...
-def gpu_is_hardware(wanted: str | None = None) -> bool: ...
-def gpu_close() -> None: ...
-def gpu_forked() -> None: ...
-
-@final
-class GpuDevice:
-    def __new__(cls, wanted: str | None = None) -> GpuDevice: ...
-    @property
-    def label(self) -> str: ...
-    @property
-    def kind(self) -> str: ...
-    def counters(self) -> tuple[int, int, int, int]: ...
-    def check_whole(self, camera: Camera, channels: list[str]) -> None: ...
-    def lose(self) -> None: ...
-    def truth(
-        self,
-        scene: Scene,
-        camera: Camera,
-        *,
-        channels: list[str],
-        samples: int,
-        t_min: float = 0.0,
-        t_max: float = ...,
-        report: _Report | None = None,
-    ) -> GpuJob: ...
-    def bake(
-        self,
-        scene: Scene,
-        *,
-        center: _Point,
-        radius: float,
-        size: int,
-        samples: int,
-        range: bool,  # noqa: A002
-        object_id: bool,
-        report: _Report | None = None,
-    ) -> dict[str, NDArray[Any]]: ...
-    def reduced(
-        self,
-        reduced: Reduced,
-        scene: Scene,
-        camera: Camera,
-        *,
-        channels: list[str],
-        samples: int,
-        t_min: float,
-        t_max: float,
-        user: _Point | None,
-        method: str,
-        mapped: bool,
-        tolerance_px: float,
-        report: _Report | None = None,
-    ) -> GpuJob: ...
-
-@final
-class GpuJob:
-    def finish(self, report: _Report | None = None) -> dict[str, Any]: ...
-
-# gpu_compute --------------------------------------------------------------------------------------------------------
-@final
-class GpuFrame:
-    @property
-    def label(self) -> str: ...
-    def read(self, report: _Report | None = None) -> dict[str, Any]: ...
-
-def gpu_keep(job: GpuJob, report: _Report | None = None) -> GpuFrame: ...
-def gpu_similarity(
-    reference: GpuFrame, test: GpuFrame, *, window: str, size: int, sigma: float, full: bool
-) -> tuple[float, _F32 | None]: ...
-def gpu_discontinuity(
-    frame: GpuFrame, *, camera: Camera, epsilon: float, min_distance: float, report: _Report | None = None
-) -> _F32: ...
-def gpu_morph(
-    device: GpuDevice, points: _F32, shown: _F32, *, user: _Point, center: _Point, r1: float, r2: float, kind: str
-) -> None: ...
-def gpu_cube_lookup(
-    device: GpuDevice,
-    maps: tuple[_F32, _F32],
-    directions: _F32,
-    filter: str,  # noqa: A002
-) -> None: ...

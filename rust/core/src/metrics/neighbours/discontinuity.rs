@@ -5,8 +5,8 @@ use rayon::prelude::*;
 
 use super::neighbourhood::Neighbourhood;
 use super::pairs::PairSums;
-use super::points::{BANDS, TruthPoints};
-use crate::base::{Error, Progress, Result};
+use super::points::{BANDS, TruthPoints, check_pixels};
+use crate::base::{Progress, Result};
 use crate::camera::Camera;
 
 /// Bands of points that one task takes: as many as its pairs reach beyond them.
@@ -23,14 +23,7 @@ pub fn discontinuity(
     progress: &Progress,
 ) -> Result<Vec<f32>> {
     let Neighbourhood { epsilon, least } = neighbourhood;
-    for (argument, value) in [("epsilon", epsilon), ("min_distance", least)] {
-        if !(1e-6..=1e4).contains(&value) {
-            return Err(Error::value(argument, "from a millionth of a pixel to 10,000 pixels", value));
-        }
-    }
-    if u32::try_from(position.len()).is_err() || width == 0 {
-        return Err(Error::value("frame", "fewer than 2³² pixels", position.len()));
-    }
+    check_pixels("min_distance", least)?;
     let points = TruthPoints::new(position, origin, width, truth, epsilon, progress)?;
     progress.expect(points.len() as u64);
     let groups: Vec<usize> = (0..points.bands.len()).step_by(GROUP).collect();

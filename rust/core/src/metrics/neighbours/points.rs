@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
 use crate::base::sort::{self, Ordered};
-use crate::base::{Progress, Result};
+use crate::base::{Error, Progress, Result};
 use crate::camera::Camera;
 
 /// Points side by side.
@@ -40,6 +40,25 @@ struct TruthPlace {
     truth: DVec2,
 }
 
+/// Greatest distance in x between neighbours in bands that are `apart`; none where bands are too far apart.
+pub(super) fn reach(apart: u64, epsilon: f64) -> Option<f32> {
+    if apart > BANDS as u64 {
+        return None;
+    }
+    // Between a band and the next but one lies a whole one.
+    let beside = apart.saturating_sub(1) as f64 * epsilon / BANDS as f64;
+    // A rounding more than float32's, so that no neighbour is left out here.
+    Some(((epsilon * epsilon - beside * beside).max(0.0).sqrt() * (1.0 + 1e-6)) as f32)
+}
+
+/// Refuses lengths that are no plausible numbers of pixels.
+pub(super) fn check_pixels(argument: &'static str, length: f64) -> Result<()> {
+    if (1e-6..=1e4).contains(&length) {
+        return Ok(());
+    }
+    Err(Error::value(argument, "from a millionth of a pixel to 10,000 pixels", length))
+}
+
 impl TruthPoints {
     pub fn new(
         position: &[[f32; 3]],
@@ -49,6 +68,10 @@ impl TruthPoints {
         epsilon: f64,
         progress: &Progress,
     ) -> Result<Self> {
+        check_pixels("epsilon", epsilon)?;
+        if u32::try_from(position.len()).is_err() || width == 0 {
+            return Err(Error::value("frame", "fewer than 2³² pixels", position.len()));
+        }
         let place = |(pixel, at): (usize, &[f32; 3])| {
             progress.check().ok()?;
             let point = Vec3::from_array(*at).as_dvec3() + origin;

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::neighbourhood::Neighbourhood;
-use super::points::{BANDS, LANES, TruthPoints};
+use super::points::{BANDS, LANES, TruthPoints, reach};
 use crate::base::simd::vectorized;
 use crate::base::{Progress, Real, Result};
 
@@ -63,15 +63,8 @@ fn targets(points: &TruthPoints, band: usize, epsilon: f64) -> ([Target; BANDS +
     let mut count = 0;
     let number = points.bands[band].0;
     for (other, range) in points.bands[band..].iter().take(BANDS + 1) {
-        let apart = other.saturating_sub(number);
-        if apart > BANDS as i64 {
-            break;
-        }
-        // Between a band and the next but one lies a whole one.
-        let beside = (apart - 1).max(0) as f64 * epsilon / BANDS as f64;
-        // A rounding more than float32's, so that no neighbour is left out here.
-        let reach = (epsilon * epsilon - beside * beside).max(0.0).sqrt() * (1.0 + 1e-6);
-        targets[count] = Target { range: range.clone(), reach: reach as f32 };
+        let Some(reach) = reach(other.abs_diff(number), epsilon) else { break };
+        targets[count] = Target { range: range.clone(), reach };
         count += 1;
     }
     (targets, count)

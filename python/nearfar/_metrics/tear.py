@@ -1,0 +1,157 @@
+"""Tears of a picture: what is left of a pixel's neighbourhood in the truth after the affine map that fits it best."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar import _core
+from nearfar._base import check, progress
+from nearfar._camera.camera import Camera, Fov
+from nearfar._metrics.discontinuity import boundary, truth_view
+from nearfar._render.frame import Frame
+
+EPSILON = 4.0
+"""Radius of a neighbourhood in pixels of the truth."""
+
+EPSILONS = (1e-6, 10_000.0)
+"""Least and greatest radius; time grows with its square."""
+
+
+def tear(frame: Frame, truth_camera: Camera | None = None, *, epsilon: float = EPSILON) -> NDArray[np.float32]:
+    """Measure for each pixel by how many pixels its neighbours in the true picture are torn apart in this picture.
+
+    Each pixel's scene point is projected to the true picture. The pixels whose points project within ε (`epsilon`) of a
+    pixel's own, and the pixel itself, are its neighbourhood. The affine map of places in the truth that comes closest
+    to the places in this picture takes away translation, scale, rotation and shear. The tear is the root mean square of
+    the distances that are left, divided by 0.264, which is what a tear of one pixel leaves of a disc.
+
+    Parameters
+    ----------
+    frame
+        Frame with `position`, the unmorphed scene point of each pixel. Far pixels of a reduced scene have it if the
+        map was baked with range.
+    truth_camera
+        View of the true picture, of the frame's size in pixels, because distances in pixels of both are compared; by
+        default the frame's camera.
+    epsilon
+        Radius ε of the neighbourhood in pixels of the truth, from 10⁻⁶ to 10,000. Time grows with its square.
+
+    Returns
+    -------
+    NDArray
+        (H, W) float32, pixels of this picture: 0 for a neighbourhood that is only moved, scaled or sheared, T for one
+        torn by T pixels along a line through its middle. A bend, where the slope changes by s, has s ε / 2 at any
+        resolution, while the pixels of a tear grow with it. NaN for pixels without a surface, behind the truth's
+        camera, more than 10⁷ pixels outside its picture, or without neighbours.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For frames without positions, a `truth_camera` of another size, and arguments out of their domains.
+
+    See Also
+    --------
+    discontinuity : The published measure, which counts shear, too.
+    """
+    check.instance("frame", frame, Frame)
+    near = check.within("epsilon", epsilon, *EPSILONS)
+    return _tears(frame, truth_view(frame.camera, truth_camera), near)[0]
+
+
+@dataclass(frozen=True, kw_only=True)
+class BoundaryTear:
+    """Tear of a picture along the boundary of its near part; the result of `boundary_tear`. A mean of none is None."""
+
+    pixels: int
+    """Number of pixels along the boundary that have neighbours."""
+    shared: float | None
+    """Share of them whose neighbourhood lies on both sides. Where one side hides the other, no tear can be seen."""
+    tear: float | None
+    """Mean tear over these, pixels."""
+    kink: float | None
+    """Mean over these of the part that is a change of slope, pixels; it does not grow with the resolution."""
+    pixels_per_degree: float | None
+    """Density of the picture where the camera looks, pixels for each degree; None for an orthographic view."""
+
+
+def boundary_tear(frame: Frame, *, center: ArrayLike, radius: float, epsilon: float = EPSILON) -> BoundaryTear:
+    """Measure the tear of a picture of a reduced scene along the boundary of its near part.
+
+    Tears are compared at the density of a headset, some 20 pixels for each degree: at a lower one the change of slope
+    that every morph has at its radii counts as much as the tear itself.
+
+    Parameters
+    ----------
+    frame
+        Frame with `position`, as for `tear`.
+    center
+        World position O of the reduction, metres.
+    radius
+        Radius in metres at which the near part ends: r2 of the reduction.
+    epsilon
+        Radius ε of the neighbourhood in pixels of the truth, from 10⁻⁶ to 5,000.
+
+    Returns
+    -------
+    BoundaryTear
+        Means over the pixels of `boundary` whose neighbourhood within ε lies on both sides of `radius`. With T the tear
+        for ε, and T₂ that for 2 ε, the kink is √((T₂² − T²) / 3), at most T: a tear has the same value for both, a kink
+        twice its value for the second.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For frames without positions and arguments out of their domains.
+    """
+    edge = boundary(frame, center=center, radius=radius)
+    middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)
+    near = check.within("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)
+    away = frame.require("position").astype(np.float64) + np.array(frame.origin) - middle
+    beyond = np.hypot(away[..., 0], away[..., 2]) > end
+    torn, both = _tears(frame, frame.camera, near, side=beyond, wanted=edge)
+    defined = edge & ~np.isnan(torn)
+    counted = defined & both
+    wide, _ = _tears(frame, frame.camera, 2.0 * near, wanted=counted)
+    here, around = (values[counted].astype(np.float64) for values in (torn, wide))
+    kink = np.minimum(np.sqrt(np.maximum(around**2 - here**2, 0.0) / 3.0), here)
+    return BoundaryTear(
+        pixels=int(defined.sum()),
+        shared=float(counted.sum() / defined.sum()) if defined.any() else None,
+        tear=float(torn[counted].mean()) if counted.any() else None,
+        kink=float(kink.mean()) if counted.any() else None,
+        pixels_per_degree=_density(frame.camera),
+    )
+
+
+def _density(camera: Camera) -> float | None:
+    """Pixels for each degree around the axis of a view."""
+    fov = camera.fov
+    return float(np.radians(camera.size[0] / (fov.right - fov.left))) if isinstance(fov, Fov) else None
+
+
+def _tears(
+    frame: Frame,
+    truth: Camera,
+    epsilon: float,
+    *,
+    side: NDArray[np.bool_] | None = None,
+    wanted: NDArray[np.bool_] | None = None,
+) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
+    """Tears (H, W), and, where it is known on which side of a border each pixel is, whether both are near it."""
+    position = np.ascontiguousarray(frame.require("position"), np.float32)
+    with progress.bar("measuring tears") as report:
+        torn, both = _core.tear(
+            position.reshape(-1, 3),
+            origin=frame.origin,
+            width=position.shape[1],
+            camera=truth._core,
+            epsilon=epsilon,
+            side=None if side is None else side.reshape(-1),
+            wanted=None if wanted is None else wanted.reshape(-1),
+            report=report,
+        )
+    shape = position.shape[:2]
+    return torn.reshape(shape), both if side is None else both.reshape(shape)

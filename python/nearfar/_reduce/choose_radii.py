@@ -1,0 +1,158 @@
+"""Chooses the radii of a reduction by the ground, which a walking user sees sheared between them."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+from typing import SupportsFloat, SupportsIndex
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from nearfar._base import check
+from nearfar._bend import fold_margin
+from nearfar._partition.load_curve import load_curve
+from nearfar._scene.scene import Scene
+
+STEPS = 60
+"""Bisections for the least r2: they halve an interval of a few reaches below float64's last digit."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Radii:
+    """Radii of a reduction, and what they mean for a user who walks; the result of `choose_radii`."""
+
+    r1: float
+    """Radius in metres within which geometry stays where it is."""
+    r2: float
+    """Radius in metres beyond which the environment map shows everything."""
+    reach: float
+    """Distance R in metres that the user may walk away from the centre."""
+    eye_height: float
+    """Height h in metres of the user's eyes above the ground."""
+    shear: float
+    """Greatest shear of the ground between the radii, seen from `reach`: pixels sideways for each pixel upwards."""
+    fold_margin: float
+    """Distance in metres from the centre at which the picture would fold; at least `reach`."""
+    remarks: tuple[str, ...] = ()
+    """Sentences on what could not be had."""
+
+
+def choose_radii(
+    scene: Scene,
+    center: ArrayLike,
+    *,
+    r2: SupportsFloat | None = None,
+    budget: SupportsIndex | None = None,
+    reach: SupportsFloat = 8.0,
+    eye_height: SupportsFloat = 1.7,
+    shear: SupportsFloat = 1.0,
+) -> Radii:
+    """Choose r1 so that the ground is sheared little for a user who walks, for a given r2 or a budget of triangles.
+
+    From a distance R (`reach`) beside the centre and a height h (`eye_height`) the ground between the radii is sheared
+    by R r1 / ((r2 − r1) h) pixels for each pixel. A shear of at most s thus needs r1 ≤ s h r2 / (R + s h). The user
+    stays within r1, so that r1 is not less than R. The ground beyond r2 is sheared by R / h by every method with one
+    map.
+
+    Parameters
+    ----------
+    scene
+        The scene; its triangles count for a `budget`.
+    center
+        World position O, metres.
+    r2
+        Radius in metres beyond which the map shows everything.
+    budget
+        Greatest number of triangles that stay geometry, instead of `r2`: r2 is the greatest radius that keeps it.
+    reach
+        Distance R in metres that the user walks away from the centre, above 0.
+    eye_height
+        Height h in metres of the eyes above the ground, above 0.
+    shear
+        Greatest shear s of the ground between the radii, above 0.
+
+    Returns
+    -------
+    Radii
+        r1 = max(R, s h r2 / (R + s h)), r2, and the shear that these have. Where r2 is less than R (R + s h) / (s h),
+        r1 is R, and the shear is greater than s; `remarks` say so.
+
+    Raises
+    ------
+    ValueError
+        Unless exactly one of `r2` and `budget` is given; for values that are not positive; and where the picture would
+        fold within `reach`, because r2 is too small for it.
+    TypeError
+        For values of other types.
+
+    Notes
+    -----
+    r1 = max(R, s h r2 / (R + s h)) for the blend of Popescu, Lee, Choi, Fahmy (2022), Eq. 1–3.
+    """
+    check.instance("scene", scene, Scene)
+    middle = check.vector("center", center)
+    walked, height = check.positive("reach", reach), check.positive("eye_height", eye_height)
+    wanted = check.positive("shear", shear)
+    if r2 is not None and budget is not None:
+        raise ValueError("r2: expected either r2 or budget, got both")
+    if r2 is not None:
+        outer = check.positive("r2", r2)
+    elif budget is not None:
+        outer = _within(scene, middle, budget)
+    else:
+        raise ValueError("r2: expected either r2 or budget, got neither")
+    inner = max(walked, wanted * height * outer / (walked + wanted * height))
+    margin = _margin(inner, outer)
+    if margin < walked:
+        name, given = ("r2", "got") if r2 is not None else ("budget", "which gives")
+        raise ValueError(
+            f"{name}: expected an r2 of at least {_least(walked):.4g} m for a reach of {walked:g} m, because the "
+            f"picture would fold within it, {given} {outer:.4g}"
+        )
+    left = walked * inner / ((outer - inner) * height)
+    remarks: tuple[str, ...] = ()
+    if left > 1.005 * wanted:
+        least = walked * (walked + wanted * height) / (wanted * height)
+        remarks = (
+            f"the ground between the radii is sheared by up to {left:.2g} instead of {wanted:g}: that needs r2 of at "
+            f"least {least:.3g} m",
+        )
+    return Radii(
+        r1=inner,
+        r2=outer,
+        reach=walked,
+        eye_height=height,
+        shear=left,
+        fold_margin=margin,
+        remarks=remarks,
+    )
+
+
+def _within(scene: Scene, center: tuple[float, float, float], budget: SupportsIndex) -> float:
+    """Greatest r2 that keeps a budget; where the whole scene does, the distance of what is farthest."""
+    radius = float(load_curve(scene, center=center).radius(budget))
+    if np.isfinite(radius):
+        return radius
+    low, high = scene.bounds[:, [0, 2]]
+    here = np.array(center)[[0, 2]]
+    return float(np.hypot(*np.maximum(np.abs(low - here), np.abs(high - here))))
+
+
+def _margin(r1: float, r2: float) -> float:
+    """Distance that a user may walk from the centre; negative where the radii leave no zone."""
+    return fold_margin((0, 0, 0), center=(0, 0, 0), r1=r1, r2=r2) if r1 < r2 else -np.inf
+
+
+def _least(reach: float) -> float:
+    """Least r2 in metres at which r1 = `reach` leaves a margin of `reach`; all lengths scale alike."""
+    return reach * _least_share()
+
+
+@functools.cache
+def _least_share() -> float:
+    low, high = 1.0, 4.0
+    for _ in range(STEPS):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if _margin(1.0, middle) >= 1.0 else (middle, high)
+    return high

@@ -1,0 +1,180 @@
+"""Tests of tear against its definition, and on maps whose tear is known."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from numpy.typing import NDArray
+
+import nearfar as nf
+from nearfar._metrics.tear import _tears
+
+Array = NDArray[np.float64]
+
+SIZE = (64, 48)
+MIDDLE = np.array([32.0, 24.0])
+VIEW = nf.Camera((3, 2, 1), fov=nf.Fov.symmetric(90, SIZE[0] / SIZE[1]), size=SIZE)
+UNIT_STEP = np.sqrt(0.25 - 4 * (2 / (3 * np.pi)) ** 2)
+
+
+def pixels(view: nf.Camera = VIEW) -> Array:
+    """Middles of the picture's pixels (H, W, 2)."""
+    return np.stack(np.meshgrid(np.arange(view.width) + 0.5, np.arange(view.height) + 0.5), axis=-1)
+
+
+def picture(truth: Array, view: nf.Camera = VIEW) -> nf.Frame:
+    """The frame whose pixels show points that are at given places (H, W, 2) of the truth."""
+    fov = view.fov
+    assert isinstance(fov, nf.Fov)
+    x = fov.left + (fov.right - fov.left) * truth[..., 0] / view.width
+    y = fov.up + (fov.down - fov.up) * truth[..., 1] / view.height
+    points = np.stack([x, y, -np.ones_like(x)], axis=-1) * 10.0
+    return nf.Frame(view, position=points.astype(np.float32), origin=view.position)
+
+
+def slow_tear(frame: nf.Frame, epsilon: float) -> Array:
+    """Every pixel against every other, by least squares."""
+    truth = frame.camera.project(frame.require("position").astype(np.float64).reshape(-1, 3) + frame.origin)
+    here = pixels().reshape(-1, 2)
+    known = np.isfinite(truth).all(axis=1) & (truth[:, 2] > 0)
+    out = np.full(len(here), np.nan)
+    for p in np.flatnonzero(known):
+        near = known & (np.linalg.norm(truth[:, :2] - truth[p, :2], axis=1) < epsilon)
+        if near.sum() > 1:
+            places = np.column_stack([truth[near, :2] - truth[p, :2], np.ones(near.sum())])
+            fit, *_ = np.linalg.lstsq(places, here[near], rcond=1e-5)
+            out[p] = np.sqrt(((here[near] - places @ fit) ** 2).sum(axis=1).mean()) / UNIT_STEP
+    return out.reshape(SIZE[1], SIZE[0])
+
+
+WIDE = nf.Camera((3, 2, 1), fov=nf.Fov.symmetric(90), size=(160, 160))
+
+
+def torn(tear: float, direction: float, *, opening: bool, shear: float = 0.0) -> nf.Frame:
+    """A picture that is torn along a line through its middle, with a shear over all of it.
+
+    Its halves are apart, with nothing between them, or have slid along each other.
+    """
+    across = np.array([np.cos(direction), np.sin(direction)])
+    along = np.array([-across[1], across[0]])
+    offset = pixels(WIDE) - 80.2
+    away = offset @ across
+    back = offset - np.sign(away)[..., None] * (tear / 2) * (across if opening else along)
+    back[..., 0] -= shear * back[..., 1]
+    if opening:
+        back[np.abs(away) < tear / 2] = np.nan
+    return picture(back + 80.2, WIDE)
+
+
+@pytest.mark.parametrize("epsilon", [2.3, 4.0, 9.1])
+def test_tear_is_its_definition(epsilon: float) -> None:
+    random = np.random.default_rng(5)
+    wavy = pixels() + 3 * np.sin(pixels()[..., ::-1] / 3) + random.normal(size=(48, 64, 2)) * 0.3
+    frame = picture(wavy)
+    frame.require("position")[3:9, 5:20] = np.nan
+    found, expected = nf.tear(frame, epsilon=epsilon), slow_tear(frame, epsilon)
+    np.testing.assert_array_equal(np.isnan(found), np.isnan(expected))
+    differs = ~np.isclose(found, expected, rtol=1e-4, atol=1e-3, equal_nan=True)
+    # A pair at the distance ε, up to rounding, may count or not.
+    assert differs.mean() < 0.005
+
+
+@given(st.integers(0, 2**32 - 1), st.floats(0.3, 30))
+def test_any_points_have_their_definition(seed: int, epsilon: float) -> None:
+    random = np.random.default_rng(seed)
+    spread = random.choice([0.01, 1, 30, 1000])
+    truth = MIDDLE + random.normal(size=(SIZE[1], SIZE[0], 2)) * spread * random.choice(
+        np.array([[1, 1], [1, 0], [1, 1e-3]])
+    )
+    frame = picture(truth)
+    frame.require("position")[random.uniform(size=truth.shape[:2]) < 0.7] = np.nan
+    found, expected = nf.tear(frame, epsilon=epsilon), slow_tear(frame, epsilon)
+    differs = ~np.isclose(found, expected, rtol=2e-3, atol=2e-2, equal_nan=True)
+    assert differs.mean() <= 0.02
+
+
+@pytest.mark.parametrize("shear", [0.0, 0.3, 5.0])
+def test_affine_maps_have_no_tear(shear: float) -> None:
+    turned = (pixels() - MIDDLE) @ np.array([[0.9, 0.3], [shear, 1.2]]) + MIDDLE
+    assert np.nanmax(nf.tear(picture(turned))) < 1e-3
+
+
+@pytest.mark.parametrize("shear", [0.0, 0.5, 5.0])
+@pytest.mark.parametrize("direction", [0.0, 0.5, 1.2, np.pi / 2])
+@pytest.mark.parametrize("opening", [True, False])
+def test_a_tear_has_its_width_in_every_direction_at_every_shear(opening: bool, direction: float, shear: float) -> None:
+    for tear in (1.0, 3.0, 10.0, 40.0):
+        found = nf.tear(torn(tear, direction, opening=opening, shear=shear))
+        offset = pixels(WIDE) - 80.2
+        away = np.abs(offset @ (np.cos(direction), np.sin(direction))) - (tear / 2 if opening else 0.0)
+        at_the_line = (np.abs(away) < 1) & (np.linalg.norm(offset, axis=-1) < 40) & ~np.isnan(found)
+        # Neighbourhoods hold some fifty pixels, and the line is up to a pixel beside their middles.
+        assert found[at_the_line].mean() == pytest.approx(tear, rel=0.06)
+        assert found[at_the_line].max() == pytest.approx(tear, rel=0.11)
+
+
+@pytest.mark.parametrize(("epsilon", "columns"), [(4.0, (77, 82)), (2.0, (79, 80))])
+def test_borders_part_neighbourhoods(epsilon: float, columns: tuple[int, int]) -> None:
+    left = pixels(WIDE)[..., 0] < 80.2
+    both = _tears(torn(0.0, 0.0, opening=True), WIDE, epsilon, side=left)[1]
+    found = np.flatnonzero(both.any(axis=0))
+    assert (found.min(), found.max()) == columns
+    assert not _tears(torn(0.0, 0.0, opening=True), WIDE, epsilon, side=np.ones_like(left))[1].any()
+
+
+def test_only_what_is_wanted_is_measured() -> None:
+    frame = torn(3.0, 0.5, opening=True)
+    wanted = np.random.default_rng(3).random((160, 160)) < 0.3
+    some, every = _tears(frame, WIDE, 4.0, wanted=wanted)[0], nf.tear(frame)
+    np.testing.assert_array_equal(np.isnan(some), ~wanted | np.isnan(every))
+    np.testing.assert_array_equal(some[wanted], every[wanted])
+
+
+@pytest.fixture(scope="module")
+def plane() -> nf.Scene:
+    corners = np.array([[-2000, 0, -2000], [2000, 0, -2000], [2000, 0, 2000], [-2000, 0, 2000]], np.float32)
+    return nf.Scene.from_arrays(corners, np.array([[0, 2, 1], [0, 3, 2]], np.uint32))
+
+
+def seen_ground(plane: nf.Scene, morph: str, r1: float, focal: float) -> nf.BoundaryTear:
+    """The border at 50 m of a reduced ground, seen from 8 m beside the centre, by bent rays without a map."""
+    eye = np.array([0.0, 1.7, 0.0])
+    reduced = nf.reduce(plane, center=eye, r1=r1, r2=50, morph=morph, face_size=16, channels=("color", "range"))
+    half = 200.0 / focal
+    size = (400, round(0.06 * focal))
+    camera = nf.Camera((8.0, 1.7, 0.0), fov=nf.Fov(-half, half, -0.06, 0.0), size=size)
+    frame = reduced.render(camera, method="exact", env=False, channels=("position",), samples=1)
+    return nf.boundary_tear(frame, center=eye, radius=50)
+
+
+@pytest.mark.parametrize(("r1", "gain"), [(30.0, 11.8), (8.77, 24.0)])
+def test_the_conventional_method_tears_the_ground_and_the_continuous_one_bends_it(
+    plane: nf.Scene, r1: float, gain: float
+) -> None:
+    """Its tear grows with the picture's density; the bend keeps its value, and is nothing but a change of slope."""
+    torn, bent = ([seen_ground(plane, morph, r1, focal) for focal in (480.0, 1146.0)] for morph in ("none", "blend"))
+    assert torn[1].pixels_per_degree == pytest.approx(20.0, rel=1e-3)
+    values = [found.tear or np.nan for found in (*torn, *bent)]
+    assert values[1] / values[0] == pytest.approx(1146 / 480, rel=0.05)
+    assert values[3] / values[2] == pytest.approx(1.0, rel=0.05)
+    assert values[1] / values[3] == pytest.approx(gain, rel=0.05)
+    assert (torn[1].kink or np.nan) < 0.08 * values[1]
+    assert (bent[1].kink or np.nan) > 0.95 * values[3]
+
+
+def test_a_border_out_of_sight_has_no_tear(plane: nf.Scene) -> None:
+    camera = nf.Camera.look_at((0, 1.7, 0), (0, 9, -5), fov=nf.Fov.symmetric(60), size=(40, 30))
+    frame = nf.render(plane, camera, channels=("position",))
+    found = nf.boundary_tear(frame, center=(0, 1.7, 0), radius=50)
+    assert (found.pixels, found.shared, found.tear, found.kink) == (0, None, None, None)
+
+
+@pytest.mark.parametrize(("wrong", "match"), [({"epsilon": 0}, "epsilon"), ({"radius": -1}, "radius")])
+def test_wrong_arguments_are_named(plane: nf.Scene, wrong: dict[str, float], match: str) -> None:
+    frame = torn(1.0, 0.0, opening=True)
+    with pytest.raises(ValueError, match=match):
+        nf.boundary_tear(frame, **{"center": (0, 0, 0), "radius": 5.0} | wrong)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="frame"):
+        nf.tear(3)  # type: ignore[arg-type]
