@@ -18,7 +18,7 @@ MAKEFLAGS += -j3
 # pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
 export PYO3_PYTHON := $(CURDIR)/$(bin)/python
 
-.PHONY: help demo test lint lint-rust lint-python lint-fuzz test-rust test-core bench notebooks stress attack fuzz setup clean
+.PHONY: help demo test lint lint-rust lint-python lint-fuzz test-rust bench notebooks stress attack fuzz setup clean
 .DELETE_ON_ERROR:
 
 # List the targets.
@@ -30,7 +30,7 @@ demo: .venv/built
 	$(bin)/nearfar reduce -i city -o $(OUT)/demo
 
 # Everything that must pass: formatting, lints, types, Rust tests, Python tests.
-test: lint test-core test-rust
+test: lint test-rust .venv/built .venv/test
 	$(bin)/python -m pytest -n auto --dist worksteal
 
 # Formatting, lints and types only.
@@ -52,12 +52,8 @@ lint-fuzz:
 	cargo clippy --quiet --all-targets --manifest-path fuzz/Cargo.toml -- -D warnings
 
 # In the linters' profile and after them, on the core that building the package leaves free for most of its time.
-test-core: lint-rust
-	CARGO_INCREMENTAL=0 cargo test --profile quick --quiet --package nearfar-core --lib
-
-test-rust: .venv/built
-	cargo test --release --quiet --package nearfar-core --test vectors
-	cargo test --release --quiet --package nearfar-gpu --lib
+test-rust: lint-rust
+	CARGO_INCREMENTAL=0 cargo test --profile quick --quiet --workspace --exclude nearfar-py --lib --test vectors
 
 # Run time against error for every kernel and its peers, as tables in out/bench.
 bench: .venv/built .venv/bench

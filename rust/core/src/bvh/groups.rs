@@ -6,7 +6,9 @@
 use rayon::prelude::*;
 
 use crate::base::random::bits;
+use crate::base::sort::sort_by_key;
 use crate::base::{Aabb, FaceMap, Progress, Result};
+
 /// Number of groups in one task.
 const TILE: usize = 1 << 16;
 
@@ -67,16 +69,14 @@ impl Groups {
         // Sorted by a hash of the box, then by face, so that equal boxes are consecutive.
         let mut order: Vec<(u32, u32)> = (0..count).into_par_iter().map(|f| (hash(&mesh.bounds(f)), f)).collect();
         progress.check()?;
-        order.par_sort_unstable();
-        progress.check()?;
+        sort_by_key(&mut order, |&(hash, _)| hash, progress)?;
         let mut groups: Vec<(u32, u32)> = Vec::new();
         let mut shared: Vec<Vec<u32>> = Vec::new();
         for run in order.chunk_by(|a, b| a.0 == b.0) {
             split_run(mesh, run, &mut groups, &mut shared);
         }
         drop(order);
-        groups.par_sort_unstable();
-        progress.check()?;
+        sort_by_key(&mut groups, |&(first, _)| first, progress)?;
         let (mut faces, mut starts) = (Vec::with_capacity(count as usize), vec![0]);
         for &(first, list) in &groups {
             match list.checked_sub(1) {

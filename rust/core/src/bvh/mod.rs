@@ -1,6 +1,7 @@
 //! Bounding volume hierarchies: one over the triangles of each mesh, one over the instances of a scene. obvhs builds
 //! them; the module `trace` traverses them.
 
+mod binary;
 mod blocks;
 mod groups;
 mod tree;

@@ -1,10 +1,8 @@
 //! Both kinds of trees. obvhs builds binary trees; `Wide` converts them to eight children per node.
 
 use glam::Vec3;
-use obvhs::aabb;
-use obvhs::bvh2::{Bvh2, leaf_collapser::collapse, reinsertion::ReinsertionOptimizer};
-use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 
+use super::binary::build;
 use super::blocks::{self, Block, leaf_blocks};
 use super::groups::{Groups, MeshArrays};
 use super::wide::{Content, LEAF, Slot, Wide};
@@ -36,12 +34,12 @@ impl Bvh {
         let groups = Groups::new(mesh, progress)?;
         let tree = build(&groups.boxes, LEAF_BOXES, progress)?;
         let corners = |face: u32| mesh.faces[face as usize].map(|v| Vec3::from(mesh.positions[v as usize]));
-        let mut blocks = Vec::with_capacity(count / 3);
-        let wide = Wide::convert(&tree, |members| {
+        let leaf = |members: &[u32], blocks: &mut Vec<Block>| {
             let mut faces: Vec<u32> = members.iter().flat_map(|&group| groups.faces(group)).copied().collect();
             faces.sort_unstable();
-            blocks::push_leaf(&mut blocks, &faces, &corners)
-        });
+            blocks::push_leaf(blocks, &faces, &corners)
+        };
+        let (wide, mut blocks) = Wide::convert(&tree, leaf, progress)?;
         blocks.shrink_to_fit();
         let bvh = Self { bounds: wide.bounds(), wide, blocks };
         debug_assert_eq!(bvh.validate(), Ok(()));
@@ -82,8 +80,7 @@ impl Tlas {
     pub fn build(boxes: &[Aabb], progress: &Progress) -> Result<Self> {
         let filled: Vec<u32> = (0..boxes.len() as u32).filter(|&i| !boxes[i as usize].is_empty()).collect();
         let tree = build(&filled.iter().map(|&i| boxes[i as usize]).collect::<Vec<_>>(), 1, progress)?;
-        let mut order = Vec::with_capacity(filled.len());
-        let wide = Wide::convert(&tree, |members| {
+        let leaf = |members: &[u32], order: &mut Vec<u32>| {
             let slots = members.iter().map(|&member| {
                 let instance = filled[member as usize];
                 order.push(instance);
@@ -95,7 +92,8 @@ impl Tlas {
             }
             let bounds = slots.iter().fold(Aabb::EMPTY, |all, slot| all.union(&slot.bounds));
             Slot { bounds, content: Content::Many(slots) }
-        });
+        };
+        let (wide, order) = Wide::convert(&tree, leaf, progress)?;
         let tlas = Self { bounds: wide.bounds(), wide, order };
         debug_assert_eq!(tlas.validate(boxes), Ok(()));
         Ok(tlas)
@@ -113,58 +111,6 @@ impl Tlas {
     }
 }
 
-/// Builds the binary tree. The caller can cancel only between its steps, because obvhs has no finer progress.
-fn build(boxes: &[Aabb], leaf_boxes: u32, progress: &Progress) -> Result<Bvh2> {
-    if boxes.is_empty() {
-        return Ok(Bvh2::default());
-    }
-    let scale = scale_for(boxes);
-    let scaled: Vec<aabb::Aabb> =
-        boxes.iter().map(|b| aabb::Aabb::new((b.min * scale).into(), (b.max * scale).into())).collect();
-    let numbers = (0..boxes.len() as u32).collect();
-    let mut tree = PlocBuilder::with_capacity(boxes.len()).build(
-        PlocSearchDistance::Medium,
-        &scaled,
-        numbers,
-        SortPrecision::U64,
-        3,
-    );
-    drop(scaled);
-    progress.check()?;
-    let mut optimizer = ReinsertionOptimizer::default();
-    optimizer.run(&mut tree, 0.05, None);
-    progress.check()?;
-    if leaf_boxes > 1 {
-        collapse(&mut tree, leaf_boxes, 3.0);
-        progress.check()?;
-        optimizer.run(&mut tree, 0.1, None);
-    }
-    if scale != 1.0 {
-        restore(&mut tree, boxes);
-    }
-    Ok(tree)
-}
-
-/// A power of two that scales boxes so that their areas neither overflow nor underflow in float32; usually 1.
-fn scale_for(boxes: &[Aabb]) -> f32 {
-    let greatest = boxes.iter().map(|b| b.min.abs().max(b.max.abs()).max_element()).fold(0.0, f32::max);
-    if greatest == 0.0 || (1e-9..1e12).contains(&greatest) {
-        return 1.0;
-    }
-    // A power of two scales exactly, so only boxes far smaller than the greatest lose digits.
-    (-f64::from(greatest).log2().floor()).exp2().clamp(1e-38, 1e38) as f32
-}
-
-/// Restores the unscaled boxes of a tree that was built over scaled ones.
-fn restore(tree: &mut Bvh2, boxes: &[Aabb]) {
-    for node in tree.nodes.iter_mut().filter(|node| node.is_leaf()) {
-        let members = &tree.primitive_indices[node.first_index as usize..][..node.prim_count as usize];
-        let bounds = members.iter().fold(Aabb::EMPTY, |all, &member| all.union(&boxes[member as usize]));
-        node.set_aabb(aabb::Aabb::new(bounds.min.into(), bounds.max.into()));
-    }
-    tree.refit_all();
-}
-
 impl std::fmt::Debug for Bvh {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "Bvh({} nodes, {} blocks)", self.wide.nodes.len(), self.blocks.len())
@@ -174,5 +120,40 @@ impl std::fmt::Debug for Bvh {
 impl std::fmt::Debug for Tlas {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "Tlas({} nodes, {} instances)", self.wide.nodes.len(), self.order.len())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::{Error, random};
+
+    /// Boxes of a metre or less in a cube of a hundred.
+    fn boxes(count: u64) -> Vec<Aabb> {
+        let number = |box_: u64, n: u64| random::uniform(7, box_, n) as f32;
+        let corner = |b: u64, first: u64| Vec3::new(number(b, first), number(b, first + 1), number(b, first + 2));
+        (0..count)
+            .map(|b| {
+                let min = 100.0 * corner(b, 0);
+                Aabb { min, max: min + corner(b, 3) }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn a_tree_of_several_parts_holds_each_box_once() {
+        let boxes = boxes(600_000);
+        let tlas = Tlas::build(&boxes, &Progress::new()).unwrap();
+        assert_eq!(tlas.validate(&boxes), Ok(()));
+        let mut order = tlas.order.clone();
+        order.sort_unstable();
+        assert!(order.into_iter().eq(0..600_000));
+    }
+
+    #[test]
+    fn a_cancelled_tree_is_an_error() {
+        let progress = Progress::new();
+        progress.cancel();
+        assert_eq!(Tlas::build(&boxes(10), &progress).err(), Some(Error::Cancelled));
     }
 }

@@ -1,8 +1,9 @@
 //! Trees with eight children per node. One vector holds the same plane of all eight children's boxes.
 
 use obvhs::bvh2::Bvh2;
+use rayon::prelude::*;
 
-use crate::base::Aabb;
+use crate::base::{Aabb, Progress, Result};
 
 /// Number of children of a node.
 pub(crate) const WIDTH: usize = 8;
@@ -10,6 +11,12 @@ pub(crate) const WIDTH: usize = 8;
 pub(crate) const LEAF: u32 = 1 << 31;
 /// Marks an unused child slot; no ray hits its box.
 pub(crate) const NO_CHILD: u32 = u32::MAX;
+/// Number of nodes of a binary tree above which threads share its conversion.
+const LARGE: usize = 1 << 17;
+/// Levels of a large tree that one thread converts: below them are hundreds of subtrees, which threads share.
+const TOP_LEVELS: usize = 3;
+/// Number of nodes between two checks whether the caller has cancelled.
+const NODES_PER_CHECK: usize = 1 << 10;
 
 /// Boxes and references of up to eight children.
 #[derive(Clone, Debug)]
@@ -69,56 +76,29 @@ pub(crate) enum Content {
 }
 
 impl Wide {
-    /// Converts a binary tree. Each wide node opens the child with the largest box until it has eight children, as
-    /// Embree does. `leaf` converts a leaf of the binary tree to a slot.
-    pub(crate) fn convert(tree: &Bvh2, mut leaf: impl FnMut(&[u32]) -> Slot) -> Self {
-        let mut wide = Self::default();
+    /// Converts a binary tree, and returns what its leaves contain. Each wide node opens the child with the largest box
+    /// until it has eight children, as Embree does. `leaf` converts a leaf of the binary tree: it appends the contents
+    /// to a list and returns a slot, whose references are `LEAF` plus places in that list and bits above them.
+    pub(crate) fn convert<B: Send>(
+        tree: &Bvh2,
+        leaf: impl Fn(&[u32], &mut Vec<B>) -> Slot + Sync,
+        progress: &Progress,
+    ) -> Result<(Self, Vec<B>)> {
         if tree.nodes.is_empty() {
-            return wide;
+            return Ok((Self::default(), vec![]));
         }
-        let mut slot = |index: u32| {
-            let node = &tree.nodes[index as usize];
-            if node.is_leaf() {
-                let first = node.first_index as usize;
-                return leaf(&tree.primitive_indices[first..first + node.prim_count as usize]);
-            }
-            let bounds = Aabb { min: node.aabb().min.into(), max: node.aabb().max.into() };
-            Slot { bounds, content: Content::Inner(index) }
-        };
-        // Pending wide nodes: the slots to open, the node and slot that refer to it, and its depth.
-        let mut pending = vec![(vec![slot(0)], None, 1usize)];
-        let mut depth = 0;
-        while let Some((mut slots, place, level)) = pending.pop() {
-            depth = depth.max(level);
-            open(&mut slots, |index| {
-                let first = tree.nodes[index as usize].first_index;
-                [slot(first), slot(first + 1)]
-            });
-            let number = wide.nodes.len() as u32;
-            let mut node = Node::EMPTY;
-            // In reverse order, because the last pending node is opened first; so children follow their parent in
-            // order.
-            for (at, slot) in slots.into_iter().enumerate().rev() {
-                match slot.content {
-                    Content::Leaf(reference) => node.set(at, &slot.bounds, reference),
-                    content => {
-                        node.set(at, &slot.bounds, NO_CHILD);
-                        let inside = match content {
-                            Content::Many(inside) => inside,
-                            content => vec![Slot { bounds: slot.bounds, content }],
-                        };
-                        pending.push((inside, Some((number, at)), level + 1));
-                    }
-                }
-            }
-            wide.nodes.push(node);
-            if let Some((parent, at)) = place {
-                let parent: &mut Node = &mut wide.nodes[parent as usize];
-                parent.children[at] = number;
-            }
+        let levels = if tree.nodes.len() > LARGE { TOP_LEVELS } else { usize::MAX };
+        let mut all = Piece::new(tree, 0, levels, &leaf, progress)?;
+        let below = std::mem::take(&mut all.below);
+        let pieces = below.par_iter().map(|below| Piece::new(tree, below.root, usize::MAX, &leaf, progress));
+        let pieces: Vec<Piece<B>> = pieces.collect::<Result<_>>()?;
+        all.nodes.reserve_exact(pieces.iter().map(|piece| piece.nodes.len()).sum());
+        all.contents.reserve_exact(pieces.iter().map(|piece| piece.contents.len()).sum());
+        for (below, piece) in below.into_iter().zip(pieces) {
+            progress.check()?;
+            all.join(below, piece);
         }
-        wide.stack = depth * (WIDTH - 1) + 1;
-        wide
+        Ok((Self { nodes: all.nodes, stack: all.depth * (WIDTH - 1) + 1 }, all.contents))
     }
 
     /// The bounding box of the tree.
@@ -158,6 +138,92 @@ impl Wide {
             Some((number, count)) => Err(format!("node {number} is referred to {count} times")),
             None => Ok(()),
         }
+    }
+}
+
+/// A part of a tree that one thread converts. Its numbers of nodes and places in the contents begin at 0.
+struct Piece<B> {
+    nodes: Vec<Node>,
+    contents: Vec<B>,
+    depth: usize,
+    below: Vec<Below>,
+}
+
+/// A subtree that is left to another thread: its root in the binary tree, and the node and slot that refer to it.
+struct Below {
+    root: u32,
+    place: (u32, usize),
+    level: usize,
+}
+
+impl<B> Piece<B> {
+    /// Converts the subtree of a node of the binary tree; inner nodes below so many levels are left out.
+    fn new(
+        tree: &Bvh2,
+        root: u32,
+        levels: usize,
+        leaf: &impl Fn(&[u32], &mut Vec<B>) -> Slot,
+        progress: &Progress,
+    ) -> Result<Self> {
+        let mut piece = Self { nodes: vec![], contents: vec![], depth: 0, below: vec![] };
+        let slot = |index: u32, contents: &mut Vec<B>| {
+            let node = &tree.nodes[index as usize];
+            if node.is_leaf() {
+                let first = node.first_index as usize;
+                return leaf(&tree.primitive_indices[first..first + node.prim_count as usize], contents);
+            }
+            let bounds = Aabb { min: node.aabb().min.into(), max: node.aabb().max.into() };
+            Slot { bounds, content: Content::Inner(index) }
+        };
+        // Pending wide nodes: the slots to open, the node and slot that refer to it, and its depth.
+        let mut pending = vec![(vec![slot(root, &mut piece.contents)], None, 1usize)];
+        while let Some((mut slots, place, level)) = pending.pop() {
+            piece.depth = piece.depth.max(level);
+            open(&mut slots, |index| {
+                let first = tree.nodes[index as usize].first_index;
+                [slot(first, &mut piece.contents), slot(first + 1, &mut piece.contents)]
+            });
+            let number = piece.nodes.len() as u32;
+            if (number as usize).is_multiple_of(NODES_PER_CHECK) {
+                progress.check()?;
+            }
+            let mut node = Node::EMPTY;
+            // In reverse order, because the last pending node is opened first; so children follow their parent in
+            // order.
+            for (at, slot) in slots.into_iter().enumerate().rev() {
+                let (bounds, place) = (slot.bounds, (number, at));
+                node.set(at, &bounds, if let Content::Leaf(reference) = slot.content { reference } else { NO_CHILD });
+                match slot.content {
+                    Content::Leaf(_) => (),
+                    Content::Inner(root) if level >= levels => {
+                        piece.below.push(Below { root, place, level: level + 1 });
+                    }
+                    Content::Inner(_) => pending.push((vec![slot], Some(place), level + 1)),
+                    Content::Many(inside) => pending.push((inside, Some(place), level + 1)),
+                }
+            }
+            piece.nodes.push(node);
+            if let Some((parent, at)) = place {
+                let parent: &mut Node = &mut piece.nodes[parent as usize];
+                parent.children[at] = number;
+            }
+        }
+        Ok(piece)
+    }
+
+    /// Appends a subtree that was left out.
+    fn join(&mut self, below: Below, piece: Self) {
+        let (first_node, first_content) = (self.nodes.len() as u32, self.contents.len() as u32);
+        let (parent, slot) = below.place;
+        self.nodes[parent as usize].children[slot] = first_node;
+        self.nodes.extend(piece.nodes.into_iter().map(|mut node| {
+            for child in node.children.iter_mut().filter(|child| **child != NO_CHILD) {
+                *child += if *child & LEAF == 0 { first_node } else { first_content };
+            }
+            node
+        }));
+        self.contents.extend(piece.contents);
+        self.depth = self.depth.max(below.level - 1 + piece.depth);
     }
 }
 
