@@ -130,6 +130,22 @@ def test_foreign_and_newer_documents_are_refused(change: dict[str, Any], words: 
         formats.check(document, "report", 2, "a.json")
 
 
+@pytest.mark.parametrize(
+    "change", [{"format": [["x" * 9] * 99] * 99}, {"version": "1" * 9999}, {"version": [1] * 9999}]
+)
+def test_long_values_are_cut(change: dict[str, Any]) -> None:
+    with pytest.raises(nf.FormatError) as caught:
+        formats.check(formats.header("report", 2) | change, "report", 2, "a.json")
+    assert len(str(caught.value)) < 200
+
+
+def test_long_names_of_programs_are_cut() -> None:
+    with pytest.raises(nf.FormatError, match="reads up to version 2") as caught:
+        formats.check(formats.header("report", 3) | {"generator": "x\ny" * 999}, "report", 2, "a.json")
+    assert len(str(caught.value)) < 250
+    assert "\n" not in str(caught.value)
+
+
 @pytest.mark.parametrize("content", [b"", b"[1]", b"{", b"\xff\xfe", b"[" * 100_000])
 def test_damaged_documents_are_refused_by_name(tmp_path: Path, content: bytes) -> None:
     path = tmp_path / "report.json"

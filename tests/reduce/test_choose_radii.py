@@ -94,3 +94,13 @@ def test_radii_that_would_fold_are_refused(scene: nf.Scene) -> None:
 def test_wrong_arguments_are_named(scene: nf.Scene, wrong: dict[str, float], match: str) -> None:
     with pytest.raises(ValueError, match=match):
         nf.choose_radii(scene, CENTER, **wrong)  # type: ignore[arg-type]
+
+
+def test_low_places_do_not_fold_within_reach() -> None:
+    """For r2 little above its least value the formula alone gives an r1 at which the picture would fold."""
+    scene = nf.datasets.city(blocks=1, detail=0)
+    chosen = nf.choose_radii(scene, (0, 1.7, 0), r2=2.1, reach=1.0)
+    assert 1.0 <= chosen.r1 < 1.7 * 2.1 / 2.7
+    assert chosen.fold_margin == pytest.approx(1.0, abs=1e-6)
+    with pytest.raises(ValueError, match=r"r2: expected an r2 of at least 2\.057 m"):
+        nf.choose_radii(scene, (0, 1.7, 0), r2=2.05, reach=1.0)

@@ -1,4 +1,4 @@
-"""Tests of default viewpoints: open places, single objects, radii, and views that the boundary crosses."""
+"""Tests of default viewpoints: open places, single objects, and views that the boundary crosses."""
 
 from __future__ import annotations
 
@@ -41,8 +41,6 @@ def test_a_room_is_seen_from_inside() -> None:
     place = viewpoint.find(scene)
     assert not place.is_outside
     assert (np.abs(np.array(place.eye)[[0, 2]]) < [4, 3]).all()
-    r1, r2 = viewpoint.radii(scene, place)
-    assert 0.5 < r1 < r2 < 4.0
 
 
 def test_a_plain_without_anything_is_no_object() -> None:
@@ -50,28 +48,6 @@ def test_a_plain_without_anything_is_no_object() -> None:
     place = viewpoint.find(scene)
     assert not place.is_outside
     assert place.eye[1] == pytest.approx(0.5 + viewpoint.EYE_HEIGHT, abs=1e-3)
-
-
-def test_cities_have_30_and_50_metres_and_small_scenes_less() -> None:
-    assert viewpoint.radii(street(), viewpoint.facing((3.0, 1.7, -2.0), (9, 0, 9))) == (30.0, 50.0)
-    helmet = nf.Scene.from_trimesh(solid((0.3, 0.7, 0.4)))
-    place = viewpoint.find(helmet)
-    r1, r2 = viewpoint.radii(helmet, place)
-    rho = np.hypot(*(helmet.triangles()[..., [0, 2]] - np.array(place.eye)[[0, 2]]).reshape(-1, 2).T)
-    assert rho.min() < r1 < r2 < rho.max()
-
-
-@pytest.mark.parametrize(
-    ("given", "radii"),
-    [
-        ((None, 20.0), (12.0, 20.0)),
-        ((None, 90.0), (30.0, 90.0)),
-        ((60.0, None), (60.0, 100.0)),
-        ((5.0, 7.0), (5.0, 7.0)),
-    ],
-)
-def test_a_missing_radius_fits_the_other(given: tuple[float | None, float | None], radii: tuple[float, float]) -> None:
-    assert viewpoint.completed(*given) == pytest.approx(radii)
 
 
 def test_the_default_view_shows_the_boundary_and_all_zones() -> None:

@@ -12,6 +12,7 @@ from importlib import resources
 from typing import Any
 
 from nearfar._base import files
+from nearfar._base.check import one_line, shortened
 from nearfar._base.errors import FormatError
 from nearfar._base.version import __version__
 
@@ -22,6 +23,9 @@ CONVENTIONS: dict[str, Any] = {
     "color_space": "none",
 }
 """Default header fields. `color_space` is "linear", "sRGB", or "none" for files without colour."""
+
+_GENERATOR = 60
+"""Greatest length of another program's name in a message."""
 
 
 def header(name: str, version: int, **conventions: Any) -> dict[str, Any]:
@@ -62,13 +66,14 @@ def check(document: Any, name: str, version: int, path: str | os.PathLike[str]) 
     if not isinstance(document, dict):
         raise FormatError(f"{where}: expected a {wanted} document, got {type(document).__name__}")
     if document.get("format") != wanted:
-        raise FormatError(f"{where}: expected format {wanted!r}, got {document.get('format')!r}")
+        raise FormatError(f"{where}: expected format {wanted!r}, got {shortened(document.get('format'))}")
     file_version = document.get("version")
     if not isinstance(file_version, int) or isinstance(file_version, bool) or file_version < 1:
-        raise FormatError(f"{where}: expected a version of at least 1, got {file_version!r}")
+        raise FormatError(f"{where}: expected a version of at least 1, got {shortened(file_version)}")
     if file_version > version:
         raise FormatError(
-            f"{where}: {wanted} version {file_version} was written by {document.get('generator', 'a newer nearfar')}; "
+            f"{where}: {wanted} version {shortened(file_version)} was written by "
+            f"{one_line(str(document.get('generator', 'a newer nearfar')), _GENERATOR)}; "
             f"this is nearfar {__version__}, which reads up to version {version}"
         )
     return document
@@ -150,6 +155,6 @@ def load_schema(name: str) -> dict[str, Any]:
     file = folder / f"{name}.schema.json"
     if not file.is_file():
         known = sorted(item.name.removesuffix(".schema.json") for item in folder.iterdir())
-        raise ValueError(f"name: expected one of {', '.join(known)}, got {name!r}")
+        raise ValueError(f"name: expected one of {', '.join(known)}, got {shortened(name)}")
     schema: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
     return schema

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import SupportsFloat, SupportsIndex
 
@@ -15,7 +16,7 @@ from nearfar._partition.load_curve import load_curve
 from nearfar._scene.scene import Scene
 
 STEPS = 60
-"""Bisections for the least r2: they halve an interval of a few reaches below float64's last digit."""
+"""Bisections for a radius: they halve an interval of a few reaches below float64's last digit."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,8 +76,8 @@ def choose_radii(
     Returns
     -------
     Radii
-        r1 = max(R, s h r2 / (R + s h)), r2, and the shear that these have. Where r2 is less than R (R + s h) / (s h),
-        r1 is R, and the shear is greater than s; `remarks` say so.
+        r1 = max(R, s h r2 / (R + s h)), r2, and the shear that these have. r1 is less where the picture would fold
+        within R. Where r2 is less than R (R + s h) / (s h), r1 is R, and the shear is greater than s; `remarks` say so.
 
     Raises
     ------
@@ -102,15 +103,15 @@ def choose_radii(
         outer = _within(scene, middle, budget)
     else:
         raise ValueError("r2: expected either r2 or budget, got neither")
-    inner = max(walked, wanted * height * outer / (walked + wanted * height))
+    inner = by_ground(outer, walked, height, wanted)
     margin = _margin(inner, outer)
     if margin < walked:
         name, given = ("r2", "got") if r2 is not None else ("budget", "which gives")
         raise ValueError(
-            f"{name}: expected an r2 of at least {_least(walked):.4g} m for a reach of {walked:g} m, because the "
+            f"{name}: expected an r2 of at least {least_outer(walked):.4g} m for a reach of {walked:g} m, because the "
             f"picture would fold within it, {given} {outer:.4g}"
         )
-    left = walked * inner / ((outer - inner) * height)
+    left = shear_of(inner, outer, walked, height)
     remarks: tuple[str, ...] = ()
     if left > 1.005 * wanted:
         least = walked * (walked + wanted * height) / (wanted * height)
@@ -129,6 +130,19 @@ def choose_radii(
     )
 
 
+def by_ground(r2: float, reach: float, height: float, shear: float) -> float:
+    """Return r1 in metres for a reach, an eye's height and a shear; see `choose_radii`."""
+    r1 = max(reach, shear * height * r2 / (reach + shear * height))
+    if _margin(r1, r2) >= reach:
+        return r1
+    return _bisected(reach, r1, lambda inner: _margin(inner, r2) >= reach)[0]
+
+
+def shear_of(r1: float, r2: float, reach: float, height: float) -> float:
+    """Shear of the ground between the radii, pixels for each pixel, for a user `reach` metres beside the centre."""
+    return reach * r1 / ((r2 - r1) * height)
+
+
 def _within(scene: Scene, center: tuple[float, float, float], budget: SupportsIndex) -> float:
     """Greatest r2 that keeps a budget; where the whole scene does, the distance of what is farthest."""
     radius = float(load_curve(scene, center=center).radius(budget))
@@ -144,15 +158,19 @@ def _margin(r1: float, r2: float) -> float:
     return fold_margin((0, 0, 0), center=(0, 0, 0), r1=r1, r2=r2) if r1 < r2 else -np.inf
 
 
-def _least(reach: float) -> float:
+def least_outer(reach: float) -> float:
     """Least r2 in metres at which r1 = `reach` leaves a margin of `reach`; all lengths scale alike."""
     return reach * _least_share()
 
 
 @functools.cache
 def _least_share() -> float:
-    low, high = 1.0, 4.0
+    return _bisected(1.0, 4.0, lambda outer: _margin(1.0, outer) < 1.0)[1]
+
+
+def _bisected(low: float, high: float, holds: Callable[[float], bool]) -> tuple[float, float]:
+    """Two neighbouring numbers between which a condition that holds at `low` ends."""
     for _ in range(STEPS):
         middle = 0.5 * (low + high)
-        low, high = (low, middle) if _margin(1.0, middle) >= 1.0 else (middle, high)
-    return high
+        low, high = (middle, high) if holds(middle) else (low, middle)
+    return low, high

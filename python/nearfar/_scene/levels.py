@@ -213,7 +213,7 @@ def levels_of(argument: str, levels: ArrayLike | Mapping[str, int], leveled: Lev
     if isinstance(levels, Mapping):
         place = {name: at for at, name in enumerate(leveled.names)}
         if unknown := [name for name in levels if name not in place]:
-            raise ValueError(f"{argument}: expected names of objects with levels, got {unknown[0]!r}")
+            raise ValueError(f"{argument}: expected names of objects with levels, got {check.shortened(unknown[0])}")
         chosen = np.zeros(len(leveled), np.int64)
         for name, level in levels.items():
             chosen[place[name]] = check.integer(f"{argument}['{name}']", level, -1, 2**31 - 1)

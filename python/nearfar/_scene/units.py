@@ -7,6 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar._base import check
 from nearfar._base.errors import SceneError
 
 TALLEST_BUILDING = 830.0
@@ -46,7 +47,9 @@ def _metres_in(label: str, unit: str) -> float:
     except ValueError:
         factor = 0.0
     if not 0.0 < factor < np.inf:
-        raise SceneError(f"{label}: expected a unit that trimesh knows, got {unit!r}; scale= states its metres")
+        raise SceneError(
+            f"{label}: expected a unit that trimesh knows, got {check.shortened(unit)}; scale= states its metres"
+        )
     return factor
 
 

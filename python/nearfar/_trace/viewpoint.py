@@ -24,17 +24,8 @@ GROUND = (20.0, 0.2)
 AWAY = 2.25
 """Distance of the eye from the middle of an object in radii of its bounding sphere, which then fits into the view."""
 
-CITY_RADII = (30.0, 50.0)
-"""Radii r1 and r2 in metres for scenes that reach at least `CITY` metres away."""
-
-CITY = 75.0
-"""Least distance in metres that a city reaches from its centre."""
-
-WALLS = 75.0
-"""Percentile of the distances around an eye that counts as the distance of a room's walls; windows let rays pass."""
-
-ASIDE = (0.3, 0.6)
-"""Distance of a user from O as shares of r2 − r1 and of r1, the lesser of which is taken; the picture does not fold."""
+NEAR = 30.0
+"""Distance in metres within which an open place has something, so that a user's steps show parallax."""
 
 MOST_COMPARED = 40
 """Greatest number of open places that are compared."""
@@ -110,7 +101,7 @@ def find(scene: Scene) -> Viewpoint:
         if roofed.any():
             is_open[roofed] = ~_inside_solid(scene, hits, roofed)
         # Without anything near, the methods show no effect.
-        has_near = distances.min(axis=1) <= CITY_RADII[0]
+        has_near = distances.min(axis=1) <= NEAR
         found = np.flatnonzero(is_open)
         open_places += [(bool(has_near[n]), float(distances[n].mean()), _point(block[n])) for n in found]
         if len(open_places) >= MOST_COMPARED:
@@ -128,42 +119,6 @@ def in_front(scene: Scene) -> Viewpoint:
     away = AWAY * max(float(np.linalg.norm(high - low)) / 2.0, 1e-6)
     forward, middle = np.array([-0.5, 0.0, -np.sqrt(0.75)]), (low + high) / 2.0
     return Viewpoint(_point(middle - away * forward), _point(forward), _point(middle))
-
-
-def radii(scene: Scene, place: Viewpoint) -> tuple[float, float]:
-    """Radii r1 and r2 in metres that divide a scene into three zones of which each shows something.
-
-    They are `CITY_RADII` for scenes that reach `CITY` metres away; for others they divide the way from the nearest to
-    the farthest of the scene's bounds into thirds, rounded to two digits. Under a roof the walls that are in view count
-    as the farthest.
-    """
-    low, high = scene.bounds[:, [0, 2]]
-    eye = np.array(place.eye)[[0, 2]]
-    farthest = float(np.hypot(*np.maximum(np.abs(low - eye), np.abs(high - eye))))
-    if not place.is_outside and _is_roofed(scene, place.eye):
-        around = _view(scene, np.array(place.eye))
-        farthest = min(farthest, float(np.percentile(np.minimum(around, farthest), WALLS)))
-    if not place.is_outside and farthest >= CITY:
-        return CITY_RADII
-    nearest = float(np.hypot(*np.maximum(np.maximum(low - eye, eye - high), 0.0)))
-    if not nearest < farthest < np.inf:
-        return CITY_RADII
-    r1, r2 = (float(f"{nearest + share * (farthest - nearest):.2g}") for share in (1.0 / 3.0, 2.0 / 3.0))
-    return (r1, r2) if r1 < r2 else (nearest, farthest)
-
-
-def completed(r1: float | None, r2: float | None) -> tuple[float, float]:
-    """Return both radii; one that is None is `CITY_RADII`'s, or in their ratio to the other one if that is needed."""
-    inner, outer = CITY_RADII
-    if r1 is None:
-        r1 = inner if r2 is None else min(inner, r2 * inner / outer)
-    return r1, max(outer, r1 * outer / inner) if r2 is None else r2
-
-
-def aside(r1: float, r2: float) -> float:
-    """Distance in metres of a user from O that shows the effect of the methods, without folds."""
-    between, within = ASIDE
-    return min(between * (r2 - r1), within * r1) if r1 > 0.0 else between * (r2 - r1)
 
 
 def facing_open(scene: Scene, eye: Point) -> Viewpoint:
@@ -224,18 +179,32 @@ def _candidates(scene: Scene) -> list[NDArray[np.float64]]:
     return eyes
 
 
+def around(scene: Scene, eye: Point) -> NDArray[np.float64]:
+    """Distances (DIRECTIONS,) in metres that an eye sees horizontally, clockwise from −z; infinite without a hit."""
+    distances: NDArray[np.float64] = _distances(_hits(scene, np.asarray(eye)[None]))[0]
+    return distances
+
+
+def is_roofed(scene: Scene, eye: Point) -> bool:
+    """Whether most of the rays upwards, vertical and 30° from it, hit something."""
+    turns = np.radians(np.arange(8) * 45.0)
+    tilted = np.stack([0.5 * np.sin(turns), np.full(8, np.sqrt(0.75)), -0.5 * np.cos(turns)], axis=-1)
+    rays = np.concatenate([[[0.0, 1.0, 0.0]], tilted])
+    return bool(cast_rays(scene, np.asarray(eye), rays).hit.mean() > 0.5)
+
+
 def open_direction(scene: Scene, eye: Point) -> Point:
     """Horizontal direction whose field of view of 90° has the greatest sum of the square roots of distances.
 
     Views in which fewer than `SEEN` of the rays hit something are taken only if all are such.
     """
-    distances = _view(scene, np.asarray(eye))
+    distances = around(scene, eye)
     quarter = DIRECTIONS // 4
     kernel = np.ones(quarter + 1)
 
     def summed(values: NDArray[np.float64]) -> NDArray[np.float64]:
-        around = np.concatenate([values[-(quarter // 2) :], values, values[: quarter // 2]])
-        return np.convolve(around, kernel, mode="valid")
+        ring = np.concatenate([values[-(quarter // 2) :], values, values[: quarter // 2]])
+        return np.convolve(ring, kernel, mode="valid")
 
     shows = summed(np.isfinite(distances).astype(np.float64)) >= SEEN * len(kernel)
     visible = summed(np.sqrt(np.minimum(distances, 500.0)))
@@ -248,19 +217,6 @@ def open_direction(scene: Scene, eye: Point) -> Point:
 def _ring() -> NDArray[np.float64]:
     angle = np.arange(DIRECTIONS) * (2.0 * np.pi / DIRECTIONS)
     return np.column_stack([np.sin(angle), np.zeros(DIRECTIONS), -np.cos(angle)])
-
-
-def _view(scene: Scene, eye: NDArray[np.float64]) -> NDArray[np.float64]:
-    distances: NDArray[np.float64] = _distances(_hits(scene, eye[None]))[0]
-    return distances
-
-
-def _is_roofed(scene: Scene, eye: Point) -> bool:
-    """Whether most of the rays upwards, vertical and 30° from it, hit something."""
-    around = np.radians(np.arange(8) * 45.0)
-    tilted = np.stack([0.5 * np.sin(around), np.full(8, np.sqrt(0.75)), -0.5 * np.cos(around)], axis=-1)
-    rays = np.concatenate([[[0.0, 1.0, 0.0]], tilted])
-    return bool(cast_rays(scene, np.asarray(eye), rays).hit.mean() > 0.5)
 
 
 def _surrounds(is_hit: NDArray[np.bool_]) -> NDArray[np.bool_]:

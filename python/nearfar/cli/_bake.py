@@ -10,10 +10,11 @@ import typer
 
 import nearfar as nf
 from nearfar._base import formats
+from nearfar._reduce import default_radii
 from nearfar.cli import _options as options
 from nearfar.cli._options import option
 from nearfar.cli._output import bytes_text, check_target, count, metres, note_rows, show
-from nearfar.cli._viewpoint import choose, radii
+from nearfar.cli._viewpoint import choose
 
 VERSION = 1
 
@@ -48,14 +49,14 @@ def bake(
         check_target(equirectangular, ".exr", ".png")
     loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
     place = choose(loaded, scene, middle)
-    inner, outer = radii(loaded, place, r1, r2)
+    radii = default_radii.choose(loaded, place, r1, r2)
     channels = ("color", *(("range",) if with_range else ()), *(("object_id",) if with_ids else ()))
     started = time.perf_counter()
     reduced = nf.reduce(
         loaded,
         center=place.eye,
-        r1=inner,
-        r2=outer,
+        r1=radii.r1,
+        r2=radii.r2,
         face_size=options.faces(face_size),
         samples=samples,
         channels=channels,
@@ -64,7 +65,7 @@ def bake(
     )
     seconds = time.perf_counter() - started
     if reduced.env is None:
-        raise ValueError(f"r2: expected less, there is nothing beyond {outer:g} m to bake")
+        raise ValueError(f"r2: expected less, there is nothing beyond {radii.r2:g} m to bake")
     reduced.env.save(output)
     if equirectangular is not None:
         reduced.env.save_equirectangular(equirectangular)
@@ -73,7 +74,7 @@ def bake(
         "notes": list(loaded.report.notes),
         "file": str(output),
         "center": list(place.eye),
-        "r2": outer,
+        "r2": radii.r2,
         "face_size": reduced.env.face_size,
         "channels": list(reduced.env.channels),
         "bytes": output.stat().st_size,
@@ -82,7 +83,7 @@ def bake(
     }
     rows = [
         ("centre", metres(place.eye)),
-        ("beyond", f"{outer:g} m"),
+        ("beyond", f"{radii.r2:g} m"),
         ("map", f"6 × {reduced.env.face_size}², {', '.join(reduced.env.channels)}"),
         ("file", f"{output}, {bytes_text(document['bytes'])}"),
         ("triangles left", count(document["triangles_left"])),

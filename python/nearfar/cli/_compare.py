@@ -11,12 +11,12 @@ import typer
 import nearfar as nf
 from nearfar._base import check as checks
 from nearfar._base import files, formats
-from nearfar._reduce import findings
+from nearfar._reduce import default_radii, findings
 from nearfar.cli import _comparison_page, _report_page, _source, _thresholds, _viewpoint
 from nearfar.cli import _options as options
 from nearfar.cli._methods import METHODS, render_all
 from nearfar.cli._options import option
-from nearfar.cli._output import Clock, metres, note_rows, show, triangles_text
+from nearfar.cli._output import Clock, metres, note_rows, radii_rows, show, triangles_text
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
 
@@ -109,7 +109,8 @@ def compare(
                 loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
         with clock.step("place"):
             place = _viewpoint.choose(loaded, source, middle if saved is None else saved.center)
-            inner, outer = _viewpoint.radii(loaded, place, r1, r2) if saved is None else (saved.r1, saved.r2)
+            chosen = saved or default_radii.choose(loaded, place, r1, r2)
+            inner, outer = chosen.r1, chosen.r2
             stand = _viewpoint.stand(loaded, place, inner, outer, fov=fov, user=eye, target=aim, distance=away)
             view = camera(stand.user, stand.target, fov, pixels)
         with clock.step("load curve"):
@@ -156,6 +157,7 @@ def compare(
             "fold_margin": round(margin, 3) if math.isfinite(margin) else None,
             "r1": inner,
             "r2": outer,
+            "radii_reason": chosen.reason if isinstance(chosen, default_radii.Choice) else "",
             "face_size": texels,
             "samples": samples,
             "size": list(pixels),
@@ -211,6 +213,7 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     return [
         ("triangles", triangles_text(document)),
         ("centre, user", f"{metres(document['center'])}; {metres(document['user'])}"),
+        *radii_rows(document),
         ("", "conventional → continuous"),
         *both,
         *((check["option"], _thresholds.result(check)) for check in document["thresholds"]),

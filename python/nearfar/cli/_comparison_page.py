@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nearfar._base import formats
 from nearfar.cli import _thresholds
-from nearfar.cli._output import bytes_text, count, metres
+from nearfar.cli._output import bytes_text, count, metres, radii_text
 
 MEASURES = {
     "tear": "tear along the boundary at r₂, pixels",
@@ -119,8 +119,8 @@ def _summary(document: dict[str, Any]) -> list[str]:
         *(f"Note: {note}." for note in (document["unit_note"], *document["findings"]) if note),
         f"{count(document['triangles'])} triangles become {count(document['triangles_left'])} and a cube map of 6 × "
         f"{document['face_size']}² texels ({bytes_text(document['map_bytes'])}). Method: {document['method']}.",
-        f"Centre O at {metres(document['center'])}; user U at {metres(document['user'])}; r₁ = {document['r1']:g} m, "
-        f"r₂ = {document['r2']:g} m; {folds}.",
+        f"Centre O at {metres(document['center'])}; user U at {metres(document['user'])}; {radii_text(document)}; "
+        f"{folds}.",
         PARADOX,
     ]
 

@@ -12,8 +12,7 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, files
-from nearfar._reduce import folder
-from nearfar._trace import viewpoint
+from nearfar._reduce import default_radii, folder
 
 Point = tuple[float, float, float]
 
@@ -147,8 +146,7 @@ def check_radii(r1: float | None, r2: float | None) -> None:
     for name, radius in (("--r1", r1), ("--r2", r2)):
         if radius is not None:
             check.at_least_zero(name, radius)
-    inner, outer = viewpoint.completed(r1, r2)
-    check.radii(inner, outer)
+    check.radii(*default_radii.completed(r1, r2))
 
 
 def is_reduced(text: str) -> bool:

@@ -77,6 +77,18 @@ def note_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
     ]
 
 
+def radii_rows(document: dict[str, Any]) -> list[tuple[str, str]]:
+    """Rows on the radii, and on why they were chosen."""
+    reason = document["radii_reason"]
+    return [("radii", f"r1 = {document['r1']:g} m, r2 = {document['r2']:g} m"), *([("", reason)] if reason else [])]
+
+
+def radii_text(document: dict[str, Any]) -> str:
+    """Format the radii for a report, with the reason for them."""
+    reason = document["radii_reason"]
+    return f"r₁ = {document['r1']:g} m, r₂ = {document['r2']:g} m" + (f" ({reason})" if reason else "")
+
+
 def bytes_text(value: float) -> str:
     """Format a number of bytes in a suitable unit."""
     for unit in ("bytes", "kB", "MB"):

@@ -9,10 +9,12 @@ import typer
 
 import nearfar as nf
 from nearfar._base import check, formats
+from nearfar._reduce import default_radii
+from nearfar._reduce.default_radii import Choice
 from nearfar.cli import _options as options
 from nearfar.cli._options import option
-from nearfar.cli._output import check_target, count, metres, note_rows, show
-from nearfar.cli._viewpoint import choose, radii
+from nearfar.cli._output import check_target, count, metres, note_rows, radii_rows, show
+from nearfar.cli._viewpoint import choose
 
 VERSION = 1
 
@@ -55,13 +57,12 @@ def partition(
         check_target(output, ".json")
     loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
     place = choose(loaded, scene, options.read_point("--center", center))
-    inner, outer = radii(loaded, place, r1, r2)
-    document = describe(loaded, scene, place.eye, inner, outer)
+    document = describe(loaded, scene, place.eye, default_radii.choose(loaded, place, r1, r2))
     if output:
         formats.write_json(output, document)
     rows = [
         ("centre", metres(place.eye)),
-        ("radii", f"{inner:g} m and {outer:g} m"),
+        *radii_rows(document),
         *((label, count(document["summary"][key])) for key, label in ROWS.items()),
         *((f"within {entry['radius']:g} m", count(entry["triangles"])) for entry in document["load_curve"]),
         *note_rows(document),
@@ -73,16 +74,17 @@ def partition(
         raise typer.Exit(1)
 
 
-def describe(scene: nf.Scene, source: str, center: options.Point, r1: float, r2: float) -> dict[str, Any]:
+def describe(scene: nf.Scene, source: str, center: options.Point, radii: Choice) -> dict[str, Any]:
     """Make the document of a partition; schema "partition"."""
-    parts = nf.partition(scene, center=center, r1=r1, r2=r2)
+    parts = nf.partition(scene, center=center, r1=radii.r1, r2=radii.r2)
     curve = nf.load_curve(scene, center=center)
     return formats.header("partition", VERSION, origin=[float(value) for value in scene.origin]) | {
         "source": source,
         "notes": list(scene.report.notes),
         "center": list(center),
-        "r1": r1,
-        "r2": r2,
+        "r1": radii.r1,
+        "r2": radii.r2,
+        "radii_reason": radii.reason,
         "summary": parts.summary(),
         "load_curve": curve_points(curve),
     }

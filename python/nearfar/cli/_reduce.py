@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 import nearfar as nf
 from nearfar._base import check, files, formats
 from nearfar._metrics.comparison import visible_difference
-from nearfar._reduce import findings
+from nearfar._reduce import default_radii, findings
 from nearfar.cli import _options as options
 from nearfar.cli import _report_page, _viewpoint
 from nearfar.cli._methods import METHODS, render_all
 from nearfar.cli._options import option
-from nearfar.cli._output import Clock, bytes_text, metres, note_rows, show, triangles_text
+from nearfar.cli._output import Clock, bytes_text, metres, note_rows, radii_rows, show, triangles_text
 from nearfar.cli._partition import curve_points
 from nearfar.cli._render import camera
 
@@ -62,7 +62,8 @@ def reduce(
             loaded = options.open_scene(scene, up=up, on_invalid=on_invalid, scale=scale, max_bytes=max_bytes)
         with clock.step("place"):
             place = _viewpoint.choose(loaded, scene, middle)
-            inner, outer = _viewpoint.radii(loaded, place, r1, r2)
+            radii = default_radii.choose(loaded, place, r1, r2)
+            inner, outer = radii.r1, radii.r2
             stand = _viewpoint.stand(loaded, place, inner, outer)
         view = camera(stand.user, stand.target, 90.0, pixels)
         with clock.step("load curve"):
@@ -101,6 +102,7 @@ def reduce(
             "target": list(stand.target),
             "r1": inner,
             "r2": outer,
+            "radii_reason": radii.reason,
             "face_size": texels,
             "samples": samples,
             "size": list(pixels),
@@ -141,7 +143,7 @@ def _rows(document: dict[str, Any], output: Path) -> list[tuple[str, str]]:
     return [
         ("triangles", triangles_text(document)),
         ("centre", metres(document["center"])),
-        ("radii", f"r1 = {document['r1']:g} m, r2 = {document['r2']:g} m"),
+        *radii_rows(document),
         ("map", bytes_text(document["map_bytes"])),
         *((f"{name} differs in", f"{100 * p['share']:.2f} % of pixels") for name, p in document["pictures"].items()),
         ("took", f"{sum(document['seconds'].values()):.1f} s"),

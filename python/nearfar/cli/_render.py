@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 import nearfar as nf
 from nearfar._base import check, formats
-from nearfar._reduce import findings
+from nearfar._reduce import default_radii, findings
 from nearfar.cli import _headset, _source, _viewpoint
 from nearfar.cli import _options as options
 from nearfar.cli._methods import METHODS, morph_of
@@ -101,7 +101,8 @@ def render(
     if method == "truth":
         seen = (place.eye, aim or place.target)
     else:
-        inner, outer = _viewpoint.radii(loaded, place, r1, r2) if saved is None else (saved.r1, saved.r2)
+        radii = saved or default_radii.choose(loaded, place, r1, r2)
+        inner, outer = radii.r1, radii.r2
         stand = _source.view_of(scene) if saved is not None and user is None and aim is None else None
         stand = stand or _viewpoint.stand(loaded, place, inner, outer, fov=degrees, user=user, target=aim)
         seen = (stand.user, stand.target)

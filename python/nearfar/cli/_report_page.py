@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._base import formats
-from nearfar.cli._output import bytes_text, count, metres
+from nearfar.cli._output import bytes_text, count, metres, radii_text
 
 CAPTION = 0.07
 """Height of a picture's caption as a share of the picture's height."""
@@ -85,8 +85,7 @@ def markdown(document: dict[str, Any]) -> str:
         f"and a cube map of 6 × {document['face_size']}² texels ({bytes_text(document['map_bytes'])}).",
         "",
         *(line for note in document["findings"] for line in (f"**Note:** {note}.", "")),
-        f"Centre O at {metres(document['center'])}, user U at {metres(document['user'])}; r₁ = {document['r1']:g} m, "
-        f"r₂ = {document['r2']:g} m.",
+        f"Centre O at {metres(document['center'])}, user U at {metres(document['user'])}; {radii_text(document)}.",
         "",
         "![truth, conventional and continuous](side_by_side.png)",
         "",

@@ -1,11 +1,11 @@
-"""Default viewpoints, radii and users of commands."""
+"""Default viewpoints and users of commands."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import nearfar as nf
-from nearfar._base import check
+from nearfar._reduce import default_radii
 from nearfar._trace import crossing, viewpoint
 from nearfar._trace.viewpoint import Viewpoint
 from nearfar.cli._options import Point
@@ -32,13 +32,6 @@ def choose(scene: nf.Scene, source: str, eye: Point | None = None) -> Viewpoint:
     return viewpoint.facing(*KNOWN[name]()) if name in KNOWN else viewpoint.find(scene)
 
 
-def radii(scene: nf.Scene, place: Viewpoint, r1: float | None, r2: float | None) -> tuple[float, float]:
-    """Return the radii that the user gave, or those that suit the scene."""
-    if r1 is None and r2 is None:
-        return viewpoint.radii(scene, place)
-    return check.radii(*viewpoint.completed(r1, r2))
-
-
 def stand(
     scene: nf.Scene,
     place: Viewpoint,
@@ -51,7 +44,7 @@ def stand(
     distance: float | None = None,
 ) -> Stand:
     """Choose a user's place and view so that the boundary is in the picture; what is given stays as it is."""
-    away = viewpoint.aside(r1, r2) if distance is None else distance
+    away = default_radii.aside(r1, r2) if distance is None else distance
     if user is None and target is None:
         chosen, forward, crosses = crossing.choose(scene, place, away, r1, r2, fov=fov)
         return Stand(chosen, place.middle or viewpoint.ahead(chosen, forward), crosses)

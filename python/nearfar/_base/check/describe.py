@@ -38,7 +38,10 @@ def shortened(value: object) -> str:
         return f"a number of {value.bit_length():,} bits"
     if isinstance(value, np.generic):
         return shortened(value.item())
-    text = repr(value[: _LONGEST + 1] if isinstance(value, str) else value)
+    try:
+        text = repr(value[: _LONGEST + 1] if isinstance(value, str) else value)
+    except RecursionError:
+        return f"{described(value)} of many levels"
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
 
 

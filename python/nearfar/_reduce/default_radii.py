@@ -1,0 +1,107 @@
+"""Radii that commands take where the user gives none: r2 by what surrounds the centre, r1 by the ground."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from nearfar._reduce.choose_radii import by_ground, least_outer, shear_of
+from nearfar._scene.scene import Scene
+from nearfar._trace import viewpoint
+from nearfar._trace.viewpoint import Viewpoint
+
+CITY = 75.0
+"""Least distance in metres that a city reaches from its centre."""
+
+CITY_OUTER = 50.0
+"""Radius r2 in metres for cities."""
+
+REACH = 8.0
+"""Distance in metres that a user walks from the centre; less where r2 is so small that the picture would fold."""
+
+SHEAR = 1.0
+"""Greatest shear of the ground between the radii, pixels for each pixel."""
+
+SPREAD = 5.0 / 3.0
+"""Least ratio of r2 to an r1 that the user gave."""
+
+WALLS = 75.0
+"""Percentile of the distances around an eye that counts as the distance of a room's walls; windows let rays pass."""
+
+ASIDE = (0.3, 0.9)
+"""Distance of a user from O as shares of r2 − r1 and of r1, the lesser of which is taken; the picture does not fold."""
+
+
+@dataclass(frozen=True)
+class Choice:
+    """Radii in metres, and a sentence on why they were chosen; empty where the user gave both."""
+
+    r1: float
+    r2: float
+    reason: str = ""
+
+
+def choose(scene: Scene, place: Viewpoint, r1: float | None = None, r2: float | None = None) -> Choice:
+    """Choose the radii that are None.
+
+    r2 is `CITY_OUTER` for scenes that reach `CITY` metres away, else two thirds of the way from the nearest to the
+    farthest of the scene's bounds; under a roof the walls that are in view count as the farthest. r1 follows from the
+    ground (`choose_radii`). For an object that is seen from outside, r1 is a third of that way: there is no ground.
+    """
+    if r1 is not None or r2 is not None:
+        inner, outer = completed(r1, r2)
+        return Choice(inner, outer, "" if r1 is not None else _by_ground(inner, outer))
+    nearest, farthest = _extent(scene, place)
+    if (not place.is_outside and farthest >= CITY) or not nearest < farthest < np.inf:
+        inner = completed(None, CITY_OUTER)[0]
+        why = f"r2 = {CITY_OUTER:g} m is the default where a scene reaches {CITY:g} m away"
+        return Choice(inner, CITY_OUTER, f"{why}; {_by_ground(inner, CITY_OUTER)}")
+    thirds = [float(f"{nearest + share * (farthest - nearest):.2g}") for share in (1.0 / 3.0, 2.0 / 3.0)]
+    inner, outer = thirds if thirds[0] < thirds[1] else (nearest, farthest)
+    if place.is_outside:
+        return Choice(inner, outer, "the radii divide the way from the object's nearest to its farthest part in thirds")
+    inner = completed(None, outer)[0]
+    return Choice(inner, outer, f"r2 is two thirds of the way to the walls; {_by_ground(inner, outer)}")
+
+
+def completed(r1: float | None, r2: float | None) -> tuple[float, float]:
+    """Return both radii; r1 follows from r2 by the ground, r2 is `CITY_OUTER` or `SPREAD` times r1."""
+    if r2 is None:
+        r2 = CITY_OUTER if r1 is None else max(CITY_OUTER, r1 * SPREAD)
+    return _inner(r2) if r1 is None else r1, r2
+
+
+def aside(r1: float, r2: float) -> float:
+    """Distance in metres of a user from O that shows the effect of the methods, without folds."""
+    between, within = ASIDE
+    return min(between * (r2 - r1), within * r1) if r1 > 0.0 else between * (r2 - r1)
+
+
+def _reach(r2: float) -> float:
+    return min(REACH, REACH * r2 / least_outer(REACH))
+
+
+def _inner(r2: float) -> float:
+    return float(f"{by_ground(r2, _reach(r2), viewpoint.EYE_HEIGHT, SHEAR):.3g}")
+
+
+def _by_ground(r1: float, r2: float) -> str:
+    reach = _reach(r2)
+    shear = shear_of(r1, r2, reach, viewpoint.EYE_HEIGHT)
+    return (
+        f"with r1 = {r1:g} m the ground between the radii is sheared by at most {shear:.2g} pixels a pixel for a user "
+        f"{reach:.2g} m beside the centre"
+    )
+
+
+def _extent(scene: Scene, place: Viewpoint) -> tuple[float, float]:
+    """Horizontal distances in metres from the eye to the nearest and the farthest of a scene's bounds, or to walls."""
+    low, high = scene.bounds[:, [0, 2]]
+    eye = np.array(place.eye)[[0, 2]]
+    nearest = float(np.hypot(*np.maximum(np.maximum(low - eye, eye - high), 0.0)))
+    farthest = float(np.hypot(*np.maximum(np.abs(low - eye), np.abs(high - eye))))
+    if not place.is_outside and viewpoint.is_roofed(scene, place.eye):
+        around = viewpoint.around(scene, place.eye)
+        farthest = min(farthest, float(np.percentile(np.minimum(around, farthest), WALLS)))
+    return nearest, farthest
