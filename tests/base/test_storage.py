@@ -139,6 +139,14 @@ def test_long_values_are_cut(change: dict[str, Any]) -> None:
     assert len(str(caught.value)) < 200
 
 
+@pytest.mark.parametrize("kind", [KeyError, ValueError, TypeError])
+def test_long_reasons_are_cut(kind: type[Exception]) -> None:
+    with pytest.raises(nf.FormatError, match="damaged model") as caught, formats.guarded("a.json", "model"):
+        raise kind("entry\n" * 999)
+    assert len(str(caught.value)) < 300
+    assert "\n" not in str(caught.value)
+
+
 def test_long_names_of_programs_are_cut() -> None:
     with pytest.raises(nf.FormatError, match="reads up to version 2") as caught:
         formats.check(formats.header("report", 3) | {"generator": "x\ny" * 999}, "report", 2, "a.json")

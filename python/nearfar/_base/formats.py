@@ -27,6 +27,9 @@ CONVENTIONS: dict[str, Any] = {
 _GENERATOR = 60
 """Greatest length of another program's name in a message."""
 
+_REASON = 180
+"""Greatest length of another library's words in a message."""
+
 
 def header(name: str, version: int, **conventions: Any) -> dict[str, Any]:
     """Return the header fields of a document.
@@ -132,9 +135,9 @@ def guarded(path: str | os.PathLike[str], kind: str = "") -> Iterator[None]:
     except FormatError:
         raise
     except KeyError as error:
-        raise FormatError(f"{damaged}: {error} is missing") from None
+        raise FormatError(f"{damaged}: {one_line(str(error), _REASON)} is missing") from None
     except DAMAGE as error:
-        raise FormatError(f"{damaged}: {error or type(error).__name__}") from None
+        raise FormatError(f"{damaged}: {one_line(str(error), _REASON) or type(error).__name__}") from None
 
 
 def to_json(document: dict[str, Any], *, compact: bool = False) -> str:
