@@ -11,6 +11,8 @@ from contextlib import contextmanager
 from importlib import resources
 from typing import Any
 
+import numpy as np
+
 from nearfar._base import files
 from nearfar._base.check import one_line, shortened
 from nearfar._base.errors import FormatError
@@ -128,10 +130,14 @@ DAMAGE = (
 
 @contextmanager
 def guarded(path: str | os.PathLike[str], kind: str = "") -> Iterator[None]:
-    """Turn every error over a damaged file into a FormatError that names the file, and the kind of content if given."""
+    """Turn every error over a damaged file into a FormatError that names the file, and the kind of content if given.
+
+    Numbers that do not fit a type are errors, too, of which NumPy only warns.
+    """
     damaged = f"{os.fspath(path)}: damaged{' ' if kind else ''}{kind}"
     try:
-        yield
+        with np.errstate(invalid="raise", over="raise", divide="raise"):
+            yield
     except FormatError:
         raise
     except KeyError as error:
