@@ -33,6 +33,8 @@ class Worker:
         self._warnings: list[str] = []
         self._printed = os.fstat(2).st_size
         warnings.simplefilter("always")
+        # A file may state places from which a picture folds.
+        warnings.filterwarnings("ignore", "the picture folds")
         warnings.showwarning = self._note_warning  # type: ignore[assignment]
 
     def _note_warning(self, message: object, category: type[Warning], filename: str, lineno: int, *_: object) -> None:

@@ -51,8 +51,7 @@ def test_of_many_triangles_the_largest_are_drawn(scene: nf.Scene, monkeypatch: p
     parts = nf.partition(scene, center=CENTER, r1=R1, r2=R2)
     monkeypatch.setattr(preview, "MOST_DRAWN", 2)
     monkeypatch.setattr(preview, "LARGEST", 2)
-    assert parts._scene is not None
-    settings = (parts._core, parts._scene, "far", (R1, R2), np.array(parts._scene.origin) - CENTER, 2.0)
+    settings = (parts._core, parts.scene._core, "far", (R1, R2), np.array(parts.scene.origin) - CENTER, 2.0)
     area, flat = preview._seen(*settings)
     assert 2 <= len(area) == len(flat) < parts.summary()["far"]
     assert area[0] == area.max()

@@ -178,6 +178,7 @@ def attempt(call: Callable[..., Any], arguments: Mapping[str, Any]) -> BaseExcep
     """Call with keywords, begin a result that is an iterator, and return the exception; warnings count as such."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
+        warnings.filterwarnings("ignore", "the picture folds")
         try:
             result = call(**arguments)
             if isinstance(result, Iterator):

@@ -116,7 +116,7 @@ def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.LoadCurve.count": {"r2": 3.0},
         "nearfar.LoadCurve.plot": {},
         "nearfar.LoadCurve.radius": {"budget": 2},
-        "nearfar.Partition": {"_core": nf.partition(scene, **ZONES)._core, **ZONES},
+        "nearfar.Partition": {"_core": nf.partition(scene, **ZONES)._core, "scene": scene, "source": scene, **ZONES},
         "nearfar.Partition.summary": {},
         "nearfar.Partition.validate": {},
         "nearfar.load_curve": {"scene": scene, "center": ZONES["center"]},

@@ -56,6 +56,7 @@ class GpuDevice:
         t_min: float,
         t_max: float,
         user: _Point | None,
+        radius: float | None,
         method: str,
         mapped: bool,
         tolerance_px: float,

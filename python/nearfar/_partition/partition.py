@@ -59,8 +59,8 @@ def triangle_radii(vertices: ArrayLike, faces: ArrayLike | None = None, *, cente
         return _core.triangle_radii(rows, indices, axis, report)
 
 
-CoreScene = _core.Scene
-"""The type by another name, because `Partition` has a field `_core`."""
+UNITS = ("triangle", "object")
+"""Units in which a scene is divided."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -72,18 +72,23 @@ class Partition:
     baked into the environment map: all static triangles whose greatest ρ exceeds r2. Triangles across r2 are in both
     sets, and renderers split them at r2 in each pixel.
 
-    Zones are stored by instance; the index arrays are made at each access. Triangles are numbered as in
-    `Scene.triangles`. Distances are rounded to float32 as in `triangle_radii`, so that both agree.
+    Zones are stored by instance; the index arrays are made at each access. Triangles are numbered as in the `triangles`
+    of `scene`. Distances are rounded to float32 as in `triangle_radii`, so that both agree.
     """
 
     _core: _core.Partition
+    scene: Scene
+    """The divided scene; with `unit` "object" its near objects are dynamic, which makes them geometry as a whole."""
     center: tuple[float, float, float]
     """World position of the centre, metres."""
     r1: float
     """Radius that bounds the near zone, metres."""
     r2: float
     """Radius that bounds the intermediate zone, metres."""
-    _scene: CoreScene | None = None
+    source: Scene
+    """The scene that `partition` was given."""
+    unit: str = "triangle"
+    """"triangle" or "object": the unit in which triangles are geometry or baked."""
 
     @property
     def near(self) -> NDArray[np.int64]:
@@ -140,9 +145,7 @@ class Partition:
             ("baked", f"{counts['sf']:,}, of which {counts['straddling']:,} are drawn, too"),
             ("centre", card.point(self.center)),
         ]
-        if self._scene is None:
-            return card.page("Partition", facts)
-        pixels = preview.picture(self._core, self._scene, self.center, self.r1, self.r2)
+        pixels = preview.picture(self._core, self.scene._core, self.center, self.r1, self.r2)
         legend = [(color, zone) for zone, color in preview.ZONES.items()]
         caption = "from above, −z up; the circles are r₁ and r₂."
         return card.page("Partition", facts, card.picture(pixels, "top view of the zones", caption, legend))
@@ -155,7 +158,7 @@ class Partition:
         )
 
 
-def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float) -> Partition:
+def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float, unit: str = "triangle") -> Partition:
     """Divide a scene into near geometry and far environment.
 
     Parameters
@@ -166,26 +169,42 @@ def partition(scene: Scene, *, center: ArrayLike, r1: float, r2: float) -> Parti
         World position of the centre, metres; its height does not matter.
     r1, r2
         Radii in metres, 0 ≤ r1 < r2.
+    unit
+        "triangle": a static triangle is geometry where it reaches inside r2, and is baked where it reaches beyond it.
+        "object": every object that reaches inside r2 is geometry as a whole, also beyond r2, and none of it is baked;
+        the result's `scene` has such objects as dynamic ones. Faces without an object are divided by triangle.
 
     Returns
     -------
     Partition
-        Zones of all triangles.
+        Zones of all triangles of its `scene`.
 
     Raises
     ------
     ValueError
-        For radii out of order and a centre that is not finite.
+        For radii out of order, a centre that is not finite, and unknown units.
     TypeError
         For arguments of another type.
 
     References
     ----------
-    Popescu, Lee, Choi, Fahmy (2022): near, intermediate and far region, there by vertex, here by triangle.
+    Popescu, Lee, Choi, Fahmy (2022): near, intermediate and far region, there by vertex, here by triangle; "object" is
+    CloVR (2024).
     """
+    core_of(scene)
     near, far = check.radii(r1, r2)
     middle = check.vector("center", center)
-    measured = core_of(scene)
+    check.choice("unit", unit, UNITS)
+    source, core = scene, _divided(scene, middle, near, far)
+    if unit == "object":
+        names = scene.object_names
+        objects = [names[number] for number in core.near_objects()]
+        if objects:
+            scene = scene.with_dynamic(objects)
+            core = _divided(scene, middle, near, far)
+    return Partition(core, scene, middle, near, far, source, unit)
+
+
+def _divided(scene: Scene, center: tuple[float, float, float], r1: float, r2: float) -> _core.Partition:
     with progress.bar("partition") as report:
-        core = _core.Partition(measured, center=middle, r1=near, r2=far, report=report)
-    return Partition(core, middle, near, far, measured)
+        return _core.Partition(core_of(scene), center=center, r1=r1, r2=r2, report=report)

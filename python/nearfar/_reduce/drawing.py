@@ -19,25 +19,36 @@ MORPHS = ("blend", "cylinder", "none")
 TOLERANCES = {"vertex": 0.5, "exact": 0.1}
 """Default tolerance in pixels of each rendering method."""
 
+METHODS = ("auto", *TOLERANCES)
+"""Rendering methods by name; "auto" bends rays for users for whom the picture of moved vertices folds."""
+
 
 @dataclass(frozen=True)
 class Drawing:
     """Settings for drawing a reduced scene; `ReducedScene.render` documents them."""
 
-    method: str = "vertex"
+    method: str = "auto"
     env: bool = True
     tolerance_px: float | None = None
+    radius: float | None = None
 
     def __post_init__(self) -> None:
-        check.choice("method", self.method, tuple(TOLERANCES))
+        check.choice("method", self.method, METHODS)
         object.__setattr__(self, "env", check.flag("env", self.env))
         if self.tolerance_px is not None:
             object.__setattr__(self, "tolerance_px", check.number("tolerance_px", self.tolerance_px, finite=False))
+        if self.radius is not None:
+            object.__setattr__(self, "radius", check.at_least_zero("radius", self.radius))
 
-    @property
-    def tolerance(self) -> float:
-        """Tolerance in pixels: `tolerance_px`, or the method's default."""
-        return TOLERANCES[self.method] if self.tolerance_px is None else self.tolerance_px
+    def radii(self, r1: float, r2: float) -> tuple[float, float]:
+        """Radii of the morph in metres, for those of the reduction."""
+        radius = r2 if self.radius is None else min(float(self.radius), r2)
+        return (r1, r2) if radius == r2 else (r1 * (radius / r2), radius)
+
+    def settings(self, method: str) -> dict[str, Any]:
+        """Settings as kernels take them, for "vertex" or "exact"."""
+        tolerance = TOLERANCES[method] if self.tolerance_px is None else self.tolerance_px
+        return {"method": method, "mapped": self.env, "tolerance_px": tolerance, "radius": self.radius}
 
 
 def check_morph(morph: str, boundary: str) -> None:
@@ -54,9 +65,14 @@ def morphed(
 
     The morph shows a ball of radius r within r (1 + |U−O| (2/(r2−r1) + 1/r1)) of its shown centre. Reason: the morph's
     weight changes by at most 1/(r2−r1) per metre, and a change of the weight from 0 to 1 moves a point by at most
-    2 |U−O|.
+    2 |U−O|. Without a near zone the user is shown the ball as the centre sees it, by the cylinder up to |U−O| nearer or
+    farther.
     """
-    away = math.dist(check.vector("user", user), center)
+    place = check.vector("user", user)
+    away = math.dist(place, center)
+    if r2 == 0.0:
+        moved = leveled.centers + np.subtract(place, center)
+        return replace(leveled, centers=moved, radii=leveled.radii + (away if kind == "cylinder" else 0.0))
     shown = morph(leveled.centers, user=user, center=center, r1=r1, r2=r2, kind=kind)
     stretch = 1.0 + away * (2.0 / (r2 - r1) + 1.0 / max(r1, away, 1e-300))
     return replace(leveled, centers=shown, radii=leveled.radii * stretch)

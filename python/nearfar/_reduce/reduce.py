@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, DTypeLike
 from nearfar._base import check
 from nearfar._camera.shot import MAX_SAMPLES
 from nearfar._cubemap import envmap
+from nearfar._partition.partition import UNITS
 from nearfar._reduce import stages
 from nearfar._reduce.drawing import check_morph
 from nearfar._reduce.reduced_scene import ReducedScene
@@ -28,6 +29,7 @@ def reduce(
     face_size: int = 1024,
     morph: str = "blend",
     boundary: str = "r2",
+    unit: str = "triangle",
     channels: Iterable[str] = ("color",),
     samples: int = 4,
     range_dtype: DTypeLike = np.float32,
@@ -53,6 +55,10 @@ def reduce(
     boundary
         For "none", the radius at which the near part ends and the map begins: "r2", or "r1" as in figure 1 of the
         paper. The continuous methods need "r2".
+    unit
+        "triangle": triangles within r2 are geometry, and pictures are split at r2. "object", as in CloVR: objects that
+        reach inside r2 are geometry as a whole, also beyond r2, where they are drawn in the direction in which the
+        centre sees them if nothing in the map is nearer; so the map has range. These objects are dynamic then.
     channels
         Channels of the map: "color" always, "range" and "object_id" if named. Scenes with moving objects always get
         range, because it decides which of them far buildings hide.
@@ -81,6 +87,7 @@ def reduce(
     Popescu, Lee, Choi, Fahmy (2022): Eq. 1–3 and figure 1. "cylinder" is Alg. 1 of CloVR (2024).
     """
     core_of(scene)
+    check.choice("unit", unit, UNITS)
     check_morph(morph, check.choice("boundary", boundary, ("r1", "r2")))
     size = check.integer("face_size", face_size, 1, 16384)
     samples = check.integer("samples", samples, 1, MAX_SAMPLES)
@@ -95,6 +102,7 @@ def reduce(
         center=center,
         r1=r1,
         r2=r2,
+        unit=unit,
         boundary=boundary,
         size=size,
         samples=samples,
@@ -102,4 +110,4 @@ def reduce(
         half=half,
         device=device,
     )
-    return ReducedScene(scene, **parts, morph=morph, boundary=boundary)
+    return ReducedScene(**parts, morph=morph, boundary=boundary)

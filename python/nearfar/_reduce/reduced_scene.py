@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import copy
-import math
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -13,26 +12,20 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import check, progress
-from nearfar._camera.camera import Camera
-from nearfar._camera.shot import Shot, check_begin, check_request
 from nearfar._cubemap import envmap
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import Partition, partition
 from nearfar._reduce import folder, stages
 from nearfar._reduce.drawing import Drawing, check_morph, morphed, rows_of
 from nearfar._reduce.notebook import InNotebooks
-from nearfar._render import backend as backends
-from nearfar._render.frame import Frame
-from nearfar._render.level_choice import Lod
-from nearfar._render.renderable import Images, Report
-from nearfar._render.renderer import Renderer
+from nearfar._reduce.pictures import InPictures
 from nearfar._scene.levels import Leveled, levels_of
 from nearfar._scene.scene import Scene
 
 _FULL = ("color", "range")
 
 
-class ReducedScene(InNotebooks):
+class ReducedScene(InPictures, InNotebooks):
     """A reduced scene: near geometry, which is morphed for the user, in front of an environment map of the far part.
 
     Made by `reduce` or read by `load`. It shares the scene's meshes; only near triangles are copied (`near_bytes` of
@@ -60,6 +53,7 @@ class ReducedScene(InNotebooks):
         self._morph, self._boundary, self._counts, self._is_whole = morph, boundary, counts, is_whole
         self._unposed, self._poses = scene, dict[str, ArrayLike]()
         self._drawing = Drawing()
+        self._has_warned = [False]
         self._at_levels: tuple[NDArray[np.int64], ReducedScene] | None = None
         radius = zones.r1 if boundary == "r1" else zones.r2
         channels = {} if env is None else {name: rows_of(getattr(env, name)) for name in env.channels}
@@ -125,88 +119,6 @@ class ReducedScene(InNotebooks):
             "ranges_computed": 0 if self._env is None or self._env.range is None else self._env.range.size,
         }
 
-    def render(
-        self,
-        camera: Camera,
-        *,
-        at: Mapping[str, ArrayLike] | None = None,
-        user: ArrayLike | None = None,
-        t_min: float = 0.0,
-        t_max: float = math.inf,
-        samples: int = 1,
-        channels: Iterable[str] | None = None,
-        lod: Lod | None = None,
-        method: str = "vertex",
-        env: bool = True,
-        tolerance_px: float | None = None,
-        backend: str | None = None,
-    ) -> Frame:
-        """Render the picture that a thin client shows.
-
-        Parameters
-        ----------
-        camera
-            The view.
-        at
-            Poses of moving objects, as in `Scene.at`. Moving objects are never in the map. Beyond the near part they
-            are drawn in the direction in which the centre sees them, if nothing in the map is nearer.
-        user
-            World position (3,), metres, of the eye U that near geometry is morphed for; by default the camera's
-            position. Another camera, such as one of two eyes, sees the morphed geometry from its own position, in front
-            of the map along its own directions.
-        t_min, t_max
-            Limits in metres of the displayed distance along each pixel's ray, for near geometry and moving objects. The
-            map is drawn only if `t_max` is infinite and its range, where it has one, is at least `t_min`.
-        samples
-            Number of colour samples of each pixel; all other images are sampled once, at the pixel's centre.
-        channels
-            Images to compute, as in `render`; by default the channels of the map (`default_channels`). `range`,
-            `position` and `object_id` need a map that was baked with them; the position of a far pixel is the point at
-            the map's range. Far pixels of a map have `face_id` −1 and no normal. `range` is the displayed distance;
-            `position` and `normal` are unmorphed.
-        lod
-            Levels of detail of near objects, as in `nearfar.render`, for scenes whose objects have some. The map shows
-            far objects at the levels that were baked. A change of levels gathers the near geometry again.
-        method
-            "vertex": the morph moves vertices, as a vertex shader would. "exact": every pixel shows the first hit of
-            its bent ray (`bend_rays`) in the unmorphed scene.
-        env
-            True draws the far part from the map. False traces it from the centre, so that all channels exist; this is
-            the method's picture with a map of unlimited resolution.
-        tolerance_px
-            For "vertex": greatest distance, in the image's finest pixels, between a drawn triangle's points and their
-            morph, by default 0.5; larger triangles are split for the frame. It is a proven bound if the frame's
-            `stats` have `tolerance_held`. Infinity morphs only the given vertices, which bends long triangles wrongly
-            and opens breaks at both radii. For "exact": greatest distance between a bent ray and its curve, in pixels
-            of the size at its place in the image, by default 0.1.
-        backend
-            "cpu", "gpu", "auto" or None, as in `render`. On a graphics adapter near triangles are split once for all
-            users at about the same distance from the centre, not for each frame, and moving objects are split only if
-            their edges are too long, so that a frame sends one transform for each. The map's colours are half floats
-            there, at most 65,504. "exact" runs on the CPU only, also with "auto".
-
-        Returns
-        -------
-        Frame
-            The bytes are the same for any number of threads.
-
-        Raises
-        ------
-        ValueError, TypeError
-            For arguments out of their domains; for range, position or object_id of a map without range or object_id;
-            for `env` False after `load`, because far geometry is not saved; for parallel rays with a map or bent rays,
-            which both belong to one eye; for "exact" with "gpu" or a `user` apart from the camera; and for limits of
-            rays with "exact" or `env` False.
-        DeviceError
-            As in `render`.
-        """
-        drawn = self._drawn_by(Drawing(method, env, tolerance_px))
-        if backends.check(backend) == "gpu" and "gpu" not in drawn.backends:
-            raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
-        renderer = Renderer(drawn, channels, samples, lod)
-        (frame,) = renderer.frames(renderer.shot([camera], user, t_min, t_max), at, renderer.device(backend, self))
-        return frame
-
     @property
     def origin(self) -> NDArray[np.float64]:
         """World position (3,) in metres that `Frame.position` is relative to, the scene's origin."""
@@ -218,12 +130,6 @@ class ReducedScene(InNotebooks):
         if self._env is None or not self._drawing.env:
             return envmap.CHANNELS
         return self._env.channels
-
-    @property
-    def backends(self) -> tuple[str, ...]:
-        """Backends that can render this scene; only the CPU bends rays."""
-        bends = self._drawing.method == "exact" and self._morph != "none"
-        return ("cpu",) if bends else ("cpu", "gpu")
 
     @property
     def triangle_count(self) -> int:
@@ -267,36 +173,8 @@ class ReducedScene(InNotebooks):
         leveled = self._scene.leveled
         if leveled is None or self._morph == "none":
             return leveled
-        return morphed(leveled, user, center=self.center, r1=self.r1, r2=self.r2, kind=self._morph)
-
-    def trace(self, shot: Shot, report: Report = None) -> list[Images]:
-        """Trace the pictures of a shot, one for each camera."""
-        check_request(shot, report)
-        settings = self._settings(shot)
-        return [
-            self._core.render(self._scene._core, camera._core, **settings, report=report) for camera in shot.cameras
-        ]
-
-    def begin(self, device: _core.GpuDevice, shot: Shot, report: Report = None) -> list[_core.GpuJob]:
-        """Start the pictures of a shot on a graphics device, one for each camera."""
-        check_begin(device, shot, report)
-        settings = self._settings(shot)
-        return [
-            device.reduced(self._core, self._scene._core, camera._core, **settings, report=report)
-            for camera in shot.cameras
-        ]
-
-    def _settings(self, shot: Shot) -> dict[str, Any]:
-        if not (self._drawing.env or self._is_whole or self._env is None):
-            raise ValueError("env: expected True for a loaded scene, whose far geometry was not saved, got False")
-        drawing = self._drawing
-        drawn = {"method": drawing.method, "mapped": drawing.env, "tolerance_px": drawing.tolerance}
-        return {**shot.settings, "user": shot.user, **drawn}
-
-    def _drawn_by(self, drawing: Drawing) -> ReducedScene:
-        drawn = copy.copy(self)
-        drawn._drawing = drawing
-        return drawn
+        r1, r2 = self._drawing.radii(self.r1, self.r2)
+        return morphed(leveled, user, center=self.center, r1=r1, r2=r2, kind=self._morph)
 
     def _with(
         self, scene: Scene, zones: Partition, counts: dict[str, int], *, morph: str | None = None
@@ -383,9 +261,17 @@ class ReducedScene(InNotebooks):
     def _at_radii(self, r1: float, r2: float, size: int) -> ReducedScene:
         """Reduce the scene again about the same centre, with a map of one sample of colour and range in each texel."""
         parts = stages.parts(
-            self._scene, center=self.center, r1=r1, r2=r2, boundary=self._boundary, size=size, samples=1, channels=_FULL
+            self._partition.source.at(self._poses) if self._partition.unit == "object" else self._scene,
+            center=self.center,
+            r1=r1,
+            r2=r2,
+            unit=self._partition.unit,
+            boundary=self._boundary,
+            size=size,
+            samples=1,
+            channels=_FULL,
         )
-        return ReducedScene(self._scene, **parts, morph=self._morph, boundary=self._boundary)
+        return ReducedScene(**parts, morph=self._morph, boundary=self._boundary)
 
     def _drawn_at_r1(self) -> NDArray[np.int64]:
         """Numbers of the triangles that are near or move."""

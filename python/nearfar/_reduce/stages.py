@@ -16,8 +16,9 @@ from nearfar._scene.scene import Scene
 
 
 class Parts(TypedDict):
-    """Parts of a reduced scene besides its scene."""
+    """Parts of a reduced scene."""
 
+    scene: Scene
     zones: Partition
     env: EnvMap | None
     counts: dict[str, int]
@@ -29,6 +30,7 @@ def parts(
     center: ArrayLike,
     r1: float,
     r2: float,
+    unit: str,
     boundary: str,
     size: int,
     samples: int,
@@ -37,13 +39,13 @@ def parts(
     device: _core.GpuDevice | None = None,
 ) -> Parts:
     """Divide a scene at the radii and bake what lies beyond; `reduce` documents the arguments, which it has checked."""
-    zones = partition(scene, center=center, r1=r1, r2=r2)
+    zones = partition(scene, center=center, r1=r1, r2=r2, unit=unit)
     env: EnvMap | None = None
     rays = 0
     if zones.summary()["sf"] > 0 or boundary == "r1":
         radius = zones.r1 if boundary == "r1" else zones.r2
         env, rays = bake(
-            scene, zones.center, radius, size=size, samples=samples, channels=channels, half=half, device=device
+            zones.scene, zones.center, radius, size=size, samples=samples, channels=channels, half=half, device=device
         )
     counts = {name: count for name, count in (zones.summary() | {"rays": rays}).items() if name in folder.COUNTS}
-    return {"zones": zones, "env": env, "counts": counts}
+    return {"scene": zones.scene, "zones": zones, "env": env, "counts": counts}

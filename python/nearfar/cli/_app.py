@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import warnings
 from collections.abc import Sequence
 from typing import Annotated
 
@@ -50,7 +51,9 @@ def _top(
 def run(arguments: Sequence[str]) -> int:
     """Run a command line, print errors to standard error, and return the exit status."""
     try:
-        with progress.lines():
+        with progress.lines(), warnings.catch_warnings():
+            # Reports say it themselves.
+            warnings.filterwarnings("ignore", "the picture folds")
             app(list(arguments), prog_name="nearfar")
     except SystemExit as end:
         interrupt = _interrupt_behind(end)

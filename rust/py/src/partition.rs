@@ -77,6 +77,11 @@ impl Partition {
         Ok(PyArray1::from_vec(py, numbers))
     }
 
+    /// Numbers of the objects with static triangles that are drawn as geometry, ascending.
+    fn near_objects<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<i32>>> {
+        Ok(PyArray1::from_vec(py, run::long(py, None, |_| Ok(self.0.near_objects()))?))
+    }
+
     /// Numbers of triangles and instances by name.
     fn counts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let counts = self.0.counts();

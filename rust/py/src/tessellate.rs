@@ -12,7 +12,7 @@ use crate::convert::run;
 use crate::scene::Scene;
 
 fn settings(center: [f64; 3], r1: f64, r2: f64, reach: f64, tolerance: f64) -> Settings {
-    Settings { center: DVec3::from_array(center), r1, r2, reach, tolerance, kind: Kind::Blend }
+    Settings { center: DVec3::from_array(center), r1, r2, drawn: r2, reach, tolerance, kind: Kind::Blend }
 }
 
 /// A scene with its static triangles split, and counts of the work by name.

@@ -67,6 +67,17 @@ pub(crate) fn push_leaf(blocks: &mut Vec<Block>, faces: &[u32], corners: &impl F
 }
 
 impl Block {
+    /// The same faces with other corners.
+    pub(crate) fn moved(&self, corners: &impl Fn(u32) -> [Vec3; 3]) -> Self {
+        let mut block = self.clone();
+        for (lane, &face) in self.faces.iter().enumerate() {
+            for (corner, p) in corners(face).into_iter().enumerate() {
+                (0..3).for_each(|axis| block.corners[corner][axis][lane] = p[axis]);
+            }
+        }
+        block
+    }
+
     /// The bounding box of all triangles.
     pub(crate) fn bounds(&self) -> Aabb {
         let mut bounds = Aabb::EMPTY;

@@ -1,6 +1,7 @@
 //! Both kinds of trees. obvhs builds binary trees; `Wide` converts them to eight children per node.
 
 use glam::Vec3;
+use rayon::prelude::*;
 
 use super::binary::build;
 use super::blocks::{self, Block, leaf_blocks};
@@ -45,6 +46,16 @@ impl Bvh {
         debug_assert_eq!(bvh.validate(), Ok(()));
         progress.report(count as u64)?;
         Ok(bvh)
+    }
+
+    /// The same tree over triangles whose corners have moved; it stays good while they move little.
+    pub fn refitted(&self, corners: impl Fn(u32) -> [Vec3; 3] + Sync) -> Self {
+        let blocks: Vec<Block> = self.blocks.par_iter().map(|block| block.moved(&corners)).collect();
+        let wide = self.wide.refitted(|leaf| {
+            let blocks = blocks.get(leaf_blocks(leaf)).unwrap_or_default();
+            blocks.iter().fold(Aabb::EMPTY, |all, block| all.union(&block.bounds()))
+        });
+        Self { bounds: wide.bounds(), wide, blocks }
     }
 
     /// The blocks of a leaf; empty for `NO_CHILD`, which a ray with NaN may appear to hit.

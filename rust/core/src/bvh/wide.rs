@@ -101,6 +101,32 @@ impl Wide {
         Ok((Self { nodes: all.nodes, stack: all.depth * (WIDTH - 1) + 1 }, all.contents))
     }
 
+    /// The same tree with other boxes; `leaf` returns the box of a leaf's contents.
+    pub(crate) fn refitted(&self, leaf: impl Fn(u32) -> Aabb + Sync) -> Self {
+        let of_leaves = self.nodes.par_iter().map(|node| {
+            let mut fitted = node.clone();
+            for (slot, &child) in node.children.iter().enumerate() {
+                if child != NO_CHILD && child & LEAF != 0 {
+                    fitted.set(slot, &leaf(child), child);
+                }
+            }
+            fitted
+        });
+        let mut nodes: Vec<Node> = of_leaves.collect();
+        // Children follow their parents.
+        for number in (0..nodes.len()).rev() {
+            for slot in 0..WIDTH {
+                let child = nodes[number].children[slot];
+                if child & LEAF == 0 {
+                    let inner =
+                        (0..WIDTH).fold(Aabb::EMPTY, |all, slot| all.union(&nodes[child as usize].bounds(slot)));
+                    nodes[number].set(slot, &inner, child);
+                }
+            }
+        }
+        Self { nodes, stack: self.stack }
+    }
+
     /// The bounding box of the tree.
     pub(crate) fn bounds(&self) -> Aabb {
         let root = self.nodes.first().unwrap_or(&Node::EMPTY);

@@ -46,8 +46,7 @@ pub struct Morphed {
 const OPPOSED: f64 = 1e-12;
 
 impl Morph {
-    /// Checks 0 ≤ r₁ < r₂ and that all numbers are finite. `Kind::Cylinder` also accepts r₁ = r₂ = 0, which means w = 0
-    /// everywhere.
+    /// Checks 0 ≤ r₁ < r₂ and that all numbers are finite. r₁ = r₂ = 0 means w = 0 everywhere.
     pub fn new(user: DVec3, center: DVec3, r1: f64, r2: f64, kind: Kind) -> Result<Self> {
         for (argument, value) in [("user", user), ("center", center)] {
             if !value.is_finite() {
@@ -57,7 +56,7 @@ impl Morph {
         if !(r1.is_finite() && r1 >= 0.0) {
             return Err(Error::value("r1", "a finite radius of at least 0", r1));
         }
-        let nothing_is_near = kind == Kind::Cylinder && r1 == 0.0 && r2 == 0.0;
+        let nothing_is_near = r1 == 0.0 && r2 == 0.0;
         if !(r2.is_finite() && r2 > r1 || nothing_is_near) {
             return Err(Error::value("r2", format!("a finite radius greater than r1 = {r1}"), r2));
         }

@@ -1,5 +1,7 @@
 //! A scene divided at two radii, with its counts.
 
+use std::collections::BTreeSet;
+
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
@@ -131,6 +133,16 @@ impl Partition {
             };
             all.chain(some.iter().copied()).map(move |face| (number, face))
         })
+    }
+
+    /// Numbers of the objects with static triangles that are drawn as geometry, ascending.
+    pub fn near_objects(&self) -> Vec<i32> {
+        let standing = self.nsf().take_while(|&(instance, _)| !self.is_moving(instance as usize));
+        let objects = standing.filter_map(|(number, face)| {
+            let instance = self.scene.instance(number);
+            instance.object.or_else(|| Some(instance.mesh.objects.get(face)).filter(|&object| object >= 0))
+        });
+        objects.collect::<BTreeSet<i32>>().into_iter().collect()
     }
 
     /// (instance, face) of the static triangles drawn as geometry, ordered by triangle number: those with all corners

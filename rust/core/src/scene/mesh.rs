@@ -126,6 +126,18 @@ impl Mesh {
         Self { normals, ..Self::unchecked(positions, faces.into(), uvs, colors, objects, materials) }
     }
 
+    /// The same faces between vertices at other places; if there is a tree, the new mesh has it with other boxes.
+    pub fn moved(&self, positions: Vec<[f32; 3]>) -> Result<Self> {
+        check_rows("vertices", Some(&positions), self.positions.len())?;
+        let (faces, objects, materials) = (self.faces.clone(), self.objects.clone(), self.materials.clone());
+        let mesh = Self::new(positions.into(), faces, self.uvs.clone(), self.colors.clone(), objects, materials)?;
+        if let Some(bvh) = self.bvh() {
+            let corners = |face: u32| mesh.corners(face);
+            let _ = mesh.bvh.set(bvh.refitted(corners));
+        }
+        Ok(mesh)
+    }
+
     /// Number of faces without area: two corners at one position, or all three on a line, in exact arithmetic of the
     /// float32 edges.
     pub fn degenerate_count(&self, progress: &Progress) -> Result<usize> {

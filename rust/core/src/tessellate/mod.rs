@@ -13,6 +13,7 @@ mod counts;
 mod rule;
 mod scene;
 mod split;
+mod steps;
 #[cfg(test)]
 mod tests;
 
@@ -21,3 +22,4 @@ pub use counts::SplitCounts;
 pub use rule::{Precision, Rule, Settings};
 pub use scene::{needs_split, split_scene, tessellate_scene};
 pub use split::Piece;
+pub use steps::Steps;

@@ -15,6 +15,8 @@ pub struct Settings {
     pub r1: f64,
     /// r₂, metres: for points outside, the weight w of the user's view is 0.
     pub r2: f64,
+    /// Radius up to which surfaces are drawn, metres; at least r₂.
+    pub drawn: f64,
     /// Greatest distance of a user from the centre, metres.
     pub reach: f64,
     /// Greatest error in radians as the user sees it.
@@ -66,6 +68,12 @@ const RINGS: usize = 64;
 /// first is also the least (r₂ − r₁)/r₂ for which there is a bound.
 const SHORTEST: f64 = 1.0 / 4096.0;
 const COARSEST: f64 = 1.0 / 64.0;
+/// Greatest angle in radians, as seen from the axis, of an edge beyond r₂ with `Kind::Cylinder`. It is shown in its true
+/// direction, but the distances of points between its ends are off by an eighth of the square of the angle times
+/// |U−O|: 2 cm for 8 m.
+const FAR_TURN: f64 = 0.125;
+/// Least distance from the axis at which such edges are measured, as a share of the radius up to which they are drawn.
+const FAR_LEAST: f64 = 1.0 / 64.0;
 
 /// The rule for one centre, region of users and tolerance.
 #[derive(Clone, Debug)]
@@ -94,7 +102,7 @@ pub struct Rule {
 impl Rule {
     /// Checks the settings and computes the forms.
     pub fn new(settings: &Settings, precision: Precision) -> Result<Self> {
-        let Settings { center, r1, r2, reach, tolerance, kind } = *settings;
+        let Settings { center, r1, r2, reach, tolerance, kind, .. } = *settings;
         if !center.is_finite() {
             return Err(Error::value("center", "three finite numbers", center));
         }
@@ -109,6 +117,9 @@ impl Rule {
         }
         if !(tolerance.is_finite() && tolerance > 0.0) {
             return Err(Error::value("tolerance_px", "a number above 0", tolerance));
+        }
+        if r2 == 0.0 {
+            return Ok(Self::of_nothing_near(settings));
         }
         let width = r2 - r1;
         let zone = RadialZone { reach, width, kind };
@@ -154,6 +165,24 @@ impl Rule {
             })
             .collect();
         Ok(rule)
+    }
+
+    /// The rule for r₂ = 0: every point is shown as the centre sees it.
+    fn of_nothing_near(settings: &Settings) -> Self {
+        let is_blend = settings.kind == Kind::Blend;
+        Self {
+            settings: *settings,
+            forms: Vec::new(),
+            ring: 0.0,
+            longest: 0.0,
+            shortest: 0.0,
+            passing_r1: 0.0,
+            missing_r1: 0.0,
+            passing_r2: 0.0,
+            harmless: if is_blend { f64::INFINITY } else { FAR_TURN * FAR_LEAST * settings.drawn },
+            rounding: 0.0,
+            holds: is_blend,
+        }
     }
 
     /// Whether the tolerance is a bound for every user of the region: they stay well inside r₁, and the tolerance is
@@ -208,7 +237,10 @@ impl Rule {
             return (least >= r1 - self.rounding && nearest < r1 - self.passing_r1).then_some(0.5);
         }
         if least >= r2 - self.passing_r2 {
-            return (nearest < r2 - self.passing_r2).then(|| crossing(p, q, &[r2], room).unwrap_or(0.5));
+            if nearest < r2 - self.passing_r2 {
+                return Some(crossing(p, q, &[r2], room).unwrap_or(0.5));
+            }
+            return self.far_share((q - p).length(), nearest);
         }
         if least < r1 - self.rounding || greatest > r2 + self.rounding {
             return Some(crossing(p, q, &[r1, r2], f64::EPSILON).unwrap_or(0.5));
@@ -221,6 +253,22 @@ impl Rule {
         // The edge consists of equal parts and is split at the end of a part that is nearest to its middle.
         let parts = self.parts(p, q, a.y - b.y, nearest);
         (parts >= 2.0).then(|| (parts / 2.0).floor() / parts)
+    }
+
+    /// Share at which an edge beyond r₂ is split: a blend moves all of it alike, a cylinder by its direction.
+    fn far_share(&self, length: f64, nearest: f64) -> Option<f64> {
+        let Settings { drawn, kind, .. } = self.settings;
+        if kind == Kind::Blend || nearest >= drawn {
+            return None;
+        }
+        let parts = (length / (FAR_TURN * nearest.max(FAR_LEAST * drawn))).ceil();
+        (parts >= 2.0).then(|| (parts / 2.0).floor() / parts)
+    }
+
+    /// Radius beyond which no edge is split.
+    pub(super) fn outer(&self) -> f64 {
+        let Settings { r2, drawn, kind, .. } = self.settings;
+        if kind == Kind::Cylinder { drawn } else { r2 }
     }
 
     /// Number of parts into which an edge between the radii is to be split.
@@ -243,6 +291,9 @@ impl Rule {
     /// A point at which a triangle must be split although none of its edges is: the triangle contains the whole
     /// cylinder.
     pub(super) fn inside(&self, corners: &[DVec3; 3]) -> Option<[f64; 3]> {
+        if self.settings.r2 == 0.0 {
+            return None;
+        }
         let [a, b, c] = corners.map(|corner| self.on_ground(corner));
         if [a, b, c].iter().any(|p| p.length() < self.settings.r2 - self.passing_r2) {
             return None;
@@ -253,11 +304,11 @@ impl Rule {
         weights.iter().all(|&weight| weight > 0.0).then_some(weights)
     }
 
-    /// Whether a triangle needs no examination: by its box and corners, no point of it lies between the radii.
+    /// Whether a triangle needs no examination: by its box and corners, no point of it lies where edges are split.
     pub(super) fn leaves_alone(&self, corners: &[DVec3; 3]) -> bool {
         let p = corners.map(|corner| self.on_ground(corner));
         let (low, high) = (p[0].min(p[1]).min(p[2]), p[0].max(p[1]).max(p[2]));
-        low.max(-high).max(DVec2::ZERO).length() >= self.settings.r2 || p.iter().all(|p| self.is_within(p.length()))
+        low.max(-high).max(DVec2::ZERO).length() >= self.outer() || p.iter().all(|p| self.is_within(p.length()))
     }
 
     /// Whether a distance from the axis is less than that of any end of a split edge. Edges between two points of r₁
@@ -266,11 +317,11 @@ impl Rule {
         rho < self.settings.r1 - self.rounding
     }
 
-    /// Whether no point of a triangle is inside r₂, by a separating line.
+    /// Whether no point of a triangle is drawn, by a separating line.
     pub fn is_beyond(&self, corners: &[DVec3; 3]) -> bool {
-        let r2 = self.settings.r2;
+        let drawn = self.settings.drawn;
         let p = corners.map(|corner| self.on_ground(corner));
-        let beyond = |axis: DVec2| p.iter().all(|p| p.dot(axis) > r2);
+        let beyond = |axis: DVec2| p.iter().all(|p| p.dot(axis) > drawn);
         // The directions of the corners, and of the edges' normals.
         let normal = |a: DVec2, b: DVec2| {
             let n = (b - a).perp().normalize_or_zero();

@@ -66,11 +66,11 @@ pub fn needs_split(instance: &Instance, rule: &Rule) -> bool {
     touches(instance, rule) && longest() > rule.harmless()
 }
 
-/// False if an instance's box alone proves that it has no point between the radii.
+/// False if an instance's box alone proves that it has no point where edges are split.
 fn touches(instance: &Instance, rule: &Rule) -> bool {
     let [low, high] = [instance.bounds.min, instance.bounds.max].map(|corner| rule.on_ground(corner.as_dvec3()));
     let (least, greatest) = (low.max(-high).max(glam::DVec2::ZERO), low.abs().max(high.abs()));
-    !instance.mesh.faces.is_empty() && least.length() < rule.settings().r2 && !rule.is_within(greatest.length())
+    !instance.mesh.faces.is_empty() && least.length() < rule.outer() && !rule.is_within(greatest.length())
 }
 
 /// The placed mesh. Vertices at which no face is split keep their bits.

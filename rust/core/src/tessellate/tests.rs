@@ -9,7 +9,7 @@ use crate::morph::{Kind, Morph};
 
 fn settings(reach: f64, tolerance: f64) -> Settings {
     let center = DVec3::new(1.0, 1.7, -2.0);
-    Settings { center, r1: 30.0, r2: 50.0, reach, tolerance, kind: Kind::Blend }
+    Settings { center, r1: 30.0, r2: 50.0, drawn: 50.0, reach, tolerance, kind: Kind::Blend }
 }
 
 fn pieces(corners: [DVec3; 3], rule: &Rule) -> Vec<Piece> {

@@ -138,7 +138,8 @@ impl GpuDevice {
 
     /// Starts a frame of a reduced scene; `scene` is the scene that was reduced, in any pose.
     #[pyo3(signature = (
-        reduced, scene, camera, *, channels, samples, t_min, t_max, user, method, mapped, tolerance_px, report=None
+        reduced, scene, camera, *, channels, samples, t_min, t_max, user, radius, method, mapped, tolerance_px,
+        report=None
     ))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn reduced(
@@ -152,12 +153,14 @@ impl GpuDevice {
         t_min: f32,
         t_max: f32,
         user: Option<[f64; 3]>,
+        radius: Option<f64>,
         method: &str,
         mapped: bool,
         tolerance_px: f64,
         report: Option<Py<PyAny>>,
     ) -> PyResult<GpuJob> {
-        let drawing = drawing(&channels, samples, Segment { t_min, t_max }, user, method, mapped, tolerance_px)?;
+        let drawing =
+            drawing(&channels, samples, Segment { t_min, t_max }, (user, radius), method, mapped, tolerance_px)?;
         let (device, scene, camera) = (&self.0, &scene.0, &camera.0);
         let (job, counts) = run::long(py, report, |progress| {
             reduced.on_gpu(progress)?.begin(device, (&reduced.core, scene), camera, &drawing, progress)

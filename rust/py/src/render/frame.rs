@@ -49,6 +49,7 @@ pub fn add_counts(images: &Bound<'_, PyDict>, counts: &FrameCounts) -> PyResult<
     stats.set_item("dynamic_triangles", counts.moving)?;
     stats.set_item("tolerance_held", counts.bounded)?;
     stats.set_item("opposed_directions", counts.opposed)?;
+    stats.set_item("fold_margin", counts.fold_margin)?;
     images.set_item("stats", stats)
 }
 

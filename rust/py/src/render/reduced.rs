@@ -50,7 +50,7 @@ pub fn drawing(
     channels: &[String],
     samples: u32,
     segment: Segment,
-    user: Option<[f64; 3]>,
+    (user, radius): (Option<[f64; 3]>, Option<f64>),
     method: &str,
     mapped: bool,
     tolerance_px: f64,
@@ -61,7 +61,7 @@ pub fn drawing(
         _ => return Err(to_python(Error::value("method", "'vertex' or 'exact'", method))),
     };
     let (channels, user) = (self::channels(channels)?, user.map(DVec3::from_array));
-    Ok(Drawing { channels, samples, segment, user, method, mapped, tolerance_px })
+    Ok(Drawing { channels, samples, segment, user, radius, method, mapped, tolerance_px })
 }
 
 #[pymethods]
@@ -104,7 +104,7 @@ impl Reduced {
 
     /// Images of a view by name, and its counts as `stats`; `scene` is the scene that was reduced, in any
     /// pose.
-    #[pyo3(signature = (scene, camera, *, channels, samples, t_min, t_max, user, method, mapped, tolerance_px, report=None))]
+    #[pyo3(signature = (scene, camera, *, channels, samples, t_min, t_max, user, radius, method, mapped, tolerance_px, report=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn render<'py>(
         &self,
@@ -116,17 +116,24 @@ impl Reduced {
         t_min: f32,
         t_max: f32,
         user: Option<[f64; 3]>,
+        radius: Option<f64>,
         method: &str,
         mapped: bool,
         tolerance_px: f64,
         report: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let drawing = drawing(&channels, samples, Segment { t_min, t_max }, user, method, mapped, tolerance_px)?;
+        let drawing =
+            drawing(&channels, samples, Segment { t_min, t_max }, (user, radius), method, mapped, tolerance_px)?;
         let (scene, camera) = (&scene.0, &camera.0);
         let (frame, counts) = run::long(py, report, |progress| self.core.render(scene, camera, &drawing, progress))?;
         let images = images(py, frame, (camera.height as usize, camera.width as usize))?;
         add_counts(&images, &counts)?;
         Ok(images)
+    }
+
+    /// Metres that a user at a world position may still move before the picture folds.
+    fn fold_margin(&self, py: Python<'_>, user: [f64; 3], radius: Option<f64>) -> PyResult<f64> {
+        run::short(py, || self.core.fold_margin(DVec3::from_array(user), radius))
     }
 
     /// Size of the copies of near geometry, bytes.

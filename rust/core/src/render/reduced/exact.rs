@@ -1,5 +1,5 @@
-//! The exact morph per pixel: each ray is bent and traced leg by leg through the unchanged scene up to r₂. Beyond r₂
-//! only moving objects are traced, along the ray from the centre that shows the far part.
+//! The exact morph per pixel: each ray is bent and traced leg by leg through the unchanged scene up to the morph's r₂.
+//! Beyond it, the ray from the centre shows what is left of the near part, and beyond that only moving objects.
 
 use glam::{DVec3, Vec2, Vec3, Vec3Swizzles};
 
@@ -10,7 +10,7 @@ use super::backdrop::{Backdrop, closest, sample_of};
 use super::lattice::{Cell, Lattice};
 use super::moving::Moving;
 use crate::base::{Progress, Result};
-use crate::bend::{RayCurve, on_ground};
+use crate::bend::{RayCurve, on_ground, within_cylinder};
 use crate::camera::{Camera, Footprint};
 use crate::morph::{Kind, Morph};
 use crate::scene::Scene;
@@ -22,6 +22,8 @@ const OVERLAP: f32 = 1e-5;
 pub(super) struct Exact<'a> {
     scene: &'a Scene,
     morph: Morph,
+    /// Radius at which the near part ends, metres; at least the morph's r₂.
+    boundary: f64,
     /// Data that gives the point where rays of a user inside r₁ begin to bend.
     inside: Option<Inside>,
     backdrop: Backdrop<'a>,
@@ -32,11 +34,11 @@ pub(super) struct Exact<'a> {
 }
 
 impl<'a> Exact<'a> {
-    /// `morph` is relative to the scene's origin.
+    /// The morph is relative to the scene's origin; beside it stands the radius at which the near part ends.
     pub fn new(
         scene: &'a Scene,
         camera: &Camera,
-        morph: Morph,
+        (morph, boundary): (Morph, f64),
         backdrop: Backdrop<'a>,
         tolerance_px: f64,
         progress: &Progress,
@@ -45,7 +47,7 @@ impl<'a> Exact<'a> {
         let lattice = Lattice::new(camera, &morph, tolerance_px);
         let tolerance = tolerance_px * camera.least_pixel_angle();
         let (inside, moving) = (Inside::of(&morph), Moving::of(scene));
-        Ok(Self { scene, morph, inside, backdrop, moving, lattice, tolerance })
+        Ok(Self { scene, morph, boundary, inside, backdrop, moving, lattice, tolerance })
     }
 
     /// Number of moving triangles that each ray is tested against.
@@ -128,9 +130,19 @@ impl<'a> Exact<'a> {
         let curve = RayCurve::new(&self.morph, ray.direction.as_dvec3().normalize());
         let points = curve.polyline(self.tolerance);
         let end = curve.end().map(|(s, _)| s);
+        // The curve of a user outside r₂ begins there, where the morph shows no point of it.
+        let within = |from: DVec3, way: DVec3| {
+            within_cylinder(
+                on_ground(from - self.morph.center),
+                on_ground(way),
+                self.morph.r2 * (1.0 + f64::from(OVERLAP)),
+            )
+        };
         let mut trace = |from: DVec3, to: DVec3, t_max: f32| {
-            let leg = Ray { origin: from.as_vec3(), direction: (to - from).as_vec3(), t_min: 0.0, t_max };
-            if leg.direction == Vec3::ZERO {
+            let Some((enter, leave)) = within(from, to - from) else { return false };
+            let (t_min, t_max) = (enter as f32, t_max.min(leave as f32));
+            let leg = Ray { origin: from.as_vec3(), direction: (to - from).as_vec3(), t_min, t_max };
+            if leg.direction == Vec3::ZERO || t_min > t_max {
                 return false;
             }
             let mut found = [Hit::MISS];
@@ -151,6 +163,23 @@ impl<'a> Exact<'a> {
         };
         if let Some(t_max) = straight {
             trace(points[0], points[0] + curve.direction, t_max);
+        }
+    }
+
+    /// Traces the missing rays of a tile between the morph's r₂ and the end of the near part, as the centre sees it.
+    fn trace_outside(&self, rays: &mut [Ray], hits: &mut [Hit]) {
+        let (from, to) = (self.morph.r2, self.boundary);
+        let nothing = Ray { origin: Vec3::ZERO, direction: Vec3::Y, t_min: 1.0, t_max: 0.0 };
+        let (mut legs, mut found) = ([nothing; PIXELS], [Hit::MISS; PIXELS]);
+        for (leg, (ray, _)) in legs.iter_mut().zip(rays.iter().zip(&*hits)).filter(|(_, (_, hit))| hit.is_miss()) {
+            let ray =
+                Ray { t_max: self.backdrop.ray(to, ray.direction).t_min, ..self.backdrop.ray(from, ray.direction) };
+            *leg = Ray { t_min: if from > 0.0 { ray.t_min } else { 0.0 }, t_max: ray.t_max * (1.0 + OVERLAP), ..ray };
+        }
+        legs[..rays.len()].iter_mut().filter(|leg| !leg.t_min.is_finite()).for_each(|leg| *leg = nothing);
+        closest(self.scene, &legs[..rays.len()], &mut found[..rays.len()]);
+        for (n, (ray, hit)) in rays.iter_mut().zip(hits).enumerate() {
+            self.accept(&legs[n], &found[n], ray, hit);
         }
     }
 
@@ -179,12 +208,15 @@ impl Picture for Exact<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], spots: &Spots<'_>) {
         hits.fill(Hit::MISS);
         let together = self.inside.as_ref().is_some_and(|inside| self.trace_tile(inside, rays, hits, spots));
-        if !together {
+        if !together && self.morph.r2 > 0.0 {
             let open = rays.iter_mut().zip(hits.iter_mut()).filter(|(_, hit)| hit.is_miss());
             open.for_each(|(ray, hit)| self.trace_alone(ray, hit));
         }
+        if self.morph.r2 < self.boundary {
+            self.trace_outside(rays, hits);
+        }
         if let Some(moving) = &self.moving {
-            moving.trace_beyond(&self.backdrop, self.morph.r2, rays, hits);
+            moving.trace_beyond(&self.backdrop, self.boundary, rays, hits);
         }
     }
 

@@ -7,6 +7,7 @@ use glam::DVec3;
 use super::super::frame::{Channels, Frame};
 use super::super::tiles::{RenderView, Segment, check_reach, draw};
 use super::backdrop::{Backdrop, Far};
+use super::folding::Folding;
 use super::shown::NearGeometry;
 use super::{bent, exact, straight};
 use crate::base::{Error, Progress, Result};
@@ -58,6 +59,8 @@ pub struct Drawing {
     pub segment: Segment,
     /// World position of the user's eye U, for which near geometry is morphed; `None` for the camera's position.
     pub user: Option<DVec3>,
+    /// Radius of the morph in this frame, metres; `None` for r₂. r₁ shrinks in proportion.
+    pub radius: Option<f64>,
     /// The points to which the morph is applied.
     pub method: MorphMethod,
     /// True for the baked map; false for the ideal picture, whose far part is traced from the centre.
@@ -83,10 +86,11 @@ pub struct Reduced {
     join: Join,
     map: Option<EnvironmentMap>,
     near: NearGeometry,
+    folding: Folding,
 }
 
 /// Counts of a frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameCounts {
     /// Triangles that were traced in place of the whole scene, after splitting; 0 if the scene's own trees were used.
     pub triangles: u64,
@@ -97,6 +101,8 @@ pub struct FrameCounts {
     /// Whether the tolerance was an upper bound: no vertex was morphed, or the tolerance was finite and the camera is
     /// the user's eye, well inside r₁.
     pub bounded: bool,
+    /// Metres that the user may still move before the picture folds.
+    pub fold_margin: f64,
 }
 
 impl Reduced {
@@ -109,7 +115,7 @@ impl Reduced {
             Join::Conventional { .. } => NearGeometry::default(),
         };
         let standing = Scene { moving: Arc::default(), ..scene.clone() };
-        Ok(Self { standing, center: partition.center(), radii, join, map, near })
+        Ok(Self { standing, center: partition.center(), radii, join, map, near, folding: Folding::default() })
     }
 
     /// Join of the near and the far part.
@@ -139,21 +145,24 @@ impl Reduced {
         let Drawing { channels, samples, segment, .. } = *drawing;
         let view = RenderView { camera, origin: scene.origin, channels, samples, segment };
         let center = self.center - scene.origin;
-        let [r1, r2] = self.radii;
-        let radius = if let Join::Conventional { radius } = self.join { radius } else { r2 };
-        let backdrop = Backdrop { far: self.far(drawing.mapped, radius, progress)?, center, morph: None, segment };
+        let boundary = if let Join::Conventional { radius } = self.join { radius } else { self.radii[1] };
+        let backdrop = Backdrop { far: self.far(drawing.mapped, boundary, progress)?, center, morph: None, segment };
+        let fold_margin = self.fold_margin(drawing.user(camera), drawing.radius)?;
+        let traced = |moving| FrameCounts { triangles: 0, moving, opposed: 0, bounded: true, fold_margin };
         let Some(kind) = self.morph_kind(camera, drawing) else {
-            let picture = straight::Straight::new(scene, backdrop, radius, progress)?;
-            let counts = FrameCounts { moving: picture.moving_triangles(), bounded: true, ..FrameCounts::default() };
+            let picture = straight::Straight::new(scene, backdrop, boundary, progress)?;
+            let counts = traced(picture.moving_triangles());
             return Ok((draw(&view, &picture, progress)?, counts));
         };
         let user = drawing.user(camera);
+        let [r1, r2] = self.morph_radii(drawing.radius);
         let morph = Morph::new(user - scene.origin, center, r1, r2, kind)?;
         let backdrop = Backdrop { morph: Some(morph), ..backdrop };
         let tolerance = drawing.tolerance_px * self.pixel_angle(camera);
         if drawing.method == MorphMethod::Exact {
-            let picture = exact::Exact::new(scene, camera, morph, backdrop, drawing.tolerance_px, progress)?;
-            let counts = FrameCounts { moving: picture.moving_triangles(), bounded: true, ..FrameCounts::default() };
+            let picture =
+                exact::Exact::new(scene, camera, (morph, boundary), backdrop, drawing.tolerance_px, progress)?;
+            let counts = traced(picture.moving_triangles());
             return Ok((draw(&view, &picture, progress)?, counts));
         }
         let shown = self.near.morphed(scene, &morph, tolerance.is_finite().then_some(tolerance), progress)?;
@@ -162,14 +171,31 @@ impl Reduced {
             moving: shown.moving_triangles(),
             opposed: shown.opposed,
             bounded: shown.bounded && user == camera.position,
+            fold_margin,
         };
-        Ok((draw(&view, &bent::Bent { scene, shown, backdrop, radius: r2 }, progress)?, counts))
+        Ok((draw(&view, &bent::Bent { scene, shown, backdrop, radius: boundary }, progress)?, counts))
     }
 
     /// Kind of the morph; `None` if user and camera are at the centre, from which no point is moved.
     pub fn morph_kind(&self, camera: &Camera, drawing: &Drawing) -> Option<Kind> {
         let at_center = [camera.position, drawing.user(camera)] == [self.center; 2];
         self.join.kind().filter(|_| !at_center)
+    }
+
+    /// Radii r₁ and r₂ of the morph in a frame with this radius, metres.
+    pub fn morph_radii(&self, radius: Option<f64>) -> [f64; 2] {
+        let [r1, r2] = self.radii;
+        radius.map_or(self.radii, |radius| if radius < r2 { [r1 * (radius / r2), radius] } else { self.radii })
+    }
+
+    /// Metres that a user at a world position may still move before the picture folds; infinite without a morph. The
+    /// user's height is rounded to a thousandth of r₂.
+    pub fn fold_margin(&self, user: DVec3, radius: Option<f64>) -> Result<f64> {
+        self.check_radius(radius)?;
+        match self.join.kind() {
+            Some(kind) => self.folding.margin(user, self.center, self.morph_radii(radius), kind),
+            None => Ok(f64::INFINITY),
+        }
     }
 
     /// The far part; nothing if nothing was baked.
@@ -195,6 +221,7 @@ impl Reduced {
         if drawing.mapped {
             self.check_channels(drawing.channels)?;
         }
+        self.check_radius(drawing.radius)?;
         let bends = drawing.method == MorphMethod::Exact && self.join.kind().is_some();
         if bends && user != camera.position {
             let expected = "the camera's own position with method='exact', because bent rays start at the eye that they are \
@@ -211,6 +238,17 @@ impl Reduced {
         }
         if bends && drawing.tolerance_px.is_infinite() {
             return Err(Error::value("tolerance_px", "a finite number of pixels for bent rays", "infinity"));
+        }
+        Ok(())
+    }
+
+    fn check_radius(&self, radius: Option<f64>) -> Result<()> {
+        let Some(radius) = radius else { return Ok(()) };
+        if self.join.kind().is_none() {
+            return Err(Error::value("radius", "None without a morph", radius));
+        }
+        if !(0.0..=self.radii[1]).contains(&radius) {
+            return Err(Error::value("radius", format!("0 to r2 = {} metres", self.radii[1]), radius));
         }
         Ok(())
     }

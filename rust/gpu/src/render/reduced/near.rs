@@ -8,21 +8,21 @@ use nearfar_core::base::{Progress, Result};
 use nearfar_core::morph::Kind;
 use nearfar_core::partition::Partition;
 use nearfar_core::scene::{Instance, InstanceSet, Scene};
-use nearfar_core::tessellate::{Precision, Rule, Settings, needs_split, split_scene};
+use nearfar_core::tessellate::{Precision, Rule, Settings, Steps, needs_split, split_scene};
 
 use crate::draw::Sources;
 
 /// Splits that are kept: a user who walks to and fro across a step finds both.
 const MAX_SPLITS: usize = 3;
-/// Share of r₁ within which the error of a user's picture has a bound: 0.6, less how far triangles may pass r₁.
-const MAX_BOUNDED_REACH: f64 = 0.59;
 /// Near geometry of a reduced scene.
 pub(super) struct Near {
     /// Triangles with all corners inside the radius.
-    pub fixed: Geometry,
+    fixed: Geometry,
     /// The other triangles, as they are in the scene.
     bending: Geometry,
-    /// The other triangles after splitting, the last used at the end.
+    /// All triangles, gathered when a morph of smaller radii first needs them.
+    all: Mutex<Option<Geometry>>,
+    /// Triangles after splitting, the last used at the end.
     split: Mutex<Vec<(Cause, Bent)>>,
     /// Instances that move and were split, in their last poses.
     moved: Mutex<Option<Moved>>,
@@ -44,6 +44,8 @@ pub(super) struct Geometry {
 #[derive(Clone)]
 pub(super) struct Bent {
     pub geometry: Geometry,
+    /// The triangles that it leaves where they are.
+    pub fixed: Option<Geometry>,
     /// The rule that split them.
     pub rule: Option<Arc<Rule>>,
 }
@@ -62,8 +64,14 @@ struct Moved {
     geometry: Geometry,
 }
 
-/// The causes of a split: reach and tolerance in steps of √2, so that it stays while users move their heads.
-type Cause = (i32, i32, Kind);
+/// The causes of a split: steps of reach and tolerance, so that it stays while users move their heads; the kind and the
+/// radii of the morph.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Cause {
+    steps: Steps,
+    kind: Kind,
+    radii: [f64; 2],
+}
 
 impl Near {
     /// Sorts the near triangles by whether they lie inside a radius.
@@ -73,6 +81,7 @@ impl Near {
         Ok(Self {
             fixed: Geometry::of(scene, fixed, progress)?,
             bending: Geometry::of(scene, bending, progress)?,
+            all: Mutex::default(),
             split: Mutex::default(),
             moved: Mutex::default(),
             no_instances: Arc::default(),
@@ -81,37 +90,49 @@ impl Near {
         })
     }
 
-    /// Triangles that the morph bends, as they are.
-    pub fn unsplit(&self) -> Bent {
-        Bent { geometry: self.bending.clone(), rule: None }
+    /// Triangles that a morph with these radii bends, as they are.
+    pub fn unsplit(&self, radii: [f64; 2], progress: &Progress) -> Result<Bent> {
+        if radii[0] < self.radii[0] {
+            return Ok(Bent { geometry: self.all(progress)?, fixed: None, rule: None });
+        }
+        Ok(Bent { geometry: self.bending.clone(), fixed: Some(self.fixed.clone()), rule: None })
     }
 
-    /// Triangles that the morph bends, split for a user this far from the centre and a tolerance in radians.
-    pub fn split(&self, reach: f64, tolerance: f64, kind: Kind, progress: &Progress) -> Result<Bent> {
-        let [r1, r2] = self.radii;
-        // The next step outwards, and the next finer tolerance.
-        let unit = r1.max(r2 / 16.0);
-        let steps = (2.0 * (reach / unit).log2()).ceil().clamp(-40.0, 40.0);
-        let finer = (2.0 * tolerance.log2()).floor().clamp(-80.0, 80.0);
-        let cause = (steps as i32, finer as i32, kind);
+    /// The same, split for a user this far from the centre and a tolerance in radians.
+    pub fn split(
+        &self,
+        reach: f64,
+        tolerance: f64,
+        (kind, radii): (Kind, [f64; 2]),
+        progress: &Progress,
+    ) -> Result<Bent> {
+        let (center, [r1, r2], drawn) = (self.center, radii, self.radii[1]);
+        let (steps, settings) = Settings { center, r1, r2, drawn, reach, tolerance, kind }.stepped();
+        let cause = Cause { steps, kind, radii };
         if let Some(bent) = self.known_split(&cause) {
             return Ok(bent);
         }
-        let outwards = unit * (steps / 2.0).exp2();
-        let reach =
-            if reach <= MAX_BOUNDED_REACH * r1 { outwards.min(MAX_BOUNDED_REACH * r1) } else { outwards.max(reach) };
-        let settings =
-            Settings { center: self.center, r1, r2, reach, tolerance: (finer / 2.0).exp2().min(tolerance), kind };
         let rule = Rule::new(&settings, Precision::Single)?;
-        let (scene, _) = split_scene(&self.bending.scene, &rule, progress)?;
-        let geometry = Geometry { scene, sources: Arc::clone(&self.bending.sources) };
-        let bent = Bent { geometry, rule: Some(Arc::new(rule)) };
+        let whole = self.unsplit(radii, progress)?;
+        let (scene, _) = split_scene(&whole.geometry.scene, &rule, progress)?;
+        let geometry = Geometry { scene, sources: whole.geometry.sources };
+        let bent = Bent { geometry, fixed: whole.fixed, rule: Some(Arc::new(rule)) };
         let mut known = self.split.lock().unwrap_or_else(PoisonError::into_inner);
         if known.len() == MAX_SPLITS {
             known.remove(0);
         }
         known.push((cause, bent.clone()));
         Ok(bent)
+    }
+
+    fn all(&self, progress: &Progress) -> Result<Geometry> {
+        let gathered = || self.all.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = gathered().clone() {
+            return Ok(known);
+        }
+        let [fixed, bending] = [&self.fixed.sources, &self.bending.sources];
+        let all = Geometry::of(&fixed.scene, [&fixed.faces[..], &bending.faces[..]].concat(), progress)?;
+        Ok(gathered().get_or_insert(all).clone())
     }
 
     /// No lock is held during parallel work: a thread that waits inside rayon may run another frame, which needs the
@@ -170,8 +191,9 @@ impl Near {
     }
 
     /// Triangles that stand and are drawn.
-    pub fn triangle_count(&self, bent: &Bent) -> u64 {
-        (self.fixed.scene.triangle_count() + bent.geometry.scene.triangle_count()) as u64
+    pub fn triangle_count(bent: &Bent) -> u64 {
+        let count = |geometry: &Geometry| geometry.scene.triangle_count() as u64;
+        count(&bent.geometry) + bent.fixed.as_ref().map_or(0, count)
     }
 }
 

@@ -24,8 +24,10 @@ pub(super) struct View<'a> {
     pub near_far: NearFar,
     /// How points are morphed; none where they are shown where they are.
     pub kind: Option<Kind>,
-    /// Near triangles that no morph changes, those that it bends, and those that move.
-    pub near: [&'a Geometry; 2],
+    /// Near triangles that no morph changes, if there are any, and those that it bends.
+    pub fixed: Option<&'a Geometry>,
+    pub bending: &'a Geometry,
+    /// Those that move.
     pub moving: &'a Moving,
     pub map: Option<&'a EnvironmentMap>,
     /// The map on the device, where the far part is taken from it.
@@ -65,11 +67,13 @@ impl View<'_> {
         for (geometry, set) in &movers {
             layers.push(self.near_layer(device, geometry, *set, moved, zone)?);
         }
-        let covers = !layers.is_empty();
-        let [fixed, bending] = self.near;
-        let first = self.near_layer(device, fixed, Set::Standing, Shown::AsItIs, Zone::Whole)?;
-        layers.push(Layer { covers, ..first });
-        layers.push(self.near_layer(device, bending, Set::Standing, near, Zone::Within)?);
+        // The first layer of the near part covers what lies beyond it.
+        let first = layers.len();
+        if let Some(fixed) = self.fixed {
+            layers.push(self.near_layer(device, fixed, Set::Standing, Shown::AsItIs, Zone::Whole)?);
+        }
+        layers.push(self.near_layer(device, self.bending, Set::Standing, near, Zone::Within)?);
+        layers[first].covers = first > 0;
         for (geometry, set) in &movers {
             layers.push(self.near_layer(device, geometry, *set, near, Zone::Within)?);
         }

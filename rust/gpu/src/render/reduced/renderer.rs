@@ -67,9 +67,10 @@ impl Reduced {
         let eye = if kind.is_some() { drawing.user(camera) } else { camera.position };
         let (user, apart) = (eye - scene.origin, camera.position - eye);
         let tolerance = drawing.tolerance_px * reduced.pixel_angle(camera);
+        let radii = if kind.is_some() { reduced.morph_radii(drawing.radius) } else { self.radii };
         let bent = match kind.filter(|_| tolerance.is_finite()) {
-            Some(kind) => self.near.split((user - self.center).length(), tolerance, kind, progress)?,
-            None => self.near.unsplit(),
+            Some(kind) => self.near.split((user - self.center).length(), tolerance, (kind, radii), progress)?,
+            None => self.near.unsplit(radii, progress)?,
         };
         let moving = self.near.moving(scene, bent.rule.as_ref(), progress)?;
         let texels = match &self.map {
@@ -79,10 +80,11 @@ impl Reduced {
         let count = |geometry: &Geometry| geometry.scene.triangle_count() as u64;
         let moved = count(&moving.placed) + moving.split.as_ref().map_or(0, count);
         let counts = FrameCounts {
-            triangles: self.near.triangle_count(&bent) + moved,
+            triangles: Near::triangle_count(&bent) + moved,
             moving: moved,
-            opposed: kind.map_or(Ok(0), |kind| self.opposed(scene, user, kind, &bent.geometry.scene))?,
+            opposed: kind.map_or(Ok(0), |kind| self.opposed(scene, user, (kind, radii), &bent.geometry.scene))?,
             bounded: kind.is_none() || apart == DVec3::ZERO && bent.rule.as_ref().is_some_and(|rule| rule.holds()),
+            fold_margin: reduced.fold_margin(drawing.user(camera), drawing.radius)?,
         };
         let split = match self.join {
             Join::Conventional { radius } => radius,
@@ -91,9 +93,10 @@ impl Reduced {
         let view = View {
             scene,
             center: self.center,
-            near_far: NearFar { offset: user - self.center, apart, radii: self.radii, split, two_texels: 0.0 },
+            near_far: NearFar { offset: user - self.center, apart, radii, split, two_texels: 0.0 },
             kind,
-            near: [&self.near.fixed, &bent.geometry],
+            fixed: bent.fixed.as_ref(),
+            bending: &bent.geometry,
             moving: &moving,
             map: self.map.as_ref(),
             texels,
@@ -105,12 +108,12 @@ impl Reduced {
     }
 
     /// Vertices that user and centre see in opposite directions: none while the user is in the near cylinder.
-    fn opposed(&self, scene: &Scene, user: DVec3, kind: Kind, bending: &Scene) -> Result<u64> {
+    fn opposed(&self, scene: &Scene, user: DVec3, (kind, [r1, r2]): (Kind, [f64; 2]), bending: &Scene) -> Result<u64> {
         let offset = user - self.center;
-        if offset.x.hypot(offset.z) < self.radii[0] {
+        if offset.x.hypot(offset.z) < r1 {
             return Ok(0);
         }
-        let morph = Morph::new(user, self.center, self.radii[0], self.radii[1], kind)?;
+        let morph = Morph::new(user, self.center, r1, r2, kind)?;
         let opposed = |instance: &Instance| -> u64 {
             let corners = (0..instance.mesh.faces.len() as u32).flat_map(|face| instance.corners(face));
             corners.map(|corner| u64::from(morph.examine(corner.as_dvec3()).opposed)).sum()

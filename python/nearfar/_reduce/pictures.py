@@ -1,0 +1,190 @@
+"""Frames of a reduced scene: the part of the class `ReducedScene` that draws."""
+
+from __future__ import annotations
+
+import copy
+import math
+import warnings
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, Self, cast
+
+from numpy.typing import ArrayLike
+
+from nearfar._camera.camera import Camera
+from nearfar._camera.shot import Shot, check_begin, check_request
+from nearfar._cubemap.envmap import EnvMap
+from nearfar._reduce.drawing import Drawing
+from nearfar._render import backend as backends
+from nearfar._render.frame import Frame
+from nearfar._render.level_choice import Lod
+from nearfar._render.renderable import Images, Renderable, Report
+from nearfar._render.renderer import Renderer
+from nearfar._scene.scene import Scene
+
+if TYPE_CHECKING:
+    from nearfar._core import GpuDevice, GpuJob, Reduced
+
+
+class InPictures:
+    """Draws a reduced scene."""
+
+    _scene: Scene
+    _env: EnvMap | None
+    _morph: str
+    _core: Reduced
+    _drawing: Drawing
+    _is_whole: bool
+    _has_warned: list[bool]
+    """Whether a folded picture was reported: one entry, which copies share."""
+
+    def render(
+        self,
+        camera: Camera,
+        *,
+        at: Mapping[str, ArrayLike] | None = None,
+        user: ArrayLike | None = None,
+        t_min: float = 0.0,
+        t_max: float = math.inf,
+        samples: int = 1,
+        channels: Iterable[str] | None = None,
+        lod: Lod | None = None,
+        radius: float | None = None,
+        method: str = "auto",
+        env: bool = True,
+        tolerance_px: float | None = None,
+        backend: str | None = None,
+    ) -> Frame:
+        """Render the picture that a thin client shows.
+
+        Parameters
+        ----------
+        camera
+            The view.
+        at
+            Poses of moving objects, as in `Scene.at`. Moving objects are never in the map. Beyond the near part they
+            are drawn in the direction in which the centre sees them, if nothing in the map is nearer.
+        user
+            World position (3,), metres, of the eye U that near geometry is morphed for; by default the camera's
+            position. Another camera, such as one of two eyes, sees the morphed geometry from its own position, in front
+            of the map along its own directions.
+        t_min, t_max
+            Limits in metres of the displayed distance along each pixel's ray, for near geometry and moving objects. The
+            map is drawn only if `t_max` is infinite and its range, where it has one, is at least `t_min`.
+        samples
+            Number of colour samples of each pixel; all other images are sampled once, at the pixel's centre.
+        channels
+            Images to compute, as in `render`; by default the channels of the map (`default_channels`). `range`,
+            `position` and `object_id` need a map that was baked with them; the position of a far pixel is the point at
+            the map's range. Far pixels of a map have `face_id` −1 and no normal. `range` is the displayed distance;
+            `position` and `normal` are unmorphed.
+        lod
+            Levels of detail of near objects, as in `nearfar.render`, for scenes whose objects have some. The map shows
+            far objects at the levels that were baked. A change of levels gathers the near geometry again.
+        radius
+            Radius in metres that the morph has in this frame instead of r2, 0 to r2; r1 shrinks in proportion. Near
+            geometry beyond it is drawn, too, as the centre sees it; with 0 that is everything. A client that grows it
+            over several frames shows near geometry without a jump. Not for the conventional method.
+        method
+            "vertex": the morph moves vertices, as a vertex shader would. "exact": every pixel shows the first hit of
+            its bent ray (`bend_rays`) in the unmorphed scene. "auto": "exact" where moved vertices would fold the
+            picture and rays can be bent (on the CPU, for one eye, whole rays), else "vertex".
+        env
+            True draws the far part from the map. False traces it from the centre, so that all channels exist; this is
+            the method's picture with a map of unlimited resolution.
+        tolerance_px
+            For "vertex": greatest distance, in the image's finest pixels, between a drawn triangle's points and their
+            morph, by default 0.5; larger triangles are split for the frame. It is a proven bound if the frame's
+            `stats` have `tolerance_held`. Infinity morphs only the given vertices, which bends long triangles wrongly
+            and opens breaks at both radii. For "exact": greatest distance between a bent ray and its curve, in pixels
+            of the size at its place in the image, by default 0.1.
+        backend
+            "cpu", "gpu", "auto" or None, as in `render`. On a graphics adapter near triangles are split once for all
+            users at about the same distance from the centre, not for each frame, and moving objects are split only if
+            their edges are too long, so that a frame sends one transform for each. The map's colours are half floats
+            there, at most 65,504. "exact" runs on the CPU only, also with "auto".
+
+        Returns
+        -------
+        Frame
+            The bytes are the same for any number of threads. `stats["fold_margin"]` has the distance in metres that
+            the user may still walk before the picture folds (`fold_margin`, for the user's height to a thousandth of
+            r2); infinite for the conventional method.
+
+        Warns
+        -----
+        UserWarning
+            Once for a reduced scene, when a picture folds.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For arguments out of their domains; for range, position or object_id of a map without range or object_id;
+            for `env` False after `load`, because far geometry is not saved; for parallel rays with a map or bent rays,
+            which both belong to one eye; for "exact" with "gpu" or a `user` apart from the camera; for limits of
+            rays with "exact" or `env` False; and for a `radius` beyond r2, or with the conventional method.
+        DeviceError
+            As in `render`.
+        """
+        drawn = self._drawn_by(Drawing(method, env, tolerance_px, radius))
+        if backends.check(backend) == "gpu" and "gpu" not in drawn.backends:
+            raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
+        renderer = Renderer(cast(Renderable, drawn), channels, samples, lod)
+        (frame,) = renderer.frames(renderer.shot([camera], user, t_min, t_max), at, renderer.device(backend, self))
+        return frame
+
+    @property
+    def backends(self) -> tuple[str, ...]:
+        """Backends that can render this scene; only the CPU bends rays."""
+        bends = self._drawing.method == "exact" and self._morph != "none"
+        return ("cpu",) if bends else ("cpu", "gpu")
+
+    def trace(self, shot: Shot, report: Report = None) -> list[Images]:
+        """Trace the pictures of a shot, one for each camera."""
+        check_request(shot, report)
+        pictures = []
+        for camera in shot.cameras:
+            method = self._drawing.method
+            if method == "auto":
+                method = "exact" if self._margin(shot, camera) < 0.0 and self._bends(shot, camera) else "vertex"
+            settings = self._settings(shot, camera, method)
+            pictures.append(self._core.render(self._scene._core, camera._core, **settings, report=report))
+        return pictures
+
+    def begin(self, device: GpuDevice, shot: Shot, report: Report = None) -> list[GpuJob]:
+        """Start the pictures of a shot on a graphics device, one for each camera."""
+        check_begin(device, shot, report)
+        method = "exact" if self._drawing.method == "exact" else "vertex"
+        jobs = []
+        for camera in shot.cameras:
+            settings = self._settings(shot, camera, method)
+            jobs.append(device.reduced(self._core, self._scene._core, camera._core, **settings, report=report))
+        return jobs
+
+    def _drawn_by(self, drawing: Drawing) -> Self:
+        drawn = copy.copy(self)
+        drawn._drawing = drawing
+        return drawn
+
+    def _settings(self, shot: Shot, camera: Camera, method: str) -> dict[str, Any]:
+        if not (self._drawing.env or self._is_whole or self._env is None):
+            raise ValueError("env: expected True for a loaded scene, whose far geometry was not saved, got False")
+        margin = self._margin(shot, camera)
+        if margin < 0.0 and not self._has_warned[0]:
+            self._has_warned[0] = True
+            beyond = f"{-margin:.3g} m beyond" if margin > -math.inf else "at a height outside of"
+            message = f"the picture folds: the user is {beyond} the fold margin; go closer to the centre"
+            warnings.warn(message, UserWarning, stacklevel=2)
+        return {**shot.settings, "user": shot.user, **self._drawing.settings(method)}
+
+    def _margin(self, shot: Shot, camera: Camera) -> float:
+        """Metres that the user of a picture may still move before it folds."""
+        user = camera.position if shot.user is None else shot.user
+        return self._core.fold_margin(user, self._drawing.radius)
+
+    def _bends(self, shot: Shot, camera: Camera) -> bool:
+        """Whether rays can be bent for a picture."""
+        is_eye = shot.user is None or shot.user == camera.position
+        tolerance = self._drawing.tolerance_px
+        is_whole = shot.t_min == 0.0 and shot.t_max == math.inf
+        is_finite = tolerance is None or math.isfinite(tolerance)
+        return is_eye and is_whole and is_finite and not camera._core.is_parallel

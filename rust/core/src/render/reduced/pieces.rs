@@ -1,0 +1,140 @@
+//! Triangles that the morph bends, split once for all users at about the same distance from the centre. For each user
+//! their vertices are moved, and the tree over them is refitted.
+
+use std::collections::HashMap;
+use std::sync::{Arc, OnceLock};
+
+use glam::{DAffine3, DVec3};
+use rayon::prelude::*;
+
+use crate::base::{FaceMap, Progress, Result};
+use crate::morph::Morph;
+use crate::scene::{Instance, Mesh, Scene};
+use crate::tessellate::{self, Precision, Rule};
+
+/// Number of vertices that are moved between two checks whether the caller has cancelled.
+const TILE: usize = 1 << 14;
+
+/// A piece of a scene's face, given by the positions of its three corners on the face.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NearPiece {
+    pub instance: u32,
+    pub face: u32,
+    /// Weights of the face's second and third corner at the piece's corners.
+    corners: [[f32; 2]; 3],
+}
+
+impl NearPiece {
+    /// Converts weights on the piece to weights on the face. For a whole face they are equal, bit for bit.
+    #[inline]
+    pub fn on_face(&self, u: f32, v: f32) -> (f32, f32) {
+        let [a, b, c] = self.corners;
+        let mix = |i: usize| a[i] + u * (b[i] - a[i]) + v * (c[i] - a[i]);
+        (mix(0), mix(1))
+    }
+}
+
+/// Pieces and the mesh that is traced, face by face.
+#[derive(Clone, Debug)]
+pub(super) struct NearPart {
+    pub pieces: Arc<Vec<NearPiece>>,
+    pub instance: Instance,
+    /// Vertices that user and centre see in opposite directions.
+    pub opposed: u64,
+    /// Whether the tolerance is an upper bound.
+    pub bounded: bool,
+}
+
+impl NearPart {
+    /// Whole faces where they are.
+    pub fn fixed(faces: Vec<(u32, u32)>, scene: &Scene) -> Result<Self> {
+        let split = Split::new(faces, scene, None, false, &Progress::new())?;
+        let positions = split.vertices.iter().map(|vertex| vertex.as_vec3().to_array()).collect();
+        split.placed(split.mesh_of(positions)?, 0)
+    }
+}
+
+/// Pieces of triangles before they are morphed.
+#[derive(Debug)]
+pub(super) struct Split {
+    pieces: Arc<Vec<NearPiece>>,
+    vertices: Vec<DVec3>,
+    faces: Vec<[u32; 3]>,
+    bounded: bool,
+    /// The mesh of the first user, whose tree is refitted for others.
+    first: OnceLock<Arc<Mesh>>,
+}
+
+impl Split {
+    /// Splits triangles (instance, face) by a rule, or not at all. Pieces that are not drawn are left out, unless
+    /// `moves`: what moves is drawn everywhere.
+    pub fn new(
+        sources: Vec<(u32, u32)>,
+        scene: &Scene,
+        rule: Option<&Rule>,
+        moves: bool,
+        progress: &Progress,
+    ) -> Result<Self> {
+        let split = |whole: tessellate::Piece| {
+            let Some(rule) = rule else { return Ok(vec![whole]) };
+            let unseen =
+                |corners: &[DVec3; 3]| tessellate::Piece::is_thin(corners) || (!moves && rule.is_beyond(corners));
+            whole.split(rule, Precision::Double, unseen, |_| progress.check())
+        };
+        let triangles = sources.into_par_iter().map(|(instance, face)| {
+            let corners = scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
+            let place = |piece: tessellate::Piece| {
+                let corners = piece.weights.map(|[_, u, v]| [u as f32, v as f32]);
+                (NearPiece { instance, face, corners }, piece.corners)
+            };
+            Ok(split(tessellate::Piece::whole(corners))?.into_iter().map(place).collect())
+        });
+        let triangles: Vec<Vec<(NearPiece, [DVec3; 3])>> = triangles.collect::<Result<_>>()?;
+        progress.check()?;
+        let (mut pieces, mut faces, mut vertices) = (vec![], vec![], vec![]);
+        // The cut of an edge depends on the edge alone, so that neighbours have vertices of equal bits.
+        let mut known = HashMap::new();
+        for (piece, corners) in triangles.into_iter().flatten() {
+            pieces.push(piece);
+            faces.push(corners.map(|corner| {
+                *known.entry(corner.to_array().map(f64::to_bits)).or_insert_with(|| {
+                    vertices.push(corner);
+                    vertices.len() as u32 - 1
+                })
+            }));
+        }
+        let bounded = rule.is_some_and(Rule::holds);
+        Ok(Self { pieces: Arc::new(pieces), vertices, faces, bounded, first: OnceLock::new() })
+    }
+
+    /// The pieces as one user sees them, with a tree over them.
+    pub fn morphed(&self, morph: &Morph, progress: &Progress) -> Result<NearPart> {
+        let tiles = self.vertices.par_chunks(TILE).map(|tile| {
+            progress.check()?;
+            let shown = tile.iter().map(|&vertex| morph.examine(vertex));
+            Ok(shown.map(|shown| (shown.point.as_vec3().to_array(), u64::from(shown.opposed))).unzip())
+        });
+        let tiles: Vec<(Vec<[f32; 3]>, Vec<u64>)> = tiles.collect::<Result<_>>()?;
+        let opposed = tiles.iter().flat_map(|(_, opposed)| opposed).sum();
+        let positions = tiles.into_iter().flat_map(|(positions, _)| positions).collect();
+        let mesh = match self.first.get() {
+            Some(first) => Arc::new(first.moved(positions)?),
+            None => {
+                let mesh = self.mesh_of(positions)?;
+                mesh.build_bvh(progress)?;
+                Arc::clone(self.first.get_or_init(|| mesh))
+            }
+        };
+        self.placed(mesh, opposed)
+    }
+
+    fn mesh_of(&self, positions: Vec<[f32; 3]>) -> Result<Arc<Mesh>> {
+        let (objects, materials) = (FaceMap::Uniform(-1), FaceMap::Uniform(-1));
+        Ok(Arc::new(Mesh::new(positions.into(), self.faces.clone().into(), None, None, objects, materials)?))
+    }
+
+    fn placed(&self, mesh: Arc<Mesh>, opposed: u64) -> Result<NearPart> {
+        let instance = Instance::new(mesh, DAffine3::IDENTITY, None)?;
+        Ok(NearPart { pieces: Arc::clone(&self.pieces), instance, opposed, bounded: self.bounded })
+    }
+}

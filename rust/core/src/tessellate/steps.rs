@@ -1,0 +1,29 @@
+//! Steps of reach and tolerance, so that a split serves all users at about the same distance from the centre.
+
+use super::rule::Settings;
+
+/// Share of r₁ within which the error of a user's picture has a bound: 0.6, less how far triangles may pass r₁.
+const MAX_BOUNDED_REACH: f64 = 0.59;
+
+/// Steps of √2 of a reach and of a tolerance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Steps {
+    reach: i32,
+    tolerance: i32,
+}
+
+impl Settings {
+    /// The next step of the reach outwards and of the tolerance inwards, and the settings there. A reach with a bound
+    /// keeps it.
+    pub fn stepped(self) -> (Steps, Self) {
+        let Self { r1, drawn, reach, tolerance, .. } = self;
+        let unit = r1.max(drawn / 16.0);
+        let outwards = (2.0 * (reach / unit).log2()).ceil().clamp(-40.0, 40.0);
+        let finer = (2.0 * tolerance.log2()).floor().clamp(-80.0, 80.0);
+        let farther = unit * (outwards / 2.0).exp2();
+        let bounded = MAX_BOUNDED_REACH * r1;
+        let reach = if reach <= bounded { farther.min(bounded) } else { farther.max(reach) };
+        let tolerance = (finer / 2.0).exp2().min(tolerance);
+        (Steps { reach: outwards as i32, tolerance: finer as i32 }, Self { reach, tolerance, ..self })
+    }
+}

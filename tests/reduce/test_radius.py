@@ -1,0 +1,188 @@
+"""The morph's radius of one frame, against a reduction with that radius, and the fold margin that frames report."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from tests.support.gpu_cases import ADAPTERS, adapter, check_color, check_ids, edges
+from tests.support.reduce_cases import ALL, CENTER, R1, R2, camera, place, rho, street
+
+USER = CENTER + np.array([5.0, 0.3, 4.0])
+AHEAD = (0.6, -0.15, -1.0)
+CAR = {"car": place(12.0, 0.75, -16.0)}
+"""Between r1 and r2 of the whole reduction, beyond the smaller radii."""
+KINDS = ("blend", "cylinder")
+
+
+def reduced(kind: str, radius: float = R2, **settings: Any) -> nf.ReducedScene:
+    scene = street(dynamic=True).at(CAR)
+    share = radius / R2
+    return nf.reduce(
+        scene,
+        center=CENTER,
+        r1=R1 * share,
+        r2=radius,
+        face_size=64,
+        morph=kind,
+        channels=("color", "range"),
+        **settings,
+    )
+
+
+def agree(frame: nf.Frame, expected: nf.Frame, *, pixels: int = 0) -> None:
+    """Pixels show the same objects; where surfaces end, some pixels may differ."""
+    inner = ~edges(expected.require("object_id"))
+    differ = (frame.require("object_id") != expected.require("object_id")) & inner
+    assert differ.sum() <= pixels
+    same = inner & ~differ & (expected.require("object_id") >= 0)
+    assert same.mean() > 0.3
+    np.testing.assert_allclose(frame.require("range")[same], expected.require("range")[same], rtol=5e-3)
+    close = np.abs(frame.require("color")[same] - expected.require("color")[same]).max(axis=-1)
+    assert np.quantile(close, 0.99) < 0.02
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("method", ["vertex", "exact"])
+@pytest.mark.parametrize("radius", [12.0, 25.0, 41.0])
+def test_a_smaller_radius_shows_the_rest_as_the_centre_sees_it(kind: str, method: str, radius: float) -> None:
+    """A reduction with that radius, whose far part is traced from the centre, shows the same."""
+    settings: dict[str, Any] = {"channels": ALL, "env": False, "tolerance_px": 0.1}
+    with warnings.catch_warnings():
+        # A user 6 m from the axis folds a morph of 12 m.
+        warnings.simplefilter("ignore")
+        frame = reduced(kind).render(camera(USER, AHEAD), radius=radius, method=method, **settings)
+        expected = reduced(kind, radius).render(camera(USER, AHEAD), method="exact", **settings)
+    beyond = rho(expected.require("position")) > radius
+    assert (beyond & (rho(expected.require("position")) < R2)).sum() > 100
+    if radius > 12.0:
+        agree(frame, expected, pixels=10)
+    elif method == "exact":
+        agree(frame, expected)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("method", ["vertex", "exact"])
+def test_without_a_radius_everything_is_seen_from_the_centre(kind: str, method: str) -> None:
+    whole = reduced(kind)
+    frame = whole.render(camera(USER, AHEAD), radius=0.0, method=method, channels=ALL, env=False)
+    truth = nf.render(whole.scene, camera(CENTER, AHEAD), channels=ALL)
+    inner = ~edges(truth.require("object_id"))
+    differ = (frame.require("object_id") != truth.require("object_id")) & inner
+    assert differ.sum() <= 3
+    same = inner & ~differ
+    np.testing.assert_allclose(frame.require("color")[same], truth.require("color")[same], atol=2e-3)
+    if kind == "blend":
+        np.testing.assert_allclose(frame.require("range")[same], truth.require("range")[same], rtol=1e-3)
+    assert frame.stats["fold_margin"] == math.inf
+    assert frame.stats["opposed_directions"] == 0
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("method", ["vertex", "exact"])
+def test_the_whole_radius_is_the_default(kind: str, method: str) -> None:
+    whole = reduced(kind)
+    frames = [
+        whole.render(camera(USER, AHEAD), radius=radius, method=method, channels=ALL[:2]) for radius in (None, R2)
+    ]
+    for channel in ALL[:2]:
+        np.testing.assert_array_equal(frames[0].require(channel), frames[1].require(channel))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_growing_radius_changes_the_picture_continuously(kind: str) -> None:
+    """Points move by less than a pixel for a small step of the radius, so that no step shows a jump."""
+    whole = reduced(kind)
+    points = whole.scene.triangles().reshape(-1, 3).astype(np.float64) + whole.scene.origin
+    points = points[(rho(points) < R2) & (rho(points) > 10.0)]
+    view = camera(USER, AHEAD)
+    shown = []
+    for radius in np.linspace(30.0, R2, 201):
+        moved = nf.morph(points, user=USER, center=CENTER, r1=R1 * radius / R2, r2=float(radius), kind=kind)
+        shown.append(view.project(moved)[:, :2])
+    inside = np.isfinite(shown).all(axis=(0, 2))
+    assert inside.sum() > 3
+    assert np.abs(np.diff(np.array(shown)[:, inside], axis=0)).max() < 1.0
+
+
+@pytest.mark.parametrize("radius", [0.0, 25.0])
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("name", ADAPTERS)
+def test_adapters_show_the_same_radius(name: str, kind: str, radius: float) -> None:
+    whole = reduced(kind)
+    view = camera(USER, AHEAD, (320, 180))
+    settings: dict[str, Any] = {"channels": ALL[:4], "radius": radius, "method": "vertex", "env": False}
+    with adapter(name):
+        cpu, gpu = (whole.render(view, backend=backend, **settings) for backend in ("cpu", "gpu"))
+        assert cpu.stats["fold_margin"] == gpu.stats["fold_margin"]
+        # Back to the whole radius: what was split for the other one is not taken.
+        after = [whole.render(view, backend=backend, channels=ALL[:4], env=False) for backend in ("cpu", "gpu")]
+    for one, other in ((cpu, gpu), after):
+        check_ids(one.require("object_id"), other.require("object_id"))
+        check_color(one, other)
+
+
+@pytest.mark.parametrize(
+    ("radius", "words"),
+    [
+        (50.1, r"radius: expected 0 to r2 = 50 metres, got 50\.1"),
+        (-1.0, "radius: expected a number of at least 0, got -1"),
+        (math.nan, "radius: expected a finite number"),
+    ],
+)
+def test_radii_out_of_the_near_part_are_refused(radius: float, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        reduced("blend").render(camera(USER, AHEAD), radius=radius)
+
+
+def test_the_conventional_method_has_no_radius() -> None:
+    with pytest.raises(ValueError, match="radius: expected None without a morph"):
+        reduced("none").render(camera(USER, AHEAD), radius=20.0)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_frames_report_the_fold_margin(kind: str) -> None:
+    whole = reduced(kind)
+    for step in (0.0, 3.0, 8.0):
+        user = CENTER + np.array([step, 0.2, 0.0])
+        expected = nf.fold_margin(user, center=CENTER, r1=R1, r2=R2, kind=kind)
+        frame = whole.render(camera(user, AHEAD))
+        assert frame.stats["fold_margin"] == pytest.approx(expected, abs=0.01)
+    half = whole.render(camera(USER, AHEAD), radius=R2 / 2)
+    expected = nf.fold_margin(USER, center=CENTER, r1=R1 / 2, r2=R2 / 2, kind=kind)
+    assert half.stats["fold_margin"] == pytest.approx(expected, abs=0.01)
+    assert reduced("none").render(camera(USER, AHEAD)).stats["fold_margin"] == math.inf
+
+
+def test_a_folded_picture_is_reported_once() -> None:
+    whole = reduced("blend")
+    away = camera(CENTER + np.array([22.0, 0.0, 0.0]), AHEAD)
+    with pytest.warns(UserWarning, match="the picture folds: the user is 2.* m beyond the fold margin"):
+        whole.render(away)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        folded = whole.render(away)
+        whole.at(CAR).render(away)
+    assert folded.stats["fold_margin"] < -2.0
+
+
+def test_auto_bends_rays_only_where_vertices_fold() -> None:
+    whole = reduced("blend")
+    for step, method in ((5.0, "vertex"), (22.0, "exact")):
+        view = camera(CENTER + np.array([step, 0.0, 0.0]), AHEAD)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            auto, told = (whole.render(view, method=name, channels=ALL[:2]) for name in ("auto", method))
+        np.testing.assert_array_equal(auto.require("color"), told.require("color"))
+        assert auto.stats == told.stats
+        # Where rays cannot be bent, vertices are moved.
+        for cause in ({"user": view.position + np.array([0.03, 0, 0])}, {"t_max": 500.0}, {"tolerance_px": math.inf}):
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                auto, told = (whole.render(view, method=name, **cause) for name in ("auto", "vertex"))
+            np.testing.assert_array_equal(auto.require("color"), told.require("color"))
