@@ -1,0 +1,123 @@
+"""Tear along the end of the near part, for users and views chosen at random: both methods, two pairs of radii.
+
+python -m benchmarks.reduce.tear [--quick]
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from benchmarks.harness.views import Point, center_for
+from nearfar._base import data
+
+REACH = 8.0
+"""Greatest distance of users from the centre, metres."""
+
+DENSITY = 20.0
+"""Pixels for each degree where the camera looks, as a headset has them."""
+
+LEAST_EDGE = 200
+"""Least number of boundary pixels with both sides in view, so that a view counts."""
+
+MOST_TRIES = 60
+
+
+def cases(quick: bool) -> Iterator[tuple[str, nf.Scene, Point]]:
+    """Yield the name, the scene and a centre of each available city."""
+    for name, file in (
+        ("centre of Tokyo", "city/tokyo23/tokyo_core_lod1.glb"),
+        ("Manhattan", "city/manhattan_deckgl/manhattan_core.glb"),
+    ):
+        if not quick and (path := data.find(file)) is not None:
+            scene = nf.Scene.load(path)
+            yield name, scene, center_for(scene, 50.0)
+    city = nf.datasets.city(blocks=3, detail=0) if quick else nf.datasets.city()
+    yield "procedural city", city, nf.datasets.street_view()[0]
+
+
+def views(center: Point, seed: int) -> Iterator[nf.Camera]:
+    """Yield views of users anywhere within `REACH` who look anywhere, slightly down."""
+    draw = np.random.default_rng(seed)
+    fov = nf.Fov.symmetric(60, 16 / 9)
+    width = round(DENSITY * float(np.degrees(fov.right - fov.left)))
+    for _ in range(MOST_TRIES):
+        around, ahead = draw.uniform(0.0, 2.0 * np.pi, 2)
+        away = REACH * np.sqrt(draw.uniform())
+        user = np.add(center, (away * np.cos(around), 0.0, away * np.sin(around)))
+        toward = user + (np.cos(ahead), -0.05, np.sin(ahead))
+        yield nf.Camera.look_at(user, toward, fov=fov, size=(width, round(width * 9 / 16)))
+
+
+def measured(reduced: nf.ReducedScene, camera: nf.Camera) -> list[nf.BoundaryTear]:
+    """Tears of the conventional and of the continuous picture, with a far part of unlimited resolution."""
+    found = []
+    for morph, method in (("none", "auto"), ("blend", "exact")):
+        how: dict[str, Any] = {"method": method, "env": False, "channels": ("position",)}
+        frame = reduced.with_morph(morph).render(camera, **how)
+        found.append(nf.boundary_tear(frame, center=reduced.center, radius=reduced.r2))
+    return found
+
+
+def tears(name: str, scene: nf.Scene, center: Point, count: int, seed: int) -> str:
+    """Table of both methods at 30 and 50 m, and at the chosen radii; means over all pixels of all views."""
+    chosen = nf.choose_radii(scene, center, r2=50.0, reach=REACH)
+    rows = []
+    for r1 in (30.0, chosen.r1):
+        reduced = nf.reduce(scene, center=center, r1=r1, r2=50.0, face_size=16, samples=1)
+        taken: list[list[nf.BoundaryTear]] = []
+        for camera in views(center, seed):
+            both = measured(reduced, camera)
+            if all(one.tear is not None and one.pixels * (one.shared or 0.0) >= LEAST_EDGE for one in both):
+                taken.append(both)
+            if len(taken) == count:
+                break
+        if not taken:
+            rows.append([f"{r1:.3g}, 50", "0", *["–"] * 5])
+            continue
+        pixels, tear, kink = (np.array([[get(one) for one in both] for both in taken]) for get in _PARTS)
+        mean = (tear * pixels).sum(axis=0) / pixels.sum(axis=0)
+        bend = (kink * pixels).sum(axis=0) / pixels.sum(axis=0)
+        shares = np.sort(tear[:, 0] / tear[:, 1])
+        rows.append(
+            [f"{r1:.3g}, 50", f"{len(taken)}", f"{mean[0]:.3g}", f"{mean[1]:.3g}", f"{bend[1]:.2g}",
+             f"{mean[0] / mean[1]:.3g}", f"{shares[0]:.2g} to {shares[-1]:.2g}"]
+        )  # fmt: skip
+    header = ["r₁, r₂, m", "views", "conventional, px", "continuous, px", "of which kink", "ratio", "ratio by view"]
+    return table(f"Tear along r₂, {name}, {DENSITY:g} pixels a degree", header, rows)
+
+
+def _count(one: nf.BoundaryTear) -> float:
+    return one.pixels * (one.shared or 0.0)
+
+
+def _tear(one: nf.BoundaryTear) -> float:
+    return one.tear or 0.0
+
+
+def _kink(one: nf.BoundaryTear) -> float:
+    return one.kink or 0.0
+
+
+_PARTS = (_count, _tear, _kink)
+
+
+def main() -> None:
+    """Print a table for each city."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="a small city only")
+    parser.add_argument("--views", type=int, default=6)
+    parser.add_argument("--seed", type=int, default=7)
+    arguments = parser.parse_args()
+    print(machine())
+    for name, scene, center in cases(arguments.quick):
+        print(tears(name, scene, center, 2 if arguments.quick else arguments.views, arguments.seed))
+
+
+if __name__ == "__main__":
+    main()
