@@ -30,7 +30,7 @@ STAGES: dict[str, set[str]] = {
     "_bounds": set(),
     "_render": {"_camera", "_cubemap", "_scene"},
     "_metrics": {"_camera", "_render"},
-    "_reduce": {"_bend", "_camera", "_cubemap", "_metrics", "_morph", "_partition", "_render", "_scene"},
+    "_reduce": {"_bend", "_camera", "_cubemap", "_metrics", "_morph", "_partition", "_render", "_scene", "_trace"},
     "_lens": {"_camera", "_render"},
     "hmd": {"_camera", "_lens", "_render"},
     "gpu": {"_camera", "_metrics", "_morph", "_render"},
