@@ -82,9 +82,14 @@ def test_without_threads_the_work_is_done_when_it_is_asked_for(monkeypatch: pyte
     def refuse(*_: object) -> int:
         raise RuntimeError("can't start new thread")
 
-    monkeypatch.setattr(background._thread, "start_new_thread", refuse)
+    monkeypatch.setattr("_thread.start_new_thread", refuse)
     calls: list[int] = []
-    later = background.Later(lambda: calls.append(1) or 7)
+
+    def work() -> int:
+        calls.append(1)
+        return 7
+
+    later = background.Later(work)
     assert (later.ready, calls) == (False, [])
     assert (later.result(), later.result(), calls) == (7, 7, [1])
 

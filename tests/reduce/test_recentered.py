@@ -14,7 +14,7 @@ import nearfar as nf
 from nearfar._scene.builder import SceneBuilder
 from tests.support.reduce_cases import CENTER, R1, R2, box, camera, place, street
 
-ELSEWHERE = CENTER + [6.0, 0.5, 4.0]
+ELSEWHERE = np.add(CENTER, [6.0, 0.5, 4.0])
 
 
 def same(one: nf.ReducedScene, other: nf.ReducedScene) -> None:

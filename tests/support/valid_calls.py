@@ -179,7 +179,7 @@ def _walks(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.Regions.walk": {},
         "nearfar.Walk": {"regions": regions},
         "nearfar.Walk.render": {"camera": valid.camera, "seconds": 0.0},
-        "nearfar.regions": {"scene": valid.scene, "path": [(0.0, 1.0, 1.0), (0.0, 1.0, 2.0)], "r2": 2.0, **small},
+        "nearfar.regions": {"scene": valid.scene, "path": [(0.0, 1.0, 1.0), (0.0, 1.0, 2.0)], "r2": 4.0, **small},
         "nearfar.regions @area": {"scene": valid.scene, "path": None, "area": corners, "budget": 2, **small},
     }
 

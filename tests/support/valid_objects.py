@@ -83,7 +83,7 @@ class Valid:
     @functools.cached_property
     def regions(self) -> nf.Regions:
         """Two regions of a walk."""
-        small: dict[str, Any] = {"reach": 0.5, "hysteresis": 0.1, "r2": 2.0, "face_size": 4, "samples": 1}
+        small: dict[str, Any] = {"reach": 0.5, "hysteresis": 0.1, "r2": 4.0, "face_size": 4, "samples": 1}
         return nf.regions(self.scene, [(0.0, 1.0, 1.0), (0.0, 1.0, 2.0)], **small, backend="cpu")
 
     @functools.cached_property

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from nearfar._base import check
-from nearfar._bend import fold_margin
 from nearfar._partition.load_curve import load_curve
 from nearfar._reduce.baking import Baking
 from nearfar._reduce.choose_radii import Radii, choose_radii
 from nearfar._reduce.drawing import MORPHS
+from nearfar._reduce.walk.folds import climbs, walkable
 from nearfar._reduce.walk.grid import Grid, grids
 from nearfar._reduce.walk.ground import ground_heights
 from nearfar._reduce.walk.regions import Regions, checked_hysteresis, checked_keep, spacing_for
@@ -99,8 +99,9 @@ def regions(
     core_of(scene)
     if (path is None) == (area is None):
         raise ValueError(f"path: expected either path or area, got {'neither' if path is None else 'both'}")
-    walked, height = check.positive("reach", reach), check.positive("eye_height", eye_height)
+    walked, height = _length("reach", reach), _length("eye_height", eye_height)
     band = checked_hysteresis(hysteresis, walked)
+    check.positive("shear", shear)
     check.choice("morph", morph, MORPHS)
     baking = Baking.checked(face_size, samples, channels, backend, range_dtype)
     checked_keep(keep)
@@ -108,13 +109,22 @@ def regions(
         raise ValueError(f"reach: expected less than r2 = {outer:g} m, beyond which all is in the map, got {walked:g}")
     spacing = spacing_for(walked, band)
     if path is not None:
-        centers, spans = _on_path(_eyes(scene, path), spacing)
+        eyes = _eyes(scene, path)
+        centers = _on_path(eyes, spacing)
     else:
         centers = _on_ground(scene, _corners(scene, area), spacing, height)
-        spans = np.zeros(len(centers))
     radii = _radii(scene, centers, walked, height, r2=r2, budget=budget, shear=shear)
-    _check_heights(centers, spans, radii, morph)
+    if path is not None and np.ptp(eyes[:, 1]) > 0.0:
+        _check_heights(centers, climbs(eyes, centers, walked), radii, morph)
     return Regions(scene, centers, radii=radii, hysteresis=band, morph=morph, baking=baking, keep=keep)
+
+
+def _length(name: str, value: SupportsFloat) -> float:
+    """Return a length in metres above zero with which grids can be computed; ValueError or TypeError otherwise."""
+    length = check.positive(name, value)
+    if length > check.FARTHEST:
+        raise ValueError(f"{name}: expected up to {check.FARTHEST:g} m, got {length:g}")
+    return length
 
 
 def _eyes(scene: Scene, path: ArrayLike) -> Floats:
@@ -153,14 +163,14 @@ def _check_within(name: str, scene: Scene, places: Floats) -> None:
         )
 
 
-def _on_path(eyes: Floats, spacing: float) -> tuple[Floats, Floats]:
-    """Centres (K, 3) in the order of a path, and half the climb (K,) of the path in each cell."""
+def _on_path(eyes: Floats, spacing: float) -> Floats:
+    """Centres (K, 3) in the order of a path, in the middle between its least and greatest height in each cell."""
     flat = eyes[:, [0, 2]]
     _check_number(float(np.hypot(*np.diff(flat, axis=0).T).sum()) / spacing)
     found = [(grid, *grid.visited(eyes)) for grid in grids(flat, spacing)]
     grid, cells, facts = min(found, key=lambda choice: len(choice[1]))
     places, (low, high, _) = grid.places(cells), facts.T
-    return np.column_stack([places[:, 0], 0.5 * (low + high), places[:, 1]]), 0.5 * (high - low)
+    return np.column_stack([places[:, 0], 0.5 * (low + high), places[:, 1]])
 
 
 def _on_ground(scene: Scene, corners: Floats, spacing: float, height: float) -> Floats:
@@ -197,25 +207,21 @@ def _radii(
     """Radii for all centres; a budget's are those of the centre with the most triangles around it."""
     worst = centers[0]
     if budget is not None and r2 is None:
-        # The cheap checks come first, with the first centre alone.
-        choose_radii(scene, worst, budget=budget, reach=reach, eye_height=height, shear=shear)
-        worst = min(centers, key=lambda center: float(load_curve(scene, center=center).radius(budget)))
+        count = check.integer("budget", budget, 0, 2**63 - 1)
+        worst = min(centers, key=lambda center: float(load_curve(scene, center=center).radius(count)))
     radii = choose_radii(scene, worst, r2=r2, budget=budget, reach=reach, eye_height=height, shear=shear)
     if reach >= radii.r2:
         raise ValueError(f"reach: expected less than r2, which is {radii.r2:.4g} m for this budget, got {reach:g}")
     return radii
 
 
-def _check_heights(centers: Floats, spans: Floats, radii: Radii, morph: str) -> None:
+def _check_heights(centers: Floats, heights: Floats, radii: Radii, morph: str) -> None:
     """Raise ValueError where the path climbs so much within one region that its picture would fold."""
-    if morph == "none":
-        return
-    steepest = int(np.argmax(spans))
-    user = (0.0, float(spans[steepest]), 0.0)
-    # The margin is that of a user above the centre, who walks away from it at this height.
-    if fold_margin(user, center=(0, 0, 0), r1=radii.r1, r2=radii.r2, kind=morph) < radii.reach:
-        x, _, z = centers[steepest]
+    steepest = int(np.argmax(heights))
+    if walkable(morph, radii.r1, radii.r2, float(heights[steepest])) < radii.reach:
+        x, y, z = centers[steepest]
         raise ValueError(
-            f"path: expected less climb in a region: at x = {x:.4g}, z = {z:.4g} it climbs {2.0 * spans[steepest]:.3g} "
-            f"m within {radii.reach:g} m, where the picture would fold; use a smaller reach or a larger r2"
+            f"path: expected eyes near the height of the centre, got a path that is {heights[steepest]:.3g} m above or "
+            f"below the centre at ({x:.4g}, {y:.4g}, {z:.4g}) within {radii.reach:g} m of it, where the picture would "
+            "fold; use a smaller reach or a larger r2"
         )

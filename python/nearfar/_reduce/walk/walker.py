@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from nearfar._base import check
-from nearfar._bend import fold_margin
 from nearfar._camera.camera import Camera
 from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar._reduce.walk.folds import walkable
 from nearfar._render.frame import Frame
 
 TRANSITIONS = ("fade", "cut")
@@ -49,11 +49,9 @@ class _Shown:
     reduced: ReducedScene
 
     def margin(self, user: Point) -> float:
-        """Metres that the user can still walk before its picture folds; the conventional method never folds."""
-        reduced = self.reduced
-        if reduced.morph == "none":
-            return math.inf
-        return fold_margin(user, center=reduced.center, r1=reduced.r1, r2=reduced.r2, kind=reduced.morph)
+        """Metres that the user can still walk before its picture folds."""
+        reduced, (x, y, z) = self.reduced, np.subtract(user, self.reduced.center)
+        return walkable(reduced.morph, reduced.r1, reduced.r2, abs(y)) - math.hypot(x, z)
 
 
 class Walk:
@@ -101,7 +99,7 @@ class Walk:
             are those of the newer region's picture, and: `region`, its number; `fade`, its share of the colour, 1
             without a fade; `jump`, the predicted jump in pixels at r2 of the change that this picture is in, 0 without
             one; `waited`, seconds that it had to wait for the region to be made; `fold_margin`, the least of the shown
-            pictures, metres.
+            pictures, metres, at the user's height rounded away from the centre to decimetres.
 
         Raises
         ------
