@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import numpy as np
@@ -29,7 +30,7 @@ STEP = 0.1
 def dense(path: Array, step: float = STEP) -> Array:
     """Points of a path at most a step apart."""
     pieces = [path[:1]]
-    for start, end in zip(path[:-1], path[1:], strict=True):
+    for start, end in itertools.pairwise(path):
         shares = np.linspace(0.0, 1.0, 2 + int(np.linalg.norm(end - start) / step))
         pieces.append(start + shares[:, None] * (end - start))
     return np.concatenate(pieces)
@@ -78,7 +79,7 @@ def test_cells_of_a_path_are_those_that_its_points_lie_in(listed: list[tuple[flo
     points = dense(path)
     found = owners(points[:, [0, 2]])
     expected = found[found[:, 1] > 1e-6]
-    numbers = [int(np.flatnonzero((ALL == cell).all(axis=1))[0]) for cell in cells]
+    numbers = [int(np.flatnonzero((cell == ALL).all(axis=1))[0]) for cell in cells]
     assert len(set(numbers)) == len(numbers)
     assert set(expected[:, 0].astype(int)) <= set(numbers)
     for number, (low, high, first) in zip(numbers, facts, strict=True):
