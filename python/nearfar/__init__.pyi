@@ -32,6 +32,10 @@ from ._metrics.tear import BoundaryTear, boundary_tear, tear
 from ._reduce.choose_radii import Radii, choose_radii
 from ._reduce.reduce import reduce
 from ._reduce.reduced_scene import ReducedScene
+from ._reduce.walk.plan import regions
+from ._reduce.walk.recentering import Recentering
+from ._reduce.walk.regions import Regions
+from ._reduce.walk.walker import Walk
 from ._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
 from ._lens.warp import WarpMesh
 from .hmd._hmd import Hmd
@@ -58,7 +62,9 @@ __all__ = [
     "Partition",
     "RadialLens",
     "Radii",
+    "Recentering",
     "ReducedScene",
+    "Regions",
     "Renderable",
     "Scene",
     "SceneBuilder",
@@ -66,6 +72,7 @@ __all__ = [
     "Shot",
     "Similarity",
     "StereoFrame",
+    "Walk",
     "WarpMesh",
     "__version__",
     "bend_rays",
@@ -100,6 +107,7 @@ __all__ = [
     "range_error",
     "range_from_depth",
     "reduce",
+    "regions",
     "render",
     "render_eyes",
     "render_path",

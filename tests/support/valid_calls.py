@@ -52,6 +52,9 @@ def instances(valid: Valid) -> Mapping[str, Callable[[], Any]]:
         "nearfar.lod.Selection": lambda: _selection(valid),
         "nearfar.lod.Selector": nf.lod.Selector,
         "nearfar.lod.Switches": lambda: nf.lod.switches(model, view=valid.camera),
+        "nearfar.Recentering": lambda: valid.reduced.recentered(ZONES["center"]),
+        "nearfar.Regions": lambda: valid.regions,
+        "nearfar.Walk": lambda: valid.regions.walk(),
     }
 
 
@@ -137,12 +140,14 @@ def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.ReducedScene.begin": begin,
         "nearfar.ReducedScene.explore": {},
         "nearfar.ReducedScene.load": {"path": valid.file("ReducedScene")},
+        "nearfar.ReducedScene.recentered": {"center": EYE},
         "nearfar.ReducedScene.render": {"camera": camera, "backend": "cpu"},
         "nearfar.ReducedScene.render @levels": {"camera": camera, "lod": "depth", "backend": "cpu"},
         "nearfar.ReducedScene.save": {"path": valid.folder / "saved"},
         "nearfar.ReducedScene.shown_to": {"user": EYE},
         "nearfar.ReducedScene.trace": shot,
         "nearfar.ReducedScene.with_morph": {"morph": "cylinder"},
+        **_walks(valid),
         "nearfar.datasets.SphereTask": _fields(valid.task),
         "nearfar.datasets.SphereTask.pose": {"t": 0.5},
         "nearfar.datasets.SphereTask.position": {"t": 0.5},
@@ -155,6 +160,27 @@ def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.datasets.sphere_task": {},
         "nearfar.datasets.street_view": {},
         "nearfar.datasets.tape_task": {},
+    }
+
+
+def _walks(valid: Valid) -> dict[str, dict[str, Any]]:
+    regions = valid.regions
+    small = {"reach": 0.5, "hysteresis": 0.1, "face_size": 4, "samples": 1, "backend": "cpu"}
+    corners = [(-0.5, 0.0), (0.5, 1.0)]
+    return {
+        "nearfar.Recentering": {"center": EYE, "make": lambda: 3},
+        "nearfar.Recentering.result": {},
+        "nearfar.Regions": {"scene": valid.scene, "centers": [EYE], "radii": regions.radii, "hysteresis": 0.1},
+        "nearfar.Regions.index": {"position": EYE, "current": 0},
+        "nearfar.Regions.jump": {"i": 0, "j": 1, "camera": valid.camera},
+        "nearfar.Regions.prefetch": {"position": EYE, "velocity": (0.0, 0.0, 1.0)},
+        "nearfar.Regions.ready": {"i": 0},
+        "nearfar.Regions.reduced": {"i": 0},
+        "nearfar.Regions.walk": {},
+        "nearfar.Walk": {"regions": regions},
+        "nearfar.Walk.render": {"camera": valid.camera, "seconds": 0.0},
+        "nearfar.regions": {"scene": valid.scene, "path": [(0.0, 1.0, 1.0), (0.0, 1.0, 2.0)], "r2": 4.0, **small},
+        "nearfar.regions @area": {"scene": valid.scene, "path": None, "area": corners, "budget": 2, **small},
     }
 
 

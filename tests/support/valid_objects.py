@@ -81,6 +81,12 @@ class Valid:
         return nf.reduce(self.leveled, **ZONES, face_size=4, samples=1, backend="cpu")
 
     @functools.cached_property
+    def regions(self) -> nf.Regions:
+        """Two regions of a walk."""
+        small: dict[str, Any] = {"reach": 0.5, "hysteresis": 0.1, "r2": 4.0, "face_size": 4, "samples": 1}
+        return nf.regions(self.scene, [(0.0, 1.0, 1.0), (0.0, 1.0, 2.0)], **small, backend="cpu")
+
+    @functools.cached_property
     def env(self) -> nf.EnvMap:
         """A map with all channels."""
         ranges = np.full((6, 4, 4), 9.0, np.float32)

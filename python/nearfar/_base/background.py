@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import _thread
 import atexit
+import contextlib
 import contextvars
 import importlib
 import os
@@ -19,7 +20,9 @@ import threading
 import time
 from collections.abc import Callable
 from types import ModuleType
-from typing import Any, TypeVar
+from typing import Any, Generic, TypeVar, cast
+
+from nearfar._base import progress
 
 Result = TypeVar("Result")
 
@@ -50,6 +53,15 @@ class _Task:
         """Whether the work goes on. A forked child has none of its parent's threads."""
         return self.has_begun and not self._has_ended and self._process == os.getpid()
 
+    def begin(self) -> None:
+        """Begin the work; RuntimeError if there can be no thread."""
+        self.has_begun = True
+        try:
+            _thread.start_new_thread(self._run, ())
+        except RuntimeError:
+            self.has_begun = False
+            raise
+
     def result(self) -> Any:
         """Begin the work, wait for it, and return what it returned or raise what it raised.
 
@@ -57,12 +69,7 @@ class _Task:
         """
         assert self._outcome is not None
         try:
-            self.has_begun = True
-            try:
-                _thread.start_new_thread(self._run, ())
-            except RuntimeError:
-                self.has_begun = False
-                raise
+            self.begin()
             while True:
                 try:
                     value, error = self._outcome.get(timeout=_POLL)
@@ -149,6 +156,51 @@ def run(work: Callable[[], Result], *, alone: bool = False) -> Result:
             raise
         return work()  # while the interpreter ends, and where the system grants no more threads
     return result
+
+
+class Later(Generic[Result]):
+    """Work that is done in a thread of its own while the caller does other things; no progress is shown.
+
+    Ctrl-C ends a wait for it, not the work, so that a later wait gets the result. Where there can be no thread, and in
+    a forked child, which has none of its parent's threads, the work is done when the result is asked for.
+    """
+
+    def __init__(self, work: Callable[[], Result]) -> None:
+        self._work, self._process = work, os.getpid()
+        self._outcome: tuple[Result | None, BaseException | None] | None = None
+        _begun[:] = _running(_begun)
+        task = _Task(self._keep)
+        _begun.append(task)
+        with contextlib.suppress(RuntimeError):
+            task.begin()
+        self._is_alone = not task.has_begun
+
+    @property
+    def ready(self) -> bool:
+        """Whether the work has ended, with a result or with an error."""
+        return self._outcome is not None
+
+    def result(self) -> Result:
+        """Wait for the work, and return what it returned or raise what it raised; any number of times."""
+        while self._outcome is None:
+            if self._is_alone or self._process != os.getpid():
+                self._outcome = (self._work(), None)
+            else:
+                time.sleep(_POLL / 10)
+        value, error = self._outcome
+        if error is not None:
+            raise error
+        return cast(Result, value)
+
+    def _keep(self) -> None:
+        value = error = None
+        try:
+            with progress.hidden():
+                value = self._work()
+        except BaseException as raised:
+            error = raised
+        # Last, because `ready` reads it in another thread.
+        self._outcome = (value, error)
 
 
 def _running(tasks: list[_Task]) -> list[_Task]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextvars
 import os
 import sys
 import time
@@ -30,6 +31,8 @@ _last_line = 0.0
 """Time of the last line, or of the start of the command."""
 _shown: _Bar | None = None
 """The visible bar. Only one is shown at a time, so a nested one stays invisible."""
+_hidden = contextvars.ContextVar("_hidden", default=False)
+"""Whether progress is hidden; other threads have a value of their own."""
 
 
 @contextmanager
@@ -64,11 +67,21 @@ def lines() -> Iterator[None]:
         _writes_lines = before
 
 
+@contextmanager
+def hidden() -> Iterator[None]:
+    """Show no progress of work within the block, which nobody waits for."""
+    token = _hidden.set(True)
+    try:
+        yield
+    finally:
+        _hidden.reset(token)
+
+
 class _Bar:
     def __init__(self, label: str) -> None:
         self._label = label
         self._started = time.monotonic()
-        self._silent = os.environ.get("NEARFAR_PROGRESS", "").strip() == "0"
+        self._silent = _hidden.get() or os.environ.get("NEARFAR_PROGRESS", "").strip() == "0"
         self._progress: Progress | None = None
         self._task: TaskID | None = None
         self._cell: Any = None

@@ -145,7 +145,8 @@ def shear_of(r1: float, r2: float, reach: float, height: float) -> float:
 
 def _within(scene: Scene, center: tuple[float, float, float], budget: SupportsIndex) -> float:
     """Greatest r2 that keeps a budget; where the whole scene does, the distance of what is farthest."""
-    radius = float(load_curve(scene, center=center).radius(budget))
+    count = check.integer("budget", budget, 0, 2**63 - 1)
+    radius = float(load_curve(scene, center=center).radius(count))
     if np.isfinite(radius):
         return radius
     low, high = scene.bounds[:, [0, 2]]

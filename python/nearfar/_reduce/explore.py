@@ -16,6 +16,7 @@ from nearfar._cubemap.envmap import EnvMap
 from nearfar._metrics.comparison import Comparison, compare
 from nearfar._metrics.discontinuity import discontinuity
 from nearfar._partition.load_curve import load_curve
+from nearfar._reduce.baking import Baking
 from nearfar._reduce.drawing import MORPHS
 from nearfar._render.frame import Frame
 from nearfar._render.truth import render
@@ -56,7 +57,7 @@ class Reduced(Protocol):
     @property
     def render(self) -> Any: ...
     def with_morph(self, morph: str) -> Reduced: ...
-    def _at_radii(self, r1: float, r2: float, size: int) -> Reduced: ...
+    def _again(self, baking: Baking, **changed: Any) -> Reduced: ...
 
 
 class Explorer:
@@ -68,15 +69,14 @@ class Explorer:
     """
 
     def __init__(self, reduced: Reduced, *, size: tuple[int, int], face_size: int) -> None:
-        self._size, self._face_size = check.size("size", size), check.integer("face_size", face_size, 1, 16384)
+        self._size = check.size("size", size)
+        self._baking = Baking.checked(face_size, 1, ("color", "range"), "cpu")
         widgets = _ipywidgets()
         self._is_quiet = False
         self._seen: tuple[Camera, Frame] | None = None
         can_bake = reduced._is_whole
         has_range = reduced.env is None or reduced.env.range is not None
-        self.reduced: Any = (
-            reduced if has_range or not can_bake else reduced._at_radii(reduced.r1, reduced.r2, face_size)
-        )
+        self.reduced: Any = reduced if has_range or not can_bake else reduced._again(self._baking)
         """The reduced scene of the present radii and morph, a `ReducedScene`."""
         r1, r2 = reduced.r1, reduced.r2
         reach = max(r2, _reach(reduced)) if can_bake else r2
@@ -184,7 +184,7 @@ class Explorer:
         self._draw()
 
     def _reduce(self) -> None:
-        reduced = self.reduced._at_radii(self.r1.value, self.r2.value, self._face_size)
+        reduced = self.reduced._again(self._baking, r1=self.r1.value, r2=self.r2.value)
         self.reduced = reduced.with_morph(self.morph.value)
 
     def _draw(self) -> None:

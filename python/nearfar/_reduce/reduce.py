@@ -8,15 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
 
 from nearfar._base import check
-from nearfar._camera.shot import MAX_SAMPLES
-from nearfar._cubemap import envmap
 from nearfar._partition.partition import UNITS
 from nearfar._reduce import stages
+from nearfar._reduce.baking import Baking
 from nearfar._reduce.drawing import check_morph
 from nearfar._reduce.reduced_scene import ReducedScene
-from nearfar._render import backend as backends
-from nearfar._render.bake import is_half
-from nearfar._render.channels import CHANNELS, channel_names
 from nearfar._scene.scene import Scene, core_of
 
 
@@ -89,25 +85,7 @@ def reduce(
     core_of(scene)
     check.choice("unit", unit, UNITS)
     check_morph(morph, check.choice("boundary", boundary, ("r1", "r2")))
-    size = check.integer("face_size", face_size, 1, 16384)
-    samples = check.integer("samples", samples, 1, MAX_SAMPLES)
-    names = set(channel_names(channels))
-    if unknown := names - set(envmap.CHANNELS):
-        listed = ", ".join(name for name in CHANNELS if name in unknown)
-        raise ValueError(f"channels: expected names of {', '.join(envmap.CHANNELS)}, got {listed}")
-    device = backends.device_for(backend, scene, (tuple(n for n in CHANNELS if n in names), samples))
-    half = is_half("range_dtype", range_dtype)
-    parts = stages.parts(
-        scene,
-        center=center,
-        r1=r1,
-        r2=r2,
-        unit=unit,
-        boundary=boundary,
-        size=size,
-        samples=samples,
-        channels=names,
-        half=half,
-        device=device,
-    )
-    return ReducedScene(**parts, morph=morph, boundary=boundary)
+    baking = Baking.checked(face_size, samples, channels, backend, range_dtype)
+    zones = {"center": center, "r1": r1, "r2": r2, "unit": unit}
+    parts = stages.parts(scene, **zones, boundary=boundary, **baking.arguments(scene))
+    return ReducedScene(**parts, morph=morph, boundary=boundary, baking=baking)

@@ -16,16 +16,16 @@ from nearfar._cubemap import envmap
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._partition.partition import Partition, partition
 from nearfar._reduce import folder, stages
+from nearfar._reduce.baking import Baking
 from nearfar._reduce.drawing import Drawing, check_morph, morphed, rows_of
 from nearfar._reduce.notebook import InNotebooks
 from nearfar._reduce.pictures import InPictures
+from nearfar._reduce.walk.recentering import Recenters
 from nearfar._scene.levels import Leveled, levels_of
 from nearfar._scene.scene import Scene
 
-_FULL = ("color", "range")
 
-
-class ReducedScene(InPictures, InNotebooks):
+class ReducedScene(InPictures, InNotebooks, Recenters):
     """A reduced scene: near geometry, which is morphed for the user, in front of an environment map of the far part.
 
     Made by `reduce` or read by `load`. It shares the scene's meshes; only near triangles are copied (`near_bytes` of
@@ -42,6 +42,7 @@ class ReducedScene(InPictures, InNotebooks):
         boundary: str,
         counts: dict[str, int],
         is_whole: bool = True,
+        baking: Baking | None = None,
     ) -> None:
         self._scene = check.instance("scene", scene, Scene)
         self._partition, self._env = check.instance("zones", zones, Partition), env
@@ -54,6 +55,7 @@ class ReducedScene(InPictures, InNotebooks):
         self._unposed, self._poses = scene, dict[str, ArrayLike]()
         self._drawing = Drawing()
         self._has_warned = [False]
+        self._baking = Baking() if baking is None else check.instance("baking", baking, Baking)
         self._at_levels: tuple[NDArray[np.int64], ReducedScene] | None = None
         radius = zones.r1 if boundary == "r1" else zones.r2
         channels = {} if env is None else {name: rows_of(getattr(env, name)) for name in env.channels}
@@ -188,6 +190,7 @@ class ReducedScene(InPictures, InNotebooks):
             boundary=self._boundary,
             counts=counts,
             is_whole=self._is_whole,
+            baking=self._baking,
         )
         return reduced._drawn_by(self._drawing)
 
@@ -228,7 +231,8 @@ class ReducedScene(InPictures, InNotebooks):
         zones = self._partition
         near = self._scene
         if self._is_whole:
-            near = near.subset(triangles=zones.nsf if self._boundary == "r2" else self._drawn_at_r1())
+            moving = np.arange(near._core.standing_triangle_count, near.triangle_count)
+            near = near.subset(triangles=zones.nsf if self._boundary == "r2" else np.union1d(zones.near, moving))
         settings = (self.center, self.r1, self.r2, self._morph, self._boundary)
         folder.save(path, folder.Contents(near, self._env, *settings, self._counts), half=half)
 
@@ -258,25 +262,16 @@ class ReducedScene(InPictures, InNotebooks):
             is_whole=False,
         )
 
-    def _at_radii(self, r1: float, r2: float, size: int) -> ReducedScene:
-        """Reduce the scene again about the same centre, with a map of one sample of colour and range in each texel."""
-        parts = stages.parts(
-            self._partition.source.at(self._poses) if self._partition.unit == "object" else self._scene,
-            center=self.center,
-            r1=r1,
-            r2=r2,
-            unit=self._partition.unit,
-            boundary=self._boundary,
-            size=size,
-            samples=1,
-            channels=_FULL,
-        )
-        return ReducedScene(**parts, morph=self._morph, boundary=self._boundary)
-
-    def _drawn_at_r1(self) -> NDArray[np.int64]:
-        """Numbers of the triangles that are near or move."""
-        moving = np.arange(self._scene._core.standing_triangle_count, self._scene.triangle_count)
-        return np.union1d(self._partition.near, moving)
+    def _again(self, baking: Baking, **changed: Any) -> ReducedScene:
+        """Reduce the scene again in the same pose, about another `center` or with another `r1` and `r2`."""
+        place: dict[str, Any] = {"center": self.center, "r1": self.r1, "r2": self.r2, **changed}
+        source, unit = self._unposed, self._partition.unit
+        if unit == "object":
+            source = self._partition.source
+        parts = stages.parts(source, **place, unit=unit, boundary=self._boundary, **baking.arguments(source))
+        again = ReducedScene(**parts, morph=self._morph, boundary=self._boundary, baking=baking)
+        again = again._drawn_by(self._drawing)
+        return again.at(self._poses) if self._poses else again
 
     def __repr__(self) -> str:
         stats = self.stats

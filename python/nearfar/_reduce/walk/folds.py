@@ -1,0 +1,62 @@
+"""How far a user may walk from a centre before the picture folds, and how far a path climbs around a centre."""
+
+from __future__ import annotations
+
+import functools
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import progress
+from nearfar._bend import fold_margin
+
+Floats = NDArray[np.float64]
+
+STEP = 0.1
+"""Step in metres of the heights for which margins are computed."""
+
+_NOISE = 1e-6
+"""Part of a step that is rounding of the height."""
+
+_HIGHEST = 1e6
+"""Height in metres above which all pictures count as folded."""
+
+
+def walkable(kind: str, r1: float, r2: float, height: float) -> float:
+    """Horizontal distance in metres from the centre at which the picture folds; infinite for the conventional method.
+
+    `height` is the user's height above or below the centre, metres. The margin is less the farther the user is above or
+    below, so that it is computed for the next multiple of `STEP`: `fold_margin` takes longer than a frame may.
+    """
+    if kind == "none":
+        return math.inf
+    return -math.inf if height > _HIGHEST else _walkable(kind, r1, r2, math.ceil(height / STEP - _NOISE))
+
+
+@functools.lru_cache(maxsize=4096)
+def _walkable(kind: str, r1: float, r2: float, steps: int) -> float:
+    return fold_margin((0.0, steps * STEP, 0.0), center=(0.0, 0.0, 0.0), r1=r1, r2=r2, kind=kind)
+
+
+def climbs(path: Floats, centers: Floats, reach: float) -> Floats:
+    """Greatest difference in height (K,) between centres (K, 3) and what lies within reach of them of a path (N, 3)."""
+    starts, ends = (path[:-1], path[1:]) if len(path) > 1 else (path, path)
+    steps, found = ends - starts, np.zeros(len(centers))
+    square = steps[:, 0] ** 2 + steps[:, 2] ** 2
+    with progress.bar("checking heights") as report:
+        for number, center in enumerate(centers):
+            report(number, len(centers))
+            x, z = starts[:, 0] - center[0], starts[:, 2] - center[2]
+            # Shares t of a piece at which |start + t step − O| = reach.
+            half, rest = -(x * steps[:, 0] + z * steps[:, 2]), x * x + z * z - reach * reach
+            root = np.sqrt(np.maximum(half * half - square * rest, 0.0))
+            whole = np.where(rest <= 0.0, np.inf, np.nan)
+            with np.errstate(divide="ignore", invalid="ignore"):
+                begin = np.where(square > 0.0, (half - root) / square, -whole)
+                end = np.where(square > 0.0, (half + root) / square, whole)
+            begin, end = np.maximum(begin, 0.0), np.minimum(end, 1.0)
+            inside = (half * half >= square * rest) & (begin <= end)
+            heights = starts[inside, 1] + np.stack([begin, end])[:, inside] * steps[inside, 1] - center[1]
+            found[number] = np.abs(heights).max(initial=0.0)
+    return found

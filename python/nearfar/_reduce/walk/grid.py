@@ -1,0 +1,174 @@
+"""Hexagonal grids of centres: the cells that a path visits or an area touches, and the height of the path in each."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Cells = NDArray[np.int64]
+
+CANDIDATES = 8
+"""Number of sides whose directions are tried for the rows of a grid."""
+
+_STEP = 0.5
+"""Distance of samples along a path in spacings: each cell that the path visits is a sample's cell or beside it."""
+
+_BLOCK = 1 << 17
+"""Number of samples that are looked at together."""
+
+_SIX = np.array([[0, 0], [1, 0], [0, 1], [-1, 1], [-1, 0], [0, -1], [1, -1]])
+"""A cell and the six beside it."""
+
+_SLACK = 1e-9
+"""Widening of cells as a share of the spacing, so that rounding loses no cell."""
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Centres (x, z) of a hexagonal grid, metres."""
+
+    origin: tuple[float, float]
+    """A centre."""
+    turn: float
+    """Angle in radians from x towards z of the rows, in which neighbours are `spacing` apart."""
+    spacing: float
+    """Distance of neighbours; every point is within spacing / √3 of a centre."""
+
+    @property
+    def _normals(self) -> Floats:
+        """Unit vectors (3, 2) to three of the six neighbours, the other three opposite."""
+        angles = self.turn + np.arange(3) * (math.pi / 3.0)
+        return np.column_stack([np.cos(angles), np.sin(angles)])
+
+    def places(self, cells: Cells) -> Floats:
+        """Centres (K, 2) of cells (K, 2)."""
+        first, second, _ = self._normals
+        return np.asarray(self.origin + self.spacing * (cells[:, :1] * first + cells[:, 1:] * second))
+
+    def nearest(self, points: Floats) -> Cells:
+        """Cells (N, 2) whose centres are nearest to points (N, 2)."""
+        first, second, _ = self._normals
+        # Third coordinate: the three add up to 0, and the one that was rounded most follows from the others.
+        basis = np.linalg.inv(np.column_stack([first, second]) * self.spacing)
+        exact = (points - self.origin) @ basis.T
+        exact = np.column_stack([exact, -exact.sum(axis=1)])
+        rounded = np.rint(exact)
+        most = np.abs(rounded - exact).argmax(axis=1)
+        rows = np.arange(len(points))
+        rounded[rows, most] -= rounded.sum(axis=1)
+        return np.asarray(rounded[:, :2], np.int64)
+
+    def clipped(self, cells: Cells, starts: Floats, ends: Floats) -> tuple[Floats, Floats]:
+        """Parts of segments (N, 2) within their cells (N, 2), from one share of the way to another, empty if greater.
+
+        A cell is a hexagon, the points that are nearer to its centre than to any other.
+        """
+        places, half = self.places(cells), self.spacing * (0.5 + _SLACK)
+        begin, end = np.zeros(len(cells)), np.ones(len(cells))
+        for normal in self._normals:
+            at, step = (starts - places) @ normal, (ends - starts) @ normal
+            with np.errstate(divide="ignore", invalid="ignore"):
+                low, high = (-half - at) / step, (half - at) / step
+            inside = np.abs(at) <= half
+            still = step == 0.0
+            enter = np.where(still, np.where(inside, 0.0, 2.0), np.minimum(low, high))
+            leave = np.where(still, 1.0, np.maximum(low, high))
+            begin, end = np.maximum(begin, enter), np.minimum(end, leave)
+        return begin, end
+
+    def visited(self, path: Floats) -> tuple[Cells, Floats]:
+        """Cells (K, 2) that straight pieces of a path visit, in the order of the first visit, and facts (K, 3) on each.
+
+        `path` is (N, 3) as x, height, z. The facts are the path's least and greatest height in the cell, and the number
+        of the piece that visits it first plus the share of its way.
+        """
+        starts, ends = (path[:-1], path[1:]) if len(path) > 1 else (path, path)
+        found: list[tuple[Cells, Floats]] = []
+        for first, shares in _samples(starts, ends, _STEP * self.spacing):
+            flat = (starts[first] + shares[:, None] * (ends[first] - starts[first]))[:, [0, 2]]
+            cells = (self.nearest(flat)[:, None] + _SIX).reshape(-1, 2)
+            piece = np.repeat(first, len(_SIX))
+            begin, end = self.clipped(cells, starts[piece][:, [0, 2]], ends[piece][:, [0, 2]])
+            kept = begin <= end
+            piece, begin, end = piece[kept], begin[kept], end[kept]
+            low, high = starts[piece, 1], ends[piece, 1]
+            heights = np.sort(np.column_stack([low + begin * (high - low), low + end * (high - low)]), axis=1)
+            found.append(_merged(cells[kept], np.column_stack([heights, piece + begin])))
+        cells, facts = _merged(*(np.concatenate(parts) for parts in zip(*found, strict=True)))
+        order = np.argsort(facts[:, 2], kind="stable")
+        return cells[order], facts[order]
+
+    def touched(self, corners: Floats) -> Cells:
+        """Cells (K, 2) that have points of a polygon with corners (N, 2), N ≥ 3."""
+        closed = np.insert(np.concatenate([corners, corners[:1]]), 1, 0.0, axis=1)
+        border, _ = self.visited(closed)
+        # Rows and columns of the grid are slanted, so that all four corners of the bounds count.
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        ends = self.nearest(np.array([[x, z] for x in (low[0], high[0]) for z in (low[1], high[1])]))
+        rows, columns = (np.arange(a - 1, b + 2) for a, b in zip(ends.min(axis=0), ends.max(axis=0), strict=True))
+        cells = np.stack(np.meshgrid(rows, columns, indexing="ij"), axis=-1).reshape(-1, 2)
+        return np.unique(np.concatenate([border, cells[_inside(self.places(cells), corners)]]), axis=0)
+
+
+def grids(outline: Floats, spacing: float) -> list[Grid]:
+    """Grids (x, z) to choose from for an outline (N, 2) of straight pieces.
+
+    Rows along a long piece have a centre on it: such a grid needs the fewest cells for a straight way, and its centres
+    follow each other in the direction of the walk, in which a change shows no jump.
+    """
+    starts, ends = (outline[:-1], outline[1:]) if len(outline) > 1 else (outline, outline)
+    lengths = np.hypot(*(ends - starts).T)
+    middles = 0.5 * (starts + ends)
+    longest = np.argsort(-lengths, kind="stable")[:CANDIDATES]
+    listed = [(middles[k], ends[k] - starts[k]) for k in longest]
+    listed.append(_main_axis(starts, ends, lengths))
+    return [Grid((float(at[0]), float(at[1])), math.atan2(way[1], way[0]), spacing) for at, way in listed]
+
+
+def _main_axis(starts: Floats, ends: Floats, lengths: Floats) -> tuple[Floats, Floats]:
+    """Centroid and principal axis of straight pieces."""
+    weights = lengths / lengths.sum() if lengths.any() else np.full(len(lengths), 1.0 / len(lengths))
+    middles, steps = 0.5 * (starts + ends), ends - starts
+    centroid = weights @ middles
+    away = middles - centroid
+    spread = (away * weights[:, None]).T @ away + (steps * weights[:, None]).T @ steps / 12.0
+    axis = np.linalg.eigh(spread)[1][:, 1]
+    return centroid, axis
+
+
+def _samples(starts: Floats, ends: Floats, step: float) -> list[tuple[NDArray[np.int64], Floats]]:
+    """Number of the piece and share of its way for samples at most `step` apart, in blocks."""
+    counts = np.ceil(np.hypot(*(ends - starts)[:, [0, 2]].T) / step).astype(np.int64) + 1
+    # A piece may have more samples than a block, and a block may have several pieces.
+    total, before = int(counts.sum()), np.concatenate([[0], np.cumsum(counts)])
+    blocks = []
+    for low in range(0, total, _BLOCK):
+        number = np.arange(low, min(low + _BLOCK, total))
+        piece = np.searchsorted(before, number, side="right") - 1
+        shares = (number - before[piece]) / np.maximum(counts[piece] - 1, 1)
+        blocks.append((piece, shares))
+    return blocks
+
+
+def _merged(cells: Cells, facts: Floats) -> tuple[Cells, Floats]:
+    """Cells without repetition; of the facts of a cell the least, the greatest and the least."""
+    unique, which = np.unique(cells, axis=0, return_inverse=True)
+    joined = np.tile([np.inf, -np.inf, np.inf], (len(unique), 1))
+    for column, keep in enumerate((np.minimum, np.maximum, np.minimum)):
+        keep.at(joined[:, column], which.ravel(), facts[:, column])
+    return unique, joined
+
+
+def _inside(points: Floats, corners: Floats) -> NDArray[np.bool_]:
+    """Whether points (M, 2) lie within a polygon (N, 2), by the number of its sides that a ray crosses."""
+    inside = np.zeros(len(points), bool)
+    x, z = points.T
+    for (x0, z0), (x1, z1) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+        if z0 != z1:
+            crosses = (z0 > z) != (z1 > z)
+            inside ^= crosses & (x < x0 + (z - z0) * (x1 - x0) / (z1 - z0))
+    return inside

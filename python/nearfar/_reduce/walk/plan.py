@@ -1,0 +1,227 @@
+"""Plans the regions of a walk: a grid of centres for a path or an area, their heights and their radii."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import SupportsFloat, SupportsIndex
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from nearfar._base import check
+from nearfar._partition.load_curve import load_curve
+from nearfar._reduce.baking import Baking
+from nearfar._reduce.choose_radii import Radii, choose_radii
+from nearfar._reduce.drawing import MORPHS
+from nearfar._reduce.walk.folds import climbs, walkable
+from nearfar._reduce.walk.grid import Grid, grids
+from nearfar._reduce.walk.ground import ground_heights
+from nearfar._reduce.walk.regions import Regions, checked_hysteresis, checked_keep, spacing_for
+from nearfar._scene.scene import Scene, core_of
+
+Floats = NDArray[np.float64]
+
+MOST_REGIONS = 100_000
+"""Greatest number of regions of a walk, about."""
+
+MOST_CORNERS = 1000
+"""Greatest number of corners of an area."""
+
+
+def regions(
+    scene: Scene,
+    path: ArrayLike | None = None,
+    *,
+    area: ArrayLike | None = None,
+    reach: SupportsFloat = 8.0,
+    hysteresis: SupportsFloat = 1.0,
+    r2: SupportsFloat | None = None,
+    budget: SupportsIndex | None = None,
+    eye_height: SupportsFloat = 1.7,
+    shear: SupportsFloat = 1.0,
+    face_size: int = 1024,
+    samples: int = 4,
+    channels: Iterable[str] = ("color",),
+    range_dtype: DTypeLike = np.float32,
+    morph: str = "blend",
+    backend: str | None = None,
+    keep: int = 3,
+) -> Regions:
+    """Divide a walk into regions, each with a centre from which it is reduced, so that no picture folds on the way.
+
+    The centres lie on a hexagonal grid with the spacing √3 (R − b), so that every place is within R − b of one; R is
+    `reach` and b `hysteresis`. Only cells that the path visits, or that have a part of the area, get a centre. Of
+    several directions of the grid's rows, one with the fewest cells is taken. Nothing is baked yet.
+
+    Parameters
+    ----------
+    scene
+        The scene; its triangles count for a `budget`.
+    path
+        (N, 3) world positions of the eye, metres, which the user passes in straight pieces.
+    area
+        Instead of a path: (N, 2) x and z of the corners of a polygon on the ground, metres; two are opposite corners of
+        a rectangle. The ground is found by vertical rays. Under a roof, give a path.
+    reach
+        Greatest distance R in metres of a user from the centre of their region, above 0 and less than r2.
+    hysteresis
+        Least way b in metres between two changes of region, 0 ≤ b < R.
+    r2, budget, shear
+        As in `choose_radii`; either `r2` or `budget`, which is kept about every centre. All regions have the same
+        radii.
+    eye_height
+        Height of the eyes above the ground, metres, above 0. A path says how high the eyes are; then this one only
+        counts for the shear of the ground.
+    face_size, samples, channels, range_dtype, morph, backend
+        As in `reduce`. "cylinder" suits users who stay at the height of the centre.
+    keep
+        Number of reduced scenes that are kept in memory, at least 3: the user's, the one before and the next.
+
+    Returns
+    -------
+    Regions
+        Centre and radii of each region, and its reduced scene on demand.
+
+    Raises
+    ------
+    ValueError
+        Unless exactly one of `path` and `area` is given; for a reach that is not less than r2; for paths and areas that
+        leave the scene's bounds; where pictures would fold within `reach`, because r2 is too small or the path climbs
+        too much within one region; and for more than about a hundred thousand regions.
+    TypeError
+        For values of other types.
+
+    References
+    ----------
+    The hexagonal grid is the thinnest covering of the plane by equal discs (Kershner 1939).
+    """
+    core_of(scene)
+    if (path is None) == (area is None):
+        raise ValueError(f"path: expected either path or area, got {'neither' if path is None else 'both'}")
+    walked, height = _length("reach", reach), _length("eye_height", eye_height)
+    band = checked_hysteresis(hysteresis, walked)
+    check.positive("shear", shear)
+    check.choice("morph", morph, MORPHS)
+    baking = Baking.checked(face_size, samples, channels, backend, range_dtype)
+    checked_keep(keep)
+    if r2 is not None and walked >= (outer := check.positive("r2", r2)):
+        raise ValueError(f"reach: expected less than r2 = {outer:g} m, beyond which all is in the map, got {walked:g}")
+    spacing = spacing_for(walked, band)
+    if path is not None:
+        eyes = _eyes(scene, path)
+        centers = _on_path(eyes, spacing)
+    else:
+        centers = _on_ground(scene, _corners(scene, area), spacing, height)
+    radii = _radii(scene, centers, walked, height, r2=r2, budget=budget, shear=shear)
+    if path is not None and np.ptp(eyes[:, 1]) > 0.0:
+        _check_heights(centers, climbs(eyes, centers, walked), radii, morph)
+    return Regions(scene, centers, radii=radii, hysteresis=band, morph=morph, baking=baking, keep=keep)
+
+
+def _length(name: str, value: SupportsFloat) -> float:
+    """Return a length in metres above zero with which grids can be computed; ValueError or TypeError otherwise."""
+    length = check.positive(name, value)
+    if length > check.FARTHEST:
+        raise ValueError(f"{name}: expected up to {check.FARTHEST:g} m, got {length:g}")
+    return length
+
+
+def _eyes(scene: Scene, path: ArrayLike) -> Floats:
+    """Positions (N, 3) of a path within the scene."""
+    eyes: Floats = check.array("path", path, dtype=np.float64, finite=True)
+    if not len(eyes):
+        raise ValueError("path: expected at least one position, got none")
+    _check_within("path", scene, eyes[:, [0, 2]])
+    if np.abs(eyes[:, 1]).max() > check.FARTHEST:
+        raise ValueError(f"path: expected heights up to {check.FARTHEST:g} m, got {np.abs(eyes[:, 1]).max():g}")
+    return eyes
+
+
+def _corners(scene: Scene, area: ArrayLike | None) -> Floats:
+    """Corners (N, 2) of an area within the scene, N ≥ 3."""
+    assert area is not None
+    corners: Floats = check.array("area", area, columns=2, dtype=np.float64, finite=True)
+    if not 2 <= len(corners) <= MOST_CORNERS:
+        raise ValueError(f"area: expected 2 to {MOST_CORNERS} corners, got {len(corners)}")
+    _check_within("area", scene, corners)
+    if len(corners) == 2:
+        (x0, z0), (x1, z1) = corners
+        corners = np.array([[x0, z0], [x1, z0], [x1, z1], [x0, z1]])
+    return corners
+
+
+def _check_within(name: str, scene: Scene, places: Floats) -> None:
+    """Raise ValueError for places (N, 2) beyond the scene's bounds."""
+    low, high = scene.bounds[:, [0, 2]]
+    outside = np.flatnonzero(((places < low) | (places > high)).any(axis=1))
+    if len(outside):
+        x, z = places[outside[0]]
+        raise ValueError(
+            f"{name}: expected places within the scene, which has x from {low[0]:.6g} to {high[0]:.6g} and z from "
+            f"{low[1]:.6g} to {high[1]:.6g} m, got {len(outside)} outside, the first x = {x:.6g}, z = {z:.6g}"
+        )
+
+
+def _on_path(eyes: Floats, spacing: float) -> Floats:
+    """Centres (K, 3) in the order of a path, in the middle between its least and greatest height in each cell."""
+    flat = eyes[:, [0, 2]]
+    _check_number(float(np.hypot(*np.diff(flat, axis=0).T).sum()) / spacing)
+    found = [(grid, *grid.visited(eyes)) for grid in grids(flat, spacing)]
+    grid, cells, facts = min(found, key=lambda choice: len(choice[1]))
+    places, (low, high, _) = grid.places(cells), facts.T
+    return np.column_stack([places[:, 0], 0.5 * (low + high), places[:, 1]])
+
+
+def _on_ground(scene: Scene, corners: Floats, spacing: float, height: float) -> Floats:
+    """Centres (K, 3) of the cells of an area, an eye's height above the ground."""
+    extent = np.ptp(corners, axis=0) / spacing + 1.0
+    _check_number(float(extent.prod()))
+    found: list[tuple[Grid, NDArray[np.int64]]] = [
+        (grid, grid.touched(corners)) for grid in grids(np.concatenate([corners, corners[:1]]), spacing)
+    ]
+    grid, cells = min(found, key=lambda choice: len(choice[1]))
+    places = grid.places(cells)
+    ground = ground_heights(scene, places, spacing / math.sqrt(3.0))
+    return np.column_stack([places[:, 0], ground + height, places[:, 1]])
+
+
+def _check_number(count: float) -> None:
+    if not count <= MOST_REGIONS:
+        raise ValueError(
+            f"reach: expected a reach less hysteresis with which about {MOST_REGIONS:,} regions are enough, got one "
+            f"that needs {count:.2g}"
+        )
+
+
+def _radii(
+    scene: Scene,
+    centers: Floats,
+    reach: float,
+    height: float,
+    *,
+    r2: SupportsFloat | None,
+    budget: SupportsIndex | None,
+    shear: SupportsFloat,
+) -> Radii:
+    """Radii for all centres; a budget's are those of the centre with the most triangles around it."""
+    worst = centers[0]
+    if budget is not None and r2 is None:
+        count = check.integer("budget", budget, 0, 2**63 - 1)
+        worst = min(centers, key=lambda center: float(load_curve(scene, center=center).radius(count)))
+    radii = choose_radii(scene, worst, r2=r2, budget=budget, reach=reach, eye_height=height, shear=shear)
+    if reach >= radii.r2:
+        raise ValueError(f"reach: expected less than r2, which is {radii.r2:.4g} m for this budget, got {reach:g}")
+    return radii
+
+
+def _check_heights(centers: Floats, heights: Floats, radii: Radii, morph: str) -> None:
+    """Raise ValueError where the path climbs so much within one region that its picture would fold."""
+    steepest = int(np.argmax(heights))
+    if walkable(morph, radii.r1, radii.r2, float(heights[steepest])) < radii.reach:
+        x, y, z = centers[steepest]
+        raise ValueError(
+            f"path: expected eyes near the height of the centre, got a path that is {heights[steepest]:.3g} m above or "
+            f"below the centre at ({x:.4g}, {y:.4g}, {z:.4g}) within {radii.reach:g} m of it, where the picture would "
+            "fold; use a smaller reach or a larger r2"
+        )

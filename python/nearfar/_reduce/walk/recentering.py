@@ -1,0 +1,93 @@
+"""Reductions that are made in the background: about another centre, with the same scene and the same settings."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Generic, Protocol, Self, TypeVar
+
+from numpy.typing import ArrayLike
+
+from nearfar._base import background, check
+from nearfar._reduce.baking import Baking
+
+
+class Reduction(Protocol):
+    """Interface of `ReducedScene` that recentering uses; that class comes later in the data flow."""
+
+    _is_whole: bool
+    _baking: Baking
+
+    def _again(self, baking: Baking, **changed: Any) -> Self: ...
+
+
+Made = TypeVar("Made")
+Source = TypeVar("Source", bound=Reduction)
+
+
+class Recentering(Generic[Made]):
+    """A reduction that is being made in the background; `ReducedScene.recentered` begins it."""
+
+    def __init__(self, center: ArrayLike, make: Callable[[], Made]) -> None:
+        self._center = check.vector("center", center)
+        if not callable(make):
+            raise TypeError(f"make: expected a function without arguments, got {check.described(make)}")
+        self._later = background.Later(make)
+
+    @property
+    def center(self) -> tuple[float, float, float]:
+        """World position of the new centre, metres."""
+        return self._center
+
+    @property
+    def ready(self) -> bool:
+        """Whether `result` returns, or raises, at once."""
+        return self._later.ready
+
+    def result(self) -> Made:
+        """Wait until it is made, and return the reduced scene, the same one each time.
+
+        Ctrl-C ends the wait, not the work: another call gets the result.
+
+        Raises
+        ------
+        Exception
+            Whatever partition or baking raised, such as MemoryError or DeviceError.
+        """
+        return self._later.result()
+
+    def __repr__(self) -> str:
+        x, y, z = self._center
+        return f"Recentering(({x:g}, {y:g}, {z:g}), {'ready' if self.ready else 'in the making'})"
+
+
+class Recenters:
+    """What moves a reduced scene to another centre; a base of `ReducedScene`."""
+
+    def recentered(self: Source, center: ArrayLike) -> Recentering[Source]:
+        """Begin to reduce the same scene about another centre, in the background.
+
+        Radii, morph, boundary, poses and all settings of the map stay. The scene is shared, with its meshes, search
+        trees and textures: only the partition and the map are new.
+
+        Parameters
+        ----------
+        center
+            World position (3,) of the new centre, metres.
+
+        Returns
+        -------
+        Recentering
+            Says when it is `ready`; `result()` waits for the new `ReducedScene`.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For a centre that is no position; and after `load`, because far geometry is not saved.
+        """
+        place = check.vector("center", center)
+        if not self._is_whole:
+            raise ValueError(
+                "center: expected the saved one for a loaded scene, whose far geometry was not saved; reduce the whole "
+                "scene for another centre"
+            )
+        return Recentering(place, lambda: self._again(self._baking, center=place))

@@ -1,0 +1,290 @@
+"""Regions of a walk: a centre for each, its reduced scene on demand or ahead, and the way from one to the next."""
+
+from __future__ import annotations
+
+import math
+from collections import OrderedDict
+from typing import Any, SupportsFloat
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from nearfar._base import check
+from nearfar._camera.camera import Camera
+from nearfar._reduce.baking import Baking
+from nearfar._reduce.choose_radii import Radii
+from nearfar._reduce.drawing import MORPHS
+from nearfar._reduce.reduce import reduce
+from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar._reduce.walk import jump
+from nearfar._reduce.walk.recentering import Recentering
+from nearfar._reduce.walk.walker import Walk
+from nearfar._scene.scene import Scene, core_of
+
+MOST_KEPT = 1 << 16
+"""Greatest number of reduced scenes that are kept."""
+
+
+class Regions:
+    """Regions in which a user walks, each with a centre and a reduced scene of its own; made by `regions`.
+
+    A reduced scene is made when it is first asked for, or ahead in the background (`prefetch`). The last ones are kept.
+    All share the scene, with its meshes, search trees and textures.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        centers: ArrayLike,
+        *,
+        radii: Radii,
+        hysteresis: SupportsFloat = 1.0,
+        morph: str = "blend",
+        baking: Baking | None = None,
+        keep: int = 3,
+    ) -> None:
+        core_of(scene)
+        places = check.array("centers", centers, dtype=np.float64, finite=True).copy()
+        if not len(places) or np.abs(places).max() > check.FARTHEST:
+            raise ValueError(f"centers: expected at least one, and numbers up to {check.FARTHEST:g}, got {len(places)}")
+        places.setflags(write=False)
+        self._scene, self._centers, self._radii = scene, places, check.instance("radii", radii, Radii)
+        self._hysteresis = checked_hysteresis(hysteresis, radii.reach)
+        self._morph = check.choice("morph", morph, MORPHS)
+        self._baking = Baking() if baking is None else check.instance("baking", baking, Baking)
+        self._keep = checked_keep(keep)
+        self._kept: OrderedDict[int, ReducedScene] = OrderedDict()
+        self._ahead: tuple[int, Recentering[ReducedScene]] | None = None
+        self._bytes = np.zeros(len(places), np.int64)
+
+    @property
+    def centers(self) -> NDArray[np.float64]:
+        """(K, 3) centres O of the regions, world metres; read-only."""
+        return self._centers
+
+    @property
+    def radii(self) -> Radii:
+        """Radii of all regions, with the reach R."""
+        return self._radii
+
+    @property
+    def reach(self) -> float:
+        """Greatest distance R in metres of a user from the centre of the region, horizontally."""
+        return self._radii.reach
+
+    @property
+    def hysteresis(self) -> float:
+        """Least way b in metres between two changes."""
+        return self._hysteresis
+
+    @property
+    def spacing(self) -> float:
+        """Distance √3 (R − b) in metres of neighbouring centres."""
+        return spacing_for(self.reach, self._hysteresis)
+
+    @property
+    def bytes(self) -> NDArray[np.int64]:
+        """(K,) bytes of each region's map and copies of near geometry; 0 for regions that were never made."""
+        return self._bytes.copy()
+
+    @property
+    def memory(self) -> int:
+        """Bytes of the regions that are kept now."""
+        return int(self._bytes[list(self._kept)].sum())
+
+    def __len__(self) -> int:
+        """Return the number of regions."""
+        return len(self._centers)
+
+    def index(self, position: ArrayLike, current: int | None = None) -> int:
+        """Find the region of a user.
+
+        Parameters
+        ----------
+        position
+            World position (3,) of the user's eye, metres; its height does not matter.
+        current
+            The region that the user is in. It stays until the user is more than `reach` from its centre.
+
+        Returns
+        -------
+        int
+            `current`, or the region whose centre is nearest. On the path or in the area that one is within R − b, so
+            that the next change is at least b metres away.
+        """
+        place = check.vector("position", position)
+        here = None if current is None else self._number("current", current)
+        away = self._distances(place)
+        return here if here is not None and away[here] <= self.reach else int(np.argmin(away))
+
+    def ready(self, i: int) -> bool:
+        """Whether `reduced` returns region i at once."""
+        number = self._number("i", i)
+        return number in self._kept or (self._ahead is not None and self._ahead[0] == number and self._ahead[1].ready)
+
+    def reduced(self, i: int) -> ReducedScene:
+        """Return the reduced scene of a region.
+
+        Parameters
+        ----------
+        i
+            Number of the region, 0 to K − 1. If it is not kept, it is made now; if it is in the making, this waits.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For numbers that are no region.
+        DeviceError, MemoryError
+            As in `reduce`.
+        """
+        number = self._number("i", i)
+        if number not in self._kept:
+            if self._ahead is not None and self._ahead[0] == number:
+                try:
+                    made = self._ahead[1].result()
+                except Exception:
+                    self._ahead = None
+                    raise
+                self._ahead = None
+            else:
+                made = self._make(number)
+            self._store(number, made)
+        self._kept.move_to_end(number)
+        return self._kept[number]
+
+    def prefetch(self, position: ArrayLike, velocity: ArrayLike, current: int | None = None) -> int | None:
+        """Begin to make the region that a user walks towards, in the background.
+
+        Parameters
+        ----------
+        position, current
+            As in `index`.
+        velocity
+            The user's velocity (3,), metres per second; only its horizontal direction counts.
+
+        Returns
+        -------
+        int or None
+            The region at the place where the user would leave the present one; None for a user who stands still or
+            leaves to no other region. One region at a time is in the making, so that this one may have to wait for
+            a later call.
+        """
+        place, way = check.vector("position", position), check.vector("velocity", velocity)
+        here = self.index(place, current)
+        following = self._following(place, way, here)
+        self._collect()
+        if following is not None and following not in self._kept and self._ahead is None:
+            center = self._centers[following]
+            self._ahead = following, Recentering(center, lambda: self._make(following))
+        return following
+
+    def jump(self, i: int, j: int, camera: Camera, distance: float | None = None) -> float:
+        """Predict by how far the picture jumps at a hard change from region i to region j.
+
+        Parameters
+        ----------
+        i, j
+            Numbers of regions.
+        camera
+            The view; it must not have parallel rays.
+        distance
+            Distance ρ in metres from the centre of region i to what the camera sees straight ahead, above 0; by default
+            r2, the nearest that can jump so far.
+
+        Returns
+        -------
+        float
+            f·|ΔO⊥|/ρ in pixels: f the focal length in pixels, ΔO⊥ the part of the step between the centres that is
+            across the line of sight. With R = 8 m, b = 0 and f = 480 px at most 133 px at 50 m.
+        """
+        start, end = (self._centers[self._number(name, value)] for name, value in (("i", i), ("j", j)))
+        check.instance("camera", camera, Camera)
+        far = self._radii.r2 if distance is None else check.positive("distance", distance)
+        return jump.predicted(end - start, camera, far)
+
+    def walk(self, *, fade: float = 0.5, transition: str = "fade", ahead: bool = True) -> Walk:
+        """Begin a walk, whose pictures come from the region that the user is in.
+
+        Parameters
+        ----------
+        fade
+            Seconds of a cross-fade.
+        transition
+            "fade": both regions' pictures are blended for a while after a change. "cut": the picture jumps, by `jump`.
+        ahead
+            Whether the region that the user walks towards is made in the background.
+        """
+        return Walk(self, fade=fade, transition=transition, ahead=ahead)
+
+    def _number(self, name: str, value: int) -> int:
+        return check.integer(name, value, 0, len(self._centers) - 1)
+
+    def _distances(self, place: tuple[float, float, float]) -> NDArray[np.float64]:
+        """Horizontal distances (K,) of the centres."""
+        with np.errstate(over="ignore"):
+            return np.asarray(np.hypot(self._centers[:, 0] - place[0], self._centers[:, 2] - place[2]))
+
+    def _following(
+        self, place: tuple[float, float, float], velocity: tuple[float, float, float], here: int
+    ) -> int | None:
+        """Region at the place where a straight way leaves the present region's reach."""
+        speed = math.hypot(velocity[0], velocity[2])
+        if not 0.0 < speed < math.inf:
+            return None
+        dx, dz = velocity[0] / speed, velocity[2] / speed
+        x, z = place[0] - self._centers[here, 0], place[2] - self._centers[here, 2]
+        along, across = x * dx + z * dz, x * dz - z * dx
+        # Outside the reach the user is about to be handed over where they stand.
+        way = math.sqrt(self.reach**2 - across**2) - along if abs(across) < self.reach else 0.0
+        way = max(way, 0.0)
+        following = int(np.argmin(self._distances((place[0] + way * dx, place[1], place[2] + way * dz))))
+        return None if following == here else following
+
+    def _make(self, number: int) -> ReducedScene:
+        baking = self._baking
+        how: dict[str, Any] = {"face_size": baking.face_size, "samples": baking.samples, "channels": baking.channels}
+        how["range_dtype"] = np.float16 if baking.half else np.float32
+        zones: dict[str, Any] = {"center": self._centers[number], "r1": self._radii.r1, "r2": self._radii.r2}
+        return reduce(self._scene, **zones, **how, morph=self._morph, backend=baking.backend)
+
+    def _collect(self) -> None:
+        """Store what was made in the background; what failed is left for `reduced`, which raises its error."""
+        if self._ahead is not None and self._ahead[1].ready:
+            number, made = self._ahead
+            try:
+                self._store(number, made.result())
+            except Exception:
+                return
+            self._ahead = None
+
+    def _store(self, number: int, made: ReducedScene) -> None:
+        stats = made.stats
+        self._bytes[number] = stats["map_bytes"] + stats["near_bytes"]
+        self._kept[number] = made
+        self._kept.move_to_end(number)
+        while len(self._kept) > self._keep:
+            self._kept.popitem(last=False)
+
+    def __repr__(self) -> str:
+        return (
+            f"Regions({len(self)} within {self.reach:g} m of their centres, r1={self._radii.r1:.3g}, "
+            f"r2={self._radii.r2:.3g}: {len(self._kept)} kept, {self.memory:,} bytes)"
+        )
+
+
+def checked_hysteresis(hysteresis: SupportsFloat, reach: float) -> float:
+    """Return the hysteresis b in metres, 0 ≤ b < reach; ValueError or TypeError otherwise."""
+    band = check.at_least_zero("hysteresis", hysteresis)
+    if band >= reach:
+        raise ValueError(f"hysteresis: expected less than the reach of {reach:g} m, got {band:g}")
+    return band
+
+
+def checked_keep(keep: int) -> int:
+    """Return how many reduced scenes are kept, at least the user's, the one before and the next."""
+    return check.integer("keep", keep, 3, MOST_KEPT)
+
+
+def spacing_for(reach: float, hysteresis: float) -> float:
+    """Distance in metres of neighbouring centres, for which every point is within reach − hysteresis of one."""
+    return math.sqrt(3.0) * (reach - hysteresis)

@@ -1,0 +1,166 @@
+"""Pictures of a user who walks from region to region, with cross-fades or hard cuts between the regions."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from nearfar._base import check
+from nearfar._camera.camera import Camera
+from nearfar._reduce.reduced_scene import ReducedScene
+from nearfar._reduce.walk.folds import walkable
+from nearfar._render.frame import Frame
+
+TRANSITIONS = ("fade", "cut")
+"""Names of what happens at a change of regions."""
+
+LONGEST_FADE = 60.0
+"""Greatest duration of a cross-fade, seconds."""
+
+Point = tuple[float, float, float]
+
+
+class Source(Protocol):
+    """Interface of `Regions` that a walk uses; that class comes later in the data flow."""
+
+    @property
+    def index(self) -> Callable[..., int]: ...
+    @property
+    def ready(self) -> Callable[[int], bool]: ...
+    @property
+    def reduced(self) -> Callable[[int], ReducedScene]: ...
+    @property
+    def prefetch(self) -> Callable[..., int | None]: ...
+    @property
+    def jump(self) -> Callable[..., float]: ...
+
+
+@dataclass(frozen=True)
+class _Shown:
+    """A region that is shown."""
+
+    number: int
+    reduced: ReducedScene
+
+    def margin(self, user: Point) -> float:
+        """Metres that the user can still walk before its picture folds."""
+        reduced, (x, y, z) = self.reduced, np.subtract(user, self.reduced.center)
+        return walkable(reduced.morph, reduced.r1, reduced.r2, abs(y)) - math.hypot(x, z)
+
+
+class Walk:
+    """Pictures of one user's walk through regions; `Regions.walk` makes it.
+
+    It remembers the region that the user is in, and the one before while the two are cross-faded.
+    """
+
+    def __init__(self, regions: Source, *, fade: float = 0.5, transition: str = "fade", ahead: bool = True) -> None:
+        for name in ("index", "ready", "reduced", "prefetch", "jump"):
+            if not callable(getattr(regions, name, None)):
+                raise TypeError(f"regions: expected Regions, got {check.described(regions)}")
+        self._regions, self._fade = regions, check.within("fade", fade, 0.0, LONGEST_FADE)
+        self._transition = check.choice("transition", transition, TRANSITIONS)
+        self._ahead = check.flag("ahead", ahead)
+        self._now: _Shown | None = None
+        self._before: _Shown | None = None
+        self._changed = -math.inf
+        self._seen: tuple[Point, float] | None = None
+        self._velocity = (0.0, 0.0, 0.0)
+
+    @property
+    def region(self) -> int | None:
+        """Number of the region that the user is in; None before the first picture."""
+        return None if self._now is None else self._now.number
+
+    def render(self, camera: Camera, seconds: float, **options: Any) -> Frame:
+        """Render the picture for the user at a time.
+
+        Parameters
+        ----------
+        camera
+            The view.
+        seconds
+            Time on any clock. The user's velocity follows from the way since the last picture of another time. Several
+            views of one time, such as two eyes, are given the same `seconds` and `user`.
+        options
+            Arguments of `ReducedScene.render`. `user` is the eye U where that is not the camera's position.
+
+        Returns
+        -------
+        Frame
+            While two regions are cross-faded, colour is the linear blend of their pictures, and all other images
+            are those of the newer region. A fade ends early where the picture of the older region would fold. `stats`
+            are those of the newer region's picture, and: `region`, its number; `fade`, its share of the colour, 1
+            without a fade; `jump`, the predicted jump in pixels at r2 of the change that this picture is in, 0 without
+            one; `waited`, seconds that it had to wait for the region to be made; `fold_margin`, the least of the shown
+            pictures, metres, at the user's height rounded away from the centre to decimetres.
+
+        Raises
+        ------
+        ValueError, TypeError, DeviceError
+            As in `ReducedScene.render` and `Regions.reduced`.
+        """
+        view, now = check.instance("camera", camera, Camera), check.number("seconds", seconds)
+        given: ArrayLike | None = options.get("user")
+        user = view.position if given is None else check.vector("user", given)
+        start = self._now
+        waited = self._step(user, now)
+        shown = self._now
+        assert shown is not None
+        if self._ahead:
+            self._regions.prefetch(user, self._velocity, shown.number)
+        frame = shown.reduced.render(view, **options)
+        old, share = self._before, self._share(now)
+        if old is not None and frame.color is not None:
+            older = old.reduced.render(view, **{**options, "channels": ("color",)}).require("color")
+            frame = replace(frame, color=older + np.float32(share) * (frame.color - older))
+        left = old if old is not None else start
+        is_change = left is not None and (old is not None or left.number != shown.number)
+        facts = {
+            "region": shown.number,
+            "fade": share,
+            "jump": self._regions.jump(left.number, shown.number, view) if left is not None and is_change else 0.0,
+            "waited": waited,
+            "fold_margin": min(part.margin(user) for part in (shown, old) if part is not None),
+        }
+        return replace(frame, stats={**frame.stats, **facts})
+
+    def _step(self, user: Point, now: float) -> float:
+        """Move the user; returns the seconds that a region had to be waited for."""
+        waited = 0.0
+        number = self._regions.index(user, self.region)
+        if number != self.region:
+            started, was_ready = time.perf_counter(), self._regions.ready(number)
+            reduced = self._regions.reduced(number)
+            waited = 0.0 if was_ready else time.perf_counter() - started
+            self._before = self._now if self._transition == "fade" else None
+            self._now, self._changed = _Shown(number, reduced), now
+        if self._before is not None and (self._share(now) >= 1.0 or self._before.margin(user) <= 0.0):
+            self._before = None
+        self._measure_velocity(user, now)
+        return waited
+
+    def _measure_velocity(self, user: Point, now: float) -> None:
+        if self._seen is not None and now != self._seen[1]:
+            with np.errstate(all="ignore"):
+                velocity = np.subtract(user, self._seen[0]) / (now - self._seen[1])
+            # Times that are all but equal say nothing.
+            if np.isfinite(velocity).all():
+                self._velocity = (float(velocity[0]), float(velocity[1]), float(velocity[2]))
+        if self._seen is None or now != self._seen[1]:
+            self._seen = user, now
+
+    def _share(self, now: float) -> float:
+        """Share of the newer region's colour."""
+        if self._before is None or self._fade == 0.0:
+            return 1.0
+        return min(max((now - self._changed) / self._fade, 0.0), 1.0)
+
+    def __repr__(self) -> str:
+        return f"Walk({self._transition!r}, {self._fade:g} s, region {self.region})"

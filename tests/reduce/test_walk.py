@@ -1,0 +1,217 @@
+"""Tests of the pictures of a walk: the right region, cross-fades and cuts, waiting, and no folds on the way."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from tests.support.reduce_cases import FOV, Array, place, street
+
+SMALL: dict[str, Any] = {"face_size": 32, "samples": 1, "backend": "cpu"}
+START, END = np.array([-20.0, 1.7, 5.0]), np.array([30.0, 1.7, 5.0])
+SIZE = (48, 27)
+
+
+@pytest.fixture(scope="module")
+def scene() -> nf.Scene:
+    return street()
+
+
+@pytest.fixture(scope="module")
+def regions(scene: nf.Scene) -> nf.Regions:
+    return nf.regions(scene, [START, END], r2=50.0, keep=10, **SMALL)
+
+
+def view(position: Array, toward: tuple[float, float, float] = (0.4, -0.05, 1.0)) -> nf.Camera:
+    return nf.Camera.look_at(position, position + np.array(toward), fov=FOV, size=SIZE)
+
+
+def on_the_way(metres: float) -> Array:
+    return START + (END - START) * (metres / np.linalg.norm(END - START))
+
+
+def shown(regions: nf.Regions, number: int, camera: nf.Camera, **options: Any) -> nf.Frame:
+    return regions.reduced(number).render(camera, **options)
+
+
+def until_change(regions: nf.Regions, walk: nf.Walk, step: float = 0.5) -> tuple[float, nf.Frame]:
+    """Walk at one metre a second to the first picture of another region; returns the seconds and that picture."""
+    seconds, first = 0.0, walk.render(view(START), 0.0).stats["region"]
+    while True:
+        seconds += step
+        frame = walk.render(view(on_the_way(seconds)), seconds)
+        if frame.stats["region"] != first:
+            return seconds, frame
+
+
+def test_a_cut_shows_the_region_that_the_user_is_in(regions: nf.Regions) -> None:
+    walk, current = regions.walk(transition="cut"), None
+    assert walk.region is None
+    changes = []
+    for seconds in range(45):
+        position = on_the_way(seconds)
+        before, current = current, regions.index(position, current)
+        frame = walk.render(view(position), seconds)
+        np.testing.assert_array_equal(frame.color, shown(regions, current, view(position)).color)
+        assert (frame.stats["region"], frame.stats["fade"], walk.region) == (current, 1.0, current)
+        changed = before is not None and before != current
+        expected = regions.jump(before, current, view(position)) if changed else 0.0  # type: ignore[arg-type]
+        assert frame.stats["jump"] == expected
+        changes += [expected] * changed
+    assert len(changes) >= 3
+    assert min(changes) > 1.0
+
+
+def test_a_fade_blends_both_regions_pictures(regions: nf.Regions) -> None:
+    walk = regions.walk(fade=2.0)
+    seconds, frame = until_change(regions, walk)
+    old, new = 0, frame.stats["region"]
+    for later, share in ((0.0, 0.0), (0.5, 0.25), (1.5, 0.75), (2.0, 1.0), (2.5, 1.0)):
+        camera = view(on_the_way(seconds + later))
+        frame = walk.render(camera, seconds + later)
+        one, two = (shown(regions, number, camera).require("color") for number in (old, new))
+        np.testing.assert_allclose(frame.require("color"), (1.0 - share) * one + share * two, atol=1e-6)
+        assert (frame.stats["region"], frame.stats["fade"]) == (new, share)
+        assert frame.stats["jump"] == (regions.jump(old, new, camera) if share < 1.0 else 0.0)
+        # Statistics of the newer picture stay beside those of the walk.
+        assert frame.stats["tolerance_held"] == shown(regions, new, camera).stats["tolerance_held"]
+    np.testing.assert_array_equal(frame.color, shown(regions, new, camera).color)
+
+
+def test_other_channels_are_those_of_the_newer_region(scene: nf.Scene) -> None:
+    regions = nf.regions(scene, [START, END], r2=50.0, **{**SMALL, "channels": ("color", "range")})
+    walk = regions.walk(fade=10.0)
+    seconds, frame = until_change(regions, walk)
+    new, camera = frame.stats["region"], view(on_the_way(seconds + 1.0))
+    frame = walk.render(camera, seconds + 1.0, channels=("range", "color"), samples=2, method="exact")
+    both = [shown(regions, n, camera, channels=("color", "range"), samples=2, method="exact") for n in (0, new)]
+    np.testing.assert_array_equal(frame.range, both[1].range)
+    np.testing.assert_allclose(frame.require("color"), 0.9 * both[0].color + 0.1 * both[1].color, atol=1e-6)
+    frame = walk.render(camera, seconds + 1.0, channels=("range",))
+    assert frame.channels == ("range",)
+    np.testing.assert_array_equal(frame.range, shown(regions, new, camera, channels=("range",)).range)
+
+
+def test_a_fade_of_no_time_is_a_cut(regions: nf.Regions) -> None:
+    walks = [regions.walk(fade=0.0), regions.walk(transition="cut")]
+    for seconds in range(0, 40, 2):
+        frames = [walk.render(view(on_the_way(seconds)), seconds) for walk in walks]
+        np.testing.assert_array_equal(frames[0].color, frames[1].color)
+        assert {**frames[0].stats, "waited": 0} == {**frames[1].stats, "waited": 0}
+
+
+def test_no_picture_folds_although_fades_go_on_beyond_the_reach(scene: nf.Scene) -> None:
+    """With the least r2 for the reach, a region's picture folds where the region ends: its fade has to end there."""
+    regions = nf.regions(scene, [START, END], r2=16.5, hysteresis=0.5, **SMALL)
+    walk, radii, ended_early = regions.walk(fade=4.0), regions.radii, 0
+    started = -math.inf
+    for seconds in np.arange(0.0, 14.0, 0.5):
+        position = on_the_way(1.6 * seconds)
+        before = walk.region
+        frame = walk.render(view(position), seconds)
+        started = seconds if before not in (None, frame.stats["region"]) else started
+        margin = nf.fold_margin(position, center=regions.centers[frame.stats["region"]], r1=radii.r1, r2=radii.r2)
+        assert 0.0 < frame.stats["fold_margin"] <= margin + 1e-3
+        ended_early += seconds - started < 4.0 and frame.stats["fade"] == 1.0
+    assert ended_early > 0
+
+
+def test_it_waits_only_for_regions_that_are_not_ready(scene: nf.Scene) -> None:
+    alone = nf.regions(scene, [START, END], r2=50.0, **SMALL)
+    walk = alone.walk(ahead=False)
+    assert walk.render(view(START), 0.0).stats["waited"] > 0.0
+    assert walk.render(view(on_the_way(1.0)), 1.0).stats["waited"] == 0.0
+    assert not alone.ready(1)
+    _, frame = until_change(alone, alone.walk(ahead=False))
+    assert frame.stats["waited"] > 0.0
+    _, frame = until_change(alone, alone.walk(ahead=False))
+    assert frame.stats["waited"] == 0.0
+
+
+def test_the_next_region_is_begun_ahead(monkeypatch: pytest.MonkeyPatch, regions: nf.Regions) -> None:
+    asked: list[tuple[tuple[float, float, float], tuple[float, float, float], int]] = []
+    monkeypatch.setattr(regions, "prefetch", lambda *arguments: asked.append(arguments))
+    walk = regions.walk()
+    for seconds in (0.0, 0.5, 0.5, 1.5):
+        walk.render(view(on_the_way(2.0 * seconds)), seconds)
+    velocities = [velocity for _, velocity, _ in asked]
+    np.testing.assert_allclose(velocities, [(0, 0, 0), (2, 0, 0), (2, 0, 0), (2, 0, 0)])
+    assert [tuple(position) for position, _, _ in asked] == [tuple(on_the_way(x)) for x in (0.0, 1.0, 1.0, 3.0)]
+    assert {number for *_, number in asked} == {0}
+    # Times that are all but equal say nothing of the velocity.
+    walk.render(view(on_the_way(9.0)), np.nextafter(1.5, 2.0) * (1 + 1e-300))
+    assert np.isfinite(asked[-1][1]).all()
+    regions.walk(ahead=False).render(view(START), 0.0)
+    assert len(asked) == 5
+
+
+def test_both_eyes_of_one_moment_are_in_one_region(regions: nf.Regions) -> None:
+    walk = regions.walk(fade=1.0)
+    for seconds in np.arange(0.0, 20.0, 0.5):
+        head = on_the_way(seconds)
+        eyes = [np.add(head, [x, 0.0, 0.0]) for x in (-0.03, 0.03)]
+        left, right = (walk.render(view(eye), float(seconds), user=head) for eye in eyes)
+        assert (left.stats["region"], left.stats["fade"]) == (right.stats["region"], right.stats["fade"])
+        if left.stats["fade"] == 1.0:
+            afresh = shown(regions, left.stats["region"], view(eyes[0]), user=head)
+            np.testing.assert_array_equal(left.color, afresh.color)
+
+
+def test_moving_objects_are_posed_in_all_regions() -> None:
+    scene = street(dynamic=True)
+    regions = nf.regions(scene, [START, END], r2=50.0, **SMALL)
+    walk = regions.walk(transition="cut")
+    for seconds in (0.0, 12.0):
+        position, pose = on_the_way(seconds), {"car": place(*np.add(on_the_way(seconds), [2.0, -0.95, 9.0]))}
+        frame = walk.render(view(position), seconds, at=pose)
+        without = walk.render(view(position), seconds)
+        assert (frame.require("color") != without.require("color")).any(axis=-1).mean() > 0.01
+        np.testing.assert_array_equal(frame.color, shown(regions, frame.stats["region"], view(position), at=pose).color)
+
+
+def test_the_measured_jump_of_a_far_tower_is_the_predicted_one(scene: nf.Scene) -> None:
+    settings = {"face_size": 512, "samples": 1, "channels": ("color", "object_id"), "backend": "cpu"}
+    regions = nf.regions(scene, [START, END], r2=50.0, **settings)
+    tower = scene.object_names.index("tower")
+    position = 0.5 * (regions.centers[0] + regions.centers[1])
+    target = np.array([110.0, 20.0, 70.0])
+    camera = nf.Camera.look_at(position, target, fov=nf.Fov.symmetric(60, 16 / 9), size=(480, 270))
+    middles = []
+    for number in (0, 1):
+        seen = shown(regions, number, camera, channels=("object_id",)).require("object_id") == tower
+        rows = seen[:, :].any(axis=1)
+        # Rows that the tower fills from side to side, without its top and its foot.
+        middles.append(np.mean([np.flatnonzero(row).mean() for row in seen[rows][20:-20]]))
+    predicted = regions.jump(0, 1, camera, float(np.linalg.norm(target - regions.centers[0])))
+    assert predicted > 15.0
+    assert abs(middles[1] - middles[0]) == pytest.approx(predicted, rel=0.1)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "match"),
+    [
+        ({"fade": -1}, "fade: expected a number from 0 to 60"),
+        ({"transition": "jump"}, "transition: expected one of 'fade', 'cut'"),
+        ({"ahead": 1}, "ahead: expected True or False"),
+    ],
+)
+def test_wrong_settings_are_named(regions: nf.Regions, wrong: dict[str, Any], match: str) -> None:
+    with pytest.raises((ValueError, TypeError), match=match):
+        regions.walk(**wrong)
+
+
+def test_wrong_pictures_are_named(regions: nf.Regions) -> None:
+    walk = regions.walk()
+    with pytest.raises(TypeError, match="camera: expected a Camera"):
+        walk.render("here", 0.0)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="seconds: expected a finite number"):
+        walk.render(view(START), math.nan)
+    with pytest.raises(ValueError, match="user: expected 3 numbers"):
+        walk.render(view(START), 0.0, user=(1, 2))
+    assert "region None" in repr(walk)
+    with pytest.raises(TypeError, match="regions: expected Regions"):
+        nf.Walk(3)  # type: ignore[arg-type]
