@@ -34,7 +34,9 @@ class Change:
     measured: Array
     """(N,) pixels by which the point is elsewhere in the new picture."""
     predicted: Array
-    """(N,) f·|ΔO⊥|/ρ."""
+    """(N,) f·|ΔO⊥|/ρ, the prediction of first order."""
+    exact: Array
+    """(N,) f·|ΔO⊥|/(ρ − ΔO·d), where the new centre is nearer by the part of the step along the line of sight d."""
 
 
 def free_way(scene: nf.Scene, start: Sequence[float], length: float) -> Array:
@@ -88,8 +90,8 @@ def measure(old: nf.ReducedScene, new: nf.ReducedScene, position: Array, stride:
         first, second = (frame.require("position").astype(np.float64) + frame.origin for frame in frames)
         rays = camera.rays()[1].reshape(-1, 3)
         points = first[stride // 2 :: stride, stride // 2 :: stride].reshape(-1, 3)
-        pixels = np.arange(SIZE[0] * SIZE[1]).reshape(SIZE[1], SIZE[0])
-        pixels = pixels[stride // 2 :: stride, stride // 2 :: stride].ravel()
+        numbers = np.arange(SIZE[0] * SIZE[1]).reshape(SIZE[1], SIZE[0])
+        pixels = numbers[stride // 2 :: stride, stride // 2 :: stride].ravel()
         second = second.reshape(-1, 3)
         shown = np.flatnonzero(np.isfinite(second).all(axis=1))
         is_far = np.all([_away(points, reduced) > reduced.r2 + 1.0 for reduced in (old, new)], axis=0)
@@ -103,9 +105,9 @@ def measure(old: nf.ReducedScene, new: nf.ReducedScene, position: Array, stride:
         turned = np.linalg.norm(np.cross(rays[pixels[is_far]], rays[shown[nearest]]), axis=1)
         across = np.linalg.norm(np.cross(step, sight / reach[:, None]), axis=1)
         measured = FOCAL * np.tan(np.arcsin(turned))
-        rows.append(np.column_stack([reach, measured, FOCAL * across / reach])[found])
-    ranges, measured, predicted = np.concatenate(rows or [np.empty((0, 3))]).T
-    return Change(float(np.linalg.norm(step)), ranges, measured, predicted)
+        nearer = reach - sight @ step / reach
+        rows.append(np.column_stack([reach, measured, FOCAL * across / reach, FOCAL * across / nearer])[found])
+    return Change(float(np.linalg.norm(step)), *np.concatenate(rows or [np.empty((0, 4))]).T)
 
 
 def _away(points: Array, reduced: nf.ReducedScene) -> Array:
@@ -123,16 +125,16 @@ def draw(
     from matplotlib import pyplot as plt
 
     figure = plt.figure(figsize=(13.0, 7.6), layout="constrained")
-    grid = figure.add_gridspec(3, 6, height_ratios=(1.0, 1.0, 2.1))
-    for number, frame in enumerate(frames[:12]):
-        axes = figure.add_subplot(grid[number // 6, number % 6])
+    above, below = figure.subfigures(2, 1, height_ratios=(1.0, 1.1))
+    strip = above.subplots(2, 6)
+    for axes, frame in zip(strip.flat, frames, strict=False):
         axes.imshow(frame.to_image())
         stats = frame.stats
         share = "" if stats["fade"] == 1.0 else f", fade {100 * stats['fade']:.0f} %"
         axes.set_title(f"region {stats['region']}{share}", fontsize=9)
         axes.set(xticks=[], yticks=[])
-    _draw_map(figure.add_subplot(grid[2, :3]), path, regions)
-    axes = figure.add_subplot(grid[2, 3:])
+    left, axes = below.subplots(1, 2)
+    _draw_map(left, path, regions)
     measured, predicted = (np.concatenate([getattr(c, field) for c in changes]) for field in ("measured", "predicted"))
     axes.plot(predicted, measured, ".", markersize=2, color="#c8102e", alpha=0.4, rasterized=True)
     most = float(predicted.max(initial=1.0))

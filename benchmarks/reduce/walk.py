@@ -10,6 +10,7 @@ import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -99,7 +100,7 @@ def walk(case: Case, regions: nf.Regions, size: tuple[int, int]) -> Walked:
 def jumps(case: Case, walked: Walked, regions: nf.Regions) -> list[Change]:
     """Measure the jump of far points at every change, with maps that have range."""
     radii, kept = regions.radii, dict[int, nf.ReducedScene]()
-    how = {"r1": radii.r1, "r2": radii.r2, "face_size": 1024, "samples": 1}
+    how: dict[str, Any] = {"r1": radii.r1, "r2": radii.r2, "face_size": 1024, "samples": 1}
     found = []
     for before, after, position in walked.changes:
         for number in (before, after):
@@ -113,9 +114,9 @@ def jumps(case: Case, walked: Walked, regions: nf.Regions) -> list[Change]:
 
 def report(case: Case, quick: bool, plots: Path | None) -> str:
     """Tables of one walk."""
-    settings = {"reach": REACH, "hysteresis": HYSTERESIS, "r2": R2, "face_size": 128 if quick else 1024}
+    size = 128 if quick else 1024
     started = time.perf_counter()
-    regions = nf.regions(case.scene, case.path, **settings)
+    regions = nf.regions(case.scene, case.path, reach=REACH, hysteresis=HYSTERESIS, r2=R2, face_size=size)
     planning = 1e3 * (time.perf_counter() - started)
     first, times = ahead(case, regions)
     walked = walk(case, regions, (96, 54) if quick else (320, 180))
@@ -134,20 +135,30 @@ def report(case: Case, quick: bool, plots: Path | None) -> str:
         ["waits for a region, and the longest, s", f"{len(walked.waits)}, {max(walked.waits, default=0.0):.2f}"],
         ["pictures, folded", f"{walked.frames}, {walked.folded}"],
     ]
-    title = f"{case.name}: {SPEED} m/s, {RATE:.0f} pictures a second, maps of 6 × {settings['face_size']}² texels"
+    title = f"{case.name}: {SPEED} m/s, {RATE:.0f} pictures a second, maps of 6 × {size}² texels"
     text = table(title, ["", ""], rows)
     changes = jumps(case, walked, regions)
     lines = [_row(number, change) for number, change in enumerate(changes, 1) if len(change.ranges)]
-    header = ["change", "|ΔO|, m", "points", "ρ, m, median", "jump, px, median", "predicted", "greatest", "predicted"]
-    text += "\n" + table(f"Jumps of far points at each change, f = {FOCAL:.0f} px", [*header, "ratio"], lines)
+    header = [
+        "change",
+        "|ΔO|, m",
+        "points",
+        "ρ, m, median",
+        "jump, px, median",
+        "predicted",
+        "greatest",
+        "predicted",
+        "ratio",
+    ]
+    text += "\n" + table(f"Jumps of far points at each change, f = {FOCAL:.0f} px", [*header, "to ρ − ΔO·d"], lines)
     if plots is not None:
         draw(case.name, case.path, regions, changes, walked.strip, plots / f"walk_{case.name.split()[-1]}.jpg")
     return text
 
 
 def _row(number: int, change: Change) -> list[str]:
-    most = int(np.argmax(change.measured))
-    ratio = change.measured / np.maximum(change.predicted, 1e-9)
+    most, clear = int(np.argmax(change.measured)), change.predicted > 5.0
+    ratios = [change.measured[clear] / by[clear] for by in (change.predicted, change.exact)]
     return [
         str(number),
         f"{change.step:.2f}",
@@ -157,7 +168,7 @@ def _row(number: int, change: Change) -> list[str]:
         f"{np.median(change.predicted):.1f}",
         f"{change.measured[most]:.0f}",
         f"{change.predicted[most]:.0f}",
-        f"{np.median(ratio[change.predicted > 5.0]) if (change.predicted > 5.0).any() else np.nan:.2f}",
+        *(f"{np.median(ratio):.2f}" if clear.any() else "–" for ratio in ratios),
     ]
 
 
