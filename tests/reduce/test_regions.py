@@ -253,6 +253,23 @@ def test_what_fails_in_the_background_is_raised_when_it_is_asked_for(
     assert regions.reduced(1).env is not None
 
 
+def test_what_failed_is_tried_once_and_does_not_keep_others_from_being_made(
+    monkeypatch: pytest.MonkeyPatch, regions: nf.Regions
+) -> None:
+    tried: list[int] = []
+
+    def fail(self: nf.Regions, number: int) -> nf.ReducedScene:
+        tried.append(number)
+        raise MemoryError("map: no room")
+
+    monkeypatch.setattr(nf.Regions, "_make", fail)
+    for velocity, expected in ((1.0, [3]), (1.0, [3]), (-1.0, [3, 1])):
+        following = regions.prefetch(regions.centers[2], (velocity, 0.0, 0.0), 2)
+        assert following == expected[-1]
+        wait(regions, following)
+        assert tried == expected
+
+
 WRONG: list[tuple[dict[str, Any], str]] = [
     ({"reach": 60}, "reach: expected less than r2 = 50 m, beyond which all is in the map, got 60"),
     ({"eye_height": 0}, "eye_height: expected a number above 0, got 0"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike
@@ -86,6 +87,6 @@ def reduce(
     check.choice("unit", unit, UNITS)
     check_morph(morph, check.choice("boundary", boundary, ("r1", "r2")))
     baking = Baking.checked(face_size, samples, channels, backend, range_dtype)
-    zones = {"center": center, "r1": r1, "r2": r2, "unit": unit}
+    zones: dict[str, Any] = {"center": center, "r1": r1, "r2": r2, "unit": unit}
     parts = stages.parts(scene, **zones, boundary=boundary, **baking.arguments(scene))
     return ReducedScene(**parts, morph=morph, boundary=boundary, baking=baking)

@@ -57,7 +57,7 @@ class Frame:
     `tolerance_held`, whether `tolerance_px` was a proven bound, which needs "vertex", "blend" and a user at the camera,
     within 0.6 r1 of the centre, or a picture without a morph; and `opposed_directions`, the number of vertices that
     user and centre see in opposite directions, which happens only with the user outside the near cylinder. Empty for
-    other frames. Not saved to files."""
+    other frames. Pictures of a walk have more, see `Walk.render`. Not saved to files."""
 
     def __post_init__(self) -> None:
         check.instance("camera", self.camera, Camera)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import OrderedDict
+from functools import partial
 from typing import Any, SupportsFloat
 
 import numpy as np
@@ -172,10 +173,9 @@ class Regions:
         place, way = check.vector("position", position), check.vector("velocity", velocity)
         here = self.index(place, current)
         following = self._following(place, way, here)
-        self._collect()
+        self._collect(following)
         if following is not None and following not in self._kept and self._ahead is None:
-            center = self._centers[following]
-            self._ahead = following, Recentering(center, lambda: self._make(following))
+            self._ahead = following, Recentering(self._centers[following], partial(self._make, following))
         return following
 
     def jump(self, i: int, j: int, camera: Camera, distance: float | None = None) -> float:
@@ -247,14 +247,19 @@ class Regions:
         zones: dict[str, Any] = {"center": self._centers[number], "r1": self._radii.r1, "r2": self._radii.r2}
         return reduce(self._scene, **zones, **how, morph=self._morph, backend=baking.backend)
 
-    def _collect(self) -> None:
-        """Store what was made in the background; what failed is left for `reduced`, which raises its error."""
+    def _collect(self, following: int | None) -> None:
+        """Store what was made in the background.
+
+        What failed is left for `reduced`, which raises its error, as long as it is the region that follows: it is not
+        tried again for each picture.
+        """
         if self._ahead is not None and self._ahead[1].ready:
             number, made = self._ahead
             try:
                 self._store(number, made.result())
             except Exception:
-                return
+                if number == following:
+                    return
             self._ahead = None
 
     def _store(self, number: int, made: ReducedScene) -> None:

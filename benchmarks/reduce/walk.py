@@ -1,0 +1,188 @@
+"""Walks of 200 m through cities: maps, bytes, milliseconds to the next region, jumps at changes, folds, waits.
+
+python -m benchmarks.reduce.walk [--quick] [--plots FOLDER]
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from benchmarks.harness.views import center_for
+from benchmarks.reduce._walk import FOCAL, FOV, Array, Change, at_distance, draw, free_way, measure
+from nearfar._base import data
+
+LENGTH, SPEED, RATE = 200.0, 1.4, 10.0
+"""Metres of a walk, metres a second, pictures a second."""
+REACH, R2 = 8.0, 50.0
+HYSTERESIS = 1.0
+
+
+@dataclass(frozen=True)
+class Case:
+    """A scene and a way through it."""
+
+    name: str
+    scene: nf.Scene
+    path: Array
+
+
+@dataclass
+class Walked:
+    """What happened on a walk."""
+
+    frames: int = 0
+    folded: int = 0
+    waits: list[float] = field(default_factory=list)
+    """Seconds of each wait for a region, without the first one."""
+    changes: list[tuple[int, int, Array]] = field(default_factory=list)
+    """Region before and after, and the user's place."""
+    strip: list[nf.Frame] = field(default_factory=list)
+
+
+def cases(quick: bool) -> Iterator[Case]:
+    """Yield the city, along an avenue and around a corner, and the centre of Tokyo, where it is free."""
+    city = nf.datasets.city(blocks=3, detail=0) if quick else nf.datasets.city()
+    corner = [(0.0, 1.7, 20.0), (0.0, 1.7, -66.0), (114.0, 1.7, -66.0)]
+    yield Case("procedural city", city, np.array(corner[:2] if quick else corner))
+    if not quick and (file := data.find("city/tokyo23/tokyo_core_lod1.glb")) is not None:
+        scene = nf.Scene.load(file)
+        yield Case("centre of Tokyo", scene, free_way(scene, center_for(scene, R2), LENGTH))
+
+
+def ahead(case: Case, regions: nf.Regions) -> tuple[float, list[float]]:
+    """Milliseconds of the first reduction, which builds the trees, and of each next one in the background, alone."""
+    started = time.perf_counter()
+    reduced = regions.reduced(0)
+    first = time.perf_counter() - started
+    times = []
+    for center in regions.centers[1:]:
+        started = time.perf_counter()
+        reduced = reduced.recentered(center).result()
+        times.append(1e3 * (time.perf_counter() - started))
+    return 1e3 * first, times
+
+
+def walk(case: Case, regions: nf.Regions, size: tuple[int, int]) -> Walked:
+    """Walk in real time: a picture is not shown before its time, so that what is made ahead has no longer than that."""
+    walker, walked = regions.walk(fade=0.5), Walked()
+    length = float(np.linalg.norm(np.diff(case.path, axis=0), axis=1).sum())
+    count = int(length / SPEED * RATE)
+    started, current = time.perf_counter(), -1
+    for number in range(count):
+        seconds = number / RATE
+        time.sleep(max(0.0, started + seconds - time.perf_counter()))
+        position, way = at_distance(case.path, seconds * SPEED)
+        aside = np.array([way[0] - 0.6 * way[2], 0.05, way[2] + 0.6 * way[0]])
+        camera = nf.Camera.look_at(position, position + aside, fov=FOV, size=size)
+        frame = walker.render(camera, seconds)
+        stats = frame.stats
+        walked.frames += 1
+        walked.folded += stats["fold_margin"] <= 0.0
+        if current >= 0 and stats["region"] != current:
+            walked.changes.append((current, stats["region"], position))
+            walked.waits += [stats["waited"]] * (stats["waited"] > 0.0)
+        current = stats["region"]
+        is_half = stats["fade"] != 1.0 and 0.3 < stats["fade"] < 0.7 and len(walked.strip) % 2 == 1
+        if len(walked.strip) < 12 and (is_half or (len(walked.strip) % 2 == 0 and stats["fade"] == 1.0)):
+            walked.strip.append(frame)
+    return walked
+
+
+def jumps(case: Case, walked: Walked, regions: nf.Regions) -> list[Change]:
+    """Measure the jump of far points at every change, with maps that have range."""
+    radii, kept = regions.radii, dict[int, nf.ReducedScene]()
+    how: dict[str, Any] = {"r1": radii.r1, "r2": radii.r2, "face_size": 1024, "samples": 1}
+    found = []
+    for before, after, position in walked.changes:
+        for number in (before, after):
+            if number not in kept:
+                center = regions.centers[number]
+                kept[number] = nf.reduce(case.scene, center=center, channels=("color", "range"), **how)
+        found.append(measure(kept[before], kept[after], position))
+        kept = {after: kept[after]}
+    return found
+
+
+def report(case: Case, quick: bool, plots: Path | None) -> str:
+    """Tables of one walk."""
+    size = 128 if quick else 1024
+    started = time.perf_counter()
+    regions = nf.regions(case.scene, case.path, reach=REACH, hysteresis=HYSTERESIS, r2=R2, face_size=size)
+    planning = 1e3 * (time.perf_counter() - started)
+    first, times = ahead(case, regions)
+    walked = walk(case, regions, (96, 54) if quick else (320, 180))
+    bytes_made = regions.bytes[regions.bytes > 0] / 1e6
+    rows = [
+        ["way, m", f"{np.linalg.norm(np.diff(case.path, axis=0), axis=1).sum():.0f}"],
+        ["centres, and metres between neighbours", f"{len(regions)}, {regions.spacing:.2f}"],
+        ["r1, r2, m", f"{regions.radii.r1:.1f}, {regions.radii.r2:.0f}"],
+        ["planned in, ms", f"{planning:.0f}"],
+        ["first region, with the scene's trees, ms", f"{first:.0f}"],
+        ["next region, mean and greatest, ms", f"{np.mean(times):.0f}, {np.max(times):.0f}"],
+        ["maps made on the walk", f"{len(bytes_made)}"],
+        ["a region, mean and greatest, MB", f"{bytes_made.mean():.1f}, {bytes_made.max():.1f}"],
+        ["kept at the end, MB", f"{regions.memory / 1e6:.1f}"],
+        ["changes", f"{len(walked.changes)}"],
+        ["waits for a region, and the longest, s", f"{len(walked.waits)}, {max(walked.waits, default=0.0):.2f}"],
+        ["pictures, folded", f"{walked.frames}, {walked.folded}"],
+    ]
+    title = f"{case.name}: {SPEED} m/s, {RATE:.0f} pictures a second, maps of 6 × {size}² texels"
+    text = table(title, ["", ""], rows)
+    changes = jumps(case, walked, regions)
+    lines = [_row(number, change) for number, change in enumerate(changes, 1) if len(change.ranges)]
+    header = [
+        "change",
+        "|ΔO|, m",
+        "points",
+        "ρ, m, median",
+        "jump, px, median",
+        "predicted",
+        "greatest",
+        "predicted",
+        "ratio",
+    ]
+    text += "\n" + table(f"Jumps of far points at each change, f = {FOCAL:.0f} px", [*header, "to ρ − ΔO·d"], lines)
+    if plots is not None:
+        draw(case.name, case.path, regions, changes, walked.strip, plots / f"walk_{case.name.split()[-1]}.jpg")
+    return text
+
+
+def _row(number: int, change: Change) -> list[str]:
+    most, clear = int(np.argmax(change.measured)), change.predicted > 5.0
+    ratios = [change.measured[clear] / by[clear] for by in (change.predicted, change.exact)]
+    return [
+        str(number),
+        f"{change.step:.2f}",
+        f"{len(change.ranges)}",
+        f"{np.median(change.ranges):.0f}",
+        f"{np.median(change.measured):.1f}",
+        f"{np.median(change.predicted):.1f}",
+        f"{change.measured[most]:.0f}",
+        f"{change.predicted[most]:.0f}",
+        *(f"{np.median(ratio):.2f}" if clear.any() else "–" for ratio in ratios),
+    ]
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="a small city, a short way and small pictures")
+    parser.add_argument("--plots", type=Path, help="folder for pictures and plots")
+    arguments = parser.parse_args()
+    if arguments.plots is not None:
+        arguments.plots.mkdir(parents=True, exist_ok=True)
+    print(machine(), end="\n\n")
+    for case in cases(arguments.quick):
+        print(report(case, arguments.quick, arguments.plots), flush=True)
+
+
+if __name__ == "__main__":
+    main()
