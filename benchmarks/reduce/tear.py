@@ -50,7 +50,7 @@ def views(center: Point, seed: int) -> Iterator[nf.Camera]:
         around, ahead = draw.uniform(0.0, 2.0 * np.pi, 2)
         away = REACH * np.sqrt(draw.uniform())
         user = np.add(center, (away * np.cos(around), 0.0, away * np.sin(around)))
-        toward = user + (np.cos(ahead), -0.05, np.sin(ahead))
+        toward = np.add(user, (np.cos(ahead), -0.05, np.sin(ahead)))
         yield nf.Camera.look_at(user, toward, fov=fov, size=(width, round(width * 9 / 16)))
 
 

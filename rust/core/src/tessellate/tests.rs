@@ -81,6 +81,7 @@ fn any_settings() -> impl Strategy<Value = Settings> {
     (5.0..60.0f64, 2.0..60.0f64, 0.02..0.5f64, 3e-4..1e-2f64).prop_map(|(r1, width, reach, tolerance)| Settings {
         r1,
         r2: r1 + width,
+        drawn: r1 + width,
         reach: reach * r1,
         ..settings(0.0, tolerance * (1.0 + 20.0 * reach))
     })
@@ -167,7 +168,7 @@ fn radii_below_what_coordinates_tell_apart_end_too() {
     for kind in [Kind::Blend, Kind::Cylinder] {
         for (r1, r2) in [(0.0, 1e-9), (0.0, 1e-13), (0.0, 1e-300), (0.0, 50.0), (30.0, 30.0 + 1e-12), (30.0, 50.0)] {
             for reach in [1e-3, 10.0, 40.0] {
-                let settings = Settings { r1, r2, kind, ..settings(reach, 5e-4) };
+                let settings = Settings { r1, r2, drawn: r2, kind, ..settings(reach, 5e-4) };
                 let rule = Rule::new(&settings, Precision::Double).unwrap();
                 let count = pieces(corners, &rule).len();
                 assert!(count < 200_000, "{r1} {r2} {reach} {count}");
