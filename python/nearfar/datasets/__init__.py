@@ -4,12 +4,16 @@ from nearfar._base.data import find
 from nearfar.datasets._city import city, street_view
 from nearfar.datasets._forest import forest
 from nearfar.datasets._room import room, room_view
-from nearfar.datasets._study import SphereTask, TapeTask, sphere_task, tape_task
+from nearfar.datasets._study.ball import SphereTask, sphere_task
+from nearfar.datasets._study.count import CountTask, count_task
+from nearfar.datasets._study.tape import TapeTask, tape_task
 
 __all__ = [
+    "CountTask",
     "SphereTask",
     "TapeTask",
     "city",
+    "count_task",
     "find",
     "forest",
     "room",

@@ -1,0 +1,89 @@
+"""The user study's first task: count the spheres on both sides of r₂."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar._base import check
+from nearfar._scene.scene import Scene
+from nearfar.datasets._draw import Draw, turn
+from nearfar.datasets._palette import material
+from nearfar.datasets._shapes import sphere, triangles
+from nearfar.datasets._stage import Stage
+from nearfar.datasets._study.layout import CENTER, MOST_SEED, R1, R2, Point, Task, ground
+
+_RADIUS = 1.0
+# Rows of spheres, from below: distance from the axis, least and greatest, and height, metres. Rows are so far apart in
+# height that no user sees one sphere before another of the next row.
+_INSIDE, _ACROSS, _BEYOND = (38.0, 46.0, 1.5), (R2 - 0.2, R2 + 0.2, 5.0), (53.0, 60.0, 9.0)
+# Angle of view that a row takes, and the greatest shift of a sphere in it, as fractions of a full turn. Spheres of a
+# row stay apart by more than the 0.007 of their diameter and the 0.01 by which users 8 m away shift them.
+_WIDTH, _SHIFT = 80.0 / 360.0, 2.0 / 360.0
+
+
+@dataclass(frozen=True)
+class CountTask(Task):
+    """Geometry and answer of `count_task`: the user says how many spheres there are."""
+
+    spheres: tuple[str, ...]
+    """Names of the spheres."""
+    answer: int
+    """Number of the spheres, 11 to 13."""
+    radius: float
+    """Radius of a sphere, metres."""
+    across: tuple[str, ...]
+    """Names of the spheres that r₂ cuts, one or two, of which a conventional picture shows each half on its own."""
+
+
+def count_task(seed: int = 0) -> tuple[Scene, CountTask]:
+    """Make the scene of the first task: 11 to 13 spheres inside, across and beyond r₂, which the user counts.
+
+    The ground is at y = 0 and the centre above the origin. The spheres have a radius of 1 m and float in three rows of
+    different height, towards −z: those 38 m to 46 m away lowest, one or two across r₂ above them, and those 53 m to 60
+    m away highest. Users up to 8 m beside the centre see all of them, none behind another. The same arguments give the
+    same bytes on every run and every platform.
+
+    Parameters
+    ----------
+    seed
+        0 to 2⁶³ − 1; it decides the number of spheres and their places.
+
+    Returns
+    -------
+    tuple
+        The scene, whose objects are "ground", "sphere_0" and so on, and the `CountTask` with radii and answer.
+
+    Raises
+    ------
+    ValueError, TypeError
+        For a seed out of range, and for values that are not whole numbers.
+
+    References
+    ----------
+    Popescu, Lee, Choi, Fahmy (2022), user study.
+    """
+    draw = Draw(check.integer("seed", seed, 0, MOST_SEED), 92)
+    answer, across = 11 + int(draw.integers(1, 3)[0]), 1 + int(draw.integers(1, 2)[0])
+    inside = (answer - across) // 2
+    counts = (inside, across, answer - across - inside)
+    rows = [_row(draw, *row, count) for row, count in zip((_INSIDE, _ACROSS, _BEYOND), counts, strict=True)]
+    stage = Stage()
+    stage.once(ground(), "ground")
+    names = tuple(f"sphere_{number}" for number in range(answer))
+    ball = triangles(_RADIUS * sphere(3), material("sign_red"))
+    for name, place in zip(names, np.concatenate(rows), strict=True):
+        stage.once(ball.moved(place), name)
+    target: Point = (0.0, _ACROSS[2], -R2)
+    cut = names[inside : inside + across]
+    return stage.build(), CountTask(CENTER, target, R1, R2, names, answer, _RADIUS, cut)
+
+
+def _row(draw: Draw, nearest: float, farthest: float, height: float, count: int) -> NDArray[np.float64]:
+    """Places (count, 3) of a row's spheres, evenly spread and then shifted at random."""
+    turns = _WIDTH * ((np.arange(count) + 0.5) / count - 0.5) + draw.uniform(count, -_SHIFT, _SHIFT)
+    away = draw.uniform(count, nearest, farthest)
+    cosine, sine = turn(turns)
+    return np.stack([away * sine, np.full(count, height), -away * cosine], axis=1)

@@ -1,0 +1,59 @@
+"""Tests of the task of counting: the conventional method alone shows spheres twice."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import nearfar as nf
+from nearfar.datasets import count_task
+from tests.support.study_cases import ASIDE, HOW, USERS, Ids, light, pieces
+
+# A texel of the map is 0.11°, a sphere 2°.
+FOV, SIZE = nf.Fov.symmetric(100, 4.0), (1200, 300)
+
+
+def counted(reduced: nf.ReducedScene, user: tuple[float, float, float], **how: object) -> list[int]:
+    """Number of pieces in which a user who looks ahead sees each sphere, in order."""
+    eye = np.add(reduced.center, user)
+    view = nf.Camera.look_at(eye, np.add(eye, (0.0, 3.0, -50.0)), fov=FOV, size=SIZE)
+    ids: Ids = reduced.render(view, channels=("object_id",), **how).require("object_id")  # type: ignore[arg-type]
+    names = reduced.scene.object_names
+    spheres = [pieces(ids, n) for n, name in enumerate(names) if name.startswith("sphere")]
+    # The map reaches two texels into r₂, measured on the surface: single texels of a near sphere's rim are in it.
+    return [sum(int(mask.sum()) > 9 for mask in masks) for masks in spheres]
+
+
+@pytest.mark.parametrize("seed", [0, 5])
+def test_only_the_conventional_method_adds_spheres(seed: int) -> None:
+    scene, task = count_task(seed)
+    reduced = light(scene, task, 1024)
+    conventional = reduced.with_morph("none")
+    for user in USERS:
+        for how in HOW:
+            assert counted(reduced, user, **how) == [1] * task.answer, (user, how)
+    for user in ASIDE:
+        assert sum(counted(conventional, user)) == task.answer + len(task.across), user
+
+
+def test_counts_and_places() -> None:
+    asked = set()
+    for seed in range(60):
+        scene, task = count_task(seed)
+        asked.add((task.answer, len(task.across)))
+        assert len(task.spheres) == task.answer
+        assert scene.object_names == ("ground", *task.spheres)
+        zones = nf.partition(scene, center=task.center, r1=task.r1, r2=task.r2)
+        both = np.intersect1d(zones.nsf, zones.sf)
+        assert task.radius == 1.0
+        # 2 triangles of ground, then 1,280 of each sphere.
+        cut = {task.spheres[(n - 2) // 1280] for n in both[both >= 2].tolist()}
+        assert cut == set(task.across)
+    assert asked == {(n, across) for n in (11, 12, 13) for across in (1, 2)}
+    assert count_task(7)[1] == count_task(7)[1]
+
+
+def test_a_bad_seed_is_named() -> None:
+    for seed, error in ((-1, ValueError), (2**63, ValueError), (0.5, TypeError)):
+        with pytest.raises(error, match=r"^seed"):
+            count_task(seed)  # type: ignore[arg-type]
