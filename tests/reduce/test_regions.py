@@ -41,7 +41,7 @@ def along(path: Array, step: float = 0.25) -> Array:
 
 
 def distances(regions: nf.Regions, place: Array) -> Array:
-    return np.hypot(*(regions.centers - place)[:, [0, 2]].T)
+    return np.asarray(np.hypot(*(regions.centers - place)[:, [0, 2]].T))
 
 
 def wait(regions: nf.Regions, number: int) -> None:
@@ -185,7 +185,7 @@ def test_far_points_jump_as_predicted(scene: nf.Scene, turn: float) -> None:
         ]
         (x0, y0, _), (x1, y1, _) = (view.project(place)[0] for place in shown)
         measured = math.hypot(x1 - x0, y1 - y0)
-        step = np.linalg.norm(end - start)
+        step = float(np.linalg.norm(end - start))
         assert measured == pytest.approx(regions.jump(0, 1, view, distance), rel=1.2 * step / distance)
 
 
