@@ -205,6 +205,19 @@ def test_the_document_repeats_nothing_that_the_other_files_have(tmp_path: Path) 
             np.testing.assert_allclose(frames[0].require("color"), frames[1].require("color"), atol=1e-3)
 
 
+def test_a_moving_object_without_triangles_is_left_out(tmp_path: Path) -> None:
+    build = SceneBuilder()
+    for name, faces in (("nothing", np.empty((0, 3), np.uint32)), ("car", np.array([[0, 1, 2]], np.uint32))):
+        vertices = np.array([[0, 0, -10], [1, 0, -10], [0, 1, -10]])
+        build.instance(build.mesh(vertices, faces), name=name)
+    scene = build.build(dynamic=["nothing", "car"])
+    reduced = nf.reduce(scene, center=(0, 1, 0), r1=5, r2=20, face_size=8)
+    reduced.save(tmp_path / "saved")
+    loaded = nf.ReducedScene.load(tmp_path / "saved")
+    assert_same_pictures(reduced, loaded, nf.Camera((1, 1, 0), fov=nf.Fov.symmetric(90), size=(16, 16)))
+    assert loaded.at({"car": place(1.0, 0.0, 0.0)}).scene.triangle_count == 1
+
+
 def test_folders_of_the_first_version_are_read(folder: Path, tmp_path: Path) -> None:
     older = shutil.copytree(folder, tmp_path / "older")
     document = json.loads((older / "reduced.json").read_text())

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nearfar import _core
 from nearfar._base import check, files, formats
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._scene.names import MOST_OBJECTS, Names, names_of
@@ -82,10 +83,17 @@ def _object_names(near: Scene, env: EnvMap | None) -> dict[str, Any]:
 
 
 def _moving(scene: Scene) -> list[dict[str, Any]]:
-    """Object of each moving instance, and its load transform and loaded placement where they are not the usual ones."""
+    """Object of each moving instance, and its load transform and loaded placement where they are not the usual ones.
+
+    Instances without triangles are not written to `NEAR` either.
+    """
     rows: list[dict[str, Any]] = []
-    now = scene._core.moving_placements()
-    for owner, rest, placement in zip(scene._core.moving_objects().tolist(), scene._rest, now, strict=True):
+    core, parts = scene._core, _core.scene_parts(scene._core)
+    meshes = parts["meshes"][parts["standing_count"] :]
+    moving = zip(core.moving_objects().tolist(), scene._rest, core.moving_placements(), meshes, strict=True)
+    for owner, rest, placement, mesh in moving:
+        if not mesh.face_count:
+            continue
         name = scene.object_names[owner]
         transform = scene.transform(name)
         row: dict[str, Any] = {"object": name}
