@@ -10,7 +10,7 @@ from scipy import ndimage
 
 import nearfar as nf
 from nearfar.datasets import SphereTask, sphere_task
-from tests.support.study_cases import HOW, USERS, Array, Ids, light
+from tests.support.study_cases import ASIDE, HOW, USERS, Array, Ids, light
 
 BALL_FOV, BALL_SIZE = nf.Fov.symmetric(45, 16 / 9), (640, 360)
 BALL_FOCAL = 320 / np.tan(np.radians(22.5))
@@ -88,6 +88,22 @@ def test_the_ball_lands_on_the_right_box(seed: int, straight: bool) -> None:
             lowest = rows.max()
             below = ids[lowest + 1, columns[rows == lowest]]
             assert {names[i] for i in below} == {task.answer}, (user, how)
+
+
+def test_the_published_conventional_ball_flies_evenly_onto_a_wrong_box() -> None:
+    scene, task = sphere_task(1)
+    conventional, names = light(scene, task, 1024).with_morph("none"), scene.object_names
+    for user in ASIDE:
+        view, how = ball_view(task, user), {"conventional_dynamic": "user"}
+        times = np.linspace(0.25, 1.0, 24) * task.duration
+        path = ball_path(conventional, task, view, times, **how)
+        expected = view.project(np.array([task.position(t) for t in times]))[:, :2]
+        assert np.linalg.norm(path - expected, axis=1).max() < 1.0
+        ids = ball_ids(conventional, task, view, task.duration, **how)
+        rows, columns = np.nonzero(ids == names.index("ball"))
+        lowest = rows.max()
+        below = ids[lowest + 1, columns[rows == lowest]]
+        assert task.answer not in {names[i] for i in below if i >= 0}, user
 
 
 def test_the_ball_is_hidden_by_the_same_pixels_as_in_the_ideal_picture(

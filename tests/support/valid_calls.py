@@ -147,6 +147,7 @@ def _scenes(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.ReducedScene.shown_to": {"user": EYE},
         "nearfar.ReducedScene.trace": shot,
         "nearfar.ReducedScene.with_morph": {"morph": "cylinder"},
+        "nearfar.ReducedScene.with_r1": {"r1": 2.0},
         **_walks(valid),
         "nearfar.datasets.CountTask": _fields(nf.datasets.count_task()[1]),
         "nearfar.datasets.SphereTask": _fields(valid.task),

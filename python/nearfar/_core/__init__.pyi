@@ -327,6 +327,7 @@ class Reduced:
         method: str,
         mapped: bool,
         tolerance_px: float,
+        conventional_dynamic: str,
         report: _Report | None = None,
     ) -> dict[str, Any]: ...
     def fold_margin(self, user: _Point, radius: float | None) -> float: ...

@@ -60,6 +60,7 @@ class GpuDevice:
         method: str,
         mapped: bool,
         tolerance_px: float,
+        conventional_dynamic: str,
         report: _Report | None = None,
     ) -> GpuJob: ...
 

@@ -29,6 +29,9 @@ SPREAD = 5.0 / 3.0
 WALLS = 75.0
 """Percentile of the distances around an eye that counts as the distance of a room's walls; windows let rays pass."""
 
+PUBLISHED = 0.6
+"""Ratio of r1 to r2 in Popescu et al. (2022), 30 m and 50 m."""
+
 ASIDE = (0.3, 0.9)
 """Distance of a user from O as shares of r2 − r1 and of r1, the lesser of which is taken; the picture does not fold."""
 
@@ -40,6 +43,8 @@ class Choice:
     r1: float
     r2: float
     reason: str = ""
+    is_by_ground: bool = False
+    """Whether r1 follows from the ground."""
 
 
 def choose(scene: Scene, place: Viewpoint, r1: float | None = None, r2: float | None = None) -> Choice:
@@ -51,18 +56,21 @@ def choose(scene: Scene, place: Viewpoint, r1: float | None = None, r2: float | 
     """
     if r1 is not None or r2 is not None:
         inner, outer = completed(r1, r2)
-        return Choice(inner, outer, "" if r1 is not None else _by_ground(inner, outer))
+        if r1 is not None:
+            return Choice(inner, outer)
+        return Choice(inner, outer, _by_ground(inner, outer), is_by_ground=True)
     nearest, farthest = _extent(scene, place)
     if (not place.is_outside and farthest >= CITY) or not nearest < farthest < np.inf:
         inner = completed(None, CITY_OUTER)[0]
         why = f"r2 = {CITY_OUTER:g} m is the default where a scene reaches {CITY:g} m away"
-        return Choice(inner, CITY_OUTER, f"{why}; {_by_ground(inner, CITY_OUTER)}")
+        return Choice(inner, CITY_OUTER, f"{why}; {_by_ground(inner, CITY_OUTER)}", is_by_ground=True)
     thirds = [float(f"{nearest + share * (farthest - nearest):.2g}") for share in (1.0 / 3.0, 2.0 / 3.0)]
     inner, outer = thirds if thirds[0] < thirds[1] else (nearest, farthest)
     if place.is_outside:
         return Choice(inner, outer, "the radii divide the way from the object's nearest to its farthest part in thirds")
     inner = completed(None, outer)[0]
-    return Choice(inner, outer, f"r2 is two thirds of the way to the walls; {_by_ground(inner, outer)}")
+    why = f"r2 is two thirds of the way to the walls; {_by_ground(inner, outer)}"
+    return Choice(inner, outer, why, is_by_ground=True)
 
 
 def completed(r1: float | None, r2: float | None) -> tuple[float, float]:

@@ -19,6 +19,9 @@ MORPHS = ("blend", "cylinder", "none")
 TOLERANCES = {"vertex": 0.5, "exact": 0.1}
 """Default tolerance in pixels of each rendering method."""
 
+CONVENTIONAL_DYNAMIC = ("center", "user", "omit")
+"""Places of moving objects beyond the near part of the conventional method, by name."""
+
 METHODS = ("auto", *TOLERANCES)
 """Rendering methods by name; "auto" bends rays for users for whom the picture of moved vertices folds."""
 
@@ -31,9 +34,11 @@ class Drawing:
     env: bool = True
     tolerance_px: float | None = None
     radius: float | None = None
+    conventional_dynamic: str = "center"
 
     def __post_init__(self) -> None:
         check.choice("method", self.method, METHODS)
+        check.choice("conventional_dynamic", self.conventional_dynamic, CONVENTIONAL_DYNAMIC)
         object.__setattr__(self, "env", check.flag("env", self.env))
         if self.tolerance_px is not None:
             object.__setattr__(self, "tolerance_px", check.number("tolerance_px", self.tolerance_px, finite=False))
@@ -48,7 +53,13 @@ class Drawing:
     def settings(self, method: str) -> dict[str, Any]:
         """Settings as kernels take them, for "vertex" or "exact"."""
         tolerance = TOLERANCES[method] if self.tolerance_px is None else self.tolerance_px
-        return {"method": method, "mapped": self.env, "tolerance_px": tolerance, "radius": self.radius}
+        return {
+            "method": method,
+            "mapped": self.env,
+            "tolerance_px": tolerance,
+            "radius": self.radius,
+            "conventional_dynamic": self.conventional_dynamic,
+        }
 
 
 def check_morph(morph: str, boundary: str) -> None:

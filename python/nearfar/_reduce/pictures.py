@@ -52,6 +52,7 @@ class InPictures:
         method: str = "auto",
         env: bool = True,
         tolerance_px: float | None = None,
+        conventional_dynamic: str = "center",
         backend: str | None = None,
     ) -> Frame:
         """Render the picture that a thin client shows.
@@ -97,6 +98,10 @@ class InPictures:
             `stats` have `tolerance_held`. Infinity morphs only the given vertices, which bends long triangles wrongly
             and opens breaks at both radii. For "exact": greatest distance between a bent ray and its curve, in pixels
             of the size at its place in the image, by default 0.1.
+        conventional_dynamic
+            Where the conventional method shows moving objects beyond the near part. "center": in the direction in which
+            the centre sees them, if nothing in the map is nearer. "user": in the direction in which the user sees them,
+            over everything in the map, as in figure 1d of the paper. "omit": nowhere. A morph takes only "center".
         backend
             "cpu", "gpu", "auto" or None, as in `render`. On a graphics adapter near triangles are split once for all
             users at about the same distance from the centre, not for each frame, and moving objects are split only if
@@ -121,11 +126,12 @@ class InPictures:
             For arguments out of their domains; for range, position or object_id of a map without range or object_id;
             for `env` False after `load`, because far geometry is not saved; for parallel rays with a map or bent rays,
             which both belong to one eye; for "exact" with "gpu" or a `user` apart from the camera; for limits of
-            rays with "exact" or `env` False; and for a `radius` beyond r2, or with the conventional method.
+            rays with "exact" or `env` False; for a `radius` beyond r2, or with the conventional method; and for a
+            `conventional_dynamic` other than "center" with a morph.
         DeviceError
             As in `render`.
         """
-        drawn = self._drawn_by(Drawing(method, env, tolerance_px, radius))
+        drawn = self._drawn_by(Drawing(method, env, tolerance_px, radius, conventional_dynamic))
         if backends.check(backend) == "gpu" and "gpu" not in drawn.backends:
             raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
         renderer = Renderer(cast(Renderable, drawn), channels, samples, lod)

@@ -210,6 +210,28 @@ class ReducedScene(InPictures, InNotebooks, Recenters):
         check_morph(morph, self._boundary)
         return self._with(self._scene, self._partition, self._counts, morph=morph)
 
+    def with_r1(self, r1: float) -> ReducedScene:
+        """Return the same near part and the same map with another r1, without baking again.
+
+        Parameters
+        ----------
+        r1
+            Radius in metres inside which nothing is morphed, 0 ≤ r1 < r2.
+
+        Raises
+        ------
+        ValueError, TypeError
+            For radii out of range, and for a map that was baked from r1.
+        """
+        if self._boundary == "r1":
+            raise ValueError(f"r1: expected {self.r1:g}, from which the map was baked, got {check.number('r1', r1):g}")
+        zones = partition(self._unposed, center=self.center, r1=r1, r2=self.r2)
+        counts = zones.summary()
+        # Triangles beyond r2 are those that were baked, also where only the near part was loaded.
+        inner = {name: counts[name] for name in ("near", "intermediate", "nsf_at_r1")}
+        changed = self._with(self._unposed, zones, self._counts | inner)
+        return changed.at(self._poses) if self._poses else changed
+
     def save(self, path: str | os.PathLike[str], *, half: bool = True) -> None:
         """Write a folder of files that other programs can read, completely or not at all.
 

@@ -16,7 +16,7 @@ from nearfar._metrics.comparison import visible_difference
 from nearfar._reduce import default_radii, findings
 from nearfar.cli import _options as options
 from nearfar.cli import _report_page, _viewpoint
-from nearfar.cli._methods import METHODS, render_all
+from nearfar.cli._methods import render_all
 from nearfar.cli._options import option
 from nearfar.cli._output import Clock, bytes_text, metres, note_rows, radii_rows, show, triangles_text
 from nearfar.cli._partition import curve_points
@@ -74,6 +74,10 @@ def reduce(
         pictures_of = {"samples": samples, "channels": ("color",)}
         rendered = render_all(loaded, view, clock, pictures=pictures_of, reduction=reduction | {"backend": backend})
         frames, reduced = rendered.frames, rendered.reduced
+        wide = default_radii.PUBLISHED * outer
+        if radii.is_by_ground and wide > inner:
+            with clock.step("published radii"):
+                frames["published"] = reduced.with_r1(wide).render(view, **pictures_of)
         with clock.step("files"):
             reduced.save(folder)
             if equirectangular is not None and reduced.env is not None:
@@ -95,7 +99,7 @@ def reduce(
             "triangles": int(loaded.triangle_count),
             "triangles_left": int(reduced.stats["drawn"]),
             "map_bytes": int(reduced.stats["map_bytes"]),
-            "pictures": {name: _difference(pictures["truth"], pictures[name]) for name in METHODS},
+            "pictures": {name: _difference(pictures["truth"], pictures[name]) for name in frames if name != "truth"},
             "seconds": clock.seconds,
             "center": list(place.eye),
             "user": list(stand.user),

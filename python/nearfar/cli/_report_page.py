@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 import nearfar as nf
 from nearfar._base import formats
+from nearfar._reduce import default_radii
 from nearfar.cli._output import bytes_text, count, metres, radii_text
 
 CAPTION = 0.07
@@ -20,6 +21,7 @@ TITLES = {
     "truth": "truth: the whole scene",
     "conventional": "conventional: near geometry and map, not joined",
     "continuous": "continuous: near-far morph",
+    "published": "continuous, with the published ratio of radii",
 }
 """Captions of the pictures."""
 
@@ -100,6 +102,7 @@ def markdown(document: dict[str, Any]) -> str:
         "from O, so both differ from the truth; what the continuous one avoids is the break at the boundary, which "
         "`nearfar compare` measures.",
         "",
+        *_on_published(document),
         "| within | triangles |",
         "| ---: | ---: |",
         *(f"| {entry['radius']:g} m | {count(entry['triangles'])} |" for entry in document["load_curve"]),
@@ -112,3 +115,11 @@ def markdown(document: dict[str, Any]) -> str:
     if document["notes"]:
         lines += ["", "Not drawn as in the file:", "", *(f"- {note}" for note in document["notes"])]
     return "\n".join([*lines, "", f"Written by {document['generator']}.", ""])
+
+
+def _on_published(document: dict[str, Any]) -> list[str]:
+    if "published" not in document["pictures"]:
+        return []
+    wide, narrow = default_radii.PUBLISHED * document["r2"], document["r1"]
+    text = f"The last picture has r1 = {wide:g} m, the published ratio to r2: it shears the ground more than {narrow:g} m."
+    return [text, ""]

@@ -139,7 +139,7 @@ impl GpuDevice {
     /// Starts a frame of a reduced scene; `scene` is the scene that was reduced, in any pose.
     #[pyo3(signature = (
         reduced, scene, camera, *, channels, samples, t_min, t_max, user, radius, method, mapped, tolerance_px,
-        report=None
+        conventional_dynamic, report=None
     ))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn reduced(
@@ -157,10 +157,11 @@ impl GpuDevice {
         method: &str,
         mapped: bool,
         tolerance_px: f64,
+        conventional_dynamic: &str,
         report: Option<Py<PyAny>>,
     ) -> PyResult<GpuJob> {
-        let drawing =
-            drawing(&channels, samples, Segment { t_min, t_max }, (user, radius), method, mapped, tolerance_px)?;
+        let (segment, how) = (Segment { t_min, t_max }, (method, mapped, tolerance_px));
+        let drawing = drawing(&channels, samples, segment, (user, radius), how, conventional_dynamic)?;
         let (device, scene, camera) = (&self.0, &scene.0, &camera.0);
         let (job, counts) = run::long(py, report, |progress| {
             reduced.on_gpu(progress)?.begin(device, (&reduced.core, scene), camera, &drawing, progress)

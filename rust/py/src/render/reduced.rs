@@ -7,7 +7,7 @@ use nearfar_core::base::{Error, Progress, Result};
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::morph::Kind;
 use nearfar_core::render::Segment;
-use nearfar_core::render::reduced::{self, Drawing, Join, MorphMethod};
+use nearfar_core::render::reduced::{self, ConventionalDynamic, Drawing, Join, MorphMethod};
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -16,6 +16,7 @@ use super::frame::{add_counts, channels, images};
 use crate::camera::Camera;
 use crate::convert::arrays::{buffer, flat_buffer};
 use crate::convert::errors::to_python;
+use crate::convert::names::choice;
 use crate::convert::run;
 use crate::partition::Partition;
 use crate::scene::Scene;
@@ -51,17 +52,20 @@ pub fn drawing(
     samples: u32,
     segment: Segment,
     (user, radius): (Option<[f64; 3]>, Option<f64>),
-    method: &str,
-    mapped: bool,
-    tolerance_px: f64,
+    (method, mapped, tolerance_px): (&str, bool, f64),
+    conventional_dynamic: &str,
 ) -> PyResult<Drawing> {
     let method = match method {
         "vertex" => MorphMethod::Vertex,
         "exact" => MorphMethod::Exact,
         _ => return Err(to_python(Error::value("method", "'vertex' or 'exact'", method))),
     };
+    let named = [ConventionalDynamic::Center, ConventionalDynamic::User, ConventionalDynamic::Omit];
+    let named = named.map(|place| (place.name(), place));
+    let conventional_dynamic =
+        choice("conventional_dynamic", conventional_dynamic, &named).map_err(to_python)?;
     let (channels, user) = (self::channels(channels)?, user.map(DVec3::from_array));
-    Ok(Drawing { channels, samples, segment, user, radius, method, mapped, tolerance_px })
+    Ok(Drawing { channels, samples, segment, user, radius, method, mapped, tolerance_px, conventional_dynamic })
 }
 
 #[pymethods]
@@ -104,7 +108,7 @@ impl Reduced {
 
     /// Images of a view by name, and its counts as `stats`; `scene` is the scene that was reduced, in any
     /// pose.
-    #[pyo3(signature = (scene, camera, *, channels, samples, t_min, t_max, user, radius, method, mapped, tolerance_px, report=None))]
+    #[pyo3(signature = (scene, camera, *, channels, samples, t_min, t_max, user, radius, method, mapped, tolerance_px, conventional_dynamic, report=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn render<'py>(
         &self,
@@ -120,10 +124,11 @@ impl Reduced {
         method: &str,
         mapped: bool,
         tolerance_px: f64,
+        conventional_dynamic: &str,
         report: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let drawing =
-            drawing(&channels, samples, Segment { t_min, t_max }, (user, radius), method, mapped, tolerance_px)?;
+        let (segment, how) = (Segment { t_min, t_max }, (method, mapped, tolerance_px));
+        let drawing = drawing(&channels, samples, segment, (user, radius), how, conventional_dynamic)?;
         let (scene, camera) = (&scene.0, &camera.0);
         let (frame, counts) = run::long(py, report, |progress| self.core.render(scene, camera, &drawing, progress))?;
         let images = images(py, frame, (camera.height as usize, camera.width as usize))?;

@@ -30,12 +30,14 @@ impl HitFilter for Split<'_> {
     fn accepts(&self, ray: &Ray, candidate: &Hit) -> bool {
         let Bent { scene, shown, backdrop, radius } = self.bent;
         let piece = shown.piece(candidate.instance, candidate.face);
-        let (u, v) = piece.on_face(candidate.u, candidate.v);
-        let fixed = Shown::is_fixed(candidate.instance);
-        if self.beyond && (fixed || piece.instance < self.standing) {
+        if self.beyond && (piece.is_within || piece.instance < self.standing) {
             return false;
         }
-        if !fixed {
+        if piece.is_within && !self.cutouts {
+            return true;
+        }
+        let (u, v) = piece.on_face(candidate.u, candidate.v);
+        if !piece.is_within {
             let [a, b, c] = scene.instance(piece.instance).corners(piece.face).map(|corner| corner.as_dvec3());
             let point = a + (b - a) * f64::from(u) + (c - a) * f64::from(v);
             let from_axis = point - backdrop.center;

@@ -5,7 +5,7 @@ use glam::{Vec3, Vec4};
 use crate::bend::{RayCurve, Stretch};
 
 /// Greatest number of legs between the radii; rays that need more are bent one by one.
-pub(super) const MOST_LEGS: usize = 32;
+pub(super) const MOST_LEGS: usize = 128;
 /// Least number of legs, so that neighbouring corners can be compared there.
 pub(super) const LEAST_LEGS: usize = 4;
 /// Tolerance of a bend's offset as a share of the greatest offset. The error is about its square, float32's resolution.

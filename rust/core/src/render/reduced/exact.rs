@@ -7,7 +7,8 @@ use super::super::frame::{Channels, Sample};
 use super::super::surface::{Surface, add_colors};
 use super::super::tiles::{PIXELS, Picture, Spots};
 use super::backdrop::{Backdrop, closest, sample_of};
-use super::lattice::{Cell, Lattice};
+use super::cell::Cell;
+use super::lattice::Lattice;
 use super::moving::Moving;
 use crate::base::{Progress, Result};
 use crate::bend::{RayCurve, on_ground, within_cylinder};
@@ -18,6 +19,9 @@ use crate::trace::{Hit, Ray, touches};
 
 /// Share by which each leg is lengthened, so that rounding leaves no gap to the next leg.
 const OVERLAP: f32 = 1e-5;
+
+/// Number of legs that are skipped together where nothing lies near them.
+const SPAN: usize = 8;
 
 pub(super) struct Exact<'a> {
     scene: &'a Scene,
@@ -102,10 +106,15 @@ impl<'a> Exact<'a> {
         let mut legs = [Ray { origin: user, direction: Vec3::NEG_Z, t_min: 0.0, t_max: 1.0 + OVERLAP }; PIXELS];
         let mut found = [Hit::MISS; PIXELS];
         let mut known = 0;
-        for k in 1..=cell.legs {
-            if count == 0 {
-                break;
+        let mut next = 1;
+        while next <= cell.legs && count > 0 {
+            let k = next;
+            let span = (k - 1) % SPAN == 0 && cell.legs > SPAN;
+            if span && !touches(self.scene, &cell.region(k - 1, (k - 1 + SPAN).min(cell.legs))) {
+                next += SPAN;
+                continue;
             }
+            next += 1;
             if !touches(self.scene, &cell.region(k - 1, k)) {
                 continue;
             }

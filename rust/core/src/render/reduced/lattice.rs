@@ -7,11 +7,11 @@
 
 use std::sync::OnceLock;
 
-use glam::{Vec3, Vec4, Vec4Swizzles};
+use glam::{Vec4, Vec4Swizzles};
 
 use super::super::tiles::TILE;
-use super::corner::{Corner, LEAST_LEGS, MOST_LEGS};
-use crate::base::Aabb;
+use super::cell::{Cell, TilePart};
+use super::corner::{Corner, LEAST_LEGS};
 use crate::bend::RayCurve;
 use crate::camera::{Camera, Rays};
 use crate::morph::Morph;
@@ -19,9 +19,9 @@ use crate::morph::Morph;
 /// Shares of the tolerance that the chords and the interpolation may use.
 const CHORD: f64 = 0.6;
 const BETWEEN: f64 = 0.25;
-/// Share of a tile's width by which rays inside the tile may leave the box about its corner rays. Unit directions bulge
-/// between corners by at most an eighth of the tile's angle.
-const BULGE: f32 = 0.1;
+/// Greatest error of a quadratic polynomial between the second and the third of its points, as a share of the third
+/// difference: the maximum of |t (t² − 1)|/6 is √3/27.
+const THIRD: f64 = 0.064_150_029_909_958_42;
 
 /// Bends at the corners of all tiles.
 pub(super) struct Lattice {
@@ -31,29 +31,6 @@ pub(super) struct Lattice {
     columns: usize,
     lines: usize,
     corners: Vec<OnceLock<Option<Box<Corner>>>>,
-}
-
-/// One of `parts` × `parts` parts of a tile.
-#[derive(Clone, Copy)]
-struct TilePart {
-    parts: usize,
-    x: usize,
-    y: usize,
-}
-
-impl TilePart {
-    const WHOLE: Self = Self { parts: 1, x: 0, y: 0 };
-}
-
-/// The bends of the rays of a tile, or of a part of it.
-pub(super) struct Cell {
-    part: TilePart,
-    /// Number of legs between the radii.
-    pub legs: usize,
-    /// Offset of each bend and its position along the ray, as coefficients of 1, x, y and xy across the tile.
-    bends: [[Vec4; 4]; MOST_LEGS + 1],
-    /// Bounding box of each bend over all rays of the tile.
-    boxes: [Aabb; MOST_LEGS + 1],
 }
 
 impl Lattice {
@@ -70,17 +47,21 @@ impl Lattice {
     pub fn for_each_cell(&self, (column, row): (usize, usize), mut trace: impl FnMut(&Cell)) -> bool {
         let Some(turn) = self.turn(column, row) else { return false };
         let allowed = BETWEEN * self.tolerance(column, row);
-        // Second differences are proportional to the square of a part's side.
-        let Some(parts) = [1, 2, 4].into_iter().find(|&parts| turn <= allowed * (parts * parts) as f64) else {
-            return false;
-        };
         let user = self.morph.user.as_vec3();
-        if parts == 1 {
+        if turn <= allowed {
             let at = |x, y| self.corner(column + x, row + y);
             let (Some(a), Some(b), Some(c), Some(d)) = (at(0, 0), at(1, 0), at(0, 1), at(1, 1)) else { return false };
-            trace(&Cell::new([a, b, c, d], user, TilePart::WHOLE));
+            trace(&Cell::linear([a, b, c, d], user, TilePart::WHOLE));
             return true;
         }
+        if let Some(cell) = self.quadratic(column, row, allowed) {
+            trace(&cell);
+            return true;
+        }
+        // Second differences are proportional to the square of a part's side.
+        let Some(parts) = [2, 4].into_iter().find(|&parts| turn <= allowed * (parts * parts) as f64) else {
+            return false;
+        };
         let across = parts + 1;
         let at = |i: usize| {
             let share = |cell: usize, part: usize| cell as f64 + part as f64 / parts as f64;
@@ -91,7 +72,7 @@ impl Lattice {
             let (x, y) = (part % parts, part / parts);
             let first = y * across + x;
             let around = [first, first + 1, first + across, first + across + 1].map(|i| &corners[i]);
-            trace(&Cell::new(around, user, TilePart { parts, x, y }));
+            trace(&Cell::linear(around, user, TilePart { parts, x, y }));
         }
         true
     }
@@ -116,9 +97,8 @@ impl Lattice {
     }
 
     /// Angle by which interpolated rays inside a tile miss their curve. The error of linear interpolation in each
-    /// direction is an eighth of the second difference, which follows from the surrounding corners. An error δs of a
-    /// bend's position along the ray moves it across the ray by δs times the curve's slope. `None` if corners cannot be
-    /// compared.
+    /// direction is an eighth of the second difference, which follows from the surrounding corners. `None` if corners
+    /// cannot be compared.
     fn turn(&self, column: usize, row: usize) -> Option<f64> {
         let inner = |i: usize, count: usize| i.clamp(1, count.saturating_sub(2).max(1));
         if self.columns < 3 || self.lines < 3 {
@@ -130,69 +110,54 @@ impl Lattice {
         for (x, y) in [(1, 0), (0, 1), (1, 1)] {
             let before = coarse(self.corner(column - x, row - y)?);
             let after = coarse(self.corner(column + x, row + y)?);
-            for k in 0..=LEAST_LEGS {
-                let second = before[k] - 2.0 * middle[k] + after[k];
-                let next = if k < LEAST_LEGS { k + 1 } else { k - 1 };
-                let chord = before[next] - before[k];
-                let slope = chord.xyz().length() / chord.w.abs();
-                let miss = (second.xyz().length() + slope * second.w.abs()) / 8.0;
-                worst = worst.max(f64::from(miss) / f64::from(before[k].w).max(f64::MIN_POSITIVE));
-            }
+            let second = std::array::from_fn(|k| before[k] - 2.0 * middle[k] + after[k]);
+            worst = worst.max(angle_of(&second, &before) / 8.0);
         }
         // The factor 2 adds the errors in both directions.
         Some(2.0 * worst)
     }
-}
 
-impl Cell {
-    fn new(corners: [&Corner; 4], user: Vec3, part: TilePart) -> Self {
-        let legs = corners.iter().map(|corner| corner.legs).max().unwrap_or(LEAST_LEGS);
-        let (bends, boxes) = ([[Vec4::ZERO; 4]; MOST_LEGS + 1], [Aabb::EMPTY; MOST_LEGS + 1]);
-        let mut cell = Self { part, legs, bends, boxes };
-        for k in 0..=legs {
-            let [a, b, c, d] = corners.map(|corner| corner.bend(k, legs));
-            let points = [(0, a), (1, b), (2, c), (3, d)].map(|(i, v)| user + corners[i].direction * v.w + v.xyz());
-            cell.bends[k] = [a, b - a, c - a, (d - c) - (b - a)];
-            cell.boxes[k] = around(&points);
+    /// A tile across which bends are interpolated by quadratic polynomials in each direction, through the corners of the
+    /// tile and those on one side of it. `None` if they would miss their curves by more than the allowed angle: by
+    /// 0.0642, the maximum of |t (t² − 1)|/6, times the third differences, those of both directions added.
+    fn quadratic(&self, column: usize, row: usize, allowed: f64) -> Option<Cell> {
+        if self.columns < 4 || self.lines < 4 {
+            return None;
         }
-        cell
-    }
-
-    /// Position within this part of a position in the tile; `None` for positions in other parts.
-    #[inline]
-    pub fn within(&self, spot: [f32; 2]) -> Option<[f32; 2]> {
-        let TilePart { parts, x, y } = self.part;
-        let [u, v] = spot.map(|share| share * parts as f32);
-        // Positions in a tile are below 1, so each lies in exactly one part.
-        ((u as usize, v as usize) == (x, y)).then_some([u - x as f32, v - y as f32])
-    }
-
-    /// Position of the k-th bend of a ray relative to the user, from its direction and its position in the part.
-    #[inline]
-    pub fn bend(&self, k: usize, direction: Vec3, [x, y]: [f32; 2]) -> Vec3 {
-        let [one, right, down, both] = self.bends[k];
-        let v = one + right * x + (down + both * x) * y;
-        direction * v.w + v.xyz()
-    }
-
-    /// Bounding box of the tile's rays between two bends.
-    pub fn region(&self, from: usize, to: usize) -> Aabb {
-        let mut region = Aabb::EMPTY;
-        for bends in &self.boxes[from..=to] {
-            region.extend(bends.min);
-            region.extend(bends.max);
+        let first = |i: usize, count: usize| i.clamp(1, count - 3) - 1;
+        let (left, top) = (first(column, self.columns), first(row, self.lines));
+        let across = [0, 1, 2, 3].map(|n| self.corner(left + n, row).map(coarse));
+        let upright = [0, 1, 2, 3].map(|n| self.corner(column, top + n).map(coarse));
+        let mut worst = 0.0;
+        for line in [across, upright] {
+            let [Some(a), Some(b), Some(c), Some(d)] = line else { return None };
+            let third = std::array::from_fn(|k| d[k] - a[k] + 3.0 * (b[k] - c[k]));
+            worst += THIRD * angle_of(&third, &a);
         }
-        region
+        if worst > allowed {
+            return None;
+        }
+        // The tile's own corners are the second and the third of three, or the first and the second.
+        let (x, y) = (column.saturating_sub(1), row.saturating_sub(1));
+        let mut corners = Vec::with_capacity(9);
+        for n in 0..9 {
+            corners.push(self.corner(x + n % 3, y + n / 3)?);
+        }
+        Some(Cell::quadratic(&corners, [column - x, row - y], self.morph.user.as_vec3()))
     }
 }
 
-/// Bounding box of the rays between the four corners of a tile, given in row order.
-fn around(points: &[Vec3; 4]) -> Aabb {
-    let mut region = Aabb::EMPTY;
-    points.iter().for_each(|&point| region.extend(point));
-    let widest = (points[3] - points[0]).abs().max((points[2] - points[1]).abs()).max_element();
-    let margin = Vec3::splat(BULGE * widest);
-    Aabb { min: region.min - margin, max: region.max + margin }
+/// Angle by which bends miss their curve if their offsets and positions are off by these errors. An error δs of a bend's
+/// position along the ray moves it across the ray by δs times the curve's slope.
+fn angle_of(errors: &[Vec4; LEAST_LEGS + 1], bends: &[Vec4; LEAST_LEGS + 1]) -> f64 {
+    let angle = |k: usize| {
+        let next = if k < LEAST_LEGS { k + 1 } else { k - 1 };
+        let chord = bends[next] - bends[k];
+        let slope = chord.xyz().length() / chord.w.abs();
+        let miss = errors[k].xyz().length() + slope * errors[k].w.abs();
+        f64::from(miss) / f64::from(bends[k].w).max(f64::MIN_POSITIVE)
+    };
+    (0..=LEAST_LEGS).map(angle).fold(0.0, f64::max)
 }
 
 /// The bends that all corners have.

@@ -2,6 +2,7 @@
 
 mod backdrop;
 mod bent;
+mod cell;
 mod corner;
 mod exact;
 mod folding;
@@ -12,4 +13,4 @@ mod reduced_scene;
 mod shown;
 mod straight;
 
-pub use reduced_scene::{Drawing, FrameCounts, Join, MorphMethod, Reduced};
+pub use reduced_scene::{ConventionalDynamic, Drawing, FrameCounts, Join, MorphMethod, Reduced};

@@ -7,7 +7,10 @@ use glam::Vec3;
 use super::super::tiles::{PIXELS, Segment};
 use super::backdrop::Backdrop;
 use crate::scene::Scene;
-use crate::trace::{AlphaFilter, Hit, HitFilter, Ray, closest_hits};
+use crate::trace::{All, AlphaFilter, Hit, HitFilter, Ray, closest_hits};
+
+/// A ray that meets nothing.
+const NOWHERE: Ray = Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: -1.0 };
 
 /// The moving objects of a scene in one pose, with the number of the first in the whole scene.
 pub(super) struct Moving {
@@ -34,8 +37,7 @@ impl Moving {
     /// For rays that are misses, finds moving objects beyond the near part that no far surface hides. They are shown in
     /// the direction in which the centre sees them (w = 0), so they are traced along the ray from the centre.
     pub fn trace_beyond(&self, backdrop: &Backdrop<'_>, radius: f64, rays: &[Ray], hits: &mut [Hit]) {
-        let nowhere = Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: -1.0 };
-        let (mut others, mut found) = ([nowhere; PIXELS], [Hit::MISS; PIXELS]);
+        let (mut others, mut found) = ([NOWHERE; PIXELS], [Hit::MISS; PIXELS]);
         let (others, found) = (&mut others[..rays.len()], &mut found[..rays.len()]);
         for ((other, ray), hit) in others.iter_mut().zip(rays).zip(hits.iter()) {
             let from_center = backdrop.ray(radius, ray.direction);
@@ -52,6 +54,21 @@ impl Moving {
                 let instance = self.first + found.instance;
                 *hit = Hit { t: backdrop.displayed(ray.direction, found.t), instance, ..*found };
             }
+        }
+    }
+
+    /// For rays that are misses, finds moving objects, which the far part does not hide.
+    pub fn trace_before(&self, segment: Segment, rays: &[Ray], hits: &mut [Hit]) {
+        let (mut others, mut found) = ([NOWHERE; PIXELS], [Hit::MISS; PIXELS]);
+        let (others, found) = (&mut others[..rays.len()], &mut found[..rays.len()]);
+        for ((other, ray), hit) in others.iter_mut().zip(rays).zip(hits.iter()) {
+            if hit.is_miss() {
+                *other = Ray { t_min: segment.t_min, t_max: segment.t_max, ..*ray };
+            }
+        }
+        self.search(All, others, found);
+        for (hit, found) in hits.iter_mut().zip(found).filter(|(_, found)| !found.is_miss()) {
+            *hit = Hit { instance: self.first + found.instance, ..*found };
         }
     }
 

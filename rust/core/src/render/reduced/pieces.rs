@@ -20,6 +20,8 @@ const TILE: usize = 1 << 14;
 pub(super) struct NearPiece {
     pub instance: u32,
     pub face: u32,
+    /// Whether the piece lies in the near part's cylinder as a whole, so that its points need not be tested.
+    pub is_within: bool,
     /// Weights of the face's second and third corner at the piece's corners.
     corners: [[f32; 2]; 3],
 }
@@ -48,7 +50,7 @@ pub(super) struct NearPart {
 impl NearPart {
     /// Whole faces where they are.
     pub fn fixed(faces: Vec<(u32, u32)>, scene: &Scene) -> Result<Self> {
-        let split = Split::new(faces, scene, None, false, &Progress::new())?;
+        let split = Split::new(faces, scene, None, false, |_| true, &Progress::new())?;
         let positions = split.vertices.iter().map(|vertex| vertex.as_vec3().to_array()).collect();
         split.placed(split.mesh_of(positions)?, 0)
     }
@@ -67,12 +69,13 @@ pub(super) struct Split {
 
 impl Split {
     /// Splits triangles (instance, face) by a rule, or not at all. Pieces that are not drawn are left out, unless
-    /// `moves`: what moves is drawn everywhere.
+    /// `moves`: what moves is drawn everywhere. `is_within` tells whether a point lies in the near part's cylinder.
     pub fn new(
         sources: Vec<(u32, u32)>,
         scene: &Scene,
         rule: Option<&Rule>,
         moves: bool,
+        is_within: impl Fn(DVec3) -> bool + Sync,
         progress: &Progress,
     ) -> Result<Self> {
         let split = |whole: tessellate::Piece| {
@@ -85,7 +88,9 @@ impl Split {
             let corners = scene.instance(instance).corners(face).map(|corner| corner.as_dvec3());
             let place = |piece: tessellate::Piece| {
                 let corners = piece.weights.map(|[_, u, v]| [u as f32, v as f32]);
-                (NearPiece { instance, face, corners }, piece.corners)
+                // The cylinder is convex.
+                let is_within = piece.corners.iter().all(|&corner| is_within(corner));
+                (NearPiece { instance, face, is_within, corners }, piece.corners)
             };
             Ok(split(tessellate::Piece::whole(corners))?.into_iter().map(place).collect())
         });

@@ -48,6 +48,29 @@ pub enum MorphMethod {
     Exact,
 }
 
+/// Where the conventional method shows moving objects beyond the near part.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ConventionalDynamic {
+    /// In the direction in which the centre sees them, where nothing of the far part is nearer.
+    #[default]
+    Center,
+    /// In the direction in which the user sees them, before the whole far part.
+    User,
+    /// Nowhere.
+    Omit,
+}
+
+impl ConventionalDynamic {
+    /// Its public name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Center => "center",
+            Self::User => "user",
+            Self::Omit => "omit",
+        }
+    }
+}
+
 /// Settings of a frame of a reduced scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Drawing {
@@ -68,6 +91,8 @@ pub struct Drawing {
     /// Tolerance of the morph in units of this view's finest pixel. With `Vertex`, triangles that exceed it are split
     /// for the frame, and infinity morphs the existing vertices only. With `Exact`, it limits the error of a bent ray.
     pub tolerance_px: f64,
+    /// Where moving objects beyond the near part are shown without a morph.
+    pub conventional_dynamic: ConventionalDynamic,
 }
 
 impl Drawing {
@@ -150,7 +175,7 @@ impl Reduced {
         let fold_margin = self.fold_margin(drawing.user(camera), drawing.radius)?;
         let traced = |moving| FrameCounts { triangles: 0, moving, opposed: 0, bounded: true, fold_margin };
         let Some(kind) = self.morph_kind(camera, drawing) else {
-            let picture = straight::Straight::new(scene, backdrop, boundary, progress)?;
+            let picture = straight::Straight::new(scene, backdrop, boundary, drawing.conventional_dynamic, progress)?;
             let counts = traced(picture.moving_triangles());
             return Ok((draw(&view, &picture, progress)?, counts));
         };
@@ -222,6 +247,10 @@ impl Reduced {
             self.check_channels(drawing.channels)?;
         }
         self.check_radius(drawing.radius)?;
+        if self.join.kind().is_some() && drawing.conventional_dynamic != ConventionalDynamic::Center {
+            let expected = "'center' with a morph, which shows what moves beyond the near part as the centre sees it";
+            return Err(Error::value("conventional_dynamic", expected, drawing.conventional_dynamic.name()));
+        }
         let bends = drawing.method == MorphMethod::Exact && self.join.kind().is_some();
         if bends && user != camera.position {
             let expected = "the camera's own position with method='exact', because bent rays start at the eye that they are \

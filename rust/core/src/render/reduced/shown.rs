@@ -6,6 +6,7 @@ use glam::{DAffine3, DVec3};
 
 use super::pieces::{NearPart, NearPiece, Split};
 use crate::base::{Progress, Result};
+use crate::bend::on_ground;
 use crate::morph::Morph;
 use crate::partition::Partition;
 use crate::scene::Scene;
@@ -134,9 +135,10 @@ impl NearGeometry {
         if let Some(split) = known {
             return Ok(split);
         }
-        let moves = cause.poses.is_some();
+        let (moves, radius) = (cause.poses.is_some(), self.radii[1]);
+        let is_within = |point: DVec3| on_ground(point - morph.center).length() <= radius;
         let rule = settings.map(|(_, settings)| Rule::new(&settings, Precision::Double)).transpose()?;
-        let split = Arc::new(Split::new(sources(), scene, rule.as_ref(), moves, progress)?);
+        let split = Arc::new(Split::new(sources(), scene, rule.as_ref(), moves, is_within, progress)?);
         let mut splits = self.splits();
         if splits.len() >= 2 * MAX_SPLITS {
             splits.remove(0);
@@ -176,12 +178,6 @@ impl Shown {
     #[inline]
     pub fn piece(&self, instance: u32, face: u32) -> &NearPiece {
         &self.pieces[instance as usize][face as usize]
-    }
-
-    /// Whether an instance holds pieces that no morph moves.
-    #[inline]
-    pub fn is_fixed(instance: u32) -> bool {
-        instance == 0
     }
 
     /// Number of traced triangles.

@@ -6,6 +6,7 @@ use super::super::surface::{Surface, add_colors};
 use super::super::tiles::{Picture, Spots};
 use super::backdrop::{Backdrop, closest, sample_of};
 use super::moving::Moving;
+use super::reduced_scene::ConventionalDynamic;
 use crate::base::{Progress, Result};
 use crate::bend::{on_ground, within_cylinder};
 use crate::camera::Footprint;
@@ -17,12 +18,21 @@ pub(super) struct Straight<'a> {
     moving: Option<Moving>,
     backdrop: Backdrop<'a>,
     radius: f64,
+    beyond: ConventionalDynamic,
 }
 
 impl<'a> Straight<'a> {
-    pub fn new(scene: &'a Scene, backdrop: Backdrop<'a>, radius: f64, progress: &Progress) -> Result<Self> {
+    /// `beyond` says where moving objects farther away than the radius are shown.
+    pub fn new(
+        scene: &'a Scene,
+        backdrop: Backdrop<'a>,
+        radius: f64,
+        beyond: ConventionalDynamic,
+        progress: &Progress,
+    ) -> Result<Self> {
         scene.build(progress)?;
-        Ok(Self { scene, moving: Moving::of(scene), backdrop, radius })
+        let moving = if beyond == ConventionalDynamic::Omit { None } else { Moving::of(scene) };
+        Ok(Self { scene, moving, backdrop, radius, beyond })
     }
 
     /// Number of moving triangles that each ray is tested against.
@@ -40,8 +50,12 @@ impl Picture for Straight<'_> {
             (ray.t_min, ray.t_max) = (ray.t_min.max(enter as f32), ray.t_max.min(leave as f32));
         }
         closest(self.scene, rays, hits);
-        if let Some(moving) = &self.moving {
-            moving.trace_beyond(&self.backdrop, self.radius, rays, hits);
+        match &self.moving {
+            Some(moving) if self.beyond == ConventionalDynamic::User => {
+                moving.trace_before(self.backdrop.segment, rays, hits);
+            }
+            Some(moving) => moving.trace_beyond(&self.backdrop, self.radius, rays, hits),
+            None => {}
         }
     }
 

@@ -7,6 +7,7 @@ use nearfar_core::base::Result;
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::morph::Kind;
 use nearfar_core::render::Segment;
+use nearfar_core::render::reduced::ConventionalDynamic;
 use nearfar_core::scene::Scene;
 
 use super::near::{Geometry, Moving};
@@ -35,6 +36,8 @@ pub(super) struct View<'a> {
     /// False where the far part is drawn from the centre instead of taken from the map.
     pub mapped: bool,
     pub segment: Segment,
+    /// Where moving objects beyond the near part are shown without a morph.
+    pub conventional_dynamic: ConventionalDynamic,
 }
 
 impl View<'_> {
@@ -51,21 +54,29 @@ impl View<'_> {
         let split = self.moving.split.iter().map(|split| (split, Set::Standing));
         let movers = split.chain([(&self.moving.placed, Set::Moving)]);
         let movers: Vec<_> = movers.filter(|(geometry, _)| geometry.scene.triangle_count() > 0).collect();
-        let has_range = self.texels.as_ref().is_some_and(|texels| texels.has_range);
+        let from_user = self.conventional_dynamic == ConventionalDynamic::User;
+        let has_range = !from_user && self.texels.as_ref().is_some_and(|texels| texels.has_range);
         let zone = if has_range { Zone::BeyondAndUnhidden } else { Zone::Beyond };
         // Morphed vertices on both sides of r₂, so that nothing gapes where triangles cross it. Without a map, what
         // stands is drawn as far away as it is from the centre, so what moves is too.
         // Beside the user's eye it has parallax, which what stands beyond r₂ has not.
         let is_apart = self.near_far.apart != DVec3::ZERO;
         let moved = match self.kind {
+            None if from_user => near,
             None => beyond,
             Some(_) if !covered_far => near,
             Some(Kind::Blend) if is_apart => near,
             Some(Kind::Cylinder) if is_apart => Shown::CylinderFromCenter,
             Some(_) => beyond,
         };
-        for (geometry, set) in &movers {
-            layers.push(self.near_layer(device, geometry, *set, moved, zone)?);
+        if self.conventional_dynamic != ConventionalDynamic::Omit {
+            let first = layers.len();
+            for (geometry, set) in &movers {
+                layers.push(self.near_layer(device, geometry, *set, moved, zone)?);
+            }
+            if let Some(layer) = layers.get_mut(first) {
+                layer.covers = from_user && first > 0;
+            }
         }
         // The first layer of the near part covers what lies beyond it.
         let first = layers.len();

@@ -102,6 +102,7 @@ impl Reduced {
             texels,
             mapped: drawing.mapped,
             segment: drawing.segment,
+            conventional_dynamic: drawing.conventional_dynamic,
         };
         let job = Job::begin(device, view.picture(device)?, camera, drawing.channels, drawing.samples, progress)?;
         Ok((job, counts))

@@ -1,0 +1,146 @@
+"""The published user study: its tasks as pictures, the disparity of both eyes by distance, and its statistics.
+
+python -m benchmarks.reduce.study [--quick] [--plots out/bench]
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from benchmarks.reduce._study import draw_disparity, draw_tasks
+
+IPD = 0.064
+"""Distance of both eyes, metres."""
+RADIUS = 0.4
+"""Radius of the ball whose disparity is measured, metres."""
+R1, R2, CENTER = 30.0, 50.0, np.array([0.0, 1.7, 0.0])
+
+Array = NDArray[np.float64]
+
+
+def ball() -> nf.Scene:
+    """One ball that can be placed anywhere."""
+    angle = np.linspace(0.0, np.pi, 33)
+    around = np.linspace(0.0, 2.0 * np.pi, 65)
+    x = np.sin(angle)[:, None] * np.cos(around)
+    z = np.sin(angle)[:, None] * np.sin(around)
+    y = np.broadcast_to(np.cos(angle)[:, None], x.shape)
+    vertices = RADIUS * np.stack([x, y, z], axis=-1).reshape(-1, 3)
+    first = (np.arange(32)[:, None] * 65 + np.arange(64)).reshape(-1)
+    faces = np.concatenate([
+        np.stack([first, first + 1, first + 65], axis=1), np.stack([first + 1, first + 66, first + 65], axis=1)
+    ])  # fmt: skip
+    scene = nf.Scene.from_arrays(vertices, faces.astype(np.uint32))
+    return scene.with_dynamic(scene.object_names)
+
+
+def disparities(distances: Array, user: Array, width: int) -> tuple[Array, Array, Array]:
+    """Disparity in arc minutes of a ball ahead of a user: by calculation, in pictures, and in the true pictures.
+
+    Each eye is its own user U. Pictures are so narrow that a pixel is a fraction of an arc minute.
+    """
+    scene = ball()
+    name = scene.object_names[0]
+    reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=16, samples=1)
+    eyes = [user + [side * IPD / 2.0, 0.0, 0.0] for side in (-1.0, 1.0)]
+    rows = []
+    for distance in distances:
+        place = CENTER + [0.0, 0.0, -distance]
+        pose = np.eye(4)
+        pose[:3, 3] = place
+        shown = [nf.morph(place[None], user=eye, center=CENTER, r1=R1, r2=R2)[0] for eye in eyes]
+        calculated = _angle(shown[0] - eyes[0]) - _angle(shown[1] - eyes[1])
+        middle = 0.5 * (shown[0] - eyes[0] + shown[1] - eyes[1])
+        # Wide enough for the ball and for the disparity of the truth.
+        fov = nf.Fov.symmetric(2.0 * np.degrees(np.arctan(1.6 * RADIUS / distance) + IPD / distance + 0.002), 1.0)
+        seen = []
+        for source, way in ((reduced, middle), (scene, place - user)):
+            angles = []
+            for eye in eyes:
+                view = nf.Camera.look_at(eye, eye + way, fov=fov, size=(width, width))
+                how: dict[str, Any] = {"at": {name: pose}, "channels": ("object_id",)}
+                if source is reduced:
+                    frame = reduced.render(view, method="exact", env=False, **how)
+                else:
+                    frame = nf.render(scene, view, **how)
+                angles.append(_middle(frame, view))
+            seen.append(angles[0] - angles[1])
+        rows.append([calculated, *seen])
+    arc_minutes = np.degrees(np.array(rows)) * 60.0
+    return arc_minutes[:, 0], arc_minutes[:, 1], arc_minutes[:, 2]
+
+
+def _angle(direction: Array) -> float:
+    """Angle to the right of −z, radians."""
+    return float(np.arctan2(direction[0], -direction[2]))
+
+
+def _middle(frame: nf.Frame, view: nf.Camera) -> float:
+    """Mean angle of the ball's pixels to the right of −z, radians."""
+    directions = view.rays()[1][frame.require("object_id") >= 0]
+    return float(np.mean(np.arctan2(directions[:, 0], -directions[:, 2])))
+
+
+def disparity(quick: bool, plots: Path | None) -> str:
+    """Table and plot of the disparity by distance, for a user at the centre and one beside it."""
+    distances = np.array([20.0, 45.0] if quick else [5, 10, 20, 29, 32, 35, 38, 41, 44, 47, 49, 49.9, 50.1, 60, 80])
+    rows, drawn = [], {}
+    for text, step in (("at O", (0.0, 0.0, 0.0)), ("8 m aside", (8.0, 0.0, 0.0))):
+        drawn[text] = disparities(distances, CENTER + np.array(step), 200 if quick else 1200)
+    for n, distance in enumerate(distances):
+        values = [f"{drawn[text][part][n]:.2f}" for text in drawn for part in (2, 0, 1)]
+        rows.append([f"{distance:g}", *values])
+    if plots is not None:
+        draw_disparity(distances, drawn, (R1, R2), plots / "disparity.png")
+    names = ("truth", "continuous, calculated", "continuous, in pictures")
+    header = ["m from O", *(f"{text}: {name}" for text in drawn for name in names)]
+    return table(f"Disparity in arc minutes, eyes {IPD * 1000:.0f} mm apart, r₁ = {R1:g}, r₂ = {R2:g} m", header, rows)
+
+
+def statistics() -> str:
+    """Table of the printed answers, and the test statistics that follow from them.
+
+    McNemar's test looks at the pairs of answers in which a participant was right in one condition only: b pairs in
+    favour of the continuous condition, c in favour of the other. χ² is (b − c)²/(b + c).
+    """
+    rows = []
+    for question, answers, b, c, printed in (
+        ("1: wrong number of spheres", "EC 9 %, CC 41 %", 8, 1, "5.44, 0.0196"),
+        ("2: right board, by participant", "EC, TC 100 %, CC 15.2 %", 18, 0, "18"),
+        ("2: right board, by answer", "the same", 56, 0, "18"),
+        ("4: right box", "EC 83.3 %, TC 93.9 %", 7, 0, "7, 0.008"),
+    ):
+        chi = (b - c) ** 2 / (b + c)
+        exact = stats.binomtest(c, b + c).pvalue
+        rows.append(
+            [question, answers, f"{b}, {c}", printed, f"{chi:.2f}", f"{stats.chi2.sf(chi, 1):.2g}", f"{exact:.2g}"]
+        )
+    header = ["question", "answers", "pairs b, c", "printed χ², p", "χ²", "its p", "exact p"]
+    return table("The study's printed answers, and McNemar's test of them", header, rows)
+
+
+def main() -> None:
+    """Print the tables and draw the pictures."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="few distances, small pictures")
+    parser.add_argument("--plots", type=Path, help="folder for pictures and plots")
+    arguments = parser.parse_args()
+    if arguments.plots is not None:
+        arguments.plots.mkdir(parents=True, exist_ok=True)
+    print(machine(), end="\n\n")
+    print(statistics())
+    print(disparity(arguments.quick, arguments.plots))
+    if arguments.plots is not None:
+        draw_tasks(arguments.plots / "study.jpg", (320, 140) if arguments.quick else (960, 420))
+
+
+if __name__ == "__main__":
+    main()
