@@ -1,6 +1,7 @@
 """Makes the pictures of the README: `python scripts/pictures.py [city] [tokyo] [curve] [lod]`, into docs/.
 
-City and Tokyo show truth, conventional and continuous method from one eye, and below a part of each enlarged.
+City and Tokyo show truth, conventional and continuous method from one eye, and below a part of each enlarged; the city
+also with the r₁ that the ground asks for.
 """
 
 from __future__ import annotations
@@ -34,7 +35,9 @@ def main() -> None:
         eye, _ = nf.datasets.street_view()
         if "city" in requested:
             user = (eye[0] - 8.0, eye[1], eye[2])
-            compare("city", city, eye, user, (user[0], user[1] + 6.0, user[2] - 40.0), (0.56, 0.22, 0.86, 0.72))
+            target = (user[0], user[1] + 6.0, user[2] - 40.0)
+            chosen = nf.choose_radii(city, eye, r2=R2).r1
+            compare("city", city, eye, user, target, (0.56, 0.22, 0.86, 0.72), chosen=chosen)
         if "curve" in requested:
             save_curve(DOCS, nf.load_curve(city, center=eye), R2)
     if "tokyo" in requested:
@@ -53,21 +56,23 @@ def compare(
     user: tuple[float, float, float],
     target: tuple[float, float, float],
     part: Box,
+    *,
+    chosen: float | None = None,
 ) -> None:
-    """Render the three pictures side by side, with an enlarged part of each below."""
+    """Render the pictures side by side, with an enlarged part of each below; the last one with another r₁ if given."""
     view = nf.Camera.look_at(user, target, fov=nf.Fov.symmetric(90, SIZE[0] / SIZE[1]), size=SIZE)
     reduced = nf.reduce(scene, center=center, r1=R1, r2=R2, face_size=2048, samples=2)
-    conventional = reduced.with_morph("none")
-    pictures = {
-        f"truth: {scene.triangle_count:,} triangles": nf.render(scene, view, samples=8, channels=("color",)),
-        f"conventional: {reduced.stats['drawn']:,} and a map": conventional.render(
-            view, samples=8, channels=("color",)
-        ),
-        f"continuous: {reduced.stats['drawn']:,} and a map": reduced.render(view, samples=8, channels=("color",)),
+    shown: dict[str, nf.Scene | nf.ReducedScene] = {
+        f"truth: {scene.triangle_count:,} triangles": scene,
+        f"conventional: {reduced.stats['drawn']:,} and a map": reduced.with_morph("none"),
+        f"continuous: {reduced.stats['drawn']:,} and a map": reduced,
     }
-    columns = [column(frame.to_image(), text, part) for text, frame in pictures.items()]
+    if chosen is not None:
+        shown = {**shown, f"the same, near zone of {chosen:.1f} m instead of {R1:g} m": reduced.with_r1(chosen)}
+    frames = {text: nf.render(source, view, samples=8, channels=("color",)) for text, source in shown.items()}
+    columns = [column(frame.to_image(), text, part) for text, frame in frames.items()]
     gap = np.full((len(columns[0]), 6, 3), 255, np.uint8)
-    sheet = np.concatenate([columns[0], gap, columns[1], gap, columns[2]], axis=1)
+    sheet = np.concatenate([piece for one in columns for piece in (one, gap)][:-1], axis=1)
     Image.fromarray(sheet).save(DOCS / f"{name}.jpg", quality=86, optimize=True)
 
 

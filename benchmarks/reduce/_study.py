@@ -42,7 +42,7 @@ def _view(task: Any, name: str, size: tuple[int, int], degrees: float, up: float
     # Users turn towards the middle of the objects.
     ahead = np.subtract(task.target, eye)
     return nf.Camera.look_at(
-        eye, eye + [ahead[0], up, ahead[2]], fov=nf.Fov.symmetric(degrees, size[0] / size[1]), size=size
+        eye, np.add(eye, (ahead[0], up, ahead[2])), fov=nf.Fov.symmetric(degrees, size[0] / size[1]), size=size
     )
 
 

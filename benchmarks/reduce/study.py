@@ -50,10 +50,10 @@ def disparities(distances: Array, user: Array, width: int) -> tuple[Array, Array
     scene = ball()
     name = scene.object_names[0]
     reduced = nf.reduce(scene, center=CENTER, r1=R1, r2=R2, face_size=16, samples=1)
-    eyes = [user + [side * IPD / 2.0, 0.0, 0.0] for side in (-1.0, 1.0)]
+    eyes = [user + np.array([side * IPD / 2.0, 0.0, 0.0]) for side in (-1.0, 1.0)]
     rows = []
     for distance in distances:
-        place = CENTER + [0.0, 0.0, -distance]
+        place = CENTER + np.array([0.0, 0.0, -distance])
         pose = np.eye(4)
         pose[:3, 3] = place
         shown = [nf.morph(place[None], user=eye, center=CENTER, r1=R1, r2=R2)[0] for eye in eyes]

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 import nearfar as nf
+from benchmarks.harness.torn import WIDE, at_the_line, picture, pixels, torn
 from nearfar._metrics.tear import _tears
 
 Array = NDArray[np.float64]
@@ -19,25 +20,10 @@ VIEW = nf.Camera((3, 2, 1), fov=nf.Fov.symmetric(90, SIZE[0] / SIZE[1]), size=SI
 UNIT_STEP = np.sqrt(0.25 - 4 * (2 / (3 * np.pi)) ** 2)
 
 
-def pixels(view: nf.Camera = VIEW) -> Array:
-    """Middles of the picture's pixels (H, W, 2)."""
-    return np.stack(np.meshgrid(np.arange(view.width) + 0.5, np.arange(view.height) + 0.5), axis=-1)
-
-
-def picture(truth: Array, view: nf.Camera = VIEW) -> nf.Frame:
-    """The frame whose pixels show points that are at given places (H, W, 2) of the truth."""
-    fov = view.fov
-    assert isinstance(fov, nf.Fov)
-    x = fov.left + (fov.right - fov.left) * truth[..., 0] / view.width
-    y = fov.up + (fov.down - fov.up) * truth[..., 1] / view.height
-    points = np.stack([x, y, -np.ones_like(x)], axis=-1) * 10.0
-    return nf.Frame(view, position=points.astype(np.float32), origin=view.position)
-
-
 def slow_tear(frame: nf.Frame, epsilon: float) -> Array:
     """Every pixel against every other, by least squares."""
     truth = frame.camera.project(frame.require("position").astype(np.float64).reshape(-1, 3) + frame.origin)
-    here = pixels().reshape(-1, 2)
+    here = pixels(VIEW).reshape(-1, 2)
     known = np.isfinite(truth).all(axis=1) & (truth[:, 2] > 0)
     out = np.full(len(here), np.nan)
     for p in np.flatnonzero(known):
@@ -49,30 +35,11 @@ def slow_tear(frame: nf.Frame, epsilon: float) -> Array:
     return out.reshape(SIZE[1], SIZE[0])
 
 
-WIDE = nf.Camera((3, 2, 1), fov=nf.Fov.symmetric(90), size=(160, 160))
-
-
-def torn(tear: float, direction: float, *, opening: bool, shear: float = 0.0) -> nf.Frame:
-    """A picture that is torn along a line through its middle, with a shear over all of it.
-
-    Its halves are apart, with nothing between them, or have slid along each other.
-    """
-    across = np.array([np.cos(direction), np.sin(direction)])
-    along = np.array([-across[1], across[0]])
-    offset = pixels(WIDE) - 80.2
-    away = offset @ across
-    back = offset - np.sign(away)[..., None] * (tear / 2) * (across if opening else along)
-    back[..., 0] -= shear * back[..., 1]
-    if opening:
-        back[np.abs(away) < tear / 2] = np.nan
-    return picture(back + 80.2, WIDE)
-
-
 @pytest.mark.parametrize("epsilon", [2.3, 4.0, 9.1])
 def test_tear_is_its_definition(epsilon: float) -> None:
     random = np.random.default_rng(5)
-    wavy = pixels() + 3 * np.sin(pixels()[..., ::-1] / 3) + random.normal(size=(48, 64, 2)) * 0.3
-    frame = picture(wavy)
+    wavy = pixels(VIEW) + 3 * np.sin(pixels(VIEW)[..., ::-1] / 3) + random.normal(size=(48, 64, 2)) * 0.3
+    frame = picture(wavy, VIEW)
     frame.require("position")[3:9, 5:20] = np.nan
     found, expected = nf.tear(frame, epsilon=epsilon), slow_tear(frame, epsilon)
     np.testing.assert_array_equal(np.isnan(found), np.isnan(expected))
@@ -87,7 +54,7 @@ def test_any_points_have_their_definition(seed: int, epsilon: float) -> None:
     # Places that differ by less than 10⁻⁴ pixels are rounding: whether they lie on a line is no matter of the picture.
     spreads = [(0.01, 0.01), *((wide, wide * thin) for wide in (1, 30, 1000) for thin in (1, 0, 1e-3))]
     truth = MIDDLE + random.normal(size=(SIZE[1], SIZE[0], 2)) * random.choice(np.array(spreads))
-    frame = picture(truth)
+    frame = picture(truth, VIEW)
     frame.require("position")[random.uniform(size=truth.shape[:2]) < 0.7] = np.nan
     found, expected = nf.tear(frame, epsilon=epsilon), slow_tear(frame, epsilon)
     differs = ~np.isclose(found, expected, rtol=2e-3, atol=2e-2, equal_nan=True)
@@ -96,35 +63,48 @@ def test_any_points_have_their_definition(seed: int, epsilon: float) -> None:
 
 @pytest.mark.parametrize("shear", [0.0, 0.3, 5.0])
 def test_affine_maps_have_no_tear(shear: float) -> None:
-    turned = (pixels() - MIDDLE) @ np.array([[0.9, 0.3], [shear, 1.2]]) + MIDDLE
-    assert np.nanmax(nf.tear(picture(turned))) < 1e-3
+    turned = (pixels(VIEW) - MIDDLE) @ np.array([[0.9, 0.3], [shear, 1.2]]) + MIDDLE
+    assert np.nanmax(nf.tear(picture(turned, VIEW))) < 1e-3
 
 
 @pytest.mark.parametrize("shear", [0.0, 0.5, 5.0])
 @pytest.mark.parametrize("direction", [0.0, 0.5, 1.2, np.pi / 2])
-@pytest.mark.parametrize("opening", [True, False])
-def test_a_tear_has_its_width_in_every_direction_at_every_shear(opening: bool, direction: float, shear: float) -> None:
+@pytest.mark.parametrize("kind", ["opening", "sliding"])
+def test_a_tear_has_its_width_in_every_direction_at_every_shear(kind: str, direction: float, shear: float) -> None:
     for tear in (1.0, 3.0, 10.0, 40.0):
-        found = nf.tear(torn(tear, direction, opening=opening, shear=shear))
-        offset = pixels(WIDE) - 80.2
-        away = np.abs(offset @ (np.cos(direction), np.sin(direction))) - (tear / 2 if opening else 0.0)
-        at_the_line = (np.abs(away) < 1) & (np.linalg.norm(offset, axis=-1) < 40) & ~np.isnan(found)
+        found = at_the_line(nf.tear(torn(tear, direction, kind=kind, shear=shear)), tear, direction, kind=kind)
         # Neighbourhoods hold some fifty pixels, and the line is up to a pixel beside their middles.
-        assert found[at_the_line].mean() == pytest.approx(tear, rel=0.06)
-        assert found[at_the_line].max() == pytest.approx(tear, rel=0.11)
+        assert found.mean() == pytest.approx(tear, rel=0.06)
+        assert found.max() == pytest.approx(tear, rel=0.11)
+
+
+@pytest.mark.parametrize("direction", [0.0, 0.5, np.pi / 2])
+def test_curvature_adds_little_to_a_tear(direction: float) -> None:
+    """A curvature c alone reads about 12 c, here 0.24 pixels; errors of both kinds add as squares."""
+    curved = nf.tear(torn(0.0, direction, kind="sliding", curvature=0.02))
+    assert at_the_line(curved, 0.0, direction, kind="sliding").mean() == pytest.approx(0.24, rel=0.3)
+    for tear in (1.0, 3.0, 10.0, 40.0):
+        found = nf.tear(torn(tear, direction, curvature=0.002))
+        assert at_the_line(found, tear, direction).mean() == pytest.approx(tear, rel=0.1)
+
+
+@pytest.mark.parametrize("direction", [0.0, 0.5, np.pi / 2])
+def test_an_overlap_that_hides_a_side_reads_nothing(direction: float) -> None:
+    found = nf.tear(torn(10.0, direction, kind="overlap"))
+    assert at_the_line(found, 10.0, direction, kind="overlap").max() < 1e-3
 
 
 @pytest.mark.parametrize(("epsilon", "columns"), [(4.0, (77, 82)), (2.0, (79, 80))])
 def test_borders_part_neighbourhoods(epsilon: float, columns: tuple[int, int]) -> None:
     left = pixels(WIDE)[..., 0] < 80.2
-    both = _tears(torn(0.0, 0.0, opening=True), WIDE, epsilon, side=left)[1]
+    both = _tears(torn(0.0, 0.0), WIDE, epsilon, side=left)[1]
     found = np.flatnonzero(both.any(axis=0))
     assert (found.min(), found.max()) == columns
-    assert not _tears(torn(0.0, 0.0, opening=True), WIDE, epsilon, side=np.ones_like(left))[1].any()
+    assert not _tears(torn(0.0, 0.0), WIDE, epsilon, side=np.ones_like(left))[1].any()
 
 
 def test_only_what_is_wanted_is_measured() -> None:
-    frame = torn(3.0, 0.5, opening=True)
+    frame = torn(3.0, 0.5)
     wanted = np.random.default_rng(3).random((160, 160)) < 0.3
     some, every = _tears(frame, WIDE, 4.0, wanted=wanted)[0], nf.tear(frame)
     np.testing.assert_array_equal(np.isnan(some), ~wanted | np.isnan(every))
@@ -172,7 +152,7 @@ def test_a_border_out_of_sight_has_no_tear(plane: nf.Scene) -> None:
 
 @pytest.mark.parametrize(("wrong", "match"), [({"epsilon": 0}, "epsilon"), ({"radius": -1}, "radius")])
 def test_wrong_arguments_are_named(plane: nf.Scene, wrong: dict[str, float], match: str) -> None:
-    frame = torn(1.0, 0.0, opening=True)
+    frame = torn(1.0, 0.0)
     with pytest.raises(ValueError, match=match):
         nf.boundary_tear(frame, **{"center": (0, 0, 0), "radius": 5.0} | wrong)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="frame"):

@@ -31,9 +31,7 @@ def car_of(frame: nf.Frame, reduced: nf.ReducedScene) -> np.ndarray[Any, Any]:
 
 @pytest.mark.parametrize("env", [True, False])
 @pytest.mark.parametrize("pose", [BEHIND_TOWER, BEFORE_TOWER, ACROSS], ids=["behind", "before", "across"])
-def test_the_user_sees_the_object_where_it_is_over_everything_far(
-    pose: np.ndarray[Any, Any], env: bool
-) -> None:
+def test_the_user_sees_the_object_where_it_is_over_everything_far(pose: np.ndarray[Any, Any], env: bool) -> None:
     reduced, view = conventional(pose), camera(USER, AHEAD, (320, 180))
     frame = reduced.render(view, conventional_dynamic="user", channels=ALL[:3], env=env)
     alone = reduced.scene.subset(objects=["car"])

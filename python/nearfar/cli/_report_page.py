@@ -121,5 +121,7 @@ def _on_published(document: dict[str, Any]) -> list[str]:
     if "published" not in document["pictures"]:
         return []
     wide, narrow = default_radii.PUBLISHED * document["r2"], document["r1"]
-    text = f"The last picture has r1 = {wide:g} m, the published ratio to r2: it shears the ground more than {narrow:g} m."
+    text = (
+        f"The last picture has r1 = {wide:g} m, the published ratio to r2: it shears the ground more than {narrow:g} m."
+    )
     return [text, ""]

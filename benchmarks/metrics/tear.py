@@ -1,0 +1,88 @@
+"""What tear reads on pictures whose tear is known: widths, directions, shear, curvature, overlap.
+
+python -m benchmarks.metrics.tear [--quick] [--plots out/bench]
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+import numpy as np
+
+import nearfar as nf
+from benchmarks.harness.timing import machine, table
+from benchmarks.harness.torn import at_the_line, torn
+
+TEARS = (1.0, 3.0, 10.0, 40.0)
+DIRECTIONS = {"upright": 0.0, "slanted": 0.5, "level": np.pi / 2.0}
+CASES: tuple[tuple[str, str, float, float], ...] = (
+    ("opening", "opening", 0.0, 0.0),
+    ("sliding", "sliding", 0.0, 0.0),
+    ("opening, shear 0.5", "opening", 0.5, 0.0),
+    ("opening, shear 5", "opening", 5.0, 0.0),
+    ("sliding, shear 5", "sliding", 5.0, 0.0),
+    ("opening, curved", "opening", 0.0, 0.002),
+    ("overlap", "overlap", 0.0, 0.0),
+)
+"""Name, motion of the halves, shear and curvature."""
+
+
+def measured(kind: str, shear: float, curvature: float, tear: float, direction: float) -> float:
+    """Mean of what tear reads along the line."""
+    frame = torn(tear, direction, kind=kind, shear=shear, curvature=curvature)
+    return float(at_the_line(nf.tear(frame), tear, direction, kind=kind).mean())
+
+
+def main() -> None:
+    """Print the table and draw the chart."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true", help="one direction")
+    parser.add_argument("--plots", type=Path, help="folder for the chart")
+    arguments = parser.parse_args()
+    directions = dict(list(DIRECTIONS.items())[:1]) if arguments.quick else DIRECTIONS
+    print(machine(), end="\n\n")
+    found = {
+        name: np.array([[measured(kind, *bent, tear, way) for tear in TEARS] for way in directions.values()])
+        for name, kind, *bent in CASES
+    }
+    rows = [
+        [name, *(f"{low:.3g} to {high:.3g}" for low, high in zip(values.min(axis=0), values.max(axis=0), strict=True))]
+        for name, values in found.items()
+    ]
+    header = ["picture", *(f"tear of {tear:g} px" for tear in TEARS)]
+    print(table(f"What tear reads along the line, {', '.join(directions)}", header, rows))
+    if arguments.plots is not None:
+        arguments.plots.mkdir(parents=True, exist_ok=True)
+        draw(found, arguments.plots / "tear.png")
+
+
+def draw(found: dict[str, np.ndarray[tuple[int, ...], np.dtype[np.float64]]], path: Path) -> None:
+    """Draw read by true tear, with the band of ± 10 %."""
+    import matplotlib as mpl
+
+    mpl.use("agg")
+    from matplotlib import pyplot as plt
+
+    figure, axes = plt.subplots(figsize=(6.4, 4.6), layout="constrained")
+    ends = np.array([0.7, 60.0])
+    axes.fill_between(ends, 0.9 * ends, 1.1 * ends, color="0.9", label="± 10 %")
+    axes.plot(ends, ends, color="0.6", linewidth=0.8)
+    for n, (name, values) in enumerate(found.items()):
+        # Cases stand side by side, so that equal ones can be told apart.
+        at = np.array(TEARS) * 1.05 ** (n - len(found) / 2)
+        shown = np.maximum(values, 0.5)
+        axes.vlines(at, shown.min(axis=0), shown.max(axis=0), color=f"C{n}")
+        axes.plot(np.tile(at, len(shown)), shown.ravel(), "o", markersize=4, color=f"C{n}", label=name)
+    axes.set(xscale="log", yscale="log", xlabel="tear, pixels", ylabel="read, pixels (0 at the bottom)")
+    axes.set_xticks(TEARS, [f"{tear:g}" for tear in TEARS])
+    axes.set_yticks([0.5, *TEARS], ["0", *(f"{tear:g}" for tear in TEARS)])
+    axes.minorticks_off()
+    axes.legend(fontsize=8)
+    axes.grid(alpha=0.3)
+    figure.savefig(path, dpi=100)
+    plt.close(figure)
+
+
+if __name__ == "__main__":
+    main()
