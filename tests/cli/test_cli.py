@@ -91,9 +91,11 @@ def test_demo_does_the_whole_job(city: Path, tmp_path: Path, capsys: pytest.Capt
     report = document(out, "report")
     assert report == json.loads((folder / "report.json").read_text(encoding="utf-8"))
     assert sorted(path.name for path in folder.iterdir()) == sorted(report["files"])
-    assert {"truth.png", "conventional.png", "continuous.png", "side_by_side.png", "report.md"} <= set(report["files"])
+    names = {"truth", "conventional", "continuous", "published"}
+    assert {"side_by_side.png", "report.md", *(f"{name}.png" for name in names)} <= set(report["files"])
+    assert set(report["pictures"]) == names - {"truth"}
     assert report["triangles_left"] < report["triangles"]
-    assert pixels(folder / "side_by_side.png").shape[1] == 3 * 96 + 2 * 6
+    assert pixels(folder / "side_by_side.png").shape[1] == 4 * 96 + 3 * 6
     text = (folder / "report.md").read_text(encoding="utf-8")
     assert f"{report['triangles']:,} triangles become {report['triangles_left']:,}" in text
 
