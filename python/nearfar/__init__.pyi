@@ -4,6 +4,7 @@
 from ._base.errors import DeviceError, Error, FormatError, SceneError
 from ._base.version import __version__
 from ._camera.camera import Camera, CubeFace, Fov, Orthographic
+from ._camera.clip import Clip
 from ._camera.depth import depth_from_range, range_error, range_from_depth
 from ._camera.shot import Shot
 from ._scene.builder import SceneBuilder
@@ -46,6 +47,7 @@ __all__ = [
     "BoundaryTear",
     "Camera",
     "ChromaticLens",
+    "Clip",
     "Comparison",
     "CubeFace",
     "DeviceError",

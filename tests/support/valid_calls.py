@@ -225,6 +225,7 @@ def _pictures(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.ssim_pairs": {"references": stack, "tests": stack, "data_range": 255},
         "nearfar.visual_continuity": {"frames": [valid.picture, valid.picture], "data_range": 255},
         "nearfar.Similarity": {"mean": 0.5},
+        "nearfar.Clip": {"planes": [(0.0, 1.0, 0.0, 2.0)], "box": [[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]]},
         "nearfar.ChromaticLens": {"red": valid.lens, "green": valid.lens, "blue": valid.lens},
         "nearfar.ChromaticLens.warp": {**warp, "image": np.dstack([valid.picture] * 3)},
         "nearfar.ChromaticLens.warp_mesh": {"size": SIZE, "fov": "symmetric", "cells": (4, 4)},

@@ -9,6 +9,7 @@ from typing import Any
 from nearfar import _core
 from nearfar._base import check
 from nearfar._camera.camera import Camera
+from nearfar._camera.clip import Clip
 
 MAX_SAMPLES = 1024
 """Greatest number of colour samples of a pixel."""
@@ -30,6 +31,8 @@ class Shot:
     """Least distance along each ray at which surfaces are visible, metres."""
     t_max: float = math.inf
     """Greatest distance along each ray at which surfaces are visible, metres."""
+    clip: Clip | None = None
+    """Planes and a box outside of which nothing is visible."""
 
     def __post_init__(self) -> None:
         cameras = check.items("cameras", self.cameras, Camera, "a sequence of Cameras")
@@ -38,6 +41,8 @@ class Shot:
         near, far = check.number("t_min", self.t_min), check.number("t_max", self.t_max, finite=False)
         if not 0.0 <= near < far:
             raise ValueError(f"t_max: expected more than t_min and t_min at least 0, got {near:g} to {far:g}")
+        if self.clip is not None:
+            check.instance("clip", self.clip, Clip, "a Clip")
         checked: dict[str, Any] = {
             "cameras": tuple(cameras),
             "channels": tuple(check.texts("channels", self.channels)),
@@ -57,6 +62,7 @@ class Shot:
             "samples": self.samples,
             "t_min": self.t_min,
             "t_max": self.t_max,
+            "clip": [] if self.clip is None else self.clip.half_spaces.tolist(),
         }
 
     @property

@@ -278,6 +278,7 @@ def render_truth(
     samples: int,
     t_min: float = 0.0,
     t_max: float = ...,
+    clip: list[list[float]] = ...,
     report: _Report | None = None,
 ) -> dict[str, NDArray[Any]]: ...
 def silhouettes(scene: Scene, cameras: list[Camera]) -> NDArray[np.bool_]: ...
@@ -322,6 +323,7 @@ class Reduced:
         samples: int,
         t_min: float,
         t_max: float,
+        clip: list[list[float]],
         user: _Point | None,
         radius: float | None,
         method: str,

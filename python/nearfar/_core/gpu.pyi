@@ -31,6 +31,7 @@ class GpuDevice:
         samples: int,
         t_min: float = 0.0,
         t_max: float = ...,
+        clip: list[list[float]] = ...,
         report: _Report | None = None,
     ) -> GpuJob: ...
     def bake(
@@ -55,6 +56,7 @@ class GpuDevice:
         samples: int,
         t_min: float,
         t_max: float,
+        clip: list[list[float]],
         user: _Point | None,
         radius: float | None,
         method: str,

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Self, cast
 from numpy.typing import ArrayLike
 
 from nearfar._camera.camera import Camera
+from nearfar._camera.clip import Clip
 from nearfar._camera.shot import Shot, check_begin, check_request
 from nearfar._cubemap.envmap import EnvMap
 from nearfar._reduce.drawing import Drawing
@@ -45,6 +46,7 @@ class InPictures:
         user: ArrayLike | None = None,
         t_min: float = 0.0,
         t_max: float = math.inf,
+        clip: Clip | None = None,
         samples: int = 1,
         channels: Iterable[str] | None = None,
         lod: Lod | None = None,
@@ -71,6 +73,9 @@ class InPictures:
         t_min, t_max
             Limits in metres of the displayed distance along each pixel's ray, for near geometry and moving objects. The
             map is drawn only if `t_max` is infinite and its range, where it has one, is at least `t_min`.
+        clip
+            Planes and a box outside of which nothing is seen, by where it is shown. The map is drawn only where no plane
+            cuts the ray off.
         samples
             Number of colour samples of each pixel; all other images are sampled once, at the pixel's centre.
         channels
@@ -126,7 +131,7 @@ class InPictures:
             For arguments out of their domains; for range, position or object_id of a map without range or object_id;
             for `env` False after `load`, because far geometry is not saved; for parallel rays with a map or bent rays,
             which both belong to one eye; for "exact" with "gpu" or a `user` apart from the camera; for limits of
-            rays with "exact" or `env` False; for a `radius` beyond r2, or with the conventional method; and for a
+            rays and `clip` with "exact" or `env` False; for a `radius` beyond r2, or with the conventional method; and for a
             `conventional_dynamic` other than "center" with a morph.
         DeviceError
             As in `render`.
@@ -135,7 +140,7 @@ class InPictures:
         if backends.check(backend) == "gpu" and "gpu" not in drawn.backends:
             raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
         renderer = Renderer(cast(Renderable, drawn), channels, samples, lod)
-        (frame,) = renderer.frames(renderer.shot([camera], user, t_min, t_max), at, renderer.device(backend, self))
+        (frame,) = renderer.frames(renderer.shot([camera], user, t_min, t_max, clip), at, renderer.device(backend, self))
         return frame
 
     @property
@@ -191,6 +196,6 @@ class InPictures:
         """Whether rays can be bent for a picture."""
         is_eye = shot.user is None or shot.user == camera.position
         tolerance = self._drawing.tolerance_px
-        is_whole = shot.t_min == 0.0 and shot.t_max == math.inf
+        is_whole = shot.t_min == 0.0 and shot.t_max == math.inf and shot.clip is None
         is_finite = tolerance is None or math.isfinite(tolerance)
         return is_eye and is_whole and is_finite and not camera._core.is_parallel

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from nearfar import _core
 from nearfar._base import check, memory, progress
 from nearfar._camera.camera import Camera
+from nearfar._camera.clip import Clip
 from nearfar._camera.shot import MAX_SAMPLES, Shot
 from nearfar._render import backend as backends
 from nearfar._render.channels import BYTES, channel_names
@@ -82,7 +83,12 @@ class Renderer:
         return self.channels, self.samples
 
     def shot(
-        self, cameras: Sequence[Camera], user: ArrayLike | None = None, t_min: float = 0.0, t_max: float = math.inf
+        self,
+        cameras: Sequence[Camera],
+        user: ArrayLike | None = None,
+        t_min: float = 0.0,
+        t_max: float = math.inf,
+        clip: Clip | None = None,
     ) -> Shot:
         """Check the arguments and make a shot of them."""
         for camera in cameras:
@@ -93,7 +99,13 @@ class Renderer:
         memory.check_room("camera", what, pixels * sum(BYTES[name] for name in self.channels))
         place = None if user is None else check.vector("user", user)
         return Shot(
-            cameras=tuple(cameras), channels=self.channels, samples=self.samples, user=place, t_min=t_min, t_max=t_max
+            cameras=tuple(cameras),
+            channels=self.channels,
+            samples=self.samples,
+            user=place,
+            t_min=t_min,
+            t_max=t_max,
+            clip=clip,
         )
 
     def device(self, backend: str | None, measured: object | None = None) -> _core.GpuDevice | None:

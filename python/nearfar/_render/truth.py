@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from numpy.typing import ArrayLike
 
 from nearfar._camera.camera import Camera
+from nearfar._camera.clip import Clip
 from nearfar._render.frame import Frame
 from nearfar._render.level_choice import Lod
 from nearfar._render.renderable import Renderable
@@ -22,6 +23,7 @@ def render(
     user: ArrayLike | None = None,
     t_min: float = 0.0,
     t_max: float = math.inf,
+    clip: Clip | None = None,
     samples: int = 1,
     channels: Iterable[str] | None = None,
     lod: Lod | None = None,
@@ -46,6 +48,8 @@ def render(
     t_min, t_max
         Limits in metres along each pixel's ray, for parallel rays from the image plane; surfaces nearer than `t_min` or
         farther than `t_max` are not drawn. For reduced scenes see `ReducedScene.render`.
+    clip
+        Planes and a box outside of which nothing is drawn.
     samples
         Number of colour samples of each pixel, spread evenly over its square, 1 to 1024. All other images are sampled
         once, at the pixel's centre.
@@ -72,7 +76,7 @@ def render(
         edge passes within 1/256 of a pixel of its centre, either face may be shown, and the GPU draws nothing nearer
         than a micrometre. With 4 samples most adapters use their own multisampling, which finds a face for each sample
         and shades each face once, at the pixel's centre; edges and textures then differ by tens of 8-bit codes in
-        single pixels. With other numbers, with OpenGL, and for limits of rays, adapters use the tracer's samples.
+        single pixels. With other numbers, with OpenGL, for limits of rays and with `clip`, adapters use the tracer's samples.
 
     Raises
     ------
@@ -90,6 +94,6 @@ def render(
     viewer's side of the triangle.
     """
     renderer = Renderer(scene, channels, samples, lod, argument="scene")
-    shot = renderer.shot([camera], user, t_min, t_max)
+    shot = renderer.shot([camera], user, t_min, t_max, clip)
     (frame,) = renderer.frames(shot, at, renderer.device(backend))
     return frame

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from nearfar import _core
 from nearfar._base import card, check, files
+from nearfar._camera.clip import Clip
 from nearfar._render.frame import Frame
 from nearfar._render.level_choice import Lod
 from nearfar._render.renderable import Renderable
@@ -128,6 +129,7 @@ def render_eyes(
     user: str | ArrayLike = "eyes",
     t_min: float = 0.0,
     t_max: float = math.inf,
+    clip: Clip | None = None,
     samples: int = 1,
     channels: Iterable[str] | None = None,
     lod: Lod | None = None,
@@ -157,7 +159,7 @@ def render_eyes(
         at r1 and r2, and the disparity of geometry falls to that of the map, which is 0. "middle": the point between
         the eyes for both, so that both eyes see the same morphed geometry; its pictures break at r2 by half the eyes'
         distance / r2 radians. A world position (3,) in metres is another one for both. A scene does not depend on it.
-    t_min, t_max, samples, channels, backend
+    t_min, t_max, clip, samples, channels, backend
         As in `render`.
     lod
         As in `render`. It chooses the levels once, for both eyes.
@@ -178,7 +180,7 @@ def render_eyes(
     pixels = _size(hmd, size, scale)
     renderer = Renderer(source, channels, samples, lod)
     cameras = [hmd.camera(eye, position, orientation, size=pixels) for eye in EYES]
-    shot = renderer.shot(cameras, _user(user, [camera.position for camera in cameras]), t_min, t_max)
+    shot = renderer.shot(cameras, _user(user, [camera.position for camera in cameras]), t_min, t_max, clip)
     left, right = renderer.frames(shot, at, renderer.device(backend))
     return StereoFrame(hmd, left, right)
 

@@ -3,6 +3,7 @@
 pub mod frame;
 pub mod shade;
 pub mod surface;
+pub mod limits;
 pub mod tiles;
 pub mod truth;
 pub mod sides;
@@ -10,6 +11,7 @@ pub mod bake;
 pub mod reduced;
 
 pub use frame::{Channels, Frame, Sample};
+pub use limits::{Limits, MOST_PLANES, Segment};
 pub use sides::{Luma, Sides};
 pub use surface::{Facet, Surface};
-pub use tiles::{Picture, RenderView, Segment, draw};
+pub use tiles::{Picture, RenderView, draw};

@@ -7,7 +7,8 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::tiles::{MAX_SAMPLES, Picture, Segment, TILE, check_reach, ray_at, sample_offsets};
+use super::limits::Limits;
+use super::tiles::{MAX_SAMPLES, Picture, TILE, check_reach, ray_at, sample_offsets};
 use super::truth::Truth;
 use crate::base::{Error, Progress, Result, memory::room_for};
 use crate::camera::{Camera, Rays};
@@ -226,7 +227,7 @@ struct View {
 impl View {
     /// Returns the ray through an image position.
     fn ray(&self, x: f64, y: f64) -> Ray {
-        ray_at(&self.rays, self.eye, x, y, Segment::WHOLE)
+        ray_at(&self.rays, self.eye, x, y, &Limits::NONE)
     }
 }
 

@@ -7,6 +7,7 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::frame::{Band, Channels, Frame, Sample};
+use super::limits::{Limits, Segment};
 use crate::base::{Error, Progress, REACH, Result};
 use crate::camera::{Camera, Footprint, Rays};
 use crate::trace::{Hit, Ray};
@@ -51,21 +52,6 @@ impl Spots<'_> {
     }
 }
 
-/// The part of each pixel's ray in which surfaces are visible, in metres from the camera or, for parallel rays, from
-/// the image plane.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Segment {
-    /// Start, metres.
-    pub t_min: f32,
-    /// End, metres; may be infinite.
-    pub t_max: f32,
-}
-
-impl Segment {
-    /// The whole ray.
-    pub const WHOLE: Self = Self { t_min: 0.0, t_max: f32::INFINITY };
-}
-
 /// A view to be drawn.
 #[derive(Clone, Copy, Debug)]
 pub struct RenderView<'a> {
@@ -77,8 +63,8 @@ pub struct RenderView<'a> {
     pub channels: Channels,
     /// Number of colour samples per pixel, 1 to `MAX_SAMPLES`; the other channels always use the pixel's centre.
     pub samples: u32,
-    /// The part of each ray in which surfaces are visible.
-    pub segment: Segment,
+    /// The part of space in which surfaces are visible, in world positions.
+    pub limits: Limits,
 }
 
 /// Draws a picture pixel by pixel.
@@ -97,7 +83,7 @@ pub fn draw(view: &RenderView<'_>, picture: &impl Picture, progress: &Progress) 
         channels: view.channels,
         offsets: sample_offsets(view.samples),
         scale: 1.0 / f64::from(view.samples).sqrt(),
-        segment: view.segment,
+        limits: view.limits.relative_to(view.origin),
     };
     frame.bands(width * TILE).into_par_iter().enumerate().try_for_each(|(index, mut band)| {
         let first_row = index * TILE;
@@ -170,7 +156,8 @@ struct Painter<'a, P> {
     offsets: Vec<[f64; 2]>,
     /// Side of the square that a sample represents, pixels.
     scale: f64,
-    segment: Segment,
+    /// Relative to the scene's origin.
+    limits: Limits,
 }
 
 impl<P: Picture> Painter<'_, P> {
@@ -205,18 +192,19 @@ impl<P: Picture> Painter<'_, P> {
     fn trace(&self, tile: &ImageTile, offset: [f64; 2], rays: &mut [Ray], hits: &mut [Hit]) {
         for (n, ray) in rays.iter_mut().enumerate() {
             let (x, y) = position(tile, n, offset);
-            *ray = ray_at(&self.rays, self.eye, x, y, self.segment);
+            *ray = ray_at(&self.rays, self.eye, x, y, &self.limits);
         }
         self.picture.trace(rays, hits, &Spots { tile, offset });
     }
 }
 
-/// Returns the ray through image position (x, y) from an eye, which is relative to the scene's origin.
+/// Returns the ray through image position (x, y) from an eye; eye and limits are relative to the scene's origin.
 #[inline]
-pub(super) fn ray_at(rays: &Rays, eye: DVec3, x: f64, y: f64, segment: Segment) -> Ray {
+pub(super) fn ray_at(rays: &Rays, eye: DVec3, x: f64, y: f64, limits: &Limits) -> Ray {
     let (start, direction) = rays.at(x, y);
-    let origin = (eye + start).as_vec3();
-    Ray { origin, direction: direction.as_vec3(), t_min: segment.t_min, t_max: segment.t_max }
+    let origin = eye + start;
+    let Segment { t_min, t_max } = limits.of(origin, direction);
+    Ray { origin: origin.as_vec3(), direction: direction.as_vec3(), t_min, t_max }
 }
 
 #[inline]

@@ -1,9 +1,10 @@
 //! Ground truth: the unchanged scene.
 
 use super::frame::{Channels, Frame, Sample};
+use super::limits::Limits;
 use super::shade::background;
 use super::surface::{Surface, add_colors};
-use super::tiles::{Picture, RenderView, Segment, Spots, draw};
+use super::tiles::{Picture, RenderView, Spots, draw};
 use crate::base::{Progress, Result};
 use crate::camera::{Camera, Footprint};
 use crate::scene::Scene;
@@ -15,11 +16,11 @@ pub fn render(
     camera: &Camera,
     channels: Channels,
     samples: u32,
-    segment: Segment,
+    limits: Limits,
     progress: &Progress,
 ) -> Result<Frame> {
     scene.build(progress)?;
-    let view = RenderView { camera, origin: scene.origin, channels, samples, segment };
+    let view = RenderView { camera, origin: scene.origin, channels, samples, limits };
     if scene.has_cutouts() {
         draw(&view, &Truth { scene, filter: AlphaFilter { scene, inner: All } }, progress)
     } else {

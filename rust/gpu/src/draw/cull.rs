@@ -3,7 +3,9 @@
 use glam::{DVec3, DVec4, Vec3};
 use nearfar_core::base::Aabb;
 use nearfar_core::camera::Camera;
+use nearfar_core::render::Limits;
 
+use super::style::Displacement;
 use super::view::{Axes, Window};
 
 /// Half-spaces that bound a view: normal and offset, relative to the scene's origin.
@@ -13,9 +15,11 @@ pub(crate) struct Frustum {
 }
 
 impl Frustum {
-    /// The frustum of a camera's window up to a distance, which may be infinite, `slack` metres wider on all sides; `eye` is
-    /// relative to the scene's origin.
-    pub fn new(camera: &Camera, window: &Window, eye: DVec3, far: f64, slack: f64) -> Self {
+    /// The frustum of a camera's window, as far as its limits let see, for points that are shown elsewhere; eye and limits
+    /// are relative to the scene's origin.
+    pub fn new(camera: &Camera, window: &Window, eye: DVec3, limits: &Limits, moved: &Displacement) -> Self {
+        let Displacement { shift, slack } = *moved;
+        let (eye, far) = (eye - shift, f64::from(limits.segment.t_max));
         let Axes { right, up, ahead, fov } = Axes::of(camera);
         let fov = window.part_of(camera, &fov);
         let sides = [(right, fov.left, 1.0), (right, fov.right, -1.0), (up, fov.down, 1.0), (up, fov.up, -1.0)];
@@ -35,6 +39,10 @@ impl Frustum {
         if far.is_finite() {
             planes.push(plane(-ahead, -far));
         }
+        planes.extend(limits.planes().iter().map(|kept| {
+            let normal = kept.truncate();
+            normal.extend(kept.w + normal.dot(shift) + slack * normal.length())
+        }));
         Self { planes }
     }
 
@@ -60,6 +68,7 @@ mod tests {
     use super::*;
     use glam::DQuat;
     use nearfar_core::camera::{Fov, Projection};
+    use nearfar_core::render::Segment;
 
     #[test]
     fn what_projects_into_the_image_is_seen() {
@@ -68,8 +77,14 @@ mod tests {
             let turn = DQuat::from_rotation_y(2.0) * DQuat::from_rotation_x(-0.5);
             let camera = Camera::new(DVec3::new(3.0, 1.0, 2.0), turn, projection, 16, 16).unwrap();
             let window = Window { column: 0, row: 0, width: 16, height: 16 };
-            let [frustum, near] =
-                [f64::INFINITY, 4.0].map(|far| Frustum::new(&camera, &window, camera.position, far, 0.0));
+            // Points above y = 1 are seen by the last one.
+            let limited = |t_max, planes: &[[f64; 4]]| {
+                let limits = Limits::new(Segment { t_min: 0.0, t_max }, planes).unwrap();
+                Frustum::new(&camera, &window, camera.position, &limits, &Displacement::NONE)
+            };
+            let frustum = limited(f32::INFINITY, &[]);
+            let near = limited(4.0, &[]);
+            let above = limited(f32::INFINITY, &[[0.0, 2.0, 0.0, -2.0]]);
             let (mut seen, mut unseen, mut culled) = (0, 0, 0);
             for n in 0..4000u64 {
                 let draw = |axis: u64| nearfar_core::base::random::uniform(7, n, axis) * 12.0 - 6.0;
@@ -81,6 +96,7 @@ mod tests {
                 assert!(!inside || frustum.sees(&spot), "{projection:?} {point}");
                 let close = (point - camera.position).length() < 4.0;
                 assert!(!(inside && close) || near.sees(&spot), "{projection:?} {point}");
+                assert_eq!(above.sees(&spot), frustum.sees(&spot) && point.as_vec3().y >= 1.0, "{projection:?} {point}");
                 culled += u32::from(frustum.sees(&spot) && !near.sees(&spot));
                 seen += u32::from(inside);
                 unseen += u32::from(!frustum.sees(&spot));

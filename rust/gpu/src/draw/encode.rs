@@ -163,7 +163,7 @@ impl<'a> Bound<'a> {
         let key = |style: Style, single, first, layer: Option<&Layer>| ResolveKey {
             style,
             mapped: first && self.picture.backdrop.is_some(),
-            segment: first && self.picture.backdrop.is_some() && self.picture.segment.is_some(),
+            limited: first && self.picture.backdrop.is_some() && self.picture.limits.is_some(),
             color: kind.color,
             surface: kind.surface,
             single,
@@ -205,8 +205,8 @@ impl<'a> Bound<'a> {
 }
 
 fn raster_key(picture: &Picture, layer: &Layer, single: bool, samples: u32) -> RasterKey {
-    let (cutout, segment) = (layer.scene.has_cutouts(), picture.segment.is_some());
-    RasterKey { style: layer.style, cut: layer.cut, cutout, segment, single, samples }
+    let (cutout, limited) = (layer.scene.has_cutouts(), picture.limits.is_some());
+    RasterKey { style: layer.style, cut: layer.cut, cutout, limited, single, samples }
 }
 
 fn targets(device: &Device, layouts: &Layouts, slot: &Slot) -> [Option<BindGroup>; 2] {

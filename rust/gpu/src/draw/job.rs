@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nearfar_core::base::{Aabb, Error, Progress, Result};
 use nearfar_core::camera::Camera;
 use nearfar_core::render::tiles::{MAX_SAMPLES, sample_offsets};
-use nearfar_core::render::{Channels, Frame};
+use nearfar_core::render::{Channels, Frame, Limits};
 use wgpu::CommandEncoderDescriptor;
 
 use super::cull::Frustum;
@@ -161,8 +161,8 @@ impl Job {
         if surface {
             passes.push((pass(0, false, true, false), Sampling::CENTER));
         }
-        // Fragments are discarded at the ends of a segment for a whole pixel, which multisampling would leave jagged.
-        let smooth = self.picture.multisampled && self.picture.segment.is_none();
+        // Fragments are discarded at limits for a whole pixel, which multisampling would leave jagged.
+        let smooth = self.picture.multisampled && self.picture.limits.is_none();
         if self.samples == SAMPLES && self.device.multisamples && smooth {
             passes.push((pass(passes.len(), true, false, true), Sampling::CENTER));
             return passes;
@@ -178,8 +178,8 @@ impl Job {
     /// Half-spaces that visible points of a layer lie in; none where its displacement has no bound.
     fn frustum(&self, layer: &Layer, window: &Window) -> Option<Frustum> {
         let eye = eye_of(&self.camera, &self.picture);
-        let far = self.picture.segment.map_or(f64::INFINITY, |segment| f64::from(segment.t_max));
-        layer.displacement.map(|moved| Frustum::new(&self.camera, window, eye - moved.shift, far, moved.slack))
+        let limits = self.picture.limits.unwrap_or(Limits::NONE);
+        layer.displacement.map(|moved| Frustum::new(&self.camera, window, eye, &limits, &moved))
     }
 
     /// Depth of the farthest point along parallel rays.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use nearfar_core::base::Buffer;
-use nearfar_core::render::Segment;
+use nearfar_core::render::Limits;
 
 use super::layers::Layer;
 use super::style::{Parameters, Style};
@@ -25,8 +25,9 @@ pub(crate) struct Picture {
     pub origin: DVec3,
     /// Four samples may be the adapter's own, which shade each face once per pixel: for frames, not for baked maps.
     pub multisampled: bool,
-    /// The part of each ray on which surfaces and map are seen; none for the whole, which costs nothing to test.
-    pub segment: Option<Segment>,
+    /// The part of space in which surfaces and map are seen, relative to the scenes' origin; none for all of it, which
+    /// costs nothing to test.
+    pub limits: Option<Limits>,
 }
 
 /// An environment map behind everything that is drawn.
@@ -49,7 +50,7 @@ impl Picture {
             backdrop_style: Style::PLAIN,
             origin,
             multisampled: true,
-            segment: None,
+            limits: None,
         }
     }
 }

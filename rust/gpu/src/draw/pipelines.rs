@@ -25,7 +25,7 @@ pub(super) struct RasterKey {
     pub style: Style,
     pub cut: Cut,
     pub cutout: bool,
-    pub segment: bool,
+    pub limited: bool,
     pub single: bool,
     pub samples: u32,
 }
@@ -33,7 +33,7 @@ pub(super) struct RasterKey {
 impl RasterKey {
     /// Entry points of vertices and fragments.
     fn entries(&self, writes_depth: bool) -> [&'static str; 2] {
-        let plain = self.cut == Cut::NONE && !self.cutout && !self.segment;
+        let plain = self.cut == Cut::NONE && !self.cutout && !self.limited;
         match (plain, writes_depth) {
             (true, false) => ["plain_vertex", "plain_fragment"],
             (true, true) => ["plain_vertex", "plain_fragment_with_depth"],
@@ -49,7 +49,7 @@ pub(super) struct ResolveKey {
     pub style: Style,
     pub mapped: bool,
     /// The map is seen on a part of each ray.
-    pub segment: bool,
+    pub limited: bool,
     pub color: bool,
     pub surface: bool,
     pub single: bool,
@@ -103,7 +103,7 @@ impl Pipelines {
             ("CUT", f64::from(key.cut.snippet.variant)),
             ("FACE_NORMALS", f64::from(u8::from(key.cut.face_normals))),
             ("CUTOUT", f64::from(u8::from(key.cutout))),
-            ("SEGMENT", f64::from(u8::from(key.segment))),
+            ("LIMITED", f64::from(u8::from(key.limited))),
             ("SINGLE", f64::from(u8::from(key.single))),
         ];
         let compilation_options =
@@ -163,7 +163,7 @@ impl Pipelines {
         let constants = [
             ("STYLE", f64::from(key.style.0.variant)),
             ("MAPPED", f64::from(u8::from(key.mapped))),
-            ("SEGMENT", f64::from(u8::from(key.segment))),
+            ("LIMITED", f64::from(u8::from(key.limited))),
             ("COLOR", f64::from(u8::from(key.color))),
             ("SURFACE", f64::from(u8::from(key.surface))),
             ("SINGLE", f64::from(u8::from(key.single))),

@@ -199,4 +199,4 @@ impl Plan {
 }
 
 /// Blocks that a pass takes.
-pub(super) const PASS_BLOCKS: usize = 2;
+pub(super) const PASS_BLOCKS: usize = 3;

@@ -4,7 +4,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DMat3, DVec2, DVec3, DVec4};
 use nearfar_core::camera::direction_from_face;
 use nearfar_core::camera::{Camera, Fov, Projection};
-use nearfar_core::render::Segment;
+use nearfar_core::render::{Limits, MOST_PLANES, Segment};
 
 use super::picture::Picture;
 use super::style::Parameters;
@@ -69,6 +69,7 @@ pub(super) struct Pass {
     outputs: [u32; 4],
     more_outputs: [u32; 4],
     segment: [f32; 4],
+    planes: [[f32; 4]; MOST_PLANES],
     parameters: Parameters,
 }
 
@@ -165,14 +166,28 @@ pub(super) fn pass_of(
         outputs: [color, range, ids, position],
         more_outputs: [normal, 0, 0, 0],
         segment: segment_of(picture),
+        planes: planes_of(picture, eye),
         parameters: picture.parameters,
     }
 }
 
-/// Ends of the part of each ray that is seen, and whether it has no end: infinity itself is no number for shaders.
+/// Ends of the part of each ray that is seen, whether it has no end, as infinity itself is no number for shaders, and the
+/// number of planes.
 fn segment_of(picture: &Picture) -> [f32; 4] {
-    let Segment { t_min, t_max } = picture.segment.unwrap_or(Segment::WHOLE);
-    [t_min.min(f32::MAX), t_max.min(f32::MAX), f32::from(u8::from(t_max.is_infinite())), 0.0]
+    let limits = picture.limits.unwrap_or(Limits::NONE);
+    let Segment { t_min, t_max } = limits.segment;
+    let count = limits.planes().len() as f32;
+    [t_min.min(f32::MAX), t_max.min(f32::MAX), f32::from(u8::from(t_max.is_infinite())), count]
+}
+
+/// Half-spaces that are seen, for points relative to the eye.
+fn planes_of(picture: &Picture, eye: DVec3) -> [[f32; 4]; MOST_PLANES] {
+    let mut planes = [[0.0; 4]; MOST_PLANES];
+    let limits = picture.limits.unwrap_or(Limits::NONE).relative_to(eye);
+    for (to, plane) in planes.iter_mut().zip(limits.planes()) {
+        *to = plane.as_vec4().to_array();
+    }
+    planes
 }
 
 /// The direction of pixel (0, 0) and its steps, each as a multiple of a grid so coarse that shaders add and multiply it

@@ -5,8 +5,8 @@ override CUT: u32 = 0u;
 override FACE_NORMALS: bool = false;
 // Holes of cut-out materials are not drawn.
 override CUTOUT: bool = false;
-// Fragments are drawn on a part of each ray.
-override SEGMENT: bool = false;
+// Fragments are drawn in a part of space.
+override LIMITED: bool = false;
 
 @group(0) @binding(6) var<storage, read> order: array<u32>;
 
@@ -122,21 +122,24 @@ fn is_drawn(in: Vertex) -> bool {
     if CUTOUT {
         drawn = drawn && is_solid(in);
     }
-    if SEGMENT {
-        drawn = drawn && is_on_segment(in.from_eye);
+    if LIMITED {
+        drawn = drawn && is_within_limits(in.from_eye);
     }
     return drawn;
 }
 
-// By the distance that is shown; along parallel rays from the image plane.
-fn is_on_segment(from_eye: vec3<f32>) -> bool {
+// By where it is shown; along parallel rays the distance is that from the image plane.
+fn is_within_limits(from_eye: vec3<f32>) -> bool {
     var distance = length(from_eye);
+    var place = from_eye;
     if view.footprint.y > 0.0 {
         distance = dot(from_eye, normalize(view.direction.xyz + view.rest.xyz));
     } else {
-        distance = shown_range(from_eye / distance, distance);
+        let direction = from_eye / distance;
+        distance = shown_range(direction, distance);
+        place = direction * distance;
     }
-    return distance >= view.segment.x && distance <= view.segment.y;
+    return distance >= view.segment.x && distance <= view.segment.y && is_within_planes(place);
 }
 
 fn is_solid(in: Vertex) -> bool {

@@ -2,7 +2,7 @@
 
 override MAPPED: bool = false;
 // The map is seen on a part of each ray.
-override SEGMENT: bool = false;
+override LIMITED: bool = false;
 override COLOR: bool = true;
 // Any of the other channels: of one sample, at the pixel's centre.
 override SURFACE: bool = true;
@@ -116,13 +116,14 @@ fn surface_color(record: Record, part: Part, face: u32, surface: Surface, ray: R
 // Whether the map is seen along a direction: where the part of the ray has no end and the map's surface is not nearer
 // than its beginning.
 fn sees_map(direction: vec3<f32>) -> bool {
-    if !SEGMENT {
+    if !LIMITED {
         return true;
     }
-    var seen = view.segment.z > 0.0;
+    let part = seen_along(direction);
+    var seen = part.y > 0.0;
     if seen && view.environment.w != 0u {
         let range = map_range_of(texel_number(direction, view.environment.x));
-        seen = range > 1e30 || backdrop_range(direction, range) >= view.segment.x;
+        seen = range > 1e30 || backdrop_range(direction, range) >= part.x;
     }
     return seen;
 }

@@ -32,8 +32,10 @@ struct Pass {
     outputs: vec4<u32>,
     // First word of normals.
     more_outputs: vec4<u32>,
-    // The part of each ray that is seen: from, to, and 1 where it has no end.
+    // The part of each ray that is seen: from, to, 1 where it has no end, and the number of planes.
     segment: vec4<f32>,
+    // Half-spaces that are seen: points p relative to the eye with dot(xyz, p) + w at least 0.
+    planes: array<vec4<f32>, 8>,
     // Numbers that the style and the cut read.
     parameters: array<vec4<f32>, 4>,
 }
@@ -155,4 +157,29 @@ fn material_of(part: Part, face: u32) -> Material {
     }
     // The last one is for faces that have none.
     return materials[min(number, arrayLength(&materials) - 1u)];
+}
+
+// Whether planes leave a point relative to the eye.
+fn is_within_planes(p: vec3<f32>) -> bool {
+    for (var i = 0u; i < u32(view.segment.w); i++) {
+        if dot(view.planes[i].xyz, p) + view.planes[i].w < 0.0 {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Where the part of a ray from the eye begins that is seen, and 1 where it has no end.
+fn seen_along(direction: vec3<f32>) -> vec2<f32> {
+    var begin = view.segment.x;
+    var endless = view.segment.z;
+    for (var i = 0u; i < u32(view.segment.w); i++) {
+        let slope = dot(view.planes[i].xyz, direction);
+        if slope > 0.0 {
+            begin = max(begin, -view.planes[i].w / slope);
+        } else if slope < 0.0 || view.planes[i].w < 0.0 {
+            endless = 0.0;
+        }
+    }
+    return vec2<f32>(begin, endless);
 }

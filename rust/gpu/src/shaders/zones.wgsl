@@ -46,7 +46,7 @@ fn is_kept(from_center: vec3<f32>, from_eye: vec3<f32>, normal: vec3<f32>) -> bo
         let direction = from_eye / distance;
         let limit = backdrop_range(direction, range_limit(direction));
         // A surface of the map that is nearer than surfaces are seen hides nothing.
-        kept = kept && (distance <= limit || limit < view.segment.x);
+        kept = kept && (distance <= limit || limit < seen_along(direction).x);
     }
     return kept;
 }

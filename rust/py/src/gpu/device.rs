@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use nearfar_core::base::Progress;
-use nearfar_core::render::Segment;
 use nearfar_core::render::bake::Bake;
 use nearfar_gpu::render::{bake, truth};
 use nearfar_gpu::{Device, device};
@@ -15,7 +14,7 @@ use super::frame::GpuJob;
 use crate::camera::Camera;
 use crate::convert::errors::to_python;
 use crate::convert::run;
-use crate::render::frame::{channels, images};
+use crate::render::frame::{channels, images, limits};
 use crate::render::reduced::{Reduced, drawing};
 use crate::scene::Scene;
 
@@ -95,7 +94,7 @@ impl GpuDevice {
     }
 
     /// Starts a frame of a scene.
-    #[pyo3(signature = (scene, camera, *, channels, samples, t_min=0.0, t_max=f32::INFINITY, report=None))]
+    #[pyo3(signature = (scene, camera, *, channels, samples, t_min=0.0, t_max=f32::INFINITY, clip=Vec::new(), report=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn truth(
         &self,
@@ -106,12 +105,13 @@ impl GpuDevice {
         samples: u32,
         t_min: f32,
         t_max: f32,
+        clip: Vec<[f64; 4]>,
         report: Option<Py<PyAny>>,
     ) -> PyResult<GpuJob> {
         let wanted = self::channels(&channels)?;
         let (scene, camera) = (&scene.0, &camera.0);
-        let segment = Segment { t_min, t_max };
-        let begin = |progress: &Progress| truth::begin(&self.0, scene, camera, wanted, samples, segment, progress);
+        let limits = limits(t_min, t_max, &clip)?;
+        let begin = |progress: &Progress| truth::begin(&self.0, scene, camera, wanted, samples, limits, progress);
         let job = run::long(py, report, begin)?;
         Ok(GpuJob::new(job, camera, None))
     }
@@ -138,7 +138,7 @@ impl GpuDevice {
 
     /// Starts a frame of a reduced scene; `scene` is the scene that was reduced, in any pose.
     #[pyo3(signature = (
-        reduced, scene, camera, *, channels, samples, t_min, t_max, user, radius, method, mapped, tolerance_px,
+        reduced, scene, camera, *, channels, samples, t_min, t_max, clip, user, radius, method, mapped, tolerance_px,
         conventional_dynamic, report=None
     ))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
@@ -152,6 +152,7 @@ impl GpuDevice {
         samples: u32,
         t_min: f32,
         t_max: f32,
+        clip: Vec<[f64; 4]>,
         user: Option<[f64; 3]>,
         radius: Option<f64>,
         method: &str,
@@ -160,8 +161,8 @@ impl GpuDevice {
         conventional_dynamic: &str,
         report: Option<Py<PyAny>>,
     ) -> PyResult<GpuJob> {
-        let (segment, how) = (Segment { t_min, t_max }, (method, mapped, tolerance_px));
-        let drawing = drawing(&channels, samples, segment, (user, radius), how, conventional_dynamic)?;
+        let (limits, how) = (limits(t_min, t_max, &clip)?, (method, mapped, tolerance_px));
+        let drawing = drawing(&channels, samples, limits, (user, radius), how, conventional_dynamic)?;
         let (device, scene, camera) = (&self.0, &scene.0, &camera.0);
         let (job, counts) = run::long(py, report, |progress| {
             reduced.on_gpu(progress)?.begin(device, (&reduced.core, scene), camera, &drawing, progress)

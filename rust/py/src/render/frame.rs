@@ -1,7 +1,7 @@
 //! Bindings of `render::Frame`: images by name, and sRGB codes.
 
 use nearfar_core::render::reduced::FrameCounts;
-use nearfar_core::render::{Channels, Frame};
+use nearfar_core::render::{Channels, Frame, Limits, Segment};
 use nearfar_core::scene::srgb::srgb_from_all_linear;
 use numpy::ndarray::IntoDimension;
 use numpy::{Element, PyArray1, PyArrayMethods, PyReadonlyArrayDyn};
@@ -10,6 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::convert::arrays::filled;
+use crate::convert::errors::to_python;
 use crate::convert::run;
 
 /// The requested channels, by their public names.
@@ -27,6 +28,11 @@ pub fn channels(names: &[String]) -> PyResult<Channels> {
         }
     }
     Ok(channels)
+}
+
+/// Limits of what is seen: a part of each ray, and half-spaces (n, d) in the world.
+pub fn limits(t_min: f32, t_max: f32, clip: &[[f64; 4]]) -> PyResult<Limits> {
+    Limits::new(Segment { t_min, t_max }, clip).map_err(to_python)
 }
 
 /// The images of a frame by their public names, (height, width) or (height, width, 3).

@@ -6,13 +6,13 @@ use glam::DVec3;
 use nearfar_core::base::{Error, Progress, Result};
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::morph::Kind;
-use nearfar_core::render::Segment;
+use nearfar_core::render::Limits;
 use nearfar_core::render::reduced::{self, ConventionalDynamic, Drawing, Join, MorphMethod};
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use super::frame::{add_counts, channels, images};
+use super::frame::{add_counts, channels, images, limits};
 use crate::camera::Camera;
 use crate::convert::arrays::{buffer, flat_buffer};
 use crate::convert::errors::to_python;
@@ -50,7 +50,7 @@ impl Reduced {
 pub fn drawing(
     channels: &[String],
     samples: u32,
-    segment: Segment,
+    limits: Limits,
     (user, radius): (Option<[f64; 3]>, Option<f64>),
     (method, mapped, tolerance_px): (&str, bool, f64),
     conventional_dynamic: &str,
@@ -65,7 +65,7 @@ pub fn drawing(
     let conventional_dynamic =
         choice("conventional_dynamic", conventional_dynamic, &named).map_err(to_python)?;
     let (channels, user) = (self::channels(channels)?, user.map(DVec3::from_array));
-    Ok(Drawing { channels, samples, segment, user, radius, method, mapped, tolerance_px, conventional_dynamic })
+    Ok(Drawing { channels, samples, limits, user, radius, method, mapped, tolerance_px, conventional_dynamic })
 }
 
 #[pymethods]
@@ -108,7 +108,7 @@ impl Reduced {
 
     /// Images of a view by name, and its counts as `stats`; `scene` is the scene that was reduced, in any
     /// pose.
-    #[pyo3(signature = (scene, camera, *, channels, samples, t_min, t_max, user, radius, method, mapped, tolerance_px, conventional_dynamic, report=None))]
+    #[pyo3(signature = (scene, camera, *, channels, samples, t_min, t_max, clip, user, radius, method, mapped, tolerance_px, conventional_dynamic, report=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords of a Python function")]
     fn render<'py>(
         &self,
@@ -119,6 +119,7 @@ impl Reduced {
         samples: u32,
         t_min: f32,
         t_max: f32,
+        clip: Vec<[f64; 4]>,
         user: Option<[f64; 3]>,
         radius: Option<f64>,
         method: &str,
@@ -127,8 +128,8 @@ impl Reduced {
         conventional_dynamic: &str,
         report: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
-        let (segment, how) = (Segment { t_min, t_max }, (method, mapped, tolerance_px));
-        let drawing = drawing(&channels, samples, segment, (user, radius), how, conventional_dynamic)?;
+        let (limits, how) = (limits(t_min, t_max, &clip)?, (method, mapped, tolerance_px));
+        let drawing = drawing(&channels, samples, limits, (user, radius), how, conventional_dynamic)?;
         let (scene, camera) = (&scene.0, &camera.0);
         let (frame, counts) = run::long(py, report, |progress| self.core.render(scene, camera, &drawing, progress))?;
         let images = images(py, frame, (camera.height as usize, camera.width as usize))?;

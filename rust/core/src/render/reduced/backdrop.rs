@@ -4,9 +4,10 @@
 use glam::{DVec3, Vec3};
 
 use super::super::frame::Sample;
+use super::super::limits::{Limits, Segment};
 use super::super::shade::background;
 use super::super::surface::Surface;
-use super::super::tiles::{PIXELS, Segment};
+use super::super::tiles::PIXELS;
 use crate::camera::Footprint;
 use crate::cubemap::EnvironmentMap;
 use crate::morph::Morph;
@@ -35,8 +36,22 @@ pub(super) struct Backdrop<'a> {
     pub center: DVec3,
     /// The morph, which gives the displayed distance of far points. Without one it is their distance from O.
     pub morph: Option<Morph>,
-    /// Range of displayed distances in which surfaces are visible.
-    pub segment: Segment,
+    /// What is seen of the map.
+    pub seen: Seen,
+}
+
+/// The part of space in which surfaces are visible from an eye; both are relative to the scene's origin.
+#[derive(Clone, Copy)]
+pub(super) struct Seen {
+    pub limits: Limits,
+    pub eye: DVec3,
+}
+
+impl Seen {
+    /// The part of the eye's ray in a direction.
+    fn of(&self, direction: Vec3) -> Segment {
+        self.limits.of(self.eye, direction.as_dvec3())
+    }
 }
 
 impl Backdrop<'_> {
@@ -81,7 +96,7 @@ impl Backdrop<'_> {
     /// Whether the map is visible: the ray's segment has no end, and the map's surface is not nearer than the segment's
     /// start. Maps without ranges are infinitely far.
     fn shows(&self, map: &EnvironmentMap, direction: Vec3) -> bool {
-        let Segment { t_min, t_max } = self.segment;
+        let Segment { t_min, t_max } = self.seen.of(direction);
         let is_behind = || map.range.is_none() || self.displayed(direction, map.surface(direction).0) >= t_min;
         t_max.is_infinite() && (t_min == 0.0 || is_behind())
     }
@@ -100,7 +115,7 @@ impl Backdrop<'_> {
             Far::Traced(scene, radius) => self.cast(scene, radius, direction).1.t,
             _ => f32::INFINITY,
         };
-        let t_min = self.segment.t_min;
+        let t_min = self.seen.of(direction).t_min;
         if t_min > 0.0 && self.displayed(direction, limit) < t_min { f32::INFINITY } else { limit }
     }
 

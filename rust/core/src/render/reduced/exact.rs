@@ -4,6 +4,7 @@
 use glam::{DVec3, Vec2, Vec3, Vec3Swizzles};
 
 use super::super::frame::{Channels, Sample};
+use super::super::limits::Segment;
 use super::super::surface::{Surface, add_colors};
 use super::super::tiles::{PIXELS, Picture, Spots};
 use super::backdrop::{Backdrop, closest, sample_of};
@@ -225,7 +226,7 @@ impl Picture for Exact<'_> {
             self.trace_outside(rays, hits);
         }
         if let Some(moving) = &self.moving {
-            moving.trace_beyond(&self.backdrop, self.boundary, rays, hits);
+            moving.trace_beyond(&self.backdrop, self.boundary, |_| Segment::WHOLE, rays, hits);
         }
     }
 

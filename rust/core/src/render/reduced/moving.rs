@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use glam::Vec3;
 
-use super::super::tiles::{PIXELS, Segment};
+use super::super::limits::Segment;
+use super::super::tiles::PIXELS;
 use super::backdrop::Backdrop;
 use crate::scene::Scene;
 use crate::trace::{All, AlphaFilter, Hit, HitFilter, Ray, closest_hits};
@@ -35,16 +36,24 @@ impl Moving {
     }
 
     /// For rays that are misses, finds moving objects beyond the near part that no far surface hides. They are shown in
-    /// the direction in which the centre sees them (w = 0), so they are traced along the ray from the centre.
-    pub fn trace_beyond(&self, backdrop: &Backdrop<'_>, radius: f64, rays: &[Ray], hits: &mut [Hit]) {
+    /// the direction in which the centre sees them (w = 0), so they are traced along the ray from the centre. `seen`
+    /// gives the part of the n-th ray in which surfaces are visible.
+    pub fn trace_beyond(
+        &self,
+        backdrop: &Backdrop<'_>,
+        radius: f64,
+        seen: impl Fn(usize) -> Segment,
+        rays: &[Ray],
+        hits: &mut [Hit],
+    ) {
         let (mut others, mut found) = ([NOWHERE; PIXELS], [Hit::MISS; PIXELS]);
         let (others, found) = (&mut others[..rays.len()], &mut found[..rays.len()]);
-        for ((other, ray), hit) in others.iter_mut().zip(rays).zip(hits.iter()) {
+        for (n, ((other, ray), hit)) in others.iter_mut().zip(rays).zip(hits.iter()).enumerate() {
             let from_center = backdrop.ray(radius, ray.direction);
             if hit.is_miss() && from_center.t_min.is_finite() {
                 // Without a morph the displayed distance is the distance from the centre. With bent rays the segment is
                 // the whole ray.
-                let Segment { t_min, t_max } = backdrop.segment;
+                let Segment { t_min, t_max } = seen(n);
                 *other = Ray { t_min: from_center.t_min.max(t_min), t_max, ..from_center };
             }
         }
@@ -58,12 +67,13 @@ impl Moving {
     }
 
     /// For rays that are misses, finds moving objects, which the far part does not hide.
-    pub fn trace_before(&self, segment: Segment, rays: &[Ray], hits: &mut [Hit]) {
+    pub fn trace_before(&self, seen: impl Fn(usize) -> Segment, rays: &[Ray], hits: &mut [Hit]) {
         let (mut others, mut found) = ([NOWHERE; PIXELS], [Hit::MISS; PIXELS]);
         let (others, found) = (&mut others[..rays.len()], &mut found[..rays.len()]);
-        for ((other, ray), hit) in others.iter_mut().zip(rays).zip(hits.iter()) {
+        for (n, ((other, ray), hit)) in others.iter_mut().zip(rays).zip(hits.iter()).enumerate() {
             if hit.is_miss() {
-                *other = Ray { t_min: segment.t_min, t_max: segment.t_max, ..*ray };
+                let Segment { t_min, t_max } = seen(n);
+                *other = Ray { t_min, t_max, ..*ray };
             }
         }
         self.search(All, others, found);

@@ -5,8 +5,9 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::super::frame::{Channels, Frame};
-use super::super::tiles::{RenderView, Segment, check_reach, draw};
-use super::backdrop::{Backdrop, Far};
+use super::super::limits::{Limits, Segment};
+use super::super::tiles::{RenderView, check_reach, draw};
+use super::backdrop::{Backdrop, Far, Seen};
 use super::folding::Folding;
 use super::shown::NearGeometry;
 use super::{bent, exact, straight};
@@ -78,8 +79,8 @@ pub struct Drawing {
     pub channels: Channels,
     /// Number of colour samples per pixel.
     pub samples: u32,
-    /// Range of displayed distances in which surfaces are visible.
-    pub segment: Segment,
+    /// The part of space in which surfaces are visible, by displayed distances and by where they are shown in the world.
+    pub limits: Limits,
     /// World position of the user's eye U, for which near geometry is morphed; `None` for the camera's position.
     pub user: Option<DVec3>,
     /// Radius of the morph in this frame, metres; `None` for r₂. r₁ shrinks in proportion.
@@ -167,11 +168,12 @@ impl Reduced {
         progress: &Progress,
     ) -> Result<(Frame, FrameCounts)> {
         self.check(scene, camera, drawing)?;
-        let Drawing { channels, samples, segment, .. } = *drawing;
-        let view = RenderView { camera, origin: scene.origin, channels, samples, segment };
+        let Drawing { channels, samples, limits, .. } = *drawing;
+        let view = RenderView { camera, origin: scene.origin, channels, samples, limits };
         let center = self.center - scene.origin;
         let boundary = if let Join::Conventional { radius } = self.join { radius } else { self.radii[1] };
-        let backdrop = Backdrop { far: self.far(drawing.mapped, boundary, progress)?, center, morph: None, segment };
+        let seen = Seen { limits: limits.relative_to(scene.origin), eye: camera.position - scene.origin };
+        let backdrop = Backdrop { far: self.far(drawing.mapped, boundary, progress)?, center, morph: None, seen };
         let fold_margin = self.fold_margin(drawing.user(camera), drawing.radius)?;
         let traced = |moving| FrameCounts { triangles: 0, moving, opposed: 0, bounded: true, fold_margin };
         let Some(kind) = self.morph_kind(camera, drawing) else {
@@ -257,7 +259,7 @@ impl Reduced {
                             bent for; method='vertex' takes any";
             return Err(Error::value("user", expected, user));
         }
-        check_segment(drawing, bends)?;
+        check_limits(drawing, bends)?;
         if camera.is_parallel() && (self.map.is_some() || bends) {
             let expected = "a perspective view or a cube face, because a map and bent rays show what one eye sees";
             return Err(Error::value("camera", expected, "parallel rays"));
@@ -306,9 +308,9 @@ impl Reduced {
     }
 }
 
-/// Refuses a segment of each ray if rays are bent or the far part is traced.
-fn check_segment(drawing: &Drawing, bends: bool) -> Result<()> {
-    let Segment { t_min, t_max } = drawing.segment;
+/// Refuses limits if rays are bent or the far part is traced.
+fn check_limits(drawing: &Drawing, bends: bool) -> Result<()> {
+    let Segment { t_min, t_max } = drawing.limits.segment;
     let method = match (bends, drawing.mapped) {
         (true, _) => "method='exact'; method='vertex' takes any",
         (_, false) => "env=False; env=True takes any",
@@ -319,6 +321,9 @@ fn check_segment(drawing: &Drawing, bends: bool) -> Result<()> {
     }
     if t_max < f32::INFINITY {
         return Err(Error::value("t_max", format!("infinity with {method}"), t_max));
+    }
+    if !drawing.limits.planes().is_empty() {
+        return Err(Error::value("clip", format!("None with {method}"), "planes"));
     }
     Ok(())
 }

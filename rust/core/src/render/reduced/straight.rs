@@ -2,8 +2,9 @@
 //! scene's own trees are traced, and nothing is copied.
 
 use super::super::frame::{Channels, Sample};
+use super::super::limits::Segment;
 use super::super::surface::{Surface, add_colors};
-use super::super::tiles::{Picture, Spots};
+use super::super::tiles::{PIXELS, Picture, Spots};
 use super::backdrop::{Backdrop, closest, sample_of};
 use super::moving::Moving;
 use super::reduced_scene::ConventionalDynamic;
@@ -43,7 +44,9 @@ impl<'a> Straight<'a> {
 
 impl Picture for Straight<'_> {
     fn trace(&self, rays: &mut [Ray], hits: &mut [Hit], _spots: &Spots<'_>) {
-        for ray in rays.iter_mut() {
+        let mut seen = [Segment::EMPTY; PIXELS];
+        for (ray, seen) in rays.iter_mut().zip(&mut seen) {
+            *seen = Segment { t_min: ray.t_min, t_max: ray.t_max };
             let from_axis = on_ground(ray.origin.as_dvec3() - self.backdrop.center);
             let inside = within_cylinder(from_axis, on_ground(ray.direction.as_dvec3()), self.radius);
             let (enter, leave) = inside.unwrap_or((f64::INFINITY, f64::NEG_INFINITY));
@@ -52,9 +55,9 @@ impl Picture for Straight<'_> {
         closest(self.scene, rays, hits);
         match &self.moving {
             Some(moving) if self.beyond == ConventionalDynamic::User => {
-                moving.trace_before(self.backdrop.segment, rays, hits);
+                moving.trace_before(|n| seen[n], rays, hits);
             }
-            Some(moving) => moving.trace_beyond(&self.backdrop, self.radius, rays, hits),
+            Some(moving) => moving.trace_beyond(&self.backdrop, self.radius, |n| seen[n], rays, hits),
             None => {}
         }
     }

@@ -6,7 +6,7 @@ use glam::DVec3;
 use nearfar_core::base::Result;
 use nearfar_core::cubemap::EnvironmentMap;
 use nearfar_core::morph::Kind;
-use nearfar_core::render::Segment;
+use nearfar_core::render::Limits;
 use nearfar_core::render::reduced::ConventionalDynamic;
 use nearfar_core::scene::Scene;
 
@@ -35,7 +35,8 @@ pub(super) struct View<'a> {
     pub texels: Option<Arc<EnvTexels>>,
     /// False where the far part is drawn from the centre instead of taken from the map.
     pub mapped: bool,
-    pub segment: Segment,
+    /// In world positions.
+    pub limits: Limits,
     /// Where moving objects beyond the near part are shown without a morph.
     pub conventional_dynamic: ConventionalDynamic,
 }
@@ -98,7 +99,7 @@ impl View<'_> {
             parameters: self.near_far.parameters(),
             backdrop: self.texels.as_ref().map(backdrop),
             backdrop_style: missed.style(),
-            segment: (self.segment != Segment::WHOLE).then_some(self.segment),
+            limits: (!self.limits.is_none()).then(|| self.limits.relative_to(self.scene.origin)),
             ..Picture::plain(layers, self.scene.origin)
         })
     }

@@ -101,7 +101,7 @@ impl Reduced {
             map: self.map.as_ref(),
             texels,
             mapped: drawing.mapped,
-            segment: drawing.segment,
+            limits: drawing.limits,
             conventional_dynamic: drawing.conventional_dynamic,
         };
         let job = Job::begin(device, view.picture(device)?, camera, drawing.channels, drawing.samples, progress)?;

@@ -1,0 +1,123 @@
+//! The part of space in which surfaces are seen: a part of each ray, and planes that cut off what lies behind them.
+
+use glam::{DVec3, DVec4};
+
+use crate::base::{Error, Result};
+
+/// Greatest number of planes: as many as graphics adapters clip by.
+pub const MOST_PLANES: usize = 8;
+
+/// The part of each pixel's ray in which surfaces are visible, in metres from the camera or, for parallel rays, from
+/// the image plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Segment {
+    /// Start, metres.
+    pub t_min: f32,
+    /// End, metres; may be infinite.
+    pub t_max: f32,
+}
+
+impl Segment {
+    /// The whole ray.
+    pub const WHOLE: Self = Self { t_min: 0.0, t_max: f32::INFINITY };
+    /// No part of it.
+    pub const EMPTY: Self = Self { t_min: 1.0, t_max: 0.0 };
+}
+
+/// Limits of what is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// The part of each ray.
+    pub segment: Segment,
+    /// Half-spaces n·x + d ≥ 0, as (n, d); the first `count` of them.
+    planes: [DVec4; MOST_PLANES],
+    count: usize,
+}
+
+impl Limits {
+    /// Everything is seen.
+    pub const NONE: Self = Self { segment: Segment::WHOLE, planes: [DVec4::ZERO; MOST_PLANES], count: 0 };
+
+    /// A part of each ray, and half-spaces (n, d) that keep points x with n·x + d ≥ 0.
+    pub fn new(segment: Segment, planes: &[[f64; 4]]) -> Result<Self> {
+        if planes.len() > MOST_PLANES {
+            let expected = format!("at most {MOST_PLANES} half-spaces, of which a box takes six");
+            return Err(Error::value("clip", expected, planes.len()));
+        }
+        let mut limits = Self { segment, count: planes.len(), ..Self::NONE };
+        for (to, from) in limits.planes.iter_mut().zip(planes) {
+            let plane = DVec4::from_array(*from);
+            if !plane.is_finite() || plane.truncate() == DVec3::ZERO {
+                let expected = "four finite numbers (n, d) with n ≠ 0 for each half-space";
+                return Err(Error::value("clip", expected, format!("{from:?}")));
+            }
+            *to = plane;
+        }
+        Ok(limits)
+    }
+
+    /// The half-spaces.
+    pub fn planes(&self) -> &[DVec4] {
+        &self.planes[..self.count]
+    }
+
+    /// Whether nothing is cut off.
+    pub fn is_none(&self) -> bool {
+        self.segment == Segment::WHOLE && self.count == 0
+    }
+
+    /// The same limits for positions relative to an origin.
+    pub fn relative_to(&self, origin: DVec3) -> Self {
+        let mut limits = *self;
+        for plane in &mut limits.planes[..self.count] {
+            plane.w += plane.truncate().dot(origin);
+        }
+        limits
+    }
+
+    /// The part of a ray that is seen.
+    #[inline]
+    pub fn of(&self, start: DVec3, direction: DVec3) -> Segment {
+        if self.count == 0 {
+            return self.segment;
+        }
+        let (mut from, mut to) = (f64::from(self.segment.t_min), f64::from(self.segment.t_max));
+        for plane in self.planes() {
+            let (height, slope) = (plane.truncate().dot(start) + plane.w, plane.truncate().dot(direction));
+            if slope > 0.0 {
+                from = from.max(-height / slope);
+            } else if slope < 0.0 {
+                to = to.min(-height / slope);
+            } else if height < 0.0 {
+                return Segment::EMPTY;
+            }
+        }
+        if from <= to { Segment { t_min: from as f32, t_max: to as f32 } } else { Segment::EMPTY }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rays_are_cut_where_they_pass_planes() {
+        let planes = [[0.0, 0.0, -1.0, -2.0], [0.0, 0.0, 2.0, 16.0]];
+        let limits = Limits::new(Segment { t_min: 0.5, t_max: 7.0 }, &planes).unwrap();
+        // What lies between z = −2 and z = −8 is seen.
+        assert_eq!(limits.of(DVec3::ZERO, DVec3::NEG_Z), Segment { t_min: 2.0, t_max: 7.0 });
+        assert_eq!(limits.of(DVec3::new(0.0, 0.0, -10.0), DVec3::Z), Segment { t_min: 2.0, t_max: 7.0 });
+        assert_eq!(limits.of(DVec3::new(0.0, 0.0, -10.0), DVec3::NEG_Z), Segment::EMPTY);
+        assert_eq!(limits.of(DVec3::new(0.0, 0.0, -5.0), DVec3::X), limits.segment);
+        assert_eq!(limits.of(DVec3::new(0.0, 0.0, 5.0), DVec3::X), Segment::EMPTY);
+        let moved = limits.relative_to(DVec3::new(3.0, 9.0, -10.0));
+        assert_eq!(moved.of(DVec3::new(-3.0, -9.0, 10.0), DVec3::NEG_Z), limits.of(DVec3::ZERO, DVec3::NEG_Z));
+    }
+
+    #[test]
+    fn wrong_planes_are_refused() {
+        let refused = |planes: &[[f64; 4]]| Limits::new(Segment::WHOLE, planes).is_err();
+        assert!(refused(&[[1.0; 4]; 9]) && refused(&[[0.0, 0.0, 0.0, 1.0]]) && refused(&[[f64::NAN; 4]]));
+        assert!(Limits::new(Segment::WHOLE, &[[1.0; 4]; 8]).is_ok() && Limits::NONE.is_none());
+    }
+}
