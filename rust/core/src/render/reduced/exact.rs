@@ -233,9 +233,9 @@ impl Picture for Exact<'_> {
         let behind = self.backdrop.behind(rays, hits);
         let missed = |n: usize| match &behind {
             Some(behind) => behind.color(n, self.scene, footprint(n)),
-            None => self.backdrop.color(rays[n].direction, footprint(n)),
+            None => self.backdrop.color(rays[n].direction, || footprint(n)),
         };
-        add_colors(self.scene, rays, hits, &footprint, missed, sums);
+        add_colors(self.scene, rays, hits, &footprint, |&hit| hit, missed, sums);
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, _wanted: Channels) -> Sample {

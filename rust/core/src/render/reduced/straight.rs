@@ -60,8 +60,8 @@ impl Picture for Straight<'_> {
     }
 
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
-        let missed = |n: usize| self.backdrop.color(rays[n].direction, footprint(n));
-        add_colors(self.scene, rays, hits, &footprint, missed, sums);
+        let missed = |n: usize| self.backdrop.color(rays[n].direction, || footprint(n));
+        add_colors(self.scene, rays, hits, &footprint, |&hit| hit, missed, sums);
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, _wanted: Channels) -> Sample {
