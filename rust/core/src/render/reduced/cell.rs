@@ -43,27 +43,30 @@ impl Cell {
     /// Between four corners in row order.
     pub fn linear(corners: [&Corner; 4], user: Vec3, part: TilePart) -> Self {
         let legs = legs_of(&corners);
-        let coefficients = (0..=legs).map(|k| {
-            let [a, b, c, d] = corners.map(|corner| corner.bend(k, legs));
-            [a, b - a, c - a, (d - c) - (b - a)]
-        });
-        let bends = Bends::Linear(coefficients.collect());
-        Self { part, legs, bends, boxes: boxes(corners, legs, user) }
+        let (mut bends, mut boxes) = (Vec::with_capacity(legs + 1), Vec::with_capacity(legs + 1));
+        for k in 0..=legs {
+            let around = corners.map(|corner| corner.bend(k, legs));
+            let [a, b, c, d] = around;
+            bends.push([a, b - a, c - a, (d - c) - (b - a)]);
+            boxes.push(hull(corners, around, user));
+        }
+        Self { part, legs, bends: Bends::Linear(bends), boxes }
     }
 
     /// Through nine corners in row order; the tile's first one stands in this column and row of them, 0 or 1.
-    pub fn quadratic(corners: &[&Corner], first: [usize; 2], user: Vec3) -> Self {
+    pub fn quadratic(corners: &[&Corner; 9], first: [usize; 2], user: Vec3) -> Self {
         let legs = legs_of(corners);
-        let coefficients = (0..=legs).map(|k| {
-            let bend = |n: usize| corners[n].bend(k, legs);
-            let rows = [0, 3, 6].map(|n| parabola([bend(n), bend(n + 1), bend(n + 2)], first[0]));
-            let [ones, xs, squares] = [0, 1, 2].map(|n| parabola(rows.map(|row| row[n]), first[1]));
-            [ones[0], xs[0], squares[0], ones[1], xs[1], squares[1], ones[2], xs[2], squares[2]]
-        });
-        let bends = Bends::Quadratic(coefficients.collect());
+        let (mut bends, mut boxes) = (Vec::with_capacity(legs + 1), Vec::with_capacity(legs + 1));
         let at = first[1] * 3 + first[0];
-        let own = [at, at + 1, at + 3, at + 4].map(|n| corners[n]);
-        Self { part: TilePart::WHOLE, legs, bends, boxes: boxes(own, legs, user) }
+        let own = [at, at + 1, at + 3, at + 4];
+        for k in 0..=legs {
+            let all = corners.map(|corner| corner.bend(k, legs));
+            let rows = [0, 3, 6].map(|n| parabola([all[n], all[n + 1], all[n + 2]], first[0]));
+            let [ones, xs, squares] = [0, 1, 2].map(|n| parabola(rows.map(|row| row[n]), first[1]));
+            bends.push([ones[0], xs[0], squares[0], ones[1], xs[1], squares[1], ones[2], xs[2], squares[2]]);
+            boxes.push(hull(own.map(|n| corners[n]), own.map(|n| all[n]), user));
+        }
+        Self { part: TilePart::WHOLE, legs, bends: Bends::Quadratic(bends), boxes }
     }
 
     /// Position within this part of a position in the tile; `None` for positions in other parts.
@@ -116,13 +119,9 @@ fn parabola([a, b, c]: [Vec4; 3], first: usize) -> [Vec4; 3] {
     }
 }
 
-/// Bounding boxes of the bends between four corners.
-fn boxes(corners: [&Corner; 4], legs: usize, user: Vec3) -> Vec<Aabb> {
-    let place = |corner: &Corner, k: usize| {
-        let bend = corner.bend(k, legs);
-        user + corner.direction * bend.w + bend.xyz()
-    };
-    (0..=legs).map(|k| around(&corners.map(|corner| place(corner, k)))).collect()
+/// Bounding box of a bend of all rays between four corners.
+fn hull(corners: [&Corner; 4], bends: [Vec4; 4], user: Vec3) -> Aabb {
+    around(&[0, 1, 2, 3].map(|n| user + corners[n].direction * bends[n].w + bends[n].xyz()))
 }
 
 /// Bounding box of the rays between the four corners of a tile, given in row order.

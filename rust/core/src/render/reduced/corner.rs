@@ -20,7 +20,7 @@ pub(super) struct Corner {
     /// Number of legs, a power of two.
     pub legs: usize,
     /// Offset of each bend across the ray, metres. There is one more bend than legs.
-    beside: [f32; MOST_LEGS + 1],
+    beside: Box<[f32]>,
 }
 
 impl Corner {
@@ -39,7 +39,7 @@ impl Corner {
         }
         let (direction, across) = (curve.direction.as_vec3(), curve.across.as_vec3());
         let step = (stretch.to - stretch.from) / legs as f64;
-        let beside = beside.map(|y| y as f32);
+        let beside = beside[..=legs].iter().map(|&y| y as f32).collect();
         Some(Self { direction, across, from: stretch.from as f32, step: step as f32, legs, beside })
     }
 
@@ -47,10 +47,16 @@ impl Corner {
     /// curve, and the distance along the ray.
     #[inline]
     pub fn bend(&self, k: usize, legs: usize) -> Vec4 {
-        let each = legs / self.legs;
-        let (whole, part) = (k / each, (k % each) as f32 / each as f32);
+        // Both are powers of two.
+        let finer = legs.trailing_zeros() - self.legs.trailing_zeros();
+        let whole = k >> finer;
         let before = self.beside[whole];
-        let y = if part > 0.0 { before + (self.beside[whole + 1] - before) * part } else { before };
+        let rest = k - (whole << finer);
+        if rest == 0 {
+            return (self.across * before).extend(self.from + self.step * whole as f32);
+        }
+        let part = rest as f32 / (1u32 << finer) as f32;
+        let y = before + (self.beside[whole + 1] - before) * part;
         (self.across * y).extend(self.from + self.step * (whole as f32 + part))
     }
 }
@@ -81,14 +87,13 @@ fn misses(curve: &RayCurve<'_>, stretch: &Stretch, beside: &[f64], tolerance: f6
 
 /// Inserts a bend between each two neighbours.
 fn halve(curve: &RayCurve<'_>, stretch: &Stretch, beside: &mut [f64; MOST_LEGS + 1], legs: usize) {
-    let coarse = *beside;
-    for k in 0..legs {
-        let (a, b) = (coarse[k], coarse[k + 1]);
+    // From the last one on, so that the values that are read are not yet overwritten.
+    for k in (0..legs).rev() {
+        let (a, b) = (beside[k], beside[k + 1]);
         // The cubic through four neighbours is a better first guess than the chord.
         let inner = k > 0 && k + 1 < legs;
-        let bulge = if inner { (a + b - coarse[k - 1] - coarse[k + 2]) / 16.0 } else { 0.0 };
-        beside[2 * k] = a;
+        let bulge = if inner { (a + b - beside[k - 1] - beside[k + 2]) / 16.0 } else { 0.0 };
+        beside[2 * k + 2] = b;
         beside[2 * k + 1] = curve.search(place(stretch, k as f64 + 0.5, legs), 0.5 * (a + b) + bulge, OFFSET_PRECISION);
     }
-    beside[2 * legs] = coarse[legs];
 }

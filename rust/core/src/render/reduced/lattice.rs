@@ -30,7 +30,7 @@ pub(super) struct Lattice {
     tolerance_px: f64,
     columns: usize,
     lines: usize,
-    corners: Vec<OnceLock<Option<Box<Corner>>>>,
+    corners: Vec<OnceLock<Option<Corner>>>,
 }
 
 impl Lattice {
@@ -92,8 +92,7 @@ impl Lattice {
     }
 
     fn corner(&self, column: usize, row: usize) -> Option<&Corner> {
-        let bend = || self.bent(column as f64, row as f64).map(Box::new);
-        self.corners[row * self.columns + column].get_or_init(bend).as_deref()
+        self.corners[row * self.columns + column].get_or_init(|| self.bent(column as f64, row as f64)).as_ref()
     }
 
     /// Angle by which interpolated rays inside a tile miss their curve. The error of linear interpolation in each
@@ -139,9 +138,9 @@ impl Lattice {
         }
         // The tile's own corners are the second and the third of three, or the first and the second.
         let (x, y) = (column.saturating_sub(1), row.saturating_sub(1));
-        let mut corners = Vec::with_capacity(9);
-        for n in 0..9 {
-            corners.push(self.corner(x + n % 3, y + n / 3)?);
+        let mut corners = [self.corner(x, y)?; 9];
+        for (n, corner) in corners.iter_mut().enumerate() {
+            *corner = self.corner(x + n % 3, y + n / 3)?;
         }
         Some(Cell::quadratic(&corners, [column - x, row - y], self.morph.user.as_vec3()))
     }
