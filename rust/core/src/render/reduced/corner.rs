@@ -2,6 +2,7 @@
 
 use glam::{Vec3, Vec4};
 
+use crate::base::Aabb;
 use crate::bend::{RayCurve, Stretch};
 
 /// Greatest number of legs between the radii; rays that need more are bent one by one.
@@ -21,6 +22,8 @@ pub(super) struct Corner {
     pub legs: usize,
     /// Offset of each bend across the ray, metres. There is one more bend than legs.
     beside: Box<[f32]>,
+    /// Bounding box of all bends, relative to the user.
+    pub bounds: Aabb,
 }
 
 impl Corner {
@@ -37,10 +40,30 @@ impl Corner {
             halve(curve, &stretch, &mut beside, legs);
             legs *= 2;
         }
-        let (direction, across) = (curve.direction.as_vec3(), curve.across.as_vec3());
-        let step = (stretch.to - stretch.from) / legs as f64;
         let beside = beside[..=legs].iter().map(|&y| y as f32).collect();
-        Some(Self { direction, across, from: stretch.from as f32, step: step as f32, legs, beside })
+        let mut corner = Self {
+            direction: curve.direction.as_vec3(),
+            across: curve.across.as_vec3(),
+            from: stretch.from as f32,
+            step: ((stretch.to - stretch.from) / legs as f64) as f32,
+            legs,
+            beside,
+            bounds: Aabb::EMPTY,
+        };
+        for k in 0..=legs {
+            corner.bounds.extend(corner.place(k));
+        }
+        Some(corner)
+    }
+
+    /// Position of the k-th of its own bends, relative to the user.
+    fn place(&self, k: usize) -> Vec3 {
+        self.direction * (self.from + self.step * k as f32) + self.across * self.beside[k]
+    }
+
+    /// Positions of its first and its last bend, relative to the user.
+    pub fn ends(&self) -> [Vec3; 2] {
+        [self.place(0), self.place(self.legs)]
     }
 
     /// The k-th of `legs` + 1 bends, with `legs` at least the corner's own number: the offset from the ray to the
