@@ -39,7 +39,7 @@ lint: lint-rust lint-python
 # In a profile of their own, whose folder the build of the package does not lock.
 lint-rust: .venv/made
 	cargo fmt --all --check
-	cargo clippy --profile quick --quiet --workspace --all-targets -- -D warnings
+	CARGO_INCREMENTAL=0 cargo clippy --quiet --workspace --all-targets -- -D warnings
 
 lint-python: .venv/built .venv/test
 	$(bin)/ruff format --check --quiet .
@@ -53,7 +53,7 @@ lint-fuzz:
 
 # In the linters' profile and after them, on the core that building the package leaves free for most of its time.
 test-rust: lint-rust
-	CARGO_INCREMENTAL=0 cargo test --profile quick --quiet --workspace --exclude nearfar-py --lib --test vectors
+	CARGO_INCREMENTAL=0 cargo test --quiet --workspace --exclude nearfar-py --lib --test vectors
 
 # Run time against error for every kernel and its peers, as tables in out/bench.
 bench: .venv/built .venv/bench
