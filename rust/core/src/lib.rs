@@ -25,3 +25,6 @@ pub mod metrics;
 pub mod bounds;
 pub mod lens;
 pub mod lod;
+
+#[cfg(test)]
+mod tests;

@@ -7,7 +7,7 @@ mod lens;
 mod morph;
 
 use glam::DVec3;
-use nearfar_core::morph::{Kind, Morph};
+use crate::morph::{Kind, Morph};
 use serde_json::Value;
 
 /// Cases of a section of a file.
