@@ -40,7 +40,7 @@ from ._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
 from ._lens.warp import WarpMesh
 from .hmd._hmd import Hmd
 from .hmd._stereo import StereoFrame, render_eyes
-from . import datasets, hmd, gpu, lod
+from . import datasets, hmd, stereo, gpu, lod
 
 __all__ = [
     "BoundaryTear",
@@ -115,6 +115,7 @@ __all__ = [
     "solid_angle",
     "ssim",
     "ssim_pairs",
+    "stereo",
     "tear",
     "tessellate",
     "triangle_radii",

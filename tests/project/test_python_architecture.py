@@ -33,6 +33,7 @@ STAGES: dict[str, set[str]] = {
     "_reduce": {"_bend", "_camera", "_cubemap", "_metrics", "_morph", "_partition", "_render", "_scene", "_trace"},
     "_lens": {"_camera", "_render"},
     "hmd": {"_camera", "_lens", "_render"},
+    "stereo": {"_camera", "_render", "hmd"},
     "gpu": {"_camera", "_metrics", "_morph", "_render"},
     "lod": {"_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "_trace", "hmd"},
 }
@@ -65,6 +66,7 @@ ROOMS = {
     "metrics": "",
     "lens": "",
     "hmd": "profiles of headsets, which are read once",
+    "stereo": "",
     "gpu": "",
     "lod": "",
     "cli": "calls of the other stages",

@@ -20,6 +20,7 @@ pub mod morph;
 pub mod bend;
 pub mod tessellate;
 pub mod render;
+pub mod stereo;
 pub mod exr;
 pub mod metrics;
 pub mod bounds;
