@@ -27,7 +27,7 @@ PAPER = HybridRig(
 
 
 def errors() -> str:
-    """Table of the greatest error to the side, for infinitely far points, and of planes for one pixel and for a bend."""
+    """Table of the greatest error to the side, of infinitely far points, and of planes for a pixel and for a bend."""
     rows = [["the paper's Vive, 1344 px, 64 mm", *(f"{PAPER.with_plane(m).max_error():.2f}" for m in PLANES), "", ""]]
     for name in nf.hmd.names():
         hmd = nf.hmd.get(name)

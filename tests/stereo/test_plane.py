@@ -46,8 +46,9 @@ def test_a_plane_for_a_bend_keeps_it_for_every_line_of_that_slope() -> None:
             at[:4] = [(x, y) for x in (fov.left, fov.right) for y in (fov.down, fov.up)]
             turn = rng.uniform(0.0, 2.0 * np.pi, len(at))
             # 360 directions at the corners, where the bend is greatest.
-            at, turn = np.concatenate([at, np.repeat(at[:4], 360, axis=0)]), np.concatenate(
-                [turn, np.tile(np.radians(np.arange(360)), 4)]
+            at, turn = (
+                np.concatenate([at, np.repeat(at[:4], 360, axis=0)]),
+                np.concatenate([turn, np.tile(np.radians(np.arange(360)), 4)]),
             )
             ways = at + 0.5 * np.column_stack([np.cos(turn), np.sin(turn)])
             worst = max(worst, float(rig.kink_angle(eye, at, ways).max()))

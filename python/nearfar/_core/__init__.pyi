@@ -339,9 +339,7 @@ _View = tuple[tuple[float, float, float, float], _Point, tuple[float, float, flo
 
 @final
 class HybridRig:
-    def __new__(
-        cls, left: _View, right: _View, planes: tuple[float, float], size: tuple[int, int]
-    ) -> HybridRig: ...
+    def __new__(cls, left: _View, right: _View, planes: tuple[float, float], size: tuple[int, int]) -> HybridRig: ...
     @property
     def center_fov(self) -> list[float]: ...
     @property

@@ -6,7 +6,7 @@ import math
 
 from nearfar._base import check
 from nearfar.hmd._hmd import Hmd
-from nearfar.stereo._plane import mono_plane_for
+from nearfar.stereo._plane import FARTHEST, NEAREST, mono_plane_for
 from nearfar.stereo._rig import HybridRig
 
 
@@ -20,7 +20,7 @@ class AdaptivePlane:
     error_px
         Greatest error in pixels, to the side.
     nearest
-        Least distance of the plane, metres.
+        Least distance of the plane, 0.1 to 100,000 metres.
     size
         Width and height of an eye's picture in pixels; `Hmd.render_size` by default.
     hysteresis
@@ -46,7 +46,8 @@ class AdaptivePlane:
         rate: float = 1.0,
     ) -> None:
         self._hmd, self._size = check.instance("hmd", hmd, Hmd, "an Hmd"), size
-        self._error, self._nearest = check.positive("error_px", error_px), check.positive("nearest", nearest)
+        self._error = check.positive("error_px", error_px)
+        self._nearest = check.within("nearest", nearest, NEAREST, FARTHEST)
         self._hysteresis, self._rate = check.at_least_zero("hysteresis", hysteresis), check.positive("rate", rate)
         # For an infinite depth, the plane of the closed form: e = E/m.
         self._far = mono_plane_for(hmd=hmd, error_px=error_px, size=size)

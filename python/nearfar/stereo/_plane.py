@@ -59,8 +59,8 @@ def mono_plane_for(
 
     Notes
     -----
-    Of eyes that are not turned, max |a s − p| (z − m)/((z + s) m) = e gives m = z E/(E + e (z + s)), and a line bends by at
-    most asin(E/((m + s) slope)), with E = max |a s − p| over both views (`HybridRig`).
+    Of eyes that are not turned, max |a s − p| (z − m)/((z + s) m) = e gives m = z E/(E + e (z + s)), and a line bends
+    by at most asin(E/((m + s) slope)), with E = max |a s − p| over both views (`HybridRig`).
     """
     check.instance("hmd", hmd, Hmd, "an Hmd")
     check.choice("axis", axis, AXES)

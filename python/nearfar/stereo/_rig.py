@@ -65,12 +65,11 @@ class HybridRig:
             check.instance(side, getattr(self, side), Eye, "Eye")
         object.__setattr__(self, "mono_plane", _plane(self.mono_plane))
         object.__setattr__(self, "size", check.size("size", self.size))
-        self._core  # noqa: B018: checks the rest
+        # Making it checks the rest.
+        assert self._core.center_size
 
     @classmethod
-    def of(
-        cls, hmd: Hmd, *, mono_plane: float | tuple[float, float], size: tuple[int, int] | None = None
-    ) -> HybridRig:
+    def of(cls, hmd: Hmd, *, mono_plane: float | tuple[float, float], size: tuple[int, int] | None = None) -> HybridRig:
         """Make the rig of a headset; `size` in pixels is its `render_size` by default."""
         check.instance("hmd", hmd, Hmd, "an Hmd")
         return cls(
@@ -144,9 +143,10 @@ class HybridRig:
 
         `depth` is the point's distance in metres ahead of the plane of the eyes.
         """
-        place = check.array("at", at, dtype=np.float64, finite=True).reshape(-1)
-        if place.shape != (2,):
-            raise ValueError(f"at: expected two tangents, got {place.size} numbers")
+        plain = check.plain("at", at)
+        if plain.shape != (2,):
+            raise ValueError(f"at: expected two tangents, got {check.shown(at)}")
+        place = check.array("at", plain[None], columns=2, dtype=np.float64, finite=True)[0]
         x, y = self._core.shown(check.choice("eye", eye, EYES), (float(place[0]), float(place[1])), _depth(depth))
         return x, y
 
@@ -240,7 +240,8 @@ class HybridRig:
     @cached_property
     def _core(self) -> _core.HybridRig:
         views = [
-            ((e.fov.left, e.fov.right, e.fov.down, e.fov.up), e.position, e.orientation) for e in (self.left, self.right)
+            ((e.fov.left, e.fov.right, e.fov.down, e.fov.up), e.position, e.orientation)
+            for e in (self.left, self.right)
         ]
         return _core.HybridRig(views[0], views[1], self.planes, self.size)
 
