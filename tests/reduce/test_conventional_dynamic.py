@@ -26,7 +26,7 @@ def conventional(pose: np.ndarray[Any, Any] = BEFORE_TOWER, **settings: Any) -> 
 
 
 def car_of(frame: nf.Frame, reduced: nf.ReducedScene) -> np.ndarray[Any, Any]:
-    return frame.require("object_id") == reduced.scene.object_names.index("car")
+    return np.asarray(frame.require("object_id") == reduced.scene.object_names.index("car"))
 
 
 @pytest.mark.parametrize("env", [True, False])
