@@ -139,11 +139,8 @@ impl Rig {
         let (m, p) = (self.planes.mono, eye.position);
         let away = m + self.setback;
         // Tangents (x, y, 1) of the camera to the point of the plane that it sees there, relative to the eye.
-        let on_plane = DMat3::from_cols(
-            DVec3::new(away, 0.0, 0.0),
-            DVec3::new(0.0, away, 0.0),
-            DVec3::new(-p.x, -p.y, -m - p.z),
-        );
+        let on_plane =
+            DMat3::from_cols(DVec3::new(away, 0.0, 0.0), DVec3::new(0.0, away, 0.0), DVec3::new(-p.x, -p.y, -m - p.z));
         let to_eye = DMat3::from_quat(eye.orientation).transpose();
         let facing = DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0));
         let pixels = pixels_of(&eye.fov, self.size);

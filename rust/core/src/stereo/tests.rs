@@ -141,7 +141,8 @@ fn pixels_of_the_third_camera_are_as_fine_as_those_of_the_eyes() {
     let fov = rig.center_fov();
     let ((width, height), away) = (rig.center_size(), 8.0 + rig.setback());
     let sizes = Side::BOTH.map(|side| 8.0 / rig.pixels_per_tangent(side));
-    let (across, upright) = ((fov.right - fov.left) * away / f64::from(width), (fov.up - fov.down) * away / f64::from(height));
+    let (across, upright) =
+        ((fov.right - fov.left) * away / f64::from(width), (fov.up - fov.down) * away / f64::from(height));
     let coarsest = sizes[0].max(sizes[1]);
     assert!(across <= coarsest.x * (1.0 + 1e-9) && across > coarsest.x * 0.998);
     assert!(upright <= coarsest.y * (1.0 + 1e-9) && upright > coarsest.y * 0.998);
@@ -184,7 +185,13 @@ fn impossible_rigs_are_refused() {
     let tilted = [Eye { position: ahead[0].position - DVec3::Z, ..ahead[0] }, ahead[1]];
     refused(tilted, 0.4, 0.4, size, "mono_plane: expected a plane in front of the left eye");
     let narrow = Fov { left: 1.0, right: 1.1, down: -0.1, up: 0.1 };
-    refused([Eye { fov: narrow, ..left }, right], 8.0, 8.0, size, "left: expected an eye whose outer edge points outwards");
+    refused(
+        [Eye { fov: narrow, ..left }, right],
+        8.0,
+        8.0,
+        size,
+        "left: expected an eye whose outer edge points outwards",
+    );
     let low = Fov { down: -1.4, up: -1.3, ..left.fov };
     let high = Fov { down: 1.3, up: 1.4, ..right.fov };
     refused([Eye { fov: low, ..left }, Eye { fov: high, ..right }], 8.0, 8.0, size, "views of both eyes overlap");

@@ -1,7 +1,7 @@
-use glam::DVec3;
 use crate::base::Progress;
 use crate::bend::{RayCurve, bend_rays, margin};
 use crate::morph::Kind;
+use glam::DVec3;
 use serde_json::Value;
 
 use super::{assert_near, cases, morph_of, number, numbers, row, rows};

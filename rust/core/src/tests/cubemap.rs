@@ -1,7 +1,7 @@
-use glam::DVec3;
 use crate::base::Progress;
 use crate::camera::{along_face, direction_from_face, face_from_direction};
 use crate::cubemap::{CubeFaces, TexelFilter, direction_from_texel, lookup, nearest, texel_from_direction};
+use glam::DVec3;
 
 use super::{assert_near, cases, indices, number, numbers, rows};
 

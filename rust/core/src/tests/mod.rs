@@ -6,8 +6,8 @@ mod fit_4pl;
 mod lens;
 mod morph;
 
-use glam::DVec3;
 use crate::morph::{Kind, Morph};
+use glam::DVec3;
 use serde_json::Value;
 
 /// Cases of a section of a file.

@@ -1,6 +1,6 @@
-use glam::DVec3;
 use crate::base::Progress;
 use crate::morph::Kind;
+use glam::DVec3;
 use serde_json::Value;
 
 use super::{assert_near, cases, morph_of, number, numbers, rows};
