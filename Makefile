@@ -18,7 +18,7 @@ MAKEFLAGS += -j3
 # pyo3's build script asks for the interpreter; one answer for maturin and cargo keeps them from rebuilding in turns.
 export PYO3_PYTHON := $(CURDIR)/$(bin)/python
 
-.PHONY: help demo test lint lint-rust lint-python lint-fuzz test-rust bench notebooks stress attack fuzz setup clean
+.PHONY: help demo test lint lint-rust lint-python lint-fuzz test-rust test-adapters bench notebooks stress attack fuzz setup clean
 .DELETE_ON_ERROR:
 
 # List the targets.
@@ -51,9 +51,14 @@ lint-fuzz:
 	cargo fmt --all --check --manifest-path fuzz/Cargo.toml
 	cargo clippy --quiet --all-targets --manifest-path fuzz/Cargo.toml -- -D warnings
 
-# In the linters' profile and after them, on the core that building the package leaves free for most of its time.
+# Of the core alone, so that it is compiled once, in the linters' profile and after them: building the package leaves a
+# core free for most of its time.
 test-rust: lint-rust
-	CARGO_INCREMENTAL=0 cargo test --profile quick --quiet --workspace --exclude nearfar-py --lib --test vectors
+	CARGO_INCREMENTAL=0 cargo test --profile quick --quiet -p nearfar-core --lib
+
+# Rust tests on graphics adapters, whose crates take minutes to compile; `make test` draws on adapters from Python.
+test-adapters:
+	CARGO_INCREMENTAL=0 cargo test --profile quick --quiet -p nearfar-gpu --lib
 
 # Run time against error for every kernel and its peers, as tables in out/bench.
 bench: .venv/built .venv/bench

@@ -60,10 +60,10 @@ def torn(
     return picture(back + MIDDLE)
 
 
-def at_the_line(found: Array, tear: float, direction: float, *, kind: str = "opening") -> Array:
+def at_the_line(found: NDArray[np.float32], tear: float, direction: float, *, kind: str = "opening") -> Array:
     """Values of the pixels along the line, away from the picture's edges."""
     offset = pixels() - MIDDLE
     apart = tear / 2.0 if kind == "opening" else 0.0
     away = np.abs(offset @ (np.cos(direction), np.sin(direction))) - apart
     beside = (np.abs(away) < 1) & (np.linalg.norm(offset, axis=-1) < 40) & ~np.isnan(found)
-    return np.asarray(found[beside])
+    return np.asarray(found[beside], np.float64)

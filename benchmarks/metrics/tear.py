@@ -43,8 +43,8 @@ def main() -> None:
     directions = dict(list(DIRECTIONS.items())[:1]) if arguments.quick else DIRECTIONS
     print(machine(), end="\n\n")
     found = {
-        name: np.array([[measured(kind, *bent, tear, way) for tear in TEARS] for way in directions.values()])
-        for name, kind, *bent in CASES
+        name: np.array([[measured(kind, shear, bent, tear, way) for tear in TEARS] for way in directions.values()])
+        for name, kind, shear, bent in CASES
     }
     rows = [
         [name, *(f"{low:.3g} to {high:.3g}" for low, high in zip(values.min(axis=0), values.max(axis=0), strict=True))]

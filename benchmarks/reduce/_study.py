@@ -18,7 +18,7 @@ Picture = NDArray[np.uint8]
 
 BALLS = 12
 """Number of places at which the flying ball is shown in one picture."""
-USER = {"count": (6.0, 0.0, 0.0), "tape": (-5.0, 0.0, 0.0), "ball": (5.0, 0.0, 0.0)}
+USER = {"count": (6.0, 0.0, 0.0), "tape": (5.0, 0.0, 0.0), "ball": (5.0, 0.0, 0.0)}
 """Position of the user relative to the centre, metres."""
 TEXT = {
     "count": "How many spheres are there?",

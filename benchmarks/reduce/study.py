@@ -139,7 +139,7 @@ def main() -> None:
     print(statistics())
     print(disparity(arguments.quick, arguments.plots))
     if arguments.plots is not None:
-        draw_tasks(arguments.plots / "study.jpg", (320, 140) if arguments.quick else (960, 420))
+        draw_tasks(arguments.plots / "study.jpg", (320, 140) if arguments.quick else (640, 280))
 
 
 if __name__ == "__main__":

@@ -22,8 +22,8 @@ REACH = 8.0
 DENSITY = 20.0
 """Pixels for each degree where the camera looks, as a headset has them."""
 
-LEAST_EDGE = 200
-"""Least number of boundary pixels with both sides in view, so that a view counts."""
+LEAST_EDGE = {False: 200, True: 40}
+"""Least number of boundary pixels with both sides in view, so that a view counts: of all, and of surfaces across r₂."""
 
 MOST_TRIES = 60
 
@@ -54,13 +54,13 @@ def views(center: Point, seed: int) -> Iterator[nf.Camera]:
         yield nf.Camera.look_at(user, toward, fov=fov, size=(width, round(width * 9 / 16)))
 
 
-def measured(reduced: nf.ReducedScene, camera: nf.Camera) -> list[nf.BoundaryTear]:
+def measured(reduced: nf.ReducedScene, camera: nf.Camera, *, surfaces: bool) -> list[nf.BoundaryTear]:
     """Tears of the conventional and of the continuous picture, with a far part of unlimited resolution."""
     found = []
     for morph, method in (("none", "auto"), ("blend", "exact")):
         how: dict[str, Any] = {"method": method, "env": False, "channels": ("position",)}
         frame = reduced.with_morph(morph).render(camera, **how)
-        found.append(nf.boundary_tear(frame, center=reduced.center, radius=reduced.r2))
+        found.append(nf.boundary_tear(frame, center=reduced.center, radius=reduced.r2, surfaces=surfaces))
     return found
 
 
@@ -68,27 +68,36 @@ def tears(name: str, scene: nf.Scene, center: Point, count: int, seed: int) -> s
     """Table of both methods at 30 and 50 m, and at the chosen radii; means over all pixels of all views."""
     chosen = nf.choose_radii(scene, center, r2=50.0, reach=REACH)
     rows = []
-    for r1 in (30.0, chosen.r1):
+    for r1, surfaces in ((30.0, False), (chosen.r1, False), (30.0, True), (chosen.r1, True)):
         reduced = nf.reduce(scene, center=center, r1=r1, r2=50.0, face_size=16, samples=1)
         taken: list[list[nf.BoundaryTear]] = []
         for camera in views(center, seed):
-            both = measured(reduced, camera)
-            if all(one.tear is not None and one.pixels * (one.shared or 0.0) >= LEAST_EDGE for one in both):
+            both = measured(reduced, camera, surfaces=surfaces)
+            if all(one.tear is not None and one.pixels * (one.shared or 0.0) >= LEAST_EDGE[surfaces] for one in both):
                 taken.append(both)
             if len(taken) == count:
                 break
         if not taken:
-            rows.append([f"{r1:.3g}, 50", "0", *["–"] * 5])
+            rows.append([f"{r1:.3g}, 50", _PLACES[surfaces], "0", *["–"] * 5])
             continue
         pixels, tear, kink = (np.array([[get(one) for one in both] for both in taken]) for get in _PARTS)
         mean = (tear * pixels).sum(axis=0) / pixels.sum(axis=0)
         bend = (kink * pixels).sum(axis=0) / pixels.sum(axis=0)
         shares = np.sort(tear[:, 0] / tear[:, 1])
         rows.append(
-            [f"{r1:.3g}, 50", f"{len(taken)}", f"{mean[0]:.3g}", f"{mean[1]:.3g}", f"{bend[1]:.2g}",
+            [f"{r1:.3g}, 50", _PLACES[surfaces], f"{len(taken)}", f"{mean[0]:.3g}", f"{mean[1]:.3g}", f"{bend[1]:.2g}",
              f"{mean[0] / mean[1]:.3g}", f"{shares[0]:.2g} to {shares[-1]:.2g}"]
         )  # fmt: skip
-    header = ["r₁, r₂, m", "views", "conventional, px", "continuous, px", "of which kink", "ratio", "ratio by view"]
+    header = [
+        "r₁, r₂, m",
+        "where",
+        "views",
+        "conventional, px",
+        "continuous, px",
+        "of which kink",
+        "ratio",
+        "ratio by view",
+    ]
     return table(f"Tear along r₂, {name}, {DENSITY:g} pixels a degree", header, rows)
 
 
@@ -105,6 +114,7 @@ def _kink(one: nf.BoundaryTear) -> float:
 
 
 _PARTS = (_count, _tear, _kink)
+_PLACES = {False: "whole boundary", True: "surfaces across r₂"}
 
 
 def main() -> None:

@@ -41,7 +41,7 @@ from ._lens.lens import ChromaticLens, RadialLens, corrected_solid_angle
 from ._lens.warp import WarpMesh
 from .hmd._hmd import Hmd
 from .hmd._stereo import StereoFrame, render_eyes
-from . import datasets, hmd, gpu, lod
+from . import datasets, hmd, stereo, gpu, lod
 
 __all__ = [
     "BoundaryTear",
@@ -117,6 +117,7 @@ __all__ = [
     "solid_angle",
     "ssim",
     "ssim_pairs",
+    "stereo",
     "tear",
     "tessellate",
     "triangle_radii",

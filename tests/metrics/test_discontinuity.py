@@ -129,3 +129,20 @@ def test_every_pixel_at_one_place_and_none_at_all() -> None:
     np.testing.assert_allclose(nf.discontinuity(heap), apart - 1, rtol=1e-5)
     nothing = nf.Frame(view, position=np.full((12, 12, 3), np.nan, np.float32))
     assert np.isnan(nf.discontinuity(nothing)).all()
+
+
+def test_outlines_before_what_is_far_are_no_surfaces_across_the_radius() -> None:
+    """A floor that crosses the radius, and a wall that ends there before another one far behind."""
+    columns, rows = np.meshgrid(np.arange(40), np.arange(30))
+    ahead = np.where(rows < 15, np.where(columns < 20, 49.5, 90.0), 48.0 + (29 - rows) * 0.3)
+    position = np.stack([np.zeros_like(ahead), np.zeros_like(ahead), -ahead], axis=-1).astype(np.float32)
+    view = nf.Camera((0, 0, 0), fov=nf.Fov.symmetric(60, 4 / 3), size=(40, 30))
+    frame = nf.Frame(view, position=position, origin=view.position)
+    every, crossed = (nf.boundary(frame, center=(0, 0, 0), radius=50, width=1, surfaces=way) for way in (False, True))
+    assert every[:14, 18:21].all()
+    assert not crossed[:12].any()
+    floor = crossed[15:]
+    assert floor.any(axis=0).all()
+    np.testing.assert_array_equal(every[18:], crossed[18:])
+    with pytest.raises(TypeError, match="surfaces"):
+        nf.boundary(frame, center=(0, 0, 0), radius=50, surfaces=2)  # type: ignore[arg-type]

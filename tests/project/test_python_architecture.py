@@ -33,6 +33,7 @@ STAGES: dict[str, set[str]] = {
     "_reduce": {"_bend", "_camera", "_cubemap", "_metrics", "_morph", "_partition", "_render", "_scene", "_trace"},
     "_lens": {"_camera", "_render"},
     "hmd": {"_camera", "_lens", "_render"},
+    "stereo": {"_camera", "_render", "hmd"},
     "gpu": {"_camera", "_metrics", "_morph", "_render"},
     "lod": {"_bounds", "_camera", "_lens", "_metrics", "_render", "_scene", "_trace", "hmd"},
 }
@@ -65,12 +66,13 @@ ROOMS = {
     "metrics": "",
     "lens": "",
     "hmd": "profiles of headsets, which are read once",
+    "stereo": "",
     "gpu": "",
     "lod": "",
     "cli": "calls of the other stages",
 }
 
-MOST_ENTRIES = 24
+MOST_ENTRIES = 28
 """Greatest number of files and folders in python/nearfar."""
 
 MEDIAN_LINES, MOST_LINES = 150, 400

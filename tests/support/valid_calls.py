@@ -52,6 +52,8 @@ def instances(valid: Valid) -> Mapping[str, Callable[[], Any]]:
         "nearfar.lod.Selection": lambda: _selection(valid),
         "nearfar.lod.Selector": nf.lod.Selector,
         "nearfar.lod.Switches": lambda: nf.lod.switches(model, view=valid.camera),
+        "nearfar.stereo.AdaptivePlane": lambda: nf.stereo.AdaptivePlane(valid.hmd),
+        "nearfar.stereo.HybridRig": lambda: nf.stereo.HybridRig.of(valid.hmd, mono_plane=8.0, size=SIZE),
         "nearfar.Recentering": lambda: valid.reduced.recentered(ZONES["center"]),
         "nearfar.Regions": lambda: valid.regions,
         "nearfar.Walk": lambda: valid.regions.walk(),
@@ -256,6 +258,19 @@ def _pictures(valid: Valid) -> dict[str, dict[str, Any]]:
         "nearfar.hmd.TotalFov": {"horizontal_deg": 1.0, "vertical_deg": 1.0, "diagonal_deg": 1.0, "overlap_deg": 1.0},
         "nearfar.hmd.get": {"name": "QUEST_2"},
         "nearfar.hmd.names": {},
+        "nearfar.stereo.AdaptivePlane": {"hmd": hmd},
+        "nearfar.stereo.AdaptivePlane.update": {"depth": 20.0, "seconds": 0.1},
+        "nearfar.stereo.AdaptivePlane.wanted": {"depth": 20.0},
+        "nearfar.stereo.HybridRig": {"left": hmd.left, "right": hmd.right, "mono_plane": 8.0, "size": SIZE},
+        "nearfar.stereo.HybridRig.cameras": {"position": EYE},
+        "nearfar.stereo.HybridRig.error_field": {"eye": "left"},
+        "nearfar.stereo.HybridRig.homography": {"eye": "left"},
+        "nearfar.stereo.HybridRig.kink_angle": {"eye": "left", "at": [[0.1, 0.2]], "direction": [[1.0, 0.0]]},
+        "nearfar.stereo.HybridRig.max_error": {},
+        "nearfar.stereo.HybridRig.of": {"hmd": hmd, "mono_plane": 8.0},
+        "nearfar.stereo.HybridRig.shown": {"eye": "left", "at": [0.1, 0.2]},
+        "nearfar.stereo.HybridRig.with_plane": {"mono_plane": 4.0},
+        "nearfar.stereo.mono_plane_for": {"hmd": hmd, "error_px": 1.0},
     }  # fmt: skip
 
 

@@ -98,11 +98,25 @@ def from_json(text: str | bytes) -> Any:
         text = text.decode()  # json would let lone surrogates through
     document = json.loads(text, parse_constant=refuse, parse_float=number)
     if "\\u" in text:
-        try:
-            json.dumps(document, ensure_ascii=False).encode()
-        except UnicodeEncodeError:
-            raise ValueError("a text in it holds a lone surrogate") from None
+        _refuse_lone_surrogates(document)
     return document
+
+
+def from_foreign_json(text: bytes) -> Any:
+    """Parse JSON of other programs, which may write NaN and Infinity; ValueError for lone surrogates."""
+    document = json.loads(text)
+    # Escapes, and the first byte of surrogates in UTF-8; other encodings than UTF-8 are rare.
+    if b"\\u" in text or b"\xed" in text or b"\0" in text:
+        _refuse_lone_surrogates(document)
+    return document
+
+
+def _refuse_lone_surrogates(document: Any) -> None:
+    """ValueError if a text cannot be written to a file."""
+    try:
+        json.dumps(document, ensure_ascii=False).encode()
+    except UnicodeEncodeError:
+        raise ValueError("a text in it holds a lone surrogate") from None
 
 
 def read_json(path: str | os.PathLike[str], name: str, version: int) -> dict[str, Any]:

@@ -91,7 +91,7 @@ class Writer:
         return _file(text, *([_CHUNK.pack(self._size, b"BIN\0"), *self._pieces] if self._size else []))
 
 
-def header(data: bytes, parse: Callable[[bytes], Any] = json.loads) -> tuple[dict[str, Any], int]:
+def header(data: bytes, parse: Callable[[bytes], Any] = formats.from_foreign_json) -> tuple[dict[str, Any], int]:
     """Return the JSON document of a GLB, and the place where the next chunk begins; ValueError for anything else."""
     start = _HEADER.size + _CHUNK.size
     if len(data) < start:
@@ -124,7 +124,7 @@ def entry(document: dict[str, Any], section: str, number: Any) -> dict[str, Any]
     return found
 
 
-def json_object(text: bytes, parse: Callable[[bytes], Any] = json.loads) -> dict[str, Any]:
+def json_object(text: bytes, parse: Callable[[bytes], Any] = formats.from_foreign_json) -> dict[str, Any]:
     """The object that JSON text holds; ValueError for anything else."""
     document = parse(text)
     if not isinstance(document, dict):

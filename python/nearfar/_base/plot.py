@@ -27,17 +27,18 @@ def load_curve(
         label = "Popescu et al. 2022 (3.7 million triangles)"
         axes.plot(*zip(*PUBLISHED, strict=True), linestyle="none", marker="v", color="C1", label=label)
     axes.set(xscale="log", yscale="log", xlabel="$r_2$ in metres", ylabel="triangles left as geometry")
-    axes.legend()
-    _per_cent(axes, int(counts.min()), total)
+    axes.legend(loc="upper left", fontsize="small")
+    _per_cent(axes, total)
     return axes
 
 
-def _per_cent(axes: Axes, least: int, total: int) -> None:
+def _per_cent(axes: Axes, total: int) -> None:
     """Add an axis at the right that says by how many per cent the number of triangles is lower than `total`."""
-    shares = [10.0**-n for n in range(1, 1 + int(np.log10(total / max(least, 1))))]
+    lowest = axes.get_ylim()[0]
+    shares = [10.0**-n for n in range(1, 1 + int(np.log10(total / lowest)))]
     right = axes.secondary_yaxis("right")
     # 1 − 10⁻ⁿ has n − 2 decimals in per cent.
-    labels = [f"{100.0 * (1.0 - share):.{max(n - 1, 0)}f} %" for n, share in enumerate(shares, start=1)]
+    labels = [f"{100.0 * (1.0 - share):.{max(n - 2, 0)}f} %" for n, share in enumerate(shares, start=1)]
     right.set_yticks([total, *(total * share for share in shares)], ["0 %", *labels], minor=False)
     right.set_yticks([], minor=True)
     right.set_ylabel("reduction")

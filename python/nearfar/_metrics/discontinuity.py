@@ -77,7 +77,9 @@ def truth_view(own: Camera, truth: Camera | None) -> Camera:
     return truth
 
 
-def boundary(frame: Frame, *, center: ArrayLike, radius: float, width: int = 2) -> NDArray[np.bool_]:
+def boundary(
+    frame: Frame, *, center: ArrayLike, radius: float, width: int = 2, surfaces: bool = False
+) -> NDArray[np.bool_]:
     """Find the pixels along the boundary of a picture's near part.
 
     Near pixels show points at a horizontal distance ρ ≤ `radius` from the axis through the centre. The boundary is
@@ -94,6 +96,10 @@ def boundary(frame: Frame, *, center: ArrayLike, radius: float, width: int = 2) 
         Radius at which the near part ends, metres: r2 of the reduction.
     width
         Number of pixels on each side that belong to the boundary, 1 to 1000.
+    surfaces
+        True finds it only where a surface crosses the radius: the neighbour has ρ ≤ 1.02 `radius`, too. Outlines of
+        things that end at the radius, before others that are much farther away, are left out: every picture with one
+        map shifts the latter.
 
     Returns
     -------
@@ -109,16 +115,22 @@ def boundary(frame: Frame, *, center: ArrayLike, radius: float, width: int = 2) 
     middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)
     reach = check.integer("width", width, 1, 1000)
     position, origin = frame.require("position"), np.array(frame.origin)
-    return background.run(lambda: _edge(position, origin, middle, end, reach))
+    farthest = 1.02 * end if check.flag("surfaces", surfaces) else np.inf
+    return background.run(lambda: _edge(position, origin, middle, end, farthest, reach))
 
 
 def _edge(
-    position: NDArray[np.float32], origin: NDArray[np.float64], middle: NDArray[np.float64], end: float, reach: int
+    position: NDArray[np.float32],
+    origin: NDArray[np.float64],
+    middle: NDArray[np.float64],
+    end: float,
+    farthest: float,
+    reach: int,
 ) -> NDArray[np.bool_]:
-    """Pixels within `reach` of the last ones that are no farther than `end` from the axis."""
+    """Pixels within `reach` of the last ones that are no farther than `end` from the axis, and of the next ones."""
     away = position.astype(np.float64) + origin - middle
     rho = np.hypot(away[..., 0], away[..., 2])
-    beyond = rho > end
+    beyond = (rho > end) & (rho <= farthest)
     edge = np.zeros(beyond.shape, bool)
     for axis in (0, 1):
         first = (slice(None),) * axis + (slice(None, -1),)

@@ -77,7 +77,9 @@ class BoundaryTear:
     """Density of the picture where the camera looks, pixels for each degree; None for an orthographic view."""
 
 
-def boundary_tear(frame: Frame, *, center: ArrayLike, radius: float, epsilon: float = EPSILON) -> BoundaryTear:
+def boundary_tear(
+    frame: Frame, *, center: ArrayLike, radius: float, epsilon: float = EPSILON, surfaces: bool = False
+) -> BoundaryTear:
     """Measure the tear of a picture of a reduced scene along the boundary of its near part.
 
     Tears are compared at the density of a headset, some 20 pixels for each degree: at a lower one the change of slope
@@ -93,6 +95,8 @@ def boundary_tear(frame: Frame, *, center: ArrayLike, radius: float, epsilon: fl
         Radius in metres at which the near part ends: r2 of the reduction.
     epsilon
         Radius ε of the neighbourhood in pixels of the truth, from 10⁻⁶ to 5,000.
+    surfaces
+        True measures only where a surface crosses the radius, as `boundary` does.
 
     Returns
     -------
@@ -106,7 +110,7 @@ def boundary_tear(frame: Frame, *, center: ArrayLike, radius: float, epsilon: fl
     ValueError, TypeError
         For frames without positions and arguments out of their domains.
     """
-    edge = boundary(frame, center=center, radius=radius)
+    edge = boundary(frame, center=center, radius=radius, surfaces=surfaces)
     middle, end = np.array(check.vector("center", center)), check.positive("radius", radius)
     near = check.within("epsilon", epsilon, EPSILONS[0], EPSILONS[1] / 2)
     away = frame.require("position").astype(np.float64) + np.array(frame.origin) - middle

@@ -71,7 +71,7 @@ def reduce(
         texels = options.faces(face_size)
         reduction = {"center": place.eye, "r1": inner, "r2": outer, "face_size": texels, "samples": samples}
         reduction["channels"] = ("color", "range") if with_range else ("color",)
-        pictures_of = {"samples": samples, "channels": ("color",)}
+        pictures_of: dict[str, Any] = {"samples": samples, "channels": ("color",)}
         rendered = render_all(loaded, view, clock, pictures=pictures_of, reduction=reduction | {"backend": backend})
         frames, reduced = rendered.frames, rendered.reduced
         wide = default_radii.PUBLISHED * outer

@@ -20,8 +20,12 @@ pub mod morph;
 pub mod bend;
 pub mod tessellate;
 pub mod render;
+pub mod stereo;
 pub mod exr;
 pub mod metrics;
 pub mod bounds;
 pub mod lens;
 pub mod lod;
+
+#[cfg(test)]
+mod tests;

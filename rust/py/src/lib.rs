@@ -14,6 +14,7 @@ mod morph;
 mod bend;
 mod tessellate;
 mod render;
+mod stereo;
 mod metrics;
 mod bounds;
 mod lens;
@@ -58,6 +59,7 @@ mod _core {
         scene::parts::{mesh_parts, scene_parts},
         scene::wavefront::read_wavefront,
         scene::{Mesh, Scene},
+        stereo::HybridRig,
         tessellate::{tessellate_arrays, tessellate_scene},
         trace::{cast_rays, instruction_sets, nearest_points, use_instruction_set},
     };

@@ -75,13 +75,14 @@ impl Facet {
     }
 }
 
-/// Adds the colours of surfaces along neighbouring rays to their sums; `missed` gives the colour of a ray without a
-/// hit.
+/// Adds the colours of surfaces along neighbouring rays to their sums; `on_scene` gives the scene's face that a hit lies
+/// on, `missed` the colour of a ray without a hit.
 pub(super) fn add_colors(
     scene: &Scene,
     rays: &[Ray],
     hits: &[Hit],
     footprint: impl Fn(usize) -> Footprint,
+    on_scene: impl Fn(&Hit) -> Hit,
     missed: impl Fn(usize) -> [f32; 3],
     sums: &mut [[f32; 3]],
 ) {
@@ -93,8 +94,9 @@ pub(super) fn add_colors(
             add(&mut sums[n], missed(n));
             continue;
         }
+        let hit = on_scene(hit);
         let facet = match last {
-            Some(facet) if facet.holds(hit) => facet,
+            Some(facet) if facet.holds(&hit) => facet,
             _ => *last.insert(Facet::new(scene, hit.instance, hit.face)),
         };
         let surface = facet.surface((hit.u, hit.v), ray.direction);
@@ -104,7 +106,7 @@ pub(super) fn add_colors(
 }
 
 #[inline]
-pub(super) fn add(sum: &mut [f32; 3], color: [f32; 3]) {
+fn add(sum: &mut [f32; 3], color: [f32; 3]) {
     (0..3).for_each(|i| sum[i] += color[i]);
 }
 

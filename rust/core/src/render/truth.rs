@@ -43,7 +43,7 @@ impl<F: HitFilter> Picture for Truth<'_, F> {
 
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
         let missed = |n: usize| background(rays[n].direction);
-        add_colors(self.scene, rays, hits, footprint, missed, sums);
+        add_colors(self.scene, rays, hits, footprint, |&hit| hit, missed, sums);
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, wanted: Channels) -> Sample {

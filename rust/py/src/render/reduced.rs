@@ -62,8 +62,7 @@ pub fn drawing(
     };
     let named = [ConventionalDynamic::Center, ConventionalDynamic::User, ConventionalDynamic::Omit];
     let named = named.map(|place| (place.name(), place));
-    let conventional_dynamic =
-        choice("conventional_dynamic", conventional_dynamic, &named).map_err(to_python)?;
+    let conventional_dynamic = choice("conventional_dynamic", conventional_dynamic, &named).map_err(to_python)?;
     let (channels, user) = (self::channels(channels)?, user.map(DVec3::from_array));
     Ok(Drawing { channels, samples, limits, user, radius, method, mapped, tolerance_px, conventional_dynamic })
 }

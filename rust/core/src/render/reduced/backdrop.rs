@@ -55,7 +55,7 @@ impl Seen {
 }
 
 impl Backdrop<'_> {
-    pub fn color(&self, direction: Vec3, footprint: Footprint) -> [f32; 3] {
+    pub fn color(&self, direction: Vec3, footprint: impl FnOnce() -> Footprint) -> [f32; 3] {
         match self.far {
             Far::Nothing => background(direction),
             Far::Map(map) if self.shows(map, direction) => map.color(direction),
@@ -65,7 +65,7 @@ impl Backdrop<'_> {
                 if hit.is_miss() {
                     return background(direction);
                 }
-                Surface::of_hit(scene, &ray, &hit).color(scene, footprint.at(hit.t))
+                Surface::of_hit(scene, &ray, &hit).color(scene, footprint().at(hit.t))
             }
         }
     }

@@ -2,7 +2,7 @@
 //! r₂, wherever its triangle extends. Behind these, a moving fragment beyond r₂ is drawn if no far surface hides it.
 
 use super::super::frame::{Channels, Sample};
-use super::super::surface::{Surface, add};
+use super::super::surface::{Surface, add_colors};
 use super::super::tiles::{PIXELS, Picture, Spots};
 use super::backdrop::{Backdrop, sample_of};
 use super::shown::Shown;
@@ -51,10 +51,12 @@ impl HitFilter for Split<'_> {
 }
 
 impl Bent<'_> {
-    /// The unmorphed surface, seen along the displayed ray.
-    fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+    /// The hit on the face that a piece was cut from.
+    #[inline]
+    fn on_scene(&self, hit: &Hit) -> Hit {
         let piece = self.shown.piece(hit.instance, hit.face);
-        Surface::new(self.scene, piece.instance, piece.face, piece.on_face(hit.u, hit.v), ray.direction)
+        let (u, v) = piece.on_face(hit.u, hit.v);
+        Hit { instance: piece.instance, face: piece.face, u, v, ..*hit }
     }
 }
 
@@ -79,20 +81,14 @@ impl Picture for Bent<'_> {
     }
 
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
-        for (n, (ray, hit)) in rays.iter().zip(hits).enumerate() {
-            let color = if hit.is_miss() {
-                self.backdrop.color(ray.direction, footprint(n))
-            } else {
-                self.surface(ray, hit).color(self.scene, footprint(n).at(hit.t))
-            };
-            add(&mut sums[n], color);
-        }
+        let missed = |n: usize| self.backdrop.color(rays[n].direction, || footprint(n));
+        add_colors(self.scene, rays, hits, &footprint, |hit| self.on_scene(hit), missed, sums);
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, _wanted: Channels) -> Sample {
         if hit.is_miss() {
             return self.backdrop.sample(ray.direction);
         }
-        sample_of(&self.surface(ray, hit), self.scene, hit.t)
+        sample_of(&Surface::of_hit(self.scene, ray, &self.on_scene(hit)), self.scene, hit.t)
     }
 }

@@ -22,48 +22,59 @@ impl TilePart {
 }
 
 /// The bends of the rays of a tile, or of a part of it.
-pub(super) struct Cell {
+pub(super) struct Cell<'a> {
     part: TilePart,
+    corners: Corners<'a>,
     /// Number of legs between the radii.
     pub legs: usize,
-    bends: Bends,
     /// Bounding box of each bend over all rays of the tile.
     boxes: Vec<Aabb>,
 }
 
-/// Offset of each bend and its position along the ray, as coefficients of powers of x and y across the tile.
-enum Bends {
-    /// Of 1, x, y and xy.
-    Linear(Vec<[Vec4; 4]>),
-    /// Of 1, x, x² and the same times y and times y².
-    Quadratic(Vec<[Vec4; 9]>),
+/// Rays that those of a tile are interpolated between, in row order.
+enum Corners<'a> {
+    /// The tile's own corners.
+    Four([&'a Corner; 4]),
+    /// Those and the next ones on one side, with the column and the row of the tile's first one, 0 or 1.
+    Nine([&'a Corner; 9], [usize; 2]),
 }
 
-impl Cell {
+/// Offset of a bend and its position along the ray, as coefficients of powers of x and y across the tile.
+pub(super) enum Bend {
+    /// Of 1, x, y and xy.
+    Linear([Vec4; 4]),
+    /// Of 1, x, x² and the same times y and times y².
+    Quadratic([[Vec4; 3]; 3]),
+}
+
+impl Bend {
+    /// Position of a ray's bend relative to the user, from the ray's direction and its position in the part.
+    #[inline]
+    pub fn at(&self, direction: Vec3, [x, y]: [f32; 2]) -> Vec3 {
+        let v = match self {
+            Self::Linear([one, right, down, both]) => *one + *right * x + (*down + *both * x) * y,
+            Self::Quadratic(rows) => {
+                let row = |n: usize| rows[n][0] + (rows[n][1] + rows[n][2] * x) * x;
+                row(0) + (row(1) + row(2) * y) * y
+            }
+        };
+        direction * v.w + v.xyz()
+    }
+}
+
+impl<'a> Cell<'a> {
     /// Between four corners in row order.
-    pub fn linear(corners: [&Corner; 4], user: Vec3, part: TilePart) -> Self {
+    pub fn linear(corners: [&'a Corner; 4], user: Vec3, part: TilePart) -> Self {
         let legs = legs_of(&corners);
-        let coefficients = (0..=legs).map(|k| {
-            let [a, b, c, d] = corners.map(|corner| corner.bend(k, legs));
-            [a, b - a, c - a, (d - c) - (b - a)]
-        });
-        let bends = Bends::Linear(coefficients.collect());
-        Self { part, legs, bends, boxes: boxes(corners, legs, user) }
+        Self { part, corners: Corners::Four(corners), legs, boxes: hulls(corners, legs, user) }
     }
 
     /// Through nine corners in row order; the tile's first one stands in this column and row of them, 0 or 1.
-    pub fn quadratic(corners: &[&Corner], first: [usize; 2], user: Vec3) -> Self {
-        let legs = legs_of(corners);
-        let coefficients = (0..=legs).map(|k| {
-            let bend = |n: usize| corners[n].bend(k, legs);
-            let rows = [0, 3, 6].map(|n| parabola([bend(n), bend(n + 1), bend(n + 2)], first[0]));
-            let [ones, xs, squares] = [0, 1, 2].map(|n| parabola(rows.map(|row| row[n]), first[1]));
-            [ones[0], xs[0], squares[0], ones[1], xs[1], squares[1], ones[2], xs[2], squares[2]]
-        });
-        let bends = Bends::Quadratic(coefficients.collect());
+    pub fn quadratic(corners: [&'a Corner; 9], first: [usize; 2], user: Vec3) -> Self {
+        let legs = legs_of(&corners);
         let at = first[1] * 3 + first[0];
-        let own = [at, at + 1, at + 3, at + 4].map(|n| corners[n]);
-        Self { part: TilePart::WHOLE, legs, bends, boxes: boxes(own, legs, user) }
+        let own = [corners[at], corners[at + 1], corners[at + 3], corners[at + 4]];
+        Self { part: TilePart::WHOLE, corners: Corners::Nine(corners, first), legs, boxes: hulls(own, legs, user) }
     }
 
     /// Position within this part of a position in the tile; `None` for positions in other parts.
@@ -75,21 +86,25 @@ impl Cell {
         ((u as usize, v as usize) == (x, y)).then_some([u - x as f32, v - y as f32])
     }
 
-    /// Position of the k-th bend of a ray relative to the user, from its direction and its position in the part.
-    #[inline]
-    pub fn bend(&self, k: usize, direction: Vec3, [x, y]: [f32; 2]) -> Vec3 {
-        let v = match &self.bends {
-            Bends::Linear(bends) => {
-                let [one, right, down, both] = bends[k];
-                one + right * x + (down + both * x) * y
+    /// The k-th bend of all rays.
+    pub fn bend(&self, k: usize) -> Bend {
+        match &self.corners {
+            Corners::Four(corners) => {
+                let [a, b, c, d] = corners.map(|corner| corner.bend(k, self.legs));
+                Bend::Linear([a, b - a, c - a, (d - c) - (b - a)])
             }
-            Bends::Quadratic(bends) => {
-                let [a, b, c, d, e, f, g, h, i] = bends[k];
-                let row = |one: Vec4, x1: Vec4, x2: Vec4| one + (x1 + x2 * x) * x;
-                row(a, b, c) + (row(d, e, f) + row(g, h, i) * y) * y
+            Corners::Nine(corners, [column, row]) => {
+                let across = |n: usize| {
+                    let bend = |i: usize| corners[3 * n + i].bend(k, self.legs);
+                    parabola([bend(0), bend(1), bend(2)], *column)
+                };
+                let rows = [across(0), across(1), across(2)];
+                let upright = |n: usize| parabola([rows[0][n], rows[1][n], rows[2][n]], *row);
+                let columns = [upright(0), upright(1), upright(2)];
+                let power = |n: usize| [columns[0][n], columns[1][n], columns[2][n]];
+                Bend::Quadratic([power(0), power(1), power(2)])
             }
-        };
-        direction * v.w + v.xyz()
+        }
     }
 
     /// Bounding box of the tile's rays between two bends.
@@ -116,19 +131,34 @@ fn parabola([a, b, c]: [Vec4; 3], first: usize) -> [Vec4; 3] {
     }
 }
 
-/// Bounding boxes of the bends between four corners.
-fn boxes(corners: [&Corner; 4], legs: usize, user: Vec3) -> Vec<Aabb> {
-    let place = |corner: &Corner, k: usize| {
-        let bend = corner.bend(k, legs);
-        user + corner.direction * bend.w + bend.xyz()
+/// Bounding box of each bend of all rays between four corners.
+fn hulls(corners: [&Corner; 4], legs: usize, user: Vec3) -> Vec<Aabb> {
+    let place = |n: usize, k: usize| {
+        let bend = corners[n].bend(k, legs);
+        user + corners[n].direction * bend.w + bend.xyz()
     };
-    (0..=legs).map(|k| around(&corners.map(|corner| place(corner, k)))).collect()
+    (0..=legs).map(|k| around([place(0, k), place(1, k), place(2, k), place(3, k)])).collect()
+}
+
+/// Bounding box of all rays between four corners, wherever they bend.
+pub(super) fn bounds(corners: [&Corner; 4], user: Vec3) -> Aabb {
+    let mut bounds = Aabb::EMPTY;
+    for corner in corners {
+        bounds.extend(user + corner.bounds.min);
+        bounds.extend(user + corner.bounds.max);
+    }
+    // Rays of a tile are farthest apart at one of their ends.
+    let ends = corners.map(Corner::ends);
+    let apart = |one: usize, other: usize, end: usize| (ends[other][end] - ends[one][end]).abs();
+    let widest = apart(0, 3, 0).max(apart(1, 2, 0)).max(apart(0, 3, 1)).max(apart(1, 2, 1)).max_element();
+    let margin = Vec3::splat(BULGE * widest);
+    Aabb { min: bounds.min - margin, max: bounds.max + margin }
 }
 
 /// Bounding box of the rays between the four corners of a tile, given in row order.
-fn around(points: &[Vec3; 4]) -> Aabb {
+fn around(points: [Vec3; 4]) -> Aabb {
     let mut region = Aabb::EMPTY;
-    points.iter().for_each(|&point| region.extend(point));
+    points.into_iter().for_each(|point| region.extend(point));
     let widest = (points[3] - points[0]).abs().max((points[2] - points[1]).abs()).max_element();
     let margin = Vec3::splat(BULGE * widest);
     Aabb { min: region.min - margin, max: region.max + margin }

@@ -2,6 +2,7 @@
 
 use glam::{Vec3, Vec4};
 
+use crate::base::Aabb;
 use crate::bend::{RayCurve, Stretch};
 
 /// Greatest number of legs between the radii; rays that need more are bent one by one.
@@ -20,7 +21,9 @@ pub(super) struct Corner {
     /// Number of legs, a power of two.
     pub legs: usize,
     /// Offset of each bend across the ray, metres. There is one more bend than legs.
-    beside: [f32; MOST_LEGS + 1],
+    beside: Box<[f32]>,
+    /// Bounding box of all bends, relative to the user.
+    pub bounds: Aabb,
 }
 
 impl Corner {
@@ -37,20 +40,46 @@ impl Corner {
             halve(curve, &stretch, &mut beside, legs);
             legs *= 2;
         }
-        let (direction, across) = (curve.direction.as_vec3(), curve.across.as_vec3());
-        let step = (stretch.to - stretch.from) / legs as f64;
-        let beside = beside.map(|y| y as f32);
-        Some(Self { direction, across, from: stretch.from as f32, step: step as f32, legs, beside })
+        let beside = beside[..=legs].iter().map(|&y| y as f32).collect();
+        let mut corner = Self {
+            direction: curve.direction.as_vec3(),
+            across: curve.across.as_vec3(),
+            from: stretch.from as f32,
+            step: ((stretch.to - stretch.from) / legs as f64) as f32,
+            legs,
+            beside,
+            bounds: Aabb::EMPTY,
+        };
+        for k in 0..=legs {
+            corner.bounds.extend(corner.place(k));
+        }
+        Some(corner)
+    }
+
+    /// Position of the k-th of its own bends, relative to the user.
+    fn place(&self, k: usize) -> Vec3 {
+        self.direction * (self.from + self.step * k as f32) + self.across * self.beside[k]
+    }
+
+    /// Positions of its first and its last bend, relative to the user.
+    pub fn ends(&self) -> [Vec3; 2] {
+        [self.place(0), self.place(self.legs)]
     }
 
     /// The k-th of `legs` + 1 bends, with `legs` at least the corner's own number: the offset from the ray to the
     /// curve, and the distance along the ray.
     #[inline]
     pub fn bend(&self, k: usize, legs: usize) -> Vec4 {
-        let each = legs / self.legs;
-        let (whole, part) = (k / each, (k % each) as f32 / each as f32);
+        // Both are powers of two.
+        let finer = legs.trailing_zeros() - self.legs.trailing_zeros();
+        let whole = k >> finer;
         let before = self.beside[whole];
-        let y = if part > 0.0 { before + (self.beside[whole + 1] - before) * part } else { before };
+        let rest = k - (whole << finer);
+        if rest == 0 {
+            return (self.across * before).extend(self.from + self.step * whole as f32);
+        }
+        let part = rest as f32 / (1u32 << finer) as f32;
+        let y = before + (self.beside[whole + 1] - before) * part;
         (self.across * y).extend(self.from + self.step * (whole as f32 + part))
     }
 }
@@ -81,14 +110,13 @@ fn misses(curve: &RayCurve<'_>, stretch: &Stretch, beside: &[f64], tolerance: f6
 
 /// Inserts a bend between each two neighbours.
 fn halve(curve: &RayCurve<'_>, stretch: &Stretch, beside: &mut [f64; MOST_LEGS + 1], legs: usize) {
-    let coarse = *beside;
-    for k in 0..legs {
-        let (a, b) = (coarse[k], coarse[k + 1]);
+    // From the last one on, so that the values that are read are not yet overwritten.
+    for k in (0..legs).rev() {
+        let (a, b) = (beside[k], beside[k + 1]);
         // The cubic through four neighbours is a better first guess than the chord.
         let inner = k > 0 && k + 1 < legs;
-        let bulge = if inner { (a + b - coarse[k - 1] - coarse[k + 2]) / 16.0 } else { 0.0 };
-        beside[2 * k] = a;
+        let bulge = if inner { (a + b - beside[k - 1] - beside[k + 2]) / 16.0 } else { 0.0 };
+        beside[2 * k + 2] = b;
         beside[2 * k + 1] = curve.search(place(stretch, k as f64 + 0.5, legs), 0.5 * (a + b) + bulge, OFFSET_PRECISION);
     }
-    beside[2 * legs] = coarse[legs];
 }

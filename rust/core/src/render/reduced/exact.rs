@@ -11,7 +11,7 @@ use super::backdrop::{Backdrop, closest, sample_of};
 use super::cell::Cell;
 use super::lattice::Lattice;
 use super::moving::Moving;
-use crate::base::{Progress, Result};
+use crate::base::{Aabb, Progress, Result};
 use crate::bend::{RayCurve, on_ground, within_cylinder};
 use crate::camera::{Camera, Footprint};
 use crate::morph::{Kind, Morph};
@@ -75,7 +75,8 @@ impl<'a> Exact<'a> {
         if count == 0 {
             return true;
         }
-        self.lattice.for_each_cell(spots.tile(), |cell| {
+        let is_near = |bounds: &Aabb| touches(self.scene, bounds);
+        self.lattice.for_each_cell(spots.tile(), is_near, |cell| {
             let mut spot = [[0.0; 2]; PIXELS];
             let mut within: [usize; PIXELS] = [0; PIXELS];
             let mut inner = 0;
@@ -92,7 +93,7 @@ impl<'a> Exact<'a> {
     /// Traces the listed rays beyond their straight parts; `ends` holds the ends of these parts.
     fn trace_legs(
         &self,
-        cell: &Cell,
+        cell: &Cell<'_>,
         open: &mut [usize],
         spot: &[[f32; 2]; PIXELS],
         ends: &mut [Vec3; PIXELS],
@@ -119,10 +120,12 @@ impl<'a> Exact<'a> {
             if !touches(self.scene, &cell.region(k - 1, k)) {
                 continue;
             }
+            let before = (known < k - 1).then(|| cell.bend(k - 1));
+            let behind = cell.bend(k);
             for (leg, &n) in legs.iter_mut().zip(&open[..count]) {
                 let direction = rays[n].direction;
-                let start = if known == k - 1 { ends[n] } else { cell.bend(k - 1, direction, spot[n]) };
-                ends[n] = cell.bend(k, direction, spot[n]);
+                let start = before.as_ref().map_or(ends[n], |bend| bend.at(direction, spot[n]));
+                ends[n] = behind.at(direction, spot[n]);
                 leg.origin = user + start;
                 leg.direction = ends[n] - start;
             }
@@ -234,9 +237,9 @@ impl Picture for Exact<'_> {
         let behind = self.backdrop.behind(rays, hits);
         let missed = |n: usize| match &behind {
             Some(behind) => behind.color(n, self.scene, footprint(n)),
-            None => self.backdrop.color(rays[n].direction, footprint(n)),
+            None => self.backdrop.color(rays[n].direction, || footprint(n)),
         };
-        add_colors(self.scene, rays, hits, &footprint, missed, sums);
+        add_colors(self.scene, rays, hits, &footprint, |&hit| hit, missed, sums);
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, _wanted: Channels) -> Sample {

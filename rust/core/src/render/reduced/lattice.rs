@@ -10,8 +10,9 @@ use std::sync::OnceLock;
 use glam::{Vec4, Vec4Swizzles};
 
 use super::super::tiles::TILE;
-use super::cell::{Cell, TilePart};
+use super::cell::{Cell, TilePart, bounds};
 use super::corner::{Corner, LEAST_LEGS};
+use crate::base::Aabb;
 use crate::bend::RayCurve;
 use crate::camera::{Camera, Rays};
 use crate::morph::Morph;
@@ -30,7 +31,7 @@ pub(super) struct Lattice {
     tolerance_px: f64,
     columns: usize,
     lines: usize,
-    corners: Vec<OnceLock<Option<Box<Corner>>>>,
+    corners: Vec<OnceLock<Option<Corner>>>,
 }
 
 impl Lattice {
@@ -42,21 +43,28 @@ impl Lattice {
         Self { morph: *morph, rays: camera.rays(), tolerance_px, columns, lines, corners }
     }
 
-    /// Calls `trace` with the bends of a tile's rays, part by part if they change too much across the tile. Returns
-    /// false if rays must be bent one by one.
-    pub fn for_each_cell(&self, (column, row): (usize, usize), mut trace: impl FnMut(&Cell)) -> bool {
+    /// Calls `trace` with the bends of a tile's rays, part by part if they change too much across the tile, and not at
+    /// all if nothing is near the box about them. Returns false if rays must be bent one by one.
+    pub fn for_each_cell(
+        &self,
+        (column, row): (usize, usize),
+        is_near: impl Fn(&Aabb) -> bool,
+        mut trace: impl FnMut(&Cell<'_>),
+    ) -> bool {
         let Some(turn) = self.turn(column, row) else { return false };
         let allowed = BETWEEN * self.tolerance(column, row);
         let user = self.morph.user.as_vec3();
-        if turn <= allowed {
-            let at = |x, y| self.corner(column + x, row + y);
-            let (Some(a), Some(b), Some(c), Some(d)) = (at(0, 0), at(1, 0), at(0, 1), at(1, 1)) else { return false };
-            trace(&Cell::linear([a, b, c, d], user, TilePart::WHOLE));
-            return true;
-        }
-        if let Some(cell) = self.quadratic(column, row, allowed) {
-            trace(&cell);
-            return true;
+        let at = |x, y| self.corner(column + x, row + y);
+        if let (Some(a), Some(b), Some(c), Some(d)) = (at(0, 0), at(1, 0), at(0, 1), at(1, 1)) {
+            let corners = [a, b, c, d];
+            let linear = || Cell::linear(corners, user, TilePart::WHOLE);
+            let nine = if turn <= allowed { None } else { self.nine(column, row, allowed) };
+            if turn <= allowed || nine.is_some() {
+                if is_near(&bounds(corners, user)) {
+                    trace(&nine.map_or_else(linear, |(corners, first)| Cell::quadratic(corners, first, user)));
+                }
+                return true;
+            }
         }
         // Second differences are proportional to the square of a part's side.
         let Some(parts) = [2, 4].into_iter().find(|&parts| turn <= allowed * (parts * parts) as f64) else {
@@ -92,8 +100,7 @@ impl Lattice {
     }
 
     fn corner(&self, column: usize, row: usize) -> Option<&Corner> {
-        let bend = || self.bent(column as f64, row as f64).map(Box::new);
-        self.corners[row * self.columns + column].get_or_init(bend).as_deref()
+        self.corners[row * self.columns + column].get_or_init(|| self.bent(column as f64, row as f64)).as_ref()
     }
 
     /// Angle by which interpolated rays inside a tile miss their curve. The error of linear interpolation in each
@@ -117,10 +124,10 @@ impl Lattice {
         Some(2.0 * worst)
     }
 
-    /// A tile across which bends are interpolated by quadratic polynomials in each direction, through the corners of the
-    /// tile and those on one side of it. `None` if they would miss their curves by more than the allowed angle: by
-    /// 0.0642, the maximum of |t (t² − 1)|/6, times the third differences, those of both directions added.
-    fn quadratic(&self, column: usize, row: usize, allowed: f64) -> Option<Cell> {
+    /// Nine corners, for interpolation by quadratic polynomials in each direction: those of a tile and the next ones on
+    /// one side, and the place of the tile's first one. `None` if bends would miss their curves by more than the allowed
+    /// angle: by 0.0642, the maximum of |t (t² − 1)|/6, times the third differences, those of both directions added.
+    fn nine(&self, column: usize, row: usize, allowed: f64) -> Option<([&Corner; 9], [usize; 2])> {
         if self.columns < 4 || self.lines < 4 {
             return None;
         }
@@ -139,11 +146,11 @@ impl Lattice {
         }
         // The tile's own corners are the second and the third of three, or the first and the second.
         let (x, y) = (column.saturating_sub(1), row.saturating_sub(1));
-        let mut corners = Vec::with_capacity(9);
-        for n in 0..9 {
-            corners.push(self.corner(x + n % 3, y + n / 3)?);
+        let mut corners = [self.corner(x, y)?; 9];
+        for (n, corner) in corners.iter_mut().enumerate() {
+            *corner = self.corner(x + n % 3, y + n / 3)?;
         }
-        Some(Cell::quadratic(&corners, [column - x, row - y], self.morph.user.as_vec3()))
+        Some((corners, [column - x, row - y]))
     }
 }
 

@@ -13,4 +13,5 @@ mod reduced_scene;
 mod shown;
 mod straight;
 
-pub use reduced_scene::{ConventionalDynamic, Drawing, FrameCounts, Join, MorphMethod, Reduced};
+pub use moving::ConventionalDynamic;
+pub use reduced_scene::{Drawing, FrameCounts, Join, MorphMethod, Reduced};

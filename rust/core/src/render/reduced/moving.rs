@@ -13,6 +13,29 @@ use crate::trace::{All, AlphaFilter, Hit, HitFilter, Ray, closest_hits};
 /// A ray that meets nothing.
 const NOWHERE: Ray = Ray { origin: Vec3::ZERO, direction: Vec3::NEG_Z, t_min: 0.0, t_max: -1.0 };
 
+/// Where the conventional method shows moving objects beyond the near part.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ConventionalDynamic {
+    /// In the direction in which the centre sees them, where nothing of the far part is nearer.
+    #[default]
+    Center,
+    /// In the direction in which the user sees them, before the whole far part.
+    User,
+    /// Nowhere.
+    Omit,
+}
+
+impl ConventionalDynamic {
+    /// Its public name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Center => "center",
+            Self::User => "user",
+            Self::Omit => "omit",
+        }
+    }
+}
+
 /// The moving objects of a scene in one pose, with the number of the first in the whole scene.
 pub(super) struct Moving {
     scene: Scene,

@@ -9,6 +9,7 @@ use super::super::limits::{Limits, Segment};
 use super::super::tiles::{RenderView, check_reach, draw};
 use super::backdrop::{Backdrop, Far, Seen};
 use super::folding::Folding;
+use super::moving::ConventionalDynamic;
 use super::shown::NearGeometry;
 use super::{bent, exact, straight};
 use crate::base::{Error, Progress, Result};
@@ -47,29 +48,6 @@ pub enum MorphMethod {
     Vertex,
     /// To rays: each pixel shows the first hit of its bent ray.
     Exact,
-}
-
-/// Where the conventional method shows moving objects beyond the near part.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ConventionalDynamic {
-    /// In the direction in which the centre sees them, where nothing of the far part is nearer.
-    #[default]
-    Center,
-    /// In the direction in which the user sees them, before the whole far part.
-    User,
-    /// Nowhere.
-    Omit,
-}
-
-impl ConventionalDynamic {
-    /// Its public name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Center => "center",
-            Self::User => "user",
-            Self::Omit => "omit",
-        }
-    }
 }
 
 /// Settings of a frame of a reduced scene.

@@ -6,8 +6,7 @@ use super::super::limits::Segment;
 use super::super::surface::{Surface, add_colors};
 use super::super::tiles::{PIXELS, Picture, Spots};
 use super::backdrop::{Backdrop, closest, sample_of};
-use super::moving::Moving;
-use super::reduced_scene::ConventionalDynamic;
+use super::moving::{ConventionalDynamic, Moving};
 use crate::base::{Progress, Result};
 use crate::bend::{on_ground, within_cylinder};
 use crate::camera::Footprint;
@@ -63,8 +62,8 @@ impl Picture for Straight<'_> {
     }
 
     fn add_colors(&self, rays: &[Ray], hits: &[Hit], footprint: impl Fn(usize) -> Footprint, sums: &mut [[f32; 3]]) {
-        let missed = |n: usize| self.backdrop.color(rays[n].direction, footprint(n));
-        add_colors(self.scene, rays, hits, &footprint, missed, sums);
+        let missed = |n: usize| self.backdrop.color(rays[n].direction, || footprint(n));
+        add_colors(self.scene, rays, hits, &footprint, |&hit| hit, missed, sums);
     }
 
     fn sample(&self, ray: &Ray, hit: &Hit, _wanted: Channels) -> Sample {

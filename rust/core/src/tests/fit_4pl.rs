@@ -1,5 +1,5 @@
-use nearfar_core::base::Progress;
-use nearfar_core::lod::{Status, fit_4pl};
+use crate::base::Progress;
+use crate::lod::{Status, fit_4pl};
 
 use super::{assert_near, assert_share, cases, number, numbers};
 

@@ -1,7 +1,7 @@
+use crate::base::Progress;
+use crate::bend::{RayCurve, bend_rays, margin};
+use crate::morph::Kind;
 use glam::DVec3;
-use nearfar_core::base::Progress;
-use nearfar_core::bend::{RayCurve, bend_rays, margin};
-use nearfar_core::morph::Kind;
 use serde_json::Value;
 
 use super::{assert_near, cases, morph_of, number, numbers, row, rows};

@@ -1,7 +1,7 @@
+use crate::base::Progress;
+use crate::camera::{along_face, direction_from_face, face_from_direction};
+use crate::cubemap::{CubeFaces, TexelFilter, direction_from_texel, lookup, nearest, texel_from_direction};
 use glam::DVec3;
-use nearfar_core::base::Progress;
-use nearfar_core::camera::{along_face, direction_from_face, face_from_direction};
-use nearfar_core::cubemap::{CubeFaces, TexelFilter, direction_from_texel, lookup, nearest, texel_from_direction};
 
 use super::{assert_near, cases, indices, number, numbers, rows};
 

@@ -6,8 +6,8 @@ mod fit_4pl;
 mod lens;
 mod morph;
 
+use crate::morph::{Kind, Morph};
 use glam::DVec3;
-use nearfar_core::morph::{Kind, Morph};
 use serde_json::Value;
 
 /// Cases of a section of a file.

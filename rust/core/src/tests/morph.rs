@@ -1,6 +1,6 @@
+use crate::base::Progress;
+use crate::morph::Kind;
 use glam::DVec3;
-use nearfar_core::base::Progress;
-use nearfar_core::morph::Kind;
 use serde_json::Value;
 
 use super::{assert_near, cases, morph_of, number, numbers, rows};

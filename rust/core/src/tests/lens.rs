@@ -1,5 +1,5 @@
-use nearfar_core::base::Progress;
-use nearfar_core::lens::{InverseMethod, RadialLens};
+use crate::base::Progress;
+use crate::lens::{InverseMethod, RadialLens};
 use serde_json::Value;
 
 use super::{assert_near, assert_share, cases, number, numbers, row, rows};

@@ -1,0 +1,9 @@
+"""Hybrid mono-stereo rendering: near geometry for each eye, one shared picture beyond a plane (Fink et al. 2019)."""
+
+from __future__ import annotations
+
+from nearfar.stereo._adaptive import AdaptivePlane
+from nearfar.stereo._plane import mono_plane_for
+from nearfar.stereo._rig import HybridRig
+
+__all__ = ["AdaptivePlane", "HybridRig", "mono_plane_for"]

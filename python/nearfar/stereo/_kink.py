@@ -1,0 +1,38 @@
+"""The bend of straight lines at the mono plane, in closed form."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nearfar.hmd._eye import Eye, rotation
+
+Array = NDArray[np.float64]
+
+
+def kink_angles(eye: Eye, m: float, s: float, at: Array, direction: Array) -> Array:
+    """Angles (N,) in degrees between the images of lines just before and just behind the plane m.
+
+    The eye's position is relative to the middle between both; s is the third camera's distance behind it. With X the
+    point of the plane and v the line's direction, for each metre ahead, the vector from the eye to what it is shown
+    changes by (v, −1) before the plane, and by (v − X/(m + s), 0) behind it, where it follows the point through which
+    the third camera sees the line.
+    """
+    turn, position = rotation(eye.orientation), np.array(eye.position)
+    ways = np.column_stack([at, -np.ones(len(at))]) @ turn.T
+    from_eye = ways * ((m + position[2]) / -ways[:, 2:])
+    through = from_eye[:, :2] + position[:2]
+    before = np.column_stack([direction, -np.ones(len(direction))])
+    behind = np.column_stack([direction - through / (m + s), np.zeros(len(direction))])
+    one, other = (_image_of(from_eye @ turn, change @ turn) for change in (before, behind))
+    cross = one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0]
+    dot = (one * other).sum(axis=1)
+    angles = np.degrees(np.arctan2(np.abs(cross), dot))
+    is_point = (np.abs(one).max(axis=1) < 1e-12) | (np.abs(other).max(axis=1) < 1e-12)
+    return np.where(is_point, np.nan, angles)
+
+
+def _image_of(place: Array, change: Array) -> Array:
+    """Changes (N, 2) of the tangents of a place (N, 3) in an eye's axes that changes."""
+    ahead = -place[:, 2:]
+    return np.asarray(change[:, :2] / ahead + place[:, :2] * change[:, 2:] / ahead**2)

@@ -1,0 +1,116 @@
+"""Choosing the mono plane by the error or by the bend of lines that a picture may have."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from nearfar._base import check
+from nearfar.hmd._eye import rotation
+from nearfar.hmd._hmd import EYES, Hmd
+from nearfar.stereo._rig import AXES, HybridRig
+
+NEAREST, FARTHEST = 0.1, 1e5
+"""Least and greatest distance of a plane that is chosen, metres."""
+_HALVINGS = 80
+
+
+def mono_plane_for(
+    *,
+    hmd: Hmd,
+    error_px: float | None = None,
+    kink_deg: float | None = None,
+    size: tuple[int, int] | None = None,
+    depth: float = math.inf,
+    axis: str = "horizontal",
+    slope: float = 1.0,
+) -> float:
+    """Return the least distance of the mono plane, metres, for an error in pixels or for a bend in degrees.
+
+    Parameters
+    ----------
+    hmd
+        The headset.
+    error_px
+        Greatest error in pixels of points up to `depth` (`HybridRig.max_error`).
+    kink_deg
+        Instead of `error_px`: greatest angle in degrees, below 90, by which straight lines may bend at the plane.
+    size
+        Width and height of an eye's picture in pixels; `Hmd.render_size` by default.
+    depth
+        Greatest depth of the scene in metres, for `error_px`.
+    axis
+        "horizontal", "vertical" or "both", for `error_px`.
+    slope
+        For `kink_deg`: least slope of the lines against the line of sight, in metres across it for each metre along it.
+        A line that runs along the line of sight, slope 0, may bend by any angle, at any plane.
+
+    Returns
+    -------
+    float
+        Metres, from 0.1 on: the result for a greater error or bend is 0.1 m.
+
+    Raises
+    ------
+    ValueError, TypeError
+        If not exactly one of `error_px` and `kink_deg` is given, for values out of range, and for errors that no plane
+        within 100 km keeps.
+
+    Notes
+    -----
+    Of eyes that are not turned, max |a s − p| (z − m)/((z + s) m) = e gives m = z E/(E + e (z + s)), and a line bends
+    by at most asin(E/((m + s) slope)), with E = max |a s − p| over both views (`HybridRig`).
+    """
+    check.instance("hmd", hmd, Hmd, "an Hmd")
+    check.choice("axis", axis, AXES)
+    deep = check.number("depth", depth, finite=False)
+    if deep <= 0.0:
+        raise ValueError(f"depth: expected a distance above 0 metres, got {deep:g}")
+    if (error_px is None) == (kink_deg is None):
+        raise ValueError("error_px: expected either this or kink_deg, got both or none")
+    if error_px is not None:
+        return _for_error(hmd, size, check.positive("error_px", error_px), deep, axis)
+    assert kink_deg is not None
+    return _for_kink(hmd, size, check.number("kink_deg", kink_deg), check.positive("slope", slope))
+
+
+def _for_kink(hmd: Hmd, size: tuple[int, int] | None, bend: float, slope: float) -> float:
+    if not 0.0 < bend < 90.0:
+        raise ValueError(f"kink_deg: expected an angle between 0 and 90 degrees, got {bend:g}")
+    rig = HybridRig.of(hmd, mono_plane=1.0, size=size)
+    greatest = max(_offset(rig, eye, x, y) for eye in EYES for x, y in _corners(rig, eye))
+    return max(greatest / (slope * math.sin(math.radians(bend))) - rig.center_offset, NEAREST)
+
+
+def _for_error(hmd: Hmd, size: tuple[int, int] | None, error: float, depth: float, axis: str) -> float:
+    rig = HybridRig.of(hmd, mono_plane=FARTHEST, size=size)
+    if rig.max_error(depth, axis) > error:
+        raise ValueError(f"error_px: expected an error that a plane within {FARTHEST:g} m keeps, got {error:g}")
+    low, high = NEAREST, FARTHEST
+    if rig.with_plane(low).max_error(depth, axis) <= error:
+        return low
+    # The error falls with the plane's distance.
+    for _ in range(_HALVINGS):
+        middle = math.sqrt(low * high)
+        if not low < middle < high:
+            break
+        if rig.with_plane(middle).max_error(depth, axis) <= error:
+            high = middle
+        else:
+            low = middle
+    return high
+
+
+def _corners(rig: HybridRig, eye: str) -> list[tuple[float, float]]:
+    fov = getattr(rig, eye).fov
+    return [(x, y) for x in (fov.left, fov.right) for y in (fov.down, fov.up)]
+
+
+def _offset(rig: HybridRig, eye: str, x: float, y: float) -> float:
+    """E at the tangents (x, y) of an eye, metres: |a s − p|, with a in head axes."""
+    chosen = getattr(rig, eye)
+    way = rotation(chosen.orientation) @ np.array([x, y, -1.0])
+    position = np.subtract(chosen.position, rig._core.middle)
+    at = way[:2] / -way[2]
+    return float(np.hypot(*(at * rig.center_offset - position[:2])))

@@ -1,0 +1,122 @@
+//! The error of hybrid pictures: how far from its place an eye is shown a point beyond the plane.
+//!
+//! A point P at depth z is shown in the direction of the point of the plane m through which the third camera sees it.
+//! For an eye at p that is not turned, which would see P at the tangent a, the error is (Fink et al., Fig. 2)
+//!
+//! Δ = (a s − p) (z − m) / ((z + s) m),
+//!
+//! linear in a. It grows with the depth, and is greatest at the nasal edge.
+
+use glam::{DMat3, DVec2};
+use rayon::prelude::*;
+
+use super::rig::{Planes, Rig, Side};
+use crate::base::{Error, Progress, Result};
+
+/// Which part of an error counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Its component to the side.
+    Horizontal,
+    /// Its component upwards.
+    Vertical,
+    /// Its length.
+    Both,
+}
+
+impl Axis {
+    fn of(self, error: DVec2) -> f64 {
+        match self {
+            Self::Horizontal => error.x.abs(),
+            Self::Vertical => error.y.abs(),
+            Self::Both => error.length(),
+        }
+    }
+}
+
+/// Places across a view at which an error is taken that is not linear; between them it changes by less than a thousandth.
+const PLACES: usize = 33;
+/// Sine of half the angle above which an eye counts as turned: what rounding leaves is less.
+const LEAST_TURN: f64 = 1e-9;
+
+impl Rig {
+    /// Tangents at which an eye is shown a point that it would see at the tangents `at`, at a depth in metres from the
+    /// plane of the eyes; the depth may be infinite. Between both planes the directions to the point and to its place on
+    /// the nearer plane are blended by a smoothstep.
+    pub fn shown(&self, side: Side, at: DVec2, depth: f64) -> DVec2 {
+        let (Planes { mono: m, stereo }, s) = (self.planes(), self.setback());
+        if depth <= m {
+            return at;
+        }
+        let eye = self.eye(side);
+        let (turn, p) = (DMat3::from_quat(eye.orientation), eye.position);
+        let way = turn * at.extend(-1.0);
+        let slope = way.truncate() / -way.z;
+        // P = p + slope (z + p.z) is seen from C through the point X of the plane.
+        let x = if depth.is_finite() {
+            (p.truncate() + slope * (depth + p.z)) * ((m + s) / (depth + s))
+        } else {
+            slope * (m + s)
+        };
+        let mut from_eye = turn.transpose() * (x - p.truncate()).extend(-m - p.z);
+        if depth < stereo {
+            let t = (depth - m) / (stereo - m);
+            let far = t * t * (3.0 - 2.0 * t);
+            from_eye = at.extend(-1.0).normalize() * (1.0 - far) + from_eye.normalize() * far;
+        }
+        from_eye.truncate() / -from_eye.z
+    }
+
+    /// Error in pixels, to the right and upwards, of what an eye would see at the tangents `at`.
+    pub fn error(&self, side: Side, at: DVec2, depth: f64) -> DVec2 {
+        (self.shown(side, at, depth) - at) * self.pixels_per_tangent(side)
+    }
+
+    /// Greatest error over both eyes, pixels.
+    pub fn max_error(&self, depth: f64, axis: Axis) -> Result<f64> {
+        check_depth(depth)?;
+        let greatest = |side: Side| {
+            let eye = self.eye(side);
+            // An error that is linear in the tangents is greatest at a corner.
+            let turns = eye.orientation.xyz().length() > LEAST_TURN;
+            let count = if turns || depth < self.planes().stereo { PLACES } else { 2 };
+            let share = |n: usize| n as f64 / (count - 1) as f64;
+            let fov = eye.fov;
+            let places = (0..count * count).map(|n| {
+                let x = fov.left + (fov.right - fov.left) * share(n % count);
+                let y = fov.down + (fov.up - fov.down) * share(n / count);
+                axis.of(self.error(side, DVec2::new(x, y), depth))
+            });
+            places.fold(0.0, f64::max)
+        };
+        Ok(greatest(Side::Left).max(greatest(Side::Right)))
+    }
+
+    /// Errors in pixels, to the right and upwards, at the centres of an eye's pixels, in row-major order.
+    pub fn error_field(&self, side: Side, depth: f64, field: &mut [[f64; 2]], progress: &Progress) -> Result<()> {
+        check_depth(depth)?;
+        let (width, height) = self.size();
+        let fov = self.eye(side).fov;
+        field.par_chunks_mut(width as usize).enumerate().try_for_each(|(row, errors)| {
+            let y = fov.up + (fov.down - fov.up) * (row as f64 + 0.5) / f64::from(height);
+            for (column, error) in errors.iter_mut().enumerate() {
+                let x = fov.left + (fov.right - fov.left) * (column as f64 + 0.5) / f64::from(width);
+                *error = self.error(side, DVec2::new(x, y), depth).to_array();
+            }
+            progress.check()
+        })
+    }
+
+    /// Pixels of an eye's picture for each unit of tangent, to the side and upwards.
+    pub fn pixels_per_tangent(&self, side: Side) -> DVec2 {
+        let (fov, (width, height)) = (self.eye(side).fov, self.size());
+        DVec2::new(f64::from(width) / (fov.right - fov.left), f64::from(height) / (fov.up - fov.down))
+    }
+}
+
+fn check_depth(depth: f64) -> Result<()> {
+    if depth.is_nan() || depth <= 0.0 {
+        return Err(Error::value("depth", "a distance above 0 metres, or infinity", depth));
+    }
+    Ok(())
+}

@@ -1,0 +1,250 @@
+//! The rig: two eyes, the camera behind them, and the plane through which all pictures meet.
+
+use glam::{DMat3, DQuat, DVec2, DVec3};
+
+use crate::base::{Error, Result};
+use crate::camera::{Fov, MAX_SIZE};
+
+/// One eye of a headset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Eye {
+    /// Field of view in the eye's own axes, tangents.
+    pub fov: Fov,
+    /// Position in head axes, metres.
+    pub position: DVec3,
+    /// Unit quaternion eye→head; canted views are turned outwards.
+    pub orientation: DQuat,
+}
+
+/// The eyes, as indices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// The left eye.
+    Left = 0,
+    /// The right eye.
+    Right = 1,
+}
+
+impl Side {
+    /// Both, the left one first.
+    pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
+
+    /// Its public name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+}
+
+/// Distances of the planes from the plane of the eyes, metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Planes {
+    /// m₁: the camera behind the eyes draws what is farther away; pictures meet here.
+    pub mono: f64,
+    /// m₂ ≥ m₁: eyes draw what is nearer. In between both pictures are blended.
+    pub stereo: f64,
+}
+
+/// Two eyes, the planes, and the camera behind the eyes.
+#[derive(Clone, Copy, Debug)]
+pub struct Rig {
+    /// Left and right eye; positions are relative to the middle between them.
+    eyes: [Eye; 2],
+    middle: DVec3,
+    planes: Planes,
+    size: (u32, u32),
+    setback: f64,
+    fov: Fov,
+    center_size: (u32, u32),
+}
+
+/// Factor k of the overlap ε = k s m of both parts, as published.
+const OVERLAP: f64 = 2.0;
+/// Least cosine between an edge of a view and the head's forward axis; edges beyond it do not meet the plane in front.
+const LEAST_FORWARD: f64 = 1e-6;
+
+impl Rig {
+    /// Checks the eyes and places the camera behind them. `size` is the picture of an eye, pixels.
+    pub fn new(eyes: [Eye; 2], planes: Planes, size: (u32, u32)) -> Result<Self> {
+        check_size(size)?;
+        check_planes(planes)?;
+        let [left, right] = eyes;
+        if right.position.x <= left.position.x {
+            let expected = format!("an eye to the right of the left one, whose x is {} m", left.position.x);
+            return Err(Error::value("right", expected, format!("x = {} m", right.position.x)));
+        }
+        let middle = 0.5 * (left.position + right.position);
+        let eyes = eyes.map(|eye| Eye { position: eye.position - middle, ..eye });
+        for (side, eye) in Side::BOTH.into_iter().zip(&eyes) {
+            check_ahead(side, eye, planes.mono)?;
+        }
+        let setback = setback_of(Side::Left, &eyes[0])?.max(setback_of(Side::Right, &eyes[1])?);
+        let feet = eyes.map(|eye| footprint(&eye, planes.mono));
+        check_overlap(&feet)?;
+        let corners = feet.as_flattened().iter().copied();
+        let (low, high) = corners.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
+        let away = planes.mono + setback;
+        let fov = Fov { left: low.x / away, right: high.x / away, down: low.y / away, up: high.y / away };
+        let center_size = center_size(&feet, high - low, size)?;
+        Ok(Self { eyes, middle, planes, size, setback, fov, center_size })
+    }
+
+    /// An eye; its position is relative to the middle between both.
+    pub fn eye(&self, side: Side) -> &Eye {
+        &self.eyes[side as usize]
+    }
+
+    /// The middle between the eyes, in head axes.
+    pub fn middle(&self) -> DVec3 {
+        self.middle
+    }
+
+    /// The planes.
+    pub fn planes(&self) -> Planes {
+        self.planes
+    }
+
+    /// Size of an eye's picture, pixels.
+    pub fn size(&self) -> (u32, u32) {
+        self.size
+    }
+
+    /// s: distance of the third camera behind the middle between the eyes, metres. It is the least one from which the
+    /// camera sees no less to each side than the eyes do in the distance: ipd/2 divided by the lesser outer tangent.
+    pub fn setback(&self) -> f64 {
+        self.setback
+    }
+
+    /// Field of view of the third camera: the hull of both eyes' views on the plane.
+    pub fn center_fov(&self) -> Fov {
+        self.fov
+    }
+
+    /// Size of the third camera's picture whose pixels are as fine on the plane as those of the eyes (Eq. 8).
+    pub fn center_size(&self) -> (u32, u32) {
+        self.center_size
+    }
+
+    /// ε: by so much nearer than the plane does the third camera begin to draw, metres.
+    pub fn overlap(&self) -> f64 {
+        OVERLAP * self.setback * self.planes.mono
+    }
+
+    /// The homography of the plane: from pixels (x, y, 1) of the third camera to those of an eye, (x w, y w, w). w is the
+    /// distance of the plane's point along the eye's axis, metres.
+    pub fn homography(&self, side: Side) -> DMat3 {
+        let eye = self.eye(side);
+        let (m, p) = (self.planes.mono, eye.position);
+        let away = m + self.setback;
+        // Tangents (x, y, 1) of the camera to the point of the plane that it sees there, relative to the eye.
+        let on_plane =
+            DMat3::from_cols(DVec3::new(away, 0.0, 0.0), DVec3::new(0.0, away, 0.0), DVec3::new(-p.x, -p.y, -m - p.z));
+        let to_eye = DMat3::from_quat(eye.orientation).transpose();
+        let facing = DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0));
+        let pixels = pixels_of(&eye.fov, self.size);
+        let center = pixels_of(&self.fov, self.center_size);
+        pixels * facing * to_eye * on_plane * center.inverse()
+    }
+}
+
+/// Point of the plane at distance m that an eye sees at tangents (x, y); relative to the middle, head axes.
+pub(super) fn on_plane(eye: &Eye, at: DVec2, m: f64) -> DVec2 {
+    let way = eye.orientation * at.extend(-1.0);
+    eye.position.truncate() + way.truncate() * ((m + eye.position.z) / -way.z)
+}
+
+/// Corners of an eye's view on the plane: left bottom, right bottom, right top, left top.
+fn footprint(eye: &Eye, m: f64) -> [DVec2; 4] {
+    corners(&eye.fov).map(|corner| on_plane(eye, corner, m))
+}
+
+fn corners(fov: &Fov) -> [DVec2; 4] {
+    let Fov { left, right, down, up } = *fov;
+    [(left, down), (right, down), (right, up), (left, up)].map(|(x, y)| DVec2::new(x, y))
+}
+
+/// Tangents (x, y, 1) to pixels (x, y, 1).
+fn pixels_of(fov: &Fov, (width, height): (u32, u32)) -> DMat3 {
+    let x = f64::from(width) / (fov.right - fov.left);
+    let y = f64::from(height) / (fov.up - fov.down);
+    DMat3::from_cols(DVec3::new(x, 0.0, 0.0), DVec3::new(0.0, -y, 0.0), DVec3::new(-fov.left * x, fov.up * y, 1.0))
+}
+
+/// Distance behind the middle from which a ray along the eye's outer edge starts on the head's axis.
+fn setback_of(side: Side, eye: &Eye) -> Result<f64> {
+    let outwards = if side == Side::Left { -1.0 } else { 1.0 };
+    let edge = if side == Side::Left { eye.fov.left } else { eye.fov.right };
+    let slope = |y: f64| {
+        let way = eye.orientation * DVec3::new(edge, y, -1.0);
+        outwards * way.x / -way.z
+    };
+    let least = slope(eye.fov.down).min(slope(eye.fov.up));
+    if least <= 0.0 {
+        let expected = "an eye whose outer edge points outwards, away from the other eye";
+        return Err(Error::value(side.name(), expected, format!("an outer tangent of {least}")));
+    }
+    Ok((outwards * eye.position.x / least).max(0.0))
+}
+
+/// Eq. 8: the third camera's pixels are as large on the plane as those of the coarser eye. Eyes that are turned see the
+/// plane at varying sizes, of which the mean counts.
+fn center_size(feet: &[[DVec2; 4]; 2], hull: DVec2, (width, height): (u32, u32)) -> Result<(u32, u32)> {
+    let across = |[a, b, c, d]: [DVec2; 4]| 0.5 * ((b - a).length() + (c - d).length());
+    let upright = |[a, b, c, d]: [DVec2; 4]| 0.5 * ((d - a).length() + (c - b).length());
+    let pixels = |hull: f64, widths: [f64; 2], count: u32| {
+        let least = widths.map(|width| hull / width * f64::from(count)).into_iter().fold(f64::INFINITY, f64::min);
+        // Rounding must not add a pixel where the quotient is whole.
+        (least - 1e-6).ceil().max(1.0)
+    };
+    let size = [pixels(hull.x, feet.map(across), width), pixels(hull.y, feet.map(upright), height)];
+    if size.iter().any(|&count| count > f64::from(MAX_SIZE)) {
+        let expected = format!("a plane for which the shared picture has at most {MAX_SIZE} pixels each way");
+        return Err(Error::value("mono_plane", expected, format!("{} × {}", size[0], size[1])));
+    }
+    Ok((size[0] as u32, size[1] as u32))
+}
+
+fn check_size((width, height): (u32, u32)) -> Result<()> {
+    if (1..=MAX_SIZE).contains(&width) && (1..=MAX_SIZE).contains(&height) {
+        return Ok(());
+    }
+    Err(Error::value("size", format!("1 to {MAX_SIZE} pixels each way"), format!("({width}, {height})")))
+}
+
+fn check_planes(Planes { mono, stereo }: Planes) -> Result<()> {
+    if !(mono.is_finite() && mono > 0.0) {
+        return Err(Error::value("mono_plane", "a distance above 0 metres", mono));
+    }
+    if !(stereo.is_finite() && stereo >= mono) {
+        return Err(Error::value("mono_plane", format!("a zone that ends at {mono} metres or farther"), stereo));
+    }
+    Ok(())
+}
+
+/// Refuses eyes behind the plane and views with edges that do not meet it in front of the head.
+fn check_ahead(side: Side, eye: &Eye, m: f64) -> Result<()> {
+    if m + eye.position.z <= 0.0 {
+        let expected = format!("a plane in front of the {} eye, which is {} m ahead", side.name(), -eye.position.z);
+        return Err(Error::value("mono_plane", expected, m));
+    }
+    let forward = |corner: DVec2| -(eye.orientation * corner.extend(-1.0)).z / corner.extend(-1.0).length();
+    if corners(&eye.fov).into_iter().any(|corner| forward(corner) < LEAST_FORWARD) {
+        let expected = "a view whose corners lie less than 90° from the head's forward axis";
+        return Err(Error::value(side.name(), expected, "one that is turned farther"));
+    }
+    Ok(())
+}
+
+/// Refuses views that do not overlap on the plane, which have no picture in common.
+fn check_overlap(feet: &[[DVec2; 4]; 2]) -> Result<()> {
+    let bounds = feet.map(|corners| {
+        corners.into_iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)))
+    });
+    let [(low, high), (other_low, other_high)] = bounds;
+    if low.cmplt(other_high).all() && other_low.cmplt(high).all() {
+        return Ok(());
+    }
+    Err(Error::value("mono_plane", "a plane on which the views of both eyes overlap", "views apart from each other"))
+}

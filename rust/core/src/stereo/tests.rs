@@ -1,0 +1,198 @@
+use glam::{DMat3, DQuat, DVec2, DVec3};
+
+use super::*;
+use crate::camera::Fov;
+
+/// The Vive of the paper, tangents as it prints them.
+fn vive() -> [Eye; 2] {
+    let left = Fov { left: -1.391_937, right: 1.247_409, down: -1.464_287, up: 1.468_819 };
+    let right = Fov { left: -1.246_557, right: 1.398_447, down: -1.472_458, up: 1.465_505 };
+    let eye = |fov, x| Eye { fov, position: DVec3::new(x, 0.0, 0.0), orientation: DQuat::IDENTITY };
+    [eye(left, -0.032), eye(right, 0.032)]
+}
+
+/// Eyes turned outwards, moved forwards and upwards.
+fn canted(degrees: f64) -> [Eye; 2] {
+    let fov = Fov { left: -1.3, right: 1.0, down: -1.1, up: 1.2 };
+    let mirrored = Fov { left: -1.0, right: 1.3, ..fov };
+    let eye = |fov, x: f64| Eye {
+        fov,
+        position: DVec3::new(x, 0.01, -0.02),
+        orientation: DQuat::from_rotation_y(-x.signum() * degrees.to_radians()),
+    };
+    [eye(fov, -0.031), eye(mirrored, 0.033)]
+}
+
+fn rig(eyes: [Eye; 2], m: f64) -> Rig {
+    Rig::new(eyes, Planes { mono: m, stereo: m }, (1344, 1512)).unwrap()
+}
+
+fn tangents(fov: &Fov, share: DVec2) -> DVec2 {
+    DVec2::new(fov.left + (fov.right - fov.left) * share.x, fov.up + (fov.down - fov.up) * share.y)
+}
+
+fn shares() -> impl Iterator<Item = DVec2> {
+    (0..121).map(|n| DVec2::new(f64::from(n % 11) / 10.0, f64::from(n / 11) / 10.0))
+}
+
+#[test]
+fn the_published_headset_has_the_published_error() {
+    let rig = rig(vive(), 8.0);
+    // The paper: "4 pixels"; vertically 2.18 by the closed form.
+    assert!((rig.max_error(f64::INFINITY, Axis::Horizontal).unwrap() - 3.86).abs() < 0.01);
+    assert!((rig.max_error(1000.0, Axis::Horizontal).unwrap() - 3.83).abs() < 0.01);
+    assert!((rig.max_error(f64::INFINITY, Axis::Vertical).unwrap() - 2.18).abs() < 0.01);
+    assert!((rig.setback() - 0.032 / 1.391_937).abs() < 1e-15);
+}
+
+#[test]
+fn errors_follow_the_closed_form() {
+    let eyes = vive();
+    for (m, z) in [(0.5, 0.6), (1.6, 40.0), (8.0, 1000.0), (40.0, f64::INFINITY)] {
+        let rig = rig(eyes, m);
+        let s = rig.setback();
+        let grown = if z.is_finite() { (z - m) / ((z + s) * m) } else { 1.0 / m };
+        for side in Side::BOTH {
+            let eye = rig.eye(side);
+            for share in shares() {
+                let at = tangents(&eye.fov, share);
+                let expected = (at * s - eye.position.truncate()) * grown * rig.pixels_per_tangent(side);
+                // Roundings of a thousand pixels.
+                assert!((rig.error(side, at, z) - expected).length() < 1e-11, "{m} {z} {at}");
+            }
+        }
+    }
+}
+
+#[test]
+fn points_before_the_plane_stay() {
+    let rig = rig(canted(5.0), 8.0);
+    let at = DVec2::new(0.3, -0.4);
+    for depth in [0.1, 3.0, 8.0] {
+        assert_eq!(rig.shown(Side::Left, at, depth), at);
+    }
+    // The error begins at the plane, without a step.
+    assert!((rig.shown(Side::Left, at, 8.0 + 1e-9) - at).length() < 1e-9);
+}
+
+/// What `shown` and `homography` say, step by step through points in space.
+#[test]
+fn shown_and_homography_agree_with_points_in_space() {
+    for (degrees, m) in [(0.0, 2.0), (5.0, 8.0), (-10.0, 1.0), (20.0, 30.0)] {
+        let rig = rig(canted(degrees), m);
+        let camera = DVec3::new(0.0, 0.0, rig.setback());
+        let fov = rig.center_fov();
+        let ((width, height), (wide, high)) = (rig.center_size(), rig.size());
+        for side in Side::BOTH {
+            let eye = rig.eye(side);
+            let homography = rig.homography(side);
+            for share in shares() {
+                let at = tangents(&eye.fov, share);
+                let way = eye.orientation * at.extend(-1.0);
+                let depth = 3.0 * m;
+                let point = eye.position + way * ((depth + eye.position.z) / -way.z);
+                assert!((point.z + depth).abs() < 1e-12 * depth);
+                let from_camera = point - camera;
+                let through = camera + from_camera * ((-m - camera.z) / from_camera.z);
+                let seen = eye.orientation.inverse() * (through - eye.position);
+                let expected = seen.truncate() / -seen.z;
+                assert!((rig.shown(side, at, depth) - expected).length() < 1e-12);
+                // Its pixel in the third camera's picture, which the homography takes to the same place.
+                let tangent = from_camera.truncate() / -from_camera.z;
+                let pixel = DVec3::new(
+                    (tangent.x - fov.left) / (fov.right - fov.left) * f64::from(width),
+                    (fov.up - tangent.y) / (fov.up - fov.down) * f64::from(height),
+                    1.0,
+                );
+                let mapped = homography * pixel;
+                let place = mapped.truncate() / mapped.z;
+                let wanted = DVec2::new(
+                    (expected.x - eye.fov.left) / (eye.fov.right - eye.fov.left) * f64::from(wide),
+                    (eye.fov.up - expected.y) / (eye.fov.up - eye.fov.down) * f64::from(high),
+                );
+                assert!((place - wanted).length() < 1e-8, "{degrees} {m} {place} {wanted}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_pixel_of_both_eyes_has_one_of_the_third_camera() {
+    for (degrees, m) in [(0.0, 0.3), (5.0, 8.0), (-5.0, 1.6), (15.0, 100.0)] {
+        let rig = rig(canted(degrees), m);
+        let (width, height) = rig.center_size();
+        for side in Side::BOTH {
+            let back: DMat3 = rig.homography(side).inverse();
+            let (wide, high) = rig.size();
+            for share in shares() {
+                let mapped = back * DVec3::new(share.x * f64::from(wide), share.y * f64::from(high), 1.0);
+                let place = mapped.truncate() / mapped.z;
+                let end = DVec2::new(f64::from(width), f64::from(height));
+                assert!(mapped.z > 0.0 && place.cmpge(DVec2::splat(-1e-7)).all() && place.cmple(end + 1e-7).all());
+            }
+        }
+    }
+}
+
+#[test]
+fn pixels_of_the_third_camera_are_as_fine_as_those_of_the_eyes() {
+    // Eyes that are not turned see the plane at one size everywhere: the coarser one decides.
+    let rig = rig(vive(), 8.0);
+    let fov = rig.center_fov();
+    let ((width, height), away) = (rig.center_size(), 8.0 + rig.setback());
+    let sizes = Side::BOTH.map(|side| 8.0 / rig.pixels_per_tangent(side));
+    let (across, upright) =
+        ((fov.right - fov.left) * away / f64::from(width), (fov.up - fov.down) * away / f64::from(height));
+    let coarsest = sizes[0].max(sizes[1]);
+    assert!(across <= coarsest.x * (1.0 + 1e-9) && across > coarsest.x * 0.998);
+    assert!(upright <= coarsest.y * (1.0 + 1e-9) && upright > coarsest.y * 0.998);
+}
+
+#[test]
+fn a_zone_joins_both_parts_smoothly() {
+    let planes = Planes { mono: 6.0, stereo: 10.0 };
+    let zone = Rig::new(canted(5.0), planes, (1344, 1512)).unwrap();
+    let whole = rig(canted(5.0), 6.0);
+    let at = DVec2::new(0.9, -0.4);
+    // At its ends the eye's own picture and the shared one.
+    assert!((zone.shown(Side::Left, at, 6.0 + 1e-9) - at).length() < 1e-9);
+    assert_eq!(zone.shown(Side::Left, at, 10.0), whole.shown(Side::Left, at, 10.0));
+    assert!((zone.shown(Side::Left, at, 10.0 - 1e-9) - whole.shown(Side::Left, at, 10.0)).length() < 1e-9);
+    // Without a step of the slope, which both ends of a smoothstep keep.
+    let slope = |rig: &Rig, depth: f64| {
+        (rig.shown(Side::Left, at, depth + 1e-6) - rig.shown(Side::Left, at, depth - 1e-6)) / 2e-6
+    };
+    assert!(slope(&zone, 6.0).length() < 1e-6);
+    assert!((slope(&zone, 10.0) - slope(&whole, 10.0)).length() < 1e-6);
+}
+
+#[test]
+fn impossible_rigs_are_refused() {
+    let refused = |eyes, mono, stereo, size, words: &str| {
+        let error = Rig::new(eyes, Planes { mono, stereo }, size).unwrap_err().to_string();
+        assert!(error.contains(words), "{error}");
+    };
+    let size = (10, 10);
+    let [left, right] = vive();
+    refused([right, left], 8.0, 8.0, size, "right: expected an eye to the right");
+    refused([left, left], 8.0, 8.0, size, "right: expected an eye to the right");
+    refused([left, right], 0.0, 0.0, size, "mono_plane: expected a distance above 0");
+    refused([left, right], f64::NAN, 1.0, size, "mono_plane: expected a distance above 0");
+    refused([left, right], 8.0, 7.0, size, "mono_plane: expected a zone that ends at 8");
+    refused([left, right], 8.0, 8.0, (0, 10), "size: expected 1 to 65536 pixels");
+    refused(canted(60.0), 8.0, 8.0, size, "left: expected a view whose corners lie less than 90°");
+    let ahead = canted(0.0).map(|eye| Eye { position: eye.position * DVec3::new(1.0, 1.0, 0.0), ..eye });
+    let tilted = [Eye { position: ahead[0].position - DVec3::Z, ..ahead[0] }, ahead[1]];
+    refused(tilted, 0.4, 0.4, size, "mono_plane: expected a plane in front of the left eye");
+    let narrow = Fov { left: 1.0, right: 1.1, down: -0.1, up: 0.1 };
+    refused(
+        [Eye { fov: narrow, ..left }, right],
+        8.0,
+        8.0,
+        size,
+        "left: expected an eye whose outer edge points outwards",
+    );
+    let low = Fov { down: -1.4, up: -1.3, ..left.fov };
+    let high = Fov { down: 1.3, up: 1.4, ..right.fov };
+    refused([Eye { fov: low, ..left }, Eye { fov: high, ..right }], 8.0, 8.0, size, "views of both eyes overlap");
+}
