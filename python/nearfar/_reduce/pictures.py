@@ -140,7 +140,9 @@ class InPictures:
         if backends.check(backend) == "gpu" and "gpu" not in drawn.backends:
             raise ValueError("method: expected 'vertex' with backend='gpu', got 'exact': rays are bent on the CPU")
         renderer = Renderer(cast(Renderable, drawn), channels, samples, lod)
-        (frame,) = renderer.frames(renderer.shot([camera], user, t_min, t_max, clip), at, renderer.device(backend, self))
+        (frame,) = renderer.frames(
+            renderer.shot([camera], user, t_min, t_max, clip), at, renderer.device(backend, self)
+        )
         return frame
 
     @property
